@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <numbers>
+
+namespace glissade {
+
+// Inside glissade every quantity is SI and every angle is in radians. These constants convert at the edges,
+// and nowhere else; g is one number for the whole program.
+inline constexpr double standard_gravity_mps2 = 9.80665;  ///< exact by definition (CGPM 1901)
+inline constexpr double inch_m = 0.0254;
+inline constexpr double foot_m = 0.3048;
+inline constexpr double rad_per_deg = std::numbers::pi / 180.0;
+
+}  // namespace glissade

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "glissade/fragility/lognormal.hpp"
+
+namespace glissade {
+
+struct Interval {
+  double low = std::numeric_limits<double>::quiet_NaN();
+  double high = std::numeric_limits<double>::quiet_NaN();
+};
+
+/// One intensity level: of `trials`, `exceedances` exceeded. Counts may be fractional (weights, resampling).
+struct Stripe {
+  double intensity = 0.0;  ///< > 0
+  double trials = 0.0;
+  double exceedances = 0.0;
+};
+
+/// Capacities, the lowest intensity at which each history reached the threshold. Histories that never reached it by
+/// `censored_at` are counted in `censored`, never filled in.
+struct CapacitySample {
+  std::vector<double> capacities;  ///< > 0
+  double censored = 0.0;
+  double censored_at = std::numeric_limits<double>::infinity();
+};
+
+enum class FitStatus {
+  failed,               ///< no fit; see note
+  maximum_likelihood,   ///< finite maximum of the likelihood
+  jeffreys_penalised,   ///< separated data: penalised by half the log determinant of the information (Firth 1993)
+  one_sided_bound,      ///< no exceedance at all: median is a lower bound at 95 % for the assumed log_std
+};
+std::string to_string(FitStatus status);
+
+/// Starts as failure; says what came out and how.
+struct FitSummary {
+  FitStatus status = FitStatus::failed;
+  LognormalCurve curve;
+  Interval median_interval;    ///< 95 %, method in interval_method
+  Interval log_std_interval;
+  double log_likelihood = std::numeric_limits<double>::quiet_NaN();
+  std::string method;          ///< "probit maximum likelihood on stripes", ...
+  std::string interval_method; ///< "profile likelihood", "bootstrap over records (expanded percentile)", ...
+  std::string note;            ///< what a reader must know; may be empty
+  bool converged() const { return status == FitStatus::maximum_likelihood || status == FitStatus::jeffreys_penalised; }
+};
+
+/// ln C(n,k) + k ln Phi(z) + (n-k) ln Phi(-z) summed over stripes (Baker 2015, Earthquake Spectra 31(1), eq 11).
+double stripe_log_likelihood(const std::vector<Stripe>& stripes, const LognormalCurve& curve);
+
+/// Maximum likelihood on stripes with independent trials; 95 % intervals by profile likelihood. Separated data:
+/// Jeffreys penalised fit. No exceedance: one-sided bound.
+FitSummary fit_stripes(const std::vector<Stripe>& stripes);
+
+/// The Jeffreys (Firth) penalised fit, separated or not.
+FitSummary fit_stripes_jeffreys(const std::vector<Stripe>& stripes);
+
+double capacity_log_likelihood(const CapacitySample& sample, const LognormalCurve& curve);
+
+/// Lognormal maximum likelihood on capacities, right-censored at `censored_at`. Without censoring log_std has n - 1
+/// below the line (statistics as in FEMA P-58 and Baker 2015). 95 % intervals: Student t for ln median and chi-square for
+/// log_std without censoring, else profile likelihood.
+FitSummary fit_capacities(const CapacitySample& sample);
+
+}  // namespace glissade

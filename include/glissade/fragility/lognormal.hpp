@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace glissade {
+
+/// A lognormal fragility: P(exceed | x) = Phi(ln(x / median) / log_std).
+struct LognormalCurve {
+  double median = 0.0;   ///< > 0, in the unit of the intensity measure
+  double log_std = 0.0;  ///< > 0
+  double probability(double intensity) const;           ///< 0 at intensity <= 0
+  double intensity_at(double probability) const;        ///< inverse, probability in (0, 1)
+};
+
+/// ln Phi(z), finite and accurate in both tails.
+double log_normal_cdf(double z);
+
+}  // namespace glissade

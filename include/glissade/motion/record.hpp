@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace glissade {
+
+/// One component of a digitised accelerogram: piecewise linear between equally spaced samples, zero before the
+/// first; after the last it goes linearly to zero over one more interval and stays there.
+struct Record {
+  std::string name;                       ///< where it came from: a file, or what was simulated
+  double dt_s = 0.0;                      ///< > 0
+  std::vector<double> acceleration_mps2;  ///< finite, at least one sample
+};
+
+}  // namespace glissade

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace glissade {
+
+/// A group of processes: one, or the ranks of an mpirun. A value type; copies share the group.
+class Communicator {
+ public:
+  /// One process, no MPI.
+  static Communicator serial();
+  int rank() const;
+  int size() const;
+  bool is_root() const { return rank() == 0; }
+
+  /// Root's bytes to everybody.
+  void broadcast(std::vector<char>& bytes) const;
+  /// Everybody's bytes to root, by rank; empty elsewhere.
+  std::vector<std::vector<char>> gather(const std::vector<char>& bytes) const;
+  /// Ends every rank at once (an error on one of them).
+  [[noreturn]] void abort(int exit_status) const;
+
+  /// Self-scheduling: hands out 0, 1, 2, ... once each over all ranks. Collective to make and to destroy.
+  class Ticket {
+   public:
+    struct State;
+    explicit Ticket(std::unique_ptr<State> state);
+    ~Ticket();
+    Ticket(Ticket&&) noexcept;
+    std::uint64_t next();
+
+   private:
+    std::unique_ptr<State> state_;
+  };
+  Ticket make_ticket() const;
+
+  struct State;
+
+ private:
+  explicit Communicator(std::shared_ptr<State> state);
+  std::shared_ptr<State> state_;
+  friend class MpiSession;
+};
+
+/// Starts MPI for the life of the object when the program runs under mpirun (or srun); otherwise starts nothing.
+class MpiSession {
+ public:
+  MpiSession(int& argc, char**& argv);
+  ~MpiSession();
+  MpiSession(const MpiSession&) = delete;
+  MpiSession& operator=(const MpiSession&) = delete;
+  Communicator world() const;
+
+ private:
+  bool started_ = false;
+};
+
+}  // namespace glissade

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <variant>
+#include <vector>
+
+namespace glissade {
+
+struct Fixed { double value; };
+struct Normal { double mean, std; };                           ///< std > 0
+struct TruncatedNormal { double mean, std, min, max; };        ///< of the parent; min < max, either may be infinite
+struct LogNormal { double median, log_std; };                  ///< both > 0
+struct Uniform { double min, max; };                           ///< min < max
+struct Triangular { double min, mode, max; };                  ///< min <= mode <= max, min < max
+struct Discrete { std::vector<double> values, weights; };      ///< weights > 0, as many as values; need not sum to 1
+struct Empirical { std::vector<double> values; };              ///< at least two; linear between order statistics
+
+/// How an uncertain parameter is distributed. A plain value type.
+using Distribution =
+    std::variant<Fixed, Normal, TruncatedNormal, LogNormal, Uniform, Triangular, Discrete, Empirical>;
+
+/// Throws InputError (where = "") naming the parameter that breaks its rule.
+void validate(const Distribution& distribution);
+
+/// The value below which a share u in (0, 1) lies. Monotone in u, so that quasi-random points stay quasi-random.
+/// Empirical: Hyndman & Fan (1996) type 7.
+double quantile(const Distribution& distribution, double u);
+
+double mean(const Distribution& distribution);
+double standard_deviation(const Distribution& distribution);
+/// The range outside which no value can fall; may be infinite.
+struct Support { double min, max; };
+Support support(const Distribution& distribution);
+
+inline bool is_fixed(const Distribution& d) { return std::holds_alternative<Fixed>(d); }
+
+}  // namespace glissade

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace glissade {
+
+enum class SeismicDesignCategory { a, b, c, d, e, f };
+SeismicDesignCategory parse_seismic_design_category(const std::string& text);
+std::string to_string(SeismicDesignCategory category);
+
+/// How well a provision is known here.
+enum class Provenance {
+  checked,   ///< reproduced from a source
+  recalled,  ///< from memory of the standard: verify against the standard
+};
+
+/// A prescribed displacement or separation, with what it rests on.
+struct Prescription {
+  double value_m = 0.0;
+  Provenance provenance = Provenance::checked;
+  std::string basis;  ///< the equation or clause, and, where recalled, "verify against the standard"
+};
+
+/// SEAOC PV1-2012 design displacement: 60 (S_DS - 0.4)^2 in for SDC D, E, F (checked); not less than 6 in (recalled); 6 in for
+/// SDC A-C (recalled). S_DS < 0.4 g counts as 0.4. Valid for slopes under 3 degrees and mu above 0.4.
+Prescription seaoc_pv1_2012_displacement(double sds_g, SeismicDesignCategory category);
+
+/// ASCE 7-16 section 13.6.12: 5 I_e (S_DS - 0.4)^2 ft (checked); not less than 24 in (recalled).
+Prescription asce7_16_displacement(double sds_g, double importance);
+
+struct Separation {
+  std::string what;   ///< "between similar arrays", ...
+  double factor;      ///< times the design displacement
+  double value_m;
+  Provenance provenance;
+};
+/// The four separations of ASCE 7-16 section 13.6.12 for a design displacement.
+std::vector<Separation> asce7_16_separations(double displacement_m);
+
+}  // namespace glissade

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glissade/core/error.hpp"
+
+#include <algorithm>
+#include <cstddef>
+
+namespace glissade {
+
+std::string to_string(const Problem& problem) {
+  std::string text;
+  if (!problem.where.empty()) text += problem.where + ": ";
+  text += problem.what;
+  if (!problem.suggestion.empty()) text += "; " + problem.suggestion;
+  if (!problem.excerpt.empty()) text += "\n" + problem.excerpt;
+  return text;
+}
+
+namespace {
+
+std::string join(const std::vector<Problem>& problems) {
+  std::string text;
+  for (const Problem& problem : problems) {
+    if (!text.empty()) text += "\n";
+    text += to_string(problem);
+  }
+  return text;
+}
+
+/// Optimal string alignment distance (Levenshtein with adjacent transpositions).
+std::size_t edit_distance(const std::string& a, const std::string& b) {
+  std::vector<std::vector<std::size_t>> d(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
+  for (std::size_t i = 0; i <= a.size(); ++i) d[i][0] = i;
+  for (std::size_t j = 0; j <= b.size(); ++j) d[0][j] = j;
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t replace = d[i - 1][j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1);
+      d[i][j] = std::min({d[i - 1][j] + 1, d[i][j - 1] + 1, replace});
+      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1]) {
+        d[i][j] = std::min(d[i][j], d[i - 2][j - 2] + 1);
+      }
+    }
+  }
+  return d[a.size()][b.size()];
+}
+
+}  // namespace
+
+InputError::InputError(Problem problem) : InputError(std::vector<Problem>{std::move(problem)}) {}
+
+InputError::InputError(std::vector<Problem> problems)
+    : std::runtime_error(join(problems)), problems_(std::move(problems)) {}
+
+void ProblemList::add(const InputError& error) {
+  problems_.insert(problems_.end(), error.problems().begin(), error.problems().end());
+}
+
+void ProblemList::throw_if_any() const {
+  if (!problems_.empty()) throw InputError(problems_);
+}
+
+std::string nearest_word(const std::string& word, const std::vector<std::string>& candidates) {
+  // A suggestion helps when the two words share a beginning (a wrong unit) or differ by a few letters (a slip).
+  std::string best;
+  std::size_t best_distance = std::max<std::size_t>(2, word.size() / 2) + 1;
+  for (const std::string& candidate : candidates) {
+    const std::size_t distance = edit_distance(word, candidate);
+    if (distance < best_distance) {
+      best = candidate;
+      best_distance = distance;
+    }
+  }
+  return best;
+}
+
+}  // namespace glissade

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glissade/core/error.hpp"
+
+#include <gtest/gtest.h>
+
+namespace glissade {
+namespace {
+
+TEST(problem, reads_where_what_and_what_to_do) {
+  EXPECT_EQ(to_string({"study.toml:3", "mu = -1 is negative", "give mu >= 0", "  mu = -1\n       ^"}),
+            "study.toml:3: mu = -1 is negative; give mu >= 0\n  mu = -1\n       ^");
+}
+
+TEST(problem_list, throws_all_problems_at_once) {
+  ProblemList problems;
+  EXPECT_NO_THROW(problems.throw_if_any());
+  problems.add({"a", "first", "", ""});
+  problems.add({"b", "second", "", ""});
+  try {
+    problems.throw_if_any();
+    FAIL() << "nothing thrown";
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.problems().size(), 2u);
+    EXPECT_STREQ(error.what(), "a: first\nb: second");
+  }
+}
+
+TEST(nearest_word, finds_the_key_with_a_wrong_unit_or_a_slip_of_the_pen) {
+  const std::vector<std::string> keys = {"period_s", "damping", "slope_deg", "thresholds_m"};
+  EXPECT_EQ(nearest_word("period_ms", keys), "period_s");
+  EXPECT_EQ(nearest_word("threshold_m", keys), "thresholds_m");
+  EXPECT_EQ(nearest_word("dampign", keys), "damping");
+  EXPECT_EQ(nearest_word("colour", keys), "");
+}
+
+}  // namespace
+}  // namespace glissade
