@@ -11,7 +11,7 @@ struct LognormalCurve {
   double intensity_at(double probability) const;        ///< inverse, probability in (0, 1)
 };
 
-/// ln Phi(z), finite and accurate in both tails.
+/// ln Phi(z), finite (|z| < 1e150) and accurate to a few parts in 1e15 in both tails.
 double log_normal_cdf(double z);
 
 }  // namespace glissade

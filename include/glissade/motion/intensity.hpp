@@ -8,8 +8,10 @@
 
 namespace glissade {
 
+/// Largest |acceleration|; 0 for an empty record.
 double peak_ground_acceleration_mps2(std::span<const double> acceleration_mps2);
-/// Largest |velocity|, integrated exactly for piecewise-linear acceleration from rest, extrema inside intervals included.
+/// Largest |velocity|, integrated exactly for piecewise-linear acceleration from rest, extrema inside intervals and the
+/// interval to zero after the last sample included. dt_s > 0.
 double peak_ground_velocity_mps(double dt_s, std::span<const double> acceleration_mps2);
 
 /// How two horizontal components become one number. With one component both are that component.

@@ -32,9 +32,11 @@ struct TimedRecord {
 };
 
 /// Puts components on a common clock: each is shifted to its start and padded with zeros to the longest.
-/// Components with a coarser step whose dt_s is a whole multiple of the finest are interpolated linearly, which
-/// changes nothing (the motion is piecewise linear). `motion` brings the metadata.
-/// Throws InputError where steps or starts do not fit.
+/// Components with a coarser step whose dt_s is a whole multiple of the finest are interpolated linearly, with their
+/// last interval to zero, which changes nothing (the motion is piecewise linear). A component that starts later rises
+/// to its first sample over one interval. `metadata` brings what is told of the motion; its samples are replaced.
+/// Throws InputError, with the problems of all components, where a record is empty, has a sample that is not finite or
+/// a dt_s that is not positive, and where steps or starts are further than 1e-6 of a sample from fitting.
 Motion assemble_motion(Motion metadata, const TimedRecord& first, const std::optional<TimedRecord>& second,
                        const std::optional<TimedRecord>& vertical);
 

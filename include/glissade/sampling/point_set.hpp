@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
 namespace glissade {
 
@@ -10,9 +9,9 @@ enum class SamplingMethod { sobol, monte_carlo };
 
 /// Points in the open unit cube. A coordinate belongs to (seed, sample, dimension) alone: not to the number of
 /// samples, not to which other dimensions are used, not to a rank.
-/// sobol: Joe & Kuo (2008) direction numbers (Boost.Random's), point 0 kept, each dimension with its own hash-based
-/// Owen scramble (Laine & Karras 2011; Burley 2020) of 32 bits. Use a power of two of samples; replicate with
-/// different seeds for intervals.
+/// sobol: Joe & Kuo (2008) direction numbers (Boost.Random's), point 0 kept, each dimension with its own nested
+/// uniform scramble of 32 bits (Owen 1995), made on the fly from hashes. Use a power of two of samples; replicate
+/// with different seeds for intervals.
 /// monte_carlo: Philox.
 class PointSet {
  public:
@@ -25,7 +24,8 @@ class PointSet {
   std::uint64_t seed_;
 };
 
-/// Unscrambled Sobol coordinate in [0, 1): the reference the scrambled points are made from.
+/// Unscrambled Sobol coordinate in [0, 1), exact in double, points in Gray-code order (Antonov & Saleev 1980) with
+/// point 0 at the origin: the reference the scrambled points are made from. @param dimension < 64
 double sobol_coordinate(std::uint32_t sample, std::uint32_t dimension);
 
 }  // namespace glissade

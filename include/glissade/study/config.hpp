@@ -92,6 +92,12 @@ struct StudyConfig {
   StandardsConfig standards;
 };
 
+/// Axis label of the intensity measure with its unit: "S_DS (g)", "Sa(1 s) (g)" ...
+std::string intensity_label(const IntensityConfig& intensity);
+
+/// "uniform, 0.2 to 2", "one of 1.19, 2.39" ...
+std::string describe(const Distribution& distribution);
+
 /// The design coefficient of friction, mean - 2 std (Walters 2012), not below 0.
 double design_friction(const FrictionConfig& friction);
 

@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "glissade/motion/motion.hpp"
+#include "glissade/motion/simulation/scenario.hpp"
+#include "glissade/motion/simulation/spectral_gain.hpp"
 
 namespace glissade {
-
-enum class FaultMechanism { strike_slip, reverse };
 
 /// One simulated motion of a recipe. `realization` names its random numbers; the same recipe gives the same motion.
 struct SyntheticMotion {
@@ -32,6 +32,12 @@ struct SyntheticRecipe {
   std::vector<double> vertical_gain;
   std::vector<SyntheticMotion> motions;
 };
+
+Scenario scenario_of(const SyntheticMotion& motion);
+SuiteGain gain_of(const SyntheticRecipe& recipe);
+
+/// Simulates one motion (of the recipe, or a candidate for it); its scale is told, not applied.
+Motion simulate_motion(const SyntheticRecipe& recipe, const SyntheticMotion& source);
 
 /// Simulates the recipe's motions. Deterministic: noise and parameters are keyed by (seed, realization).
 Suite simulate_suite(const SyntheticRecipe& recipe);

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <vector>
+
+namespace glissade {
+
+/// A zero-phase amplitude gain over frequency: ln-ln linear between its points, constant outside. Ours, not published.
+struct SpectralGain {
+  std::vector<double> frequencies_hz;  ///< increasing, > 0
+  std::vector<double> values;          ///< > 0, one per frequency
+
+  double operator()(double frequency_hz) const;
+};
+
+/// The gains of a suite; both horizontals have the same.
+struct SuiteGain {
+  SpectralGain horizontal, vertical;
+};
+
+/// Multiplies the signal's Fourier transform by the gain. Zeros as long as the signal stand in for what lies
+/// before and after it, so that nothing wraps round; what leaks beyond its ends is cut.
+std::vector<double> apply_gain(std::span<const double> signal, double dt_s, const SpectralGain& gain);
+
+}  // namespace glissade

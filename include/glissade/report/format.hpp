@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "glissade/fragility/fit.hpp"
+#include "glissade/standards/prescriptive.hpp"
+#include "glissade/study/config.hpp"
+
+namespace glissade {
+
+/// Three significant digits and no exponent where one can be avoided: "0.300", "12.5", "1024"; "-" for what is not finite.
+std::string format_number(double value);
+/// The shortest text that reads back as the same double; "" for NaN (an empty CSV field), "inf", "-inf".
+std::string format_exact(double value);
+/// "0.300 m (11.8 in)"; "-" for what is not finite.
+std::string format_length(double length_m);
+/// "12 %", "0.4 %", "< 0.1 %", "0 %"; "-" for what is not finite.
+std::string format_share(double share);
+/// "0.76 to 0.93"; "no interval" where an end is NaN.
+std::string format_interval(const Interval& interval);
+
+/// "SEAOC PV1-2012", "ASCE 7-16".
+std::string standard_name(Standard standard);
+/// "checked", or "recalled: verify against the standard".
+std::string provenance_label(Provenance provenance);
+
+/// & < > " ' as entities: safe as text and inside quoted attributes.
+std::string escape_html(std::string_view text);
+
+}  // namespace glissade

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "glissade/report/figures.hpp"
+#include "glissade/study/results.hpp"
+
+namespace glissade {
+
+/// A figure with its drawing.
+struct DrawnFigure {
+  Figure figure;
+  std::string svg;
+};
+
+/// The whole report in one page that needs nothing else: styles and drawings inline, no scripts, no network.
+std::string html_report(const Results& results, const std::vector<DrawnFigure>& figures);
+
+}  // namespace glissade

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "glissade/fragility/fit.hpp"
+
+namespace glissade {
+
+/// How a column is written for people. CSV always has the bare SI number with all its digits.
+enum class ColumnKind {
+  text,
+  count,    ///< whole numbers
+  number,   ///< three significant digits
+  length,   ///< metres, with inches in brackets
+  share,    ///< percent
+};
+
+struct Column {
+  std::string stem;     ///< "mean_slip": the CSV name without its unit
+  std::string unit;     ///< "m", "g", "s" ...; empty for text, counts and dimensionless numbers
+  std::string heading;  ///< for people, unit included: "Mean slip, m (in)"
+  ColumnKind kind = ColumnKind::number;
+  bool with_interval = false;  ///< cells are Estimates; CSV gets three columns: value, _low95, _high95
+};
+
+struct Estimate {
+  double value = 0.0;
+  Interval interval;
+  bool is_lower_bound = false;  ///< people read "> value"
+};
+
+using Cell = std::variant<double, std::string, Estimate>;
+
+/// A small table: made once, shown as CSV, on a terminal and in HTML.
+struct Table {
+  std::string name;   ///< the file's name without .csv
+  std::string title;  ///< one line: what it is
+  std::vector<Column> columns;
+  std::vector<std::vector<Cell>> rows;
+
+  /// Adds a row. Expects one cell per column.
+  void add(std::vector<Cell> row);
+};
+
+/// The cell as people read it: "0.300 (11.8)", "12 %", "0.84 [0.76, 0.93]"; "-" for what is not finite.
+std::string cell_text(const Column& column, const Cell& cell);
+
+/// `# title`, a header with the unit in every name, then the rows (RFC 4180 quoting). NaN is an empty field.
+std::string to_csv(const Table& table);
+/// Title and aligned columns, numbers to the right.
+std::string to_text(const Table& table);
+/// A <table> with a caption, everything escaped.
+std::string to_html(const Table& table);
+
+}  // namespace glissade

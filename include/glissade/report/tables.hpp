@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "glissade/report/table.hpp"
+#include "glissade/study/results.hpp"
+
+namespace glissade {
+
+// The tables of a study. Every displacement is in plan; every interval is 95 %. Levels and medians are in g, as every
+// intensity measure is; the title says which measure.
+
+/// Per run, threshold and method (stripes, capacities): the lognormal fragility and what it rests on.
+Table fragility_table(const Results& results);
+/// The fit to use per run and threshold, for reading: one row each.
+Table fragility_summary_table(const Results& results);
+/// Slip statistics per run and level.
+Table slip_table(const Results& results);
+/// Prescribed values beside what came out, per run, standard and S_DS. Empty without standards.
+Table standards_table(const Results& results);
+/// Counts of exceedances per run, threshold and level: what the stripes fit rests on.
+Table stripes_table(const Results& results);
+Table records_table(const Results& results);
+/// One column per record, then the average and the target where there is one.
+Table spectra_table(const Results& results);
+/// The sampled parameters. Friction is that of the "sampled" run.
+Table samples_table(const Results& results);
+
+/// All of the above that are files of their own, in this order.
+std::vector<Table> csv_tables(const Results& results);
+
+/// The fit on capacities where it converged, else the one on stripes where that did, else the one on capacities.
+const FitSummary& preferred_fit(const ThresholdFragility& fragility);
+
+}  // namespace glissade

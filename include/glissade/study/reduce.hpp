@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "glissade/study/execute.hpp"
+#include "glissade/study/results.hpp"
+
+namespace glissade {
+
+/// Puts the units' results together in plan order, fits the fragilities, compares with the standards.
+/// `units` may come in any order; each unit of the plan must be there once.
+Results reduce(const Plan& plan, const std::vector<UnitResult>& units);
+
+}  // namespace glissade

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glissade/building/roof_motion.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "glissade/core/contract.hpp"
+#include "glissade/core/oscillator.hpp"
+
+namespace glissade {
+namespace {
+
+/// How many substeps of dt give a period at least `steps_per_period` of them.
+int substeps(const Oscillator& oscillator, double dt_s, int steps_per_period) {
+  if (oscillator.period_s == 0.0) return 1;
+  return std::max(1, static_cast<int>(std::ceil(steps_per_period * dt_s / oscillator.period_s - 1e-9)));
+}
+
+/// Visits the linear pieces of a record cut into `parts` each: visit(a_begin, a_end).
+template <class Visit>
+void for_each_piece(std::span<const double> ground, bool to_zero, int parts, Visit visit) {
+  const std::size_t intervals = ground.size() - (to_zero ? 0 : 1);
+  for (std::size_t i = 0; i < intervals; ++i) {
+    const double begin = ground[i], end = i + 1 < ground.size() ? ground[i + 1] : 0.0;
+    double left = begin;
+    for (int part = 1; part <= parts; ++part) {
+      const double right = part == parts ? end : begin + (end - begin) * part / parts;
+      visit(left, right);
+      left = right;
+    }
+  }
+}
+
+std::vector<double> rigid_response(std::span<const double> ground, bool to_zero, int parts) {
+  std::vector<double> roof;
+  roof.reserve((ground.size() + 1) * static_cast<std::size_t>(parts));
+  roof.push_back(ground.front());
+  for_each_piece(ground, to_zero, parts, [&](double, double end) { roof.push_back(end); });
+  return roof;
+}
+
+std::vector<double> oscillator_response(const Oscillator& oscillator, double dt_s, std::span<const double> ground, int parts,
+                                        double quiet_mps2, double longest_ring_down_s) {
+  const double phase = 2.0 * std::numbers::pi * dt_s / (parts * oscillator.period_s);
+  const double zeta = oscillator.damping_ratio;
+  const OscillatorStep step = oscillator_step(phase, zeta);
+  const bool rings = quiet_mps2 > 0.0;
+
+  std::vector<double> roof;
+  roof.reserve((ground.size() + 1) * static_cast<std::size_t>(parts));
+  double x = 0.0, y = 0.0;
+  const auto advance = [&](double a0, double a1) {
+    const double x1 = step.xx * x + step.xy * y - (step.x_start * a0 + step.x_end * a1);
+    y = step.yy * y - step.xy * x - (step.y_start * a0 + step.y_end * a1);
+    x = x1;
+    roof.push_back(-(x + 2.0 * zeta * y));
+  };
+  roof.push_back(0.0);  // at rest
+  for_each_piece(ground, rings, parts, advance);
+  if (rings) {
+    // |x + 2 zeta y| <= (1 + 2 zeta) envelope, which decays as exp(-zeta phase) a step.
+    const double bound = (1.0 + 2.0 * zeta) * free_vibration_envelope(x, y, zeta);
+    double steps = 0.0;
+    if (bound > quiet_mps2) {
+      const double longest = longest_ring_down_s * parts / dt_s;
+      steps = zeta > 0.0 ? std::min(longest, std::log(bound / quiet_mps2) / (zeta * phase)) : longest;
+    }
+    for (double i = 0.0; i < steps; i += 1.0) advance(0.0, 0.0);
+  }
+  return roof;
+}
+
+double peak(const std::vector<double>& values) {
+  double largest = 0.0;
+  for (const double value : values) largest = std::max(largest, std::abs(value));
+  return largest;
+}
+
+}  // namespace
+
+RoofMotion roof_motion(const GroundMotion& ground, const Building& building, const RoofMotionOptions& options) {
+  GLISSADE_EXPECTS(ground.dt_s > 0.0 && !ground.horizontal_mps2.empty());
+  GLISSADE_EXPECTS(ground.vertical_mps2.empty() || ground.vertical_mps2.size() == ground.horizontal_mps2.size());
+  const bool vertical = !ground.vertical_mps2.empty();
+  const int parts = std::max(substeps(building.horizontal, ground.dt_s, options.steps_per_period),
+                             vertical ? substeps(building.vertical, ground.dt_s, options.steps_per_period) : 1);
+
+  const auto response = [&](const Oscillator& oscillator, std::span<const double> input, double quiet_mps2) {
+    if (oscillator.period_s == 0.0) return rigid_response(input, false, parts);
+    return oscillator_response(oscillator, ground.dt_s, input, parts, quiet_mps2, options.longest_ring_down_s);
+  };
+  RoofMotion roof;
+  roof.dt_s = ground.dt_s / parts;
+  roof.horizontal_mps2 = response(building.horizontal, ground.horizontal_mps2, options.quiet_horizontal_mps2);
+  if (vertical) roof.vertical_mps2 = response(building.vertical, ground.vertical_mps2, options.quiet_vertical_mps2);
+  roof.peak_horizontal_mps2 = peak(roof.horizontal_mps2);
+  roof.peak_vertical_mps2 = peak(roof.vertical_mps2);
+  if (vertical && roof.vertical_mps2.size() != roof.horizontal_mps2.size()) {
+    // The component that ends first goes to zero over one record interval, refined as the rest is, and stays there.
+    auto& shorter = roof.vertical_mps2.size() < roof.horizontal_mps2.size() ? roof.vertical_mps2 : roof.horizontal_mps2;
+    const std::size_t full = std::max(roof.vertical_mps2.size(), roof.horizontal_mps2.size());
+    const double last = shorter.back();
+    for (int part = 1; part < parts; ++part) shorter.push_back(last * (parts - part) / parts);
+    shorter.resize(full, 0.0);
+  }
+  return roof;
+}
+
+}  // namespace glissade

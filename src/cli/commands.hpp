@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include "glissade/parallel/communicator.hpp"
+
+namespace glissade::cli {
+
+// Each adds one command to the program: its options, and what it calls. No physics here.
+void add_run(CLI::App& program, const Communicator& world);
+void add_slide(CLI::App& program);
+void add_fit(CLI::App& program);
+void add_suite(CLI::App& program);
+void add_standards(CLI::App& program);
+void add_report(CLI::App& program);
+
+/// An error that root has already told; every rank leaves with this status.
+struct ExitStatus {
+  int status = 0;
+};
+
+}  // namespace glissade::cli

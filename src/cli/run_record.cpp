@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "run_record.hpp"
+
+#include <fmt/chrono.h>
+#include <unistd.h>
+
+#include <array>
+#include <nlohmann/json.hpp>
+
+namespace glissade::cli {
+
+void PhaseClock::end_phase(const std::string& name) {
+  const auto now = std::chrono::steady_clock::now();
+  phases_.emplace_back(name, std::chrono::duration<double>(now - last_).count());
+  last_ = now;
+}
+
+std::string run_json(const Results& results, const PhaseClock& clock, int ranks, std::uint64_t histories_integrated) {
+  std::array<char, 256> host{};
+  gethostname(host.data(), host.size() - 1);
+  nlohmann::ordered_json json;
+  json["study"] = results.study_name;
+  json["plan_hash"] = results.plan_hash;
+  json["program_version"] = results.program_version;
+  json["finished_utc"] = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
+  json["host"] = host.data();
+  json["ranks"] = ranks;
+  json["histories_integrated"] = histories_integrated;
+  for (const auto& [phase, seconds] : clock.phases()) json["seconds"][phase] = seconds;
+  json["skipped"] = nlohmann::ordered_json::array();
+  for (const Skip& skip : results.skips) json["skipped"].push_back({{"what", skip.what}, {"why", skip.why}, {"count", skip.count}});
+  return json.dump(2) + "\n";
+}
+
+}  // namespace glissade::cli

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <chrono>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "glissade/study/results.hpp"
+
+namespace glissade::cli {
+
+/// Seconds by phase of a run.
+class PhaseClock {
+ public:
+  /// Ends the phase that began at the last call (or at construction).
+  void end_phase(const std::string& name);
+  const std::vector<std::pair<std::string, double>>& phases() const { return phases_; }
+
+ private:
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+  std::vector<std::pair<std::string, double>> phases_;
+};
+
+/// run.json: when, where, on how many ranks, how long, and what was skipped: all that results.h5 must not hold.
+std::string run_json(const Results& results, const PhaseClock& clock, int ranks, std::uint64_t histories_integrated);
+
+}  // namespace glissade::cli

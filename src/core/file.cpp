@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glissade/core/file.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <fstream>
+#include <iterator>
+#include <system_error>
+
+#include "glissade/core/error.hpp"
+
+namespace glissade {
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void throw_io_error(const fs::path& path, const std::string& doing, int error_number) {
+  const char* suggestion = error_number == ENOSPC || error_number == EDQUOT
+                               ? "make room on the disk or write elsewhere"
+                               : "check that the path is right and that you may write there";
+  throw InputError({path.string(), doing + ": " + std::generic_category().message(error_number),
+                    suggestion, ""});
+}
+
+/// Owns an open file descriptor; `close` tells what a delayed write met.
+class OutputFile {
+ public:
+  OutputFile(const fs::path& path, int flags) : path_(path), fd_(::open(path.c_str(), flags, 0666)) {
+    if (fd_ < 0) throw_io_error(path_, "cannot be opened for writing", errno);
+  }
+  OutputFile(const OutputFile&) = delete;
+  OutputFile& operator=(const OutputFile&) = delete;
+  ~OutputFile() {
+    if (fd_ >= 0) ::close(fd_);
+  }
+
+  void write(std::string_view text) {
+    while (!text.empty()) {
+      const ssize_t written = ::write(fd_, text.data(), text.size());
+      if (written < 0 && errno == EINTR) continue;
+      if (written < 0) throw_io_error(path_, "cannot be written", errno);
+      text.remove_prefix(static_cast<std::size_t>(written));
+    }
+  }
+  void sync() {
+    if (::fsync(fd_) != 0) throw_io_error(path_, "cannot be flushed to the disk", errno);
+  }
+  void close() {
+    const int fd = fd_;
+    fd_ = -1;
+    if (::close(fd) != 0) throw_io_error(path_, "cannot be closed", errno);
+  }
+
+ private:
+  fs::path path_;
+  int fd_;
+};
+
+/// Devices, pipes and sockets, and /dev/stdout even where the shell points it at a regular file.
+bool must_be_written_directly(const fs::path& path, const fs::file_status& status) {
+  if (!fs::exists(status)) return false;
+  return !fs::is_regular_file(status) || path.string().starts_with("/dev/") ||
+         path.string().starts_with("/proc/");
+}
+
+void write_directly(const fs::path& path, std::string_view text) {
+  OutputFile file(path, O_WRONLY | O_APPEND | O_CLOEXEC);
+  file.write(text);
+  file.close();
+}
+
+void write_and_rename(const fs::path& path, std::string_view text) {
+  fs::path partial = path;
+  partial += ".partial." + std::to_string(::getpid());
+  try {
+    OutputFile file(partial, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC);
+    file.write(text);
+    file.sync();
+    file.close();
+  } catch (...) {
+    ::unlink(partial.c_str());
+    throw;
+  }
+  if (::rename(partial.c_str(), path.c_str()) != 0) {
+    const int error_number = errno;
+    ::unlink(partial.c_str());
+    throw_io_error(path, "cannot be put in place", error_number);
+  }
+}
+
+}  // namespace
+
+std::string read_text_file(const fs::path& path) {
+  errno = 0;
+  std::ifstream file(path, std::ios::binary);
+  std::string text;
+  if (file && !fs::is_directory(path)) {
+    text.assign(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>());
+    if (!file.bad()) return text;
+  }
+  const int error_number = fs::is_directory(path) ? EISDIR : errno != 0 ? errno : EIO;
+  throw InputError({path.string(), "cannot be read: " + std::generic_category().message(error_number),
+                    "check that the file exists and that you may read it", ""});
+}
+
+void write_text_file(const fs::path& path, std::string_view text) {
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  if (fs::is_directory(status)) throw_io_error(path, "cannot be written", EISDIR);
+  if (must_be_written_directly(path, status)) return write_directly(path, text);
+
+  const fs::path target = fs::is_symlink(path, error) ? fs::weakly_canonical(path, error) : path;
+  if (target.has_parent_path()) {
+    fs::create_directories(target.parent_path(), error);
+    if (error) throw_io_error(target.parent_path(), "cannot be made", error.value());
+  }
+  write_and_rename(target, text);
+}
+
+}  // namespace glissade

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <boost/math/distributions/chi_squared.hpp>
+#include <boost/math/distributions/students_t.hpp>
+#include <cmath>
+#include <numbers>
+
+#include "glissade/fragility/fit.hpp"
+#include "likelihood.hpp"
+#include "point_fit.hpp"
+#include "profile.hpp"
+
+namespace glissade {
+namespace {
+
+using namespace fragility;
+
+/// Student t for ln median, chi-square for log_std: exact for a lognormal sample of n.
+ProfileIntervals sample_intervals(const LognormalCurve& curve, double n) {
+  const double t = quantile(boost::math::students_t(n - 1), 0.975);
+  const double factor = std::exp(t * curve.log_std / std::sqrt(n));
+  const boost::math::chi_squared chi_squared(n - 1);
+  return {{curve.median / factor, curve.median * factor},
+          {curve.log_std * std::sqrt((n - 1) / quantile(chi_squared, 0.975)),
+           curve.log_std * std::sqrt((n - 1) / quantile(chi_squared, 0.025))}};
+}
+
+}  // namespace
+
+double capacity_log_likelihood(const CapacitySample& sample, const LognormalCurve& curve) {
+  check(sample, "capacities");
+  const double center = mean_log(sample.capacities), n = static_cast<double>(sample.capacities.size());
+  return capacity_likelihood(to_data(sample, center), to_line(curve, center)).value -
+         n * (center + 0.5 * std::log(2 * std::numbers::pi));
+}
+
+FitSummary fit_capacities(const CapacitySample& sample) {
+  check(sample, "capacities");
+  const CapacityData data = to_data(sample, mean_log(sample.capacities));
+  const PointFit fit = fit_point(data, first_guess(data));
+  if (fit.status == FitStatus::one_sided_bound) {
+    return summarise_bound(to_data({{sample.censored_at, sample.censored, 0.0}}));
+  }
+  FitSummary summary;
+  summary.status = fit.status;
+  summary.note = fit.note;
+  if (fit.status == FitStatus::failed) return summary;
+  summary.curve = to_curve(fit.line, data.center);
+  const auto objective = [&](const LognormalCurve& curve) {
+    return capacity_likelihood(data, to_line(curve, data.center)).value;
+  };
+  const bool complete = sample.censored == 0;
+  const ProfileIntervals intervals =
+      complete ? sample_intervals(summary.curve, data.count) : profile_intervals(objective, summary.curve);
+  summary.median_interval = intervals.median;
+  summary.log_std_interval = intervals.log_std;
+  summary.log_likelihood = capacity_log_likelihood(sample, summary.curve);
+  summary.method = complete ? "lognormal sample of capacities (n - 1)"
+                            : "lognormal maximum likelihood on right-censored capacities";
+  summary.interval_method = complete ? "Student t and chi-square" : "profile likelihood";
+  return summary;
+}
+
+}  // namespace glissade

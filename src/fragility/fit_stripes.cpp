@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+
+#include "glissade/fragility/fit.hpp"
+#include "likelihood.hpp"
+#include "point_fit.hpp"
+#include "profile.hpp"
+
+namespace glissade {
+namespace {
+
+using namespace fragility;
+
+/// Curve, likelihood and profile intervals of a point fit.
+FitSummary summarise(const std::vector<Stripe>& stripes, const StripeData& data, const PointFit& fit) {
+  if (fit.status == FitStatus::one_sided_bound) return summarise_bound(data);
+  FitSummary summary;
+  summary.status = fit.status;
+  summary.note = fit.note;
+  if (fit.status == FitStatus::failed) return summary;
+  const bool penalised = fit.status == FitStatus::jeffreys_penalised;
+  const auto objective = [&](const LognormalCurve& curve) {
+    const ProbitLine line = to_line(curve, data.center);
+    return (penalised ? stripe_jeffreys(data, line) : stripe_likelihood(data, line)).value;
+  };
+  summary.curve = to_curve(fit.line, data.center);
+  const ProfileIntervals intervals = profile_intervals(objective, summary.curve);
+  summary.median_interval = intervals.median;
+  summary.log_std_interval = intervals.log_std;
+  summary.log_likelihood = stripe_log_likelihood(stripes, summary.curve);
+  summary.method = penalised ? "Jeffreys penalised probit likelihood on stripes"
+                             : "probit maximum likelihood on stripes";
+  summary.interval_method = penalised ? "penalised profile likelihood" : "profile likelihood";
+  if (shape_of(data) == StripeShape::separated) {
+    summary.note = "the stripes are separated by intensity: the likelihood alone has no finite maximum";
+  }
+  return summary;
+}
+
+}  // namespace
+
+std::string to_string(FitStatus status) {
+  switch (status) {
+    case FitStatus::failed: break;
+    case FitStatus::maximum_likelihood: return "maximum likelihood";
+    case FitStatus::jeffreys_penalised: return "Jeffreys penalised";
+    case FitStatus::one_sided_bound: return "one-sided bound";
+  }
+  return "failed";
+}
+
+double stripe_log_likelihood(const std::vector<Stripe>& stripes, const LognormalCurve& curve) {
+  check(stripes, "stripes");
+  const StripeData data = to_data(stripes);
+  double sum = stripe_likelihood(data, to_line(curve, data.center)).value;
+  for (const Stripe& s : stripes) {
+    sum += std::lgamma(s.trials + 1) - std::lgamma(s.exceedances + 1) - std::lgamma(s.trials - s.exceedances + 1);
+  }
+  return sum;
+}
+
+FitSummary fit_stripes(const std::vector<Stripe>& stripes) {
+  check(stripes, "stripes");
+  const StripeData data = to_data(stripes);
+  return summarise(stripes, data, fit_point(data, first_guess(data)));
+}
+
+FitSummary fit_stripes_jeffreys(const std::vector<Stripe>& stripes) {
+  check(stripes, "stripes");
+  const StripeData data = to_data(stripes);
+  return summarise(stripes, data, fit_point_jeffreys(data, first_guess(data)));
+}
+
+}  // namespace glissade

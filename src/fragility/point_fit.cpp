@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "point_fit.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "glissade/core/error.hpp"
+#include "profile.hpp"
+
+namespace glissade::fragility {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+PointFit of_line(FitStatus status, const std::optional<ProbitLine>& line) {
+  if (line && (*line)[1] > 0) return {status, *line, ""};
+  return {FitStatus::failed, ProbitLine::Zero(), "exceedance does not become more frequent with intensity"};
+}
+
+bool positive_and_finite(double x) { return x > 0 && std::isfinite(x); }
+
+}  // namespace
+
+PointFit fit_point(const StripeData& data, const ProbitLine& start) {
+  switch (shape_of(data)) {
+    case StripeShape::overlapping:
+      return of_line(FitStatus::maximum_likelihood,
+                     maximise([&](const ProbitLine& line) { return stripe_likelihood(data, line); }, start));
+    case StripeShape::decreasing: return of_line(FitStatus::failed, std::nullopt);
+    default: return fit_point_jeffreys(data, start);
+  }
+}
+
+PointFit fit_point_jeffreys(const StripeData& data, const ProbitLine& start) {
+  const ProbitLine none = ProbitLine::Zero();
+  switch (shape_of(data)) {
+    case StripeShape::empty: return {FitStatus::failed, none, "there are no trials"};
+    case StripeShape::single_level:
+      return {FitStatus::failed, none, "only one intensity level has trials: log_std cannot be told"};
+    case StripeShape::none_exceeded: return {FitStatus::one_sided_bound, none, "", true};
+    case StripeShape::all_exceeded: return {FitStatus::one_sided_bound, none, "", false};
+    default:
+      return of_line(FitStatus::jeffreys_penalised,
+                     maximise([&](const ProbitLine& line) { return stripe_jeffreys(data, line); }, start));
+  }
+}
+
+PointFit fit_point(const CapacityData& data, const ProbitLine& start) {
+  const ProbitLine none = ProbitLine::Zero();
+  if (data.count + data.censored == 0) return {FitStatus::failed, none, "there are no capacities"};
+  if (data.count == 0) return {FitStatus::one_sided_bound, none, "", true};
+  if (data.censored > 0) {
+    const auto line = maximise([&](const ProbitLine& l) { return capacity_likelihood(data, l); }, start);
+    return line ? PointFit{FitStatus::maximum_likelihood, *line, ""}
+                : PointFit{FitStatus::failed, none, "the capacities do not differ: log_std cannot be told"};
+  }
+  const double mean = data.sum / data.count;
+  const double variance = (data.sum_squares - mean * data.sum) / (data.count - 1);
+  if (data.count < 2 || !(variance > 1e-24)) {
+    return {FitStatus::failed, none, "fewer than two different capacities: log_std cannot be told"};
+  }
+  return {FitStatus::maximum_likelihood, ProbitLine(-mean, 1) / std::sqrt(variance), ""};
+}
+
+ProbitLine first_guess(const StripeData& data) {
+  if (data.y.size() == 0) return {0.0, 1.0};
+  return {0.0, 2.0 / std::max(0.1, data.y.maxCoeff() - data.y.minCoeff())};
+}
+
+ProbitLine first_guess(const CapacityData& data) {
+  const double count = std::max(1.0, data.count), mean = data.sum / count;
+  const double log_std = std::max(0.1, std::sqrt(std::max(0.0, data.sum_squares / count - mean * mean)));
+  return ProbitLine(-mean, 1) / log_std;
+}
+
+void check(const std::vector<Stripe>& stripes, const std::string& where) {
+  ProblemList problems;
+  for (const Stripe& s : stripes) {
+    if (!positive_and_finite(s.intensity)) {
+      problems.add({where, "intensity = " + std::to_string(s.intensity) + " is not a finite number above 0", "", ""});
+    }
+    if (!(std::isfinite(s.trials) && s.exceedances >= 0 && s.exceedances <= s.trials)) {
+      problems.add({where,
+                    std::to_string(s.exceedances) + " exceedances of " + std::to_string(s.trials) +
+                        " trials at intensity " + std::to_string(s.intensity),
+                    "give exceedances between 0 and trials", ""});
+    }
+  }
+  problems.throw_if_any();
+}
+
+void check(const CapacitySample& sample, const std::string& where) {
+  ProblemList problems;
+  for (double capacity : sample.capacities) {
+    if (!positive_and_finite(capacity)) {
+      problems.add({where, "capacity = " + std::to_string(capacity) + " is not a finite number above 0",
+                    "count a history that never reached the threshold as censored", ""});
+    } else if (capacity > sample.censored_at) {
+      problems.add({where,
+                    "capacity = " + std::to_string(capacity) + " is above the censoring intensity " +
+                        std::to_string(sample.censored_at),
+                    "count it as censored, or censor higher", ""});
+    }
+  }
+  if (!(sample.censored >= 0 && std::isfinite(sample.censored))) {
+    problems.add({where, "censored = " + std::to_string(sample.censored) + " is not a count", "", ""});
+  }
+  if (sample.censored > 0 && !positive_and_finite(sample.censored_at)) {
+    problems.add({where, "censored_at = " + std::to_string(sample.censored_at) + " is not a finite number above 0",
+                  "give the highest intensity the censored histories were run at", ""});
+  }
+  problems.throw_if_any();
+}
+
+StripeData to_data(const std::vector<Stripe>& stripes) {
+  const auto levels = static_cast<Eigen::Index>(stripes.size());
+  StripeData data{Eigen::ArrayXd(levels), Eigen::ArrayXd(levels), Eigen::ArrayXd(levels), 0.0};
+  for (Eigen::Index j = 0; j < levels; ++j) {
+    const Stripe& stripe = stripes[static_cast<std::size_t>(j)];
+    data.y[j] = std::log(stripe.intensity);
+    data.trials[j] = stripe.trials;
+    data.exceedances[j] = stripe.exceedances;
+  }
+  if (levels > 0) data.center = data.y.mean();
+  data.y -= data.center;
+  return data;
+}
+
+CapacityData to_data(const CapacitySample& sample, double center) {
+  CapacityData data{.censored = sample.censored, .center = center};
+  if (sample.censored > 0) data.censored_at = std::log(sample.censored_at) - center;
+  for (double capacity : sample.capacities) {
+    const double y = std::log(capacity) - center;
+    data.count += 1;
+    data.sum += y;
+    data.sum_squares += y * y;
+  }
+  return data;
+}
+
+double mean_log(const std::vector<double>& values) {
+  double sum = 0;
+  for (double value : values) sum += std::log(value);
+  return values.empty() ? 0.0 : sum / static_cast<double>(values.size());
+}
+
+FitSummary summarise_bound(const StripeData& data) {
+  const bool none = data.exceedances.sum() == 0;
+  const auto log_probability = [&](const LognormalCurve& curve) {
+    return stripe_likelihood(data, to_line(curve, data.center)).value;
+  };
+  const double bound = median_bound(log_probability, {std::exp(data.center), assumed_log_std});
+  FitSummary summary;
+  summary.status = FitStatus::one_sided_bound;
+  summary.curve = {bound, assumed_log_std};
+  summary.median_interval = none ? Interval{bound, infinity} : Interval{0.0, bound};
+  summary.log_likelihood = log_probability(summary.curve);
+  summary.method = "one-sided 95 % bound of the median for an assumed log_std";
+  summary.interval_method = "one-sided bound";
+  summary.note = none ? "no exceedance at all: the median is a lower bound" : "every trial exceeded: the median is an upper bound";
+  summary.note += " at 95 % for an assumed log_std of 0.4";
+  return summary;
+}
+
+}  // namespace glissade::fragility

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "resampling.hpp"
+
+#include <algorithm>
+#include <boost/math/distributions/normal.hpp>
+#include <boost/math/distributions/students_t.hpp>
+#include <cmath>
+#include <limits>
+
+#include "glissade/core/contract.hpp"
+#include "glissade/core/random.hpp"
+
+namespace glissade {
+namespace fragility {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+double t_of(Estimate replicate, Estimate center) {
+  const double t = (replicate.value - center.value) / replicate.standard_error;
+  return std::isfinite(t) ? t : infinity;
+}
+
+double widened_tail(std::size_t records, double quantile) {
+  const double n = static_cast<double>(records);
+  return cdf(boost::math::normal(), -std::sqrt(n / (n - 1)) * quantile);
+}
+
+}  // namespace
+
+std::vector<double> draw_records(std::size_t records, const BootstrapOptions& options, int replicate) {
+  std::vector<double> weights(records, 0.0);
+  for (std::size_t i = 0; i < records; ++i) {
+    const double u = keyed_uniform(options.seed, RandomPurpose::bootstrap, static_cast<std::uint64_t>(replicate),
+                                   static_cast<std::uint32_t>(i));
+    weights[static_cast<std::size_t>(u * static_cast<double>(records))] += 1;
+  }
+  return weights;
+}
+
+Interval percentile_interval(std::vector<double> values, double tail) {
+  std::erase_if(values, [](double value) { return std::isnan(value); });
+  if (values.empty()) return {};
+  std::sort(values.begin(), values.end());
+  const auto rank = static_cast<std::size_t>(tail * static_cast<double>(values.size() + 1));
+  const std::size_t cut = rank > 0 ? rank - 1 : 0;
+  return {values[cut], values[values.size() - 1 - cut]};
+}
+
+double expanded_tail(std::size_t records, double level) {
+  const boost::math::students_t student(static_cast<double>(records) - 1);
+  return widened_tail(records, quantile(student, 0.5 + 0.5 * level));
+}
+
+Interval symmetric_t_interval(Estimate estimate, const std::vector<Estimate>& replicates, double level) {
+  std::vector<double> t;
+  for (const Estimate& replicate : replicates) t.push_back(std::abs(t_of(replicate, estimate)));
+  const double greatest = percentile_interval(t, 1 - level).high;
+  return {estimate.value - greatest * estimate.standard_error, estimate.value + greatest * estimate.standard_error};
+}
+
+Interval skewed_t_interval(Estimate estimate, const std::vector<Estimate>& replicates, std::size_t records,
+                           double level) {
+  std::vector<double> t;
+  for (const Estimate& replicate : replicates) t.push_back(t_of(replicate, estimate));
+  const Interval range = percentile_interval(
+      t, widened_tail(records, quantile(boost::math::normal(), 0.5 + 0.5 * level)));
+  return {estimate.value - range.high * estimate.standard_error, estimate.value - range.low * estimate.standard_error};
+}
+
+}  // namespace fragility
+
+Interval bootstrap_interval(std::size_t records, const std::function<double(const std::vector<double>&)>& statistic,
+                            const BootstrapOptions& options) {
+  GLISSADE_EXPECTS(options.replicates >= 100);
+  GLISSADE_EXPECTS(options.level > 0 && options.level < 1);
+  if (records < 2) return {};
+  std::vector<double> values;
+  for (int r = 0; r < options.replicates; ++r) {
+    values.push_back(statistic(fragility::draw_records(records, options, r)));
+  }
+  return fragility::percentile_interval(values, fragility::expanded_tail(records, options.level));
+}
+
+}  // namespace glissade

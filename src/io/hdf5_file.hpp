@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "hdf5_handle.hpp"
+
+namespace glissade {
+
+/// What every dataset tells about itself.
+struct Label {
+  const char* unit;
+  const char* description;
+};
+
+using Dims = std::vector<hsize_t>;
+
+/// An HDF5 file put together in memory.
+class Hdf5Image {
+ public:
+  Hdf5Image();
+  hid_t root() const { return file_; }
+  std::string bytes() const;
+
+ private:
+  Hdf5Handle file_;
+};
+
+/// Writes into one group. No times are stored, and sizes and types are fixed: the same content gives the same bytes.
+class Hdf5Writer {
+ public:
+  static constexpr bool reads = false;
+  explicit Hdf5Writer(const Hdf5Image& image) : group_(H5Gopen2(image.root(), "/", H5P_DEFAULT), H5Gclose, "open /") {}
+
+  Hdf5Writer group(const std::string& name) const;
+  void attribute(const std::string& name, const std::string& text) const;
+  void attribute(const std::string& name, double value) const;
+  void attribute(const std::string& name, std::uint64_t value) const;
+  template <class T>
+  void array(const std::string& name, const Label& label, const Dims& dims, const std::vector<T>& values) const;
+  void array(const std::string& name, const Label& label, const Dims& dims, const std::vector<std::string>& values) const;
+
+ private:
+  explicit Hdf5Writer(Hdf5Handle group) : group_(std::move(group)) {}
+  void write(const std::string& name, const Label& label, const Dims& dims, hid_t in_file, hid_t in_memory,
+             const void* data) const;
+  Hdf5Handle group_;
+};
+
+/// Reads from one group of a file; every trouble is an Hdf5Error that names the dataset.
+class Hdf5Reader {
+ public:
+  static constexpr bool reads = true;
+  explicit Hdf5Reader(const std::filesystem::path& file);
+
+  Hdf5Reader group(const std::string& name) const;
+  bool has(const std::string& name) const;
+  void attribute(const std::string& name, std::string& text) const;
+  void attribute(const std::string& name, double& value) const;
+  void attribute(const std::string& name, std::uint64_t& value) const;
+  template <class T>
+  void array(const std::string& name, const Label& label, Dims& dims, std::vector<T>& values) const;
+  void array(const std::string& name, const Label& label, Dims& dims, std::vector<std::string>& values) const;
+
+ private:
+  Hdf5Reader(Hdf5Handle group, std::uintmax_t file_size) : group_(std::move(group)), file_size_(file_size) {}
+  Hdf5Handle open_array(const std::string& name, Dims& dims, std::size_t& count) const;
+  Hdf5Handle group_;
+  std::uintmax_t file_size_;  ///< no dataset can hold more bytes
+};
+
+}  // namespace glissade

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glissade/io/recipe_writer.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace glissade {
+namespace {
+
+/// A TOML basic string.
+std::string quoted(const std::string& text) {
+  std::string result = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') result += '\\';
+    result += c;
+  }
+  return result + '"';
+}
+
+std::string numbers(const std::vector<double>& values) { return fmt::format("[{}]", fmt::join(values, ", ")); }
+
+std::string site_classes(const DesignTarget& target) {
+  std::vector<std::string> names;
+  for (const SiteClass site : target.site_classes) names.push_back(quoted(to_string(site)));
+  return fmt::format("[{}]", fmt::join(names, ", "));
+}
+
+std::string motion_toml(const SyntheticMotion& motion) {
+  return fmt::format(
+      "\n[[motion]]\n"
+      "id = {}\n"
+      "magnitude = {}\n"
+      "distance_km = {}\n"
+      "vs30_mps = {}\n"
+      "mechanism = {}\n"
+      "realization = {}\n"
+      "scale = {}\n",
+      quoted(motion.id), motion.magnitude, motion.distance_km, motion.vs30_mps,
+      quoted(motion.mechanism == FaultMechanism::reverse ? "reverse" : "strike_slip"), motion.realization,
+      motion.scale);
+}
+
+}  // namespace
+
+std::string recipe_toml(const SyntheticRecipe& recipe, const std::string& origin) {
+  std::string text = fmt::format(
+      "# Made by: {}\n"
+      "# Motions simulated by the stochastic model of Rezaeian & Der Kiureghian (2010); the gain towards the BSSA14\n"
+      "# median spectra is ours, not published. See README.md in this folder.\n"
+      "\n"
+      "[suite]\n"
+      "name = {}\n"
+      "description = {}\n"
+      "\n"
+      "[target]\n"
+      "edition = {}\n"
+      "ss_g = {}\n"
+      "s1_g = {}\n"
+      "site_classes = {}\n"
+      "tl_s = {}\n"
+      "\n"
+      "[simulation]\n"
+      "model = \"rezaeian_der_kiureghian_2010\"\n"
+      "seed = {}\n"
+      "dt_s = {}\n"
+      "max_scale = {}\n"
+      "\n"
+      "[simulation.gain]\n"
+      "frequency_hz = {}\n"
+      "horizontal = {}\n"
+      "vertical = {}\n",
+      origin, quoted(recipe.name), quoted(recipe.description), quoted(to_string(recipe.target.edition)),
+      recipe.target.ss_g, recipe.target.s1_g, site_classes(recipe.target), recipe.target.tl_s, recipe.seed,
+      recipe.dt_s, recipe.max_scale, numbers(recipe.gain_frequencies_hz), numbers(recipe.horizontal_gain),
+      numbers(recipe.vertical_gain));
+  for (const SyntheticMotion& motion : recipe.motions) text += motion_toml(motion);
+  return text;
+}
+
+}  // namespace glissade

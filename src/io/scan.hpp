@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "glissade/core/error.hpp"
+
+namespace glissade {
+
+/// Walks the lines of a text, without \n or \r\n, counting from 1. A byte order mark is skipped.
+class LineReader {
+ public:
+  explicit LineReader(std::string_view text);
+  bool next();
+  std::string_view line() const { return line_; }
+  std::size_t number() const { return number_; }
+
+ private:
+  std::string_view rest_, line_;
+  std::size_t number_ = 0;
+};
+
+std::string_view trimmed(std::string_view text);
+std::string lower_case(std::string_view text);
+bool is_blank_or_comment(std::string_view line);  ///< `#` begins a comment
+
+/// The parts of a line between blanks, tabs and commas; two commas have an empty part between them. What follows `#` is dropped.
+std::vector<std::string_view> fields(std::string_view line);
+
+/// The whole of `text` as a number, with an optional leading '+'; nothing if it is anything else. May be inf or nan.
+std::optional<double> parse_number(std::string_view text);
+
+/// For error messages: printable, at most 40 characters, in quotes.
+std::string in_quotes(std::string_view text);
+
+/// "file:line".
+std::string place(const std::filesystem::path& file, std::size_t line);
+
+}  // namespace glissade

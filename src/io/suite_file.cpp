@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glissade/io/suite_file.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <set>
+
+#include "glissade/core/error.hpp"
+#include "glissade/io/record_file.hpp"
+#include "record_finder.hpp"
+#include "target_table.hpp"
+#include "toml_table.hpp"
+
+namespace glissade {
+namespace {
+
+constexpr std::uint64_t largest_toml_integer = std::numeric_limits<std::int64_t>::max();
+
+std::optional<DesignTarget> read_optional_target(const TomlTable& root) {
+  const TomlTable table = root.table("target");
+  if (!table.exists()) return std::nullopt;
+  return read_target(table);
+}
+
+/// Ids name motions in results: each once.
+void check_ids(const std::vector<TomlTable>& tables) {
+  std::set<std::string> seen;
+  for (const TomlTable& table : tables) {
+    const auto id = table.text("id");
+    if (id && !seen.insert(*id).second) table.report("id", "id \"" + *id + "\" is used twice", "give each its own id");
+  }
+}
+
+struct ComponentEntry {
+  std::string file;
+  double start_s = 0.0;
+  RecordFileOptions options;
+};
+
+/// `key = "file"` or `key = { file, start_s, dt_s, units }`.
+std::optional<ComponentEntry> read_component(const TomlTable& record, const char* key) {
+  if (!record.has(key)) return std::nullopt;
+  ComponentEntry entry;
+  if (!record.is_table(key)) {
+    entry.file = record.required_text(key);
+    return entry;
+  }
+  const TomlTable table = record.table(key);
+  entry.file = table.required_text("file");
+  entry.start_s = table.number("start_s", not_negative).value_or(0.0);
+  entry.options.dt_s = table.number("dt_s", above_zero);
+  entry.options.units = table.choice<AccelerationUnits>("units", {{"g", AccelerationUnits::g},
+                                                                  {"m/s2", AccelerationUnits::mps2},
+                                                                  {"cm/s2", AccelerationUnits::cmps2},
+                                                                  {"gal", AccelerationUnits::cmps2}});
+  return entry;
+}
+
+Motion read_metadata(const TomlTable& record) {
+  Motion motion;
+  motion.id = record.required_text("id");
+  motion.event = record.text("event").value_or("");
+  motion.station = record.text("station").value_or("");
+  motion.magnitude = record.number("magnitude", above_zero).value_or(0.0);
+  motion.distance_km = record.number("distance_km", not_negative).value_or(0.0);
+  motion.vs30_mps = record.number("vs30_mps", above_zero).value_or(0.0);
+  motion.scale = record.number("scale", above_zero).value_or(1.0);
+  return motion;
+}
+
+/// Reads the motions of a recorded suite, collecting what is missing to tell it together.
+class RecordedSuiteReader {
+ public:
+  explicit RecordedSuiteReader(const std::filesystem::path& suite_file)
+      : suite_file_(suite_file), finder_(suite_file.parent_path()) {}
+
+  void read(const TomlTable& record, Suite& suite) {
+    const std::size_t problems_before = record.problem_count();
+    Motion metadata = read_metadata(record);
+    if (!record.has("first")) record.report_missing("first", "name the file of the first horizontal component");
+    const auto first = load(record, "first");
+    const auto second = load(record, "second");
+    const auto vertical = load(record, "vertical");
+    if (!first || record.problem_count() > problems_before) return;
+    try {
+      suite.motions.push_back(assemble_motion(std::move(metadata), *first, second, vertical));
+    } catch (const InputError& error) {
+      record.report("", error);
+    }
+  }
+
+  void report_missing(TomlDocument& document) const {
+    if (missing_.empty()) return;
+    std::string list;
+    for (const std::string& name : missing_) list += (list.empty() ? "  " : "\n  ") + name;
+    document.add({suite_file_.string(), std::to_string(missing_.size()) + " record file(s) not found",
+                  "set GLISSADE_RECORDS to the folders that hold them, separated by colons: recorded motions are "
+                  "licensed by their sources and do not come with glissade",
+                  list});
+  }
+
+ private:
+  std::optional<TimedRecord> load(const TomlTable& record, const char* key) {
+    const std::size_t problems_before = record.problem_count();
+    const auto entry = read_component(record, key);
+    if (!entry || record.problem_count() > problems_before) return std::nullopt;
+    try {
+      if (const auto path = finder_.find(entry->file)) return TimedRecord{read_record(*path, entry->options), entry->start_s};
+      missing_.push_back(entry->file);
+    } catch (const InputError& error) {
+      record.report(key, error);
+    }
+    return std::nullopt;
+  }
+
+  std::filesystem::path suite_file_;
+  RecordFinder finder_;
+  std::vector<std::string> missing_;
+};
+
+Suite read_recorded_suite(const std::filesystem::path& file, TomlDocument& document) {
+  const TomlTable root = document.root();
+  const TomlTable head = root.required_table("suite");
+  Suite suite;
+  suite.name = head.required_text("name");
+  suite.description = head.text("description").value_or("");
+  suite.target = read_optional_target(root);
+  const std::vector<TomlTable> records = root.tables("record");
+  if (records.empty()) root.report_missing("record", "give [[record]] entries, or [simulation] and [[motion]]");
+  RecordedSuiteReader reader(file);
+  for (const TomlTable& record : records) reader.read(record, suite);
+  check_ids(records);
+  reader.report_missing(document);
+  document.finish();
+  return suite;
+}
+
+void read_gain(const TomlTable& gain, SyntheticRecipe& recipe) {
+  recipe.gain_frequencies_hz = gain.numbers("frequency_hz", above_zero).value_or(std::vector<double>{});
+  recipe.horizontal_gain = gain.numbers("horizontal", above_zero).value_or(std::vector<double>{});
+  recipe.vertical_gain = gain.numbers("vertical", above_zero).value_or(std::vector<double>{});
+  const auto& f = recipe.gain_frequencies_hz;
+  if (std::adjacent_find(f.begin(), f.end(), std::greater_equal<>()) != f.end()) {
+    gain.report("frequency_hz", "simulation.gain.frequency_hz is not increasing");
+  }
+  if (recipe.horizontal_gain.size() != f.size() || recipe.vertical_gain.size() != f.size()) {
+    gain.report("frequency_hz", "frequency_hz, horizontal and vertical differ in length", "give one gain per frequency");
+  }
+}
+
+SyntheticMotion read_synthetic_motion(const TomlTable& table) {
+  SyntheticMotion motion;
+  motion.id = table.required_text("id");
+  motion.magnitude = table.required_number("magnitude", above_zero);
+  motion.distance_km = table.required_number("distance_km", above_zero);
+  motion.vs30_mps = table.required_number("vs30_mps", above_zero);
+  motion.mechanism =
+      table.choice<FaultMechanism>("mechanism", {{"strike_slip", FaultMechanism::strike_slip}, {"reverse", FaultMechanism::reverse}})
+          .value_or(motion.mechanism);
+  motion.realization = table.whole("realization", 0, largest_toml_integer).value_or(0);
+  motion.scale = table.number("scale", above_zero).value_or(1.0);
+  for (const char* key : {"mechanism", "realization"}) {
+    if (!table.has(key)) table.report_missing(key);
+  }
+  return motion;
+}
+
+SyntheticRecipe read_recipe(TomlDocument& document) {
+  const TomlTable root = document.root();
+  const TomlTable head = root.required_table("suite");
+  SyntheticRecipe recipe;
+  recipe.name = head.required_text("name");
+  recipe.description = head.text("description").value_or("");
+  recipe.target = read_target(root.required_table("target"));
+
+  enum class Model { rezaeian_der_kiureghian_2010 };
+  const TomlTable simulation = root.required_table("simulation");
+  if (!simulation.has("model")) simulation.report_missing("model", "known is rezaeian_der_kiureghian_2010");
+  simulation.choice<Model>("model", {{"rezaeian_der_kiureghian_2010", Model::rezaeian_der_kiureghian_2010}});
+  if (!simulation.has("seed")) simulation.report_missing("seed");
+  recipe.seed = simulation.whole("seed", 0, largest_toml_integer).value_or(0);
+  recipe.dt_s = simulation.number("dt_s", above_zero).value_or(recipe.dt_s);
+  recipe.max_scale = simulation.number("max_scale", above_zero).value_or(recipe.max_scale);
+  if (const TomlTable gain = simulation.table("gain"); gain.exists()) read_gain(gain, recipe);
+
+  const std::vector<TomlTable> motions = root.tables("motion");
+  if (motions.empty()) root.report_missing("motion", "give [[motion]] entries");
+  for (const TomlTable& motion : motions) recipe.motions.push_back(read_synthetic_motion(motion));
+  check_ids(motions);
+  document.finish();
+  return recipe;
+}
+
+}  // namespace
+
+SyntheticRecipe read_recipe(const std::filesystem::path& file) {
+  TomlDocument document(file);
+  return read_recipe(document);
+}
+
+Suite load_suite(const std::filesystem::path& file) {
+  TomlDocument document(file);
+  if (document.root().has("simulation")) return simulate_suite(read_recipe(document));
+  return read_recorded_suite(file, document);
+}
+
+}  // namespace glissade

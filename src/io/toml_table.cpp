@@ -1,0 +1,319 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "toml_table.hpp"
+
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "glissade/core/file.hpp"
+#include "glissade/io/csv.hpp"
+#include "scan.hpp"
+
+namespace glissade {
+
+struct TomlDocument::State {
+  std::filesystem::path file;
+  std::string text;
+  toml::table root;
+  ProblemList problems;
+  std::size_t problem_count = 0;
+  /// Keys asked for, by table; only tables that are being read are here. Never iterated: order plays no part.
+  std::map<const void*, std::set<std::string, std::less<>>> asked;
+  std::set<const void*> not_checked;
+
+  Problem problem(const toml::source_position& at, std::string what, std::string suggestion) const;
+  void add(Problem problem) {
+    problems.add(std::move(problem));
+    ++problem_count;
+  }
+  void find_unknown_keys(const toml::table& table, const std::string& path);
+};
+
+namespace {
+
+/// The line with a caret below a column (counted in code points, from 1). Long lines are cut around it.
+std::string excerpt(std::string_view text, const toml::source_position& at) {
+  LineReader reader(text);
+  while (reader.next() && reader.number() < at.line) {
+  }
+  if (reader.number() != at.line || at.column == 0) return {};
+  const std::string_view line = reader.line();
+  std::size_t caret = 0;  // in bytes
+  const auto is_continuation = [&](std::size_t i) { return (static_cast<unsigned char>(line[i]) & 0xC0u) == 0x80u; };
+  for (std::size_t column = 1; column < at.column && caret < line.size(); ++column) {
+    do ++caret;
+    while (caret < line.size() && is_continuation(caret));
+  }
+  constexpr std::size_t shown_before = 60, shown_after = 40;
+  std::size_t begin = caret > shown_before ? caret - shown_before : 0;
+  while (begin < caret && is_continuation(begin)) ++begin;
+  std::size_t end = std::min(line.size(), caret + shown_after);
+  while (end < line.size() && is_continuation(end)) ++end;
+  std::string padding;
+  for (std::size_t i = begin; i < caret; ++i) {
+    if (!is_continuation(i)) padding += line[i] == '\t' ? '\t' : ' ';
+  }
+  return "  " + std::string(line.substr(begin, end - begin)) + "\n  " + padding + "^";
+}
+
+const toml::table& as_table(const void* node) { return *static_cast<const toml::table*>(node); }
+
+std::string kind_of(const toml::node& node) {
+  if (node.is_string()) return "a text";
+  if (node.is_boolean()) return "true or false";
+  if (node.is_number()) return "a number";
+  if (node.is_table()) return "a table";
+  if (node.is_array()) return "a list";
+  return "a date or time";
+}
+
+/// The value as a finite double: a problem otherwise.
+std::optional<double> as_number(const toml::node& node, const NumberRule& rule, const TomlTable& table, std::string_view key) {
+  const std::string name = table.name_of(key);
+  if (!node.is_number()) {
+    table.report(key, name + " is " + kind_of(node) + ", not a number", node.is_string() ? "leave the quotes out" : "");
+    return std::nullopt;
+  }
+  const double value = *node.value<double>();
+  if (!std::isfinite(value) || !rule.is_met(value)) {
+    table.report(key, name + " = " + shortest_decimal(value) + " is not " + (std::isfinite(value) ? rule.text : "finite"),
+                 std::string("give a value ") + rule.text);
+    return std::nullopt;
+  }
+  return value;
+}
+
+}  // namespace
+
+Problem TomlDocument::State::problem(const toml::source_position& at, std::string what, std::string suggestion) const {
+  return {at.line > 0 ? place(file, at.line) : file.string(), std::move(what), std::move(suggestion),
+          excerpt(text, at)};
+}
+
+void TomlDocument::State::find_unknown_keys(const toml::table& table, const std::string& path) {
+  const auto found = asked.find(&table);
+  if (found == asked.end() || not_checked.contains(&table)) return;
+  const std::vector<std::string> known(found->second.begin(), found->second.end());
+  std::vector<std::pair<toml::source_position, std::string>> unknown;
+  for (const auto& [key, node] : table) {
+    const std::string name(key.str());
+    if (!found->second.contains(name)) unknown.emplace_back(key.source().begin, name);
+    if (const toml::table* child = node.as_table()) find_unknown_keys(*child, path + name + ".");
+    if (const toml::array* list = node.as_array()) {
+      for (const toml::node& element : *list) {
+        if (const toml::table* child = element.as_table()) find_unknown_keys(*child, path + name + ".");
+      }
+    }
+  }
+  for (const auto& [at, name] : unknown) {
+    const std::string nearest = nearest_word(name, known);
+    std::string suggestion;
+    if (!nearest.empty()) {
+      suggestion = "did you mean " + nearest + "?";
+    } else {
+      for (const std::string& word : known) suggestion += (suggestion.empty() ? "known are " : ", ") + word;
+    }
+    add(problem(at, path + name + " is not a known key", suggestion));
+  }
+}
+
+TomlDocument::TomlDocument(const std::filesystem::path& file) : state_(std::make_unique<State>()) {
+  state_->file = file;
+  state_->text = read_text_file(file);
+  try {
+    state_->root = toml::parse(state_->text);
+  } catch (const toml::parse_error& error) {
+    throw InputError(state_->problem(error.source().begin, std::string(error.description()), "correct the TOML syntax"));
+  }
+}
+
+TomlDocument::~TomlDocument() = default;
+
+TomlTable TomlDocument::root() {
+  state_->asked[&state_->root];
+  return {state_.get(), &state_->root, ""};
+}
+
+const std::string& TomlDocument::text() const { return state_->text; }
+
+void TomlDocument::add(Problem problem) { state_->add(std::move(problem)); }
+
+void TomlDocument::finish() {
+  state_->find_unknown_keys(state_->root, "");
+  state_->problems.throw_if_any();
+}
+
+namespace {
+
+/// The node of a key, or null; the key counts as asked for.
+const toml::node* find(TomlDocument::State& document, const void* table, std::string_view key) {
+  if (table == nullptr) return nullptr;
+  document.asked[table].emplace(key);
+  return as_table(table).get(key);
+}
+
+}  // namespace
+
+std::string TomlTable::name_of(std::string_view key) const { return path_ + std::string(key); }
+
+std::size_t TomlTable::problem_count() const { return document_->problem_count; }
+
+bool TomlTable::has(std::string_view key) const { return find(*document_, node_, key) != nullptr; }
+
+bool TomlTable::is_table(std::string_view key) const {
+  const toml::node* node = find(*document_, node_, key);
+  return node != nullptr && node->is_table();
+}
+
+bool TomlTable::is_array(std::string_view key) const {
+  const toml::node* node = find(*document_, node_, key);
+  return node != nullptr && node->is_array();
+}
+
+void TomlTable::report(std::string_view key, std::string what, std::string suggestion) const {
+  toml::source_position at{};
+  if (node_ != nullptr) {
+    const toml::node* node = key.empty() ? nullptr : as_table(node_).get(key);
+    at = (node != nullptr ? node->source() : as_table(node_).source()).begin;
+  }
+  document_->add(document_->problem(at, std::move(what), std::move(suggestion)));
+}
+
+void TomlTable::report(std::string_view key, const InputError& error) const {
+  for (const Problem& problem : error.problems()) {
+    const std::string where = problem.where.empty() ? "" : problem.where + ": ";
+    report(key, name_of(key) + ": " + where + problem.what, problem.suggestion);
+  }
+}
+
+void TomlTable::report_missing(std::string_view key, std::string suggestion) const {
+  if (exists()) report("", name_of(key) + " is missing", std::move(suggestion));
+}
+
+void TomlTable::report_unknown_word(std::string_view key, const std::string& word,
+                                    const std::vector<std::string>& known) const {
+  const std::string nearest = nearest_word(word, known);
+  std::string suggestion = nearest.empty() ? "" : "did you mean \"" + nearest + "\"? ";
+  for (std::size_t i = 0; i < known.size(); ++i) suggestion += (i == 0 ? "known are " : ", ") + known[i];
+  report(key, name_of(key) + " = \"" + word + "\" is not known", suggestion);
+}
+
+void TomlTable::ignore_unknown() const { document_->not_checked.insert(node_); }
+
+TomlTable TomlTable::table(std::string_view key) const {
+  const toml::node* node = find(*document_, node_, key);
+  if (node != nullptr && !node->is_table()) {
+    report(key, name_of(key) + " is " + kind_of(*node) + ", not a table");
+    node = nullptr;
+  }
+  const void* child = node == nullptr ? nullptr : node->as_table();
+  if (child != nullptr) document_->asked[child];
+  return {document_, child, name_of(key) + "."};
+}
+
+TomlTable TomlTable::required_table(std::string_view key) const {
+  if (exists() && !has(key)) report("", "[" + name_of(key) + "] is missing");
+  return table(key);
+}
+
+std::vector<TomlTable> TomlTable::tables(std::string_view key) const {
+  const toml::node* node = find(*document_, node_, key);
+  std::vector<TomlTable> result;
+  if (node == nullptr) return result;
+  const toml::array* list = node->as_array();
+  const auto is_a_table = [](const toml::node& element) { return element.is_table(); };
+  if (list == nullptr || !std::all_of(list->begin(), list->end(), is_a_table)) {
+    report(key, name_of(key) + " is not a list of tables", "write [[" + name_of(key) + "]] above each");
+    return result;
+  }
+  for (const toml::node& element : *list) {
+    document_->asked[element.as_table()];
+    result.push_back(TomlTable(document_, element.as_table(), name_of(key) + "."));
+  }
+  return result;
+}
+
+std::optional<double> TomlTable::number(std::string_view key, const NumberRule& rule) const {
+  const toml::node* node = find(*document_, node_, key);
+  if (node == nullptr) return std::nullopt;
+  return as_number(*node, rule, *this, key);
+}
+
+double TomlTable::required_number(std::string_view key, const NumberRule& rule) const {
+  if (!has(key)) report_missing(key);
+  return number(key, rule).value_or(0.0);
+}
+
+std::optional<std::vector<double>> TomlTable::numbers(std::string_view key, const NumberRule& rule) const {
+  const toml::node* node = find(*document_, node_, key);
+  if (node == nullptr) return std::nullopt;
+  const toml::array* list = node->as_array();
+  if (list == nullptr) {
+    report(key, name_of(key) + " is " + kind_of(*node) + ", not a list of numbers");
+    return std::nullopt;
+  }
+  std::vector<double> values;
+  for (const toml::node& element : *list) {
+    const auto value = as_number(element, rule, *this, key);
+    if (!value) return std::nullopt;
+    values.push_back(*value);
+  }
+  return values;
+}
+
+std::optional<std::uint64_t> TomlTable::whole(std::string_view key, std::uint64_t least, std::uint64_t most) const {
+  const toml::node* node = find(*document_, node_, key);
+  if (node == nullptr) return std::nullopt;
+  const std::string range = std::to_string(least) + " to " + std::to_string(most);
+  if (!node->is_integer()) {
+    report(key, name_of(key) + " is not a whole number", "give a whole number, " + range);
+    return std::nullopt;
+  }
+  const std::int64_t value = *node->value<std::int64_t>();
+  if (value < 0 || static_cast<std::uint64_t>(value) < least || static_cast<std::uint64_t>(value) > most) {
+    report(key, name_of(key) + " = " + std::to_string(value) + " is out of range", "give a whole number, " + range);
+    return std::nullopt;
+  }
+  return static_cast<std::uint64_t>(value);
+}
+
+std::optional<bool> TomlTable::flag(std::string_view key) const {
+  const toml::node* node = find(*document_, node_, key);
+  if (node == nullptr) return std::nullopt;
+  if (!node->is_boolean()) report(key, name_of(key) + " is " + kind_of(*node) + ", not true or false");
+  return node->value_exact<bool>();
+}
+
+std::optional<std::string> TomlTable::text(std::string_view key) const {
+  const toml::node* node = find(*document_, node_, key);
+  if (node == nullptr) return std::nullopt;
+  if (!node->is_string()) report(key, name_of(key) + " is " + kind_of(*node) + ", not a text", "put it in quotes");
+  return node->value_exact<std::string>();
+}
+
+std::string TomlTable::required_text(std::string_view key) const {
+  if (!has(key)) report_missing(key);
+  std::optional<std::string> value = text(key);
+  if (value && value->empty()) report(key, name_of(key) + " is empty");
+  return value.value_or("");
+}
+
+std::optional<std::vector<std::string>> TomlTable::texts(std::string_view key) const {
+  const toml::node* node = find(*document_, node_, key);
+  if (node == nullptr) return std::nullopt;
+  const toml::array* list = node->as_array();
+  std::vector<std::string> values;
+  for (std::size_t i = 0; list != nullptr && i < list->size(); ++i) {
+    if (const auto value = list->get(i)->value_exact<std::string>()) values.push_back(*value);
+  }
+  if (list == nullptr || values.size() != list->size()) {
+    report(key, name_of(key) + " is not a list of texts", "write it as [\"...\", \"...\"]");
+    return std::nullopt;
+  }
+  return values;
+}
+
+}  // namespace glissade

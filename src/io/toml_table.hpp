@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <initializer_list>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "glissade/core/error.hpp"
+
+namespace glissade {
+
+/// What a number in a file must be: `is_met`, told as `text` ("above 0"). A nan never meets a rule.
+struct NumberRule {
+  const char* text;
+  bool (*is_met)(double);
+};
+inline constexpr NumberRule any_finite{"finite", [](double) { return true; }};
+inline constexpr NumberRule above_zero{"above 0", [](double x) { return x > 0.0; }};
+inline constexpr NumberRule not_negative{"0 or more", [](double x) { return x >= 0.0; }};
+
+/// The names an enumeration has in files.
+template <class E>
+using EnumNames = std::initializer_list<std::pair<const char*, E>>;
+
+class TomlTable;
+
+/// A TOML file that is being read. Problems are collected while its tables are read; `finish` adds a problem for every
+/// key that was never asked for and throws them all, each with file:line and the user's own line.
+class TomlDocument {
+ public:
+  /// Throws InputError where the file cannot be read or is not TOML.
+  explicit TomlDocument(const std::filesystem::path& file);
+  ~TomlDocument();
+  TomlDocument(const TomlDocument&) = delete;
+  TomlDocument& operator=(const TomlDocument&) = delete;
+
+  TomlTable root();
+  const std::string& text() const;
+  void add(Problem problem);  ///< one that belongs to no key
+  void finish();
+
+  struct State;
+
+ private:
+  std::unique_ptr<State> state_;
+};
+
+/// One table of a document; a light handle. A reading function returns nothing where the key is absent or wrong; wrong
+/// is noted in the document. The `required_` ones note absence too and return a value that is never used then.
+/// A table that is not there reads as an empty one.
+class TomlTable {
+ public:
+  bool exists() const { return node_ != nullptr; }
+  bool has(std::string_view key) const;
+  bool is_table(std::string_view key) const;  ///< the key is there and holds a table
+  bool is_array(std::string_view key) const;
+
+  TomlTable table(std::string_view key) const;
+  TomlTable required_table(std::string_view key) const;
+  std::vector<TomlTable> tables(std::string_view key) const;  ///< [[key]]
+
+  std::optional<double> number(std::string_view key, const NumberRule& rule = any_finite) const;
+  double required_number(std::string_view key, const NumberRule& rule = any_finite) const;
+  std::optional<std::vector<double>> numbers(std::string_view key, const NumberRule& rule = any_finite) const;
+  std::optional<std::uint64_t> whole(std::string_view key, std::uint64_t least, std::uint64_t most) const;
+  std::optional<bool> flag(std::string_view key) const;
+  std::optional<std::string> text(std::string_view key) const;
+  std::string required_text(std::string_view key) const;
+  std::optional<std::vector<std::string>> texts(std::string_view key) const;
+
+  template <class E>
+  std::optional<E> choice(std::string_view key, EnumNames<E> names) const {
+    const auto word = text(key);
+    return word ? find_name<E>(key, *word, names) : std::nullopt;
+  }
+  template <class E>
+  std::optional<std::vector<E>> choices(std::string_view key, EnumNames<E> names) const {
+    const auto words = texts(key);
+    if (!words) return std::nullopt;
+    std::vector<E> values;
+    for (const std::string& word : *words) {
+      if (const auto value = find_name<E>(key, word, names)) values.push_back(*value);
+    }
+    return values;
+  }
+
+  /// Notes a problem at the value of `key` ("" or an absent key: at the table).
+  void report(std::string_view key, std::string what, std::string suggestion = "") const;
+  /// Notes problems told without a place (validate(...)) at the value of `key`.
+  void report(std::string_view key, const InputError& error) const;
+  void report_missing(std::string_view key, std::string suggestion = "") const;
+  /// Whatever else the table holds is not to be told as unknown: an earlier problem kept it from being read.
+  void ignore_unknown() const;
+  std::string name_of(std::string_view key) const;  ///< "building.period_s"
+  std::size_t problem_count() const;                ///< of the whole document so far
+
+ private:
+  friend class TomlDocument;
+  TomlTable(TomlDocument::State* document, const void* node, std::string path)
+      : document_(document), node_(node), path_(std::move(path)) {}
+
+  template <class E>
+  std::optional<E> find_name(std::string_view key, const std::string& word, EnumNames<E> names) const {
+    std::vector<std::string> known;
+    for (const auto& [name, value] : names) {
+      if (word == name) return value;
+      known.emplace_back(name);
+    }
+    report_unknown_word(key, word, known);
+    return std::nullopt;
+  }
+  void report_unknown_word(std::string_view key, const std::string& word, const std::vector<std::string>& known) const;
+
+  TomlDocument::State* document_;
+  const void* node_;  ///< a toml::table, or null
+  std::string path_;
+};
+
+}  // namespace glissade

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glissade/motion/design_spectrum.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "glissade/core/contract.hpp"
+#include "glissade/core/error.hpp"
+
+namespace glissade {
+namespace {
+
+/// One row of a site-coefficient table.
+using Row = std::vector<double>;
+using Table = std::array<Row, 5>;  // by site class, A to E
+
+struct SiteTable {
+  const char* parameter;  // what the columns are of
+  Row columns;
+  Table rows;  // a row shorter than the columns is "site-specific" beyond
+};
+
+// ASCE 7-10 and 7-16, tables 11.4-1 (F_a) and 11.4-2 (F_v).
+const SiteTable& fa_table(AsceEdition edition) {
+  static const SiteTable asce7_10{"ss_g",
+                                  {0.25, 0.5, 0.75, 1.0, 1.25},
+                                  {Row{0.8, 0.8, 0.8, 0.8, 0.8},    // A
+                                   Row{1.0, 1.0, 1.0, 1.0, 1.0},    // B
+                                   Row{1.2, 1.2, 1.1, 1.0, 1.0},    // C
+                                   Row{1.6, 1.4, 1.2, 1.1, 1.0},    // D
+                                   Row{2.5, 1.7, 1.2, 0.9, 0.9}}};  // E
+  static const SiteTable asce7_16{"ss_g",
+                                  {0.25, 0.5, 0.75, 1.0, 1.25, 1.5},
+                                  {Row{0.8, 0.8, 0.8, 0.8, 0.8, 0.8},  // A
+                                   Row{0.9, 0.9, 0.9, 0.9, 0.9, 0.9},  // B
+                                   Row{1.3, 1.3, 1.2, 1.2, 1.2, 1.2},  // C
+                                   Row{1.6, 1.4, 1.2, 1.1, 1.0, 1.0},  // D
+                                   Row{2.4, 1.7, 1.3}}};               // E
+  return edition == AsceEdition::asce7_10 ? asce7_10 : asce7_16;
+}
+
+const SiteTable& fv_table(AsceEdition edition) {
+  static const SiteTable asce7_10{"s1_g",
+                                  {0.1, 0.2, 0.3, 0.4, 0.5},
+                                  {Row{0.8, 0.8, 0.8, 0.8, 0.8},    // A
+                                   Row{1.0, 1.0, 1.0, 1.0, 1.0},    // B
+                                   Row{1.7, 1.6, 1.5, 1.4, 1.3},    // C
+                                   Row{2.4, 2.0, 1.8, 1.6, 1.5},    // D
+                                   Row{3.5, 3.2, 2.8, 2.4, 2.4}}};  // E
+  static const SiteTable asce7_16{"s1_g",
+                                  {0.1, 0.2, 0.3, 0.4, 0.5, 0.6},
+                                  {Row{0.8, 0.8, 0.8, 0.8, 0.8, 0.8},  // A
+                                   Row{0.8, 0.8, 0.8, 0.8, 0.8, 0.8},  // B
+                                   Row{1.5, 1.5, 1.5, 1.5, 1.5, 1.4},  // C
+                                   Row{2.4, 2.2, 2.0, 1.9, 1.8, 1.7},  // D
+                                   Row{4.2}}};                         // E
+  return edition == AsceEdition::asce7_10 ? asce7_10 : asce7_16;
+}
+
+bool is_positive(double value) { return std::isfinite(value) && value > 0.0; }
+
+double site_coefficient(const SiteTable& table, SiteClass site, double value_g) {
+  if (!is_positive(value_g)) {
+    throw InputError({"", fmt::format("{} = {} is not a positive number", table.parameter, value_g),
+                      "give the mapped acceleration in g", ""});
+  }
+  const Row& row = table.rows[static_cast<std::size_t>(site)];
+  const Row& columns = table.columns;
+  const std::size_t last = row.size() - 1;
+  if (row.size() < columns.size() && value_g > columns[last]) {
+    throw InputError(
+        {"",
+         fmt::format("{} = {} is above {} for site class {}, where ASCE 7-16 asks for a "
+                     "site-specific study",
+                     table.parameter, value_g, columns[last], to_string(site)),
+         "scale to a site-specific spectrum, or leave the class out", ""});
+  }
+  if (value_g <= columns.front()) return row.front();
+  if (value_g >= columns[last]) return row[last];
+  const auto right =
+      static_cast<std::size_t>(std::ranges::upper_bound(columns, value_g) - columns.begin());
+  const double fraction = (value_g - columns[right - 1]) / (columns[right] - columns[right - 1]);
+  return std::lerp(row[right - 1], row[right], fraction);
+}
+
+template <typename Enum, std::size_t n>
+Enum parse(const std::string& text, const std::array<const char*, n>& names, const char* what) {
+  const auto found = std::ranges::find(names, text);
+  if (found != names.end()) return static_cast<Enum>(found - names.begin());
+  std::string choices;
+  for (const char* name : names)
+    choices += fmt::format("{}\"{}\"", choices.empty() ? "" : ", ", name);
+  throw InputError({"", fmt::format("\"{}\" is not {}", text, what), "give one of " + choices, ""});
+}
+
+constexpr std::array<const char*, 5> site_class_names = {"A", "B", "C", "D", "E"};
+constexpr std::array<const char*, 2> edition_names = {"asce7_10", "asce7_16"};
+
+}  // namespace
+
+double site_coefficient_fa(AsceEdition edition, SiteClass site, double ss_g) {
+  return site_coefficient(fa_table(edition), site, ss_g);
+}
+
+double site_coefficient_fv(AsceEdition edition, SiteClass site, double s1_g) {
+  return site_coefficient(fv_table(edition), site, s1_g);
+}
+
+double DesignSpectrum::sa_g(double period_s) const {
+  GLISSADE_EXPECTS(period_s >= 0.0);
+  if (period_s < t0_s()) return sds_g * (0.4 + 0.6 * period_s / t0_s());
+  if (period_s <= ts_s()) return sds_g;
+  if (period_s <= tl_s) return sd1_g / period_s;
+  return sd1_g * tl_s / (period_s * period_s);
+}
+
+TargetSpectrum::TargetSpectrum(const DesignTarget& target) {
+  ProblemList problems;
+  if (target.site_classes.empty()) {
+    problems.add({"", "the design target has no site class", "give one or more of A to E", ""});
+  }
+  if (!is_positive(target.tl_s)) {
+    problems.add({"", fmt::format("tl_s = {} is not a positive number", target.tl_s),
+                  "give the mapped long-period transition in seconds", ""});
+  }
+  for (const SiteClass site : target.site_classes) {
+    try {
+      DesignSpectrum spectrum;
+      spectrum.sds_g =
+          2.0 / 3.0 * site_coefficient_fa(target.edition, site, target.ss_g) * target.ss_g;
+      spectrum.sd1_g =
+          2.0 / 3.0 * site_coefficient_fv(target.edition, site, target.s1_g) * target.s1_g;
+      spectrum.tl_s = target.tl_s;
+      if (target.tl_s < spectrum.ts_s()) {
+        problems.add({"",
+                      fmt::format("tl_s = {} is below T_S = {:.4g} s of site class {}", target.tl_s,
+                                  spectrum.ts_s(), to_string(site)),
+                      "check ss_g, s1_g and tl_s: mapped values of T_L are 4 to 16 s", ""});
+      }
+      spectra_.push_back(spectrum);
+    } catch (const InputError& error) {
+      problems.add(error);
+    }
+  }
+  problems.throw_if_any();
+}
+
+double TargetSpectrum::design_sa_g(double period_s) const {
+  double envelope = 0.0;
+  for (const DesignSpectrum& spectrum : spectra_)
+    envelope = std::max(envelope, spectrum.sa_g(period_s));
+  return envelope;
+}
+
+double TargetSpectrum::sds_g() const {
+  return std::ranges::max(spectra_, {}, &DesignSpectrum::sds_g).sds_g;
+}
+
+double TargetSpectrum::sd1_g() const {
+  return std::ranges::max(spectra_, {}, &DesignSpectrum::sd1_g).sd1_g;
+}
+
+SiteClass parse_site_class(const std::string& text) {
+  return parse<SiteClass>(text, site_class_names, "a site class");
+}
+
+std::string to_string(SiteClass site) { return site_class_names[static_cast<std::size_t>(site)]; }
+
+AsceEdition parse_asce_edition(const std::string& text) {
+  return parse<AsceEdition>(text, edition_names, "an edition of ASCE 7");
+}
+
+std::string to_string(AsceEdition edition) {
+  return edition_names[static_cast<std::size_t>(edition)];
+}
+
+}  // namespace glissade

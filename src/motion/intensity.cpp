@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glissade/motion/intensity.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "glissade/core/contract.hpp"
+#include "glissade/motion/response_spectrum.hpp"
+
+namespace glissade {
+namespace {
+
+bool has_second(const Motion& motion) { return !motion.horizontal_mps2[1].empty(); }
+
+/// `measure` of each horizontal component, as one number.
+template <typename Measure>
+double combined(const Motion& motion, HorizontalCombination combination, Measure measure) {
+  const double first = measure(motion.horizontal_mps2[0]);
+  return has_second(motion) ? combine(combination, first, measure(motion.horizontal_mps2[1]))
+                            : first;
+}
+
+}  // namespace
+
+double peak_ground_acceleration_mps2(std::span<const double> acceleration_mps2) {
+  double peak = 0.0;
+  for (const double a : acceleration_mps2) peak = std::max(peak, std::abs(a));
+  return peak;
+}
+
+double peak_ground_velocity_mps(double dt_s, std::span<const double> acceleration_mps2) {
+  GLISSADE_EXPECTS(dt_s > 0.0);
+  double velocity = 0.0;
+  double peak = 0.0;
+  for (std::size_t n = 0; n < acceleration_mps2.size(); ++n) {
+    const double a = acceleration_mps2[n];
+    const double b = n + 1 < acceleration_mps2.size() ? acceleration_mps2[n + 1] : 0.0;
+    // a + (b - a) t/dt is zero at t = dt a/(a - b): until then the velocity changes by a t/2.
+    if (a * b < 0.0) peak = std::max(peak, std::abs(velocity + 0.5 * dt_s * a * (a / (a - b))));
+    velocity += 0.5 * dt_s * (a + b);
+    peak = std::max(peak, std::abs(velocity));
+  }
+  return peak;
+}
+
+double combine(HorizontalCombination combination, double first, double second) {
+  return combination == HorizontalCombination::srss ? std::hypot(first, second)
+                                                    : std::sqrt(first) * std::sqrt(second);
+}
+
+std::vector<double> horizontal_spectrum_mps2(const Motion& motion,
+                                             std::span<const double> periods_s,
+                                             HorizontalCombination combination,
+                                             double damping_ratio) {
+  std::vector<double> spectrum = pseudo_acceleration_spectrum(
+      motion.dt_s, motion.horizontal_mps2[0], periods_s, damping_ratio);
+  if (!has_second(motion)) return spectrum;
+  const std::vector<double> second = pseudo_acceleration_spectrum(
+      motion.dt_s, motion.horizontal_mps2[1], periods_s, damping_ratio);
+  std::ranges::transform(spectrum, second, spectrum.begin(),
+                         [&](double a, double b) { return combine(combination, a, b); });
+  return spectrum;
+}
+
+double horizontal_pga_mps2(const Motion& motion, HorizontalCombination combination) {
+  return combined(motion, combination, [](const std::vector<double>& component) {
+    return peak_ground_acceleration_mps2(component);
+  });
+}
+
+double horizontal_pgv_mps(const Motion& motion, HorizontalCombination combination) {
+  return combined(motion, combination, [&](const std::vector<double>& component) {
+    return peak_ground_velocity_mps(motion.dt_s, component);
+  });
+}
+
+double average_sa_mps2(const Motion& motion, std::span<const double> periods_s,
+                       double damping_ratio) {
+  GLISSADE_EXPECTS(!periods_s.empty());
+  double sum_of_logs = 0.0;
+  for (const double sa : horizontal_spectrum_mps2(
+           motion, periods_s, HorizontalCombination::geometric_mean, damping_ratio)) {
+    sum_of_logs += std::log(sa);
+  }
+  return std::exp(sum_of_logs / static_cast<double>(periods_s.size()));
+}
+
+}  // namespace glissade

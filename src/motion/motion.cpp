@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glissade/motion/motion.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+#include "glissade/core/error.hpp"
+
+namespace glissade {
+namespace {
+
+constexpr double whole_number_tolerance = 1e-6;
+constexpr double most_samples = 1e8;  // of a shift or of a coarser step: more is a slip of units
+
+std::optional<std::size_t> whole_number(double value) {
+  const double nearest = std::round(value);
+  if (!(std::abs(value - nearest) <= whole_number_tolerance) || nearest < 0.0 ||
+      nearest > most_samples) {
+    return std::nullopt;
+  }
+  return static_cast<std::size_t>(nearest);
+}
+
+void check_record(const Record& record, ProblemList& problems) {
+  if (!(std::isfinite(record.dt_s) && record.dt_s > 0.0)) {
+    problems.add({record.name, fmt::format("dt_s = {} is not a positive number", record.dt_s),
+                  "give the time between samples in seconds", ""});
+  }
+  const std::vector<double>& samples = record.acceleration_mps2;
+  if (samples.empty())
+    problems.add({record.name, "the record has no samples", "check the file", ""});
+  const auto bad = std::ranges::find_if_not(samples, [](double a) { return std::isfinite(a); });
+  if (bad != samples.end()) {
+    problems.add({record.name, fmt::format("sample {} is {}", bad - samples.begin() + 1, *bad),
+                  "replace it by a finite number", ""});
+  }
+}
+
+/// How a component lies on the motion's clock.
+struct Placement {
+  std::size_t start = 0;   ///< sample of the motion at which the component begins
+  std::size_t stride = 1;  ///< samples of the motion per sample of the component
+};
+
+Placement place(const TimedRecord& component, double dt_s, ProblemList& problems) {
+  const Record& record = component.record;
+  Placement placement;
+  if (const auto stride = whole_number(record.dt_s / dt_s)) {
+    placement.stride = *stride;
+  } else {
+    problems.add({record.name,
+                  fmt::format("dt_s = {} is not a whole multiple of the finest component's {}",
+                              record.dt_s, dt_s),
+                  "resample the component to that step", ""});
+  }
+  if (const auto start = whole_number(component.start_s / dt_s)) {
+    placement.start = *start;
+  } else {
+    const double nearest_s = std::max(0.0, std::round(component.start_s / dt_s)) * dt_s;
+    problems.add(
+        {record.name,
+         fmt::format("start_s = {} is not a whole number >= 0 of the motion's samples (dt_s = {})",
+                     component.start_s, dt_s),
+         fmt::format("the nearest is {:.10g}", nearest_s), ""});
+  }
+  return placement;
+}
+
+std::size_t end_of(const Record& record, const Placement& placement) {
+  return placement.start + record.acceleration_mps2.size() * placement.stride;
+}
+
+/// The component's samples on the motion's clock, between its own ones interpolated (also over the
+/// interval after its last, which ends at zero).
+std::vector<double> on_clock(const Record& record, const Placement& placement, std::size_t length) {
+  const std::vector<double>& samples = record.acceleration_mps2;
+  std::vector<double> result(length, 0.0);
+  for (std::size_t n = 0; n < samples.size(); ++n) {
+    const double here = samples[n];
+    const double next = n + 1 < samples.size() ? samples[n + 1] : 0.0;
+    for (std::size_t k = 0; k < placement.stride; ++k) {
+      const double fraction = static_cast<double>(k) / static_cast<double>(placement.stride);
+      result[placement.start + n * placement.stride + k] = std::lerp(here, next, fraction);
+    }
+  }
+  return result;
+}
+
+struct Component {
+  const TimedRecord& timed;
+  std::vector<double>& samples;  ///< in the motion
+  Placement placement;
+};
+
+}  // namespace
+
+Motion assemble_motion(Motion metadata, const TimedRecord& first,
+                       const std::optional<TimedRecord>& second,
+                       const std::optional<TimedRecord>& vertical) {
+  Motion motion = std::move(metadata);
+  motion.horizontal_mps2 = {};
+  motion.vertical_mps2.clear();
+  std::vector<Component> components;
+  components.push_back({first, motion.horizontal_mps2[0], {}});
+  if (second) components.push_back({*second, motion.horizontal_mps2[1], {}});
+  if (vertical) components.push_back({*vertical, motion.vertical_mps2, {}});
+
+  ProblemList problems;
+  for (const Component& component : components) check_record(component.timed.record, problems);
+  problems.throw_if_any();
+
+  motion.dt_s = first.record.dt_s;
+  for (const Component& component : components) {
+    motion.dt_s = std::min(motion.dt_s, component.timed.record.dt_s);
+  }
+  std::size_t length = 0;
+  for (Component& component : components) {
+    component.placement = place(component.timed, motion.dt_s, problems);
+    length = std::max(length, end_of(component.timed.record, component.placement));
+  }
+  problems.throw_if_any();
+
+  for (const Component& component : components) {
+    component.samples = on_clock(component.timed.record, component.placement, length);
+  }
+  return motion;
+}
+
+}  // namespace glissade

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glissade/motion/simulation/synthetic_suite.hpp"
+
+#include "glissade/motion/simulation/components.hpp"
+
+namespace glissade {
+
+Scenario scenario_of(const SyntheticMotion& motion) {
+  return {motion.magnitude, motion.distance_km, motion.vs30_mps, motion.mechanism};
+}
+
+SuiteGain gain_of(const SyntheticRecipe& recipe) {
+  return {{recipe.gain_frequencies_hz, recipe.horizontal_gain}, {recipe.gain_frequencies_hz, recipe.vertical_gain}};
+}
+
+Motion simulate_motion(const SyntheticRecipe& recipe, const SyntheticMotion& source) {
+  const RealizationKey key{recipe.seed, source.realization};
+  auto [dt_s, components] =
+      shape_motion(simulate_raw_motion(scenario_of(source), key, recipe.dt_s), gain_of(recipe));
+  Motion motion;
+  motion.id = source.id;
+  motion.event = "simulated";
+  motion.station = source.id;
+  motion.magnitude = source.magnitude;
+  motion.distance_km = source.distance_km;
+  motion.vs30_mps = source.vs30_mps;
+  motion.scale = source.scale;
+  motion.dt_s = dt_s;
+  motion.horizontal_mps2 = {std::move(components[0]), std::move(components[1])};
+  motion.vertical_mps2 = std::move(components[2]);
+  return motion;
+}
+
+Suite simulate_suite(const SyntheticRecipe& recipe) {
+  Suite suite{.name = recipe.name, .description = recipe.description, .motions = {}, .target = recipe.target};
+  for (const SyntheticMotion& motion : recipe.motions) suite.motions.push_back(simulate_motion(recipe, motion));
+  return suite;
+}
+
+}  // namespace glissade

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "glissade/report/figures.hpp"
+#include "glissade/study/results.hpp"
+
+// What the figures share: titles, axes, counts, percentiles.
+namespace glissade {
+
+/// `'NAME.dat'`
+std::string quoted_file(const std::string& name);
+/// Title in bold with a smaller line below.
+std::string title_of(const Figure& figure, const std::string& below);
+/// `set xlabel '...'`
+std::string axis(const std::string& which, const std::string& label);
+/// The opposite axis in inches, for an axis of slip from 0 to `largest_m`.
+std::string inches_beside(const std::string& which, double largest_m);
+/// "22 records x 1024 samples"
+std::string counts_of(const Results& results);
+/// "0.15 m (5.91 in), 0.30 m (11.8 in)"
+std::string list_of_lengths(const std::vector<double>& lengths_m);
+/// A gnuplot point type: filled shapes of different outline, in turn.
+int point_symbol(std::size_t index);
+
+/// The finite slips of records first <= i < last at a level, over all samples.
+std::vector<double> histories_at(const Array3<double>& slip_m, std::size_t first, std::size_t last, std::size_t level);
+/// Linear between order statistics (Hyndman & Fan 1996, type 7); NaN without values.
+double percentile(std::vector<double> values, double share);
+
+}  // namespace glissade

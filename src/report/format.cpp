@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glissade/report/format.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "glissade/core/units.hpp"
+
+namespace glissade {
+
+std::string format_number(double value) {
+  if (!std::isfinite(value)) return "-";
+  if (value == 0.0) return "0";
+  // The decimal exponent after rounding to three digits: 9.996 has 1, as 10.0 has.
+  const std::string scientific = fmt::format("{:.2e}", value);
+  const int exponent = std::stoi(scientific.substr(scientific.find('e') + 1));
+  if (exponent < -6 || exponent > 8) return scientific;
+  if (value == std::round(value) && std::abs(value) >= 10.0) return fmt::format("{:.0f}", value);
+  return fmt::format("{:.{}f}", value, std::max(0, 2 - exponent));
+}
+
+std::string format_exact(double value) {
+  if (std::isnan(value)) return "";
+  if (std::isinf(value)) return value > 0.0 ? "inf" : "-inf";
+  return fmt::format("{}", value);
+}
+
+std::string format_length(double length_m) {
+  if (!std::isfinite(length_m)) return "-";
+  return format_number(length_m) + " m (" + format_number(length_m / inch_m) + " in)";
+}
+
+std::string format_share(double share) {
+  if (!std::isfinite(share)) return "-";
+  const double percent = 100.0 * share;
+  if (percent == 0.0) return "0 %";
+  if (percent < 0.1) return "< 0.1 %";
+  if (percent < 10.0 || (percent > 99.0 && percent < 100.0)) return fmt::format("{:.1f} %", percent);
+  return fmt::format("{:.0f} %", percent);
+}
+
+std::string format_interval(const Interval& interval) {
+  if (std::isnan(interval.low) || std::isnan(interval.high)) return "no interval";
+  const auto end = [](double value) { return std::isinf(value) ? "unbounded" : format_number(value); };
+  return end(interval.low) + " to " + end(interval.high);
+}
+
+std::string standard_name(Standard standard) {
+  return standard == Standard::seaoc_pv1_2012 ? "SEAOC PV1-2012" : "ASCE 7-16";
+}
+
+std::string provenance_label(Provenance provenance) {
+  return provenance == Provenance::checked ? "checked" : "recalled: verify against the standard";
+}
+
+std::string escape_html(std::string_view text) {
+  std::string escaped;
+  escaped.reserve(text.size());
+  for (const char c : text) {
+    switch (c) {
+      case '&': escaped += "&amp;"; break;
+      case '<': escaped += "&lt;"; break;
+      case '>': escaped += "&gt;"; break;
+      case '"': escaped += "&quot;"; break;
+      case '\'': escaped += "&#39;"; break;
+      default: escaped += c;
+    }
+  }
+  return escaped;
+}
+
+}  // namespace glissade

@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glissade/report/tables.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include "glissade/report/format.hpp"
+
+namespace glissade {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr auto in_plan = "Displacements are in plan (horizontal).";
+
+Column text_column(std::string stem, std::string heading) {
+  return {std::move(stem), "", std::move(heading), ColumnKind::text, false};
+}
+
+/// The title's opening: what the levels are.
+std::string measured_by(const Results& results) {
+  return " Intensity measure: " + results.intensity_label + ". ";
+}
+
+Estimate median_of(const FitSummary& fit) {
+  if (fit.status == FitStatus::failed) return {nan, {}, false};
+  return {fit.curve.median, fit.median_interval, fit.status == FitStatus::one_sided_bound};
+}
+
+Estimate log_std_of(const FitSummary& fit) {
+  if (fit.status == FitStatus::failed) return {nan, {}, false};
+  return {fit.curve.log_std, fit.log_std_interval, false};
+}
+
+void add_fragility_row(Table& table, const RunResults& run, const ThresholdFragility& fragility,
+                       const std::string& method, const FitSummary& fit) {
+  table.add({run.label, fragility.threshold_m, method, median_of(fit), log_std_of(fit),
+             to_string(fit.status), fragility.recross_share, fragility.censored_share,
+             fragility.free_sliding_share, fit.interval_method, fit.note});
+}
+
+double histories_per_level(const RunResults& run) {
+  return static_cast<double>(run.peak_displacement_m.rows * run.peak_displacement_m.columns);
+}
+
+const SlipStatistics* slip_at(const RunResults& run, double level) {
+  for (const SlipStatistics& slip : run.slip) {
+    if (slip.level == level) return &slip;
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+const FitSummary& preferred_fit(const ThresholdFragility& fragility) {
+  return !fragility.capacities.converged() && fragility.stripes.converged() ? fragility.stripes
+                                                                            : fragility.capacities;
+}
+
+Table fragility_table(const Results& results) {
+  Table table{"fragility",
+              "Lognormal fragilities by clearance threshold." + measured_by(results) +
+                  "log_std and shares are dimensionless. " + in_plan,
+              {text_column("run", "Friction run"),
+               {"threshold", "m", "Clearance, m (in)", ColumnKind::length},
+               text_column("method", "Fitted on"),
+               {"median", "g", "Median, g [95 %]", ColumnKind::number, true},
+               {"log_std", "", "Log std [95 %]", ColumnKind::number, true},
+               text_column("status", "Fit"),
+               {"recross_share", "", "Recross", ColumnKind::share},
+               {"censored_share", "", "Never reached", ColumnKind::share},
+               {"free_sliding_share", "", "Slides unshaken", ColumnKind::share},
+               text_column("interval_method", "Intervals by"),
+               text_column("note", "Note")},
+              {}};
+  for (const RunResults& run : results.runs) {
+    for (const ThresholdFragility& fragility : run.fragilities) {
+      add_fragility_row(table, run, fragility, "stripes", fragility.stripes);
+      add_fragility_row(table, run, fragility, "capacities", fragility.capacities);
+    }
+  }
+  return table;
+}
+
+Table fragility_summary_table(const Results& results) {
+  Table table{"fragility_summary",
+              "Fragility by clearance: intensity with a 50 % chance of exceedance." +
+                  measured_by(results) + in_plan,
+              {text_column("run", "Friction run"),
+               {"threshold", "m", "Clearance, m (in)", ColumnKind::length},
+               {"median", "g", "Median, g [95 %]", ColumnKind::number, true},
+               {"log_std", "", "Log std [95 %]", ColumnKind::number, true},
+               {"censored_share", "", "Never reached", ColumnKind::share},
+               text_column("status", "Fit")},
+              {}};
+  for (const RunResults& run : results.runs) {
+    for (const ThresholdFragility& fragility : run.fragilities) {
+      const FitSummary& fit = preferred_fit(fragility);
+      table.add({run.label, fragility.threshold_m, median_of(fit), log_std_of(fit),
+                 fragility.censored_share, to_string(fit.status)});
+    }
+  }
+  return table;
+}
+
+Table slip_table(const Results& results) {
+  Table table{"slip",
+              "Peak slip over records and samples, by level." + measured_by(results) + in_plan,
+              {text_column("run", "Friction run"),
+               {"level", "g", "Level, g", ColumnKind::number},
+               {"median_slip", "m", "Median, m (in) [95 %, m]", ColumnKind::length, true},
+               {"p84_slip", "m", "84th percentile, m (in) [95 %, m]", ColumnKind::length, true},
+               {"p95_slip", "m", "95th percentile, m (in)", ColumnKind::length},
+               {"mean_slip", "m", "Mean, m (in) [95 %, m]", ColumnKind::length, true},
+               {"uplift_share", "", "Uplift", ColumnKind::share}},
+              {}};
+  for (const RunResults& run : results.runs) {
+    for (const SlipStatistics& slip : run.slip) {
+      table.add({run.label, slip.level, Estimate{slip.median_m, slip.median_interval},
+                 Estimate{slip.p84_m, slip.p84_interval}, slip.p95_m,
+                 Estimate{slip.mean_m, slip.mean_interval}, slip.uplift_share});
+    }
+  }
+  return table;
+}
+
+Table standards_table(const Results& results) {
+  Table table{"standards",
+              std::string("Displacements prescribed by standards beside the slip that came out. ") + in_plan,
+              {text_column("run", "Friction run"),
+               text_column("standard", "Standard"),
+               {"sds", "g", "S_DS, g", ColumnKind::number},
+               {"prescribed", "m", "Prescribed, m (in)", ColumnKind::length},
+               {"median_slip", "m", "Median, m (in)", ColumnKind::length},
+               {"p84_slip", "m", "84th, m (in)", ColumnKind::length},
+               {"p95_slip", "m", "95th, m (in)", ColumnKind::length},
+               {"mean_slip", "m", "Mean, m (in)", ColumnKind::length},
+               {"exceedance_share", "", "Slip > prescribed [95 %]", ColumnKind::share, true},
+               text_column("provenance", "Provision"),
+               text_column("basis", "Basis")},
+              {}};
+  for (const RunResults& run : results.runs) {
+    for (const StandardComparison& comparison : run.standards) {
+      const SlipStatistics* found = slip_at(run, comparison.sds_g);
+      const SlipStatistics slip = found ? *found : SlipStatistics{0.0, nan, nan, nan, nan, {}, {}, {}, nan};
+      table.add({run.label, standard_name(comparison.standard), comparison.sds_g,
+                 comparison.prescribed.value_m, slip.median_m, slip.p84_m, slip.p95_m, slip.mean_m,
+                 Estimate{comparison.exceedance_probability, comparison.exceedance_interval},
+                 provenance_label(comparison.prescribed.provenance), comparison.prescribed.basis});
+    }
+  }
+  return table;
+}
+
+Table stripes_table(const Results& results) {
+  Table table{"stripes",
+              "Histories whose slip exceeds the threshold, by level: what the fit on stripes rests on." +
+                  measured_by(results) + in_plan,
+              {text_column("run", "Friction run"),
+               {"threshold", "m", "Clearance, m (in)", ColumnKind::length},
+               {"level", "g", "Level, g", ColumnKind::number},
+               {"histories", "", "Histories", ColumnKind::count},
+               {"exceedances", "", "Exceedances", ColumnKind::count},
+               {"share", "", "Share [95 %]", ColumnKind::share, true}},
+              {}};
+  for (const RunResults& run : results.runs) {
+    const double histories = histories_per_level(run);
+    for (const ThresholdFragility& fragility : run.fragilities) {
+      for (std::size_t l = 0; l < fragility.probability.size(); ++l) {
+        const Interval interval = l < fragility.probability_interval.size()
+                                      ? fragility.probability_interval[l]
+                                      : Interval{};
+        table.add({run.label, fragility.threshold_m, results.levels.at(l), histories,
+                   std::round(fragility.probability[l] * histories),
+                   Estimate{fragility.probability[l], interval}});
+      }
+    }
+  }
+  return table;
+}
+
+Table records_table(const Results& results) {
+  Table table{"records",
+              "Ground motions of suite " + results.suite_name +
+                  ". pga and pgv are geometric means of the horizontals as recorded; factor at unit level is what "
+                  "the record is multiplied by at intensity 1 g (0: depends on the sample); 0 in magnitude, distance "
+                  "and vs30 means not told. " + in_plan,
+              {text_column("id", "Record"),
+               text_column("event", "Event"),
+               text_column("station", "Station"),
+               {"magnitude", "", "M", ColumnKind::number},
+               {"distance", "km", "Distance, km", ColumnKind::number},
+               {"vs30", "mps", "Vs30, m/s", ColumnKind::number},
+               {"suite_scale", "", "Suite factor", ColumnKind::number},
+               {"factor_at_unit_level", "per_g", "Factor at 1 g", ColumnKind::number},
+               {"pga", "g", "PGA, g", ColumnKind::number},
+               {"pgv", "mps", "PGV, m/s", ColumnKind::number},
+               {"dt", "s", "Step, s", ColumnKind::number},
+               {"samples", "", "Samples", ColumnKind::count},
+               text_column("has_second", "2nd horizontal"),
+               text_column("has_vertical", "Vertical")},
+              {}};
+  const auto yes_no = [](bool value) -> std::string { return value ? "yes" : "no"; };
+  for (const RecordSummary& r : results.records) {
+    table.add({r.id, r.event, r.station, r.magnitude, r.distance_km, r.vs30_mps, r.suite_scale,
+               r.factor_at_unit_level, r.pga_g, r.pgv_mps, r.dt_s, static_cast<double>(r.samples),
+               yes_no(r.has_second), yes_no(r.has_vertical)});
+  }
+  return table;
+}
+
+Table spectra_table(const Results& results) {
+  const SuiteSpectra& spectra = results.spectra;
+  Table table{"spectra",
+              "5 % damped SRSS spectra of the horizontals, " +
+                  (spectra.reference_level > 0.0
+                       ? "scaled to " + results.intensity_label + " = " + format_number(spectra.reference_level)
+                       : std::string("by the suite's own factors")) +
+                  ". " + in_plan,
+              {{"period", "s", "Period, s", ColumnKind::number},
+               {"average_srss", "g", "Average, g", ColumnKind::number}},
+              {}};
+  if (!spectra.target_g.empty()) table.columns.push_back({"target", "g", "Target, g", ColumnKind::number});
+  for (std::size_t r = 0; r < spectra.srss_g.size(); ++r) {
+    const std::string id = r < results.records.size() ? results.records[r].id : std::to_string(r);
+    table.columns.push_back({"srss_" + id, "g", id + ", g", ColumnKind::number});
+  }
+  for (std::size_t p = 0; p < spectra.periods_s.size(); ++p) {
+    std::vector<Cell> row = {spectra.periods_s[p], spectra.average_srss_g.at(p)};
+    if (!spectra.target_g.empty()) row.emplace_back(spectra.target_g.at(p));
+    for (const std::vector<double>& record : spectra.srss_g) row.emplace_back(record.at(p));
+    table.add(std::move(row));
+  }
+  return table;
+}
+
+Table samples_table(const Results& results) {
+  Table table{"samples",
+              std::string("Sampled parameters. Friction is that of the sampled run; component 0 or 1 is the horizontal "
+                          "that acts along the slope, with the given sign. ") + in_plan,
+              {{"sample", "", "Sample", ColumnKind::count},
+               {"friction", "", "Friction", ColumnKind::number},
+               {"slope", "deg", "Slope, deg", ColumnKind::number},
+               {"period", "s", "Period, s", ColumnKind::number},
+               {"damping_ratio", "", "Damping ratio", ColumnKind::number},
+               {"component", "", "Component", ColumnKind::count},
+               {"sign", "", "Sign", ColumnKind::count}},
+              {}};
+  for (std::size_t j = 0; j < results.samples.size(); ++j) {
+    const SamplePoint& s = results.samples[j];
+    table.add({static_cast<double>(j), s.friction, s.slope_deg, s.period_s, s.damping,
+               static_cast<double>(s.component), static_cast<double>(s.sign)});
+  }
+  return table;
+}
+
+std::vector<Table> csv_tables(const Results& results) {
+  std::vector<Table> tables = {fragility_table(results), slip_table(results), stripes_table(results),
+                               records_table(results), spectra_table(results), samples_table(results)};
+  Table standards = standards_table(results);
+  if (!standards.rows.empty()) tables.insert(tables.begin() + 2, std::move(standards));
+  return tables;
+}
+
+}  // namespace glissade

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glissade/study/config.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <variant>
+
+namespace glissade {
+
+std::string to_string(IntensityMeasure measure) {
+  switch (measure) {
+    case IntensityMeasure::sds_g: return "sds_g";
+    case IntensityMeasure::pga_g: return "pga_g";
+    case IntensityMeasure::sa_g: return "sa_g";
+    case IntensityMeasure::avg_sa_g: return "avg_sa_g";
+    case IntensityMeasure::ppa_g: return "ppa_g";
+  }
+  return {};
+}
+
+std::string intensity_label(const IntensityConfig& intensity) {
+  switch (intensity.measure) {
+    case IntensityMeasure::sds_g: return "S_DS (g)";
+    case IntensityMeasure::pga_g: return "peak ground acceleration (g)";
+    case IntensityMeasure::sa_g: return fmt::format("Sa({:g} s) (g)", intensity.sa_period_s);
+    case IntensityMeasure::avg_sa_g:
+      return fmt::format("average Sa, {:g} to {:g} s (g)", intensity.avg_sa_periods_s.front(),
+                         intensity.avg_sa_periods_s.back());
+    case IntensityMeasure::ppa_g: return "peak roof acceleration (g)";
+  }
+  return {};
+}
+
+std::string describe(const Distribution& distribution) {
+  struct Describe {
+    std::string operator()(const Fixed& d) const { return fmt::format("{:g}", d.value); }
+    std::string operator()(const Normal& d) const { return fmt::format("normal, mean {:g}, std {:g}", d.mean, d.std); }
+    std::string operator()(const TruncatedNormal& d) const {
+      return fmt::format("normal, mean {:g}, std {:g}, between {:g} and {:g}", d.mean, d.std, d.min, d.max);
+    }
+    std::string operator()(const LogNormal& d) const {
+      return fmt::format("lognormal, median {:g}, log std {:g}", d.median, d.log_std);
+    }
+    std::string operator()(const Uniform& d) const { return fmt::format("uniform, {:g} to {:g}", d.min, d.max); }
+    std::string operator()(const Triangular& d) const {
+      return fmt::format("triangular, {:g}, {:g}, {:g}", d.min, d.mode, d.max);
+    }
+    std::string operator()(const Discrete& d) const { return fmt::format("one of {:g}", fmt::join(d.values, ", ")); }
+    std::string operator()(const Empirical& d) const { return fmt::format("empirical, {} values", d.values.size()); }
+  };
+  return std::visit(Describe{}, distribution);
+}
+
+namespace {
+
+/// Mean and standard deviation as the user states them: those of the parent where a normal is cut at zero.
+struct Moments {
+  double mean, std;
+};
+Moments stated_moments(const Distribution& distribution) {
+  if (const auto* cut = std::get_if<TruncatedNormal>(&distribution)) return {cut->mean, cut->std};
+  return {mean(distribution), standard_deviation(distribution)};
+}
+
+}  // namespace
+
+double design_friction(const FrictionConfig& friction) {
+  const Moments moments = stated_moments(friction.mu);
+  return std::max(0.0, moments.mean - 2.0 * moments.std);
+}
+
+}  // namespace glissade

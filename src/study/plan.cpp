@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glissade/study/plan.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "glissade/core/error.hpp"
+#include "glissade/core/hash.hpp"
+#include "glissade/core/units.hpp"
+#include "glissade/motion/intensity.hpp"
+#include "glissade/motion/suite_scaling.hpp"
+
+namespace glissade {
+namespace {
+
+/// A uncertain quantity's place in the unit cube. Fixed for ever: a sample's numbers must not move when another
+/// parameter becomes uncertain.
+enum Dimension : std::uint32_t { friction_dimension, slope_dimension, period_dimension, damping_dimension, component_dimension, sign_dimension };
+
+constexpr std::uint64_t samples_per_unit = 16;  // large against a message, small against a run
+
+std::vector<SamplePoint> draw_samples(const StudyConfig& config) {
+  const PointSet points(config.sampling.method, config.seed);
+  std::vector<SamplePoint> samples(config.sampling.samples);
+  for (std::uint64_t i = 0; i < samples.size(); ++i) {
+    const auto draw = [&](const Distribution& distribution, Dimension dimension) {
+      return quantile(distribution, points.coordinate(i, dimension));
+    };
+    const auto coin = [&](Dimension dimension) { return points.coordinate(i, dimension) < 0.5; };
+    SamplePoint& s = samples[i];
+    s.friction = draw(config.friction.mu, friction_dimension);
+    s.slope_deg = draw(config.roof.slope_deg, slope_dimension);
+    s.period_s = draw(config.building.period_s, period_dimension);
+    s.damping = draw(config.building.damping, damping_dimension);
+    switch (config.orientation.component) {
+      case ComponentChoice::first: s.component = 0; break;
+      case ComponentChoice::second: s.component = 1; break;
+      case ComponentChoice::random: s.component = coin(component_dimension) ? 0 : 1; break;
+    }
+    switch (config.orientation.sign) {
+      case SignChoice::positive: s.sign = 1; break;
+      case SignChoice::negative: s.sign = -1; break;
+      case SignChoice::random: s.sign = coin(sign_dimension) ? 1 : -1; break;
+    }
+  }
+  return samples;
+}
+
+std::vector<FrictionRun> friction_runs(const Plan& plan) {
+  const FrictionConfig& friction = plan.config.friction;
+  FrictionRun sampled{"sampled", "mu " + describe(friction.mu), {}};
+  for (const SamplePoint& sample : plan.samples) sampled.friction.push_back(sample.friction);
+  std::vector<FrictionRun> runs{sampled};
+  if (friction.design_run && !is_fixed(friction.mu)) {
+    const double design = design_friction(friction);
+    runs.push_back({"design", fmt::format("mu = mean - 2 std = {:.4g}", design),
+                    std::vector<double>(plan.samples.size(), design)});
+  }
+  return runs;
+}
+
+/// The factor that gives each record intensity 1.
+std::vector<double> factors_at_unit_level(const StudyConfig& config, const Suite& suite) {
+  const IntensityConfig& intensity = config.intensity;
+  std::vector<double> factors;
+  const auto per_motion = [&](auto intensity_of) {
+    for (const Motion& motion : suite.motions) factors.push_back(standard_gravity_mps2 / intensity_of(motion));
+  };
+  switch (intensity.measure) {
+    case IntensityMeasure::sds_g: {
+      const DesignTarget target = intensity.target ? *intensity.target : *suite.target;
+      const TargetSpectrum spectrum(target);
+      const auto unit_design = [&](double period) { return spectrum.design_sa_g(period) / spectrum.sds_g(); };
+      const double common = suite_average_factor(suite, unit_design, walters_periods_s());
+      for (const Motion& motion : suite.motions) factors.push_back(common * motion.scale);
+      break;
+    }
+    case IntensityMeasure::pga_g:
+      per_motion([](const Motion& m) { return horizontal_pga_mps2(m, HorizontalCombination::geometric_mean); });
+      break;
+    case IntensityMeasure::sa_g: {
+      const std::vector<double> period{intensity.sa_period_s};
+      per_motion([&](const Motion& m) {
+        return horizontal_spectrum_mps2(m, period, HorizontalCombination::geometric_mean).front();
+      });
+      break;
+    }
+    case IntensityMeasure::avg_sa_g:
+      per_motion([&](const Motion& m) { return average_sa_mps2(m, intensity.avg_sa_periods_s); });
+      break;
+    case IntensityMeasure::ppa_g: factors.assign(suite.motions.size(), 0.0); break;
+  }
+  return factors;
+}
+
+void check(const StudyConfig& config, const Suite& suite) {
+  ProblemList problems;
+  const std::string where = config.suite_file.string();
+  if (suite.motions.empty()) problems.add({where, "the suite has no motions", "add at least one record", ""});
+  if (config.intensity.measure == IntensityMeasure::sds_g && !config.intensity.target && !suite.target) {
+    problems.add({config.file.string(), "measure = \"sds_g\" needs the shape of a design spectrum and neither study nor suite gives one",
+                  "add target = { edition = \"asce7_10\", ss_g = ..., s1_g = ..., site_class = \"D\" } to [intensity]", ""});
+  }
+  for (const Motion& motion : suite.motions) {
+    if (config.orientation.component == ComponentChoice::second && motion.horizontal_mps2[1].empty()) {
+      problems.add({where, "record " + motion.id + " has no second horizontal component",
+                    "set component = \"first\" or \"random\" in [orientation]", ""});
+    }
+    if (config.vertical.use == VerticalChoice::required && motion.vertical_mps2.empty()) {
+      problems.add({where, "record " + motion.id + " has no vertical component although [vertical] use = \"required\"",
+                    "set use = \"if_available\", or leave the record out", ""});
+    }
+    if (horizontal_pga_mps2(motion, HorizontalCombination::srss) == 0.0) {
+      problems.add({where, "record " + motion.id + " is zero throughout", "leave it out of the suite", ""});
+    }
+  }
+  problems.throw_if_any();
+}
+
+std::vector<std::string> notes_on(const StudyConfig& config, const Suite& suite) {
+  std::vector<std::string> notes;
+  const auto count = [&](auto lacks) { return std::count_if(suite.motions.begin(), suite.motions.end(), lacks); };
+  const auto flat = count([](const Motion& m) { return m.vertical_mps2.empty(); });
+  if (config.vertical.use == VerticalChoice::if_available && flat > 0) {
+    notes.push_back(fmt::format("{} of {} records have no vertical component: run with the horizontal alone", flat,
+                                suite.motions.size()));
+  }
+  const auto single = count([](const Motion& m) { return m.horizontal_mps2[1].empty(); });
+  if (config.orientation.component == ComponentChoice::random && single > 0) {
+    notes.push_back(fmt::format("{} of {} records have one horizontal component: it is used in every sample", single,
+                                suite.motions.size()));
+  }
+  return notes;
+}
+
+std::vector<Skip> skips_of(const StudyConfig& config, const Plan& plan) {
+  std::vector<Skip> skips;
+  const std::uint64_t pairs = plan.suite.motions.size() * plan.samples.size();
+  if (config.vertical.use == VerticalChoice::none) {
+    skips.push_back({"vertical ground motion", "[vertical] use = \"none\"", pairs});
+  }
+  const auto* period = std::get_if<Fixed>(&config.building.period_s);
+  if (period != nullptr && period->value == 0.0) {
+    skips.push_back({"roof motions filtered by a building", "the building is rigid", pairs});
+  }
+  if (plan.runs.size() == 1) {
+    skips.push_back({"run at the design friction",
+                     is_fixed(config.friction.mu) ? "friction is one number" : "[friction] design_run = false", pairs});
+  }
+  if (config.standards.compare.empty()) skips.push_back({"comparison with standards", "none asked for", 0});
+  return skips;
+}
+
+std::string hash_of(const StudyConfig& config, const Suite& suite) {
+  Hasher hasher;
+  hasher.text("glissade plan 1").text(config.source_text);
+  for (const Motion& motion : suite.motions) {
+    hasher.text(motion.id).number(motion.scale).number(motion.dt_s);
+    for (const auto& component : motion.horizontal_mps2) hasher.numbers(component);
+    hasher.numbers(motion.vertical_mps2);
+  }
+  return to_hex(hasher.value());
+}
+
+}  // namespace
+
+Plan make_plan(const StudyConfig& config, Suite suite) {
+  check(config, suite);
+  Plan plan;
+  plan.config = config;
+  plan.hash = hash_of(config, suite);
+  plan.factor_at_unit_level = factors_at_unit_level(config, suite);
+  plan.notes = notes_on(config, suite);
+  plan.suite = std::move(suite);
+  plan.samples = draw_samples(config);
+  plan.runs = friction_runs(plan);
+  plan.skips = skips_of(config, plan);
+  for (std::size_t record = 0; record < plan.suite.motions.size(); ++record) {
+    for (std::uint64_t first = 0; first < plan.samples.size(); first += samples_per_unit) {
+      plan.units.push_back({record, first, std::min<std::uint64_t>(samples_per_unit, plan.samples.size() - first)});
+    }
+  }
+  return plan;
+}
+
+std::uint64_t Plan::histories() const {
+  return suite.motions.size() * samples.size() * config.intensity.levels.size() * runs.size();
+}
+
+std::string to_string(const Plan& plan) {
+  const StudyConfig& c = plan.config;
+  std::string text = fmt::format(
+      "study       {} (plan {})\n"
+      "suite       {}: {} motions\n"
+      "intensity   {}: {} levels, {:g} to {:g}\n"
+      "samples     {} ({}), seed {}\n"
+      "runs        ",
+      c.name, plan.hash, plan.suite.name, plan.suite.motions.size(), intensity_label(c.intensity),
+      c.intensity.levels.size(), c.intensity.levels.front(), c.intensity.levels.back(), plan.samples.size(),
+      c.sampling.method == SamplingMethod::sobol ? "scrambled Sobol" : "Monte Carlo", c.seed);
+  for (std::size_t i = 0; i < plan.runs.size(); ++i) {
+    text += fmt::format("{}{}: {}", i > 0 ? "; " : "", plan.runs[i].label, plan.runs[i].description);
+  }
+  text += fmt::format(
+      "\nbuilding    period {} s, damping {}\n"
+      "roof        slope {} deg\n"
+      "thresholds  {:g} m\n"
+      "work        {} histories in {} units, and the search for capacities on top\n",
+      describe(c.building.period_s), describe(c.building.damping), describe(c.roof.slope_deg),
+      fmt::join(c.thresholds_m, ", "), plan.histories(), plan.units.size());
+  for (const Skip& skip : plan.skips) text += fmt::format("not run     {}: {}\n", skip.what, skip.why);
+  for (const std::string& note : plan.notes) text += fmt::format("note        {}\n", note);
+  return text;
+}
+
+}  // namespace glissade

@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glissade/block/slide.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "unit/block/reference.hpp"
+
+namespace glissade {
+namespace {
+
+using test::made_up_record;
+using test::Reference;
+
+constexpr double g = standard_gravity_mps2;
+
+void expect_same(const SlipResult& a, const SlipResult& b) {
+  EXPECT_EQ(a.peak_displacement_m, b.peak_displacement_m);
+  EXPECT_EQ(a.residual_displacement_m, b.residual_displacement_m);
+  EXPECT_EQ(a.peak_downslope_m, b.peak_downslope_m);
+  EXPECT_EQ(a.peak_upslope_m, b.peak_upslope_m);
+  EXPECT_EQ(a.peak_velocity_mps, b.peak_velocity_mps);
+  EXPECT_EQ(a.slip_duration_s, b.slip_duration_s);
+  EXPECT_EQ(a.slip_phases, b.slip_phases);
+  EXPECT_EQ(a.uplift, b.uplift);
+  EXPECT_EQ(a.free_sliding, b.free_sliding);
+}
+
+TEST(slide, agrees_with_fifty_digits_to_1e_12_over_scales_frictions_slopes_and_vertical) {
+  double worst = 0;
+  int slid = 0;
+  for (unsigned seed = 1; seed <= 4; ++seed) {
+    const auto a = made_up_record(1200, seed, 6.0), w = made_up_record(1200, seed + 100, 3.0);
+    for (const double scale : {0.4, 1.0, 2.0}) {
+      for (const double mu : {0.0, 0.1, 0.3, 0.5, 0.7}) {
+        for (const double slope_deg : {0.0, 1.19, 4.0, 7.0, 30.0}) {
+          for (const bool vertical : {false, true}) {
+            RoofAcceleration roof{0.005, a, vertical ? std::span<const double>(w) : std::span<const double>(), scale, scale};
+            const Block block{mu, slope_deg * rad_per_deg};
+            const SlipResult r = slide(roof, block);
+            if (r.uplift) continue;
+            const Reference exact(roof, block);
+            const double size = std::max(static_cast<double>(exact.down), static_cast<double>(exact.up));
+            if (size == 0) {
+              EXPECT_EQ(r.peak_displacement_m, 0.0);
+              continue;
+            }
+            ++slid;
+            worst = std::max({worst, std::abs(r.residual_displacement_m - static_cast<double>(exact.slip)) / size,
+                              std::abs(r.peak_downslope_m - static_cast<double>(exact.down)) / size,
+                              std::abs(r.peak_upslope_m - static_cast<double>(exact.up)) / size,
+                              std::abs(r.peak_velocity_mps / static_cast<double>(exact.peak_velocity) - 1)});
+          }
+        }
+      }
+    }
+  }
+  EXPECT_GT(slid, 300);
+  EXPECT_LT(worst, 1e-12);
+  RecordProperty("worst_relative_error", std::to_string(worst * 1e15) + "e-15");
+}
+
+TEST(slide, stays_put_when_the_peak_is_below_yield) {
+  const auto a = made_up_record(500, 3, 0.299 * g);
+  const SlipResult r = slide({0.01, a}, {.friction = 0.3});
+  EXPECT_EQ(r.peak_displacement_m, 0.0);
+  EXPECT_EQ(r.slip_phases, 0u);
+  const auto b = made_up_record(500, 3, 0.301 * g);
+  EXPECT_GT(slide({0.01, b}, {.friction = 0.3}).peak_displacement_m, 0.0);
+}
+
+// theory.md, "Similitude": scaling a, w and g by lambda scales slip by lambda; exact for a power of two.
+TEST(slide, scales_exactly_with_the_whole_acceleration_field) {
+  const auto a = made_up_record(900, 5, 5.0), w = made_up_record(900, 6, 2.0);
+  const Block block{0.3, 2 * rad_per_deg};
+  Block doubled = block;
+  doubled.gravity_mps2 *= 2;
+  const SlipResult one = slide({0.01, a, w}, block), two = slide({0.01, a, w, 2.0, 2.0}, doubled);
+  EXPECT_EQ(two.peak_displacement_m, 2 * one.peak_displacement_m);
+  EXPECT_EQ(two.residual_displacement_m, 2 * one.residual_displacement_m);
+  EXPECT_EQ(two.peak_velocity_mps, 2 * one.peak_velocity_mps);
+  EXPECT_EQ(two.slip_phases, one.slip_phases);
+}
+
+TEST(slide, is_mirrored_exactly_by_mirroring_the_motion_and_the_slope) {
+  const auto a = made_up_record(900, 7, 5.0), w = made_up_record(900, 8, 2.0);
+  expect_same(slide({0.01, a, w}, {0.25, 3 * rad_per_deg}), slide({0.01, a, w, -1.0, 1.0}, {0.25, -3 * rad_per_deg}));
+  const SlipResult flat = slide({0.01, a, w}, {0.25, 0.0}), mirrored = slide({0.01, a, w, -1.0, 1.0}, {0.25, 0.0});
+  EXPECT_EQ(flat.residual_displacement_m, -mirrored.residual_displacement_m);
+  EXPECT_EQ(flat.peak_downslope_m, mirrored.peak_upslope_m);
+}
+
+TEST(slide, does_not_change_by_a_bit_when_zeros_are_padded_or_the_motion_starts_later) {
+  auto a = made_up_record(900, 9, 8.0), w = made_up_record(900, 10, 3.0);
+  a.back() = 4.0;  // still sliding at the end of the record
+  const Block block{0.2, 2 * rad_per_deg};
+  const SlipResult plain = slide({0.01, a, w}, block);
+  auto pa = a, pw = w;
+  pa.resize(1500, 0.0);
+  pw.resize(1500, 0.0);
+  expect_same(slide({0.01, pa, pw}, block), plain);
+  // A motion that begins with a zero can be preceded by zeros.
+  std::vector<double> la(700, 0.0), lw(700, 0.0);
+  a.insert(a.begin(), 0.0);
+  w.insert(w.begin(), 0.0);
+  const SlipResult zero_first = slide({0.01, a, w}, block);
+  la.insert(la.end(), a.begin(), a.end());
+  lw.insert(lw.end(), w.begin(), w.end());
+  expect_same(slide({0.01, la, lw}, block), zero_first);
+}
+
+TEST(slide, changes_by_rounding_only_when_samples_are_inserted) {
+  const auto a = made_up_record(900, 11, 8.0), w = made_up_record(900, 12, 3.0);
+  const auto doubled = [](const std::vector<double>& x) {
+    std::vector<double> y;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      y.push_back(x[i]);
+      y.push_back(0.5 * (x[i] + (i + 1 < x.size() ? x[i + 1] : 0.0)));
+    }
+    return y;
+  };
+  const auto a2 = doubled(a), w2 = doubled(w);
+  for (const double mu : {0.1, 0.3, 0.5}) {
+    const Block block{mu, 3 * rad_per_deg};
+    const SlipResult coarse = slide({0.01, a, w}, block), fine = slide({0.005, a2, w2}, block);
+    EXPECT_NEAR(fine.peak_displacement_m, coarse.peak_displacement_m, 1e-12 * coarse.peak_displacement_m);
+    EXPECT_NEAR(fine.residual_displacement_m, coarse.residual_displacement_m, 1e-12 * coarse.peak_displacement_m);
+  }
+}
+
+TEST(slide, scales_with_the_square_of_the_step_at_equal_samples) {
+  const auto a = made_up_record(900, 13, 8.0);
+  const SlipResult one = slide({0.01, a}, {0.3, 0.02}), four = slide({0.04, a}, {0.3, 0.02});
+  EXPECT_EQ(four.peak_displacement_m, 16 * one.peak_displacement_m);  // a factor of two to a power: exact
+  EXPECT_EQ(four.slip_duration_s, 4 * one.slip_duration_s);
+}
+
+TEST(slide, slips_at_least_as_far_one_way_as_two_ways_downslope_on_a_flat_roof) {
+  for (unsigned seed = 20; seed < 40; ++seed) {
+    const auto a = made_up_record(900, seed, 8.0);
+    const SlipResult both = slide({0.01, a}, {0.2, 0.0}), one = slide({0.01, a}, {0.2, 0.0, SlipDirections::downslope_only});
+    EXPECT_EQ(one.peak_upslope_m, 0.0);
+    EXPECT_GE(one.peak_downslope_m * (1 + 1e-12), both.peak_downslope_m);
+  }
+}
+
+TEST(slide, flags_uplift_and_takes_no_friction_from_a_lifted_block) {
+  // The roof falls faster than g for half a second while it accelerates sideways: relative acceleration is -a exactly.
+  std::vector<double> a(51, 1.0), w(51, -2 * g);
+  const SlipResult r = slide({0.01, a, w}, {.friction = 0.5});
+  EXPECT_TRUE(r.uplift);
+  EXPECT_GT(r.peak_upslope_m, 0.5 * 1.0 * 0.5 * 0.5 * (1 - 1e-12));
+  EXPECT_FALSE(slide({0.01, a}, {.friction = 0.5}).uplift);
+  // On a steep slope a horizontal acceleration alone can lift: N/m = g cos + a sin < 0.
+  const std::vector<double> away = {0.0, -1.01 * g / std::tan(0.5), 0.0};
+  EXPECT_TRUE(slide({0.01, away}, {0.9, 0.5}).uplift);
+  const std::vector<double> nearly = {0.0, -0.99 * g / std::tan(0.5), 0.0};
+  EXPECT_FALSE(slide({0.01, nearly}, {0.9, 0.5}).uplift);
+}
+
+TEST(slide, records_a_history_that_ends_where_the_result_says) {
+  const auto a = made_up_record(900, 15, 8.0);
+  std::vector<SlipPoint> history;
+  const SlipResult r = slide({0.01, a}, {0.2, 3 * rad_per_deg}, history);
+  expect_same(r, slide({0.01, a}, {0.2, 3 * rad_per_deg}));
+  EXPECT_EQ(history.front().time_s, 0.0);
+  EXPECT_EQ(history.back().velocity_mps, 0.0);
+  EXPECT_DOUBLE_EQ(history.back().displacement_m, r.residual_displacement_m);
+  double peak = 0;
+  for (std::size_t i = 1; i < history.size(); ++i) {
+    EXPECT_GE(history[i].time_s, history[i - 1].time_s);
+    peak = std::max(peak, std::abs(history[i].displacement_m));
+  }
+  EXPECT_DOUBLE_EQ(peak, r.peak_displacement_m);
+}
+
+TEST(cannot_slip, never_says_so_of_a_block_that_slips) {
+  int held = 0, slipped = 0;
+  for (unsigned seed = 1; seed < 30; ++seed) {
+    const auto a = made_up_record(300, seed, 3.0), w = made_up_record(300, seed + 50, 1.5);
+    for (const double mu : {0.2, 0.3, 0.4, 0.6}) {
+      const Block block{mu, 2 * rad_per_deg};
+      const SlipResult r = slide({0.01, a, w}, block);
+      if (cannot_slip(block, 3.0, 1.5)) {
+        ++held;
+        EXPECT_EQ(r.slip_phases, 0u);
+      } else if (r.slip_phases > 0) {
+        ++slipped;
+      }
+    }
+  }
+  EXPECT_GT(held, 10);
+  EXPECT_GT(slipped, 10);
+}
+
+TEST(yield_acceleration, is_where_slip_begins) {
+  const Block block{0.4, 4 * rad_per_deg};
+  const double yield = yield_acceleration_mps2(block);
+  EXPECT_NEAR(yield, g * std::tan(std::atan(0.4) - 4 * rad_per_deg), 1e-12);
+  const std::vector<double> pulse = {0.0, -1.0, 0.0};  // the roof jerks upslope: the block slips down
+  EXPECT_EQ(slide({0.01, pulse, {}, yield * (1 - 1e-9)}, block).slip_phases, 0u);
+  EXPECT_EQ(slide({0.01, pulse, {}, yield * (1 + 1e-9)}, block).slip_phases, 1u);
+}
+
+}  // namespace
+}  // namespace glissade

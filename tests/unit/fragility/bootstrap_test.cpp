@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glissade/fragility/bootstrap.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numeric>
+
+#include "glissade/core/error.hpp"
+#include "glissade/core/random.hpp"
+
+namespace glissade {
+namespace {
+
+// The simulation of statistics.md: ln capacity = a(record) + e(record, sample), median 1, deviations 0.35 and 0.20,
+// 50 samples, 8 stripes from 0.4 to 2.5 medians.
+constexpr double between = 0.35, within = 0.20;
+const double total_log_std = std::hypot(between, within);
+constexpr int samples = 50;
+
+std::vector<double> intensities() {
+  std::vector<double> x;
+  for (int j = 0; j < 8; ++j) x.push_back(0.4 * std::pow(2.5 / 0.4, j / 7.0));
+  return x;
+}
+
+std::vector<RecordCapacities> simulated_capacities(int records, std::uint64_t seed) {
+  std::vector<RecordCapacities> result(records);
+  for (int i = 0; i < records; ++i) {
+    const double a = between * keyed_normal(seed, RandomPurpose::test, i, 0);
+    for (int s = 1; s <= samples; ++s) {
+      result[i].capacities.push_back(std::exp(a + within * keyed_normal(seed, RandomPurpose::test, i, s)));
+    }
+  }
+  return result;
+}
+
+std::vector<RecordStripes> simulated_stripes(int records, std::uint64_t seed) {
+  std::vector<RecordStripes> result;
+  for (const RecordCapacities& record : simulated_capacities(records, seed)) {
+    RecordStripes stripes{std::vector<double>(8), std::vector<double>(8, samples)};
+    for (std::size_t j = 0; j < 8; ++j) {
+      for (double capacity : record.capacities) stripes.exceedances[j] += capacity < intensities()[j] ? 1 : 0;
+    }
+    result.push_back(stripes);
+  }
+  return result;
+}
+
+std::vector<Stripe> pool(const std::vector<RecordStripes>& records) {
+  std::vector<Stripe> stripes;
+  for (std::size_t j = 0; j < 8; ++j) {
+    Stripe stripe{intensities()[j], 0, 0};
+    for (const RecordStripes& record : records) {
+      stripe.trials += record.trials[j];
+      stripe.exceedances += record.exceedances[j];
+    }
+    stripes.push_back(stripe);
+  }
+  return stripes;
+}
+
+bool covers(const Interval& interval, double value) { return interval.low <= value && value <= interval.high; }
+
+struct Coverage { double median, log_std, naive_median; };
+Coverage stripe_coverage(int records, int studies, int naive_studies) {
+  Coverage share{0, 0, 0};
+  for (int study = 0; study < studies; ++study) {
+    const auto data = simulated_stripes(records, 1000 + study);
+    const FitSummary fit = fit_stripes_by_record(intensities(), data, {.seed = 7, .replicates = 400});
+    share.median += covers(fit.median_interval, 1.0) ? 1.0 / studies : 0;
+    share.log_std += covers(fit.log_std_interval, total_log_std) ? 1.0 / studies : 0;
+    if (study < naive_studies) {
+      share.naive_median += covers(fit_stripes(pool(data)).median_interval, 1.0) ? 1.0 / naive_studies : 0;
+    }
+  }
+  ::testing::Test::RecordProperty("coverage_median", std::to_string(share.median));
+  ::testing::Test::RecordProperty("coverage_log_std", std::to_string(share.log_std));
+  ::testing::Test::RecordProperty("coverage_naive", std::to_string(share.naive_median));
+  return share;
+}
+
+// Were the coverage 95 %, that of 600 studies would leave [0.92, 0.98] with probability 8e-4 (binomial, 3.4 sigma).
+TEST(fit_stripes_by_record, covers_the_median_in_95_percent_of_studies_of_20_records) {
+  const Coverage share = stripe_coverage(20, 600, 100);
+  EXPECT_GE(share.median, 0.92);
+  EXPECT_LE(share.median, 0.98);
+  EXPECT_GE(share.log_std, 0.89);  // documented: 93 %; 600 studies, 4 sigma
+  EXPECT_LE(share.log_std, 0.98);
+  EXPECT_LT(share.naive_median, 0.40);  // independent trials: the trap this method is for
+}
+
+TEST(fit_stripes_by_record, covers_the_median_in_95_percent_of_studies_of_7_records) {
+  const Coverage share = stripe_coverage(7, 600, 0);
+  EXPECT_GE(share.median, 0.92);
+  EXPECT_LE(share.median, 0.98);
+  EXPECT_GE(share.log_std, 0.89);
+}
+
+TEST(fit_capacities_by_record, covers_the_median_in_95_percent_of_studies_of_12_records) {
+  double share = 0;
+  for (int study = 0; study < 600; ++study) {
+    const FitSummary fit = fit_capacities_by_record(simulated_capacities(12, 5000 + study), 1e9,
+                                                    {.seed = 7, .replicates = 400});
+    share += covers(fit.median_interval, 1.0) ? 1 / 600.0 : 0;
+  }
+  RecordProperty("coverage_median", std::to_string(share));
+  EXPECT_GE(share, 0.92);
+  EXPECT_LE(share, 0.98);
+}
+
+TEST(fit_stripes_by_record, has_the_curve_of_the_pooled_stripes) {
+  const auto data = simulated_stripes(20, 1);
+  const FitSummary by_record = fit_stripes_by_record(intensities(), data, {});
+  const FitSummary pooled = fit_stripes(pool(data));
+  EXPECT_NEAR(by_record.curve.median, pooled.curve.median, 1e-12);
+  EXPECT_NEAR(by_record.curve.log_std, pooled.curve.log_std, 1e-12);
+  EXPECT_NEAR(by_record.log_likelihood, pooled.log_likelihood, 1e-8);
+}
+
+TEST(fit_stripes_by_record, gives_the_same_bits_again_and_others_for_another_seed) {
+  const auto data = simulated_stripes(20, 1);
+  const FitSummary one = fit_stripes_by_record(intensities(), data, {.seed = 1});
+  EXPECT_EQ(one.median_interval.low, fit_stripes_by_record(intensities(), data, {.seed = 1}).median_interval.low);
+  EXPECT_NE(one.median_interval.low, fit_stripes_by_record(intensities(), data, {.seed = 2}).median_interval.low);
+}
+
+// Samples of one record are no new evidence: counting each of them ten times changes nothing.
+TEST(fit_stripes_by_record, does_not_gain_by_repeating_the_samples_of_its_records) {
+  const auto data = simulated_stripes(12, 3);
+  auto repeated = data;
+  for (RecordStripes& record : repeated) {
+    for (double& k : record.exceedances) k *= 10;
+    for (double& n : record.trials) n *= 10;
+  }
+  const FitSummary once = fit_stripes_by_record(intensities(), data, {});
+  const FitSummary ten_times = fit_stripes_by_record(intensities(), repeated, {});
+  EXPECT_NEAR(once.median_interval.low, ten_times.median_interval.low, 1e-9);
+  EXPECT_NEAR(once.log_std_interval.high, ten_times.log_std_interval.high, 1e-9);
+}
+
+TEST(fit_stripes_by_record, gives_a_band_that_holds_the_curve_and_agrees_with_the_interval_of_the_median) {
+  const auto data = simulated_stripes(20, 4);
+  std::vector<Interval> band;
+  const std::vector<double> at = {0.3, 0.6, 1.0, 1.5, 3.0};
+  const FitSummary fit = fit_stripes_by_record(intensities(), data, {}, at, &band);
+  ASSERT_EQ(band.size(), at.size());
+  for (std::size_t i = 0; i < at.size(); ++i) {
+    EXPECT_GT(band[i].low, 0.0);
+    EXPECT_LT(band[i].high, 1.0);
+    EXPECT_TRUE(covers(band[i], fit.curve.probability(at[i]))) << at[i];
+  }
+  // At an end of the interval of the median, one half is at an end of the band: the same question asked twice, by
+  // statistics that differ to second order.
+  std::vector<Interval> ends;
+  fit_stripes_by_record(intensities(), data, {}, {fit.median_interval.low, fit.median_interval.high}, &ends);
+  EXPECT_NEAR(ends[0].high, 0.5, 0.06);
+  EXPECT_NEAR(ends[1].low, 0.5, 0.06);
+}
+
+TEST(fit_stripes_by_record, bounds_with_one_trial_per_record_where_nothing_exceeded) {
+  const std::vector<RecordStripes> records(7, {{0.0, 0.0}, {1000.0, 1000.0}});
+  const FitSummary fit = fit_stripes_by_record({0.5, 1.0}, records, {});
+  const FitSummary one_each = fit_stripes({{0.5, 7, 0}, {1.0, 7, 0}});
+  EXPECT_EQ(fit.status, FitStatus::one_sided_bound);
+  EXPECT_NEAR(fit.curve.median, one_each.curve.median, 1e-12);
+}
+
+TEST(fit_capacities_by_record, bounds_with_one_trial_per_record_where_nothing_reached_the_threshold) {
+  const std::vector<RecordCapacities> records(7, {{}, 1000.0});
+  const FitSummary fit = fit_capacities_by_record(records, 1.0, {});
+  EXPECT_EQ(fit.status, FitStatus::one_sided_bound);
+  EXPECT_NEAR(fit.curve.median, fit_stripes({{1.0, 7, 0}}).curve.median, 1e-12);
+}
+
+// Only one of seven records exceeds: a third of the resamples, (6/7)^7, miss it, so no upper end can be given.
+TEST(fit_stripes_by_record, leaves_the_median_open_above_where_many_resamples_do_not_exceed) {
+  std::vector<RecordStripes> records(7, {{0.0, 0.0, 0.0}, {10.0, 10.0, 10.0}});
+  records[3].exceedances = {1.0, 3.0, 6.0};
+  const FitSummary fit = fit_stripes_by_record({0.5, 1.0, 2.0}, records, {});
+  EXPECT_EQ(fit.status, FitStatus::maximum_likelihood);
+  EXPECT_TRUE(std::isinf(fit.median_interval.high));
+  EXPECT_NE(fit.note, "");
+  EXPECT_NE(fit.interval_method.find("percentile"), std::string::npos);
+}
+
+TEST(fit_stripes_by_record, penalises_separated_records_and_says_so) {
+  const std::vector<RecordStripes> records(7, {{0.0, 0.0, 20.0, 20.0}, {20.0, 20.0, 20.0, 20.0}});
+  const FitSummary fit = fit_stripes_by_record({0.4, 0.6, 0.8, 1.0}, records, {});
+  EXPECT_EQ(fit.status, FitStatus::jeffreys_penalised);
+  EXPECT_NE(fit.note, "");
+  EXPECT_GT(fit.curve.median, 0.6);
+  EXPECT_LT(fit.curve.median, 0.8);
+}
+
+TEST(fit_stripes_by_record, gives_no_interval_for_one_record) {
+  const FitSummary fit = fit_stripes_by_record(intensities(), simulated_stripes(1, 1), {});
+  EXPECT_EQ(fit.status, FitStatus::maximum_likelihood);
+  EXPECT_TRUE(std::isnan(fit.median_interval.low));
+  EXPECT_NE(fit.note, "");
+}
+
+TEST(fit_stripes_by_record, names_the_records_whose_counts_are_out_of_range) {
+  try {
+    fit_stripes_by_record({0.5, 1.0}, {{{0, 1}, {1, 1}}, {{0, 2}, {1, 1}}, {{0}, {1}}}, {});
+    FAIL() << "no InputError";
+  } catch (const InputError& error) {
+    ASSERT_EQ(error.problems().size(), 2u);
+    EXPECT_EQ(error.problems()[0].where, "record 2");
+    EXPECT_EQ(error.problems()[1].where, "record 3");
+  }
+}
+
+TEST(bootstrap_interval, draws_as_many_records_as_there_are) {
+  bootstrap_interval(9, [](const std::vector<double>& weights) {
+    EXPECT_EQ(weights.size(), 9u);
+    EXPECT_EQ(std::accumulate(weights.begin(), weights.end(), 0.0), 9.0);
+    return 0.0;
+  }, {.replicates = 100});
+}
+
+// Mean of n = 20 normal numbers: 95 % nominal; 800 studies leave [0.92, 0.98] with probability 1e-4 were it exact.
+TEST(bootstrap_interval, covers_the_mean_of_20_normal_numbers) {
+  double share = 0;
+  for (int study = 0; study < 800; ++study) {
+    std::vector<double> x;
+    for (int i = 0; i < 20; ++i) x.push_back(keyed_normal(study, RandomPurpose::test, i, 0));
+    const auto mean = [&](const std::vector<double>& w) { return std::inner_product(w.begin(), w.end(), x.begin(), 0.0) / 20; };
+    share += covers(bootstrap_interval(20, mean, {.seed = 3, .replicates = 400}), 0.0) ? 1 / 800.0 : 0;
+  }
+  EXPECT_GE(share, 0.92);
+  EXPECT_LE(share, 0.98);
+}
+
+TEST(bootstrap_interval, is_empty_for_one_record) {
+  EXPECT_TRUE(std::isnan(bootstrap_interval(1, [](const auto&) { return 1.0; }, {}).low));
+}
+
+}  // namespace
+}  // namespace glissade

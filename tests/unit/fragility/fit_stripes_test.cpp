@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "glissade/core/error.hpp"
+#include "glissade/fragility/fit.hpp"
+#include "worked_examples.hpp"
+
+// Where not said otherwise the expected numbers are those of the project's worked examples: published inputs,
+// results computed with two independent programs.
+
+namespace glissade {
+namespace {
+
+using namespace worked_examples;
+
+TEST(fit_stripes, reproduces_baker_2015) {
+  const FitSummary fit = fit_stripes(baker_2015());
+  EXPECT_EQ(fit.status, FitStatus::maximum_likelihood);
+  EXPECT_NEAR(fit.curve.median, 1.076115794, 5e-10);
+  EXPECT_NEAR(fit.curve.log_std, 0.4292372038, 5e-11);
+  EXPECT_NEAR(fit.median_interval.low, 0.964246, 5e-7);
+  EXPECT_NEAR(fit.median_interval.high, 1.306991, 5e-7);
+  EXPECT_NEAR(fit.log_std_interval.low, 0.301758, 5e-7);
+  EXPECT_NEAR(fit.log_std_interval.high, 0.650025, 5e-7);
+}
+
+TEST(stripe_log_likelihood, reproduces_baker_2015) {
+  EXPECT_NEAR(stripe_log_likelihood(baker_2015(), {0.8, 0.5}), -39.433505974789, 5e-13);
+}
+
+TEST(fit_stripes, reproduces_mastodon) {
+  const FitSummary fit = fit_stripes(mastodon());
+  EXPECT_NEAR(fit.curve.median, 0.40021328, 5e-9);
+  EXPECT_NEAR(fit.curve.log_std, 0.23842755, 5e-9);
+  EXPECT_NEAR(stripe_log_likelihood(mastodon(), {0.4, 0.1}) / std::log(10), -502.18887815, 5e-9);
+}
+
+// The published fit is a probit in log10 dose: b0 + b1 log10 x = ln(x / median) / log_std.
+TEST(fit_stripes, is_the_probit_of_bliss_beetles) {
+  const FitSummary fit = fit_stripes(bliss_beetles());
+  EXPECT_NEAR(-std::log(fit.curve.median) / fit.curve.log_std, -34.93525892, 5e-8);
+  EXPECT_NEAR(std::log(10) / fit.curve.log_std, 19.72793422, 5e-8);
+  double saturated = 0;  // log likelihood with each stripe's own share
+  for (const Stripe& s : bliss_beetles()) {
+    const double k = s.exceedances, n = s.trials;
+    saturated += std::lgamma(n + 1) - std::lgamma(k + 1) - std::lgamma(n - k + 1) + k * std::log(k / n) +
+                 (k < n ? (n - k) * std::log1p(-k / n) : 0.0);
+  }
+  EXPECT_NEAR(2 * (saturated - fit.log_likelihood), 10.11975811, 5e-8);
+}
+
+TEST(fit_stripes_jeffreys, reproduces_baker_2015) {
+  const FitSummary fit = fit_stripes_jeffreys(baker_2015());
+  EXPECT_EQ(fit.status, FitStatus::jeffreys_penalised);
+  EXPECT_NEAR(fit.curve.median, 1.086048945, 5e-10);
+  EXPECT_NEAR(fit.curve.log_std, 0.4478973625, 5e-11);
+}
+
+TEST(fit_stripes, penalises_separated_stripes_and_says_so) {
+  const FitSummary fit = fit_stripes(separated());
+  EXPECT_EQ(fit.status, FitStatus::jeffreys_penalised);
+  EXPECT_NE(fit.note, "");
+  EXPECT_NEAR(fit.curve.median, 0.6928211161, 5e-11);
+  EXPECT_NEAR(fit.curve.log_std, 0.06843924275, 5e-12);
+  EXPECT_GT(fit.median_interval.low, 0.6);  // no trial tells 0.6 and 0.8 apart
+  EXPECT_LT(fit.median_interval.high, 0.8);
+  EXPECT_LT(fit.log_std_interval.low, fit.curve.log_std);
+  EXPECT_GT(fit.log_std_interval.high, fit.curve.log_std);
+}
+
+TEST(fit_stripes, calls_one_mixed_stripe_between_sure_ones_separated) {
+  EXPECT_EQ(fit_stripes({{0.5, 20, 0}, {1.0, 20, 7}, {2.0, 20, 20}}).status, FitStatus::jeffreys_penalised);
+}
+
+// With b1 = 1 / log_std and b0 = -ln(median) / log_std the likelihood equations are linear in the counts.
+TEST(fit_stripes, does_not_change_when_all_counts_are_scaled_to_fractions) {
+  std::vector<Stripe> tenths = baker_2015();
+  for (Stripe& s : tenths) {
+    s.trials /= 10;
+    s.exceedances /= 10;
+  }
+  const FitSummary fit = fit_stripes(tenths), whole = fit_stripes(baker_2015());
+  EXPECT_NEAR(fit.curve.median, whole.curve.median, 1e-11);
+  EXPECT_NEAR(fit.curve.log_std, whole.curve.log_std, 1e-11);
+  EXPECT_LT(fit.median_interval.low, whole.median_interval.low);
+}
+
+TEST(fit_stripes, follows_a_change_of_unit_of_the_intensity) {
+  std::vector<Stripe> scaled = baker_2015();
+  for (Stripe& s : scaled) s.intensity *= 9.80665;
+  const FitSummary fit = fit_stripes(scaled), original = fit_stripes(baker_2015());
+  EXPECT_NEAR(fit.curve.median / original.curve.median, 9.80665, 1e-10);
+  EXPECT_NEAR(fit.curve.log_std, original.curve.log_std, 1e-11);
+  EXPECT_NEAR(fit.log_likelihood, original.log_likelihood, 1e-10);
+}
+
+TEST(fit_stripes, finds_the_greatest_likelihood_of_its_neighbourhood) {
+  const FitSummary fit = fit_stripes(baker_2015());
+  for (double dm : {-0.01, 0.0, 0.01}) {
+    for (double ds : {-0.01, 0.0, 0.01}) {
+      EXPECT_LE(stripe_log_likelihood(baker_2015(), {fit.curve.median + dm, fit.curve.log_std + ds}),
+                fit.log_likelihood + 1e-12);
+    }
+  }
+}
+
+// Closed form: Phi(-ln(x/theta)/0.4)^n = 0.05 at one level x gives theta = x exp(0.4 Phi^-1(0.05^(1/n))); for n = 40,
+// 0.05^(1/40) = 0.9278424 and Phi^-1 of it is 1.460022... (here from the curve's own inverse).
+TEST(fit_stripes, bounds_the_median_from_below_without_exceedance) {
+  const FitSummary fit = fit_stripes({{0.5, 40, 0}});
+  EXPECT_EQ(fit.status, FitStatus::one_sided_bound);
+  EXPECT_FALSE(fit.converged());
+  EXPECT_EQ(fit.curve.log_std, 0.4);
+  const LognormalCurve unit{1.0, 1.0};
+  EXPECT_NEAR(fit.curve.median, 0.5 * std::pow(unit.intensity_at(std::pow(0.05, 1 / 40.0)), 0.4), 1e-12);
+  EXPECT_EQ(fit.median_interval.low, fit.curve.median);
+  EXPECT_TRUE(std::isinf(fit.median_interval.high));
+  EXPECT_NEAR(fit.log_likelihood, std::log(0.05), 1e-12);
+  EXPECT_NE(fit.note.find("0.4"), std::string::npos);
+}
+
+TEST(fit_stripes, gives_a_lower_bound_below_the_level_for_one_trial) {
+  EXPECT_LT(fit_stripes({{0.5, 1, 0}}).curve.median, 0.5);
+}
+
+// By symmetry of the normal distribution, x -> 1/x turns "none exceeded" into "all exceeded".
+TEST(fit_stripes, bounds_the_median_from_above_when_all_exceeded) {
+  const FitSummary lower = fit_stripes({{0.5, 20, 0}, {0.8, 10, 0}});
+  const FitSummary upper = fit_stripes({{1 / 0.8, 10, 10}, {1 / 0.5, 20, 20}});
+  EXPECT_EQ(upper.status, FitStatus::one_sided_bound);
+  EXPECT_NEAR(upper.curve.median, 1 / lower.curve.median, 1e-12);
+  EXPECT_EQ(upper.median_interval.low, 0.0);
+  EXPECT_EQ(upper.median_interval.high, upper.curve.median);
+}
+
+TEST(fit_stripes, fails_with_a_reason_where_no_curve_can_be_told) {
+  const std::vector<std::vector<Stripe>> hopeless = {
+      {},                                              // nothing
+      {{0.5, 0, 0}, {1.0, 0, 0}},                      // no trials
+      {{0.5, 10, 4}},                                  // one level
+      {{0.5, 10, 10}, {1.0, 10, 5}, {2.0, 10, 0}},     // decreasing, separated
+      {{0.5, 10, 6}, {1.0, 10, 5}, {2.0, 10, 4}},      // decreasing
+  };
+  for (const auto& stripes : hopeless) {
+    const FitSummary fit = fit_stripes(stripes);
+    EXPECT_EQ(fit.status, FitStatus::failed);
+    EXPECT_NE(fit.note, "");
+    EXPECT_TRUE(std::isnan(fit.median_interval.low));
+  }
+}
+
+// So little of a trend that a constant probability is not rejected: log_std has no upper limit.
+TEST(fit_stripes, leaves_an_interval_open_that_the_data_do_not_close) {
+  const FitSummary fit = fit_stripes({{0.5, 10, 4}, {1.0, 10, 5}, {2.0, 10, 6}});
+  EXPECT_EQ(fit.status, FitStatus::maximum_likelihood);
+  EXPECT_TRUE(std::isinf(fit.log_std_interval.high));
+}
+
+TEST(fit_stripes, names_every_count_out_of_range) {
+  try {
+    fit_stripes({{0.5, 10, 11}, {-1.0, 10, 1}, {1.0, 10, 5}});
+    FAIL() << "no InputError";
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.problems().size(), 2u);
+  }
+}
+
+}  // namespace
+}  // namespace glissade

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glissade/io/suite_file.hpp"
+
+#include <gmock/gmock.h>
+
+#include "glissade/core/units.hpp"
+#include "temporary_folder.hpp"
+
+namespace glissade {
+namespace {
+
+using testing::AllOf;
+using testing::DoubleEq;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+const std::string head = "[suite]\nname = \"s\"\ndescription = \"d\"\n";
+
+class SuiteFile : public testing::Test {
+ protected:
+  ~SuiteFile() override { ::unsetenv("GLISSADE_RECORDS"); }
+  static void look_in(const std::filesystem::path& folder) { ::setenv("GLISSADE_RECORDS", folder.c_str(), 1); }
+  Suite load(const std::string& content) const { return load_suite(folder_.write("suites/suite.toml", content)); }
+  std::string error(const std::string& content) const {
+    return message_of([&] { load(content); });
+  }
+  TemporaryFolder folder_;
+};
+
+TEST_F(SuiteFile, components_are_read_scaled_to_si_and_put_on_a_common_clock) {
+  folder_.write("suites/a.txt", "1\n2\n");
+  folder_.write("suites/b.txt", "0 100\n0.01 200\n");
+  const Suite suite = load(head + R"([target]
+ss_g = 1.95
+s1_g = 0.8
+site_classes = ["A", "D"]
+[[record]]
+id = "one"
+event = "e"
+station = "st"
+magnitude = 6.5
+distance_km = 10
+vs30_mps = 300
+scale = 2.5
+first = { file = "a.txt", dt_s = 0.01, start_s = 0.02 }
+second = { file = "b.txt", units = "cm/s2" }
+)");
+  EXPECT_EQ(suite.name, "s");
+  ASSERT_TRUE(suite.target);
+  EXPECT_THAT(suite.target->site_classes, ElementsAre(SiteClass::a, SiteClass::d));
+  ASSERT_EQ(suite.motions.size(), 1u);
+  const Motion& motion = suite.motions[0];
+  EXPECT_EQ(motion.id, "one");
+  EXPECT_EQ(motion.magnitude, 6.5);
+  EXPECT_EQ(motion.scale, 2.5);
+  EXPECT_EQ(motion.dt_s, 0.01);
+  constexpr double g = standard_gravity_mps2;
+  EXPECT_THAT(motion.horizontal_mps2[0], ElementsAre(0.0, 0.0, DoubleEq(g), DoubleEq(2 * g)));
+  EXPECT_THAT(motion.horizontal_mps2[1], ElementsAre(DoubleEq(1.0), DoubleEq(2.0), 0.0, 0.0));
+  EXPECT_TRUE(motion.vertical_mps2.empty());
+}
+
+TEST_F(SuiteFile, records_are_found_below_the_folders_of_the_environment) {
+  const std::string suite = head + "[[record]]\nid = \"a\"\nfirst = \"set/a.txt\"\n";
+  folder_.write("r1/readme", "");
+  folder_.write("r2/deep/er/a.txt", "0 1\n0.1 2\n");
+  look_in(folder_.path().string() + "/none:" + (folder_.path() / "r1").string() + ":" + (folder_.path() / "r2").string());
+  EXPECT_EQ(load(suite).motions[0].dt_s, 0.1);             // by name, anywhere below
+  folder_.write("r2/other/a.txt", "0 1\n0.2 2\n");
+  EXPECT_THAT(error(suite), AllOf(HasSubstr("suite.toml:6"), HasSubstr("deep/er/a.txt"), HasSubstr("other/a.txt")));
+  folder_.write("r2/more/set/a.txt", "0 1\n0.3 2\n");
+  EXPECT_EQ(load(suite).motions[0].dt_s, 0.3);             // by its own relative path, anywhere below
+  folder_.write("r2/set/a.txt", "0 1\n0.4 2\n");
+  EXPECT_EQ(load(suite).motions[0].dt_s, 0.4);             // by relative path
+  folder_.write("suites/set/a.txt", "0 1\n0.5 2\n");
+  EXPECT_EQ(load(suite).motions[0].dt_s, 0.5);             // beside the suite
+}
+
+TEST_F(SuiteFile, all_missing_files_are_told_in_one_error_that_names_the_variable) {
+  try {
+    load(head + "[[record]]\nid = \"a\"\nfirst = \"a.AT2\"\nsecond = \"b.AT2\"\n[[record]]\nid = \"c\"\nfirst = \"c.AT2\"\n");
+    FAIL() << "accepted";
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.problems().size(), 1u);
+    EXPECT_THAT(error.what(), AllOf(HasSubstr("3 record file(s)"), HasSubstr("GLISSADE_RECORDS"), HasSubstr("a.AT2"),
+                                    HasSubstr("b.AT2"), HasSubstr("c.AT2")));
+  }
+}
+
+TEST_F(SuiteFile, mistakes_are_located) {
+  folder_.write("suites/a.txt", "0 1\n0.1 2\n");
+  folder_.write("suites/bad.txt", "0 1\n0.1 x\n");
+  EXPECT_THAT(error(head + "[[record]]\nid = \"a\"\nfirst = \"a.txt\"\n[[record]]\nid = \"a\"\nfirst = \"a.txt\"\n"), HasSubstr("suite.toml:8: id \"a\" is used twice"));
+  EXPECT_THAT(error(head + "[[record]]\nid = \"a\"\nfirst = \"bad.txt\"\n"), AllOf(HasSubstr("suite.toml:6"), HasSubstr("bad.txt:2"), HasSubstr("'x'")));
+  EXPECT_THAT(error(head + "[[record]]\nid = \"a\"\n"), HasSubstr("record.first is missing"));
+  EXPECT_THAT(error(head + "[[record]]\nid = \"a\"\nfrist = \"a.txt\"\n"), HasSubstr("did you mean first?"));
+  EXPECT_THAT(error(head + "[[record]]\nid = \"a\"\nfirst = { file = \"a.txt\", units = \"ft/s2\" }\n"), HasSubstr("ft/s2"));
+  EXPECT_THAT(error(head + "[[record]]\nid = \"a\"\nfirst = { file = \"a.txt\", start_s = 0.05 }\nsecond = \"a.txt\"\n"), HasSubstr("suite.toml:4"));
+  EXPECT_THAT(error(head), HasSubstr("[[record]]"));
+  EXPECT_THAT(error("[suite]\nname = 3\n"), HasSubstr("suite.name is a number, not a text"));
+}
+
+const std::string recipe_text = head + R"([target]
+edition = "asce7_10"
+ss_g = 1.95
+s1_g = 0.8
+site_classes = ["A", "B", "C", "D"]
+tl_s = 8
+[simulation]
+model = "rezaeian_der_kiureghian_2010"
+seed = 7
+dt_s = 0.01
+max_scale = 4.0
+[simulation.gain]
+frequency_hz = [0.5, 5.0]
+horizontal = [1.1, 0.9]
+vertical = [0.7, 0.6]
+[[motion]]
+id = "m1"
+magnitude = 6.7
+distance_km = 12
+vs30_mps = 400
+mechanism = "reverse"
+realization = 3
+scale = 1.5
+)";
+
+TEST_F(SuiteFile, a_recipe_is_read_as_it_stands) {
+  const SyntheticRecipe recipe = read_recipe(folder_.write("recipe.toml", recipe_text));
+  EXPECT_EQ(recipe.name, "s");
+  EXPECT_EQ(recipe.seed, 7u);
+  EXPECT_EQ(recipe.dt_s, 0.01);
+  EXPECT_EQ(recipe.max_scale, 4.0);
+  EXPECT_EQ(recipe.target.site_classes.size(), 4u);
+  EXPECT_THAT(recipe.gain_frequencies_hz, ElementsAre(0.5, 5.0));
+  EXPECT_THAT(recipe.horizontal_gain, ElementsAre(1.1, 0.9));
+  EXPECT_THAT(recipe.vertical_gain, ElementsAre(0.7, 0.6));
+  ASSERT_EQ(recipe.motions.size(), 1u);
+  EXPECT_EQ(recipe.motions[0].mechanism, FaultMechanism::reverse);
+  EXPECT_EQ(recipe.motions[0].realization, 3u);
+  EXPECT_EQ(recipe.motions[0].scale, 1.5);
+}
+
+TEST_F(SuiteFile, a_recipe_is_simulated_where_a_suite_is_asked_for) {
+  const Suite suite = load(recipe_text);
+  ASSERT_EQ(suite.motions.size(), 1u);
+  EXPECT_EQ(suite.motions[0].id, "m1");
+  EXPECT_EQ(suite.motions[0].dt_s, 0.01);
+  EXPECT_FALSE(suite.motions[0].vertical_mps2.empty());
+}
+
+TEST_F(SuiteFile, mistakes_in_a_recipe_are_located) {
+  const auto without = [](const std::string& line) {
+    std::string text = recipe_text;
+    text.erase(text.find(line), line.size());
+    return text;
+  };
+  EXPECT_THAT(error(without("seed = 7\n")), HasSubstr("simulation.seed is missing"));
+  EXPECT_THAT(error(without("model = \"rezaeian_der_kiureghian_2010\"\n")), HasSubstr("simulation.model is missing"));
+  EXPECT_THAT(error(without("realization = 3\n")), HasSubstr("motion.realization is missing"));
+  EXPECT_THAT(error(without("vertical = [0.7, 0.6]\n")), HasSubstr("differ in length"));
+  EXPECT_THAT(error(recipe_text + "colour = 3\n"), HasSubstr("motion.colour is not a known key"));
+}
+
+}  // namespace
+}  // namespace glissade

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "made_up_results.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "glissade/core/random.hpp"
+#include "glissade/standards/prescriptive.hpp"
+
+namespace glissade {
+namespace {
+
+constexpr std::size_t records = 12, samples = 16;
+constexpr double record_log_std = 0.35, sample_log_std = 0.20;
+constexpr double exponent = 2.0, slip_at_capacity_m = 0.3;
+
+double normal(std::uint64_t item, std::uint32_t index) {
+  return keyed_normal(7, RandomPurpose::test, item, index);
+}
+
+double capacity_at_reference(double median_g, std::size_t record, std::size_t sample) {
+  return median_g * std::exp(record_log_std * normal(record, 0) + sample_log_std * normal(sample, 1));
+}
+
+double percentile_of(std::vector<double> values, double share) {
+  std::sort(values.begin(), values.end());
+  return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
+}
+
+Interval around(double value, double log_half_width) {
+  return {value * std::exp(-log_half_width), value * std::exp(log_half_width)};
+}
+
+ThresholdFragility fragility_of(const Results& results, const RunResults& run, double median_g, std::size_t t) {
+  ThresholdFragility fragility;
+  fragility.threshold_m = results.thresholds_m[t];
+  FitSummary& fit = fragility.capacities;
+  fit.status = FitStatus::maximum_likelihood;
+  double mean_log = 0.0;
+  for (std::size_t i = 0; i < records; ++i) {
+    for (std::size_t j = 0; j < samples; ++j) {
+      mean_log += std::log(capacity_at_reference(median_g, i, j)) / (records * samples);
+    }
+  }
+  fit.curve = {std::exp(mean_log) * std::sqrt(fragility.threshold_m / slip_at_capacity_m), std::hypot(record_log_std, sample_log_std)};
+  fit.median_interval = around(fit.curve.median, 1.96 * record_log_std / std::sqrt(records));
+  fit.log_std_interval = around(fit.curve.log_std, 0.3);
+  fit.method = "maximum likelihood on capacities";
+  fit.interval_method = "bootstrap over records (expanded percentile)";
+  fragility.stripes = fit;
+  fragility.stripes.method = "probit maximum likelihood on stripes";
+  double censored = 0.0;
+  for (std::size_t i = 0; i < records; ++i) {
+    for (std::size_t j = 0; j < samples; ++j) censored += std::isinf(run.capacity(i, j, t)) ? 1.0 : 0.0;
+  }
+  fragility.censored_share = censored / (records * samples);
+  fragility.recross_share = 0.012;
+  fragility.record_recross.assign(records, 0.0);
+  for (std::size_t l = 0; l < results.levels.size(); ++l) {
+    double exceed = 0.0;
+    for (std::size_t i = 0; i < records; ++i) {
+      for (std::size_t j = 0; j < samples; ++j) {
+        exceed += run.peak_displacement_m(i, j, l) >= fragility.threshold_m ? 1.0 : 0.0;
+      }
+    }
+    const double share = exceed / (records * samples);
+    fragility.probability.push_back(share);
+    fragility.probability_interval.push_back({std::max(0.0, share - 0.1), std::min(1.0, share + 0.1)});
+  }
+  for (const double x : run.band_intensities) {
+    const double z = std::log(x / fit.curve.median) / fit.curve.log_std;
+    const double half = 0.5;  // of a standard normal: 1.96 x 0.35 / sqrt(12) over 0.40
+    fragility.band.push_back({0.5 * std::erfc(-(z - half) / std::sqrt(2.0)), 0.5 * std::erfc(-(z + half) / std::sqrt(2.0))});
+  }
+  return fragility;
+}
+
+RunResults run_of(const Results& results, const std::string& label, const std::string& friction, double median_g) {
+  RunResults run;
+  run.label = label;
+  run.friction_description = friction;
+  run.peak_displacement_m = Array3<double>(records, samples, results.levels.size());
+  run.uplift = Array3<std::uint8_t>(records, samples, results.levels.size());
+  run.capacity = Array3<double>(records, samples, results.thresholds_m.size(), std::numeric_limits<double>::infinity());
+  for (std::size_t i = 0; i < records; ++i) {
+    for (std::size_t j = 0; j < samples; ++j) {
+      const double capacity = capacity_at_reference(median_g, i, j);
+      for (std::size_t l = 0; l < results.levels.size(); ++l) {
+        const double x = results.levels[l];
+        run.peak_displacement_m(i, j, l) = x < 0.25 * capacity ? 0.0 : slip_at_capacity_m * std::pow(x / capacity, exponent);
+      }
+      for (std::size_t t = 0; t < results.thresholds_m.size(); ++t) {
+        const double reached = capacity * std::sqrt(results.thresholds_m[t] / slip_at_capacity_m);
+        if (reached <= results.levels.back()) run.capacity(i, j, t) = reached;
+      }
+    }
+  }
+  for (int i = 1; i <= 60; ++i) run.band_intensities.push_back(results.levels.back() * i / 60.0);
+  for (std::size_t t = 0; t < results.thresholds_m.size(); ++t) {
+    run.fragilities.push_back(fragility_of(results, run, median_g, t));
+  }
+  for (std::size_t l = 0; l < results.levels.size(); ++l) {
+    std::vector<double> all;
+    double sum = 0.0;
+    for (std::size_t i = 0; i < records; ++i) {
+      for (std::size_t j = 0; j < samples; ++j) {
+        all.push_back(run.peak_displacement_m(i, j, l));
+        sum += all.back();
+      }
+    }
+    SlipStatistics slip;
+    slip.level = results.levels[l];
+    slip.median_m = percentile_of(all, 0.5);
+    slip.p84_m = percentile_of(all, 0.84);
+    slip.p95_m = percentile_of(all, 0.95);
+    slip.mean_m = sum / static_cast<double>(all.size());
+    slip.median_interval = around(slip.median_m, 0.6);
+    slip.p84_interval = around(slip.p84_m, 0.6);
+    slip.mean_interval = around(slip.mean_m, 0.6);
+    run.slip.push_back(slip);
+    for (const Standard standard : {Standard::seaoc_pv1_2012, Standard::asce7_16}) {
+      StandardComparison comparison;
+      comparison.standard = standard;
+      comparison.sds_g = slip.level;
+      comparison.prescribed = standard == Standard::asce7_16
+                                  ? asce7_16_displacement(slip.level, 1.0)
+                                  : seaoc_pv1_2012_displacement(slip.level, SeismicDesignCategory::d);
+      const auto above = std::count_if(all.begin(), all.end(),
+                                       [&](double s) { return s > comparison.prescribed.value_m; });
+      comparison.exceedance_probability = static_cast<double>(above) / static_cast<double>(all.size());
+      comparison.exceedance_interval = {std::max(0.0, comparison.exceedance_probability - 0.1),
+                                        std::min(1.0, comparison.exceedance_probability + 0.1)};
+      run.standards.push_back(comparison);
+    }
+  }
+  std::stable_sort(run.standards.begin(), run.standards.end(),
+                   [](const auto& a, const auto& b) { return a.standard < b.standard; });
+  return run;
+}
+
+/// A code-like shape with a corner at 0.6 s, in units of S_DS.
+double spectral_shape(double period_s) {
+  if (period_s < 0.12) return 0.4 + 0.6 * period_s / 0.12;
+  return period_s < 0.6 ? 1.0 : 0.6 / period_s;
+}
+
+SuiteSpectra spectra_of(std::size_t record_count) {
+  SuiteSpectra spectra;
+  spectra.reference_level = 1.0;
+  for (int p = 0; p <= 60; ++p) spectra.periods_s.push_back(0.05 * p);
+  spectra.average_srss_g.assign(spectra.periods_s.size(), 0.0);
+  for (std::size_t i = 0; i < record_count; ++i) {
+    std::vector<double>& record = spectra.srss_g.emplace_back();
+    for (std::size_t p = 0; p < spectra.periods_s.size(); ++p) {
+      const double wave = 0.25 * std::sin(9.0 * spectra.periods_s[p] + static_cast<double>(i));
+      record.push_back(1.15 * spectral_shape(spectra.periods_s[p]) * std::exp(0.4 * normal(i, 2) + wave));
+      spectra.average_srss_g[p] += record.back() / static_cast<double>(record_count);
+    }
+  }
+  for (const double period_s : spectra.periods_s) spectra.target_g.push_back(spectral_shape(period_s));
+  return spectra;
+}
+
+}  // namespace
+
+Results made_up_results() {
+  Results results;
+  results.study_name = "made_up";
+  results.program_version = "0.1.0";
+  results.plan_hash = "0123456789abcdef";
+  results.study_text = "[study]\nname = \"made_up\"   # a <test> & nothing more\nseed = 20260101\n";
+  results.seed = 20260101;
+  results.measure = IntensityMeasure::sds_g;
+  results.intensity_label = "S_DS (g)";
+  results.suite_name = "made_up_suite";
+  results.suite_description = "Twelve records that never were.";
+  for (int l = 1; l <= 20; ++l) results.levels.push_back(l / 10.0);
+  results.thresholds_m = {0.15, 0.3, 0.6, 1.2};
+  for (std::size_t j = 0; j < samples; ++j) {
+    const double u = (static_cast<double>(j) + 0.5) / samples;
+    results.samples.push_back({0.55 + 0.04 * normal(j, 3), j % 2 == 0 ? 1.19 : 2.39, 0.2 + 1.8 * u, 0.05,
+                               static_cast<int>(j % 2), j % 4 < 2 ? 1 : -1});
+  }
+  for (std::size_t i = 0; i < records; ++i) {
+    RecordSummary record;
+    record.id = "rec_" + std::to_string(i + 1);
+    record.event = i % 2 == 0 ? "Northfield, 1994" : "Kobold <1995>";
+    record.station = "Station " + std::to_string(i + 1);
+    record.magnitude = 6.5 + 0.05 * static_cast<double>(i);
+    record.distance_km = 3.0 + static_cast<double>(i);
+    record.vs30_mps = 300.0 + 10.0 * static_cast<double>(i);
+    record.suite_scale = 1.0 + 0.1 * static_cast<double>(i);
+    record.factor_at_unit_level = 1.3 * record.suite_scale;
+    record.pga_g = 0.4;
+    record.pgv_mps = 0.5;
+    record.dt_s = 0.005;
+    record.samples = 8000;
+    record.has_second = true;
+    record.has_vertical = i != 3;
+    results.records.push_back(record);
+  }
+  results.spectra = spectra_of(records);
+  results.runs.push_back(run_of(results, "sampled", "normal, mean 0.55, std 0.04", 0.9));
+  results.runs.push_back(run_of(results, "design", "mean - 2 std = 0.47", 0.72));
+  results.skips = {{"histories whose roof peak stays in the stick range", "the array cannot start to slide", 1234}};
+  results.notes = {"1 of 12 records has no vertical: run with horizontals only"};
+  return results;
+}
+
+}  // namespace glissade
