@@ -5,7 +5,6 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <span>
 #include <utility>
 
 #include "at2_header.hpp"
@@ -162,8 +161,24 @@ double shortest_within(double value, double tolerance) {
   return value;
 }
 
+/// Every step must be dt_s but for the rounding of two printed times. Where dt_s is a whole number of last decimals there is
+/// none to allow for, and a lost sample shows. Times summed up in single precision drift a little.
+void check_even(const std::filesystem::path& file, const TimeColumn& column, double dt_s) {
+  const double decimals_per_step = dt_s / column.resolution_s;
+  const bool is_exact = std::abs(decimals_per_step - std::round(decimals_per_step)) < 1e-6 * decimals_per_step;
+  const double tolerance_s = (is_exact ? 0.0 : 1.001 * column.resolution_s) + 0.01 * dt_s;
+  const std::vector<double>& t = column.times_s;
+  for (std::size_t i = 1; i < t.size(); ++i) {
+    if (std::abs(t[i] - t[i - 1] - dt_s) <= tolerance_s && t[i] >= t[i - 1]) continue;
+    throw InputError({place(file, column.lines[i]),
+                      "the time goes from " + shortest_decimal(t[i - 1]) + " to " + shortest_decimal(t[i]) +
+                          " s where the step is " + shortest_decimal(dt_s) + " s",
+                      "the samples must be evenly spaced, with the time in the first column: resample the record", ""});
+  }
+}
+
 double step_of(const std::filesystem::path& file, const TimeColumn& column, const std::optional<double>& wanted) {
-  const std::span<const double> t(column.times_s);
+  const std::vector<double>& t = column.times_s;
   if (t.size() < 2) {
     if (wanted) return *wanted;
     throw InputError({file.string(), "one sample does not tell the time step", "give it with dt_s (--dt-s)", ""});
@@ -171,25 +186,16 @@ double step_of(const std::filesystem::path& file, const TimeColumn& column, cons
   const auto intervals = static_cast<double>(t.size() - 1);
   const double mean_s = (t.back() - t.front()) / intervals;
   check_step(place(file, column.lines.back()), shortest_decimal(mean_s), mean_s);
-  // Two rounded times may each be off by half a last decimal; written single-precision times drift a little.
-  const double tolerance_s = 1.001 * column.resolution_s + 0.01 * mean_s;
-  for (std::size_t i = 1; i < t.size(); ++i) {
-    const double step_s = t[i] - t[i - 1];
-    if (std::abs(step_s - mean_s) > tolerance_s || step_s < 0.0) {
-      throw InputError({place(file, column.lines[i]),
-                        "the time goes from " + shortest_decimal(t[i - 1]) + " to " + shortest_decimal(t[i]) +
-                            " s where the mean step is " + shortest_decimal(mean_s) + " s",
-                        "the samples must be evenly spaced, with the time in the first column: resample the record", ""});
-    }
-  }
   const double uncertainty_s = column.resolution_s / intervals + 1e-9 * mean_s;
-  if (!wanted) return shortest_within(mean_s, uncertainty_s);
-  if (std::abs(*wanted - mean_s) > uncertainty_s) {
-    throw InputError({file.string(), "the time column has steps of " + shortest_decimal(shortest_within(mean_s, uncertainty_s)) +
-                                         " s, dt_s tells " + shortest_decimal(*wanted) + " s",
+  const bool is_as_wanted = wanted && std::abs(*wanted - mean_s) <= uncertainty_s;
+  const double dt_s = is_as_wanted ? *wanted : shortest_within(mean_s, uncertainty_s);
+  check_even(file, column, dt_s);
+  if (wanted && !is_as_wanted) {
+    throw InputError({file.string(), "the time column has steps of " + shortest_decimal(dt_s) + " s, dt_s tells " +
+                                         shortest_decimal(*wanted) + " s",
                       "leave dt_s out, or correct the file", ""});
   }
-  return *wanted;
+  return dt_s;
 }
 
 void check_believable(const Record& record) {

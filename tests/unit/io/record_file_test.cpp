@@ -119,6 +119,9 @@ TEST_F(RecordFile, times_may_begin_at_dt_and_be_printed_with_few_decimals) {
 
 TEST_F(RecordFile, times_that_are_uneven_or_disagree_with_the_option_are_refused) {
   EXPECT_THAT(error("0 1\n0.01 2\n0.03 3\n0.04 3\n"), AllOf(HasSubstr("record:3"), HasSubstr("0.01 to 0.03")));
+  std::string lost;  // a sample of many, where the times have as few decimals as the step
+  for (int i = 0; i < 1000; ++i) lost += std::to_string((i < 500 ? i : i + 1) / 100) + "." + std::to_string(100 + (i < 500 ? i : i + 1) % 100).substr(1) + " 0.1\n";
+  EXPECT_THAT(error(lost), AllOf(HasSubstr("record:501"), HasSubstr("4.99 to 5.01")));
   EXPECT_THAT(error("0 1\n0.01 2\n0.00 3\n0.03 1\n"), HasSubstr("record:3"));
   EXPECT_THAT(error("0 1\n0 2\n"), HasSubstr("not above 0"));
   EXPECT_THAT(error("0 1\n0.01 2\n0.02 3\n", {.dt_s = 0.02, .units = {}}), HasSubstr("0.02"));

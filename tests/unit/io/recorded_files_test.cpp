@@ -189,7 +189,7 @@ TEST_F(RecordedSuite, fema_p695_far_field_loads_with_twenty_verticals) {
     EXPECT_GT(peak_g(motion.horizontal_mps2[0]), 0.1) << motion.id;
     EXPECT_FALSE(motion.horizontal_mps2[1].empty()) << motion.id;
     verticals += motion.vertical_mps2.empty() ? 0 : 1;
-    if (motion.station == "Coolwater") EXPECT_EQ(motion.dt_s, 1.0 / 256);
+    EXPECT_EQ(motion.dt_s == 1.0 / 256, motion.station == "Coolwater") << motion.id;
   }
   EXPECT_EQ(verticals, 20u);
 }
