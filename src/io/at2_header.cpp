@@ -8,8 +8,8 @@
 namespace glissade {
 namespace {
 
-constexpr std::size_t longest_header = 100;       // lines
-constexpr std::size_t longest_header_line = 1000; // characters
+constexpr std::size_t longest_header = 100;        // lines
+constexpr std::size_t longest_header_line = 1000;  // characters
 
 /// The first word at or after `begin`, without the `=` before it and the punctuation around it.
 std::string_view word_at(std::string_view line, std::size_t begin) {
@@ -30,13 +30,16 @@ std::optional<std::uint64_t> parse_count(std::string_view text) {
 /// Where the word DT stands (not as a part of another word).
 std::size_t find_dt(const std::string& lower) {
   for (std::size_t at = lower.find("dt"); at != std::string::npos; at = lower.find("dt", at + 1)) {
-    const auto is_letter = [&](std::size_t i) { return i < lower.size() && lower[i] >= 'a' && lower[i] <= 'z'; };
+    const auto is_letter = [&](std::size_t i) {
+      return i < lower.size() && lower[i] >= 'a' && lower[i] <= 'z';
+    };
     if ((at == 0 || !is_letter(at - 1)) && !is_letter(at + 2)) return at;
   }
   return std::string::npos;
 }
 
-void read_counts(std::string_view line, const std::string& lower, std::size_t npts_at, At2Header& header) {
+void read_counts(std::string_view line, const std::string& lower, std::size_t npts_at,
+                 At2Header& header) {
   const std::string_view first = word_at(line, 0);
   std::string_view npts, dt;
   if (npts_at > 0 && parse_number(first)) {  // 7997 0.0050 NPTS, DT
@@ -64,7 +67,8 @@ std::string units_in_header_line(std::string_view line) {
     while (unit.ends_with('.')) unit.pop_back();
     return unit;
   };
-  for (const std::string_view phrase : {"units of ", "units are ", "units: ", "units = ", "units="}) {
+  for (const std::string_view phrase :
+       {"units of ", "units are ", "units: ", "units = ", "units="}) {
     if (std::string unit = after(phrase); !unit.empty()) return unit;
   }
   for (const std::string_view quantity : {"acceleration", "velocity", "displacement"}) {

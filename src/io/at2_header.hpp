@@ -11,12 +11,12 @@ namespace glissade {
 
 /// What the header of a PEER file tells. The text is as printed: its meaning is for the caller to judge.
 struct At2Header {
-  std::size_t lines = 0;                ///< header lines, the one with NPTS included
-  std::optional<std::uint64_t> npts;    ///< nothing: not a whole number that fits
-  std::string dt_text;                  ///< may be empty
-  std::optional<double> dt_s;           ///< nothing: absent or no number
-  std::size_t units_line = 0;           ///< 0: no units told
-  std::string units;                    ///< lower case: "g", "cm/s" ...
+  std::size_t lines = 0;              ///< header lines, the one with NPTS included
+  std::optional<std::uint64_t> npts;  ///< nothing: not a whole number that fits
+  std::string dt_text;                ///< may be empty
+  std::optional<double> dt_s;         ///< nothing: absent or no number
+  std::size_t units_line = 0;         ///< 0: no units told
+  std::string units;                  ///< lower case: "g", "cm/s" ...
 };
 
 /// The header, if one of the first lines holds NPTS: `NPTS=  5590, DT=   .0100 SEC,` or `7997 0.0050 NPTS, DT`.

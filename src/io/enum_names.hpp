@@ -25,15 +25,17 @@ inline EnumNames<Standard> standard_names() {
 }
 
 inline EnumNames<Provenance> provenance_names() {
-  static constexpr EnumNames<Provenance> names = {{"checked", Provenance::checked}, {"recalled", Provenance::recalled}};
+  static constexpr EnumNames<Provenance> names = {{"checked", Provenance::checked},
+                                                  {"recalled", Provenance::recalled}};
   return names;
 }
 
 inline EnumNames<FitStatus> fit_status_names() {
-  static constexpr EnumNames<FitStatus> names = {{"failed", FitStatus::failed},
-                                                 {"maximum_likelihood", FitStatus::maximum_likelihood},
-                                                 {"jeffreys_penalised", FitStatus::jeffreys_penalised},
-                                                 {"one_sided_bound", FitStatus::one_sided_bound}};
+  static constexpr EnumNames<FitStatus> names = {
+      {"failed", FitStatus::failed},
+      {"maximum_likelihood", FitStatus::maximum_likelihood},
+      {"jeffreys_penalised", FitStatus::jeffreys_penalised},
+      {"one_sided_bound", FitStatus::one_sided_bound}};
   return names;
 }
 

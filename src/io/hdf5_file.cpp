@@ -9,7 +9,8 @@ namespace {
 
 Hdf5Handle make_space(const Dims& dims) {
   if (dims.empty()) return {H5Screate(H5S_SCALAR), H5Sclose, "make a dataspace"};
-  return {H5Screate_simple(static_cast<int>(dims.size()), dims.data(), nullptr), H5Sclose, "make a dataspace"};
+  return {H5Screate_simple(static_cast<int>(dims.size()), dims.data(), nullptr), H5Sclose,
+          "make a dataspace"};
 }
 
 /// Creation properties without times.
@@ -27,14 +28,18 @@ Hdf5Handle create_in_memory() {
   checked(H5Pset_libver_bounds(access, H5F_LIBVER_EARLIEST, H5F_LIBVER_V18), "fix the format");
   const Hdf5Handle creation = timeless(H5P_FILE_CREATE);
   // Gives the root group the newer object header, whose attributes may be longer than 64 KiB (the study file).
-  checked(H5Pset_attr_creation_order(creation, H5P_CRT_ORDER_TRACKED), "keep the order of attributes");
-  return {H5Fcreate("glissade results", H5F_ACC_TRUNC, creation, access), H5Fclose, "begin the file"};
+  checked(H5Pset_attr_creation_order(creation, H5P_CRT_ORDER_TRACKED),
+          "keep the order of attributes");
+  return {H5Fcreate("glissade results", H5F_ACC_TRUNC, creation, access), H5Fclose,
+          "begin the file"};
 }
 
-void write_attribute(hid_t object, const std::string& name, hid_t in_file, hid_t in_memory, const void* data) {
+void write_attribute(hid_t object, const std::string& name, hid_t in_file, hid_t in_memory,
+                     const void* data) {
   const Hdf5Handle space = make_space({});
-  const Hdf5Handle attribute(H5Acreate2(object, name.c_str(), in_file, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose,
-                             "make the attribute " + name);
+  const Hdf5Handle attribute(
+      H5Acreate2(object, name.c_str(), in_file, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose,
+      "make the attribute " + name);
   checked(H5Awrite(attribute, in_memory, data), "write the attribute " + name);
 }
 
@@ -57,8 +62,8 @@ std::string Hdf5Image::bytes() const {
 
 Hdf5Writer Hdf5Writer::group(const std::string& name) const {
   const Hdf5Handle creation = timeless(H5P_GROUP_CREATE);
-  return Hdf5Writer(
-      Hdf5Handle(H5Gcreate2(group_, name.c_str(), H5P_DEFAULT, creation, H5P_DEFAULT), H5Gclose, "make the group " + name));
+  return Hdf5Writer(Hdf5Handle(H5Gcreate2(group_, name.c_str(), H5P_DEFAULT, creation, H5P_DEFAULT),
+                               H5Gclose, "make the group " + name));
 }
 
 void Hdf5Writer::attribute(const std::string& name, const std::string& text) const {
@@ -71,34 +76,42 @@ void Hdf5Writer::attribute(const std::string& name, std::uint64_t value) const {
   write_attribute(group_, name, file_type<std::uint64_t>(), memory_type<std::uint64_t>(), &value);
 }
 
-void Hdf5Writer::write(const std::string& name, const Label& label, const Dims& dims, hid_t in_file, hid_t in_memory,
-                       const void* data) const {
+void Hdf5Writer::write(const std::string& name, const Label& label, const Dims& dims, hid_t in_file,
+                       hid_t in_memory, const void* data) const {
   const Hdf5Handle space = make_space(dims);
   const Hdf5Handle creation = timeless(H5P_DATASET_CREATE);
-  const Hdf5Handle dataset(H5Dcreate2(group_, name.c_str(), in_file, space, H5P_DEFAULT, creation, H5P_DEFAULT), H5Dclose,
-                           "make the dataset " + name);
+  const Hdf5Handle dataset(
+      H5Dcreate2(group_, name.c_str(), in_file, space, H5P_DEFAULT, creation, H5P_DEFAULT),
+      H5Dclose, "make the dataset " + name);
   if (H5Sget_simple_extent_npoints(space) > 0) {
-    checked(H5Dwrite(dataset, in_memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, data), "write the dataset " + name);
+    checked(H5Dwrite(dataset, in_memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, data),
+            "write the dataset " + name);
   }
   write_text_attribute(dataset, "unit", label.unit);
   write_text_attribute(dataset, "description", label.description);
 }
 
 template <class T>
-void Hdf5Writer::array(const std::string& name, const Label& label, const Dims& dims, const std::vector<T>& values) const {
+void Hdf5Writer::array(const std::string& name, const Label& label, const Dims& dims,
+                       const std::vector<T>& values) const {
   write(name, label, dims, file_type<T>(), memory_type<T>(), values.data());
 }
-template void Hdf5Writer::array(const std::string&, const Label&, const Dims&, const std::vector<double>&) const;
-template void Hdf5Writer::array(const std::string&, const Label&, const Dims&, const std::vector<std::uint64_t>&) const;
-template void Hdf5Writer::array(const std::string&, const Label&, const Dims&, const std::vector<std::int32_t>&) const;
-template void Hdf5Writer::array(const std::string&, const Label&, const Dims&, const std::vector<std::uint8_t>&) const;
+template void Hdf5Writer::array(const std::string&, const Label&, const Dims&,
+                                const std::vector<double>&) const;
+template void Hdf5Writer::array(const std::string&, const Label&, const Dims&,
+                                const std::vector<std::uint64_t>&) const;
+template void Hdf5Writer::array(const std::string&, const Label&, const Dims&,
+                                const std::vector<std::int32_t>&) const;
+template void Hdf5Writer::array(const std::string&, const Label&, const Dims&,
+                                const std::vector<std::uint8_t>&) const;
 
 void Hdf5Writer::array(const std::string& name, const Label& label, const Dims& dims,
                        const std::vector<std::string>& values) const {
   std::size_t longest = 1;
   for (const std::string& value : values) longest = std::max(longest, value.size());
   std::string packed;
-  for (const std::string& value : values) packed += value + std::string(longest - value.size(), '\0');
+  for (const std::string& value : values)
+    packed += value + std::string(longest - value.size(), '\0');
   const Hdf5Handle type = text_type(longest);
   write(name, label, dims, type, type, packed.data());
 }
@@ -115,15 +128,18 @@ Hdf5Handle open_file(const std::filesystem::path& file) {
 std::string text_of(const char* data, std::size_t size) { return {data, strnlen(data, size)}; }
 
 Hdf5Handle open_attribute(hid_t object, const std::string& name) {
-  Hdf5Handle attribute(H5Aopen(object, name.c_str(), H5P_DEFAULT), H5Aclose, "find the attribute " + name);
+  Hdf5Handle attribute(H5Aopen(object, name.c_str(), H5P_DEFAULT), H5Aclose,
+                       "find the attribute " + name);
   const Hdf5Handle space(H5Aget_space(attribute), H5Sclose, "read the attribute " + name);
-  if (H5Sget_simple_extent_npoints(space) != 1) throw Hdf5Error("read the attribute " + name + " as a single value");
+  if (H5Sget_simple_extent_npoints(space) != 1)
+    throw Hdf5Error("read the attribute " + name + " as a single value");
   return attribute;
 }
 
 std::size_t text_size(const Hdf5Handle& type, const std::string& name, std::uintmax_t file_size) {
   const std::size_t size = H5Tget_size(type);
-  if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) != 0 || size == 0 || size > file_size) {
+  if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) != 0 || size == 0 ||
+      size > file_size) {
     throw Hdf5Error("read " + name + " as text");
   }
   return size;
@@ -138,13 +154,18 @@ void read_number_attribute(hid_t object, const std::string& name, T& value) {
 }  // namespace
 
 Hdf5Reader::Hdf5Reader(const std::filesystem::path& file)
-    : group_(H5Gopen2(open_file(file), "/", H5P_DEFAULT), H5Gclose, "open /"), file_size_(std::filesystem::file_size(file)) {}
+    : group_(H5Gopen2(open_file(file), "/", H5P_DEFAULT), H5Gclose, "open /"),
+      file_size_(std::filesystem::file_size(file)) {}
 
 Hdf5Reader Hdf5Reader::group(const std::string& name) const {
-  return {Hdf5Handle(H5Gopen2(group_, name.c_str(), H5P_DEFAULT), H5Gclose, "find the group " + name), file_size_};
+  return {
+      Hdf5Handle(H5Gopen2(group_, name.c_str(), H5P_DEFAULT), H5Gclose, "find the group " + name),
+      file_size_};
 }
 
-bool Hdf5Reader::has(const std::string& name) const { return H5Lexists(group_, name.c_str(), H5P_DEFAULT) > 0; }
+bool Hdf5Reader::has(const std::string& name) const {
+  return H5Lexists(group_, name.c_str(), H5P_DEFAULT) > 0;
+}
 
 void Hdf5Reader::attribute(const std::string& name, std::string& text) const {
   const Hdf5Handle attribute = open_attribute(group_, name);
@@ -154,47 +175,61 @@ void Hdf5Reader::attribute(const std::string& name, std::string& text) const {
   checked(H5Aread(attribute, type, buffer.data()), "read the attribute " + name);
   text = text_of(buffer.data(), size);
 }
-void Hdf5Reader::attribute(const std::string& name, double& value) const { read_number_attribute(group_, name, value); }
+void Hdf5Reader::attribute(const std::string& name, double& value) const {
+  read_number_attribute(group_, name, value);
+}
 void Hdf5Reader::attribute(const std::string& name, std::uint64_t& value) const {
   read_number_attribute(group_, name, value);
 }
 
 Hdf5Handle Hdf5Reader::open_array(const std::string& name, Dims& dims, std::size_t& count) const {
-  Hdf5Handle dataset(H5Dopen2(group_, name.c_str(), H5P_DEFAULT), H5Dclose, "find the dataset " + name);
+  Hdf5Handle dataset(H5Dopen2(group_, name.c_str(), H5P_DEFAULT), H5Dclose,
+                     "find the dataset " + name);
   const Hdf5Handle space(H5Dget_space(dataset), H5Sclose, "read the dataset " + name);
   const int rank = checked(H5Sget_simple_extent_ndims(space), "size the dataset " + name);
   if (rank != static_cast<int>(dims.size())) {
-    throw Hdf5Error("read the dataset " + name + " in " + std::to_string(dims.size()) + " dimension(s)");
+    throw Hdf5Error("read the dataset " + name + " in " + std::to_string(dims.size()) +
+                    " dimension(s)");
   }
   checked(H5Sget_simple_extent_dims(space, dims.data(), nullptr), "size the dataset " + name);
   const hssize_t points = checked(H5Sget_simple_extent_npoints(space), "size the dataset " + name);
   const Hdf5Handle type(H5Dget_type(dataset), H5Tclose, "read the dataset " + name);
   const std::size_t size = std::max<std::size_t>(H5Tget_size(type), 1);
   count = static_cast<std::size_t>(points);
-  if (count > file_size_ / size) throw Hdf5Error("read the dataset " + name + ", which is larger than the file");
+  if (count > file_size_ / size)
+    throw Hdf5Error("read the dataset " + name + ", which is larger than the file");
   return dataset;
 }
 
 template <class T>
-void Hdf5Reader::array(const std::string& name, const Label&, Dims& dims, std::vector<T>& values) const {
+void Hdf5Reader::array(const std::string& name, const Label&, Dims& dims,
+                       std::vector<T>& values) const {
   std::size_t count = 0;
   const Hdf5Handle dataset = open_array(name, dims, count);
   values.resize(count);
   if (count == 0) return;
-  checked(H5Dread(dataset, memory_type<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), "read the dataset " + name);
+  checked(H5Dread(dataset, memory_type<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()),
+          "read the dataset " + name);
 }
-template void Hdf5Reader::array(const std::string&, const Label&, Dims&, std::vector<double>&) const;
-template void Hdf5Reader::array(const std::string&, const Label&, Dims&, std::vector<std::uint64_t>&) const;
-template void Hdf5Reader::array(const std::string&, const Label&, Dims&, std::vector<std::int32_t>&) const;
-template void Hdf5Reader::array(const std::string&, const Label&, Dims&, std::vector<std::uint8_t>&) const;
+template void Hdf5Reader::array(const std::string&, const Label&, Dims&,
+                                std::vector<double>&) const;
+template void Hdf5Reader::array(const std::string&, const Label&, Dims&,
+                                std::vector<std::uint64_t>&) const;
+template void Hdf5Reader::array(const std::string&, const Label&, Dims&,
+                                std::vector<std::int32_t>&) const;
+template void Hdf5Reader::array(const std::string&, const Label&, Dims&,
+                                std::vector<std::uint8_t>&) const;
 
-void Hdf5Reader::array(const std::string& name, const Label&, Dims& dims, std::vector<std::string>& values) const {
+void Hdf5Reader::array(const std::string& name, const Label&, Dims& dims,
+                       std::vector<std::string>& values) const {
   std::size_t count = 0;
   const Hdf5Handle dataset = open_array(name, dims, count);
   const Hdf5Handle type(H5Dget_type(dataset), H5Tclose, "read the dataset " + name);
   const std::size_t size = text_size(type, name, file_size_);
   std::string packed(count * size, '\0');
-  if (count > 0) checked(H5Dread(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, packed.data()), "read the dataset " + name);
+  if (count > 0)
+    checked(H5Dread(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, packed.data()),
+            "read the dataset " + name);
   values.clear();
   for (std::size_t i = 0; i < count; ++i) values.push_back(text_of(packed.data() + i * size, size));
 }

@@ -33,20 +33,23 @@ class Hdf5Image {
 class Hdf5Writer {
  public:
   static constexpr bool reads = false;
-  explicit Hdf5Writer(const Hdf5Image& image) : group_(H5Gopen2(image.root(), "/", H5P_DEFAULT), H5Gclose, "open /") {}
+  explicit Hdf5Writer(const Hdf5Image& image)
+      : group_(H5Gopen2(image.root(), "/", H5P_DEFAULT), H5Gclose, "open /") {}
 
   Hdf5Writer group(const std::string& name) const;
   void attribute(const std::string& name, const std::string& text) const;
   void attribute(const std::string& name, double value) const;
   void attribute(const std::string& name, std::uint64_t value) const;
   template <class T>
-  void array(const std::string& name, const Label& label, const Dims& dims, const std::vector<T>& values) const;
-  void array(const std::string& name, const Label& label, const Dims& dims, const std::vector<std::string>& values) const;
+  void array(const std::string& name, const Label& label, const Dims& dims,
+             const std::vector<T>& values) const;
+  void array(const std::string& name, const Label& label, const Dims& dims,
+             const std::vector<std::string>& values) const;
 
  private:
   explicit Hdf5Writer(Hdf5Handle group) : group_(std::move(group)) {}
-  void write(const std::string& name, const Label& label, const Dims& dims, hid_t in_file, hid_t in_memory,
-             const void* data) const;
+  void write(const std::string& name, const Label& label, const Dims& dims, hid_t in_file,
+             hid_t in_memory, const void* data) const;
   Hdf5Handle group_;
 };
 
@@ -63,10 +66,12 @@ class Hdf5Reader {
   void attribute(const std::string& name, std::uint64_t& value) const;
   template <class T>
   void array(const std::string& name, const Label& label, Dims& dims, std::vector<T>& values) const;
-  void array(const std::string& name, const Label& label, Dims& dims, std::vector<std::string>& values) const;
+  void array(const std::string& name, const Label& label, Dims& dims,
+             std::vector<std::string>& values) const;
 
  private:
-  Hdf5Reader(Hdf5Handle group, std::uintmax_t file_size) : group_(std::move(group)), file_size_(file_size) {}
+  Hdf5Reader(Hdf5Handle group, std::uintmax_t file_size)
+      : group_(std::move(group)), file_size_(file_size) {}
   Hdf5Handle open_array(const std::string& name, Dims& dims, std::size_t& count) const;
   Hdf5Handle group_;
   std::uintmax_t file_size_;  ///< no dataset can hold more bytes

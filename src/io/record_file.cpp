@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <utility>
 
@@ -13,12 +12,14 @@
 #include "glissade/core/units.hpp"
 #include "glissade/io/csv.hpp"
 #include "scan.hpp"
+#include "time_column.hpp"
 
 namespace glissade {
 namespace {
 
 constexpr const char* what_is_read =
-    "give a PEER AT2 file, one column of accelerations, or two columns time and acceleration, with # before comments";
+    "give a PEER AT2 file, one column of accelerations, or two columns time and acceleration, with "
+    "# before comments";
 constexpr double largest_believable_g = 50.0;  // about ten times the largest ever recorded
 
 enum class HeaderUnits { none, g, mps2, cmps2, velocity, displacement, unknown };
@@ -26,16 +27,26 @@ enum class HeaderUnits { none, g, mps2, cmps2, velocity, displacement, unknown }
 HeaderUnits header_units(const std::string& text) {
   if (text.empty()) return HeaderUnits::none;
   std::string unit = text;  // cm/sec**2, cm/sec^2, cm/sec/sec -> cm/s2
-  for (const auto& [from, to] : std::initializer_list<std::pair<std::string_view, std::string_view>>{
+  for (const auto& [from, to] :
+       std::initializer_list<std::pair<std::string_view, std::string_view>>{
            {"sec", "s"}, {"**", ""}, {"^", ""}, {"/s/s", "/s2"}}) {
-    for (std::size_t at; (at = unit.find(from)) != std::string::npos;) unit.replace(at, from.size(), to);
+    for (std::size_t at; (at = unit.find(from)) != std::string::npos;)
+      unit.replace(at, from.size(), to);
   }
-  constexpr std::array<std::pair<std::string_view, HeaderUnits>, 13> known = {{
-      {"g", HeaderUnits::g}, {"g's", HeaderUnits::g}, {"gs", HeaderUnits::g},
-      {"m/s2", HeaderUnits::mps2}, {"cm/s2", HeaderUnits::cmps2}, {"gal", HeaderUnits::cmps2},
-      {"gals", HeaderUnits::cmps2}, {"cm/s", HeaderUnits::velocity}, {"m/s", HeaderUnits::velocity},
-      {"in/s", HeaderUnits::velocity}, {"cm", HeaderUnits::displacement}, {"m", HeaderUnits::displacement},
-      {"in", HeaderUnits::displacement}}};
+  constexpr std::array<std::pair<std::string_view, HeaderUnits>, 13> known = {
+      {{"g", HeaderUnits::g},
+       {"g's", HeaderUnits::g},
+       {"gs", HeaderUnits::g},
+       {"m/s2", HeaderUnits::mps2},
+       {"cm/s2", HeaderUnits::cmps2},
+       {"gal", HeaderUnits::cmps2},
+       {"gals", HeaderUnits::cmps2},
+       {"cm/s", HeaderUnits::velocity},
+       {"m/s", HeaderUnits::velocity},
+       {"in/s", HeaderUnits::velocity},
+       {"cm", HeaderUnits::displacement},
+       {"m", HeaderUnits::displacement},
+       {"in", HeaderUnits::displacement}}};
   for (const auto& [name, units] : known) {
     if (unit == name) return units;
   }
@@ -44,29 +55,31 @@ HeaderUnits header_units(const std::string& text) {
 
 double mps2_per_unit(AccelerationUnits units) {
   switch (units) {
-    case AccelerationUnits::g: return standard_gravity_mps2;
-    case AccelerationUnits::mps2: return 1.0;
-    case AccelerationUnits::cmps2: return 0.01;
+    case AccelerationUnits::g:
+      return standard_gravity_mps2;
+    case AccelerationUnits::mps2:
+      return 1.0;
+    case AccelerationUnits::cmps2:
+      return 0.01;
   }
   return 1.0;
 }
 
 /// A finite sample, or an error that names the token.
-double parse_sample(const std::filesystem::path& file, std::size_t line, std::string_view token, const char* what) {
+double parse_sample(const std::filesystem::path& file, std::size_t line, std::string_view token,
+                    const char* what) {
   const std::optional<double> value = parse_number(token);
   if (!value) {
-    throw InputError({place(file, line), std::string(what) + " " + in_quotes(token) + " is not a number", what_is_read, ""});
+    throw InputError({place(file, line),
+                      std::string(what) + " " + in_quotes(token) + " is not a number", what_is_read,
+                      ""});
   }
   if (!std::isfinite(*value)) {
-    throw InputError({place(file, line), std::string(what) + " " + in_quotes(token) + " is not finite",
+    throw InputError({place(file, line),
+                      std::string(what) + " " + in_quotes(token) + " is not finite",
                       "repair the record: every sample must be a finite number", ""});
   }
   return *value;
-}
-
-void check_step(const std::string& where, const std::string& text, double dt_s) {
-  if (std::isfinite(dt_s) && dt_s > 0.0) return;
-  throw InputError({where, "the time step dt = " + text + " s is not above 0", "give the true step with dt_s (--dt-s)", ""});
 }
 
 AccelerationUnits at2_units(const std::filesystem::path& file, const At2Header& header,
@@ -77,34 +90,45 @@ AccelerationUnits at2_units(const std::filesystem::path& file, const At2Header& 
   };
   const auto agreed = [&](AccelerationUnits told) {
     if (wanted && *wanted != told) {
-      refuse("the header says the units are " + in_quotes(header.units) + ", the option says " + to_string(*wanted),
+      refuse("the header says the units are " + in_quotes(header.units) + ", the option says " +
+                 to_string(*wanted),
              "leave the units out, or correct the file");
     }
     return told;
   };
   switch (header_units(header.units)) {
-    case HeaderUnits::none: break;
-    case HeaderUnits::g: return agreed(AccelerationUnits::g);
-    case HeaderUnits::mps2: return agreed(AccelerationUnits::mps2);
-    case HeaderUnits::cmps2: return agreed(AccelerationUnits::cmps2);
+    case HeaderUnits::none:
+      break;
+    case HeaderUnits::g:
+      return agreed(AccelerationUnits::g);
+    case HeaderUnits::mps2:
+      return agreed(AccelerationUnits::mps2);
+    case HeaderUnits::cmps2:
+      return agreed(AccelerationUnits::cmps2);
     case HeaderUnits::velocity:
-      refuse("units " + in_quotes(header.units) + ": this is a velocity file", "give the acceleration file (.AT2)");
+      refuse("units " + in_quotes(header.units) + ": this is a velocity file",
+             "give the acceleration file (.AT2)");
       break;
     case HeaderUnits::displacement:
-      refuse("units " + in_quotes(header.units) + ": this is a displacement file", "give the acceleration file (.AT2)");
+      refuse("units " + in_quotes(header.units) + ": this is a displacement file",
+             "give the acceleration file (.AT2)");
       break;
     case HeaderUnits::unknown:
-      if (!wanted) refuse("the units " + in_quotes(header.units) + " are not known", "give units as g, m/s2 or cm/s2");
+      if (!wanted)
+        refuse("the units " + in_quotes(header.units) + " are not known",
+               "give units as g, m/s2 or cm/s2");
       break;
   }
   return wanted.value_or(AccelerationUnits::g);
 }
 
-double at2_step(const std::filesystem::path& file, const At2Header& header, const std::optional<double>& wanted) {
+double at2_step(const std::filesystem::path& file, const At2Header& header,
+                const std::optional<double>& wanted) {
   if (wanted) return *wanted;
   const std::string where = place(file, header.lines);
   if (header.dt_text.empty()) {
-    throw InputError({where, "the header has NPTS but no DT", "give the step with dt_s (--dt-s)", ""});
+    throw InputError(
+        {where, "the header has NPTS but no DT", "give the step with dt_s (--dt-s)", ""});
   }
   check_step(where, header.dt_text, header.dt_s.value_or(0.0));
   return *header.dt_s;
@@ -118,95 +142,33 @@ Record read_at2(const std::filesystem::path& file, std::string_view text, const 
   while (reader.next()) {
     if (reader.number() <= header.lines) continue;
     for (const std::string_view token : fields(reader.line())) {
-      record.acceleration_mps2.push_back(unit_mps2 * parse_sample(file, reader.number(), token, "the value"));
+      record.acceleration_mps2.push_back(unit_mps2 *
+                                         parse_sample(file, reader.number(), token, "the value"));
     }
   }
   const std::size_t found = record.acceleration_mps2.size();
   if (!header.npts || *header.npts != found) {
     const std::string told = header.npts ? std::to_string(*header.npts) : "no whole number";
-    throw InputError({place(file, header.lines), "NPTS tells " + told + ", the file holds " + std::to_string(found) + " values",
-                      "the file is cut short or its header is wrong: get it again", ""});
+    throw InputError(
+        {place(file, header.lines),
+         "NPTS tells " + told + ", the file holds " + std::to_string(found) + " values",
+         "the file is cut short or its header is wrong: get it again", ""});
   }
   return record;
-}
-
-/// A column of times, as printed.
-struct TimeColumn {
-  std::vector<double> times_s;
-  std::vector<std::size_t> lines;
-  double resolution_s = 1.0;  ///< of the last decimal printed, the finest in the column
-
-  void add(double time_s, std::string_view token, std::size_t line) {
-    times_s.push_back(time_s);
-    lines.push_back(line);
-    const std::size_t exponent_at = std::min(token.find_first_of("eE"), token.size());
-    const std::size_t point_at = std::min(token.find('.'), exponent_at);
-    const double decimals = static_cast<double>(exponent_at - point_at) - (point_at < exponent_at ? 1.0 : 0.0);
-    const double exponent =
-        exponent_at < token.size() ? parse_number(token.substr(exponent_at + 1)).value_or(0.0) : 0.0;
-    // Zero is printed with any exponent and tells nothing about the others.
-    if (time_s != 0.0) resolution_s = std::min(resolution_s, std::pow(10.0, exponent - decimals));
-  }
-};
-
-/// The fewest decimals that meet `value` to within `tolerance`.
-double shortest_within(double value, double tolerance) {
-  for (int digits = 0; digits < 17; ++digits) {
-    char buffer[40];
-    const auto end = std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::scientific, digits).ptr;
-    double rounded = 0.0;
-    std::from_chars(buffer, end, rounded);
-    if (std::abs(rounded - value) <= tolerance) return rounded;
-  }
-  return value;
-}
-
-/// Every step must be dt_s but for the rounding of two printed times. Where dt_s is a whole number of last decimals there is
-/// none to allow for, and a lost sample shows. Times summed up in single precision drift a little.
-void check_even(const std::filesystem::path& file, const TimeColumn& column, double dt_s) {
-  const double decimals_per_step = dt_s / column.resolution_s;
-  const bool is_exact = std::abs(decimals_per_step - std::round(decimals_per_step)) < 1e-6 * decimals_per_step;
-  const double tolerance_s = (is_exact ? 0.0 : 1.001 * column.resolution_s) + 0.01 * dt_s;
-  const std::vector<double>& t = column.times_s;
-  for (std::size_t i = 1; i < t.size(); ++i) {
-    if (std::abs(t[i] - t[i - 1] - dt_s) <= tolerance_s && t[i] >= t[i - 1]) continue;
-    throw InputError({place(file, column.lines[i]),
-                      "the time goes from " + shortest_decimal(t[i - 1]) + " to " + shortest_decimal(t[i]) +
-                          " s where the step is " + shortest_decimal(dt_s) + " s",
-                      "the samples must be evenly spaced, with the time in the first column: resample the record", ""});
-  }
-}
-
-double step_of(const std::filesystem::path& file, const TimeColumn& column, const std::optional<double>& wanted) {
-  const std::vector<double>& t = column.times_s;
-  if (t.size() < 2) {
-    if (wanted) return *wanted;
-    throw InputError({file.string(), "one sample does not tell the time step", "give it with dt_s (--dt-s)", ""});
-  }
-  const auto intervals = static_cast<double>(t.size() - 1);
-  const double mean_s = (t.back() - t.front()) / intervals;
-  check_step(place(file, column.lines.back()), shortest_decimal(mean_s), mean_s);
-  const double uncertainty_s = column.resolution_s / intervals + 1e-9 * mean_s;
-  const bool is_as_wanted = wanted && std::abs(*wanted - mean_s) <= uncertainty_s;
-  const double dt_s = is_as_wanted ? *wanted : shortest_within(mean_s, uncertainty_s);
-  check_even(file, column, dt_s);
-  if (wanted && !is_as_wanted) {
-    throw InputError({file.string(), "the time column has steps of " + shortest_decimal(dt_s) + " s, dt_s tells " +
-                                         shortest_decimal(*wanted) + " s",
-                      "leave dt_s out, or correct the file", ""});
-  }
-  return dt_s;
 }
 
 void check_believable(const Record& record) {
   for (const double a : record.acceleration_mps2) {
     if (std::abs(a) <= largest_believable_g * standard_gravity_mps2) continue;
-    throw InputError({record.name, "an acceleration of " + shortest_decimal(a / standard_gravity_mps2) + " g is not believable",
+    throw InputError({record.name,
+                      "an acceleration of " + shortest_decimal(a / standard_gravity_mps2) +
+                          " g is not believable",
                       "tell the units: g, m/s2 or cm/s2", ""});
   }
 }
 
-Record read_columns(const std::filesystem::path& file, std::string_view text, const RecordFileOptions& options) {
+Record read_columns(const std::filesystem::path& file, std::string_view text,
+                    const RecordFileOptions& options) {
   Record record{file.string(), 0.0, {}};
   const double unit_mps2 = mps2_per_unit(options.units.value_or(AccelerationUnits::g));
   TimeColumn time;
@@ -217,24 +179,31 @@ Record read_columns(const std::filesystem::path& file, std::string_view text, co
     const std::vector<std::string_view> parts = fields(reader.line());
     const std::size_t line = reader.number();
     if (columns == 0) {
-      parse_sample(file, line, parts.front(), "the value");  // text is told as text, however many words
+      parse_sample(file, line, parts.front(),
+                   "the value");  // text is told as text, however many words
       columns = parts.size();
     }
     if (parts.size() > 2 || parts.size() != columns) {
-      throw InputError({place(file, line), std::to_string(parts.size()) + (parts.size() == 1 ? " column" : " columns") +
-                            (parts.size() > 2 ? "; at most two are read" : ", " + std::to_string(columns) + " above"),
+      throw InputError({place(file, line),
+                        std::to_string(parts.size()) +
+                            (parts.size() == 1 ? " column" : " columns") +
+                            (parts.size() > 2 ? "; at most two are read"
+                                              : ", " + std::to_string(columns) + " above"),
                         what_is_read, ""});
     }
     if (columns == 2) time.add(parse_sample(file, line, parts[0], "the time"), parts[0], line);
-    record.acceleration_mps2.push_back(unit_mps2 * parse_sample(file, line, parts.back(), "the value"));
+    record.acceleration_mps2.push_back(unit_mps2 *
+                                       parse_sample(file, line, parts.back(), "the value"));
   }
-  if (columns == 0) throw InputError({file.string(), "the file holds no samples", what_is_read, ""});
+  if (columns == 0)
+    throw InputError({file.string(), "the file holds no samples", what_is_read, ""});
   if (columns == 2) {
     record.dt_s = step_of(file, time, options.dt_s);
   } else if (options.dt_s) {
     record.dt_s = *options.dt_s;
   } else {
-    throw InputError({file.string(), "one column does not tell the time step", "give it with dt_s (--dt-s)", ""});
+    throw InputError({file.string(), "one column does not tell the time step",
+                      "give it with dt_s (--dt-s)", ""});
   }
   if (!options.units) check_believable(record);
   return record;
@@ -246,14 +215,18 @@ AccelerationUnits parse_acceleration_units(const std::string& text) {
   if (text == "g") return AccelerationUnits::g;
   if (text == "m/s2") return AccelerationUnits::mps2;
   if (text == "cm/s2" || text == "gal") return AccelerationUnits::cmps2;
-  throw InputError({"", "units " + in_quotes(text) + " are not known", "use g, m/s2, cm/s2 or gal", ""});
+  throw InputError(
+      {"", "units " + in_quotes(text) + " are not known", "use g, m/s2, cm/s2 or gal", ""});
 }
 
 std::string to_string(AccelerationUnits units) {
   switch (units) {
-    case AccelerationUnits::g: return "g";
-    case AccelerationUnits::mps2: return "m/s2";
-    case AccelerationUnits::cmps2: return "cm/s2";
+    case AccelerationUnits::g:
+      return "g";
+    case AccelerationUnits::mps2:
+      return "m/s2";
+    case AccelerationUnits::cmps2:
+      return "cm/s2";
   }
   return "";
 }
@@ -265,7 +238,8 @@ Record read_record(const std::filesystem::path& file, const RecordFileOptions& o
     throw InputError({file.string(), "is not a text file", what_is_read, ""});
   }
   const std::optional<At2Header> header = find_at2_header(text);
-  Record record = header ? read_at2(file, text, *header, options) : read_columns(file, text, options);
+  Record record =
+      header ? read_at2(file, text, *header, options) : read_columns(file, text, options);
   if (record.acceleration_mps2.empty()) {
     throw InputError({file.string(), "the file holds no samples", what_is_read, ""});
   }

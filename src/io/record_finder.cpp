@@ -43,12 +43,15 @@ const std::vector<fs::path>& RecordFinder::files_named(const std::string& file_n
     is_indexed_ = true;
     for (const fs::path& folder : folders_) {
       std::error_code error;
-      fs::recursive_directory_iterator entry(folder, fs::directory_options::skip_permission_denied, error);
+      fs::recursive_directory_iterator entry(folder, fs::directory_options::skip_permission_denied,
+                                             error);
       for (; !error && entry != fs::recursive_directory_iterator(); entry.increment(error)) {
-        if (is_there(entry->path())) by_name_[entry->path().filename().string()].push_back(entry->path());
+        if (is_there(entry->path()))
+          by_name_[entry->path().filename().string()].push_back(entry->path());
       }
     }
-    for (auto& [name, files] : by_name_) {  // folders are listed in any order, and may be given twice
+    for (auto& [name, files] :
+         by_name_) {  // folders are listed in any order, and may be given twice
       std::sort(files.begin(), files.end());
       files.erase(std::unique(files.begin(), files.end()), files.end());
     }
@@ -71,8 +74,10 @@ std::optional<fs::path> RecordFinder::find(const fs::path& name) {
     if (!closer.empty()) candidates = closer;
   }
   if (candidates.size() == 1) return candidates.front();
-  throw InputError({"", name.string() + " fits " + candidates[0].string() + " and " + candidates[1].string(),
-                    "give more of the path, or set GLISSADE_RECORDS to the folder that holds the right one", ""});
+  throw InputError(
+      {"", name.string() + " fits " + candidates[0].string() + " and " + candidates[1].string(),
+       "give more of the path, or set GLISSADE_RECORDS to the folder that holds the right one",
+       ""});
 }
 
 }  // namespace glissade

@@ -7,8 +7,8 @@
 #include <type_traits>
 #include <vector>
 
-#include "hdf5_file.hpp"
 #include "glissade/study/results.hpp"
+#include "hdf5_file.hpp"
 #include "toml_table.hpp"
 
 namespace glissade {
@@ -38,7 +38,8 @@ using Stored = std::conditional_t<std::is_same_v<T, bool>, std::uint8_t, T>;
 
 /// One field of every row, as a 1-D dataset; `field(row)` is a reference to it. Reading sizes the rows by the first one read.
 template <class Archive, class Rows, class Field>
-void column(const Archive& archive, const std::string& name, const Label& label, Rows& rows, Field field) {
+void column(const Archive& archive, const std::string& name, const Label& label, Rows& rows,
+            Field field) {
   using T = std::remove_cvref_t<decltype(field(rows.front()))>;
   std::vector<Stored<T>> values;
   if constexpr (!Archive::reads) {
@@ -70,8 +71,8 @@ E value_of(EnumNames<E> names, const std::string& text) {
 
 /// A column of enumeration names.
 template <class E, class Archive, class Rows, class Field>
-void name_column(const Archive& archive, const std::string& name, const Label& label, Rows& rows, EnumNames<E> names,
-                 Field field) {
+void name_column(const Archive& archive, const std::string& name, const Label& label, Rows& rows,
+                 EnumNames<E> names, Field field) {
   std::vector<std::string> values;
   if constexpr (!Archive::reads) {
     for (auto& row : rows) values.push_back(name_of<E>(names, field(row)));
@@ -85,15 +86,19 @@ void name_column(const Archive& archive, const std::string& name, const Label& l
 }
 
 template <class Archive, class Rows, class Field>
-void interval_column(const Archive& archive, const std::string& name, const Label& label, Rows& rows, Field field) {
-  column(archive, name + "_low", label, rows, [&](auto& row) -> auto& { return field(row).low; });
-  column(archive, name + "_high", label, rows, [&](auto& row) -> auto& { return field(row).high; });
+void interval_column(const Archive& archive, const std::string& name, const Label& label,
+                     Rows& rows, Field field) {
+  column(
+      archive, name + "_low", label, rows, [&](auto& row) -> auto& { return field(row).low; });
+  column(
+      archive, name + "_high", label, rows, [&](auto& row) -> auto& { return field(row).high; });
 }
 
 /// A list in every row, as a (row, position) dataset. Where lists differ in length they are filled up with nan, and
 /// `<name>_count` tells how long each is.
 template <class Archive, class Rows, class Field>
-void matrix(const Archive& archive, const std::string& name, const Label& label, Rows& rows, Field field) {
+void matrix(const Archive& archive, const std::string& name, const Label& label, Rows& rows,
+            Field field) {
   std::vector<std::uint64_t> counts;
   for (auto& row : rows) counts.push_back(field(row).size());
   hsize_t width = counts.empty() ? 0 : *std::max_element(counts.begin(), counts.end());
@@ -102,20 +107,23 @@ void matrix(const Archive& archive, const std::string& name, const Label& label,
     for (auto& row : rows) {
       const auto& list_of_row = field(row);
       values.insert(values.end(), list_of_row.begin(), list_of_row.end());
-      values.resize(values.size() + width - list_of_row.size(), std::numeric_limits<double>::quiet_NaN());
+      values.resize(values.size() + width - list_of_row.size(),
+                    std::numeric_limits<double>::quiet_NaN());
     }
   }
   Dims dims{counts.size(), width};
   archive.array(name, label, dims, values);
   const Label count_label{"-", "how many values each row of the dataset of this name holds"};
   if constexpr (!Archive::reads) {
-    const bool is_ragged = std::any_of(counts.begin(), counts.end(), [&](std::uint64_t n) { return n != width; });
+    const bool is_ragged =
+        std::any_of(counts.begin(), counts.end(), [&](std::uint64_t n) { return n != width; });
     if (is_ragged) list(archive, name + "_count", count_label, counts);
   } else {
     counts.assign(dims[0], dims[1]);
     if (archive.has(name + "_count")) list(archive, name + "_count", count_label, counts);
     if (rows.empty()) rows.resize(dims[0]);
-    if (rows.size() != dims[0] || counts.size() != dims[0]) throw Hdf5Error("fit " + name + " to the other columns");
+    if (rows.size() != dims[0] || counts.size() != dims[0])
+      throw Hdf5Error("fit " + name + " to the other columns");
     for (std::size_t i = 0; i < rows.size(); ++i) {
       if (counts[i] > dims[1]) throw Hdf5Error("fit " + name + " to its counts");
       const auto begin = values.begin() + static_cast<std::ptrdiff_t>(i * dims[1]);
@@ -126,7 +134,8 @@ void matrix(const Archive& archive, const std::string& name, const Label& label,
 
 /// A list of intervals in every row, as two such datasets.
 template <class Archive, class Rows, class Field>
-void interval_matrix(const Archive& archive, const std::string& name, const Label& label, Rows& rows, Field field) {
+void interval_matrix(const Archive& archive, const std::string& name, const Label& label,
+                     Rows& rows, Field field) {
   std::vector<std::vector<double>> low, high;
   if constexpr (!Archive::reads) {
     for (auto& row : rows) {
@@ -142,11 +151,13 @@ void interval_matrix(const Archive& archive, const std::string& name, const Labe
   matrix(archive, name + "_low", label, low, whole);
   matrix(archive, name + "_high", label, high, whole);
   if constexpr (Archive::reads) {
-    if (rows.size() != low.size() || rows.size() != high.size()) throw Hdf5Error("fit " + name + " to the other columns");
+    if (rows.size() != low.size() || rows.size() != high.size())
+      throw Hdf5Error("fit " + name + " to the other columns");
     for (std::size_t i = 0; i < rows.size(); ++i) {
       if (low[i].size() != high[i].size()) throw Hdf5Error("fit " + name + " to itself");
       field(rows[i]).clear();
-      for (std::size_t j = 0; j < low[i].size(); ++j) field(rows[i]).push_back({low[i][j], high[i][j]});
+      for (std::size_t j = 0; j < low[i].size(); ++j)
+        field(rows[i]).push_back({low[i][j], high[i][j]});
     }
   }
 }

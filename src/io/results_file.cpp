@@ -42,8 +42,8 @@ void check_type_and_version(const Hdf5Reader& root) {
   std::uint64_t version = 0;
   root.attribute("format_version", version);
   if (version != results_format_version) {
-    throw Hdf5Error("understand format version " + std::to_string(version) + " (this program reads " +
-                    std::to_string(results_format_version) + ")");
+    throw Hdf5Error("understand format version " + std::to_string(version) +
+                    " (this program reads " + std::to_string(results_format_version) + ")");
   }
 }
 
@@ -56,8 +56,10 @@ void write_results(const std::filesystem::path& file, const Results& results) {
   try {
     image = image_of(results);
   } catch (const Hdf5Error& error) {
-    throw InputError({file.string(), std::string("the results could not be put together: cannot ") + error.what(),
-                      "check that there is memory enough, or ask for fewer samples, levels or records", ""});
+    throw InputError(
+        {file.string(),
+         std::string("the results could not be put together: cannot ") + error.what(),
+         "check that there is memory enough, or ask for fewer samples, levels or records", ""});
   }
   write_text_file(file, image);
 }
@@ -69,7 +71,8 @@ Results read_results(const std::filesystem::path& file) {
                        "give a results file of `glissade run`, or run the study again", ""});
   };
   std::error_code ignored;
-  if (!std::filesystem::exists(file, ignored)) throw InputError({file.string(), "no such file", "check the path", ""});
+  if (!std::filesystem::exists(file, ignored))
+    throw InputError({file.string(), "no such file", "check the path", ""});
   if (!std::filesystem::is_regular_file(file, ignored)) throw fail("read what is no ordinary file");
   try {
     const Hdf5Reader root(file);

@@ -11,43 +11,80 @@ namespace {
 
 template <class Archive, class Samples>
 void exchange_samples(const Archive& archive, Samples& samples) {
-  column(archive, "friction", {"-", "coefficient of friction"}, samples, [](auto& s) -> auto& { return s.friction; });
-  column(archive, "slope", {"deg", "roof slope"}, samples, [](auto& s) -> auto& { return s.slope_deg; });
-  column(archive, "period", {"s", "building period; 0 is rigid"}, samples, [](auto& s) -> auto& { return s.period_s; });
-  column(archive, "damping", {"-", "building damping ratio"}, samples, [](auto& s) -> auto& { return s.damping; });
-  column(archive, "component", {"-", "horizontal component along the slope: 0 the first, 1 the second"}, samples,
-         [](auto& s) -> auto& { return s.component; });
-  column(archive, "sign", {"-", "sign of that component: 1 or -1"}, samples, [](auto& s) -> auto& { return s.sign; });
+  column(
+      archive, "friction", {"-", "coefficient of friction"}, samples,
+      [](auto& s) -> auto& { return s.friction; });
+  column(
+      archive, "slope", {"deg", "roof slope"}, samples,
+      [](auto& s) -> auto& { return s.slope_deg; });
+  column(
+      archive, "period", {"s", "building period; 0 is rigid"}, samples,
+      [](auto& s) -> auto& { return s.period_s; });
+  column(
+      archive, "damping", {"-", "building damping ratio"}, samples,
+      [](auto& s) -> auto& { return s.damping; });
+  column(
+      archive, "component",
+      {"-", "horizontal component along the slope: 0 the first, 1 the second"}, samples,
+      [](auto& s) -> auto& { return s.component; });
+  column(
+      archive, "sign", {"-", "sign of that component: 1 or -1"}, samples,
+      [](auto& s) -> auto& { return s.sign; });
 }
 
 template <class Archive, class Records>
 void exchange_records(const Archive& archive, Records& records) {
-  column(archive, "id", {"-", "name of the motion in its suite"}, records, [](auto& r) -> auto& { return r.id; });
-  column(archive, "event", {"-", "earthquake"}, records, [](auto& r) -> auto& { return r.event; });
-  column(archive, "station", {"-", "station"}, records, [](auto& r) -> auto& { return r.station; });
-  column(archive, "magnitude", {"-", "moment magnitude; 0 where not told"}, records, [](auto& r) -> auto& { return r.magnitude; });
-  column(archive, "distance", {"km", "rupture distance; 0 where not told"}, records, [](auto& r) -> auto& { return r.distance_km; });
-  column(archive, "vs30", {"m/s", "mean shear-wave velocity of the upper 30 m; 0 where not told"}, records,
-         [](auto& r) -> auto& { return r.vs30_mps; });
-  column(archive, "suite_scale", {"-", "the suite file's factor"}, records, [](auto& r) -> auto& { return r.suite_scale; });
-  column(archive, "factor_at_unit_level", {"-", "factor on the record at intensity 1; 0 where it depends on the sample"},
-         records, [](auto& r) -> auto& { return r.factor_at_unit_level; });
-  column(archive, "pga", {"g", "geometric mean of the horizontals' peak ground accelerations, as recorded"}, records,
-         [](auto& r) -> auto& { return r.pga_g; });
-  column(archive, "pgv", {"m/s", "geometric mean of the horizontals' peak ground velocities, as recorded"}, records,
-         [](auto& r) -> auto& { return r.pgv_mps; });
-  column(archive, "dt", {"s", "time step"}, records, [](auto& r) -> auto& { return r.dt_s; });
-  column(archive, "samples", {"-", "number of samples"}, records, [](auto& r) -> auto& { return r.samples; });
-  column(archive, "has_second", {"-", "1 where there is a second horizontal"}, records, [](auto& r) -> auto& { return r.has_second; });
-  column(archive, "has_vertical", {"-", "1 where there is a vertical"}, records, [](auto& r) -> auto& { return r.has_vertical; });
+  column(
+      archive, "id", {"-", "name of the motion in its suite"}, records,
+      [](auto& r) -> auto& { return r.id; });
+  column(
+      archive, "event", {"-", "earthquake"}, records, [](auto& r) -> auto& { return r.event; });
+  column(
+      archive, "station", {"-", "station"}, records, [](auto& r) -> auto& { return r.station; });
+  column(
+      archive, "magnitude", {"-", "moment magnitude; 0 where not told"}, records,
+      [](auto& r) -> auto& { return r.magnitude; });
+  column(
+      archive, "distance", {"km", "rupture distance; 0 where not told"}, records,
+      [](auto& r) -> auto& { return r.distance_km; });
+  column(
+      archive, "vs30", {"m/s", "mean shear-wave velocity of the upper 30 m; 0 where not told"},
+      records, [](auto& r) -> auto& { return r.vs30_mps; });
+  column(
+      archive, "suite_scale", {"-", "the suite file's factor"}, records,
+      [](auto& r) -> auto& { return r.suite_scale; });
+  column(
+      archive, "factor_at_unit_level",
+      {"-", "factor on the record at intensity 1; 0 where it depends on the sample"}, records,
+      [](auto& r) -> auto& { return r.factor_at_unit_level; });
+  column(
+      archive, "pga",
+      {"g", "geometric mean of the horizontals' peak ground accelerations, as recorded"}, records,
+      [](auto& r) -> auto& { return r.pga_g; });
+  column(
+      archive, "pgv",
+      {"m/s", "geometric mean of the horizontals' peak ground velocities, as recorded"}, records,
+      [](auto& r) -> auto& { return r.pgv_mps; });
+  column(
+      archive, "dt", {"s", "time step"}, records, [](auto& r) -> auto& { return r.dt_s; });
+  column(
+      archive, "samples", {"-", "number of samples"}, records,
+      [](auto& r) -> auto& { return r.samples; });
+  column(
+      archive, "has_second", {"-", "1 where there is a second horizontal"}, records,
+      [](auto& r) -> auto& { return r.has_second; });
+  column(
+      archive, "has_vertical", {"-", "1 where there is a vertical"}, records,
+      [](auto& r) -> auto& { return r.has_vertical; });
 }
 
 template <class Archive, class Spectra>
 void exchange_spectra(const Archive& archive, Spectra& spectra) {
   archive.attribute("reference_level", spectra.reference_level);
   list(archive, "period", {"s", "periods of the spectra"}, spectra.periods_s);
-  matrix(archive, "srss", {"g", "5 % SRSS spectrum of each scaled record, by (record, period)"}, spectra.srss_g,
-         [](auto& row) -> auto& { return row; });
+  matrix(
+      archive, "srss", {"g", "5 % SRSS spectrum of each scaled record, by (record, period)"},
+      spectra.srss_g, [](auto& row) -> auto& { return row; });
   list(archive, "average_srss", {"g", "average over the records"}, spectra.average_srss_g);
   list(archive, "target", {"g", "target spectrum; empty without a target"}, spectra.target_g);
 }
@@ -55,76 +92,137 @@ void exchange_spectra(const Archive& archive, Spectra& spectra) {
 /// One of the two fits of every threshold.
 template <class Archive, class Fragilities, class Fit>
 void exchange_fits(const Archive& archive, Fragilities& rows, Fit fit) {
-  name_column<FitStatus>(archive, "status", {"-", "how the fit came out"}, rows, fit_status_names(),
-                         [&](auto& f) -> auto& { return fit(f).status; });
-  column(archive, "median", {"intensity", "median of the lognormal fragility"}, rows, [&](auto& f) -> auto& { return fit(f).curve.median; });
-  column(archive, "log_std", {"-", "logarithmic standard deviation"}, rows, [&](auto& f) -> auto& { return fit(f).curve.log_std; });
-  interval_column(archive, "median", {"intensity", "95 % interval of the median"}, rows,
-                  [&](auto& f) -> auto& { return fit(f).median_interval; });
-  interval_column(archive, "log_std", {"-", "95 % interval of log_std"}, rows, [&](auto& f) -> auto& { return fit(f).log_std_interval; });
-  column(archive, "log_likelihood", {"-", "logarithm of the likelihood"}, rows, [&](auto& f) -> auto& { return fit(f).log_likelihood; });
-  column(archive, "method", {"-", "how it was fitted"}, rows, [&](auto& f) -> auto& { return fit(f).method; });
-  column(archive, "interval_method", {"-", "how the intervals were found"}, rows, [&](auto& f) -> auto& { return fit(f).interval_method; });
-  column(archive, "note", {"-", "what a reader must know"}, rows, [&](auto& f) -> auto& { return fit(f).note; });
+  name_column<FitStatus>(
+      archive, "status", {"-", "how the fit came out"}, rows,
+      fit_status_names(), [&](auto& f) -> auto& { return fit(f).status; });
+  column(
+      archive, "median", {"intensity", "median of the lognormal fragility"},
+      rows, [&](auto& f) -> auto& { return fit(f).curve.median; });
+  column(
+      archive, "log_std", {"-", "logarithmic standard deviation"},
+      rows, [&](auto& f) -> auto& { return fit(f).curve.log_std; });
+  interval_column(
+      archive, "median", {"intensity", "95 % interval of the median"},
+      rows, [&](auto& f) -> auto& { return fit(f).median_interval; });
+  interval_column(
+      archive, "log_std", {"-", "95 % interval of log_std"},
+      rows, [&](auto& f) -> auto& { return fit(f).log_std_interval; });
+  column(
+      archive, "log_likelihood", {"-", "logarithm of the likelihood"},
+      rows, [&](auto& f) -> auto& { return fit(f).log_likelihood; });
+  column(
+      archive, "method", {"-", "how it was fitted"},
+      rows, [&](auto& f) -> auto& { return fit(f).method; });
+  column(
+      archive, "interval_method", {"-", "how the intervals were found"},
+      rows, [&](auto& f) -> auto& { return fit(f).interval_method; });
+  column(
+      archive, "note", {"-", "what a reader must know"},
+      rows, [&](auto& f) -> auto& { return fit(f).note; });
 }
 
 template <class Archive, class Fragilities>
 void exchange_fragilities(const Archive& archive, Fragilities& rows) {
-  column(archive, "threshold", {"m", "clearance threshold"}, rows, [](auto& f) -> auto& { return f.threshold_m; });
-  exchange_fits(archive.group("stripes"), rows, [](auto& f) -> auto& { return f.stripes; });
-  exchange_fits(archive.group("capacities"), rows, [](auto& f) -> auto& { return f.capacities; });
-  matrix(archive, "probability", {"-", "observed share exceeding, by (threshold, level)"}, rows,
-         [](auto& f) -> auto& { return f.probability; });
-  interval_matrix(archive, "probability", {"-", "95 % interval of the share, by (threshold, level)"}, rows,
-                  [](auto& f) -> auto& { return f.probability_interval; });
-  interval_matrix(archive, "band", {"-", "95 % band of the capacity fit, by (threshold, band intensity)"}, rows,
-                  [](auto& f) -> auto& { return f.band; });
-  column(archive, "recross_share", {"-", "share of histories that reach the threshold and fall below it again at a higher level"},
-         rows, [](auto& f) -> auto& { return f.recross_share; });
-  matrix(archive, "record_recross", {"-", "1 where any sample of the record recrosses, by (threshold, record)"}, rows,
-         [](auto& f) -> auto& { return f.record_recross; });
-  column(archive, "censored_share", {"-", "share of histories that never reach the threshold"}, rows,
-         [](auto& f) -> auto& { return f.censored_share; });
-  column(archive, "free_sliding_share", {"-", "share of histories that slide with no shaking"}, rows,
-         [](auto& f) -> auto& { return f.free_sliding_share; });
+  column(
+      archive, "threshold", {"m", "clearance threshold"}, rows,
+      [](auto& f) -> auto& { return f.threshold_m; });
+  exchange_fits(
+      archive.group("stripes"), rows, [](auto& f) -> auto& { return f.stripes; });
+  exchange_fits(
+      archive.group("capacities"), rows, [](auto& f) -> auto& { return f.capacities; });
+  matrix(
+      archive, "probability", {"-", "observed share exceeding, by (threshold, level)"}, rows,
+      [](auto& f) -> auto& { return f.probability; });
+  interval_matrix(
+      archive, "probability", {"-", "95 % interval of the share, by (threshold, level)"}, rows,
+      [](auto& f) -> auto& { return f.probability_interval; });
+  interval_matrix(
+      archive, "band", {"-", "95 % band of the capacity fit, by (threshold, band intensity)"}, rows,
+      [](auto& f) -> auto& { return f.band; });
+  column(
+      archive, "recross_share",
+      {"-",
+       "share of histories that reach the threshold and fall below it again at a higher level"},
+      rows, [](auto& f) -> auto& { return f.recross_share; });
+  matrix(
+      archive, "record_recross",
+      {"-", "1 where any sample of the record recrosses, by (threshold, record)"}, rows,
+      [](auto& f) -> auto& { return f.record_recross; });
+  column(
+      archive, "censored_share", {"-", "share of histories that never reach the threshold"}, rows,
+      [](auto& f) -> auto& { return f.censored_share; });
+  column(
+      archive, "free_sliding_share", {"-", "share of histories that slide with no shaking"}, rows,
+      [](auto& f) -> auto& { return f.free_sliding_share; });
 }
 
 template <class Archive, class Slip>
 void exchange_slip(const Archive& archive, Slip& rows) {
-  column(archive, "level", {"intensity", "intensity level"}, rows, [](auto& s) -> auto& { return s.level; });
-  column(archive, "median", {"m", "median peak displacement in plan"}, rows, [](auto& s) -> auto& { return s.median_m; });
-  column(archive, "p84", {"m", "84th percentile"}, rows, [](auto& s) -> auto& { return s.p84_m; });
-  column(archive, "p95", {"m", "95th percentile"}, rows, [](auto& s) -> auto& { return s.p95_m; });
-  column(archive, "mean", {"m", "mean"}, rows, [](auto& s) -> auto& { return s.mean_m; });
-  interval_column(archive, "mean", {"m", "95 % interval of the mean"}, rows, [](auto& s) -> auto& { return s.mean_interval; });
-  interval_column(archive, "median", {"m", "95 % interval of the median"}, rows, [](auto& s) -> auto& { return s.median_interval; });
-  interval_column(archive, "p84", {"m", "95 % interval of the 84th percentile"}, rows, [](auto& s) -> auto& { return s.p84_interval; });
-  column(archive, "uplift_share", {"-", "share of histories with uplift"}, rows, [](auto& s) -> auto& { return s.uplift_share; });
+  column(
+      archive, "level", {"intensity", "intensity level"}, rows,
+      [](auto& s) -> auto& { return s.level; });
+  column(
+      archive, "median", {"m", "median peak displacement in plan"}, rows,
+      [](auto& s) -> auto& { return s.median_m; });
+  column(
+      archive, "p84", {"m", "84th percentile"}, rows, [](auto& s) -> auto& { return s.p84_m; });
+  column(
+      archive, "p95", {"m", "95th percentile"}, rows, [](auto& s) -> auto& { return s.p95_m; });
+  column(
+      archive, "mean", {"m", "mean"}, rows, [](auto& s) -> auto& { return s.mean_m; });
+  interval_column(
+      archive, "mean", {"m", "95 % interval of the mean"}, rows,
+      [](auto& s) -> auto& { return s.mean_interval; });
+  interval_column(
+      archive, "median", {"m", "95 % interval of the median"}, rows,
+      [](auto& s) -> auto& { return s.median_interval; });
+  interval_column(
+      archive, "p84", {"m", "95 % interval of the 84th percentile"}, rows,
+      [](auto& s) -> auto& { return s.p84_interval; });
+  column(
+      archive, "uplift_share", {"-", "share of histories with uplift"}, rows,
+      [](auto& s) -> auto& { return s.uplift_share; });
 }
 
 template <class Archive, class Comparisons>
 void exchange_standards(const Archive& archive, Comparisons& rows) {
-  name_column<Standard>(archive, "standard", {"-", "standard"}, rows, standard_names(), [](auto& c) -> auto& { return c.standard; });
-  column(archive, "sds", {"g", "design spectral acceleration S_DS"}, rows, [](auto& c) -> auto& { return c.sds_g; });
-  column(archive, "prescribed", {"m", "prescribed displacement"}, rows, [](auto& c) -> auto& { return c.prescribed.value_m; });
-  name_column<Provenance>(archive, "provenance", {"-", "how well the provision is known"}, rows, provenance_names(),
-                          [](auto& c) -> auto& { return c.prescribed.provenance; });
-  column(archive, "basis", {"-", "equation or clause"}, rows, [](auto& c) -> auto& { return c.prescribed.basis; });
-  column(archive, "exceedance_probability", {"-", "share of histories with slip above it"}, rows,
-         [](auto& c) -> auto& { return c.exceedance_probability; });
-  interval_column(archive, "exceedance", {"-", "95 % interval of that share"}, rows,
-                  [](auto& c) -> auto& { return c.exceedance_interval; });
+  name_column<Standard>(
+      archive, "standard", {"-", "standard"}, rows, standard_names(),
+      [](auto& c) -> auto& { return c.standard; });
+  column(
+      archive, "sds", {"g", "design spectral acceleration S_DS"}, rows,
+      [](auto& c) -> auto& { return c.sds_g; });
+  column(
+      archive, "prescribed", {"m", "prescribed displacement"}, rows,
+      [](auto& c) -> auto& { return c.prescribed.value_m; });
+  name_column<Provenance>(
+      archive, "provenance", {"-", "how well the provision is known"}, rows, provenance_names(),
+      [](auto& c) -> auto& { return c.prescribed.provenance; });
+  column(
+      archive, "basis", {"-", "equation or clause"}, rows,
+      [](auto& c) -> auto& { return c.prescribed.basis; });
+  column(
+      archive, "exceedance_probability", {"-", "share of histories with slip above it"}, rows,
+      [](auto& c) -> auto& { return c.exceedance_probability; });
+  interval_column(
+      archive, "exceedance", {"-", "95 % interval of that share"}, rows,
+      [](auto& c) -> auto& { return c.exceedance_interval; });
 }
 
 template <class Archive, class Run>
 void exchange_run(const Archive& archive, Run& run) {
   archive.attribute("friction", run.friction_description);
-  cube(archive, "peak_displacement", {"m", "peak displacement in plan, by (record, sample, level)"}, run.peak_displacement_m);
-  cube(archive, "uplift", {"-", "1 where the array lifted off, by (record, sample, level)"}, run.uplift);
+  cube(archive, "peak_displacement", {"m", "peak displacement in plan, by (record, sample, level)"},
+       run.peak_displacement_m);
+  cube(archive, "uplift", {"-", "1 where the array lifted off, by (record, sample, level)"},
+       run.uplift);
   cube(archive, "capacity",
-       {"intensity", "lowest intensity reaching the threshold, by (record, sample, threshold); inf: not reached; 0: slides freely"},
+       {"intensity",
+        "lowest intensity reaching the threshold, by (record, sample, threshold); inf: not "
+        "reached; 0: slides freely"},
        run.capacity);
-  list(archive, "band_intensity", {"intensity", "intensities of the fragility bands"}, run.band_intensities);
+  list(archive, "band_intensity", {"intensity", "intensities of the fragility bands"},
+       run.band_intensities);
   exchange_fragilities(archive.group("fragility"), run.fragilities);
   exchange_slip(archive.group("slip"), run.slip);
   exchange_standards(archive.group("standards"), run.standards);
@@ -132,15 +230,22 @@ void exchange_run(const Archive& archive, Run& run) {
 
 template <class Archive, class Runs>
 void exchange_runs(const Archive& archive, Runs& runs) {
-  column(archive, "label", {"-", "the runs, in order; each is a group"}, runs, [](auto& run) -> auto& { return run.label; });
+  column(
+      archive, "label", {"-", "the runs, in order; each is a group"}, runs,
+      [](auto& run) -> auto& { return run.label; });
   for (auto& run : runs) exchange_run(archive.group(run.label), run);
 }
 
 template <class Archive, class Skips>
 void exchange_skips(const Archive& archive, Skips& skips) {
-  column(archive, "what", {"-", "work that was not done"}, skips, [](auto& s) -> auto& { return s.what; });
-  column(archive, "why", {"-", "why the study does not need it"}, skips, [](auto& s) -> auto& { return s.why; });
-  column(archive, "count", {"-", "how often"}, skips, [](auto& s) -> auto& { return s.count; });
+  column(
+      archive, "what", {"-", "work that was not done"}, skips,
+      [](auto& s) -> auto& { return s.what; });
+  column(
+      archive, "why", {"-", "why the study does not need it"}, skips,
+      [](auto& s) -> auto& { return s.why; });
+  column(
+      archive, "count", {"-", "how often"}, skips, [](auto& s) -> auto& { return s.count; });
 }
 
 template <class Archive, class R>
@@ -154,9 +259,11 @@ void exchange_all(const Archive& archive, R& results) {
   archive.attribute("suite_description", results.suite_description);
   archive.attribute("intensity_label", results.intensity_label);
   std::string measure;
-  if constexpr (!Archive::reads) measure = name_of<IntensityMeasure>(measure_names(), results.measure);
+  if constexpr (!Archive::reads)
+    measure = name_of<IntensityMeasure>(measure_names(), results.measure);
   archive.attribute("intensity_measure", measure);
-  if constexpr (Archive::reads) results.measure = value_of<IntensityMeasure>(measure_names(), measure);
+  if constexpr (Archive::reads)
+    results.measure = value_of<IntensityMeasure>(measure_names(), measure);
 
   list(archive, "level", {"intensity", "intensity levels"}, results.levels);
   list(archive, "threshold", {"m", "clearance thresholds"}, results.thresholds_m);

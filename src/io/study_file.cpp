@@ -17,7 +17,8 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr std::uint64_t largest_list = 10000;
-constexpr NumberRule damping_ratio{"0 or more and below 1", [](double x) { return x >= 0.0 && x < 1.0; }};
+constexpr NumberRule damping_ratio{"0 or more and below 1",
+                                   [](double x) { return x >= 0.0 && x < 1.0; }};
 
 /// { from, to, count, spacing = "linear" | "log" }, both ends included.
 std::vector<double> read_range(const TomlTable& range, const NumberRule& rule) {
@@ -28,25 +29,30 @@ std::vector<double> read_range(const TomlTable& range, const NumberRule& rule) {
   if (!range.has("count")) range.report_missing("count");
   const std::uint64_t count = range.whole("count", 2, largest_list).value_or(2);
   const Spacing spacing =
-      range.choice<Spacing>("spacing", {{"linear", Spacing::linear}, {"log", Spacing::log}}).value_or(Spacing::linear);
+      range.choice<Spacing>("spacing", {{"linear", Spacing::linear}, {"log", Spacing::log}})
+          .value_or(Spacing::linear);
   if (range.problem_count() == problems_before && to <= from) {
-    range.report("to", range.name_of("to") + " = " + shortest_decimal(to) + " is not above from = " + shortest_decimal(from));
+    range.report("to", range.name_of("to") + " = " + shortest_decimal(to) +
+                           " is not above from = " + shortest_decimal(from));
   }
   if (range.problem_count() == problems_before && spacing == Spacing::log && from <= 0.0) {
-    range.report("from", range.name_of("from") + " is 0, which has no logarithm", "begin above 0, or use linear spacing");
+    range.report("from", range.name_of("from") + " is 0, which has no logarithm",
+                 "begin above 0, or use linear spacing");
   }
   if (range.problem_count() > problems_before) return {};
   std::vector<double> values(count);
   for (std::uint64_t i = 0; i < count; ++i) {
     const double share = static_cast<double>(i) / static_cast<double>(count - 1);
-    values[i] = spacing == Spacing::linear ? from + (to - from) * share : from * std::pow(to / from, share);
+    values[i] =
+        spacing == Spacing::linear ? from + (to - from) * share : from * std::pow(to / from, share);
   }
   values.back() = to;
   return values;
 }
 
 /// A list, or a range.
-std::vector<double> read_increasing(const TomlTable& table, const char* key, const NumberRule& rule) {
+std::vector<double> read_increasing(const TomlTable& table, const char* key,
+                                    const NumberRule& rule) {
   if (!table.has(key)) {
     table.report_missing(key, "give a list, or { from, to, count }");
     return {};
@@ -56,11 +62,13 @@ std::vector<double> read_increasing(const TomlTable& table, const char* key, con
   if (!values) return {};
   const std::string name = table.name_of(key);
   if (values->empty()) table.report(key, name + " is empty", "give at least one value");
-  if (values->size() > largest_list) table.report(key, name + " has more than " + std::to_string(largest_list) + " values");
+  if (values->size() > largest_list)
+    table.report(key, name + " has more than " + std::to_string(largest_list) + " values");
   for (std::size_t i = 1; i < values->size(); ++i) {
     if ((*values)[i] > (*values)[i - 1]) continue;
-    table.report(key, name + " is not increasing: " + shortest_decimal((*values)[i - 1]) + " is followed by " +
-                          shortest_decimal((*values)[i]),
+    table.report(key,
+                 name + " is not increasing: " + shortest_decimal((*values)[i - 1]) +
+                     " is followed by " + shortest_decimal((*values)[i]),
                  "list each value once, the smallest first");
     break;
   }
@@ -68,17 +76,20 @@ std::vector<double> read_increasing(const TomlTable& table, const char* key, con
 }
 
 /// `key` belongs to one measure only: there it is needed, elsewhere it contradicts.
-bool is_key_of(const TomlTable& table, const char* key, IntensityMeasure measure, IntensityMeasure owner, const char* owner_name) {
+bool is_key_of(const TomlTable& table, const char* key, IntensityMeasure measure,
+               IntensityMeasure owner, const char* owner_name) {
   if (measure != owner && table.has(key)) {
-    table.report(key, std::string("intensity.") + key + " goes with measure = \"" + owner_name + "\" only",
-                 std::string("leave it out, or measure by ") + owner_name);
+    table.report(
+        key, std::string("intensity.") + key + " goes with measure = \"" + owner_name + "\" only",
+        std::string("leave it out, or measure by ") + owner_name);
   }
   return measure == owner;
 }
 
 IntensityConfig read_intensity(const TomlTable& table) {
   IntensityConfig intensity;
-  if (!table.has("measure")) table.report_missing("measure", "known are sds_g, pga_g, sa_g, avg_sa_g, ppa_g");
+  if (!table.has("measure"))
+    table.report_missing("measure", "known are sds_g, pga_g, sa_g, avg_sa_g, ppa_g");
   const auto measure = table.choice<IntensityMeasure>("measure", measure_names());
   if (table.exists()) intensity.levels = read_increasing(table, "levels", above_zero);
   if (!measure) {
@@ -92,7 +103,8 @@ IntensityConfig read_intensity(const TomlTable& table) {
   if (is_key_of(table, "avg_sa_periods_s", *measure, IntensityMeasure::avg_sa_g, "avg_sa_g")) {
     intensity.avg_sa_periods_s = read_increasing(table, "avg_sa_periods_s", not_negative);
   }
-  if (is_key_of(table, "target", *measure, IntensityMeasure::sds_g, "sds_g") && table.has("target")) {
+  if (is_key_of(table, "target", *measure, IntensityMeasure::sds_g, "sds_g") &&
+      table.has("target")) {
     intensity.target = read_target(table.table("target"));
   }
   return intensity;
@@ -100,12 +112,17 @@ IntensityConfig read_intensity(const TomlTable& table) {
 
 BuildingConfig read_building(const TomlTable& table) {
   BuildingConfig building;
-  building.period_s = read_distribution(table, "period_s", {0.0, infinity, Bounds::Top::closed, "0 (rigid) or more"})
+  building.period_s = read_distribution(table, "period_s",
+                                        {0.0, infinity, Bounds::Top::closed, "0 (rigid) or more"})
                           .value_or(building.period_s);
-  building.damping = read_distribution(table, "damping", {0.0, 1.0, Bounds::Top::open, "a ratio, 0 or more and below 1"})
-                         .value_or(building.damping);
+  building.damping =
+      read_distribution(table, "damping",
+                        {0.0, 1.0, Bounds::Top::open, "a ratio, 0 or more and below 1"})
+          .value_or(building.damping);
   if (const auto ratio = table.number("mass_ratio", not_negative); ratio && *ratio != 0.0) {
-    table.report("mass_ratio", "building.mass_ratio = " + shortest_decimal(*ratio) + " needs the coupled model, which studies do not have yet",
+    table.report("mass_ratio",
+                 "building.mass_ratio = " + shortest_decimal(*ratio) +
+                     " needs the coupled model, which studies do not have yet",
                  "leave it out, or give 0: the array then does not act back on the building");
   }
   return building;
@@ -113,8 +130,10 @@ BuildingConfig read_building(const TomlTable& table) {
 
 RoofConfig read_roof(const TomlTable& table) {
   RoofConfig roof;
-  roof.slope_deg = read_distribution(table, "slope_deg", {-89.9, 89.9, Bounds::Top::closed, "in degrees, -89.9 to 89.9"})
-                       .value_or(roof.slope_deg);
+  roof.slope_deg =
+      read_distribution(table, "slope_deg",
+                        {-89.9, 89.9, Bounds::Top::closed, "in degrees, -89.9 to 89.9"})
+          .value_or(roof.slope_deg);
   return roof;
 }
 
@@ -123,8 +142,11 @@ FrictionConfig read_friction(const TomlTable& table) {
   friction.design_run = table.flag("design_run").value_or(friction.design_run);
   const bool has_moments = table.has("mean") || table.has("std");
   if (table.has("mu")) {
-    if (has_moments) table.report("mu", "friction.mu and friction.mean/std are both given", "give mu, or mean and std");
-    friction.mu = read_distribution(table, "mu", {0.0, infinity, Bounds::Top::closed, "0 or more"}).value_or(friction.mu);
+    if (has_moments)
+      table.report("mu", "friction.mu and friction.mean/std are both given",
+                   "give mu, or mean and std");
+    friction.mu = read_distribution(table, "mu", {0.0, infinity, Bounds::Top::closed, "0 or more"})
+                      .value_or(friction.mu);
     table.number("mean");
     table.number("std");
     return friction;
@@ -137,34 +159,40 @@ FrictionConfig read_friction(const TomlTable& table) {
   const double mean = table.required_number("mean", not_negative);
   const double std = table.number("std", not_negative).value_or(0.0);
   if (table.problem_count() > problems_before) return friction;
-  friction.mu = std == 0.0 ? Distribution{Fixed{mean}} : Distribution{TruncatedNormal{mean, std, 0.0, infinity}};
+  friction.mu = std == 0.0 ? Distribution{Fixed{mean}}
+                           : Distribution{TruncatedNormal{mean, std, 0.0, infinity}};
   return friction;
 }
 
 OrientationConfig read_orientation(const TomlTable& table) {
   OrientationConfig orientation;
-  orientation.component = table.choice<ComponentChoice>("component", {{"first", ComponentChoice::first},
-                                                                      {"second", ComponentChoice::second},
-                                                                      {"random", ComponentChoice::random}})
-                              .value_or(orientation.component);
-  orientation.sign = table.choice<SignChoice>("sign", {{"positive", SignChoice::positive},
-                                                       {"negative", SignChoice::negative},
-                                                       {"random", SignChoice::random}})
+  orientation.component =
+      table
+          .choice<ComponentChoice>("component", {{"first", ComponentChoice::first},
+                                                 {"second", ComponentChoice::second},
+                                                 {"random", ComponentChoice::random}})
+          .value_or(orientation.component);
+  orientation.sign = table
+                         .choice<SignChoice>("sign", {{"positive", SignChoice::positive},
+                                                      {"negative", SignChoice::negative},
+                                                      {"random", SignChoice::random}})
                          .value_or(orientation.sign);
   return orientation;
 }
 
 VerticalConfig read_vertical(const TomlTable& table) {
   VerticalConfig vertical;
-  vertical.use = table.choice<VerticalChoice>("use", {{"none", VerticalChoice::none},
-                                                      {"if_available", VerticalChoice::if_available},
-                                                      {"required", VerticalChoice::required}})
+  vertical.use = table
+                     .choice<VerticalChoice>("use", {{"none", VerticalChoice::none},
+                                                     {"if_available", VerticalChoice::if_available},
+                                                     {"required", VerticalChoice::required}})
                      .value_or(vertical.use);
   vertical.period_s = table.number("period_s", not_negative).value_or(vertical.period_s);
   vertical.damping = table.number("damping", damping_ratio).value_or(vertical.damping);
   for (const char* key : {"period_s", "damping"}) {
     if (vertical.use == VerticalChoice::none && table.has(key)) {
-      table.report(key, std::string("vertical.") + key + " has no effect with use = \"none\"", "leave it out");
+      table.report(key, std::string("vertical.") + key + " has no effect with use = \"none\"",
+                   "leave it out");
     }
   }
   return vertical;
@@ -172,43 +200,59 @@ VerticalConfig read_vertical(const TomlTable& table) {
 
 SamplingConfig read_sampling(const TomlTable& table) {
   SamplingConfig sampling;
-  sampling.method = table.choice<SamplingMethod>("method", {{"sobol", SamplingMethod::sobol},
-                                                            {"monte_carlo", SamplingMethod::monte_carlo}})
-                        .value_or(sampling.method);
+  sampling.method =
+      table
+          .choice<SamplingMethod>("method", {{"sobol", SamplingMethod::sobol},
+                                             {"monte_carlo", SamplingMethod::monte_carlo}})
+          .value_or(sampling.method);
   const auto samples = table.whole("samples", 1, std::numeric_limits<std::uint32_t>::max());
   sampling.samples = samples.value_or(sampling.samples);
   if (sampling.method == SamplingMethod::sobol && samples && !std::has_single_bit(*samples)) {
-    table.report("samples", "sampling.samples = " + std::to_string(*samples) + " is not a power of two, as Sobol points need",
-                 "take " + std::to_string(std::bit_floor(*samples)) + " or " + std::to_string(std::bit_ceil(*samples)) +
-                     ", or method = \"monte_carlo\"");
+    table.report("samples",
+                 "sampling.samples = " + std::to_string(*samples) +
+                     " is not a power of two, as Sobol points need",
+                 "take " + std::to_string(std::bit_floor(*samples)) + " or " +
+                     std::to_string(std::bit_ceil(*samples)) + ", or method = \"monte_carlo\"");
   }
-  sampling.bootstrap_replicates = static_cast<int>(
-      table.whole("bootstrap_replicates", 100, 1000000).value_or(static_cast<std::uint64_t>(sampling.bootstrap_replicates)));
+  sampling.bootstrap_replicates =
+      static_cast<int>(table.whole("bootstrap_replicates", 100, 1000000)
+                           .value_or(static_cast<std::uint64_t>(sampling.bootstrap_replicates)));
   return sampling;
 }
 
 StandardsConfig read_standards(const TomlTable& table, IntensityMeasure measure) {
-  constexpr NumberRule importance_rule{"from 1 to 1.5", [](double x) { return x >= 1.0 && x <= 1.5; }};
+  constexpr NumberRule importance_rule{"from 1 to 1.5",
+                                       [](double x) { return x >= 1.0 && x <= 1.5; }};
   StandardsConfig standards;
-  standards.compare = table.choices<Standard>("compare", standard_names()).value_or(standards.compare);
+  standards.compare =
+      table.choices<Standard>("compare", standard_names()).value_or(standards.compare);
   standards.importance = table.number("importance", importance_rule).value_or(standards.importance);
   using Sdc = SeismicDesignCategory;
-  standards.category = table.choice<Sdc>("seismic_design_category", {{"A", Sdc::a}, {"B", Sdc::b}, {"C", Sdc::c},
-                                                                     {"D", Sdc::d}, {"E", Sdc::e}, {"F", Sdc::f}})
+  standards.category = table
+                           .choice<Sdc>("seismic_design_category", {{"A", Sdc::a},
+                                                                    {"B", Sdc::b},
+                                                                    {"C", Sdc::c},
+                                                                    {"D", Sdc::d},
+                                                                    {"E", Sdc::e},
+                                                                    {"F", Sdc::f}})
                            .value_or(standards.category);
   if (!standards.compare.empty() && measure != IntensityMeasure::sds_g) {
-    table.report("compare", "standards.compare needs intensity.measure = \"sds_g\": the standards prescribe by S_DS",
-                 "measure by sds_g, or leave [standards] out");
+    table.report(
+        "compare",
+        "standards.compare needs intensity.measure = \"sds_g\": the standards prescribe by S_DS",
+        "measure by sds_g, or leave [standards] out");
   }
   return standards;
 }
 
-std::filesystem::path read_suite_path(const TomlTable& suite, const std::filesystem::path& study_file) {
+std::filesystem::path read_suite_path(const TomlTable& suite,
+                                      const std::filesystem::path& study_file) {
   const std::string name = suite.required_text("file");
   const std::filesystem::path path = study_file.parent_path() / name;
   std::error_code ignored;
   if (!name.empty() && !std::filesystem::exists(path, ignored)) {
-    suite.report("file", "there is no suite " + path.string(), "give its path relative to the study file");
+    suite.report("file", "there is no suite " + path.string(),
+                 "give its path relative to the study file");
   }
   return path;
 }
@@ -234,7 +278,8 @@ StudyConfig read_study(const std::filesystem::path& file) {
   study.vertical = read_vertical(root.table("vertical"));
   study.sampling = read_sampling(root.table("sampling"));
   const TomlTable clearance = root.required_table("clearance");
-  if (clearance.exists()) study.thresholds_m = read_increasing(clearance, "thresholds_m", above_zero);
+  if (clearance.exists())
+    study.thresholds_m = read_increasing(clearance, "thresholds_m", above_zero);
   study.standards = read_standards(root.table("standards"), study.intensity.measure);
   document.finish();
   return study;

@@ -27,7 +27,8 @@ void check_ids(const std::vector<TomlTable>& tables) {
   std::set<std::string> seen;
   for (const TomlTable& table : tables) {
     const auto id = table.text("id");
-    if (id && !seen.insert(*id).second) table.report("id", "id \"" + *id + "\" is used twice", "give each its own id");
+    if (id && !seen.insert(*id).second)
+      table.report("id", "id \"" + *id + "\" is used twice", "give each its own id");
   }
 }
 
@@ -49,10 +50,11 @@ std::optional<ComponentEntry> read_component(const TomlTable& record, const char
   entry.file = table.required_text("file");
   entry.start_s = table.number("start_s", not_negative).value_or(0.0);
   entry.options.dt_s = table.number("dt_s", above_zero);
-  entry.options.units = table.choice<AccelerationUnits>("units", {{"g", AccelerationUnits::g},
-                                                                  {"m/s2", AccelerationUnits::mps2},
-                                                                  {"cm/s2", AccelerationUnits::cmps2},
-                                                                  {"gal", AccelerationUnits::cmps2}});
+  entry.options.units =
+      table.choice<AccelerationUnits>("units", {{"g", AccelerationUnits::g},
+                                                {"m/s2", AccelerationUnits::mps2},
+                                                {"cm/s2", AccelerationUnits::cmps2},
+                                                {"gal", AccelerationUnits::cmps2}});
   return entry;
 }
 
@@ -77,7 +79,8 @@ class RecordedSuiteReader {
   void read(const TomlTable& record, Suite& suite) {
     const std::size_t problems_before = record.problem_count();
     Motion metadata = read_metadata(record);
-    if (!record.has("first")) record.report_missing("first", "name the file of the first horizontal component");
+    if (!record.has("first"))
+      record.report_missing("first", "name the file of the first horizontal component");
     const auto first = load(record, "first");
     const auto second = load(record, "second");
     const auto vertical = load(record, "vertical");
@@ -93,8 +96,10 @@ class RecordedSuiteReader {
     if (missing_.empty()) return;
     std::string list;
     for (const std::string& name : missing_) list += (list.empty() ? "  " : "\n  ") + name;
-    document.add({suite_file_.string(), std::to_string(missing_.size()) + " record file(s) not found",
-                  "set GLISSADE_RECORDS to the folders that hold them, separated by colons: recorded motions are "
+    document.add({suite_file_.string(),
+                  std::to_string(missing_.size()) + " record file(s) not found",
+                  "set GLISSADE_RECORDS to the folders that hold them, separated by colons: "
+                  "recorded motions are "
                   "licensed by their sources and do not come with glissade",
                   list});
   }
@@ -105,7 +110,8 @@ class RecordedSuiteReader {
     const auto entry = read_component(record, key);
     if (!entry || record.problem_count() > problems_before) return std::nullopt;
     try {
-      if (const auto path = finder_.find(entry->file)) return TimedRecord{read_record(*path, entry->options), entry->start_s};
+      if (const auto path = finder_.find(entry->file))
+        return TimedRecord{read_record(*path, entry->options), entry->start_s};
       missing_.push_back(entry->file);
     } catch (const InputError& error) {
       record.report(key, error);
@@ -126,7 +132,8 @@ Suite read_recorded_suite(const std::filesystem::path& file, TomlDocument& docum
   suite.description = head.text("description").value_or("");
   suite.target = read_optional_target(root);
   const std::vector<TomlTable> records = root.tables("record");
-  if (records.empty()) root.report_missing("record", "give [[record]] entries, or [simulation] and [[motion]]");
+  if (records.empty())
+    root.report_missing("record", "give [[record]] entries, or [simulation] and [[motion]]");
   RecordedSuiteReader reader(file);
   for (const TomlTable& record : records) reader.read(record, suite);
   check_ids(records);
@@ -136,7 +143,8 @@ Suite read_recorded_suite(const std::filesystem::path& file, TomlDocument& docum
 }
 
 void read_gain(const TomlTable& gain, SyntheticRecipe& recipe) {
-  recipe.gain_frequencies_hz = gain.numbers("frequency_hz", above_zero).value_or(std::vector<double>{});
+  recipe.gain_frequencies_hz =
+      gain.numbers("frequency_hz", above_zero).value_or(std::vector<double>{});
   recipe.horizontal_gain = gain.numbers("horizontal", above_zero).value_or(std::vector<double>{});
   recipe.vertical_gain = gain.numbers("vertical", above_zero).value_or(std::vector<double>{});
   const auto& f = recipe.gain_frequencies_hz;
@@ -144,7 +152,8 @@ void read_gain(const TomlTable& gain, SyntheticRecipe& recipe) {
     gain.report("frequency_hz", "simulation.gain.frequency_hz is not increasing");
   }
   if (recipe.horizontal_gain.size() != f.size() || recipe.vertical_gain.size() != f.size()) {
-    gain.report("frequency_hz", "frequency_hz, horizontal and vertical differ in length", "give one gain per frequency");
+    gain.report("frequency_hz", "frequency_hz, horizontal and vertical differ in length",
+                "give one gain per frequency");
   }
 }
 
@@ -155,7 +164,9 @@ SyntheticMotion read_synthetic_motion(const TomlTable& table) {
   motion.distance_km = table.required_number("distance_km", above_zero);
   motion.vs30_mps = table.required_number("vs30_mps", above_zero);
   motion.mechanism =
-      table.choice<FaultMechanism>("mechanism", {{"strike_slip", FaultMechanism::strike_slip}, {"reverse", FaultMechanism::reverse}})
+      table
+          .choice<FaultMechanism>("mechanism", {{"strike_slip", FaultMechanism::strike_slip},
+                                                {"reverse", FaultMechanism::reverse}})
           .value_or(motion.mechanism);
   motion.realization = table.whole("realization", 0, largest_toml_integer).value_or(0);
   motion.scale = table.number("scale", above_zero).value_or(1.0);
@@ -175,8 +186,10 @@ SyntheticRecipe read_recipe(TomlDocument& document) {
 
   enum class Model { rezaeian_der_kiureghian_2010 };
   const TomlTable simulation = root.required_table("simulation");
-  if (!simulation.has("model")) simulation.report_missing("model", "known is rezaeian_der_kiureghian_2010");
-  simulation.choice<Model>("model", {{"rezaeian_der_kiureghian_2010", Model::rezaeian_der_kiureghian_2010}});
+  if (!simulation.has("model"))
+    simulation.report_missing("model", "known is rezaeian_der_kiureghian_2010");
+  simulation.choice<Model>("model",
+                           {{"rezaeian_der_kiureghian_2010", Model::rezaeian_der_kiureghian_2010}});
   if (!simulation.has("seed")) simulation.report_missing("seed");
   recipe.seed = simulation.whole("seed", 0, largest_toml_integer).value_or(0);
   recipe.dt_s = simulation.number("dt_s", above_zero).value_or(recipe.dt_s);

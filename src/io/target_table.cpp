@@ -4,9 +4,13 @@
 namespace glissade {
 
 DesignTarget read_target(const TomlTable& table) {
-  const EnumNames<AsceEdition> editions = {{"asce7_10", AsceEdition::asce7_10}, {"asce7_16", AsceEdition::asce7_16}};
-  const EnumNames<SiteClass> classes = {
-      {"A", SiteClass::a}, {"B", SiteClass::b}, {"C", SiteClass::c}, {"D", SiteClass::d}, {"E", SiteClass::e}};
+  const EnumNames<AsceEdition> editions = {{"asce7_10", AsceEdition::asce7_10},
+                                           {"asce7_16", AsceEdition::asce7_16}};
+  const EnumNames<SiteClass> classes = {{"A", SiteClass::a},
+                                        {"B", SiteClass::b},
+                                        {"C", SiteClass::c},
+                                        {"D", SiteClass::d},
+                                        {"E", SiteClass::e}};
   DesignTarget target;
   target.edition = table.choice<AsceEdition>("edition", editions).value_or(target.edition);
   target.ss_g = table.required_number("ss_g", above_zero);

@@ -42,7 +42,9 @@ std::string excerpt(std::string_view text, const toml::source_position& at) {
   if (reader.number() != at.line || at.column == 0) return {};
   const std::string_view line = reader.line();
   std::size_t caret = 0;  // in bytes
-  const auto is_continuation = [&](std::size_t i) { return (static_cast<unsigned char>(line[i]) & 0xC0u) == 0x80u; };
+  const auto is_continuation = [&](std::size_t i) {
+    return (static_cast<unsigned char>(line[i]) & 0xC0u) == 0x80u;
+  };
   for (std::size_t column = 1; column < at.column && caret < line.size(); ++column) {
     do ++caret;
     while (caret < line.size() && is_continuation(caret));
@@ -71,15 +73,19 @@ std::string kind_of(const toml::node& node) {
 }
 
 /// The value as a finite double: a problem otherwise.
-std::optional<double> as_number(const toml::node& node, const NumberRule& rule, const TomlTable& table, std::string_view key) {
+std::optional<double> as_number(const toml::node& node, const NumberRule& rule,
+                                const TomlTable& table, std::string_view key) {
   const std::string name = table.name_of(key);
   if (!node.is_number()) {
-    table.report(key, name + " is " + kind_of(node) + ", not a number", node.is_string() ? "leave the quotes out" : "");
+    table.report(key, name + " is " + kind_of(node) + ", not a number",
+                 node.is_string() ? "leave the quotes out" : "");
     return std::nullopt;
   }
   const double value = *node.value<double>();
   if (!std::isfinite(value) || !rule.is_met(value)) {
-    table.report(key, name + " = " + shortest_decimal(value) + " is not " + (std::isfinite(value) ? rule.text : "finite"),
+    table.report(key,
+                 name + " = " + shortest_decimal(value) + " is not " +
+                     (std::isfinite(value) ? rule.text : "finite"),
                  std::string("give a value ") + rule.text);
     return std::nullopt;
   }
@@ -88,9 +94,10 @@ std::optional<double> as_number(const toml::node& node, const NumberRule& rule, 
 
 }  // namespace
 
-Problem TomlDocument::State::problem(const toml::source_position& at, std::string what, std::string suggestion) const {
-  return {at.line > 0 ? place(file, at.line) : file.string(), std::move(what), std::move(suggestion),
-          excerpt(text, at)};
+Problem TomlDocument::State::problem(const toml::source_position& at, std::string what,
+                                     std::string suggestion) const {
+  return {at.line > 0 ? place(file, at.line) : file.string(), std::move(what),
+          std::move(suggestion), excerpt(text, at)};
 }
 
 void TomlDocument::State::find_unknown_keys(const toml::table& table, const std::string& path) {
@@ -104,7 +111,8 @@ void TomlDocument::State::find_unknown_keys(const toml::table& table, const std:
     if (const toml::table* child = node.as_table()) find_unknown_keys(*child, path + name + ".");
     if (const toml::array* list = node.as_array()) {
       for (const toml::node& element : *list) {
-        if (const toml::table* child = element.as_table()) find_unknown_keys(*child, path + name + ".");
+        if (const toml::table* child = element.as_table())
+          find_unknown_keys(*child, path + name + ".");
       }
     }
   }
@@ -114,7 +122,8 @@ void TomlDocument::State::find_unknown_keys(const toml::table& table, const std:
     if (!nearest.empty()) {
       suggestion = "did you mean " + nearest + "?";
     } else {
-      for (const std::string& word : known) suggestion += (suggestion.empty() ? "known are " : ", ") + word;
+      for (const std::string& word : known)
+        suggestion += (suggestion.empty() ? "known are " : ", ") + word;
     }
     add(problem(at, path + name + " is not a known key", suggestion));
   }
@@ -126,7 +135,8 @@ TomlDocument::TomlDocument(const std::filesystem::path& file) : state_(std::make
   try {
     state_->root = toml::parse(state_->text);
   } catch (const toml::parse_error& error) {
-    throw InputError(state_->problem(error.source().begin, std::string(error.description()), "correct the TOML syntax"));
+    throw InputError(state_->problem(error.source().begin, std::string(error.description()),
+                                     "correct the TOML syntax"));
   }
 }
 
@@ -197,7 +207,8 @@ void TomlTable::report_unknown_word(std::string_view key, const std::string& wor
                                     const std::vector<std::string>& known) const {
   const std::string nearest = nearest_word(word, known);
   std::string suggestion = nearest.empty() ? "" : "did you mean \"" + nearest + "\"? ";
-  for (std::size_t i = 0; i < known.size(); ++i) suggestion += (i == 0 ? "known are " : ", ") + known[i];
+  for (std::size_t i = 0; i < known.size(); ++i)
+    suggestion += (i == 0 ? "known are " : ", ") + known[i];
   report(key, name_of(key) + " = \"" + word + "\" is not known", suggestion);
 }
 
@@ -226,7 +237,8 @@ std::vector<TomlTable> TomlTable::tables(std::string_view key) const {
   const toml::array* list = node->as_array();
   const auto is_a_table = [](const toml::node& element) { return element.is_table(); };
   if (list == nullptr || !std::all_of(list->begin(), list->end(), is_a_table)) {
-    report(key, name_of(key) + " is not a list of tables", "write [[" + name_of(key) + "]] above each");
+    report(key, name_of(key) + " is not a list of tables",
+           "write [[" + name_of(key) + "]] above each");
     return result;
   }
   for (const toml::node& element : *list) {
@@ -247,7 +259,8 @@ double TomlTable::required_number(std::string_view key, const NumberRule& rule) 
   return number(key, rule).value_or(0.0);
 }
 
-std::optional<std::vector<double>> TomlTable::numbers(std::string_view key, const NumberRule& rule) const {
+std::optional<std::vector<double>> TomlTable::numbers(std::string_view key,
+                                                      const NumberRule& rule) const {
   const toml::node* node = find(*document_, node_, key);
   if (node == nullptr) return std::nullopt;
   const toml::array* list = node->as_array();
@@ -264,7 +277,8 @@ std::optional<std::vector<double>> TomlTable::numbers(std::string_view key, cons
   return values;
 }
 
-std::optional<std::uint64_t> TomlTable::whole(std::string_view key, std::uint64_t least, std::uint64_t most) const {
+std::optional<std::uint64_t> TomlTable::whole(std::string_view key, std::uint64_t least,
+                                              std::uint64_t most) const {
   const toml::node* node = find(*document_, node_, key);
   if (node == nullptr) return std::nullopt;
   const std::string range = std::to_string(least) + " to " + std::to_string(most);
@@ -273,8 +287,10 @@ std::optional<std::uint64_t> TomlTable::whole(std::string_view key, std::uint64_
     return std::nullopt;
   }
   const std::int64_t value = *node->value<std::int64_t>();
-  if (value < 0 || static_cast<std::uint64_t>(value) < least || static_cast<std::uint64_t>(value) > most) {
-    report(key, name_of(key) + " = " + std::to_string(value) + " is out of range", "give a whole number, " + range);
+  if (value < 0 || static_cast<std::uint64_t>(value) < least ||
+      static_cast<std::uint64_t>(value) > most) {
+    report(key, name_of(key) + " = " + std::to_string(value) + " is out of range",
+           "give a whole number, " + range);
     return std::nullopt;
   }
   return static_cast<std::uint64_t>(value);
@@ -283,14 +299,16 @@ std::optional<std::uint64_t> TomlTable::whole(std::string_view key, std::uint64_
 std::optional<bool> TomlTable::flag(std::string_view key) const {
   const toml::node* node = find(*document_, node_, key);
   if (node == nullptr) return std::nullopt;
-  if (!node->is_boolean()) report(key, name_of(key) + " is " + kind_of(*node) + ", not true or false");
+  if (!node->is_boolean())
+    report(key, name_of(key) + " is " + kind_of(*node) + ", not true or false");
   return node->value_exact<bool>();
 }
 
 std::optional<std::string> TomlTable::text(std::string_view key) const {
   const toml::node* node = find(*document_, node_, key);
   if (node == nullptr) return std::nullopt;
-  if (!node->is_string()) report(key, name_of(key) + " is " + kind_of(*node) + ", not a text", "put it in quotes");
+  if (!node->is_string())
+    report(key, name_of(key) + " is " + kind_of(*node) + ", not a text", "put it in quotes");
   return node->value_exact<std::string>();
 }
 

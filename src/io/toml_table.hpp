@@ -67,8 +67,10 @@ class TomlTable {
 
   std::optional<double> number(std::string_view key, const NumberRule& rule = any_finite) const;
   double required_number(std::string_view key, const NumberRule& rule = any_finite) const;
-  std::optional<std::vector<double>> numbers(std::string_view key, const NumberRule& rule = any_finite) const;
-  std::optional<std::uint64_t> whole(std::string_view key, std::uint64_t least, std::uint64_t most) const;
+  std::optional<std::vector<double>> numbers(std::string_view key,
+                                             const NumberRule& rule = any_finite) const;
+  std::optional<std::uint64_t> whole(std::string_view key, std::uint64_t least,
+                                     std::uint64_t most) const;
   std::optional<bool> flag(std::string_view key) const;
   std::optional<std::string> text(std::string_view key) const;
   std::string required_text(std::string_view key) const;
@@ -106,7 +108,8 @@ class TomlTable {
       : document_(document), node_(node), path_(std::move(path)) {}
 
   template <class E>
-  std::optional<E> find_name(std::string_view key, const std::string& word, EnumNames<E> names) const {
+  std::optional<E> find_name(std::string_view key, const std::string& word,
+                             EnumNames<E> names) const {
     std::vector<std::string> known;
     for (const auto& [name, value] : names) {
       if (word == name) return value;
@@ -115,7 +118,8 @@ class TomlTable {
     report_unknown_word(key, word, known);
     return std::nullopt;
   }
-  void report_unknown_word(std::string_view key, const std::string& word, const std::vector<std::string>& known) const;
+  void report_unknown_word(std::string_view key, const std::string& word,
+                           const std::vector<std::string>& known) const;
 
   TomlDocument::State* document_;
   const void* node_;  ///< a toml::table, or null

@@ -27,7 +27,8 @@ TEST(csv_table, refuses_a_row_of_another_length) {
 }
 
 TEST(shortest_decimal, reads_back_as_the_same_number) {
-  for (const double x : {0.1, 1.0 / 3, 1e-300, 6.02e23, -0.0}) EXPECT_EQ(std::stod(shortest_decimal(x)), x);
+  for (const double x : {0.1, 1.0 / 3, 1e-300, 6.02e23, -0.0})
+    EXPECT_EQ(std::stod(shortest_decimal(x)), x);
   EXPECT_EQ(shortest_decimal(std::nan("")), "nan");
 }
 

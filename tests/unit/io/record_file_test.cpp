@@ -28,19 +28,27 @@ class RecordFile : public testing::Test {
   TemporaryFolder folder_;
 };
 
-const std::string at2_head = "PEER NGA STRONG MOTION DATABASE RECORD\nEvent, Station, 0\nACCELERATION TIME SERIES IN UNITS OF G\n";
+const std::string at2_head =
+    "PEER NGA STRONG MOTION DATABASE RECORD\nEvent, Station, 0\nACCELERATION TIME SERIES IN UNITS "
+    "OF G\n";
 
 TEST_F(RecordFile, at2_with_filter_text_after_dt_is_read_in_g) {
-  const Record record = read(at2_head + "NPTS=  5, DT=   .0100 SEC,  -5 POLE @  .05 HZ\n  -.1072237E-03  .5E+0 +1.0E-2\n 1 -2.\n");
+  const Record record = read(
+      at2_head +
+      "NPTS=  5, DT=   .0100 SEC,  -5 POLE @  .05 HZ\n  -.1072237E-03  .5E+0 +1.0E-2\n 1 -2.\n");
   EXPECT_EQ(record.dt_s, 0.01);
-  EXPECT_THAT(record.acceleration_mps2, ElementsAre(DoubleEq(-.1072237e-3 * g), DoubleEq(0.5 * g), DoubleEq(0.01 * g), DoubleEq(g), DoubleEq(-2 * g)));
+  EXPECT_THAT(record.acceleration_mps2,
+              ElementsAre(DoubleEq(-.1072237e-3 * g), DoubleEq(0.5 * g), DoubleEq(0.01 * g),
+                          DoubleEq(g), DoubleEq(-2 * g)));
 }
 
 TEST_F(RecordFile, at2_header_variants_tell_the_same) {
-  for (const std::string header : {"NPTS=   3, dt=  .01000", "3    0.0100    NPTS, DT ", "NPTS= 3, DT= 0.01000000 SEC",
-                                   "NPTS=3,DT=.01 SEC", "npts = 3 , dt = 1E-2 sec"}) {
+  for (const std::string header :
+       {"NPTS=   3, dt=  .01000", "3    0.0100    NPTS, DT ", "NPTS= 3, DT= 0.01000000 SEC",
+        "NPTS=3,DT=.01 SEC", "npts = 3 , dt = 1E-2 sec"}) {
     for (const std::string end : {"\n", "\r\n"}) {
-      const Record record = read("title" + end + "Acceleration in g" + end + header + end + "1 2" + end + "3" + end);
+      const Record record =
+          read("title" + end + "Acceleration in g" + end + header + end + "1 2" + end + "3" + end);
       EXPECT_EQ(record.dt_s, 0.01) << header;
       EXPECT_EQ(record.acceleration_mps2.size(), 3u) << header;
       EXPECT_DOUBLE_EQ(record.acceleration_mps2[2], 3 * g) << header;
@@ -54,32 +62,42 @@ TEST_F(RecordFile, at2_is_known_by_its_header_however_many_lines_it_has) {
 }
 
 TEST_F(RecordFile, dt_option_overrides_the_one_in_the_header) {
-  EXPECT_EQ(read(at2_head + "NPTS= 1, DT= .0039 SEC\n1\n", {.dt_s = 1.0 / 256, .units = {}}).dt_s, 1.0 / 256);
+  EXPECT_EQ(read(at2_head + "NPTS= 1, DT= .0039 SEC\n1\n", {.dt_s = 1.0 / 256, .units = {}}).dt_s,
+            1.0 / 256);
 }
 
 TEST_F(RecordFile, header_units_are_followed_and_checked) {
   const std::string rest = "NPTS= 1, DT= .01 SEC\n100\n";
   EXPECT_DOUBLE_EQ(read("ACCELERATION IN UNITS OF CM/S/S\n" + rest).acceleration_mps2[0], 1.0);
   EXPECT_DOUBLE_EQ(read("ACCELERATION IN UNITS OF M/SEC**2\n" + rest).acceleration_mps2[0], 100.0);
-  EXPECT_THAT(error("VELOCITY TIME SERIES IN UNITS OF CM/S\n" + rest), AllOf(HasSubstr("record:1"), HasSubstr("velocity file")));
-  EXPECT_THAT(error("DISPLACEMENT TIME SERIES IN UNITS OF CM\n" + rest), HasSubstr("displacement file"));
-  EXPECT_THAT(error("ACCELERATION TIME SERIES IN UNITS OF FURLONGS\n" + rest), HasSubstr("'furlongs' are not known"));
-  EXPECT_THAT(error(at2_head + rest, {.dt_s = {}, .units = AccelerationUnits::mps2}), AllOf(HasSubstr("record:3"), HasSubstr("m/s2")));
+  EXPECT_THAT(error("VELOCITY TIME SERIES IN UNITS OF CM/S\n" + rest),
+              AllOf(HasSubstr("record:1"), HasSubstr("velocity file")));
+  EXPECT_THAT(error("DISPLACEMENT TIME SERIES IN UNITS OF CM\n" + rest),
+              HasSubstr("displacement file"));
+  EXPECT_THAT(error("ACCELERATION TIME SERIES IN UNITS OF FURLONGS\n" + rest),
+              HasSubstr("'furlongs' are not known"));
+  EXPECT_THAT(error(at2_head + rest, {.dt_s = {}, .units = AccelerationUnits::mps2}),
+              AllOf(HasSubstr("record:3"), HasSubstr("m/s2")));
 }
 
 TEST_F(RecordFile, npts_that_differs_from_the_values_tells_both_counts) {
-  EXPECT_THAT(error(at2_head + "NPTS= 4, DT= .01 SEC\n1 2 3\n"), AllOf(HasSubstr("record:4"), HasSubstr("4"), HasSubstr("3 values")));
-  EXPECT_THAT(error(at2_head + "NPTS= 2, DT= .01 SEC\n1 2 3\n"), HasSubstr("NPTS tells 2, the file holds 3"));
-  EXPECT_THAT(error(at2_head + "NPTS= 99999999999999999999999, DT= .01 SEC\n1\n"), HasSubstr("no whole number"));
+  EXPECT_THAT(error(at2_head + "NPTS= 4, DT= .01 SEC\n1 2 3\n"),
+              AllOf(HasSubstr("record:4"), HasSubstr("4"), HasSubstr("3 values")));
+  EXPECT_THAT(error(at2_head + "NPTS= 2, DT= .01 SEC\n1 2 3\n"),
+              HasSubstr("NPTS tells 2, the file holds 3"));
+  EXPECT_THAT(error(at2_head + "NPTS= 99999999999999999999999, DT= .01 SEC\n1\n"),
+              HasSubstr("no whole number"));
   EXPECT_THAT(error(at2_head + "NPTS= 0, DT= .01 SEC\n"), HasSubstr("no samples"));
 }
 
 TEST_F(RecordFile, samples_that_are_no_finite_numbers_are_told_with_their_line) {
   const std::string header = at2_head + "NPTS= 3, DT= .01 SEC\n";
-  EXPECT_THAT(error(header + "1 2\nNaN\n"), AllOf(HasSubstr("record:6"), HasSubstr("'NaN' is not finite")));
+  EXPECT_THAT(error(header + "1 2\nNaN\n"),
+              AllOf(HasSubstr("record:6"), HasSubstr("'NaN' is not finite")));
   EXPECT_THAT(error(header + "1 2\n1e999\n"), AllOf(HasSubstr("record:6"), HasSubstr("'1e999'")));
   EXPECT_THAT(error(header + "1 -inf 3\n"), AllOf(HasSubstr("record:5"), HasSubstr("'-inf'")));
-  EXPECT_THAT(error(header + "1 two 3\n"), AllOf(HasSubstr("record:5"), HasSubstr("'two' is not a number")));
+  EXPECT_THAT(error(header + "1 two 3\n"),
+              AllOf(HasSubstr("record:5"), HasSubstr("'two' is not a number")));
 }
 
 TEST_F(RecordFile, steps_that_are_not_above_zero_or_missing_are_refused) {
@@ -94,12 +112,14 @@ TEST_F(RecordFile, one_column_takes_step_and_units_from_the_options) {
   const RecordFileOptions options{.dt_s = 0.005, .units = AccelerationUnits::cmps2};
   const Record record = read("# a comment\n\n 100\n+2E2 # and another\n-.5\r\n", options);
   EXPECT_EQ(record.dt_s, 0.005);
-  EXPECT_THAT(record.acceleration_mps2, ElementsAre(DoubleEq(1.0), DoubleEq(2.0), DoubleEq(-0.005)));
+  EXPECT_THAT(record.acceleration_mps2,
+              ElementsAre(DoubleEq(1.0), DoubleEq(2.0), DoubleEq(-0.005)));
 }
 
 TEST_F(RecordFile, two_columns_tell_their_step_with_any_separator) {
   for (const std::string separator : {" ", "\t", ",", " , ", "   "}) {
-    const Record record = read("0.0" + separator + "1\n0.02" + separator + "2\n0.04" + separator + "3\n");
+    const Record record =
+        read("0.0" + separator + "1\n0.02" + separator + "2\n0.04" + separator + "3\n");
     EXPECT_EQ(record.dt_s, 0.02) << separator;
     EXPECT_DOUBLE_EQ(record.acceleration_mps2[1], 2 * g);
   }
@@ -118,9 +138,12 @@ TEST_F(RecordFile, times_may_begin_at_dt_and_be_printed_with_few_decimals) {
 }
 
 TEST_F(RecordFile, times_that_are_uneven_or_disagree_with_the_option_are_refused) {
-  EXPECT_THAT(error("0 1\n0.01 2\n0.03 3\n0.04 3\n"), AllOf(HasSubstr("record:3"), HasSubstr("0.01 to 0.03")));
+  EXPECT_THAT(error("0 1\n0.01 2\n0.03 3\n0.04 3\n"),
+              AllOf(HasSubstr("record:3"), HasSubstr("0.01 to 0.03")));
   std::string lost;  // a sample of many, where the times have as few decimals as the step
-  for (int i = 0; i < 1000; ++i) lost += std::to_string((i < 500 ? i : i + 1) / 100) + "." + std::to_string(100 + (i < 500 ? i : i + 1) % 100).substr(1) + " 0.1\n";
+  for (int i = 0; i < 1000; ++i)
+    lost += std::to_string((i < 500 ? i : i + 1) / 100) + "." +
+            std::to_string(100 + (i < 500 ? i : i + 1) % 100).substr(1) + " 0.1\n";
   EXPECT_THAT(error(lost), AllOf(HasSubstr("record:501"), HasSubstr("4.99 to 5.01")));
   EXPECT_THAT(error("0 1\n0.01 2\n0.00 3\n0.03 1\n"), HasSubstr("record:3"));
   EXPECT_THAT(error("0 1\n0 2\n"), HasSubstr("not above 0"));
@@ -135,7 +158,9 @@ TEST_F(RecordFile, columns_beyond_two_or_of_changing_number_are_refused) {
 
 TEST_F(RecordFile, text_in_gal_read_as_g_by_default_is_not_believed) {
   EXPECT_THAT(error("0 741\n0.01 2\n"), HasSubstr("tell the units"));
-  EXPECT_DOUBLE_EQ(read("0 741\n0.01 2\n", {.dt_s = {}, .units = AccelerationUnits::cmps2}).acceleration_mps2[0], 7.41);
+  EXPECT_DOUBLE_EQ(
+      read("0 741\n0.01 2\n", {.dt_s = {}, .units = AccelerationUnits::cmps2}).acceleration_mps2[0],
+      7.41);
 }
 
 TEST_F(RecordFile, missing_files_folders_empty_files_and_binary_files_are_told) {
@@ -144,13 +169,15 @@ TEST_F(RecordFile, missing_files_folders_empty_files_and_binary_files_are_told) 
   EXPECT_THAT(error(""), HasSubstr("no samples"));
   EXPECT_THAT(error("# only a comment\n"), HasSubstr("no samples"));
   EXPECT_THAT(error(std::string("1\n\0\n2", 5)), HasSubstr("not a text file"));
-  EXPECT_THAT(error("Origin Time 2011/03/11\n"), AllOf(HasSubstr("record:1"), HasSubstr("'Origin' is not a number")));
+  EXPECT_THAT(error("Origin Time 2011/03/11\n"),
+              AllOf(HasSubstr("record:1"), HasSubstr("'Origin' is not a number")));
 }
 
 TEST_F(RecordFile, garbage_is_refused_and_never_crashes) {
   for (std::uint64_t trial = 0; trial < 300; ++trial) {
     std::string text = trial % 3 == 0 ? at2_head + "NPTS= 7, DT= .01\n" : "";
-    const std::string alphabet = trial % 2 == 0 ? "0123456789.-+eE \n,#" : "NPTSDT=,.0123 \n\tnaif(g)/\x80\xff";
+    const std::string alphabet =
+        trial % 2 == 0 ? "0123456789.-+eE \n,#" : "NPTSDT=,.0123 \n\tnaif(g)/\x80\xff";
     for (std::uint32_t i = 0; i < 200; ++i) {
       const double u = keyed_uniform(1, RandomPurpose::test, trial, i);
       text += alphabet[static_cast<std::size_t>(u * static_cast<double>(alphabet.size()))];
@@ -169,7 +196,8 @@ TEST_F(RecordFile, garbage_is_refused_and_never_crashes) {
 
 TEST(acceleration_units, are_parsed_and_printed) {
   EXPECT_EQ(parse_acceleration_units("gal"), AccelerationUnits::cmps2);
-  for (const auto units : {AccelerationUnits::g, AccelerationUnits::mps2, AccelerationUnits::cmps2}) {
+  for (const auto units :
+       {AccelerationUnits::g, AccelerationUnits::mps2, AccelerationUnits::cmps2}) {
     EXPECT_EQ(parse_acceleration_units(to_string(units)), units);
   }
   EXPECT_THAT(message_of([] { parse_acceleration_units("ft/s2"); }), HasSubstr("ft/s2"));

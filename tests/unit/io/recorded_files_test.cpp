@@ -23,7 +23,8 @@ namespace fs = std::filesystem;
 /// The folder of recorded motions, if there is one.
 std::optional<fs::path> records_folder() {
   const char* named = std::getenv("GLISSADE_RECORDS");
-  const fs::path folder = named != nullptr ? fs::path(named) : fs::path(GLISSADE_SOURCE_DIR "/../shared/records");
+  const fs::path folder =
+      named != nullptr ? fs::path(named) : fs::path(GLISSADE_SOURCE_DIR "/../shared/records");
   return fs::is_directory(folder) ? std::optional(folder) : std::nullopt;
 }
 
@@ -31,10 +32,13 @@ class Recorded : public testing::Test {
  protected:
   void SetUp() override {
     const auto folder = records_folder();
-    if (!folder) GTEST_SKIP() << "no recorded motions: set GLISSADE_RECORDS, or put them in ../shared/records";
+    if (!folder)
+      GTEST_SKIP() << "no recorded motions: set GLISSADE_RECORDS, or put them in ../shared/records";
     folder_ = *folder;
   }
-  Record read(const std::string& name, const RecordFileOptions& options = {}) const { return read_record(folder_ / name, options); }
+  Record read(const std::string& name, const RecordFileOptions& options = {}) const {
+    return read_record(folder_ / name, options);
+  }
   std::string error(const std::string& name, const RecordFileOptions& options = {}) const {
     return message_of([&] { read(name, options); });
   }
@@ -66,10 +70,12 @@ TEST_F(Recorded, at2_files_of_all_header_variants_give_the_indexed_counts_steps_
       {"formats/peer_at2_old/ROC-NS.AT2", 8192, 0.00244, 0.0295},
       {"formats/peer_at2_old/TCU122-N.AT2", 18000, 0.005, 0.2606},
       {"formats/peer_at2_old/elCentro.AT2", 1559, 0.02, 0.3188},
-      {"formats/peer_at2_reqpy_written/RSN175_IMPVALL.H_H-E12140_ASCE7_Matched.AT2", 7814, 0.005, 0.6555},
+      {"formats/peer_at2_reqpy_written/RSN175_IMPVALL.H_H-E12140_ASCE7_Matched.AT2", 7814, 0.005,
+       0.6555},
       {"walters2012_table3/bolu_RSN1602/old_header/BOL090.AT2", 5590, 0.01, 0.8224},
       {"walters2012_table3/gukasian_RSN730/RSN730_SPITAK_GUK000.AT2", 2000, 0.01, 0.2003},
-      {"walters2012_table3/sylmar_conv_east_RSN1085/RSN1085_NORTHR_SCE011.AT2", 10938, 0.005, 0.8527},
+      {"walters2012_table3/sylmar_conv_east_RSN1085/RSN1085_NORTHR_SCE011.AT2", 10938, 0.005,
+       0.8527},
       {"walters2012_table3/tcu122_RSN1546/reqpy/RSN1546_CHICHI_TCU122-N.AT2", 18000, 0.005, 0.2609},
       {"fema_p695_far_field/RSN1633_MANJIL_ABBAR--T.AT2", 2300, 0.02, 0.4969},
       {"fema_p695_far_field/RSN848_LANDERS_CLW-TR.AT2", 7180, 0.0039, 0.4172},
@@ -86,7 +92,8 @@ TEST_F(Recorded, at2_with_npts_and_dt_before_their_names_is_read) {
   const Record record = read("formats/peer_at2_old/Oak_2_50_5_FN.AT2");
   EXPECT_EQ(record.acceleration_mps2.size(), 7997u);
   EXPECT_EQ(record.dt_s, 0.005);
-  EXPECT_DOUBLE_EQ(record.acceleration_mps2.back(), 0.000898 * standard_gravity_mps2);  // the file's last value
+  EXPECT_DOUBLE_EQ(record.acceleration_mps2.back(),
+                   0.000898 * standard_gravity_mps2);  // the file's last value
 }
 
 TEST_F(Recorded, every_at2_file_is_read_and_every_vt2_file_is_refused_as_velocity) {
@@ -117,31 +124,44 @@ TEST_F(Recorded, text_files_of_one_and_two_columns_are_read) {
     EXPECT_EQ(record.dt_s, expected.dt_s) << expected.file;
     EXPECT_NEAR(peak_g(record.acceleration_mps2), expected.pga_g, 5.1e-5) << expected.file;
   }
-  const RecordFileOptions mps2{.dt_s = {}, .units = AccelerationUnits::mps2}, gal{.dt_s = {}, .units = AccelerationUnits::cmps2};
+  const RecordFileOptions mps2{.dt_s = {}, .units = AccelerationUnits::mps2},
+      gal{.dt_s = {}, .units = AccelerationUnits::cmps2};
   EXPECT_EQ(read("formats/plain_two_column/Kocaeli.dat", mps2).dt_s, 0.02);
   EXPECT_EQ(read("formats/plain_two_column/Spitak.dat", mps2).acceleration_mps2.size(), 906u);
   EXPECT_EQ(read("formats/plain_two_column/Christchurch2011HVPS_UP.dat", mps2).dt_s, 0.005);
-  EXPECT_NEAR(peak_g(read("formats/plain_two_column/CHV1-20140203E.txt", gal).acceleration_mps2), 7.4111 / standard_gravity_mps2, 1e-4);
+  EXPECT_NEAR(peak_g(read("formats/plain_two_column/CHV1-20140203E.txt", gal).acceleration_mps2),
+              7.4111 / standard_gravity_mps2, 1e-4);
   EXPECT_THAT(error("formats/plain_two_column/CHV1-20140203E.txt"), HasSubstr("tell the units"));
   const RecordFileOptions slammer{.dt_s = 0.005, .units = {}};
-  EXPECT_NEAR(peak_g(read("walters2012_table3/saratoga_aloha_RSN802/slammer/STG-000", slammer).acceleration_mps2), 0.5125, 5.1e-5);
-  EXPECT_EQ(read("formats/opensees_tcl_and_plain/eq_120111.tcl", slammer).acceleration_mps2.size(), 2999u);
-  EXPECT_EQ(read("formats/peer_at2_reqpy_written/RSN175_IMPVALL.H_H-E12140_ASCE7_Matched_1col.txt", slammer).acceleration_mps2.size(), 7814u);
+  EXPECT_NEAR(peak_g(read("walters2012_table3/saratoga_aloha_RSN802/slammer/STG-000", slammer)
+                         .acceleration_mps2),
+              0.5125, 5.1e-5);
+  EXPECT_EQ(read("formats/opensees_tcl_and_plain/eq_120111.tcl", slammer).acceleration_mps2.size(),
+            2999u);
+  EXPECT_EQ(read("formats/peer_at2_reqpy_written/RSN175_IMPVALL.H_H-E12140_ASCE7_Matched_1col.txt",
+                 slammer)
+                .acceleration_mps2.size(),
+            7814u);
 }
 
 TEST_F(Recorded, files_of_other_formats_are_refused_with_the_place) {
-  EXPECT_THAT(error("formats/plain_multi_column/sct190985.txt"), AllOf(HasSubstr("sct190985.txt:1"), HasSubstr("4 columns")));
-  EXPECT_THAT(error("formats/g3_headerless_5col/RSN1546_CHICHI_TCU122-E.AT2.g3"), HasSubstr("5 columns"));
+  EXPECT_THAT(error("formats/plain_multi_column/sct190985.txt"),
+              AllOf(HasSubstr("sct190985.txt:1"), HasSubstr("4 columns")));
+  EXPECT_THAT(error("formats/g3_headerless_5col/RSN1546_CHICHI_TCU122-E.AT2.g3"),
+              HasSubstr("5 columns"));
   EXPECT_THAT(error("formats/sac/test.sac"), HasSubstr("not a text file"));
-  EXPECT_THAT(error("formats/eqsig_two_line_header/test_motion_dt0p01.txt"), HasSubstr("'test-motion' is not a number"));
+  EXPECT_THAT(error("formats/eqsig_two_line_header/test_motion_dt0p01.txt"),
+              HasSubstr("'test-motion' is not a number"));
   std::size_t tried = 0;
-  const std::set<std::string> readable = {"peer_at2_nga_west2", "peer_at2_nga_east", "peer_at2_old", "peer_at2_reqpy_written",
-                                          "plain_two_column", "plain_one_column_csv_dt_elsewhere", "csv_time_accel_commented",
-                                          "opensees_tcl_and_plain", "plain_dt_in_line_2_scaled"};
+  const std::set<std::string> readable = {
+      "peer_at2_nga_west2",       "peer_at2_nga_east",      "peer_at2_old",
+      "peer_at2_reqpy_written",   "plain_two_column",       "plain_one_column_csv_dt_elsewhere",
+      "csv_time_accel_commented", "opensees_tcl_and_plain", "plain_dt_in_line_2_scaled"};
   for (const auto& folder : fs::directory_iterator(folder_ / "formats")) {
     if (readable.contains(folder.path().filename().string())) continue;
     for (const auto& entry : fs::directory_iterator(folder.path())) {
-      EXPECT_THROW(read_record(entry.path(), {.dt_s = 0.01, .units = {}}), InputError) << entry.path();
+      EXPECT_THROW(read_record(entry.path(), {.dt_s = 0.01, .units = {}}), InputError)
+          << entry.path();
       ++tried;
     }
   }
@@ -159,24 +179,30 @@ class RecordedSuite : public Recorded {
 TEST_F(RecordedSuite, walters_table_3_loads_with_its_factors_and_a_common_clock) {
   const Suite suite = load("walters_table3.toml");
   ASSERT_EQ(suite.motions.size(), 7u);
-  const std::vector<double> scale = {4.0, 2.5, 3.8, 1.4, 4.0, 3.5, 1.4}, distance_km = {36.2, 8.5, 23.6, 5.2, 10.9, 9.4, 12.0};
+  const std::vector<double> scale = {4.0, 2.5, 3.8, 1.4, 4.0, 3.5, 1.4},
+                            distance_km = {36.2, 8.5, 23.6, 5.2, 10.9, 9.4, 12.0};
   for (std::size_t i = 0; i < 7; ++i) {  // Walters et al. (2012), Table 3
     EXPECT_EQ(suite.motions[i].scale, scale[i]);
     EXPECT_EQ(suite.motions[i].distance_km, distance_km[i]);
-    EXPECT_EQ(suite.motions[i].horizontal_mps2[0].size(), suite.motions[i].horizontal_mps2[1].size());
+    EXPECT_EQ(suite.motions[i].horizontal_mps2[0].size(),
+              suite.motions[i].horizontal_mps2[1].size());
   }
-  const auto with_vertical = std::count_if(suite.motions.begin(), suite.motions.end(), [](const Motion& m) { return !m.vertical_mps2.empty(); });
+  const auto with_vertical =
+      std::count_if(suite.motions.begin(), suite.motions.end(),
+                    [](const Motion& m) { return !m.vertical_mps2.empty(); });
   EXPECT_EQ(with_vertical, 4);
   ASSERT_TRUE(suite.target);
   EXPECT_EQ(suite.target->ss_g, 1.95);
   EXPECT_EQ(suite.target->site_classes.size(), 4u);
 
   // Saratoga: kallioras' H2 is minus STG-000 on one clock for all components, so the start given must line them up.
-  const Record h2 = read("walters2012_table3/saratoga_aloha_RSN802/ccby_kallioras/19891018_0004_58065_H2.acc",
-                         {.dt_s = 0.005, .units = AccelerationUnits::mps2});
+  const Record h2 =
+      read("walters2012_table3/saratoga_aloha_RSN802/ccby_kallioras/19891018_0004_58065_H2.acc",
+           {.dt_s = 0.005, .units = AccelerationUnits::mps2});
   const auto& first = suite.motions[1].horizontal_mps2[0];
   ASSERT_EQ(first.size(), h2.acceleration_mps2.size());
-  for (std::size_t i = 85; i < 85 + 7671; ++i) EXPECT_NEAR(first[i], -h2.acceleration_mps2[i], 2e-5) << i;
+  for (std::size_t i = 85; i < 85 + 7671; ++i)
+    EXPECT_NEAR(first[i], -h2.acceleration_mps2[i], 2e-5) << i;
 }
 
 TEST_F(RecordedSuite, fema_p695_far_field_loads_with_twenty_verticals) {

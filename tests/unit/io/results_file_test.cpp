@@ -24,8 +24,16 @@ const double nan_value = std::nan("");
 ThresholdFragility make_fragility(double threshold_m, std::size_t band) {
   ThresholdFragility f;
   f.threshold_m = threshold_m;
-  f.stripes = {FitStatus::jeffreys_penalised, {0.7, 0.4}, {0.6, nan_value}, {0.3, 0.5}, -12.5, "probit", "profile", "separated"};
-  f.capacities = {FitStatus::one_sided_bound, {1.5, 0.2}, {1.5, infinity}, {}, nan_value, "", "", ""};
+  f.stripes = {FitStatus::jeffreys_penalised,
+               {0.7, 0.4},
+               {0.6, nan_value},
+               {0.3, 0.5},
+               -12.5,
+               "probit",
+               "profile",
+               "separated"};
+  f.capacities = {
+      FitStatus::one_sided_bound, {1.5, 0.2}, {1.5, infinity}, {}, nan_value, "", "", ""};
   f.probability = {0.0, 0.25, 1.0 / 3};
   f.probability_interval = {{0.0, 0.1}, {0.1, 0.4}, {0.2, nan_value}};
   f.band.assign(band, {0.125, 0.5});
@@ -41,15 +49,21 @@ RunResults make_run(const std::string& label) {
   run.label = label;
   run.friction_description = "normal, mean 0.55, std 0.04";
   run.peak_displacement_m = Array3<double>(2, 4, 3, 0.1);
-  for (std::size_t i = 0; i < run.peak_displacement_m.data.size(); ++i) run.peak_displacement_m.data[i] = std::sqrt(static_cast<double>(i));
+  for (std::size_t i = 0; i < run.peak_displacement_m.data.size(); ++i)
+    run.peak_displacement_m.data[i] = std::sqrt(static_cast<double>(i));
   run.uplift = Array3<std::uint8_t>(2, 4, 3);
   run.uplift(1, 2, 0) = 1;
   run.capacity = Array3<double>(2, 4, 2, infinity);
   run.capacity(0, 3, 1) = 0.0;
   run.fragilities = {make_fragility(0.15, 2), make_fragility(0.3, 0)};  // the second has no band
   run.band_intensities = {0.5, 1.0};
-  run.slip = {{0.5, 0.1, 0.2, 0.3, 0.15, {0.1, 0.2}, {0.05, 0.15}, {0.15, 0.25}, 0.0}, {1.0, 1, 2, 3, 4, {5, 6}, {7, 8}, {9, 10}, 0.5}};
-  run.standards = {{Standard::asce7_16, 1.0, {0.55, Provenance::recalled, "5 I_e (S_DS - 0.4)^2 ft"}, 0.1, {0.05, 0.2}}};
+  run.slip = {{0.5, 0.1, 0.2, 0.3, 0.15, {0.1, 0.2}, {0.05, 0.15}, {0.15, 0.25}, 0.0},
+              {1.0, 1, 2, 3, 4, {5, 6}, {7, 8}, {9, 10}, 0.5}};
+  run.standards = {{Standard::asce7_16,
+                    1.0,
+                    {0.55, Provenance::recalled, "5 I_e (S_DS - 0.4)^2 ft"},
+                    0.1,
+                    {0.05, 0.2}}};
   return run;
 }
 
@@ -65,8 +79,11 @@ Results make_results() {
   r.suite_name = "suite";
   r.levels = {0.5, 1.0, 1.5};
   r.thresholds_m = {0.15, 0.3};
-  r.samples = {{0.5, 2.0, 0.7, 0.05, 1, -1}, {0.6, 1.0, 0.0, 0.0, 0, 1}, {}, {0.1, 0.2, 0.3, 0.4, 1, 1}};
-  r.records = {{"a", "event", "station", 6.9, 8.5, 380.0, 2.5, 1.7, 0.5, 0.4, 0.005, 7671, true, false}, {"b", "", "", 0, 0, 0, 1, 0, 0, 0, 0.01, 1, false, true}};
+  r.samples = {
+      {0.5, 2.0, 0.7, 0.05, 1, -1}, {0.6, 1.0, 0.0, 0.0, 0, 1}, {}, {0.1, 0.2, 0.3, 0.4, 1, 1}};
+  r.records = {
+      {"a", "event", "station", 6.9, 8.5, 380.0, 2.5, 1.7, 0.5, 0.4, 0.005, 7671, true, false},
+      {"b", "", "", 0, 0, 0, 1, 0, 0, 0, 0.01, 1, false, true}};
   r.spectra = {{0.0, 0.5}, {{0.4, 0.9}, {0.3, 1.1}}, {0.35, 1.0}, {}, 1.3};
   r.runs = {make_run("sampled"), make_run("design")};
   r.runs[1].standards.clear();
@@ -76,12 +93,15 @@ Results make_results() {
 }
 
 /// Every double the same bits, nan included: the writer's bytes are a function of the content.
-std::string bytes_of(const Results& results, const TemporaryFolder& folder, const std::string& name) {
+std::string bytes_of(const Results& results, const TemporaryFolder& folder,
+                     const std::string& name) {
   write_results(folder.path() / name, results);
   return read_text_file(folder.path() / name);
 }
 
-bool same_bits(double a, double b) { return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b); }
+bool same_bits(double a, double b) {
+  return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
+}
 
 TEST(results_file, two_writes_give_the_same_bytes) {
   const TemporaryFolder folder;
@@ -95,7 +115,9 @@ TEST(results_file, everything_comes_back_to_the_last_bit) {
   const Results written = make_results();
   const std::string bytes = bytes_of(written, folder, "a.h5");
   const Results read = read_results(folder.path() / "a.h5");
-  EXPECT_EQ(bytes, bytes_of(read, folder, "b.h5"));  // whatever is written is read; what follows checks what is written
+  EXPECT_EQ(bytes,
+            bytes_of(read, folder,
+                     "b.h5"));  // whatever is written is read; what follows checks what is written
 
   EXPECT_EQ(read.study_name, written.study_name);
   EXPECT_EQ(read.study_text, written.study_text);
@@ -169,7 +191,8 @@ TEST(results_file, runs_come_back_in_order_with_ragged_bands) {
   EXPECT_TRUE(same_bits(f.stripes.median_interval.high, nan_value));
   EXPECT_EQ(f.stripes.log_std_interval.high, 0.5);
   EXPECT_EQ(f.stripes.log_likelihood, -12.5);
-  EXPECT_EQ(f.stripes.method + f.stripes.interval_method + f.stripes.note, "probitprofileseparated");
+  EXPECT_EQ(f.stripes.method + f.stripes.interval_method + f.stripes.note,
+            "probitprofileseparated");
   EXPECT_EQ(f.capacities.status, FitStatus::one_sided_bound);
   EXPECT_EQ(f.capacities.median_interval.high, infinity);
   EXPECT_EQ(f.probability, b.fragilities[0].probability);
@@ -183,9 +206,11 @@ TEST(results_file, runs_come_back_in_order_with_ragged_bands) {
   EXPECT_EQ(f.free_sliding_share, 0.02);
   ASSERT_EQ(a.slip.size(), 2u);
   const SlipStatistics& s = a.slip[1];
-  EXPECT_THAT((std::vector<double>{s.level, s.median_m, s.p84_m, s.p95_m, s.mean_m, s.mean_interval.low, s.mean_interval.high,
-                                   s.median_interval.low, s.median_interval.high, s.p84_interval.low, s.p84_interval.high, s.uplift_share}),
-              testing::ElementsAre(1.0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 0.5));
+  EXPECT_THAT(
+      (std::vector<double>{s.level, s.median_m, s.p84_m, s.p95_m, s.mean_m, s.mean_interval.low,
+                           s.mean_interval.high, s.median_interval.low, s.median_interval.high,
+                           s.p84_interval.low, s.p84_interval.high, s.uplift_share}),
+      testing::ElementsAre(1.0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 0.5));
   ASSERT_EQ(a.standards.size(), 1u);
   EXPECT_EQ(a.standards[0].standard, Standard::asce7_16);
   EXPECT_EQ(a.standards[0].sds_g, 1.0);
@@ -214,16 +239,20 @@ TEST(results_file, cut_damaged_and_foreign_files_are_refused) {
     return message_of([&] { read_results(file); });
   };
   const std::string whole = bytes_of(make_results(), folder, "a.h5");
-  for (const std::size_t length : {std::size_t{0}, std::size_t{100}, whole.size() / 2, whole.size() - 1}) {
-    EXPECT_THAT(refusal(whole.substr(0, length)), HasSubstr("is not a whole glissade results file")) << length;
+  for (const std::size_t length :
+       {std::size_t{0}, std::size_t{100}, whole.size() / 2, whole.size() - 1}) {
+    EXPECT_THAT(refusal(whole.substr(0, length)), HasSubstr("is not a whole glissade results file"))
+        << length;
   }
-  EXPECT_THAT(refusal("im,num_gms,num_exceed\n"), HasSubstr("is not a whole glissade results file"));
+  EXPECT_THAT(refusal("im,num_gms,num_exceed\n"),
+              HasSubstr("is not a whole glissade results file"));
   std::string other = whole;
   const std::size_t at = other.find("glissade results");
   ASSERT_NE(at, std::string::npos);
   other[at] = 'G';
   EXPECT_THAT(refusal(other), HasSubstr("is not a whole glissade results file"));
-  EXPECT_THAT(message_of([&] { read_results(folder.path() / "none.h5"); }), HasSubstr("no such file"));
+  EXPECT_THAT(message_of([&] { read_results(folder.path() / "none.h5"); }),
+              HasSubstr("no such file"));
   EXPECT_THAT(message_of([&] { read_results(folder.path()); }), HasSubstr("no ordinary file"));
 }
 
@@ -246,7 +275,8 @@ TEST(results_file, a_write_that_fails_leaves_the_old_file_and_nothing_else) {
   EXPECT_THAT(message, AllOf(HasSubstr("a.h5"), HasSubstr("too large")));
   EXPECT_EQ(read_text_file(file), "old");
   EXPECT_EQ(files_in(folder.path()), 1u);
-  EXPECT_THAT(message_of([&] { write_results("/dev/full", make_results()); }), HasSubstr("No space left"));
+  EXPECT_THAT(message_of([&] { write_results("/dev/full", make_results()); }),
+              HasSubstr("No space left"));
 }
 
 TEST(results_file, leaves_hdf5s_own_error_printing_silent) {

@@ -19,15 +19,19 @@ using testing::Not;
 /// The shape in the design, one section a key so that tests can replace a part.
 const std::string study_part = "[study]\nname = \"quickstart\"\nseed = 20260101\n";
 const std::string suite_part = "[suite]\nfile = \"suite.toml\"\n";
-const std::string intensity_part = "[intensity]\nmeasure = \"sds_g\"\nlevels = { from = 0.5, to = 2.0, count = 4 }\n";
+const std::string intensity_part =
+    "[intensity]\nmeasure = \"sds_g\"\nlevels = { from = 0.5, to = 2.0, count = 4 }\n";
 const std::string friction_part = "[friction]\nmean = 0.55\nstd = 0.04\n";
 const std::string clearance_part = "[clearance]\nthresholds_m = [0.15, 0.3]\n";
-const std::string needed = study_part + suite_part + intensity_part + friction_part + clearance_part;
+const std::string needed =
+    study_part + suite_part + intensity_part + friction_part + clearance_part;
 
 class StudyFile : public testing::Test {
  protected:
   StudyFile() { folder_.write("suite.toml", ""); }
-  StudyConfig read(const std::string& content) const { return read_study(folder_.write("study.toml", content)); }
+  StudyConfig read(const std::string& content) const {
+    return read_study(folder_.write("study.toml", content));
+  }
   std::string error(const std::string& content) const {
     return message_of([&] { read(content); });
   }
@@ -95,22 +99,45 @@ TEST_F(StudyFile, what_is_left_out_takes_the_defaults_of_the_configuration) {
 }
 
 TEST_F(StudyFile, every_distribution_is_read) {
-  const auto slope = [&](const std::string& value) { return read(needed + "[roof]\nslope_deg = " + value + "\n").roof.slope_deg; };
+  const auto slope = [&](const std::string& value) {
+    return read(needed + "[roof]\nslope_deg = " + value + "\n").roof.slope_deg;
+  };
   EXPECT_EQ(std::get<Fixed>(slope("2")).value, 2.0);
-  EXPECT_EQ(std::get<TruncatedNormal>(slope("{ distribution = \"truncated_normal\", mean = 2, std = 1, min = 0, max = 5 }")).max, 5.0);
-  EXPECT_EQ(std::get<Triangular>(slope("{ distribution = \"triangular\", min = 0, mode = 1, max = 5 }")).mode, 1.0);
-  EXPECT_EQ(std::get<Empirical>(slope("{ distribution = \"empirical\", values = [1, 2, 3] }")).values.size(), 3u);
-  EXPECT_THAT(std::get<Discrete>(slope("{ distribution = \"discrete\", values = [1, 2], weights = [3, 1] }")).weights, ElementsAre(3.0, 1.0));
-  const StudyConfig study = read(needed + "[building]\nperiod_s = { distribution = \"lognormal\", median = 0.5, log_std = 0.4 }\n");
+  EXPECT_EQ(
+      std::get<TruncatedNormal>(
+          slope("{ distribution = \"truncated_normal\", mean = 2, std = 1, min = 0, max = 5 }"))
+          .max,
+      5.0);
+  EXPECT_EQ(
+      std::get<Triangular>(slope("{ distribution = \"triangular\", min = 0, mode = 1, max = 5 }"))
+          .mode,
+      1.0);
+  EXPECT_EQ(std::get<Empirical>(slope("{ distribution = \"empirical\", values = [1, 2, 3] }"))
+                .values.size(),
+            3u);
+  EXPECT_THAT(std::get<Discrete>(
+                  slope("{ distribution = \"discrete\", values = [1, 2], weights = [3, 1] }"))
+                  .weights,
+              ElementsAre(3.0, 1.0));
+  const StudyConfig study = read(
+      needed +
+      "[building]\nperiod_s = { distribution = \"lognormal\", median = 0.5, log_std = 0.4 }\n");
   EXPECT_EQ(std::get<LogNormal>(study.building.period_s).median, 0.5);
 }
 
 TEST_F(StudyFile, measures_bring_their_periods_and_targets) {
   const std::string rest = study_part + suite_part + friction_part + clearance_part;
-  EXPECT_EQ(read(rest + "[intensity]\nmeasure = \"sa_g\"\nsa_period_s = 1.0\nlevels = [0.1, 1]\n").intensity.sa_period_s, 1.0);
-  const auto average = read(rest + "[intensity]\nmeasure = \"avg_sa_g\"\nlevels = [1]\navg_sa_periods_s = { from = 0.1, to = 10, count = 3, spacing = \"log\" }\n");
+  EXPECT_EQ(read(rest + "[intensity]\nmeasure = \"sa_g\"\nsa_period_s = 1.0\nlevels = [0.1, 1]\n")
+                .intensity.sa_period_s,
+            1.0);
+  const auto average = read(rest +
+                            "[intensity]\nmeasure = \"avg_sa_g\"\nlevels = [1]\navg_sa_periods_s = "
+                            "{ from = 0.1, to = 10, count = 3, spacing = \"log\" }\n");
   EXPECT_THAT(average.intensity.avg_sa_periods_s, ElementsAre(0.1, DoubleEq(1.0), 10.0));
-  const auto target = read(needed + "[intensity.target]\nedition = \"asce7_16\"\nss_g = 1.5\ns1_g = 0.6\nsite_class = \"C\"\n").intensity.target;
+  const auto target = read(needed +
+                           "[intensity.target]\nedition = \"asce7_16\"\nss_g = 1.5\ns1_g = "
+                           "0.6\nsite_class = \"C\"\n")
+                          .intensity.target;
   ASSERT_TRUE(target);
   EXPECT_EQ(target->edition, AsceEdition::asce7_16);
   EXPECT_THAT(target->site_classes, ElementsAre(SiteClass::c));
@@ -120,27 +147,54 @@ TEST_F(StudyFile, measures_bring_their_periods_and_targets) {
 TEST_F(StudyFile, an_unknown_key_is_shown_in_its_line_with_the_nearest_known_one) {
   const std::string text = needed + "[building]\n\tperiod_ms = 200\n";
   const std::string message = error(text);
-  EXPECT_THAT(message, AllOf(HasSubstr("study.toml:15: building.period_ms is not a known key; did you mean period_s?"),
-                             HasSubstr("  \tperiod_ms = 200\n  \t^")));
-  EXPECT_THAT(error(needed + "[bulding]\nperiod_s = 1\n"), AllOf(HasSubstr("bulding is not a known key; did you mean building?"), Not(HasSubstr("period_s"))));
+  EXPECT_THAT(
+      message,
+      AllOf(
+          HasSubstr("study.toml:15: building.period_ms is not a known key; did you mean period_s?"),
+          HasSubstr("  \tperiod_ms = 200\n  \t^")));
+  EXPECT_THAT(error(needed + "[bulding]\nperiod_s = 1\n"),
+              AllOf(HasSubstr("bulding is not a known key; did you mean building?"),
+                    Not(HasSubstr("period_s"))));
 }
 
 TEST_F(StudyFile, all_problems_are_told_at_once) {
-  const std::string message = error(study_part + suite_part + "[intensity]\nmeasure = \"sdz_g\"\nlevels = [2, 1]\n[friction]\nmean = -0.5\nstd = 0.1\n[roof]\nslope_deg = 95\n");
-  EXPECT_THAT(message, AllOf(HasSubstr("study.toml:7: intensity.measure = \"sdz_g\" is not known; did you mean \"sds_g\"?"),
-                             HasSubstr("study.toml:8: intensity.levels is not increasing"),
-                             HasSubstr("study.toml:10: friction.mean = -0.5 is not 0 or more"),
-                             HasSubstr("study.toml:13: roof.slope_deg is outside"), HasSubstr("[clearance] is missing")));
+  const std::string message =
+      error(study_part + suite_part +
+            "[intensity]\nmeasure = \"sdz_g\"\nlevels = [2, 1]\n[friction]\nmean = -0.5\nstd = "
+            "0.1\n[roof]\nslope_deg = 95\n");
+  EXPECT_THAT(
+      message,
+      AllOf(
+          HasSubstr(
+              "study.toml:7: intensity.measure = \"sdz_g\" is not known; did you mean \"sds_g\"?"),
+          HasSubstr("study.toml:8: intensity.levels is not increasing"),
+          HasSubstr("study.toml:10: friction.mean = -0.5 is not 0 or more"),
+          HasSubstr("study.toml:13: roof.slope_deg is outside"),
+          HasSubstr("[clearance] is missing")));
 }
 
 TEST_F(StudyFile, syntax_errors_and_wrong_types_are_located) {
   EXPECT_THAT(error("[study]\nname = \"a\nseed = 1\n"), HasSubstr("study.toml:2"));
-  EXPECT_THAT(error(needed + "[building]\nperiod_s = \"0.5\"\n"), AllOf(HasSubstr("study.toml:15: building.period_s is a text, not a number"), HasSubstr("leave the quotes out")));
-  EXPECT_THAT(error(needed + "[sampling]\nsamples = 1.5\n"), HasSubstr("sampling.samples is not a whole number"));
+  EXPECT_THAT(error(needed + "[building]\nperiod_s = \"0.5\"\n"),
+              AllOf(HasSubstr("study.toml:15: building.period_s is a text, not a number"),
+                    HasSubstr("leave the quotes out")));
+  EXPECT_THAT(error(needed + "[sampling]\nsamples = 1.5\n"),
+              HasSubstr("sampling.samples is not a whole number"));
   EXPECT_THAT(error(needed + "building = 3\n"), HasSubstr("clearance.building is not a known key"));
   EXPECT_THAT(error("study = 3\n"), HasSubstr("study is a number, not a table"));
-  EXPECT_THAT(error(needed + "[roof]\nslope_deg = nan\n"), HasSubstr("slope_deg = nan is not finite"));
+  EXPECT_THAT(error(needed + "[roof]\nslope_deg = nan\n"),
+              HasSubstr("slope_deg = nan is not finite"));
   EXPECT_THAT(error(std::string("\xff\xfe", 2)), HasSubstr("study.toml"));
+}
+
+TEST_F(StudyFile, measures_have_the_names_that_they_are_printed_with) {
+  const std::string rest = study_part + suite_part + friction_part + clearance_part;
+  for (const auto measure :
+       {IntensityMeasure::sds_g, IntensityMeasure::pga_g, IntensityMeasure::ppa_g}) {
+    EXPECT_EQ(read(rest + "[intensity]\nlevels = [1]\nmeasure = \"" + to_string(measure) + "\"\n")
+                  .intensity.measure,
+              measure);
+  }
 }
 
 struct Contradiction {
@@ -154,28 +208,50 @@ TEST_F(StudyFile, contradictions_and_values_out_of_range_have_one_clear_message_
       {pga + "[standards]\ncompare = [\"asce7_16\"]\n", "needs intensity.measure = \"sds_g\""},
       {pga + "sa_period_s = 1.0\n", "intensity.sa_period_s goes with measure = \"sa_g\" only"},
       {pga + "avg_sa_periods_s = [1.0]\n", "goes with measure = \"avg_sa_g\" only"},
-      {rest + "[intensity]\nmeasure = \"sa_g\"\nlevels = [0.5]\n", "intensity.sa_period_s is missing"},
+      {rest + "[intensity]\nmeasure = \"sa_g\"\nlevels = [0.5]\n",
+       "intensity.sa_period_s is missing"},
       {needed + "[sampling]\nsamples = 1000\n", "take 512 or 1024"},
       {needed + "[sampling]\nsamples = 0\n", "out of range"},
       {needed + "[sampling]\nbootstrap_replicates = 10\n", "100 to 1000000"},
       {needed + "[building]\ndamping = 1.0\n", "building.damping is outside"},
-      {needed + "[building]\ndamping = { distribution = \"normal\", mean = 0.05, std = 0.01 }\n", "truncated_normal"},
-      {needed + "[building]\nperiod_s = { distribution = \"uniform\", min = 2, max = 1 }\n", "building.period_s"},
-      {needed + "[building]\nperiod_s = { distribution = \"unifrom\", min = 1, max = 2 }\n", "did you mean \"uniform\"?"},
-      {needed + "[building]\nperiod_s = { distribution = \"uniform\", low = 1, max = 2 }\n", "building.period_s.min is missing"},
+      {needed + "[building]\ndamping = { distribution = \"normal\", mean = 0.05, std = 0.01 }\n",
+       "truncated_normal"},
+      {needed + "[building]\nperiod_s = { distribution = \"uniform\", min = 2, max = 1 }\n",
+       "building.period_s"},
+      {needed + "[building]\nperiod_s = { distribution = \"unifrom\", min = 1, max = 2 }\n",
+       "did you mean \"uniform\"?"},
+      {needed + "[building]\nperiod_s = { distribution = \"uniform\", low = 1, max = 2 }\n",
+       "building.period_s.min is missing"},
       {needed + "[building]\nmass_ratio = 0.1\n", "coupled model"},
-      {needed + "[roof]\nslope_deg = { distribution = \"uniform\", min = 0, max = 90 }\n", "can take values outside"},
+      {needed + "[roof]\nslope_deg = { distribution = \"uniform\", min = 0, max = 90 }\n",
+       "can take values outside"},
       {needed + "[vertical]\nuse = \"none\"\nperiod_s = 0.1\n", "no effect"},
-      {study_part + suite_part + intensity_part + clearance_part + "[friction]\nmu = 0.5\nmean = 0.5\n", "both given"},
-      {study_part + suite_part + intensity_part + clearance_part + "[friction]\nmu = -0.5\n", "friction.mu is outside"},
-      {study_part + suite_part + intensity_part + clearance_part + "[friction]\n", "give mean and std, or mu"},
-      {study_part + suite_part + intensity_part + friction_part + "[clearance]\nthresholds_m = [0.0, 0.3]\n", "is not above 0"},
-      {study_part + suite_part + intensity_part + friction_part + "[clearance]\nthresholds_m = []\n", "is empty"},
-      {rest + "[intensity]\nmeasure = \"pga_g\"\nlevels = { from = 1, to = 0.5, count = 4 }\n", "is not above from"},
-      {rest + "[intensity]\nmeasure = \"pga_g\"\nlevels = { from = 1, to = 2, count = 100000000 }\n", "out of range"},
-      {"[study]\nname = \"a\"\nseed = -1\n" + suite_part + intensity_part + friction_part + clearance_part, "study.seed = -1"},
-      {"[study]\nname = \"\"\n" + suite_part + intensity_part + friction_part + clearance_part, "study.name is empty"},
-      {study_part + "[suite]\nfile = \"none.toml\"\n" + intensity_part + friction_part + clearance_part, "there is no suite"},
+      {study_part + suite_part + intensity_part + clearance_part +
+           "[friction]\nmu = 0.5\nmean = 0.5\n",
+       "both given"},
+      {study_part + suite_part + intensity_part + clearance_part + "[friction]\nmu = -0.5\n",
+       "friction.mu is outside"},
+      {study_part + suite_part + intensity_part + clearance_part + "[friction]\n",
+       "give mean and std, or mu"},
+      {study_part + suite_part + intensity_part + friction_part +
+           "[clearance]\nthresholds_m = [0.0, 0.3]\n",
+       "is not above 0"},
+      {study_part + suite_part + intensity_part + friction_part +
+           "[clearance]\nthresholds_m = []\n",
+       "is empty"},
+      {rest + "[intensity]\nmeasure = \"pga_g\"\nlevels = { from = 1, to = 0.5, count = 4 }\n",
+       "is not above from"},
+      {rest +
+           "[intensity]\nmeasure = \"pga_g\"\nlevels = { from = 1, to = 2, count = 100000000 }\n",
+       "out of range"},
+      {"[study]\nname = \"a\"\nseed = -1\n" + suite_part + intensity_part + friction_part +
+           clearance_part,
+       "study.seed = -1"},
+      {"[study]\nname = \"\"\n" + suite_part + intensity_part + friction_part + clearance_part,
+       "study.name is empty"},
+      {study_part + "[suite]\nfile = \"none.toml\"\n" + intensity_part + friction_part +
+           clearance_part,
+       "there is no suite"},
   };
   for (const Contradiction& c : cases) {
     try {

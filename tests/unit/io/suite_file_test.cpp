@@ -19,8 +19,12 @@ const std::string head = "[suite]\nname = \"s\"\ndescription = \"d\"\n";
 class SuiteFile : public testing::Test {
  protected:
   ~SuiteFile() override { ::unsetenv("GLISSADE_RECORDS"); }
-  static void look_in(const std::filesystem::path& folder) { ::setenv("GLISSADE_RECORDS", folder.c_str(), 1); }
-  Suite load(const std::string& content) const { return load_suite(folder_.write("suites/suite.toml", content)); }
+  static void look_in(const std::filesystem::path& folder) {
+    ::setenv("GLISSADE_RECORDS", folder.c_str(), 1);
+  }
+  Suite load(const std::string& content) const {
+    return load_suite(folder_.write("suites/suite.toml", content));
+  }
   std::string error(const std::string& content) const {
     return message_of([&] { load(content); });
   }
@@ -64,38 +68,52 @@ TEST_F(SuiteFile, records_are_found_below_the_folders_of_the_environment) {
   const std::string suite = head + "[[record]]\nid = \"a\"\nfirst = \"set/a.txt\"\n";
   folder_.write("r1/readme", "");
   folder_.write("r2/deep/er/a.txt", "0 1\n0.1 2\n");
-  look_in(folder_.path().string() + "/none:" + (folder_.path() / "r1").string() + ":" + (folder_.path() / "r2").string());
-  EXPECT_EQ(load(suite).motions[0].dt_s, 0.1);             // by name, anywhere below
+  look_in(folder_.path().string() + "/none:" + (folder_.path() / "r1").string() + ":" +
+          (folder_.path() / "r2").string());
+  EXPECT_EQ(load(suite).motions[0].dt_s, 0.1);  // by name, anywhere below
   folder_.write("r2/other/a.txt", "0 1\n0.2 2\n");
-  EXPECT_THAT(error(suite), AllOf(HasSubstr("suite.toml:6"), HasSubstr("deep/er/a.txt"), HasSubstr("other/a.txt")));
+  EXPECT_THAT(error(suite), AllOf(HasSubstr("suite.toml:6"), HasSubstr("deep/er/a.txt"),
+                                  HasSubstr("other/a.txt")));
   folder_.write("r2/more/set/a.txt", "0 1\n0.3 2\n");
-  EXPECT_EQ(load(suite).motions[0].dt_s, 0.3);             // by its own relative path, anywhere below
+  EXPECT_EQ(load(suite).motions[0].dt_s, 0.3);  // by its own relative path, anywhere below
   folder_.write("r2/set/a.txt", "0 1\n0.4 2\n");
-  EXPECT_EQ(load(suite).motions[0].dt_s, 0.4);             // by relative path
+  EXPECT_EQ(load(suite).motions[0].dt_s, 0.4);  // by relative path
   folder_.write("suites/set/a.txt", "0 1\n0.5 2\n");
-  EXPECT_EQ(load(suite).motions[0].dt_s, 0.5);             // beside the suite
+  EXPECT_EQ(load(suite).motions[0].dt_s, 0.5);  // beside the suite
 }
 
 TEST_F(SuiteFile, all_missing_files_are_told_in_one_error_that_names_the_variable) {
   try {
-    load(head + "[[record]]\nid = \"a\"\nfirst = \"a.AT2\"\nsecond = \"b.AT2\"\n[[record]]\nid = \"c\"\nfirst = \"c.AT2\"\n");
+    load(head +
+         "[[record]]\nid = \"a\"\nfirst = \"a.AT2\"\nsecond = \"b.AT2\"\n[[record]]\nid = "
+         "\"c\"\nfirst = \"c.AT2\"\n");
     FAIL() << "accepted";
   } catch (const InputError& error) {
     EXPECT_EQ(error.problems().size(), 1u);
-    EXPECT_THAT(error.what(), AllOf(HasSubstr("3 record file(s)"), HasSubstr("GLISSADE_RECORDS"), HasSubstr("a.AT2"),
-                                    HasSubstr("b.AT2"), HasSubstr("c.AT2")));
+    EXPECT_THAT(error.what(), AllOf(HasSubstr("3 record file(s)"), HasSubstr("GLISSADE_RECORDS"),
+                                    HasSubstr("a.AT2"), HasSubstr("b.AT2"), HasSubstr("c.AT2")));
   }
 }
 
 TEST_F(SuiteFile, mistakes_are_located) {
   folder_.write("suites/a.txt", "0 1\n0.1 2\n");
   folder_.write("suites/bad.txt", "0 1\n0.1 x\n");
-  EXPECT_THAT(error(head + "[[record]]\nid = \"a\"\nfirst = \"a.txt\"\n[[record]]\nid = \"a\"\nfirst = \"a.txt\"\n"), HasSubstr("suite.toml:8: id \"a\" is used twice"));
-  EXPECT_THAT(error(head + "[[record]]\nid = \"a\"\nfirst = \"bad.txt\"\n"), AllOf(HasSubstr("suite.toml:6"), HasSubstr("bad.txt:2"), HasSubstr("'x'")));
+  EXPECT_THAT(
+      error(
+          head +
+          "[[record]]\nid = \"a\"\nfirst = \"a.txt\"\n[[record]]\nid = \"a\"\nfirst = \"a.txt\"\n"),
+      HasSubstr("suite.toml:8: id \"a\" is used twice"));
+  EXPECT_THAT(error(head + "[[record]]\nid = \"a\"\nfirst = \"bad.txt\"\n"),
+              AllOf(HasSubstr("suite.toml:6"), HasSubstr("bad.txt:2"), HasSubstr("'x'")));
   EXPECT_THAT(error(head + "[[record]]\nid = \"a\"\n"), HasSubstr("record.first is missing"));
-  EXPECT_THAT(error(head + "[[record]]\nid = \"a\"\nfrist = \"a.txt\"\n"), HasSubstr("did you mean first?"));
-  EXPECT_THAT(error(head + "[[record]]\nid = \"a\"\nfirst = { file = \"a.txt\", units = \"ft/s2\" }\n"), HasSubstr("ft/s2"));
-  EXPECT_THAT(error(head + "[[record]]\nid = \"a\"\nfirst = { file = \"a.txt\", start_s = 0.05 }\nsecond = \"a.txt\"\n"), HasSubstr("suite.toml:4"));
+  EXPECT_THAT(error(head + "[[record]]\nid = \"a\"\nfrist = \"a.txt\"\n"),
+              HasSubstr("did you mean first?"));
+  EXPECT_THAT(
+      error(head + "[[record]]\nid = \"a\"\nfirst = { file = \"a.txt\", units = \"ft/s2\" }\n"),
+      HasSubstr("ft/s2"));
+  EXPECT_THAT(error(head + "[[record]]\nid = \"a\"\nfirst = { file = \"a.txt\", start_s = 0.05 "
+                           "}\nsecond = \"a.txt\"\n"),
+              HasSubstr("suite.toml:4"));
   EXPECT_THAT(error(head), HasSubstr("[[record]]"));
   EXPECT_THAT(error("[suite]\nname = 3\n"), HasSubstr("suite.name is a number, not a text"));
 }
@@ -156,7 +174,8 @@ TEST_F(SuiteFile, mistakes_in_a_recipe_are_located) {
     return text;
   };
   EXPECT_THAT(error(without("seed = 7\n")), HasSubstr("simulation.seed is missing"));
-  EXPECT_THAT(error(without("model = \"rezaeian_der_kiureghian_2010\"\n")), HasSubstr("simulation.model is missing"));
+  EXPECT_THAT(error(without("model = \"rezaeian_der_kiureghian_2010\"\n")),
+              HasSubstr("simulation.model is missing"));
   EXPECT_THAT(error(without("realization = 3\n")), HasSubstr("motion.realization is missing"));
   EXPECT_THAT(error(without("vertical = [0.7, 0.6]\n")), HasSubstr("differ in length"));
   EXPECT_THAT(error(recipe_text + "colour = 3\n"), HasSubstr("motion.colour is not a known key"));

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace fs = std::filesystem;
+const fs::path root = GLISSADE_SOURCE_DIR;
+
+// src/README.md, the table of modules.
+const std::map<std::string, std::set<std::string>> may_include = {
+    {"core", {}},
+    {"motion", {"core"}},
+    {"building", {"core"}},
+    {"block", {"core"}},
+    {"sampling", {"core"}},
+    {"fragility", {"core"}},
+    {"standards", {"core"}},
+    {"study", {"core", "motion", "building", "block", "sampling", "fragility", "standards"}},
+    {"parallel", {"core"}},
+    {"io", {"core", "motion", "sampling", "fragility", "standards", "study"}},
+    {"report", {"core", "motion", "sampling", "fragility", "standards", "study"}},
+    {"cli", {"core", "motion", "building", "block", "sampling", "fragility", "standards", "study", "parallel", "io", "report"}},
+};
+
+struct Include {
+  std::string file, module, header;
+};
+
+std::vector<Include> includes() {
+  std::vector<Include> found;
+  const std::regex line_form(R"re(^\s*#\s*include\s*[<"]([^>"]+)[>"])re");
+  for (const auto& [module, allowed] : may_include) {
+    for (const fs::path& folder : {root / "src" / module, root / "include" / "glissade" / module}) {
+      if (!fs::exists(folder)) continue;
+      for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+        if (entry.path().extension() != ".cpp" && entry.path().extension() != ".hpp") continue;
+        std::ifstream in(entry.path());
+        for (std::string line; std::getline(in, line);) {
+          std::smatch match;
+          if (std::regex_search(line, match, line_form)) found.push_back({entry.path().string(), module, match[1]});
+        }
+      }
+    }
+  }
+  return found;
+}
+
+TEST(architecture, modules_include_only_what_lies_below_them) {
+  int checked = 0;
+  for (const Include& include : includes()) {
+    if (!include.header.starts_with("glissade/")) continue;
+    const std::string target = include.header.substr(9, include.header.find('/', 9) - 9);
+    ++checked;
+    EXPECT_TRUE(target == include.module || may_include.at(include.module).contains(target))
+        << include.file << " includes " << include.header;
+  }
+  EXPECT_GT(checked, 100);
+}
+
+TEST(architecture, mpi_hdf5_and_toml_stay_in_their_rooms) {
+  for (const Include& include : includes()) {
+    const auto only_in = [&](const std::string& start, const std::string& module) {
+      if (include.header.starts_with(start)) {
+        EXPECT_EQ(include.module, module) << include.file << " includes " << include.header;
+      }
+    };
+    only_in("mpi.h", "parallel");
+    only_in("hdf5.h", "io");
+    only_in("H5", "io");
+    only_in("toml++", "io");
+    only_in("CLI/", "cli");
+  }
+}
+
+TEST(architecture, top_level_holds_the_agreed_folders_only) {
+  const std::set<std::string> agreed = {"src", "include", "suites", "studies", "tests", "cluster", "build", "results"};
+  for (const auto& entry : fs::directory_iterator(root)) {
+    const std::string name = entry.path().filename();
+    if (entry.is_directory() && !name.starts_with(".")) {
+      EXPECT_TRUE(agreed.contains(name)) << name;
+    }
+  }
+}
+
+}  // namespace
