@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
+#include <cerrno>
 #include <csignal>
 #include <cstdio>
+#include <string_view>
+#include <system_error>
 
 #include "commands.hpp"
 #include "glissade/core/error.hpp"
@@ -10,6 +13,23 @@
 namespace {
 
 constexpr int input_error_status = 2;
+
+/// A full disk shows when the last of the output leaves the buffer.
+void flush_standard_output() {
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return;
+  throw glissade::InputError({"standard output", "cannot be written: " + std::generic_category().message(errno),
+                              "make room on the disk or write elsewhere", ""});
+}
+
+/// What CLI11 says, but for a misspelt command, which it does not name.
+std::string message(const CLI::App& program, const CLI::ParseError& error) {
+  const std::vector<std::string> left = program.remaining();
+  if (!program.get_subcommands().empty() || left.empty() || left.front().starts_with("-")) return error.what();
+  std::vector<std::string> commands;
+  for (const CLI::App* command : program.get_subcommands([](const CLI::App*) { return true; })) commands.push_back(command->get_name());
+  const std::string nearest = glissade::nearest_word(left.front(), commands);
+  return left.front() + " is not a command" + (nearest.empty() ? "" : "; did you mean " + nearest + "?");
+}
 
 int run_program(int argc, char** argv, const glissade::Communicator& world) {
   CLI::App program{"glissade: slip fragility of unattached rooftop solar arrays"};
@@ -24,12 +44,13 @@ int run_program(int argc, char** argv, const glissade::Communicator& world) {
   glissade::cli::add_report(program);
   try {
     program.parse(argc, argv);
+    flush_standard_output();
     return 0;
   } catch (const CLI::ParseError& error) {
     const bool asked = error.get_exit_code() == 0;  // --help, --version
     if (!world.is_root()) return asked ? 0 : input_error_status;
     if (asked) return program.exit(error);
-    fmt::print(stderr, "glissade: {}; see glissade --help\n", error.what());
+    fmt::print(stderr, "glissade: {}; see glissade --help\n", message(program, error));
     return input_error_status;
   } catch (const glissade::cli::ExitStatus& exit) {
     return exit.status;
@@ -46,6 +67,7 @@ int main(int argc, char** argv) {
   try {
     const glissade::MpiSession mpi(argc, argv);
     const glissade::Communicator world = mpi.world();
+    if (!world.is_root() && argc > 1 && std::string_view(argv[1]) != "run") return 0;  // the other commands are for one
     try {
       return run_program(argc, argv, world);
     } catch (const std::exception& error) {

@@ -8,6 +8,7 @@
 #include "glissade/io/results_file.hpp"
 #include "glissade/report/summary.hpp"
 #include "glissade/report/write_report.hpp"
+#include "run_record.hpp"
 
 namespace glissade::cli {
 
@@ -23,8 +24,9 @@ void add_report(CLI::App& program) {
     const Results results = read_results(o->results);
     const std::filesystem::path file(o->results);
     const std::filesystem::path out = o->out.empty() ? file.parent_path() : std::filesystem::path(o->out);
-    write_report(results, out.empty() ? "." : out);
-    fmt::print("{}\nReport   {}\n", summary_text(results), (out / "report.html").string());
+    const std::vector<Skip> skips = skips_in(file.parent_path() / "run.json");
+    write_report(results, out.empty() ? "." : out, skips);
+    fmt::print("{}\nReport   {}\n", summary_text(results, skips), (out / "report.html").string());
   });
 }
 

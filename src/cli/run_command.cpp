@@ -31,22 +31,48 @@ struct RunOptions {
   bool dry_run = false;
 };
 
-/// Makes the results folder, or says why not. A folder that holds anything is never written into.
+/// A results folder that holds anything is never written into.
+void check_results_folder(const fs::path& folder) {
+  std::error_code error;
+  if (!fs::exists(folder, error)) return;
+  if (!fs::is_directory(folder, error)) {
+    throw InputError({folder.string(), "is not a folder", "give another --out", ""});
+  }
+  if (!fs::is_empty(folder, error) || error) {
+    throw InputError({folder.string(), "already holds a run or other files, which are never written over",
+                      "give a new folder with --out, or remove this one", ""});
+  }
+}
+
 void make_results_folder(const fs::path& folder) {
   std::error_code error;
-  if (fs::exists(folder, error)) {
-    if (!fs::is_directory(folder, error)) {
-      throw InputError({folder.string(), "is not a folder", "give another --out", ""});
-    }
-    if (!fs::is_empty(folder, error) || error) {
-      throw InputError({folder.string(), "already holds a run or other files, which are never written over",
-                        "give a new folder with --out, or remove this one", ""});
-    }
-    return;
-  }
   fs::create_directories(folder, error);
   if (error) {
     throw InputError({folder.string(), "cannot be made: " + error.message(), "give a folder you may write to with --out", ""});
+  }
+}
+
+/// The results, or nothing: not even their folder.
+void write_results_file(const fs::path& folder, const Results& results) {
+  try {
+    write_results(folder / "results.h5", results);
+  } catch (const InputError&) {
+    std::error_code ignored;
+    fs::remove(folder, ignored);  // if empty
+    throw;
+  }
+}
+
+/// What is made from the results can be made again: the error says how.
+template <class Write>
+void write_beside_results(const fs::path& folder, Write write) {
+  try {
+    write();
+  } catch (const InputError& error) {
+    ProblemList problems;
+    problems.add(error);
+    problems.add({(folder / "results.h5").string(), "is whole", "make the rest again with: glissade report " + (folder / "results.h5").string(), ""});
+    problems.throw_if_any();
   }
 }
 
@@ -57,7 +83,9 @@ void check_room(const fs::path& folder, const Plan& plan) {
                                             plan.config.thresholds_m.size()) * sizeof(double);
   const double needed = values + 20e6;  // figures, tables, report
   std::error_code error;
-  const fs::space_info space = fs::space(folder, error);
+  fs::path existing = fs::absolute(folder);
+  while (!fs::exists(existing, error) && existing.has_relative_path()) existing = existing.parent_path();
+  const fs::space_info space = fs::space(existing, error);
   if (!error && static_cast<double>(space.available) < needed) {
     throw InputError({folder.string(), fmt::format("the disk has {:.0f} MB free and the results need about {:.0f} MB",
                                                    static_cast<double>(space.available) / 1e6, needed / 1e6),
@@ -107,7 +135,7 @@ void run(const RunOptions& options, const Communicator& world) {
   Suite suite;
   on_root(world, [&] {
     const StudyConfig config = read_study(options.study);
-    if (!options.dry_run) make_results_folder(out);
+    if (!options.dry_run) check_results_folder(out);
     suite = load_suite(config.suite_file);
   });
   std::vector<char> message = world.is_root() ? pack(suite) : std::vector<char>();
@@ -116,7 +144,10 @@ void run(const RunOptions& options, const Communicator& world) {
   Plan plan;
   on_root(world, [&] {
     plan = make_plan(read_study(options.study), suite);
-    if (!options.dry_run) check_room(out, plan);
+    if (!options.dry_run) {
+      check_room(out, plan);
+      make_results_folder(out);  // before hours of work: it may be refused
+    }
   });
   if (!world.is_root()) plan = make_plan(read_study(options.study), unpack_suite(message));
   clock.end_phase("plan");
@@ -129,16 +160,17 @@ void run(const RunOptions& options, const Communicator& world) {
   clock.end_phase("histories");
   on_root(world, [&] {
     const Results results = reduce(plan, units);
+    const std::vector<Skip> skips = skipped(plan, units);
     clock.end_phase("fragilities");
-    write_results(out / "results.h5", results);
+    write_results_file(out, results);
     clock.end_phase("results file");
-    write_report(results, out);
+    write_beside_results(out, [&] { write_report(results, out, skips); });
     clock.end_phase("report");
     std::uint64_t integrated = 0;
     for (const UnitResult& unit : units) integrated += unit.integrated;
-    write_text_file(out / "run.json", run_json(results, clock, world.size(), integrated));
+    write_beside_results(out, [&] { write_text_file(out / "run.json", run_json(results, skips, clock, world.size(), integrated)); });
 
-    fmt::print("{}\n", summary_text(results));
+    fmt::print("{}\n", summary_text(results, skips));
     std::string phases;
     double total = 0.0;
     for (const auto& [phase, seconds] : clock.phases()) {

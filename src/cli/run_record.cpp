@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <array>
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 namespace glissade::cli {
@@ -15,7 +16,8 @@ void PhaseClock::end_phase(const std::string& name) {
   last_ = now;
 }
 
-std::string run_json(const Results& results, const PhaseClock& clock, int ranks, std::uint64_t histories_integrated) {
+std::string run_json(const Results& results, const std::vector<Skip>& skips, const PhaseClock& clock, int ranks,
+                     std::uint64_t histories_integrated) {
   std::array<char, 256> host{};
   gethostname(host.data(), host.size() - 1);
   nlohmann::ordered_json json;
@@ -28,8 +30,19 @@ std::string run_json(const Results& results, const PhaseClock& clock, int ranks,
   json["histories_integrated"] = histories_integrated;
   for (const auto& [phase, seconds] : clock.phases()) json["seconds"][phase] = seconds;
   json["skipped"] = nlohmann::ordered_json::array();
-  for (const Skip& skip : results.skips) json["skipped"].push_back({{"what", skip.what}, {"why", skip.why}, {"count", skip.count}});
+  for (const Skip& skip : skips) json["skipped"].push_back({{"what", skip.what}, {"why", skip.why}, {"count", skip.count}});
   return json.dump(2) + "\n";
+}
+
+std::vector<Skip> skips_in(const std::filesystem::path& run_json_file) {
+  std::vector<Skip> skips;
+  std::ifstream in(run_json_file);
+  const auto json = nlohmann::json::parse(in, nullptr, /*allow_exceptions=*/false);
+  if (!json.is_object() || !json.contains("skipped")) return skips;
+  for (const auto& skip : json["skipped"]) {
+    skips.push_back({skip.value("what", ""), skip.value("why", ""), skip.value("count", std::uint64_t{0})});
+  }
+  return skips;
 }
 
 }  // namespace glissade::cli

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <chrono>
+#include <filesystem>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "glissade/study/results.hpp"
+#include "glissade/study/skip.hpp"
 
 namespace glissade::cli {
 
@@ -23,6 +25,10 @@ class PhaseClock {
 };
 
 /// run.json: when, where, on how many ranks, how long, and what was skipped: all that results.h5 must not hold.
-std::string run_json(const Results& results, const PhaseClock& clock, int ranks, std::uint64_t histories_integrated);
+std::string run_json(const Results& results, const std::vector<Skip>& skips, const PhaseClock& clock, int ranks,
+                     std::uint64_t histories_integrated);
+
+/// The skips a run.json tells; none where there is no such file.
+std::vector<Skip> skips_in(const std::filesystem::path& run_json_file);
 
 }  // namespace glissade::cli

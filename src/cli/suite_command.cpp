@@ -20,12 +20,21 @@ namespace glissade::cli {
 namespace {
 
 struct SuiteOptions {
-  std::string suite, out = "/dev/stdout";
+  std::string suite, out;
   std::string target = "mce";
   double damping = 0.05, max_factor = 4.0;
   int level = 2;
   std::uint64_t seed = 2012;
 };
+
+/// To the file named by --out, else to standard output.
+void deliver(const SuiteOptions& o, const std::string& text) {
+  if (o.out.empty()) {
+    fmt::print("{}", text);
+  } else {
+    write_text_file(o.out, text);
+  }
+}
 
 double in_g(double acceleration_mps2) { return acceleration_mps2 / standard_gravity_mps2; }
 
@@ -42,15 +51,22 @@ void show(const SuiteOptions& o) {
     fmt::print("target: {} S_s {:g} g, S_1 {:g} g: S_DS {:.3f} g, S_D1 {:.3f} g\n", to_string(suite.target->edition), suite.target->ss_g,
                suite.target->s1_g, target.sds_g(), target.sd1_g());
   }
-  fmt::print("{:<22} {:<22} {:<26} {:>4} {:>6} {:>6} {:>7} {:>8} {:>6} {:>6} {:>6} {:>6} {:>4}\n", "id", "event", "station", "M",
-             "R, km", "Vs30", "dt, s", "samples", "H1, g", "H2, g", "V, g", "PGV", "scale");
+  std::size_t id_width = 2, event_width = 5, station_width = 7;
   for (const Motion& m : suite.motions) {
-    const auto pga = [](const std::vector<double>& a) {
-      return a.empty() ? std::string("-") : fmt::format("{:.3f}", in_g(peak_ground_acceleration_mps2(a)));
-    };
-    fmt::print("{:<22} {:<22} {:<26} {:>4.1f} {:>6.1f} {:>6.0f} {:>7.4f} {:>8} {:>6} {:>6} {:>6} {:>6.3f} {:>4.2f}\n", m.id, m.event,
-               m.station, m.magnitude, m.distance_km, m.vs30_mps, m.dt_s, m.horizontal_mps2[0].size(), pga(m.horizontal_mps2[0]),
-               pga(m.horizontal_mps2[1]), pga(m.vertical_mps2), horizontal_pgv_mps(m, HorizontalCombination::geometric_mean), m.scale);
+    id_width = std::max(id_width, m.id.size());
+    event_width = std::max(event_width, m.event.size());
+    station_width = std::max(station_width, m.station.size());
+  }
+  fmt::print("{:<{}}  {:<{}}  {:<{}} {:>4} {:>6} {:>5} {:>7} {:>7} {:>6} {:>6} {:>6} {:>6} {:>5}\n", "id", id_width, "event", event_width,
+             "station", station_width, "M", "R km", "Vs30", "dt s", "samples", "H1 g", "H2 g", "V g", "PGV", "scale");
+  const auto pga = [](const std::vector<double>& a) {
+    return a.empty() ? std::string("-") : fmt::format("{:.3f}", in_g(peak_ground_acceleration_mps2(a)));
+  };
+  for (const Motion& m : suite.motions) {
+    fmt::print("{:<{}}  {:<{}}  {:<{}} {:>4.1f} {:>6.1f} {:>5.0f} {:>7.4f} {:>7} {:>6} {:>6} {:>6} {:>6.3f} {:>5.2f}\n", m.id, id_width, m.event,
+               event_width, m.station, station_width, m.magnitude, m.distance_km, m.vs30_mps, m.dt_s, m.horizontal_mps2[0].size(),
+               pga(m.horizontal_mps2[0]), pga(m.horizontal_mps2[1]), pga(m.vertical_mps2),
+               horizontal_pgv_mps(m, HorizontalCombination::geometric_mean), m.scale);
   }
   fmt::print("PGV: m/s, geometric mean of the horizontals. Nothing here has the suite's scale applied.\n");
 }
@@ -88,7 +104,7 @@ void spectra(const SuiteOptions& o) {
     for (const auto& column : columns) table.cell(column[i]);
     table.end_row();
   }
-  write_text_file(o.out, fmt::format("# pseudo-spectral acceleration, damping {:g}, the suite's scale factors applied\n", o.damping) + table.text());
+  deliver(o, fmt::format("# pseudo-spectral acceleration, damping {:g}, the suite's scale factors applied\n", o.damping) + table.text());
 }
 
 void scale(const SuiteOptions& o) {
@@ -105,7 +121,7 @@ void scale(const SuiteOptions& o) {
 
 void design(const SuiteOptions& o) {
   const std::string origin = fmt::format("glissade suite design --level {} --seed {}", o.level, o.seed);
-  write_text_file(o.out, recipe_toml(design_suite(o.level, o.seed), origin));
+  deliver(o, recipe_toml(design_suite(o.level, o.seed), origin));
 }
 
 }  // namespace
@@ -124,7 +140,7 @@ void add_suite(CLI::App& program) {
   CLI::App* spectra_verb = verb("spectra", "Response spectra as CSV", spectra);
   takes_suite(spectra_verb);
   spectra_verb->add_option("--damping", o->damping, "damping ratio")->check(CLI::Range(0.0, 0.99));
-  spectra_verb->add_option("--out", o->out, "file");
+  spectra_verb->add_option("--out", o->out, "file [standard output]");
   CLI::App* scale_verb = verb("scale", "Scale factors to the suite's target spectrum, by Walters's rule", scale);
   takes_suite(scale_verb);
   scale_verb->add_option("--target", o->target, "mce or dbe (2/3 of it)");
@@ -132,7 +148,7 @@ void add_suite(CLI::App& program) {
   CLI::App* design_verb = verb("design", "Design a built-in suite: recipe of seven simulated motions for an Intensity Level", design);
   design_verb->add_option("--level", o->level, "Walters's Seismic Intensity Level, 0 to 4")->required();
   design_verb->add_option("--seed", o->seed, "seed of the simulation");
-  design_verb->add_option("--out", o->out, "file");
+  design_verb->add_option("--out", o->out, "file [standard output]");
 }
 
 }  // namespace glissade::cli

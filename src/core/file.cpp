@@ -27,7 +27,8 @@ namespace fs = std::filesystem;
 /// Owns an open file descriptor; `close` tells what a delayed write met.
 class OutputFile {
  public:
-  OutputFile(const fs::path& path, int flags) : path_(path), fd_(::open(path.c_str(), flags, 0666)) {
+  OutputFile(const fs::path& path, int flags)
+      : path_(path), fd_(::open(path.c_str(), flags, 0666)) {
     if (fd_ < 0) throw_io_error(path_, "cannot be opened for writing", errno);
   }
   OutputFile(const OutputFile&) = delete;
@@ -101,7 +102,8 @@ std::string read_text_file(const fs::path& path) {
     if (!file.bad()) return text;
   }
   const int error_number = fs::is_directory(path) ? EISDIR : errno != 0 ? errno : EIO;
-  throw InputError({path.string(), "cannot be read: " + std::generic_category().message(error_number),
+  throw InputError({path.string(),
+                    "cannot be read: " + std::generic_category().message(error_number),
                     "check that the file exists and that you may read it", ""});
 }
 

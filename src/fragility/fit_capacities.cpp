@@ -45,12 +45,10 @@ FitSummary fit_capacities(const CapacitySample& sample) {
   summary.note = fit.note;
   if (fit.status == FitStatus::failed) return summary;
   summary.curve = to_curve(fit.line, data.center);
-  const auto objective = [&](const LognormalCurve& curve) {
-    return capacity_likelihood(data, to_line(curve, data.center)).value;
-  };
+  const auto log_likelihood = [&](const ProbitLine& line) { return capacity_likelihood(data, line).value; };
   const bool complete = sample.censored == 0;
   const ProfileIntervals intervals =
-      complete ? sample_intervals(summary.curve, data.count) : profile_intervals(objective, summary.curve);
+      complete ? sample_intervals(summary.curve, data.count) : profile_intervals(log_likelihood, fit.line, data.center);
   summary.median_interval = intervals.median;
   summary.log_std_interval = intervals.log_std;
   summary.log_likelihood = capacity_log_likelihood(sample, summary.curve);

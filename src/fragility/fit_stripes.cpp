@@ -19,12 +19,11 @@ FitSummary summarise(const std::vector<Stripe>& stripes, const StripeData& data,
   summary.note = fit.note;
   if (fit.status == FitStatus::failed) return summary;
   const bool penalised = fit.status == FitStatus::jeffreys_penalised;
-  const auto objective = [&](const LognormalCurve& curve) {
-    const ProbitLine line = to_line(curve, data.center);
+  const auto log_likelihood = [&](const ProbitLine& line) {
     return (penalised ? stripe_jeffreys(data, line) : stripe_likelihood(data, line)).value;
   };
   summary.curve = to_curve(fit.line, data.center);
-  const ProfileIntervals intervals = profile_intervals(objective, summary.curve);
+  const ProfileIntervals intervals = profile_intervals(log_likelihood, fit.line, data.center);
   summary.median_interval = intervals.median;
   summary.log_std_interval = intervals.log_std;
   summary.log_likelihood = stripe_log_likelihood(stripes, summary.curve);

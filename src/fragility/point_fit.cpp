@@ -13,6 +13,9 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
+/// Of one-sided bounds: a usual dispersion of sliding capacities.
+constexpr double assumed_log_std = 0.4;
+
 PointFit of_line(FitStatus status, const std::optional<ProbitLine>& line) {
   if (line && (*line)[1] > 0) return {status, *line, ""};
   return {FitStatus::failed, ProbitLine::Zero(), "exceedance does not become more frequent with intensity"};
@@ -147,15 +150,13 @@ double mean_log(const std::vector<double>& values) {
 
 FitSummary summarise_bound(const StripeData& data) {
   const bool none = data.exceedances.sum() == 0;
-  const auto log_probability = [&](const LognormalCurve& curve) {
-    return stripe_likelihood(data, to_line(curve, data.center)).value;
-  };
-  const double bound = median_bound(log_probability, {std::exp(data.center), assumed_log_std});
+  const auto log_probability = [&](const ProbitLine& line) { return stripe_likelihood(data, line).value; };
+  const double bound = median_bound(log_probability, assumed_log_std, data.center);
   FitSummary summary;
   summary.status = FitStatus::one_sided_bound;
   summary.curve = {bound, assumed_log_std};
   summary.median_interval = none ? Interval{bound, infinity} : Interval{0.0, bound};
-  summary.log_likelihood = log_probability(summary.curve);
+  summary.log_likelihood = log_probability(to_line(summary.curve, data.center));
   summary.method = "one-sided 95 % bound of the median for an assumed log_std";
   summary.interval_method = "one-sided bound";
   summary.note = none ? "no exceedance at all: the median is a lower bound" : "every trial exceeded: the median is an upper bound";

@@ -15,10 +15,10 @@ void exchange_samples(const Archive& archive, Samples& samples) {
       archive, "friction", {"-", "coefficient of friction"}, samples,
       [](auto& s) -> auto& { return s.friction; });
   column(
-      archive, "slope", {"deg", "roof slope"}, samples,
+      archive, "slope_deg", {"deg", "roof slope"}, samples,
       [](auto& s) -> auto& { return s.slope_deg; });
   column(
-      archive, "period", {"s", "building period; 0 is rigid"}, samples,
+      archive, "period_s", {"s", "building period; 0 is rigid"}, samples,
       [](auto& s) -> auto& { return s.period_s; });
   column(
       archive, "damping", {"-", "building damping ratio"}, samples,
@@ -45,10 +45,10 @@ void exchange_records(const Archive& archive, Records& records) {
       archive, "magnitude", {"-", "moment magnitude; 0 where not told"}, records,
       [](auto& r) -> auto& { return r.magnitude; });
   column(
-      archive, "distance", {"km", "rupture distance; 0 where not told"}, records,
+      archive, "distance_km", {"km", "rupture distance; 0 where not told"}, records,
       [](auto& r) -> auto& { return r.distance_km; });
   column(
-      archive, "vs30", {"m/s", "mean shear-wave velocity of the upper 30 m; 0 where not told"},
+      archive, "vs30_mps", {"m/s", "mean shear-wave velocity of the upper 30 m; 0 where not told"},
       records, [](auto& r) -> auto& { return r.vs30_mps; });
   column(
       archive, "suite_scale", {"-", "the suite file's factor"}, records,
@@ -58,15 +58,15 @@ void exchange_records(const Archive& archive, Records& records) {
       {"-", "factor on the record at intensity 1; 0 where it depends on the sample"}, records,
       [](auto& r) -> auto& { return r.factor_at_unit_level; });
   column(
-      archive, "pga",
+      archive, "pga_g",
       {"g", "geometric mean of the horizontals' peak ground accelerations, as recorded"}, records,
       [](auto& r) -> auto& { return r.pga_g; });
   column(
-      archive, "pgv",
+      archive, "pgv_mps",
       {"m/s", "geometric mean of the horizontals' peak ground velocities, as recorded"}, records,
       [](auto& r) -> auto& { return r.pgv_mps; });
   column(
-      archive, "dt", {"s", "time step"}, records, [](auto& r) -> auto& { return r.dt_s; });
+      archive, "dt_s", {"s", "time step"}, records, [](auto& r) -> auto& { return r.dt_s; });
   column(
       archive, "samples", {"-", "number of samples"}, records,
       [](auto& r) -> auto& { return r.samples; });
@@ -80,13 +80,13 @@ void exchange_records(const Archive& archive, Records& records) {
 
 template <class Archive, class Spectra>
 void exchange_spectra(const Archive& archive, Spectra& spectra) {
-  archive.attribute("reference_level", spectra.reference_level);
-  list(archive, "period", {"s", "periods of the spectra"}, spectra.periods_s);
+  archive.attribute("reference_level_g", spectra.reference_level);
+  list(archive, "period_s", {"s", "periods of the spectra"}, spectra.periods_s);
   matrix(
-      archive, "srss", {"g", "5 % SRSS spectrum of each scaled record, by (record, period)"},
+      archive, "srss_g", {"g", "5 % SRSS spectrum of each scaled record, by (record, period)"},
       spectra.srss_g, [](auto& row) -> auto& { return row; });
-  list(archive, "average_srss", {"g", "average over the records"}, spectra.average_srss_g);
-  list(archive, "target", {"g", "target spectrum; empty without a target"}, spectra.target_g);
+  list(archive, "average_srss_g", {"g", "average over the records"}, spectra.average_srss_g);
+  list(archive, "target_g", {"g", "target spectrum; empty without a target"}, spectra.target_g);
 }
 
 /// One of the two fits of every threshold.
@@ -96,13 +96,13 @@ void exchange_fits(const Archive& archive, Fragilities& rows, Fit fit) {
       archive, "status", {"-", "how the fit came out"}, rows,
       fit_status_names(), [&](auto& f) -> auto& { return fit(f).status; });
   column(
-      archive, "median", {"intensity", "median of the lognormal fragility"},
+      archive, "median", {"g", "median of the lognormal fragility"},
       rows, [&](auto& f) -> auto& { return fit(f).curve.median; });
   column(
       archive, "log_std", {"-", "logarithmic standard deviation"},
       rows, [&](auto& f) -> auto& { return fit(f).curve.log_std; });
   interval_column(
-      archive, "median", {"intensity", "95 % interval of the median"},
+      archive, "median", {"g", "95 % interval of the median"},
       rows, [&](auto& f) -> auto& { return fit(f).median_interval; });
   interval_column(
       archive, "log_std", {"-", "95 % interval of log_std"},
@@ -124,7 +124,7 @@ void exchange_fits(const Archive& archive, Fragilities& rows, Fit fit) {
 template <class Archive, class Fragilities>
 void exchange_fragilities(const Archive& archive, Fragilities& rows) {
   column(
-      archive, "threshold", {"m", "clearance threshold"}, rows,
+      archive, "threshold_m", {"m", "clearance threshold"}, rows,
       [](auto& f) -> auto& { return f.threshold_m; });
   exchange_fits(
       archive.group("stripes"), rows, [](auto& f) -> auto& { return f.stripes; });
@@ -159,25 +159,25 @@ void exchange_fragilities(const Archive& archive, Fragilities& rows) {
 template <class Archive, class Slip>
 void exchange_slip(const Archive& archive, Slip& rows) {
   column(
-      archive, "level", {"intensity", "intensity level"}, rows,
+      archive, "level_g", {"g", "intensity level"}, rows,
       [](auto& s) -> auto& { return s.level; });
   column(
-      archive, "median", {"m", "median peak displacement in plan"}, rows,
+      archive, "median_m", {"m", "median peak displacement in plan"}, rows,
       [](auto& s) -> auto& { return s.median_m; });
   column(
-      archive, "p84", {"m", "84th percentile"}, rows, [](auto& s) -> auto& { return s.p84_m; });
+      archive, "p84_m", {"m", "84th percentile"}, rows, [](auto& s) -> auto& { return s.p84_m; });
   column(
-      archive, "p95", {"m", "95th percentile"}, rows, [](auto& s) -> auto& { return s.p95_m; });
+      archive, "p95_m", {"m", "95th percentile"}, rows, [](auto& s) -> auto& { return s.p95_m; });
   column(
-      archive, "mean", {"m", "mean"}, rows, [](auto& s) -> auto& { return s.mean_m; });
+      archive, "mean_m", {"m", "mean"}, rows, [](auto& s) -> auto& { return s.mean_m; });
   interval_column(
-      archive, "mean", {"m", "95 % interval of the mean"}, rows,
+      archive, "mean_m", {"m", "95 % interval of the mean"}, rows,
       [](auto& s) -> auto& { return s.mean_interval; });
   interval_column(
-      archive, "median", {"m", "95 % interval of the median"}, rows,
+      archive, "median_m", {"m", "95 % interval of the median"}, rows,
       [](auto& s) -> auto& { return s.median_interval; });
   interval_column(
-      archive, "p84", {"m", "95 % interval of the 84th percentile"}, rows,
+      archive, "p84_m", {"m", "95 % interval of the 84th percentile"}, rows,
       [](auto& s) -> auto& { return s.p84_interval; });
   column(
       archive, "uplift_share", {"-", "share of histories with uplift"}, rows,
@@ -190,10 +190,10 @@ void exchange_standards(const Archive& archive, Comparisons& rows) {
       archive, "standard", {"-", "standard"}, rows, standard_names(),
       [](auto& c) -> auto& { return c.standard; });
   column(
-      archive, "sds", {"g", "design spectral acceleration S_DS"}, rows,
+      archive, "sds_g", {"g", "design spectral acceleration S_DS"}, rows,
       [](auto& c) -> auto& { return c.sds_g; });
   column(
-      archive, "prescribed", {"m", "prescribed displacement"}, rows,
+      archive, "prescribed_m", {"m", "prescribed displacement"}, rows,
       [](auto& c) -> auto& { return c.prescribed.value_m; });
   name_column<Provenance>(
       archive, "provenance", {"-", "how well the provision is known"}, rows, provenance_names(),
@@ -212,16 +212,16 @@ void exchange_standards(const Archive& archive, Comparisons& rows) {
 template <class Archive, class Run>
 void exchange_run(const Archive& archive, Run& run) {
   archive.attribute("friction", run.friction_description);
-  cube(archive, "peak_displacement", {"m", "peak displacement in plan, by (record, sample, level)"},
+  cube(archive, "peak_displacement_m", {"m", "peak displacement in plan, by (record, sample, level)"},
        run.peak_displacement_m);
   cube(archive, "uplift", {"-", "1 where the array lifted off, by (record, sample, level)"},
        run.uplift);
-  cube(archive, "capacity",
-       {"intensity",
+  cube(archive, "capacity_g",
+       {"g",
         "lowest intensity reaching the threshold, by (record, sample, threshold); inf: not "
         "reached; 0: slides freely"},
        run.capacity);
-  list(archive, "band_intensity", {"intensity", "intensities of the fragility bands"},
+  list(archive, "band_intensity_g", {"g", "intensities of the fragility bands"},
        run.band_intensities);
   exchange_fragilities(archive.group("fragility"), run.fragilities);
   exchange_slip(archive.group("slip"), run.slip);
@@ -234,18 +234,6 @@ void exchange_runs(const Archive& archive, Runs& runs) {
       archive, "label", {"-", "the runs, in order; each is a group"}, runs,
       [](auto& run) -> auto& { return run.label; });
   for (auto& run : runs) exchange_run(archive.group(run.label), run);
-}
-
-template <class Archive, class Skips>
-void exchange_skips(const Archive& archive, Skips& skips) {
-  column(
-      archive, "what", {"-", "work that was not done"}, skips,
-      [](auto& s) -> auto& { return s.what; });
-  column(
-      archive, "why", {"-", "why the study does not need it"}, skips,
-      [](auto& s) -> auto& { return s.why; });
-  column(
-      archive, "count", {"-", "how often"}, skips, [](auto& s) -> auto& { return s.count; });
 }
 
 template <class Archive, class R>
@@ -265,14 +253,13 @@ void exchange_all(const Archive& archive, R& results) {
   if constexpr (Archive::reads)
     results.measure = value_of<IntensityMeasure>(measure_names(), measure);
 
-  list(archive, "level", {"intensity", "intensity levels"}, results.levels);
-  list(archive, "threshold", {"m", "clearance thresholds"}, results.thresholds_m);
+  list(archive, "level_g", {"g", "intensity levels"}, results.levels);
+  list(archive, "threshold_m", {"m", "clearance thresholds"}, results.thresholds_m);
   list(archive, "note", {"-", "what a reader must know"}, results.notes);
   exchange_samples(archive.group("samples"), results.samples);
   exchange_records(archive.group("records"), results.records);
   exchange_spectra(archive.group("spectra"), results.spectra);
   exchange_runs(archive.group("runs"), results.runs);
-  exchange_skips(archive.group("skips"), results.skips);
 }
 
 }  // namespace

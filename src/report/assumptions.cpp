@@ -36,7 +36,8 @@ std::string building_text(const std::vector<SamplePoint>& samples) {
   const Range<double> period = range_of(samples, &SamplePoint::period_s);
   if (period.max == 0.0) return "Rigid: the roof moves as the ground does.";
   return fmt::format(
-      "A linear single-degree-of-freedom oscillator (no yielding, no higher modes) with sampled periods of {} and damping ratios of {}. "
+      "A linear single-degree-of-freedom oscillator (no yielding, no higher modes) with sampled "
+      "periods of {} and damping ratios of {}. "
       "The array's mass is neglected: it does not change the building's motion.",
       range_text(period, " s"), range_text(range_of(samples, &SamplePoint::damping), ""));
 }
@@ -45,19 +46,24 @@ std::string orientation_text(const std::vector<SamplePoint>& samples) {
   const Range<int> component = range_of(samples, &SamplePoint::component);
   const Range<int> sign = range_of(samples, &SamplePoint::sign);
   return fmt::format(
-      "One horizontal component acts along the slope; motion across the slope is not combined with it. {} {}",
-      component.is_one_value()
-          ? fmt::format("It is always the {} component of the record.", component.min == 0 ? "first" : "second")
-          : "Which of the two components it is, is drawn for each sample.",
-      sign.is_one_value() ? fmt::format("Its sign is always {}.", sign.min > 0 ? "positive" : "negative")
-                          : "Its sign (which way is downslope) is drawn for each sample.");
+      "One horizontal component acts along the slope; motion across the slope is not combined with "
+      "it. {} {}",
+      component.is_one_value() ? fmt::format("It is always the {} component of the record.",
+                                             component.min == 0 ? "first" : "second")
+                               : "Which of the two components it is, is drawn for each sample.",
+      sign.is_one_value()
+          ? fmt::format("Its sign is always {}.", sign.min > 0 ? "positive" : "negative")
+          : "Its sign (which way is downslope) is drawn for each sample.");
 }
 
 std::string vertical_text(const std::vector<RecordSummary>& records) {
-  const auto with = std::count_if(records.begin(), records.end(), [](const auto& r) { return r.has_vertical; });
+  const auto with =
+      std::count_if(records.begin(), records.end(), [](const auto& r) { return r.has_vertical; });
   return fmt::format(
-      "{} of {} records have a vertical component. Where the study uses it, it changes the normal force and with it the friction; where "
-      "the normal force would fall below zero the history is flagged as uplift, which is outside the model.",
+      "{} of {} records have a vertical component. Where the study uses it, it changes the normal "
+      "force and with it the friction; where "
+      "the normal force would fall below zero the history is flagged as uplift, which is outside "
+      "the model.",
       with, records.size());
 }
 
@@ -66,16 +72,28 @@ std::string vertical_text(const std::vector<RecordSummary>& records) {
 std::vector<Assumption> assumptions_of(const Results& results) {
   const Range<double> slope = range_of(results.samples, &SamplePoint::slope_deg);
   return {
-      {"Displacement", "In plan (measured horizontally), relative to the roof; the largest absolute value in the history, not the one that remains at its end."},
-      {"Array", "A rigid block without attachment: no flexing of the array, no wind, no wiring or parapet that stops it."},
-      {"Friction", "Coulomb: one coefficient for sticking and sliding, independent of speed, pressure and wear. No bond that must first break."},
+      {"Displacement",
+       "In plan (measured horizontally), relative to the roof; the largest absolute value in the "
+       "history, not the one that remains at its end."},
+      {"Array",
+       "A rigid block without attachment: no flexing of the array, no wind, no wiring or parapet "
+       "that stops it."},
+      {"Friction",
+       "Coulomb: one coefficient for sticking and sliding, independent of speed, pressure and "
+       "wear. No bond that must first break."},
       {"Roof", "A plane with a slope of " + range_text(slope, " degrees") + " in the samples."},
       {"Building", building_text(results.samples)},
       {"Orientation", orientation_text(results.samples)},
       {"Vertical motion", vertical_text(results.records)},
-      {"End of the record", "After its last sample the acceleration goes linearly to zero over one more interval and stays there; the building rings down and the array coasts until it stops."},
-      {"Capacity", "The lowest intensity at which the slip first reaches the clearance. Slip does not always grow with intensity; the share that falls below again is given as 'recross'."},
-      {"Independence", "Records are the independent unit. Intervals come from resampling whole records, so a suite of few records gives wide intervals however many samples there are."},
+      {"End of the record",
+       "After its last sample the acceleration goes linearly to zero over one more interval and "
+       "stays there; the building rings down and the array coasts until it stops."},
+      {"Capacity",
+       "The lowest intensity at which the slip first reaches the clearance. Slip does not always "
+       "grow with intensity; the share that falls below again is given as 'recross'."},
+      {"Independence",
+       "Records are the independent unit. Intervals come from resampling whole records, so a suite "
+       "of few records gives wide intervals however many samples there are."},
   };
 }
 

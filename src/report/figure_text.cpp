@@ -17,10 +17,10 @@ namespace glissade {
 std::string quoted_file(const std::string& name) { return "'" + name + ".dat'"; }
 
 std::string title_of(const Figure& figure, const std::string& below) {
-  // Double quotes would read \n but also backslash escapes; a single-quoted string with a real line break does not exist,
-  // so the two lines are joined by gnuplot.
-  return "set title " + gnuplot::quoted_markup("{/:Bold " + gnuplot::enhanced(figure.title) + "}") + ".\"\\n\"." +
-         gnuplot::quoted_markup("{/*0.9 " + gnuplot::enhanced(below) + "}") + "\n";
+  // Double quotes would read \n but also backslash escapes; a single-quoted string with a real line
+  // break does not exist, so the two lines are joined by gnuplot.
+  return "set title " + gnuplot::quoted_markup("{/:Bold " + gnuplot::enhanced(figure.title) + "}") +
+         ".\"\\n\"." + gnuplot::quoted_markup("{/*0.9 " + gnuplot::enhanced(below) + "}") + "\n";
 }
 
 std::string axis(const std::string& which, const std::string& label) {
@@ -55,16 +55,19 @@ std::string counts_of(const Results& results) {
 
 std::string list_of_lengths(const std::vector<double>& lengths_m) {
   std::string list;
-  for (const double length_m : lengths_m) list += (list.empty() ? "" : ", ") + format_length(length_m);
+  for (const double length_m : lengths_m)
+    list += (list.empty() ? "" : ", ") + format_length(length_m);
   return list;
 }
 
 int point_symbol(std::size_t index) {
-  static constexpr std::array<int, 5> symbols = {7, 5, 9, 13, 11};  // disc, square, triangle, diamond, triangle down
+  static constexpr std::array<int, 5> symbols = {
+      7, 5, 9, 13, 11};  // disc, square, triangle, diamond, triangle down
   return symbols[index % symbols.size()];
 }
 
-std::vector<double> histories_at(const Array3<double>& slip_m, std::size_t first, std::size_t last, std::size_t level) {
+std::vector<double> histories_at(const Array3<double>& slip_m, std::size_t first, std::size_t last,
+                                 std::size_t level) {
   std::vector<double> values;
   for (std::size_t i = first; i < last; ++i) {
     for (std::size_t j = 0; j < slip_m.columns; ++j) {

@@ -19,7 +19,8 @@ std::string symbol_of_fit(const FitSummary& fit) {
                        format_interval(fit.median_interval), format_number(fit.curve.log_std));
   }
   if (fit.status == FitStatus::one_sided_bound) {
-    return fmt::format("median above {} g (95 % bound; no exceedance)", format_number(fit.curve.median));
+    return fmt::format("median above {} g (95 % bound; no exceedance)",
+                       format_number(fit.curve.median));
   }
   return "no curve could be fitted";
 }
@@ -55,10 +56,13 @@ Figure fragility_figure(const Results& results, const RunResults& run) {
   figure.name = main_run ? "fragility" : "fragility_" + run.label;
   figure.title = "Chance that the array slips more than a clearance (" + run.label + " friction)";
   figure.caption =
-      "Probability that the peak slip in plan exceeds each clearance at a given intensity, with friction " +
+      "Probability that the peak slip in plan exceeds each clearance at a given intensity, with "
+      "friction " +
       run.friction_description +
-      ". Lines: lognormal curves fitted to the lowest intensity at which each history reaches the clearance (histories that never reach "
-      "it are treated as censored). Points: share of histories that exceed it at each level. Shaded: 95 % interval from "
+      ". Lines: lognormal curves fitted to the lowest intensity at which each history reaches the "
+      "clearance (histories that never reach "
+      "it are treated as censored). Points: share of histories that exceed it at each level. "
+      "Shaded: 95 % interval from "
       "resampling whole records, because histories of one record are not independent.";
   const double largest = results.levels.back();
   gnuplot::DataBlocks data;
@@ -71,24 +75,29 @@ Figure fragility_figure(const Results& results, const RunResults& run) {
     const int symbol = point_symbol(t);
     const bool has_curve = fragility.capacities.converged();
     if (has_curve && !fragility.band.empty()) {
-      bands += fmt::format("  {} index 'band {}' using 1:2:3 with filledcurves fc rgb '{}', \\\n", file, t, colour);
+      bands += fmt::format("  {} index 'band {}' using 1:2:3 with filledcurves fc rgb '{}', \\\n",
+                           file, t, colour);
     }
     if (has_curve) {
-      curves += fmt::format("  {} index 'curve {}' using 1:2 with lines lw 2.5 lc rgb '{}', \\\n", file, t, colour);
+      curves += fmt::format("  {} index 'curve {}' using 1:2 with lines lw 2.5 lc rgb '{}', \\\n",
+                            file, t, colour);
     }
-    points += fmt::format("  {} index 'observed {}' using 1:2 with points pt {} ps 0.8 lc rgb '{}', \\\n", file, t,
-                          symbol, colour);
+    points +=
+        fmt::format("  {} index 'observed {}' using 1:2 with points pt {} ps 0.8 lc rgb '{}', \\\n",
+                    file, t, symbol, colour);
     key += fmt::format("  keyentry with {} lw 2.5 pt {} ps 0.8 lc rgb '{}' title {}, \\\n",
                        has_curve ? "linespoints" : "points", symbol, colour,
                        gnuplot::quoted(format_length(fragility.threshold_m) + ": " +
                                        symbol_of_fit(fragility.capacities)));
   }
-  figure.body = title_of(figure, counts_of(results) + "; friction " + run.friction_description) +
-                axis("x", results.intensity_label) + axis("y", "Probability that slip in plan exceeds the clearance") +
-                fmt::format("set xrange [0:{}]\nset yrange [0:1]\nset ytics 0.1\n", largest) + "plot \\\n" + bands +
-                curves + points + key +
-                "  keyentry with filledcurves fc rgb '#777777' title "
-                "'shaded and [ ]: 95 % interval from resampling whole records; points: observed shares'\n";
+  figure.body =
+      title_of(figure, counts_of(results) + "; friction " + run.friction_description) +
+      axis("x", results.intensity_label) +
+      axis("y", "Probability that slip in plan exceeds the clearance") +
+      fmt::format("set xrange [0:{}]\nset yrange [0:1]\nset ytics 0.1\n", largest) + "plot \\\n" +
+      bands + curves + points + key +
+      "  keyentry with filledcurves fc rgb '#777777' title "
+      "'shaded and [ ]: 95 % interval from resampling whole records; points: observed shares'\n";
   figure.key_rows = static_cast<int>(run.fragilities.size()) + 1;
   figure.data = data.text();
   return figure;
@@ -100,15 +109,19 @@ Figure ida_figure(const Results& results, const RunResults& run) {
   figure.name = "ida";
   figure.title = "Incremental dynamic analysis: slip as the shaking grows";
   figure.caption =
-      "Intensity (vertical) over peak slip in plan (horizontal), as is the convention of incremental dynamic analysis. Grey: each "
-      "record's median over the samples. Coloured: 16th, 50th and 84th percentile over all histories (records and samples "
-      "together) at each level. Dotted: the clearances. Friction " + run.friction_description + ".";
+      "Intensity (vertical) over peak slip in plan (horizontal), as is the convention of "
+      "incremental dynamic analysis. Grey: each "
+      "record's median over the samples. Coloured: 16th, 50th and 84th percentile over all "
+      "histories (records and samples "
+      "together) at each level. Dotted: the clearances. Friction " +
+      run.friction_description + ".";
   gnuplot::DataBlocks data;
   data.begin("fractiles", "intensity_g p16_m p50_m p84_m");
   double widest_m = results.thresholds_m.empty() ? 0.0 : results.thresholds_m.front();
   for (std::size_t l = 0; l < slip.depth; ++l) {
     const std::vector<double> all = histories_at(slip, 0, slip.rows, l);
-    data.row({results.levels.at(l), percentile(all, 0.16), percentile(all, 0.50), percentile(all, 0.84)});
+    data.row({results.levels.at(l), percentile(all, 0.16), percentile(all, 0.50),
+              percentile(all, 0.84)});
     widest_m = std::max(widest_m, percentile(all, 0.84));
   }
   data.begin("records", "record_median_m intensity_g");
@@ -123,21 +136,28 @@ Figure ida_figure(const Results& results, const RunResults& run) {
   std::string lines;
   for (const double threshold_m : results.thresholds_m) {
     if (threshold_m > right_m) continue;
-    lines += fmt::format("set arrow from {0},graph 0 to {0},graph 1 nohead dt 3 lw 1.2 lc rgb '#555555' back\n", threshold_m);
+    lines += fmt::format(
+        "set arrow from {0},graph 0 to {0},graph 1 nohead dt 3 lw 1.2 lc rgb '#555555' back\n",
+        threshold_m);
   }
   figure.body =
       title_of(figure, counts_of(results) + "; friction " + run.friction_description) + lines +
-      axis("x", "Peak slip in plan (m)") + axis("y", results.intensity_label) + inches_beside("x", right_m) +
+      axis("x", "Peak slip in plan (m)") + axis("y", results.intensity_label) +
+      inches_beside("x", right_m) +
       fmt::format("set xrange [0:{}]\nset yrange [0:{}]\n", right_m, results.levels.back()) +
       fmt::format(
           "plot \\\n"
-          "  {0} index 'records' using 1:2 with lines lw 1 lc rgb '#b0b0b0' title 'grey: each record, median over its "
+          "  {0} index 'records' using 1:2 with lines lw 1 lc rgb '#b0b0b0' title 'grey: each "
+          "record, median over its "
           "samples', \\\n"
-          "  {0} index 'fractiles' using 2:1 with linespoints pt 9 ps 0.6 lw 2.5 dt 2 lc rgb '#0072b2' title '16th "
+          "  {0} index 'fractiles' using 2:1 with linespoints pt 9 ps 0.6 lw 2.5 dt 2 lc rgb "
+          "'#0072b2' title '16th "
           "percentile of all histories', \\\n"
-          "  {0} index 'fractiles' using 3:1 with linespoints pt 7 ps 0.6 lw 3 lc rgb '#000000' title '50th percentile "
+          "  {0} index 'fractiles' using 3:1 with linespoints pt 7 ps 0.6 lw 3 lc rgb '#000000' "
+          "title '50th percentile "
           "(median)', \\\n"
-          "  {0} index 'fractiles' using 4:1 with linespoints pt 5 ps 0.6 lw 2.5 dt 4 lc rgb '#d55e00' title '84th "
+          "  {0} index 'fractiles' using 4:1 with linespoints pt 5 ps 0.6 lw 2.5 dt 4 lc rgb "
+          "'#d55e00' title '84th "
           "percentile', \\\n"
           "  keyentry with lines dt 3 lw 1.2 lc rgb '#555555' title {1}\n",
           file, gnuplot::quoted("clearances: " + list_of_lengths(results.thresholds_m)));
@@ -148,18 +168,22 @@ Figure ida_figure(const Results& results, const RunResults& run) {
 
 Figure spectra_figure(const Results& results) {
   const SuiteSpectra& spectra = results.spectra;
-  const std::string scaled = spectra.reference_level > 0.0
-                                 ? "scaled to S_DS = " + format_number(spectra.reference_level) + " g"
-                                 : "scaled by the suite's own factors";
+  const std::string scaled =
+      spectra.reference_level > 0.0
+          ? "scaled to S_DS = " + format_number(spectra.reference_level) + " g"
+          : "scaled by the suite's own factors";
   Figure figure;
   figure.name = "spectra";
   figure.title = "Response spectra of the ground motions, " + scaled;
   figure.caption =
-      "Pseudo-acceleration spectra at 5 % damping: square root of the sum of squares (SRSS) of the two horizontal components of each "
-      "record (grey), their average" + std::string(spectra.target_g.empty() ? "" : ", and the target spectrum") +
+      "Pseudo-acceleration spectra at 5 % damping: square root of the sum of squares (SRSS) of the "
+      "two horizontal components of each "
+      "record (grey), their average" +
+      std::string(spectra.target_g.empty() ? "" : ", and the target spectrum") +
       ". Suite: " + results.suite_name + ", " + scaled + ".";
   gnuplot::DataBlocks data;
-  data.begin("suite", spectra.target_g.empty() ? "period_s average_g" : "period_s average_g target_g");
+  data.begin("suite",
+             spectra.target_g.empty() ? "period_s average_g" : "period_s average_g target_g");
   double top_g = 0.0;
   for (std::size_t p = 0; p < spectra.periods_s.size(); ++p) {
     std::vector<double> row = {spectra.periods_s[p], spectra.average_srss_g.at(p)};
@@ -174,18 +198,22 @@ Figure spectra_figure(const Results& results) {
   }
   const std::string file = quoted_file(figure.name);
   figure.body =
-      title_of(figure, fmt::format("suite {}; {} records", results.suite_name, results.records.size())) +
+      title_of(figure,
+               fmt::format("suite {}; {} records", results.suite_name, results.records.size())) +
       axis("x", "Period (s)") + axis("y", "Spectral acceleration, 5 % damped, SRSS (g)") +
       fmt::format("set xrange [0:{}]\nset yrange [0:{}]\n", spectra.periods_s.back(), 2.0 * top_g) +
       fmt::format(
           "plot \\\n"
-          "  {0} index 'records' using 1:2 with lines lw 1 lc rgb '#b0b0b0' title 'grey: each record, SRSS of its horizontal components', \\\n"
-          "  {0} index 'suite' using 1:2 with lines lw 3 lc rgb '#0072b2' title 'average of the records'{1}\n",
+          "  {0} index 'records' using 1:2 with lines lw 1 lc rgb '#b0b0b0' title 'grey: each "
+          "record, SRSS of its horizontal components', \\\n"
+          "  {0} index 'suite' using 1:2 with lines lw 3 lc rgb '#0072b2' title 'average of the "
+          "records'{1}\n",
           file,
-          spectra.target_g.empty()
-              ? ""
-              : fmt::format(", \\\n  {} index 'suite' using 1:3 with lines lw 2.5 dt 2 lc rgb '#d55e00' title "
-                            "'target (design spectrum)'", file));
+          spectra.target_g.empty() ? ""
+                                   : fmt::format(", \\\n  {} index 'suite' using 1:3 with lines lw "
+                                                 "2.5 dt 2 lc rgb '#d55e00' title "
+                                                 "'target (design spectrum)'",
+                                                 file));
   figure.key_rows = spectra.target_g.empty() ? 2 : 3;
   figure.data = data.text();
   return figure;
@@ -201,7 +229,8 @@ std::vector<Figure> make_figures(const Results& results) {
     if (!main_run.slip.empty() && results.measure == IntensityMeasure::sds_g) {
       figures.push_back(slip_vs_sds_figure(results, main_run));
     }
-    if (!main_run.peak_displacement_m.data.empty()) figures.push_back(ida_figure(results, main_run));
+    if (!main_run.peak_displacement_m.data.empty())
+      figures.push_back(ida_figure(results, main_run));
   }
   if (!results.spectra.periods_s.empty()) figures.push_back(spectra_figure(results));
   return figures;

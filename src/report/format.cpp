@@ -17,7 +17,6 @@ std::string format_number(double value) {
   const std::string scientific = fmt::format("{:.2e}", value);
   const int exponent = std::stoi(scientific.substr(scientific.find('e') + 1));
   if (exponent < -6 || exponent > 8) return scientific;
-  if (value == std::round(value) && std::abs(value) >= 10.0) return fmt::format("{:.0f}", value);
   return fmt::format("{:.{}f}", value, std::max(0, 2 - exponent));
 }
 
@@ -37,13 +36,16 @@ std::string format_share(double share) {
   const double percent = 100.0 * share;
   if (percent == 0.0) return "0 %";
   if (percent < 0.1) return "< 0.1 %";
-  if (percent < 10.0 || (percent > 99.0 && percent < 100.0)) return fmt::format("{:.1f} %", percent);
+  if (percent < 10.0 || (percent > 99.0 && percent < 100.0))
+    return fmt::format("{:.1f} %", percent);
   return fmt::format("{:.0f} %", percent);
 }
 
 std::string format_interval(const Interval& interval) {
   if (std::isnan(interval.low) || std::isnan(interval.high)) return "no interval";
-  const auto end = [](double value) { return std::isinf(value) ? "unbounded" : format_number(value); };
+  const auto end = [](double value) {
+    return std::isinf(value) ? "unbounded" : format_number(value);
+  };
   return end(interval.low) + " to " + end(interval.high);
 }
 
@@ -55,17 +57,33 @@ std::string provenance_label(Provenance provenance) {
   return provenance == Provenance::checked ? "checked" : "recalled: verify against the standard";
 }
 
+std::string format_skip(const Skip& skip) {
+  const std::string count = skip.count > 0 ? fmt::format("{} ", skip.count) : "";
+  return count + skip.what + ": " + skip.why;
+}
+
 std::string escape_html(std::string_view text) {
   std::string escaped;
   escaped.reserve(text.size());
   for (const char c : text) {
     switch (c) {
-      case '&': escaped += "&amp;"; break;
-      case '<': escaped += "&lt;"; break;
-      case '>': escaped += "&gt;"; break;
-      case '"': escaped += "&quot;"; break;
-      case '\'': escaped += "&#39;"; break;
-      default: escaped += c;
+      case '&':
+        escaped += "&amp;";
+        break;
+      case '<':
+        escaped += "&lt;";
+        break;
+      case '>':
+        escaped += "&gt;";
+        break;
+      case '"':
+        escaped += "&quot;";
+        break;
+      case '\'':
+        escaped += "&#39;";
+        break;
+      default:
+        escaped += c;
     }
   }
   return escaped;

@@ -21,15 +21,17 @@ namespace {
 
 [[noreturn]] void throw_failed(const std::filesystem::path& folder, const std::string& script,
                                const std::string& why) {
-  throw InputError({(folder / script).string(), "gnuplot could not draw this figure: " + why,
-                    "see whether `gnuplot " + script + "` works there, and whether the disk has room", ""});
+  throw InputError(
+      {(folder / script).string(), "gnuplot could not draw this figure: " + why,
+       "see whether `gnuplot " + script + "` works there, and whether the disk has room", ""});
 }
 
 /// The reading end of a pipe on the child's standard error.
 class Pipe {
  public:
   Pipe() {
-    if (::pipe2(ends_.data(), O_CLOEXEC) != 0) throw std::system_error(errno, std::generic_category(), "pipe");
+    if (::pipe2(ends_.data(), O_CLOEXEC) != 0)
+      throw std::system_error(errno, std::generic_category(), "pipe");
   }
   Pipe(const Pipe&) = delete;
   Pipe& operator=(const Pipe&) = delete;
@@ -66,7 +68,8 @@ std::string enhanced(std::string_view plain) {
     if (plain.substr(i).starts_with("S_DS")) {
       text += "S_{DS}";
       i += 3;
-      if (plain.substr(i + 1).starts_with(' ')) {  // SVG readers drop a plain space at the end of a subscript
+      if (plain.substr(i + 1).starts_with(
+              ' ')) {  // SVG readers drop a plain space at the end of a subscript
         text += "\u00a0";
         ++i;
       }
@@ -88,10 +91,14 @@ std::string quoted_markup(std::string_view markup) {
 std::string quoted(std::string_view plain) { return quoted_markup(enhanced(plain)); }
 
 std::string ramp_colour(std::size_t index, std::size_t count) {
-  static constexpr std::array<std::array<double, 3>, 5> stops = {
-      {{0x44, 0x01, 0x54}, {0x3b, 0x52, 0x8b}, {0x21, 0x91, 0x8c}, {0x3f, 0xb0, 0x6e}, {0x8f, 0xc3, 0x2f}}};
+  static constexpr std::array<std::array<double, 3>, 5> stops = {{{0x44, 0x01, 0x54},
+                                                                  {0x3b, 0x52, 0x8b},
+                                                                  {0x21, 0x91, 0x8c},
+                                                                  {0x3f, 0xb0, 0x6e},
+                                                                  {0x8f, 0xc3, 0x2f}}};
   const double position =
-      count < 2 ? 1.0 : static_cast<double>(index) / static_cast<double>(count - 1) * (stops.size() - 1);
+      count < 2 ? 1.0
+                : static_cast<double>(index) / static_cast<double>(count - 1) * (stops.size() - 1);
   const auto lower = std::min<std::size_t>(static_cast<std::size_t>(position), stops.size() - 2);
   const double share = position - static_cast<double>(lower);
   std::string colour = "#";
@@ -132,9 +139,11 @@ void run(const std::filesystem::path& folder, const std::string& script) {
       ::posix_spawnp(&child, program.c_str(), &actions, nullptr, arguments.data(), environ);
   posix_spawn_file_actions_destroy(&actions);
   if (spawn_error == ENOENT) {
-    throw InputError({"gnuplot", "the program is not found, and the figures are drawn with it",
-                      "install it (Debian: apt install gnuplot-nox) or add its folder to PATH; then make "
-                      "the report from the results file", ""});
+    throw InputError(
+        {"gnuplot", "the program is not found, and the figures are drawn with it",
+         "install it (Debian: apt install gnuplot-nox) or add its folder to PATH; then make "
+         "the report from the results file",
+         ""});
   }
   if (spawn_error != 0) throw_failed(folder, script, std::generic_category().message(spawn_error));
 

@@ -13,7 +13,7 @@ namespace glissade {
 namespace {
 
 constexpr int width_px = 900;
-constexpr int plot_height_px = 600;
+constexpr int plot_height_px = 640;
 constexpr int key_row_px = 25;
 constexpr double px_per_inch = 120.0;
 
@@ -23,7 +23,8 @@ std::string script_of(const Figure& figure) {
       "# {2}: {3}\n"
       "# Draw again with: gnuplot {2}.gp\n"
       "set encoding utf8\n"
-      "set terminal svg enhanced dynamic size {0},{1} background rgb 'white' font 'Arial,16' name '{2}'\n"
+      "set terminal svg enhanced dynamic size {0},{1} background rgb 'white' font 'Arial,16' name "
+      "'{2}'\n"
       "set output '{2}.svg'\n"
       "set border 3 lc rgb '#444444'\n"
       "set tics out nomirror\n"
@@ -31,7 +32,8 @@ std::string script_of(const Figure& figure) {
       "set key bmargin left vertical maxcols 1 Left reverse noautotitle samplen 3 spacing 1.2\n"
       "set style fill transparent solid 0.16 noborder\n"
       "{4}"
-      "set terminal pdfcairo enhanced color size {5:.3f},{6:.3f} background rgb 'white' font 'Arial,9.5'\n"
+      "set terminal pdfcairo enhanced color size {5:.3f},{6:.3f} background rgb 'white' font "
+      "'Arial,9.5'\n"
       "set output '{2}.pdf'\n"
       "replot\n",
       width_px, height_px, figure.name, gnuplot::enhanced(figure.title), figure.body,
@@ -49,13 +51,14 @@ std::string whole_drawing(const std::filesystem::path& path, const std::string& 
   std::string drawing = read_text_file(path);
   const std::size_t at = drawing.rfind(last_word);
   if (at == std::string::npos || drawing.size() - at > last_word.size() + 2) {
-    throw InputError({path.string(), "is not whole after gnuplot drew it", "see whether the disk is full", ""});
+    throw InputError(
+        {path.string(), "is not whole after gnuplot drew it", "see whether the disk is full", ""});
   }
   return drawing;
 }
 
-/// Cairo writes the time of day as (D:YYYYMMDDhhmmssZ) and heeds no SOURCE_DATE_EPOCH; the digits are set to 1970 in place, so
-/// that no offset in the file moves.
+/// Cairo writes the time of day as (D:YYYYMMDDhhmmssZ) and heeds no SOURCE_DATE_EPOCH; the digits
+/// are set to 1970 in place, so that no offset in the file moves.
 void remove_creation_date(std::string& pdf) {
   const std::string key = "/CreationDate (D:";
   const std::size_t at = pdf.find(key);

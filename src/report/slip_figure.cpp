@@ -33,7 +33,8 @@ struct StandardStyle {
   const char* line;
 };
 
-/// Adds one standard's block and its plot lines: a line through all, filled points where checked, hollow where recalled.
+/// Adds one standard's block and its plot lines: a line through all, filled points where checked,
+/// hollow where recalled.
 int add_standard(const RunResults& run, const StandardStyle& style, const std::string& file,
                  gnuplot::DataBlocks& data, std::string& plot) {
   const auto comparisons = comparisons_of(run, style.standard);
@@ -41,15 +42,17 @@ int add_standard(const RunResults& run, const StandardStyle& style, const std::s
   const std::string name = standard_name(style.standard);
   data.begin(name, "sds_g prescribed_m recalled(0|1)");
   for (const StandardComparison& c : comparisons) {
-    data.row({c.sds_g, c.prescribed.value_m, c.prescribed.provenance == Provenance::recalled ? 1.0 : 0.0});
+    data.row({c.sds_g, c.prescribed.value_m,
+              c.prescribed.provenance == Provenance::recalled ? 1.0 : 0.0});
   }
-  plot += fmt::format(", \\\n  {} index '{}' using 1:2 with lines {} lc rgb '{}'", file, name, style.line,
-                      style.colour);
+  plot += fmt::format(", \\\n  {} index '{}' using 1:2 with lines {} lc rgb '{}'", file, name,
+                      style.line, style.colour);
   int rows = 0;
   const auto points = [&](Provenance provenance, int flag, int symbol, const char* what) {
     if (!any_with(comparisons, provenance)) return;
     plot += fmt::format(
-        ", \\\n  {0} index '{1}' using 1:($3=={2} ? $2 : NaN) with points pt {3} ps {6} lc rgb '{4}', \\\n"
+        ", \\\n  {0} index '{1}' using 1:($3=={2} ? $2 : NaN) with points pt {3} ps {6} lc rgb "
+        "'{4}', \\\n"
         "  keyentry with linespoints {7} pt {3} ps {6} lc rgb '{4}' title '{1}, prescribed{5}'",
         file, name, flag, symbol, style.colour, what, style.size, style.line);
     ++rows;
@@ -64,22 +67,27 @@ int add_standard(const RunResults& run, const StandardStyle& style, const std::s
 Figure slip_vs_sds_figure(const Results& results, const RunResults& run) {
   Figure figure;
   figure.name = "slip_vs_sds";
-  figure.title = run.standards.empty() ? "Slip as the design shaking grows"
-                                       : "Slip as the design shaking grows, and what the standards prescribe";
+  figure.title = run.standards.empty()
+                     ? "Slip as the design shaking grows"
+                     : "Slip as the design shaking grows, and what the standards prescribe";
   figure.caption =
-      "Peak slip in plan over all histories at each S_DS: median, 84th and 95th percentile and mean; shaded: 95 % intervals of the "
-      "median and of the 84th percentile from resampling whole records. Friction " + run.friction_description + ".";
+      "Peak slip in plan over all histories at each S_DS: median, 84th and 95th percentile and "
+      "mean; shaded: 95 % intervals of the "
+      "median and of the 84th percentile from resampling whole records. Friction " +
+      run.friction_description + ".";
   if (!run.standards.empty()) {
     figure.caption +=
-        " Grey and black with points: displacements prescribed by the standards; hollow points rest on provisions recalled from memory and must be "
+        " Grey and black with points: displacements prescribed by the standards; hollow points "
+        "rest on provisions recalled from memory and must be "
         "verified against the standard.";
   }
   gnuplot::DataBlocks data;
-  data.begin("slip", "sds_g median_m median_low95 median_high95 p84_m p84_low95 p84_high95 p95_m mean_m");
+  data.begin("slip",
+             "sds_g median_m median_low95 median_high95 p84_m p84_low95 p84_high95 p95_m mean_m");
   double top_m = 0.0;
   for (const SlipStatistics& s : run.slip) {
-    data.row({s.level, s.median_m, s.median_interval.low, s.median_interval.high, s.p84_m, s.p84_interval.low,
-              s.p84_interval.high, s.p95_m, s.mean_m});
+    data.row({s.level, s.median_m, s.median_interval.low, s.median_interval.high, s.p84_m,
+              s.p84_interval.low, s.p84_interval.high, s.p95_m, s.mean_m});
     top_m = std::max({top_m, s.p95_m, s.mean_m});
   }
   for (const StandardComparison& c : run.standards) top_m = std::max(top_m, c.prescribed.value_m);
@@ -88,21 +96,28 @@ Figure slip_vs_sds_figure(const Results& results, const RunResults& run) {
       "plot \\\n"
       "  {0} index 'slip' using 1:6:7 with filledcurves fc rgb '#d55e00', \\\n"
       "  {0} index 'slip' using 1:3:4 with filledcurves fc rgb '#0072b2', \\\n"
-      "  {0} index 'slip' using 1:8 with lines lw 2 dt 2 lc rgb '#cc79a7' title '95th percentile of slip', \\\n"
-      "  {0} index 'slip' using 1:5 with lines lw 2.5 lc rgb '#d55e00' title '84th percentile (shaded: 95 % interval, "
+      "  {0} index 'slip' using 1:8 with lines lw 2 dt 2 lc rgb '#cc79a7' title '95th percentile "
+      "of slip', \\\n"
+      "  {0} index 'slip' using 1:5 with lines lw 2.5 lc rgb '#d55e00' title '84th percentile "
+      "(shaded: 95 % interval, "
       "records resampled)', \\\n"
       "  {0} index 'slip' using 1:9 with lines lw 2 dt 3 lc rgb '#009e73' title 'mean', \\\n"
-      "  {0} index 'slip' using 1:2 with lines lw 2.5 lc rgb '#0072b2' title 'median (shaded: 95 % interval)'",
+      "  {0} index 'slip' using 1:2 with lines lw 2.5 lc rgb '#0072b2' title 'median (shaded: 95 % "
+      "interval)'",
       file);
   const double shown_m = top_m > 0.0 ? 1.05 * top_m : 1.0;
   // The two standards agree over a wide range: the wide grey one lies below the narrow black one.
   figure.key_rows = 4;
-  figure.key_rows += add_standard(run, {Standard::asce7_16, "#999999", 5, 4, 1.5, "lw 5 dt 1"}, file, data, plot);
-  figure.key_rows += add_standard(run, {Standard::seaoc_pv1_2012, "#000000", 7, 6, 0.8, "lw 1.5 dt 5"}, file, data, plot);
-  figure.body = title_of(figure, counts_of(results) + "; friction " + run.friction_description) +
-                axis("x", results.intensity_label) + axis("y", "Peak slip in plan (m)") + inches_beside("y", shown_m) +
-                fmt::format("set xrange [0:{}]\nset yrange [0:{}]\n", results.levels.back(), shown_m) +
-                plot + "\n";
+  figure.key_rows +=
+      add_standard(run, {Standard::asce7_16, "#999999", 5, 4, 1.5, "lw 5 dt 1"}, file, data, plot);
+  figure.key_rows += add_standard(
+      run, {Standard::seaoc_pv1_2012, "#000000", 7, 6, 0.8, "lw 1.5 dt 5"}, file, data, plot);
+  figure.body =
+      title_of(figure, counts_of(results) + "; friction " + run.friction_description) +
+      axis("x", results.intensity_label) + axis("y", "Peak slip in plan (m)") +
+      inches_beside("y", shown_m) +
+      fmt::format("set xrange [0:{}]\nset yrange [0:{}]\n", results.levels.back(), shown_m) + plot +
+      "\n";
   figure.data = data.text();
   return figure;
 }

@@ -24,13 +24,15 @@ std::string threshold_sentence(const Results& results, const ThresholdFragility&
   const std::string clearance = format_length(fragility.threshold_m);
   if (fit.converged()) {
     const bool beyond = fit.curve.median > results.levels.back();
-    return fmt::format("A clearance of {} has a 50 % chance of being exceeded at {} (95 % interval {} g){}.", clearance,
-                       at_intensity(results, fit.curve.median), format_interval(fit.median_interval),
-                       beyond ? ", which extrapolates beyond the highest level studied" : "");
+    return fmt::format(
+        "A clearance of {} has a 50 % chance of being exceeded at {} (95 % interval {} g){}.",
+        clearance, at_intensity(results, fit.curve.median), format_interval(fit.median_interval),
+        beyond ? ", which extrapolates beyond the highest level studied" : "");
   }
   if (fit.status == FitStatus::one_sided_bound) {
-    return fmt::format("A clearance of {} was never exceeded; its median lies above {} (95 % confidence).", clearance,
-                       at_intensity(results, fit.curve.median));
+    return fmt::format(
+        "A clearance of {} was never exceeded; its median lies above {} (95 % confidence).",
+        clearance, at_intensity(results, fit.curve.median));
   }
   return fmt::format("For a clearance of {} no fragility could be fitted{}.", clearance,
                      fit.note.empty() ? "" : " (" + fit.note + ")");
@@ -38,25 +40,29 @@ std::string threshold_sentence(const Results& results, const ThresholdFragility&
 
 /// The slip statistics at the level nearest to 1 g.
 const SlipStatistics* slip_near_1g(const RunResults& run) {
-  const auto nearest = std::min_element(run.slip.begin(), run.slip.end(), [](const auto& a, const auto& b) {
-    return std::abs(a.level - 1.0) < std::abs(b.level - 1.0);
-  });
+  const auto nearest =
+      std::min_element(run.slip.begin(), run.slip.end(), [](const auto& a, const auto& b) {
+        return std::abs(a.level - 1.0) < std::abs(b.level - 1.0);
+      });
   return nearest == run.slip.end() ? nullptr : &*nearest;
 }
 
 std::string slip_sentence(const Results& results, const SlipStatistics& slip) {
-  return fmt::format("At {} the slip is {} in the median, {} at the 84th and {} at the 95th percentile, and {} on average.",
-                     at_intensity(results, slip.level), format_length(slip.median_m), format_length(slip.p84_m),
-                     format_length(slip.p95_m), format_length(slip.mean_m));
+  return fmt::format(
+      "At {} the slip is {} in the median, {} at the 84th and {} at the 95th percentile, and {} on "
+      "average.",
+      at_intensity(results, slip.level), format_length(slip.median_m), format_length(slip.p84_m),
+      format_length(slip.p95_m), format_length(slip.mean_m));
 }
 
 std::string standard_sentence(const StandardComparison& comparison) {
   const Interval& interval = comparison.exceedance_interval;
-  const std::string range = std::isnan(interval.low)
-                                ? ""
-                                : fmt::format(" (95 % interval {} to {})", format_share(interval.low),
-                                              format_share(interval.high));
-  return fmt::format("{} prescribes {} there{}; {} of the histories slip more{}.", standard_name(comparison.standard),
+  const std::string range = std::isnan(interval.low) ? ""
+                                                     : fmt::format(" (95 % interval {} to {})",
+                                                                   format_share(interval.low),
+                                                                   format_share(interval.high));
+  return fmt::format("{} prescribes {} there{}; {} of the histories slip more{}.",
+                     standard_name(comparison.standard),
                      format_length(comparison.prescribed.value_m),
                      comparison.prescribed.provenance == Provenance::recalled
                          ? " (recalled: verify against the standard)"
@@ -69,11 +75,12 @@ std::string design_sentence(const RunResults& design) {
   for (const ThresholdFragility& fragility : design.fragilities) {
     const FitSummary& fit = preferred_fit(fragility);
     if (!fit.converged()) continue;
-    medians += fmt::format("{}{} g for {}", medians.empty() ? "" : ", ", format_number(fit.curve.median),
-                           format_length(fragility.threshold_m));
+    medians += fmt::format("{}{} g for {}", medians.empty() ? "" : ", ",
+                           format_number(fit.curve.median), format_length(fragility.threshold_m));
   }
   if (medians.empty()) return "";
-  return fmt::format("With the design friction ({}) the 50 % intensities are {}.", design.friction_description, medians);
+  return fmt::format("With the design friction ({}) the 50 % intensities are {}.",
+                     design.friction_description, medians);
 }
 
 /// Up to `count` of the levels, spread evenly, the highest included.
@@ -84,26 +91,31 @@ std::vector<double> some_levels(const std::vector<double>& levels, std::size_t c
   return chosen;
 }
 
-/// The standards table at a handful of levels, narrow enough for a terminal: the rest is in standards.csv.
+/// The standards table at a handful of levels, narrow enough for a terminal: the rest is in
+/// standards.csv.
 Table brief_standards_table(const Results& results, const RunResults& run) {
-  Table table{"standards_brief",
-              "Standards beside the slip that came out (" + run.label + " friction; displacements in plan)",
-              {{"standard", "", "Standard", ColumnKind::text},
-               {"sds", "g", "S_DS, g", ColumnKind::number},
-               {"prescribed", "m", "Prescribed, m (in)", ColumnKind::length},
-               {"median_slip", "m", "Median, m (in)", ColumnKind::length},
-               {"p95_slip", "m", "95th, m (in)", ColumnKind::length},
-               {"exceedance_share", "", "Slip > prescribed", ColumnKind::share, true},
-               {"provenance", "", "Provision", ColumnKind::text}},
-              {}};
+  Table table{
+      "standards_brief",
+      "Standards beside the slip that came out (" + run.label + " friction; displacements in plan)",
+      {{"standard", "", "Standard", ColumnKind::text},
+       {"sds", "g", "S_DS, g", ColumnKind::number},
+       {"prescribed", "m", "Prescribed, m (in)", ColumnKind::length},
+       {"median_slip", "m", "Median, m (in)", ColumnKind::length},
+       {"p95_slip", "m", "95th, m (in)", ColumnKind::length},
+       {"exceedance_share", "", "Slip > prescribed", ColumnKind::share, true},
+       {"provenance", "", "Provision", ColumnKind::text}},
+      {}};
   const std::vector<double> chosen = some_levels(results.levels, 5);
   for (const StandardComparison& comparison : run.standards) {
     const auto slip = std::find_if(run.slip.begin(), run.slip.end(),
                                    [&](const auto& s) { return s.level == comparison.sds_g; });
-    if (slip == run.slip.end() || std::count(chosen.begin(), chosen.end(), comparison.sds_g) == 0) continue;
-    table.add({standard_name(comparison.standard), comparison.sds_g, comparison.prescribed.value_m, slip->median_m,
-               slip->p95_m, Estimate{comparison.exceedance_probability, comparison.exceedance_interval},
-               comparison.prescribed.provenance == Provenance::checked ? "checked" : "recalled (*)"});
+    if (slip == run.slip.end() || std::count(chosen.begin(), chosen.end(), comparison.sds_g) == 0)
+      continue;
+    table.add(
+        {standard_name(comparison.standard), comparison.sds_g, comparison.prescribed.value_m,
+         slip->median_m, slip->p95_m,
+         Estimate{comparison.exceedance_probability, comparison.exceedance_interval},
+         comparison.prescribed.provenance == Provenance::checked ? "checked" : "recalled (*)"});
   }
   return table;
 }
@@ -130,17 +142,17 @@ std::vector<std::string> answer_sentences(const Results& results) {
   return sentences;
 }
 
-std::string summary_text(const Results& results) {
-  std::string text = fmt::format("{}: {} records x {} samples x {} levels, displacements in plan\n\n",
-                                 results.study_name, results.records.size(), results.samples.size(),
-                                 results.levels.size());
+std::string summary_text(const Results& results, const std::vector<Skip>& skips) {
+  std::string text = fmt::format(
+      "{}: {} records x {} samples x {} levels, displacements in plan\n\n", results.study_name,
+      results.records.size(), results.samples.size(), results.levels.size());
   text += to_text(fragility_summary_table(results));
   if (!results.runs.empty() && !results.runs.front().standards.empty()) {
     text += "\n" + to_text(brief_standards_table(results, results.runs.front()));
     text += "  (*) from memory of the standard: verify against the standard\n";
   }
-  if (!results.skips.empty()) text += "\nNot computed, because not needed\n";
-  for (const Skip& skip : results.skips) text += fmt::format("  {} {}: {}\n", skip.count, skip.what, skip.why);
+  if (!skips.empty()) text += "\nNot computed, because not needed\n";
+  for (const Skip& skip : skips) text += "  " + format_skip(skip) + "\n";
   if (!results.notes.empty()) text += "\nNotes\n";
   for (const std::string& note : results.notes) text += "  " + note + "\n";
   return text;

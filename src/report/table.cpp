@@ -16,28 +16,34 @@ namespace {
 std::string number_text(ColumnKind kind, double value) {
   if (!std::isfinite(value)) return "-";
   switch (kind) {
-    case ColumnKind::count: return fmt::format("{:.0f}", value);
+    case ColumnKind::count:
+      return fmt::format("{:.0f}", value);
     case ColumnKind::length:
       return format_number(value) + " (" + format_number(value / inch_m) + ")";
-    case ColumnKind::share: return format_share(value);
+    case ColumnKind::share:
+      return format_share(value);
     case ColumnKind::text:
-    case ColumnKind::number: break;
+    case ColumnKind::number:
+      break;
   }
   return format_number(value);
 }
 
 std::string estimate_text(ColumnKind kind, const Estimate& estimate) {
   if (!std::isfinite(estimate.value)) return "-";
-  const std::string value = (estimate.is_lower_bound ? "> " : "") + number_text(kind, estimate.value);
+  const std::string value =
+      (estimate.is_lower_bound ? "> " : "") + number_text(kind, estimate.value);
   if (std::isnan(estimate.interval.low) || std::isnan(estimate.interval.high)) return value;
-  // The interval in the value's first unit only: a range of metres and inches together is hard to read.
+  // The interval in the value's first unit only: a range of metres and inches together is hard to
+  // read.
   const ColumnKind end_kind = kind == ColumnKind::length ? ColumnKind::number : kind;
   return value + " [" + number_text(end_kind, estimate.interval.low) + ", " +
          number_text(end_kind, estimate.interval.high) + "]";
 }
 
 std::string one_line(std::string text) {
-  std::replace_if(text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
   return text;
 }
 
@@ -88,6 +94,16 @@ void Table::add(std::vector<Cell> row) {
   rows.push_back(std::move(row));
 }
 
+Table Table::without(const std::string& stem) const {
+  Table rest{name, title, {}, std::vector<std::vector<Cell>>(rows.size())};
+  for (std::size_t c = 0; c < columns.size(); ++c) {
+    if (columns[c].stem == stem) continue;
+    rest.columns.push_back(columns[c]);
+    for (std::size_t r = 0; r < rows.size(); ++r) rest.rows[r].push_back(rows[r][c]);
+  }
+  return rest;
+}
+
 std::string cell_text(const Column& column, const Cell& cell) {
   if (const auto* text = std::get_if<std::string>(&cell)) return *text;
   if (const auto* number = std::get_if<double>(&cell)) return number_text(column.kind, *number);
@@ -112,11 +128,13 @@ std::string to_text(const Table& table) {
   for (const Column& column : table.columns) lines[0].push_back(column.heading);
   for (const std::vector<Cell>& row : table.rows) {
     std::vector<std::string>& line = lines.emplace_back();
-    for (std::size_t c = 0; c < row.size(); ++c) line.push_back(cell_text(table.columns[c], row[c]));
+    for (std::size_t c = 0; c < row.size(); ++c)
+      line.push_back(cell_text(table.columns[c], row[c]));
   }
   std::vector<std::size_t> widths(table.columns.size(), 0);
   for (const auto& line : lines) {
-    for (std::size_t c = 0; c < line.size(); ++c) widths[c] = std::max(widths[c], display_width(line[c]));
+    for (std::size_t c = 0; c < line.size(); ++c)
+      widths[c] = std::max(widths[c], display_width(line[c]));
   }
   std::string text = one_line(table.title) + "\n";
   for (const auto& line : lines) {
@@ -142,7 +160,8 @@ std::string to_html(const Table& table) {
   for (const std::vector<Cell>& row : table.rows) {
     html += "<tr>";
     for (std::size_t c = 0; c < row.size(); ++c) {
-      html += fmt::format("<td{}>{}</td>", cell_class(c), escape_html(cell_text(table.columns[c], row[c])));
+      html += fmt::format("<td{}>{}</td>", cell_class(c),
+                          escape_html(cell_text(table.columns[c], row[c])));
     }
     html += "</tr>\n";
   }

@@ -125,7 +125,8 @@ Table slip_table(const Results& results) {
 
 Table standards_table(const Results& results) {
   Table table{"standards",
-              std::string("Displacements prescribed by standards beside the slip that came out. ") + in_plan,
+              std::string("Displacements prescribed by standards beside the slip that came out. ") +
+                  in_plan,
               {text_column("run", "Friction run"),
                text_column("standard", "Standard"),
                {"sds", "g", "S_DS, g", ColumnKind::number},
@@ -141,7 +142,8 @@ Table standards_table(const Results& results) {
   for (const RunResults& run : results.runs) {
     for (const StandardComparison& comparison : run.standards) {
       const SlipStatistics* found = slip_at(run, comparison.sds_g);
-      const SlipStatistics slip = found ? *found : SlipStatistics{0.0, nan, nan, nan, nan, {}, {}, {}, nan};
+      const SlipStatistics slip =
+          found ? *found : SlipStatistics{0.0, nan, nan, nan, nan, {}, {}, {}, nan};
       table.add({run.label, standard_name(comparison.standard), comparison.sds_g,
                  comparison.prescribed.value_m, slip.median_m, slip.p84_m, slip.p95_m, slip.mean_m,
                  Estimate{comparison.exceedance_probability, comparison.exceedance_interval},
@@ -152,16 +154,17 @@ Table standards_table(const Results& results) {
 }
 
 Table stripes_table(const Results& results) {
-  Table table{"stripes",
-              "Histories whose slip exceeds the threshold, by level: what the fit on stripes rests on." +
-                  measured_by(results) + in_plan,
-              {text_column("run", "Friction run"),
-               {"threshold", "m", "Clearance, m (in)", ColumnKind::length},
-               {"level", "g", "Level, g", ColumnKind::number},
-               {"histories", "", "Histories", ColumnKind::count},
-               {"exceedances", "", "Exceedances", ColumnKind::count},
-               {"share", "", "Share [95 %]", ColumnKind::share, true}},
-              {}};
+  Table table{
+      "stripes",
+      "Histories whose slip exceeds the threshold, by level: what the fit on stripes rests on." +
+          measured_by(results) + in_plan,
+      {text_column("run", "Friction run"),
+       {"threshold", "m", "Clearance, m (in)", ColumnKind::length},
+       {"level", "g", "Level, g", ColumnKind::number},
+       {"histories", "", "Histories", ColumnKind::count},
+       {"exceedances", "", "Exceedances", ColumnKind::count},
+       {"share", "", "Share [95 %]", ColumnKind::share, true}},
+      {}};
   for (const RunResults& run : results.runs) {
     const double histories = histories_per_level(run);
     for (const ThresholdFragility& fragility : run.fragilities) {
@@ -181,9 +184,12 @@ Table stripes_table(const Results& results) {
 Table records_table(const Results& results) {
   Table table{"records",
               "Ground motions of suite " + results.suite_name +
-                  ". pga and pgv are geometric means of the horizontals as recorded; factor at unit level is what "
-                  "the record is multiplied by at intensity 1 g (0: depends on the sample); 0 in magnitude, distance "
-                  "and vs30 means not told. " + in_plan,
+                  ". pga and pgv are geometric means of the horizontals as recorded; factor at "
+                  "unit level is what "
+                  "the record is multiplied by at intensity 1 g (0: depends on the sample); 0 in "
+                  "magnitude, distance "
+                  "and vs30 means not told. " +
+                  in_plan,
               {text_column("id", "Record"),
                text_column("event", "Event"),
                text_column("station", "Station"),
@@ -212,14 +218,15 @@ Table spectra_table(const Results& results) {
   const SuiteSpectra& spectra = results.spectra;
   Table table{"spectra",
               "5 % damped SRSS spectra of the horizontals, " +
-                  (spectra.reference_level > 0.0
-                       ? "scaled to " + results.intensity_label + " = " + format_number(spectra.reference_level)
-                       : std::string("by the suite's own factors")) +
+                  (spectra.reference_level > 0.0 ? "scaled to " + results.intensity_label + " = " +
+                                                       format_number(spectra.reference_level)
+                                                 : std::string("by the suite's own factors")) +
                   ". " + in_plan,
               {{"period", "s", "Period, s", ColumnKind::number},
                {"average_srss", "g", "Average, g", ColumnKind::number}},
               {}};
-  if (!spectra.target_g.empty()) table.columns.push_back({"target", "g", "Target, g", ColumnKind::number});
+  if (!spectra.target_g.empty())
+    table.columns.push_back({"target", "g", "Target, g", ColumnKind::number});
   for (std::size_t r = 0; r < spectra.srss_g.size(); ++r) {
     const std::string id = r < results.records.size() ? results.records[r].id : std::to_string(r);
     table.columns.push_back({"srss_" + id, "g", id + ", g", ColumnKind::number});
@@ -235,8 +242,10 @@ Table spectra_table(const Results& results) {
 
 Table samples_table(const Results& results) {
   Table table{"samples",
-              std::string("Sampled parameters. Friction is that of the sampled run; component 0 or 1 is the horizontal "
-                          "that acts along the slope, with the given sign. ") + in_plan,
+              std::string("Sampled parameters. Friction is that of the sampled run; component 0 or "
+                          "1 is the horizontal "
+                          "that acts along the slope, with the given sign. ") +
+                  in_plan,
               {{"sample", "", "Sample", ColumnKind::count},
                {"friction", "", "Friction", ColumnKind::number},
                {"slope", "deg", "Slope, deg", ColumnKind::number},
@@ -254,8 +263,9 @@ Table samples_table(const Results& results) {
 }
 
 std::vector<Table> csv_tables(const Results& results) {
-  std::vector<Table> tables = {fragility_table(results), slip_table(results), stripes_table(results),
-                               records_table(results), spectra_table(results), samples_table(results)};
+  std::vector<Table> tables = {fragility_table(results), slip_table(results),
+                               stripes_table(results),   records_table(results),
+                               spectra_table(results),   samples_table(results)};
   Table standards = standards_table(results);
   if (!standards.rows.empty()) tables.insert(tables.begin() + 2, std::move(standards));
   return tables;

@@ -8,7 +8,8 @@
 
 namespace glissade {
 
-void write_report(const Results& results, const std::filesystem::path& out_dir) {
+void write_report(const Results& results, const std::filesystem::path& out_dir,
+                  const std::vector<Skip>& skips) {
   for (const Table& table : csv_tables(results)) {
     write_text_file(out_dir / "tables" / (table.name + ".csv"), to_csv(table));
   }
@@ -19,7 +20,7 @@ void write_report(const Results& results, const std::filesystem::path& out_dir) 
     std::string svg = read_text_file(figures_dir / (figure.name + ".svg"));
     drawn.push_back({std::move(figure), std::move(svg)});
   }
-  write_text_file(out_dir / "report.html", html_report(results, drawn));
+  write_text_file(out_dir / "report.html", html_report(results, drawn, skips));
 }
 
 }  // namespace glissade

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "glissade/core/error.hpp"
 #include "glissade/core/hash.hpp"
@@ -14,7 +15,7 @@
 namespace glissade {
 namespace {
 
-/// A uncertain quantity's place in the unit cube. Fixed for ever: a sample's numbers must not move when another
+/// An uncertain quantity's place in the unit cube. Fixed for ever: a sample's numbers must not move when another
 /// parameter becomes uncertain.
 enum Dimension : std::uint32_t { friction_dimension, slope_dimension, period_dimension, damping_dimension, component_dimension, sign_dimension };
 
@@ -134,6 +135,19 @@ std::vector<std::string> notes_on(const StudyConfig& config, const Suite& suite)
   return notes;
 }
 
+/// SEAOC PV1-2012 prescribes for slopes under 3 degrees and mu above 0.4.
+std::vector<std::string> notes_on_standards(const StudyConfig& config, const std::vector<SamplePoint>& samples) {
+  const auto& compare = config.standards.compare;
+  if (std::find(compare.begin(), compare.end(), Standard::seaoc_pv1_2012) == compare.end()) return {};
+  const auto outside = std::count_if(samples.begin(), samples.end(), [](const SamplePoint& s) {
+    return std::abs(s.slope_deg) >= 3.0 || s.friction <= 0.4;
+  });
+  if (outside == 0) return {};
+  return {fmt::format("{:.0f} % of the samples are outside the range of SEAOC PV1's prescriptive value (slope under 3 degrees and mu "
+                      "above 0.4); they are compared with it all the same",
+                      100.0 * static_cast<double>(outside) / static_cast<double>(samples.size()))};
+}
+
 std::vector<Skip> skips_of(const StudyConfig& config, const Plan& plan) {
   std::vector<Skip> skips;
   const std::uint64_t pairs = plan.suite.motions.size() * plan.samples.size();
@@ -174,6 +188,7 @@ Plan make_plan(const StudyConfig& config, Suite suite) {
   plan.notes = notes_on(config, suite);
   plan.suite = std::move(suite);
   plan.samples = draw_samples(config);
+  for (std::string& note : notes_on_standards(config, plan.samples)) plan.notes.push_back(std::move(note));
   plan.runs = friction_runs(plan);
   plan.skips = skips_of(config, plan);
   for (std::size_t record = 0; record < plan.suite.motions.size(); ++record) {

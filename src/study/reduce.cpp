@@ -261,11 +261,15 @@ Results reduce(const Plan& plan, const std::vector<UnitResult>& units) {
   results.spectra = spectra_of(plan);
   for (std::size_t run = 0; run < plan.runs.size(); ++run) results.runs.push_back(reduce_run(plan, in_order, run));
   results.notes = plan.notes;
-  results.skips = plan.skips;
-  std::uint64_t held = 0;
-  for (const UnitResult* unit : in_order) held += unit->held;
-  results.skips.push_back({"histories whose roof peak stays in the stick range", "they cannot slip: zero without integration", held});
   return results;
+}
+
+std::vector<Skip> skipped(const Plan& plan, const std::vector<UnitResult>& units) {
+  std::vector<Skip> skips = plan.skips;
+  std::uint64_t held = 0;
+  for (const UnitResult& unit : units) held += unit.held;
+  skips.push_back({"histories whose roof peak stays in the stick range", "they cannot slip: zero without integration", held});
+  return skips;
 }
 
 }  // namespace glissade

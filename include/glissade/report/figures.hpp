@@ -19,22 +19,25 @@ struct Figure {
   int key_rows = 0;     ///< lines of the key below the plot: the drawing grows by them
 };
 
-/// Share of histories exceeding each threshold over intensity, for one run: observed points, the fit on capacities, its 95 % band.
+/// Share of histories exceeding each threshold over intensity, for one run: observed points, the
+/// fit on capacities, its 95 % band.
 Figure fragility_figure(const Results& results, const RunResults& run);
-/// Incremental dynamic analysis: intensity (y) over slip (x), as is the convention; each record's median over samples in grey,
-/// 16th, 50th and 84th percentile over all histories.
+/// Incremental dynamic analysis: intensity (y) over slip (x), as is the convention; each record's
+/// median over samples in grey, 16th, 50th and 84th percentile over all histories.
 Figure ida_figure(const Results& results, const RunResults& run);
 /// Slip percentiles and what the standards prescribe, over S_DS.
 Figure slip_vs_sds_figure(const Results& results, const RunResults& run);
 /// The suite's spectra, their average and the target.
 Figure spectra_figure(const Results& results);
 
-/// Every figure the results can fill: per run the fragility, then of the first run IDA and slip_vs_sds (sds_g only), spectra.
+/// Every figure the results can fill: per run the fragility, then of the first run IDA and
+/// slip_vs_sds (sds_g only), spectra.
 std::vector<Figure> make_figures(const Results& results);
 
-/// Writes NAME.gp and NAME.dat and runs gnuplot on them: NAME.svg and NAME.pdf in `folder`. The same figure gives the same bytes
-/// (with the same gnuplot, cairo and fonts): the PDF's creation date is set to 1970. `cd folder && gnuplot NAME.gp` draws it
-/// again. Throws InputError where gnuplot is not installed or does not manage, telling its message.
+/// Writes NAME.gp and NAME.dat and runs gnuplot on them: NAME.svg and NAME.pdf in `folder`. The
+/// same figure gives the same bytes (with the same gnuplot, cairo and fonts): the PDF's creation
+/// date is set to 1970. `cd folder && gnuplot NAME.gp` draws it again. Throws InputError where
+/// gnuplot is not installed or does not manage, telling its message.
 void render_figure(const Figure& figure, const std::filesystem::path& folder);
 
 }  // namespace glissade

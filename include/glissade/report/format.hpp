@@ -7,12 +7,15 @@
 #include "glissade/fragility/fit.hpp"
 #include "glissade/standards/prescriptive.hpp"
 #include "glissade/study/config.hpp"
+#include "glissade/study/skip.hpp"
 
 namespace glissade {
 
-/// Three significant digits and no exponent where one can be avoided: "0.300", "12.5", "1024"; "-" for what is not finite.
+/// Three significant digits and no exponent where one can be avoided: "0.300", "12.5", "1024"; "-"
+/// for what is not finite.
 std::string format_number(double value);
-/// The shortest text that reads back as the same double; "" for NaN (an empty CSV field), "inf", "-inf".
+/// The shortest text that reads back as the same double; "" for NaN (an empty CSV field), "inf",
+/// "-inf".
 std::string format_exact(double value);
 /// "0.300 m (11.8 in)"; "-" for what is not finite.
 std::string format_length(double length_m);
@@ -25,6 +28,9 @@ std::string format_interval(const Interval& interval);
 std::string standard_name(Standard standard);
 /// "checked", or "recalled: verify against the standard".
 std::string provenance_label(Provenance provenance);
+
+/// "1234 histories ...: why"; without the number where nothing was counted.
+std::string format_skip(const Skip& skip);
 
 /// & < > " ' as entities: safe as text and inside quoted attributes.
 std::string escape_html(std::string_view text);

@@ -6,6 +6,7 @@
 
 #include "glissade/report/figures.hpp"
 #include "glissade/study/results.hpp"
+#include "glissade/study/skip.hpp"
 
 namespace glissade {
 
@@ -15,7 +16,10 @@ struct DrawnFigure {
   std::string svg;
 };
 
-/// The whole report in one page that needs nothing else: styles and drawings inline, no scripts, no network.
-std::string html_report(const Results& results, const std::vector<DrawnFigure>& figures);
+/// The whole report in one page that needs nothing else: styles and drawings inline, no scripts, no
+/// network. `skips` is known to a run and not kept in the results file: without it the page points
+/// to run.json.
+std::string html_report(const Results& results, const std::vector<DrawnFigure>& figures,
+                        const std::vector<Skip>& skips = {});
 
 }  // namespace glissade

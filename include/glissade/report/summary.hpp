@@ -5,14 +5,16 @@
 #include <vector>
 
 #include "glissade/study/results.hpp"
+#include "glissade/study/skip.hpp"
 
 namespace glissade {
 
-/// What came out, in sentences an engineer can quote: the intensity with a 50 % chance of exceeding each clearance, slip at a
-/// level near 1 g, and what the standards prescribe there.
+/// What came out, in sentences an engineer can quote: the intensity with a 50 % chance of exceeding
+/// each clearance, slip at a level near 1 g, and what the standards prescribe there.
 std::vector<std::string> answer_sentences(const Results& results);
 
-/// For the terminal, in plain ASCII: fragilities, the comparison with standards at a handful of levels, skips, notes.
-std::string summary_text(const Results& results);
+/// For the terminal, in plain ASCII: fragilities, the comparison with standards at a handful of
+/// levels, `skips` (known to a run, not kept in the results file), notes.
+std::string summary_text(const Results& results, const std::vector<Skip>& skips = {});
 
 }  // namespace glissade

@@ -12,10 +12,10 @@ namespace glissade {
 /// How a column is written for people. CSV always has the bare SI number with all its digits.
 enum class ColumnKind {
   text,
-  count,    ///< whole numbers
-  number,   ///< three significant digits
-  length,   ///< metres, with inches in brackets
-  share,    ///< percent
+  count,   ///< whole numbers
+  number,  ///< three significant digits
+  length,  ///< metres, with inches in brackets
+  share,   ///< percent
 };
 
 struct Column {
@@ -23,7 +23,8 @@ struct Column {
   std::string unit;     ///< "m", "g", "s" ...; empty for text, counts and dimensionless numbers
   std::string heading;  ///< for people, unit included: "Mean slip, m (in)"
   ColumnKind kind = ColumnKind::number;
-  bool with_interval = false;  ///< cells are Estimates; CSV gets three columns: value, _low95, _high95
+  bool with_interval =
+      false;  ///< cells are Estimates; CSV gets three columns: value, _low95, _high95
 };
 
 struct Estimate {
@@ -43,12 +44,16 @@ struct Table {
 
   /// Adds a row. Expects one cell per column.
   void add(std::vector<Cell> row);
+  /// The same table without a column.
+  Table without(const std::string& stem) const;
 };
 
-/// The cell as people read it: "0.300 (11.8)", "12 %", "0.84 [0.76, 0.93]"; "-" for what is not finite.
+/// The cell as people read it: "0.300 (11.8)", "12 %", "0.84 [0.76, 0.93]"; "-" for what is not
+/// finite.
 std::string cell_text(const Column& column, const Cell& cell);
 
-/// `# title`, a header with the unit in every name, then the rows (RFC 4180 quoting). NaN is an empty field.
+/// `# title`, a header with the unit in every name, then the rows (RFC 4180 quoting). NaN is an
+/// empty field.
 std::string to_csv(const Table& table);
 /// Title and aligned columns, numbers to the right.
 std::string to_text(const Table& table);

@@ -8,10 +8,11 @@
 
 namespace glissade {
 
-// The tables of a study. Every displacement is in plan; every interval is 95 %. Levels and medians are in g, as every
-// intensity measure is; the title says which measure.
+// The tables of a study. Every displacement is in plan; every interval is 95 %. Levels and medians
+// are in g, as every intensity measure is; the title says which measure.
 
-/// Per run, threshold and method (stripes, capacities): the lognormal fragility and what it rests on.
+/// Per run, threshold and method (stripes, capacities): the lognormal fragility and what it rests
+/// on.
 Table fragility_table(const Results& results);
 /// The fit to use per run and threshold, for reading: one row each.
 Table fragility_summary_table(const Results& results);
@@ -30,7 +31,8 @@ Table samples_table(const Results& results);
 /// All of the above that are files of their own, in this order.
 std::vector<Table> csv_tables(const Results& results);
 
-/// The fit on capacities where it converged, else the one on stripes where that did, else the one on capacities.
+/// The fit on capacities where it converged, else the one on stripes where that did, else the one
+/// on capacities.
 const FitSummary& preferred_fit(const ThresholdFragility& fragility);
 
 }  // namespace glissade

@@ -8,6 +8,7 @@
 #include "glissade/motion/motion.hpp"
 #include "glissade/study/config.hpp"
 #include "glissade/study/results.hpp"
+#include "glissade/study/skip.hpp"
 
 namespace glissade {
 

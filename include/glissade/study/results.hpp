@@ -95,13 +95,6 @@ struct SuiteSpectra {
   double reference_level = 0.0;             ///< 0: as scaled in the suite file
 };
 
-/// Work that was not done because the study does not need it.
-struct Skip {
-  std::string what;       ///< "histories whose roof peak stays in the stick range"
-  std::string why;
-  std::uint64_t count = 0;
-};
-
 /// Everything a study found, and nothing about when, where or on how many ranks.
 struct Results {
   std::string study_name, program_version, plan_hash, study_text;
@@ -114,7 +107,6 @@ struct Results {
   std::vector<RecordSummary> records;
   SuiteSpectra spectra;
   std::vector<RunResults> runs;              ///< "sampled" first, then "design" if there is one
-  std::vector<Skip> skips;
   std::vector<std::string> notes;            ///< "5 of 22 records have no vertical: run with horizontals only"
 };
 

@@ -24,7 +24,8 @@ constexpr double vertical_arias_factor = 0.35, vertical_frequency_factor = 1.8;
 // RDK10's motions vary less than BSSA14's at short periods (ln-sd about .56 against .71 at 0.1 s). A residual of this ln-sd
 // above the upper frequency, none below the lower one, makes up for that: ours, chosen on the scenarios of the
 // verification manual. It is independent of the parameters and leaves the median ln amplitude as it is.
-constexpr double residual_from_hz = 2.5, residual_full_hz = 10.0, residual_log_std = 0.5;
+constexpr double residual_from_hz = 2.5, residual_full_hz = 10.0;
+constexpr double horizontal_residual_log_std = 0.6, vertical_residual_log_std = 0.25;
 
 constexpr double corner_hz = 0.1;               // of the high-pass (SCEC BBP's rzz2015.py)
 constexpr double last_arias_fraction = 0.995;   // the noise goes on to here ...
@@ -105,8 +106,11 @@ ComponentParameters draw_component_parameters(const Scenario& scenario, Realizat
   result.intermediate.arias_g2s *= std::exp(-0.5 * log_ratio);
   result.rotation_rad = 2.0 * std::numbers::pi *
                         keyed_uniform(key.seed, RandomPurpose::motion_parameters, key.realization, rotation_index);
-  result.short_period_residual = {{residual_from_hz, residual_full_hz},
-                                  {1.0, std::exp(residual_log_std * normal(short_period_index))}};
+  const double residual = normal(short_period_index);
+  const auto residual_gain = [&](double log_std) {
+    return SpectralGain{{residual_from_hz, residual_full_hz}, {1.0, std::exp(log_std * residual)}};
+  };
+  result.short_period_residual = {residual_gain(horizontal_residual_log_std), residual_gain(vertical_residual_log_std)};
   return result;
 }
 
@@ -127,7 +131,8 @@ RawMotion simulate_raw_motion(const Scenario& scenario, RealizationKey key, doub
     const std::vector<double> process_g = rdk10_process_g(axes[component], dt_s, noise);
     std::transform(process_g.begin(), process_g.end(), acceleration.begin() + static_cast<std::ptrdiff_t>(lead_in),
                    [](double a_g) { return a_g * standard_gravity_mps2; });
-    acceleration = apply_gain(acceleration, dt_s, parameters.short_period_residual);
+    acceleration = apply_gain(acceleration, dt_s, component < 2 ? parameters.short_period_residual.horizontal
+                                                          : parameters.short_period_residual.vertical);
   }
 
   const double cosine = std::cos(parameters.rotation_rad), sine = std::sin(parameters.rotation_rad);

@@ -24,7 +24,8 @@ double SpectralGain::operator()(double frequency_hz) const {
 }
 
 std::vector<double> apply_gain(std::span<const double> signal, double dt_s, const SpectralGain& gain) {
-  const std::size_t size = std::bit_ceil(2 * signal.size());
+  constexpr double padding_s = 20.0;
+  const std::size_t size = std::bit_ceil(signal.size() + static_cast<std::size_t>(std::ceil(padding_s / dt_s)));
   std::vector<double> transform(size, 0.0);
   std::copy(signal.begin(), signal.end(), transform.begin());
   gsl_fft_real_radix2_transform(transform.data(), 1, size);

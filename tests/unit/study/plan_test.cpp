@@ -129,8 +129,18 @@ TEST(plan, notes_records_that_lack_a_component) {
   Suite suite = small_suite();
   suite.motions[0].vertical_mps2.clear();
   suite.motions[1].horizontal_mps2[1].clear();
-  const Plan plan = make_plan(small_config(), suite);
-  EXPECT_EQ(plan.notes.size(), 2u);
+  StudyConfig config = small_config();
+  config.standards.compare.clear();
+  EXPECT_EQ(make_plan(config, suite).notes.size(), 2u);
+}
+
+TEST(plan, notes_samples_outside_the_range_of_the_prescriptive_value) {
+  // Slope 4 degrees in a third of the samples, mu at or below 0.4 in half of them.
+  EXPECT_EQ(make_plan(small_config(), small_suite()).notes.size(), 1u);
+  StudyConfig config = small_config();
+  config.roof.slope_deg = Fixed{1.19};
+  config.friction.mu = Fixed{0.45};
+  EXPECT_TRUE(make_plan(config, small_suite()).notes.empty());
 }
 
 }  // namespace

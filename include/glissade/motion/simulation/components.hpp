@@ -20,7 +20,7 @@ struct RealizationKey {
 struct ComponentParameters {
   Rdk10Parameters major, intermediate, vertical;
   double rotation_rad = 0.0;        ///< of the principal axes, uniform over the circle
-  SpectralGain short_period_residual;  ///< common to the components; ours, see components.cpp
+  SuiteGain short_period_residual;  ///< of this one motion; ours, see components.cpp
 };
 
 /// Draws them. The horizontal axes are principal: independent noise, correlated parameters (Rezaeian & Der

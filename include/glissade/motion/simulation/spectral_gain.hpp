@@ -19,8 +19,8 @@ struct SuiteGain {
   SpectralGain horizontal, vertical;
 };
 
-/// Multiplies the signal's Fourier transform by the gain. Zeros as long as the signal stand in for what lies
-/// before and after it, so that nothing wraps round; what leaks beyond its ends is cut.
+/// Multiplies the signal's Fourier transform by the gain. At least 20 s of zeros stand in for what lies
+/// before and after it, so that a gain that is smooth above 0.25 Hz does not wrap round; what leaks beyond its ends is cut.
 std::vector<double> apply_gain(std::span<const double> signal, double dt_s, const SpectralGain& gain);
 
 }  // namespace glissade

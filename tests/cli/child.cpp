@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "child.hpp"
+
+#include <fcntl.h>
+#include <gmock/gmock.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+
+namespace glissade::test {
+
+namespace fs = std::filesystem;
+
+ScratchFolder::ScratchFolder() {
+  std::string name = (fs::temp_directory_path() / "glissade_test_XXXXXX").string();
+  if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no scratch folder");
+  folder_ = name;
+}
+
+ScratchFolder::~ScratchFolder() {
+  std::error_code ignored;
+  fs::remove_all(folder_, ignored);
+}
+
+std::string ScratchFolder::write(const std::string& name, const std::string& text) const {
+  std::ofstream(path(name), std::ios::binary) << text;
+  return path(name).string();
+}
+
+std::vector<std::string> ScratchFolder::contents() const {
+  std::vector<std::string> names;
+  for (const auto& entry : fs::recursive_directory_iterator(folder_)) {
+    names.push_back(fs::relative(entry.path(), folder_).string());
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+namespace {
+
+[[noreturn]] void become(const std::vector<std::string>& arguments, const std::string& out, const std::string& err) {
+  std::vector<char*> pointers;
+  for (const std::string& argument : arguments) pointers.push_back(const_cast<char*>(argument.c_str()));
+  pointers.push_back(nullptr);
+  constexpr int how = O_WRONLY | O_CREAT | O_TRUNC;
+  dup2(open("/dev/null", O_RDONLY), STDIN_FILENO);
+  dup2(open(out.c_str(), how, 0600), STDOUT_FILENO);
+  dup2(open(err.c_str(), how, 0600), STDERR_FILENO);
+  execvp(pointers[0], pointers.data());
+  _exit(127);
+}
+
+}  // namespace
+
+Finished run_child(const std::vector<std::string>& arguments) {
+  const ScratchFolder folder;
+  const std::string out = folder.path("out").string(), err = folder.path("err").string();
+  const pid_t child = fork();
+  if (child < 0) throw std::runtime_error("no child");
+  if (child == 0) become(arguments, out, err);
+  int status = 0;
+  waitpid(child, &status, 0);
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), read_file(out), read_file(err)};
+}
+
+Finished run_program(std::vector<std::string> arguments) {
+  arguments.insert(arguments.begin(), GLISSADE_PROGRAM);
+  return run_child(arguments);
+}
+
+Finished run_shell(const std::string& line) { return run_child({"/bin/sh", "-c", line, GLISSADE_PROGRAM}); }
+
+std::string read_file(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::ostringstream text;
+  text << stream.rdbuf();
+  return text.str();
+}
+
+namespace {
+
+std::vector<std::string> split(const std::string& text, char separator) {
+  std::vector<std::string> parts;
+  std::istringstream stream(text);
+  for (std::string part; std::getline(stream, part, separator);) parts.push_back(part);
+  return parts;
+}
+
+}  // namespace
+
+std::vector<std::string> lines_of(const std::string& text) { return split(text, '\n'); }
+std::vector<std::string> cells_of(const std::string& line) { return split(line, ','); }
+
+void expect_refused(const Finished& child, const std::vector<std::string>& parts) {
+  EXPECT_EQ(child.status, 2) << child.err;
+  EXPECT_EQ(child.out, "");
+  EXPECT_THAT(child.err, testing::StartsWith("glissade: "));
+  EXPECT_EQ(child.err.find("glissade: ", 1), std::string::npos) << "told more than once:\n" << child.err;
+  for (const std::string& part : parts) EXPECT_THAT(child.err, testing::HasSubstr(part));
+}
+
+}  // namespace glissade::test

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace glissade::test {
+
+/// A folder of its own for a test, gone when the test is over.
+class ScratchFolder {
+ public:
+  ScratchFolder();
+  ~ScratchFolder();
+  ScratchFolder(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(const ScratchFolder&) = delete;
+
+  std::filesystem::path path(const std::string& name) const { return folder_ / name; }
+  /// Writes a file and returns its path.
+  std::string write(const std::string& name, const std::string& text) const;
+  /// Every file and folder in it, sorted, relative.
+  std::vector<std::string> contents() const;
+
+ private:
+  std::filesystem::path folder_;
+};
+
+/// What a finished child left: its exit status (128 + signal where one ended it) and what it printed.
+struct Finished {
+  int status = -1;
+  std::string out, err;
+};
+
+/// Runs `arguments` (the program first, found on the PATH) and waits.
+Finished run_child(const std::vector<std::string>& arguments);
+/// Runs glissade.
+Finished run_program(std::vector<std::string> arguments);
+/// Runs a line of sh; "$0" in it is glissade.
+Finished run_shell(const std::string& line);
+
+std::string read_file(const std::filesystem::path& file);
+std::vector<std::string> lines_of(const std::string& text);
+/// A line of CSV without quotes.
+std::vector<std::string> cells_of(const std::string& line);
+
+/// Fails the test unless the program refused its input: status 2, nothing on standard output, and one message on standard
+/// error that begins with the program's name and holds all of `parts`.
+void expect_refused(const Finished& child, const std::vector<std::string>& parts);
+
+}  // namespace glissade::test

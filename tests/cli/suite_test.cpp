@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gmock/gmock.h>
+
+#include <algorithm>
+
+#include "cli/child.hpp"
+
+namespace glissade::test {
+namespace {
+
+const std::string level0 = GLISSADE_SOURCE_DIR "/suites/synthetic_level0.toml";
+
+TEST(Suite, show_lists_every_motion_with_its_components) {
+  const Finished child = run_program({"suite", "show", level0});
+  EXPECT_EQ(child.status, 0) << child.err;
+  EXPECT_EQ(child.err, "");
+  for (int i = 1; i <= 7; ++i) EXPECT_THAT(child.out, testing::HasSubstr("level0_" + std::to_string(i)));
+  // Walters's Level 0: S_s 0.45, S_1 0.18; site class D, F_a = 1.44: S_DS = 2/3 1.44 0.45.
+  EXPECT_THAT(child.out, testing::HasSubstr("S_DS 0.432 g"));
+}
+
+TEST(Suite, spectra_are_a_table_whose_average_stays_above_the_target_to_2_s) {
+  const ScratchFolder folder;
+  const std::string file = folder.path("spectra.csv").string();
+  const Finished child = run_program({"suite", "spectra", level0, "--out", file});
+  EXPECT_EQ(child.status, 0) << child.err;
+  const std::string text = read_file(file);
+  EXPECT_EQ(run_program({"suite", "spectra", level0}).out, text);  // the same without --out
+  const std::vector<std::string> lines = lines_of(text);
+  ASSERT_GT(lines.size(), 50u);
+  const std::vector<std::string> header = cells_of(lines[1]);
+  const auto column = [&](const std::string& name) { return static_cast<std::size_t>(std::find(header.begin(), header.end(), name) - header.begin()); };
+  EXPECT_EQ(header[0], "period_s");
+  ASSERT_LT(column("average_srss_g"), header.size());
+  ASSERT_LT(column("target_mce_g"), header.size());
+  for (std::size_t i = 2; i < lines.size(); ++i) {
+    const std::vector<std::string> cells = cells_of(lines[i]);
+    ASSERT_EQ(cells.size(), header.size()) << lines[i];
+    if (std::stod(cells[0]) > 2.0) continue;
+    // The suite's factors were found at Walters's periods and are kept to four decimals: between, the average may dip a little.
+    EXPECT_GT(std::stod(cells[column("average_srss_g")]), 0.97 * std::stod(cells[column("target_mce_g")])) << lines[i];
+  }
+}
+
+TEST(Suite, scale_finds_the_factors_the_built_in_suite_was_made_with) {
+  const Finished child = run_program({"suite", "scale", level0});
+  EXPECT_EQ(child.status, 0) << child.err;
+  std::vector<std::string> lines = lines_of(child.out);
+  const auto header = std::find(lines.begin(), lines.end(), "id,scale");
+  ASSERT_EQ(lines.end() - header, 8);
+  const std::string suite = read_file(level0);
+  for (auto line = header + 1; line != lines.end(); ++line) {
+    const std::vector<std::string> cells = cells_of(*line);
+    const std::size_t motion = suite.find("id = \"" + cells[0] + "\"");
+    ASSERT_NE(motion, std::string::npos);
+    const double kept = std::stod(suite.substr(suite.find("scale = ", motion) + 8));
+    EXPECT_NEAR(std::stod(cells[1]), kept, 5e-4) << cells[0];
+  }
+}
+
+TEST(Suite, dbe_factors_are_two_thirds_of_mce_factors) {
+  const std::vector<std::string> mce = lines_of(run_program({"suite", "scale", level0, "--target", "mce"}).out);
+  const std::vector<std::string> dbe = lines_of(run_program({"suite", "scale", level0, "--target", "dbe"}).out);
+  ASSERT_EQ(mce.size(), dbe.size());
+  ASSERT_FALSE(mce.empty());
+  EXPECT_NEAR(std::stod(cells_of(dbe.back())[1]), std::stod(cells_of(mce.back())[1]) * 2 / 3, 1e-4);
+}
+
+TEST(Suite, design_makes_the_built_in_suite_again) {
+  const Finished child = run_program({"suite", "design", "--level", "0", "--seed", "20260101"});
+  EXPECT_EQ(child.status, 0) << child.err;
+  const std::string kept = read_file(level0);
+  const auto from_suite = [](const std::string& text) { return text.substr(text.find("[suite]")); };
+  EXPECT_EQ(from_suite(child.out), from_suite(kept));
+}
+
+TEST(Suite, mistakes_are_refused) {
+  const ScratchFolder folder;
+  expect_refused(run_program({"suite", "show", folder.path("none.toml").string()}), {"none.toml", "No such file"});
+  expect_refused(run_program({"suite", "scale", level0, "--target", "mean"}), {"--target", "mean", "mce", "dbe"});
+  expect_refused(run_program({"suite", "design", "--level", "9"}), {"9"});
+  expect_refused(run_program({"suite"}), {"--help"});
+}
+
+TEST(Suite, records_that_cannot_be_found_are_all_told) {
+  const ScratchFolder folder;
+  const std::string suite = folder.write("suite.toml",
+                                         "[suite]\nname = \"s\"\n[[record]]\nid = \"a\"\nfirst = \"here_not.AT2\"\nsecond = \"there_neither.AT2\"\n"
+                                         "[[record]]\nid = \"b\"\nfirst = \"nowhere.AT2\"\nmagnitud = 7\n");
+  expect_refused(run_program({"suite", "show", suite}),
+                 {"suite.toml:5", "here_not.AT2", "suite.toml:6", "there_neither.AT2", "suite.toml:9", "nowhere.AT2", "GLISSADE_RECORDS", "suite.toml:10", "did you mean magnitude?"});
+}
+
+}  // namespace
+}  // namespace glissade::test

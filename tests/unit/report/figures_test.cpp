@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glissade/report/figures.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "glissade/core/error.hpp"
+#include "glissade/core/file.hpp"
+#include "made_up_results.hpp"
+
+namespace glissade {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+using testing::Not;
+
+fs::path fresh_folder(const std::string& name) {
+  const fs::path folder = fs::path(testing::TempDir()) / ("glissade_report_" + name);
+  fs::remove_all(folder);
+  return folder;
+}
+
+std::vector<std::string> names(const std::vector<Figure>& figures) {
+  std::vector<std::string> list;
+  for (const Figure& figure : figures) list.push_back(figure.name);
+  return list;
+}
+
+TEST(figures, are_those_the_results_can_fill) {
+  Results results = made_up_results();
+  EXPECT_THAT(names(make_figures(results)), testing::ElementsAre("fragility", "fragility_design",
+                                                                 "slip_vs_sds", "ida", "spectra"));
+  results.measure = IntensityMeasure::pga_g;
+  results.spectra = {};
+  EXPECT_THAT(names(make_figures(results)),
+              testing::ElementsAre("fragility", "fragility_design", "ida"));
+  EXPECT_TRUE(make_figures(Results{}).empty());
+}
+
+TEST(figures, are_the_same_bytes_each_time) {
+  const Figure figure = make_figures(made_up_results()).front();
+  const fs::path first = fresh_folder("first"), second = fresh_folder("second");
+  render_figure(figure, first);
+  render_figure(figure, second);
+  for (const char* file : {"fragility.svg", "fragility.pdf", "fragility.gp", "fragility.dat"}) {
+    EXPECT_EQ(read_text_file(first / file), read_text_file(second / file)) << file;
+  }
+  EXPECT_THAT(read_text_file(first / "fragility.pdf"),
+              HasSubstr("/CreationDate (D:19700101000000"));
+}
+
+TEST(figures, draw_without_the_fits_that_failed) {
+  Results results = made_up_results();
+  results.runs[0].fragilities[0].capacities = FitSummary{};
+  const Figure figure = fragility_figure(results, results.runs[0]);
+  EXPECT_THAT(figure.body, HasSubstr("no curve could be fitted"));
+  EXPECT_THAT(figure.body, Not(HasSubstr("'curve 0'")));
+  EXPECT_NO_THROW(render_figure(figure, fresh_folder("failed_fit")));
+}
+
+TEST(figures, take_any_text_of_the_user_as_text) {
+  Results results = made_up_results();
+  results.suite_name = "it's {a} \"_suite^\" `date` \\n $x";
+  const fs::path folder = fresh_folder("text");
+  render_figure(spectra_figure(results), folder);
+  const std::string svg = read_text_file(folder / "spectra.svg");
+  EXPECT_THAT(svg, HasSubstr("`date`"));
+  EXPECT_THAT(svg, HasSubstr("{a}"));
+}
+
+TEST(figures, tell_what_to_do_when_gnuplot_is_missing) {
+  const std::string path = std::getenv("PATH");
+  ::setenv("PATH", "/nonexistent", 1);
+  try {
+    render_figure(make_figures(made_up_results()).front(), fresh_folder("no_gnuplot"));
+    ADD_FAILURE() << "nothing thrown";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("gnuplot"));
+    EXPECT_THAT(error.what(), HasSubstr("install"));
+  }
+  ::setenv("PATH", path.c_str(), 1);
+}
+
+TEST(figures, pass_on_what_gnuplot_complains_about) {
+  Figure figure = make_figures(made_up_results()).front();
+  figure.body = "set nonsense\n";
+  try {
+    render_figure(figure, fresh_folder("nonsense"));
+    FAIL() << "nothing thrown";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("nonsense"));
+  }
+}
+
+}  // namespace
+}  // namespace glissade

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glissade/report/html.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "made_up_results.hpp"
+
+namespace glissade {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+TEST(html_report, escapes_the_study_and_the_records) {
+  Results results = made_up_results();
+  results.study_name = "<script>alert(1)</script>";
+  const std::string html = html_report(results, {});
+  EXPECT_THAT(html, Not(HasSubstr("<script")));
+  EXPECT_THAT(html, HasSubstr("&lt;script&gt;"));
+  EXPECT_THAT(html, HasSubstr("# a &lt;test&gt; &amp; nothing more"));
+  EXPECT_THAT(html, HasSubstr("Kobold &lt;1995&gt;"));
+}
+
+TEST(html_report, needs_nothing_from_outside) {
+  const std::string html = html_report(made_up_results(), {});
+  for (const char* reference : {"src=", "href=", "@import", "url("})
+    EXPECT_THAT(html, Not(HasSubstr(reference)));
+}
+
+TEST(html_report, states_what_is_assumed_and_what_must_be_verified) {
+  const std::string html = html_report(made_up_results(), {});
+  for (const char* part : {"In plan", "Coulomb", "single-degree-of-freedom", "mass is neglected",
+                           "goes linearly to zero", "Which of the two components",
+                           "11 of 12 records have a vertical", "Verify against the standard"}) {
+    EXPECT_THAT(html, HasSubstr(part));
+  }
+}
+
+TEST(html_report, says_rigid_where_the_samples_have_no_period) {
+  Results results = made_up_results();
+  for (SamplePoint& sample : results.samples) sample.period_s = 0.0;
+  const std::string html = html_report(results, {});
+  EXPECT_THAT(html, HasSubstr("Rigid: the roof moves as the ground does"));
+  EXPECT_THAT(html, Not(HasSubstr("mass is neglected")));
+}
+
+TEST(html_report, puts_the_drawing_in_the_page_without_its_xml_declaration) {
+  const std::string html = html_report(
+      made_up_results(),
+      {{{"one", "Title", "Caption", "", "", 0}, "<?xml version=\"1.0\"?>\n<svg id=\"x\"></svg>"}});
+  EXPECT_THAT(html, HasSubstr("<svg role=\"img\" aria-label=\"Title\" id=\"x\"></svg>"));
+  EXPECT_THAT(html, Not(HasSubstr("<?xml")));
+}
+
+}  // namespace
+}  // namespace glissade

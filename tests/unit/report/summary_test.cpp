@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glissade/report/summary.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "made_up_results.hpp"
+
+namespace glissade {
+namespace {
+
+using testing::HasSubstr;
+
+TEST(summary, tells_fragilities_standards_skips_and_notes_in_ascii) {
+  const std::string text = summary_text(
+      made_up_results(),
+      {{"histories whose roof peak stays in the stick range", "they cannot slip", 1234},
+       {"a", "b", 0}});
+  for (const char* part : {"12 records x 16 samples x 20 levels", "0.300 (11.8)", "SEAOC PV1-2012",
+                           "ASCE 7-16", "verify against the standard",
+                           "\n  1234 histories whose roof peak", "\n  a: b\n", "has no vertical"}) {
+    EXPECT_THAT(text, HasSubstr(part));
+  }
+  for (const char c : text) EXPECT_LT(static_cast<unsigned char>(c), 128);
+}
+
+TEST(answer, says_when_a_median_lies_beyond_the_levels_studied) {
+  Results results = made_up_results();
+  results.runs[0].fragilities[0].capacities.curve.median = 3.0;  // levels end at 2 g
+  EXPECT_THAT(answer_sentences(results)[0], HasSubstr("extrapolates"));
+}
+
+TEST(answer, says_that_a_clearance_was_never_exceeded) {
+  Results results = made_up_results();
+  ThresholdFragility& fragility = results.runs[0].fragilities[3];
+  fragility.stripes = fragility.capacities = FitSummary{};
+  fragility.capacities.status = FitStatus::one_sided_bound;
+  fragility.capacities.curve = {2.5, 0.4};
+  EXPECT_THAT(answer_sentences(results)[3], HasSubstr("never exceeded"));
+  EXPECT_THAT(answer_sentences(results)[3], HasSubstr("S_DS = 2.50 g"));
+}
+
+TEST(answer, quotes_seaoc_at_1_g) {
+  // 60 (1.0 - 0.4)^2 = 21.6 in, SEAOC PV1-2012.
+  const auto sentences = answer_sentences(made_up_results());
+  EXPECT_THAT(sentences,
+              testing::Contains(HasSubstr("SEAOC PV1-2012 prescribes 0.549 m (21.6 in)")));
+}
+
+TEST(summary, of_nothing_is_still_text) {
+  EXPECT_TRUE(answer_sentences(Results{}).empty());
+  EXPECT_FALSE(summary_text(Results{}).empty());
+}
+
+}  // namespace
+}  // namespace glissade

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glissade/report/table.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+#include "glissade/report/tables.hpp"
+#include "made_up_results.hpp"
+
+namespace glissade {
+namespace {
+
+using testing::HasSubstr;
+
+Table small_table() {
+  Table table{"small",
+              "Two\nrows",
+              {{"who", "", "Who", ColumnKind::text},
+               {"slip", "m", "Slip, m (in)", ColumnKind::length, true}},
+              {}};
+  table.add({std::string("a, \"b\""), Estimate{0.254, {0.2, 0.3}}});
+  table.add({std::string("<c>"), Estimate{std::numeric_limits<double>::quiet_NaN(), {}}});
+  return table;
+}
+
+TEST(table, becomes_csv_with_units_quotes_and_empty_fields_for_nan) {
+  EXPECT_EQ(to_csv(small_table()),
+            "# Two rows\nwho,slip_m,slip_low95_m,slip_high95_m\n\"a, "
+            "\"\"b\"\"\",0.254,0.2,0.3\n<c>,,,\n");
+}
+
+TEST(table, becomes_aligned_text_with_inches_and_dashes) {
+  EXPECT_EQ(to_text(small_table()),
+            "Two rows\n"
+            "  Who                    Slip, m (in)\n"
+            "  a, \"b\"  0.254 (10.0) [0.200, 0.300]\n"
+            "  <c>                               -\n");
+}
+
+TEST(table, becomes_escaped_html) {
+  const std::string html = to_html(small_table());
+  EXPECT_THAT(html, HasSubstr("<td>&lt;c&gt;</td>"));
+  EXPECT_THAT(html, HasSubstr("<caption>Two\nrows</caption>"));
+}
+
+TEST(table, says_that_a_one_sided_median_is_a_lower_bound) {
+  const Column column{"median", "g", "Median", ColumnKind::number, true};
+  EXPECT_EQ(cell_text(column, Estimate{2.0, {}, true}), "> 2.00");
+}
+
+TEST(table, loses_just_the_column_it_is_shown_without) {
+  const Table rest = small_table().without("who");
+  ASSERT_EQ(rest.columns.size(), 1u);
+  EXPECT_EQ(rest.columns[0].stem, "slip");
+  EXPECT_EQ(std::get<Estimate>(rest.rows[0][0]).value, 0.254);
+}
+
+std::size_t fields(const std::string& line) {
+  bool quoted = false;
+  std::size_t count = 1;
+  for (const char c : line) {
+    if (c == '"') quoted = !quoted;
+    if (c == ',' && !quoted) ++count;
+  }
+  return count;
+}
+
+TEST(tables, have_as_many_fields_in_every_row_as_in_the_header_and_say_in_plan) {
+  for (const Table& table : csv_tables(made_up_results())) {
+    std::istringstream lines(to_csv(table));
+    std::string line;
+    std::getline(lines, line);
+    EXPECT_THAT(line, HasSubstr("isplacements are in plan")) << table.name;
+    std::getline(lines, line);
+    const std::size_t expected = fields(line);
+    std::size_t rows = 0;
+    for (; std::getline(lines, line); ++rows)
+      EXPECT_EQ(fields(line), expected) << table.name << ": " << line;
+    EXPECT_EQ(rows, table.rows.size());
+    EXPECT_GT(rows, 0u) << table.name;
+  }
+}
+
+TEST(tables, leave_out_standards_when_there_are_none) {
+  Results results = made_up_results();
+  for (RunResults& run : results.runs) run.standards.clear();
+  for (const Table& table : csv_tables(results)) EXPECT_NE(table.name, "standards");
+}
+
+TEST(stripes_table, counts_what_the_histories_show) {
+  const Results results = made_up_results();
+  const RunResults& run = results.runs[0];
+  // The last level of the first threshold, counted directly.
+  const auto& slip = run.peak_displacement_m;
+  double above = 0.0;
+  for (std::size_t i = 0; i < slip.rows; ++i) {
+    for (std::size_t j = 0; j < slip.columns; ++j)
+      above += slip(i, j, slip.depth - 1) >= results.thresholds_m[0] ? 1 : 0;
+  }
+  const std::vector<Cell>& row = stripes_table(results).rows[slip.depth - 1];
+  EXPECT_EQ(std::get<double>(row[3]), static_cast<double>(slip.rows * slip.columns));
+  EXPECT_EQ(std::get<double>(row[4]), above);
+}
+
+TEST(fragility_table, leaves_failed_fits_empty_and_the_summary_uses_the_fit_that_converged) {
+  Results results = made_up_results();
+  FitSummary& fit = results.runs[0].fragilities[0].capacities;
+  fit = FitSummary{};
+  fit.note = "too few";
+  const Table table = fragility_table(results);
+  EXPECT_TRUE(std::isnan(std::get<Estimate>(table.rows[1][3]).value));
+  EXPECT_EQ(cell_text(table.columns[3], table.rows[1][3]), "-");
+  const Table summary = fragility_summary_table(results);
+  EXPECT_EQ(std::get<Estimate>(summary.rows[0][2]).value,
+            results.runs[0].fragilities[0].stripes.curve.median);
+}
+
+}  // namespace
+}  // namespace glissade

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glissade/report/write_report.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "glissade/core/error.hpp"
+#include "glissade/core/file.hpp"
+#include "made_up_results.hpp"
+
+namespace glissade {
+namespace {
+
+namespace fs = std::filesystem;
+
+TEST(write_report, leaves_a_page_tables_and_figures_and_no_partial_files) {
+  const fs::path folder = fs::path(testing::TempDir()) / "glissade_report_whole";
+  fs::remove_all(folder);
+  write_report(made_up_results(), folder);
+  for (const char* table :
+       {"fragility", "slip", "standards", "stripes", "records", "spectra", "samples"}) {
+    EXPECT_TRUE(fs::exists(folder / "tables" / (std::string(table) + ".csv"))) << table;
+  }
+  const std::string html = read_text_file(folder / "report.html");
+  for (const char* figure : {"fragility", "fragility_design", "slip_vs_sds", "ida", "spectra"}) {
+    EXPECT_TRUE(fs::exists(folder / "figures" / (std::string(figure) + ".pdf"))) << figure;
+    EXPECT_THAT(html, testing::HasSubstr("id=\"figure_" + std::string(figure) + "\""));
+  }
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    EXPECT_THAT(entry.path().string(), testing::Not(testing::HasSubstr(".partial")));
+  }
+}
+
+TEST(write_report, throws_an_input_error_where_it_cannot_write) {
+  EXPECT_THROW(write_report(made_up_results(), "/dev/null/report"), InputError);
+}
+
+TEST(write_text_file, replaces_a_file_whole_and_tells_of_a_full_disk) {
+  const fs::path file = fs::path(testing::TempDir()) / "glissade_text_file.txt";
+  write_text_file(file, "old");
+  write_text_file(file, "new");
+  EXPECT_EQ(read_text_file(file), "new");
+  try {
+    write_text_file("/dev/full", "text");
+    FAIL() << "nothing thrown";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr("No space left"));
+  }
+}
+
+}  // namespace
+}  // namespace glissade

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace glissade::verification {
+
+/// What a case is about, in words.
+struct Subject {
+  std::string name;      ///< "trapezoidal pulse on a flat roof"
+  std::string quantity;  ///< "peak slip, m"
+  std::string source;    ///< where the reference comes from
+};
+
+/// One row of the manual.
+struct Case {
+  std::string name, quantity, reference, metric, tolerance;
+  std::string result;  ///< the only column in which two machines may differ
+  bool pass = false;
+};
+
+enum class Metric { absolute, relative };
+
+struct Comparison {
+  double value, expected, tolerance;
+  Metric metric = Metric::relative;
+};
+/// A number against a number: |value - expected| <= tolerance, or |value / expected - 1| <= tolerance.
+Case compare(const Subject& subject, const Comparison& comparison);
+
+struct Bound {
+  std::string metric;  ///< what `value` is: "largest relative difference of 480 histories"
+  double value, at_most;
+};
+/// A measured difference against its limit, where the reference is not one number.
+Case limit(const Subject& subject, const Bound& bound);
+
+struct Range {
+  std::string metric;
+  double value, low, high;
+};
+Case within(const Subject& subject, const Range& range);
+
+struct Mismatches {
+  int differing, of;
+};
+/// Results that must be equal to the last bit, or statements that must hold.
+Case all_equal(const Subject& subject, const Mismatches& mismatches);
+
+/// A part of the manual: text, its cases and, below them, figures and measured tables (in Markdown).
+struct Chapter {
+  std::string title, text;
+  std::vector<Case> cases;
+  std::string figures = {};
+  std::string measured = {};  ///< what another machine may measure otherwise; not compared
+};
+
+/// Where chapters find their inputs and leave their figures.
+struct Folders {
+  std::filesystem::path suites;      ///< the built-in suites
+  std::filesystem::path simulation;  ///< what verify_simulation wrote
+  std::filesystem::path figures;
+};
+
+}  // namespace glissade::verification
