@@ -61,12 +61,12 @@ std::vector<double> oscillator_response(const Oscillator& oscillator, double dt_
   if (rings) {
     // |x + 2 zeta y| <= (1 + 2 zeta) envelope, which decays as exp(-zeta phase) a step.
     const double bound = (1.0 + 2.0 * zeta) * free_vibration_envelope(x, y, zeta);
+    const double longest = longest_ring_down_s * parts / dt_s;
     double steps = 0.0;
     if (bound > quiet_mps2) {
-      const double longest = longest_ring_down_s * parts / dt_s;
       steps = zeta > 0.0 ? std::min(longest, std::log(bound / quiet_mps2) / (zeta * phase)) : longest;
     }
-    for (double i = 0.0; i < steps; i += 1.0) advance(0.0, 0.0);
+    for (auto left = static_cast<std::size_t>(std::ceil(steps)); left > 0; --left) advance(0.0, 0.0);
   }
   return roof;
 }

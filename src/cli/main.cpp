@@ -23,10 +23,12 @@ void flush_standard_output() {
 
 /// What CLI11 says, but for a misspelt command, which it does not name.
 std::string message(const CLI::App& program, const CLI::ParseError& error) {
-  const std::vector<std::string> left = program.remaining();
-  if (!program.get_subcommands().empty() || left.empty() || left.front().starts_with("-")) return error.what();
+  const CLI::App* reached = &program;
+  while (!reached->get_subcommands().empty()) reached = reached->get_subcommands().front();
   std::vector<std::string> commands;
-  for (const CLI::App* command : program.get_subcommands([](const CLI::App*) { return true; })) commands.push_back(command->get_name());
+  for (const CLI::App* command : reached->get_subcommands([](const CLI::App*) { return true; })) commands.push_back(command->get_name());
+  const std::vector<std::string> left = reached->remaining();
+  if (commands.empty() || left.empty() || left.front().starts_with("-")) return error.what();
   const std::string nearest = glissade::nearest_word(left.front(), commands);
   return left.front() + " is not a command" + (nearest.empty() ? "" : "; did you mean " + nearest + "?");
 }
@@ -56,6 +58,7 @@ int run_program(int argc, char** argv, const glissade::Communicator& world) {
     return exit.status;
   } catch (const glissade::InputError& error) {
     fmt::print(stderr, "glissade: {}\n", error.what());
+    if (!world.is_root()) world.abort(input_error_status);  // the others do not know, and would wait for ever
     return input_error_status;
   }
 }

@@ -47,6 +47,9 @@ void check(const SlideOptions& o) {
   if (!o.history.empty() && o.method != "event") {
     problems.add({"--history", "is written by the event method only", "leave out --method", ""});
   }
+  if (o.history == "/dev/stdout") {
+    problems.add({"--history", "/dev/stdout is where the result is printed", "give a file", ""});
+  }
   if (!o.second.empty()) {
     problems.add({"--second", "the two-axis model is not in this version", "leave it out: one axis along the slope", ""});
   }

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "commands.hpp"
+#include "glissade/core/error.hpp"
 #include "glissade/core/units.hpp"
 #include "glissade/report/format.hpp"
 #include "glissade/standards/prescriptive.hpp"
@@ -27,6 +28,9 @@ void print(const char* name, const Prescription& p) {
 }
 
 void run(const StandardsOptions& o) {
+  if (!(o.importance >= 1.0 && o.importance <= 1.5)) {
+    throw InputError({"--importance", fmt::format("{:g} is not an importance factor: it must lie between 1 and 1.5", o.importance), "", ""});
+  }
   const Prescription seaoc = seaoc_pv1_2012_displacement(o.sds_g, parse_seismic_design_category(o.sdc));
   const Prescription asce = asce7_16_displacement(o.sds_g, o.importance);
   const std::vector<Separation> separations = asce7_16_separations(asce.value_m);

@@ -98,9 +98,7 @@ std::string provisions_html(const Results& results) {
 }
 
 std::string answer_html(const Results& results) {
-  std::string html = "<div class=\"answer\">\n<p>";
-  for (const std::string& sentence : answer_sentences(results)) html += escape_html(sentence) + " ";
-  return html + "</p>\n</div>\n";
+  return "<div class=\"answer\">\n" + list(answer_sentences(results)) + "</div>\n";
 }
 
 std::string results_html(const Results& results, const std::vector<DrawnFigure>& figures) {
@@ -109,7 +107,7 @@ std::string results_html(const Results& results, const std::vector<DrawnFigure>&
   const Table standards = standards_table(results);
   if (!standards.rows.empty()) {
     html += heading("Standards beside the results") + provisions_html(results) +
-            wide_table(standards.without("basis").without("p84_slip").without("mean_slip"));
+            wide_table(standards.without("basis"));
   }
   return html + heading("Slip by level") + wide_table(slip_table(results)) +
          heading("Fits in full") + wide_table(fragility_table(results).without("interval_method"));

@@ -102,7 +102,7 @@ TEST_F(Fit, neither_or_both_inputs_are_refused) {
 TEST_F(Fit, every_bad_row_is_told_at_once) {
   const std::string file = folder_.write("n.csv", "im,num_gms,num_exceed\n0.2,40,41\n-1,40,2\n0.4,40,x\n0.5,40\n0.6,40,nan\n0.7,40,3\n0.7,40,4\n");
   expect_refused(run_program({"fit", "--counts", file, "--json"}),
-                 {"n.csv:2: num_exceed is larger than num_gms", "n.csv:3: im is not above 0", "n.csv:4", "\"x\"", "n.csv:5", "n.csv:6", "nan", "n.csv:8", "line 7"});
+                 {"n.csv:2: num_exceed is larger than num_gms", "n.csv:3: im is not above 0", "n.csv:4", "'x'", "n.csv:5", "n.csv:6", "nan", "n.csv:8", "line 7"});
 }
 
 TEST_F(Fit, another_header_or_no_rows_are_refused) {

@@ -24,6 +24,7 @@ TEST(Usage, every_command_has_help) {
 TEST(Usage, version_is_one_line) { EXPECT_THAT(run_program({"--version"}).out, testing::MatchesRegex("glissade [0-9]+\\.[0-9]+\\.[0-9]+\n")); }
 
 TEST(Usage, a_misspelt_command_is_named_with_the_nearest) { expect_refused(run_program({"slid", "x"}), {"slid is not a command", "did you mean slide?"}); }
+TEST(Usage, so_is_a_misspelt_command_of_suite) { expect_refused(run_program({"suite", "sho", "x"}), {"sho is not a command", "did you mean show?"}); }
 TEST(Usage, no_command_is_refused) { expect_refused(run_program({}), {"--help"}); }
 TEST(Usage, an_unknown_option_is_named) { expect_refused(run_program({"slide", "r", "--mu", "1", "--slope-deg", "1", "--frobnicate"}), {"--frobnicate"}); }
 TEST(Usage, a_missing_option_is_named) { expect_refused(run_program({"slide", "r", "--mu", "1"}), {"--slope-deg", "required"}); }
@@ -41,6 +42,7 @@ TEST(Usage, numbers_that_are_not_finite_are_refused) {
 TEST(Usage, contradictory_options_are_refused) {
   expect_refused(run_program({"slide", "r", "--mu", "1", "--slope-deg", "1", "--scale", "2", "--pga-g", "1"}), {"--scale", "--pga-g"});
   expect_refused(run_program({"slide", "r", "--mu", "1", "--slope-deg", "1", "--method", "rodriguez-nikl", "--history", "h.csv"}), {"--history", "event"});
+  expect_refused(run_program({"slide", "r", "--mu", "1", "--slope-deg", "1", "--json", "--history", "/dev/stdout"}), {"--history", "/dev/stdout"});
 }
 
 TEST(Usage, a_report_of_what_is_no_results_file_is_refused) {

@@ -21,10 +21,10 @@ constexpr double g = standard_gravity_mps2;
 double difference(const SlipResult& r, const Reference& exact) {
   const auto number = [](const test::Real& x) { return static_cast<double>(x); };
   const double size = std::max(number(exact.down), number(exact.up));
-  return std::max({std::abs(r.residual_displacement_m - number(exact.slip)) / size,
-                   std::abs(r.peak_downslope_m - number(exact.down)) / size,
-                   std::abs(r.peak_upslope_m - number(exact.up)) / size,
-                   std::abs(r.peak_velocity_mps / number(exact.peak_velocity) - 1.0)});
+  double worst = std::abs(r.residual_displacement_m - number(exact.slip)) / size;
+  worst = worse(worst, std::abs(r.peak_downslope_m - number(exact.down)) / size);
+  worst = worse(worst, std::abs(r.peak_upslope_m - number(exact.up)) / size);
+  return worse(worst, std::abs(r.peak_velocity_mps / number(exact.peak_velocity) - 1.0));
 }
 
 struct Scene {
@@ -36,7 +36,7 @@ Case against_fifty_digits(const std::string& name, const std::vector<Scene>& sce
   double worst = 0.0;
   for (const auto& [roof, block] : scenes) {
     const SlipResult r = slide(roof, block);
-    if (!r.uplift && r.peak_displacement_m > 0.0) worst = std::max(worst, difference(r, Reference(roof, block)));
+    if (!r.uplift && r.peak_displacement_m > 0.0) worst = worse(worst, difference(r, Reference(roof, block)));
   }
   return limit({name, "residual, both peaks, peak velocity", "equation of motion solved in 50 digits, events bisected"},
                {"largest relative difference", worst, 1e-12});
@@ -50,6 +50,7 @@ Case made_up(const std::string& name, bool with_vertical) {
     for (const double scale : {0.4, 1.0, 2.0})
       for (const double mu : {0.0, 0.1, 0.3, 0.5, 0.7})
         for (const double slope_deg : {0.0, 1.19, 4.0, 7.0, 30.0}) {
+          if (mu == 0.0 && slope_deg == 0.0) continue;  // coasts for ever: frictionless() below
           RoofAcceleration roof{0.005, samples[record], {}, scale, scale};
           if (with_vertical) roof.vertical_mps2 = samples[record + 2];
           scenes.push_back({roof, {mu, slope_deg * rad_per_deg}});
@@ -99,13 +100,13 @@ Case constant_vertical() {
 Case frictionless() {
   const double dt = 0.01;
   std::vector<double> a(201, 0.0);
-  for (std::size_t i = 0; i < 200; ++i) a[i] = std::cos(2.0 * std::numbers::pi * static_cast<double>(i) / 200.0);
+  for (std::size_t i = 0; i < 200; ++i) a[i] = std::sin(2.0 * std::numbers::pi * static_cast<double>(i) / 200.0);
   double v = 0.0, u = 0.0;
   for (std::size_t i = 0; i + 1 < a.size(); ++i) {
     u += v * dt + dt * dt * (2.0 * a[i] + a[i + 1]) / 6.0;
     v += 0.5 * dt * (a[i] + a[i + 1]);
   }
-  return compare({"no friction, flat roof", "slip at the end, m", "minus the roof's displacement, integrated"},
+  return compare({"no friction, flat roof, one sine of acceleration", "slip at the end, m", "minus the roof's displacement, integrated"},
                  {slide({dt, a}, {.friction = 0.0}).residual_displacement_m, -u, 1e-13});
 }
 
@@ -201,9 +202,9 @@ std::vector<Case> invariants(const Suite& suite) {
         padding += same(slide({m.dt_s, long_a, long_w, f, f}, block), plain) ? 0 : 1;
         const auto fine_a = with_midpoints(a), fine_w = with_midpoints(w);
         const SlipResult fine = slide({0.5 * m.dt_s, fine_a, fine_w, f, f}, block);
-        if (plain.peak_displacement_m > 0.0)
-          midpoints = std::max({midpoints, std::abs(fine.peak_displacement_m / plain.peak_displacement_m - 1.0),
-                                std::abs(fine.residual_displacement_m - plain.residual_displacement_m) / plain.peak_displacement_m});
+        if (plain.peak_displacement_m == 0.0) continue;
+        midpoints = worse(midpoints, std::abs(fine.peak_displacement_m / plain.peak_displacement_m - 1.0));
+        midpoints = worse(midpoints, std::abs(fine.residual_displacement_m - plain.residual_displacement_m) / plain.peak_displacement_m);
       }
   const std::string law = "similitude of the equation of motion";
   return {all_equal({"mirrored motion and slope", "all results, mirrored", "symmetry of the equation of motion"}, {mirror, histories}),
@@ -219,12 +220,12 @@ std::vector<Case> invariants(const Suite& suite) {
 Chapter sliding_block(const Folders& folders) {
   const Suite suite = load_suite(folders.suites / "synthetic_level2.toml");
   Chapter chapter{
-      "1. Sliding block",
+      "1.1 Sliding block: exactness",
       "`slide()` takes every start and stop of slip in closed form and so should be exact for a piecewise-linear motion. It is\n"
       "compared with the equation of motion (Rodriguez-Nikl et al. 2019, eqs 6-18, with the vertical) solved in 50 digits by\n"
       "bisection, with closed forms, with the physical checks of that paper, and with laws that hold to the last bit.",
-      {made_up("150 made-up histories: mu 0 to 0.7, slopes 0 to 30 deg, three scales", false),
-       made_up("150 made-up histories, with a vertical", true), simulated(suite)}};
+      {made_up("144 made-up histories: mu 0 to 0.7, slopes 0 to 30 deg, three scales", false),
+       made_up("144 made-up histories, with a vertical", true), simulated(suite)}};
   const auto add = [&](const std::vector<Case>& cases) { chapter.cases.insert(chapter.cases.end(), cases.begin(), cases.end()); };
   add(trapezoidal_pulse());
   add({constant_vertical(), frictionless()});

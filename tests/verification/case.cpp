@@ -15,7 +15,7 @@ Case compare(const Subject& subject, const Comparison& c) {
           fmt::format("{:.12g} ({})", c.expected, subject.source),
           relative ? "relative difference" : "difference",
           fmt::format("{:g}", c.tolerance),
-          fmt::format("{:.8g} (off by {:.1e})", c.value, difference),
+          difference == 0.0 ? fmt::format("{:.8g} (equal)", c.value) : fmt::format("{:.8g} (off by {:.1e})", c.value, difference),
           difference <= c.tolerance};
 }
 
@@ -27,7 +27,7 @@ Case limit(const Subject& subject, const Bound& bound) {
 Case within(const Subject& subject, const Range& range) {
   const std::string tolerance = std::isinf(range.high) ? fmt::format("at least {:g}", range.low)
                                                        : fmt::format("{:g} to {:g}", range.low, range.high);
-  return {subject.name, subject.quantity, subject.source, range.metric, tolerance, fmt::format("{:.4g}", range.value),
+  return {subject.name, subject.quantity, subject.source, range.metric, tolerance, fmt::format("{:.5g}", range.value),
           range.value >= range.low && range.value <= range.high};
 }
 
@@ -35,5 +35,7 @@ Case all_equal(const Subject& subject, const Mismatches& m) {
   return {subject.name, subject.quantity, subject.source, fmt::format("differing, of {}", m.of), "0",
           fmt::format("{}", m.differing), m.differing == 0};
 }
+
+double worse(double a, double b) { return std::isnan(a) || b <= a ? a : b; }
 
 }  // namespace glissade::verification

@@ -49,6 +49,9 @@ struct Mismatches {
 /// Results that must be equal to the last bit, or statements that must hold.
 Case all_equal(const Subject& subject, const Mismatches& mismatches);
 
+/// The larger of two differences; NaN if one of them is, so that no difference is lost.
+double worse(double a, double b);
+
 /// A part of the manual: text, its cases and, below them, figures and measured tables (in Markdown).
 struct Chapter {
   std::string title, text;

@@ -116,7 +116,7 @@ void add_coverage(std::vector<Case>& cases) {
 
 Chapter fragility() {
   Chapter chapter{
-      "4. Fragility",
+      "3. Fragility",
       "Fits of published data, each with the result of two independent programs, to the digits those are given in. Then the\n"
       "intervals: samples of one record are no independent trials, so studies take them from resampled records. 1,000 studies are\n"
       "simulated with known truth (dispersion 0.35 between and 0.20 within records; 400 resamples each). Were the coverage\n"

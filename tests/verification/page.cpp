@@ -12,7 +12,6 @@ namespace {
 constexpr const char* measured_begins = "<!-- measured -->";
 constexpr const char* measured_ends = "<!-- end of measured -->";
 
-// result is the last column but one, wherever a row is taken apart
 std::string row(const Case& c) {
   return fmt::format("| {} | {} | {} | {} | {} | {} | {} |\n", c.name, c.quantity, c.reference, c.metric, c.tolerance,
                      c.result, c.pass ? "yes" : "**no**");

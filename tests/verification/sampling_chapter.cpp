@@ -22,7 +22,7 @@ Case unscrambled() {
   int differing = 0;
   for (std::uint32_t i = 0; i < 16; ++i)
     for (std::uint32_t d = 0; d < 4; ++d) differing += sobol_coordinate(i, d) == first_sobol_points[i][d] / 16.0 ? 0 : 1;
-  return all_equal({"ex8: first 16 Sobol points in four dimensions", "coordinates", "published table, exact"}, {differing, 64});
+  return all_equal({"ex8: first 16 Sobol points in four dimensions", "coordinates", "worked example, exact sixteenths"}, {differing, 64});
 }
 
 /// Every dyadic box of volume 1/1024 that splits two dimensions holds exactly one of 1,024 points: what the scramble must keep.
@@ -82,7 +82,7 @@ Case gain(std::uint64_t n, Estimate what, double at_least, const std::string& st
 
 Chapter sampling() {
   return {
-      "5. Sampling",
+      "4. Sampling",
       "Points against their published table, and what scrambling is for: at equal cost a smaller variance than plain Monte Carlo.\n"
       "The variance ratios are for slip after Ambraseys & Menu (1988) as a function of friction, slope, amplification and peak\n"
       "ground acceleration. Another surrogate gave the ratios of the reference column, so the least ratio asked for is a third of\n"

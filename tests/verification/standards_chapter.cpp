@@ -64,7 +64,7 @@ Case site_coefficients(const Table& table) {
   int values = 0;
   for (const auto& [site, row] : table.rows) {
     const auto check = [&](double column, double expected) {
-      worst = std::max(worst, std::abs(table.coefficient(table.edition, site, table.first + column * table.step) / expected - 1.0));
+      worst = worse(worst, std::abs(table.coefficient(table.edition, site, table.first + column * table.step) / expected - 1.0));
       ++values;
     };
     check(-0.5, row.front());
@@ -97,7 +97,7 @@ void add_site_coefficients(std::vector<Case>& cases) {
 }  // namespace
 
 Chapter standards() {
-  Chapter chapter{"6. Standards",
+  Chapter chapter{"5. Standards",
                   "Prescriptive displacements, separations, design spectra and site coefficients against published calculations. Values\n"
                   "marked *recalled* are from memory of the standard: the row shows that they are applied, not that they are right.",
                   {}};

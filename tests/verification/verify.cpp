@@ -3,10 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <exception>
 #include <iostream>
 
 #include "chapters.hpp"
-#include "glissade/core/error.hpp"
 #include "glissade/core/file.hpp"
 #include "page.hpp"
 
@@ -54,7 +54,7 @@ int main(int argc, char** argv) try {
   const bool good = report_failures(chapters);
   const bool same = arguments.size() < 2 || same_as_committed(arguments[1], text);
   return good && same ? 0 : 1;
-} catch (const glissade::InputError& error) {
+} catch (const std::exception& error) {
   std::cerr << error.what() << '\n';
   return 2;
 }

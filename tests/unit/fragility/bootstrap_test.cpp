@@ -154,8 +154,8 @@ TEST(fit_stripes_by_record, gives_a_band_that_holds_the_curve_and_agrees_with_th
   // statistics that differ to second order.
   std::vector<Interval> ends;
   fit_stripes_by_record(intensities(), data, {}, {fit.median_interval.low, fit.median_interval.high}, &ends);
-  EXPECT_NEAR(ends[0].high, 0.5, 0.06);
-  EXPECT_NEAR(ends[1].low, 0.5, 0.06);
+  EXPECT_NEAR(ends[0].high, 0.5, 0.1);
+  EXPECT_NEAR(ends[1].low, 0.5, 0.1);
 }
 
 TEST(fit_stripes_by_record, bounds_with_one_trial_per_record_where_nothing_exceeded) {

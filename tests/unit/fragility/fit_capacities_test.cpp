@@ -71,7 +71,7 @@ TEST(fit_capacities, is_not_biased_by_censoring) {
 }
 
 TEST(fit_capacities, comes_to_the_complete_sample_as_censoring_vanishes) {
-  CapacitySample sample = lognormal_sample(30, 0.4, 1e300, 7);
+  CapacitySample sample = lognormal_sample(30, 0.4, 1e3, 7);
   const double complete = fit_capacities(sample).curve.log_std * std::sqrt(29.0 / 30.0);  // n, not n - 1
   sample.censored = 1e-12;
   EXPECT_NEAR(fit_capacities(sample).curve.log_std, complete, 1e-9);

@@ -35,18 +35,5 @@ TEST(write_report, throws_an_input_error_where_it_cannot_write) {
   EXPECT_THROW(write_report(made_up_results(), "/dev/null/report"), InputError);
 }
 
-TEST(write_text_file, replaces_a_file_whole_and_tells_of_a_full_disk) {
-  const fs::path file = fs::path(testing::TempDir()) / "glissade_text_file.txt";
-  write_text_file(file, "old");
-  write_text_file(file, "new");
-  EXPECT_EQ(read_text_file(file), "new");
-  try {
-    write_text_file("/dev/full", "text");
-    FAIL() << "nothing thrown";
-  } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), testing::HasSubstr("No space left"));
-  }
-}
-
 }  // namespace
 }  // namespace glissade

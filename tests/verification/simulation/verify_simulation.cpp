@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Simulated spectra against BSSA14 (and BSSA14 times the V/H of Gulerce & Abrahamson): four scenarios, 200 simulations
-// each. Writes simulated_spectra.csv, .md and two figures into the folder that is given. Ends with 1 if a median or a dispersion
-// is off by more than the tolerance.
+// each. Writes simulated_spectra.csv, .md and two figures into the folder that is given. Ends with 1 if a median, or a
+// horizontal dispersion, is off by more than the tolerance.
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdlib>
@@ -58,13 +59,16 @@ Moments spectral_moments(const std::vector<RawMotion>& motions, Direction direct
 }
 
 struct Row {
+  Direction direction;
   double period_s, simulated_g, target_g, fresh_ratio, log_std, sigma;
   double ratio() const { return simulated_g / target_g; }
   double log_std_difference() const { return log_std - sigma; }
-  bool judged() const { return period_s >= first_judged_s && period_s <= last_judged_s; }
+  /// BSSA14 is a model of horizontal motion: its dispersion is shown beside the vertical's but does not judge it.
   bool good() const {
-    return std::abs(ratio() - 1.0) <= median_tolerance && std::abs(log_std_difference()) <= log_std_tolerance;
+    return std::abs(ratio() - 1.0) <= median_tolerance &&
+           (direction == Direction::vertical || std::abs(log_std_difference()) <= log_std_tolerance);
   }
+  bool judged() const { return period_s >= first_judged_s && period_s <= last_judged_s; }
 };
 
 struct Panel {
@@ -98,7 +102,7 @@ std::vector<Panel> verify(const Scenario& scenario) {
                                                            : target_vertical_mps2(scenario, periods_s);
     Panel panel{fmt::format("M{} R{} V{}", scenario.magnitude, scenario.distance_km, scenario.vs30_mps), direction, {}};
     for (std::size_t p = 0; p < periods_s.size(); ++p)
-      panel.rows.push_back({periods_s[p], std::exp(simulated.log_mean[p]) / standard_gravity_mps2,
+      panel.rows.push_back({direction, periods_s[p], std::exp(simulated.log_mean[p]) / standard_gravity_mps2,
                             target[p] / standard_gravity_mps2, std::exp(again.log_mean[p]) / target[p],
                             simulated.log_std[p], bssa14_dispersion(scenario, periods_s[p]).total()});
     panels.push_back(std::move(panel));
@@ -146,9 +150,9 @@ void draw(const std::filesystem::path& folder, const std::vector<Panel>& panels,
   std::ofstream script(folder / (stem + ".gp"));
   script << "set terminal svg size 900,760 font 'Helvetica,15' background '#ffffff'\n"
          << "set output '" << stem << ".svg'\n"
-         << "set multiplot layout 2,2 margins 0.09,0.985,0.085,0.955 spacing 0.085,0.11\n"
-            "set logscale xy\nset xrange [0.02:4]\nset yrange [0.01:5]\nset format y '%g'\n"
-            "set xtics (0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 4)\nset ytics (0.01, 0.03, 0.1, 0.3, 1, 3)\n"
+         << "set multiplot layout 2,2 margins 0.09,0.985,0.085,0.955 spacing 0.085,0.135\n"
+            "set logscale xy\nset xrange [0.02:4]\nset yrange [0.003:5]\nset format y '%g'\n"
+            "set xtics (0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 4)\nset ytics (0.003, 0.01, 0.03, 0.1, 0.3, 1, 3)\n"
             "set grid lc rgb '#dddddd' lt 1 lw 0.7\nset xlabel 'period (s)' offset 0,0.4\nset ylabel 'Sa, 5 % damped (g)' offset 1\n"
             "set key bottom left Left reverse samplen 2 font ',13' width -3\n";
   const std::string target = direction == Direction::horizontal ? "BSSA14" : "BSSA14 x V/H";
@@ -160,7 +164,7 @@ void draw(const std::filesystem::path& folder, const std::vector<Panel>& panels,
     for (const Row& r : panel.rows)
       script << fmt::format("{} {} {} {} {}\n", r.period_s, r.simulated_g, r.log_std, r.target_g, r.sigma);
     script << "EOD\nset title '" << panel.name << "' offset 0,-0.7\nplot "
-           << data << " using 1:($2*exp(-$3)):($2*exp($3)) with filledcurves lc rgb '#bcd7ee' title 'simulated, 16 to 84 %', "
+           << data << " using 1:($2*exp(-$3)):($2*exp($3)) with filledcurves lc rgb '#bcd7ee' title 'simulated, one log-std', "
            << data << " using 1:2 with lines lw 2.5 lc rgb '#1f5a96' title 'simulated, median', "
            << data << " using 1:4 with lines lw 2 dt 2 lc rgb '#b3361b' title '" << target << ", median', "
            << data << " using 1:($4*exp(-$5)) with lines lw 1.2 dt 3 lc rgb '#b3361b' title '" << target << ", one sigma', "

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "cli/child.hpp"
+#include "cli/small_study.hpp"
+
+namespace glissade::test {
+namespace {
+
+using Json = nlohmann::json;
+using testing::HasSubstr;
+namespace fs = std::filesystem;
+
+/// One run of the small study, shared by the tests that look at what it left.
+class Run : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    folder_ = new ScratchFolder;
+    study_ = folder_->write("small.toml", small_study());
+    finished_ = run_program({"run", study_, "--out", out().string()});
+    ASSERT_EQ(finished_.status, 0) << finished_.err;
+  }
+  static void TearDownTestSuite() {
+    delete folder_;
+    folder_ = nullptr;
+  }
+  static fs::path out() { return folder_->path("out"); }
+  static std::string h5dump(const std::vector<std::string>& options) {
+    std::vector<std::string> command{"h5dump"};
+    command.insert(command.end(), options.begin(), options.end());
+    command.push_back((out() / "results.h5").string());
+    const Finished child = run_child(command);
+    EXPECT_EQ(child.status, 0) << child.err;
+    return child.out;
+  }
+  /// The value h5dump prints of a scalar attribute of the root.
+  static std::string root_attribute(const std::string& name) {
+    const std::string text = h5dump({"-a", "/" + name});
+    const std::size_t begin = text.find("(0): ") + 5;
+    return text.substr(begin, text.find('\n', begin) - begin);
+  }
+
+  static inline ScratchFolder* folder_ = nullptr;
+  static inline std::string study_;
+  static inline Finished finished_;
+};
+
+TEST_F(Run, leaves_results_report_tables_figures_and_its_record) {
+  for (const char* name : {"results.h5", "run.json", "report.html", "tables/fragility.csv", "tables/slip.csv", "tables/standards.csv",
+                           "tables/stripes.csv", "tables/samples.csv", "tables/records.csv", "figures/fragility.svg", "figures/fragility.pdf",
+                           "figures/fragility.gp"}) {
+    EXPECT_GT(fs::exists(out() / name) ? fs::file_size(out() / name) : 0, 0u) << name;
+  }
+  for (const std::string& name : folder_->contents()) EXPECT_EQ(name.find(".partial"), std::string::npos) << name;
+}
+
+TEST_F(Run, ends_with_the_fragilities_the_comparison_and_where_the_report_is) {
+  EXPECT_EQ(finished_.err, "");
+  for (const std::string& part : {std::string("Median"), std::string("SEAOC PV1-2012"), (out() / "report.html").string()}) {
+    EXPECT_THAT(finished_.out, HasSubstr(part));
+  }
+}
+
+TEST_F(Run, run_json_tells_when_where_and_how_long) {
+  const Json json = Json::parse(read_file(out() / "run.json"));
+  EXPECT_EQ(json.at("ranks"), 1);
+  EXPECT_THAT(std::string(json.at("finished_utc")), testing::MatchesRegex("20..-..-..T..:..:..Z"));
+  EXPECT_FALSE(std::string(json.at("host")).empty());
+  EXPECT_GT(json.at("histories_integrated"), 0);
+  EXPECT_TRUE(json.at("seconds").is_object());
+  EXPECT_TRUE(json.at("skipped").is_array());
+  EXPECT_EQ("\"" + std::string(json.at("plan_hash")) + "\"", root_attribute("plan_hash"));
+}
+
+TEST_F(Run, results_tell_what_they_are_at_the_root) {
+  EXPECT_EQ(root_attribute("file_type"), "\"glissade results\"");
+  EXPECT_EQ(root_attribute("format_version"), "1");
+  EXPECT_EQ(root_attribute("seed"), "7");
+  EXPECT_THAT(run_program({"--version"}).out, HasSubstr(root_attribute("program_version").substr(1, 3)));
+  const std::string study = h5dump({"-r", "-a", "/study"});
+  EXPECT_THAT(study, HasSubstr("thresholds_m = [0.05, 0.2]"));  // the study file, word for word
+}
+
+TEST_F(Run, every_dataset_has_a_unit_and_a_description) {
+  const std::string everything = h5dump({"-A"});
+  std::size_t datasets = 0;
+  for (std::size_t at = everything.find("DATASET \""); at != std::string::npos;) {
+    const std::size_t next = everything.find("DATASET \"", at + 1);
+    const std::string text = everything.substr(at, next - at);
+    EXPECT_THAT(text, HasSubstr("ATTRIBUTE \"unit\"")) << text.substr(0, 60);
+    EXPECT_THAT(text, HasSubstr("ATTRIBUTE \"description\"")) << text.substr(0, 60);
+    ++datasets;
+    at = next;
+  }
+  EXPECT_GT(datasets, 20u);
+}
+
+TEST_F(Run, peaks_are_by_record_sample_and_level) {
+  const std::string header = h5dump({"-H", "-d", "/runs/sampled/peak_displacement_m"});
+  EXPECT_THAT(header, HasSubstr("( 7, 8, 3 )"));
+  EXPECT_THAT(h5dump({"-H", "-d", "/runs/sampled/capacity_g"}), HasSubstr("( 7, 8, 2 )"));
+}
+
+TEST_F(Run, the_stripes_table_counts_what_the_results_hold) {
+  const std::vector<std::string> lines = lines_of(read_file(out() / "tables" / "stripes.csv"));
+  std::size_t rows = 0;
+  double last_threshold = 0.0, last_exceedances = 0.0;
+  for (const std::string& line : lines) {
+    const std::vector<std::string> cells = cells_of(line);
+    if (cells[0] != "sampled") continue;
+    ++rows;
+    EXPECT_EQ(std::stod(cells[3]), 56.0) << line;  // 7 records x 8 samples
+    if (std::stod(cells[1]) == last_threshold) {
+      EXPECT_GE(std::stod(cells[4]), last_exceedances) << line;
+    }
+    last_threshold = std::stod(cells[1]);
+    last_exceedances = std::stod(cells[4]);
+  }
+  EXPECT_EQ(rows, 6u);  // two thresholds, three levels
+}
+
+TEST_F(Run, a_second_run_gives_the_same_bytes) {
+  const fs::path again = folder_->path("again");
+  ASSERT_EQ(run_program({"run", study_, "--out", again.string()}).status, 0);
+  EXPECT_TRUE(read_file(again / "results.h5") == read_file(out() / "results.h5"));
+  EXPECT_EQ(read_file(again / "tables/fragility.csv"), read_file(out() / "tables/fragility.csv"));
+}
+
+TEST_F(Run, another_seed_gives_other_results) {
+  const std::string study = folder_->write("other.toml", replaced(small_study(), "seed = 7", "seed = 8"));
+  ASSERT_EQ(run_program({"run", study, "--out", folder_->path("other").string()}).status, 0);
+  EXPECT_NE(read_file(folder_->path("other") / "tables/samples.csv"), read_file(out() / "tables/samples.csv"));
+}
+
+TEST_F(Run, report_makes_the_same_tables_again_elsewhere) {
+  const fs::path again = folder_->path("report");
+  const std::string results_before = read_file(out() / "results.h5");
+  const Finished child = run_program({"report", (out() / "results.h5").string(), "--out", again.string()});
+  ASSERT_EQ(child.status, 0) << child.err;
+  std::size_t tables = 0;
+  for (const auto& table : fs::directory_iterator(out() / "tables")) {
+    EXPECT_EQ(read_file(table.path()), read_file(again / "tables" / table.path().filename())) << table.path();
+    ++tables;
+  }
+  EXPECT_GE(tables, 5u);
+  EXPECT_TRUE(fs::exists(again / "report.html"));
+  EXPECT_TRUE(fs::exists(again / "figures" / "fragility.svg"));
+  EXPECT_TRUE(read_file(out() / "results.h5") == results_before);
+}
+
+TEST_F(Run, dry_run_prints_the_plan_and_writes_nothing) {
+  const ScratchFolder folder;
+  const std::string study = folder.write("small.toml", small_study());
+  const Finished child = run_shell("cd '" + folder.path("").string() + "' && \"$0\" run small.toml --dry-run");
+  EXPECT_EQ(child.status, 0) << child.err;
+  for (const char* part : {"small", "7 motions", "8 (scrambled Sobol)", "336 histories"}) EXPECT_THAT(child.out, HasSubstr(part));  // 7 x 8 x 3, twice
+  EXPECT_EQ(folder.contents(), std::vector<std::string>{"small.toml"});
+}
+
+TEST_F(Run, without_out_the_folder_is_named_after_the_study_file) {
+  const ScratchFolder folder;
+  folder.write("my_roof.toml", small_study());
+  EXPECT_EQ(run_shell("cd '" + folder.path("").string() + "' && \"$0\" run my_roof.toml").status, 0);
+  EXPECT_TRUE(fs::exists(folder.path("results/my_roof/results.h5")));
+}
+
+TEST_F(Run, runs_one_history_of_one_record_without_standards_or_samples) {
+  const ScratchFolder folder;
+  std::string record;
+  for (int i = 0; i < 200; ++i) record += std::to_string(0.5 * std::sin(0.2 * i)) + "\n";
+  folder.write("record.txt", record);
+  folder.write("suite.toml", "[suite]\nname = \"one\"\n[[record]]\nid = \"a\"\nfirst = { file = \"record.txt\", dt_s = 0.02, units = \"g\" }\n");
+  const std::string study = folder.write("one.toml", "[study]\nname = \"one\"\n[suite]\nfile = \"suite.toml\"\n[intensity]\nmeasure = \"pga_g\"\nlevels = [1.0]\n"
+                                                     "[friction]\nmu = 0.3\n[orientation]\ncomponent = \"first\"\n[sampling]\nsamples = 1\n[clearance]\nthresholds_m = [0.1]\n");
+  const Finished child = run_program({"run", study, "--out", folder.path("out").string()});
+  EXPECT_EQ(child.status, 0) << child.err;
+  EXPECT_TRUE(fs::exists(folder.path("out/report.html")));
+}
+
+}  // namespace
+}  // namespace glissade::test

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+namespace glissade::test {
+
+/// A study of a second: seven built-in motions, eight samples, three levels. On few levels and records, so that it says little.
+inline std::string small_study() {
+  return R"([study]
+name = "small"
+seed = 7
+
+[suite]
+file = ")" GLISSADE_SOURCE_DIR R"(/suites/synthetic_level0.toml"
+
+[intensity]
+measure = "sds_g"
+levels = [0.5, 1.0, 2.0]
+
+[building]
+period_s = { distribution = "uniform", min = 0.2, max = 1.0 }
+
+[friction]
+mean = 0.3
+std = 0.03
+
+[sampling]
+samples = 8
+bootstrap_replicates = 100
+
+[clearance]
+thresholds_m = [0.05, 0.2]
+
+[standards]
+compare = ["seaoc_pv1_2012"]
+)";
+}
+
+/// The text with `from`, which must be there, replaced.
+inline std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  return text.replace(text.find(from), from.size(), to);
+}
+
+}  // namespace glissade::test
