@@ -17,14 +17,16 @@ using namespace fragility;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-/// A fit of weighted records with the cluster sandwich covariance of its line, n/(n - 1) A^-1 (sum s s^T) A^-1
-/// (Liang & Zeger 1986, Biometrika 73(1):13-22); NaN unless it is a maximum of the likelihood.
+/// A fit of weighted records with the cluster sandwich covariance of its line, n/(n - 1) A^-1 (sum
+/// s s^T) A^-1 (Liang & Zeger 1986, Biometrika 73(1):13-22); NaN unless it is a maximum of the
+/// likelihood.
 struct ClusterFit {
   PointFit point;
   Eigen::Matrix2d covariance = Eigen::Matrix2d::Constant(nan);
 
   bool has_line() const {
-    return point.status == FitStatus::maximum_likelihood || point.status == FitStatus::jeffreys_penalised;
+    return point.status == FitStatus::maximum_likelihood ||
+           point.status == FitStatus::jeffreys_penalised;
   }
   bool is_bound() const { return point.status == FitStatus::one_sided_bound; }
   double error_of(double by_b0, double by_b1) const {
@@ -40,22 +42,26 @@ struct ClusterFit {
   }
   /// ln log_std
   Estimate log_log_std() const {
-    return has_line() ? Estimate{-std::log(point.line[1]), error_of(0, -1 / point.line[1])} : Estimate{nan, nan};
+    return has_line() ? Estimate{-std::log(point.line[1]), error_of(0, -1 / point.line[1])}
+                      : Estimate{nan, nan};
   }
   /// Phi^-1 of the probability of exceedance at y.
   Estimate probit_at(double y) const {
     if (is_bound()) return {point.none_exceeded ? -infinity : infinity, nan};
-    return has_line() ? Estimate{point.line[0] + point.line[1] * y, error_of(1, y)} : Estimate{nan, nan};
+    return has_line() ? Estimate{point.line[0] + point.line[1] * y, error_of(1, y)}
+                      : Estimate{nan, nan};
   }
 };
 
-ClusterFit fit_weighted(const Records& records, const Eigen::VectorXd& weights, const ProbitLine& start) {
+ClusterFit fit_weighted(const Records& records, const Eigen::VectorXd& weights,
+                        const ProbitLine& start) {
   ClusterFit fit{records.fit(weights, start)};
   if (fit.point.status != FitStatus::maximum_likelihood) return fit;
   const Eigen::Matrix2d inverse = records.information(weights, fit.point.line).inverse();
   const Records::Scores scores = records.scores(fit.point.line);
   const double n = static_cast<double>(records.count());
-  fit.covariance = n / (n - 1) * inverse * (scores.transpose() * weights.asDiagonal() * scores) * inverse;
+  fit.covariance =
+      n / (n - 1) * inverse * (scores.transpose() * weights.asDiagonal() * scores) * inverse;
   return fit;
 }
 
@@ -63,7 +69,9 @@ ClusterFit fit_weighted(const Records& records, const Eigen::VectorXd& weights, 
 class Resamples {
  public:
   Resamples(const Records& records, const ClusterFit& pooled, const BootstrapOptions& options)
-      : records_(static_cast<std::size_t>(records.count())), pooled_(pooled), level_(options.level) {
+      : records_(static_cast<std::size_t>(records.count())),
+        pooled_(pooled),
+        level_(options.level) {
     for (int r = 0; r < options.replicates; ++r) {
       const std::vector<double> drawn = draw_records(records_, options, r);
       const Eigen::Map<const Eigen::VectorXd> weights(drawn.data(), records.count());
@@ -72,21 +80,27 @@ class Resamples {
     }
   }
 
-  /// Where the likelihood has a maximum in nearly every replicate the t statistics say more than the estimates.
+  /// Where the likelihood has a maximum in nearly every replicate the t statistics say more than
+  /// the estimates.
   bool studentised() const {
     return pooled_.point.status == FitStatus::maximum_likelihood &&
            100 * without_maximum_ <= replicates_.size();
   }
-  Interval log_median() const { return symmetric([](const ClusterFit& fit) { return fit.log_median(); }); }
+  Interval log_median() const {
+    return symmetric([](const ClusterFit& fit) { return fit.log_median(); });
+  }
   Interval log_log_std() const {
     const auto quantity = [](const ClusterFit& fit) { return fit.log_log_std(); };
     if (!studentised()) return percentile(quantity);
-    return skewed_t_interval(quantity(pooled_), estimates(quantity), records_, level_);
+    return log_std_interval(quantity(pooled_), estimates(quantity), records_, level_);
   }
-  Interval probit_at(double y) const { return symmetric([y](const ClusterFit& fit) { return fit.probit_at(y); }); }
+  Interval probit_at(double y) const {
+    return symmetric([y](const ClusterFit& fit) { return fit.probit_at(y); });
+  }
 
   std::string method() const {
-    return studentised() ? "bootstrap over records (bootstrap-t)" : "bootstrap over records (expanded percentile)";
+    return studentised() ? "bootstrap over records (bootstrap-t)"
+                         : "bootstrap over records (expanded percentile)";
   }
   std::string note() const {
     if (without_maximum_ == 0) return "";
@@ -108,7 +122,8 @@ class Resamples {
     return percentile_interval(values, expanded_tail(records_, level_));
   }
   Interval symmetric(const Quantity& quantity) const {
-    return studentised() ? symmetric_t_interval(quantity(pooled_), estimates(quantity), level_) : percentile(quantity);
+    return studentised() ? symmetric_t_interval(quantity(pooled_), estimates(quantity), level_)
+                         : percentile(quantity);
   }
 
   std::size_t records_;
@@ -130,7 +145,8 @@ FitSummary fit_by_record(const Records& records, const BootstrapOptions& options
   GLISSADE_EXPECTS(options.replicates >= 100);
   GLISSADE_EXPECTS(options.level > 0 && options.level < 1);
   if (band != nullptr) band->assign(band_intensities.size(), Interval{});
-  const ClusterFit pooled = fit_weighted(records, Eigen::VectorXd::Ones(records.count()), records.first_guess());
+  const ClusterFit pooled =
+      fit_weighted(records, Eigen::VectorXd::Ones(records.count()), records.first_guess());
   if (pooled.is_bound()) {
     FitSummary summary = records.bound();
     add_sentence(summary.note, "each record counts as one trial");
@@ -142,7 +158,8 @@ FitSummary fit_by_record(const Records& records, const BootstrapOptions& options
   if (!pooled.has_line()) return summary;
   summary.curve = to_curve(pooled.point.line, records.center());
   summary.log_likelihood = records.log_likelihood(summary.curve);
-  summary.method = records.method() + (summary.status == FitStatus::maximum_likelihood ? "" : ", Jeffreys penalised") +
+  summary.method = records.method() +
+                   (summary.status == FitStatus::maximum_likelihood ? "" : ", Jeffreys penalised") +
                    ", records pooled";
   if (records.count() < 2) {
     add_sentence(summary.note, "one record: no interval");
@@ -150,7 +167,8 @@ FitSummary fit_by_record(const Records& records, const BootstrapOptions& options
   }
   const Resamples resamples(records, pooled, options);
   const Interval log_median = resamples.log_median(), log_log_std = resamples.log_log_std();
-  summary.median_interval = {std::exp(records.center() + log_median.low), std::exp(records.center() + log_median.high)};
+  summary.median_interval = {std::exp(records.center() + log_median.low),
+                             std::exp(records.center() + log_median.high)};
   summary.log_std_interval = {std::exp(log_log_std.low), std::exp(log_log_std.high)};
   summary.interval_method = resamples.method();
   add_sentence(summary.note, resamples.note());
@@ -165,14 +183,17 @@ FitSummary fit_by_record(const Records& records, const BootstrapOptions& options
 
 }  // namespace
 
-FitSummary fit_stripes_by_record(const std::vector<double>& intensities, const std::vector<RecordStripes>& records,
-                                 const BootstrapOptions& options, const std::vector<double>& band_intensities,
+FitSummary fit_stripes_by_record(const std::vector<double>& intensities,
+                                 const std::vector<RecordStripes>& records,
+                                 const BootstrapOptions& options,
+                                 const std::vector<double>& band_intensities,
                                  std::vector<Interval>* band) {
   return fit_by_record(StripeRecords(intensities, records), options, band_intensities, band);
 }
 
-FitSummary fit_capacities_by_record(const std::vector<RecordCapacities>& records, double censored_at,
-                                    const BootstrapOptions& options, const std::vector<double>& band_intensities,
+FitSummary fit_capacities_by_record(const std::vector<RecordCapacities>& records,
+                                    double censored_at, const BootstrapOptions& options,
+                                    const std::vector<double>& band_intensities,
                                     std::vector<Interval>* band) {
   return fit_by_record(CapacityRecords(records, censored_at), options, band_intensities, band);
 }

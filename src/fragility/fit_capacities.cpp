@@ -28,7 +28,8 @@ ProfileIntervals sample_intervals(const LognormalCurve& curve, double n) {
 
 double capacity_log_likelihood(const CapacitySample& sample, const LognormalCurve& curve) {
   check(sample, "capacities");
-  const double center = mean_log(sample.capacities), n = static_cast<double>(sample.capacities.size());
+  const double center = mean_log(sample.capacities),
+               n = static_cast<double>(sample.capacities.size());
   return capacity_likelihood(to_data(sample, center), to_line(curve, center)).value -
          n * (center + 0.5 * std::log(2 * std::numbers::pi));
 }
@@ -45,10 +46,13 @@ FitSummary fit_capacities(const CapacitySample& sample) {
   summary.note = fit.note;
   if (fit.status == FitStatus::failed) return summary;
   summary.curve = to_curve(fit.line, data.center);
-  const auto log_likelihood = [&](const ProbitLine& line) { return capacity_likelihood(data, line).value; };
+  const auto log_likelihood = [&](const ProbitLine& line) {
+    return capacity_likelihood(data, line).value;
+  };
   const bool complete = sample.censored == 0;
-  const ProfileIntervals intervals =
-      complete ? sample_intervals(summary.curve, data.count) : profile_intervals(log_likelihood, fit.line, data.center);
+  const ProfileIntervals intervals = complete
+                                         ? sample_intervals(summary.curve, data.count)
+                                         : profile_intervals(log_likelihood, fit.line, data.center);
   summary.median_interval = intervals.median;
   summary.log_std_interval = intervals.log_std;
   summary.log_likelihood = capacity_log_likelihood(sample, summary.curve);

@@ -12,7 +12,8 @@ namespace {
 using namespace fragility;
 
 /// Curve, likelihood and profile intervals of a point fit.
-FitSummary summarise(const std::vector<Stripe>& stripes, const StripeData& data, const PointFit& fit) {
+FitSummary summarise(const std::vector<Stripe>& stripes, const StripeData& data,
+                     const PointFit& fit) {
   if (fit.status == FitStatus::one_sided_bound) return summarise_bound(data);
   FitSummary summary;
   summary.status = fit.status;
@@ -31,7 +32,8 @@ FitSummary summarise(const std::vector<Stripe>& stripes, const StripeData& data,
                              : "probit maximum likelihood on stripes";
   summary.interval_method = penalised ? "penalised profile likelihood" : "profile likelihood";
   if (shape_of(data) == StripeShape::separated) {
-    summary.note = "the stripes are separated by intensity: the likelihood alone has no finite maximum";
+    summary.note =
+        "the stripes are separated by intensity: the likelihood alone has no finite maximum";
   }
   return summary;
 }
@@ -40,10 +42,14 @@ FitSummary summarise(const std::vector<Stripe>& stripes, const StripeData& data,
 
 std::string to_string(FitStatus status) {
   switch (status) {
-    case FitStatus::failed: break;
-    case FitStatus::maximum_likelihood: return "maximum likelihood";
-    case FitStatus::jeffreys_penalised: return "Jeffreys penalised";
-    case FitStatus::one_sided_bound: return "one-sided bound";
+    case FitStatus::failed:
+      break;
+    case FitStatus::maximum_likelihood:
+      return "maximum likelihood";
+    case FitStatus::jeffreys_penalised:
+      return "Jeffreys penalised";
+    case FitStatus::one_sided_bound:
+      return "one-sided bound";
   }
   return "failed";
 }
@@ -53,7 +59,8 @@ double stripe_log_likelihood(const std::vector<Stripe>& stripes, const Lognormal
   const StripeData data = to_data(stripes);
   double sum = stripe_likelihood(data, to_line(curve, data.center)).value;
   for (const Stripe& s : stripes) {
-    sum += std::lgamma(s.trials + 1) - std::lgamma(s.exceedances + 1) - std::lgamma(s.trials - s.exceedances + 1);
+    sum += std::lgamma(s.trials + 1) - std::lgamma(s.exceedances + 1) -
+           std::lgamma(s.trials - s.exceedances + 1);
   }
   return sum;
 }

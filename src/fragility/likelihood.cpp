@@ -11,8 +11,11 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// ln Phi(z), with its derivative phi/Phi = `hazard` and minus its second derivative `curvature` = hazard (z + hazard).
-struct LogPhi { double value, hazard, curvature; };
+/// ln Phi(z), with its derivative phi/Phi = `hazard` and minus its second derivative `curvature` =
+/// hazard (z + hazard).
+struct LogPhi {
+  double value, hazard, curvature;
+};
 LogPhi log_phi(double z) {
   const double value = log_normal_cdf(z);
   const double log_density = -0.5 * z * z - 0.5 * std::log(2 * std::numbers::pi);
@@ -42,7 +45,8 @@ std::optional<ProbitLine> maximise(const Objective& objective, const ProbitLine&
     if (decrement < 1e-20 || step.norm() < 1e-14 * line.norm()) return line + step;
     Evaluation there = objective(line + step);
     const double rounding = 1e-12 * (1 + std::abs(here.value));
-    for (int halving = 0; decrement > rounding && !(there.value > here.value - rounding); ++halving) {
+    for (int halving = 0; decrement > rounding && !(there.value > here.value - rounding);
+         ++halving) {
       if (halving == 60) return std::nullopt;
       step *= 0.5;
       there = objective(line + step);
@@ -69,7 +73,8 @@ Evaluation stripe_likelihood(const StripeData& data, const ProbitLine& line) {
 }
 
 Evaluation stripe_jeffreys(const StripeData& data, const ProbitLine& line) {
-  // Expected information per trial w = phi^2 / (Phi (1 - Phi)); d ln w / dz = -2 z - phi/Phi + phi/(1 - Phi).
+  // Expected information per trial w = phi^2 / (Phi (1 - Phi)); d ln w / dz = -2 z - phi/Phi +
+  // phi/(1 - Phi).
   Evaluation sum;
   for (Eigen::Index j = 0; j < data.y.size(); ++j) {
     const Eigen::Vector2d x{1, data.y[j]};
@@ -95,7 +100,8 @@ Evaluation stripe_jeffreys(const StripeData& data, const ProbitLine& line) {
 }
 
 StripeShape shape_of(const StripeData& data) {
-  double first_exceeded = infinity, last_exceeded = -infinity, first_held = infinity, last_held = -infinity;
+  double first_exceeded = infinity, last_exceeded = -infinity, first_held = infinity,
+         last_held = -infinity;
   for (Eigen::Index j = 0; j < data.y.size(); ++j) {
     if (data.exceedances[j] > 0) {
       first_exceeded = std::min(first_exceeded, data.y[j]);
@@ -109,7 +115,8 @@ StripeShape shape_of(const StripeData& data) {
   if (first_exceeded == infinity && first_held == infinity) return StripeShape::empty;
   if (first_exceeded == infinity) return StripeShape::none_exceeded;
   if (first_held == infinity) return StripeShape::all_exceeded;
-  if (std::min(first_exceeded, first_held) == std::max(last_exceeded, last_held)) return StripeShape::single_level;
+  if (std::min(first_exceeded, first_held) == std::max(last_exceeded, last_held))
+    return StripeShape::single_level;
   if (first_exceeded >= last_held) return StripeShape::separated;
   if (first_held >= last_exceeded) return StripeShape::decreasing;
   return StripeShape::overlapping;

@@ -7,8 +7,9 @@
 
 #include "glissade/fragility/fit.hpp"
 
-// The likelihoods in probit form, z = b0 + b1 y with y = ln x - center, in which they are concave; so b0 =
-// (center - ln median) / log_std and b1 = 1 / log_std. The center only conditions the numbers.
+// The likelihoods in probit form, z = b0 + b1 y with y = ln x - center, in which they are concave;
+// so b0 = (center - ln median) / log_std and b1 = 1 / log_std. The center only conditions the
+// numbers.
 namespace glissade::fragility {
 
 using ProbitLine = Eigen::Vector2d;  ///< (b0, b1)
@@ -37,21 +38,32 @@ struct StripeData {
 
 /// Log likelihood without ln C(n, k); observed information.
 Evaluation stripe_likelihood(const StripeData& data, const ProbitLine& line);
-/// ... plus half the log determinant of the expected information, which is the information given (Firth 1993,
-/// Biometrika 80(1):27-38).
+/// ... plus half the log determinant of the expected information, which is the information given
+/// (Firth 1993, Biometrika 80(1):27-38).
 Evaluation stripe_jeffreys(const StripeData& data, const ProbitLine& line);
 
-/// What stripes allow (Silvapulle 1981, JRSS B 43(3):310-313: a maximum exists if and only if they overlap).
-enum class StripeShape { overlapping, separated, none_exceeded, all_exceeded, decreasing, single_level, empty };
+/// What stripes allow (Silvapulle 1981, JRSS B 43(3):310-313: a maximum exists if and only if they
+/// overlap).
+enum class StripeShape {
+  overlapping,
+  separated,
+  none_exceeded,
+  all_exceeded,
+  decreasing,
+  single_level,
+  empty
+};
 StripeShape shape_of(const StripeData& data);
 
-/// Lognormal capacities with right-censoring, by their sufficient statistics: count, sum and sum of squares of y.
+/// Lognormal capacities with right-censoring, by their sufficient statistics: count, sum and sum of
+/// squares of y.
 struct CapacityData {
   double count = 0.0, sum = 0.0, sum_squares = 0.0;
   double censored = 0.0, censored_at = 0.0;  ///< the latter as y
   double center = 0.0;
 };
-/// Log likelihood without the constants of the data -sum(ln x) - count/2 ln(2 pi); observed information.
+/// Log likelihood without the constants of the data -sum(ln x) - count/2 ln(2 pi); observed
+/// information.
 Evaluation capacity_likelihood(const CapacityData& data, const ProbitLine& line);
 
 }  // namespace glissade::fragility

@@ -18,7 +18,8 @@ constexpr double assumed_log_std = 0.4;
 
 PointFit of_line(FitStatus status, const std::optional<ProbitLine>& line) {
   if (line && (*line)[1] > 0) return {status, *line, ""};
-  return {FitStatus::failed, ProbitLine::Zero(), "exceedance does not become more frequent with intensity"};
+  return {FitStatus::failed, ProbitLine::Zero(),
+          "exceedance does not become more frequent with intensity"};
 }
 
 bool positive_and_finite(double x) { return x > 0 && std::isfinite(x); }
@@ -28,24 +29,32 @@ bool positive_and_finite(double x) { return x > 0 && std::isfinite(x); }
 PointFit fit_point(const StripeData& data, const ProbitLine& start) {
   switch (shape_of(data)) {
     case StripeShape::overlapping:
-      return of_line(FitStatus::maximum_likelihood,
-                     maximise([&](const ProbitLine& line) { return stripe_likelihood(data, line); }, start));
-    case StripeShape::decreasing: return of_line(FitStatus::failed, std::nullopt);
-    default: return fit_point_jeffreys(data, start);
+      return of_line(
+          FitStatus::maximum_likelihood,
+          maximise([&](const ProbitLine& line) { return stripe_likelihood(data, line); }, start));
+    case StripeShape::decreasing:
+      return of_line(FitStatus::failed, std::nullopt);
+    default:
+      return fit_point_jeffreys(data, start);
   }
 }
 
 PointFit fit_point_jeffreys(const StripeData& data, const ProbitLine& start) {
   const ProbitLine none = ProbitLine::Zero();
   switch (shape_of(data)) {
-    case StripeShape::empty: return {FitStatus::failed, none, "there are no trials"};
+    case StripeShape::empty:
+      return {FitStatus::failed, none, "there are no trials"};
     case StripeShape::single_level:
-      return {FitStatus::failed, none, "only one intensity level has trials: log_std cannot be told"};
-    case StripeShape::none_exceeded: return {FitStatus::one_sided_bound, none, "", true};
-    case StripeShape::all_exceeded: return {FitStatus::one_sided_bound, none, "", false};
+      return {FitStatus::failed, none,
+              "only one intensity level has trials: log_std cannot be told"};
+    case StripeShape::none_exceeded:
+      return {FitStatus::one_sided_bound, none, "", true};
+    case StripeShape::all_exceeded:
+      return {FitStatus::one_sided_bound, none, "", false};
     default:
-      return of_line(FitStatus::jeffreys_penalised,
-                     maximise([&](const ProbitLine& line) { return stripe_jeffreys(data, line); }, start));
+      return of_line(
+          FitStatus::jeffreys_penalised,
+          maximise([&](const ProbitLine& line) { return stripe_jeffreys(data, line); }, start));
   }
 }
 
@@ -54,9 +63,11 @@ PointFit fit_point(const CapacityData& data, const ProbitLine& start) {
   if (data.count + data.censored == 0) return {FitStatus::failed, none, "there are no capacities"};
   if (data.count == 0) return {FitStatus::one_sided_bound, none, "", true};
   if (data.censored > 0) {
-    const auto line = maximise([&](const ProbitLine& l) { return capacity_likelihood(data, l); }, start);
+    const auto line =
+        maximise([&](const ProbitLine& l) { return capacity_likelihood(data, l); }, start);
     return line ? PointFit{FitStatus::maximum_likelihood, *line, ""}
-                : PointFit{FitStatus::failed, none, "the capacities do not differ: log_std cannot be told"};
+                : PointFit{FitStatus::failed, none,
+                           "the capacities do not differ: log_std cannot be told"};
   }
   const double mean = data.sum / data.count;
   const double variance = (data.sum_squares - mean * data.sum) / (data.count - 1);
@@ -73,7 +84,8 @@ ProbitLine first_guess(const StripeData& data) {
 
 ProbitLine first_guess(const CapacityData& data) {
   const double count = std::max(1.0, data.count), mean = data.sum / count;
-  const double log_std = std::max(0.1, std::sqrt(std::max(0.0, data.sum_squares / count - mean * mean)));
+  const double log_std =
+      std::max(0.1, std::sqrt(std::max(0.0, data.sum_squares / count - mean * mean)));
   return ProbitLine(-mean, 1) / log_std;
 }
 
@@ -81,7 +93,9 @@ void check(const std::vector<Stripe>& stripes, const std::string& where) {
   ProblemList problems;
   for (const Stripe& s : stripes) {
     if (!positive_and_finite(s.intensity)) {
-      problems.add({where, "intensity = " + std::to_string(s.intensity) + " is not a finite number above 0", "", ""});
+      problems.add(
+          {where, "intensity = " + std::to_string(s.intensity) + " is not a finite number above 0",
+           "", ""});
     }
     if (!(std::isfinite(s.trials) && s.exceedances >= 0 && s.exceedances <= s.trials)) {
       problems.add({where,
@@ -97,21 +111,25 @@ void check(const CapacitySample& sample, const std::string& where) {
   ProblemList problems;
   for (double capacity : sample.capacities) {
     if (!positive_and_finite(capacity)) {
-      problems.add({where, "capacity = " + std::to_string(capacity) + " is not a finite number above 0",
+      problems.add({where,
+                    "capacity = " + std::to_string(capacity) + " is not a finite number above 0",
                     "count a history that never reached the threshold as censored", ""});
     } else if (capacity > sample.censored_at) {
       problems.add({where,
-                    "capacity = " + std::to_string(capacity) + " is above the censoring intensity " +
-                        std::to_string(sample.censored_at),
+                    "capacity = " + std::to_string(capacity) +
+                        " is above the censoring intensity " + std::to_string(sample.censored_at),
                     "count it as censored, or censor higher", ""});
     }
   }
   if (!(sample.censored >= 0 && std::isfinite(sample.censored))) {
-    problems.add({where, "censored = " + std::to_string(sample.censored) + " is not a count", "", ""});
+    problems.add(
+        {where, "censored = " + std::to_string(sample.censored) + " is not a count", "", ""});
   }
   if (sample.censored > 0 && !positive_and_finite(sample.censored_at)) {
-    problems.add({where, "censored_at = " + std::to_string(sample.censored_at) + " is not a finite number above 0",
-                  "give the highest intensity the censored histories were run at", ""});
+    problems.add(
+        {where,
+         "censored_at = " + std::to_string(sample.censored_at) + " is not a finite number above 0",
+         "give the highest intensity the censored histories were run at", ""});
   }
   problems.throw_if_any();
 }
@@ -150,7 +168,9 @@ double mean_log(const std::vector<double>& values) {
 
 FitSummary summarise_bound(const StripeData& data) {
   const bool none = data.exceedances.sum() == 0;
-  const auto log_probability = [&](const ProbitLine& line) { return stripe_likelihood(data, line).value; };
+  const auto log_probability = [&](const ProbitLine& line) {
+    return stripe_likelihood(data, line).value;
+  };
   const double bound = median_bound(log_probability, assumed_log_std, data.center);
   FitSummary summary;
   summary.status = FitStatus::one_sided_bound;
@@ -159,7 +179,8 @@ FitSummary summarise_bound(const StripeData& data) {
   summary.log_likelihood = log_probability(to_line(summary.curve, data.center));
   summary.method = "one-sided 95 % bound of the median for an assumed log_std";
   summary.interval_method = "one-sided bound";
-  summary.note = none ? "no exceedance at all: the median is a lower bound" : "every trial exceeded: the median is an upper bound";
+  summary.note = none ? "no exceedance at all: the median is a lower bound"
+                      : "every trial exceeded: the median is an upper bound";
   summary.note += " at 95 % for an assumed log_std of 0.4";
   return summary;
 }

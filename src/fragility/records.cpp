@@ -10,7 +10,8 @@ namespace {
 
 std::string record_name(std::size_t i) { return "record " + std::to_string(i + 1); }
 
-std::vector<Stripe> stripes_of(const std::vector<double>& intensities, const RecordStripes& record) {
+std::vector<Stripe> stripes_of(const std::vector<double>& intensities,
+                               const RecordStripes& record) {
   std::vector<Stripe> stripes;
   for (std::size_t j = 0; j < intensities.size(); ++j) {
     stripes.push_back({intensities[j], record.trials[j], record.exceedances[j]});
@@ -18,11 +19,13 @@ std::vector<Stripe> stripes_of(const std::vector<double>& intensities, const Rec
   return stripes;
 }
 
-void check_records(const std::vector<double>& intensities, const std::vector<RecordStripes>& records) {
+void check_records(const std::vector<double>& intensities,
+                   const std::vector<RecordStripes>& records) {
   ProblemList problems;
   if (records.empty()) problems.add({"records", "there are none", "give at least one record", ""});
   for (std::size_t i = 0; i < records.size(); ++i) {
-    if (records[i].trials.size() != intensities.size() || records[i].exceedances.size() != intensities.size()) {
+    if (records[i].trials.size() != intensities.size() ||
+        records[i].exceedances.size() != intensities.size()) {
       problems.add({record_name(i),
                     std::to_string(records[i].trials.size()) + " trials and " +
                         std::to_string(records[i].exceedances.size()) + " exceedances for " +
@@ -44,7 +47,8 @@ void check_records(const std::vector<RecordCapacities>& records, double censored
   if (records.empty()) problems.add({"records", "there are none", "give at least one record", ""});
   for (std::size_t i = 0; i < records.size(); ++i) {
     try {
-      check(CapacitySample{records[i].capacities, records[i].censored, censored_at}, record_name(i));
+      check(CapacitySample{records[i].capacities, records[i].censored, censored_at},
+            record_name(i));
     } catch (const InputError& error) {
       problems.add(error);
     }
@@ -54,9 +58,11 @@ void check_records(const std::vector<RecordCapacities>& records, double censored
 
 }  // namespace
 
-StripeRecords::StripeRecords(const std::vector<double>& intensities, const std::vector<RecordStripes>& records) {
+StripeRecords::StripeRecords(const std::vector<double>& intensities,
+                             const std::vector<RecordStripes>& records) {
   check_records(intensities, records);
-  const auto rows = static_cast<Eigen::Index>(records.size()), columns = static_cast<Eigen::Index>(intensities.size());
+  const auto rows = static_cast<Eigen::Index>(records.size()),
+             columns = static_cast<Eigen::Index>(intensities.size());
   exceedances_.resize(rows, columns);
   trials_.resize(rows, columns);
   for (Eigen::Index i = 0; i < rows; ++i) {
@@ -70,7 +76,8 @@ StripeRecords::StripeRecords(const std::vector<double>& intensities, const std::
 }
 
 StripeData StripeRecords::pooled(const Eigen::VectorXd& weights) const {
-  return {levels_.y, trials_.transpose() * weights, exceedances_.transpose() * weights, levels_.center};
+  return {levels_.y, trials_.transpose() * weights, exceedances_.transpose() * weights,
+          levels_.center};
 }
 
 PointFit StripeRecords::fit(const Eigen::VectorXd& weights, const ProbitLine& start) const {
@@ -78,7 +85,8 @@ PointFit StripeRecords::fit(const Eigen::VectorXd& weights, const ProbitLine& st
 }
 
 Records::Scores StripeRecords::scores(const ProbitLine& line) const {
-  // d/dz of ln Phi(z) and ln Phi(-z), once per level: a score is the sum of k hazard_above - (n - k) hazard_below.
+  // d/dz of ln Phi(z) and ln Phi(-z), once per level: a score is the sum of k hazard_above - (n -
+  // k) hazard_below.
   Eigen::VectorXd above(levels_.y.size()), below(levels_.y.size());
   for (Eigen::Index j = 0; j < levels_.y.size(); ++j) {
     const double z = line[0] + line[1] * levels_.y[j];
@@ -87,17 +95,20 @@ Records::Scores StripeRecords::scores(const ProbitLine& line) const {
   }
   Eigen::MatrixX2d design(levels_.y.size(), 2);
   design << Eigen::VectorXd::Ones(levels_.y.size()), levels_.y.matrix();
-  return exceedances_ * above.asDiagonal() * design - (trials_ - exceedances_) * below.asDiagonal() * design;
+  return exceedances_ * above.asDiagonal() * design -
+         (trials_ - exceedances_) * below.asDiagonal() * design;
 }
 
-Eigen::Matrix2d StripeRecords::information(const Eigen::VectorXd& weights, const ProbitLine& line) const {
+Eigen::Matrix2d StripeRecords::information(const Eigen::VectorXd& weights,
+                                           const ProbitLine& line) const {
   return stripe_likelihood(pooled(weights), line).information;
 }
 
 double StripeRecords::log_likelihood(const LognormalCurve& curve) const {
   std::vector<Stripe> stripes;
   for (Eigen::Index j = 0; j < levels_.y.size(); ++j) {
-    stripes.push_back({std::exp(levels_.y[j] + levels_.center), levels_.trials[j], levels_.exceedances[j]});
+    stripes.push_back(
+        {std::exp(levels_.y[j] + levels_.center), levels_.trials[j], levels_.exceedances[j]});
   }
   return stripe_log_likelihood(stripes, curve);
 }
@@ -105,7 +116,8 @@ double StripeRecords::log_likelihood(const LognormalCurve& curve) const {
 FitSummary StripeRecords::bound() const {
   StripeData one_trial_each = levels_;
   one_trial_each.trials = (trials_.array() > 0).cast<double>().colwise().sum().transpose();
-  one_trial_each.exceedances = (exceedances_.array() > 0).cast<double>().colwise().sum().transpose();
+  one_trial_each.exceedances =
+      (exceedances_.array() > 0).cast<double>().colwise().sum().transpose();
   return summarise_bound(one_trial_each);
 }
 
@@ -113,7 +125,8 @@ CapacityRecords::CapacityRecords(const std::vector<RecordCapacities>& records, d
   check_records(records, censored_at);
   sample_.censored_at = censored_at;
   for (const RecordCapacities& record : records) {
-    sample_.capacities.insert(sample_.capacities.end(), record.capacities.begin(), record.capacities.end());
+    sample_.capacities.insert(sample_.capacities.end(), record.capacities.begin(),
+                              record.capacities.end());
     sample_.censored += record.censored;
   }
   const double center = mean_log(sample_.capacities);
@@ -142,12 +155,14 @@ PointFit CapacityRecords::fit(const Eigen::VectorXd& weights, const ProbitLine& 
 Records::Scores CapacityRecords::scores(const ProbitLine& line) const {
   Scores result(count(), 2);
   for (Eigen::Index i = 0; i < count(); ++i) {
-    result.row(i) = capacity_likelihood(records_[static_cast<std::size_t>(i)], line).gradient.transpose();
+    result.row(i) =
+        capacity_likelihood(records_[static_cast<std::size_t>(i)], line).gradient.transpose();
   }
   return result;
 }
 
-Eigen::Matrix2d CapacityRecords::information(const Eigen::VectorXd& weights, const ProbitLine& line) const {
+Eigen::Matrix2d CapacityRecords::information(const Eigen::VectorXd& weights,
+                                             const ProbitLine& line) const {
   return capacity_likelihood(pooled(weights), line).information;
 }
 

@@ -10,7 +10,8 @@
 
 namespace glissade::fragility {
 
-/// Data by record, reduced to sufficient statistics once, so that a resample (a weight per record) costs little.
+/// Data by record, reduced to sufficient statistics once, so that a resample (a weight per record)
+/// costs little.
 class Records {
  public:
   using Scores = Eigen::Matrix<double, Eigen::Dynamic, 2>;
@@ -22,7 +23,8 @@ class Records {
   virtual PointFit fit(const Eigen::VectorXd& weights, const ProbitLine& start) const = 0;
   /// Gradient of each record's log likelihood, and the observed information of all of them.
   virtual Scores scores(const ProbitLine& line) const = 0;
-  virtual Eigen::Matrix2d information(const Eigen::VectorXd& weights, const ProbitLine& line) const = 0;
+  virtual Eigen::Matrix2d information(const Eigen::VectorXd& weights,
+                                      const ProbitLine& line) const = 0;
   virtual double log_likelihood(const LognormalCurve& curve) const = 0;  ///< with all constants
   virtual FitSummary bound() const = 0;  ///< with one trial per record
   virtual std::string method() const = 0;
@@ -36,7 +38,8 @@ class StripeRecords final : public Records {
   ProbitLine first_guess() const override { return fragility::first_guess(levels_); }
   PointFit fit(const Eigen::VectorXd& weights, const ProbitLine& start) const override;
   Scores scores(const ProbitLine& line) const override;
-  Eigen::Matrix2d information(const Eigen::VectorXd& weights, const ProbitLine& line) const override;
+  Eigen::Matrix2d information(const Eigen::VectorXd& weights,
+                              const ProbitLine& line) const override;
   double log_likelihood(const LognormalCurve& curve) const override;
   FitSummary bound() const override;
   std::string method() const override { return "probit maximum likelihood on stripes"; }
@@ -56,7 +59,8 @@ class CapacityRecords final : public Records {
   ProbitLine first_guess() const override { return fragility::first_guess(pooled_); }
   PointFit fit(const Eigen::VectorXd& weights, const ProbitLine& start) const override;
   Scores scores(const ProbitLine& line) const override;
-  Eigen::Matrix2d information(const Eigen::VectorXd& weights, const ProbitLine& line) const override;
+  Eigen::Matrix2d information(const Eigen::VectorXd& weights,
+                              const ProbitLine& line) const override;
   double log_likelihood(const LognormalCurve& curve) const override;
   FitSummary bound() const override;
   std::string method() const override {

@@ -2,6 +2,7 @@
 #include "resampling.hpp"
 
 #include <algorithm>
+#include <boost/math/distributions/chi_squared.hpp>
 #include <boost/math/distributions/normal.hpp>
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
@@ -28,11 +29,13 @@ double widened_tail(std::size_t records, double quantile) {
 
 }  // namespace
 
-std::vector<double> draw_records(std::size_t records, const BootstrapOptions& options, int replicate) {
+std::vector<double> draw_records(std::size_t records, const BootstrapOptions& options,
+                                 int replicate) {
   std::vector<double> weights(records, 0.0);
   for (std::size_t i = 0; i < records; ++i) {
-    const double u = keyed_uniform(options.seed, RandomPurpose::bootstrap, static_cast<std::uint64_t>(replicate),
-                                   static_cast<std::uint32_t>(i));
+    const double u =
+        keyed_uniform(options.seed, RandomPurpose::bootstrap, static_cast<std::uint64_t>(replicate),
+                      static_cast<std::uint32_t>(i));
     weights[static_cast<std::size_t>(u * static_cast<double>(records))] += 1;
   }
   return weights;
@@ -52,25 +55,34 @@ double expanded_tail(std::size_t records, double level) {
   return widened_tail(records, quantile(student, 0.5 + 0.5 * level));
 }
 
-Interval symmetric_t_interval(Estimate estimate, const std::vector<Estimate>& replicates, double level) {
+Interval symmetric_t_interval(Estimate estimate, const std::vector<Estimate>& replicates,
+                              double level) {
   std::vector<double> t;
   for (const Estimate& replicate : replicates) t.push_back(std::abs(t_of(replicate, estimate)));
   const double greatest = percentile_interval(t, 1 - level).high;
-  return {estimate.value - greatest * estimate.standard_error, estimate.value + greatest * estimate.standard_error};
+  return {estimate.value - greatest * estimate.standard_error,
+          estimate.value + greatest * estimate.standard_error};
 }
 
-Interval skewed_t_interval(Estimate estimate, const std::vector<Estimate>& replicates, std::size_t records,
-                           double level) {
+Interval log_std_interval(Estimate log_log_std, const std::vector<Estimate>& replicates,
+                          std::size_t records, double level) {
+  const auto [value, error] = log_log_std;
   std::vector<double> t;
-  for (const Estimate& replicate : replicates) t.push_back(t_of(replicate, estimate));
-  const Interval range = percentile_interval(
-      t, widened_tail(records, quantile(boost::math::normal(), 0.5 + 0.5 * level)));
-  return {estimate.value - range.high * estimate.standard_error, estimate.value - range.low * estimate.standard_error};
+  for (const Estimate& replicate : replicates) t.push_back(t_of(replicate, log_log_std));
+  const double z = quantile(boost::math::normal(), 0.5 + 0.5 * level);
+  const Interval range = percentile_interval(t, widened_tail(records, z));
+  const double freedom = std::min(0.5 / (error * error), static_cast<double>(records) - 1);
+  const boost::math::chi_squared chi_squared(freedom);
+  const double lowest = value + 0.5 * std::log(freedom / quantile(chi_squared, 0.5 + 0.5 * level));
+  const double highest = value + 0.5 * std::log(freedom / quantile(chi_squared, 0.5 - 0.5 * level));
+  return {std::max(value - range.high * error, lowest),
+          std::min(value - range.low * error, highest)};
 }
 
 }  // namespace fragility
 
-Interval bootstrap_interval(std::size_t records, const std::function<double(const std::vector<double>&)>& statistic,
+Interval bootstrap_interval(std::size_t records,
+                            const std::function<double(const std::vector<double>&)>& statistic,
                             const BootstrapOptions& options) {
   GLISSADE_EXPECTS(options.replicates >= 100);
   GLISSADE_EXPECTS(options.level > 0 && options.level < 1);

@@ -8,26 +8,34 @@
 namespace glissade::fragility {
 
 /// How often each of `records` is drawn in one resample of as many.
-std::vector<double> draw_records(std::size_t records, const BootstrapOptions& options, int replicate);
+std::vector<double> draw_records(std::size_t records, const BootstrapOptions& options,
+                                 int replicate);
 
 /// A quantity and its standard error; the error is NaN where there is none.
-struct Estimate { double value, standard_error; };
+struct Estimate {
+  double value, standard_error;
+};
 
-/// From the share `tail` of the values that is cut on either side, by order statistics and outward, so that
-/// infinite values are allowed. NaNs are left out.
+/// From the share `tail` of the values that is cut on either side, by order statistics and outward,
+/// so that infinite values are allowed. NaNs are left out.
 Interval percentile_interval(std::vector<double> values, double tail);
 
-/// The tail of the expanded percentile interval (Hesterberg 2015, The American Statistician 69(4):371-386, section
-/// 3.3): Phi(-sqrt(n/(n-1)) t) with Student's t of n - 1 degrees of freedom.
+/// The tail of the expanded percentile interval (Hesterberg 2015, The American Statistician
+/// 69(4):371-386, section 3.3): Phi(-sqrt(n/(n-1)) t) with Student's t of n - 1 degrees of freedom.
 double expanded_tail(std::size_t records, double level);
 
-/// Symmetric bootstrap-t: estimate -+ standard error x the `level` quantile of |t| over replicates (Hall 1988, Annals
-/// of Statistics 16(3):927-953). A replicate without a standard error counts as an infinite |t|.
-Interval symmetric_t_interval(Estimate estimate, const std::vector<Estimate>& replicates, double level);
+/// Symmetric bootstrap-t: estimate -+ standard error x the `level` quantile of |t| over replicates
+/// (Hall 1988, Annals of Statistics 16(3):927-953). A replicate without a standard error counts as
+/// an infinite |t|.
+Interval symmetric_t_interval(Estimate estimate, const std::vector<Estimate>& replicates,
+                              double level);
 
-/// Equal-tailed bootstrap-t (Efron & Tibshirani 1993, section 12.5), with the tails at Phi(-sqrt(n/(n-1)) z): a
-/// resample spreads by (n-1)/n less than a sample. For log_std, whose estimate is biased low with few records.
-Interval skewed_t_interval(Estimate estimate, const std::vector<Estimate>& replicates, std::size_t records,
-                           double level);
+/// For ln log_std, whose estimate is biased low with few records: equal-tailed bootstrap-t (Efron &
+/// Tibshirani 1993, section 12.5) with the tails at Phi(-sqrt(n/(n-1)) z), as a resample spreads by
+/// (n-1)/n less than a sample. With few records its upper end runs away, so neither end goes beyond
+/// the chi-square interval of a normal sample of as many degrees of freedom as the standard error
+/// is worth, 1 / (2 se^2) (Satterthwaite 1946), but at most n - 1.
+Interval log_std_interval(Estimate log_log_std, const std::vector<Estimate>& replicates,
+                          std::size_t records, double level);
 
 }  // namespace glissade::fragility

@@ -17,7 +17,9 @@ std::string quoted(const std::string& text) {
   return result + '"';
 }
 
-std::string numbers(const std::vector<double>& values) { return fmt::format("[{}]", fmt::join(values, ", ")); }
+std::string numbers(const std::vector<double>& values) {
+  return fmt::format("[{}]", fmt::join(values, ", "));
+}
 
 std::string site_classes(const DesignTarget& target) {
   std::vector<std::string> names;
@@ -36,8 +38,8 @@ std::string motion_toml(const SyntheticMotion& motion) {
       "realization = {}\n"
       "scale = {}\n",
       quoted(motion.id), motion.magnitude, motion.distance_km, motion.vs30_mps,
-      quoted(motion.mechanism == FaultMechanism::reverse ? "reverse" : "strike_slip"), motion.realization,
-      motion.scale);
+      quoted(motion.mechanism == FaultMechanism::reverse ? "reverse" : "strike_slip"),
+      motion.realization, motion.scale);
 }
 
 }  // namespace
@@ -45,7 +47,8 @@ std::string motion_toml(const SyntheticMotion& motion) {
 std::string recipe_toml(const SyntheticRecipe& recipe, const std::string& origin) {
   std::string text = fmt::format(
       "# Made by: {}\n"
-      "# Motions simulated by the stochastic model of Rezaeian & Der Kiureghian (2010); the gain towards the BSSA14\n"
+      "# Motions simulated by the stochastic model of Rezaeian & Der Kiureghian (2010); the gain "
+      "towards the BSSA14\n"
       "# median spectra is ours, not published. See README.md in this folder.\n"
       "\n"
       "[suite]\n"
@@ -69,9 +72,10 @@ std::string recipe_toml(const SyntheticRecipe& recipe, const std::string& origin
       "frequency_hz = {}\n"
       "horizontal = {}\n"
       "vertical = {}\n",
-      origin, quoted(recipe.name), quoted(recipe.description), quoted(to_string(recipe.target.edition)),
-      recipe.target.ss_g, recipe.target.s1_g, site_classes(recipe.target), recipe.target.tl_s, recipe.seed,
-      recipe.dt_s, recipe.max_scale, numbers(recipe.gain_frequencies_hz), numbers(recipe.horizontal_gain),
+      origin, quoted(recipe.name), quoted(recipe.description),
+      quoted(to_string(recipe.target.edition)), recipe.target.ss_g, recipe.target.s1_g,
+      site_classes(recipe.target), recipe.target.tl_s, recipe.seed, recipe.dt_s, recipe.max_scale,
+      numbers(recipe.gain_frequencies_hz), numbers(recipe.horizontal_gain),
       numbers(recipe.vertical_gain));
   for (const SyntheticMotion& motion : recipe.motions) text += motion_toml(motion);
   return text;

@@ -18,7 +18,9 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 const boost::math::normal standard_normal;
 
 /// Phi^-1 of a share of which the share above is known too: the smaller of the two is exact.
-struct Share { double below, above; };
+struct Share {
+  double below, above;
+};
 double normal_quantile(Share share) {
   return share.below < share.above
              ? boost::math::quantile(standard_normal, share.below)
@@ -33,11 +35,14 @@ std::vector<double> sorted(std::vector<double> values) {
 }
 
 /// Values in increasing order, each with the share of it.
-struct Atom { double value, share; };
+struct Atom {
+  double value, share;
+};
 std::vector<Atom> atoms(const Discrete& d) {
   const double total = std::accumulate(d.weights.begin(), d.weights.end(), 0.0);
   std::vector<Atom> result;
-  for (std::size_t i = 0; i < d.values.size(); ++i) result.push_back({d.values[i], d.weights[i] / total});
+  for (std::size_t i = 0; i < d.values.size(); ++i)
+    result.push_back({d.values[i], d.weights[i] / total});
   std::stable_sort(result.begin(), result.end(), [](Atom a, Atom b) { return a.value < b.value; });
   return result;
 }
@@ -48,9 +53,11 @@ struct Quantile {
   double operator()(const Fixed& d) const { return d.value; }
   double operator()(const Normal& d) const { return d.mean + d.std * normal_quantile({u, 1 - u}); }
   double operator()(const TruncatedNormal& d) const {
-    // Shares of the parent below and above the value: sums of positive terms, so exact in either tail.
+    // Shares of the parent below and above the value: sums of positive terms, so exact in either
+    // tail.
     const double a = (d.min - d.mean) / d.std, b = (d.max - d.mean) / d.std;
-    const double below_min = cdf(standard_normal, a), above_max = cdf(complement(standard_normal, b));
+    const double below_min = cdf(standard_normal, a),
+                 above_max = cdf(complement(standard_normal, b));
     const double inside = a > 0 ? cdf(complement(standard_normal, a)) - above_max
                                 : cdf(standard_normal, b) - below_min;
     const double z = normal_quantile({below_min + u * inside, above_max + (1 - u) * inside});
@@ -71,25 +78,28 @@ struct Quantile {
     return all.back().value;
   }
   double operator()(const Empirical& d) const {
-    if (!std::is_sorted(d.values.begin(), d.values.end())) return (*this)(Empirical{sorted(d.values)});
+    if (!std::is_sorted(d.values.begin(), d.values.end()))
+      return (*this)(Empirical{sorted(d.values)});
     const double position = u * static_cast<double>(d.values.size() - 1);
     const auto i = std::min(static_cast<std::size_t>(position), d.values.size() - 2);
     return std::lerp(d.values[i], d.values[i + 1], position - static_cast<double>(i));
   }
 };
 
-struct Moments { double mean, variance; };
+struct Moments {
+  double mean, variance;
+};
 
-/// By quadrature of the density relative to its peak: no difference of near-equal terms, however far out or narrow
-/// the range. Cut where the density is exp(-40) of its peak.
+/// By quadrature of the density relative to its peak: no difference of near-equal terms, however
+/// far out or narrow the range. Cut where the density is exp(-40) of its peak.
 Moments truncated_moments(double a, double b) {
   const double peak = std::clamp(0.0, a, b);
   const double reach = std::sqrt(peak * peak + 80);
   const double low = std::max(a, -reach), high = std::min(b, reach);
   const auto integral = [&](auto&& f) {
     const auto weighted = [&](double t) { return f(t) * std::exp(-0.5 * t * (t + 2 * peak)); };
-    return boost::math::quadrature::gauss_kronrod<double, 31>::integrate(weighted, low - peak, high - peak, 10,
-                                                                         1e-13);
+    return boost::math::quadrature::gauss_kronrod<double, 31>::integrate(weighted, low - peak,
+                                                                         high - peak, 10, 1e-13);
   };
   const double total = integral([](double) { return 1.0; });
   const double center = integral([](double t) { return t; }) / total;
@@ -117,7 +127,8 @@ struct MomentsOf {
   Moments operator()(const Discrete& d) const {
     Moments m{0, 0};
     for (const Atom& atom : atoms(d)) m.mean += atom.share * atom.value;
-    for (const Atom& atom : atoms(d)) m.variance += atom.share * (atom.value - m.mean) * (atom.value - m.mean);
+    for (const Atom& atom : atoms(d))
+      m.variance += atom.share * (atom.value - m.mean) * (atom.value - m.mean);
     return m;
   }
   /// Uniform pieces of equal share between neighbouring order statistics.

@@ -23,7 +23,8 @@ class Rules {
     below("min", d.min, "max", d.max);
     constexpr double reach = 35.0;  // Phi(-35) = 1e-268 is still a normal double
     if (d.min > d.mean + reach * d.std || d.max < d.mean - reach * d.std) {
-      add("min = " + text(d.min) + " and max = " + text(d.max) + " leave nothing of the parent normal",
+      add("min = " + text(d.min) + " and max = " + text(d.max) +
+              " leave nothing of the parent normal",
           "move them within 35 std of mean");
     }
   }
@@ -39,7 +40,8 @@ class Rules {
   void operator()(const Triangular& d) {
     operator()(Uniform{d.min, d.max});
     if (!(d.min <= d.mode && d.mode <= d.max)) {
-      add("mode = " + text(d.mode) + " is not between min = " + text(d.min) + " and max = " + text(d.max),
+      add("mode = " + text(d.mode) + " is not between min = " + text(d.min) +
+              " and max = " + text(d.max),
           "give the most likely value");
     }
   }
@@ -65,7 +67,8 @@ class Rules {
  private:
   static std::string text(double value) { return (std::ostringstream() << value).str(); }
   void add(std::string what, std::string suggestion) {
-    problems_.add({.where = "", .what = std::move(what), .suggestion = std::move(suggestion), .excerpt = ""});
+    problems_.add(
+        {.where = "", .what = std::move(what), .suggestion = std::move(suggestion), .excerpt = ""});
   }
   void finite(const std::string& name, double value) {
     if (!std::isfinite(value)) add(name + " = " + text(value) + " is not a finite number", "");

@@ -42,9 +42,11 @@ std::vector<std::string> ScratchFolder::contents() const {
 
 namespace {
 
-[[noreturn]] void become(const std::vector<std::string>& arguments, const std::string& out, const std::string& err) {
+[[noreturn]] void become(const std::vector<std::string>& arguments, const std::string& out,
+                         const std::string& err) {
   std::vector<char*> pointers;
-  for (const std::string& argument : arguments) pointers.push_back(const_cast<char*>(argument.c_str()));
+  for (const std::string& argument : arguments)
+    pointers.push_back(const_cast<char*>(argument.c_str()));
   pointers.push_back(nullptr);
   constexpr int how = O_WRONLY | O_CREAT | O_TRUNC;
   dup2(open("/dev/null", O_RDONLY), STDIN_FILENO);
@@ -64,7 +66,8 @@ Finished run_child(const std::vector<std::string>& arguments) {
   if (child == 0) become(arguments, out, err);
   int status = 0;
   waitpid(child, &status, 0);
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), read_file(out), read_file(err)};
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), read_file(out),
+          read_file(err)};
 }
 
 Finished run_program(std::vector<std::string> arguments) {
@@ -72,7 +75,9 @@ Finished run_program(std::vector<std::string> arguments) {
   return run_child(arguments);
 }
 
-Finished run_shell(const std::string& line) { return run_child({"/bin/sh", "-c", line, GLISSADE_PROGRAM}); }
+Finished run_shell(const std::string& line) {
+  return run_child({"/bin/sh", "-c", line, GLISSADE_PROGRAM});
+}
 
 std::string read_file(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary);
@@ -99,7 +104,8 @@ void expect_refused(const Finished& child, const std::vector<std::string>& parts
   EXPECT_EQ(child.status, 2) << child.err;
   EXPECT_EQ(child.out, "");
   EXPECT_THAT(child.err, testing::StartsWith("glissade: "));
-  EXPECT_EQ(child.err.find("glissade: ", 1), std::string::npos) << "told more than once:\n" << child.err;
+  EXPECT_EQ(child.err.find("glissade: ", 1), std::string::npos) << "told more than once:\n"
+                                                                << child.err;
   for (const std::string& part : parts) EXPECT_THAT(child.err, testing::HasSubstr(part));
 }
 

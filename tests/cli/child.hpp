@@ -25,7 +25,8 @@ class ScratchFolder {
   std::filesystem::path folder_;
 };
 
-/// What a finished child left: its exit status (128 + signal where one ended it) and what it printed.
+/// What a finished child left: its exit status (128 + signal where one ended it) and what it
+/// printed.
 struct Finished {
   int status = -1;
   std::string out, err;
@@ -43,8 +44,8 @@ std::vector<std::string> lines_of(const std::string& text);
 /// A line of CSV without quotes.
 std::vector<std::string> cells_of(const std::string& line);
 
-/// Fails the test unless the program refused its input: status 2, nothing on standard output, and one message on standard
-/// error that begins with the program's name and holds all of `parts`.
+/// Fails the test unless the program refused its input: status 2, nothing on standard output, and
+/// one message on standard error that begins with the program's name and holds all of `parts`.
 void expect_refused(const Finished& child, const std::vector<std::string>& parts);
 
 }  // namespace glissade::test

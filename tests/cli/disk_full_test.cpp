@@ -9,8 +9,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A limit on the size of files (`ulimit -f`, in blocks of 512 bytes) stands for the full disk where a file is cut off half way;
-// /dev/full is one that is full from the start.
+// A limit on the size of files (`ulimit -f`, in blocks of 512 bytes) stands for the full disk where
+// a file is cut off half way; /dev/full is one that is full from the start.
 
 class DiskFull : public testing::Test {
  protected:
@@ -20,12 +20,15 @@ class DiskFull : public testing::Test {
 };
 
 TEST_F(DiskFull, a_history_on_a_full_disk_is_told) {
-  expect_refused(run_shell(slide_ + "--history /dev/full --json"), {"/dev/full", "No space left on device", "make room"});
+  expect_refused(run_shell(slide_ + "--history /dev/full --json"),
+                 {"/dev/full", "No space left on device", "make room"});
 }
 
 TEST_F(DiskFull, a_full_standard_output_is_told) {
-  for (const std::string& command : {slide_ + "--json", slide_, std::string("\"$0\" standards --sds-g 1 --json")}) {
-    expect_refused(run_shell(command + " >/dev/full"), {"standard output", "No space left on device"});
+  for (const std::string& command :
+       {slide_ + "--json", slide_, std::string("\"$0\" standards --sds-g 1 --json")}) {
+    expect_refused(run_shell(command + " >/dev/full"),
+                   {"standard output", "No space left on device"});
   }
 }
 
@@ -34,7 +37,8 @@ TEST_F(DiskFull, an_older_history_survives_and_no_half_of_the_new_is_left) {
   for (int i = 0; i < 2000; ++i) long_record += "0.5\n";
   folder_.write("push.txt", long_record);  // a history of some 100 kB
   const std::string history = folder_.write("history.csv", "an older one");
-  expect_refused(run_shell("ulimit -f 20; " + slide_ + "--history '" + history + "'"), {"history.csv", "File too large"});
+  expect_refused(run_shell("ulimit -f 20; " + slide_ + "--history '" + history + "'"),
+                 {"history.csv", "File too large"});
   EXPECT_EQ(read_file(history), "an older one");
   EXPECT_EQ(folder_.contents(), (std::vector<std::string>{"history.csv", "push.txt"}));
 }
@@ -42,17 +46,23 @@ TEST_F(DiskFull, an_older_history_survives_and_no_half_of_the_new_is_left) {
 TEST_F(DiskFull, a_run_whose_results_do_not_fit_leaves_nothing) {
   const std::string study = folder_.write("study.toml", small_study());
   const std::vector<std::string> before = folder_.contents();
-  expect_refused(run_shell("ulimit -f 20; \"$0\" run '" + study + "' --out '" + folder_.path("out").string() + "'"), {"results.h5", "File too large"});
+  expect_refused(run_shell("ulimit -f 20; \"$0\" run '" + study + "' --out '" +
+                           folder_.path("out").string() + "'"),
+                 {"results.h5", "File too large"});
   EXPECT_EQ(folder_.contents(), before);
 }
 
 TEST_F(DiskFull, results_that_fit_are_kept_when_the_report_does_not) {
-  const std::string study = folder_.write("study.toml", small_study()), out = folder_.path("out").string();
+  const std::string study = folder_.write("study.toml", small_study()),
+                    out = folder_.path("out").string();
   ASSERT_EQ(run_program({"run", study, "--out", folder_.path("whole").string()}).status, 0);
   const fs::path whole = folder_.path("whole");
   const auto size = fs::file_size(whole / "results.h5");
-  ASSERT_GT(fs::file_size(whole / "report.html"), size + 1024);  // else the limit below would not part them
-  expect_refused(run_shell("ulimit -f " + std::to_string(size / 512 + 1) + "; \"$0\" run '" + study + "' --out '" + out + "'"), {"results.h5: is whole", "glissade report"});
+  ASSERT_GT(fs::file_size(whole / "report.html"),
+            size + 1024);  // else the limit below would not part them
+  expect_refused(run_shell("ulimit -f " + std::to_string(size / 512 + 1) + "; \"$0\" run '" +
+                           study + "' --out '" + out + "'"),
+                 {"results.h5: is whole", "glissade report"});
   EXPECT_TRUE(read_file(out + "/results.h5") == read_file(whole / "results.h5"));
 }
 

@@ -26,10 +26,12 @@ class Fit : public testing::Test {
 };
 
 TEST_F(Fit, bakers_stripes_give_the_known_numbers) {
-  // Input: Baker 2015, Earthquake Spectra 31(1):579-599. Results: recomputed with two independent programs (statistics.md, ex1).
-  const std::string counts = folder_.write("counts.csv",
-                                           "# Baker 2015\nim,num_gms,num_exceed\n0.2,40,0\n0.3,40,0\n0.4,40,0\n0.6,40,4\n0.7,40,6\n"
-                                           "0.8,40,13\n0.9,40,12\n1.0,40,16\n");
+  // Input: Baker 2015, Earthquake Spectra 31(1):579-599. Results: recomputed with two independent
+  // programs (statistics.md, ex1).
+  const std::string counts = folder_.write(
+      "counts.csv",
+      "# Baker 2015\nim,num_gms,num_exceed\n0.2,40,0\n0.3,40,0\n0.4,40,0\n0.6,40,4\n0.7,40,6\n"
+      "0.8,40,13\n0.9,40,12\n1.0,40,16\n");
   const Json fit = fit_json({"--counts", counts});
   EXPECT_NEAR(fit["median"], 1.076115794, 1e-6);
   EXPECT_NEAR(fit["log_std"], 0.4292372038, 1e-6);
@@ -45,15 +47,18 @@ TEST_F(Fit, bakers_stripes_give_the_known_numbers) {
 TEST_F(Fit, capacities_give_the_mean_and_deviation_of_their_logarithms) {
   // ln: -1, 0, 1, 4; mean 1, sum of squares 14, n - 1 = 3.
   std::string text = "im_cap\n";
-  for (const double ln : {-1.0, 0.0, 1.0, 4.0}) text += std::to_string(std::exp(ln)) + "\n";  // six decimals
+  for (const double ln : {-1.0, 0.0, 1.0, 4.0})
+    text += std::to_string(std::exp(ln)) + "\n";  // six decimals
   const Json fit = fit_json({"--capacities", folder_.write("capacities.csv", text)});
   EXPECT_NEAR(fit["median"], std::numbers::e, 1e-5);
   EXPECT_NEAR(fit["log_std"], std::sqrt(14.0 / 3.0), 1e-5);
   EXPECT_EQ(fit["converged"], true);
 }
 
-/// Statistics.md: sum of [ln phi(z) - ln beta - ln x] over the reached, and (n - m) ln[1 - Phi(z_max)].
-double censored_log_likelihood(const std::vector<double>& reached, double censored, double limit, double median, double log_std) {
+/// Statistics.md: sum of [ln phi(z) - ln beta - ln x] over the reached, and (n - m) ln[1 -
+/// Phi(z_max)].
+double censored_log_likelihood(const std::vector<double>& reached, double censored, double limit,
+                               double median, double log_std) {
   const auto z = [&](double x) { return std::log(x / median) / log_std; };
   double sum = censored * std::log(0.5 * std::erfc(z(limit) / std::numbers::sqrt2));
   for (const double x : reached) {
@@ -64,9 +69,12 @@ double censored_log_likelihood(const std::vector<double>& reached, double censor
 
 TEST_F(Fit, censored_capacities_maximise_the_censored_likelihood) {
   const std::string file = folder_.write("capacities.csv", "im_cap\n0.5\n0.8\n1\n1.2\n2\n2.5\n3\n");
-  const Json fit = fit_json({"--capacities", file, "--censor-at", "2.5"});  // 2.5 and 3 were not reached by 2.5
+  const Json fit =
+      fit_json({"--capacities", file, "--censor-at", "2.5"});  // 2.5 and 3 were not reached by 2.5
   const double median = fit["median"], log_std = fit["log_std"];
-  const auto at = [](double m, double s) { return censored_log_likelihood({0.5, 0.8, 1.0, 1.2, 2.0}, 2.0, 2.5, m, s); };
+  const auto at = [](double m, double s) {
+    return censored_log_likelihood({0.5, 0.8, 1.0, 1.2, 2.0}, 2.0, 2.5, m, s);
+  };
   EXPECT_NEAR(fit["log_likelihood"], at(median, log_std), 1e-9);
   for (const double factor : {0.999, 1.001}) {
     EXPECT_GT(at(median, log_std), at(factor * median, log_std));
@@ -78,38 +86,53 @@ TEST_F(Fit, censored_capacities_maximise_the_censored_likelihood) {
 
 TEST_F(Fit, separated_counts_are_fitted_by_the_labelled_penalty) {
   // statistics.md: x 0.2 to 1.2, k 0 0 0 20 20 20: no finite maximum; Jeffreys.
-  const Json fit = fit_json({"--counts", folder_.write("counts.csv", "im,num_gms,num_exceed\n0.2,20,0\n0.4,20,0\n0.6,20,0\n0.8,20,20\n1.0,20,20\n1.2,20,20\n")});
+  const Json fit =
+      fit_json({"--counts", folder_.write("counts.csv",
+                                          "im,num_gms,num_exceed\n0.2,20,0\n0.4,20,0\n0.6,20,0\n0."
+                                          "8,20,20\n1.0,20,20\n1.2,20,20\n")});
   EXPECT_NEAR(fit["median"], 0.6928211161, 1e-6);
   EXPECT_NEAR(fit["log_std"], 0.06843924275, 1e-6);
   EXPECT_THAT(std::string(fit["method"]), testing::ContainsRegex("Jeffreys|penali"));
 }
 
 TEST_F(Fit, text_shows_the_same) {
-  const Finished child = run_program({"fit", "--capacities", folder_.write("c.csv", "im_cap\n1\n2\n4\n")});
+  const Finished child =
+      run_program({"fit", "--capacities", folder_.write("c.csv", "im_cap\n1\n2\n4\n")});
   EXPECT_EQ(child.status, 0);
-  EXPECT_THAT(child.out, testing::ContainsRegex("median +2 +95 % interval"));  // the geometric mean of 1, 2, 4
+  EXPECT_THAT(child.out,
+              testing::ContainsRegex("median +2 +95 % interval"));  // the geometric mean of 1, 2, 4
 }
 
 TEST_F(Fit, neither_or_both_inputs_are_refused) {
   const std::string counts = folder_.write("n.csv", "im,num_gms,num_exceed\n0.2,40,1\n0.4,40,9\n");
   const std::string capacities = folder_.write("c.csv", "im_cap\n1\n2\n");
   expect_refused(run_program({"fit"}), {"--counts", "--capacities"});
-  expect_refused(run_program({"fit", "--counts", counts, "--capacities", capacities}), {"--counts", "--capacities"});
-  expect_refused(run_program({"fit", "--counts", counts, "--censor-at", "2"}), {"--censor-at", "--capacities"});
-  expect_refused(run_program({"fit", "--capacities", capacities, "--censor-at", "0"}), {"--censor-at", "> 0"});
+  expect_refused(run_program({"fit", "--counts", counts, "--capacities", capacities}),
+                 {"--counts", "--capacities"});
+  expect_refused(run_program({"fit", "--counts", counts, "--censor-at", "2"}),
+                 {"--censor-at", "--capacities"});
+  expect_refused(run_program({"fit", "--capacities", capacities, "--censor-at", "0"}),
+                 {"--censor-at", "> 0"});
 }
 
 TEST_F(Fit, every_bad_row_is_told_at_once) {
-  const std::string file = folder_.write("n.csv", "im,num_gms,num_exceed\n0.2,40,41\n-1,40,2\n0.4,40,x\n0.5,40\n0.6,40,nan\n0.7,40,3\n0.7,40,4\n");
+  const std::string file = folder_.write("n.csv",
+                                         "im,num_gms,num_exceed\n0.2,40,41\n-1,40,2\n0.4,40,x\n0.5,"
+                                         "40\n0.6,40,nan\n0.7,40,3\n0.7,40,4\n");
   expect_refused(run_program({"fit", "--counts", file, "--json"}),
-                 {"n.csv:2: num_exceed is larger than num_gms", "n.csv:3: im is not above 0", "n.csv:4", "'x'", "n.csv:5", "n.csv:6", "nan", "n.csv:8", "line 7"});
+                 {"n.csv:2: num_exceed is larger than num_gms", "n.csv:3: im is not above 0",
+                  "n.csv:4", "'x'", "n.csv:5", "n.csv:6", "nan", "n.csv:8", "line 7"});
 }
 
 TEST_F(Fit, another_header_or_no_rows_are_refused) {
-  expect_refused(run_program({"fit", "--counts", folder_.write("a.csv", "im,n,k\n1,2,1\n")}), {"a.csv:1", "im,num_gms,num_exceed"});
-  expect_refused(run_program({"fit", "--capacities", folder_.write("b.csv", "im_cap\n")}), {"b.csv", "no rows"});
-  expect_refused(run_program({"fit", "--capacities", folder_.write("c.csv", "")}), {"c.csv", "empty"});
-  expect_refused(run_program({"fit", "--capacities", folder_.path("none.csv").string()}), {"none.csv", "No such file"});
+  expect_refused(run_program({"fit", "--counts", folder_.write("a.csv", "im,n,k\n1,2,1\n")}),
+                 {"a.csv:1", "im,num_gms,num_exceed"});
+  expect_refused(run_program({"fit", "--capacities", folder_.write("b.csv", "im_cap\n")}),
+                 {"b.csv", "no rows"});
+  expect_refused(run_program({"fit", "--capacities", folder_.write("c.csv", "")}),
+                 {"c.csv", "empty"});
+  expect_refused(run_program({"fit", "--capacities", folder_.path("none.csv").string()}),
+                 {"none.csv", "No such file"});
 }
 
 }  // namespace

@@ -12,7 +12,8 @@ namespace fs = std::filesystem;
 class RunInput : public testing::Test {
  protected:
   /// The small study with one line changed must be refused, and leave nothing behind.
-  void expect_study_refused(const std::string& from, const std::string& to, std::vector<std::string> parts) const {
+  void expect_study_refused(const std::string& from, const std::string& to,
+                            std::vector<std::string> parts) const {
     const std::string study = folder_.write("study.toml", replaced(small_study(), from, to));
     expect_refused(run_program({"run", study, "--out", folder_.path("out").string()}), parts);
     EXPECT_EQ(folder_.contents(), std::vector<std::string>{"study.toml"});
@@ -20,35 +21,74 @@ class RunInput : public testing::Test {
   ScratchFolder folder_;
 };
 
-TEST_F(RunInput, a_missing_study_is_named) { expect_refused(run_program({"run", folder_.path("none.toml").string()}), {"none.toml", "No such file"}); }
-TEST_F(RunInput, broken_toml_is_told_with_its_line) { expect_study_refused("seed = 7", "seed = ", {"study.toml:3"}); }
+TEST_F(RunInput, a_missing_study_is_named) {
+  expect_refused(run_program({"run", folder_.path("none.toml").string()}),
+                 {"none.toml", "No such file"});
+}
+TEST_F(RunInput, broken_toml_is_told_with_its_line) {
+  expect_study_refused("seed = 7", "seed = ", {"study.toml:3"});
+}
 
 TEST_F(RunInput, an_unknown_key_is_told_with_its_line_and_the_nearest) {
-  expect_study_refused("thresholds_m =", "treshold_m =", {"study.toml:24: clearance.treshold_m is not a known key", "did you mean thresholds_m?", "\n  treshold_m = [0.05, 0.2]\n  ^"});
+  expect_study_refused("thresholds_m =", "treshold_m =",
+                       {"study.toml:24: clearance.treshold_m is not a known key",
+                        "did you mean thresholds_m?", "\n  treshold_m = [0.05, 0.2]\n  ^"});
 }
 TEST_F(RunInput, a_key_in_another_unit_is_told_with_the_right_one) {
-  expect_study_refused("thresholds_m = [0.05, 0.2]", "thresholds_in = [2, 8]", {"study.toml:24", "clearance.thresholds_in", "did you mean thresholds_m?"});
+  expect_study_refused("thresholds_m = [0.05, 0.2]", "thresholds_in = [2, 8]",
+                       {"study.toml:24", "clearance.thresholds_in", "did you mean thresholds_m?"});
 }
-TEST_F(RunInput, an_unknown_table_is_told) { expect_study_refused("[building]", "[bulding]", {"study.toml:12", "bulding", "did you mean building?"}); }
+TEST_F(RunInput, an_unknown_table_is_told) {
+  expect_study_refused("[building]", "[bulding]",
+                       {"study.toml:12", "bulding", "did you mean building?"});
+}
 TEST_F(RunInput, an_unknown_measure_is_told_with_the_known) {
-  expect_study_refused("\"sds_g\"", "\"sds\"", {"study.toml:9", "intensity.measure = \"sds\"", "did you mean \"sds_g\"?"});
+  expect_study_refused("\"sds_g\"", "\"sds\"",
+                       {"study.toml:9", "intensity.measure = \"sds\"", "did you mean \"sds_g\"?"});
 }
-TEST_F(RunInput, a_negative_threshold_is_told) { expect_study_refused("[0.05, 0.2]", "[-0.05, 0.2]", {"study.toml:24", "-0.05 is not above 0"}); }
-TEST_F(RunInput, a_zero_level_is_told) { expect_study_refused("[0.5, 1.0, 2.0]", "[0, 1.0, 2.0]", {"study.toml:10", "0 is not above 0"}); }
-TEST_F(RunInput, a_level_that_is_not_finite_is_told) { expect_study_refused("[0.5, 1.0, 2.0]", "[0.5, inf]", {"study.toml:10", "not finite"}); }
-TEST_F(RunInput, a_list_of_no_levels_is_told) { expect_study_refused("[0.5, 1.0, 2.0]", "[]", {"study.toml:10", "empty"}); }
-TEST_F(RunInput, levels_out_of_order_are_told) { expect_study_refused("[0.5, 1.0, 2.0]", "[0.5, 2.0, 1.0]", {"study.toml:10", "2 is followed by 1"}); }
-TEST_F(RunInput, text_for_a_number_is_told) { expect_study_refused("mean = 0.3", "mean = \"0.3\"", {"study.toml:16", "friction.mean", "not a number", "quotes"}); }
-TEST_F(RunInput, a_roof_steeper_than_a_wall_is_told) { expect_study_refused("[friction]", "[roof]\nslope_deg = 95\n[friction]", {"study.toml:16", "slope_deg", "95"}); }
+TEST_F(RunInput, a_negative_threshold_is_told) {
+  expect_study_refused("[0.05, 0.2]", "[-0.05, 0.2]", {"study.toml:24", "-0.05 is not above 0"});
+}
+TEST_F(RunInput, a_zero_level_is_told) {
+  expect_study_refused("[0.5, 1.0, 2.0]", "[0, 1.0, 2.0]", {"study.toml:10", "0 is not above 0"});
+}
+TEST_F(RunInput, a_level_that_is_not_finite_is_told) {
+  expect_study_refused("[0.5, 1.0, 2.0]", "[0.5, inf]", {"study.toml:10", "not finite"});
+}
+TEST_F(RunInput, a_list_of_no_levels_is_told) {
+  expect_study_refused("[0.5, 1.0, 2.0]", "[]", {"study.toml:10", "empty"});
+}
+TEST_F(RunInput, levels_out_of_order_are_told) {
+  expect_study_refused("[0.5, 1.0, 2.0]", "[0.5, 2.0, 1.0]",
+                       {"study.toml:10", "2 is followed by 1"});
+}
+TEST_F(RunInput, text_for_a_number_is_told) {
+  expect_study_refused("mean = 0.3", "mean = \"0.3\"",
+                       {"study.toml:16", "friction.mean", "not a number", "quotes"});
+}
+TEST_F(RunInput, a_roof_steeper_than_a_wall_is_told) {
+  expect_study_refused("[friction]", "[roof]\nslope_deg = 95\n[friction]",
+                       {"study.toml:16", "slope_deg", "95"});
+}
 
 TEST_F(RunInput, contradictory_settings_are_told) {
-  expect_study_refused("std = 0.03", "std = 0.03\nmu = 0.4", {"study.toml:18", "friction.mu", "friction.mean", "both"});
-  expect_study_refused("measure = \"sds_g\"", "measure = \"pga_g\"", {"standards.compare", "sds_g"});
-  expect_study_refused("measure = \"sds_g\"", "measure = \"sds_g\"\nsa_period_s = 1.0", {"study.toml:10", "sa_period_s", "sa_g"});
+  expect_study_refused("std = 0.03", "std = 0.03\nmu = 0.4",
+                       {"study.toml:18", "friction.mu", "friction.mean", "both"});
+  expect_study_refused("measure = \"sds_g\"", "measure = \"pga_g\"",
+                       {"standards.compare", "sds_g"});
+  expect_study_refused("measure = \"sds_g\"", "measure = \"sds_g\"\nsa_period_s = 1.0",
+                       {"study.toml:10", "sa_period_s", "sa_g"});
 }
-TEST_F(RunInput, sobol_points_not_a_power_of_two_are_told_with_the_neighbours) { expect_study_refused("samples = 8", "samples = 10", {"study.toml:20", "power of two", "8 or 16"}); }
-TEST_F(RunInput, a_missing_key_is_told) { expect_study_refused("mean = 0.3\nstd = 0.03", "", {"friction.mean is missing"}); }
-TEST_F(RunInput, a_missing_suite_is_told) { expect_study_refused("synthetic_level0", "synthetic_level9", {"study.toml:6", "synthetic_level9.toml"}); }
+TEST_F(RunInput, sobol_points_not_a_power_of_two_are_told_with_the_neighbours) {
+  expect_study_refused("samples = 8", "samples = 10", {"study.toml:20", "power of two", "8 or 16"});
+}
+TEST_F(RunInput, a_missing_key_is_told) {
+  expect_study_refused("mean = 0.3\nstd = 0.03", "", {"friction.mean is missing"});
+}
+TEST_F(RunInput, a_missing_suite_is_told) {
+  expect_study_refused("synthetic_level0", "synthetic_level9",
+                       {"study.toml:6", "synthetic_level9.toml"});
+}
 
 TEST_F(RunInput, everything_wrong_is_told_at_once) {
   std::string text = replaced(small_study(), "samples = 8", "samples = 0");
@@ -56,20 +96,25 @@ TEST_F(RunInput, everything_wrong_is_told_at_once) {
   text = replaced(text, "max = 1.0", "max = 0.1");
   text = replaced(text, "seaoc_pv1_2012", "seaoc");
   const std::string study = folder_.write("study.toml", text);
-  expect_refused(run_program({"run", study, "--out", folder_.path("out").string()}),
-                 {"study.toml:13", "study.toml:20", "study.toml:24", "study.toml:27", "seaoc_pv1_2012"});
+  expect_refused(
+      run_program({"run", study, "--out", folder_.path("out").string()}),
+      {"study.toml:13", "study.toml:20", "study.toml:24", "study.toml:27", "seaoc_pv1_2012"});
 }
 
 TEST_F(RunInput, a_suite_whose_record_is_bad_leaves_no_folder) {
   folder_.write("record.txt", "0.1\nnan\n");
-  folder_.write("suite.toml", "[suite]\nname = \"one\"\n[[record]]\nid = \"a\"\nfirst = { file = \"record.txt\", dt_s = 0.02, units = \"g\" }\n");
-  const std::string study = folder_.write("study.toml", replaced(small_study(), GLISSADE_SOURCE_DIR "/suites/synthetic_level0.toml", "suite.toml"));
-  expect_refused(run_program({"run", study, "--out", folder_.path("out").string()}), {"record.txt:2", "nan"});
+  folder_.write("suite.toml", suite_of_one_record());
+  const std::string study = folder_.write(
+      "study.toml",
+      replaced(small_study(), GLISSADE_SOURCE_DIR "/suites/synthetic_level0.toml", "suite.toml"));
+  expect_refused(run_program({"run", study, "--out", folder_.path("out").string()}),
+                 {"record.txt:2", "nan"});
   EXPECT_FALSE(fs::exists(folder_.path("out")));
 }
 
 TEST_F(RunInput, a_folder_that_holds_a_run_is_never_written_into) {
-  const std::string study = folder_.write("study.toml", small_study()), out = folder_.path("out").string();
+  const std::string study = folder_.write("study.toml", small_study()),
+                    out = folder_.path("out").string();
   fs::create_directory(out);
   folder_.write("out/results.h5", "an earlier run");
   const std::vector<std::string> before = folder_.contents();
@@ -79,14 +124,16 @@ TEST_F(RunInput, a_folder_that_holds_a_run_is_never_written_into) {
 }
 
 TEST_F(RunInput, a_file_is_not_a_results_folder) {
-  const std::string study = folder_.write("study.toml", small_study()), out = folder_.write("out", "a file");
+  const std::string study = folder_.write("study.toml", small_study()),
+                    out = folder_.write("out", "a file");
   expect_refused(run_program({"run", study, "--out", out}), {out, "not a folder", "--out"});
   EXPECT_EQ(read_file(out), "a file");
 }
 
 TEST_F(RunInput, a_folder_that_cannot_be_made_is_told_before_any_work) {
   const std::string study = folder_.write("study.toml", small_study());
-  expect_refused(run_program({"run", study, "--out", study + "/out"}), {"study.toml/out", "cannot be made", "Not a directory", "--out"});
+  expect_refused(run_program({"run", study, "--out", study + "/out"}),
+                 {"study.toml/out", "cannot be made", "Not a directory", "--out"});
 }
 
 }  // namespace

@@ -49,17 +49,20 @@ class Run : public testing::Test {
 };
 
 TEST_F(Run, leaves_results_report_tables_figures_and_its_record) {
-  for (const char* name : {"results.h5", "run.json", "report.html", "tables/fragility.csv", "tables/slip.csv", "tables/standards.csv",
-                           "tables/stripes.csv", "tables/samples.csv", "tables/records.csv", "figures/fragility.svg", "figures/fragility.pdf",
-                           "figures/fragility.gp"}) {
+  for (const char* name :
+       {"results.h5", "run.json", "report.html", "tables/fragility.csv", "tables/slip.csv",
+        "tables/standards.csv", "tables/stripes.csv", "tables/samples.csv", "tables/records.csv",
+        "figures/fragility.svg", "figures/fragility.pdf", "figures/fragility.gp"}) {
     EXPECT_GT(fs::exists(out() / name) ? fs::file_size(out() / name) : 0, 0u) << name;
   }
-  for (const std::string& name : folder_->contents()) EXPECT_EQ(name.find(".partial"), std::string::npos) << name;
+  for (const std::string& name : folder_->contents())
+    EXPECT_EQ(name.find(".partial"), std::string::npos) << name;
 }
 
 TEST_F(Run, ends_with_the_fragilities_the_comparison_and_where_the_report_is) {
   EXPECT_EQ(finished_.err, "");
-  for (const std::string& part : {std::string("Median"), std::string("SEAOC PV1-2012"), (out() / "report.html").string()}) {
+  for (const std::string& part :
+       {std::string("Median"), std::string("SEAOC PV1-2012"), (out() / "report.html").string()}) {
     EXPECT_THAT(finished_.out, HasSubstr(part));
   }
 }
@@ -79,7 +82,8 @@ TEST_F(Run, results_tell_what_they_are_at_the_root) {
   EXPECT_EQ(root_attribute("file_type"), "\"glissade results\"");
   EXPECT_EQ(root_attribute("format_version"), "1");
   EXPECT_EQ(root_attribute("seed"), "7");
-  EXPECT_THAT(run_program({"--version"}).out, HasSubstr(root_attribute("program_version").substr(1, 3)));
+  EXPECT_THAT(run_program({"--version"}).out,
+              HasSubstr(root_attribute("program_version").substr(1, 3)));
   const std::string study = h5dump({"-r", "-a", "/study"});
   EXPECT_THAT(study, HasSubstr("thresholds_m = [0.05, 0.2]"));  // the study file, word for word
 }
@@ -130,19 +134,23 @@ TEST_F(Run, a_second_run_gives_the_same_bytes) {
 }
 
 TEST_F(Run, another_seed_gives_other_results) {
-  const std::string study = folder_->write("other.toml", replaced(small_study(), "seed = 7", "seed = 8"));
+  const std::string study =
+      folder_->write("other.toml", replaced(small_study(), "seed = 7", "seed = 8"));
   ASSERT_EQ(run_program({"run", study, "--out", folder_->path("other").string()}).status, 0);
-  EXPECT_NE(read_file(folder_->path("other") / "tables/samples.csv"), read_file(out() / "tables/samples.csv"));
+  EXPECT_NE(read_file(folder_->path("other") / "tables/samples.csv"),
+            read_file(out() / "tables/samples.csv"));
 }
 
 TEST_F(Run, report_makes_the_same_tables_again_elsewhere) {
   const fs::path again = folder_->path("report");
   const std::string results_before = read_file(out() / "results.h5");
-  const Finished child = run_program({"report", (out() / "results.h5").string(), "--out", again.string()});
+  const Finished child =
+      run_program({"report", (out() / "results.h5").string(), "--out", again.string()});
   ASSERT_EQ(child.status, 0) << child.err;
   std::size_t tables = 0;
   for (const auto& table : fs::directory_iterator(out() / "tables")) {
-    EXPECT_EQ(read_file(table.path()), read_file(again / "tables" / table.path().filename())) << table.path();
+    EXPECT_EQ(read_file(table.path()), read_file(again / "tables" / table.path().filename()))
+        << table.path();
     ++tables;
   }
   EXPECT_GE(tables, 5u);
@@ -154,16 +162,19 @@ TEST_F(Run, report_makes_the_same_tables_again_elsewhere) {
 TEST_F(Run, dry_run_prints_the_plan_and_writes_nothing) {
   const ScratchFolder folder;
   const std::string study = folder.write("small.toml", small_study());
-  const Finished child = run_shell("cd '" + folder.path("").string() + "' && \"$0\" run small.toml --dry-run");
+  const Finished child =
+      run_shell("cd '" + folder.path("").string() + "' && \"$0\" run small.toml --dry-run");
   EXPECT_EQ(child.status, 0) << child.err;
-  for (const char* part : {"small", "7 motions", "8 (scrambled Sobol)", "336 histories"}) EXPECT_THAT(child.out, HasSubstr(part));  // 7 x 8 x 3, twice
+  for (const char* part : {"small", "7 motions", "8 (scrambled Sobol)", "336 histories"})
+    EXPECT_THAT(child.out, HasSubstr(part));  // 7 x 8 x 3, twice
   EXPECT_EQ(folder.contents(), std::vector<std::string>{"small.toml"});
 }
 
 TEST_F(Run, without_out_the_folder_is_named_after_the_study_file) {
   const ScratchFolder folder;
   folder.write("my_roof.toml", small_study());
-  EXPECT_EQ(run_shell("cd '" + folder.path("").string() + "' && \"$0\" run my_roof.toml").status, 0);
+  EXPECT_EQ(run_shell("cd '" + folder.path("").string() + "' && \"$0\" run my_roof.toml").status,
+            0);
   EXPECT_TRUE(fs::exists(folder.path("results/my_roof/results.h5")));
 }
 
@@ -172,9 +183,13 @@ TEST_F(Run, runs_one_history_of_one_record_without_standards_or_samples) {
   std::string record;
   for (int i = 0; i < 200; ++i) record += std::to_string(0.5 * std::sin(0.2 * i)) + "\n";
   folder.write("record.txt", record);
-  folder.write("suite.toml", "[suite]\nname = \"one\"\n[[record]]\nid = \"a\"\nfirst = { file = \"record.txt\", dt_s = 0.02, units = \"g\" }\n");
-  const std::string study = folder.write("one.toml", "[study]\nname = \"one\"\n[suite]\nfile = \"suite.toml\"\n[intensity]\nmeasure = \"pga_g\"\nlevels = [1.0]\n"
-                                                     "[friction]\nmu = 0.3\n[orientation]\ncomponent = \"first\"\n[sampling]\nsamples = 1\n[clearance]\nthresholds_m = [0.1]\n");
+  folder.write("suite.toml", suite_of_one_record());
+  const std::string study =
+      folder.write("one.toml",
+                   "[study]\nname = \"one\"\n[suite]\nfile = \"suite.toml\"\n[intensity]\nmeasure "
+                   "= \"pga_g\"\nlevels = [1.0]\n"
+                   "[friction]\nmu = 0.3\n[orientation]\ncomponent = "
+                   "\"first\"\n[sampling]\nsamples = 1\n[clearance]\nthresholds_m = [0.1]\n");
   const Finished child = run_program({"run", study, "--out", folder.path("out").string()});
   EXPECT_EQ(child.status, 0) << child.err;
   EXPECT_TRUE(fs::exists(folder.path("out/report.html")));

@@ -41,7 +41,8 @@ std::vector<double> shaking_g() {
   std::vector<double> a(400);
   for (std::size_t i = 0; i < a.size(); ++i) {
     const double t = dt_s * static_cast<double>(i);
-    a[i] = std::sin(std::numbers::pi * t / 8.0) * (0.5 * std::sin(7.0 * t) + 0.3 * std::sin(17.0 * t + 1.0));
+    a[i] = std::sin(std::numbers::pi * t / 8.0) *
+           (0.5 * std::sin(7.0 * t) + 0.3 * std::sin(17.0 * t + 1.0));
   }
   return a;
 }
@@ -69,8 +70,9 @@ class Slide : public testing::Test {
 
 TEST_F(Slide, json_holds_every_key_scripts_rely_on) {
   const Json json = slide_json(record_, {"--mu", "0.2", "--slope-deg", "2"});
-  for (const char* key : {"peak_displacement_m", "residual_displacement_m", "peak_downslope_m", "peak_upslope_m", "peak_velocity_mps",
-                          "slip_duration_s", "dt_s", "pga_g"}) {
+  for (const char* key :
+       {"peak_displacement_m", "residual_displacement_m", "peak_downslope_m", "peak_upslope_m",
+        "peak_velocity_mps", "slip_duration_s", "dt_s", "pga_g"}) {
     EXPECT_TRUE(json.at(key).is_number_float()) << key;
   }
   EXPECT_TRUE(json.at("slip_phases").is_number_unsigned());
@@ -96,25 +98,32 @@ TEST_F(Slide, gives_what_the_library_gives_to_the_last_bit) {
 }
 
 TEST_F(Slide, a_steady_push_on_a_flat_roof_has_its_closed_form) {
-  // a = A for T, then linearly to zero over one step; relative to the roof the block is left behind, toward -x.
+  // a = A for T, then linearly to zero over one step; relative to the roof the block is left
+  // behind, toward -x.
   const double push = 0.5 * g, hold = 0.2 * g, t = 50 * dt_s;
   const double v1 = (push - hold) * t, d1 = v1 * t / 2;
-  const double v2 = v1 + (push / 2 - hold) * dt_s, d2 = v1 * dt_s + (push / 3 - hold / 2) * dt_s * dt_s;
+  const double v2 = v1 + (push / 2 - hold) * dt_s,
+               d2 = v1 * dt_s + (push / 3 - hold / 2) * dt_s * dt_s;
   const double distance = d1 + d2 + v2 * v2 / (2 * hold);
-  const Json json = slide_json(folder_.write("push.txt", two_columns(std::vector<double>(51, 0.5))), {"--mu", "0.2", "--slope-deg", "0"});
+  const Json json = slide_json(folder_.write("push.txt", two_columns(std::vector<double>(51, 0.5))),
+                               {"--mu", "0.2", "--slope-deg", "0"});
   EXPECT_NEAR(json["residual_displacement_m"], -distance, 1e-12 * distance);
   EXPECT_NEAR(json["peak_displacement_m"], distance, 1e-12 * distance);
   EXPECT_NEAR(json["slip_duration_s"], t + dt_s + v2 / hold, 1e-11);
   const double fade = dt_s * (1 - hold / push);  // until the push falls to what friction holds
-  EXPECT_NEAR(json["peak_velocity_mps"], v1 + push * (fade - fade * fade / (2 * dt_s)) - hold * fade, 1e-12);
+  EXPECT_NEAR(json["peak_velocity_mps"],
+              v1 + push * (fade - fade * fade / (2 * dt_s)) - hold * fade, 1e-12);
   EXPECT_EQ(json["slip_phases"], 1);
   EXPECT_NEAR(json["pga_g"], 0.5, 1e-15);
 }
 
 TEST_F(Slide, on_a_still_plane_too_steep_it_slides_by_half_a_t_squared) {
   const double slope = 7.0 * rad_per_deg, t = 100 * dt_s;
-  const double distance = g * (std::sin(slope) - 0.1 * std::cos(slope)) * t * t / 2 * std::cos(slope);  // in plan
-  const Json json = slide_json(folder_.write("still.txt", two_columns(std::vector<double>(101, 0.0))), {"--mu", "0.1", "--slope-deg", "7"});
+  const double distance =
+      g * (std::sin(slope) - 0.1 * std::cos(slope)) * t * t / 2 * std::cos(slope);  // in plan
+  const Json json =
+      slide_json(folder_.write("still.txt", two_columns(std::vector<double>(101, 0.0))),
+                 {"--mu", "0.1", "--slope-deg", "7"});
   EXPECT_NEAR(json["residual_displacement_m"], distance, 1e-12 * distance);
   EXPECT_EQ(json["free_sliding"], true);
 }
@@ -123,12 +132,15 @@ TEST_F(Slide, a_mirrored_record_on_a_mirrored_roof_slides_downslope_alike) {
   const std::string mirrored = folder_.write("mirrored.txt", two_columns(times(-1.0, shaking_g())));
   const Json there = slide_json(record_, {"--mu", "0.2", "--slope-deg", "3"});
   const Json here = slide_json(mirrored, {"--mu", "0.2", "--slope-deg", "-3"});
-  for (const char* key : {"residual_displacement_m", "peak_downslope_m", "peak_upslope_m", "slip_duration_s"}) EXPECT_EQ(there[key], here[key]) << key;
+  for (const char* key :
+       {"residual_displacement_m", "peak_downslope_m", "peak_upslope_m", "slip_duration_s"})
+    EXPECT_EQ(there[key], here[key]) << key;
 }
 
 TEST_F(Slide, twice_the_motion_on_twice_the_friction_slides_twice_as_far) {
   // theory.md, similitude; a factor of two is exact in binary.
-  const double once = slide_json(record_, {"--mu", "0.2", "--slope-deg", "0"})["peak_displacement_m"];
+  const double once =
+      slide_json(record_, {"--mu", "0.2", "--slope-deg", "0"})["peak_displacement_m"];
   const Json twice = slide_json(record_, {"--mu", "0.4", "--slope-deg", "0", "--scale", "2"});
   EXPECT_EQ(twice["peak_displacement_m"], 2.0 * once);
   EXPECT_EQ(twice["scale"], 2.0);
@@ -137,16 +149,19 @@ TEST_F(Slide, twice_the_motion_on_twice_the_friction_slides_twice_as_far) {
 TEST_F(Slide, pga_g_scales_to_that_peak) {
   const double recorded_g = slide_json(record_, {"--mu", "0.2", "--slope-deg", "0"})["pga_g"];
   const Json wanted = slide_json(record_, {"--mu", "0.2", "--slope-deg", "0", "--pga-g", "1.25"});
-  const Json scaled = slide_json(record_, {"--mu", "0.2", "--slope-deg", "0", "--scale", exact(1.25 / recorded_g)});
+  const Json scaled =
+      slide_json(record_, {"--mu", "0.2", "--slope-deg", "0", "--scale", exact(1.25 / recorded_g)});
   EXPECT_NEAR(wanted["pga_g"], 1.25, 1e-14);
   EXPECT_NEAR(wanted["peak_displacement_m"], double(scaled["peak_displacement_m"]), 1e-12);
 }
 
 TEST_F(Slide, an_undamped_building_doubles_a_sudden_push) {
-  // Absolute acceleration A (1 - cos 2 pi t / T): peak 2 A at T/2, a sample. Friction 0.75 holds 0.5 g and not 1 g.
+  // Absolute acceleration A (1 - cos 2 pi t / T): peak 2 A at T/2, a sample. Friction 0.75 holds
+  // 0.5 g and not 1 g.
   const std::string push = folder_.write("push.txt", two_columns(std::vector<double>(101, 0.5)));
   const Json rigid = slide_json(push, {"--mu", "0.75", "--slope-deg", "0"});
-  const Json soft = slide_json(push, {"--mu", "0.75", "--slope-deg", "0", "--period-s", "1", "--damping", "0"});
+  const Json soft =
+      slide_json(push, {"--mu", "0.75", "--slope-deg", "0", "--period-s", "1", "--damping", "0"});
   EXPECT_EQ(rigid["peak_displacement_m"], 0.0);
   EXPECT_NEAR(soft["ppa_g"], 1.0, 1e-12);
   EXPECT_NEAR(soft["pga_g"], 0.5, 1e-15);
@@ -156,16 +171,22 @@ TEST_F(Slide, an_undamped_building_doubles_a_sudden_push) {
 TEST_F(Slide, the_vertical_changes_the_normal_force_as_in_the_library) {
   std::vector<double> a = times(g, shaking_g()), w = times(-0.5 * g, shaking_g());
   const std::string vertical = folder_.write("up.txt", two_columns(times(-0.5, shaking_g())));
-  const SlipResult expected = slide({.dt_s = dt_s, .horizontal_mps2 = a, .vertical_mps2 = w}, {.friction = 0.2, .slope_rad = 0.0});
-  const Json json = slide_json(record_, {"--mu", "0.2", "--slope-deg", "0", "--vertical", vertical});
+  const SlipResult expected = slide({.dt_s = dt_s, .horizontal_mps2 = a, .vertical_mps2 = w},
+                                    {.friction = 0.2, .slope_rad = 0.0});
+  const Json json =
+      slide_json(record_, {"--mu", "0.2", "--slope-deg", "0", "--vertical", vertical});
   EXPECT_EQ(json["residual_displacement_m"], expected.residual_displacement_m);
-  EXPECT_NE(json["residual_displacement_m"], slide_json(record_, {"--mu", "0.2", "--slope-deg", "0"})["residual_displacement_m"]);
+  EXPECT_NE(json["residual_displacement_m"],
+            slide_json(record_, {"--mu", "0.2", "--slope-deg", "0"})["residual_displacement_m"]);
   EXPECT_EQ(json["vertical"], true);
 }
 
 TEST_F(Slide, tells_uplift_instead_of_passing_it_as_a_slip) {
-  const std::string falling = folder_.write("falling.txt", two_columns(std::vector<double>(51, -1.5)));
-  EXPECT_EQ(slide_json(record_, {"--mu", "0.5", "--slope-deg", "0", "--vertical", falling})["uplift"], true);
+  const std::string falling =
+      folder_.write("falling.txt", two_columns(std::vector<double>(51, -1.5)));
+  EXPECT_EQ(
+      slide_json(record_, {"--mu", "0.5", "--slope-deg", "0", "--vertical", falling})["uplift"],
+      true);
 }
 
 TEST_F(Slide, one_way_never_goes_upslope_and_ends_at_its_peak) {
@@ -184,7 +205,8 @@ TEST_F(Slide, the_published_scheme_comes_closer_with_its_substeps) {
   const double coarse = peak({"--method", "rodriguez-nikl", "--substeps", "4"});
   const double fine = peak({"--method", "rodriguez-nikl", "--substeps", "4096"});
   EXPECT_NE(coarse, event);
-  EXPECT_LT(std::abs(fine - event), 0.01 * std::abs(coarse - event));  // first order: a factor of about 1000
+  EXPECT_LT(std::abs(fine - event),
+            0.01 * std::abs(coarse - event));  // first order: a factor of about 1000
 }
 
 TEST_F(Slide, history_ends_where_the_json_says) {
@@ -208,19 +230,25 @@ TEST_F(Slide, history_ends_where_the_json_says) {
 }
 
 TEST_F(Slide, reads_an_at2_file_with_its_own_step) {
-  std::string at2 = "PEER NGA STRONG MOTION DATABASE RECORD\nMade up, 2026, test, 090\nACCELERATION TIME SERIES IN UNITS OF G\n"
-                    "NPTS=    400, DT=   .0200 SEC,\n";
+  std::string at2 =
+      "PEER NGA STRONG MOTION DATABASE RECORD\nMade up, 2026, test, 090\nACCELERATION TIME SERIES "
+      "IN UNITS OF G\n"
+      "NPTS=    400, DT=   .0200 SEC,\n";
   const std::vector<double> a = shaking_g();
   for (std::size_t i = 0; i < a.size(); ++i) at2 += exact(a[i]) + (i % 5 == 4 ? "\r\n" : "  ");
-  const Json from_at2 = slide_json(folder_.write("made_up.AT2", at2), {"--mu", "0.2", "--slope-deg", "2"});
+  const Json from_at2 =
+      slide_json(folder_.write("made_up.AT2", at2), {"--mu", "0.2", "--slope-deg", "2"});
   EXPECT_EQ(from_at2, slide_json(record_, {"--mu", "0.2", "--slope-deg", "2"}));
 }
 
 TEST_F(Slide, one_column_in_other_units_takes_dt_s_and_units) {
   std::string text;
   for (const double a : shaking_g()) text += exact(a * g * 100.0) + "\n";
-  const Json json = slide_json(folder_.write("gal.txt", text), {"--mu", "0.2", "--slope-deg", "2", "--dt-s", "0.02", "--units", "cm/s2"});
-  const double expected = slide_json(record_, {"--mu", "0.2", "--slope-deg", "2"})["peak_displacement_m"];
+  const Json json =
+      slide_json(folder_.write("gal.txt", text),
+                 {"--mu", "0.2", "--slope-deg", "2", "--dt-s", "0.02", "--units", "cm/s2"});
+  const double expected =
+      slide_json(record_, {"--mu", "0.2", "--slope-deg", "2"})["peak_displacement_m"];
   EXPECT_NEAR(json["peak_displacement_m"], expected, 1e-12);
 }
 
@@ -228,7 +256,9 @@ TEST_F(Slide, text_says_what_the_numbers_are) {
   const Finished child = run_program({"slide", record_, "--mu", "0.2", "--slope-deg", "2"});
   EXPECT_EQ(child.status, 0);
   EXPECT_EQ(child.err, "");
-  for (const char* part : {"400 samples at 0.02 s", "in plan", "peak", "residual", "downslope", "upslope", " m "}) EXPECT_THAT(child.out, HasSubstr(part));
+  for (const char* part :
+       {"400 samples at 0.02 s", "in plan", "peak", "residual", "downslope", "upslope", " m "})
+    EXPECT_THAT(child.out, HasSubstr(part));
 }
 
 }  // namespace

@@ -5,7 +5,8 @@
 
 namespace glissade::test {
 
-/// A study of a second: seven built-in motions, eight samples, three levels. On few levels and records, so that it says little.
+/// A study of a second: seven built-in motions, eight samples, three levels. On few levels and
+/// records, so that it says little.
 inline std::string small_study() {
   return R"([study]
 name = "small"
@@ -34,6 +35,17 @@ thresholds_m = [0.05, 0.2]
 
 [standards]
 compare = ["seaoc_pv1_2012"]
+)";
+}
+
+/// A suite of one motion of one component: record.txt beside it, in g at 0.02 s.
+inline std::string suite_of_one_record() {
+  return R"([suite]
+name = "one"
+
+[[record]]
+id = "a"
+first = { file = "record.txt", dt_s = 0.02, units = "g" }
 )";
 }
 

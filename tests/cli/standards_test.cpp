@@ -20,11 +20,13 @@ Json standards_json(std::vector<std::string> options) {
 
 TEST(Standards, rodriguez_nikls_example_is_2_07_m) {
   // Rodriguez-Nikl et al. 2019: S_DS 1.566 g: 60 (1.566 - 0.4)^2 in = 81.6 in.
-  EXPECT_NEAR(standards_json({"--sds-g", "1.566"})["seaoc_pv1_2012_m"], 60 * 1.166 * 1.166 * 0.0254, 1e-9);
+  EXPECT_NEAR(standards_json({"--sds-g", "1.566"})["seaoc_pv1_2012_m"], 60 * 1.166 * 1.166 * 0.0254,
+              1e-9);
 }
 
 TEST(Standards, a_stamped_calculation_and_its_separations_come_out) {
-  // S_DS 1.050, I_e 1: 5 (0.65)^2 ft = 25.35 in (standards.md); separations 0.5, 1, 1 and 2 times that.
+  // S_DS 1.050, I_e 1: 5 (0.65)^2 ft = 25.35 in (standards.md); separations 0.5, 1, 1 and 2 times
+  // that.
   const Json json = standards_json({"--sds-g", "1.05"});
   const double prescribed = json["asce7_16_m"];
   EXPECT_NEAR(prescribed, 5 * 0.65 * 0.65 * 0.3048, 1e-9);
@@ -38,25 +40,29 @@ TEST(Standards, a_stamped_calculation_and_its_separations_come_out) {
 }
 
 TEST(Standards, importance_multiplies_asce_7_16) {
-  const double once = standards_json({"--sds-g", "1.5"})["asce7_16_m"], more = standards_json({"--sds-g", "1.5", "--importance", "1.5"})["asce7_16_m"];
+  const double once = standards_json({"--sds-g", "1.5"})["asce7_16_m"],
+               more = standards_json({"--sds-g", "1.5", "--importance", "1.5"})["asce7_16_m"];
   EXPECT_NEAR(more, 1.5 * once, 1e-12);
 }
 
 TEST(Standards, sdc_c_asks_for_six_inches) {
-  EXPECT_NEAR(standards_json({"--sds-g", "1.5", "--sdc", "C"})["seaoc_pv1_2012_m"], 6 * 0.0254, 1e-12);
+  EXPECT_NEAR(standards_json({"--sds-g", "1.5", "--sdc", "C"})["seaoc_pv1_2012_m"], 6 * 0.0254,
+              1e-12);
 }
 
 TEST(Standards, says_how_well_each_value_is_known) {
   const Finished child = run_program({"standards", "--sds-g", "1.566"});
   EXPECT_EQ(child.status, 0);
-  for (const char* part : {"2.072 m", "81.6 in", "checked", "in plan"}) EXPECT_THAT(child.out, testing::HasSubstr(part));
+  for (const char* part : {"2.072 m", "81.6 in", "checked", "in plan"})
+    EXPECT_THAT(child.out, testing::HasSubstr(part));
 }
 
 TEST(Standards, what_is_no_sds_importance_or_category_is_refused) {
   expect_refused(run_program({"standards", "--sds-g", "-1"}), {"-1", "S_DS"});
   expect_refused(run_program({"standards", "--sds-g", "nan"}), {"nan"});
   expect_refused(run_program({"standards", "--sds-g", "1", "--sdc", "Q"}), {"Q", "A to F"});
-  expect_refused(run_program({"standards", "--sds-g", "1", "--importance", "0"}), {"importance", "0"});
+  expect_refused(run_program({"standards", "--sds-g", "1", "--importance", "0"}),
+                 {"importance", "0"});
   expect_refused(run_program({"standards"}), {"--sds-g"});
 }
 

@@ -14,7 +14,8 @@ TEST(Suite, show_lists_every_motion_with_its_components) {
   const Finished child = run_program({"suite", "show", level0});
   EXPECT_EQ(child.status, 0) << child.err;
   EXPECT_EQ(child.err, "");
-  for (int i = 1; i <= 7; ++i) EXPECT_THAT(child.out, testing::HasSubstr("level0_" + std::to_string(i)));
+  for (int i = 1; i <= 7; ++i)
+    EXPECT_THAT(child.out, testing::HasSubstr("level0_" + std::to_string(i)));
   // Walters's Level 0: S_s 0.45, S_1 0.18; site class D, F_a = 1.44: S_DS = 2/3 1.44 0.45.
   EXPECT_THAT(child.out, testing::HasSubstr("S_DS 0.432 g"));
 }
@@ -29,7 +30,9 @@ TEST(Suite, spectra_are_a_table_whose_average_stays_above_the_target_to_2_s) {
   const std::vector<std::string> lines = lines_of(text);
   ASSERT_GT(lines.size(), 50u);
   const std::vector<std::string> header = cells_of(lines[1]);
-  const auto column = [&](const std::string& name) { return static_cast<std::size_t>(std::find(header.begin(), header.end(), name) - header.begin()); };
+  const auto column = [&](const std::string& name) {
+    return static_cast<std::size_t>(std::find(header.begin(), header.end(), name) - header.begin());
+  };
   EXPECT_EQ(header[0], "period_s");
   ASSERT_LT(column("average_srss_g"), header.size());
   ASSERT_LT(column("target_mce_g"), header.size());
@@ -37,8 +40,11 @@ TEST(Suite, spectra_are_a_table_whose_average_stays_above_the_target_to_2_s) {
     const std::vector<std::string> cells = cells_of(lines[i]);
     ASSERT_EQ(cells.size(), header.size()) << lines[i];
     if (std::stod(cells[0]) > 2.0) continue;
-    // The suite's factors were found at Walters's periods and are kept to four decimals: between, the average may dip a little.
-    EXPECT_GT(std::stod(cells[column("average_srss_g")]), 0.97 * std::stod(cells[column("target_mce_g")])) << lines[i];
+    // The suite's factors were found at Walters's periods and are kept to four decimals: between,
+    // the average may dip a little.
+    EXPECT_GT(std::stod(cells[column("average_srss_g")]),
+              0.97 * std::stod(cells[column("target_mce_g")]))
+        << lines[i];
   }
 }
 
@@ -59,8 +65,10 @@ TEST(Suite, scale_finds_the_factors_the_built_in_suite_was_made_with) {
 }
 
 TEST(Suite, dbe_factors_are_two_thirds_of_mce_factors) {
-  const std::vector<std::string> mce = lines_of(run_program({"suite", "scale", level0, "--target", "mce"}).out);
-  const std::vector<std::string> dbe = lines_of(run_program({"suite", "scale", level0, "--target", "dbe"}).out);
+  const std::vector<std::string> mce =
+      lines_of(run_program({"suite", "scale", level0, "--target", "mce"}).out);
+  const std::vector<std::string> dbe =
+      lines_of(run_program({"suite", "scale", level0, "--target", "dbe"}).out);
   ASSERT_EQ(mce.size(), dbe.size());
   ASSERT_FALSE(mce.empty());
   EXPECT_NEAR(std::stod(cells_of(dbe.back())[1]), std::stod(cells_of(mce.back())[1]) * 2 / 3, 1e-4);
@@ -68,19 +76,24 @@ TEST(Suite, dbe_factors_are_two_thirds_of_mce_factors) {
 
 TEST(Suite, mistakes_are_refused) {
   const ScratchFolder folder;
-  expect_refused(run_program({"suite", "show", folder.path("none.toml").string()}), {"none.toml", "No such file"});
-  expect_refused(run_program({"suite", "scale", level0, "--target", "mean"}), {"--target", "mean", "mce", "dbe"});
+  expect_refused(run_program({"suite", "show", folder.path("none.toml").string()}),
+                 {"none.toml", "No such file"});
+  expect_refused(run_program({"suite", "scale", level0, "--target", "mean"}),
+                 {"--target", "mean", "mce", "dbe"});
   expect_refused(run_program({"suite", "design", "--level", "9"}), {"9"});
   expect_refused(run_program({"suite"}), {"--help"});
 }
 
 TEST(Suite, records_that_cannot_be_found_are_all_told) {
   const ScratchFolder folder;
-  const std::string suite = folder.write("suite.toml",
-                                         "[suite]\nname = \"s\"\n[[record]]\nid = \"a\"\nfirst = \"here_not.AT2\"\nsecond = \"there_neither.AT2\"\n"
-                                         "[[record]]\nid = \"b\"\nfirst = \"nowhere.AT2\"\nmagnitud = 7\n");
+  const std::string suite =
+      folder.write("suite.toml",
+                   "[suite]\nname = \"s\"\n[[record]]\nid = \"a\"\nfirst = "
+                   "\"here_not.AT2\"\nsecond = \"there_neither.AT2\"\n"
+                   "[[record]]\nid = \"b\"\nfirst = \"nowhere.AT2\"\nmagnitud = 7\n");
   expect_refused(run_program({"suite", "show", suite}),
-                 {"suite.toml", "here_not.AT2", "there_neither.AT2", "nowhere.AT2", "GLISSADE_RECORDS", "suite.toml:10", "did you mean magnitude?"});
+                 {"suite.toml", "here_not.AT2", "there_neither.AT2", "nowhere.AT2",
+                  "GLISSADE_RECORDS", "suite.toml:10", "did you mean magnitude?"});
 }
 
 }  // namespace

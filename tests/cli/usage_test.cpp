@@ -10,7 +10,8 @@ TEST(Usage, help_names_every_command_and_succeeds) {
   const Finished child = run_program({"--help"});
   EXPECT_EQ(child.status, 0);
   EXPECT_EQ(child.err, "");
-  for (const char* command : {"run", "slide", "fit", "suite", "standards", "report"}) EXPECT_THAT(child.out, testing::HasSubstr(command));
+  for (const char* command : {"run", "slide", "fit", "suite", "standards", "report"})
+    EXPECT_THAT(child.out, testing::HasSubstr(command));
 }
 
 TEST(Usage, every_command_has_help) {
@@ -21,34 +22,61 @@ TEST(Usage, every_command_has_help) {
   }
 }
 
-TEST(Usage, version_is_one_line) { EXPECT_THAT(run_program({"--version"}).out, testing::MatchesRegex("glissade [0-9]+\\.[0-9]+\\.[0-9]+\n")); }
+TEST(Usage, version_is_one_line) {
+  EXPECT_THAT(run_program({"--version"}).out,
+              testing::MatchesRegex("glissade [0-9]+\\.[0-9]+\\.[0-9]+\n"));
+}
 
-TEST(Usage, a_misspelt_command_is_named_with_the_nearest) { expect_refused(run_program({"slid", "x"}), {"slid is not a command", "did you mean slide?"}); }
-TEST(Usage, so_is_a_misspelt_command_of_suite) { expect_refused(run_program({"suite", "sho", "x"}), {"sho is not a command", "did you mean show?"}); }
+TEST(Usage, a_misspelt_command_is_named_with_the_nearest) {
+  expect_refused(run_program({"slid", "x"}), {"slid is not a command", "did you mean slide?"});
+}
+TEST(Usage, so_is_a_misspelt_command_of_suite) {
+  expect_refused(run_program({"suite", "sho", "x"}),
+                 {"sho is not a command", "did you mean show?"});
+}
 TEST(Usage, no_command_is_refused) { expect_refused(run_program({}), {"--help"}); }
-TEST(Usage, an_unknown_option_is_named) { expect_refused(run_program({"slide", "r", "--mu", "1", "--slope-deg", "1", "--frobnicate"}), {"--frobnicate"}); }
-TEST(Usage, a_missing_option_is_named) { expect_refused(run_program({"slide", "r", "--mu", "1"}), {"--slope-deg", "required"}); }
-TEST(Usage, text_for_a_number_is_shown) { expect_refused(run_program({"slide", "r", "--mu", "high", "--slope-deg", "1"}), {"--mu", "high"}); }
+TEST(Usage, an_unknown_option_is_named) {
+  expect_refused(run_program({"slide", "r", "--mu", "1", "--slope-deg", "1", "--frobnicate"}),
+                 {"--frobnicate"});
+}
+TEST(Usage, a_missing_option_is_named) {
+  expect_refused(run_program({"slide", "r", "--mu", "1"}), {"--slope-deg", "required"});
+}
+TEST(Usage, text_for_a_number_is_shown) {
+  expect_refused(run_program({"slide", "r", "--mu", "high", "--slope-deg", "1"}), {"--mu", "high"});
+}
 
 TEST(Usage, all_impossible_numbers_are_told_together) {
-  expect_refused(run_program({"slide", "r", "--mu", "-0.5", "--slope-deg", "95", "--scale", "0", "--period-s", "-1", "--damping", "1", "--substeps", "0", "--method", "newmark"}),
-                 {"--mu: -0.5", "--slope-deg: 95", "--scale: 0", "--period-s: -1", "--damping: 1", "--substeps: 0", "--method: newmark"});
+  expect_refused(
+      run_program({"slide", "r", "--mu", "-0.5", "--slope-deg", "95", "--scale", "0", "--period-s",
+                   "-1", "--damping", "1", "--substeps", "0", "--method", "newmark"}),
+      {"--mu: -0.5", "--slope-deg: 95", "--scale: 0", "--period-s: -1", "--damping: 1",
+       "--substeps: 0", "--method: newmark"});
 }
 
 TEST(Usage, numbers_that_are_not_finite_are_refused) {
-  expect_refused(run_program({"slide", "r", "--mu", "inf", "--slope-deg", "nan", "--pga-g", "inf"}), {"--mu: inf", "--slope-deg: nan", "--pga-g: inf"});
+  expect_refused(run_program({"slide", "r", "--mu", "inf", "--slope-deg", "nan", "--pga-g", "inf"}),
+                 {"--mu: inf", "--slope-deg: nan", "--pga-g: inf"});
 }
 
 TEST(Usage, contradictory_options_are_refused) {
-  expect_refused(run_program({"slide", "r", "--mu", "1", "--slope-deg", "1", "--scale", "2", "--pga-g", "1"}), {"--scale", "--pga-g"});
-  expect_refused(run_program({"slide", "r", "--mu", "1", "--slope-deg", "1", "--method", "rodriguez-nikl", "--history", "h.csv"}), {"--history", "event"});
-  expect_refused(run_program({"slide", "r", "--mu", "1", "--slope-deg", "1", "--json", "--history", "/dev/stdout"}), {"--history", "/dev/stdout"});
+  expect_refused(
+      run_program({"slide", "r", "--mu", "1", "--slope-deg", "1", "--scale", "2", "--pga-g", "1"}),
+      {"--scale", "--pga-g"});
+  expect_refused(run_program({"slide", "r", "--mu", "1", "--slope-deg", "1", "--method",
+                              "rodriguez-nikl", "--history", "h.csv"}),
+                 {"--history", "event"});
+  expect_refused(run_program({"slide", "r", "--mu", "1", "--slope-deg", "1", "--json", "--history",
+                              "/dev/stdout"}),
+                 {"--history", "/dev/stdout"});
 }
 
 TEST(Usage, a_report_of_what_is_no_results_file_is_refused) {
   const ScratchFolder folder;
-  expect_refused(run_program({"report", folder.path("none.h5").string()}), {"none.h5", "no such file"});
-  expect_refused(run_program({"report", folder.write("text.h5", "not HDF5")}), {"text.h5", "not a whole glissade results file"});
+  expect_refused(run_program({"report", folder.path("none.h5").string()}),
+                 {"none.h5", "no such file"});
+  expect_refused(run_program({"report", folder.write("text.h5", "not HDF5")}),
+                 {"text.h5", "not a whole glissade results file"});
   EXPECT_EQ(folder.contents(), std::vector<std::string>{"text.h5"});
 }
 

@@ -14,8 +14,8 @@ class Mpi : public testing::Test {
   void SetUp() override {
     if (run_shell("command -v mpirun").status != 0) GTEST_SKIP() << "mpirun is not installed";
     // More ranks than cores, as root in a container, without the kernel's single-copy path.
-    for (const char* name : {"OMPI_ALLOW_RUN_AS_ROOT", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "OMPI_MCA_rmaps_base_oversubscribe",
-                             "OMPI_MCA_mpi_yield_when_idle"}) {
+    for (const char* name : {"OMPI_ALLOW_RUN_AS_ROOT", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM",
+                             "OMPI_MCA_rmaps_base_oversubscribe", "OMPI_MCA_mpi_yield_when_idle"}) {
       setenv(name, "1", 1);
     }
     setenv("OMPI_MCA_btl_vader_single_copy_mechanism", "none", 1);
@@ -29,9 +29,11 @@ class Mpi : public testing::Test {
   /// The bytes of results.h5 of a run on `ranks`; 0: without mpirun.
   std::string results_on(int ranks, const std::string& study) const {
     const std::string out = folder_.path("on" + std::to_string(ranks)).string();
-    const Finished child = ranks == 0 ? run_program({"run", study, "--out", out}) : run_on(ranks, {"run", study, "--out", out});
+    const Finished child = ranks == 0 ? run_program({"run", study, "--out", out})
+                                      : run_on(ranks, {"run", study, "--out", out});
     EXPECT_EQ(child.status, 0) << child.err;
-    EXPECT_THAT(read_file(out + "/run.json"), testing::HasSubstr("\"ranks\": " + std::to_string(ranks == 0 ? 1 : ranks)));
+    EXPECT_THAT(read_file(out + "/run.json"),
+                testing::HasSubstr("\"ranks\": " + std::to_string(ranks == 0 ? 1 : ranks)));
     return read_file(out + "/results.h5");
   }
 
@@ -40,24 +42,31 @@ class Mpi : public testing::Test {
 
 TEST_F(Mpi, one_two_three_and_seven_ranks_give_the_bytes_of_none) {
   // 128 samples: histories enough that the ranks overtake one another.
-  const std::string study = folder_.write("study.toml", replaced(small_study(), "samples = 8", "samples = 128"));
+  const std::string study =
+      folder_.write("study.toml", replaced(small_study(), "samples = 8", "samples = 128"));
   const std::string alone = results_on(0, study);
   ASSERT_FALSE(alone.empty());
-  for (const int ranks : {1, 2, 3, 7}) EXPECT_TRUE(results_on(ranks, study) == alone) << ranks << " ranks";
+  for (const int ranks : {1, 2, 3, 7})
+    EXPECT_TRUE(results_on(ranks, study) == alone) << ranks << " ranks";
 }
 
 TEST_F(Mpi, more_ranks_than_units_of_work_give_the_same_bytes) {
   std::string record;
   for (int i = 0; i < 500; ++i) record += i % 40 < 20 ? "0.5\n" : "-0.5\n";
   folder_.write("record.txt", record);
-  folder_.write("suite.toml", "[suite]\nname = \"one\"\n[[record]]\nid = \"a\"\nfirst = { file = \"record.txt\", dt_s = 0.02, units = \"g\" }\n");
+  folder_.write("suite.toml", suite_of_one_record());
   const std::string study =
-      folder_.write("study.toml", "[study]\nname = \"one\"\n[suite]\nfile = \"suite.toml\"\n[intensity]\nmeasure = \"pga_g\"\nlevels = [0.4, 0.8]\n"
-                                  "[friction]\nmean = 0.3\nstd = 0.03\n[sampling]\nsamples = 2\n[clearance]\nthresholds_m = [0.05]\n");
-  ASSERT_THAT(run_program({"run", study, "--dry-run"}).out, testing::HasSubstr("in 1 units"));  // fewer than ranks
+      folder_.write("study.toml",
+                    "[study]\nname = \"one\"\n[suite]\nfile = \"suite.toml\"\n[intensity]\nmeasure "
+                    "= \"pga_g\"\nlevels = [0.4, 0.8]\n"
+                    "[friction]\nmean = 0.3\nstd = 0.03\n[sampling]\nsamples = "
+                    "2\n[clearance]\nthresholds_m = [0.05]\n");
+  ASSERT_THAT(run_program({"run", study, "--dry-run"}).out,
+              testing::HasSubstr("in 1 units"));  // fewer than ranks
   const std::string alone = results_on(0, study);
   ASSERT_FALSE(alone.empty());
-  for (const int ranks : {2, 7}) EXPECT_TRUE(results_on(ranks, study) == alone) << ranks << " ranks";
+  for (const int ranks : {2, 7})
+    EXPECT_TRUE(results_on(ranks, study) == alone) << ranks << " ranks";
 }
 
 /// Our message stands once among what mpirun says of the status itself.
@@ -71,9 +80,11 @@ void expect_refused_once(const Finished& child, const std::string& part) {
 }
 
 TEST_F(Mpi, an_input_error_is_told_once_by_three_ranks) {
-  const std::string study = folder_.write("study.toml", replaced(small_study(), "[0.05, 0.2]", "[-0.05]"));
+  const std::string study =
+      folder_.write("study.toml", replaced(small_study(), "[0.05, 0.2]", "[-0.05]"));
   const std::string out = folder_.path("out").string();
-  expect_refused_once(run_on(3, {"run", study, "--out", out}), "study.toml:24: clearance.thresholds_m = -0.05 is not above 0");
+  expect_refused_once(run_on(3, {"run", study, "--out", out}),
+                      "study.toml:24: clearance.thresholds_m = -0.05 is not above 0");
   EXPECT_EQ(folder_.contents(), std::vector<std::string>{"study.toml"});
 }
 
@@ -86,7 +97,8 @@ TEST_F(Mpi, a_results_folder_in_use_is_told_once_by_three_ranks) {
   const std::string study = folder_.write("study.toml", small_study());
   std::filesystem::create_directory(folder_.path("out"));
   folder_.write("out/results.h5", "an earlier run");
-  expect_refused_once(run_on(3, {"run", study, "--out", folder_.path("out").string()}), "already holds a run");
+  expect_refused_once(run_on(3, {"run", study, "--out", folder_.path("out").string()}),
+                      "already holds a run");
 }
 
 TEST_F(Mpi, the_other_commands_answer_once_on_three_ranks) {
@@ -98,7 +110,8 @@ TEST_F(Mpi, the_other_commands_answer_once_on_three_ranks) {
 
 TEST_F(Mpi, a_dry_run_prints_one_plan_on_three_ranks) {
   const std::string study = folder_.write("study.toml", small_study());
-  EXPECT_EQ(run_on(3, {"run", study, "--dry-run"}).out, run_program({"run", study, "--dry-run"}).out);
+  EXPECT_EQ(run_on(3, {"run", study, "--dry-run"}).out,
+            run_program({"run", study, "--dry-run"}).out);
 }
 
 }  // namespace

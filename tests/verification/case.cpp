@@ -9,31 +9,49 @@ namespace glissade::verification {
 
 Case compare(const Subject& subject, const Comparison& c) {
   const bool relative = c.metric == Metric::relative;
-  const double difference = relative ? std::abs(c.value / c.expected - 1.0) : std::abs(c.value - c.expected);
+  const double difference =
+      relative ? std::abs(c.value / c.expected - 1.0) : std::abs(c.value - c.expected);
   return {subject.name,
           subject.quantity,
           fmt::format("{:.12g} ({})", c.expected, subject.source),
           relative ? "relative difference" : "difference",
           fmt::format("{:g}", c.tolerance),
-          difference == 0.0 ? fmt::format("{:.8g} (equal)", c.value) : fmt::format("{:.8g} (off by {:.1e})", c.value, difference),
+          difference == 0.0 ? fmt::format("{:.8g} (equal)", c.value)
+                            : fmt::format("{:.8g} (off by {:.1e})", c.value, difference),
           difference <= c.tolerance};
 }
 
 Case limit(const Subject& subject, const Bound& bound) {
-  return {subject.name, subject.quantity, subject.source, bound.metric, fmt::format("{:g}", bound.at_most),
-          fmt::format("{:.2g}", bound.value), bound.value <= bound.at_most};
+  return {subject.name,
+          subject.quantity,
+          subject.source,
+          bound.metric,
+          fmt::format("{:g}", bound.at_most),
+          fmt::format("{:.2g}", bound.value),
+          bound.value <= bound.at_most};
 }
 
 Case within(const Subject& subject, const Range& range) {
-  const std::string tolerance = std::isinf(range.high) ? fmt::format("at least {:g}", range.low)
-                                                       : fmt::format("{:g} to {:g}", range.low, range.high);
-  return {subject.name, subject.quantity, subject.source, range.metric, tolerance, fmt::format("{:.5g}", range.value),
+  const std::string tolerance = std::isinf(range.high)
+                                    ? fmt::format("at least {:g}", range.low)
+                                    : fmt::format("{:g} to {:g}", range.low, range.high);
+  return {subject.name,
+          subject.quantity,
+          subject.source,
+          range.metric,
+          tolerance,
+          fmt::format("{:.5g}", range.value),
           range.value >= range.low && range.value <= range.high};
 }
 
 Case all_equal(const Subject& subject, const Mismatches& m) {
-  return {subject.name, subject.quantity, subject.source, fmt::format("differing, of {}", m.of), "0",
-          fmt::format("{}", m.differing), m.differing == 0};
+  return {subject.name,
+          subject.quantity,
+          subject.source,
+          fmt::format("differing, of {}", m.of),
+          "0",
+          fmt::format("{}", m.differing),
+          m.differing == 0};
 }
 
 double worse(double a, double b) { return std::isnan(a) || b <= a ? a : b; }

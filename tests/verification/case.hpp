@@ -27,7 +27,8 @@ struct Comparison {
   double value, expected, tolerance;
   Metric metric = Metric::relative;
 };
-/// A number against a number: |value - expected| <= tolerance, or |value / expected - 1| <= tolerance.
+/// A number against a number: |value - expected| <= tolerance, or |value / expected - 1| <=
+/// tolerance.
 Case compare(const Subject& subject, const Comparison& comparison);
 
 struct Bound {
@@ -52,7 +53,8 @@ Case all_equal(const Subject& subject, const Mismatches& mismatches);
 /// The larger of two differences; NaN if one of them is, so that no difference is lost.
 double worse(double a, double b);
 
-/// A part of the manual: text, its cases and, below them, figures and measured tables (in Markdown).
+/// A part of the manual: text, its cases and, below them, figures and measured tables (in
+/// Markdown).
 struct Chapter {
   std::string title, text;
   std::vector<Case> cases;

@@ -5,8 +5,10 @@
 
 namespace glissade::verification {
 
-Chapter sliding_block(const Folders& folders);     ///< exact solutions, closed forms, physical checks, invariants
-Chapter published_scheme(const Folders& folders);  ///< Rodriguez-Nikl's scheme converging to the exact solution
+Chapter sliding_block(
+    const Folders& folders);  ///< exact solutions, closed forms, physical checks, invariants
+Chapter published_scheme(
+    const Folders& folders);  ///< Rodriguez-Nikl's scheme converging to the exact solution
 Chapter buildings(const Folders& folders);
 Chapter fragility();
 Chapter sampling();

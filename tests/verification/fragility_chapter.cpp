@@ -16,43 +16,59 @@ void add_baker(std::vector<Case>& cases) {
   const FitSummary fit = fit_stripes(baker_2015()), penalised = fit_stripes_jeffreys(baker_2015());
   cases.push_back(compare({name, "median", two}, {fit.curve.median, 1.076115794, 1e-9}));
   cases.push_back(compare({name, "log_std", two}, {fit.curve.log_std, 0.4292372038, 1e-9}));
-  cases.push_back(compare({name, "median, low end of 95 % profile interval", two}, {fit.median_interval.low, 0.964246, 1e-6}));
-  cases.push_back(compare({name, "median, high end", two}, {fit.median_interval.high, 1.306991, 1e-6}));
-  cases.push_back(compare({name, "log_std, low end", two}, {fit.log_std_interval.low, 0.301758, 2e-6}));
-  cases.push_back(compare({name, "log_std, high end", two}, {fit.log_std_interval.high, 0.650025, 1e-6}));
+  cases.push_back(compare({name, "median, low end of 95 % profile interval", two},
+                          {fit.median_interval.low, 0.964246, 1e-6}));
+  cases.push_back(
+      compare({name, "median, high end", two}, {fit.median_interval.high, 1.306991, 1e-6}));
+  cases.push_back(
+      compare({name, "log_std, low end", two}, {fit.log_std_interval.low, 0.301758, 2e-6}));
+  cases.push_back(
+      compare({name, "log_std, high end", two}, {fit.log_std_interval.high, 0.650025, 1e-6}));
   cases.push_back(compare({name, "log likelihood at (0.8, 0.5)", two},
-                          {stripe_log_likelihood(baker_2015(), {0.8, 0.5}), -39.433505974789, 1e-12, Metric::absolute}));
-  cases.push_back(compare({"ex1, Jeffreys penalised", "median", two}, {penalised.curve.median, 1.086048945, 1e-9}));
-  cases.push_back(compare({"ex1, Jeffreys penalised", "log_std", two}, {penalised.curve.log_std, 0.4478973625, 1e-9}));
+                          {stripe_log_likelihood(baker_2015(), {0.8, 0.5}), -39.433505974789, 1e-12,
+                           Metric::absolute}));
+  cases.push_back(compare({"ex1, Jeffreys penalised", "median", two},
+                          {penalised.curve.median, 1.086048945, 1e-9}));
+  cases.push_back(compare({"ex1, Jeffreys penalised", "log_std", two},
+                          {penalised.curve.log_std, 0.4478973625, 1e-9}));
 }
 
 void add_others(std::vector<Case>& cases) {
-  const std::string mastodon_name = "ex4: MASTODON, 7 stripes of 1,000", beetles = "ex5: Bliss (1935), beetles, probit in log10 dose",
-                    separated_name = "separated: nothing to 0.6, all from 0.8, 20 each", two = "two independent programs";
+  const std::string mastodon_name = "ex4: MASTODON, 7 stripes of 1,000",
+                    beetles = "ex5: Bliss (1935), beetles, probit in log10 dose",
+                    separated_name = "separated: nothing to 0.6, all from 0.8, 20 each",
+                    two = "two independent programs";
   const FitSummary fit = fit_stripes(mastodon());
   cases.push_back(compare({mastodon_name, "median", two}, {fit.curve.median, 0.40021328, 2e-8}));
   cases.push_back(compare({mastodon_name, "log_std", two}, {fit.curve.log_std, 0.23842755, 3e-8}));
   cases.push_back(compare({mastodon_name, "log10 likelihood at (0.4, 0.1)", two},
-                          {stripe_log_likelihood(mastodon(), {0.4, 0.1}) / std::log(10.0), -502.18887815, 1e-8, Metric::absolute}));
+                          {stripe_log_likelihood(mastodon(), {0.4, 0.1}) / std::log(10.0),
+                           -502.18887815, 1e-8, Metric::absolute}));
   const FitSummary probit = fit_stripes(bliss_beetles());
-  cases.push_back(compare({beetles, "intercept", "published fit; two independent programs"},
-                          {-std::log(probit.curve.median) / probit.curve.log_std, -34.93525892, 2e-9}));
+  cases.push_back(
+      compare({beetles, "intercept", "published fit; two independent programs"},
+              {-std::log(probit.curve.median) / probit.curve.log_std, -34.93525892, 2e-9}));
   cases.push_back(compare({beetles, "slope", "published fit; two independent programs"},
                           {std::log(10.0) / probit.curve.log_std, 19.72793422, 2e-9}));
   double saturated = 0.0;  // log likelihood with each stripe's own share
   for (const auto& [dose, n, k] : bliss_beetles())
-    saturated += std::lgamma(n + 1) - std::lgamma(k + 1) - std::lgamma(n - k + 1) + k * std::log(k / n) +
-                 (k < n ? (n - k) * std::log1p(-k / n) : 0.0);
-  cases.push_back(compare({beetles, "deviance", "published fit; two independent programs"},
-                          {2.0 * (saturated - probit.log_likelihood), 10.11975811, 5e-8, Metric::absolute}));
+    saturated += std::lgamma(n + 1) - std::lgamma(k + 1) - std::lgamma(n - k + 1) +
+                 k * std::log(k / n) + (k < n ? (n - k) * std::log1p(-k / n) : 0.0);
+  cases.push_back(
+      compare({beetles, "deviance", "published fit; two independent programs"},
+              {2.0 * (saturated - probit.log_likelihood), 10.11975811, 5e-8, Metric::absolute}));
   const FitSummary apart = fit_stripes(separated());
-  cases.push_back(compare({separated_name, "median, Jeffreys penalised", two}, {apart.curve.median, 0.6928211161, 1e-9}));
-  cases.push_back(compare({separated_name, "log_std, Jeffreys penalised", two}, {apart.curve.log_std, 0.06843924275, 1e-9}));
-  cases.push_back(all_equal({separated_name, "labelled as penalised", "no finite maximum of the likelihood"},
-                            {apart.status == FitStatus::jeffreys_penalised ? 0 : 1, 1}));
+  cases.push_back(compare({separated_name, "median, Jeffreys penalised", two},
+                          {apart.curve.median, 0.6928211161, 1e-9}));
+  cases.push_back(compare({separated_name, "log_std, Jeffreys penalised", two},
+                          {apart.curve.log_std, 0.06843924275, 1e-9}));
+  cases.push_back(
+      all_equal({separated_name, "labelled as penalised", "no finite maximum of the likelihood"},
+                {apart.status == FitStatus::jeffreys_penalised ? 0 : 1, 1}));
 }
 
-// -- coverage: ln capacity = a(record) + e(record, sample) with deviations 0.35 and 0.20, median 1, 50 samples, 8 stripes
+// -- coverage: ln capacity = a(record) + e(record, sample) with deviations 0.35 and 0.20, median 1,
+// 50 samples, 8 stripes
 
 constexpr double between = 0.35, within_records = 0.20;
 constexpr int samples = 50, studies = 1000;
@@ -65,12 +81,15 @@ std::vector<double> intensities() {
 
 std::vector<RecordStripes> simulated_study(std::uint64_t seed, std::uint64_t records) {
   const auto levels = intensities();
-  std::vector<RecordStripes> result(records, {std::vector<double>(8, 0.0), std::vector<double>(8, samples)});
+  std::vector<RecordStripes> result(records,
+                                    {std::vector<double>(8, 0.0), std::vector<double>(8, samples)});
   for (std::uint64_t i = 0; i < records; ++i) {
     const double a = between * keyed_normal(seed, RandomPurpose::test, i, 0);
     for (std::uint32_t s = 1; s <= samples; ++s) {
-      const double capacity = std::exp(a + within_records * keyed_normal(seed, RandomPurpose::test, i, s));
-      for (std::size_t j = 0; j < 8; ++j) result[i].exceedances[j] += capacity < levels[j] ? 1.0 : 0.0;
+      const double capacity =
+          std::exp(a + within_records * keyed_normal(seed, RandomPurpose::test, i, s));
+      for (std::size_t j = 0; j < 8; ++j)
+        result[i].exceedances[j] += capacity < levels[j] ? 1.0 : 0.0;
     }
   }
   return result;
@@ -87,15 +106,20 @@ std::vector<Stripe> pooled(const std::vector<RecordStripes>& records) {
   return stripes;
 }
 
-struct Coverage { double median = 0.0, log_std = 0.0, naive_median = 0.0; };
+struct Coverage {
+  double median = 0.0, log_std = 0.0, naive_median = 0.0;
+};
 
 Coverage coverage(std::uint64_t records) {
   const double total = std::hypot(between, within_records);
-  const auto covers = [](const Interval& i, double truth) { return i.low <= truth && truth <= i.high ? 1.0 / studies : 0.0; };
+  const auto covers = [](const Interval& i, double truth) {
+    return i.low <= truth && truth <= i.high ? 1.0 / studies : 0.0;
+  };
   Coverage share;
   for (std::uint64_t study = 0; study < studies; ++study) {
     const auto data = simulated_study(10000 + study, records);
-    const FitSummary fit = fit_stripes_by_record(intensities(), data, {.seed = 7, .replicates = 400});
+    const FitSummary fit =
+        fit_stripes_by_record(intensities(), data, {.seed = 7, .replicates = 400});
     share.median += covers(fit.median_interval, 1.0);
     share.log_std += covers(fit.log_std_interval, total);
     share.naive_median += covers(fit_stripes(pooled(data)).median_interval, 1.0);
@@ -106,9 +130,12 @@ Coverage coverage(std::uint64_t records) {
 void add_coverage(std::vector<Case>& cases) {
   const std::string simulation = "1,000 simulated studies of 20 records x 50 samples x 8 stripes";
   const Coverage share = coverage(20);
-  cases.push_back(within({simulation, "median, bootstrap over records", "nominal 95 %"}, {"share of intervals that cover", share.median, 0.93, 0.97}));
-  cases.push_back(within({simulation, "log_std, bootstrap over records", "nominal 95 %"}, {"share of intervals that cover", share.log_std, 0.93, 0.97}));
-  cases.push_back(within({simulation, "median, trials taken as independent", "14 % in a simulation of this kind: a trap, not used by studies"},
+  cases.push_back(within({simulation, "median, bootstrap over records", "nominal 95 %"},
+                         {"share of intervals that cover", share.median, 0.93, 0.97}));
+  cases.push_back(within({simulation, "log_std, bootstrap over records", "nominal 95 %"},
+                         {"share of intervals that cover", share.log_std, 0.93, 0.97}));
+  cases.push_back(within({simulation, "median, trials taken as independent",
+                          "14 % in a simulation of this kind: a trap, not used by studies"},
                          {"share of intervals that cover", share.naive_median, 0.0, 0.25}));
 }
 
@@ -117,10 +144,11 @@ void add_coverage(std::vector<Case>& cases) {
 Chapter fragility() {
   Chapter chapter{
       "3. Fragility",
-      "Fits of published data, each with the result of two independent programs, to the digits those are given in. Then the\n"
-      "intervals: samples of one record are no independent trials, so studies take them from resampled records. 1,000 studies are\n"
-      "simulated with known truth (dispersion 0.35 between and 0.20 within records; 400 resamples each). Were the coverage\n"
-      "exactly 95 %, 1,000 studies would leave 93 to 97 % with probability 0.4 %.",
+      R"(Fits of published data, each with the result of two independent programs, to the digits those
+are given in. Then the intervals: samples of one record are no independent trials, so studies
+take them from resampled records. 1,000 studies are simulated with known truth (dispersion 0.35
+between and 0.20 within records; 400 resamples each). Were the coverage exactly 95 %, 1,000
+studies would leave 93 to 97 % with probability 0.4 %.)",
       {}};
   add_baker(chapter.cases);
   add_others(chapter.cases);

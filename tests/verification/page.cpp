@@ -13,15 +13,18 @@ constexpr const char* measured_begins = "<!-- measured -->";
 constexpr const char* measured_ends = "<!-- end of measured -->";
 
 std::string row(const Case& c) {
-  return fmt::format("| {} | {} | {} | {} | {} | {} | {} |\n", c.name, c.quantity, c.reference, c.metric, c.tolerance,
-                     c.result, c.pass ? "yes" : "**no**");
+  return fmt::format("| {} | {} | {} | {} | {} | {} | {} |\n", c.name, c.quantity, c.reference,
+                     c.metric, c.tolerance, c.result, c.pass ? "yes" : "**no**");
 }
 
 std::string section(const Chapter& chapter) {
   std::string text = fmt::format("\n## {}\n\n{}\n\n", chapter.title, chapter.text);
-  text += "| case | quantity | reference | metric | tolerance | result | pass |\n|---|---|---|---|---|---|---|\n";
+  text +=
+      "| case | quantity | reference | metric | tolerance | result | pass "
+      "|\n|---|---|---|---|---|---|---|\n";
   for (const Case& c : chapter.cases) text += row(c);
-  if (!chapter.measured.empty()) text += fmt::format("\n{}\n{}{}\n", measured_begins, chapter.measured, measured_ends);
+  if (!chapter.measured.empty())
+    text += fmt::format("\n{}\n{}{}\n", measured_begins, chapter.measured, measured_ends);
   if (!chapter.figures.empty()) text += "\n" + chapter.figures;
   return text;
 }
@@ -34,22 +37,29 @@ std::string page(const std::vector<Chapter>& chapters) {
     cases += chapter.cases.size();
     passed += static_cast<std::size_t>(std::ranges::count_if(chapter.cases, &Case::pass));
   }
-  std::string text = fmt::format(
-      "# Verification manual\n\n"
-      "Does glissade solve its equations right? Each row compares a result with a reference that does not come from the code\n"
-      "that is verified: a closed form, a published number, another method in many digits, or a law the physics obeys exactly.\n"
-      "{} of {} cases pass.\n\n"
-      "This page is generated; do not edit it. From the top folder, after `cmake --preset dev`:\n\n"
-      "```\n"
-      "cmake --build --preset dev --target verification_manual   # makes this page and its figures again (two minutes)\n"
-      "ctest --preset dev -R '^verification'                     # makes it elsewhere; fails where a case does, or where this page\n"
-      "                                                          # lists other cases, references, tolerances or verdicts\n"
-      "```\n\n"
-      "The target runs `verify_simulation` (the long simulations of chapter 6) and then `verify tests/verification`. One file here\n"
-      "for each chapter; `case.hpp` tells what a case is. *Result* is what the machine that made the page found: others may differ\n"
-      "in the last digits, and only there. Monte Carlo cases use fixed seeds; their tolerance says with which confidence it was\n"
-      "chosen. How fast things are is in tests/bench.\n",
-      passed, cases);
+  std::string text = fmt::format(R"(# Verification manual
+
+Does glissade solve its equations right? Each row compares a result with a reference that does not
+come from the code that is verified: a closed form, a published number, another method in many
+digits, or a law the physics obeys exactly. {} of {} cases pass.
+
+This page is generated; do not edit it. From the top folder, after `cmake --preset dev`:
+
+```
+# makes this page and its figures again (two minutes)
+cmake --build --preset dev --target verification_manual
+# makes it elsewhere; fails where a case does, or where the page that is committed lists other
+# cases, references, tolerances or verdicts
+ctest --preset dev -R '^verification'
+```
+
+The target runs `verify_simulation` (the long simulations of chapter 6) and then
+`build/dev/tests/verification/verify tests/verification`. Here is one file for each chapter;
+`case.hpp` tells what a case is. *Result* is what the machine that made the page found: others may
+differ in the last digits, and only there. Monte Carlo cases have fixed seeds, and their chapter
+says with which confidence the tolerance was chosen. How fast things are is told in tests/bench.
+)",
+                                 passed, cases);
   for (const Chapter& chapter : chapters) text += section(chapter);
   return text;
 }
@@ -74,7 +84,8 @@ std::string comparable(const std::string& page) {
 std::string first_difference(const std::string& committed, const std::string& made) {
   std::istringstream a(committed), b(made);
   for (std::string x, y; true;) {
-    const bool more_a = static_cast<bool>(std::getline(a, x)), more_b = static_cast<bool>(std::getline(b, y));
+    const bool more_a = static_cast<bool>(std::getline(a, x)),
+               more_b = static_cast<bool>(std::getline(b, y));
     if (!more_a && !more_b) return {};
     if (!more_a) x = "(end of page)";
     if (!more_b) y = "(end of page)";

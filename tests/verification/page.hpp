@@ -11,8 +11,9 @@ namespace glissade::verification {
 /// The manual in Markdown.
 std::string page(const std::vector<Chapter>& chapters);
 
-/// A page without what another machine may measure otherwise: the result columns and the measured tables. Two pages with the same
-/// cases, references, tolerances, verdicts and text are equal in this form.
+/// A page without what another machine may measure otherwise: the result columns and the measured
+/// tables. Two pages with the same cases, references, tolerances, verdicts and text are equal in
+/// this form.
 std::string comparable(const std::string& page);
 
 /// The first line in which two comparable pages differ, both versions; empty when equal.

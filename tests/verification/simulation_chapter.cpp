@@ -28,31 +28,52 @@ void add_parameters(std::vector<Case>& cases) {
   const Rdk10Scores nu = rdk10_mean_scores({7.0, 20.0, 760.0});
   const Rdk10Parameters p = rdk10_parameters(nu);
   const Rdk10Envelope q(p);
-  const std::vector<Number> numbers = {
-      {"score of J", nu[0], .9470, 5.5e-5},        {"score of D5-95", nu[1], .2422, 5.5e-5},
-      {"score of t_mid", nu[2], -.2821, 5.5e-5},   {"score of f_mid", nu[3], .2864, 5.5e-5},
-      {"score of f'", nu[4], -.1111, 5.5e-5},      {"score of zeta", nu[5], .7360, 5.5e-5},
-      {"J, g2 s", p.arias_g2s, .03113, 5.5e-6},    {"D5-95, s", p.significant_duration_s, 18.710, 5.5e-4},
-      {"t_mid, s", p.middle_time_s, 9.2369, 5.5e-5}, {"f_mid, Hz", p.middle_frequency_hz, 6.2327, 5.5e-5},
-      {"f', Hz/s", p.frequency_slope_hzps, -.06674, 5.5e-6}, {"zeta", p.damping_ratio, .30681, 5.5e-6},
-      {"envelope a1", q.a1(), .0134502, 5.5e-8},   {"envelope a2", q.a2(), 2.23158, 5.5e-6},
-      {"envelope a3", q.a3(), .158105, 5.5e-7}};
+  const std::vector<Number> numbers = {{"score of J", nu[0], .9470, 5.5e-5},
+                                       {"score of D5-95", nu[1], .2422, 5.5e-5},
+                                       {"score of t_mid", nu[2], -.2821, 5.5e-5},
+                                       {"score of f_mid", nu[3], .2864, 5.5e-5},
+                                       {"score of f'", nu[4], -.1111, 5.5e-5},
+                                       {"score of zeta", nu[5], .7360, 5.5e-5},
+                                       {"J, g2 s", p.arias_g2s, .03113, 5.5e-6},
+                                       {"D5-95, s", p.significant_duration_s, 18.710, 5.5e-4},
+                                       {"t_mid, s", p.middle_time_s, 9.2369, 5.5e-5},
+                                       {"f_mid, Hz", p.middle_frequency_hz, 6.2327, 5.5e-5},
+                                       {"f', Hz/s", p.frequency_slope_hzps, -.06674, 5.5e-6},
+                                       {"zeta", p.damping_ratio, .30681, 5.5e-6},
+                                       {"envelope a1", q.a1(), .0134502, 5.5e-8},
+                                       {"envelope a2", q.a2(), 2.23158, 5.5e-6},
+                                       {"envelope a3", q.a3(), .158105, 5.5e-7}};
   for (const Number& n : numbers)
-    cases.push_back(compare({"RDK10, strike-slip, M 7, R 20 km, V 760 m/s", n.quantity, "test vector with the coefficients of SCEC BBP rzz2015_gmpe.py"},
+    cases.push_back(compare({"RDK10, strike-slip, M 7, R 20 km, V 760 m/s", n.quantity,
+                             "test vector with the coefficients of SCEC BBP rzz2015_gmpe.py"},
                             {n.value, n.expected, n.tolerance, Metric::absolute}));
 }
 
 void add_medians(std::vector<Case>& cases) {
   const Scenario scenario{7.0, 20.0, 400.0};
-  const std::string name = "BSSA14 median, M 7, R 20 km, V 400 m/s", source = "OpenQuake's test table";
-  cases.push_back(compare({name, "PGV, m/s", source}, {bssa14_median_pgv_mps(scenario), 0.206835, 1e-4}));
-  for (const auto& [period_s, sa_g] :
-       {std::pair{0.0, 0.200024}, {0.1, 0.338914}, {0.2, 0.454207}, {0.5, 0.332947}, {1.0, 0.183794}, {2.0, 0.0806607}})
-    cases.push_back(compare({name, fmt::format("Sa({} s), g", period_s), source}, {bssa14_median_sa_g(scenario, period_s), sa_g, 1e-4}));
-  for (const auto& [period_s, ratio] :
-       {std::pair{0.0, 0.6859}, {0.05, 0.9751}, {0.1, 0.8007}, {0.2, 0.5508}, {0.5, 0.3899}, {1.0, 0.4161}, {2.0, 0.4589}})
-    cases.push_back(compare({"Gulerce & Abrahamson 2011, M 7, R 20 km, V 400 m/s", fmt::format("V/H({} s)", period_s), "pygmm, four digits"},
-                            {vertical_to_horizontal_ratio(scenario, period_s), ratio, 1.1e-4, Metric::absolute}));
+  const std::string name = "BSSA14 median, M 7, R 20 km, V 400 m/s",
+                    source = "OpenQuake's test table";
+  cases.push_back(
+      compare({name, "PGV, m/s", source}, {bssa14_median_pgv_mps(scenario), 0.206835, 1e-4}));
+  for (const auto& [period_s, sa_g] : {std::pair{0.0, 0.200024},
+                                       {0.1, 0.338914},
+                                       {0.2, 0.454207},
+                                       {0.5, 0.332947},
+                                       {1.0, 0.183794},
+                                       {2.0, 0.0806607}})
+    cases.push_back(compare({name, fmt::format("Sa({} s), g", period_s), source},
+                            {bssa14_median_sa_g(scenario, period_s), sa_g, 1e-4}));
+  for (const auto& [period_s, ratio] : {std::pair{0.0, 0.6859},
+                                        {0.05, 0.9751},
+                                        {0.1, 0.8007},
+                                        {0.2, 0.5508},
+                                        {0.5, 0.3899},
+                                        {1.0, 0.4161},
+                                        {2.0, 0.4589}})
+    cases.push_back(compare(
+        {"Gulerce & Abrahamson 2011, M 7, R 20 km, V 400 m/s", fmt::format("V/H({} s)", period_s),
+         "pygmm, four digits"},
+        {vertical_to_horizontal_ratio(scenario, period_s), ratio, 1.1e-4, Metric::absolute}));
 }
 
 // -- the spectra of many simulations, as verify_simulation left them
@@ -66,14 +87,18 @@ std::vector<std::string> split(const std::string& line) {
 
 void add_simulated_spectra(std::vector<Case>& cases, const std::filesystem::path& file) {
   enum Column { scenario, component, period, ratio = 5, log_std_difference = 9, columns = 11 };
-  struct Worst { double ratio = 0.0, log_std = 0.0; };
+  struct Worst {
+    double ratio = 0.0, log_std = 0.0;
+  };
   std::vector<std::pair<std::string, Worst>> panels;
   std::istringstream in(read_text_file(file));
   std::string line;
   std::getline(in, line);
   while (std::getline(in, line)) {
     const auto cells = split(line);
-    if (cells.size() != columns) throw InputError({file.string(), "a row has not 11 cells: " + line, "run verify_simulation again", ""});
+    if (cells.size() != columns)
+      throw InputError(
+          {file.string(), "a row has not 11 cells: " + line, "run verify_simulation again", ""});
     const std::string name = cells[scenario] + ", " + cells[component];
     if (panels.empty() || panels.back().first != name) panels.push_back({name, {}});
     const double period_s = std::stod(cells[period]);
@@ -85,8 +110,9 @@ void add_simulated_spectra(std::vector<Case>& cases, const std::filesystem::path
   for (const auto& [name, worst] : panels) {
     const bool vertical = name.ends_with("vertical");
     const std::string simulations = "200 simulations, " + name;
-    cases.push_back(limit({simulations, "median Sa, 0.03 to 2 s", vertical ? "BSSA14 times V/H" : "BSSA14, RotD50"},
-                          {"largest relative difference", worst.ratio, 0.10}));
+    cases.push_back(limit(
+        {simulations, "median Sa, 0.03 to 2 s", vertical ? "BSSA14 times V/H" : "BSSA14, RotD50"},
+        {"largest relative difference", worst.ratio, 0.10}));
     if (vertical) continue;  // BSSA14 has no dispersion for it
     cases.push_back(limit({simulations, "dispersion of ln Sa, 0.03 to 2 s", "BSSA14's sigma"},
                           {"largest difference", worst.log_std, 0.12}));
@@ -95,9 +121,12 @@ void add_simulated_spectra(std::vector<Case>& cases, const std::filesystem::path
 
 // -- the suites that are shipped
 
-struct AtRest { double velocity = 0.0, displacement = 0.0; };
+struct AtRest {
+  double velocity = 0.0, displacement = 0.0;
+};
 
-/// Final velocity and displacement of a component over their peaks; exact integration of the piecewise-linear record.
+/// Final velocity and displacement of a component over their peaks; exact integration of the
+/// piecewise-linear record.
 AtRest final_motion(double dt_s, const std::vector<double>& a) {
   double v = 0.0, u = 0.0, peak_v = 0.0, peak_u = 0.0;
   for (std::size_t i = 0; i < a.size(); ++i) {
@@ -120,9 +149,12 @@ void add_suite(std::vector<Case>& cases, const std::filesystem::path& suites, in
   AtRest worst;
   for (std::size_t i = 0; i < suite.motions.size(); ++i) {
     const Motion& m = suite.motions[i];
-    outside += m.magnitude < limits.min_magnitude || m.magnitude > limits.max_magnitude || m.distance_km < limits.min_distance_km ||
-                       m.distance_km > limits.max_distance_km || m.vs30_mps < limits.min_vs30_mps || m.vs30_mps > limits.max_vs30_mps
-                   ? 1 : 0;
+    outside += m.magnitude < limits.min_magnitude || m.magnitude > limits.max_magnitude ||
+                       m.distance_km < limits.min_distance_km ||
+                       m.distance_km > limits.max_distance_km || m.vs30_mps < limits.min_vs30_mps ||
+                       m.vs30_mps > limits.max_vs30_mps
+                   ? 1
+                   : 0;
     largest_scale = std::max(largest_scale, m.scale);
     for (const auto* a : {&m.horizontal_mps2[0], &m.horizontal_mps2[1], &m.vertical_mps2}) {
       const AtRest end = final_motion(m.dt_s, *a);
@@ -131,14 +163,20 @@ void add_suite(std::vector<Case>& cases, const std::filesystem::path& suites, in
     }
   }
   const TargetSpectrum target(recipe.target);
-  const double lift = suite_average_factor(suite, [&](double t) { return target.mce_sa_g(t); }, walters_periods_s());
-  cases.push_back(all_equal({name, "magnitude, distance and Vs30 of its motions", "Walters et al. 2012, table 2"},
-                            {outside, static_cast<int>(suite.motions.size())}));
-  cases.push_back(within({name, "largest scale factor", "Walters et al. 2012, table 2"}, {"factor", largest_scale, 0.0, limits.max_scale}));
-  cases.push_back(within({name, "average SRSS spectrum / MCE spectrum, 0 to 2 s", "Walters et al. 2012: nowhere below"},
+  const double lift = suite_average_factor(
+      suite, [&](double t) { return target.mce_sa_g(t); }, walters_periods_s());
+  cases.push_back(all_equal(
+      {name, "magnitude, distance and Vs30 of its motions", "Walters et al. 2012, table 2"},
+      {outside, static_cast<int>(suite.motions.size())}));
+  cases.push_back(within({name, "largest scale factor", "Walters et al. 2012, table 2"},
+                         {"factor", largest_scale, 0.0, limits.max_scale}));
+  cases.push_back(within({name, "average SRSS spectrum / MCE spectrum, 0 to 2 s",
+                          "Walters et al. 2012: nowhere below"},
                          {"least ratio", 1.0 / lift, 1.0, 1.001}));
-  cases.push_back(limit({name, "velocity at the end, 21 components", "0"}, {"largest, of the component's peak", worst.velocity, 1e-3}));
-  cases.push_back(limit({name, "displacement at the end, 21 components", "0"}, {"largest, of the component's peak", worst.displacement, 1e-2}));
+  cases.push_back(limit({name, "velocity at the end, 21 components", "0"},
+                        {"largest, of the component's peak", worst.velocity, 1e-3}));
+  cases.push_back(limit({name, "displacement at the end, 21 components", "0"},
+                        {"largest, of the component's peak", worst.displacement, 1e-2}));
 }
 
 }  // namespace
@@ -146,22 +184,28 @@ void add_suite(std::vector<Case>& cases, const std::filesystem::path& suites, in
 Chapter simulated_motions(const Folders& folders) {
   Chapter chapter{
       "6. Simulated motions",
-      "The stochastic model of Rezaeian & Der Kiureghian (2010, RDK10) and the ground-motion models it is held against, with the\n"
-      "digits their references are given in. Then the outcome: four scenarios of 200 simulations each, whose median spectra a\n"
-      "zero-phase gain (ours) brings to BSSA14's. The gain is found with the same 200, so the table below also has 200 fresh ones,\n"
-      "whose medians have a standard error of 5 %. BSSA14's sigma judges the horizontals alone, being a model of them; the table\n"
-      "shows the verticals beside it. Last, the built-in suites against what Walters et al. (2012) ask of a suite.",
+      R"(The stochastic model of Rezaeian & Der Kiureghian (2010, RDK10) and the ground-motion models it
+is held against, with the digits their references are given in. Then the outcome: four
+scenarios of 200 simulations each, whose median spectra a zero-phase gain (ours) brings to
+BSSA14's. The gain is found with the same 200, so the table below also has 200 fresh ones,
+whose medians have a standard error of 5 %. BSSA14's sigma judges the horizontals alone, being
+a model of them; the table shows the verticals beside it. Last, the built-in suites against
+what Walters et al. (2012) ask of a suite.)",
       {},
       "![Simulated horizontal spectra and BSSA14](figures/simulated_spectra_horizontal.svg)\n\n"
-      "![Simulated vertical spectra and BSSA14 times V/H](figures/simulated_spectra_vertical.svg)\n"};
+      "![Simulated vertical spectra and BSSA14 times "
+      "V/H](figures/simulated_spectra_vertical.svg)\n"};
   add_parameters(chapter.cases);
   add_medians(chapter.cases);
   add_simulated_spectra(chapter.cases, folders.simulation / "simulated_spectra.csv");
   for (int level = 0; level < 5; ++level) add_suite(chapter.cases, folders.suites, level);
-  chapter.measured = "\nThe ranges behind the rows of the four scenarios; *fresh* simulations are others than the gain was found with.\n\n" +
-                     read_text_file(folders.simulation / "simulated_spectra.md") + "\n";
+  chapter.measured =
+      "\nThe ranges behind the rows of the four scenarios; *fresh* simulations are others than the "
+      "gain was found with.\n\n" +
+      read_text_file(folders.simulation / "simulated_spectra.md") + "\n";
   for (const char* figure : {"simulated_spectra_horizontal.svg", "simulated_spectra_vertical.svg"})
-    std::filesystem::copy_file(folders.simulation / figure, folders.figures / figure, std::filesystem::copy_options::overwrite_existing);
+    std::filesystem::copy_file(folders.simulation / figure, folders.figures / figure,
+                               std::filesystem::copy_options::overwrite_existing);
   return chapter;
 }
 

@@ -54,7 +54,8 @@ Case fixed_everything(const Suite& suite) {
                                     {.friction = 0.4, .slope_rad = 2.39 * rad_per_deg});
     differing += results.runs[0].peak_displacement_m(0, 0, j) == direct.peak_displacement_m ? 0 : 1;
   }
-  return all_equal({"one motion, rigid building, everything fixed, 16 levels", "peak slip", "slide() on the scaled motion"},
+  return all_equal({"one motion, rigid building, everything fixed, 16 levels", "peak slip",
+                    "slide() on the scaled motion"},
                    {differing, static_cast<int>(results.levels.size())});
 }
 
@@ -66,16 +67,20 @@ Case capacity_gives_clearance(const Suite& suite) {
   for (std::size_t t = 0; t < results.thresholds_m.size(); ++t) {
     const double factor = results.runs[0].capacity(0, 0, t) * plan.factor_at_unit_level[0];
     const double slip = slide({m.dt_s, m.horizontal_mps2[0], m.vertical_mps2, factor, factor},
-                              {.friction = 0.4, .slope_rad = 2.39 * rad_per_deg}).peak_displacement_m;
+                              {.friction = 0.4, .slope_rad = 2.39 * rad_per_deg})
+                            .peak_displacement_m;
     worst = worse(worst, std::abs(slip / results.thresholds_m[t] - 1.0));
   }
-  return limit({"the same study, clearances 0.01, 0.03 and 0.1 m", "slip at the capacity", "the clearance; capacities are found to 1e-4"},
+  return limit({"the same study, clearances 0.01, 0.03 and 0.1 m", "slip at the capacity",
+                "the clearance; capacities are found to 1e-4"},
                {"largest relative difference", worst, 1e-3});
 }
 
-/// Flat roof, no vertical: PRD(lambda x, lambda mu) = lambda PRD(x, mu), and so capacity(lambda c; lambda mu) = lambda capacity(c; mu).
+/// Flat roof, no vertical: PRD(lambda x, lambda mu) = lambda PRD(x, mu), and so capacity(lambda c;
+/// lambda mu) = lambda capacity(c; mu).
 std::vector<Case> similitude(const Suite& suite) {
-  StudyConfig one = fixed_study(0.0, 0.25, VerticalChoice::none), two = fixed_study(0.0, 0.5, VerticalChoice::none);
+  StudyConfig one = fixed_study(0.0, 0.25, VerticalChoice::none),
+              two = fixed_study(0.0, 0.5, VerticalChoice::none);
   for (double& level : two.intensity.levels) level *= 2.0;
   for (double& threshold : two.thresholds_m) threshold *= 2.0;
   const Results a = run(make_plan(one, suite)), b = run(make_plan(two, suite));
@@ -84,13 +89,18 @@ std::vector<Case> similitude(const Suite& suite) {
   for (std::size_t i = 0; i < x.size(); ++i) differing += y[i] == 2.0 * x[i] ? 0 : 1;
   double worst = 0.0;
   for (std::size_t i = 0; i < a.runs[0].capacity.data.size(); ++i)
-    worst = worse(worst, std::abs(b.runs[0].capacity.data[i] / (2.0 * a.runs[0].capacity.data[i]) - 1.0));
+    worst = worse(worst,
+                  std::abs(b.runs[0].capacity.data[i] / (2.0 * a.runs[0].capacity.data[i]) - 1.0));
   const auto fitted = [](const Results& r) { return r.runs[0].fragilities[1].capacities.curve; };
-  const std::string name = "flat roof, no vertical, seven motions: friction, levels and clearances doubled", law = "PRD(x, mu) = x F(mu/x)";
+  const std::string
+      name = "flat roof, no vertical, seven motions: friction, levels and clearances doubled",
+      law = "PRD(x, mu) = x F(mu/x)";
   return {all_equal({name, "peak slips, doubled", law}, {differing, static_cast<int>(x.size())}),
-          limit({name, "capacities, doubled", law + "; capacities are found to 1e-4"}, {"largest relative difference", worst, 2e-4}),
+          limit({name, "capacities, doubled", law + "; capacities are found to 1e-4"},
+                {"largest relative difference", worst, 2e-4}),
           limit({name, "fragility median at the second clearance, doubled", law},
-                {"relative difference", std::abs(fitted(b).median / (2.0 * fitted(a).median) - 1.0), 2e-4}),
+                {"relative difference", std::abs(fitted(b).median / (2.0 * fitted(a).median) - 1.0),
+                 2e-4}),
           limit({name, "fragility log_std at the second clearance", law},
                 {"difference", std::abs(fitted(b).log_std - fitted(a).log_std), 2e-4})};
 }
@@ -100,16 +110,20 @@ Case suite_meets_design_spectrum(const Suite& suite) {
   config.intensity.measure = IntensityMeasure::sds_g;
   const Plan plan = make_plan(config, suite);
   Suite scaled = plan.suite;
-  for (std::size_t i = 0; i < scaled.motions.size(); ++i) scaled.motions[i].scale = 1.4 * plan.factor_at_unit_level[i];
+  for (std::size_t i = 0; i < scaled.motions.size(); ++i)
+    scaled.motions[i].scale = 1.4 * plan.factor_at_unit_level[i];
   const TargetSpectrum target(*suite.target);
   const double lift = suite_average_factor(
-      scaled, [&](double t) { return 1.4 / target.sds_g() * target.design_sa_g(t); }, walters_periods_s());
-  return compare({"suite level 2 run at S_DS = 1.4 g", "factor that brings the average SRSS spectrum to the design spectrum", "by definition of the level"},
+      scaled, [&](double t) { return 1.4 / target.sds_g() * target.design_sa_g(t); },
+      walters_periods_s());
+  return compare({"suite level 2 run at S_DS = 1.4 g",
+                  "factor that brings the average SRSS spectrum to the design spectrum",
+                  "by definition of the level"},
                  {lift, 1.0, 1e-12});
 }
 
-/// In the limit of no clearance it is reached just above the yield acceleration, mu g on a flat roof: the fragility in PGA is the
-/// distribution of friction.
+/// In the limit of no clearance it is reached just above the yield acceleration, mu g on a flat
+/// roof: the fragility in PGA is the distribution of friction.
 std::vector<Case> friction_comes_back(const Suite& suite) {
   StudyConfig config = fixed_study(0.0, 0.4, VerticalChoice::none);
   config.friction = {LogNormal{0.4, 0.1}, false};
@@ -119,8 +133,10 @@ std::vector<Case> friction_comes_back(const Suite& suite) {
   one.motions.front().horizontal_mps2[1].clear();
   const Results results = run(make_plan(config, one));
   const LognormalCurve curve = results.runs[0].fragilities[0].capacities.curve;
-  const std::string name = "one motion on a flat rigid roof, lognormal friction, clearance 1e-12 m, 1,024 samples",
-                    law = "yield acceleration mu g: the distribution of friction";
+  const std::string
+      name =
+          "one motion on a flat rigid roof, lognormal friction, clearance 1e-12 m, 1,024 samples",
+      law = "yield acceleration mu g: the distribution of friction";
   return {compare({name, "fragility median, PGA in g", law}, {curve.median, 0.4, 1e-3}),
           compare({name, "fragility log_std", law}, {curve.log_std, 0.1, 5e-3})};
 }

@@ -21,15 +21,18 @@ bool report_failures(const std::vector<Chapter>& chapters) {
     for (const Case& c : chapter.cases)
       if (!c.pass) {
         good = false;
-        std::cerr << fmt::format("FAILS: {}: {}, {}: {} (tolerance {})\n", chapter.title, c.name, c.quantity, c.result,
-                                 c.tolerance);
+        std::cerr << fmt::format("FAILS: {}: {}, {}: {} (tolerance {})\n", chapter.title, c.name,
+                                 c.quantity, c.result, c.tolerance);
       }
   return good;
 }
 
 bool same_as_committed(const std::filesystem::path& committed, const std::string& made) {
-  const std::string difference = first_difference(comparable(read_text_file(committed)), comparable(made));
-  if (!difference.empty()) std::cerr << "the committed page is not the one this code makes; make it again\n" << difference << '\n';
+  const std::string difference =
+      first_difference(comparable(read_text_file(committed)), comparable(made));
+  if (!difference.empty())
+    std::cerr << "the committed page is not the one this code makes; make it again\n"
+              << difference << '\n';
   return difference.empty();
 }
 
@@ -38,7 +41,8 @@ bool same_as_committed(const std::filesystem::path& committed, const std::string
 int main(int argc, char** argv) try {
   const std::vector<std::string> arguments(argv + 1, argv + argc);
   if (arguments.empty() || arguments.size() > 2) {
-    std::cerr << "usage: verify FOLDER [COMMITTED_PAGE]   writes FOLDER/README.md and FOLDER/figures\n";
+    std::cerr
+        << "usage: verify FOLDER [COMMITTED_PAGE]   writes FOLDER/README.md and FOLDER/figures\n";
     return 2;
   }
   const std::filesystem::path folder = arguments[0];
@@ -46,9 +50,14 @@ int main(int argc, char** argv) try {
                         .simulation = GLISSADE_SIMULATED_SPECTRA,
                         .figures = folder / "figures"};
   std::filesystem::create_directories(folders.figures);
-  const std::vector<Chapter> chapters = {sliding_block(folders), published_scheme(folders), buildings(folders),
-                                         fragility(),            sampling(),                standards(),
-                                         simulated_motions(folders), end_to_end(folders)};
+  const std::vector<Chapter> chapters = {sliding_block(folders),
+                                         published_scheme(folders),
+                                         buildings(folders),
+                                         fragility(),
+                                         sampling(),
+                                         standards(),
+                                         simulated_motions(folders),
+                                         end_to_end(folders)};
   const std::string text = page(chapters);
   write_text_file(folder / "README.md", text);
   const bool good = report_failures(chapters);

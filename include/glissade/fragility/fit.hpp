@@ -14,15 +14,16 @@ struct Interval {
   double high = std::numeric_limits<double>::quiet_NaN();
 };
 
-/// One intensity level: of `trials`, `exceedances` exceeded. Counts may be fractional (weights, resampling).
+/// One intensity level: of `trials`, `exceedances` exceeded. Counts may be fractional (weights,
+/// resampling).
 struct Stripe {
   double intensity = 0.0;  ///< > 0
   double trials = 0.0;
   double exceedances = 0.0;
 };
 
-/// Capacities, the lowest intensity at which each history reached the threshold. Histories that never reached it by
-/// `censored_at` are counted in `censored`, never filled in.
+/// Capacities, the lowest intensity at which each history reached the threshold. Histories that
+/// never reached it by `censored_at` are counted in `censored`, never filled in.
 struct CapacitySample {
   std::vector<double> capacities;  ///< > 0
   double censored = 0.0;
@@ -30,11 +31,13 @@ struct CapacitySample {
 };
 
 enum class FitStatus {
-  failed,               ///< no fit; see note
-  maximum_likelihood,   ///< finite maximum of the likelihood
-  jeffreys_penalised,   ///< separated data: penalised by half the log determinant of the information (Firth 1993)
-  one_sided_bound,      ///< no exceedance at all: median is a lower bound at 95 % for an assumed log_std of 0.4, and
-                        ///< median_interval reaches to infinity; all exceeded: an upper bound, from 0
+  failed,              ///< no fit; see note
+  maximum_likelihood,  ///< finite maximum of the likelihood
+  jeffreys_penalised,  ///< separated data: penalised by half the log determinant of the information
+                       ///< (Firth 1993)
+  one_sided_bound,     ///< no exceedance at all: median is a lower bound at 95 % for an assumed
+                    ///< log_std of 0.4, and median_interval reaches to infinity; all exceeded: an
+                    ///< upper bound, from 0
 };
 std::string to_string(FitStatus status);
 
@@ -42,37 +45,43 @@ std::string to_string(FitStatus status);
 struct FitSummary {
   FitStatus status = FitStatus::failed;
   LognormalCurve curve;
-  Interval median_interval;    ///< 95 %, method in interval_method; an open side is 0 or infinite
+  Interval median_interval;  ///< 95 %, method in interval_method; an open side is 0 or infinite
   Interval log_std_interval;
   double log_likelihood = std::numeric_limits<double>::quiet_NaN();
-  std::string method;          ///< "probit maximum likelihood on stripes", ...
-  std::string interval_method; ///< "profile likelihood", "bootstrap over records (bootstrap-t)", ...
-  std::string note;            ///< what a reader must know; may be empty
-  bool converged() const { return status == FitStatus::maximum_likelihood || status == FitStatus::jeffreys_penalised; }
+  std::string method;  ///< "probit maximum likelihood on stripes", ...
+  std::string
+      interval_method;  ///< "profile likelihood", "bootstrap over records (bootstrap-t)", ...
+  std::string note;     ///< what a reader must know; may be empty
+  bool converged() const {
+    return status == FitStatus::maximum_likelihood || status == FitStatus::jeffreys_penalised;
+  }
 };
 
-// All functions below throw InputError for counts or capacities out of range, and never for what the data show.
+// All functions below throw InputError for counts or capacities out of range, and never for what
+// the data show.
 
-/// ln C(n,k) + k ln Phi(z) + (n-k) ln Phi(-z) summed over stripes (Baker 2015, Earthquake Spectra 31(1), eq 11).
+/// ln C(n,k) + k ln Phi(z) + (n-k) ln Phi(-z) summed over stripes (Baker 2015, Earthquake Spectra
+/// 31(1), eq 11).
 double stripe_log_likelihood(const std::vector<Stripe>& stripes, const LognormalCurve& curve);
 
-/// Maximum likelihood on stripes with independent trials; 95 % intervals by profile likelihood. Separated data:
-/// Jeffreys penalised fit. No exceedance, or all exceeded: one-sided bound, trials taken as independent. Failed, saying
-/// why: no trials, a single level, exceedance that does not grow with intensity. Accuracy of the maximum about 1e-12.
+/// Maximum likelihood on stripes with independent trials; 95 % intervals by profile likelihood.
+/// Separated data: Jeffreys penalised fit. No exceedance, or all exceeded: one-sided bound, trials
+/// taken as independent. Failed, saying why: no trials, a single level, exceedance that does not
+/// grow with intensity. Accuracy of the maximum about 1e-12.
 FitSummary fit_stripes(const std::vector<Stripe>& stripes);
 
-/// The Jeffreys (Firth 1993) penalised fit, separated or not: the log likelihood plus half the log determinant of the
-/// expected information of the probit line, maximised in that line. Intervals by penalised profile likelihood
-/// (Heinze & Schemper 2002, Statistics in Medicine 21(16):2409-2419).
+/// The Jeffreys (Firth 1993) penalised fit, separated or not: the log likelihood plus half the log
+/// determinant of the expected information of the probit line, maximised in that line. Intervals by
+/// penalised profile likelihood (Heinze & Schemper 2002, Statistics in Medicine 21(16):2409-2419).
 FitSummary fit_stripes_jeffreys(const std::vector<Stripe>& stripes);
 
 /// Sum of ln density at the capacities plus censored x ln Phi(-z) at censored_at.
 double capacity_log_likelihood(const CapacitySample& sample, const LognormalCurve& curve);
 
-/// Lognormal maximum likelihood on capacities, right-censored at `censored_at`. Without censoring log_std has n - 1
-/// below the line (statistics as in FEMA P-58 and Baker 2015). 95 % intervals: Student t for ln median and chi-square for
-/// log_std without censoring, else profile likelihood. None reached: one-sided bound. Fewer than two different
-/// capacities without censoring: failed.
+/// Lognormal maximum likelihood on capacities, right-censored at `censored_at`. Without censoring
+/// log_std has n - 1 below the line (statistics as in FEMA P-58 and Baker 2015). 95 % intervals:
+/// Student t for ln median and chi-square for log_std without censoring, else profile likelihood.
+/// None reached: one-sided bound. Fewer than two different capacities without censoring: failed.
 FitSummary fit_capacities(const CapacitySample& sample);
 
 }  // namespace glissade

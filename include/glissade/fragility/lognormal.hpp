@@ -5,10 +5,10 @@ namespace glissade {
 
 /// A lognormal fragility: P(exceed | x) = Phi(ln(x / median) / log_std).
 struct LognormalCurve {
-  double median = 0.0;   ///< > 0, in the unit of the intensity measure
-  double log_std = 0.0;  ///< > 0
-  double probability(double intensity) const;           ///< 0 at intensity <= 0
-  double intensity_at(double probability) const;        ///< inverse, probability in (0, 1)
+  double median = 0.0;                            ///< > 0, in the unit of the intensity measure
+  double log_std = 0.0;                           ///< > 0
+  double probability(double intensity) const;     ///< 0 at intensity <= 0
+  double intensity_at(double probability) const;  ///< inverse, probability in (0, 1)
 };
 
 /// ln Phi(z), finite (|z| < 1e150) and accurate to a few parts in 1e15 in both tails.

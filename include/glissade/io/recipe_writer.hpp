@@ -7,8 +7,8 @@
 
 namespace glissade {
 
-/// The recipe as a TOML suite file (suites/synthetic_*.toml), every number exact. `origin` is named in the comment at its
-/// head: the command that made it, one line.
+/// The recipe as a TOML suite file (suites/synthetic_*.toml), every number exact. `origin` is named
+/// in the comment at its head: the command that made it, one line.
 std::string recipe_toml(const SyntheticRecipe& recipe, const std::string& origin);
 
 }  // namespace glissade

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Boore, Stewart, Seyhan & Atkinson (2014), Earthquake Spectra 30(3):1057-1085, the coefficients of their electronic
-// supplement as OpenQuake's boore_2014.py carries them (../shared/ground-motion-model/bssa14_coeffs.csv, copied by
-// program). Period -1 is PGV in cm/s, 0 is PGA; all others pseudo-acceleration in g.
+// Boore, Stewart, Seyhan & Atkinson (2014), Earthquake Spectra 30(3):1057-1085, the coefficients of
+// their electronic supplement as OpenQuake's boore_2014.py carries them
+// (../shared/ground-motion-model/bssa14_coeffs.csv, copied by program). Period -1 is PGV in cm/s, 0
+// is PGA; all others pseudo-acceleration in g.
 
 namespace glissade {
 
 struct Bssa14Row {
-  double period_s, e_strike_slip, e_reverse, e4, e5, e6, mh, c1, c2, c3, h_km, c, vc_mps, f4, f5, r1_km, r2_km, dphi_r, dphi_v, phi1, phi2, tau1, tau2;
+  double period_s, e_strike_slip, e_reverse, e4, e5, e6, mh, c1, c2, c3, h_km, c, vc_mps, f4, f5,
+      r1_km, r2_km, dphi_r, dphi_v, phi1, phi2, tau1, tau2;
 };
 
 // clang-format off

@@ -14,29 +14,35 @@
 namespace glissade {
 namespace {
 
-constexpr std::array gain_frequencies = {0.25, 0.4, 0.65, 1.0, 1.4,  1.9,  2.6,  3.6,
+constexpr std::array gain_frequencies = {0.25, 0.4, 0.65, 1.0,  1.4,  1.9,  2.6,  3.6,
                                          5.0,  7.0, 10.0, 13.0, 18.0, 25.0, 33.0, 50.0};
 
 }  // namespace
 
-std::vector<double> target_horizontal_mps2(const Scenario& scenario, std::span<const double> periods_s) {
+std::vector<double> target_horizontal_mps2(const Scenario& scenario,
+                                           std::span<const double> periods_s) {
   std::vector<double> target;
   for (const double period_s : periods_s)
     target.push_back(bssa14_median_sa_g(scenario, period_s) * standard_gravity_mps2);
   return target;
 }
 
-std::vector<double> target_vertical_mps2(const Scenario& scenario, std::span<const double> periods_s) {
+std::vector<double> target_vertical_mps2(const Scenario& scenario,
+                                         std::span<const double> periods_s) {
   std::vector<double> target = target_horizontal_mps2(scenario, periods_s);
-  for (std::size_t p = 0; p < target.size(); ++p) target[p] *= vertical_to_horizontal_ratio(scenario, periods_s[p]);
+  for (std::size_t p = 0; p < target.size(); ++p)
+    target[p] *= vertical_to_horizontal_ratio(scenario, periods_s[p]);
   return target;
 }
 
-std::vector<double> horizontal_rotd50_mps2(const RawMotion& motion, std::span<const double> periods_s) {
-  return rotd50_spectrum(motion.dt_s, motion.acceleration_mps2[0], motion.acceleration_mps2[1], periods_s);
+std::vector<double> horizontal_rotd50_mps2(const RawMotion& motion,
+                                           std::span<const double> periods_s) {
+  return rotd50_spectrum(motion.dt_s, motion.acceleration_mps2[0], motion.acceleration_mps2[1],
+                         periods_s);
 }
 
-std::vector<double> vertical_spectrum_mps2(const RawMotion& motion, std::span<const double> periods_s) {
+std::vector<double> vertical_spectrum_mps2(const RawMotion& motion,
+                                           std::span<const double> periods_s) {
   return pseudo_acceleration_spectrum(motion.dt_s, motion.acceleration_mps2[2], periods_s);
 }
 
@@ -47,9 +53,11 @@ SuiteGain calibrate_gain(std::span<const EnsembleMember> ensemble) {
   constexpr double step = 0.8;
   constexpr std::size_t count = gain_frequencies.size();
   std::array<double, count> periods_s;
-  std::transform(gain_frequencies.begin(), gain_frequencies.end(), periods_s.begin(), [](double f) { return 1.0 / f; });
+  std::transform(gain_frequencies.begin(), gain_frequencies.end(), periods_s.begin(),
+                 [](double f) { return 1.0 / f; });
   using LogRatios = std::array<double, count>;
-  const auto add_logs = [](LogRatios& sum, const std::vector<double>& simulated, const std::vector<double>& target) {
+  const auto add_logs = [](LogRatios& sum, const std::vector<double>& simulated,
+                           const std::vector<double>& target) {
     for (std::size_t p = 0; p < count; ++p) sum[p] += std::log(simulated[p] / target[p]);
   };
   const auto update = [&](SpectralGain& gain, const LogRatios& sum) {
@@ -57,7 +65,8 @@ SuiteGain calibrate_gain(std::span<const EnsembleMember> ensemble) {
       gain.values[p] *= std::exp(-step * sum[p] / static_cast<double>(ensemble.size()));
   };
 
-  const SpectralGain unit{{gain_frequencies.begin(), gain_frequencies.end()}, std::vector<double>(count, 1.0)};
+  const SpectralGain unit{{gain_frequencies.begin(), gain_frequencies.end()},
+                          std::vector<double>(count, 1.0)};
   SuiteGain gain{unit, unit};
   for (int k = 0; k < updates; ++k) {
     LogRatios horizontal{}, vertical{};

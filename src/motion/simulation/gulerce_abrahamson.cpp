@@ -22,7 +22,8 @@ double site_limit_mps(double period_s) {
 double log_ratio(const GulerceAbrahamsonRow& k, const Scenario& scenario, double rock_pga_g) {
   const double m = scenario.magnitude;
   const double near = std::log(std::hypot(scenario.distance_km, 10.0));
-  const double source = k.a1 + k.a8 * (8.5 - m) * (8.5 - m) + (m < 6.75 ? 0.0334 : -0.034) * (m - 6.75) +
+  const double source = k.a1 + k.a8 * (8.5 - m) * (8.5 - m) +
+                        (m < 6.75 ? 0.0334 : -0.034) * (m - 6.75) +
                         (scenario.mechanism == FaultMechanism::reverse ? k.a6 : 0.0);
   const double path = (k.a2 + 0.0147 * (m - 6.75)) * near;
 
@@ -42,7 +43,8 @@ double vertical_to_horizontal_ratio(const Scenario& scenario, double period_s) {
   const double rock_pga_g = bssa14_median_sa_g(rock, 0.0);
   const auto [below, above, weight] =
       bracket_period(std::span<const GulerceAbrahamsonRow>(gulerce_abrahamson_rows), period_s);
-  return std::exp(std::lerp(log_ratio(below, scenario, rock_pga_g), log_ratio(above, scenario, rock_pga_g), weight));
+  return std::exp(std::lerp(log_ratio(below, scenario, rock_pga_g),
+                            log_ratio(above, scenario, rock_pga_g), weight));
 }
 
 }  // namespace glissade

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Gulerce & Abrahamson (2011), Earthquake Spectra 27(4):1023-1047, coefficients of the V/H model as pygmm carries
-// them (../shared/ground-motion-model/ga11_coeffs.csv, copied by program). Period 0 is PGA.
+// Gulerce & Abrahamson (2011), Earthquake Spectra 27(4):1023-1047, coefficients of the V/H model as
+// pygmm carries them (../shared/ground-motion-model/ga11_coeffs.csv, copied by program). Period 0
+// is PGA.
 
 namespace glissade {
 

@@ -11,7 +11,8 @@
 namespace glissade {
 namespace {
 
-// ../shared/ground-motion-model/README.md, section 2, whose sources are SCEC BBP's rzz2015_gmpe.py and J. Du (2023).
+// ../shared/ground-motion-model/README.md, section 2, whose sources are SCEC BBP's rzz2015_gmpe.py
+// and J. Du (2023).
 struct Predictor {
   double constant, reverse, magnitude, distance, vs30;  // of the mean score
   double between_events, within_event;                  // standard deviations
@@ -79,7 +80,8 @@ Rdk10Parameters rdk10_parameters(const Rdk10Scores& scores) {
   return {.arias_g2s = std::exp(-4.8255 + 1.4318 * scores[0]),
           .significant_duration_s = scaled_beta(probability(1), 1.1314, 2.4474, 5.0, 45.0),
           .middle_time_s = scaled_beta(probability(2), 1.5792, 3.6405, 0.5, 40.0),
-          .middle_frequency_hz = quantile(boost::math::gamma_distribution(4.0982, 1.4330), probability(3)),
+          .middle_frequency_hz =
+              quantile(boost::math::gamma_distribution(4.0982, 1.4330), probability(3)),
           .frequency_slope_hzps = frequency_slope_quantile(probability(4)),
           .damping_ratio = scaled_beta(probability(5), 1.4250, 5.7208, 0.02, 1.0)};
 }

@@ -15,7 +15,9 @@ namespace {
 
 constexpr double shortest_shape = 1.0, longest_shape = 1e4;
 
-double unit_quantile(double fraction, double shape) { return boost::math::gamma_p_inv(shape, fraction); }
+double unit_quantile(double fraction, double shape) {
+  return boost::math::gamma_p_inv(shape, fraction);
+}
 
 /// D5-95 over t_mid of a gamma density of this shape; falls as the shape rises.
 double duration_ratio(double shape) {
@@ -27,8 +29,9 @@ double shape_of_ratio(double ratio) {
   GLISSADE_EXPECTS(ratio > duration_ratio(longest_shape));
   std::uintmax_t iterations = 100;
   const auto [low, high] = boost::math::tools::toms748_solve(
-      [&](double log_shape) { return duration_ratio(std::exp(log_shape)) - ratio; }, std::log(shortest_shape),
-      std::log(longest_shape), boost::math::tools::eps_tolerance<double>(45), iterations);
+      [&](double log_shape) { return duration_ratio(std::exp(log_shape)) - ratio; },
+      std::log(shortest_shape), std::log(longest_shape),
+      boost::math::tools::eps_tolerance<double>(45), iterations);
   return std::exp(0.5 * (low + high));
 }
 
@@ -37,15 +40,19 @@ double shape_of_ratio(double ratio) {
 Rdk10Envelope::Rdk10Envelope(const Rdk10Parameters& parameters)
     : shape_(shape_of_ratio(parameters.significant_duration_s / parameters.middle_time_s)),
       scale_s_(parameters.middle_time_s / unit_quantile(0.45, shape_)),
-      a1_(std::sqrt(parameters.arias_g2s * std::exp(-shape_ * std::log(scale_s_) - std::lgamma(shape_)))) {}
+      a1_(std::sqrt(parameters.arias_g2s *
+                    std::exp(-shape_ * std::log(scale_s_) - std::lgamma(shape_)))) {}
 
 double Rdk10Envelope::operator()(double time_s) const {
   return a1_ * std::pow(time_s, a2() - 1.0) * std::exp(-a3() * time_s);
 }
 
-double Rdk10Envelope::arias_time_s(double fraction) const { return scale_s_ * unit_quantile(fraction, shape_); }
+double Rdk10Envelope::arias_time_s(double fraction) const {
+  return scale_s_ * unit_quantile(fraction, shape_);
+}
 
-std::vector<double> rdk10_process_g(const Rdk10Parameters& parameters, double dt_s, std::span<const double> noise) {
+std::vector<double> rdk10_process_g(const Rdk10Parameters& parameters, double dt_s,
+                                    std::span<const double> noise) {
   GLISSADE_EXPECTS(dt_s > 0.0 && parameters.damping_ratio > 0.0 && parameters.damping_ratio < 1.0);
   const Rdk10Envelope envelope(parameters);
   const double first_s = envelope.arias_time_s(0.01), last_s = envelope.arias_time_s(0.99);
@@ -53,11 +60,13 @@ std::vector<double> rdk10_process_g(const Rdk10Parameters& parameters, double dt
   const auto frequency_radps = [&](double time_s) {
     const double since_middle_s = std::clamp(time_s, first_s, last_s) - parameters.middle_time_s;
     return 2.0 * std::numbers::pi *
-           std::max(0.3, parameters.middle_frequency_hz + parameters.frequency_slope_hzps * since_middle_s);
+           std::max(0.3, parameters.middle_frequency_hz +
+                             parameters.frequency_slope_hzps * since_middle_s);
   };
 
-  // h(t - tau, tau) = w / sqrt(1 - z^2) exp(-z w (t - tau)) sin(w sqrt(1 - z^2) (t - tau)), w of the time tau of the
-  // impulse, by its recurrence h_n+1 = 2 d cos(.) h_n - d^2 h_n-1 with d = exp(-z w dt): eight impulses side by side.
+  // h(t - tau, tau) = w / sqrt(1 - z^2) exp(-z w (t - tau)) sin(w sqrt(1 - z^2) (t - tau)), w of
+  // the time tau of the impulse, by its recurrence h_n+1 = 2 d cos(.) h_n - d^2 h_n-1 with d =
+  // exp(-z w dt): eight impulses side by side.
   constexpr Eigen::Index lanes = 8;
   using Lanes = Eigen::Array<double, lanes, 1>;
   const auto samples = static_cast<Eigen::Index>(noise.size());
@@ -65,10 +74,12 @@ std::vector<double> rdk10_process_g(const Rdk10Parameters& parameters, double dt
   response.setZero();
   variance.setZero();
   for (Eigen::Index start = 0; start < samples; start += lanes) {
-    Lanes impulse = Lanes::Zero(), turn = Lanes::Zero(), decay = Lanes::Zero(), first_value = Lanes::Zero();
+    Lanes impulse = Lanes::Zero(), turn = Lanes::Zero(), decay = Lanes::Zero(),
+          first_value = Lanes::Zero();
     double slowest_decay = 1e300;
     for (Eigen::Index lane = 0; lane < std::min(lanes, samples - start); ++lane) {
-      const double w = frequency_radps(static_cast<double>(start + lane) * dt_s), d = std::exp(-zeta * w * dt_s);
+      const double w = frequency_radps(static_cast<double>(start + lane) * dt_s),
+                   d = std::exp(-zeta * w * dt_s);
       impulse[lane] = noise[static_cast<std::size_t>(start + lane)];
       turn[lane] = 2.0 * d * std::cos(w * damped * dt_s);
       decay[lane] = d * d;
@@ -79,8 +90,10 @@ std::vector<double> rdk10_process_g(const Rdk10Parameters& parameters, double dt
     const Eigen::Index end = std::min(samples, start + length);
     Lanes now = Lanes::Zero(), before = Lanes::Zero();
     for (Eigen::Index i = start; i < end; ++i) {
-      // h is zero at the impulse; from this value before it the recurrence gives the first value after it.
-      if (const Eigen::Index lane = i - start; lane < lanes && decay[lane] > 0.0) before[lane] = -first_value[lane] / decay[lane];
+      // h is zero at the impulse; from this value before it the recurrence gives the first value
+      // after it.
+      if (const Eigen::Index lane = i - start; lane < lanes && decay[lane] > 0.0)
+        before[lane] = -first_value[lane] / decay[lane];
       response.col(i) += impulse * now;
       variance.col(i) += now * now;
       const Lanes next = turn * now - decay * before;
@@ -91,7 +104,8 @@ std::vector<double> rdk10_process_g(const Rdk10Parameters& parameters, double dt
 
   std::vector<double> acceleration_g(noise.size(), 0.0);
   for (Eigen::Index i = 1; i < samples; ++i)
-    acceleration_g[static_cast<std::size_t>(i)] = envelope(static_cast<double>(i) * dt_s) * response.col(i).sum() /
+    acceleration_g[static_cast<std::size_t>(i)] = envelope(static_cast<double>(i) * dt_s) *
+                                                  response.col(i).sum() /
                                                   std::sqrt(variance.col(i).sum());
   return acceleration_g;
 }

@@ -11,7 +11,8 @@
 
 namespace glissade {
 
-std::vector<double> rotd50_spectrum(double dt_s, std::span<const double> first, std::span<const double> second,
+std::vector<double> rotd50_spectrum(double dt_s, std::span<const double> first,
+                                    std::span<const double> second,
                                     std::span<const double> periods_s) {
   GLISSADE_EXPECTS(first.size() == second.size());
   constexpr std::size_t orientations = 6;
@@ -27,7 +28,8 @@ std::vector<double> rotd50_spectrum(double dt_s, std::span<const double> first, 
   std::vector<double> median(periods_s.size());
   for (std::size_t p = 0; p < periods_s.size(); ++p) {
     std::array<double, orientations> values;
-    std::transform(spectra.begin(), spectra.end(), values.begin(), [&](const auto& spectrum) { return spectrum[p]; });
+    std::transform(spectra.begin(), spectra.end(), values.begin(),
+                   [&](const auto& spectrum) { return spectrum[p]; });
     std::sort(values.begin(), values.end());
     median[p] = 0.5 * (values[orientations / 2 - 1] + values[orientations / 2]);
   }

@@ -10,7 +10,8 @@ Scenario scenario_of(const SyntheticMotion& motion) {
 }
 
 SuiteGain gain_of(const SyntheticRecipe& recipe) {
-  return {{recipe.gain_frequencies_hz, recipe.horizontal_gain}, {recipe.gain_frequencies_hz, recipe.vertical_gain}};
+  return {{recipe.gain_frequencies_hz, recipe.horizontal_gain},
+          {recipe.gain_frequencies_hz, recipe.vertical_gain}};
 }
 
 Motion simulate_motion(const SyntheticRecipe& recipe, const SyntheticMotion& source) {
@@ -32,8 +33,12 @@ Motion simulate_motion(const SyntheticRecipe& recipe, const SyntheticMotion& sou
 }
 
 Suite simulate_suite(const SyntheticRecipe& recipe) {
-  Suite suite{.name = recipe.name, .description = recipe.description, .motions = {}, .target = recipe.target};
-  for (const SyntheticMotion& motion : recipe.motions) suite.motions.push_back(simulate_motion(recipe, motion));
+  Suite suite{.name = recipe.name,
+              .description = recipe.description,
+              .motions = {},
+              .target = recipe.target};
+  for (const SyntheticMotion& motion : recipe.motions)
+    suite.motions.push_back(simulate_motion(recipe, motion));
   return suite;
 }
 

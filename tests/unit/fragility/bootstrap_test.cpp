@@ -12,8 +12,8 @@
 namespace glissade {
 namespace {
 
-// The simulation of statistics.md: ln capacity = a(record) + e(record, sample), median 1, deviations 0.35 and 0.20,
-// 50 samples, 8 stripes from 0.4 to 2.5 medians.
+// The simulation of statistics.md: ln capacity = a(record) + e(record, sample), median 1,
+// deviations 0.35 and 0.20, 50 samples, 8 stripes from 0.4 to 2.5 medians.
 constexpr double between = 0.35, within = 0.20;
 const double total_log_std = std::hypot(between, within);
 constexpr int samples = 50;
@@ -29,7 +29,8 @@ std::vector<RecordCapacities> simulated_capacities(int records, std::uint64_t se
   for (int i = 0; i < records; ++i) {
     const double a = between * keyed_normal(seed, RandomPurpose::test, i, 0);
     for (int s = 1; s <= samples; ++s) {
-      result[i].capacities.push_back(std::exp(a + within * keyed_normal(seed, RandomPurpose::test, i, s)));
+      result[i].capacities.push_back(
+          std::exp(a + within * keyed_normal(seed, RandomPurpose::test, i, s)));
     }
   }
   return result;
@@ -40,7 +41,8 @@ std::vector<RecordStripes> simulated_stripes(int records, std::uint64_t seed) {
   for (const RecordCapacities& record : simulated_capacities(records, seed)) {
     RecordStripes stripes{std::vector<double>(8), std::vector<double>(8, samples)};
     for (std::size_t j = 0; j < 8; ++j) {
-      for (double capacity : record.capacities) stripes.exceedances[j] += capacity < intensities()[j] ? 1 : 0;
+      for (double capacity : record.capacities)
+        stripes.exceedances[j] += capacity < intensities()[j] ? 1 : 0;
     }
     result.push_back(stripes);
   }
@@ -60,18 +62,24 @@ std::vector<Stripe> pool(const std::vector<RecordStripes>& records) {
   return stripes;
 }
 
-bool covers(const Interval& interval, double value) { return interval.low <= value && value <= interval.high; }
+bool covers(const Interval& interval, double value) {
+  return interval.low <= value && value <= interval.high;
+}
 
-struct Coverage { double median, log_std, naive_median; };
+struct Coverage {
+  double median, log_std, naive_median;
+};
 Coverage stripe_coverage(int records, int studies, int naive_studies) {
   Coverage share{0, 0, 0};
   for (int study = 0; study < studies; ++study) {
     const auto data = simulated_stripes(records, 1000 + study);
-    const FitSummary fit = fit_stripes_by_record(intensities(), data, {.seed = 7, .replicates = 400});
+    const FitSummary fit =
+        fit_stripes_by_record(intensities(), data, {.seed = 7, .replicates = 400});
     share.median += covers(fit.median_interval, 1.0) ? 1.0 / studies : 0;
     share.log_std += covers(fit.log_std_interval, total_log_std) ? 1.0 / studies : 0;
     if (study < naive_studies) {
-      share.naive_median += covers(fit_stripes(pool(data)).median_interval, 1.0) ? 1.0 / naive_studies : 0;
+      share.naive_median +=
+          covers(fit_stripes(pool(data)).median_interval, 1.0) ? 1.0 / naive_studies : 0;
     }
   }
   ::testing::Test::RecordProperty("coverage_median", std::to_string(share.median));
@@ -80,7 +88,8 @@ Coverage stripe_coverage(int records, int studies, int naive_studies) {
   return share;
 }
 
-// Were the coverage 95 %, that of 600 studies would leave [0.92, 0.98] with probability 8e-4 (binomial, 3.4 sigma).
+// Were the coverage 95 %, that of 600 studies would leave [0.92, 0.98] with probability 8e-4
+// (binomial, 3.4 sigma).
 TEST(fit_stripes_by_record, covers_the_median_in_95_percent_of_studies_of_20_records) {
   const Coverage share = stripe_coverage(20, 600, 100);
   EXPECT_GE(share.median, 0.92);
@@ -121,8 +130,10 @@ TEST(fit_stripes_by_record, has_the_curve_of_the_pooled_stripes) {
 TEST(fit_stripes_by_record, gives_the_same_bits_again_and_others_for_another_seed) {
   const auto data = simulated_stripes(20, 1);
   const FitSummary one = fit_stripes_by_record(intensities(), data, {.seed = 1});
-  EXPECT_EQ(one.median_interval.low, fit_stripes_by_record(intensities(), data, {.seed = 1}).median_interval.low);
-  EXPECT_NE(one.median_interval.low, fit_stripes_by_record(intensities(), data, {.seed = 2}).median_interval.low);
+  EXPECT_EQ(one.median_interval.low,
+            fit_stripes_by_record(intensities(), data, {.seed = 1}).median_interval.low);
+  EXPECT_NE(one.median_interval.low,
+            fit_stripes_by_record(intensities(), data, {.seed = 2}).median_interval.low);
 }
 
 // Samples of one record are no new evidence: counting each of them ten times changes nothing.
@@ -139,7 +150,8 @@ TEST(fit_stripes_by_record, does_not_gain_by_repeating_the_samples_of_its_record
   EXPECT_NEAR(once.log_std_interval.high, ten_times.log_std_interval.high, 1e-9);
 }
 
-TEST(fit_stripes_by_record, gives_a_band_that_holds_the_curve_and_agrees_with_the_interval_of_the_median) {
+TEST(fit_stripes_by_record,
+     gives_a_band_that_holds_the_curve_and_agrees_with_the_interval_of_the_median) {
   const auto data = simulated_stripes(20, 4);
   std::vector<Interval> band;
   const std::vector<double> at = {0.3, 0.6, 1.0, 1.5, 3.0};
@@ -150,10 +162,11 @@ TEST(fit_stripes_by_record, gives_a_band_that_holds_the_curve_and_agrees_with_th
     EXPECT_LT(band[i].high, 1.0);
     EXPECT_TRUE(covers(band[i], fit.curve.probability(at[i]))) << at[i];
   }
-  // At an end of the interval of the median, one half is at an end of the band: the same question asked twice, by
-  // statistics that differ to second order.
+  // At an end of the interval of the median, one half is at an end of the band: the same question
+  // asked twice, by statistics that differ to second order.
   std::vector<Interval> ends;
-  fit_stripes_by_record(intensities(), data, {}, {fit.median_interval.low, fit.median_interval.high}, &ends);
+  fit_stripes_by_record(intensities(), data, {},
+                        {fit.median_interval.low, fit.median_interval.high}, &ends);
   EXPECT_NEAR(ends[0].high, 0.5, 0.1);
   EXPECT_NEAR(ends[1].low, 0.5, 0.1);
 }
@@ -166,14 +179,16 @@ TEST(fit_stripes_by_record, bounds_with_one_trial_per_record_where_nothing_excee
   EXPECT_NEAR(fit.curve.median, one_each.curve.median, 1e-12);
 }
 
-TEST(fit_capacities_by_record, bounds_with_one_trial_per_record_where_nothing_reached_the_threshold) {
+TEST(fit_capacities_by_record,
+     bounds_with_one_trial_per_record_where_nothing_reached_the_threshold) {
   const std::vector<RecordCapacities> records(7, {{}, 1000.0});
   const FitSummary fit = fit_capacities_by_record(records, 1.0, {});
   EXPECT_EQ(fit.status, FitStatus::one_sided_bound);
   EXPECT_NEAR(fit.curve.median, fit_stripes({{1.0, 7, 0}}).curve.median, 1e-12);
 }
 
-// Only one of seven records exceeds: a third of the resamples, (6/7)^7, miss it, so no upper end can be given.
+// Only one of seven records exceeds: a third of the resamples, (6/7)^7, miss it, so no upper end
+// can be given.
 TEST(fit_stripes_by_record, leaves_the_median_open_above_where_many_resamples_do_not_exceed) {
   std::vector<RecordStripes> records(7, {{0.0, 0.0, 0.0}, {10.0, 10.0, 10.0}});
   records[3].exceedances = {1.0, 3.0, 6.0};
@@ -212,21 +227,27 @@ TEST(fit_stripes_by_record, names_the_records_whose_counts_are_out_of_range) {
 }
 
 TEST(bootstrap_interval, draws_as_many_records_as_there_are) {
-  bootstrap_interval(9, [](const std::vector<double>& weights) {
-    EXPECT_EQ(weights.size(), 9u);
-    EXPECT_EQ(std::accumulate(weights.begin(), weights.end(), 0.0), 9.0);
-    return 0.0;
-  }, {.replicates = 100});
+  bootstrap_interval(9,
+                     [](const std::vector<double>& weights) {
+                       EXPECT_EQ(weights.size(), 9u);
+                       EXPECT_EQ(std::accumulate(weights.begin(), weights.end(), 0.0), 9.0);
+                       return 0.0;
+                     },
+                     {.replicates = 100});
 }
 
-// Mean of n = 20 normal numbers: 95 % nominal; 800 studies leave [0.92, 0.98] with probability 1e-4 were it exact.
+// Mean of n = 20 normal numbers: 95 % nominal; 800 studies leave [0.92, 0.98] with probability 1e-4
+// were it exact.
 TEST(bootstrap_interval, covers_the_mean_of_20_normal_numbers) {
   double share = 0;
   for (int study = 0; study < 800; ++study) {
     std::vector<double> x;
     for (int i = 0; i < 20; ++i) x.push_back(keyed_normal(study, RandomPurpose::test, i, 0));
-    const auto mean = [&](const std::vector<double>& w) { return std::inner_product(w.begin(), w.end(), x.begin(), 0.0) / 20; };
-    share += covers(bootstrap_interval(20, mean, {.seed = 3, .replicates = 400}), 0.0) ? 1 / 800.0 : 0;
+    const auto mean = [&](const std::vector<double>& w) {
+      return std::inner_product(w.begin(), w.end(), x.begin(), 0.0) / 20;
+    };
+    share +=
+        covers(bootstrap_interval(20, mean, {.seed = 3, .replicates = 400}), 0.0) ? 1 / 800.0 : 0;
   }
   EXPECT_GE(share, 0.92);
   EXPECT_LE(share, 0.98);

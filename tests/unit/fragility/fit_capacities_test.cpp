@@ -14,14 +14,16 @@ CapacitySample lognormal_sample(int n, double log_std, double censored_at, std::
   CapacitySample sample{{}, 0.0, censored_at};
   for (int i = 0; i < n; ++i) {
     const double x = std::exp(log_std * keyed_normal(seed, RandomPurpose::test, i, 0));
-    if (x <= censored_at) sample.capacities.push_back(x);
-    else sample.censored += 1;
+    if (x <= censored_at)
+      sample.capacities.push_back(x);
+    else
+      sample.censored += 1;
   }
   return sample;
 }
 
-// By hand: ln x = -1, 0, 1 has mean 0 and standard deviation 1 with n - 1; t(2; 0.975) = 4.302652730 and
-// chi-square(2; p) = -2 ln(1 - p) in closed form.
+// By hand: ln x = -1, 0, 1 has mean 0 and standard deviation 1 with n - 1; t(2; 0.975)
+// = 4.302652730 and chi-square(2; p) = -2 ln(1 - p) in closed form.
 TEST(fit_capacities, is_the_mean_and_deviation_of_logarithms) {
   const FitSummary fit = fit_capacities({{std::exp(-1.0), 1.0, std::exp(1.0)}, 0.0});
   EXPECT_EQ(fit.status, FitStatus::maximum_likelihood);
@@ -33,12 +35,13 @@ TEST(fit_capacities, is_the_mean_and_deviation_of_logarithms) {
   EXPECT_NEAR(fit.log_std_interval.high, 1 / std::sqrt(-std::log(0.975)), 1e-12);
 }
 
-// By hand: ln density of a lognormal at its median, x = 2, log_std 0.5: -ln(2) - ln(0.5) - ln(2 pi)/2; a history
-// censored at the median adds ln(1/2).
+// By hand: ln density of a lognormal at its median, x = 2, log_std 0.5: -ln(2) - ln(0.5) - ln(2
+// pi)/2; a history censored at the median adds ln(1/2).
 TEST(capacity_log_likelihood, is_that_of_the_lognormal_density_and_tail) {
   const double density = -0.5 * std::log(2 * std::acos(-1.0));
   EXPECT_NEAR(capacity_log_likelihood({{2.0}, 0.0}, {2.0, 0.5}), density, 1e-15);
-  EXPECT_NEAR(capacity_log_likelihood({{2.0}, 3.0, 2.0}, {2.0, 0.5}), density - 3 * std::log(2.0), 1e-14);
+  EXPECT_NEAR(capacity_log_likelihood({{2.0}, 3.0, 2.0}, {2.0, 0.5}), density - 3 * std::log(2.0),
+              1e-14);
 }
 
 TEST(fit_capacities, finds_the_greatest_censored_likelihood_of_its_neighbourhood) {
@@ -52,16 +55,19 @@ TEST(fit_capacities, finds_the_greatest_censored_likelihood_of_its_neighbourhood
                 fit.log_likelihood + 1e-12);
     }
   }
-  // Profile interval: at its ends the likelihood, greatest over log_std on a grid, is 3.841458821 / 2 lower.
+  // Profile interval: at its ends the likelihood, greatest over log_std on a grid, is 3.841458821 /
+  // 2 lower.
   for (double median : {fit.median_interval.low, fit.median_interval.high}) {
     double greatest = -1e300;
-    for (double s = 0.1; s < 1.5; s += 1e-4) greatest = std::max(greatest, capacity_log_likelihood(sample, {median, s}));
+    for (double s = 0.1; s < 1.5; s += 1e-4)
+      greatest = std::max(greatest, capacity_log_likelihood(sample, {median, s}));
     EXPECT_NEAR(fit.log_likelihood - greatest, 3.841458821 / 2, 1e-5);
   }
 }
 
-// 4,000 capacities of median 1 and log_std 0.4, a third of them censored: standard error of ln median below 0.4 / sqrt(2600),
-// limits at 4 of these. Filling censored histories in with the last intensity would put the median at exp(-0.06).
+// 4,000 capacities of median 1 and log_std 0.4, a third of them censored: standard error of ln
+// median below 0.4 / sqrt(2600), limits at 4 of these. Filling censored histories in with the last
+// intensity would put the median at exp(-0.06).
 TEST(fit_capacities, is_not_biased_by_censoring) {
   const CapacitySample sample = lognormal_sample(4000, 0.4, std::exp(0.4 * 0.43), 5);
   EXPECT_NEAR(sample.censored / 4000, 1 - 0.6664, 0.03);
@@ -72,7 +78,8 @@ TEST(fit_capacities, is_not_biased_by_censoring) {
 
 TEST(fit_capacities, comes_to_the_complete_sample_as_censoring_vanishes) {
   CapacitySample sample = lognormal_sample(30, 0.4, 1e3, 7);
-  const double complete = fit_capacities(sample).curve.log_std * std::sqrt(29.0 / 30.0);  // n, not n - 1
+  const double complete =
+      fit_capacities(sample).curve.log_std * std::sqrt(29.0 / 30.0);  // n, not n - 1
   sample.censored = 1e-12;
   EXPECT_NEAR(fit_capacities(sample).curve.log_std, complete, 1e-9);
 }
@@ -85,8 +92,9 @@ TEST(fit_capacities, bounds_the_median_where_no_history_reached_the_threshold) {
 }
 
 TEST(fit_capacities, fails_with_a_reason_where_no_curve_can_be_told) {
-  for (const CapacitySample& sample : {CapacitySample{}, CapacitySample{{0.7}}, CapacitySample{{0.7, 0.7}},
-                                       CapacitySample{{0.7, 0.7}, 2.0, 0.7}}) {
+  for (const CapacitySample& sample :
+       {CapacitySample{}, CapacitySample{{0.7}}, CapacitySample{{0.7, 0.7}},
+        CapacitySample{{0.7, 0.7}, 2.0, 0.7}}) {
     const FitSummary fit = fit_capacities(sample);
     EXPECT_EQ(fit.status, FitStatus::failed);
     EXPECT_NE(fit.note, "");

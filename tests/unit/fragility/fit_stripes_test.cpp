@@ -7,8 +7,8 @@
 #include "glissade/fragility/fit.hpp"
 #include "worked_examples.hpp"
 
-// Where not said otherwise the expected numbers are those of the project's worked examples: published inputs,
-// results computed with two independent programs.
+// Where not said otherwise the expected numbers are those of the project's worked examples:
+// published inputs, results computed with two independent programs.
 
 namespace glissade {
 namespace {
@@ -45,8 +45,8 @@ TEST(fit_stripes, is_the_probit_of_bliss_beetles) {
   double saturated = 0;  // log likelihood with each stripe's own share
   for (const Stripe& s : bliss_beetles()) {
     const double k = s.exceedances, n = s.trials;
-    saturated += std::lgamma(n + 1) - std::lgamma(k + 1) - std::lgamma(n - k + 1) + k * std::log(k / n) +
-                 (k < n ? (n - k) * std::log1p(-k / n) : 0.0);
+    saturated += std::lgamma(n + 1) - std::lgamma(k + 1) - std::lgamma(n - k + 1) +
+                 k * std::log(k / n) + (k < n ? (n - k) * std::log1p(-k / n) : 0.0);
   }
   EXPECT_NEAR(2 * (saturated - fit.log_likelihood), 10.11975811, 5e-8);
 }
@@ -71,10 +71,12 @@ TEST(fit_stripes, penalises_separated_stripes_and_says_so) {
 }
 
 TEST(fit_stripes, calls_one_mixed_stripe_between_sure_ones_separated) {
-  EXPECT_EQ(fit_stripes({{0.5, 20, 0}, {1.0, 20, 7}, {2.0, 20, 20}}).status, FitStatus::jeffreys_penalised);
+  EXPECT_EQ(fit_stripes({{0.5, 20, 0}, {1.0, 20, 7}, {2.0, 20, 20}}).status,
+            FitStatus::jeffreys_penalised);
 }
 
-// With b1 = 1 / log_std and b0 = -ln(median) / log_std the likelihood equations are linear in the counts.
+// With b1 = 1 / log_std and b0 = -ln(median) / log_std the likelihood equations are linear in the
+// counts.
 TEST(fit_stripes, does_not_change_when_all_counts_are_scaled_to_fractions) {
   std::vector<Stripe> tenths = baker_2015();
   for (Stripe& s : tenths) {
@@ -100,21 +102,22 @@ TEST(fit_stripes, finds_the_greatest_likelihood_of_its_neighbourhood) {
   const FitSummary fit = fit_stripes(baker_2015());
   for (double dm : {-0.01, 0.0, 0.01}) {
     for (double ds : {-0.01, 0.0, 0.01}) {
-      EXPECT_LE(stripe_log_likelihood(baker_2015(), {fit.curve.median + dm, fit.curve.log_std + ds}),
-                fit.log_likelihood + 1e-12);
+      EXPECT_LE(
+          stripe_log_likelihood(baker_2015(), {fit.curve.median + dm, fit.curve.log_std + ds}),
+          fit.log_likelihood + 1e-12);
     }
   }
 }
 
-// Closed form: Phi(-ln(x/theta)/0.4)^n = 0.05 at one level x gives theta = x exp(0.4 Phi^-1(0.05^(1/n))); for n = 40,
-// 0.05^(1/40) = 0.9278424 and Phi^-1 of it is 1.460022... (here from the curve's own inverse).
+// Closed form at one level x: Phi(-ln(x/theta)/0.4)^n = 0.05 gives theta = x exp(0.4 Phi^-1(0.05^(1/n))).
 TEST(fit_stripes, bounds_the_median_from_below_without_exceedance) {
   const FitSummary fit = fit_stripes({{0.5, 40, 0}});
   EXPECT_EQ(fit.status, FitStatus::one_sided_bound);
   EXPECT_FALSE(fit.converged());
   EXPECT_EQ(fit.curve.log_std, 0.4);
   const LognormalCurve unit{1.0, 1.0};
-  EXPECT_NEAR(fit.curve.median, 0.5 * std::pow(unit.intensity_at(std::pow(0.05, 1 / 40.0)), 0.4), 1e-12);
+  EXPECT_NEAR(fit.curve.median, 0.5 * std::pow(unit.intensity_at(std::pow(0.05, 1 / 40.0)), 0.4),
+              1e-12);
   EXPECT_EQ(fit.median_interval.low, fit.curve.median);
   EXPECT_TRUE(std::isinf(fit.median_interval.high));
   EXPECT_NEAR(fit.log_likelihood, std::log(0.05), 1e-12);
@@ -137,11 +140,11 @@ TEST(fit_stripes, bounds_the_median_from_above_when_all_exceeded) {
 
 TEST(fit_stripes, fails_with_a_reason_where_no_curve_can_be_told) {
   const std::vector<std::vector<Stripe>> hopeless = {
-      {},                                              // nothing
-      {{0.5, 0, 0}, {1.0, 0, 0}},                      // no trials
-      {{0.5, 10, 4}},                                  // one level
-      {{0.5, 10, 10}, {1.0, 10, 5}, {2.0, 10, 0}},     // decreasing, separated
-      {{0.5, 10, 6}, {1.0, 10, 5}, {2.0, 10, 4}},      // decreasing
+      {},                                           // nothing
+      {{0.5, 0, 0}, {1.0, 0, 0}},                   // no trials
+      {{0.5, 10, 4}},                               // one level
+      {{0.5, 10, 10}, {1.0, 10, 5}, {2.0, 10, 0}},  // decreasing, separated
+      {{0.5, 10, 6}, {1.0, 10, 5}, {2.0, 10, 4}},   // decreasing
   };
   for (const auto& stripes : hopeless) {
     const FitSummary fit = fit_stripes(stripes);

@@ -8,7 +8,8 @@
 namespace glissade {
 namespace {
 
-// Closed form: half of the trials exceed at the median; Phi(1) = 0.8413447460685429 (Abramowitz & Stegun table 26.1).
+// Closed form: half of the trials exceed at the median; Phi(1) = 0.8413447460685429 (Abramowitz &
+// Stegun table 26.1).
 TEST(lognormal_curve, is_a_half_at_the_median_and_phi_of_one_a_log_std_above) {
   const LognormalCurve curve{0.5, 0.4};
   EXPECT_DOUBLE_EQ(curve.probability(0.5), 0.5);
@@ -27,14 +28,16 @@ TEST(lognormal_curve, inverse_undoes_the_probability) {
   }
 }
 
-// Mills' ratio expansion, Phi(-x) = phi(x)/x (1 - 1/x^2 + 3/x^4 - 15/x^6 + ...) (Abramowitz & Stegun 26.2.12): at
-// x = 40 the first neglected term is below 3e-11, at 1e4 the first term alone is good to 1e-8 of 5e7.
+// Mills' ratio expansion, Phi(-x) = phi(x)/x (1 - 1/x^2 + 3/x^4 - 15/x^6 + ...) (Abramowitz &
+// Stegun 26.2.12): at x = 40 the first neglected term is below 3e-11, at 1e4 the first term alone
+// is good to 1e-8 of 5e7.
 TEST(log_normal_cdf, follows_the_asymptotic_expansion_in_the_lower_tail) {
   const auto expansion = [](double x) {
     return -0.5 * x * x - std::log(x * std::sqrt(2 * std::acos(-1.0))) +
            std::log1p(-1 / (x * x) + 3 / std::pow(x, 4) - 15 / std::pow(x, 6));
   };
-  for (double x : {40.0, 100.0, 1e4}) EXPECT_NEAR(log_normal_cdf(-x) / expansion(x), 1.0, 1e-13) << x;
+  for (double x : {40.0, 100.0, 1e4})
+    EXPECT_NEAR(log_normal_cdf(-x) / expansion(x), 1.0, 1e-13) << x;
 }
 
 // In the upper tail ln Phi(z) = -Phi(-z) to first order.

@@ -12,21 +12,29 @@
 namespace glissade {
 namespace {
 
-// First 16 unscrambled Sobol points in four dimensions with Joe & Kuo (2008) direction numbers: the project's worked
-// example ex8, computed with an independent program.
-constexpr double first_points[16][4] = {
-    {0, 0, 0, 0},                     {0.5, 0.5, 0.5, 0.5},
-    {0.75, 0.25, 0.25, 0.25},         {0.25, 0.75, 0.75, 0.75},
-    {0.375, 0.375, 0.625, 0.875},     {0.875, 0.875, 0.125, 0.375},
-    {0.625, 0.125, 0.875, 0.625},     {0.125, 0.625, 0.375, 0.125},
-    {0.1875, 0.3125, 0.9375, 0.4375}, {0.6875, 0.8125, 0.4375, 0.9375},
-    {0.9375, 0.0625, 0.6875, 0.1875}, {0.4375, 0.5625, 0.1875, 0.6875},
-    {0.3125, 0.1875, 0.3125, 0.5625}, {0.8125, 0.6875, 0.8125, 0.0625},
-    {0.5625, 0.4375, 0.0625, 0.8125}, {0.0625, 0.9375, 0.5625, 0.3125}};
+// First 16 unscrambled Sobol points in four dimensions with Joe & Kuo (2008) direction numbers: the
+// project's worked example ex8, computed with an independent program.
+constexpr double first_points[16][4] = {{0, 0, 0, 0},
+                                        {0.5, 0.5, 0.5, 0.5},
+                                        {0.75, 0.25, 0.25, 0.25},
+                                        {0.25, 0.75, 0.75, 0.75},
+                                        {0.375, 0.375, 0.625, 0.875},
+                                        {0.875, 0.875, 0.125, 0.375},
+                                        {0.625, 0.125, 0.875, 0.625},
+                                        {0.125, 0.625, 0.375, 0.125},
+                                        {0.1875, 0.3125, 0.9375, 0.4375},
+                                        {0.6875, 0.8125, 0.4375, 0.9375},
+                                        {0.9375, 0.0625, 0.6875, 0.1875},
+                                        {0.4375, 0.5625, 0.1875, 0.6875},
+                                        {0.3125, 0.1875, 0.3125, 0.5625},
+                                        {0.8125, 0.6875, 0.8125, 0.0625},
+                                        {0.5625, 0.4375, 0.0625, 0.8125},
+                                        {0.0625, 0.9375, 0.5625, 0.3125}};
 
 TEST(sobol_coordinate, gives_the_first_points_of_the_worked_example) {
   for (std::uint32_t i = 0; i < 16; ++i) {
-    for (std::uint32_t d = 0; d < 4; ++d) EXPECT_EQ(sobol_coordinate(i, d), first_points[i][d]) << i << ", " << d;
+    for (std::uint32_t d = 0; d < 4; ++d)
+      EXPECT_EQ(sobol_coordinate(i, d), first_points[i][d]) << i << ", " << d;
   }
 }
 
@@ -39,15 +47,18 @@ std::vector<int> counts(const std::vector<double>& values, int bits) {
 
 std::vector<double> column(const PointSet& points, int samples, std::uint32_t dimension) {
   std::vector<double> values;
-  for (int i = 0; i < samples; ++i) values.push_back(points.coordinate(static_cast<std::uint64_t>(i), dimension));
+  for (int i = 0; i < samples; ++i)
+    values.push_back(points.coordinate(static_cast<std::uint64_t>(i), dimension));
   return values;
 }
 
-// A (0, 1)-sequence in base 2 has one of 2^m points in each interval of 2^-m; nested scrambling keeps it (Owen 1995).
+// A (0, 1)-sequence in base 2 has one of 2^m points in each interval of 2^-m; nested scrambling
+// keeps it (Owen 1995).
 TEST(point_set, has_one_scrambled_point_in_each_interval_in_every_dimension) {
   for (std::uint64_t seed : {1u, 2u}) {
     const PointSet points(SamplingMethod::sobol, seed);
-    for (std::uint32_t d = 0; d < 64; ++d) EXPECT_THAT(counts(column(points, 256, d), 8), ::testing::Each(1)) << d;
+    for (std::uint32_t d = 0; d < 64; ++d)
+      EXPECT_THAT(counts(column(points, 256, d), 8), ::testing::Each(1)) << d;
   }
 }
 
@@ -76,8 +87,9 @@ TEST(point_set, stays_inside_the_open_unit_interval_at_the_ends_of_its_range) {
   }
 }
 
-// Over seeds point 0, which unscrambled is the origin in every dimension, is uniform and its coordinates are
-// independent: chi-square of 16 x 16 cells, 16,384 pairs; 330.5 is the 99.9 % point of 255 degrees of freedom (R 4.2).
+// Over seeds point 0, which unscrambled is the origin in every dimension, is uniform and its
+// coordinates are independent: chi-square of 16 x 16 cells, 16,384 pairs; 330.5 is the 99.9 % point
+// of 255 degrees of freedom (Boost.Math).
 TEST(point_set, makes_point_0_uniform_and_independent_between_dimensions_over_seeds) {
   constexpr int n = 16384;
   std::vector<double> cells(256);
@@ -91,14 +103,16 @@ TEST(point_set, makes_point_0_uniform_and_independent_between_dimensions_over_se
   EXPECT_LT(chi_squared, 330.5);
 }
 
-// Marginals of both methods: Kolmogorov's statistic of n numbers, sqrt(n) D < 1.949 with probability 99.9 %.
+// Marginals of both methods: Kolmogorov's statistic of n numbers, sqrt(n) D < 1.949 with
+// probability 99.9 %.
 TEST(point_set, is_uniform_in_every_dimension) {
   for (SamplingMethod method : {SamplingMethod::sobol, SamplingMethod::monte_carlo}) {
     for (std::uint32_t d : {0u, 1u, 2u, 31u, 63u}) {
       std::vector<double> u = column(PointSet(method, 5), 1000, d);
       std::sort(u.begin(), u.end());
       double distance = 0;
-      for (int i = 0; i < 1000; ++i) distance = std::max({distance, u[i] - i / 1000.0, (i + 1) / 1000.0 - u[i]});
+      for (int i = 0; i < 1000; ++i)
+        distance = std::max({distance, u[i] - i / 1000.0, (i + 1) / 1000.0 - u[i]});
       EXPECT_LT(std::sqrt(1000.0) * distance, 1.949) << d;
     }
   }
@@ -118,9 +132,9 @@ class Correlation {
   int count_ = 0;
 };
 
-// Correlation of n = 4096 pairs of independent uniforms: below 4 / sqrt(n) with probability 99.99 %. Between seeds it is
-// that of one point over pairs of seeds: over the points of one pair of scrambles it is not small, as all of them share
-// the first coin.
+// Correlation of n = 4096 pairs of independent uniforms: below 4 / sqrt(n) with probability 99.99
+// %. Between seeds it is that of one point over pairs of seeds: over the points of one pair of
+// scrambles it is not small, as all of them share the first coin.
 TEST(point_set, has_uncorrelated_dimensions_and_seeds) {
   for (SamplingMethod method : {SamplingMethod::sobol, SamplingMethod::monte_carlo}) {
     for (std::uint32_t d = 0; d < 12; ++d) {
@@ -136,21 +150,24 @@ TEST(point_set, has_uncorrelated_dimensions_and_seeds) {
   }
 }
 
-// The scrambles of deep bits differ between cells: the second half of a scrambled sequence is not the first half with
-// one digit flipped, as it would be if each digit had a single coin (a random digital shift).
+// The scrambles of deep bits differ between cells: the second half of a scrambled sequence is not
+// the first half with one digit flipped, as it would be if each digit had a single coin (a random
+// digital shift).
 TEST(point_set, scrambles_each_cell_on_its_own) {
   const PointSet points(SamplingMethod::sobol, 9);
   std::set<double> shifts;
   for (std::uint32_t i = 0; i < 64; ++i) {
     const auto plain = static_cast<std::uint64_t>(std::ldexp(sobol_coordinate(i, 0), 32));
-    shifts.insert(static_cast<double>(plain ^ static_cast<std::uint64_t>(std::ldexp(points.coordinate(i, 0), 32))));
+    shifts.insert(static_cast<double>(
+        plain ^ static_cast<std::uint64_t>(std::ldexp(points.coordinate(i, 0), 32))));
   }
   EXPECT_EQ(shifts.size(), 64u);
 }
 
-// Mean of a smooth function of four coordinates, exp(sum u) with mean (e - 1)^4, over 32 seeds of 512 points. The
-// ratio of mean squared errors has an F distribution with (32, 32) degrees of freedom if the methods were alike:
-// above 3.1 with probability 0.1 %. Scrambled nets gain orders more for smooth functions (Owen 1997).
+// Mean of a smooth function of four coordinates, exp(sum u) with mean (e - 1)^4, over 32 seeds of
+// 512 points. The ratio of mean squared errors has an F distribution with (32, 32) degrees of
+// freedom if the methods were alike: above 3.1 with probability 0.1 %. Scrambled nets gain orders
+// more for smooth functions (Owen 1997).
 TEST(point_set, reduces_the_variance_of_a_smooth_function_against_monte_carlo) {
   const auto mean_squared_error = [](SamplingMethod method) {
     double sum = 0;
@@ -166,7 +183,9 @@ TEST(point_set, reduces_the_variance_of_a_smooth_function_against_monte_carlo) {
     }
     return sum;
   };
-  EXPECT_GT(mean_squared_error(SamplingMethod::monte_carlo) / mean_squared_error(SamplingMethod::sobol), 100.0);
+  EXPECT_GT(
+      mean_squared_error(SamplingMethod::monte_carlo) / mean_squared_error(SamplingMethod::sobol),
+      100.0);
 }
 
 }  // namespace

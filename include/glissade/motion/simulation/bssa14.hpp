@@ -5,9 +5,10 @@
 
 namespace glissade {
 
-/// Median RotD50 5 % damped pseudo-acceleration in g (Boore, Stewart, Seyhan & Atkinson 2014, Earthquake Spectra
-/// 30(3):1057-1085, equations 1-11; no basin term, global anelastic attenuation). Period 0, or below 0.01 s, is PGA; coefficients are
-/// interpolated in ln T between the tabulated periods, as OpenQuake does. Periods to 10 s, M 3-8.5, R_JB <= 400 km.
+/// Median RotD50 5 % damped pseudo-acceleration in g (Boore, Stewart, Seyhan & Atkinson 2014,
+/// Earthquake Spectra 30(3):1057-1085, equations 1-11; no basin term, global anelastic
+/// attenuation). Period 0, or below 0.01 s, is PGA; coefficients are interpolated in ln T between
+/// the tabulated periods, as OpenQuake does. Periods to 10 s, M 3-8.5, R_JB <= 400 km.
 double bssa14_median_sa_g(const Scenario& scenario, double period_s);
 
 /// Median RotD50 peak ground velocity in m/s (same source).

@@ -23,9 +23,10 @@ struct ComponentParameters {
   SuiteGain short_period_residual;  ///< of this one motion; ours, see components.cpp
 };
 
-/// Draws them. The horizontal axes are principal: independent noise, correlated parameters (Rezaeian & Der
-/// Kiureghian 2012, EESD 41:335-357, the principle; correlations and the Arias ratio of the axes from Dabaghi & Der
-/// Kiureghian 2018). The construction for any distance, and the vertical's parameters, are ours.
+/// Draws them. The horizontal axes are principal: independent noise, correlated parameters
+/// (Rezaeian & Der Kiureghian 2012, EESD 41:335-357, the principle; correlations and the Arias
+/// ratio of the axes from Dabaghi & Der Kiureghian 2018). The construction for any distance, and
+/// the vertical's parameters, are ours.
 ComponentParameters draw_component_parameters(const Scenario& scenario, RealizationKey key);
 
 /// Two rotated horizontals and the vertical, m/s2, equal lengths: before gain and high-pass.
@@ -35,8 +36,8 @@ struct RawMotion {
 };
 RawMotion simulate_raw_motion(const Scenario& scenario, RealizationKey key, double dt_s);
 
-/// Gain, quiet ends, and the high-pass (0.1 Hz) last: final velocity and displacement are zero but for what is left
-/// of the oscillator's decay over the 15 s after the shaking.
+/// Gain, quiet ends, and the high-pass (0.1 Hz) last: final velocity and displacement are zero but
+/// for what is left of the oscillator's decay over the 15 s after the shaking.
 RawMotion shape_motion(const RawMotion& raw, const SuiteGain& gain);
 
 }  // namespace glissade

@@ -8,14 +8,15 @@
 
 namespace glissade {
 
-/// q(t) = a1 t^(a2-1) exp(-a3 t), in g: its square is J times a gamma density, so that fractions of the Arias
-/// intensity are gamma quantiles (RDK10). Where D5-95 is too long for the middle time (D5-95 / t_mid > 4.925),
-/// a2 = 1, an envelope that begins at its peak, is the longest taken.
+/// q(t) = a1 t^(a2-1) exp(-a3 t), in g: its square is J times a gamma density, so that fractions of
+/// the Arias intensity are gamma quantiles (RDK10). Where D5-95 is too long for the middle time
+/// (D5-95 / t_mid > 4.925), a2 = 1, an envelope that begins at its peak, is the longest taken.
 class Rdk10Envelope {
  public:
   explicit Rdk10Envelope(const Rdk10Parameters& parameters);
-  double operator()(double time_s) const;       ///< time >= 0
-  double arias_time_s(double fraction) const;   ///< when that fraction (in (0, 1)) of the Arias intensity is reached
+  double operator()(double time_s) const;  ///< time >= 0
+  double arias_time_s(
+      double fraction) const;  ///< when that fraction (in (0, 1)) of the Arias intensity is reached
   double a1() const { return a1_; }
   double a2() const { return 0.5 * (shape_ + 1.0); }
   double a3() const { return 0.5 / scale_s_; }
@@ -24,14 +25,17 @@ class Rdk10Envelope {
   double shape_, scale_s_, a1_;
 };
 
-/// q(t) x(t) in g before the high-pass: white noise (standard normal, one number per sample) through the filter
-/// with changing frequency, brought to unit variance, modulated by the envelope. The first value is zero. Impulse
-/// responses end when they have decayed by exp(-11.5); the filter's frequency is at least 0.3 Hz, and constant
-/// outside 1 % to 99 % of the Arias intensity. Cost: samples times the impulse response's length.
-std::vector<double> rdk10_process_g(const Rdk10Parameters& parameters, double dt_s, std::span<const double> noise);
+/// q(t) x(t) in g before the high-pass: white noise (standard normal, one number per sample)
+/// through the filter with changing frequency, brought to unit variance, modulated by the envelope.
+/// The first value is zero. Impulse responses end when they have decayed by exp(-11.5); the
+/// filter's frequency is at least 0.3 Hz, and constant outside 1 % to 99 % of the Arias intensity.
+/// Cost: samples times the impulse response's length.
+std::vector<double> rdk10_process_g(const Rdk10Parameters& parameters, double dt_s,
+                                    std::span<const double> noise);
 
-/// The model's high-pass: acceleration of the critically damped oscillator z'' + 2 w z' + w^2 z = x, a = z''
-/// (bilinear, that is, exact for the trapezoidal velocity and displacement; both return to zero after the motion).
+/// The model's high-pass: acceleration of the critically damped oscillator z'' + 2 w z' + w^2 z =
+/// x, a = z'' (bilinear, that is, exact for the trapezoidal velocity and displacement; both return
+/// to zero after the motion).
 void high_pass(std::span<double> acceleration, double dt_s, double corner_hz);
 
 }  // namespace glissade

@@ -6,7 +6,8 @@
 
 namespace glissade {
 
-/// A zero-phase amplitude gain over frequency: ln-ln linear between its points, constant outside. Ours, not published.
+/// A zero-phase amplitude gain over frequency: ln-ln linear between its points, constant outside.
+/// Ours, not published.
 struct SpectralGain {
   std::vector<double> frequencies_hz;  ///< increasing, > 0
   std::vector<double> values;          ///< > 0, one per frequency
@@ -19,8 +20,10 @@ struct SuiteGain {
   SpectralGain horizontal, vertical;
 };
 
-/// Multiplies the signal's Fourier transform by the gain. At least 20 s of zeros stand in for what lies
-/// before and after it, so that a gain that is smooth above 0.25 Hz does not wrap round; what leaks beyond its ends is cut.
-std::vector<double> apply_gain(std::span<const double> signal, double dt_s, const SpectralGain& gain);
+/// Multiplies the signal's Fourier transform by the gain. At least 20 s of zeros stand in for what
+/// lies before and after it, so that a gain that is smooth above 0.25 Hz does not wrap round; what
+/// leaks beyond its ends is cut.
+std::vector<double> apply_gain(std::span<const double> signal, double dt_s,
+                               const SpectralGain& gain);
 
 }  // namespace glissade

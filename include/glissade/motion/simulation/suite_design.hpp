@@ -8,8 +8,8 @@
 
 namespace glissade {
 
-/// One of the five Seismic Intensity Levels of Walters et al. (2012), site classes A-D: Table 1's largest mapped
-/// values and Table 2's limits on the motions.
+/// One of the five Seismic Intensity Levels of Walters et al. (2012), site classes A-D: Table 1's
+/// largest mapped values and Table 2's limits on the motions.
 struct WaltersLevel {
   double ss_g, s1_g;
   double min_magnitude, max_magnitude;
@@ -21,13 +21,15 @@ struct WaltersLevel {
 /// Level 0 to 4; InputError otherwise.
 const WaltersLevel& walters_level(int level);
 
-/// The seven scenarios we spread over the level's ranges: larger magnitudes and shorter distances at higher levels.
+/// The seven scenarios we spread over the level's ranges: larger magnitudes and shorter distances
+/// at higher levels.
 const std::array<Scenario, 7>& level_scenarios(int level);
 
-/// Designs the built-in suite of a level: simulates thirty candidates for each scenario, calibrates the suite's
-/// gain on all of them, takes one of each scenario so that the SRSS spectra of the seven are closest to the level's
-/// MCE spectrum, and scales them as Walters does (suite_scaling.hpp). Deterministic in (level, seed); about half a
-/// minute. InputError for a level outside 0-4 or where the scale limit cannot be kept.
+/// Designs the built-in suite of a level: simulates thirty candidates for each scenario, calibrates
+/// the suite's gain on all of them, takes one of each scenario so that the SRSS spectra of the
+/// seven are closest to the level's MCE spectrum, and scales them as Walters does
+/// (suite_scaling.hpp). Deterministic in (level, seed); about half a minute. InputError for a level
+/// outside 0-4 or where the scale limit cannot be kept.
 SyntheticRecipe design_suite(int level, std::uint64_t seed);
 
 }  // namespace glissade

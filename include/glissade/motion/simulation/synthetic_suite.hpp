@@ -11,7 +11,8 @@
 
 namespace glissade {
 
-/// One simulated motion of a recipe. `realization` names its random numbers; the same recipe gives the same motion.
+/// One simulated motion of a recipe. `realization` names its random numbers; the same recipe gives
+/// the same motion.
 struct SyntheticMotion {
   std::string id;
   double magnitude = 0.0, distance_km = 0.0, vs30_mps = 0.0;
@@ -25,10 +26,12 @@ struct SyntheticRecipe {
   std::string name, description;
   std::uint64_t seed = 0;
   double dt_s = 0.005;
-  double max_scale = 0.0;                    ///< Walters (2012) Table 2
+  double max_scale = 0.0;  ///< Walters (2012) Table 2
   DesignTarget target;
-  std::vector<double> gain_frequencies_hz;   ///< increasing; the suite gain is ln-ln linear between, constant outside
-  std::vector<double> horizontal_gain;       ///< zero-phase amplitude gain towards the BSSA14 median: ours, not published
+  std::vector<double> gain_frequencies_hz;  ///< increasing; the suite gain is ln-ln linear between,
+                                            ///< constant outside
+  std::vector<double> horizontal_gain;  ///< zero-phase amplitude gain towards the BSSA14 median:
+                                        ///< ours, not published
   std::vector<double> vertical_gain;
   std::vector<SyntheticMotion> motions;
 };
@@ -39,7 +42,8 @@ SuiteGain gain_of(const SyntheticRecipe& recipe);
 /// Simulates one motion (of the recipe, or a candidate for it); its scale is told, not applied.
 Motion simulate_motion(const SyntheticRecipe& recipe, const SyntheticMotion& source);
 
-/// Simulates the recipe's motions. Deterministic: noise and parameters are keyed by (seed, realization).
+/// Simulates the recipe's motions. Deterministic: noise and parameters are keyed by (seed,
+/// realization).
 Suite simulate_suite(const SyntheticRecipe& recipe);
 
 }  // namespace glissade

@@ -21,8 +21,9 @@ namespace {
 class BuiltInSuite : public testing::TestWithParam<int> {
  protected:
   const WaltersLevel& limits = walters_level(GetParam());
-  const SyntheticRecipe recipe = read_recipe(std::string(GLISSADE_SOURCE_DIR) + "/suites/synthetic_level" +
-                                             std::to_string(GetParam()) + ".toml");
+  const SyntheticRecipe recipe =
+      read_recipe(std::string(GLISSADE_SOURCE_DIR) + "/suites/synthetic_level" +
+                  std::to_string(GetParam()) + ".toml");
 };
 INSTANTIATE_TEST_SUITE_P(level, BuiltInSuite, testing::Range(0, 5));
 
@@ -32,7 +33,8 @@ TEST_P(BuiltInSuite, has_seven_motions_for_the_mapped_values_of_its_level) {
   EXPECT_EQ(recipe.target.ss_g, limits.ss_g);
   EXPECT_EQ(recipe.target.s1_g, limits.s1_g);
   EXPECT_EQ(recipe.target.edition, AsceEdition::asce7_10);
-  EXPECT_EQ(recipe.target.site_classes, (std::vector{SiteClass::a, SiteClass::b, SiteClass::c, SiteClass::d}));
+  EXPECT_EQ(recipe.target.site_classes,
+            (std::vector{SiteClass::a, SiteClass::b, SiteClass::c, SiteClass::d}));
 }
 
 TEST_P(BuiltInSuite, keeps_to_the_ranges_and_the_largest_scale_of_table_2) {
@@ -49,21 +51,26 @@ TEST_P(BuiltInSuite, keeps_to_the_ranges_and_the_largest_scale_of_table_2) {
   }
 }
 
-// Walters: the average of the SRSS spectra exceeds the MCE spectrum from 0 to 2 s; ours touches it to four digits.
+// Walters: the average of the SRSS spectra exceeds the MCE spectrum from 0 to 2 s; ours touches it
+// to four digits.
 TEST_P(BuiltInSuite, has_an_average_above_the_MCE_that_touches_it) {
   const TargetSpectrum target(recipe.target);
   const double factor = suite_average_factor(
-      simulate_suite(recipe), [&](double period_s) { return target.mce_sa_g(period_s); }, walters_periods_s());
+      simulate_suite(recipe), [&](double period_s) { return target.mce_sa_g(period_s); },
+      walters_periods_s());
   EXPECT_LE(factor, 1.0);
   EXPECT_GT(factor, 0.999);
 }
 
 TEST_P(BuiltInSuite, ends_at_rest_where_it_began) {
   for (const Motion& motion : simulate_suite(recipe).motions)
-    for (const auto& a : {motion.horizontal_mps2[0], motion.horizontal_mps2[1], motion.vertical_mps2}) {
-      double velocity = 0.0, displacement = 0.0, peak_velocity = 0.0, peak_displacement = 0.0, peak = 0.0;
+    for (const auto& a :
+         {motion.horizontal_mps2[0], motion.horizontal_mps2[1], motion.vertical_mps2}) {
+      double velocity = 0.0, displacement = 0.0, peak_velocity = 0.0, peak_displacement = 0.0,
+             peak = 0.0;
       for (std::size_t i = 0; i + 1 < a.size(); ++i) {  // exact for piecewise-linear acceleration
-        displacement += velocity * motion.dt_s + (2.0 * a[i] + a[i + 1]) * motion.dt_s * motion.dt_s / 6.0;
+        displacement +=
+            velocity * motion.dt_s + (2.0 * a[i] + a[i + 1]) * motion.dt_s * motion.dt_s / 6.0;
         velocity += 0.5 * (a[i] + a[i + 1]) * motion.dt_s;
         peak = std::max(peak, std::abs(a[i]));
         peak_velocity = std::max(peak_velocity, std::abs(velocity));
@@ -87,7 +94,8 @@ TEST_P(BuiltInSuite, has_distinct_motions_that_do_not_depend_on_one_another) {
   }
   EXPECT_EQ(realizations.size(), 7u);
   EXPECT_EQ(ids.size(), 7u);
-  EXPECT_EQ(simulate_motion(recipe, recipe.motions.back()).horizontal_mps2, suite.motions.back().horizontal_mps2);
+  EXPECT_EQ(simulate_motion(recipe, recipe.motions.back()).horizontal_mps2,
+            suite.motions.back().horizontal_mps2);
 }
 
 TEST_P(BuiltInSuite, is_written_as_it_is_read) {

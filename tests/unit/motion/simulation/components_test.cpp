@@ -18,14 +18,16 @@ constexpr std::size_t draws = 4000;
 
 std::vector<ComponentParameters> draw_many() {
   std::vector<ComponentParameters> parameters;
-  for (std::uint64_t k = 0; k < draws; ++k) parameters.push_back(draw_component_parameters(scenario, {3, k}));
+  for (std::uint64_t k = 0; k < draws; ++k)
+    parameters.push_back(draw_component_parameters(scenario, {3, k}));
   return parameters;
 }
 
 std::vector<double> ranks(const std::vector<double>& values) {
   std::vector<std::size_t> order(values.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return values[a] < values[b]; });
+  std::sort(order.begin(), order.end(),
+            [&](std::size_t a, std::size_t b) { return values[a] < values[b]; });
   std::vector<double> rank(values.size());
   for (std::size_t i = 0; i < order.size(); ++i) rank[order[i]] = static_cast<double>(i);
   return rank;
@@ -43,7 +45,8 @@ double rank_correlation(const std::vector<double>& x, const std::vector<double>&
 /// Of a bivariate normal distribution with Pearson correlation rho (Kruskal 1958).
 double normal_rank_correlation(double rho) { return 6.0 / std::numbers::pi * std::asin(0.5 * rho); }
 
-// Standard error of Spearman's coefficient is below 1.1 (1 - rho^2) / sqrt(n) here: limits at 4 of them (99.99 %).
+// Standard error of Spearman's coefficient is below 1.1 (1 - rho^2) / sqrt(n) here: limits at 4 of
+// them (99.99 %).
 TEST(component_parameters, correlate_within_and_across_axes_as_published) {
   std::vector<double> arias, duration, middle, frequency, other_frequency, other_duration;
   for (const ComponentParameters& p : draw_many()) {
@@ -83,7 +86,8 @@ TEST(raw_motion, is_the_same_whenever_it_is_simulated_and_another_for_another_ke
   const RawMotion other = simulate_raw_motion(scenario, {1, 8}, 0.01);
   EXPECT_EQ(first.acceleration_mps2, simulate_raw_motion(scenario, {1, 7}, 0.01).acceleration_mps2);
   EXPECT_NE(first.acceleration_mps2[0], other.acceleration_mps2[0]);
-  EXPECT_NE(first.acceleration_mps2[0], simulate_raw_motion(scenario, {2, 7}, 0.01).acceleration_mps2[0]);
+  EXPECT_NE(first.acceleration_mps2[0],
+            simulate_raw_motion(scenario, {2, 7}, 0.01).acceleration_mps2[0]);
 }
 
 TEST(raw_motion, has_three_components_of_equal_length_that_differ) {
@@ -97,21 +101,26 @@ TEST(raw_motion, has_three_components_of_equal_length_that_differ) {
 // Vertical: J x .35 of the common mean of the axes, the middle frequency x 1.8 of the major one.
 TEST(component_parameters, derive_the_vertical_from_the_horizontals) {
   const ComponentParameters p = draw_component_parameters(scenario, {3, 1});
-  EXPECT_NEAR(p.vertical.arias_g2s, 0.35 * std::sqrt(p.major.arias_g2s * p.intermediate.arias_g2s), 1e-12);
+  EXPECT_NEAR(p.vertical.arias_g2s, 0.35 * std::sqrt(p.major.arias_g2s * p.intermediate.arias_g2s),
+              1e-12);
   EXPECT_DOUBLE_EQ(p.vertical.middle_frequency_hz, 1.8 * p.major.middle_frequency_hz);
 }
 
-// Thirty simulations are enough to see the iteration converge: the ensemble's own median ratio goes to one.
+// Thirty simulations are enough to see the iteration converge: the ensemble's own median ratio goes
+// to one.
 TEST(calibrate_gain, brings_the_ensemble_median_to_the_target) {
   std::vector<EnsembleMember> ensemble;
-  for (std::uint64_t k = 0; k < 30; ++k) ensemble.push_back({scenario, simulate_raw_motion(scenario, {3, k}, 0.01)});
+  for (std::uint64_t k = 0; k < 30; ++k)
+    ensemble.push_back({scenario, simulate_raw_motion(scenario, {3, k}, 0.01)});
   const SuiteGain gain = calibrate_gain(ensemble);
   const std::vector<double> periods_s = {0.1, 0.2, 0.3, 0.5, 1.0, 2.0};
   std::vector<double> horizontal(periods_s.size(), 0.0), vertical(periods_s.size(), 0.0);
-  const auto target_h = target_horizontal_mps2(scenario, periods_s), target_v = target_vertical_mps2(scenario, periods_s);
+  const auto target_h = target_horizontal_mps2(scenario, periods_s),
+             target_v = target_vertical_mps2(scenario, periods_s);
   for (const EnsembleMember& member : ensemble) {
     const RawMotion motion = shape_motion(member.raw, gain);
-    const auto h = horizontal_rotd50_mps2(motion, periods_s), v = vertical_spectrum_mps2(motion, periods_s);
+    const auto h = horizontal_rotd50_mps2(motion, periods_s),
+               v = vertical_spectrum_mps2(motion, periods_s);
     for (std::size_t p = 0; p < periods_s.size(); ++p) {
       horizontal[p] += std::log(h[p] / target_h[p]) / 30.0;
       vertical[p] += std::log(v[p] / target_v[p]) / 30.0;

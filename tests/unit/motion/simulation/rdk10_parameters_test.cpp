@@ -12,12 +12,13 @@ namespace {
 
 constexpr Scenario page_scenario{7.0, 20.0, 760.0, FaultMechanism::strike_slip};
 
-// The test vector of ../shared/ground-motion-model/README.md, section 2, with the digits it is given in.
+// The test vector of ../shared/ground-motion-model/README.md, section 2, with the digits it is
+// given in.
 TEST(rdk10_parameters, reproduce_the_test_vector_of_the_page) {
   const Rdk10Scores scores = rdk10_mean_scores(page_scenario);
   constexpr Rdk10Scores expected = {.9470, .2422, -.2821, .2864, -.1111, .7360};
-  // The page's first score is 1.3e-4 above what its own table gives by hand: -2.2962 + 2.944 - 1.356 ln(.8) -
-  // .265 ln(760/750) = .94687; a1 follows it.
+  // The page's first score is 1.3e-4 above what its own table gives by hand: -2.2962 + 2.944
+  // - 1.356 ln(.8) - .265 ln(760/750) = .94687; a1 follows it.
   EXPECT_NEAR(scores[0], .94687, 6e-6);
   EXPECT_NEAR(scores[0], expected[0], 1.5e-4);
   for (std::size_t i = 1; i < 6; ++i) EXPECT_NEAR(scores[i], expected[i], 6e-5);
@@ -50,7 +51,8 @@ TEST(rdk10_parameters, stay_within_their_published_bounds) {
   }
 }
 
-// P(f' < 0) = (c/b)(1 - exp(-2b)) = 0.71627 with the page's b and c: the score of zero slope is 0.5718.
+// P(f' < 0) = (c/b)(1 - exp(-2b)) = 0.71627 with the page's b and c: the score of zero slope is
+// 0.5718.
 TEST(rdk10_parameters, give_zero_slope_at_the_probability_of_negative_slopes) {
   EXPECT_NEAR(rdk10_parameters({0, 0, 0, 0, 0.5718, 0}).frequency_slope_hzps, 0.0, 1e-4);
 }

@@ -63,9 +63,12 @@ TEST(rdk10_process, is_the_filtered_noise_of_its_definition) {
   for (const std::size_t i : {1u, 2u, 7u, 8u, 9u, 100u, 555u, 1200u, 1202u}) {
     double sum = 0.0, squares = 0.0;
     for (std::size_t j = 0; j <= i; ++j) {
-      const double held_s = std::clamp(static_cast<double>(j) * dt_s, q.arias_time_s(0.01), q.arias_time_s(0.99));
-      const double w = 2 * pi * std::max(0.3, parameters.middle_frequency_hz + parameters.frequency_slope_hzps *
-                                                                                  (held_s - parameters.middle_time_s));
+      const double held_s =
+          std::clamp(static_cast<double>(j) * dt_s, q.arias_time_s(0.01), q.arias_time_s(0.99));
+      const double w =
+          2 * pi *
+          std::max(0.3, parameters.middle_frequency_hz +
+                            parameters.frequency_slope_hzps * (held_s - parameters.middle_time_s));
       const double lag_s = static_cast<double>(i - j) * dt_s;
       const double h = w / damped * std::exp(-zeta * w * lag_s) * std::sin(w * damped * lag_s);
       sum += h * u[j];
@@ -88,7 +91,8 @@ TEST(rdk10_process, has_the_variance_of_its_envelope) {
   EXPECT_NEAR(squares / simulations / (q * q), 1.0, 3.89 * std::sqrt(2.0 / simulations));
 }
 
-// z'' + 2 w z' + w^2 z = 1 from rest has z'' = (1 - w t) exp(-w t). The trapezoidal rule sees the step half a sample early.
+// z'' + 2 w z' + w^2 z = 1 from rest has z'' = (1 - w t) exp(-w t). The trapezoidal rule sees the
+// step half a sample early.
 TEST(high_pass, answers_a_step_as_the_critically_damped_oscillator) {
   constexpr double dt_s = 0.001, corner_hz = 0.5, w = 2 * pi * corner_hz;
   std::vector<double> a(3000, 1.0);
@@ -102,7 +106,8 @@ TEST(high_pass, answers_a_step_as_the_critically_damped_oscillator) {
 TEST(high_pass, brings_velocity_and_displacement_back_to_zero) {
   constexpr double dt_s = 0.01;
   std::vector<double> a(4000, 0.0);
-  for (std::size_t i = 1; i < 1000; ++i) a[i] = 1.0 + keyed_normal(5, RandomPurpose::test, 9, static_cast<std::uint32_t>(i));
+  for (std::size_t i = 1; i < 1000; ++i)
+    a[i] = 1.0 + keyed_normal(5, RandomPurpose::test, 9, static_cast<std::uint32_t>(i));
   high_pass(a, dt_s, 0.2);
   double velocity = 0.0, displacement = 0.0, peak_velocity = 0.0, peak_displacement = 0.0;
   for (std::size_t i = 0; i + 1 < a.size(); ++i) {  // exact for piecewise-linear acceleration

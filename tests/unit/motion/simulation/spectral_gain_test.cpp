@@ -27,13 +27,15 @@ TEST(spectral_gain, is_straight_in_logarithms_and_constant_outside) {
 
 TEST(apply_gain, multiplies_by_a_constant_gain) {
   std::vector<double> signal(777);
-  for (std::size_t i = 0; i < signal.size(); ++i) signal[i] = std::sin(0.37 * static_cast<double>(i * i % 101));
+  for (std::size_t i = 0; i < signal.size(); ++i)
+    signal[i] = std::sin(0.37 * static_cast<double>(i * i % 101));
   const std::vector<double> result = apply_gain(signal, 0.01, {{1.0, 2.0}, {3.0, 3.0}});
   ASSERT_EQ(result.size(), signal.size());
   for (std::size_t i = 0; i < signal.size(); ++i) EXPECT_NEAR(result[i], 3.0 * signal[i], 1e-12);
 }
 
-// A tone in a Gaussian window whose spectrum (sd 1/(2 pi 2 s) = 0.08 Hz) lies where the gain is constant.
+// A tone in a Gaussian window whose spectrum (sd 1/(2 pi 2 s) = 0.08 Hz) lies where the gain is
+// constant.
 TEST(apply_gain, multiplies_a_tone_by_the_gain_at_its_frequency_and_keeps_its_phase) {
   constexpr double dt_s = 0.01;
   const SpectralGain gain{{1.0, 1.5, 2.5, 4.0}, {0.5, 2.0, 2.0, 9.0}};

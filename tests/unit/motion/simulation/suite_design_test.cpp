@@ -14,8 +14,9 @@ INSTANTIATE_TEST_SUITE_P(level, SuiteDesign, testing::Range(0, 5));
 
 // Gain, realizations and scales: the whole recipe, as text.
 TEST_P(SuiteDesign, gives_the_shipped_recipe) {
-  const SyntheticRecipe shipped = read_recipe(std::string(GLISSADE_SOURCE_DIR) + "/suites/synthetic_level" +
-                                              std::to_string(GetParam()) + ".toml");
+  const SyntheticRecipe shipped =
+      read_recipe(std::string(GLISSADE_SOURCE_DIR) + "/suites/synthetic_level" +
+                  std::to_string(GetParam()) + ".toml");
   EXPECT_EQ(recipe_toml(design_suite(GetParam(), shipped.seed), ""), recipe_toml(shipped, ""));
 }
 
