@@ -58,6 +58,7 @@ void write_results_file(const fs::path& folder, const Results& results) {
     write_results(folder / "results.h5", results);
   } catch (const InputError&) {
     std::error_code ignored;
+    fs::remove(folder / "run.json", ignored);
     fs::remove(folder, ignored);  // if empty
     throw;
   }
@@ -147,6 +148,7 @@ void run(const RunOptions& options, const Communicator& world) {
     if (!options.dry_run) {
       check_room(out, plan);
       make_results_folder(out);  // before hours of work: it may be refused
+      write_text_file(out / "run.json", started_json(plan.config.name, plan.hash));  // and nobody else may take it
     }
   });
   if (!world.is_root()) plan = make_plan(read_study(options.study), unpack_suite(message));

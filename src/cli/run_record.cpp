@@ -16,16 +16,32 @@ void PhaseClock::end_phase(const std::string& name) {
   last_ = now;
 }
 
-std::string run_json(const Results& results, const std::vector<Skip>& skips, const PhaseClock& clock, int ranks,
-                     std::uint64_t histories_integrated) {
+namespace {
+
+std::string host_name() {
   std::array<char, 256> host{};
   gethostname(host.data(), host.size() - 1);
+  return host.data();
+}
+
+std::string now_utc() { return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr))); }
+
+}  // namespace
+
+std::string started_json(const std::string& study_name, const std::string& plan_hash) {
+  const nlohmann::ordered_json json{{"study", study_name}, {"plan_hash", plan_hash}, {"status", "started"}, {"started_utc", now_utc()}, {"host", host_name()}};
+  return json.dump(2) + "\n";
+}
+
+std::string run_json(const Results& results, const std::vector<Skip>& skips, const PhaseClock& clock, int ranks,
+                     std::uint64_t histories_integrated) {
   nlohmann::ordered_json json;
   json["study"] = results.study_name;
   json["plan_hash"] = results.plan_hash;
   json["program_version"] = results.program_version;
-  json["finished_utc"] = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
-  json["host"] = host.data();
+  json["status"] = "finished";
+  json["finished_utc"] = now_utc();
+  json["host"] = host_name();
   json["ranks"] = ranks;
   json["histories_integrated"] = histories_integrated;
   for (const auto& [phase, seconds] : clock.phases()) json["seconds"][phase] = seconds;

@@ -24,6 +24,9 @@ class PhaseClock {
   std::vector<std::pair<std::string, double>> phases_;
 };
 
+/// run.json while a run is under way, or was killed: its folder is taken.
+std::string started_json(const std::string& study_name, const std::string& plan_hash);
+
 /// run.json: when, where, on how many ranks, how long, and what was skipped: all that results.h5 must not hold.
 std::string run_json(const Results& results, const std::vector<Skip>& skips, const PhaseClock& clock, int ranks,
                      std::uint64_t histories_integrated);

@@ -17,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 
 [[noreturn]] void throw_io_error(const fs::path& path, const std::string& doing, int error_number) {
-  const char* suggestion = error_number == ENOSPC || error_number == EDQUOT
+  const char* suggestion = error_number == ENOSPC || error_number == EDQUOT || error_number == EFBIG
                                ? "make room on the disk or write elsewhere"
                                : "check that the path is right and that you may write there";
   throw InputError({path.string(), doing + ": " + std::generic_category().message(error_number),
@@ -27,8 +27,9 @@ namespace fs = std::filesystem;
 /// Owns an open file descriptor; `close` tells what a delayed write met.
 class OutputFile {
  public:
-  OutputFile(const fs::path& path, int flags)
-      : path_(path), fd_(::open(path.c_str(), flags, 0666)) {
+  /// Errors name `shown`, the file the user asked for.
+  OutputFile(const fs::path& path, int flags, const fs::path& shown)
+      : path_(shown), fd_(::open(path.c_str(), flags, 0666)) {
     if (fd_ < 0) throw_io_error(path_, "cannot be opened for writing", errno);
   }
   OutputFile(const OutputFile&) = delete;
@@ -67,7 +68,7 @@ bool must_be_written_directly(const fs::path& path, const fs::file_status& statu
 }
 
 void write_directly(const fs::path& path, std::string_view text) {
-  OutputFile file(path, O_WRONLY | O_APPEND | O_CLOEXEC);
+  OutputFile file(path, O_WRONLY | O_APPEND | O_CLOEXEC, path);
   file.write(text);
   file.close();
 }
@@ -76,7 +77,7 @@ void write_and_rename(const fs::path& path, std::string_view text) {
   fs::path partial = path;
   partial += ".partial." + std::to_string(::getpid());
   try {
-    OutputFile file(partial, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC);
+    OutputFile file(partial, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, path);
     file.write(text);
     file.sync();
     file.close();
@@ -98,8 +99,11 @@ std::string read_text_file(const fs::path& path) {
   std::ifstream file(path, std::ios::binary);
   std::string text;
   if (file && !fs::is_directory(path)) {
-    text.assign(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>());
-    if (!file.bad()) return text;
+    try {  // the stream buffer throws where the system refuses a read
+      text.assign(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>());
+      if (!file.bad()) return text;
+    } catch (const std::ios_base::failure&) {
+    }
   }
   const int error_number = fs::is_directory(path) ? EISDIR : errno != 0 ? errno : EIO;
   throw InputError({path.string(),

@@ -24,7 +24,7 @@ std::string section(const Chapter& chapter) {
       "|\n|---|---|---|---|---|---|---|\n";
   for (const Case& c : chapter.cases) text += row(c);
   if (!chapter.measured.empty())
-    text += fmt::format("\n{}\n{}{}\n", measured_begins, chapter.measured, measured_ends);
+    text += fmt::format("\n{}\n{}\n{}\n", measured_begins, chapter.measured, measured_ends);
   if (!chapter.figures.empty()) text += "\n" + chapter.figures;
   return text;
 }

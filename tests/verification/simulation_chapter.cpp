@@ -202,7 +202,7 @@ what Walters et al. (2012) ask of a suite.)",
   chapter.measured =
       "\nThe ranges behind the rows of the four scenarios; *fresh* simulations are others than the "
       "gain was found with.\n\n" +
-      read_text_file(folders.simulation / "simulated_spectra.md") + "\n";
+      read_text_file(folders.simulation / "simulated_spectra.md");
   for (const char* figure : {"simulated_spectra_horizontal.svg", "simulated_spectra_vertical.svg"})
     std::filesystem::copy_file(folders.simulation / figure, folders.figures / figure,
                                std::filesystem::copy_options::overwrite_existing);

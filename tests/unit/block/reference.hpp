@@ -91,7 +91,7 @@ struct Reference {
     for (std::size_t i = 0; i + (free ? 1 : 0) < n; ++i) run(a(i), w(i), a(i + 1), w(i + 1));
     if (!free && sigma != 0) {
       const Real drive = acceleration(0, 0, sigma);
-      s += -v * v / (2 * drive);
+      if (drive != 0) s += -v * v / (2 * drive);  // without friction on a flat roof it never stops
       if (s > down) down = s;
       if (-s > up) up = -s;
     }

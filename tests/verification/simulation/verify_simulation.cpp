@@ -170,9 +170,9 @@ void draw(const std::filesystem::path& folder, const std::vector<Panel>& panels,
   std::ofstream script(folder / (stem + ".gp"));
   script << "set terminal svg size 900,760 font 'Helvetica,15' background '#ffffff'\n"
          << "set output '" << stem << ".svg'\n"
-         << "set multiplot layout 2,2 margins 0.09,0.985,0.085,0.955 spacing 0.085,0.135\n"
+         << "set multiplot layout 2,2 margins 0.09,0.985,0.085,0.955 spacing 0.1,0.135\n"
             "set logscale xy\nset xrange [0.02:4]\nset yrange [0.003:5]\nset format y '%g'\n"
-            "set xtics (0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 4)\nset ytics (0.003, 0.01, 0.03, 0.1, "
+            "set xtics (0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 4)\nset ytics (0.01, 0.03, 0.1, "
             "0.3, 1, 3)\n"
             "set grid lc rgb '#dddddd' lt 1 lw 0.7\nset xlabel 'period (s)' offset 0,0.4\nset "
             "ylabel 'Sa, 5 % damped (g)' offset 1\n"
