@@ -12,9 +12,10 @@ struct Roof {
   double a = 0.0, w = 0.0;
 };
 
-/// What would accelerate the block along the slope if it slid down, or up: each in its own direction. The block at rest
-/// starts to slide where one of them is positive; sliding, it gains speed where its own is positive and loses it where
-/// negative. Both are linear in (a, w), hence linear in time inside a sample interval.
+/// What would accelerate the block along the slope if it slid down, or up: each in its own
+/// direction. The block at rest starts to slide where one of them is positive; sliding, it gains
+/// speed where its own is positive and loses it where negative. Both are linear in (a, w), hence
+/// linear in time inside a sample interval.
 struct Drive {
   double down = 0.0, up = 0.0;
 };
@@ -26,15 +27,18 @@ class Contact {
       : g_(block.gravity_mps2),
         sin_(std::sin(slope)),
         cos_(std::cos(slope)),
-        // tan(slope) - mu decides between resting and sliding for ever: exactly zero where mu = std::tan(slope).
+        // tan(slope) - mu decides between resting and sliding for ever: exactly zero where mu =
+        // std::tan(slope).
         gravity_down_(cos_ * (std::tan(slope) - block.friction)),
         gravity_up_(-cos_ * (std::tan(slope) + block.friction)),
         inertia_down_(cos_ + block.friction * sin_),
         inertia_up_(cos_ - block.friction * sin_) {}
 
-  /// sin - mu cos and cos + mu sin are the friction-corrected parts of gravity and of the roof's inertia.
+  /// sin - mu cos and cos + mu sin are the friction-corrected parts of gravity and of the roof's
+  /// inertia.
   Drive sliding(Roof r) const {
-    return {(g_ + r.w) * gravity_down_ - r.a * inertia_down_, (g_ + r.w) * gravity_up_ + r.a * inertia_up_};
+    return {(g_ + r.w) * gravity_down_ - r.a * inertia_down_,
+            (g_ + r.w) * gravity_up_ + r.a * inertia_up_};
   }
   /// Without contact there is no friction.
   Drive frictionless(Roof r) const {

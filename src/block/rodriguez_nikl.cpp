@@ -12,34 +12,40 @@ namespace {
 
 double sign(double x) { return static_cast<double>((x > 0.0) - (x < 0.0)); }
 
-/// Velocities and positions of the block (x) and of the plane (p), horizontal, relative to the ground at rest.
+/// Velocities and positions of the block (x) and of the plane (p), horizontal, relative to the
+/// ground at rest.
 class SteppedBlock {
  public:
   SteppedBlock(const Block& block, double slope)
-      : g_(block.gravity_mps2), mu_(block.friction), sin_(std::sin(slope)), cos_(std::cos(slope)), tan_(std::tan(slope)),
+      : g_(block.gravity_mps2),
+        mu_(block.friction),
+        sin_(std::sin(slope)),
+        cos_(std::cos(slope)),
+        tan_(std::tan(slope)),
         one_way_(block.directions == SlipDirections::downslope_only) {}
 
   bool sticking() const { return sticking_; }
 
-  /// One substep with the roof's acceleration held at its value at the beginning (paper, "Time-stepping algorithm").
+  /// One substep with the roof's acceleration held at its value at the beginning (paper,
+  /// "Time-stepping algorithm").
   void step(const block_detail::Roof& r, double dt) {
-    const double relative = velocity_x_ - velocity_p_;                  // eq 10
+    const double relative = velocity_x_ - velocity_p_;  // eq 10
     const double g = g_ + r.w;
     const bool slow_enough = relative == 0.0 || relative * previous_relative_ < 0.0;
     const bool held = std::abs(r.a * cos_ - g * sin_) < mu_ * std::abs(g * cos_ + r.a * sin_);
     const bool blocked = one_way_ && relative <= 0.0 && r.a * cos_ > g * sin_;
     sticking_ = slow_enough && (held || blocked);
-    double acceleration_x = r.a;                                        // eq 4
+    double acceleration_x = r.a;  // eq 4
     if (sticking_) {
-      velocity_x_ = velocity_p_;                                        // eq 5
-      uplift_ |= g * cos_ + r.a * sin_ < 0.0;                           // eq 6
+      velocity_x_ = velocity_p_;               // eq 5
+      uplift_ |= g * cos_ + r.a * sin_ < 0.0;  // eq 6
     } else {
-      const double A = sin_ - mu_ * sign(relative) * cos_;              // eq 13
-      const double B = cos_ + mu_ * sign(relative) * sin_;              // eq 15
-      const double C = g + r.a * tan_;                                  // eq 16
-      const double normal = C / (A * tan_ + B);                         // eq 17, per mass
+      const double A = sin_ - mu_ * sign(relative) * cos_;  // eq 13
+      const double B = cos_ + mu_ * sign(relative) * sin_;  // eq 15
+      const double C = g + r.a * tan_;                      // eq 16
+      const double normal = C / (A * tan_ + B);             // eq 17, per mass
       uplift_ |= normal < 0.0;
-      acceleration_x = normal * A;                                      // eq 18
+      acceleration_x = normal * A;  // eq 18
       duration_ += dt;
       if (relative != 0.0 && sign(relative) != phase_) ++phases_;
     }
@@ -86,11 +92,13 @@ SlipResult slide_rodriguez_nikl(const RoofAcceleration& roof, const Block& block
   const double slope = std::abs(block.slope_rad);
   const auto sample = [&](std::size_t i) {
     if (i >= roof.horizontal_mps2.size()) return block_detail::Roof{};
-    return block_detail::Roof{mirror * roof.horizontal_factor * roof.horizontal_mps2[i],
-                              roof.vertical_mps2.empty() ? 0.0 : roof.vertical_factor * roof.vertical_mps2[i]};
+    return block_detail::Roof{
+        mirror * roof.horizontal_factor * roof.horizontal_mps2[i],
+        roof.vertical_mps2.empty() ? 0.0 : roof.vertical_factor * roof.vertical_mps2[i]};
   };
   const bool slides_at_rest = std::tan(slope) > block.friction;
-  // The end of the record, as slide(): a free slider ends at the last sample; others after one more interval to zero.
+  // The end of the record, as slide(): a free slider ends at the last sample; others after one more
+  // interval to zero.
   const std::size_t intervals = roof.horizontal_mps2.size() - (slides_at_rest ? 1 : 0);
   const double dt = roof.dt_s / substeps;
 
@@ -107,8 +115,10 @@ SlipResult slide_rodriguez_nikl(const RoofAcceleration& roof, const Block& block
     result.free_sliding = true;
     return result;
   }
-  // Coasting: under gravity alone the published scheme steps on until it sticks; a frictionless block never does.
-  const double deceleration = block.gravity_mps2 * std::cos(slope) * (block.friction - std::tan(slope));
+  // Coasting: under gravity alone the published scheme steps on until it sticks; a frictionless
+  // block never does.
+  const double deceleration =
+      block.gravity_mps2 * std::cos(slope) * (block.friction - std::tan(slope));
   if (deceleration > 0.0) {
     do body.step({}, dt);
     while (!body.sticking());

@@ -24,16 +24,19 @@ struct Line {
   double at(double t) const { return value + rate * t; }
 };
 
-/// When a speed u0 >= 0 under the acceleration `drive` first returns to zero within `length`, if it does:
-/// the smaller positive root of u0 + value t + rate t^2 / 2, where the speed is falling.
+/// When a speed u0 >= 0 under the acceleration `drive` first returns to zero within `length`, if it
+/// does: the smaller positive root of u0 + value t + rate t^2 / 2, where the speed is falling.
 std::optional<double> time_to_stop(double u0, const Line& drive, double length) {
   const double n = drive.value, k = drive.rate;
   const double discriminant = n * n - 2.0 * k * u0;
-  const bool turns_inside = k > 0.0 && n < 0.0 && -n < k * length;  // the speed has its minimum inside
-  if (turns_inside ? discriminant <= 0.0 : u0 + length * (n + 0.5 * k * length) > 0.0) return std::nullopt;
+  const bool turns_inside =
+      k > 0.0 && n < 0.0 && -n < k * length;  // the speed has its minimum inside
+  if (turns_inside ? discriminant <= 0.0 : u0 + length * (n + 0.5 * k * length) > 0.0)
+    return std::nullopt;
   if (n >= 0.0 && k >= 0.0) return std::nullopt;  // never slows down
   const double root = std::sqrt(std::max(discriminant, 0.0));
-  const double t = n <= 0.0 ? 2.0 * u0 / (root - n) : (root + n) / -k;  // the form without cancellation
+  const double t =
+      n <= 0.0 ? 2.0 * u0 / (root - n) : (root + n) / -k;  // the form without cancellation
   return std::min(t, length);
 }
 
@@ -46,7 +49,8 @@ struct NoHistory {
 template <class History>
 class SlidingBlock {
  public:
-  SlidingBlock(SlipDirections directions, History history) : directions_(directions), history_(history) {}
+  SlidingBlock(SlipDirections directions, History history)
+      : directions_(directions), history_(history) {}
 
   bool sliding() const { return direction_ != 0; }
   double time() const { return time_; }
@@ -64,8 +68,8 @@ class SlidingBlock {
     if (directions_ == SlipDirections::downslope_only) up = {-1.0, 0.0};
 
     double left = length;
-    // Starts and stops inside a piece number a few (each drive is linear, so each direction starts and stops at most
-    // twice); the bound only guards against rounding.
+    // Starts and stops inside a piece number a few (each drive is linear, so each direction starts
+    // and stops at most twice); the bound only guards against rounding.
     for (int events = 0; events < 16; ++events) {
       if (direction_ == 0 && !start(down, up, left)) return rest_until(piece_end);
       Line& own = direction_ > 0 ? down : up;
@@ -85,7 +89,8 @@ class SlidingBlock {
     throw std::logic_error("slide: too many events inside one sample interval");
   }
 
-  /// No more roof motion: slides on under constant deceleration until it stops. False if it never does.
+  /// No more roof motion: slides on under constant deceleration until it stops. False if it never
+  /// does.
   bool coast(const Drive& at_rest, double dt) {
     if (direction_ == 0) return true;
     const double drive = direction_ > 0 ? at_rest.down : at_rest.up;
@@ -153,16 +158,17 @@ class SlidingBlock {
   void end_phase() {
     direction_ = 0;
     speed_ = 0.0;
-    farthest_down_ = std::max(farthest_down_, slip_);  // slip is monotone inside a phase: peaks are at phase ends
+    farthest_down_ = std::max(farthest_down_,
+                              slip_);  // slip is monotone inside a phase: peaks are at phase ends
     farthest_up_ = std::min(farthest_up_, slip_);
     history_(time_, slip_, 0.0);
   }
 
   SlipDirections directions_;
   History history_;
-  int direction_ = 0;    // +1 sliding down, -1 up, 0 at rest
-  double speed_ = 0.0;   // |v| along the slope
-  double slip_ = 0.0;    // along the slope, down positive
+  int direction_ = 0;   // +1 sliding down, -1 up, 0 at rest
+  double speed_ = 0.0;  // |v| along the slope
+  double slip_ = 0.0;   // along the slope, down positive
   double time_ = 0.0;
   double farthest_down_ = 0.0, farthest_up_ = 0.0, peak_speed_ = 0.0, duration_ = 0.0;
   std::size_t phases_ = 0;
@@ -181,7 +187,8 @@ std::size_t without_trailing_zeros(const RoofAcceleration& roof) {
 template <class History>
 SlipResult slide_with(const RoofAcceleration& roof, const Block& block, History history) {
   GLISSADE_EXPECTS(roof.dt_s > 0.0 && !roof.horizontal_mps2.empty());
-  GLISSADE_EXPECTS(roof.vertical_mps2.empty() || roof.vertical_mps2.size() == roof.horizontal_mps2.size());
+  GLISSADE_EXPECTS(roof.vertical_mps2.empty() ||
+                   roof.vertical_mps2.size() == roof.horizontal_mps2.size());
   GLISSADE_EXPECTS(block.friction >= 0.0 && std::abs(block.slope_rad) < std::numbers::pi / 2);
 
   // A surface that falls toward -x is the mirror image of one that falls toward +x.
@@ -194,7 +201,8 @@ SlipResult slide_with(const RoofAcceleration& roof, const Block& block, History 
   };
   const auto may_rest = [&](const Roof& r) {
     const Drive drive = contact.sliding(r);
-    return drive.down <= 0.0 && (drive.up <= 0.0 || block.directions == SlipDirections::downslope_only) &&
+    return drive.down <= 0.0 &&
+           (drive.up <= 0.0 || block.directions == SlipDirections::downslope_only) &&
            contact.normal(r) >= 0.0;
   };
 
@@ -203,10 +211,12 @@ SlipResult slide_with(const RoofAcceleration& roof, const Block& block, History 
   // One sample interval, ending at time `end`.
   const auto step = [&](double end, const Roof& r0, const Roof& r1) {
     const double n0 = contact.normal(r0), n1 = contact.normal(r1);
-    if (n0 >= 0.0 && n1 >= 0.0) return body.advance(roof.dt_s, end, contact.sliding(r0), contact.sliding(r1));
+    if (n0 >= 0.0 && n1 >= 0.0)
+      return body.advance(roof.dt_s, end, contact.sliding(r0), contact.sliding(r1));
     uplift = true;
     const auto lifted = [&](double length, const Roof& from, const Roof& to) {
-      body.advance(length, body.time() + length, contact.frictionless(from), contact.frictionless(to));
+      body.advance(length, body.time() + length, contact.frictionless(from),
+                   contact.frictionless(to));
     };
     if (n0 < 0.0 && n1 < 0.0) return lifted(roof.dt_s, r0, r1);
     // Contact is lost or found again where N passes through zero.
@@ -217,13 +227,15 @@ SlipResult slide_with(const RoofAcceleration& roof, const Block& block, History 
       if (before > 0.0) lifted(before, r0, touch);
       if (after > 0.0) body.advance(after, end, contact.sliding(touch), contact.sliding(r1));
     } else {
-      if (before > 0.0) body.advance(before, body.time() + before, contact.sliding(r0), contact.sliding(touch));
+      if (before > 0.0)
+        body.advance(before, body.time() + before, contact.sliding(r0), contact.sliding(touch));
       if (after > 0.0) lifted(after, touch, r1);
     }
   };
 
   std::size_t n = roof.horizontal_mps2.size();
-  if (!contact.slides_at_rest()) n = without_trailing_zeros(roof);  // padding changes nothing, to the last bit
+  if (!contact.slides_at_rest())
+    n = without_trailing_zeros(roof);  // padding changes nothing, to the last bit
   Roof now = sample(0);
   bool rested = may_rest(now);
   for (std::size_t i = 1; i < n; ++i) {
@@ -255,9 +267,12 @@ SlipResult slide_with(const RoofAcceleration& roof, const Block& block, History 
 
 }  // namespace
 
-SlipResult slide(const RoofAcceleration& roof, const Block& block) { return slide_with(roof, block, NoHistory{}); }
+SlipResult slide(const RoofAcceleration& roof, const Block& block) {
+  return slide_with(roof, block, NoHistory{});
+}
 
-SlipResult slide(const RoofAcceleration& roof, const Block& block, std::vector<SlipPoint>& history) {
+SlipResult slide(const RoofAcceleration& roof, const Block& block,
+                 std::vector<SlipPoint>& history) {
   const double cos_slope = std::cos(block.slope_rad);
   history.assign(1, SlipPoint{});
   return slide_with(roof, block, [&](double time, double slip, double velocity) {

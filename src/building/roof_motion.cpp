@@ -14,7 +14,8 @@ namespace {
 /// How many substeps of dt give a period at least `steps_per_period` of them.
 int substeps(const Oscillator& oscillator, double dt_s, int steps_per_period) {
   if (oscillator.period_s == 0.0) return 1;
-  return std::max(1, static_cast<int>(std::ceil(steps_per_period * dt_s / oscillator.period_s - 1e-9)));
+  return std::max(
+      1, static_cast<int>(std::ceil(steps_per_period * dt_s / oscillator.period_s - 1e-9)));
 }
 
 /// Visits the linear pieces of a record cut into `parts` each: visit(a_begin, a_end).
@@ -40,7 +41,8 @@ std::vector<double> rigid_response(std::span<const double> ground, bool to_zero,
   return roof;
 }
 
-std::vector<double> oscillator_response(const Oscillator& oscillator, double dt_s, std::span<const double> ground, int parts,
+std::vector<double> oscillator_response(const Oscillator& oscillator, double dt_s,
+                                        std::span<const double> ground, int parts,
                                         double quiet_mps2, double longest_ring_down_s) {
   const double phase = 2.0 * std::numbers::pi * dt_s / (parts * oscillator.period_s);
   const double zeta = oscillator.damping_ratio;
@@ -64,9 +66,11 @@ std::vector<double> oscillator_response(const Oscillator& oscillator, double dt_
     const double longest = longest_ring_down_s * parts / dt_s;
     double steps = 0.0;
     if (bound > quiet_mps2) {
-      steps = zeta > 0.0 ? std::min(longest, std::log(bound / quiet_mps2) / (zeta * phase)) : longest;
+      steps =
+          zeta > 0.0 ? std::min(longest, std::log(bound / quiet_mps2) / (zeta * phase)) : longest;
     }
-    for (auto left = static_cast<std::size_t>(std::ceil(steps)); left > 0; --left) advance(0.0, 0.0);
+    for (auto left = static_cast<std::size_t>(std::ceil(steps)); left > 0; --left)
+      advance(0.0, 0.0);
   }
   return roof;
 }
@@ -79,26 +83,36 @@ double peak(const std::vector<double>& values) {
 
 }  // namespace
 
-RoofMotion roof_motion(const GroundMotion& ground, const Building& building, const RoofMotionOptions& options) {
+RoofMotion roof_motion(const GroundMotion& ground, const Building& building,
+                       const RoofMotionOptions& options) {
   GLISSADE_EXPECTS(ground.dt_s > 0.0 && !ground.horizontal_mps2.empty());
-  GLISSADE_EXPECTS(ground.vertical_mps2.empty() || ground.vertical_mps2.size() == ground.horizontal_mps2.size());
+  GLISSADE_EXPECTS(ground.vertical_mps2.empty() ||
+                   ground.vertical_mps2.size() == ground.horizontal_mps2.size());
   const bool vertical = !ground.vertical_mps2.empty();
-  const int parts = std::max(substeps(building.horizontal, ground.dt_s, options.steps_per_period),
-                             vertical ? substeps(building.vertical, ground.dt_s, options.steps_per_period) : 1);
+  const int parts =
+      std::max(substeps(building.horizontal, ground.dt_s, options.steps_per_period),
+               vertical ? substeps(building.vertical, ground.dt_s, options.steps_per_period) : 1);
 
-  const auto response = [&](const Oscillator& oscillator, std::span<const double> input, double quiet_mps2) {
+  const auto response = [&](const Oscillator& oscillator, std::span<const double> input,
+                            double quiet_mps2) {
     if (oscillator.period_s == 0.0) return rigid_response(input, false, parts);
-    return oscillator_response(oscillator, ground.dt_s, input, parts, quiet_mps2, options.longest_ring_down_s);
+    return oscillator_response(oscillator, ground.dt_s, input, parts, quiet_mps2,
+                               options.longest_ring_down_s);
   };
   RoofMotion roof;
   roof.dt_s = ground.dt_s / parts;
-  roof.horizontal_mps2 = response(building.horizontal, ground.horizontal_mps2, options.quiet_horizontal_mps2);
-  if (vertical) roof.vertical_mps2 = response(building.vertical, ground.vertical_mps2, options.quiet_vertical_mps2);
+  roof.horizontal_mps2 =
+      response(building.horizontal, ground.horizontal_mps2, options.quiet_horizontal_mps2);
+  if (vertical)
+    roof.vertical_mps2 =
+        response(building.vertical, ground.vertical_mps2, options.quiet_vertical_mps2);
   roof.peak_horizontal_mps2 = peak(roof.horizontal_mps2);
   roof.peak_vertical_mps2 = peak(roof.vertical_mps2);
   if (vertical && roof.vertical_mps2.size() != roof.horizontal_mps2.size()) {
-    // The component that ends first goes to zero over one record interval, refined as the rest is, and stays there.
-    auto& shorter = roof.vertical_mps2.size() < roof.horizontal_mps2.size() ? roof.vertical_mps2 : roof.horizontal_mps2;
+    // The component that ends first goes to zero over one record interval, refined as the rest is,
+    // and stays there.
+    auto& shorter = roof.vertical_mps2.size() < roof.horizontal_mps2.size() ? roof.vertical_mps2
+                                                                            : roof.horizontal_mps2;
     const std::size_t full = std::max(roof.vertical_mps2.size(), roof.horizontal_mps2.size());
     const double last = shorter.back();
     for (int part = 1; part < parts; ++part) shorter.push_back(last * (parts - part) / parts);

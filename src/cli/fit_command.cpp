@@ -36,12 +36,17 @@ CapacitySample censored(const std::vector<double>& values, const std::optional<d
 
 FitSummary fit(const FitOptions& o) {
   if (o.counts.empty() == o.capacities.empty()) {
-    throw InputError({"glissade fit", "needs one of --counts and --capacities", "give one file", ""});
+    throw InputError(
+        {"glissade fit", "needs one of --counts and --capacities", "give one file", ""});
   }
-  if (o.censor_at && (o.capacities.empty() || !(*o.censor_at > 0.0) || !std::isfinite(*o.censor_at))) {
-    throw InputError({"--censor-at", fmt::format("{:g} must be > 0 and goes with --capacities", *o.censor_at), "", ""});
+  if (o.censor_at &&
+      (o.capacities.empty() || !(*o.censor_at > 0.0) || !std::isfinite(*o.censor_at))) {
+    throw InputError({"--censor-at",
+                      fmt::format("{:g} must be > 0 and goes with --capacities", *o.censor_at), "",
+                      ""});
   }
-  return o.counts.empty() ? fit_capacities(censored(read_capacities(o.capacities), o.censor_at)) : fit_stripes(read_counts(o.counts));
+  return o.counts.empty() ? fit_capacities(censored(read_capacities(o.capacities), o.censor_at))
+                          : fit_stripes(read_counts(o.counts));
 }
 
 nlohmann::ordered_json to_json(const Interval& interval) { return {interval.low, interval.high}; }
@@ -62,10 +67,13 @@ void run(const FitOptions& o) {
     fmt::print("{}\n", json.dump(2));
     return;
   }
-  fmt::print("median           {:.6g}   95 % interval {:.4g} to {:.4g}\n", f.curve.median, f.median_interval.low, f.median_interval.high);
-  fmt::print("log_std          {:.6g}   95 % interval {:.4g} to {:.4g}\n", f.curve.log_std, f.log_std_interval.low, f.log_std_interval.high);
-  fmt::print("log likelihood   {:.8g}\nmethod           {}\nintervals        {}\nstatus           {}\n", f.log_likelihood, f.method,
-             f.interval_method, to_string(f.status));
+  fmt::print("median           {:.6g}   95 % interval {:.4g} to {:.4g}\n", f.curve.median,
+             f.median_interval.low, f.median_interval.high);
+  fmt::print("log_std          {:.6g}   95 % interval {:.4g} to {:.4g}\n", f.curve.log_std,
+             f.log_std_interval.low, f.log_std_interval.high);
+  fmt::print(
+      "log likelihood   {:.8g}\nmethod           {}\nintervals        {}\nstatus           {}\n",
+      f.log_likelihood, f.method, f.interval_method, to_string(f.status));
   if (!f.note.empty()) fmt::print("note             {}\n", f.note);
 }
 
@@ -73,10 +81,12 @@ void run(const FitOptions& o) {
 
 void add_fit(CLI::App& program) {
   auto o = std::make_shared<FitOptions>();
-  CLI::App* command = program.add_subcommand("fit", "Fit a lognormal fragility to counts or capacities");
+  CLI::App* command =
+      program.add_subcommand("fit", "Fit a lognormal fragility to counts or capacities");
   command->add_option("--counts", o->counts, "CSV with the header im,num_gms,num_exceed");
   command->add_option("--capacities", o->capacities, "CSV with the header im_cap");
-  command->add_option("--censor-at", o->censor_at, "highest intensity analysed: capacities at or above it are censored");
+  command->add_option("--censor-at", o->censor_at,
+                      "highest intensity analysed: capacities at or above it are censored");
   command->add_flag("--json", o->json, "print one JSON object");
   command->callback([o] { run(*o); });
 }

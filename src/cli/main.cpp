@@ -17,7 +17,8 @@ constexpr int input_error_status = 2;
 /// A full disk shows when the last of the output leaves the buffer.
 void flush_standard_output() {
   if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return;
-  throw glissade::InputError({"standard output", "cannot be written: " + std::generic_category().message(errno),
+  throw glissade::InputError({"standard output",
+                              "cannot be written: " + std::generic_category().message(errno),
                               "make room on the disk or write elsewhere", ""});
 }
 
@@ -26,11 +27,13 @@ std::string message(const CLI::App& program, const CLI::ParseError& error) {
   const CLI::App* reached = &program;
   while (!reached->get_subcommands().empty()) reached = reached->get_subcommands().front();
   std::vector<std::string> commands;
-  for (const CLI::App* command : reached->get_subcommands([](const CLI::App*) { return true; })) commands.push_back(command->get_name());
+  for (const CLI::App* command : reached->get_subcommands([](const CLI::App*) { return true; }))
+    commands.push_back(command->get_name());
   const std::vector<std::string> left = reached->remaining();
   if (commands.empty() || left.empty() || left.front().starts_with("-")) return error.what();
   const std::string nearest = glissade::nearest_word(left.front(), commands);
-  return left.front() + " is not a command" + (nearest.empty() ? "" : "; did you mean " + nearest + "?");
+  return left.front() + " is not a command" +
+         (nearest.empty() ? "" : "; did you mean " + nearest + "?");
 }
 
 int run_program(int argc, char** argv, const glissade::Communicator& world) {
@@ -58,7 +61,8 @@ int run_program(int argc, char** argv, const glissade::Communicator& world) {
     return exit.status;
   } catch (const glissade::InputError& error) {
     fmt::print(stderr, "glissade: {}\n", error.what());
-    if (!world.is_root()) world.abort(input_error_status);  // the others do not know, and would wait for ever
+    if (!world.is_root())
+      world.abort(input_error_status);  // the others do not know, and would wait for ever
     return input_error_status;
   }
 }
@@ -70,7 +74,8 @@ int main(int argc, char** argv) {
   try {
     const glissade::MpiSession mpi(argc, argv);
     const glissade::Communicator world = mpi.world();
-    if (!world.is_root() && argc > 1 && std::string_view(argv[1]) != "run") return 0;  // the other commands are for one
+    if (!world.is_root() && argc > 1 && std::string_view(argv[1]) != "run")
+      return 0;  // the other commands are for one
     try {
       return run_program(argc, argv, world);
     } catch (const std::exception& error) {

@@ -17,13 +17,15 @@ void add_report(CLI::App& program) {
     std::string results, out;
   };
   auto o = std::make_shared<ReportOptions>();
-  CLI::App* command = program.add_subcommand("report", "Make tables, figures and report.html again from a results file");
+  CLI::App* command = program.add_subcommand(
+      "report", "Make tables, figures and report.html again from a results file");
   command->add_option("results", o->results, "results.h5 of a run")->required();
   command->add_option("--out", o->out, "folder for the report [the results file's own]");
   command->callback([o] {
     const Results results = read_results(o->results);
     const std::filesystem::path file(o->results);
-    const std::filesystem::path out = o->out.empty() ? file.parent_path() : std::filesystem::path(o->out);
+    const std::filesystem::path out =
+        o->out.empty() ? file.parent_path() : std::filesystem::path(o->out);
     const std::vector<Skip> skips = skips_in(file.parent_path() / "run.json");
     write_report(results, out.empty() ? "." : out, skips);
     fmt::print("{}\nReport   {}\n", summary_text(results, skips), (out / "report.html").string());

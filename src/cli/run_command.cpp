@@ -39,7 +39,8 @@ void check_results_folder(const fs::path& folder) {
     throw InputError({folder.string(), "is not a folder", "give another --out", ""});
   }
   if (!fs::is_empty(folder, error) || error) {
-    throw InputError({folder.string(), "already holds a run or other files, which are never written over",
+    throw InputError({folder.string(),
+                      "already holds a run or other files, which are never written over",
                       "give a new folder with --out, or remove this one", ""});
   }
 }
@@ -48,7 +49,8 @@ void make_results_folder(const fs::path& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) {
-    throw InputError({folder.string(), "cannot be made: " + error.message(), "give a folder you may write to with --out", ""});
+    throw InputError({folder.string(), "cannot be made: " + error.message(),
+                      "give a folder you may write to with --out", ""});
   }
 }
 
@@ -72,7 +74,9 @@ void write_beside_results(const fs::path& folder, Write write) {
   } catch (const InputError& error) {
     ProblemList problems;
     problems.add(error);
-    problems.add({(folder / "results.h5").string(), "is whole", "make the rest again with: glissade report " + (folder / "results.h5").string(), ""});
+    problems.add({(folder / "results.h5").string(), "is whole",
+                  "make the rest again with: glissade report " + (folder / "results.h5").string(),
+                  ""});
     problems.throw_if_any();
   }
 }
@@ -80,17 +84,21 @@ void write_beside_results(const fs::path& folder, Write write) {
 /// Results need room: refused before hours of work rather than after.
 void check_room(const fs::path& folder, const Plan& plan) {
   const double values = static_cast<double>(plan.histories()) * (sizeof(double) + 1) +
-                        static_cast<double>(plan.runs.size() * plan.suite.motions.size() * plan.samples.size() *
-                                            plan.config.thresholds_m.size()) * sizeof(double);
+                        static_cast<double>(plan.runs.size() * plan.suite.motions.size() *
+                                            plan.samples.size() * plan.config.thresholds_m.size()) *
+                            sizeof(double);
   const double needed = values + 20e6;  // figures, tables, report
   std::error_code error;
   fs::path existing = fs::absolute(folder);
-  while (!fs::exists(existing, error) && existing.has_relative_path()) existing = existing.parent_path();
+  while (!fs::exists(existing, error) && existing.has_relative_path())
+    existing = existing.parent_path();
   const fs::space_info space = fs::space(existing, error);
   if (!error && static_cast<double>(space.available) < needed) {
-    throw InputError({folder.string(), fmt::format("the disk has {:.0f} MB free and the results need about {:.0f} MB",
-                                                   static_cast<double>(space.available) / 1e6, needed / 1e6),
-                      "make room, or give a folder on another disk with --out", ""});
+    throw InputError(
+        {folder.string(),
+         fmt::format("the disk has {:.0f} MB free and the results need about {:.0f} MB",
+                     static_cast<double>(space.available) / 1e6, needed / 1e6),
+         "make room, or give a folder on another disk with --out", ""});
   }
 }
 
@@ -130,7 +138,8 @@ std::vector<UnitResult> execute_all(const Plan& plan, const Communicator& world)
 
 void run(const RunOptions& options, const Communicator& world) {
   PhaseClock clock;
-  const fs::path out = options.out.empty() ? fs::path("results") / fs::path(options.study).stem() : fs::path(options.out);
+  const fs::path out = options.out.empty() ? fs::path("results") / fs::path(options.study).stem()
+                                           : fs::path(options.out);
 
   // Read and simulate once, on root; then everybody makes the same plan.
   Suite suite;
@@ -148,7 +157,8 @@ void run(const RunOptions& options, const Communicator& world) {
     if (!options.dry_run) {
       check_room(out, plan);
       make_results_folder(out);  // before hours of work: it may be refused
-      write_text_file(out / "run.json", started_json(plan.config.name, plan.hash));  // and nobody else may take it
+      write_text_file(out / "run.json",
+                      started_json(plan.config.name, plan.hash));  // and nobody else may take it
     }
   });
   if (!world.is_root()) plan = make_plan(read_study(options.study), unpack_suite(message));
@@ -170,7 +180,9 @@ void run(const RunOptions& options, const Communicator& world) {
     clock.end_phase("report");
     std::uint64_t integrated = 0;
     for (const UnitResult& unit : units) integrated += unit.integrated;
-    write_beside_results(out, [&] { write_text_file(out / "run.json", run_json(results, skips, clock, world.size(), integrated)); });
+    write_beside_results(out, [&] {
+      write_text_file(out / "run.json", run_json(results, skips, clock, world.size(), integrated));
+    });
 
     fmt::print("{}\n", summary_text(results, skips));
     std::string phases;
@@ -179,11 +191,12 @@ void run(const RunOptions& options, const Communicator& world) {
       phases += fmt::format("{}{} {:.2f}", phases.empty() ? "" : ", ", phase, seconds);
       total += seconds;
     }
-    fmt::print("Seconds on {} rank{}: {:.2f} ({})\n", world.size(), world.size() == 1 ? "" : "s", total, phases);
+    fmt::print("Seconds on {} rank{}: {:.2f} ({})\n", world.size(), world.size() == 1 ? "" : "s",
+               total, phases);
     fmt::print("Histories integrated: {}\n", integrated);
-    fmt::print("Report   {}\nResults  {}\nTables   {}\nFigures  {}\nRun      {}\n", (out / "report.html").string(),
-               (out / "results.h5").string(), (out / "tables").string(), (out / "figures").string(),
-               (out / "run.json").string());
+    fmt::print("Report   {}\nResults  {}\nTables   {}\nFigures  {}\nRun      {}\n",
+               (out / "report.html").string(), (out / "results.h5").string(),
+               (out / "tables").string(), (out / "figures").string(), (out / "run.json").string());
   });
 }
 
@@ -191,9 +204,11 @@ void run(const RunOptions& options, const Communicator& world) {
 
 void add_run(CLI::App& program, const Communicator& world) {
   auto options = std::make_shared<RunOptions>();
-  CLI::App* command = program.add_subcommand("run", "Run a study: fragility curves, slip against the standards, report");
+  CLI::App* command = program.add_subcommand(
+      "run", "Run a study: fragility curves, slip against the standards, report");
   command->add_option("study", options->study, "study file (TOML); see studies/")->required();
-  command->add_option("--out", options->out, "results folder, new or empty [results/NAME OF THE STUDY FILE]");
+  command->add_option("--out", options->out,
+                      "results folder, new or empty [results/NAME OF THE STUDY FILE]");
   command->add_flag("--dry-run", options->dry_run, "print the plan and stop");
   command->callback([options, world] { run(*options, world); });
 }

@@ -24,17 +24,23 @@ std::string host_name() {
   return host.data();
 }
 
-std::string now_utc() { return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr))); }
+std::string now_utc() {
+  return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
+}
 
 }  // namespace
 
 std::string started_json(const std::string& study_name, const std::string& plan_hash) {
-  const nlohmann::ordered_json json{{"study", study_name}, {"plan_hash", plan_hash}, {"status", "started"}, {"started_utc", now_utc()}, {"host", host_name()}};
+  const nlohmann::ordered_json json{{"study", study_name},
+                                    {"plan_hash", plan_hash},
+                                    {"status", "started"},
+                                    {"started_utc", now_utc()},
+                                    {"host", host_name()}};
   return json.dump(2) + "\n";
 }
 
-std::string run_json(const Results& results, const std::vector<Skip>& skips, const PhaseClock& clock, int ranks,
-                     std::uint64_t histories_integrated) {
+std::string run_json(const Results& results, const std::vector<Skip>& skips,
+                     const PhaseClock& clock, int ranks, std::uint64_t histories_integrated) {
   nlohmann::ordered_json json;
   json["study"] = results.study_name;
   json["plan_hash"] = results.plan_hash;
@@ -46,7 +52,8 @@ std::string run_json(const Results& results, const std::vector<Skip>& skips, con
   json["histories_integrated"] = histories_integrated;
   for (const auto& [phase, seconds] : clock.phases()) json["seconds"][phase] = seconds;
   json["skipped"] = nlohmann::ordered_json::array();
-  for (const Skip& skip : skips) json["skipped"].push_back({{"what", skip.what}, {"why", skip.why}, {"count", skip.count}});
+  for (const Skip& skip : skips)
+    json["skipped"].push_back({{"what", skip.what}, {"why", skip.why}, {"count", skip.count}});
   return json.dump(2) + "\n";
 }
 
@@ -56,7 +63,8 @@ std::vector<Skip> skips_in(const std::filesystem::path& run_json_file) {
   const auto json = nlohmann::json::parse(in, nullptr, /*allow_exceptions=*/false);
   if (!json.is_object() || !json.contains("skipped")) return skips;
   for (const auto& skip : json["skipped"]) {
-    skips.push_back({skip.value("what", ""), skip.value("why", ""), skip.value("count", std::uint64_t{0})});
+    skips.push_back(
+        {skip.value("what", ""), skip.value("why", ""), skip.value("count", std::uint64_t{0})});
   }
   return skips;
 }

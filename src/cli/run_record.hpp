@@ -27,9 +27,10 @@ class PhaseClock {
 /// run.json while a run is under way, or was killed: its folder is taken.
 std::string started_json(const std::string& study_name, const std::string& plan_hash);
 
-/// run.json: when, where, on how many ranks, how long, and what was skipped: all that results.h5 must not hold.
-std::string run_json(const Results& results, const std::vector<Skip>& skips, const PhaseClock& clock, int ranks,
-                     std::uint64_t histories_integrated);
+/// run.json: when, where, on how many ranks, how long, and what was skipped: all that results.h5
+/// must not hold.
+std::string run_json(const Results& results, const std::vector<Skip>& skips,
+                     const PhaseClock& clock, int ranks, std::uint64_t histories_integrated);
 
 /// The skips a run.json tells; none where there is no such file.
 std::vector<Skip> skips_in(const std::filesystem::path& run_json_file);

@@ -31,10 +31,13 @@ struct SlideOptions {
 void check(const SlideOptions& o) {
   ProblemList problems;
   const auto require = [&](bool ok, const std::string& option, double value, const char* rule) {
-    if (!ok || !std::isfinite(value)) problems.add({option, fmt::format("{:g} {}", value, rule), "", ""});
+    if (!ok || !std::isfinite(value))
+      problems.add({option, fmt::format("{:g} {}", value, rule), "", ""});
   };
-  require(o.mu >= 0.0, "--mu", o.mu, "is not a coefficient of friction: it must be finite and >= 0");
-  require(std::abs(o.slope_deg) < 90.0, "--slope-deg", o.slope_deg, "is not a roof: it must lie between -90 and 90");
+  require(o.mu >= 0.0, "--mu", o.mu,
+          "is not a coefficient of friction: it must be finite and >= 0");
+  require(std::abs(o.slope_deg) < 90.0, "--slope-deg", o.slope_deg,
+          "is not a roof: it must lie between -90 and 90");
   require(o.period_s >= 0.0, "--period-s", o.period_s, "must be >= 0 (0: rigid building)");
   require(o.damping >= 0.0 && o.damping < 1.0, "--damping", o.damping, "must be a ratio in [0, 1)");
   if (o.scale) require(*o.scale > 0.0, "--scale", *o.scale, "must be > 0");
@@ -51,10 +54,12 @@ void check(const SlideOptions& o) {
     problems.add({"--history", "/dev/stdout is where the result is printed", "give a file", ""});
   }
   if (!o.second.empty()) {
-    problems.add({"--second", "the two-axis model is not in this version", "leave it out: one axis along the slope", ""});
+    problems.add({"--second", "the two-axis model is not in this version",
+                  "leave it out: one axis along the slope", ""});
   }
   if (o.mass_ratio != 0.0) {
-    problems.add({"--mass-ratio", "the coupled building is not in this version", "leave it out: the array's mass is neglected", ""});
+    problems.add({"--mass-ratio", "the coupled building is not in this version",
+                  "leave it out: the array's mass is neglected", ""});
   }
   problems.throw_if_any();
 }
@@ -75,27 +80,40 @@ std::string history_csv(const RoofAcceleration& roof, const std::vector<SlipPoin
   for (const SlipPoint& point : history) {
     const double position = point.time_s / roof.dt_s;
     const std::size_t i = static_cast<std::size_t>(position);
-    const auto sample = [&](std::size_t k) { return k < n ? roof.horizontal_factor * roof.horizontal_mps2[k] : 0.0; };
-    const double acceleration = sample(i) + (position - static_cast<double>(i)) * (sample(i + 1) - sample(i));
-    table.cell(point.time_s).cell(acceleration).cell(point.displacement_m).cell(point.velocity_mps).end_row();
+    const auto sample = [&](std::size_t k) {
+      return k < n ? roof.horizontal_factor * roof.horizontal_mps2[k] : 0.0;
+    };
+    const double acceleration =
+        sample(i) + (position - static_cast<double>(i)) * (sample(i + 1) - sample(i));
+    table.cell(point.time_s)
+        .cell(acceleration)
+        .cell(point.displacement_m)
+        .cell(point.velocity_mps)
+        .end_row();
   }
-  return "# displacement and velocity of the block relative to the roof, in plan, downslope positive (flat roof: +x)\n" + table.text();
+  return "# displacement and velocity of the block relative to the roof, in plan, downslope "
+         "positive (flat roof: +x)\n" +
+         table.text();
 }
 
 void run(const SlideOptions& o) {
   check(o);
   const Motion motion = read_motion(o);
   const double pga = peak_ground_acceleration_mps2(motion.horizontal_mps2[0]);
-  if (o.pga_g && pga == 0.0) throw InputError({o.record, "is zero throughout and cannot be scaled to --pga-g", "give --scale", ""});
+  if (o.pga_g && pga == 0.0)
+    throw InputError(
+        {o.record, "is zero throughout and cannot be scaled to --pga-g", "give --scale", ""});
   const double factor = o.pga_g ? *o.pga_g * standard_gravity_mps2 / pga : o.scale.value_or(1.0);
 
-  const Block block{.friction = o.mu,
-                    .slope_rad = o.slope_deg * rad_per_deg,
-                    .directions = o.one_way ? SlipDirections::downslope_only : SlipDirections::both};
-  const RoofMotion roof_table =
-      roof_motion({motion.dt_s, motion.horizontal_mps2[0], motion.vertical_mps2}, {{o.period_s, o.damping}, {}},
-                  {.quiet_horizontal_mps2 = yield_acceleration_mps2(block) / factor});
-  const RoofAcceleration roof{roof_table.dt_s, roof_table.horizontal_mps2, roof_table.vertical_mps2, factor, factor};
+  const Block block{
+      .friction = o.mu,
+      .slope_rad = o.slope_deg * rad_per_deg,
+      .directions = o.one_way ? SlipDirections::downslope_only : SlipDirections::both};
+  const RoofMotion roof_table = roof_motion(
+      {motion.dt_s, motion.horizontal_mps2[0], motion.vertical_mps2}, {{o.period_s, o.damping}, {}},
+      {.quiet_horizontal_mps2 = yield_acceleration_mps2(block) / factor});
+  const RoofAcceleration roof{roof_table.dt_s, roof_table.horizontal_mps2, roof_table.vertical_mps2,
+                              factor, factor};
 
   std::vector<SlipPoint> history;
   const SlipResult r = o.method != "event" ? slide_rodriguez_nikl(roof, block, o.substeps)
@@ -131,14 +149,20 @@ void run(const SlideOptions& o) {
   }
   fmt::print("{}: {} samples at {:g} s, PGA {:.4g} g, peak roof acceleration {:.4g} g\n", o.record,
              motion.horizontal_mps2[0].size(), motion.dt_s, pga_g, ppa_g);
-  fmt::print("Displacement relative to the roof, in plan (downslope positive; on a flat roof +x):\n");
-  fmt::print("  peak       {:10.4f} m  ({:.2f} in)\n", r.peak_displacement_m, r.peak_displacement_m / inch_m);
+  fmt::print(
+      "Displacement relative to the roof, in plan (downslope positive; on a flat roof +x):\n");
+  fmt::print("  peak       {:10.4f} m  ({:.2f} in)\n", r.peak_displacement_m,
+             r.peak_displacement_m / inch_m);
   fmt::print("  residual   {:10.4f} m\n", r.residual_displacement_m);
-  fmt::print("  downslope  {:10.4f} m\n  upslope    {:10.4f} m\n", r.peak_downslope_m, r.peak_upslope_m);
+  fmt::print("  downslope  {:10.4f} m\n  upslope    {:10.4f} m\n", r.peak_downslope_m,
+             r.peak_upslope_m);
   fmt::print("  velocity   {:10.4f} m/s\n", r.peak_velocity_mps);
   fmt::print("  slides     {:10.4f} s in {} phases\n", r.slip_duration_s, r.slip_phases);
-  if (r.uplift) fmt::print("UPLIFT: the normal force falls below zero; the model does not hold for this history.\n");
-  if (r.free_sliding) fmt::print("FREE SLIDING: tan(slope) > mu; displacements are those at the record's end.\n");
+  if (r.uplift)
+    fmt::print(
+        "UPLIFT: the normal force falls below zero; the model does not hold for this history.\n");
+  if (r.free_sliding)
+    fmt::print("FREE SLIDING: tan(slope) > mu; displacements are those at the record's end.\n");
 }
 
 }  // namespace
@@ -146,20 +170,30 @@ void run(const SlideOptions& o) {
 void add_slide(CLI::App& program) {
   auto o = std::make_shared<SlideOptions>();
   CLI::App* command = program.add_subcommand("slide", "How far a block slides on one record");
-  command->add_option("record", o->record, "horizontal acceleration along the slope: PEER AT2, or text of one or two columns")->required();
+  command
+      ->add_option(
+          "record", o->record,
+          "horizontal acceleration along the slope: PEER AT2, or text of one or two columns")
+      ->required();
   command->add_option("--vertical", o->vertical, "vertical acceleration, up positive");
   command->add_option("--second", o->second, "second horizontal component (two-axis model)");
   command->add_option("--mu", o->mu, "coefficient of friction")->required();
-  command->add_option("--slope-deg", o->slope_deg, "roof slope; positive: the surface falls toward +x")->required();
+  command
+      ->add_option("--slope-deg", o->slope_deg, "roof slope; positive: the surface falls toward +x")
+      ->required();
   CLI::Option* scale = command->add_option("--scale", o->scale, "factor on all components [1]");
-  command->add_option("--pga-g", o->pga_g, "scale so that the horizontal peaks at this")->excludes(scale);
+  command->add_option("--pga-g", o->pga_g, "scale so that the horizontal peaks at this")
+      ->excludes(scale);
   command->add_option("--period-s", o->period_s, "building period; 0: rigid");
   command->add_option("--damping", o->damping, "building damping ratio");
-  command->add_option("--mass-ratio", o->mass_ratio, "array mass over building mass (coupled model)");
-  command->add_option("--method", o->method, "event (exact) or rodriguez-nikl (published time stepping)");
+  command->add_option("--mass-ratio", o->mass_ratio,
+                      "array mass over building mass (coupled model)");
+  command->add_option("--method", o->method,
+                      "event (exact) or rodriguez-nikl (published time stepping)");
   command->add_option("--substeps", o->substeps, "substeps P of rodriguez-nikl");
   command->add_flag("--one-way", o->one_way, "no upslope slip (classical Newmark)");
-  command->add_option("--dt-s", o->dt_s, "time step of files that do not tell it; overrides an AT2 header");
+  command->add_option("--dt-s", o->dt_s,
+                      "time step of files that do not tell it; overrides an AT2 header");
   command->add_option("--units", o->units, "units of text files: g, m/s2, cm/s2 [g]");
   command->add_option("--history", o->history, "write the slip history to this CSV file");
   command->add_flag("--json", o->json, "print one JSON object");

@@ -20,26 +20,38 @@ struct StandardsOptions {
 };
 
 nlohmann::ordered_json to_json(const Prescription& p) {
-  return {{"value_m", p.value_m}, {"provenance", provenance_label(p.provenance)}, {"basis", p.basis}};
+  return {
+      {"value_m", p.value_m}, {"provenance", provenance_label(p.provenance)}, {"basis", p.basis}};
 }
 
 void print(const char* name, const Prescription& p) {
-  fmt::print("{:<16} {:8.3f} m  ({:.1f} in)   {} [{}]\n", name, p.value_m, p.value_m / inch_m, p.basis, provenance_label(p.provenance));
+  fmt::print("{:<16} {:8.3f} m  ({:.1f} in)   {} [{}]\n", name, p.value_m, p.value_m / inch_m,
+             p.basis, provenance_label(p.provenance));
 }
 
 void run(const StandardsOptions& o) {
   if (!(o.importance >= 1.0 && o.importance <= 1.5)) {
-    throw InputError({"--importance", fmt::format("{:g} is not an importance factor: it must lie between 1 and 1.5", o.importance), "", ""});
+    throw InputError({"--importance",
+                      fmt::format("{:g} is not an importance factor: it must lie between 1 and 1.5",
+                                  o.importance),
+                      "", ""});
   }
-  const Prescription seaoc = seaoc_pv1_2012_displacement(o.sds_g, parse_seismic_design_category(o.sdc));
+  const Prescription seaoc =
+      seaoc_pv1_2012_displacement(o.sds_g, parse_seismic_design_category(o.sdc));
   const Prescription asce = asce7_16_displacement(o.sds_g, o.importance);
   const std::vector<Separation> separations = asce7_16_separations(asce.value_m);
   if (o.json) {
-    nlohmann::ordered_json json{{"sds_g", o.sds_g}, {"importance", o.importance}, {"sdc", o.sdc},
-                                {"seaoc_pv1_2012_m", seaoc.value_m}, {"asce7_16_m", asce.value_m}};
+    nlohmann::ordered_json json{{"sds_g", o.sds_g},
+                                {"importance", o.importance},
+                                {"sdc", o.sdc},
+                                {"seaoc_pv1_2012_m", seaoc.value_m},
+                                {"asce7_16_m", asce.value_m}};
     json["separations"] = nlohmann::ordered_json::array();
     for (const Separation& s : separations) {
-      json["separations"].push_back({{"between", s.what}, {"factor", s.factor}, {"separation_m", s.value_m}, {"provenance", provenance_label(s.provenance)}});
+      json["separations"].push_back({{"between", s.what},
+                                     {"factor", s.factor},
+                                     {"separation_m", s.value_m},
+                                     {"provenance", provenance_label(s.provenance)}});
     }
     json["seaoc_pv1_2012"] = to_json(seaoc);
     json["asce7_16"] = to_json(asce);
@@ -50,15 +62,19 @@ void run(const StandardsOptions& o) {
   print("SEAOC PV1-2012", seaoc);
   print("ASCE 7-16", asce);
   fmt::print("ASCE 7-16 separations\n");
-  for (const Separation& s : separations) fmt::print("  {:.1f} x  {:8.3f} m  ({:.1f} in)   {} [{}]\n", s.factor, s.value_m, s.value_m / inch_m, s.what, provenance_label(s.provenance));
+  for (const Separation& s : separations)
+    fmt::print("  {:.1f} x  {:8.3f} m  ({:.1f} in)   {} [{}]\n", s.factor, s.value_m,
+               s.value_m / inch_m, s.what, provenance_label(s.provenance));
 }
 
 }  // namespace
 
 void add_standards(CLI::App& program) {
   auto o = std::make_shared<StandardsOptions>();
-  CLI::App* command = program.add_subcommand("standards", "Prescribed displacements and separations");
-  command->add_option("--sds-g", o->sds_g, "design spectral acceleration at short periods, S_DS")->required();
+  CLI::App* command =
+      program.add_subcommand("standards", "Prescribed displacements and separations");
+  command->add_option("--sds-g", o->sds_g, "design spectral acceleration at short periods, S_DS")
+      ->required();
   command->add_option("--importance", o->importance, "importance factor I_e (ASCE 7-16)");
   command->add_option("--sdc", o->sdc, "seismic design category, A to F (SEAOC PV1)");
   command->add_flag("--json", o->json, "print one JSON object");

@@ -34,7 +34,8 @@ Hasher& Hasher::text(std::string_view text) {
 
 std::string to_hex(std::uint64_t value) {
   std::string digits(16, '0');
-  for (int i = 15; i >= 0; --i, value >>= 4) digits[static_cast<std::size_t>(i)] = "0123456789abcdef"[value & 15u];
+  for (int i = 15; i >= 0; --i, value >>= 4)
+    digits[static_cast<std::size_t>(i)] = "0123456789abcdef"[value & 15u];
   return digits;
 }
 

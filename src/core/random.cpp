@@ -5,7 +5,8 @@
 
 namespace glissade {
 
-std::array<std::uint32_t, 4> philox4x32(std::array<std::uint32_t, 4> counter, std::array<std::uint32_t, 2> key) {
+std::array<std::uint32_t, 4> philox4x32(std::array<std::uint32_t, 4> counter,
+                                        std::array<std::uint32_t, 2> key) {
   constexpr std::uint64_t multiplier0 = 0xD2511F53u, multiplier1 = 0xCD9E8D57u;
   constexpr std::uint32_t weyl0 = 0x9E3779B9u, weyl1 = 0xBB67AE85u;
   for (int round = 0; round < 10; ++round) {
@@ -21,15 +22,18 @@ std::array<std::uint32_t, 4> philox4x32(std::array<std::uint32_t, 4> counter, st
   return counter;
 }
 
-double keyed_uniform(std::uint64_t seed, RandomPurpose purpose, std::uint64_t item, std::uint32_t index) {
-  const auto word = philox4x32({static_cast<std::uint32_t>(item), static_cast<std::uint32_t>(item >> 32), index,
-                                static_cast<std::uint32_t>(purpose)},
-                               {static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32)});
+double keyed_uniform(std::uint64_t seed, RandomPurpose purpose, std::uint64_t item,
+                     std::uint32_t index) {
+  const auto word =
+      philox4x32({static_cast<std::uint32_t>(item), static_cast<std::uint32_t>(item >> 32), index,
+                  static_cast<std::uint32_t>(purpose)},
+                 {static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32)});
   const std::uint64_t bits = (std::uint64_t{word[0]} << 32 | word[1]) >> 11;  // 53 bits
   return (static_cast<double>(bits) + 0.5) * 0x1p-53;
 }
 
-double keyed_normal(std::uint64_t seed, RandomPurpose purpose, std::uint64_t item, std::uint32_t index) {
+double keyed_normal(std::uint64_t seed, RandomPurpose purpose, std::uint64_t item,
+                    std::uint32_t index) {
   return boost::math::quantile(boost::math::normal(), keyed_uniform(seed, purpose, item, index));
 }
 

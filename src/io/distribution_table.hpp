@@ -15,8 +15,9 @@ struct Bounds {
   const char* text;  ///< "0 or more"
 };
 
-/// A plain number, or a table { distribution = "uniform", ... } with the fields of the struct as keys (weights of
-/// discrete values default to equal ones). Nothing where the key is absent or wrong.
+/// A plain number, or a table { distribution = "uniform", ... } with the fields of the struct as
+/// keys (weights of discrete values default to equal ones). Nothing where the key is absent or
+/// wrong.
 std::optional<Distribution> read_distribution(const TomlTable& table, const char* key,
                                               const Bounds& bounds);
 

@@ -24,10 +24,12 @@ Hdf5Handle create_in_memory() {
   constexpr std::size_t growth_bytes = std::size_t{1} << 22;
   const Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "make properties");
   checked(H5Pset_fapl_core(access, growth_bytes, false), "write into memory");
-  // The oldest superblock: H5Fget_file_image (1.10) clears the open mark of newer ones without renewing their checksum.
+  // The oldest superblock: H5Fget_file_image (1.10) clears the open mark of newer ones without
+  // renewing their checksum.
   checked(H5Pset_libver_bounds(access, H5F_LIBVER_EARLIEST, H5F_LIBVER_V18), "fix the format");
   const Hdf5Handle creation = timeless(H5P_FILE_CREATE);
-  // Gives the root group the newer object header, whose attributes may be longer than 64 KiB (the study file).
+  // Gives the root group the newer object header, whose attributes may be longer than 64 KiB (the
+  // study file).
   checked(H5Pset_attr_creation_order(creation, H5P_CRT_ORDER_TRACKED),
           "keep the order of attributes");
   return {H5Fcreate("glissade results", H5F_ACC_TRUNC, creation, access), H5Fclose,

@@ -29,7 +29,8 @@ class Hdf5Image {
   Hdf5Handle file_;
 };
 
-/// Writes into one group. No times are stored, and sizes and types are fixed: the same content gives the same bytes.
+/// Writes into one group. No times are stored, and sizes and types are fixed: the same content
+/// gives the same bytes.
 class Hdf5Writer {
  public:
   static constexpr bool reads = false;

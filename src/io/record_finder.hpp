@@ -9,13 +9,14 @@
 
 namespace glissade {
 
-/// Finds the record files a suite names: relative to the suite file; else below the folders of GLISSADE_RECORDS
-/// (colon-separated), first by the same relative path below each, then by file name anywhere below.
+/// Finds the record files a suite names: relative to the suite file; else below the folders of
+/// GLISSADE_RECORDS (colon-separated), first by the same relative path below each, then by file
+/// name anywhere below.
 class RecordFinder {
  public:
   explicit RecordFinder(std::filesystem::path suite_folder);
-  /// Nothing if it is not there. Throws InputError, naming two, where the name fits several files and the relative path
-  /// none or several of them.
+  /// Nothing if it is not there. Throws InputError, naming two, where the name fits several files
+  /// and the relative path none or several of them.
   std::optional<std::filesystem::path> find(const std::filesystem::path& name);
 
  private:

@@ -13,7 +13,8 @@
 
 namespace glissade {
 
-// Pieces that write or read, as the archive (Hdf5Writer, Hdf5Reader) does: each field is named once, for both ways.
+// Pieces that write or read, as the archive (Hdf5Writer, Hdf5Reader) does: each field is named
+// once, for both ways.
 
 template <class Archive, class Values>
 void list(const Archive& archive, const std::string& name, const Label& label, Values& values) {
@@ -36,7 +37,8 @@ void cube(const Archive& archive, const std::string& name, const Label& label, C
 template <class T>
 using Stored = std::conditional_t<std::is_same_v<T, bool>, std::uint8_t, T>;
 
-/// One field of every row, as a 1-D dataset; `field(row)` is a reference to it. Reading sizes the rows by the first one read.
+/// One field of every row, as a 1-D dataset; `field(row)` is a reference to it. Reading sizes the
+/// rows by the first one read.
 template <class Archive, class Rows, class Field>
 void column(const Archive& archive, const std::string& name, const Label& label, Rows& rows,
             Field field) {
@@ -94,7 +96,8 @@ void interval_column(const Archive& archive, const std::string& name, const Labe
       archive, name + "_high", label, rows, [&](auto& row) -> auto& { return field(row).high; });
 }
 
-/// A list in every row, as a (row, position) dataset. Where lists differ in length they are filled up with nan, and
+/// A list in every row, as a (row, position) dataset. Where lists differ in length they are filled
+/// up with nan, and
 /// `<name>_count` tells how long each is.
 template <class Archive, class Rows, class Field>
 void matrix(const Archive& archive, const std::string& name, const Label& label, Rows& rows,

@@ -159,8 +159,7 @@ void exchange_fragilities(const Archive& archive, Fragilities& rows) {
 template <class Archive, class Slip>
 void exchange_slip(const Archive& archive, Slip& rows) {
   column(
-      archive, "level_g", {"g", "intensity level"}, rows,
-      [](auto& s) -> auto& { return s.level; });
+      archive, "level_g", {"g", "intensity level"}, rows, [](auto& s) -> auto& { return s.level; });
   column(
       archive, "median_m", {"m", "median peak displacement in plan"}, rows,
       [](auto& s) -> auto& { return s.median_m; });
@@ -212,8 +211,8 @@ void exchange_standards(const Archive& archive, Comparisons& rows) {
 template <class Archive, class Run>
 void exchange_run(const Archive& archive, Run& run) {
   archive.attribute("friction", run.friction_description);
-  cube(archive, "peak_displacement_m", {"m", "peak displacement in plan, by (record, sample, level)"},
-       run.peak_displacement_m);
+  cube(archive, "peak_displacement_m",
+       {"m", "peak displacement in plan, by (record, sample, level)"}, run.peak_displacement_m);
   cube(archive, "uplift", {"-", "1 where the array lifted off, by (record, sample, level)"},
        run.uplift);
   cube(archive, "capacity_g",

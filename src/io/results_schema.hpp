@@ -6,7 +6,8 @@
 
 namespace glissade {
 
-// The layout of the results file, named once for both ways: every dataset, its unit and its description.
+// The layout of the results file, named once for both ways: every dataset, its unit and its
+// description.
 
 void exchange(const Hdf5Writer& archive, const Results& results);
 void exchange(const Hdf5Reader& archive, Results& results);

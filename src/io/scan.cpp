@@ -68,7 +68,8 @@ std::optional<double> parse_number(std::string_view text) {
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (end != text.data() + text.size() || text.empty()) return std::nullopt;
   if (error == std::errc::result_out_of_range) {
-    // Too small for a double is zero for every purpose; too large is no sample. Only an exponent can make it small.
+    // Too small for a double is zero for every purpose; too large is no sample. Only an exponent
+    // can make it small.
     return text.find("e-") != std::string_view::npos || text.find("E-") != std::string_view::npos
                ? std::optional<double>(0.0)
                : std::nullopt;

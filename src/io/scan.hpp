@@ -29,10 +29,12 @@ std::string_view trimmed(std::string_view text);
 std::string lower_case(std::string_view text);
 bool is_blank_or_comment(std::string_view line);  ///< `#` begins a comment
 
-/// The parts of a line between blanks, tabs and commas; two commas have an empty part between them. What follows `#` is dropped.
+/// The parts of a line between blanks, tabs and commas; two commas have an empty part between them.
+/// What follows `#` is dropped.
 std::vector<std::string_view> fields(std::string_view line);
 
-/// The whole of `text` as a number, with an optional leading '+'; nothing if it is anything else. May be inf or nan.
+/// The whole of `text` as a number, with an optional leading '+'; nothing if it is anything else.
+/// May be inf or nan.
 std::optional<double> parse_number(std::string_view text);
 
 /// For error messages: printable, at most 40 characters, in quotes.

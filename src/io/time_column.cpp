@@ -26,8 +26,9 @@ double shortest_within(double value, double tolerance) {
   return value;
 }
 
-/// Every step must be dt_s but for the rounding of two printed times. Where dt_s is a whole number of last decimals there is
-/// none to allow for, and a lost sample shows. Times summed up in single precision drift a little.
+/// Every step must be dt_s but for the rounding of two printed times. Where dt_s is a whole number
+/// of last decimals there is none to allow for, and a lost sample shows. Times summed up in single
+/// precision drift a little.
 void check_even(const std::filesystem::path& file, const TimeColumn& column, double dt_s) {
   const double decimals_per_step = dt_s / column.resolution_s;
   const bool is_exact =

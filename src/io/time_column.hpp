@@ -22,8 +22,9 @@ struct TimeColumn {
   void add(double time_s, std::string_view token, std::size_t line);
 };
 
-/// The step of evenly spaced times, (last - first) / (n - 1) to the fewest decimals that give the last time, or `wanted`
-/// where the times bear it out. InputError where they are uneven or contradict it.
+/// The step of evenly spaced times, (last - first) / (n - 1) to the fewest decimals that give the
+/// last time, or `wanted` where the times bear it out. InputError where they are uneven or
+/// contradict it.
 double step_of(const std::filesystem::path& file, const TimeColumn& column,
                const std::optional<double>& wanted);
 

@@ -20,7 +20,8 @@ struct TomlDocument::State {
   toml::table root;
   ProblemList problems;
   std::size_t problem_count = 0;
-  /// Keys asked for, by table; only tables that are being read are here. Never iterated: order plays no part.
+  /// Keys asked for, by table; only tables that are being read are here. Never iterated: order
+  /// plays no part.
   std::map<const void*, std::set<std::string, std::less<>>> asked;
   std::set<const void*> not_checked;
 
@@ -34,7 +35,8 @@ struct TomlDocument::State {
 
 namespace {
 
-/// The line with a caret below a column (counted in code points, from 1). Long lines are cut around it.
+/// The line with a caret below a column (counted in code points, from 1). Long lines are cut around
+/// it.
 std::string excerpt(std::string_view text, const toml::source_position& at) {
   LineReader reader(text);
   while (reader.next() && reader.number() < at.line) {

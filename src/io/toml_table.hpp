@@ -30,8 +30,9 @@ using EnumNames = std::initializer_list<std::pair<const char*, E>>;
 
 class TomlTable;
 
-/// A TOML file that is being read. Problems are collected while its tables are read; `finish` adds a problem for every
-/// key that was never asked for and throws them all, each with file:line and the user's own line.
+/// A TOML file that is being read. Problems are collected while its tables are read; `finish` adds
+/// a problem for every key that was never asked for and throws them all, each with file:line and
+/// the user's own line.
 class TomlDocument {
  public:
   /// Throws InputError where the file cannot be read or is not TOML.
@@ -51,9 +52,9 @@ class TomlDocument {
   std::unique_ptr<State> state_;
 };
 
-/// One table of a document; a light handle. A reading function returns nothing where the key is absent or wrong; wrong
-/// is noted in the document. The `required_` ones note absence too and return a value that is never used then.
-/// A table that is not there reads as an empty one.
+/// One table of a document; a light handle. A reading function returns nothing where the key is
+/// absent or wrong; wrong is noted in the document. The `required_` ones note absence too and
+/// return a value that is never used then. A table that is not there reads as an empty one.
 class TomlTable {
  public:
   bool exists() const { return node_ != nullptr; }
@@ -97,7 +98,8 @@ class TomlTable {
   /// Notes problems told without a place (validate(...)) at the value of `key`.
   void report(std::string_view key, const InputError& error) const;
   void report_missing(std::string_view key, std::string suggestion = "") const;
-  /// Whatever else the table holds is not to be told as unknown: an earlier problem kept it from being read.
+  /// Whatever else the table holds is not to be told as unknown: an earlier problem kept it from
+  /// being read.
   void ignore_unknown() const;
   std::string name_of(std::string_view key) const;  ///< "building.period_s"
   std::size_t problem_count() const;                ///< of the whole document so far

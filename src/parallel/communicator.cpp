@@ -58,7 +58,9 @@ std::vector<std::vector<char>> Communicator::gather(const std::vector<char>& byt
     std::uint64_t count = 0;
     MPI_Recv(&count, 1, MPI_UINT64_T, rank, 0, state_->group, MPI_STATUS_IGNORE);
     std::vector<char> part(count);
-    in_pieces(part, [&](char* data, int n) { MPI_Recv(data, n, MPI_CHAR, rank, 1, state_->group, MPI_STATUS_IGNORE); });
+    in_pieces(part, [&](char* data, int n) {
+      MPI_Recv(data, n, MPI_CHAR, rank, 1, state_->group, MPI_STATUS_IGNORE);
+    });
     all.push_back(std::move(part));
   }
   return all;
@@ -69,7 +71,8 @@ void Communicator::abort(int exit_status) const {
   std::exit(exit_status);
 }
 
-/// A counter that lives on root and is fetched and incremented by everybody (MPI-3 one-sided), or a plain number.
+/// A counter that lives on root and is fetched and incremented by everybody (MPI-3 one-sided), or a
+/// plain number.
 struct Communicator::Ticket::State {
   MPI_Comm group = MPI_COMM_NULL;
   MPI_Win window = MPI_WIN_NULL;
@@ -85,7 +88,8 @@ Communicator::Ticket Communicator::make_ticket() const {
   if (size() > 1) {
     state->group = state_->group;
     const MPI_Aint bytes = is_root() ? sizeof(std::uint64_t) : 0;
-    MPI_Win_allocate(bytes, sizeof(std::uint64_t), MPI_INFO_NULL, state->group, &state->counter, &state->window);
+    MPI_Win_allocate(bytes, sizeof(std::uint64_t), MPI_INFO_NULL, state->group, &state->counter,
+                     &state->window);
     if (is_root()) *state->counter = 0;
     MPI_Barrier(state->group);
     MPI_Win_lock_all(0, state->window);
@@ -110,7 +114,8 @@ Communicator::Ticket::~Ticket() {
 }
 
 MpiSession::MpiSession(int& argc, char**& argv) {
-  // Open MPI's and PMIx's launchers say so in the environment; without one MPI_Init would start a daemon of its own.
+  // Open MPI's and PMIx's launchers say so in the environment; without one MPI_Init would start a
+  // daemon of its own.
   const auto set = [](const char* name) { return std::getenv(name) != nullptr; };
   if (!set("OMPI_COMM_WORLD_SIZE") && !set("PMIX_RANK") && !set("PMI_RANK")) return;
   if (MPI_Init(&argc, &argv) != MPI_SUCCESS) throw std::runtime_error("MPI_Init failed");

@@ -11,24 +11,33 @@ namespace glissade {
 
 std::string to_string(IntensityMeasure measure) {
   switch (measure) {
-    case IntensityMeasure::sds_g: return "sds_g";
-    case IntensityMeasure::pga_g: return "pga_g";
-    case IntensityMeasure::sa_g: return "sa_g";
-    case IntensityMeasure::avg_sa_g: return "avg_sa_g";
-    case IntensityMeasure::ppa_g: return "ppa_g";
+    case IntensityMeasure::sds_g:
+      return "sds_g";
+    case IntensityMeasure::pga_g:
+      return "pga_g";
+    case IntensityMeasure::sa_g:
+      return "sa_g";
+    case IntensityMeasure::avg_sa_g:
+      return "avg_sa_g";
+    case IntensityMeasure::ppa_g:
+      return "ppa_g";
   }
   return {};
 }
 
 std::string intensity_label(const IntensityConfig& intensity) {
   switch (intensity.measure) {
-    case IntensityMeasure::sds_g: return "S_DS (g)";
-    case IntensityMeasure::pga_g: return "peak ground acceleration (g)";
-    case IntensityMeasure::sa_g: return fmt::format("Sa({:g} s) (g)", intensity.sa_period_s);
+    case IntensityMeasure::sds_g:
+      return "S_DS (g)";
+    case IntensityMeasure::pga_g:
+      return "peak ground acceleration (g)";
+    case IntensityMeasure::sa_g:
+      return fmt::format("Sa({:g} s) (g)", intensity.sa_period_s);
     case IntensityMeasure::avg_sa_g:
       return fmt::format("average Sa, {:g} to {:g} s (g)", intensity.avg_sa_periods_s.front(),
                          intensity.avg_sa_periods_s.back());
-    case IntensityMeasure::ppa_g: return "peak roof acceleration (g)";
+    case IntensityMeasure::ppa_g:
+      return "peak roof acceleration (g)";
   }
   return {};
 }
@@ -36,7 +45,9 @@ std::string intensity_label(const IntensityConfig& intensity) {
 std::string describe(const Distribution& distribution) {
   struct Describe {
     std::string operator()(const Fixed& d) const { return fmt::format("{:g}", d.value); }
-    std::string operator()(const Normal& d) const { return fmt::format("normal, mean {:g}, std {:g}", d.mean, d.std); }
+    std::string operator()(const Normal& d) const {
+      return fmt::format("normal, mean {:g}, std {:g}", d.mean, d.std);
+    }
     std::string operator()(const TruncatedNormal& d) const {
       std::string limits;
       if (std::isfinite(d.min)) limits += fmt::format(", not below {:g}", d.min);
@@ -46,19 +57,26 @@ std::string describe(const Distribution& distribution) {
     std::string operator()(const LogNormal& d) const {
       return fmt::format("lognormal, median {:g}, log std {:g}", d.median, d.log_std);
     }
-    std::string operator()(const Uniform& d) const { return fmt::format("uniform, {:g} to {:g}", d.min, d.max); }
+    std::string operator()(const Uniform& d) const {
+      return fmt::format("uniform, {:g} to {:g}", d.min, d.max);
+    }
     std::string operator()(const Triangular& d) const {
       return fmt::format("triangular, {:g}, {:g}, {:g}", d.min, d.mode, d.max);
     }
-    std::string operator()(const Discrete& d) const { return fmt::format("one of {:g}", fmt::join(d.values, ", ")); }
-    std::string operator()(const Empirical& d) const { return fmt::format("empirical, {} values", d.values.size()); }
+    std::string operator()(const Discrete& d) const {
+      return fmt::format("one of {:g}", fmt::join(d.values, ", "));
+    }
+    std::string operator()(const Empirical& d) const {
+      return fmt::format("empirical, {} values", d.values.size());
+    }
   };
   return std::visit(Describe{}, distribution);
 }
 
 namespace {
 
-/// Mean and standard deviation as the user states them: those of the parent where a normal is cut at zero.
+/// Mean and standard deviation as the user states them: those of the parent where a normal is cut
+/// at zero.
 struct Moments {
   double mean, std;
 };

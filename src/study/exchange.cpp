@@ -9,7 +9,14 @@ std::vector<char> pack(const Suite& suite) {
   ByteWriter out;
   out.put(suite.name).put(suite.description).put(suite.motions.size());
   for (const Motion& m : suite.motions) {
-    out.put(m.id).put(m.event).put(m.station).put(m.magnitude).put(m.distance_km).put(m.vs30_mps).put(m.scale).put(m.dt_s);
+    out.put(m.id)
+        .put(m.event)
+        .put(m.station)
+        .put(m.magnitude)
+        .put(m.distance_km)
+        .put(m.vs30_mps)
+        .put(m.scale)
+        .put(m.dt_s);
     out.put(m.horizontal_mps2[0]).put(m.horizontal_mps2[1]).put(m.vertical_mps2);
   }
   out.put(suite.target.has_value());
@@ -27,7 +34,14 @@ Suite unpack_suite(const std::vector<char>& bytes) {
   in.get(suite.name).get(suite.description).get(count);
   suite.motions.resize(count);
   for (Motion& m : suite.motions) {
-    in.get(m.id).get(m.event).get(m.station).get(m.magnitude).get(m.distance_km).get(m.vs30_mps).get(m.scale).get(m.dt_s);
+    in.get(m.id)
+        .get(m.event)
+        .get(m.station)
+        .get(m.magnitude)
+        .get(m.distance_km)
+        .get(m.vs30_mps)
+        .get(m.scale)
+        .get(m.dt_s);
     in.get(m.horizontal_mps2[0]).get(m.horizontal_mps2[1]).get(m.vertical_mps2);
   }
   bool has_target = false;
@@ -45,7 +59,8 @@ std::vector<char> pack(const std::vector<UnitResult>& results) {
   out.put(results.size());
   for (const UnitResult& result : results) {
     out.put(result.unit).put(result.integrated).put(result.held).put(result.runs.size());
-    for (const UnitResult::Run& run : result.runs) out.put(run.peak_displacement_m).put(run.uplift).put(run.capacity);
+    for (const UnitResult::Run& run : result.runs)
+      out.put(run.peak_displacement_m).put(run.uplift).put(run.capacity);
   }
   return out.take();
 }
@@ -59,7 +74,8 @@ std::vector<UnitResult> unpack_unit_results(const std::vector<char>& bytes) {
     std::size_t runs = 0;
     in.get(result.unit).get(result.integrated).get(result.held).get(runs);
     result.runs.resize(runs);
-    for (UnitResult::Run& run : result.runs) in.get(run.peak_displacement_m).get(run.uplift).get(run.capacity);
+    for (UnitResult::Run& run : result.runs)
+      in.get(run.peak_displacement_m).get(run.uplift).get(run.capacity);
   }
   return results;
 }

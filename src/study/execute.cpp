@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glissade/study/execute.hpp"
 
-#include <boost/math/tools/toms748_solve.hpp>
-
 #include <algorithm>
+#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <limits>
 #include <span>
@@ -14,9 +13,11 @@
 namespace glissade {
 namespace {
 
-constexpr double capacity_tolerance = 1e-4;  // of the capacity: far below the spread between records
+constexpr double capacity_tolerance =
+    1e-4;  // of the capacity: far below the spread between records
 
-/// One record seen by one sample: the roof it makes, and how far a block slips on it at any intensity.
+/// One record seen by one sample: the roof it makes, and how far a block slips on it at any
+/// intensity.
 class Scene {
  public:
   Scene(const Plan& plan, std::size_t record, std::size_t sample)
@@ -24,17 +25,22 @@ class Scene {
     const Motion& motion = plan.suite.motions[record];
     const VerticalConfig& vertical = plan.config.vertical;
     const int component = motion.horizontal_mps2[1].empty() ? 0 : point_.component;
-    const GroundMotion ground{motion.dt_s, motion.horizontal_mps2[static_cast<std::size_t>(component)],
-                              vertical.use == VerticalChoice::none ? std::span<const double>() : motion.vertical_mps2};
-    const Building building{{point_.period_s, point_.damping}, {vertical.period_s, vertical.damping}};
+    const GroundMotion ground{
+        motion.dt_s, motion.horizontal_mps2[static_cast<std::size_t>(component)],
+        vertical.use == VerticalChoice::none ? std::span<const double>() : motion.vertical_mps2};
+    const Building building{{point_.period_s, point_.damping},
+                            {vertical.period_s, vertical.damping}};
 
     double weakest = std::numeric_limits<double>::infinity();
-    for (const FrictionRun& run : plan.runs) weakest = std::min(weakest, yield_acceleration_mps2(block(run.friction[sample])));
+    for (const FrictionRun& run : plan.runs)
+      weakest = std::min(weakest, yield_acceleration_mps2(block(run.friction[sample])));
     const double highest = plan.config.intensity.levels.back();
     if (plan.config.intensity.measure == IntensityMeasure::ppa_g) {
-      // The factor needs the roof's peak, and the ring-down needs the factor: a first roof motion tells the peak.
+      // The factor needs the roof's peak, and the ring-down needs the factor: a first roof motion
+      // tells the peak.
       const double peak = roof_motion(ground, building, {}).peak_horizontal_mps2;
-      roof_ = roof_motion(ground, building, ring_down(weakest, highest * standard_gravity_mps2 / peak));
+      roof_ =
+          roof_motion(ground, building, ring_down(weakest, highest * standard_gravity_mps2 / peak));
       factor_at_unit_level_ = standard_gravity_mps2 / roof_.peak_horizontal_mps2;
     } else {
       factor_at_unit_level_ = plan.factor_at_unit_level[record];
@@ -46,20 +52,25 @@ class Scene {
 
   bool held(const Block& block, double level) const {
     const double factor = level * factor_at_unit_level_;
-    return cannot_slip(block, factor * roof_.peak_horizontal_mps2, factor * roof_.peak_vertical_mps2);
+    return cannot_slip(block, factor * roof_.peak_horizontal_mps2,
+                       factor * roof_.peak_vertical_mps2);
   }
 
   SlipResult slip(const Block& block, double level) const {
     const double factor = level * factor_at_unit_level_;
-    return slide({roof_.dt_s, roof_.horizontal_mps2, roof_.vertical_mps2, point_.sign * factor, factor}, block);
+    return slide(
+        {roof_.dt_s, roof_.horizontal_mps2, roof_.vertical_mps2, point_.sign * factor, factor},
+        block);
   }
 
  private:
-  /// After the record the roof must be followed until it can no longer move the block. The yield acceleration is in
-  /// proportion to g + w, so leaving 2 % of g to the vertical's ring-down takes 2 % off the horizontal's limit.
+  /// After the record the roof must be followed until it can no longer move the block. The yield
+  /// acceleration is in proportion to g + w, so leaving 2 % of g to the vertical's ring-down takes
+  /// 2 % off the horizontal's limit.
   static RoofMotionOptions ring_down(double yield_mps2, double largest_factor) {
     return {.quiet_horizontal_mps2 = 0.98 * yield_mps2 / largest_factor,
-            .quiet_vertical_mps2 = yield_mps2 > 0.0 ? 0.02 * standard_gravity_mps2 / largest_factor : 0.0};
+            .quiet_vertical_mps2 =
+                yield_mps2 > 0.0 ? 0.02 * standard_gravity_mps2 / largest_factor : 0.0};
   }
 
   SamplePoint point_;
@@ -68,18 +79,21 @@ class Scene {
   RoofMotion roof_;
 };
 
-/// The lowest level at which the peak displacement reaches the threshold: bracketed on the study's levels, then solved in the
-/// square root of slip, which is nearly linear in intensity (TOMS 748: Alefeld, Potra & Shi 1995).
+/// The lowest level at which the peak displacement reaches the threshold: bracketed on the study's
+/// levels, then solved in the square root of slip, which is nearly linear in intensity (TOMS 748:
+/// Alefeld, Potra & Shi 1995).
 template <class PeakAt>
-double first_crossing(const std::vector<double>& levels, const double* peaks, double threshold_m, PeakAt peak_at) {
+double first_crossing(const std::vector<double>& levels, const double* peaks, double threshold_m,
+                      PeakAt peak_at) {
   const auto excess = [&](double peak) { return std::sqrt(peak) - std::sqrt(threshold_m); };
   const std::size_t n = levels.size();
-  const std::size_t first =
-      static_cast<std::size_t>(std::find_if(peaks, peaks + n, [&](double p) { return p >= threshold_m; }) - peaks);
+  const std::size_t first = static_cast<std::size_t>(
+      std::find_if(peaks, peaks + n, [&](double p) { return p >= threshold_m; }) - peaks);
   if (first == n) return std::numeric_limits<double>::infinity();
 
   double high = levels[first], low = first > 0 ? levels[first - 1] : 0.0;
-  double at_high = excess(peaks[first]), at_low = excess(first > 0 ? peaks[first - 1] : peak_at(0.0));
+  double at_high = excess(peaks[first]),
+         at_low = excess(first > 0 ? peaks[first - 1] : peak_at(0.0));
   if (at_low >= 0.0) return 0.0;  // it gets there with no shaking at all
   if (at_high == 0.0) return high;
   std::uintmax_t evaluations = 60;
@@ -98,7 +112,8 @@ UnitResult execute(const Plan& plan, std::size_t unit_index) {
   result.unit = unit_index;
   result.runs.resize(plan.runs.size());
 
-  for (std::uint64_t sample = unit.first_sample; sample < unit.first_sample + unit.sample_count; ++sample) {
+  for (std::uint64_t sample = unit.first_sample; sample < unit.first_sample + unit.sample_count;
+       ++sample) {
     const Scene scene(plan, unit.record, sample);
     for (std::size_t r = 0; r < plan.runs.size(); ++r) {
       const Block block = scene.block(plan.runs[r].friction[sample]);
@@ -118,8 +133,9 @@ UnitResult execute(const Plan& plan, std::size_t unit_index) {
         run.uplift.push_back(slip.uplift ? 1 : 0);
       }
       for (const double threshold : plan.config.thresholds_m) {
-        run.capacity.push_back(first_crossing(levels, run.peak_displacement_m.data() + begin, threshold,
-                                              [&](double level) { return solve(level).peak_displacement_m; }));
+        run.capacity.push_back(
+            first_crossing(levels, run.peak_displacement_m.data() + begin, threshold,
+                           [&](double level) { return solve(level).peak_displacement_m; }));
       }
     }
   }

@@ -15,9 +15,16 @@
 namespace glissade {
 namespace {
 
-/// An uncertain quantity's place in the unit cube. Fixed for ever: a sample's numbers must not move when another
-/// parameter becomes uncertain.
-enum Dimension : std::uint32_t { friction_dimension, slope_dimension, period_dimension, damping_dimension, component_dimension, sign_dimension };
+/// An uncertain quantity's place in the unit cube. Fixed for ever: a sample's numbers must not move
+/// when another parameter becomes uncertain.
+enum Dimension : std::uint32_t {
+  friction_dimension,
+  slope_dimension,
+  period_dimension,
+  damping_dimension,
+  component_dimension,
+  sign_dimension
+};
 
 constexpr std::uint64_t samples_per_unit = 16;  // large against a message, small against a run
 
@@ -35,14 +42,26 @@ std::vector<SamplePoint> draw_samples(const StudyConfig& config) {
     s.period_s = draw(config.building.period_s, period_dimension);
     s.damping = draw(config.building.damping, damping_dimension);
     switch (config.orientation.component) {
-      case ComponentChoice::first: s.component = 0; break;
-      case ComponentChoice::second: s.component = 1; break;
-      case ComponentChoice::random: s.component = coin(component_dimension) ? 0 : 1; break;
+      case ComponentChoice::first:
+        s.component = 0;
+        break;
+      case ComponentChoice::second:
+        s.component = 1;
+        break;
+      case ComponentChoice::random:
+        s.component = coin(component_dimension) ? 0 : 1;
+        break;
     }
     switch (config.orientation.sign) {
-      case SignChoice::positive: s.sign = 1; break;
-      case SignChoice::negative: s.sign = -1; break;
-      case SignChoice::random: s.sign = coin(sign_dimension) ? 1 : -1; break;
+      case SignChoice::positive:
+        s.sign = 1;
+        break;
+      case SignChoice::negative:
+        s.sign = -1;
+        break;
+      case SignChoice::random:
+        s.sign = coin(sign_dimension) ? 1 : -1;
+        break;
     }
   }
   return samples;
@@ -66,19 +85,24 @@ std::vector<double> factors_at_unit_level(const StudyConfig& config, const Suite
   const IntensityConfig& intensity = config.intensity;
   std::vector<double> factors;
   const auto per_motion = [&](auto intensity_of) {
-    for (const Motion& motion : suite.motions) factors.push_back(standard_gravity_mps2 / intensity_of(motion));
+    for (const Motion& motion : suite.motions)
+      factors.push_back(standard_gravity_mps2 / intensity_of(motion));
   };
   switch (intensity.measure) {
     case IntensityMeasure::sds_g: {
       const DesignTarget target = intensity.target ? *intensity.target : *suite.target;
       const TargetSpectrum spectrum(target);
-      const auto unit_design = [&](double period) { return spectrum.design_sa_g(period) / spectrum.sds_g(); };
+      const auto unit_design = [&](double period) {
+        return spectrum.design_sa_g(period) / spectrum.sds_g();
+      };
       const double common = suite_average_factor(suite, unit_design, walters_periods_s());
       for (const Motion& motion : suite.motions) factors.push_back(common * motion.scale);
       break;
     }
     case IntensityMeasure::pga_g:
-      per_motion([](const Motion& m) { return horizontal_pga_mps2(m, HorizontalCombination::geometric_mean); });
+      per_motion([](const Motion& m) {
+        return horizontal_pga_mps2(m, HorizontalCombination::geometric_mean);
+      });
       break;
     case IntensityMeasure::sa_g: {
       const std::vector<double> period{intensity.sa_period_s};
@@ -90,7 +114,9 @@ std::vector<double> factors_at_unit_level(const StudyConfig& config, const Suite
     case IntensityMeasure::avg_sa_g:
       per_motion([&](const Motion& m) { return average_sa_mps2(m, intensity.avg_sa_periods_s); });
       break;
-    case IntensityMeasure::ppa_g: factors.assign(suite.motions.size(), 0.0); break;
+    case IntensityMeasure::ppa_g:
+      factors.assign(suite.motions.size(), 0.0);
+      break;
   }
   return factors;
 }
@@ -98,22 +124,32 @@ std::vector<double> factors_at_unit_level(const StudyConfig& config, const Suite
 void check(const StudyConfig& config, const Suite& suite) {
   ProblemList problems;
   const std::string where = config.suite_file.string();
-  if (suite.motions.empty()) problems.add({where, "the suite has no motions", "add at least one record", ""});
-  if (config.intensity.measure == IntensityMeasure::sds_g && !config.intensity.target && !suite.target) {
-    problems.add({config.file.string(), "measure = \"sds_g\" needs the shape of a design spectrum and neither study nor suite gives one",
-                  "add target = { edition = \"asce7_10\", ss_g = ..., s1_g = ..., site_class = \"D\" } to [intensity]", ""});
+  if (suite.motions.empty())
+    problems.add({where, "the suite has no motions", "add at least one record", ""});
+  if (config.intensity.measure == IntensityMeasure::sds_g && !config.intensity.target &&
+      !suite.target) {
+    problems.add({config.file.string(),
+                  "measure = \"sds_g\" needs the shape of a design spectrum and neither study nor "
+                  "suite gives one",
+                  "add target = { edition = \"asce7_10\", ss_g = ..., s1_g = ..., site_class = "
+                  "\"D\" } to [intensity]",
+                  ""});
   }
   for (const Motion& motion : suite.motions) {
-    if (config.orientation.component == ComponentChoice::second && motion.horizontal_mps2[1].empty()) {
+    if (config.orientation.component == ComponentChoice::second &&
+        motion.horizontal_mps2[1].empty()) {
       problems.add({where, "record " + motion.id + " has no second horizontal component",
                     "set component = \"first\" or \"random\" in [orientation]", ""});
     }
     if (config.vertical.use == VerticalChoice::required && motion.vertical_mps2.empty()) {
-      problems.add({where, "record " + motion.id + " has no vertical component although [vertical] use = \"required\"",
+      problems.add({where,
+                    "record " + motion.id +
+                        " has no vertical component although [vertical] use = \"required\"",
                     "set use = \"if_available\", or leave the record out", ""});
     }
     if (horizontal_pga_mps2(motion, HorizontalCombination::srss) == 0.0) {
-      problems.add({where, "record " + motion.id + " is zero throughout", "leave it out of the suite", ""});
+      problems.add(
+          {where, "record " + motion.id + " is zero throughout", "leave it out of the suite", ""});
     }
   }
   problems.throw_if_any();
@@ -121,31 +157,39 @@ void check(const StudyConfig& config, const Suite& suite) {
 
 std::vector<std::string> notes_on(const StudyConfig& config, const Suite& suite) {
   std::vector<std::string> notes;
-  const auto count = [&](auto lacks) { return std::count_if(suite.motions.begin(), suite.motions.end(), lacks); };
+  const auto count = [&](auto lacks) {
+    return std::count_if(suite.motions.begin(), suite.motions.end(), lacks);
+  };
   const auto flat = count([](const Motion& m) { return m.vertical_mps2.empty(); });
   if (config.vertical.use == VerticalChoice::if_available && flat > 0) {
-    notes.push_back(fmt::format("{} of {} records have no vertical component: run with the horizontal alone", flat,
-                                suite.motions.size()));
+    notes.push_back(
+        fmt::format("{} of {} records have no vertical component: run with the horizontal alone",
+                    flat, suite.motions.size()));
   }
   const auto single = count([](const Motion& m) { return m.horizontal_mps2[1].empty(); });
   if (config.orientation.component == ComponentChoice::random && single > 0) {
-    notes.push_back(fmt::format("{} of {} records have one horizontal component: it is used in every sample", single,
-                                suite.motions.size()));
+    notes.push_back(
+        fmt::format("{} of {} records have one horizontal component: it is used in every sample",
+                    single, suite.motions.size()));
   }
   return notes;
 }
 
 /// SEAOC PV1-2012 prescribes for slopes under 3 degrees and mu above 0.4.
-std::vector<std::string> notes_on_standards(const StudyConfig& config, const std::vector<SamplePoint>& samples) {
+std::vector<std::string> notes_on_standards(const StudyConfig& config,
+                                            const std::vector<SamplePoint>& samples) {
   const auto& compare = config.standards.compare;
-  if (std::find(compare.begin(), compare.end(), Standard::seaoc_pv1_2012) == compare.end()) return {};
+  if (std::find(compare.begin(), compare.end(), Standard::seaoc_pv1_2012) == compare.end())
+    return {};
   const auto outside = std::count_if(samples.begin(), samples.end(), [](const SamplePoint& s) {
     return std::abs(s.slope_deg) >= 3.0 || s.friction <= 0.4;
   });
   if (outside == 0) return {};
-  return {fmt::format("{:.0f} % of the samples are outside the range of SEAOC PV1's prescriptive value (slope under 3 degrees and mu "
-                      "above 0.4); they are compared with it all the same",
-                      100.0 * static_cast<double>(outside) / static_cast<double>(samples.size()))};
+  return {
+      fmt::format("{:.0f} % of the samples are outside the range of SEAOC PV1's prescriptive value "
+                  "(slope under 3 degrees and mu "
+                  "above 0.4); they are compared with it all the same",
+                  100.0 * static_cast<double>(outside) / static_cast<double>(samples.size()))};
 }
 
 std::vector<Skip> skips_of(const StudyConfig& config, const Plan& plan) {
@@ -159,10 +203,13 @@ std::vector<Skip> skips_of(const StudyConfig& config, const Plan& plan) {
     skips.push_back({"roof motions filtered by a building", "the building is rigid", pairs});
   }
   if (plan.runs.size() == 1) {
-    skips.push_back({"run at the design friction",
-                     is_fixed(config.friction.mu) ? "friction is one number" : "[friction] design_run = false", pairs});
+    skips.push_back(
+        {"run at the design friction",
+         is_fixed(config.friction.mu) ? "friction is one number" : "[friction] design_run = false",
+         pairs});
   }
-  if (config.standards.compare.empty()) skips.push_back({"comparison with standards", "none asked for", 0});
+  if (config.standards.compare.empty())
+    skips.push_back({"comparison with standards", "none asked for", 0});
   return skips;
 }
 
@@ -188,12 +235,14 @@ Plan make_plan(const StudyConfig& config, Suite suite) {
   plan.notes = notes_on(config, suite);
   plan.suite = std::move(suite);
   plan.samples = draw_samples(config);
-  for (std::string& note : notes_on_standards(config, plan.samples)) plan.notes.push_back(std::move(note));
+  for (std::string& note : notes_on_standards(config, plan.samples))
+    plan.notes.push_back(std::move(note));
   plan.runs = friction_runs(plan);
   plan.skips = skips_of(config, plan);
   for (std::size_t record = 0; record < plan.suite.motions.size(); ++record) {
     for (std::uint64_t first = 0; first < plan.samples.size(); first += samples_per_unit) {
-      plan.units.push_back({record, first, std::min<std::uint64_t>(samples_per_unit, plan.samples.size() - first)});
+      plan.units.push_back(
+          {record, first, std::min<std::uint64_t>(samples_per_unit, plan.samples.size() - first)});
     }
   }
   return plan;
@@ -212,10 +261,12 @@ std::string to_string(const Plan& plan) {
       "samples     {} ({}), seed {}\n"
       "runs        ",
       c.name, plan.hash, plan.suite.name, plan.suite.motions.size(), intensity_label(c.intensity),
-      c.intensity.levels.size(), c.intensity.levels.front(), c.intensity.levels.back(), plan.samples.size(),
+      c.intensity.levels.size(), c.intensity.levels.front(), c.intensity.levels.back(),
+      plan.samples.size(),
       c.sampling.method == SamplingMethod::sobol ? "scrambled Sobol" : "Monte Carlo", c.seed);
   for (std::size_t i = 0; i < plan.runs.size(); ++i) {
-    text += fmt::format("{}{}: {}", i > 0 ? "; " : "", plan.runs[i].label, plan.runs[i].description);
+    text +=
+        fmt::format("{}{}: {}", i > 0 ? "; " : "", plan.runs[i].label, plan.runs[i].description);
   }
   text += fmt::format(
       "\nbuilding    period {} s, damping {}\n"
@@ -224,7 +275,8 @@ std::string to_string(const Plan& plan) {
       "work        {} histories in {} units, and the search for capacities on top\n",
       describe(c.building.period_s), describe(c.building.damping), describe(c.roof.slope_deg),
       fmt::join(c.thresholds_m, ", "), plan.histories(), plan.units.size());
-  for (const Skip& skip : plan.skips) text += fmt::format("not run     {}: {}\n", skip.what, skip.why);
+  for (const Skip& skip : plan.skips)
+    text += fmt::format("not run     {}: {}\n", skip.what, skip.why);
   for (const std::string& note : plan.notes) text += fmt::format("note        {}\n", note);
   return text;
 }

@@ -23,11 +23,13 @@ PooledLevel::PooledLevel(const std::vector<std::vector<double>>& slips_m) : by_r
     sorted_.insert(sorted_.end(), slips.begin(), slips.end());
   }
   std::sort(sorted_.begin(), sorted_.end());
-  for (std::size_t bin = 1; bin <= bins; ++bin) bin_edges_.push_back(sorted_[(sorted_.size() * bin - 1) / bins]);
+  for (std::size_t bin = 1; bin <= bins; ++bin)
+    bin_edges_.push_back(sorted_[(sorted_.size() * bin - 1) / bins]);
   for (const std::vector<double>& slips : by_record_) {
     std::vector<double> cumulative;
     for (const double edge : bin_edges_) {
-      cumulative.push_back(static_cast<double>(std::upper_bound(slips.begin(), slips.end(), edge) - slips.begin()));
+      cumulative.push_back(
+          static_cast<double>(std::upper_bound(slips.begin(), slips.end(), edge) - slips.begin()));
     }
     record_cumulative_.push_back(std::move(cumulative));
   }
@@ -37,7 +39,8 @@ double PooledLevel::quantile_m(double probability) const {
   const double position = probability * static_cast<double>(sorted_.size() - 1);
   const std::size_t below = static_cast<std::size_t>(position);
   const std::size_t above = std::min(below + 1, sorted_.size() - 1);
-  return sorted_[below] + (position - static_cast<double>(below)) * (sorted_[above] - sorted_[below]);
+  return sorted_[below] +
+         (position - static_cast<double>(below)) * (sorted_[above] - sorted_[below]);
 }
 
 double PooledLevel::mean_m() const { return mean_of(record_means_); }
@@ -92,7 +95,8 @@ Interval PooledLevel::share_interval(double slip_m, const BootstrapOptions& opti
   return bootstrap_interval(
       shares.size(),
       [&](const std::vector<double>& weights) {
-        return std::inner_product(weights.begin(), weights.end(), shares.begin(), 0.0) / static_cast<double>(weights.size());
+        return std::inner_product(weights.begin(), weights.end(), shares.begin(), 0.0) /
+               static_cast<double>(weights.size());
       },
       options);
 }

@@ -8,7 +8,8 @@
 
 namespace glissade {
 
-/// The slips of all records and samples at one level. Records are the independent unit: intervals resample them whole.
+/// The slips of all records and samples at one level. Records are the independent unit: intervals
+/// resample them whole.
 class PooledLevel {
  public:
   /// @param slips_m by record, then by sample; every record has as many samples
@@ -18,7 +19,8 @@ class PooledLevel {
   double mean_m() const;
   double share_above(double slip_m) const;
 
-  /// 95 % intervals by resampling records. Quantiles are found to 1/512 of probability, and so are their intervals.
+  /// 95 % intervals by resampling records. Quantiles are found to 1/512 of probability, and so are
+  /// their intervals.
   Interval quantile_interval(double probability, const BootstrapOptions& options) const;
   Interval mean_interval(const BootstrapOptions& options) const;
   Interval share_interval(double slip_m, const BootstrapOptions& options) const;
@@ -26,9 +28,9 @@ class PooledLevel {
  private:
   std::vector<double> sorted_;
   std::vector<double> record_means_;
-  std::vector<std::vector<double>> by_record_;         // sorted
-  std::vector<double> bin_edges_;                      // slip at each bin's upper edge
-  std::vector<std::vector<double>> record_cumulative_; // [record][bin]: its slips up to the edge
+  std::vector<std::vector<double>> by_record_;          // sorted
+  std::vector<double> bin_edges_;                       // slip at each bin's upper edge
+  std::vector<std::vector<double>> record_cumulative_;  // [record][bin]: its slips up to the edge
 };
 
 }  // namespace glissade

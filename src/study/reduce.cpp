@@ -26,9 +26,11 @@ std::vector<double> shown_periods_s() {
   return periods;
 }
 
-RunResults assemble(const Plan& plan, const std::vector<const UnitResult*>& units, std::size_t run) {
+RunResults assemble(const Plan& plan, const std::vector<const UnitResult*>& units,
+                    std::size_t run) {
   const std::size_t records = plan.suite.motions.size(), samples = plan.samples.size();
-  const std::size_t levels = plan.config.intensity.levels.size(), thresholds = plan.config.thresholds_m.size();
+  const std::size_t levels = plan.config.intensity.levels.size(),
+                    thresholds = plan.config.thresholds_m.size();
   RunResults results;
   results.label = plan.runs[run].label;
   results.friction_description = plan.runs[run].description;
@@ -40,7 +42,8 @@ RunResults assemble(const Plan& plan, const std::vector<const UnitResult*>& unit
     const UnitResult::Run& part = unit->runs[run];
     for (std::uint64_t i = 0; i < work.sample_count; ++i) {
       for (std::size_t j = 0; j < levels; ++j) {
-        results.peak_displacement_m(work.record, work.first_sample + i, j) = part.peak_displacement_m[i * levels + j];
+        results.peak_displacement_m(work.record, work.first_sample + i, j) =
+            part.peak_displacement_m[i * levels + j];
         results.uplift(work.record, work.first_sample + i, j) = part.uplift[i * levels + j];
       }
       for (std::size_t t = 0; t < thresholds; ++t) {
@@ -52,7 +55,8 @@ RunResults assemble(const Plan& plan, const std::vector<const UnitResult*>& unit
 }
 
 /// Reached the threshold and fell below it again at a higher level.
-bool recrosses(const Array3<double>& peaks, std::size_t record, std::size_t sample, double threshold_m) {
+bool recrosses(const Array3<double>& peaks, std::size_t record, std::size_t sample,
+               double threshold_m) {
   bool reached = false;
   for (std::size_t level = 0; level < peaks.depth; ++level) {
     const bool exceeds = peaks(record, sample, level) >= threshold_m;
@@ -62,7 +66,8 @@ bool recrosses(const Array3<double>& peaks, std::size_t record, std::size_t samp
   return false;
 }
 
-ThresholdFragility fit_threshold(const Plan& plan, const RunResults& run, std::size_t threshold, const BootstrapOptions& options) {
+ThresholdFragility fit_threshold(const Plan& plan, const RunResults& run, std::size_t threshold,
+                                 const BootstrapOptions& options) {
   const std::vector<double>& levels = plan.config.intensity.levels;
   const std::size_t records = run.capacity.rows, samples = run.capacity.columns;
   ThresholdFragility fragility;
@@ -77,7 +82,8 @@ ThresholdFragility fit_threshold(const Plan& plan, const RunResults& run, std::s
     double record_recrossed = 0.0;
     for (std::size_t sample = 0; sample < samples; ++sample) {
       for (std::size_t level = 0; level < levels.size(); ++level) {
-        if (run.peak_displacement_m(record, sample, level) >= fragility.threshold_m) stripes[record].exceedances[level] += 1.0;
+        if (run.peak_displacement_m(record, sample, level) >= fragility.threshold_m)
+          stripes[record].exceedances[level] += 1.0;
       }
       const double capacity = run.capacity(record, sample, threshold);
       if (std::isinf(capacity)) {
@@ -101,10 +107,11 @@ ThresholdFragility fit_threshold(const Plan& plan, const RunResults& run, std::s
   fragility.censored_share = censored / histories;
   fragility.free_sliding_share = free / histories;
   fragility.stripes = fit_stripes_by_record(levels, stripes, options);
-  fragility.capacities =
-      fit_capacities_by_record(capacities, levels.back(), options, run.band_intensities, &fragility.band);
+  fragility.capacities = fit_capacities_by_record(capacities, levels.back(), options,
+                                                  run.band_intensities, &fragility.band);
   if (free > 0.0) {
-    fragility.capacities.note += "histories that slide without any shaking have no capacity and are left out of this fit; ";
+    fragility.capacities.note +=
+        "histories that slide without any shaking have no capacity and are left out of this fit; ";
   }
   for (std::size_t level = 0; level < levels.size(); ++level) {
     double share = 0.0;
@@ -114,7 +121,8 @@ ThresholdFragility fit_threshold(const Plan& plan, const RunResults& run, std::s
         records,
         [&](const std::vector<double>& weights) {
           double count = 0.0;
-          for (std::size_t record = 0; record < records; ++record) count += weights[record] * stripes[record].exceedances[level];
+          for (std::size_t record = 0; record < records; ++record)
+            count += weights[record] * stripes[record].exceedances[level];
           return count / histories;
         },
         options));
@@ -122,8 +130,8 @@ ThresholdFragility fit_threshold(const Plan& plan, const RunResults& run, std::s
   return fragility;
 }
 
-SlipStatistics statistics_of(const PooledLevel& pooled, const RunResults& run, std::size_t level, double intensity,
-                             const BootstrapOptions& options) {
+SlipStatistics statistics_of(const PooledLevel& pooled, const RunResults& run, std::size_t level,
+                             double intensity, const BootstrapOptions& options) {
   SlipStatistics s;
   s.level = intensity;
   s.median_m = pooled.quantile_m(0.5);
@@ -135,32 +143,37 @@ SlipStatistics statistics_of(const PooledLevel& pooled, const RunResults& run, s
   s.p84_interval = pooled.quantile_interval(0.84, options);
   double lifted = 0.0;
   for (std::size_t record = 0; record < run.uplift.rows; ++record) {
-    for (std::size_t sample = 0; sample < run.uplift.columns; ++sample) lifted += run.uplift(record, sample, level);
+    for (std::size_t sample = 0; sample < run.uplift.columns; ++sample)
+      lifted += run.uplift(record, sample, level);
   }
   s.uplift_share = lifted / static_cast<double>(run.uplift.rows * run.uplift.columns);
   return s;
 }
 
-StandardComparison compare(Standard standard, double sds_g, const StandardsConfig& config, const PooledLevel& pooled,
-                           const BootstrapOptions& options) {
+StandardComparison compare(Standard standard, double sds_g, const StandardsConfig& config,
+                           const PooledLevel& pooled, const BootstrapOptions& options) {
   StandardComparison c;
   c.standard = standard;
   c.sds_g = sds_g;
-  c.prescribed = standard == Standard::seaoc_pv1_2012 ? seaoc_pv1_2012_displacement(sds_g, config.category)
-                                                      : asce7_16_displacement(sds_g, config.importance);
+  c.prescribed = standard == Standard::seaoc_pv1_2012
+                     ? seaoc_pv1_2012_displacement(sds_g, config.category)
+                     : asce7_16_displacement(sds_g, config.importance);
   c.exceedance_probability = pooled.share_above(c.prescribed.value_m);
   c.exceedance_interval = pooled.share_interval(c.prescribed.value_m, options);
   return c;
 }
 
-RunResults reduce_run(const Plan& plan, const std::vector<const UnitResult*>& units, std::size_t run_index) {
+RunResults reduce_run(const Plan& plan, const std::vector<const UnitResult*>& units,
+                      std::size_t run_index) {
   const std::vector<double>& levels = plan.config.intensity.levels;
-  const BootstrapOptions options{.seed = plan.config.seed, .replicates = plan.config.sampling.bootstrap_replicates};
+  const BootstrapOptions options{.seed = plan.config.seed,
+                                 .replicates = plan.config.sampling.bootstrap_replicates};
   RunResults run = assemble(plan, units, run_index);
   for (std::size_t i = 0; i < band_points; ++i) {
     run.band_intensities.push_back(levels.back() * static_cast<double>(i) / (band_points - 1.0));
   }
-  for (std::size_t t = 0; t < plan.config.thresholds_m.size(); ++t) run.fragilities.push_back(fit_threshold(plan, run, t, options));
+  for (std::size_t t = 0; t < plan.config.thresholds_m.size(); ++t)
+    run.fragilities.push_back(fit_threshold(plan, run, t, options));
 
   std::vector<PooledLevel> pooled;
   for (std::size_t level = 0; level < levels.size(); ++level) {
@@ -175,7 +188,8 @@ RunResults reduce_run(const Plan& plan, const std::vector<const UnitResult*>& un
   }
   for (const Standard standard : plan.config.standards.compare) {
     for (std::size_t level = 0; level < levels.size(); ++level) {
-      run.standards.push_back(compare(standard, levels[level], plan.config.standards, pooled[level], options));
+      run.standards.push_back(
+          compare(standard, levels[level], plan.config.standards, pooled[level], options));
     }
   }
   return run;
@@ -191,7 +205,8 @@ RecordSummary summarise(const Motion& motion, double factor_at_unit_level) {
   r.vs30_mps = motion.vs30_mps;
   r.suite_scale = motion.scale;
   r.factor_at_unit_level = factor_at_unit_level;
-  r.pga_g = horizontal_pga_mps2(motion, HorizontalCombination::geometric_mean) / standard_gravity_mps2;
+  r.pga_g =
+      horizontal_pga_mps2(motion, HorizontalCombination::geometric_mean) / standard_gravity_mps2;
   r.pgv_mps = horizontal_pgv_mps(motion, HorizontalCombination::geometric_mean);
   r.dt_s = motion.dt_s;
   r.samples = motion.horizontal_mps2[0].size();
@@ -200,33 +215,38 @@ RecordSummary summarise(const Motion& motion, double factor_at_unit_level) {
   return r;
 }
 
-/// At the level nearest S_DS = 1 g where the study is in sds_g; else as the suite file scales it, beside its MCE target.
+/// At the level nearest S_DS = 1 g where the study is in sds_g; else as the suite file scales it,
+/// beside its MCE target.
 SuiteSpectra spectra_of(const Plan& plan) {
   const IntensityConfig& intensity = plan.config.intensity;
   const bool by_sds = intensity.measure == IntensityMeasure::sds_g;
   SuiteSpectra spectra;
   spectra.periods_s = shown_periods_s();
   if (by_sds) {
-    spectra.reference_level = *std::min_element(intensity.levels.begin(), intensity.levels.end(), [](double a, double b) {
-      return std::abs(a - 1.0) < std::abs(b - 1.0);
-    });
+    spectra.reference_level =
+        *std::min_element(intensity.levels.begin(), intensity.levels.end(),
+                          [](double a, double b) { return std::abs(a - 1.0) < std::abs(b - 1.0); });
   }
   spectra.average_srss_g.assign(spectra.periods_s.size(), 0.0);
   for (std::size_t i = 0; i < plan.suite.motions.size(); ++i) {
     const Motion& motion = plan.suite.motions[i];
-    const double factor = by_sds ? spectra.reference_level * plan.factor_at_unit_level[i] : motion.scale;
-    std::vector<double> srss = horizontal_spectrum_mps2(motion, spectra.periods_s, HorizontalCombination::srss);
+    const double factor =
+        by_sds ? spectra.reference_level * plan.factor_at_unit_level[i] : motion.scale;
+    std::vector<double> srss =
+        horizontal_spectrum_mps2(motion, spectra.periods_s, HorizontalCombination::srss);
     for (std::size_t p = 0; p < srss.size(); ++p) {
       srss[p] *= factor / standard_gravity_mps2;
       spectra.average_srss_g[p] += srss[p] / static_cast<double>(plan.suite.motions.size());
     }
     spectra.srss_g.push_back(std::move(srss));
   }
-  const std::optional<DesignTarget> target = intensity.target ? intensity.target : plan.suite.target;
+  const std::optional<DesignTarget> target =
+      intensity.target ? intensity.target : plan.suite.target;
   if (target) {
     const TargetSpectrum shape(*target);
     for (const double period : spectra.periods_s) {
-      spectra.target_g.push_back(by_sds ? spectra.reference_level * shape.design_sa_g(period) / shape.sds_g()
+      spectra.target_g.push_back(by_sds ? spectra.reference_level * shape.design_sa_g(period) /
+                                              shape.sds_g()
                                         : shape.mce_sa_g(period));
     }
   }
@@ -259,7 +279,8 @@ Results reduce(const Plan& plan, const std::vector<UnitResult>& units) {
     results.records.push_back(summarise(plan.suite.motions[i], plan.factor_at_unit_level[i]));
   }
   results.spectra = spectra_of(plan);
-  for (std::size_t run = 0; run < plan.runs.size(); ++run) results.runs.push_back(reduce_run(plan, in_order, run));
+  for (std::size_t run = 0; run < plan.runs.size(); ++run)
+    results.runs.push_back(reduce_run(plan, in_order, run));
   results.notes = plan.notes;
   return results;
 }
@@ -268,7 +289,8 @@ std::vector<Skip> skipped(const Plan& plan, const std::vector<UnitResult>& units
   std::vector<Skip> skips = plan.skips;
   std::uint64_t held = 0;
   for (const UnitResult& unit : units) held += unit.held;
-  skips.push_back({"histories whose roof peak stays in the stick range", "they cannot slip: zero without integration", held});
+  skips.push_back({"histories whose roof peak stays in the stick range",
+                   "they cannot slip: zero without integration", held});
   return skips;
 }
 

@@ -20,18 +20,18 @@ struct Block {
   double gravity_mps2 = standard_gravity_mps2;  ///< > 0
 };
 
-/// Absolute acceleration of the roof, piecewise linear between equally spaced samples. One table of samples serves
-/// every intensity and orientation through its two factors.
+/// Absolute acceleration of the roof, piecewise linear between equally spaced samples. One table of
+/// samples serves every intensity and orientation through its two factors.
 struct RoofAcceleration {
-  double dt_s = 0.0;                            ///< > 0
-  std::span<const double> horizontal_mps2;      ///< +x; at least one sample
-  std::span<const double> vertical_mps2 = {};   ///< up; empty: none; else as long as the horizontal
+  double dt_s = 0.0;                           ///< > 0
+  std::span<const double> horizontal_mps2;     ///< +x; at least one sample
+  std::span<const double> vertical_mps2 = {};  ///< up; empty: none; else as long as the horizontal
   double horizontal_factor = 1.0;
   double vertical_factor = 1.0;
 };
 
-/// What a history did. Displacement and velocity of the block relative to the roof, in plan (slip along the slope times
-/// cos(slope)); downslope is positive, on a flat roof +x is.
+/// What a history did. Displacement and velocity of the block relative to the roof, in plan (slip
+/// along the slope times cos(slope)); downslope is positive, on a flat roof +x is.
 struct SlipResult {
   double peak_displacement_m = 0.0;      ///< max |displacement|
   double residual_displacement_m = 0.0;  ///< signed, when the block has come to rest
@@ -40,16 +40,20 @@ struct SlipResult {
   double peak_velocity_mps = 0.0;        ///< max |velocity|
   double slip_duration_s = 0.0;          ///< time spent sliding
   std::size_t slip_phases = 0;           ///< runs of sliding one way
-  bool uplift = false;        ///< the normal force fell below zero: outside the model; friction is then taken as zero
-  bool free_sliding = false;  ///< tan(slope) > mu: never stops; displacements are those at the last sample
+  bool uplift = false;  ///< the normal force fell below zero: outside the model; friction is then
+                        ///< taken as zero
+  bool free_sliding =
+      false;  ///< tan(slope) > mu: never stops; displacements are those at the last sample
 };
 
-/// The sliding block from rest, event by event. Within a sample interval the acceleration is linear, so slip starts at the
-/// root of a line and stops at the root of a quadratic; both are taken in closed form. Exact for the piecewise-linear
-/// input up to rounding: 1e-12 relative against long double (tests/unit/block). After the last sample the roof's
-/// acceleration goes linearly to zero over one more interval, and the block coasts until it stops.
+/// The sliding block from rest, event by event. Within a sample interval the acceleration is
+/// linear, so slip starts at the root of a line and stops at the root of a quadratic; both are
+/// taken in closed form. Exact for the piecewise-linear input up to rounding: 1e-12 relative
+/// against long double (tests/unit/block). After the last sample the roof's acceleration goes
+/// linearly to zero over one more interval, and the block coasts until it stops.
 ///
-/// Equations (theory.md section 1; Rodriguez-Nikl et al. 2019, eqs 6-18, extended by the vertical w):
+/// Equations (theory.md section 1; Rodriguez-Nikl et al. 2019, eqs 6-18, extended by the vertical
+/// w):
 ///   N/m = (g + w) cos(slope) + a sin(slope)
 ///   v'  = (g + w) sin(slope) - a cos(slope) - mu sgn(v) N/m         while sliding
 ///   stick while v = 0 and |(g + w) sin(slope) - a cos(slope)| <= mu N/m
@@ -67,12 +71,14 @@ struct SlipPoint {
 /// The same, and what happened on the way.
 SlipResult slide(const RoofAcceleration& roof, const Block& block, std::vector<SlipPoint>& history);
 
-/// True when the block cannot move whatever the phase between horizontal and vertical: the largest |a| and |w| together stay
-/// in the stick range. Then slide() gives exactly zero, and need not be called.
+/// True when the block cannot move whatever the phase between horizontal and vertical: the largest
+/// |a| and |w| together stay in the stick range. Then slide() gives exactly zero, and need not be
+/// called.
 bool cannot_slip(const Block& block, double peak_horizontal_mps2, double peak_vertical_mps2);
 
-/// The horizontal acceleration, m/s2, below which nothing moves when the roof moves horizontally only:
-/// min(|a_d|, a_u) with a_d = g tan(slope - phi), a_u = g tan(slope + phi). Zero for a free slider.
+/// The horizontal acceleration, m/s2, below which nothing moves when the roof moves horizontally
+/// only: min(|a_d|, a_u) with a_d = g tan(slope - phi), a_u = g tan(slope + phi). Zero for a free
+/// slider.
 double yield_acceleration_mps2(const Block& block);
 
 }  // namespace glissade

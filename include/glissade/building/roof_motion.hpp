@@ -6,20 +6,22 @@
 
 namespace glissade {
 
-/// A linear single-degree-of-freedom oscillator on fixed ground. period_s = 0: rigid, the motion goes through unchanged.
+/// A linear single-degree-of-freedom oscillator on fixed ground. period_s = 0: rigid, the motion
+/// goes through unchanged.
 struct Oscillator {
   double period_s = 0.0;        ///< >= 0
   double damping_ratio = 0.05;  ///< in [0, 1)
 };
 
-/// What lies between ground and roof: one oscillator along the slope, one for the vertical (Walters et al. 2012 take the
-/// vertical rigid). The array's mass is neglected.
+/// What lies between ground and roof: one oscillator along the slope, one for the vertical (Walters
+/// et al. 2012 take the vertical rigid). The array's mass is neglected.
 struct Building {
   Oscillator horizontal;
   Oscillator vertical;
 };
 
-/// Ground acceleration on a common clock, piecewise linear, going linearly to zero over one interval after the last sample.
+/// Ground acceleration on a common clock, piecewise linear, going linearly to zero over one
+/// interval after the last sample.
 struct GroundMotion {
   double dt_s = 0.0;
   std::span<const double> horizontal_mps2;
@@ -35,19 +37,23 @@ struct RoofMotion {
   double peak_vertical_mps2 = 0.0;
 };
 
-/// How far a building's free vibration is followed after the record, and how finely the roof motion is sampled.
+/// How far a building's free vibration is followed after the record, and how finely the roof motion
+/// is sampled.
 struct RoofMotionOptions {
-  /// The building rings down until its roof accelerations can no longer exceed these; 0: ends with the record.
+  /// The building rings down until its roof accelerations can no longer exceed these; 0: ends with
+  /// the record.
   double quiet_horizontal_mps2 = 0.0;
   double quiet_vertical_mps2 = 0.0;
   double longest_ring_down_s = 120.0;  ///< an undamped building never rings down
-  /// The record's step is divided until a period has at least this many: between samples the roof motion is taken linear,
-  /// which is off by at most (2 pi / n)^2 / 8 of its amplitude: 0.3 % for 40.
+  /// The record's step is divided until a period has at least this many: between samples the roof
+  /// motion is taken linear, which is off by at most (2 pi / n)^2 / 8 of its amplitude: 0.3 %
+  /// for 40.
   int steps_per_period = 40;
 };
 
-/// Roof motion of the building, exact at its samples (core/oscillator.hpp). It is linear in the ground motion, so one
-/// serves every intensity, friction and slope.
-RoofMotion roof_motion(const GroundMotion& ground, const Building& building, const RoofMotionOptions& options);
+/// Roof motion of the building, exact at its samples (core/oscillator.hpp). It is linear in the
+/// ground motion, so one serves every intensity, friction and slope.
+RoofMotion roof_motion(const GroundMotion& ground, const Building& building,
+                       const RoofMotionOptions& options);
 
 }  // namespace glissade

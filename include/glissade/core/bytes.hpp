@@ -10,25 +10,26 @@
 
 namespace glissade {
 
-/// Packs values for another process of the same run (same machine type, same program): not a file format.
+/// Packs values for another process of the same run (same machine type, same program): not a file
+/// format.
 class ByteWriter {
  public:
   template <class T>
-    requires std::is_trivially_copyable_v<T>
-  ByteWriter& put(const T& value) {
+  requires std::is_trivially_copyable_v<T> ByteWriter& put(const T& value) {
     const auto* first = reinterpret_cast<const char*>(&value);
     bytes_.insert(bytes_.end(), first, first + sizeof(T));
     return *this;
   }
   template <class T>
-    requires std::is_trivially_copyable_v<T>
-  ByteWriter& put(const std::vector<T>& values) {
+  requires std::is_trivially_copyable_v<T> ByteWriter& put(const std::vector<T>& values) {
     put(values.size());
     const auto* first = reinterpret_cast<const char*>(values.data());
     bytes_.insert(bytes_.end(), first, first + values.size() * sizeof(T));
     return *this;
   }
-  ByteWriter& put(const std::string& text) { return put(std::vector<char>(text.begin(), text.end())); }
+  ByteWriter& put(const std::string& text) {
+    return put(std::vector<char>(text.begin(), text.end()));
+  }
   std::vector<char> take() { return std::move(bytes_); }
 
  private:
@@ -40,14 +41,12 @@ class ByteReader {
   explicit ByteReader(std::span<const char> bytes) : bytes_(bytes) {}
   bool at_end() const { return bytes_.empty(); }
   template <class T>
-    requires std::is_trivially_copyable_v<T>
-  ByteReader& get(T& value) {
+  requires std::is_trivially_copyable_v<T> ByteReader& get(T& value) {
     copy(&value, sizeof(T));
     return *this;
   }
   template <class T>
-    requires std::is_trivially_copyable_v<T>
-  ByteReader& get(std::vector<T>& values) {
+  requires std::is_trivially_copyable_v<T> ByteReader& get(std::vector<T>& values) {
     std::size_t count = 0;
     get(count);
     values.resize(count);
@@ -63,7 +62,8 @@ class ByteReader {
 
  private:
   void copy(void* to, std::size_t size) {
-    if (size > bytes_.size()) throw std::logic_error("ByteReader: message shorter than its content");
+    if (size > bytes_.size())
+      throw std::logic_error("ByteReader: message shorter than its content");
     if (size > 0) std::memcpy(to, bytes_.data(), size);
     bytes_ = bytes_.subspan(size);
   }

@@ -12,8 +12,8 @@ namespace glissade {
 class Hasher {
  public:
   Hasher& bytes(std::span<const std::byte> data);
-  Hasher& text(std::string_view text);      ///< length, then characters
-  Hasher& number(double value);             ///< its bits
+  Hasher& text(std::string_view text);  ///< length, then characters
+  Hasher& number(double value);         ///< its bits
   Hasher& number(std::uint64_t value);
   Hasher& numbers(std::span<const double> values);
   std::uint64_t value() const { return state_; }

@@ -3,9 +3,9 @@
 
 namespace glissade {
 
-/// One interval of a linear oscillator u'' + 2 zeta omega u' + omega^2 u = -a(t) with a linear in t, in the scaled state
-/// x = omega^2 u, y = omega u' (both accelerations), exact at the interval's end (Nigam & Jennings 1969, BSSA 59(2):909-922, in
-/// scaled form):
+/// One interval of a linear oscillator u'' + 2 zeta omega u' + omega^2 u = -a(t) with a linear in
+/// t, in the scaled state x = omega^2 u, y = omega u' (both accelerations), exact at the interval's
+/// end (Nigam & Jennings 1969, BSSA 59(2):909-922, in scaled form):
 ///   x1 =  xx x0 + xy y0 - (x_start a0 + x_end a1)
 ///   y1 = -xy x0 + yy y0 - (y_start a0 + y_end a1)
 /// The absolute acceleration of the mass is -(x + 2 zeta y).
@@ -16,10 +16,12 @@ struct OscillatorStep {
 
 /// @param phase omega dt > 0, the interval in radians of the undamped oscillator
 /// @param damping_ratio in [0, 1)
-/// Accurate to a few ulp for any phase: a power series takes over where the closed form would cancel.
+/// Accurate to a few ulp for any phase: a power series takes over where the closed form would
+/// cancel.
 OscillatorStep oscillator_step(double phase, double damping_ratio);
 
-/// Bound on |x| and |y| over all later time of the free vibration from (x, y), now: it decays as exp(-zeta omega t).
+/// Bound on |x| and |y| over all later time of the free vibration from (x, y), now: it decays as
+/// exp(-zeta omega t).
 double free_vibration_envelope(double x, double y, double damping_ratio);
 
 }  // namespace glissade

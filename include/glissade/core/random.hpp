@@ -6,25 +6,29 @@
 
 namespace glissade {
 
-/// Philox4x32-10, a counter-based generator (Salmon, Moraes, Dror & Shaw 2011, "Parallel random numbers: as easy
-/// as 1, 2, 3", SC11): the number belongs to its key and counter, not to a sequence, so any rank can draw any of
-/// them in any order. Passes the known-answer vectors published with it.
-std::array<std::uint32_t, 4> philox4x32(std::array<std::uint32_t, 4> counter, std::array<std::uint32_t, 2> key);
+/// Philox4x32-10, a counter-based generator (Salmon, Moraes, Dror & Shaw 2011, "Parallel random
+/// numbers: as easy as 1, 2, 3", SC11): the number belongs to its key and counter, not to a
+/// sequence, so any rank can draw any of them in any order. Passes the known-answer vectors
+/// published with it.
+std::array<std::uint32_t, 4> philox4x32(std::array<std::uint32_t, 4> counter,
+                                        std::array<std::uint32_t, 2> key);
 
 /// What a random number is for. Streams of different purpose never share a number.
 enum class RandomPurpose : std::uint32_t {
-  sample_point = 1,   ///< plain Monte Carlo points
-  sobol_scramble = 2, ///< scrambling of Sobol points
-  motion_noise = 3,   ///< the white noise of simulated motions
+  sample_point = 1,    ///< plain Monte Carlo points
+  sobol_scramble = 2,  ///< scrambling of Sobol points
+  motion_noise = 3,    ///< the white noise of simulated motions
   motion_parameters = 4,
   bootstrap = 5,
   test = 99,
 };
 
 /// A uniform number in the open interval (0, 1), 53 bits, keyed by what it is for.
-double keyed_uniform(std::uint64_t seed, RandomPurpose purpose, std::uint64_t item, std::uint32_t index);
+double keyed_uniform(std::uint64_t seed, RandomPurpose purpose, std::uint64_t item,
+                     std::uint32_t index);
 
 /// A standard normal number by inversion (accuracy of Boost.Math's quantile: a few ulp).
-double keyed_normal(std::uint64_t seed, RandomPurpose purpose, std::uint64_t item, std::uint32_t index);
+double keyed_normal(std::uint64_t seed, RandomPurpose purpose, std::uint64_t item,
+                    std::uint32_t index);
 
 }  // namespace glissade

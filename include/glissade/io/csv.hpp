@@ -10,11 +10,12 @@
 
 namespace glissade {
 
-/// The shortest decimal that reads back as the same double; "nan", "inf" and "-inf" where it is none.
+/// The shortest decimal that reads back as the same double; "nan", "inf" and "-inf" where it is
+/// none.
 std::string shortest_decimal(double value);
 
-/// A table as comma-separated text (RFC 4180 quoting, lines end in \n): the header first, then a row at a time.
-/// Column names carry their units.
+/// A table as comma-separated text (RFC 4180 quoting, lines end in \n): the header first, then a
+/// row at a time. Column names carry their units.
 class CsvTable {
  public:
   explicit CsvTable(const std::vector<std::string>& header);

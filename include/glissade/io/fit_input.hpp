@@ -8,9 +8,9 @@
 
 namespace glissade {
 
-/// Counts of exceedances at intensity levels: header `im,num_gms,num_exceed`, then a row per level, each level once;
-/// im > 0, num_gms a whole number above 0, num_exceed a whole number up to it. Lines that begin with # are comments.
-/// Throws InputError with every wrong line.
+/// Counts of exceedances at intensity levels: header `im,num_gms,num_exceed`, then a row per level,
+/// each level once; im > 0, num_gms a whole number above 0, num_exceed a whole number up to it.
+/// Lines that begin with # are comments. Throws InputError with every wrong line.
 std::vector<Stripe> read_counts(const std::filesystem::path& file);
 
 /// Capacities: header `im_cap`, then one per line, > 0. Lines that begin with # are comments.

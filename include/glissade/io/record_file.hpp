@@ -17,24 +17,28 @@ std::string to_string(AccelerationUnits units);
 
 /// What a file does not tell, or tells wrongly.
 struct RecordFileOptions {
-  /// The step. Overrides the one in an AT2 header (`DT= .0039` is 1/256 to four decimals); must agree with a time
-  /// column; needed for one column. > 0.
+  /// The step. Overrides the one in an AT2 header (`DT= .0039` is 1/256 to four decimals); must
+  /// agree with a time column; needed for one column. > 0.
   std::optional<double> dt_s;
   /// Of text files; default g. Must agree with an AT2 header that names its units.
   std::optional<AccelerationUnits> units;
 };
 
 /// Reads one component, recognised by content and not by name:
-/// - PEER AT2: header lines, one of which has NPTS and DT (`NPTS=  5590, DT=   .0100 SEC,` or `7997 0.0050 NPTS, DT`),
-///   then any number of values a line. Velocities and displacements (VT2, DT2) are an error that says so.
+/// - PEER AT2: header lines, one of which has NPTS and DT (`NPTS=  5590, DT=   .0100 SEC,` or `7997
+/// 0.0050 NPTS, DT`),
+///   then any number of values a line. Velocities and displacements (VT2, DT2) are an error that
+///   says so.
 /// - one column: accelerations.
-/// - two columns: time (s) and acceleration, separated by blanks, tabs or a comma. The times must be evenly spaced to
-///   the decimals they are printed with; the step is (last - first) / (n - 1), to the fewest decimals that give the
-///   last time.
+/// - two columns: time (s) and acceleration, separated by blanks, tabs or a comma. The times must
+/// be evenly spaced to
+///   the decimals they are printed with; the step is (last - first) / (n - 1), to the fewest
+///   decimals that give the last time.
 /// In text files `#` begins a comment.
 ///
-/// Throws InputError (file:line, value, rule, what to do) for anything else, for values that are no finite numbers,
-/// for counts that differ from NPTS, and where text files without units hold accelerations above 50 g.
+/// Throws InputError (file:line, value, rule, what to do) for anything else, for values that are no
+/// finite numbers, for counts that differ from NPTS, and where text files without units hold
+/// accelerations above 50 g.
 Record read_record(const std::filesystem::path& file, const RecordFileOptions& options = {});
 
 }  // namespace glissade

@@ -10,14 +10,15 @@ namespace glissade {
 /// The version of the results file's layout; a reader refuses others.
 inline constexpr int results_format_version = 1;
 
-/// Writes an HDF5 file that holds all of `results` and nothing else: the same results give the same bytes. Put together in
-/// memory, then written to a temporary name beside `file` and renamed when whole. Throws InputError, saying why and what
-/// to do, where it cannot be written; nothing is left then, and an older file stays as it was.
-/// Precondition: run labels are distinct and hold no '/'; per-record and per-level arrays fit the results' records and levels.
+/// Writes an HDF5 file that holds all of `results` and nothing else: the same results give the same
+/// bytes. Put together in memory, then written to a temporary name beside `file` and renamed when
+/// whole. Throws InputError, saying why and what to do, where it cannot be written; nothing is left
+/// then, and an older file stays as it was. Precondition: run labels are distinct and hold no '/';
+/// per-record and per-level arrays fit the results' records and levels.
 void write_results(const std::filesystem::path& file, const Results& results);
 
-/// Reads what write_results wrote: equal to the last bit. Throws InputError for files that are no glissade results, of
-/// another format version, cut short or damaged.
+/// Reads what write_results wrote: equal to the last bit. Throws InputError for files that are no
+/// glissade results, of another format version, cut short or damaged.
 Results read_results(const std::filesystem::path& file);
 
 }  // namespace glissade

@@ -8,11 +8,12 @@
 
 namespace glissade {
 
-/// The suite a TOML file describes (suites/README.md tells the keys): recorded motions ([[record]], with the files of
-/// their components) or a recipe of simulated ones ([simulation], [[motion]]), which are then simulated.
-/// Record files are looked for relative to the suite file, else below the folders in the environment variable
-/// GLISSADE_RECORDS (colon-separated): by relative path, then by file name anywhere below.
-/// Throws InputError with everything that is wrong: keys, missing files (all of them), unreadable records.
+/// The suite a TOML file describes (suites/README.md tells the keys): recorded motions ([[record]],
+/// with the files of their components) or a recipe of simulated ones ([simulation], [[motion]]),
+/// which are then simulated. Record files are looked for relative to the suite file, else below the
+/// folders in the environment variable GLISSADE_RECORDS (colon-separated): by relative path, then
+/// by file name anywhere below. Throws InputError with everything that is wrong: keys, missing
+/// files (all of them), unreadable records.
 Suite load_suite(const std::filesystem::path& file);
 
 /// The recipe in a file with [simulation] and [[motion]]; nothing is simulated.

@@ -10,9 +10,9 @@ namespace glissade {
 enum class AsceEdition { asce7_10, asce7_16 };
 enum class SiteClass { a, b, c, d, e };
 
-/// ASCE 7-10 / 7-16 site coefficients F_a (short period) and F_v (1 s), tables 11.4-1 and 11.4-2: linear between
-/// the tabulated ss_g or s1_g, clamped at the ends. ASCE 7-16 class E beyond its tabulated range is
-/// "site-specific" in the standard: InputError.
+/// ASCE 7-10 / 7-16 site coefficients F_a (short period) and F_v (1 s), tables 11.4-1 and 11.4-2:
+/// linear between the tabulated ss_g or s1_g, clamped at the ends. ASCE 7-16 class E beyond its
+/// tabulated range is "site-specific" in the standard: InputError.
 double site_coefficient_fa(AsceEdition edition, SiteClass site, double ss_g);
 double site_coefficient_fv(AsceEdition edition, SiteClass site, double s1_g);
 
@@ -28,8 +28,8 @@ struct DesignSpectrum {
   double sa_g(double period_s) const;
 };
 
-/// What a suite is to match: mapped values, edition and the site classes whose spectra are enveloped
-/// (Walters 2012 envelopes A-D).
+/// What a suite is to match: mapped values, edition and the site classes whose spectra are
+/// enveloped (Walters 2012 envelopes A-D).
 struct DesignTarget {
   AsceEdition edition = AsceEdition::asce7_10;
   double ss_g = 0.0;  ///< > 0
@@ -42,18 +42,18 @@ struct DesignTarget {
 class TargetSpectrum {
  public:
   explicit TargetSpectrum(const DesignTarget& target);
-  double design_sa_g(double period_s) const;            ///< DBE: 2/3 of MCE_R
+  double design_sa_g(double period_s) const;  ///< DBE: 2/3 of MCE_R
   double mce_sa_g(double period_s) const { return 1.5 * design_sa_g(period_s); }
-  double sds_g() const;                                 ///< largest S_DS of the classes
-  double sd1_g() const;                                 ///< largest S_D1 of the classes
+  double sds_g() const;  ///< largest S_DS of the classes
+  double sd1_g() const;  ///< largest S_D1 of the classes
 
  private:
   std::vector<DesignSpectrum> spectra_;
 };
 
-SiteClass parse_site_class(const std::string& text);    ///< "A" ... "E"; InputError otherwise
+SiteClass parse_site_class(const std::string& text);  ///< "A" ... "E"; InputError otherwise
 std::string to_string(SiteClass site);
-AsceEdition parse_asce_edition(const std::string& text);///< "asce7_10", "asce7_16"
+AsceEdition parse_asce_edition(const std::string& text);  ///< "asce7_10", "asce7_16"
 std::string to_string(AsceEdition edition);
 
 }  // namespace glissade

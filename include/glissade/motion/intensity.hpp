@@ -10,22 +10,26 @@ namespace glissade {
 
 /// Largest |acceleration|; 0 for an empty record.
 double peak_ground_acceleration_mps2(std::span<const double> acceleration_mps2);
-/// Largest |velocity|, integrated exactly for piecewise-linear acceleration from rest, extrema inside intervals and the
-/// interval to zero after the last sample included. dt_s > 0.
+/// Largest |velocity|, integrated exactly for piecewise-linear acceleration from rest, extrema
+/// inside intervals and the interval to zero after the last sample included. dt_s > 0.
 double peak_ground_velocity_mps(double dt_s, std::span<const double> acceleration_mps2);
 
 /// How two horizontal components become one number. With one component both are that component.
 enum class HorizontalCombination { geometric_mean, srss };
 double combine(HorizontalCombination combination, double first, double second);
 
-/// 5 % damped pseudo-acceleration of the motion's horizontals (scale not applied), m/s2, one per period.
-std::vector<double> horizontal_spectrum_mps2(const Motion& motion, std::span<const double> periods_s,
-                                             HorizontalCombination combination, double damping_ratio = 0.05);
+/// 5 % damped pseudo-acceleration of the motion's horizontals (scale not applied), m/s2, one per
+/// period.
+std::vector<double> horizontal_spectrum_mps2(const Motion& motion,
+                                             std::span<const double> periods_s,
+                                             HorizontalCombination combination,
+                                             double damping_ratio = 0.05);
 double horizontal_pga_mps2(const Motion& motion, HorizontalCombination combination);
 double horizontal_pgv_mps(const Motion& motion, HorizontalCombination combination);
 
-/// Average spectral acceleration: the geometric mean over the periods and both components (Eads, Miranda &
-/// Lignos 2015, EESD 44:2057-2073), m/s2.
-double average_sa_mps2(const Motion& motion, std::span<const double> periods_s, double damping_ratio = 0.05);
+/// Average spectral acceleration: the geometric mean over the periods and both components (Eads,
+/// Miranda & Lignos 2015, EESD 44:2057-2073), m/s2.
+double average_sa_mps2(const Motion& motion, std::span<const double> periods_s,
+                       double damping_ratio = 0.05);
 
 }  // namespace glissade

@@ -7,8 +7,9 @@
 
 namespace glissade {
 
-/// One component of a digitised accelerogram: piecewise linear between equally spaced samples, zero before the
-/// first; after the last it goes linearly to zero over one more interval and stays there.
+/// One component of a digitised accelerogram: piecewise linear between equally spaced samples, zero
+/// before the first; after the last it goes linearly to zero over one more interval and stays
+/// there.
 struct Record {
   std::string name;                       ///< where it came from: a file, or what was simulated
   double dt_s = 0.0;                      ///< > 0

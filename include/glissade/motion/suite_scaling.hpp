@@ -8,30 +8,34 @@
 
 namespace glissade {
 
-/// The periods over which Walters et al. (2012) hold the suite average above the target, 0 to 2 s: every 0.01 s below
-/// 0.1 s, every 0.025 s below 0.3 s, every 0.05 s from there. (The paper gives the range; the steps are ours.)
+/// The periods over which Walters et al. (2012) hold the suite average above the target, 0 to 2 s:
+/// every 0.01 s below 0.1 s, every 0.025 s below 0.3 s, every 0.05 s from there. (The paper gives
+/// the range; the steps are ours.)
 std::vector<double> walters_periods_s();
 
-/// The one factor on the whole suite (each motion's own `scale` applied first) for which the average over motions
-/// of the SRSS spectra of their horizontals (5 %) is nowhere below `target_sa_g` over `periods_s` and touches it
-/// at one period at least (Walters et al. 2012). Period 0 compares the SRSS of the components' peak accelerations.
-/// `target_sa_g` gives g, > 0, at each of `periods_s` (>= 0, one at least).
-/// Throws InputError for a suite without motions or with one that is zero throughout.
+/// The one factor on the whole suite (each motion's own `scale` applied first) for which the
+/// average over motions of the SRSS spectra of their horizontals (5 %) is nowhere below
+/// `target_sa_g` over `periods_s` and touches it at one period at least (Walters et al. 2012).
+/// Period 0 compares the SRSS of the components' peak accelerations. `target_sa_g` gives g, > 0, at
+/// each of `periods_s` (>= 0, one at least). Throws InputError for a suite without motions or with
+/// one that is zero throughout.
 double suite_average_factor(const Suite& suite, const std::function<double(double)>& target_sa_g,
                             const std::vector<double>& periods_s);
 
 struct SuiteScaling {
-  std::vector<double> factors;        ///< per motion, on all its components
+  std::vector<double> factors;  ///< per motion, on all its components
   double largest_factor = 0.0;
   double controlling_period_s = 0.0;  ///< where the average touches the target
 };
 
-/// One factor per motion, as Walters: each motion's SRSS spectrum is first brought as close as a factor can to the
-/// target (least squares in ln Sa over the periods), then one common factor lifts the average to the target, nowhere
-/// below and touching it. Motions that would exceed `max_factor` (> 0) are held there and the others make up for them.
-/// The factors take the place of Motion::scale, which is not looked at.
-/// Throws InputError as suite_average_factor does, and where all motions at `max_factor` do not reach the target.
-SuiteScaling scale_suite_to_target(const Suite& suite, const std::function<double(double)>& target_sa_g,
+/// One factor per motion, as Walters: each motion's SRSS spectrum is first brought as close as a
+/// factor can to the target (least squares in ln Sa over the periods), then one common factor lifts
+/// the average to the target, nowhere below and touching it. Motions that would exceed `max_factor`
+/// (> 0) are held there and the others make up for them. The factors take the place of
+/// Motion::scale, which is not looked at. Throws InputError as suite_average_factor does, and where
+/// all motions at `max_factor` do not reach the target.
+SuiteScaling scale_suite_to_target(const Suite& suite,
+                                   const std::function<double(double)>& target_sa_g,
                                    const std::vector<double>& periods_s, double max_factor);
 
 }  // namespace glissade

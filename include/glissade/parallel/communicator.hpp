@@ -24,7 +24,8 @@ class Communicator {
   /// Ends every rank at once (an error on one of them).
   [[noreturn]] void abort(int exit_status) const;
 
-  /// Self-scheduling: hands out 0, 1, 2, ... once each over all ranks. Collective to make and to destroy.
+  /// Self-scheduling: hands out 0, 1, 2, ... once each over all ranks. Collective to make and to
+  /// destroy.
   class Ticket {
    public:
     struct State;
@@ -46,7 +47,8 @@ class Communicator {
   friend class MpiSession;
 };
 
-/// Starts MPI for the life of the object when the program runs under mpirun (or srun); otherwise starts nothing.
+/// Starts MPI for the life of the object when the program runs under mpirun (or srun); otherwise
+/// starts nothing.
 class MpiSession {
  public:
   MpiSession(int& argc, char**& argv);

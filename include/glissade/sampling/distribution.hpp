@@ -6,35 +6,55 @@
 
 namespace glissade {
 
-struct Fixed { double value; };
-struct Normal { double mean, std; };                           ///< std > 0
-/// mean and std are the parent's; min < max, either may be infinite, but some of the parent must lie between them:
-/// they may not both be more than 35 std to the same side of the mean.
-struct TruncatedNormal { double mean, std, min, max; };
-struct LogNormal { double median, log_std; };                  ///< both > 0
-struct Uniform { double min, max; };                           ///< min < max
-struct Triangular { double min, mode, max; };                  ///< min <= mode <= max, min < max
-struct Discrete { std::vector<double> values, weights; };      ///< weights > 0, as many as values; need not sum to 1
-struct Empirical { std::vector<double> values; };              ///< at least two; linear between order statistics
+struct Fixed {
+  double value;
+};
+struct Normal {
+  double mean, std;
+};  ///< std > 0
+/// mean and std are the parent's; min < max, either may be infinite, but some of the parent must
+/// lie between them: they may not both be more than 35 std to the same side of the mean.
+struct TruncatedNormal {
+  double mean, std, min, max;
+};
+struct LogNormal {
+  double median, log_std;
+};  ///< both > 0
+struct Uniform {
+  double min, max;
+};  ///< min < max
+struct Triangular {
+  double min, mode, max;
+};  ///< min <= mode <= max, min < max
+struct Discrete {
+  std::vector<double> values, weights;
+};  ///< weights > 0, as many as values; need not sum to 1
+struct Empirical {
+  std::vector<double> values;
+};  ///< at least two; linear between order statistics
 
 /// How an uncertain parameter is distributed. A plain value type.
-using Distribution =
-    std::variant<Fixed, Normal, TruncatedNormal, LogNormal, Uniform, Triangular, Discrete, Empirical>;
+using Distribution = std::variant<Fixed, Normal, TruncatedNormal, LogNormal, Uniform, Triangular,
+                                  Discrete, Empirical>;
 
-/// Throws InputError (where = "") naming every parameter that breaks its rule. The functions below take a
-/// distribution that passes.
+/// Throws InputError (where = "") naming every parameter that breaks its rule. The functions below
+/// take a distribution that passes.
 void validate(const Distribution& distribution);
 
-/// The value below which a share u in (0, 1) lies. Monotone in u, so that quasi-random points stay quasi-random;
-/// never outside the support. Accuracy of Boost.Math's normal quantile (a few ulp), in both tails.
-/// Discrete: by increasing value, whatever their order. Empirical: Hyndman & Fan (1996) type 7.
+/// The value below which a share u in (0, 1) lies. Monotone in u, so that quasi-random points stay
+/// quasi-random; never outside the support. Accuracy of Boost.Math's normal quantile (a few ulp),
+/// in both tails. Discrete: by increasing value, whatever their order. Empirical: Hyndman & Fan
+/// (1996) type 7.
 double quantile(const Distribution& distribution, double u);
 
-/// Of the distribution that quantile() samples (so for Empirical not exactly those of the values it is made from).
+/// Of the distribution that quantile() samples (so for Empirical not exactly those of the values it
+/// is made from).
 double mean(const Distribution& distribution);
 double standard_deviation(const Distribution& distribution);
 /// The range outside which no value can fall; may be infinite.
-struct Support { double min, max; };
+struct Support {
+  double min, max;
+};
 Support support(const Distribution& distribution);
 
 inline bool is_fixed(const Distribution& d) { return std::holds_alternative<Fixed>(d); }

@@ -14,36 +14,40 @@
 
 namespace glissade {
 
-/// What the levels of a study mean. Record i at level x runs with the factor that gives it that intensity.
+/// What the levels of a study mean. Record i at level x runs with the factor that gives it that
+/// intensity.
 enum class IntensityMeasure {
-  sds_g,     ///< the whole suite scaled so that its average SRSS spectrum meets the design spectrum with this S_DS
+  sds_g,     ///< the whole suite scaled so that its average SRSS spectrum meets the design spectrum
+             ///< with this S_DS
   pga_g,     ///< geometric mean of the horizontals' peak ground accelerations
   sa_g,      ///< geometric mean of the horizontals' Sa at sa_period_s, 5 %
   avg_sa_g,  ///< geometric mean of Sa over avg_sa_periods_s and both horizontals, 5 %
-  ppa_g,     ///< peak roof acceleration along the slope's plan direction (depends on the sample's building)
+  ppa_g,     ///< peak roof acceleration along the slope's plan direction (depends on the sample's
+             ///< building)
 };
 std::string to_string(IntensityMeasure measure);
 
 struct IntensityConfig {
   IntensityMeasure measure = IntensityMeasure::sds_g;
-  std::vector<double> levels;             ///< > 0, strictly increasing
-  std::optional<DesignTarget> target;     ///< sds_g: shape of the design spectrum; else the suite's own
-  double sa_period_s = 0.0;               ///< sa_g only, >= 0
-  std::vector<double> avg_sa_periods_s;   ///< avg_sa_g only
+  std::vector<double> levels;  ///< > 0, strictly increasing
+  std::optional<DesignTarget>
+      target;                ///< sds_g: shape of the design spectrum; else the suite's own
+  double sa_period_s = 0.0;  ///< sa_g only, >= 0
+  std::vector<double> avg_sa_periods_s;  ///< avg_sa_g only
 };
 
 struct BuildingConfig {
-  Distribution period_s = Fixed{0.0};     ///< 0: rigid
-  Distribution damping = Fixed{0.05};     ///< ratio, [0, 1)
+  Distribution period_s = Fixed{0.0};  ///< 0: rigid
+  Distribution damping = Fixed{0.05};  ///< ratio, [0, 1)
 };
 
 struct RoofConfig {
-  Distribution slope_deg = Fixed{0.0};    ///< [-89.9, 89.9]; in a study usually >= 0
+  Distribution slope_deg = Fixed{0.0};  ///< [-89.9, 89.9]; in a study usually >= 0
 };
 
 struct FrictionConfig {
-  Distribution mu = Fixed{0.5};           ///< >= 0; `mean`/`std` in the file become a normal truncated at 0
-  bool design_run = true;                 ///< also run with mu = mean - 2 std (skipped where std = 0)
+  Distribution mu = Fixed{0.5};  ///< >= 0; `mean`/`std` in the file become a normal truncated at 0
+  bool design_run = true;        ///< also run with mu = mean - 2 std (skipped where std = 0)
 };
 
 enum class ComponentChoice { first, second, random };
@@ -56,19 +60,19 @@ struct OrientationConfig {
 enum class VerticalChoice { none, if_available, required };
 struct VerticalConfig {
   VerticalChoice use = VerticalChoice::if_available;
-  double period_s = 0.0;                  ///< 0: the vertical reaches the roof unchanged (Walters 2012)
+  double period_s = 0.0;  ///< 0: the vertical reaches the roof unchanged (Walters 2012)
   double damping = 0.05;
 };
 
 struct SamplingConfig {
   SamplingMethod method = SamplingMethod::sobol;
-  std::uint64_t samples = 1024;           ///< >= 1
+  std::uint64_t samples = 1024;  ///< >= 1
   int bootstrap_replicates = 1000;
 };
 
 enum class Standard { seaoc_pv1_2012, asce7_16 };
 struct StandardsConfig {
-  std::vector<Standard> compare;          ///< only with sds_g
+  std::vector<Standard> compare;  ///< only with sds_g
   SeismicDesignCategory category = SeismicDesignCategory::d;
   double importance = 1.0;
 };
@@ -78,9 +82,9 @@ struct StudyConfig {
   std::string name;
   std::string description;
   std::uint64_t seed = 0;
-  std::filesystem::path file;             ///< the study file
-  std::string source_text;                ///< the study file, verbatim
-  std::filesystem::path suite_file;       ///< resolved against the study file's folder
+  std::filesystem::path file;        ///< the study file
+  std::string source_text;           ///< the study file, verbatim
+  std::filesystem::path suite_file;  ///< resolved against the study file's folder
   IntensityConfig intensity;
   BuildingConfig building;
   RoofConfig roof;
@@ -88,7 +92,7 @@ struct StudyConfig {
   OrientationConfig orientation;
   VerticalConfig vertical;
   SamplingConfig sampling;
-  std::vector<double> thresholds_m;       ///< > 0, strictly increasing
+  std::vector<double> thresholds_m;  ///< > 0, strictly increasing
   StandardsConfig standards;
 };
 

@@ -14,11 +14,12 @@ struct UnitResult {
   struct Run {
     std::vector<double> peak_displacement_m;  ///< sample-major, levels fastest
     std::vector<std::uint8_t> uplift;         ///< the same shape
-    std::vector<double> capacity;             ///< sample-major, thresholds fastest; +inf not reached, 0 slides without shaking
+    std::vector<double>
+        capacity;  ///< sample-major, thresholds fastest; +inf not reached, 0 slides without shaking
   };
   std::vector<Run> runs;
-  std::uint64_t integrated = 0;    ///< histories integrated
-  std::uint64_t held = 0;          ///< histories not integrated: the roof's peak stays in the stick range
+  std::uint64_t integrated = 0;  ///< histories integrated
+  std::uint64_t held = 0;  ///< histories not integrated: the roof's peak stays in the stick range
 };
 
 /// Runs one unit. A free function of the plan: no state, no clock, no files; any rank, any order.

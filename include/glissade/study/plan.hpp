@@ -20,29 +20,31 @@ struct WorkUnit {
 
 /// One friction choice of a study.
 struct FrictionRun {
-  std::string label;        ///< "sampled", "design"
+  std::string label;  ///< "sampled", "design"
   std::string description;
   std::vector<double> friction;  ///< per sample
 };
 
-/// A study worked out: what would be computed, in which slices, and nothing computed yet. Immutable once made; the same study
-/// and motions make the same plan on every rank.
+/// A study worked out: what would be computed, in which slices, and nothing computed yet. Immutable
+/// once made; the same study and motions make the same plan on every rank.
 struct Plan {
   StudyConfig config;
   Suite suite;
   std::vector<SamplePoint> samples;
-  std::vector<FrictionRun> runs;            ///< sampled first
-  std::vector<double> factor_at_unit_level; ///< per record: factor on the motion at intensity 1; 0 for ppa_g
+  std::vector<FrictionRun> runs;  ///< sampled first
+  std::vector<double>
+      factor_at_unit_level;  ///< per record: factor on the motion at intensity 1; 0 for ppa_g
   std::vector<WorkUnit> units;
-  std::vector<std::string> notes;           ///< what a reader of the results must know
-  std::vector<Skip> skips;                  ///< what the study does not need and is not run
-  std::string hash;                         ///< of everything that decides the results
+  std::vector<std::string> notes;  ///< what a reader of the results must know
+  std::vector<Skip> skips;         ///< what the study does not need and is not run
+  std::string hash;                ///< of everything that decides the results
 
-  std::uint64_t histories() const;          ///< records x samples x levels x runs (searches for capacities come on top)
+  std::uint64_t histories()
+      const;  ///< records x samples x levels x runs (searches for capacities come on top)
 };
 
-/// Draws the samples, scales the suite, cuts the work. Throws InputError where study and suite do not fit (no second
-/// component, no vertical although required, no target for sds_g ...).
+/// Draws the samples, scales the suite, cuts the work. Throws InputError where study and suite do
+/// not fit (no second component, no vertical although required, no target for sds_g ...).
 Plan make_plan(const StudyConfig& config, Suite suite);
 
 /// A page of text: what the plan would run (for --dry-run).

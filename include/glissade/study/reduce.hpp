@@ -8,8 +8,8 @@
 
 namespace glissade {
 
-/// Puts the units' results together in plan order, fits the fragilities, compares with the standards.
-/// `units` may come in any order; each unit of the plan must be there once.
+/// Puts the units' results together in plan order, fits the fragilities, compares with the
+/// standards. `units` may come in any order; each unit of the plan must be there once.
 Results reduce(const Plan& plan, const std::vector<UnitResult>& units);
 
 /// What the plan left out, and what the units did not need to integrate.

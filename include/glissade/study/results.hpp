@@ -16,9 +16,14 @@ struct Array3 {
   std::size_t rows = 0, columns = 0, depth = 0;
   std::vector<T> data;
   Array3() = default;
-  Array3(std::size_t r, std::size_t c, std::size_t d, T fill = T{}) : rows(r), columns(c), depth(d), data(r * c * d, fill) {}
-  T& operator()(std::size_t i, std::size_t j, std::size_t k) { return data[(i * columns + j) * depth + k]; }
-  const T& operator()(std::size_t i, std::size_t j, std::size_t k) const { return data[(i * columns + j) * depth + k]; }
+  Array3(std::size_t r, std::size_t c, std::size_t d, T fill = T{})
+      : rows(r), columns(c), depth(d), data(r * c * d, fill) {}
+  T& operator()(std::size_t i, std::size_t j, std::size_t k) {
+    return data[(i * columns + j) * depth + k];
+  }
+  const T& operator()(std::size_t i, std::size_t j, std::size_t k) const {
+    return data[(i * columns + j) * depth + k];
+  }
 };
 
 /// One Monte Carlo sample of everything uncertain, by (seed, sample, dimension).
@@ -27,29 +32,30 @@ struct SamplePoint {
   double slope_deg = 0.0;
   double period_s = 0.0;
   double damping = 0.0;
-  int component = 0;   ///< 0 or 1: which horizontal acts along the slope
-  int sign = 1;        ///< +1 or -1
+  int component = 0;  ///< 0 or 1: which horizontal acts along the slope
+  int sign = 1;       ///< +1 or -1
 };
 
 /// A lognormal fragility for one clearance threshold, with what it rests on.
 struct ThresholdFragility {
   double threshold_m = 0.0;
-  FitSummary stripes;                   ///< fitted on counts at the levels
-  FitSummary capacities;                ///< fitted on first-crossing capacities, censored at the highest level
-  std::vector<double> probability;      ///< observed share exceeding, per level
+  FitSummary stripes;     ///< fitted on counts at the levels
+  FitSummary capacities;  ///< fitted on first-crossing capacities, censored at the highest level
+  std::vector<double> probability;             ///< observed share exceeding, per level
   std::vector<Interval> probability_interval;  ///< 95 %, bootstrap over records, per level
-  std::vector<Interval> band;           ///< 95 % band of the capacity fit at RunResults::band_intensities
-  double recross_share = 0.0;           ///< of (record, sample) that reached it: share falling below it again at a higher level
-  std::vector<double> record_recross;   ///< 1 where any sample of the record recrosses
-  double censored_share = 0.0;          ///< never reached it by the highest level
-  double free_sliding_share = 0.0;      ///< slides with no shaking: no capacity
+  std::vector<Interval> band;  ///< 95 % band of the capacity fit at RunResults::band_intensities
+  double recross_share =
+      0.0;  ///< of (record, sample) that reached it: share falling below it again at a higher level
+  std::vector<double> record_recross;  ///< 1 where any sample of the record recrosses
+  double censored_share = 0.0;         ///< never reached it by the highest level
+  double free_sliding_share = 0.0;     ///< slides with no shaking: no capacity
 };
 
 /// Slip at one level over records and samples, plan metres.
 struct SlipStatistics {
   double level = 0.0;
   double median_m = 0.0, p84_m = 0.0, p95_m = 0.0, mean_m = 0.0;
-  Interval mean_interval, median_interval, p84_interval;   ///< 95 %, bootstrap over records
+  Interval mean_interval, median_interval, p84_interval;  ///< 95 %, bootstrap over records
   double uplift_share = 0.0;
 };
 
@@ -58,18 +64,18 @@ struct StandardComparison {
   Standard standard = Standard::seaoc_pv1_2012;
   double sds_g = 0.0;
   Prescription prescribed;
-  double exceedance_probability = 0.0;    ///< share of histories with slip above it
-  Interval exceedance_interval;           ///< 95 %, bootstrap over records
+  double exceedance_probability = 0.0;  ///< share of histories with slip above it
+  Interval exceedance_interval;         ///< 95 %, bootstrap over records
 };
 
 /// One friction choice ("sampled" or "design") over records x samples x levels.
 struct RunResults {
-  std::string label;                          ///< "sampled", "design"
-  std::string friction_description;           ///< "normal, mean 0.55, std 0.04", "mean - 2 std = 0.47"
-  Array3<double> peak_displacement_m;         ///< (record, sample, level)
-  Array3<std::uint8_t> uplift;                ///< (record, sample, level), 0 or 1
-  Array3<double> capacity;                    ///< (record, sample, threshold); +inf: not reached; 0: slides freely
-  std::vector<ThresholdFragility> fragilities;///< by threshold
+  std::string label;                   ///< "sampled", "design"
+  std::string friction_description;    ///< "normal, mean 0.55, std 0.04", "mean - 2 std = 0.47"
+  Array3<double> peak_displacement_m;  ///< (record, sample, level)
+  Array3<std::uint8_t> uplift;         ///< (record, sample, level), 0 or 1
+  Array3<double> capacity;  ///< (record, sample, threshold); +inf: not reached; 0: slides freely
+  std::vector<ThresholdFragility> fragilities;  ///< by threshold
   std::vector<double> band_intensities;
   std::vector<SlipStatistics> slip;           ///< by level
   std::vector<StandardComparison> standards;  ///< by (standard, level); empty unless sds_g
@@ -78,15 +84,17 @@ struct RunResults {
 struct RecordSummary {
   std::string id, event, station;
   double magnitude = 0.0, distance_km = 0.0, vs30_mps = 0.0;
-  double suite_scale = 1.0;                 ///< the suite file's factor
-  double factor_at_unit_level = 0.0;        ///< factor on the record at intensity 1 (0 for ppa_g: depends on the sample)
-  double pga_g = 0.0, pgv_mps = 0.0;        ///< geometric mean of the horizontals, as recorded
+  double suite_scale = 1.0;  ///< the suite file's factor
+  double factor_at_unit_level =
+      0.0;  ///< factor on the record at intensity 1 (0 for ppa_g: depends on the sample)
+  double pga_g = 0.0, pgv_mps = 0.0;  ///< geometric mean of the horizontals, as recorded
   double dt_s = 0.0;
   std::uint64_t samples = 0;
   bool has_second = false, has_vertical = false;
 };
 
-/// 5 % spectra of the suite, scaled to `reference_level` (sds_g) or by the suite's own factors (else).
+/// 5 % spectra of the suite, scaled to `reference_level` (sds_g) or by the suite's own factors
+/// (else).
 struct SuiteSpectra {
   std::vector<double> periods_s;
   std::vector<std::vector<double>> srss_g;  ///< [record][period]
@@ -100,14 +108,15 @@ struct Results {
   std::string study_name, program_version, plan_hash, study_text;
   std::uint64_t seed = 0;
   IntensityMeasure measure = IntensityMeasure::sds_g;
-  std::string intensity_label;               ///< for axes: "S_DS (g)", "Sa(1.0 s) (g)" ...
+  std::string intensity_label;  ///< for axes: "S_DS (g)", "Sa(1.0 s) (g)" ...
   std::string suite_name, suite_description;
   std::vector<double> levels, thresholds_m;
   std::vector<SamplePoint> samples;
   std::vector<RecordSummary> records;
   SuiteSpectra spectra;
-  std::vector<RunResults> runs;              ///< "sampled" first, then "design" if there is one
-  std::vector<std::string> notes;            ///< "5 of 22 records have no vertical: run with horizontals only"
+  std::vector<RunResults> runs;  ///< "sampled" first, then "design" if there is one
+  std::vector<std::string>
+      notes;  ///< "5 of 22 records have no vertical: run with horizontals only"
 };
 
 }  // namespace glissade

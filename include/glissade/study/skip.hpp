@@ -6,8 +6,8 @@
 
 namespace glissade {
 
-/// Work that was not done because the study does not need it. Says nothing about the results: kept in run.json, never in
-/// the results file.
+/// Work that was not done because the study does not need it. Says nothing about the results: kept
+/// in run.json, never in the results file.
 struct Skip {
   std::string what;  ///< "histories whose roof peak stays in the stick range"
   std::string why;

@@ -12,8 +12,8 @@ namespace glissade {
 namespace {
 
 // ../shared/ground-motion-model/README.md, section 2, whose sources are SCEC BBP's rzz2015_gmpe.py
-// and J. Du (2023). The first row has the four decimals of rzz2015_gmpe.py, which the test vector was made with; the page
-// shows three.
+// and J. Du (2023). The first row has the four decimals of rzz2015_gmpe.py, which the test vector
+// was made with; the page shows three.
 struct Predictor {
   double constant, reverse, magnitude, distance, vs30;  // of the mean score
   double between_events, within_event;                  // standard deviations

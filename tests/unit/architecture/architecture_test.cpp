@@ -27,7 +27,9 @@ const std::map<std::string, std::set<std::string>> may_include = {
     {"parallel", {"core"}},
     {"io", {"core", "motion", "sampling", "fragility", "standards", "study"}},
     {"report", {"core", "motion", "sampling", "fragility", "standards", "study"}},
-    {"cli", {"core", "motion", "building", "block", "sampling", "fragility", "standards", "study", "parallel", "io", "report"}},
+    {"cli",
+     {"core", "motion", "building", "block", "sampling", "fragility", "standards", "study",
+      "parallel", "io", "report"}},
 };
 
 struct Include {
@@ -45,7 +47,8 @@ std::vector<Include> includes() {
         std::ifstream in(entry.path());
         for (std::string line; std::getline(in, line);) {
           std::smatch match;
-          if (std::regex_search(line, match, line_form)) found.push_back({entry.path().string(), module, match[1]});
+          if (std::regex_search(line, match, line_form))
+            found.push_back({entry.path().string(), module, match[1]});
         }
       }
     }
@@ -81,7 +84,8 @@ TEST(architecture, mpi_hdf5_and_toml_stay_in_their_rooms) {
 }
 
 TEST(architecture, top_level_holds_the_agreed_folders_only) {
-  const std::set<std::string> agreed = {"src", "include", "suites", "studies", "tests", "cluster", "build", "results"};
+  const std::set<std::string> agreed = {"src",   "include", "suites", "studies",
+                                        "tests", "cluster", "build",  "results"};
   for (const auto& entry : fs::directory_iterator(root)) {
     const std::string name = entry.path().filename();
     if (entry.is_directory() && !name.starts_with(".")) {

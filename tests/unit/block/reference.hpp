@@ -12,19 +12,25 @@ namespace glissade::test {
 
 using Real = boost::multiprecision::cpp_bin_float_50;
 
-/// The sliding block in 50 digits, written from the equation of motion alone and without the closed-form roots of
-/// slide(): within an interval the velocity is a quadratic of time; it is cut at its turning point, and events are bisected on the
-/// monotone pieces. Slopes and coefficients are those of the doubles given. No uplift.
+/// The sliding block in 50 digits, written from the equation of motion alone and without the
+/// closed-form roots of slide(): within an interval the velocity is a quadratic of time; it is cut
+/// at its turning point, and events are bisected on the monotone pieces. Slopes and coefficients
+/// are those of the doubles given. No uplift.
 struct Reference {
   Real slip = 0, down = 0, up = 0, peak_velocity = 0;  ///< along the slope times cos(slope)
 
   Reference(const RoofAcceleration& roof, const Block& block) {
     using std::abs;
-    const Real slope = block.slope_rad, sine = sin(slope), cosine = cos(slope), g = block.gravity_mps2, mu = block.friction;
+    const Real slope = block.slope_rad, sine = sin(slope), cosine = cos(slope),
+               g = block.gravity_mps2, mu = block.friction;
     const std::size_t n = roof.horizontal_mps2.size();
-    const auto a = [&](std::size_t i) { return i < n ? Real(roof.horizontal_mps2[i]) * roof.horizontal_factor : Real(0); };
+    const auto a = [&](std::size_t i) {
+      return i < n ? Real(roof.horizontal_mps2[i]) * roof.horizontal_factor : Real(0);
+    };
     const auto w = [&](std::size_t i) {
-      return i < n && !roof.vertical_mps2.empty() ? Real(roof.vertical_mps2[i]) * roof.vertical_factor : Real(0);
+      return i < n && !roof.vertical_mps2.empty()
+                 ? Real(roof.vertical_mps2[i]) * roof.vertical_factor
+                 : Real(0);
     };
     // Acceleration along +x slope for a given direction of friction.
     const auto acceleration = [&](const Real& ai, const Real& wi, int sigma) -> Real {
@@ -41,7 +47,8 @@ struct Reference {
       };
       for (int guard = 0; guard < 40 && t < h; ++guard) {
         if (sigma == 0) {
-          // Starts where acc(+1) > 0 or acc(-1) < 0: linear functions, so bisect on their sign at the end.
+          // Starts where acc(+1) > 0 or acc(-1) < 0: linear functions, so bisect on their sign at
+          // the end.
           const auto first = [&](int sg) -> Real {
             if (sg * acc(t, sg) > 0) return t;
             if (!(sg * acc(h, sg) > 0)) return Real(2) * h;
@@ -59,9 +66,12 @@ struct Reference {
           v = 0;
         }
         // Sliding from t: v(tau) = v + n tau + k tau^2/2.
-        const Real nn = acc(t, sigma), kk = (acc(h, sigma) - acc(t, sigma)) / (h - t == 0 ? Real(1) : h - t);
+        const Real nn = acc(t, sigma),
+                   kk = (acc(h, sigma) - acc(t, sigma)) / (h - t == 0 ? Real(1) : h - t);
         const Real left = h - t;
-        const auto velocity = [&](const Real& tau) -> Real { return v + nn * tau + kk * tau * tau / 2; };
+        const auto velocity = [&](const Real& tau) -> Real {
+          return v + nn * tau + kk * tau * tau / 2;
+        };
         std::vector<Real> cuts{Real(0)};
         if (kk != 0 && -nn / kk > 0 && -nn / kk < left) cuts.push_back(-nn / kk);
         cuts.push_back(left);
@@ -102,8 +112,8 @@ struct Reference {
   }
 };
 
-/// A made-up record: filtered noise under an envelope, the same on every machine (std::mt19937 is specified; no
-/// distribution of the library is used).
+/// A made-up record: filtered noise under an envelope, the same on every machine (std::mt19937 is
+/// specified; no distribution of the library is used).
 inline std::vector<double> made_up_record(std::size_t n, unsigned seed, double peak_mps2) {
   std::mt19937 generator(seed);
   std::vector<double> a(n);

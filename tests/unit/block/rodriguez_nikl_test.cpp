@@ -12,8 +12,9 @@ namespace {
 
 using test::made_up_record;
 
-// Halving the substep halves the error: mean observed order over cases between P = 16 and P = 1024. The scheme's error jumps about
-// from one P to the next, so the order is taken over a wide range and averaged over records.
+// Halving the substep halves the error: mean observed order over cases between P = 16 and P = 1024.
+// The scheme's error jumps about from one P to the next, so the order is taken over a wide range
+// and averaged over records.
 TEST(rodriguez_nikl, converges_to_the_exact_solution_at_first_order) {
   double coarse = 0, fine = 0;
   for (unsigned seed = 1; seed <= 6; ++seed) {
@@ -23,8 +24,10 @@ TEST(rodriguez_nikl, converges_to_the_exact_solution_at_first_order) {
       const RoofAcceleration roof{0.01, a, w};
       const SlipResult exact = slide(roof, block);
       ASSERT_FALSE(exact.uplift);
-      coarse += std::abs(slide_rodriguez_nikl(roof, block, 16).residual_displacement_m - exact.residual_displacement_m);
-      fine += std::abs(slide_rodriguez_nikl(roof, block, 1024).residual_displacement_m - exact.residual_displacement_m);
+      coarse += std::abs(slide_rodriguez_nikl(roof, block, 16).residual_displacement_m -
+                         exact.residual_displacement_m);
+      fine += std::abs(slide_rodriguez_nikl(roof, block, 1024).residual_displacement_m -
+                       exact.residual_displacement_m);
     }
   }
   const double order = std::log(coarse / fine) / std::log(1024.0 / 16.0);
@@ -33,12 +36,15 @@ TEST(rodriguez_nikl, converges_to_the_exact_solution_at_first_order) {
 }
 
 TEST(rodriguez_nikl, reproduces_the_still_plane_exactly_after_its_frictionless_first_substep) {
-  // As published sgn(0) = 0, so the first substep has no friction: an error of first order in the substep.
+  // As published sgn(0) = 0, so the first substep has no friction: an error of first order in the
+  // substep.
   const Block block{0.1, 7 * rad_per_deg};
   const std::vector<double> still(1001, 0.0);
   const double exact = slide({0.01, still}, block).residual_displacement_m;
-  const double error64 = slide_rodriguez_nikl({0.01, still}, block, 64).residual_displacement_m - exact;
-  const double error128 = slide_rodriguez_nikl({0.01, still}, block, 128).residual_displacement_m - exact;
+  const double error64 =
+      slide_rodriguez_nikl({0.01, still}, block, 64).residual_displacement_m - exact;
+  const double error128 =
+      slide_rodriguez_nikl({0.01, still}, block, 128).residual_displacement_m - exact;
   EXPECT_LT(std::abs(error64 / exact), 1e-3);
   EXPECT_NEAR(error64 / error128, 2.0, 0.01);
 }
@@ -46,8 +52,12 @@ TEST(rodriguez_nikl, reproduces_the_still_plane_exactly_after_its_frictionless_f
 TEST(rodriguez_nikl, sticks_and_slips_as_the_paper_checks) {
   const double slope = 0.5 * rad_per_deg;
   const std::vector<double> still(1000, 0.0);
-  EXPECT_GT(slide_rodriguez_nikl({0.01, still}, {0.999 * std::tan(slope), slope}, 64).peak_displacement_m, 0.0);
-  EXPECT_LT(slide_rodriguez_nikl({0.01, still}, {1.001 * std::tan(slope), slope}, 64).peak_displacement_m, 1e-12);
+  EXPECT_GT(
+      slide_rodriguez_nikl({0.01, still}, {0.999 * std::tan(slope), slope}, 64).peak_displacement_m,
+      0.0);
+  EXPECT_LT(
+      slide_rodriguez_nikl({0.01, still}, {1.001 * std::tan(slope), slope}, 64).peak_displacement_m,
+      1e-12);
 }
 
 }  // namespace

@@ -36,21 +36,26 @@ TEST(slide, agrees_with_fifty_digits_to_1e_12_over_scales_frictions_slopes_and_v
       for (const double mu : {0.0, 0.1, 0.3, 0.5, 0.7}) {
         for (const double slope_deg : {0.0, 1.19, 4.0, 7.0, 30.0}) {
           for (const bool vertical : {false, true}) {
-            RoofAcceleration roof{0.005, a, vertical ? std::span<const double>(w) : std::span<const double>(), scale, scale};
+            RoofAcceleration roof{0.005, a,
+                                  vertical ? std::span<const double>(w) : std::span<const double>(),
+                                  scale, scale};
             const Block block{mu, slope_deg * rad_per_deg};
             const SlipResult r = slide(roof, block);
             if (r.uplift) continue;
             const Reference exact(roof, block);
-            const double size = std::max(static_cast<double>(exact.down), static_cast<double>(exact.up));
+            const double size =
+                std::max(static_cast<double>(exact.down), static_cast<double>(exact.up));
             if (size == 0) {
               EXPECT_EQ(r.peak_displacement_m, 0.0);
               continue;
             }
             ++slid;
-            worst = std::max({worst, std::abs(r.residual_displacement_m - static_cast<double>(exact.slip)) / size,
-                              std::abs(r.peak_downslope_m - static_cast<double>(exact.down)) / size,
-                              std::abs(r.peak_upslope_m - static_cast<double>(exact.up)) / size,
-                              std::abs(r.peak_velocity_mps / static_cast<double>(exact.peak_velocity) - 1)});
+            worst = std::max(
+                {worst,
+                 std::abs(r.residual_displacement_m - static_cast<double>(exact.slip)) / size,
+                 std::abs(r.peak_downslope_m - static_cast<double>(exact.down)) / size,
+                 std::abs(r.peak_upslope_m - static_cast<double>(exact.up)) / size,
+                 std::abs(r.peak_velocity_mps / static_cast<double>(exact.peak_velocity) - 1)});
           }
         }
       }
@@ -70,7 +75,8 @@ TEST(slide, stays_put_when_the_peak_is_below_yield) {
   EXPECT_GT(slide({0.01, b}, {.friction = 0.3}).peak_displacement_m, 0.0);
 }
 
-// theory.md, "Similitude": scaling a, w and g by lambda scales slip by lambda; exact for a power of two.
+// theory.md, "Similitude": scaling a, w and g by lambda scales slip by lambda; exact for a power of
+// two.
 TEST(slide, scales_exactly_with_the_whole_acceleration_field) {
   const auto a = made_up_record(900, 5, 5.0), w = made_up_record(900, 6, 2.0);
   const Block block{0.3, 2 * rad_per_deg};
@@ -85,8 +91,10 @@ TEST(slide, scales_exactly_with_the_whole_acceleration_field) {
 
 TEST(slide, is_mirrored_exactly_by_mirroring_the_motion_and_the_slope) {
   const auto a = made_up_record(900, 7, 5.0), w = made_up_record(900, 8, 2.0);
-  expect_same(slide({0.01, a, w}, {0.25, 3 * rad_per_deg}), slide({0.01, a, w, -1.0, 1.0}, {0.25, -3 * rad_per_deg}));
-  const SlipResult flat = slide({0.01, a, w}, {0.25, 0.0}), mirrored = slide({0.01, a, w, -1.0, 1.0}, {0.25, 0.0});
+  expect_same(slide({0.01, a, w}, {0.25, 3 * rad_per_deg}),
+              slide({0.01, a, w, -1.0, 1.0}, {0.25, -3 * rad_per_deg}));
+  const SlipResult flat = slide({0.01, a, w}, {0.25, 0.0}),
+                   mirrored = slide({0.01, a, w, -1.0, 1.0}, {0.25, 0.0});
   EXPECT_EQ(flat.residual_displacement_m, -mirrored.residual_displacement_m);
   EXPECT_EQ(flat.peak_downslope_m, mirrored.peak_upslope_m);
 }
@@ -124,29 +132,34 @@ TEST(slide, changes_by_rounding_only_when_samples_are_inserted) {
   for (const double mu : {0.1, 0.3, 0.5}) {
     const Block block{mu, 3 * rad_per_deg};
     const SlipResult coarse = slide({0.01, a, w}, block), fine = slide({0.005, a2, w2}, block);
-    EXPECT_NEAR(fine.peak_displacement_m, coarse.peak_displacement_m, 1e-12 * coarse.peak_displacement_m);
-    EXPECT_NEAR(fine.residual_displacement_m, coarse.residual_displacement_m, 1e-12 * coarse.peak_displacement_m);
+    EXPECT_NEAR(fine.peak_displacement_m, coarse.peak_displacement_m,
+                1e-12 * coarse.peak_displacement_m);
+    EXPECT_NEAR(fine.residual_displacement_m, coarse.residual_displacement_m,
+                1e-12 * coarse.peak_displacement_m);
   }
 }
 
 TEST(slide, scales_with_the_square_of_the_step_at_equal_samples) {
   const auto a = made_up_record(900, 13, 8.0);
   const SlipResult one = slide({0.01, a}, {0.3, 0.02}), four = slide({0.04, a}, {0.3, 0.02});
-  EXPECT_EQ(four.peak_displacement_m, 16 * one.peak_displacement_m);  // a factor of two to a power: exact
+  EXPECT_EQ(four.peak_displacement_m,
+            16 * one.peak_displacement_m);  // a factor of two to a power: exact
   EXPECT_EQ(four.slip_duration_s, 4 * one.slip_duration_s);
 }
 
 TEST(slide, slips_at_least_as_far_one_way_as_two_ways_downslope_on_a_flat_roof) {
   for (unsigned seed = 20; seed < 40; ++seed) {
     const auto a = made_up_record(900, seed, 8.0);
-    const SlipResult both = slide({0.01, a}, {0.2, 0.0}), one = slide({0.01, a}, {0.2, 0.0, SlipDirections::downslope_only});
+    const SlipResult both = slide({0.01, a}, {0.2, 0.0}),
+                     one = slide({0.01, a}, {0.2, 0.0, SlipDirections::downslope_only});
     EXPECT_EQ(one.peak_upslope_m, 0.0);
     EXPECT_GE(one.peak_downslope_m * (1 + 1e-12), both.peak_downslope_m);
   }
 }
 
 TEST(slide, flags_uplift_and_takes_no_friction_from_a_lifted_block) {
-  // The roof falls faster than g for half a second while it accelerates sideways: relative acceleration is -a exactly.
+  // The roof falls faster than g for half a second while it accelerates sideways: relative
+  // acceleration is -a exactly.
   std::vector<double> a(51, 1.0), w(51, -2 * g);
   const SlipResult r = slide({0.01, a, w}, {.friction = 0.5});
   EXPECT_TRUE(r.uplift);
@@ -198,7 +211,8 @@ TEST(yield_acceleration, is_where_slip_begins) {
   const Block block{0.4, 4 * rad_per_deg};
   const double yield = yield_acceleration_mps2(block);
   EXPECT_NEAR(yield, g * std::tan(std::atan(0.4) - 4 * rad_per_deg), 1e-12);
-  const std::vector<double> pulse = {0.0, -1.0, 0.0};  // the roof jerks upslope: the block slips down
+  const std::vector<double> pulse = {0.0, -1.0,
+                                     0.0};  // the roof jerks upslope: the block slips down
   EXPECT_EQ(slide({0.01, pulse, {}, yield * (1 - 1e-9)}, block).slip_phases, 0u);
   EXPECT_EQ(slide({0.01, pulse, {}, yield * (1 + 1e-9)}, block).slip_phases, 1u);
 }

@@ -16,14 +16,18 @@ namespace {
 using std::numbers::pi;
 using Real = boost::multiprecision::cpp_bin_float_50;
 
-// The textbook coefficients (Chopra, Dynamics of Structures, table 5.2.1) in 50 digits, where their cancellation does no harm.
+// The textbook coefficients (Chopra, Dynamics of Structures, table 5.2.1) in 50 digits, where their
+// cancellation does no harm.
 struct Textbook {
   Real A, B, C, D, A1, B1, C1, D1;  // u1 = A u0 + B v0 + C p0 + D p1, with p = -a and unit mass
   Textbook(const Real& w, const Real& z, const Real& dt) {
-    const Real k = w * w, root = sqrt(1 - z * z), wd = w * root, e = exp(-z * w * dt), s = sin(wd * dt), c = cos(wd * dt);
+    const Real k = w * w, root = sqrt(1 - z * z), wd = w * root, e = exp(-z * w * dt),
+               s = sin(wd * dt), c = cos(wd * dt);
     A = e * (z / root * s + c);
     B = e * (s / wd);
-    C = (2 * z / (w * dt) + e * (((1 - 2 * z * z) / (wd * dt) - z / root) * s - (1 + 2 * z / (w * dt)) * c)) / k;
+    C = (2 * z / (w * dt) +
+         e * (((1 - 2 * z * z) / (wd * dt) - z / root) * s - (1 + 2 * z / (w * dt)) * c)) /
+        k;
     D = (1 - 2 * z / (w * dt) + e * ((2 * z * z - 1) / (wd * dt) * s + 2 * z / (w * dt) * c)) / k;
     A1 = -e * (w / root * s);
     B1 = e * (c - z / root * s);
@@ -39,11 +43,12 @@ TEST(oscillator_step, has_the_textbook_coefficients_to_1e_13_for_any_step) {
       const Textbook t(w, zeta, dt);
       const OscillatorStep s = oscillator_step(phase, zeta);
       const auto near = [&](double got, const Real& want) {
-        EXPECT_NEAR(got, static_cast<double>(want), 1e-13 * std::max(std::abs(static_cast<double>(want)), 1e-3 * phase))
+        EXPECT_NEAR(got, static_cast<double>(want),
+                    1e-13 * std::max(std::abs(static_cast<double>(want)), 1e-3 * phase))
             << "phase " << phase << " zeta " << zeta;
       };
       near(s.xx, t.A);
-      near(s.xy, t.B * w);             // x = w^2 u, y = w v
+      near(s.xy, t.B * w);  // x = w^2 u, y = w v
       near(-s.xy, t.A1 / w);
       near(s.yy, t.B1);
       near(s.x_start, t.C * w * w);
@@ -63,12 +68,14 @@ TEST(roof_motion, passes_unchanged_through_a_rigid_building) {
   EXPECT_EQ(roof.peak_horizontal_mps2, 0.7);
 }
 
-// Steady state under a harmonic: transmissibility |H| = sqrt((1 + (2 z r)^2) / ((1 - r^2)^2 + (2 z r)^2)), r = T / T_g.
-// The piecewise-linear record carries the harmonic times sinc^2(pi dt / T_g), which is allowed for; aliases are 1e-5 here.
+// Steady state under a harmonic: transmissibility |H| = sqrt((1 + (2 z r)^2) / ((1 - r^2)^2 + (2 z
+// r)^2)), r = T / T_g. The piecewise-linear record carries the harmonic times sinc^2(pi dt / T_g),
+// which is allowed for; aliases are 1e-5 here.
 TEST(roof_motion, has_the_transmissibility_of_the_oscillator) {
   const double dt = 0.01, ground_period = 0.8;
   std::vector<double> a(20000);
-  for (std::size_t i = 0; i < a.size(); ++i) a[i] = std::sin(2 * pi * dt * static_cast<double>(i) / ground_period);
+  for (std::size_t i = 0; i < a.size(); ++i)
+    a[i] = std::sin(2 * pi * dt * static_cast<double>(i) / ground_period);
   const double arg = pi * dt / ground_period, interpolation = std::pow(std::sin(arg) / arg, 2);
   for (const double period : {0.2, 0.5, 0.8, 2.0}) {
     const double z = 0.05, r = period / ground_period;
@@ -77,7 +84,8 @@ TEST(roof_motion, has_the_transmissibility_of_the_oscillator) {
     for (std::size_t i = roof.horizontal_mps2.size() / 2; i < roof.horizontal_mps2.size(); ++i) {
       largest = std::max(largest, std::abs(roof.horizontal_mps2[i]));
     }
-    const double expected = std::sqrt((1 + std::pow(2 * z * r, 2)) / (std::pow(1 - r * r, 2) + std::pow(2 * z * r, 2)));
+    const double expected =
+        std::sqrt((1 + std::pow(2 * z * r, 2)) / (std::pow(1 - r * r, 2) + std::pow(2 * z * r, 2)));
     EXPECT_NEAR(largest / (interpolation * expected), 1.0, 1e-3) << "period " << period;
   }
 }
@@ -96,7 +104,8 @@ TEST(roof_motion, does_not_depend_on_how_finely_it_is_sampled) {
 
 TEST(roof_motion, rings_down_until_it_is_quiet_and_no_longer) {
   const std::vector<double> a = {0.0, 3.0, -3.0, 3.0, -3.0, 3.0};
-  const RoofMotion roof = roof_motion({0.05, a}, {.horizontal = {0.5, 0.05}}, {.quiet_horizontal_mps2 = 0.01});
+  const RoofMotion roof =
+      roof_motion({0.05, a}, {.horizontal = {0.5, 0.05}}, {.quiet_horizontal_mps2 = 0.01});
   const auto& r = roof.horizontal_mps2;
   const std::size_t period = static_cast<std::size_t>(std::lround(0.5 / roof.dt_s));
   const auto loudest = [&](std::size_t from, std::size_t to) {
@@ -107,20 +116,24 @@ TEST(roof_motion, rings_down_until_it_is_quiet_and_no_longer) {
   EXPECT_LT(std::abs(r.back()), 0.01);
   EXPECT_GT(loudest(r.size() - 3 * period, r.size()), 0.005);  // not followed far beyond need
   const RoofMotion none = roof_motion({0.05, a}, {.horizontal = {0.5, 0.05}}, {});
-  EXPECT_EQ(none.horizontal_mps2.size(), 5 * static_cast<std::size_t>(std::lround(0.05 / roof.dt_s)) + 1);
-  const RoofMotion undamped = roof_motion({0.05, a}, {.horizontal = {0.4, 0.0}},
-                                          {.quiet_horizontal_mps2 = 0.01, .longest_ring_down_s = 10});
+  EXPECT_EQ(none.horizontal_mps2.size(),
+            5 * static_cast<std::size_t>(std::lround(0.05 / roof.dt_s)) + 1);
+  const RoofMotion undamped =
+      roof_motion({0.05, a}, {.horizontal = {0.4, 0.0}},
+                  {.quiet_horizontal_mps2 = 0.01, .longest_ring_down_s = 10});
   EXPECT_NEAR(static_cast<double>(undamped.horizontal_mps2.size()) * undamped.dt_s, 10.3, 0.1);
 }
 
 TEST(roof_motion, is_padded_to_one_length_when_the_vertical_rings_longer) {
   const std::vector<double> a = {0.0, 1.0, 2.0}, w = {0.0, 1.0, -1.0};
-  const RoofMotion roof = roof_motion({0.05, a, w}, {.vertical = {0.5, 0.05}}, {.quiet_vertical_mps2 = 0.01});
+  const RoofMotion roof =
+      roof_motion({0.05, a, w}, {.vertical = {0.5, 0.05}}, {.quiet_vertical_mps2 = 0.01});
   ASSERT_EQ(roof.horizontal_mps2.size(), roof.vertical_mps2.size());
   const std::size_t parts = static_cast<std::size_t>(std::lround(0.05 / roof.dt_s));
   EXPECT_EQ(parts, 4u);
   EXPECT_EQ(roof.horizontal_mps2[2 * parts], 2.0);
-  EXPECT_EQ(roof.horizontal_mps2[2 * parts + 2], 1.0);  // on its way to zero over one interval of the record
+  EXPECT_EQ(roof.horizontal_mps2[2 * parts + 2],
+            1.0);  // on its way to zero over one interval of the record
   EXPECT_EQ(roof.horizontal_mps2[3 * parts], 0.0);
 }
 

@@ -7,8 +7,9 @@ namespace glissade {
 namespace {
 
 TEST(problem, reads_where_what_and_what_to_do) {
-  EXPECT_EQ(to_string({"study.toml:3", "mu = -1 is negative", "give mu >= 0", "  mu = -1\n       ^"}),
-            "study.toml:3: mu = -1 is negative; give mu >= 0\n  mu = -1\n       ^");
+  EXPECT_EQ(
+      to_string({"study.toml:3", "mu = -1 is negative", "give mu >= 0", "  mu = -1\n       ^"}),
+      "study.toml:3: mu = -1 is negative; give mu >= 0\n  mu = -1\n       ^");
 }
 
 TEST(problem_list, throws_all_problems_at_once) {

@@ -109,7 +109,8 @@ TEST(fit_stripes, finds_the_greatest_likelihood_of_its_neighbourhood) {
   }
 }
 
-// Closed form at one level x: Phi(-ln(x/theta)/0.4)^n = 0.05 gives theta = x exp(0.4 Phi^-1(0.05^(1/n))).
+// Closed form at one level x: Phi(-ln(x/theta)/0.4)^n = 0.05 gives theta = x exp(0.4
+// Phi^-1(0.05^(1/n))).
 TEST(fit_stripes, bounds_the_median_from_below_without_exceedance) {
   const FitSummary fit = fit_stripes({{0.5, 40, 0}});
   EXPECT_EQ(fit.status, FitStatus::one_sided_bound);

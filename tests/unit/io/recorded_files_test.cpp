@@ -195,7 +195,8 @@ TEST_F(RecordedSuite, walters_table_3_loads_with_its_factors_and_a_common_clock)
   EXPECT_EQ(suite.target->ss_g, 1.95);
   EXPECT_EQ(suite.target->site_classes.size(), 4u);
 
-  // Saratoga: kallioras' H2 is minus STG-000 on one clock for all components, so the start given must line them up.
+  // Saratoga: kallioras' H2 is minus STG-000 on one clock for all components, so the start given
+  // must line them up.
   const Record h2 =
       read("walters2012_table3/saratoga_aloha_RSN802/ccby_kallioras/19891018_0004_58065_H2.acc",
            {.dt_s = 0.005, .units = AccelerationUnits::mps2});

@@ -12,7 +12,8 @@ TEST(exchange, brings_a_suite_over_to_the_last_bit) {
   const Suite suite = test::small_suite();
   const Suite copy = unpack_suite(pack(suite));
   // The plan's hash covers every sample, scale and id.
-  EXPECT_EQ(make_plan(test::small_config(), copy).hash, make_plan(test::small_config(), suite).hash);
+  EXPECT_EQ(make_plan(test::small_config(), copy).hash,
+            make_plan(test::small_config(), suite).hash);
   EXPECT_EQ(copy.name, suite.name);
   EXPECT_EQ(copy.target->s1_g, suite.target->s1_g);
   EXPECT_EQ(copy.target->site_classes, suite.target->site_classes);

@@ -19,7 +19,8 @@ TEST(plan, covers_every_record_and_sample_once) {
   const Plan plan = make_plan(small_config(), small_suite());
   std::vector<std::vector<int>> seen(3, std::vector<int>(40, 0));
   for (const WorkUnit& unit : plan.units) {
-    for (std::uint64_t i = 0; i < unit.sample_count; ++i) ++seen[unit.record][unit.first_sample + i];
+    for (std::uint64_t i = 0; i < unit.sample_count; ++i)
+      ++seen[unit.record][unit.first_sample + i];
   }
   for (const auto& record : seen) {
     for (const int times : record) EXPECT_EQ(times, 1);
@@ -49,35 +50,43 @@ TEST(plan, scales_each_record_to_the_intensity_measure) {
   config.intensity.measure = IntensityMeasure::pga_g;
   Plan plan = make_plan(config, suite);
   for (std::size_t i = 0; i < 3; ++i) {
-    EXPECT_NEAR(plan.factor_at_unit_level[i] * horizontal_pga_mps2(suite.motions[i], combined), g, 1e-12 * g);
+    EXPECT_NEAR(plan.factor_at_unit_level[i] * horizontal_pga_mps2(suite.motions[i], combined), g,
+                1e-12 * g);
   }
   config.intensity.measure = IntensityMeasure::sa_g;
   config.intensity.sa_period_s = 0.3;
   plan = make_plan(config, suite);
   for (std::size_t i = 0; i < 3; ++i) {
-    const double sa = horizontal_spectrum_mps2(suite.motions[i], std::vector<double>{0.3}, combined).front();
+    const double sa =
+        horizontal_spectrum_mps2(suite.motions[i], std::vector<double>{0.3}, combined).front();
     EXPECT_NEAR(plan.factor_at_unit_level[i] * sa, g, 1e-12 * g);
   }
   config.intensity.measure = IntensityMeasure::avg_sa_g;
   config.intensity.avg_sa_periods_s = {0.2, 0.5, 1.0};
   plan = make_plan(config, suite);
   for (std::size_t i = 0; i < 3; ++i) {
-    EXPECT_NEAR(plan.factor_at_unit_level[i] * average_sa_mps2(suite.motions[i], config.intensity.avg_sa_periods_s), g, 1e-12 * g);
+    EXPECT_NEAR(plan.factor_at_unit_level[i] *
+                    average_sa_mps2(suite.motions[i], config.intensity.avg_sa_periods_s),
+                g, 1e-12 * g);
   }
 }
 
-// Walters (2012): the average of the SRSS spectra is nowhere below the target from 0 to 2 s, and touches it.
+// Walters (2012): the average of the SRSS spectra is nowhere below the target from 0 to 2 s, and
+// touches it.
 TEST(plan, scales_the_suite_as_one_to_the_design_spectrum_of_each_sds) {
   const Suite suite = small_suite();
   const Plan plan = make_plan(small_config(), suite);
-  EXPECT_NEAR(plan.factor_at_unit_level[2] / plan.factor_at_unit_level[0], suite.motions[2].scale / suite.motions[0].scale, 1e-12);
+  EXPECT_NEAR(plan.factor_at_unit_level[2] / plan.factor_at_unit_level[0],
+              suite.motions[2].scale / suite.motions[0].scale, 1e-12);
   const TargetSpectrum target(*suite.target);
   double least = 1e9;
   for (double period = 0.0; period <= 2.0; period += 0.05) {
     double average = 0;
     for (std::size_t i = 0; i < 3; ++i) {
       average += plan.factor_at_unit_level[i] / g / 3 *
-                 horizontal_spectrum_mps2(suite.motions[i], std::vector<double>{period}, HorizontalCombination::srss).front();
+                 horizontal_spectrum_mps2(suite.motions[i], std::vector<double>{period},
+                                          HorizontalCombination::srss)
+                     .front();
     }
     least = std::min(least, average / (target.design_sa_g(period) / target.sds_g()));
   }

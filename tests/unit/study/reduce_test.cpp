@@ -44,7 +44,8 @@ TEST_F(reduce_of_a_small_study, does_not_depend_on_the_order_in_which_units_came
     EXPECT_EQ(again.runs[r].peak_displacement_m.data, results->runs[r].peak_displacement_m.data);
     EXPECT_EQ(again.runs[r].capacity.data, results->runs[r].capacity.data);
     for (std::size_t t = 0; t < 3; ++t) {
-      EXPECT_EQ(again.runs[r].fragilities[t].capacities.curve.median, results->runs[r].fragilities[t].capacities.curve.median);
+      EXPECT_EQ(again.runs[r].fragilities[t].capacities.curve.median,
+                results->runs[r].fragilities[t].capacities.curve.median);
       EXPECT_EQ(again.runs[r].fragilities[t].capacities.median_interval.low,
                 results->runs[r].fragilities[t].capacities.median_interval.low);
     }
@@ -69,7 +70,8 @@ TEST_F(reduce_of_a_small_study, counts_shares_and_percentiles_as_a_plain_count_d
       EXPECT_NEAR(run.slip[j].mean_m, sum / 120, 1e-14);
       EXPECT_DOUBLE_EQ(run.slip[j].median_m, 0.5 * (slips[59] + slips[60]));
       for (const ThresholdFragility& f : run.fragilities) {
-        const auto above = std::count_if(slips.begin(), slips.end(), [&](double s) { return s >= f.threshold_m; });
+        const auto above =
+            std::count_if(slips.begin(), slips.end(), [&](double s) { return s >= f.threshold_m; });
         EXPECT_NEAR(f.probability[j], static_cast<double>(above) / 120, 1e-14);
         EXPECT_LE(f.probability_interval[j].low, f.probability[j] + 1e-12);
         EXPECT_GE(f.probability_interval[j].high, f.probability[j] - 1e-12);
@@ -84,7 +86,8 @@ TEST_F(reduce_of_a_small_study, has_capacities_in_the_bracket_that_the_peaks_sho
     for (std::size_t s = 0; s < 40; ++s) {
       for (std::size_t t = 0; t < 3; ++t) {
         std::size_t first = 0;
-        while (first < 8 && run.peak_displacement_m(r, s, first) < results->thresholds_m[t]) ++first;
+        while (first < 8 && run.peak_displacement_m(r, s, first) < results->thresholds_m[t])
+          ++first;
         const double capacity = run.capacity(r, s, t);
         if (first == 8) {
           EXPECT_TRUE(std::isinf(capacity));
@@ -99,7 +102,8 @@ TEST_F(reduce_of_a_small_study, has_capacities_in_the_bracket_that_the_peaks_sho
 
 TEST_F(reduce_of_a_small_study, is_more_fragile_at_the_design_friction) {
   for (std::size_t t = 0; t < 3; ++t) {
-    EXPECT_LT(results->runs[1].fragilities[t].capacities.curve.median, results->runs[0].fragilities[t].capacities.curve.median);
+    EXPECT_LT(results->runs[1].fragilities[t].capacities.curve.median,
+              results->runs[0].fragilities[t].capacities.curve.median);
   }
 }
 
@@ -107,10 +111,12 @@ TEST_F(reduce_of_a_small_study, compares_each_level_with_both_standards) {
   const RunResults& run = results->runs[0];
   ASSERT_EQ(run.standards.size(), 16u);
   EXPECT_EQ(run.standards[3].sds_g, 1.0);
-  EXPECT_NEAR(run.standards[3].prescribed.value_m, 60 * 0.36 * 0.0254, 1e-12);  // 60 (S_DS - 0.4)^2 in
+  EXPECT_NEAR(run.standards[3].prescribed.value_m, 60 * 0.36 * 0.0254,
+              1e-12);  // 60 (S_DS - 0.4)^2 in
   std::size_t above = 0;
   for (std::size_t r = 0; r < 3; ++r) {
-    for (std::size_t s = 0; s < 40; ++s) above += run.peak_displacement_m(r, s, 3) > run.standards[3].prescribed.value_m ? 1 : 0;
+    for (std::size_t s = 0; s < 40; ++s)
+      above += run.peak_displacement_m(r, s, 3) > run.standards[3].prescribed.value_m ? 1 : 0;
   }
   EXPECT_NEAR(run.standards[3].exceedance_probability, static_cast<double>(above) / 120, 1e-14);
 }
@@ -120,7 +126,8 @@ TEST_F(reduce_of_a_small_study, shows_the_suite_against_its_design_spectrum) {
   ASSERT_EQ(results->spectra.average_srss_g.size(), results->spectra.target_g.size());
   for (std::size_t p = 0; p < results->spectra.periods_s.size(); ++p) {
     if (results->spectra.periods_s[p] > 2.0) continue;
-    EXPECT_GE(results->spectra.average_srss_g[p], 0.97 * results->spectra.target_g[p]);  // between the rule's own periods
+    EXPECT_GE(results->spectra.average_srss_g[p],
+              0.97 * results->spectra.target_g[p]);  // between the rule's own periods
   }
 }
 
@@ -139,8 +146,10 @@ TEST(reduce, counts_histories_that_fall_below_the_threshold_again) {
     unit.runs.resize(1);
     for (int sample = 0; sample < 4; ++sample) {
       const bool recrosses = u == 0 && sample == 0;
-      const std::vector<double> peaks = recrosses ? std::vector<double>{0.0, 0.2, 0.05} : std::vector<double>{0.0, 0.2, 0.3};
-      unit.runs[0].peak_displacement_m.insert(unit.runs[0].peak_displacement_m.end(), peaks.begin(), peaks.end());
+      const std::vector<double> peaks =
+          recrosses ? std::vector<double>{0.0, 0.2, 0.05} : std::vector<double>{0.0, 0.2, 0.3};
+      unit.runs[0].peak_displacement_m.insert(unit.runs[0].peak_displacement_m.end(), peaks.begin(),
+                                              peaks.end());
       unit.runs[0].uplift.insert(unit.runs[0].uplift.end(), 3, 0);
       unit.runs[0].capacity.push_back(1.5 + 0.01 * sample + 0.1 * static_cast<double>(u));
     }

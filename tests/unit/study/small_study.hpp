@@ -17,7 +17,8 @@ inline Suite small_suite() {
     m.id = "motion" + std::to_string(i);
     m.dt_s = 0.01;
     m.scale = 1.0 + 0.5 * i;
-    m.horizontal_mps2 = {made_up_record(600, 10 * i + 1, 3.0), made_up_record(600, 10 * i + 2, 2.0)};
+    m.horizontal_mps2 = {made_up_record(600, 10 * i + 1, 3.0),
+                         made_up_record(600, 10 * i + 2, 2.0)};
     m.vertical_mps2 = made_up_record(600, 10 * i + 3, 1.0);
     suite.motions.push_back(m);
   }
@@ -43,6 +44,5 @@ inline StudyConfig small_config() {
   c.standards.compare = {Standard::seaoc_pv1_2012, Standard::asce7_16};
   return c;
 }
-
 
 }  // namespace glissade::test
