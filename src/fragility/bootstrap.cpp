@@ -28,7 +28,7 @@ struct ClusterFit {
     return point.status == FitStatus::maximum_likelihood ||
            point.status == FitStatus::jeffreys_penalised;
   }
-  bool is_bound() const { return point.status == FitStatus::one_sided_bound; }
+  bool is_bound() const { return point.is_bound(); }
   double error_of(double by_b0, double by_b1) const {
     const Eigen::Vector2d gradient{by_b0, by_b1};
     return std::sqrt(gradient.dot(covariance * gradient));
@@ -36,7 +36,7 @@ struct ClusterFit {
 
   /// ln median - center; infinite where none or all exceeded.
   Estimate log_median() const {
-    if (is_bound()) return {point.none_exceeded ? infinity : -infinity, nan};
+    if (is_bound()) return {point.status == FitStatus::lower_bound ? infinity : -infinity, nan};
     const double b0 = point.line[0], b1 = point.line[1];
     return has_line() ? Estimate{-b0 / b1, error_of(-1 / b1, b0 / (b1 * b1))} : Estimate{nan, nan};
   }
@@ -47,7 +47,7 @@ struct ClusterFit {
   }
   /// Phi^-1 of the probability of exceedance at y.
   Estimate probit_at(double y) const {
-    if (is_bound()) return {point.none_exceeded ? -infinity : infinity, nan};
+    if (is_bound()) return {point.status == FitStatus::lower_bound ? -infinity : infinity, nan};
     return has_line() ? Estimate{point.line[0] + point.line[1] * y, error_of(1, y)}
                       : Estimate{nan, nan};
   }

@@ -38,7 +38,7 @@ FitSummary fit_capacities(const CapacitySample& sample) {
   check(sample, "capacities");
   const CapacityData data = to_data(sample, mean_log(sample.capacities));
   const PointFit fit = fit_point(data, first_guess(data));
-  if (fit.status == FitStatus::one_sided_bound) {
+  if (fit.is_bound()) {
     return summarise_bound(to_data({{sample.censored_at, sample.censored, 0.0}}));
   }
   FitSummary summary;

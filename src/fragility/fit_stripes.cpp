@@ -14,7 +14,7 @@ using namespace fragility;
 /// Curve, likelihood and profile intervals of a point fit.
 FitSummary summarise(const std::vector<Stripe>& stripes, const StripeData& data,
                      const PointFit& fit) {
-  if (fit.status == FitStatus::one_sided_bound) return summarise_bound(data);
+  if (fit.is_bound()) return summarise_bound(data);
   FitSummary summary;
   summary.status = fit.status;
   summary.note = fit.note;
@@ -48,8 +48,10 @@ std::string to_string(FitStatus status) {
       return "maximum likelihood";
     case FitStatus::jeffreys_penalised:
       return "Jeffreys penalised";
-    case FitStatus::one_sided_bound:
-      return "one-sided bound";
+    case FitStatus::lower_bound:
+      return "lower bound";
+    case FitStatus::upper_bound:
+      return "upper bound";
   }
   return "failed";
 }

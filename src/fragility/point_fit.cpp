@@ -48,9 +48,9 @@ PointFit fit_point_jeffreys(const StripeData& data, const ProbitLine& start) {
       return {FitStatus::failed, none,
               "only one intensity level has trials: log_std cannot be told"};
     case StripeShape::none_exceeded:
-      return {FitStatus::one_sided_bound, none, "", true};
+      return {FitStatus::lower_bound, none, ""};
     case StripeShape::all_exceeded:
-      return {FitStatus::one_sided_bound, none, "", false};
+      return {FitStatus::upper_bound, none, ""};
     default:
       return of_line(
           FitStatus::jeffreys_penalised,
@@ -61,7 +61,7 @@ PointFit fit_point_jeffreys(const StripeData& data, const ProbitLine& start) {
 PointFit fit_point(const CapacityData& data, const ProbitLine& start) {
   const ProbitLine none = ProbitLine::Zero();
   if (data.count + data.censored == 0) return {FitStatus::failed, none, "there are no capacities"};
-  if (data.count == 0) return {FitStatus::one_sided_bound, none, "", true};
+  if (data.count == 0) return {FitStatus::lower_bound, none, ""};
   if (data.censored > 0) {
     const auto line =
         maximise([&](const ProbitLine& l) { return capacity_likelihood(data, l); }, start);
@@ -173,7 +173,7 @@ FitSummary summarise_bound(const StripeData& data) {
   };
   const double bound = median_bound(log_probability, assumed_log_std, data.center);
   FitSummary summary;
-  summary.status = FitStatus::one_sided_bound;
+  summary.status = none ? FitStatus::lower_bound : FitStatus::upper_bound;
   summary.curve = {bound, assumed_log_std};
   summary.median_interval = none ? Interval{bound, infinity} : Interval{0.0, bound};
   summary.log_likelihood = log_probability(to_line(summary.curve, data.center));

@@ -9,12 +9,15 @@
 
 namespace glissade::fragility {
 
-/// A fit without its intervals. A one_sided_bound has no line.
+/// A fit without its intervals. A bound has no line.
 struct PointFit {
   FitStatus status = FitStatus::failed;
   ProbitLine line = ProbitLine::Zero();
   std::string note = {};
-  bool none_exceeded = false;  ///< of a one_sided_bound: lower bound if true, upper if false
+
+  bool is_bound() const {
+    return status == FitStatus::lower_bound || status == FitStatus::upper_bound;
+  }
 };
 
 /// Maximum likelihood, or what the data allow instead. `start` is any line of positive slope.

@@ -35,7 +35,8 @@ inline EnumNames<FitStatus> fit_status_names() {
       {"failed", FitStatus::failed},
       {"maximum_likelihood", FitStatus::maximum_likelihood},
       {"jeffreys_penalised", FitStatus::jeffreys_penalised},
-      {"one_sided_bound", FitStatus::one_sided_bound}};
+      {"lower_bound", FitStatus::lower_bound},
+      {"upper_bound", FitStatus::upper_bound}};
   return names;
 }
 

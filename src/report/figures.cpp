@@ -18,7 +18,11 @@ std::string symbol_of_fit(const FitSummary& fit) {
     return fmt::format("median {} g [{}], log std {}", format_number(fit.curve.median),
                        format_interval(fit.median_interval), format_number(fit.curve.log_std));
   }
-  if (fit.status == FitStatus::one_sided_bound) {
+  if (fit.status == FitStatus::upper_bound) {
+    return fmt::format("median below {} g (95 % bound; all exceed)",
+                       format_number(fit.curve.median));
+  }
+  if (fit.status == FitStatus::lower_bound) {
     return fmt::format("median above {} g (95 % bound; no exceedance)",
                        format_number(fit.curve.median));
   }

@@ -29,7 +29,13 @@ std::string threshold_sentence(const Results& results, const ThresholdFragility&
         clearance, at_intensity(results, fit.curve.median), format_interval(fit.median_interval),
         beyond ? ", which extrapolates beyond the highest level studied" : "");
   }
-  if (fit.status == FitStatus::one_sided_bound) {
+  if (fit.status == FitStatus::upper_bound) {
+    return fmt::format(
+        "A clearance of {} was exceeded by every history at every level; its median lies below {} "
+        "(95 % confidence).",
+        clearance, at_intensity(results, fit.curve.median));
+  }
+  if (fit.status == FitStatus::lower_bound) {
     return fmt::format(
         "A clearance of {} was never exceeded; its median lies above {} (95 % confidence).",
         clearance, at_intensity(results, fit.curve.median));

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "glissade/report/format.hpp"
 
@@ -22,19 +23,31 @@ std::string measured_by(const Results& results) {
 }
 
 Estimate median_of(const FitSummary& fit) {
-  if (fit.status == FitStatus::failed) return {nan, {}, false};
-  return {fit.curve.median, fit.median_interval, fit.status == FitStatus::one_sided_bound};
+  if (fit.status == FitStatus::failed) return {nan, {}, ""};
+  const char* sign = fit.status == FitStatus::lower_bound   ? "> "
+                     : fit.status == FitStatus::upper_bound ? "< "
+                                                            : "";
+  return {fit.curve.median, fit.median_interval, sign};
 }
 
 Estimate log_std_of(const FitSummary& fit) {
-  if (fit.status == FitStatus::failed) return {nan, {}, false};
-  return {fit.curve.log_std, fit.log_std_interval, false};
+  if (fit.status == FitStatus::failed) return {nan, {}, ""};
+  return {fit.curve.log_std, fit.log_std_interval, ""};
+}
+
+/// Share of records of which any sample falls below the threshold again at a higher level.
+double record_recross_share(const ThresholdFragility& fragility) {
+  const std::vector<double>& recross = fragility.record_recross;
+  return recross.empty() ? nan
+                         : std::accumulate(recross.begin(), recross.end(), 0.0) /
+                               static_cast<double>(recross.size());
 }
 
 void add_fragility_row(Table& table, const RunResults& run, const ThresholdFragility& fragility,
                        const std::string& method, const FitSummary& fit) {
   table.add({run.label, fragility.threshold_m, method, median_of(fit), log_std_of(fit),
-             to_string(fit.status), fragility.recross_share, fragility.censored_share,
+             to_string(fit.status), fragility.recross_share, record_recross_share(fragility),
+             fragility.censored_share,
              fragility.free_sliding_share, fit.interval_method, fit.note});
 }
 
@@ -66,7 +79,8 @@ Table fragility_table(const Results& results) {
                {"median", "g", "Median, g [95 %]", ColumnKind::number, true},
                {"log_std", "", "Log std [95 %]", ColumnKind::number, true},
                text_column("status", "Fit"),
-               {"recross_share", "", "Recross", ColumnKind::share},
+               {"recross_share", "", "Histories that recross", ColumnKind::share},
+               {"record_recross_share", "", "Records that recross", ColumnKind::share},
                {"censored_share", "", "Never reached", ColumnKind::share},
                {"free_sliding_share", "", "Slides unshaken", ColumnKind::share},
                text_column("interval_method", "Intervals by"),

@@ -39,7 +39,7 @@ struct BootstrapOptions {
 /// (separated, or none or all exceeded), expanded percentiles of what can be fitted instead:
 /// Jeffreys penalised where separated, a median of infinity where none exceeded and of 0 where all
 /// did (log_std: without those); `note` counts them. The interval may then be open. No exceedance
-/// in any record: one_sided_bound with one trial per record and level. One record: no interval
+/// in any record: a bound with one trial per record and level. One record: no interval
 /// (NaN). `band` (if not null) receives, per given intensity, the pointwise interval of the
 /// probability (NaN where there is none). Throws InputError for counts or capacities out of range.
 FitSummary fit_stripes_by_record(const std::vector<double>& intensities,

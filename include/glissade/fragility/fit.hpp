@@ -35,9 +35,9 @@ enum class FitStatus {
   maximum_likelihood,  ///< finite maximum of the likelihood
   jeffreys_penalised,  ///< separated data: penalised by half the log determinant of the information
                        ///< (Firth 1993)
-  one_sided_bound,     ///< no exceedance at all: median is a lower bound at 95 % for an assumed
-                    ///< log_std of 0.4, and median_interval reaches to infinity; all exceeded: an
-                    ///< upper bound, from 0
+  lower_bound,         ///< no exceedance at all: median is a lower bound at 95 % for an assumed
+                       ///< log_std of 0.4, and median_interval reaches to infinity
+  upper_bound,         ///< every trial exceeded: an upper bound, median_interval begins at 0
 };
 std::string to_string(FitStatus status);
 

@@ -30,7 +30,7 @@ struct Column {
 struct Estimate {
   double value = 0.0;
   Interval interval;
-  bool is_lower_bound = false;  ///< people read "> value"
+  std::string sign;  ///< before the value for people: "> " of a lower bound, "< " of an upper one
 };
 
 using Cell = std::variant<double, std::string, Estimate>;

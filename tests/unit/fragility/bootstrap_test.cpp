@@ -175,7 +175,7 @@ TEST(fit_stripes_by_record, bounds_with_one_trial_per_record_where_nothing_excee
   const std::vector<RecordStripes> records(7, {{0.0, 0.0}, {1000.0, 1000.0}});
   const FitSummary fit = fit_stripes_by_record({0.5, 1.0}, records, {});
   const FitSummary one_each = fit_stripes({{0.5, 7, 0}, {1.0, 7, 0}});
-  EXPECT_EQ(fit.status, FitStatus::one_sided_bound);
+  EXPECT_EQ(fit.status, FitStatus::lower_bound);
   EXPECT_NEAR(fit.curve.median, one_each.curve.median, 1e-12);
 }
 
@@ -183,7 +183,7 @@ TEST(fit_capacities_by_record,
      bounds_with_one_trial_per_record_where_nothing_reached_the_threshold) {
   const std::vector<RecordCapacities> records(7, {{}, 1000.0});
   const FitSummary fit = fit_capacities_by_record(records, 1.0, {});
-  EXPECT_EQ(fit.status, FitStatus::one_sided_bound);
+  EXPECT_EQ(fit.status, FitStatus::lower_bound);
   EXPECT_NEAR(fit.curve.median, fit_stripes({{1.0, 7, 0}}).curve.median, 1e-12);
 }
 

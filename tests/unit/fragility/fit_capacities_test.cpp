@@ -87,7 +87,7 @@ TEST(fit_capacities, comes_to_the_complete_sample_as_censoring_vanishes) {
 TEST(fit_capacities, bounds_the_median_where_no_history_reached_the_threshold) {
   const FitSummary fit = fit_capacities({{}, 40, 0.5});
   const FitSummary stripes = fit_stripes({{0.5, 40, 0}});
-  EXPECT_EQ(fit.status, FitStatus::one_sided_bound);
+  EXPECT_EQ(fit.status, FitStatus::lower_bound);
   EXPECT_EQ(fit.curve.median, stripes.curve.median);
 }
 

@@ -113,7 +113,7 @@ TEST(fit_stripes, finds_the_greatest_likelihood_of_its_neighbourhood) {
 // Phi^-1(0.05^(1/n))).
 TEST(fit_stripes, bounds_the_median_from_below_without_exceedance) {
   const FitSummary fit = fit_stripes({{0.5, 40, 0}});
-  EXPECT_EQ(fit.status, FitStatus::one_sided_bound);
+  EXPECT_EQ(fit.status, FitStatus::lower_bound);
   EXPECT_FALSE(fit.converged());
   EXPECT_EQ(fit.curve.log_std, 0.4);
   const LognormalCurve unit{1.0, 1.0};
@@ -133,7 +133,7 @@ TEST(fit_stripes, gives_a_lower_bound_below_the_level_for_one_trial) {
 TEST(fit_stripes, bounds_the_median_from_above_when_all_exceeded) {
   const FitSummary lower = fit_stripes({{0.5, 20, 0}, {0.8, 10, 0}});
   const FitSummary upper = fit_stripes({{1 / 0.8, 10, 10}, {1 / 0.5, 20, 20}});
-  EXPECT_EQ(upper.status, FitStatus::one_sided_bound);
+  EXPECT_EQ(upper.status, FitStatus::upper_bound);
   EXPECT_NEAR(upper.curve.median, 1 / lower.curve.median, 1e-12);
   EXPECT_EQ(upper.median_interval.low, 0.0);
   EXPECT_EQ(upper.median_interval.high, upper.curve.median);

@@ -33,7 +33,7 @@ ThresholdFragility make_fragility(double threshold_m, std::size_t band) {
                "profile",
                "separated"};
   f.capacities = {
-      FitStatus::one_sided_bound, {1.5, 0.2}, {1.5, infinity}, {}, nan_value, "", "", ""};
+      FitStatus::lower_bound, {1.5, 0.2}, {1.5, infinity}, {}, nan_value, "", "", ""};
   f.probability = {0.0, 0.25, 1.0 / 3};
   f.probability_interval = {{0.0, 0.1}, {0.1, 0.4}, {0.2, nan_value}};
   f.band.assign(band, {0.125, 0.5});
@@ -189,7 +189,7 @@ TEST(results_file, runs_come_back_in_order_with_ragged_bands) {
   EXPECT_EQ(f.stripes.log_likelihood, -12.5);
   EXPECT_EQ(f.stripes.method + f.stripes.interval_method + f.stripes.note,
             "probitprofileseparated");
-  EXPECT_EQ(f.capacities.status, FitStatus::one_sided_bound);
+  EXPECT_EQ(f.capacities.status, FitStatus::lower_bound);
   EXPECT_EQ(f.capacities.median_interval.high, infinity);
   EXPECT_EQ(f.probability, b.fragilities[0].probability);
   ASSERT_EQ(f.probability_interval.size(), 3u);

@@ -34,7 +34,7 @@ TEST(answer, says_that_a_clearance_was_never_exceeded) {
   Results results = made_up_results();
   ThresholdFragility& fragility = results.runs[0].fragilities[3];
   fragility.stripes = fragility.capacities = FitSummary{};
-  fragility.capacities.status = FitStatus::one_sided_bound;
+  fragility.capacities.status = FitStatus::lower_bound;
   fragility.capacities.curve = {2.5, 0.4};
   EXPECT_THAT(answer_sentences(results)[3], HasSubstr("never exceeded"));
   EXPECT_THAT(answer_sentences(results)[3], HasSubstr("S_DS = 2.50 g"));

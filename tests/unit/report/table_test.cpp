@@ -49,7 +49,7 @@ TEST(table, becomes_escaped_html) {
 
 TEST(table, says_that_a_one_sided_median_is_a_lower_bound) {
   const Column column{"median", "g", "Median", ColumnKind::number, true};
-  EXPECT_EQ(cell_text(column, Estimate{2.0, {}, true}), "> 2.00");
+  EXPECT_EQ(cell_text(column, Estimate{2.0, {}, "> "}), "> 2.00");
 }
 
 TEST(table, loses_just_the_column_it_is_shown_without) {
