@@ -18,9 +18,10 @@ using block_detail::Contact;
 using block_detail::Drive;
 using block_detail::Roof;
 
-/// A function linear in time over a piece of a sample interval.
+/// A function linear in time over what is left of a piece of a sample interval.
 struct Line {
   double value = 0.0, rate = 0.0;
+  double end = 0.0;  ///< at the piece's end, exactly
   double at(double t) const { return value + rate * t; }
 };
 
@@ -34,6 +35,7 @@ std::optional<double> time_to_stop(double u0, const Line& drive, double length) 
   if (turns_inside ? discriminant <= 0.0 : u0 + length * (n + 0.5 * k * length) > 0.0)
     return std::nullopt;
   if (n >= 0.0 && k >= 0.0) return std::nullopt;  // never slows down
+  if (u0 == 0.0 && n <= 0.0) return 0.0;  // it was about to start, and is held after all
   const double root = std::sqrt(std::max(discriminant, 0.0));
   const double t =
       n <= 0.0 ? 2.0 * u0 / (root - n) : (root + n) / -k;  // the form without cancellation
@@ -63,9 +65,9 @@ class SlidingBlock {
 
   /// From now to piece_end, `length` later, the drives go linearly from `begin` to `end`.
   void advance(double length, double piece_end, const Drive& begin, const Drive& end) {
-    Line down{begin.down, (end.down - begin.down) / length};
-    Line up{begin.up, (end.up - begin.up) / length};
-    if (directions_ == SlipDirections::downslope_only) up = {-1.0, 0.0};
+    Line down{begin.down, (end.down - begin.down) / length, end.down};
+    Line up{begin.up, (end.up - begin.up) / length, end.up};
+    if (directions_ == SlipDirections::downslope_only) up = {-1.0, 0.0, -1.0};
 
     double left = length;
     // Starts and stops inside a piece number a few (each drive is linear, so each direction starts
@@ -119,8 +121,10 @@ class SlidingBlock {
   bool start(Line& down, Line& up, double& left) {
     const auto start_time = [left](const Line& drive) -> std::optional<double> {
       if (drive.value > 0.0) return 0.0;
-      if (drive.at(left) > 0.0) return std::min(-drive.value / drive.rate, left);
-      return std::nullopt;
+      if (!(drive.end > 0.0 && drive.rate > 0.0)) return std::nullopt;
+      const double wait = -drive.value / drive.rate;
+      if (wait < left) return wait;
+      return std::nullopt;  // within rounding of the piece's end: the next piece starts it
     };
     const std::optional<double> down_start = start_time(down), up_start = start_time(up);
     if (!down_start && !up_start) return false;

@@ -15,14 +15,16 @@ using Real = boost::multiprecision::cpp_bin_float_50;
 /// The sliding block in 50 digits, written from the equation of motion alone and without the
 /// closed-form roots of slide(): within an interval the velocity is a quadratic of time; it is cut
 /// at its turning point, and events are bisected on the monotone pieces. Slopes and coefficients
-/// are those of the doubles given. No uplift.
+/// are those of the doubles given.
 struct Reference {
   Real slip = 0, down = 0, up = 0, peak_velocity = 0;  ///< along the slope times cos(slope)
+  Real duration = 0;                                   ///< of sliding
+  bool uplift = false;
 
   Reference(const RoofAcceleration& roof, const Block& block) {
     using std::abs;
     const Real slope = block.slope_rad, sine = sin(slope), cosine = cos(slope),
-               g = block.gravity_mps2, mu = block.friction;
+               g = block.gravity_mps2, friction = block.friction;
     const std::size_t n = roof.horizontal_mps2.size();
     const auto a = [&](std::size_t i) {
       return i < n ? Real(roof.horizontal_mps2[i]) * roof.horizontal_factor : Real(0);
@@ -33,17 +35,20 @@ struct Reference {
                  : Real(0);
     };
     // Acceleration along +x slope for a given direction of friction.
-    const auto acceleration = [&](const Real& ai, const Real& wi, int sigma) -> Real {
-      return (g + wi) * sine - ai * cosine - sigma * mu * ((g + wi) * cosine + ai * sine);
+    const auto normal = [&](const Real& ai, const Real& wi) -> Real {
+      return (g + wi) * cosine + ai * sine;
+    };
+    const auto acceleration = [&](const Real& ai, const Real& wi, int sg, const Real& mu) -> Real {
+      return (g + wi) * sine - ai * cosine - sg * mu * normal(ai, wi);
     };
     Real v = 0, s = 0;
     int sigma = 0;
-    const Real h = roof.dt_s;
-    const bool free = tan(slope) > mu;
-    const auto run = [&](const Real& a0, const Real& w0, const Real& a1, const Real& w1) {
+    const bool free = tan(slope) > friction;
+    const auto run = [&](const Real& a0, const Real& w0, const Real& a1, const Real& w1,
+                         const Real& h, const Real& mu) {
       Real t = 0;
       const auto acc = [&](const Real& at, int sg) -> Real {
-        return acceleration(a0 + (a1 - a0) * at / h, w0 + (w1 - w0) * at / h, sg);
+        return acceleration(a0 + (a1 - a0) * at / h, w0 + (w1 - w0) * at / h, sg, mu);
       };
       for (int guard = 0; guard < 40 && t < h; ++guard) {
         if (sigma == 0) {
@@ -91,6 +96,7 @@ struct Reference {
         s += v * tau + nn * tau * tau / 2 + kk * tau * tau * tau / 6;
         v = stop < 0 ? velocity(left) : Real(0);
         t += tau;
+        duration += tau;
         if (s > down) down = s;
         if (-s > up) up = -s;
         if (stop < 0) return;
@@ -98,9 +104,25 @@ struct Reference {
         sigma = reverses ? -sigma : 0;
       }
     };
-    for (std::size_t i = 0; i + (free ? 1 : 0) < n; ++i) run(a(i), w(i), a(i + 1), w(i + 1));
+    // A lifted block feels no friction: the interval is cut where the normal force, a line, is zero.
+    const auto interval = [&](const Real& a0, const Real& w0, const Real& a1, const Real& w1) {
+      const Real h = roof.dt_s;
+      const bool held0 = normal(a0, w0) >= 0, held1 = normal(a1, w1) >= 0;
+      uplift |= !held0 || !held1;
+      if (held0 == held1) return run(a0, w0, a1, w1, h, held0 ? friction : Real(0));
+      Real lo = 0, hi = 1;
+      for (int i = 0; i < 170; ++i) {
+        const Real mid = (lo + hi) / 2;
+        ((normal(a0 + mid * (a1 - a0), w0 + mid * (w1 - w0)) >= 0) == held0 ? lo : hi) = mid;
+      }
+      const Real am = a0 + lo * (a1 - a0), wm = w0 + lo * (w1 - w0);
+      run(a0, w0, am, wm, lo * h, held0 ? friction : Real(0));
+      run(am, wm, a1, w1, (1 - lo) * h, held1 ? friction : Real(0));
+    };
+    for (std::size_t i = 0; i + (free ? 1 : 0) < n; ++i) interval(a(i), w(i), a(i + 1), w(i + 1));
     if (!free && sigma != 0) {
-      const Real drive = acceleration(0, 0, sigma);
+      const Real drive = acceleration(0, 0, sigma, friction);
+      if (drive != 0) duration += -v / drive;
       if (drive != 0) s += -v * v / (2 * drive);  // without friction on a flat roof it never stops
       if (s > down) down = s;
       if (-s > up) up = -s;

@@ -27,8 +27,26 @@ void expect_same(const SlipResult& a, const SlipResult& b) {
   EXPECT_EQ(a.free_sliding, b.free_sliding);
 }
 
-TEST(slide, agrees_with_fifty_digits_to_1e_12_over_scales_frictions_slopes_and_vertical) {
+/// Largest difference of any result from fifty digits, relative to the largest slip (velocity and duration to their own
+/// size). NaN stays NaN. Zero where nothing moves.
+double error_against_fifty_digits(const RoofAcceleration& roof, const Block& block) {
+  const SlipResult r = slide(roof, block);
+  const Reference exact(roof, block);
+  EXPECT_EQ(r.uplift, exact.uplift);
+  const double down = static_cast<double>(exact.down), up = static_cast<double>(exact.up);
+  const double size = std::max(down, up);
+  if (size == 0) return r.peak_displacement_m;
   double worst = 0;
+  for (const double difference :
+       {(r.residual_displacement_m - static_cast<double>(exact.slip)) / size,
+        (r.peak_downslope_m - down) / size, (r.peak_upslope_m - up) / size,
+        r.peak_velocity_mps / static_cast<double>(exact.peak_velocity) - 1}) {
+    if (!(std::abs(difference) <= worst)) worst = std::abs(difference);
+  }
+  return worst;
+}
+
+TEST(slide, agrees_with_fifty_digits_to_1e_12_over_scales_frictions_slopes_and_vertical) {
   int slid = 0;
   for (unsigned seed = 1; seed <= 4; ++seed) {
     const auto a = made_up_record(1200, seed, 6.0), w = made_up_record(1200, seed + 100, 3.0);
@@ -36,34 +54,53 @@ TEST(slide, agrees_with_fifty_digits_to_1e_12_over_scales_frictions_slopes_and_v
       for (const double mu : {0.0, 0.1, 0.3, 0.5, 0.7}) {
         for (const double slope_deg : {0.0, 1.19, 4.0, 7.0, 30.0}) {
           for (const bool vertical : {false, true}) {
-            RoofAcceleration roof{0.005, a,
-                                  vertical ? std::span<const double>(w) : std::span<const double>(),
-                                  scale, scale};
+            const RoofAcceleration roof{
+                0.005, a, vertical ? std::span<const double>(w) : std::span<const double>(), scale,
+                scale};
             const Block block{mu, slope_deg * rad_per_deg};
-            const SlipResult r = slide(roof, block);
-            if (r.uplift) continue;
-            const Reference exact(roof, block);
-            const double size =
-                std::max(static_cast<double>(exact.down), static_cast<double>(exact.up));
-            if (size == 0) {
-              EXPECT_EQ(r.peak_displacement_m, 0.0);
-              continue;
-            }
-            ++slid;
-            worst = std::max(
-                {worst,
-                 std::abs(r.residual_displacement_m - static_cast<double>(exact.slip)) / size,
-                 std::abs(r.peak_downslope_m - static_cast<double>(exact.down)) / size,
-                 std::abs(r.peak_upslope_m - static_cast<double>(exact.up)) / size,
-                 std::abs(r.peak_velocity_mps / static_cast<double>(exact.peak_velocity) - 1)});
+            EXPECT_LE(error_against_fifty_digits(roof, block), 1e-12);
+            slid += slide(roof, block).slip_phases > 0 ? 1 : 0;
           }
         }
       }
     }
   }
   EXPECT_GT(slid, 300);
-  EXPECT_LT(worst, 1e-12);
-  RecordProperty("worst_relative_error", std::to_string(worst * 1e15) + "e-15");
+}
+
+TEST(slide, agrees_with_fifty_digits_where_the_block_lifts_off_and_lands) {
+  int lifted = 0;
+  for (unsigned seed = 1; seed <= 6; ++seed) {
+    const auto a = made_up_record(600, seed, 15.0), w = made_up_record(600, seed + 100, 25.0);
+    for (const double mu : {0.1, 0.5}) {
+      for (const double slope_deg : {0.0, 7.0, 40.0}) {
+        const RoofAcceleration roof{0.005, a, w};
+        const Block block{mu, slope_deg * rad_per_deg};
+        EXPECT_LE(error_against_fifty_digits(roof, block), 1e-12);
+        lifted += slide(roof, block).uplift ? 1 : 0;
+      }
+    }
+  }
+  EXPECT_GT(lifted, 20);
+}
+
+// Records rounded to 0.01 g with mu a multiple of 0.05: samples lie exactly on the thresholds, where a phase may start
+// at the last instant of an interval and be held at the first of the next.
+TEST(slide, agrees_with_fifty_digits_where_samples_lie_on_the_thresholds) {
+  for (unsigned seed = 1; seed <= 150; ++seed) {
+    std::mt19937 generator(seed);
+    std::vector<double> a(40);
+    for (double& sample : a) sample = g * (static_cast<double>(generator() % 61) - 30) / 100;
+    for (const double mu : {0.05, 0.1, 0.2}) {
+      EXPECT_LE(error_against_fifty_digits({0.01, a}, {.friction = mu}), 1e-12)
+          << "seed " << seed << ", mu " << mu;
+    }
+  }
+  // A case that once gave NaN: a sample on the threshold, held by the next.
+  const std::vector<double> a = {0.45 * g,  -0.1 * g, 0.1 * g,  0.0,      -0.5 * g,
+                                 -0.5 * g, -0.5 * g, -0.5 * g, -0.5 * g, 0.0};
+  const SlipResult r = slide({0.01, a}, {.friction = 0.1});
+  EXPECT_NEAR(r.peak_displacement_m, 0.0234, 5e-5);  // its neighbour off the threshold
 }
 
 TEST(slide, stays_put_when_the_peak_is_below_yield) {
