@@ -24,7 +24,21 @@ class SteppedBlock {
         tan_(std::tan(slope)),
         one_way_(block.directions == SlipDirections::downslope_only) {}
 
-  bool sticking() const { return sticking_; }
+  /// The roof has come to rest: under gravity and friction alone the scheme's limit is a parabola.
+  /// False if the block never stops.
+  bool coast() {
+    const double relative = velocity_x_ - velocity_p_;
+    if (sticking_ || relative == 0.0) return true;
+    const double along = g_ * (relative > 0.0 ? mu_ * cos_ - sin_
+                                              : mu_ * cos_ + sin_);  // deceleration along the slope
+    if (!(along > 0.0)) return false;
+    const double deceleration = along * cos_;  // of plan velocity
+    position_x_ += 0.5 * relative * std::abs(relative) / deceleration;
+    duration_ += std::abs(relative) / deceleration;
+    velocity_x_ = velocity_p_;
+    note_peaks();
+    return true;
+  }
 
   /// One substep with the roof's acceleration held at its value at the beginning (paper,
   /// "Time-stepping algorithm").
@@ -55,9 +69,7 @@ class SteppedBlock {
     position_x_ += velocity_x_ * dt + 0.5 * acceleration_x * dt * dt;
     velocity_p_ += r.a * dt;
     velocity_x_ += acceleration_x * dt;
-    const double slip = position_x_ - position_p_;
-    farthest_down_ = std::max(farthest_down_, slip);
-    farthest_up_ = std::min(farthest_up_, slip);
+    note_peaks();
     peak_velocity_ = std::max(peak_velocity_, std::abs(velocity_x_ - velocity_p_));
   }
 
@@ -75,6 +87,12 @@ class SteppedBlock {
   }
 
  private:
+  void note_peaks() {
+    const double slip = position_x_ - position_p_;
+    farthest_down_ = std::max(farthest_down_, slip);
+    farthest_up_ = std::min(farthest_up_, slip);
+  }
+
   double g_, mu_, sin_, cos_, tan_;
   bool one_way_;
   double velocity_x_ = 0.0, velocity_p_ = 0.0, position_x_ = 0.0, position_p_ = 0.0;  // eq 19
@@ -110,23 +128,14 @@ SlipResult slide_rodriguez_nikl(const RoofAcceleration& roof, const Block& block
       body.step({r0.a + share * (r1.a - r0.a), r0.w + share * (r1.w - r0.w)}, dt);
     }
   }
-  SlipResult result = body.result();
   if (slides_at_rest) {
+    SlipResult result = body.result();
     result.free_sliding = true;
     return result;
   }
-  // Coasting: under gravity alone the published scheme steps on until it sticks; a frictionless
-  // block never does.
-  const double deceleration =
-      block.gravity_mps2 * std::cos(slope) * (block.friction - std::tan(slope));
-  if (deceleration > 0.0) {
-    do body.step({}, dt);
-    while (!body.sticking());
-    result = body.result();
-  } else {
-    body.step({}, dt);
-    result.free_sliding = !body.sticking();
-  }
+  const bool stopped = body.coast();
+  SlipResult result = body.result();
+  result.free_sliding = !stopped;
   return result;
 }
 

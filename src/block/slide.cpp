@@ -35,7 +35,7 @@ std::optional<double> time_to_stop(double u0, const Line& drive, double length) 
   if (turns_inside ? discriminant <= 0.0 : u0 + length * (n + 0.5 * k * length) > 0.0)
     return std::nullopt;
   if (n >= 0.0 && k >= 0.0) return std::nullopt;  // never slows down
-  if (u0 == 0.0 && n <= 0.0) return 0.0;  // it was about to start, and is held after all
+  if (u0 == 0.0 && n <= 0.0) return 0.0;          // it was about to start, and is held after all
   const double root = std::sqrt(std::max(discriminant, 0.0));
   const double t =
       n <= 0.0 ? 2.0 * u0 / (root - n) : (root + n) / -k;  // the form without cancellation
@@ -293,6 +293,11 @@ bool cannot_slip(const Block& block, double peak_horizontal_mps2, double peak_ve
     }
   }
   return true;
+}
+
+double resting_deceleration_mps2(const Block& block) {
+  const Contact contact(block, std::abs(block.slope_rad));
+  return std::max(0.0, -contact.sliding({}).down);
 }
 
 double yield_acceleration_mps2(const Block& block) {

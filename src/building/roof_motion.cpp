@@ -11,11 +11,15 @@
 namespace glissade {
 namespace {
 
+/// A period far below the record's step is as good as rigid: finer substeps would show only the
+/// straight line between samples.
+constexpr int most_substeps = 64;
+
 /// How many substeps of dt give a period at least `steps_per_period` of them.
 int substeps(const Oscillator& oscillator, double dt_s, int steps_per_period) {
   if (oscillator.period_s == 0.0) return 1;
-  return std::max(
-      1, static_cast<int>(std::ceil(steps_per_period * dt_s / oscillator.period_s - 1e-9)));
+  const double wanted = std::ceil(steps_per_period * dt_s / oscillator.period_s - 1e-9);
+  return static_cast<int>(std::clamp(wanted, 1.0, static_cast<double>(most_substeps)));
 }
 
 /// Visits the linear pieces of a record cut into `parts` each: visit(a_begin, a_end).
@@ -41,9 +45,20 @@ std::vector<double> rigid_response(std::span<const double> ground, bool to_zero,
   return roof;
 }
 
+/// Largest less smallest velocity of a roof that starts from rest.
+double velocity_range(const std::vector<double>& acceleration_mps2, double dt_s) {
+  double velocity = 0.0, least = 0.0, most = 0.0;
+  for (std::size_t i = 1; i < acceleration_mps2.size(); ++i) {
+    velocity += 0.5 * dt_s * (acceleration_mps2[i - 1] + acceleration_mps2[i]);
+    least = std::min(least, velocity);
+    most = std::max(most, velocity);
+  }
+  return most - least;
+}
+
 std::vector<double> oscillator_response(const Oscillator& oscillator, double dt_s,
                                         std::span<const double> ground, int parts,
-                                        double quiet_mps2, double longest_ring_down_s) {
+                                        double quiet_mps2, const RoofMotionOptions& options) {
   const double phase = 2.0 * std::numbers::pi * dt_s / (parts * oscillator.period_s);
   const double zeta = oscillator.damping_ratio;
   const OscillatorStep step = oscillator_step(phase, zeta);
@@ -63,11 +78,18 @@ std::vector<double> oscillator_response(const Oscillator& oscillator, double dt_
   if (rings) {
     // |x + 2 zeta y| <= (1 + 2 zeta) envelope, which decays as exp(-zeta phase) a step.
     const double bound = (1.0 + 2.0 * zeta) * free_vibration_envelope(x, y, zeta);
-    const double longest = longest_ring_down_s * parts / dt_s;
-    double steps = 0.0;
-    if (bound > quiet_mps2) {
-      steps =
-          zeta > 0.0 ? std::min(longest, std::log(bound / quiet_mps2) / (zeta * phase)) : longest;
+    const double longest = options.longest_ring_down_s * parts / dt_s;
+    const auto steps_to = [&](double level_mps2) {
+      if (bound <= level_mps2) return 0.0;
+      return zeta > 0.0 ? std::min(longest, std::log(bound / level_mps2) / (zeta * phase))
+                        : longest;
+    };
+    double steps = steps_to(quiet_mps2);
+    if (options.settle_deceleration_mps2 > 0.0) {
+      // A block on its way now is no faster than the range of the roof's velocity.
+      const double settle = velocity_range(roof, dt_s / parts) / options.settle_deceleration_mps2 +
+                            oscillator.period_s;
+      steps = std::min(steps + settle * parts / dt_s, steps_to(0.01 * quiet_mps2));
     }
     for (auto left = static_cast<std::size_t>(std::ceil(steps)); left > 0; --left)
       advance(0.0, 0.0);
@@ -96,8 +118,7 @@ RoofMotion roof_motion(const GroundMotion& ground, const Building& building,
   const auto response = [&](const Oscillator& oscillator, std::span<const double> input,
                             double quiet_mps2) {
     if (oscillator.period_s == 0.0) return rigid_response(input, false, parts);
-    return oscillator_response(oscillator, ground.dt_s, input, parts, quiet_mps2,
-                               options.longest_ring_down_s);
+    return oscillator_response(oscillator, ground.dt_s, input, parts, quiet_mps2, options);
   };
   RoofMotion roof;
   roof.dt_s = ground.dt_s / parts;
@@ -106,6 +127,7 @@ RoofMotion roof_motion(const GroundMotion& ground, const Building& building,
   if (vertical)
     roof.vertical_mps2 =
         response(building.vertical, ground.vertical_mps2, options.quiet_vertical_mps2);
+  roof.record_samples = (ground.horizontal_mps2.size() - 1) * static_cast<std::size_t>(parts) + 1;
   roof.peak_horizontal_mps2 = peak(roof.horizontal_mps2);
   roof.peak_vertical_mps2 = peak(roof.vertical_mps2);
   if (vertical && roof.vertical_mps2.size() != roof.horizontal_mps2.size()) {

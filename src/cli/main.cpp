@@ -64,6 +64,12 @@ int run_program(int argc, char** argv, const glissade::Communicator& world) {
     if (!world.is_root())
       world.abort(input_error_status);  // the others do not know, and would wait for ever
     return input_error_status;
+  } catch (const std::bad_alloc&) {
+    fmt::print(
+        stderr,
+        "glissade: there is not enough memory for this; take fewer samples, levels or ranks\n");
+    if (world.size() > 1) world.abort(input_error_status);
+    return input_error_status;
   }
 }
 

@@ -118,16 +118,25 @@ void on_root(const Communicator& world, Prepare prepare) {
   if (ok[0] == 0) throw ExitStatus{2};
 }
 
+/// Every rank makes the plan itself; other processors or mathematical libraries could make another.
+void check_same_plan(const Plan& plan, const Communicator& world) {
+  std::vector<char> of_root(plan.hash.begin(), plan.hash.end());
+  world.broadcast(of_root);
+  if (plan.hash != std::string(of_root.begin(), of_root.end())) {
+    throw std::runtime_error(
+        "the ranks make different plans of one study: run them on one kind of machine, and leave "
+        "the study file alone meanwhile");
+  }
+}
+
 std::vector<UnitResult> execute_all(const Plan& plan, const Communicator& world) {
   Progress progress(plan.units.size(), plan.histories());
   std::vector<UnitResult> mine;
-  {
-    Communicator::Ticket ticket = world.make_ticket();
-    for (std::uint64_t unit = ticket.next(); unit < plan.units.size(); unit = ticket.next()) {
-      mine.push_back(execute(plan, unit));
-      if (world.is_root()) progress.update(unit);
-    }
-  }
+  self_schedule(world, plan.units.size(), [&](std::uint64_t unit) {
+    mine.push_back(execute(plan, unit));
+    if (world.is_root())
+      progress.update(unit);  // units go out in order: those before are done or under way
+  });
   std::vector<UnitResult> all;
   for (const std::vector<char>& part : world.gather(pack(mine))) {
     for (UnitResult& result : unpack_unit_results(part)) all.push_back(std::move(result));
@@ -157,11 +166,12 @@ void run(const RunOptions& options, const Communicator& world) {
     if (!options.dry_run) {
       check_room(out, plan);
       make_results_folder(out);  // before hours of work: it may be refused
-      write_text_file(out / "run.json",
-                      started_json(plan.config.name, plan.hash));  // and nobody else may take it
+      create_text_file(out / "run.json",
+                       started_json(plan.config.name, plan.hash));  // and nobody else may take it
     }
   });
   if (!world.is_root()) plan = make_plan(read_study(options.study), unpack_suite(message));
+  check_same_plan(plan, world);
   clock.end_phase("plan");
   if (options.dry_run) {
     if (world.is_root()) fmt::print("{}", to_string(plan));
@@ -179,7 +189,7 @@ void run(const RunOptions& options, const Communicator& world) {
     write_beside_results(out, [&] { write_report(results, out, skips); });
     clock.end_phase("report");
     std::uint64_t integrated = 0;
-    for (const UnitResult& unit : units) integrated += unit.integrated;
+    for (const UnitResult& unit : units) integrated += unit.integrated + unit.searched;
     write_beside_results(out, [&] {
       write_text_file(out / "run.json", run_json(results, skips, clock, world.size(), integrated));
     });

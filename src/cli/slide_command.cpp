@@ -3,19 +3,20 @@
 
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <optional>
 
 #include "commands.hpp"
 #include "glissade/block/rodriguez_nikl.hpp"
 #include "glissade/block/slide.hpp"
-#include "glissade/building/roof_motion.hpp"
 #include "glissade/core/error.hpp"
 #include "glissade/core/file.hpp"
 #include "glissade/io/csv.hpp"
 #include "glissade/io/record_file.hpp"
 #include "glissade/motion/intensity.hpp"
 #include "glissade/motion/motion.hpp"
+#include "glissade/study/scene.hpp"
 
 namespace glissade::cli {
 namespace {
@@ -52,6 +53,10 @@ void check(const SlideOptions& o) {
   }
   if (o.history == "/dev/stdout") {
     problems.add({"--history", "/dev/stdout is where the result is printed", "give a file", ""});
+  }
+  if (std::filesystem::is_regular_file(o.history)) {
+    problems.add({"--history", o.history + " is there already and is not written over",
+                  "give a new file", ""});
   }
   if (!o.second.empty()) {
     problems.add({"--second", "the two-axis model is not in this version",
@@ -109,16 +114,19 @@ void run(const SlideOptions& o) {
       .friction = o.mu,
       .slope_rad = o.slope_deg * rad_per_deg,
       .directions = o.one_way ? SlipDirections::downslope_only : SlipDirections::both};
-  const RoofMotion roof_table = roof_motion(
-      {motion.dt_s, motion.horizontal_mps2[0], motion.vertical_mps2}, {{o.period_s, o.damping}, {}},
-      {.quiet_horizontal_mps2 = yield_acceleration_mps2(block) / factor});
-  const RoofAcceleration roof{roof_table.dt_s, roof_table.horizontal_mps2, roof_table.vertical_mps2,
-                              factor, factor};
+  const RoofMotion roof_table =
+      roof_motion({motion.dt_s, motion.horizontal_mps2[0], motion.vertical_mps2},
+                  {{o.period_s, o.damping}, {}}, follow_roof({&block, 1}, factor));
+  const RoofAcceleration roof = felt_by(block, roof_table, {factor, factor});
 
   std::vector<SlipPoint> history;
   const SlipResult r = o.method != "event" ? slide_rodriguez_nikl(roof, block, o.substeps)
                        : o.history.empty() ? slide(roof, block)
                                            : slide(roof, block, history);
+  if (!std::isfinite(r.residual_displacement_m) || !std::isfinite(r.peak_velocity_mps)) {
+    throw InputError({o.record, fmt::format("the factor {:g} on the motion overflows", factor),
+                      "give a smaller --scale or --pga-g", ""});
+  }
   if (!o.history.empty()) write_text_file(o.history, history_csv(roof, history));
 
   const double pga_g = factor * pga / standard_gravity_mps2;

@@ -111,6 +111,13 @@ std::string read_text_file(const fs::path& path) {
                     "check that the file exists and that you may read it", ""});
 }
 
+void create_text_file(const fs::path& path, std::string_view text) {
+  OutputFile file(path, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, path);
+  file.write(text);
+  file.sync();
+  file.close();
+}
+
 void write_text_file(const fs::path& path, std::string_view text) {
   std::error_code error;
   const fs::file_status status = fs::status(path, error);

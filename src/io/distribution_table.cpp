@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "distribution_table.hpp"
 
+#include <cmath>
 #include <limits>
 
 namespace glissade {
@@ -82,7 +83,11 @@ std::optional<Distribution> read_distribution(const TomlTable& table, const char
     table.report(key, error);
     return std::nullopt;
   }
-  const Support range = support(*distribution);
+  // A tail of one in a million may lie outside: it is held at the limit when drawn.
+  const Support all = support(*distribution);
+  const Support range{
+      std::isinf(all.min) || all.min == 0.0 ? quantile(*distribution, 1e-6) : all.min,
+      std::isinf(all.max) ? quantile(*distribution, 1.0 - 1e-6) : all.max};
   const bool too_high =
       bounds.top == Bounds::Top::open ? range.max >= bounds.max : range.max > bounds.max;
   if (range.min < bounds.min || too_high) {

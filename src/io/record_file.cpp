@@ -20,7 +20,8 @@ namespace {
 constexpr const char* what_is_read =
     "give a PEER AT2 file, one column of accelerations, or two columns time and acceleration, with "
     "# before comments";
-constexpr double largest_believable_g = 50.0;  // about ten times the largest ever recorded
+constexpr double largest_believable_g =
+    3.0;  // few records ever went beyond; those need their units told
 
 enum class HeaderUnits { none, g, mps2, cmps2, velocity, displacement, unknown };
 
@@ -124,7 +125,17 @@ AccelerationUnits at2_units(const std::filesystem::path& file, const At2Header& 
 
 double at2_step(const std::filesystem::path& file, const At2Header& header,
                 const std::optional<double>& wanted) {
-  if (wanted) return *wanted;
+  if (wanted) {
+    // Mends a step printed with too few decimals (.0039 for 1/256), not another step.
+    const double told = header.dt_s.value_or(*wanted);
+    if (std::abs(told - *wanted) > 0.02 * *wanted) {
+      throw InputError(
+          {place(file, header.lines),
+           "the header's DT = " + header.dt_text + " is not dt_s = " + shortest_decimal(*wanted),
+           "leave dt_s (--dt-s) out: the file tells its own step", ""});
+    }
+    return *wanted;
+  }
   const std::string where = place(file, header.lines);
   if (header.dt_text.empty()) {
     throw InputError(

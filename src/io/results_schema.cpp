@@ -54,7 +54,7 @@ void exchange_records(const Archive& archive, Records& records) {
       archive, "suite_scale", {"-", "the suite file's factor"}, records,
       [](auto& r) -> auto& { return r.suite_scale; });
   column(
-      archive, "factor_at_unit_level",
+      archive, "factor_at_unit_level_per_g",
       {"-", "factor on the record at intensity 1; 0 where it depends on the sample"}, records,
       [](auto& r) -> auto& { return r.factor_at_unit_level; });
   column(

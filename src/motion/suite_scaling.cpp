@@ -113,10 +113,9 @@ Lowest lowest_ratio(const std::vector<double>& factors,
 
 std::vector<double> walters_periods_s() {
   std::vector<double> periods_s;
-  periods_s.reserve(53);
-  for (int i = 0; i < 10; ++i) periods_s.push_back(i / 100.0);
-  for (int i = 4; i < 12; ++i) periods_s.push_back(i / 40.0);
-  for (int i = 6; i <= 40; ++i) periods_s.push_back(i / 20.0);
+  for (int i = 0; i < 200; ++i) periods_s.push_back(i / 1000.0);
+  for (int i = 80; i < 200; ++i) periods_s.push_back(i / 400.0);
+  for (int i = 100; i <= 400; ++i) periods_s.push_back(i / 200.0);
   return periods_s;
 }
 

@@ -5,6 +5,7 @@
 #include <mpi.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <cstdlib>
 #include <stdexcept>
 
@@ -90,10 +91,10 @@ Communicator::Ticket Communicator::make_ticket() const {
     const MPI_Aint bytes = is_root() ? sizeof(std::uint64_t) : 0;
     MPI_Win_allocate(bytes, sizeof(std::uint64_t), MPI_INFO_NULL, state->group, &state->counter,
                      &state->window);
-    if (is_root()) *state->counter = 0;
-    MPI_Barrier(state->group);
     MPI_Win_lock_all(0, state->window);
+    if (is_root()) *state->counter = 0;
     MPI_Win_sync(state->window);
+    MPI_Barrier(state->group);
   }
   return Ticket(std::move(state));
 }
@@ -111,6 +112,23 @@ Communicator::Ticket::~Ticket() {
   if (!state_ || state_->window == MPI_WIN_NULL) return;
   MPI_Win_unlock_all(state_->window);
   MPI_Win_free(&state_->window);
+}
+
+void self_schedule(const Communicator& world, std::uint64_t count,
+                   const std::function<void(std::uint64_t)>& work) {
+  Communicator::Ticket ticket = world.make_ticket();
+  for (std::uint64_t item = ticket.next(); item < count; item = ticket.next()) {
+    try {
+      work(item);
+    } catch (const std::exception& error) {
+      // Unwinding would wait for the other ranks to finish all their work first.
+      if (world.size() > 1) {
+        std::fprintf(stderr, "glissade: rank %d: %s\n", world.rank(), error.what());
+        world.abort(1);
+      }
+      throw;
+    }
+  }
 }
 
 MpiSession::MpiSession(int& argc, char**& argv) {

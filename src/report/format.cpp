@@ -28,6 +28,7 @@ std::string format_exact(double value) {
 
 std::string format_length(double length_m) {
   if (!std::isfinite(length_m)) return "-";
+  if (length_m > 0.0 && length_m < 0.0005) return "less than 1 mm";
   return format_number(length_m) + " m (" + format_number(length_m / inch_m) + " in)";
 }
 

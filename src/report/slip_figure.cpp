@@ -90,7 +90,11 @@ Figure slip_vs_sds_figure(const Results& results, const RunResults& run) {
               s.p84_interval.low, s.p84_interval.high, s.p95_m, s.mean_m});
     top_m = std::max({top_m, s.p95_m, s.mean_m});
   }
-  for (const StandardComparison& c : run.standards) top_m = std::max(top_m, c.prescribed.value_m);
+  // The prescribed values may leave the figure at the top: slip must stay readable.
+  double prescribed_m = 0.0;
+  for (const StandardComparison& c : run.standards)
+    prescribed_m = std::max(prescribed_m, c.prescribed.value_m);
+  top_m = std::min(prescribed_m, 1.8 * top_m) > top_m ? std::min(prescribed_m, 1.8 * top_m) : top_m;
   const std::string file = quoted_file(figure.name);
   std::string plot = fmt::format(
       "plot \\\n"

@@ -47,8 +47,14 @@ void add_fragility_row(Table& table, const RunResults& run, const ThresholdFragi
                        const std::string& method, const FitSummary& fit) {
   table.add({run.label, fragility.threshold_m, method, median_of(fit), log_std_of(fit),
              to_string(fit.status), fragility.recross_share, record_recross_share(fragility),
-             fragility.censored_share,
-             fragility.free_sliding_share, fit.interval_method, fit.note});
+             fragility.censored_share, fragility.free_sliding_share, fit.interval_method,
+             fit.note});
+}
+
+/// How the median came about, for people.
+std::string fit_label(const FitSummary& fit, double highest_level) {
+  const bool beyond = fit.converged() && fit.curve.median > highest_level;
+  return to_string(fit.status) + (beyond ? ", extrapolated beyond the levels" : "");
 }
 
 double histories_per_level(const RunResults& run) {
@@ -96,21 +102,22 @@ Table fragility_table(const Results& results) {
 }
 
 Table fragility_summary_table(const Results& results) {
-  Table table{"fragility_summary",
-              "Fragility by clearance: intensity with a 50 % chance of exceedance." +
-                  measured_by(results) + in_plan,
-              {text_column("run", "Friction run"),
-               {"threshold", "m", "Clearance, m (in)", ColumnKind::length},
-               {"median", "g", "Median, g [95 %]", ColumnKind::number, true},
-               {"log_std", "", "Log std [95 %]", ColumnKind::number, true},
-               {"censored_share", "", "Never reached", ColumnKind::share},
-               text_column("status", "Fit")},
-              {}};
+  Table table{
+      "fragility_summary",
+      "Fragility by clearance: intensity with a 50 % chance of exceedance, fitted on capacities." +
+          measured_by(results) + in_plan,
+      {text_column("run", "Friction run"),
+       {"threshold", "m", "Clearance, m (in)", ColumnKind::length},
+       {"median", "g", "Median, g [95 %]", ColumnKind::number, true},
+       {"log_std", "", "Log std [95 %]", ColumnKind::number, true},
+       {"censored_share", "", "Never reached", ColumnKind::share},
+       text_column("status", "Fit")},
+      {}};
   for (const RunResults& run : results.runs) {
     for (const ThresholdFragility& fragility : run.fragilities) {
       const FitSummary& fit = preferred_fit(fragility);
       table.add({run.label, fragility.threshold_m, median_of(fit), log_std_of(fit),
-                 fragility.censored_share, to_string(fit.status)});
+                 fragility.censored_share, fit_label(fit, results.levels.back())});
     }
   }
   return table;

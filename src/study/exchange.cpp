@@ -58,7 +58,11 @@ std::vector<char> pack(const std::vector<UnitResult>& results) {
   ByteWriter out;
   out.put(results.size());
   for (const UnitResult& result : results) {
-    out.put(result.unit).put(result.integrated).put(result.held).put(result.runs.size());
+    out.put(result.unit)
+        .put(result.integrated)
+        .put(result.held)
+        .put(result.searched)
+        .put(result.runs.size());
     for (const UnitResult::Run& run : result.runs)
       out.put(run.peak_displacement_m).put(run.uplift).put(run.capacity);
   }
@@ -72,7 +76,7 @@ std::vector<UnitResult> unpack_unit_results(const std::vector<char>& bytes) {
   std::vector<UnitResult> results(count);
   for (UnitResult& result : results) {
     std::size_t runs = 0;
-    in.get(result.unit).get(result.integrated).get(result.held).get(runs);
+    in.get(result.unit).get(result.integrated).get(result.held).get(result.searched).get(runs);
     result.runs.resize(runs);
     for (UnitResult::Run& run : result.runs)
       in.get(run.peak_displacement_m).get(run.uplift).get(run.capacity);

@@ -7,8 +7,7 @@
 #include <limits>
 #include <span>
 
-#include "glissade/block/slide.hpp"
-#include "glissade/building/roof_motion.hpp"
+#include "glissade/study/scene.hpp"
 
 namespace glissade {
 namespace {
@@ -31,20 +30,19 @@ class Scene {
     const Building building{{point_.period_s, point_.damping},
                             {vertical.period_s, vertical.damping}};
 
-    double weakest = std::numeric_limits<double>::infinity();
-    for (const FrictionRun& run : plan.runs)
-      weakest = std::min(weakest, yield_acceleration_mps2(block(run.friction[sample])));
+    std::vector<Block> blocks;
+    for (const FrictionRun& run : plan.runs) blocks.push_back(block(run.friction[sample]));
     const double highest = plan.config.intensity.levels.back();
     if (plan.config.intensity.measure == IntensityMeasure::ppa_g) {
       // The factor needs the roof's peak, and the ring-down needs the factor: a first roof motion
       // tells the peak.
       const double peak = roof_motion(ground, building, {}).peak_horizontal_mps2;
-      roof_ =
-          roof_motion(ground, building, ring_down(weakest, highest * standard_gravity_mps2 / peak));
+      roof_ = roof_motion(ground, building,
+                          follow_roof(blocks, highest * standard_gravity_mps2 / peak));
       factor_at_unit_level_ = standard_gravity_mps2 / roof_.peak_horizontal_mps2;
     } else {
       factor_at_unit_level_ = plan.factor_at_unit_level[record];
-      roof_ = roof_motion(ground, building, ring_down(weakest, highest * factor_at_unit_level_));
+      roof_ = roof_motion(ground, building, follow_roof(blocks, highest * factor_at_unit_level_));
     }
   }
 
@@ -58,21 +56,10 @@ class Scene {
 
   SlipResult slip(const Block& block, double level) const {
     const double factor = level * factor_at_unit_level_;
-    return slide(
-        {roof_.dt_s, roof_.horizontal_mps2, roof_.vertical_mps2, point_.sign * factor, factor},
-        block);
+    return slide(felt_by(block, roof_, {point_.sign * factor, factor}), block);
   }
 
  private:
-  /// After the record the roof must be followed until it can no longer move the block. The yield
-  /// acceleration is in proportion to g + w, so leaving 2 % of g to the vertical's ring-down takes
-  /// 2 % off the horizontal's limit.
-  static RoofMotionOptions ring_down(double yield_mps2, double largest_factor) {
-    return {.quiet_horizontal_mps2 = 0.98 * yield_mps2 / largest_factor,
-            .quiet_vertical_mps2 =
-                yield_mps2 > 0.0 ? 0.02 * standard_gravity_mps2 / largest_factor : 0.0};
-  }
-
   SamplePoint point_;
   double slope_rad_;
   double factor_at_unit_level_ = 0.0;
@@ -119,23 +106,19 @@ UnitResult execute(const Plan& plan, std::size_t unit_index) {
       const Block block = scene.block(plan.runs[r].friction[sample]);
       UnitResult::Run& run = result.runs[r];
       const std::size_t begin = run.peak_displacement_m.size();
-      const auto solve = [&](double level) -> SlipResult {
-        if (scene.held(block, level)) {
-          ++result.held;
-          return {};
-        }
-        ++result.integrated;
-        return scene.slip(block, level);
-      };
       for (const double level : levels) {
-        const SlipResult slip = solve(level);
+        const bool held = scene.held(block, level);
+        const SlipResult slip = held ? SlipResult{} : scene.slip(block, level);
+        ++(held ? result.held : result.integrated);
         run.peak_displacement_m.push_back(slip.peak_displacement_m);
         run.uplift.push_back(slip.uplift ? 1 : 0);
       }
       for (const double threshold : plan.config.thresholds_m) {
-        run.capacity.push_back(
-            first_crossing(levels, run.peak_displacement_m.data() + begin, threshold,
-                           [&](double level) { return solve(level).peak_displacement_m; }));
+        run.capacity.push_back(first_crossing(
+            levels, run.peak_displacement_m.data() + begin, threshold, [&](double level) {
+              ++result.searched;
+              return scene.held(block, level) ? 0.0 : scene.slip(block, level).peak_displacement_m;
+            }));
       }
     }
   }

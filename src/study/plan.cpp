@@ -37,10 +37,12 @@ std::vector<SamplePoint> draw_samples(const StudyConfig& config) {
     };
     const auto coin = [&](Dimension dimension) { return points.coordinate(i, dimension) < 0.5; };
     SamplePoint& s = samples[i];
-    s.friction = draw(config.friction.mu, friction_dimension);
-    s.slope_deg = draw(config.roof.slope_deg, slope_dimension);
-    s.period_s = draw(config.building.period_s, period_dimension);
-    s.damping = draw(config.building.damping, damping_dimension);
+    // Tails outside the physical range (less than one in a million, io/study_file.hpp) are held at
+    // its ends.
+    s.friction = std::max(0.0, draw(config.friction.mu, friction_dimension));
+    s.slope_deg = std::clamp(draw(config.roof.slope_deg, slope_dimension), -89.9, 89.9);
+    s.period_s = std::max(0.0, draw(config.building.period_s, period_dimension));
+    s.damping = std::clamp(draw(config.building.damping, damping_dimension), 0.0, 0.999);
     switch (config.orientation.component) {
       case ComponentChoice::first:
         s.component = 0;
@@ -74,7 +76,9 @@ std::vector<FrictionRun> friction_runs(const Plan& plan) {
   std::vector<FrictionRun> runs{sampled};
   if (friction.design_run && !is_fixed(friction.mu)) {
     const double design = design_friction(friction);
-    runs.push_back({"design", fmt::format("mu = mean - 2 std = {:.4g}", design),
+    runs.push_back({"design",
+                    fmt::format("mu = mean - 2 std = {:.4g}{}", design,
+                                design == 0.0 ? " (below zero: held at 0)" : ""),
                     std::vector<double>(plan.samples.size(), design)});
   }
   return runs;
@@ -176,20 +180,25 @@ std::vector<std::string> notes_on(const StudyConfig& config, const Suite& suite)
 }
 
 /// SEAOC PV1-2012 prescribes for slopes under 3 degrees and mu above 0.4.
-std::vector<std::string> notes_on_standards(const StudyConfig& config,
-                                            const std::vector<SamplePoint>& samples) {
-  const auto& compare = config.standards.compare;
+std::vector<std::string> notes_on_standards(const Plan& plan) {
+  const auto& compare = plan.config.standards.compare;
+  std::vector<std::string> notes;
   if (std::find(compare.begin(), compare.end(), Standard::seaoc_pv1_2012) == compare.end())
-    return {};
-  const auto outside = std::count_if(samples.begin(), samples.end(), [](const SamplePoint& s) {
-    return std::abs(s.slope_deg) >= 3.0 || s.friction <= 0.4;
-  });
-  if (outside == 0) return {};
-  return {
-      fmt::format("{:.0f} % of the samples are outside the range of SEAOC PV1's prescriptive value "
-                  "(slope under 3 degrees and mu "
-                  "above 0.4); they are compared with it all the same",
-                  100.0 * static_cast<double>(outside) / static_cast<double>(samples.size()))};
+    return notes;
+  for (const FrictionRun& run : plan.runs) {
+    std::size_t outside = 0;
+    for (std::size_t i = 0; i < plan.samples.size(); ++i) {
+      if (std::abs(plan.samples[i].slope_deg) >= 3.0 || run.friction[i] <= 0.4) ++outside;
+    }
+    if (outside == 0) continue;
+    notes.push_back(fmt::format(
+        "{} friction: {:.0f} % of the samples are outside the range of SEAOC PV1's prescriptive "
+        "value (slope under 3 "
+        "degrees and mu above 0.4); they are compared with it all the same",
+        run.label,
+        100.0 * static_cast<double>(outside) / static_cast<double>(plan.samples.size())));
+  }
+  return notes;
 }
 
 std::vector<Skip> skips_of(const StudyConfig& config, const Plan& plan) {
@@ -213,14 +222,19 @@ std::vector<Skip> skips_of(const StudyConfig& config, const Plan& plan) {
   return skips;
 }
 
-std::string hash_of(const StudyConfig& config, const Suite& suite) {
+std::string hash_of(const Plan& plan) {
   Hasher hasher;
-  hasher.text("glissade plan 1").text(config.source_text);
-  for (const Motion& motion : suite.motions) {
+  hasher.text("glissade plan 2").text(plan.config.source_text).numbers(plan.factor_at_unit_level);
+  for (const Motion& motion : plan.suite.motions) {
     hasher.text(motion.id).number(motion.scale).number(motion.dt_s);
     for (const auto& component : motion.horizontal_mps2) hasher.numbers(component);
     hasher.numbers(motion.vertical_mps2);
   }
+  for (const SamplePoint& s : plan.samples) {
+    hasher.number(s.slope_deg).number(s.period_s).number(s.damping);
+    hasher.number(static_cast<double>(s.component)).number(static_cast<double>(s.sign));
+  }
+  for (const FrictionRun& run : plan.runs) hasher.text(run.label).numbers(run.friction);
   return to_hex(hasher.value());
 }
 
@@ -230,15 +244,14 @@ Plan make_plan(const StudyConfig& config, Suite suite) {
   check(config, suite);
   Plan plan;
   plan.config = config;
-  plan.hash = hash_of(config, suite);
   plan.factor_at_unit_level = factors_at_unit_level(config, suite);
   plan.notes = notes_on(config, suite);
   plan.suite = std::move(suite);
   plan.samples = draw_samples(config);
-  for (std::string& note : notes_on_standards(config, plan.samples))
-    plan.notes.push_back(std::move(note));
   plan.runs = friction_runs(plan);
+  for (std::string& note : notes_on_standards(plan)) plan.notes.push_back(std::move(note));
   plan.skips = skips_of(config, plan);
+  plan.hash = hash_of(plan);
   for (std::size_t record = 0; record < plan.suite.motions.size(); ++record) {
     for (std::uint64_t first = 0; first < plan.samples.size(); first += samples_per_unit) {
       plan.units.push_back(

@@ -52,7 +52,7 @@ double PooledLevel::share_above(double slip_m) const {
 
 Interval PooledLevel::quantile_interval(double probability, const BootstrapOptions& options) const {
   const double wanted = probability * static_cast<double>(sorted_.size());
-  return bootstrap_interval(
+  Interval interval = bootstrap_interval(
       by_record_.size(),
       [&](const std::vector<double>& weights) {
         const auto count_up_to = [&](std::size_t bin) {
@@ -74,6 +74,10 @@ Interval PooledLevel::quantile_interval(double probability, const BootstrapOptio
         return bin_edges_[low];
       },
       options);
+  // The bins' quantile may lie a rank beside the estimate.
+  interval.low = std::min(interval.low, quantile_m(probability));
+  interval.high = std::max(interval.high, quantile_m(probability));
+  return interval;
 }
 
 Interval PooledLevel::mean_interval(const BootstrapOptions& options) const {
@@ -92,6 +96,10 @@ Interval PooledLevel::share_interval(double slip_m, const BootstrapOptions& opti
     const auto above = slips.end() - std::upper_bound(slips.begin(), slips.end(), slip_m);
     shares.push_back(static_cast<double>(above) / static_cast<double>(slips.size()));
   }
+  // Where no history exceeds, or every one does, resampling the records tells nothing of the rest:
+  // no interval.
+  const double all = share_above(slip_m);
+  if (all == 0.0 || all == 1.0) return {};
   return bootstrap_interval(
       shares.size(),
       [&](const std::vector<double>& weights) {

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glissade/study/reduce.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "glissade/core/units.hpp"
@@ -16,7 +19,7 @@
 namespace glissade {
 namespace {
 
-constexpr std::size_t band_points = 121;
+constexpr std::size_t band_points = 120;
 
 /// Periods at which spectra are shown: 0, then 0.02 to 4 s, equally spaced in the logarithm.
 std::vector<double> shown_periods_s() {
@@ -110,13 +113,19 @@ ThresholdFragility fit_threshold(const Plan& plan, const RunResults& run, std::s
   fragility.capacities = fit_capacities_by_record(capacities, levels.back(), options,
                                                   run.band_intensities, &fragility.band);
   if (free > 0.0) {
-    fragility.capacities.note +=
-        "histories that slide without any shaking have no capacity and are left out of this fit; ";
+    std::string& note = fragility.capacities.note;
+    note +=
+        std::string(note.empty() ? "" : "; ") +
+        "histories that slide without any shaking have no capacity and are left out of this fit";
   }
   for (std::size_t level = 0; level < levels.size(); ++level) {
     double share = 0.0;
     for (const RecordStripes& record : stripes) share += record.exceedances[level];
     fragility.probability.push_back(share / histories);
+    if (share == 0.0 || share == histories) {  // resampling tells nothing of what was never seen
+      fragility.probability_interval.push_back({});
+      continue;
+    }
     fragility.probability_interval.push_back(bootstrap_interval(
         records,
         [&](const std::vector<double>& weights) {
@@ -170,7 +179,7 @@ RunResults reduce_run(const Plan& plan, const std::vector<const UnitResult*>& un
                                  .replicates = plan.config.sampling.bootstrap_replicates};
   RunResults run = assemble(plan, units, run_index);
   for (std::size_t i = 0; i < band_points; ++i) {
-    run.band_intensities.push_back(levels.back() * static_cast<double>(i) / (band_points - 1.0));
+    run.band_intensities.push_back(levels.back() * static_cast<double>(i + 1) / band_points);
   }
   for (std::size_t t = 0; t < plan.config.thresholds_m.size(); ++t)
     run.fragilities.push_back(fit_threshold(plan, run, t, options));
@@ -253,6 +262,54 @@ SuiteSpectra spectra_of(const Plan& plan) {
   return spectra;
 }
 
+/// Uplift is outside the model: which records, from which level, and how much of the study.
+std::vector<std::string> notes_on_uplift(const Results& results) {
+  std::vector<std::string> notes;
+  for (const RunResults& run : results.runs) {
+    std::string names;
+    std::size_t records = 0, first_level = results.levels.size();
+    for (std::size_t record = 0; record < run.uplift.rows; ++record) {
+      bool lifts = false;
+      for (std::size_t sample = 0; sample < run.uplift.columns; ++sample) {
+        for (std::size_t level = 0; level < run.uplift.depth; ++level) {
+          if (run.uplift(record, sample, level) == 0) continue;
+          lifts = true;
+          first_level = std::min(first_level, level);
+        }
+      }
+      if (!lifts) continue;
+      ++records;
+      if (records <= 8) names += (names.empty() ? "" : ", ") + results.records[record].id;
+    }
+    if (records == 0) continue;
+    notes.push_back(fmt::format(
+        "UPLIFT, {} friction: {} of {} records ({}{}) lift the array off its roof in some "
+        "histories, from {} = {:.3g} g "
+        "on; at the highest level {:.1f} % of all histories do. Lift-off is outside the model: "
+        "slip and fragility there "
+        "rest on a block without friction while lifted (share by level: tables/slip.csv)",
+        run.label, records, run.uplift.rows, names, records > 8 ? ", ..." : "",
+        results.intensity_label, results.levels[first_level],
+        100.0 * run.slip.back().uplift_share));
+  }
+  return notes;
+}
+
+/// Where the suite average touches the design spectrum, and how far above it lies elsewhere.
+std::string note_on_suite(const SuiteSpectra& spectra) {
+  double least = std::numeric_limits<double>::infinity(), most = 0.0, at_least = 0.0, at_most = 0.0;
+  for (std::size_t p = 0; p < spectra.periods_s.size() && spectra.periods_s[p] <= 2.0; ++p) {
+    const double ratio = spectra.average_srss_g[p] / spectra.target_g[p];
+    if (ratio < least) least = ratio, at_least = spectra.periods_s[p];
+    if (ratio > most) most = ratio, at_most = spectra.periods_s[p];
+  }
+  return fmt::format(
+      "The suite is scaled so that its average SRSS spectrum is nowhere below the design spectrum "
+      "from 0 to 2 s: it "
+      "touches it near {:.2g} s and lies up to {:.2g} times above it, at {:.2g} s",
+      at_least, most, at_most);
+}
+
 }  // namespace
 
 Results reduce(const Plan& plan, const std::vector<UnitResult>& units) {
@@ -282,6 +339,9 @@ Results reduce(const Plan& plan, const std::vector<UnitResult>& units) {
   for (std::size_t run = 0; run < plan.runs.size(); ++run)
     results.runs.push_back(reduce_run(plan, in_order, run));
   results.notes = plan.notes;
+  for (std::string& note : notes_on_uplift(results)) results.notes.push_back(std::move(note));
+  if (results.measure == IntensityMeasure::sds_g)
+    results.notes.push_back(note_on_suite(results.spectra));
   return results;
 }
 

@@ -163,16 +163,18 @@ void add_suite(std::vector<Case>& cases, const std::filesystem::path& suites, in
     }
   }
   const TargetSpectrum target(recipe.target);
+  std::vector<double> many_periods_s;  // not the periods the suite was scaled at
+  for (int i = 0; i <= 2000; ++i) many_periods_s.push_back((i + 0.37) / 1000.37);
   const double lift = suite_average_factor(
-      suite, [&](double t) { return target.mce_sa_g(t); }, walters_periods_s());
+      suite, [&](double t) { return target.mce_sa_g(t); }, many_periods_s);
   cases.push_back(all_equal(
       {name, "magnitude, distance and Vs30 of its motions", "Walters et al. 2012, table 2"},
       {outside, static_cast<int>(suite.motions.size())}));
   cases.push_back(within({name, "largest scale factor", "Walters et al. 2012, table 2"},
                          {"factor", largest_scale, 0.0, limits.max_scale}));
-  cases.push_back(within({name, "average SRSS spectrum / MCE spectrum, 0 to 2 s",
+  cases.push_back(within({name, "average SRSS spectrum / MCE spectrum, 2001 other periods to 2 s",
                           "Walters et al. 2012: nowhere below"},
-                         {"least ratio", 1.0 / lift, 1.0, 1.001}));
+                         {"least ratio", 1.0 / lift, 0.995, 1.001}));
   cases.push_back(limit({name, "velocity at the end, 21 components", "0"},
                         {"largest, of the component's peak", worst.velocity, 1e-3}));
   cases.push_back(limit({name, "displacement at the end, 21 components", "0"},

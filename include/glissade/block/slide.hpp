@@ -81,4 +81,8 @@ bool cannot_slip(const Block& block, double peak_horizontal_mps2, double peak_ve
 /// slider.
 double yield_acceleration_mps2(const Block& block);
 
+/// How fast a block sliding down a roof at rest loses speed along the slope, m/s2:
+/// g (mu cos(slope) - sin(slope)), zero where it does not.
+double resting_deceleration_mps2(const Block& block);
+
 }  // namespace glissade

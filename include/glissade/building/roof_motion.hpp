@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -33,22 +34,27 @@ struct RoofMotion {
   double dt_s = 0.0;
   std::vector<double> horizontal_mps2;
   std::vector<double> vertical_mps2;  ///< empty: none
+  std::size_t record_samples = 0;  ///< those up to the record's last sample; the rest is ring-down
   double peak_horizontal_mps2 = 0.0;
   double peak_vertical_mps2 = 0.0;
 };
 
-/// How far a building's free vibration is followed after the record, and how finely the roof motion
-/// is sampled.
+/// How far a building's free vibration is followed after the record, and how finely the roof
+/// motion is sampled.
 struct RoofMotionOptions {
-  /// The building rings down until its roof accelerations can no longer exceed these; 0: ends with
-  /// the record.
+  /// The building rings down until its roof accelerations can no longer exceed these, so that
+  /// nothing at rest begins to slide; 0: the roof motion ends with the record.
   double quiet_horizontal_mps2 = 0.0;
   double quiet_vertical_mps2 = 0.0;
-  double longest_ring_down_s = 120.0;  ///< an undamped building never rings down
-  /// The record's step is divided until a period has at least this many: between samples the roof
-  /// motion is taken linear, which is off by at most (2 pi / n)^2 / 8 of its amplitude: 0.3 %
-  /// for 40.
-  int steps_per_period = 40;
+  /// > 0: a block that is still sliding then, and loses speed at this rate, is followed until it
+  /// has stopped, or until the roof moves with less than 1 % of the quiet accelerations.
+  double settle_deceleration_mps2 = 0.0;
+  /// An undamped building never rings down: it is followed for this long.
+  double longest_ring_down_s = 120.0;
+  /// The record's step is divided (at most 64 times) until a period has at least this many: between
+  /// samples the roof motion is taken linear, which is off by at most (2 pi / n)^2 / 8 of its
+  /// amplitude: 0.05 % for 100.
+  int steps_per_period = 100;
 };
 
 /// Roof motion of the building, exact at its samples (core/oscillator.hpp). It is linear in the

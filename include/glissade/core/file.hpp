@@ -17,4 +17,8 @@ std::string read_text_file(const std::filesystem::path& path);
 /// folders are made. Throws InputError telling the path, the system's reason and what to do.
 void write_text_file(const std::filesystem::path& path, std::string_view text);
 
+/// Makes a file that must not be there yet; of several processes that try, one succeeds. Throws
+/// InputError for the others.
+void create_text_file(const std::filesystem::path& path, std::string_view text);
+
 }  // namespace glissade

@@ -17,8 +17,8 @@ std::string to_string(AccelerationUnits units);
 
 /// What a file does not tell, or tells wrongly.
 struct RecordFileOptions {
-  /// The step. Overrides the one in an AT2 header (`DT= .0039` is 1/256 to four decimals); must
-  /// agree with a time column; needed for one column. > 0.
+  /// The step. Mends one an AT2 header prints with too few decimals (`DT= .0039` is 1/256), by 2 %
+  /// at most; must agree with a time column; needed for one column. > 0.
   std::optional<double> dt_s;
   /// Of text files; default g. Must agree with an AT2 header that names its units.
   std::optional<AccelerationUnits> units;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -46,6 +47,11 @@ class Communicator {
   std::shared_ptr<State> state_;
   friend class MpiSession;
 };
+
+/// Calls work(item) for every item below `count`, each on one rank, the next free one. Collective.
+/// An exception on one of several ranks ends them all.
+void self_schedule(const Communicator& world, std::uint64_t count,
+                   const std::function<void(std::uint64_t)>& work);
 
 /// Starts MPI for the life of the object when the program runs under mpirun (or srun); otherwise
 /// starts nothing.

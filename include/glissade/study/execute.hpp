@@ -18,7 +18,8 @@ struct UnitResult {
         capacity;  ///< sample-major, thresholds fastest; +inf not reached, 0 slides without shaking
   };
   std::vector<Run> runs;
-  std::uint64_t integrated = 0;  ///< histories integrated
+  std::uint64_t integrated = 0;  ///< histories at the levels, integrated
+  std::uint64_t searched = 0;    ///< histories run in search of capacities, on top
   std::uint64_t held = 0;  ///< histories not integrated: the roof's peak stays in the stick range
 };
 

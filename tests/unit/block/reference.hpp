@@ -104,7 +104,8 @@ struct Reference {
         sigma = reverses ? -sigma : 0;
       }
     };
-    // A lifted block feels no friction: the interval is cut where the normal force, a line, is zero.
+    // A lifted block feels no friction: the interval is cut where the normal force, a line, is
+    // zero.
     const auto interval = [&](const Real& a0, const Real& w0, const Real& a1, const Real& w1) {
       const Real h = roof.dt_s;
       const bool held0 = normal(a0, w0) >= 0, held1 = normal(a1, w1) >= 0;

@@ -27,8 +27,8 @@ void expect_same(const SlipResult& a, const SlipResult& b) {
   EXPECT_EQ(a.free_sliding, b.free_sliding);
 }
 
-/// Largest difference of any result from fifty digits, relative to the largest slip (velocity and duration to their own
-/// size). NaN stays NaN. Zero where nothing moves.
+/// Largest difference of any result from fifty digits, relative to the largest slip (velocity and
+/// duration to their own size). NaN stays NaN. Zero where nothing moves.
 double error_against_fifty_digits(const RoofAcceleration& roof, const Block& block) {
   const SlipResult r = slide(roof, block);
   const Reference exact(roof, block);
@@ -84,8 +84,8 @@ TEST(slide, agrees_with_fifty_digits_where_the_block_lifts_off_and_lands) {
   EXPECT_GT(lifted, 20);
 }
 
-// Records rounded to 0.01 g with mu a multiple of 0.05: samples lie exactly on the thresholds, where a phase may start
-// at the last instant of an interval and be held at the first of the next.
+// Records rounded to 0.01 g with mu a multiple of 0.05: samples lie exactly on the thresholds,
+// where a phase may start at the last instant of an interval and be held at the first of the next.
 TEST(slide, agrees_with_fifty_digits_where_samples_lie_on_the_thresholds) {
   for (unsigned seed = 1; seed <= 150; ++seed) {
     std::mt19937 generator(seed);
@@ -97,7 +97,7 @@ TEST(slide, agrees_with_fifty_digits_where_samples_lie_on_the_thresholds) {
     }
   }
   // A case that once gave NaN: a sample on the threshold, held by the next.
-  const std::vector<double> a = {0.45 * g,  -0.1 * g, 0.1 * g,  0.0,      -0.5 * g,
+  const std::vector<double> a = {0.45 * g, -0.1 * g, 0.1 * g,  0.0,      -0.5 * g,
                                  -0.5 * g, -0.5 * g, -0.5 * g, -0.5 * g, 0.0};
   const SlipResult r = slide({0.01, a}, {.friction = 0.1});
   EXPECT_NEAR(r.peak_displacement_m, 0.0234, 5e-5);  // its neighbour off the threshold

@@ -32,8 +32,7 @@ ThresholdFragility make_fragility(double threshold_m, std::size_t band) {
                "probit",
                "profile",
                "separated"};
-  f.capacities = {
-      FitStatus::lower_bound, {1.5, 0.2}, {1.5, infinity}, {}, nan_value, "", "", ""};
+  f.capacities = {FitStatus::lower_bound, {1.5, 0.2}, {1.5, infinity}, {}, nan_value, "", "", ""};
   f.probability = {0.0, 0.25, 1.0 / 3};
   f.probability_interval = {{0.0, 0.1}, {0.1, 0.4}, {0.2, nan_value}};
   f.band.assign(band, {0.125, 0.5});

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+
+#include "glissade/block/slide.hpp"
+#include "glissade/building/roof_motion.hpp"
+
+namespace glissade {
+
+// Where a block meets a building: the rules of theory.md, "The end of the record", for both.
+
+/// How far the roof must be followed for these blocks at any factor on the motion up to
+/// `largest_factor`: until none that rests can start, and none that slides is still on its way.
+/// Free sliders (tan(slope) > mu) end with the record and ask for nothing.
+RoofMotionOptions follow_roof(std::span<const Block> blocks, double largest_factor);
+
+/// Factors on the roof's components.
+struct MotionFactors {
+  double horizontal = 1.0, vertical = 1.0;
+};
+
+/// What a block feels of the roof: all of it, or for a free slider the part up to the record's last
+/// sample, where its displacement is told.
+RoofAcceleration felt_by(const Block& block, const RoofMotion& roof, const MotionFactors& factors);
+
+}  // namespace glissade

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glissade/study/scene.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace glissade {
+
+RoofMotionOptions follow_roof(std::span<const Block> blocks, double largest_factor) {
+  double yield = std::numeric_limits<double>::infinity(), deceleration = yield;
+  for (const Block& block : blocks) {
+    const double at_rest = resting_deceleration_mps2(block);
+    if (at_rest == 0.0) continue;
+    yield = std::min(yield, yield_acceleration_mps2(block));
+    deceleration = std::min(deceleration, at_rest);
+  }
+  if (deceleration == std::numeric_limits<double>::infinity()) return {};
+  // The yield acceleration is in proportion to g + w, so leaving 2 % of g to the vertical's
+  // ring-down takes 2 % off the horizontal's limit.
+  return {.quiet_horizontal_mps2 = 0.98 * yield / largest_factor,
+          .quiet_vertical_mps2 = 0.02 * standard_gravity_mps2 / largest_factor,
+          .settle_deceleration_mps2 = deceleration / largest_factor};
+}
+
+RoofAcceleration felt_by(const Block& block, const RoofMotion& roof, const MotionFactors& factors) {
+  RoofAcceleration felt{roof.dt_s, roof.horizontal_mps2, roof.vertical_mps2, factors.horizontal,
+                        factors.vertical};
+  if (resting_deceleration_mps2(block) == 0.0) {
+    felt.horizontal_mps2 = felt.horizontal_mps2.first(roof.record_samples);
+    if (!felt.vertical_mps2.empty())
+      felt.vertical_mps2 = felt.vertical_mps2.first(roof.record_samples);
+  }
+  return felt;
+}
+
+}  // namespace glissade

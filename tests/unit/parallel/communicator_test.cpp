@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glissade/parallel/communicator.hpp"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+namespace glissade {
+namespace {
+
+// Several ranks are tested through the program (tests/mpi).
+
+TEST(communicator, alone_is_root_and_keeps_its_messages) {
+  const Communicator alone = Communicator::serial();
+  EXPECT_TRUE(alone.is_root());
+  EXPECT_EQ(alone.size(), 1);
+  std::vector<char> message{'a', 'b'};
+  alone.broadcast(message);
+  EXPECT_EQ(message, (std::vector<char>{'a', 'b'}));
+  EXPECT_EQ(alone.gather(message), (std::vector<std::vector<char>>{message}));
+}
+
+TEST(self_schedule, hands_out_every_item_once_in_order) {
+  std::vector<std::uint64_t> seen;
+  self_schedule(Communicator::serial(), 5, [&](std::uint64_t item) { seen.push_back(item); });
+  EXPECT_EQ(seen, (std::vector<std::uint64_t>{0, 1, 2, 3, 4}));
+  self_schedule(Communicator::serial(), 0, [](std::uint64_t) { FAIL() << "no work to do"; });
+}
+
+TEST(self_schedule, passes_an_exception_on) {
+  EXPECT_THROW(self_schedule(Communicator::serial(), 2,
+                             [](std::uint64_t) { throw std::runtime_error("broken"); }),
+               std::runtime_error);
+}
+
+}  // namespace
+}  // namespace glissade
