@@ -169,13 +169,14 @@ Record read_at2(const std::filesystem::path& file, std::string_view text, const 
 }
 
 void check_believable(const Record& record) {
-  for (const double a : record.acceleration_mps2) {
-    if (std::abs(a) <= largest_believable_g * standard_gravity_mps2) continue;
-    throw InputError({record.name,
-                      "an acceleration of " + shortest_decimal(a / standard_gravity_mps2) +
-                          " g is not believable",
-                      "tell the units: g, m/s2 or cm/s2", ""});
-  }
+  double peak = 0.0;
+  for (const double a : record.acceleration_mps2) peak = std::max(peak, std::abs(a));
+  const double peak_g = peak / standard_gravity_mps2;
+  if (peak_g <= largest_believable_g) return;
+  throw InputError({record.name,
+                    "a peak acceleration of " + shortest_decimal(peak_g) +
+                        " g is not believable without being told the units",
+                    "tell the units (--units): g, m/s2 or cm/s2", ""});
 }
 
 Record read_columns(const std::filesystem::path& file, std::string_view text,

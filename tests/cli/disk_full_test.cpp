@@ -32,15 +32,22 @@ TEST_F(DiskFull, a_full_standard_output_is_told) {
   }
 }
 
-TEST_F(DiskFull, an_older_history_survives_and_no_half_of_the_new_is_left) {
+TEST_F(DiskFull, no_half_of_a_history_is_left) {
   std::string long_record;
   for (int i = 0; i < 2000; ++i) long_record += "0.5\n";
   folder_.write("push.txt", long_record);  // a history of some 100 kB
-  const std::string history = folder_.write("history.csv", "an older one");
+  const std::string history = folder_.path("history.csv").string();
   expect_refused(run_shell("ulimit -f 20; " + slide_ + "--history '" + history + "'"),
                  {"history.csv", "File too large"});
+  EXPECT_EQ(folder_.contents(), (std::vector<std::string>{"push.txt"}));
+}
+
+TEST_F(DiskFull, an_older_history_is_not_written_over) {
+  folder_.write("push.txt", "0.5\n");
+  const std::string history = folder_.write("history.csv", "an older one");
+  expect_refused(run_shell(slide_ + "--history '" + history + "'"),
+                 {"history.csv", "not written over"});
   EXPECT_EQ(read_file(history), "an older one");
-  EXPECT_EQ(folder_.contents(), (std::vector<std::string>{"history.csv", "push.txt"}));
 }
 
 TEST_F(DiskFull, a_run_whose_results_do_not_fit_leaves_nothing) {

@@ -38,7 +38,7 @@ struct RecordFileOptions {
 ///
 /// Throws InputError (file:line, value, rule, what to do) for anything else, for values that are no
 /// finite numbers, for counts that differ from NPTS, and where text files without units hold
-/// accelerations above 50 g.
+/// accelerations above 3 g.
 Record read_record(const std::filesystem::path& file, const RecordFileOptions& options = {});
 
 }  // namespace glissade

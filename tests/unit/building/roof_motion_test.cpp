@@ -126,8 +126,8 @@ TEST(roof_motion, rings_down_until_it_is_quiet_and_no_longer) {
 
 TEST(roof_motion, is_padded_to_one_length_when_the_vertical_rings_longer) {
   const std::vector<double> a = {0.0, 1.0, 2.0}, w = {0.0, 1.0, -1.0};
-  const RoofMotion roof =
-      roof_motion({0.05, a, w}, {.vertical = {0.5, 0.05}}, {.quiet_vertical_mps2 = 0.01});
+  const RoofMotion roof = roof_motion({0.05, a, w}, {.vertical = {0.5, 0.05}},
+                                      {.quiet_vertical_mps2 = 0.01, .steps_per_period = 40});
   ASSERT_EQ(roof.horizontal_mps2.size(), roof.vertical_mps2.size());
   const std::size_t parts = static_cast<std::size_t>(std::lround(0.05 / roof.dt_s));
   EXPECT_EQ(parts, 4u);

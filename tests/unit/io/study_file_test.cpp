@@ -214,7 +214,7 @@ TEST_F(StudyFile, contradictions_and_values_out_of_range_have_one_clear_message_
       {needed + "[sampling]\nsamples = 0\n", "out of range"},
       {needed + "[sampling]\nbootstrap_replicates = 10\n", "100 to 1000000"},
       {needed + "[building]\ndamping = 1.0\n", "building.damping is outside"},
-      {needed + "[building]\ndamping = { distribution = \"normal\", mean = 0.05, std = 0.01 }\n",
+      {needed + "[building]\ndamping = { distribution = \"normal\", mean = 0.05, std = 0.02 }\n",
        "truncated_normal"},
       {needed + "[building]\nperiod_s = { distribution = \"uniform\", min = 2, max = 1 }\n",
        "building.period_s"},
@@ -264,6 +264,16 @@ TEST_F(StudyFile, contradictions_and_values_out_of_range_have_one_clear_message_
       EXPECT_EQ(error.problems().size(), problems) << error.what();
     }
   }
+}
+
+TEST_F(StudyFile, a_tail_of_one_in_a_million_may_lie_outside_the_range) {
+  const StudyConfig lognormal = read(
+      needed +
+      "[building]\ndamping = { distribution = \"lognormal\", median = 0.05, log_std = 0.4 }\n");
+  EXPECT_TRUE(std::holds_alternative<LogNormal>(lognormal.building.damping));
+  const StudyConfig normal = read(
+      needed + "[building]\ndamping = { distribution = \"normal\", mean = 0.05, std = 0.01 }\n");
+  EXPECT_TRUE(std::holds_alternative<Normal>(normal.building.damping));
 }
 
 }  // namespace
