@@ -265,6 +265,8 @@ SuiteSpectra spectra_of(const Plan& plan) {
 /// Uplift is outside the model: which records, from which level, and how much of the study.
 std::vector<std::string> notes_on_uplift(const Results& results) {
   std::vector<std::string> notes;
+  const std::string measure =
+      results.intensity_label.substr(0, results.intensity_label.rfind(" ("));
   for (const RunResults& run : results.runs) {
     std::string names;
     std::size_t records = 0, first_level = results.levels.size();
@@ -288,9 +290,8 @@ std::vector<std::string> notes_on_uplift(const Results& results) {
         "on; at the highest level {:.1f} % of all histories do. Lift-off is outside the model: "
         "slip and fragility there "
         "rest on a block without friction while lifted (share by level: tables/slip.csv)",
-        run.label, records, run.uplift.rows, names, records > 8 ? ", ..." : "",
-        results.intensity_label, results.levels[first_level],
-        100.0 * run.slip.back().uplift_share));
+        run.label, records, run.uplift.rows, names, records > 8 ? ", ..." : "", measure,
+        results.levels[first_level], 100.0 * run.slip.back().uplift_share));
   }
   return notes;
 }
