@@ -94,7 +94,7 @@ Figure slip_vs_sds_figure(const Results& results, const RunResults& run) {
   double prescribed_m = 0.0;
   for (const StandardComparison& c : run.standards)
     prescribed_m = std::max(prescribed_m, c.prescribed.value_m);
-  top_m = std::min(prescribed_m, 1.8 * top_m) > top_m ? std::min(prescribed_m, 1.8 * top_m) : top_m;
+  top_m = std::max(top_m, std::min(prescribed_m, 1.8 * top_m));
   const std::string file = quoted_file(figure.name);
   std::string plot = fmt::format(
       "plot \\\n"
