@@ -79,7 +79,8 @@ Figure slip_vs_sds_figure(const Results& results, const RunResults& run) {
     figure.caption +=
         " Grey and black with points: displacements prescribed by the standards; hollow points "
         "rest on provisions recalled from memory and must be "
-        "verified against the standard.";
+        "verified against the standard. Where they leave the figure at the top, "
+        "tables/standards.csv has them.";
   }
   gnuplot::DataBlocks data;
   data.begin("slip",
