@@ -20,6 +20,12 @@ struct Drive {
   double down = 0.0, up = 0.0;
 };
 
+/// Coefficients of a quantity that is linear in the roof's acceleration, m/s2.
+struct DriveLine {
+  double a = 0.0, w = 0.0, constant = 0.0;
+  double at(Roof r) const { return a * r.a + w * r.w + constant; }
+};
+
 /// The equations of motion of a block on a slope >= 0.
 class Contact {
  public:
@@ -40,6 +46,10 @@ class Contact {
     return {(g_ + r.w) * gravity_down_ - r.a * inertia_down_,
             (g_ + r.w) * gravity_up_ + r.a * inertia_up_};
   }
+  DriveLine down() const { return {-inertia_down_, gravity_down_, g_ * gravity_down_}; }
+  DriveLine up() const { return {inertia_up_, gravity_up_, g_ * gravity_up_}; }
+  /// Minus the normal force: positive where the block lifts, as the drives are where it slides.
+  DriveLine lift() const { return {-sin_, -cos_, -g_ * cos_}; }
   /// Without contact there is no friction.
   Drive frictionless(Roof r) const {
     const double along_slope = (g_ + r.w) * sin_ - r.a * cos_;

@@ -7,6 +7,7 @@
 
 #include "glissade/core/contract.hpp"
 #include "glissade/core/oscillator.hpp"
+#include "ring_down.hpp"
 
 namespace glissade {
 namespace {
@@ -76,23 +77,10 @@ std::vector<double> oscillator_response(const Oscillator& oscillator, double dt_
   roof.push_back(0.0);  // at rest
   for_each_piece(ground, rings, parts, advance);
   if (rings) {
-    // |x + 2 zeta y| <= (1 + 2 zeta) envelope, which decays as exp(-zeta phase) a step.
-    const double bound = (1.0 + 2.0 * zeta) * free_vibration_envelope(x, y, zeta);
-    const double longest = options.longest_ring_down_s * parts / dt_s;
-    const auto steps_to = [&](double level_mps2) {
-      if (bound <= level_mps2) return 0.0;
-      return zeta > 0.0 ? std::min(longest, std::log(bound / level_mps2) / (zeta * phase))
-                        : longest;
-    };
-    double steps = steps_to(quiet_mps2);
-    if (options.settle_deceleration_mps2 > 0.0) {
-      // A block on its way now is no faster than the range of the roof's velocity.
-      const double settle = velocity_range(roof, dt_s / parts) / options.settle_deceleration_mps2 +
-                            oscillator.period_s;
-      steps = std::min(steps + settle * parts / dt_s, steps_to(0.01 * quiet_mps2));
-    }
-    for (auto left = static_cast<std::size_t>(std::ceil(steps)); left > 0; --left)
-      advance(0.0, 0.0);
+    const double step_s = dt_s / parts;
+    const std::size_t steps = building_detail::ring_down_steps(
+        oscillator, step_s, x, y, velocity_range(roof, step_s), quiet_mps2, options);
+    for (std::size_t left = steps; left > 0; --left) advance(0.0, 0.0);
   }
   return roof;
 }

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace glissade {
+
+/// The ground at an instant: its acceleration and what that integrates to from rest. The
+/// displacement is a sum of two doubles, so that differences of neighbouring ones keep their digits
+/// however far the integral has drifted.
+struct GroundNode {
+  double acceleration_mps2 = 0.0;
+  double velocity_mps = 0.0;
+  double displacement_m = 0.0;
+  double displacement_low_m = 0.0;
+};
+
+/// A digitised record, linear between samples, with V = integral of a and U = integral of V exact
+/// at equally spaced nodes: `parts` of them a sample interval. After the last sample the
+/// acceleration goes linearly to zero over one interval and stays there.
+class GroundTable {
+ public:
+  /// @param dt_s > 0, the record's step
+  /// @param acceleration_mps2 at least one sample; zeros at its end are as good as none
+  /// @param parts >= 1
+  GroundTable(double dt_s, std::span<const double> acceleration_mps2, int parts = 1);
+
+  double step_s() const { return step_s_; }
+  double sample_step_s() const { return sample_step_s_; }
+  /// The node of the last sample given, zeros included: where a free slider is read off.
+  std::size_t last_sample() const { return last_sample_; }
+  /// The first node from which on the ground stays at zero acceleration.
+  std::size_t quiet_from() const { return quiet_from_; }
+
+  /// Nodes 0 .. count - 1. More than quiet_from() + 1 of them are made when asked for.
+  void extend(std::size_t count);
+  std::span<const GroundNode> nodes() const { return nodes_; }
+  /// The nodes' accelerations and velocities by themselves, for code that runs over all of them.
+  std::span<const double> acceleration_mps2() const { return acceleration_mps2_; }
+  std::span<const double> velocity_mps() const { return velocity_mps_; }
+
+ private:
+  double step_s_, sample_step_s_;
+  std::size_t last_sample_ = 0, quiet_from_ = 0;
+  double velocity_low_mps_ = 0.0;  ///< what velocity_mps of the last node leaves out
+  std::vector<GroundNode> nodes_;
+  std::vector<double> acceleration_mps2_, velocity_mps_;
+
+  void append(double acceleration_mps2);
+  void append(const GroundNode& node);
+};
+
+}  // namespace glissade

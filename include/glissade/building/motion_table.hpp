@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "glissade/building/ground_table.hpp"
+#include "glissade/building/roof_motion.hpp"
+
+namespace glissade {
+
+/// Bounds on a motion, on the safe side and in single precision: they only tell where to look,
+/// never what is found there. Accelerations are times acceleration_scale, velocities times
+/// velocity_scale, which are powers of two, so that motions of any size fit.
+struct MotionBounds {
+  static constexpr std::size_t block = 64;  ///< intervals a coarse bound covers
+
+  double acceleration_scale = 1.0, velocity_scale = 1.0;
+  // Of the acceleration in the interval after each node.
+  std::vector<float> lowest, highest;
+  std::vector<float> block_lowest, block_highest;
+  // V, lowered and raised by as much as V in the intervals on either side of the node can leave the
+  // chord between its values at the nodes.
+  std::vector<float> velocity_below, velocity_above;
+  double largest_velocity_mps = 0.0;  ///< |V|
+};
+
+/// One component of a roof's motion, tabulated for the kernel: V, U and a exact at equally spaced
+/// nodes, and bounds that let it skip what it does not need. It is linear in the ground motion, so
+/// one table serves every intensity, friction and slope.
+///
+/// Rigid: the ground itself, linear between nodes. Oscillator: exact at the nodes (Nigam & Jennings
+/// 1969); between them V is the quintic with the exact V, a and da/dt at both ends, so a is a
+/// quartic with coefficients `quartic()` in Bernstein form and the integral of a is exact.
+struct MotionTable {
+  std::shared_ptr<GroundTable> ground;
+  Oscillator oscillator;  ///< period 0: rigid
+  double omega_radps = 0.0;
+  std::vector<double> x, y;  ///< an oscillator's scaled state (core/oscillator.hpp) at the nodes
+  std::size_t nodes = 0;
+  std::size_t end = 0;  ///< the last node the motion is followed to; the rest is for free sliders
+  double peak_acceleration_mps2 = 0.0;  ///< at least max |a|, over by the bounds' slack
+  MotionBounds bounds;
+
+  bool rigid() const { return oscillator.period_s == 0.0; }
+  double step_s() const { return ground->step_s(); }
+
+  double acceleration_mps2(std::size_t i) const {
+    return rigid() ? ground->nodes()[i].acceleration_mps2
+                   : -(x[i] + 2.0 * oscillator.damping_ratio * y[i]);
+  }
+  /// da/dt of an oscillator.
+  double jerk_mps3(std::size_t i) const {
+    const double twice = 2.0 * oscillator.damping_ratio;
+    return -omega_radps *
+           (y[i] - twice * (twice * y[i] + x[i] + ground->nodes()[i].acceleration_mps2));
+  }
+  double velocity_mps(std::size_t i) const {
+    const double v = ground->nodes()[i].velocity_mps;
+    return rigid() ? v : v + y[i] / omega_radps;
+  }
+  /// U(i) - U(from), without loss to what the ground has drifted before.
+  double displacement_from_m(std::size_t from, std::size_t i) const {
+    const GroundNode& a = ground->nodes()[from];
+    const GroundNode& b = ground->nodes()[i];
+    const double ground_moved =
+        (b.displacement_m - a.displacement_m) + (b.displacement_low_m - a.displacement_low_m);
+    return rigid() ? ground_moved : ground_moved + (x[i] - x[from]) / (omega_radps * omega_radps);
+  }
+};
+
+/// Bernstein coefficients of a quartic on an interval.
+struct Quartic {
+  double b[5];
+};
+
+/// The acceleration in the interval after node i; a straight line where the table is rigid.
+Quartic quartic(const MotionTable& table, std::size_t i);
+
+/// The ground as the motion of a rigid roof.
+MotionTable tabulate_rigid(std::shared_ptr<GroundTable> ground);
+
+/// Into how many parts a sample interval must be cut for an oscillator of this period: a power of
+/// two, one for all but the shortest periods. 0: not even the finest cut does, and the oscillator
+/// passes the ground's motion on unchanged for all that the record can tell.
+int parts_needed(const Oscillator& oscillator, double dt_s);
+
+/// Responses of oscillators (period > 0) to one ground motion, followed as `follow` says, each into
+/// its own table, whose memory is used again. As many oscillators at once as there are: they go
+/// side by side through the SIMD lanes. At most 1 ns a node and oscillator on one core of 2024.
+/// @param follow as many as oscillators
+void tabulate_responses(const std::shared_ptr<GroundTable>& ground,
+                        std::span<const Oscillator> oscillators,
+                        std::span<const RoofMotionOptions> follow, std::span<MotionTable> tables);
+
+/// The motion goes on to at least `nodes` nodes: the ground stays quiet, an oscillator rings on.
+void extend(MotionTable& table, std::size_t nodes);
+
+}  // namespace glissade

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <optional>
+
+#include "sliding_block.hpp"
+
+namespace glissade::block_detail {
+
+/// A drive that is a straight line over one interval between nodes, or over what is left of it. y
+/// in [0, 1] is the share of the piece that has passed.
+struct LinearPiece {
+  double begin, end, length_s;
+
+  /// What is left after y. Begins at exactly zero where the drive was found to cross zero.
+  LinearPiece after(double y) const {
+    return {begin + (end - begin) * y, end, (1.0 - y) * length_s};
+  }
+
+  /// When the drive first becomes positive, if it does.
+  std::optional<double> rise() const {
+    if (begin > 0.0) return 0.0;
+    if (!(end > 0.0)) return std::nullopt;
+    const double y = begin / (begin - end);
+    if (y < 1.0) return y;
+    return std::nullopt;  // within rounding of the end: the next interval starts it
+  }
+
+  /// When a speed v0 >= 0 under this drive first returns to zero, if it does.
+  std::optional<double> stop(double v0) const {
+    const std::optional<double> t =
+        time_to_stop(v0, {begin, (end - begin) / length_s, end}, length_s);
+    if (!t) return std::nullopt;
+    return std::min(*t / length_s, 1.0);
+  }
+
+  /// Speed gained and way gone from rest.
+  double gain(double y) const { return length_s * y * (begin + 0.5 * (end - begin) * y); }
+  double travel(double y) const {
+    const double t = length_s * y;
+    return t * t * (0.5 * begin + (end - begin) * y / 6.0);
+  }
+  bool may_be_positive() const { return begin > 0.0 || end > 0.0; }
+  void begin_at_zero() { begin = 0.0; }
+  void begin_at_most_zero() { begin = std::min(begin, 0.0); }
+};
+
+}  // namespace glissade::block_detail

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glissade/building/motion_table.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "glissade/core/contract.hpp"
+#include "glissade/core/oscillator.hpp"
+#include "oscillator_bank.hpp"
+#include "ring_down.hpp"
+
+namespace glissade {
+namespace {
+
+using building_detail::bank_size;
+using building_detail::OscillatorBank;
+using building_detail::padding;
+
+/// With this many nodes a period what the quintic leaves between nodes is below 1e-6 of slip
+/// (tests/unit/study: roof_table_error).
+constexpr double nodes_per_period = 16.0;
+constexpr int most_parts = 256;
+constexpr std::size_t least_nodes = 16;  // whole SIMD vectors, however short the record
+
+/// How many nodes a table needs whose motion is followed to node `end`.
+std::size_t nodes_to(std::size_t end, const GroundTable& ground) {
+  return std::max({end + 1, ground.last_sample() + 1, least_nodes});
+}
+
+void resize_states(MotionTable& table, std::size_t nodes) {
+  table.nodes = nodes;
+  table.x.resize(nodes + padding);
+  table.y.resize(nodes + padding);
+}
+
+/// Largest less smallest velocity up to node `end`.
+double velocity_range(const MotionTable& table, std::size_t end) {
+  const std::span<const double> ground = table.ground->velocity_mps();
+  double least = 0.0, most = 0.0;
+  for (std::size_t i = 0; i <= end; ++i) {
+    const double v = ground[i] + table.y[i] / table.omega_radps;
+    least = std::min(least, v);
+    most = std::max(most, v);
+  }
+  return most - least;
+}
+
+void load(OscillatorBank& bank, std::size_t lane, const MotionTable& table) {
+  const OscillatorStep step =
+      oscillator_step(table.omega_radps * table.step_s(), table.oscillator.damping_ratio);
+  bank.xx[lane] = step.xx;
+  bank.xy[lane] = step.xy;
+  bank.yy[lane] = step.yy;
+  bank.x_start[lane] = step.x_start;
+  bank.x_end[lane] = step.x_end;
+  bank.y_start[lane] = step.y_start;
+  bank.y_end[lane] = step.y_end;
+}
+
+/// Up to bank_size tables, whose ground and oscillator are set.
+void respond(GroundTable& ground, std::span<const RoofMotionOptions> follow,
+             std::span<MotionTable> tables) {
+  OscillatorBank bank;
+  std::array<double*, bank_size> x{}, y{};
+  const auto run = [&](std::size_t from, std::size_t to) {
+    for (std::size_t k = 0; k < tables.size(); ++k) {
+      x[k] = tables[k].x.data();
+      y[k] = tables[k].y.data();
+    }
+    building_detail::advance(bank, ground.acceleration_mps2(), from, to, x.data(), y.data());
+  };
+  const std::size_t quiet = ground.quiet_from();
+  ground.extend(quiet + 1);
+  for (std::size_t k = 0; k < tables.size(); ++k) {
+    load(bank, k, tables[k]);
+    resize_states(tables[k], quiet + 1);
+    tables[k].x[0] = tables[k].y[0] = 0.0;  // at rest
+  }
+  run(0, quiet);
+
+  std::size_t most_nodes = 0;
+  for (std::size_t k = 0; k < tables.size(); ++k) {
+    MotionTable& t = tables[k];
+    t.end = quiet + building_detail::ring_down_steps(t.oscillator, t.step_s(), t.x[quiet],
+                                                     t.y[quiet], velocity_range(t, quiet),
+                                                     follow[k].quiet_horizontal_mps2, follow[k]);
+    most_nodes = std::max(most_nodes, nodes_to(t.end, ground));
+  }
+  ground.extend(most_nodes + padding);
+  for (MotionTable& table : tables) resize_states(table, most_nodes);
+  if (most_nodes > quiet + 1) run(quiet, most_nodes - 1);
+  for (MotionTable& table : tables) {
+    table.nodes = nodes_to(table.end, ground);
+    building_detail::bound_response(table);
+  }
+}
+
+}  // namespace
+
+Quartic quartic(const MotionTable& table, std::size_t i) {
+  const double a0 = table.acceleration_mps2(i), a1 = table.acceleration_mps2(i + 1);
+  if (table.rigid())
+    return {{a0, a0 + 0.25 * (a1 - a0), 0.5 * (a0 + a1), a1 - 0.25 * (a1 - a0), a1}};
+  const double h = table.step_s();
+  const double b1 = a0 + 0.25 * h * table.jerk_mps3(i);
+  const double b3 = a1 - 0.25 * h * table.jerk_mps3(i + 1);
+  // The mean of the coefficients is the mean of a, which V knows.
+  const double sum = 5.0 / h * (table.velocity_mps(i + 1) - table.velocity_mps(i));
+  return {{a0, b1, sum - ((a0 + a1) + (b1 + b3)), b3, a1}};
+}
+
+MotionTable tabulate_rigid(std::shared_ptr<GroundTable> ground) {
+  MotionTable table;
+  table.end = ground->quiet_from();
+  table.nodes = nodes_to(table.end, *ground);
+  ground->extend(table.nodes + padding);
+  table.ground = std::move(ground);
+  building_detail::bound_ground(table);
+  return table;
+}
+
+int parts_needed(const Oscillator& oscillator, double dt_s) {
+  if (oscillator.period_s == 0.0) return 1;
+  const double wanted = nodes_per_period * dt_s / oscillator.period_s;
+  if (wanted > most_parts) return 0;
+  int parts = 1;
+  while (parts < wanted) parts *= 2;
+  return parts;
+}
+
+void tabulate_responses(const std::shared_ptr<GroundTable>& ground,
+                        std::span<const Oscillator> oscillators,
+                        std::span<const RoofMotionOptions> follow, std::span<MotionTable> tables) {
+  GLISSADE_EXPECTS(follow.size() == oscillators.size() && tables.size() == oscillators.size());
+  for (std::size_t k = 0; k < tables.size(); ++k) {
+    GLISSADE_EXPECTS(oscillators[k].period_s > 0.0);
+    tables[k].ground = ground;
+    tables[k].oscillator = oscillators[k];
+    tables[k].omega_radps = 2.0 * std::numbers::pi / oscillators[k].period_s;
+  }
+  for (std::size_t first = 0; first < tables.size(); first += bank_size) {
+    const std::size_t count = std::min(bank_size, tables.size() - first);
+    respond(*ground, follow.subspan(first, count), tables.subspan(first, count));
+  }
+}
+
+void extend(MotionTable& table, std::size_t nodes) {
+  if (nodes <= table.nodes) return;
+  table.ground->extend(nodes + padding);
+  if (table.rigid()) {
+    table.nodes = nodes;
+    return building_detail::bound_ground(table);
+  }
+  OscillatorBank bank;
+  load(bank, 0, table);
+  const std::size_t last = table.nodes - 1;
+  bank.x[0] = table.x[last];
+  bank.y[0] = table.y[last];
+  resize_states(table, nodes);
+  std::array<double*, bank_size> x{table.x.data()}, y{table.y.data()};
+  building_detail::advance(bank, table.ground->acceleration_mps2(), last, nodes - 1, x.data(),
+                           y.data());
+  building_detail::bound_response(table);
+}
+
+}  // namespace glissade

@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Compiled once per SIMD target (Highway chooses at run time); every operation is elementwise and
+// unfused, so all targets give the same bits.
+#include "oscillator_bank.hpp"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "building/oscillator_bank.cpp"
+#include <hwy/foreach_target.h>  // before highway.h
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace glissade::building_detail::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+using Doubles = HWY_CAPPED(double, bank_size / 2);
+using Vector = hn::Vec<Doubles>;
+
+/// Some of a bank's oscillators, in registers.
+struct Lanes {
+  Vector xx, xy, yy, x_start, x_end, y_start, y_end, x, y;
+
+  Lanes(const OscillatorBank& bank, std::size_t first) {
+    const Doubles d;
+    xx = hn::Load(d, bank.xx + first);
+    xy = hn::Load(d, bank.xy + first);
+    yy = hn::Load(d, bank.yy + first);
+    x_start = hn::Load(d, bank.x_start + first);
+    x_end = hn::Load(d, bank.x_end + first);
+    y_start = hn::Load(d, bank.y_start + first);
+    y_end = hn::Load(d, bank.y_end + first);
+    x = hn::Load(d, bank.x + first);
+    y = hn::Load(d, bank.y + first);
+  }
+
+  void step(Vector a0, Vector a1) {
+    const Vector x_forced = hn::Add(hn::Mul(x_start, a0), hn::Mul(x_end, a1));
+    const Vector y_forced = hn::Add(hn::Mul(y_start, a0), hn::Mul(y_end, a1));
+    const Vector x1 = hn::Sub(hn::Add(hn::Mul(xx, x), hn::Mul(xy, y)), x_forced);
+    y = hn::Sub(hn::Sub(hn::Mul(yy, y), hn::Mul(xy, x)), y_forced);
+    x = x1;
+  }
+};
+
+void Advance(OscillatorBank& bank, const double* ground, std::size_t from, std::size_t to,
+             double* const* x, double* const* y) {
+  constexpr std::size_t stretch = 64;
+  alignas(64) double xs[stretch][bank_size], ys[stretch][bank_size];  // as the lanes leave them
+  const Doubles d;
+  const std::size_t n = hn::Lanes(d);
+  for (std::size_t begin = from; begin < to; begin += stretch) {
+    const std::size_t count = to - begin < stretch ? to - begin : stretch;
+    for (std::size_t first = 0; first < bank_size; first += 2 * n) {
+      Lanes one(bank, first), other(bank, first + n);  // two, to hide each other's latency
+      for (std::size_t t = 0; t < count; ++t) {
+        const Vector a0 = hn::Set(d, ground[begin + t]), a1 = hn::Set(d, ground[begin + t + 1]);
+        one.step(a0, a1);
+        other.step(a0, a1);
+        hn::Store(one.x, d, xs[t] + first);
+        hn::Store(one.y, d, ys[t] + first);
+        hn::Store(other.x, d, xs[t] + first + n);
+        hn::Store(other.y, d, ys[t] + first + n);
+      }
+      hn::Store(one.x, d, bank.x + first);
+      hn::Store(one.y, d, bank.y + first);
+      hn::Store(other.x, d, bank.x + first + n);
+      hn::Store(other.y, d, bank.y + first + n);
+    }
+    for (std::size_t oscillator = 0; oscillator < bank_size; ++oscillator) {
+      if (x[oscillator] == nullptr) continue;
+      double* const x_out = x[oscillator] + begin + 1;
+      double* const y_out = y[oscillator] + begin + 1;
+      for (std::size_t t = 0; t < count; ++t) {
+        x_out[t] = xs[t][oscillator];
+        y_out[t] = ys[t][oscillator];
+      }
+    }
+  }
+}
+
+/// Acceleration bounds are those of the quartic's Bernstein coefficients: it stays in their hull.
+/// In an interval where a ranges over r, V leaves its chord by r h / 4 at most.
+Extremes Bound(const Response& r, float* lowest, float* highest, float* below, float* above,
+               double* excess) {
+  const Doubles d;
+  const hn::Rebind<float, Doubles> f;
+  const std::size_t n = hn::Lanes(d), intervals = r.nodes - 1;
+  const Vector twice = hn::Set(d, 2.0 * r.damping_ratio), omega = hn::Set(d, r.omega_radps);
+  const Vector quarter_step = hn::Set(d, 0.25 * r.step_s), quarter = hn::Set(d, 0.25);
+  const Vector five_per_step = hn::Set(d, 5.0 / r.step_s);
+  const Vector a_scale = hn::Set(d, r.acceleration_scale), v_scale = hn::Set(d, r.velocity_scale);
+  // Rounding to single precision moves a number by 2^-24 of it; these move it back past where it
+  // was.
+  const auto slack = hn::Set(f, 0x1p-22f), least = hn::Set(f, 0x1p-100f);
+  const auto widen = [&](auto value) { return hn::Add(hn::Mul(hn::Abs(value), slack), least); };
+  Vector largest_a = hn::Zero(d), largest_v = hn::Zero(d);
+
+  struct Node {
+    Vector a, jerk, v;
+  };
+  const auto node = [&](std::size_t i) {
+    const Vector x = hn::LoadU(d, r.x + i), y = hn::LoadU(d, r.y + i);
+    const Vector elastic = hn::Add(x, hn::Mul(twice, y));
+    const Vector ground = hn::LoadU(d, r.ground_mps2 + i);
+    const Vector jerk = hn::Mul(omega, hn::Sub(hn::Mul(twice, hn::Add(elastic, ground)), y));
+    return Node{hn::Neg(elastic), jerk, hn::Add(hn::LoadU(d, r.ground_mps + i), hn::Div(y, omega))};
+  };
+  // The last vector starts early enough to end with the last interval.
+  for (std::size_t i = 0; i < intervals; i += n) {
+    if (i + n > intervals) i = intervals > n ? intervals - n : 0;
+    const Node p = node(i), q = node(i + 1);
+    const Vector b1 = hn::Add(p.a, hn::Mul(quarter_step, p.jerk));
+    const Vector b3 = hn::Sub(q.a, hn::Mul(quarter_step, q.jerk));
+    const Vector b2 = hn::Sub(hn::Mul(five_per_step, hn::Sub(q.v, p.v)),
+                              hn::Add(hn::Add(p.a, q.a), hn::Add(b1, b3)));
+    const Vector low = hn::Min(hn::Min(p.a, q.a), hn::Min(b1, hn::Min(b2, b3)));
+    const Vector high = hn::Max(hn::Max(p.a, q.a), hn::Max(b1, hn::Max(b2, b3)));
+    largest_a = hn::Max(largest_a, hn::Max(high, hn::Neg(low)));
+    largest_v = hn::Max(largest_v, hn::Max(hn::Abs(p.v), hn::Abs(q.v)));
+    const auto low_f = hn::DemoteTo(f, hn::Mul(low, a_scale));
+    const auto high_f = hn::DemoteTo(f, hn::Mul(high, a_scale));
+    hn::StoreU(hn::Sub(low_f, widen(low_f)), f, lowest + i);
+    hn::StoreU(hn::Add(high_f, widen(high_f)), f, highest + i);
+    hn::StoreU(hn::Mul(hn::Mul(hn::Sub(high, low), quarter), hn::Set(d, r.step_s)), d,
+               excess + 1 + i);
+  }
+  // excess[i] and excess[i + 1] are those of the intervals before and after node i.
+  for (std::size_t i = 0; i < r.nodes; i += n) {
+    if (i + n > r.nodes) i = r.nodes > n ? r.nodes - n : 0;
+    const Vector v = hn::Add(hn::LoadU(d, r.ground_mps + i), hn::Div(hn::LoadU(d, r.y + i), omega));
+    const Vector sag = hn::Max(hn::LoadU(d, excess + i), hn::LoadU(d, excess + 1 + i));
+    const auto below_f = hn::DemoteTo(f, hn::Mul(hn::Sub(v, sag), v_scale));
+    const auto above_f = hn::DemoteTo(f, hn::Mul(hn::Add(v, sag), v_scale));
+    hn::StoreU(hn::Sub(below_f, widen(below_f)), f, below + i);
+    hn::StoreU(hn::Add(above_f, widen(above_f)), f, above + i);
+  }
+  return {hn::GetLane(hn::MaxOfLanes(d, largest_a)), hn::GetLane(hn::MaxOfLanes(d, largest_v))};
+}
+
+}  // namespace glissade::building_detail::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+#include <algorithm>
+#include <cmath>
+
+namespace glissade::building_detail {
+HWY_EXPORT(Advance);
+HWY_EXPORT(Bound);
+
+namespace {
+
+/// The power of two that brings a positive number into [1, 2); within what a double can hold.
+double scale_to_one(double value) {
+  if (!(value > 0.0)) return 1.0;
+  return std::ldexp(1.0, std::clamp(-std::ilogb(value), -1000, 1000));
+}
+
+void size_bounds(MotionTable& table) {
+  MotionBounds& b = table.bounds;
+  const std::size_t room = table.nodes + MotionBounds::block + padding;
+  for (std::vector<float>* v : {&b.lowest, &b.highest, &b.velocity_below, &b.velocity_above})
+    v->resize(room);
+  double peak = 0.0;
+  for (const double a : table.ground->acceleration_mps2()) peak = std::max(peak, std::abs(a));
+  b.acceleration_scale = scale_to_one(peak);
+  b.velocity_scale = b.acceleration_scale * scale_to_one(table.step_s());
+}
+
+void coarsen(MotionTable& table) {
+  MotionBounds& b = table.bounds;
+  constexpr std::size_t block = MotionBounds::block;
+  const std::size_t intervals = table.nodes - 1, blocks = (intervals + block - 1) / block;
+  b.block_lowest.assign(blocks + padding, 0.0f);
+  b.block_highest.assign(blocks + padding, 0.0f);
+  for (std::size_t k = 0; k < blocks; ++k) {
+    const std::size_t begin = k * block, end = std::min(begin + block, intervals);
+    b.block_lowest[k] = *std::min_element(&b.lowest[begin], &b.lowest[0] + end);
+    b.block_highest[k] = *std::max_element(&b.highest[begin], &b.highest[0] + end);
+  }
+}
+
+float below(double value) {
+  const auto f = static_cast<float>(value);
+  return f - (std::abs(f) * 0x1p-22f + 0x1p-100f);
+}
+float above(double value) { return -below(-value); }
+
+}  // namespace
+
+void advance(OscillatorBank& bank, std::span<const double> ground_mps2, std::size_t from,
+             std::size_t to, double* const* x, double* const* y) {
+  HWY_DYNAMIC_DISPATCH(Advance)(bank, ground_mps2.data(), from, to, x, y);
+}
+
+void bound_response(MotionTable& table) {
+  size_bounds(table);
+  MotionBounds& b = table.bounds;
+  // Room for whole vectors, whatever the target's width.
+  thread_local std::vector<double> excess;
+  excess.assign(table.nodes + 2 + padding, 0.0);
+  const auto found = HWY_DYNAMIC_DISPATCH(Bound)(
+      {table.x.data(), table.y.data(), table.ground->acceleration_mps2().data(),
+       table.ground->velocity_mps().data(), table.omega_radps, table.oscillator.damping_ratio,
+       table.step_s(), b.acceleration_scale, b.velocity_scale, table.nodes},
+      b.lowest.data(), b.highest.data(), b.velocity_below.data(), b.velocity_above.data(),
+      excess.data());
+  table.peak_acceleration_mps2 = found.peak_acceleration;
+  b.largest_velocity_mps = found.largest_velocity;
+  coarsen(table);
+}
+
+void bound_ground(MotionTable& table) {
+  size_bounds(table);
+  MotionBounds& b = table.bounds;
+  const std::span<const double> a = table.ground->acceleration_mps2(),
+                                v = table.ground->velocity_mps();
+  const std::size_t intervals = table.nodes - 1;
+  table.peak_acceleration_mps2 = b.largest_velocity_mps = 0.0;
+  // Where a falls by r over an interval, V rises above its chord by r h / 8 at most; where it
+  // rises, V sags.
+  const auto excess = [&](std::size_t i) { return (a[i + 1] - a[i]) * table.step_s() / 8.0; };
+  for (std::size_t i = 0; i < table.nodes; ++i) {
+    table.peak_acceleration_mps2 = std::max(table.peak_acceleration_mps2, std::abs(a[i]));
+    b.largest_velocity_mps = std::max(b.largest_velocity_mps, std::abs(v[i]));
+    const double before = i > 0 ? excess(i - 1) : 0.0, after = i < intervals ? excess(i) : 0.0;
+    b.velocity_below[i] = below((v[i] - std::max({before, after, 0.0})) * b.velocity_scale);
+    b.velocity_above[i] = above((v[i] - std::min({before, after, 0.0})) * b.velocity_scale);
+    if (i == intervals) break;
+    b.lowest[i] = below(std::min(a[i], a[i + 1]) * b.acceleration_scale);
+    b.highest[i] = above(std::max(a[i], a[i + 1]) * b.acceleration_scale);
+  }
+  coarsen(table);
+}
+
+}  // namespace glissade::building_detail
+#endif
