@@ -85,10 +85,13 @@ std::size_t NextStop(const StopSearch& s, std::size_t from, std::size_t to) {
     if (s.w != nullptr) v = hn::Add(v, hn::Mul(c_w, hn::LoadU(f, s.w + i)));
     return v;
   };
-  const auto stops = [&](std::size_t i) { return hn::Le(speed(i), hn::Zero(f)); };
-  if (s.lift == nullptr) return first(from, to + 1, stops);
+  const LineAt<false> brakes(s.brake);
+  const auto stops = [&](std::size_t i) {
+    return hn::And(brakes(i), hn::Le(hn::Min(speed(i), speed(i + 1)), hn::Zero(f)));
+  };
+  if (s.lift == nullptr) return first(from, to, stops);
   const LineAt<false> lifts(*s.lift);
-  return first(from, to + 1, [&](std::size_t i) { return hn::Or(stops(i), lifts(i)); });
+  return first(from, to, [&](std::size_t i) { return hn::Or(stops(i), lifts(i)); });
 }
 
 }  // namespace glissade::block_detail::HWY_NAMESPACE

@@ -24,15 +24,17 @@ struct ExitSearch {
 /// The first interval in [from, to) that an exit is possible in, else to.
 std::size_t next_exit(const ExitSearch& search, std::size_t from, std::size_t to);
 
-/// The speed at node i is at least c_a A[i] + c_w W[i] + constant + per_step (i - origin).
+/// The speed at node i, and as far as the intervals on either side of it can leave the chord
+/// between nodes, is at least c_a A[i] + c_w W[i] + constant + per_step (i - origin).
 struct StopSearch {
   const float *a = nullptr, *w = nullptr;  ///< by node; w null: no vertical
   float c_a = 0.0f, c_w = 0.0f, constant = 0.0f, per_step = 0.0f;
   std::size_t origin = 0;
+  BoundLine brake;                  ///< positive where speed may be lost: minus the drive
   const BoundLine* lift = nullptr;  ///< null: no lift-off to look for
 };
-/// The first node in [from, to] at which the speed may be zero, or from which on in its interval
-/// the block may lift; else to + 1.
+/// The first interval in [from, to) in which the speed may return to zero or the block may lift,
+/// else to.
 std::size_t next_stop(const StopSearch& search, std::size_t from, std::size_t to);
 
 }  // namespace glissade::block_detail

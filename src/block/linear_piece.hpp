@@ -11,7 +11,15 @@ namespace glissade::block_detail {
 /// A drive that is a straight line over one interval between nodes, or over what is left of it. y
 /// in [0, 1] is the share of the piece that has passed.
 struct LinearPiece {
-  double begin, end, length_s;
+  struct Interval {
+    Roof begin, end;
+  };
+  double begin = 0.0, end = 0.0, length_s = 0.0;
+
+  LinearPiece() = default;
+  LinearPiece(double from, double to, double length) : begin(from), end(to), length_s(length) {}
+  LinearPiece(const DriveLine& drive, const Interval& roof, double length)
+      : LinearPiece(drive.at(roof.begin), drive.at(roof.end), length) {}
 
   /// What is left after y. Begins at exactly zero where the drive was found to cross zero.
   LinearPiece after(double y) const {

@@ -62,11 +62,14 @@ class EventKernel {
   EventKernel(const RoofTable& roof, const Scaled& scene, EventSearch search)
       : a_(*roof.horizontal),
         w_(roof.vertical.get()),
+        a_nodes_(a_.at_nodes()),
+        w_nodes_(w_ != nullptr ? w_->at_nodes() : MotionNodes()),
         scene_(scene),
         contact_(scene.block, scene.block.slope_rad),
         drive_{scene.applied(contact_.down()), scene.applied(contact_.up())},
         lift_(scene.applied(contact_.lift())),
         every_interval_(search == EventSearch::every_interval),
+        one_way_(scene.block.directions == SlipDirections::downslope_only),
         step_s_(roof.step_s()),
         last_(contact_.slides_at_rest() ? a_.ground->last_sample()
                                         : std::max(a_.end, w_ != nullptr ? w_->end : 0)),
@@ -75,9 +78,9 @@ class EventKernel {
                            (w_ != nullptr ? std::abs(lift_.w) * w_->peak_acceleration_mps2 : 0.0);
     may_lift_ = lift_.constant + highest * (1.0 + slack) > 0.0;
     exits_.line[exits_.lines++] = bound(drive_[0]);
-    if (scene.block.directions == SlipDirections::both)
-      exits_.line[exits_.lines++] = bound(drive_[1]);
+    if (!one_way_) exits_.line[exits_.lines++] = bound(drive_[1]);
     lift_bound_ = bound(lift_);
+    for (const int k : {0, 1}) stop_[k] = stop_search(drive_[k]);
     if (may_lift_) exits_.line[exits_.lines++] = lift_bound_;
   }
 
@@ -89,7 +92,9 @@ class EventKernel {
     const bool lifted_at_end = -lift_.at(roof(last_)) < 0.0;
     bool stops = false;
     if (!contact_.slides_at_rest()) {
-      body_.interval(step_s_, 0.0, turned(roof(last_)), Roof{});
+      // To zero over one more interval, where the tables do not end at zero.
+      const Roof end = turned(roof(last_));
+      if (end.a != 0.0 || end.w != 0.0) body_.interval(step_s_, 0.0, end, Roof{});
       stops = body_.coast(step_s_);
     }
     SlipResult result = body_.result(contact_.cos_slope());
@@ -106,14 +111,15 @@ class EventKernel {
 
   /// At node i, untouched by sign and ratio.
   Roof roof(std::size_t i) const {
-    return {a_.acceleration_mps2(i), w_ != nullptr ? w_->acceleration_mps2(i) : 0.0};
+    return {a_nodes_.acceleration_mps2(i), w_ != nullptr ? w_nodes_.acceleration_mps2(i) : 0.0};
   }
   Roof turned(Roof r) const { return {scene_.a_sign * r.a, scene_.w_ratio * r.w}; }
 
   static std::size_t index(int direction) { return direction > 0 ? 0 : 1; }
-  int directions() const { return scene_.block.directions == SlipDirections::both ? 2 : 1; }
 
-  Piece piece(const DriveLine& drive, std::size_t i) const;
+  /// The roof's acceleration in the interval after node i, and a line of it.
+  typename Piece::Interval interval(std::size_t i) const;
+  Piece piece(const DriveLine& drive, std::size_t i) const { return {drive, interval(i), step_s_}; }
 
   // -- bounds
 
@@ -155,7 +161,7 @@ class EventKernel {
   /// the node.
   std::size_t events(std::size_t i) {
     Moment now{i, 0.0};
-    if (body_.direction() != 0) now = slide_on({body_.speed(), 0.0, 0.0}, i, i);
+    if (body_.direction() != 0) now = slide_on({body_.speed(), 0.0, 0.0}, i);
     int stopped = 0;
     // A drive is a quartic at most, so starts and stops in an interval are few: the bound only
     // guards against rounding.
@@ -173,26 +179,31 @@ class EventKernel {
   /// From rest at `now`: the block begins to slide, now or later in the interval. `stopped` is the
   /// direction it has just stopped sliding in: that drive is not positive, whatever rounding says.
   bool start(Moment& now, int stopped) {
-    std::optional<double> first;
+    const typename Piece::Interval here = interval(now.interval);
+    double first = 1.0;
     int direction = 0;
-    for (int k = 0; k < directions(); ++k) {
-      const int candidate = k == 0 ? 1 : -1;
-      rest_[k] = piece(drive_[k], now.interval);
-      if (now.y > 0.0) rest_[k] = rest_[k].after(now.y);
-      if (candidate == stopped) rest_[k].begin_at_most_zero();
-      const std::optional<double> rise = rest_[k].rise();
-      if (rise && (!first || *rise < *first)) {
-        first = rise;
+    // The drive it did not stop under first: the two are never positive at once, so where that one
+    // pushes already the other need not be looked at.
+    for (const int candidate : {stopped > 0 ? -1 : 1, stopped > 0 ? 1 : -1}) {
+      if (candidate < 0 && one_way_) continue;
+      Piece& drive = rest_[index(candidate)];
+      drive = Piece(drive_[index(candidate)], here, step_s_);
+      if (now.y > 0.0) drive = drive.after(now.y);
+      if (candidate == stopped) drive.begin_at_most_zero();
+      const std::optional<double> rise = drive.rise();
+      if (rise && *rise < first) {
+        first = *rise;
         direction = candidate;
+        if (first == 0.0) break;
       }
     }
-    if (!first) return false;
+    if (direction == 0) return false;
     Piece& own = rest_[index(direction)];
-    if (*first > 0.0) {
-      own = own.after(*first);
+    if (first > 0.0) {
+      own = own.after(first);
       own.begin_at_zero();  // exactly on its threshold: no spurious stop
     }
-    now.y += *first * (1.0 - now.y);
+    now.y += first * (1.0 - now.y);
     body_.start(direction);
     return true;
   }
@@ -206,8 +217,7 @@ class EventKernel {
       body_.stop();
       return {now.interval, now.y + *y * (1.0 - now.y)};
     }
-    return slide_on({own.gain(1.0), own.travel(1.0), own.length_s}, now.interval + 1,
-                    now.interval + 1);
+    return slide_on({own.gain(1.0), own.travel(1.0), own.length_s}, now.interval + 1);
   }
 
   /// At the node a phase is reckoned from.
@@ -215,19 +225,20 @@ class EventKernel {
     double speed, distance, duration;
   };
 
-  /// Slides on from node r; the interval after node `from` is the first to look into.
-  Moment slide_on(const Reference& ref, std::size_t r, std::size_t from) {
+  /// Slides on from node r.
+  Moment slide_on(const Reference& ref, std::size_t r) {
     const DriveLine& drive = drive_[index(body_.direction())];
-    const double v_a = a_.velocity_mps(r), v_w = w_ != nullptr ? w_->velocity_mps(r) : 0.0;
+    const double v_a = a_nodes_.velocity_mps(r),
+                 v_w = w_ != nullptr ? w_nodes_.velocity_mps(r) : 0.0;
     const auto speed = [&](std::size_t i) {
-      double v = ref.speed + drive.a * (a_.velocity_mps(i) - v_a);
-      if (w_ != nullptr) v += drive.w * (w_->velocity_mps(i) - v_w);
+      double v = ref.speed + drive.a * (a_nodes_.velocity_mps(i) - v_a);
+      if (w_ != nullptr) v += drive.w * (w_nodes_.velocity_mps(i) - v_w);
       return std::max(0.0, v + drive.constant * step_s_ * static_cast<double>(i - r));
     };
     const auto distance = [&](std::size_t i) {
       const double t = step_s_ * static_cast<double>(i - r);
-      double s = ref.speed * t + drive.a * (a_.displacement_from_m(r, i) - v_a * t);
-      if (w_ != nullptr) s += drive.w * (w_->displacement_from_m(r, i) - v_w * t);
+      double s = ref.speed * t + drive.a * (a_nodes_.displacement_from_m(r, i) - v_a * t);
+      if (w_ != nullptr) s += drive.w * (w_nodes_.displacement_from_m(r, i) - v_w * t);
       return ref.distance + (s + 0.5 * drive.constant * t * t);
     };
     const auto duration = [&](std::size_t i, double y) {
@@ -238,79 +249,82 @@ class EventKernel {
       return {i, 0.0};
     };
 
-    StopSearch search;
-    if (!every_interval_) search = stop_search(drive, ref.speed, v_a, v_w, r);
-    std::size_t i = from;  // everything before is passed
-    while (i < last_) {
-      const std::size_t node = every_interval_ ? i : block_detail::next_stop(search, i, last_);
-      // The speed may be zero at the node or in the intervals on either side of it.
-      const std::size_t end = std::min(node + 1, last_);
-      for (i = std::max(i, node - (node > 0)); i < end; ++i) {
-        if (may_lift_in(i)) return still_sliding(i);
-        const Piece p = piece(drive, i);
-        const double v = speed(i);
-        if (const std::optional<double> y = p.stop(v)) {
-          body_.slid(distance(i) + v * p.length_s * *y + p.travel(*y), duration(i, *y), 0.0);
-          body_.stop();
-          return {i, *y};
-        }
+    StopSearch& search = stop_[index(body_.direction())];
+    reckon_from(r, ref.speed, drive, v_a, v_w, search);
+    for (std::size_t i = r; i < last_; ++i) {
+      if (!every_interval_) i = block_detail::next_stop(search, i, last_);
+      if (i == last_) break;
+      if (may_lift_in(i)) return still_sliding(i);
+      const Piece p = piece(drive, i);
+      const double v = speed(i);
+      if (const std::optional<double> y = p.stop(v)) {
+        body_.slid(distance(i) + v * p.length_s * *y + p.travel(*y), duration(i, *y), 0.0);
+        body_.stop();
+        return {i, *y};
       }
     }
     return still_sliding(last_);
   }
 
-  StopSearch stop_search(const DriveLine& drive, double speed, double v_a, double v_w,
-                         std::size_t r) const {
+  /// What of the search for the end of a phase is the same for all phases in one direction.
+  StopSearch stop_search(const DriveLine& drive) const {
     const MotionBounds& a = a_.bounds;
-    const double scale = a.velocity_scale;
     StopSearch s;
-    s.origin = r;
     // The least the speed can be at a node and around it.
     s.a = (drive.a > 0.0 ? a.velocity_below : a.velocity_above).data();
     s.c_a = to_float(drive.a);
-    double constant = speed - drive.a * v_a;
-    double size = std::abs(speed) + std::abs(drive.a) * (std::abs(v_a) + a.largest_velocity_mps);
     if (w_ != nullptr) {
       const MotionBounds& w = w_->bounds;
       s.w = (drive.w > 0.0 ? w.velocity_below : w.velocity_above).data();
-      s.c_w = to_float(drive.w * (scale / w.velocity_scale));
-      constant -= drive.w * v_w;
-      size += std::abs(drive.w) * (std::abs(v_w) + w.largest_velocity_mps);
+      s.c_w = to_float(drive.w * (a.velocity_scale / w.velocity_scale));
     }
-    s.constant = to_float((constant - slack * size) * scale);
-    s.per_step = to_float(drive.constant * step_s_ * scale);
+    s.per_step = to_float(drive.constant * step_s_ * a.velocity_scale);
+    s.brake = bound({-drive.a, -drive.w, -drive.constant});
     if (may_lift_) s.lift = &lift_bound_;
     return s;
+  }
+
+  void reckon_from(std::size_t r, double speed, const DriveLine& drive, double v_a, double v_w,
+                   StopSearch& s) const {
+    double constant = speed - drive.a * v_a;
+    double size =
+        std::abs(speed) + std::abs(drive.a) * (std::abs(v_a) + a_.bounds.largest_velocity_mps);
+    if (w_ != nullptr) {
+      constant -= drive.w * v_w;
+      size += std::abs(drive.w) * (std::abs(v_w) + w_->bounds.largest_velocity_mps);
+    }
+    s.constant = to_float((constant - slack * size) * a_.bounds.velocity_scale);
+    s.origin = r;
   }
 
   /// An interval in which the block may lift: the roof motion linear over parts of it.
   std::size_t lifted(std::size_t i);
 
   const MotionTable& a_;
-  const MotionTable* w_;
+  const MotionTable* w_;  ///< null: no vertical
+  MotionNodes a_nodes_, w_nodes_;
   Scaled scene_;
   Contact contact_;
   DriveLine drive_[2], lift_;
-  bool every_interval_, may_lift_ = false;
+  bool every_interval_, one_way_, may_lift_ = false;
   double step_s_;
   std::size_t last_;  ///< node
   SlidingBlock<NoHistory> body_;
   ExitSearch exits_;
   BoundLine lift_bound_;
+  StopSearch stop_[2];
   Piece rest_[2] = {};  ///< the drives over what is left of the interval
 };
 
 template <>
-LinearPiece EventKernel<LinearPiece>::piece(const DriveLine& drive, std::size_t i) const {
-  return {drive.at(roof(i)), drive.at(roof(i + 1)), step_s_};
+LinearPiece::Interval EventKernel<LinearPiece>::interval(std::size_t i) const {
+  return {roof(i), roof(i + 1)};
 }
 
 template <>
-QuarticPiece EventKernel<QuarticPiece>::piece(const DriveLine& drive, std::size_t i) const {
-  const Quartic a = quartic(a_, i), w = w_ != nullptr ? quartic(*w_, i) : Quartic{};
-  QuarticPiece p{{}, step_s_};
-  for (int k = 0; k < 5; ++k) p.drive.b[k] = drive.at({a.b[k], w.b[k]});
-  return p;
+QuarticPiece::Interval EventKernel<QuarticPiece>::interval(std::size_t i) const {
+  return {a_nodes_.acceleration_after(i),
+          w_ != nullptr ? w_nodes_.acceleration_after(i) : Quartic{}};
 }
 
 template <>
@@ -322,8 +336,8 @@ std::size_t EventKernel<LinearPiece>::lifted(std::size_t i) {
 template <>
 std::size_t EventKernel<QuarticPiece>::lifted(std::size_t i) {
   constexpr int parts = 16;
-  const QuarticPiece a{quartic(a_, i), step_s_};
-  const QuarticPiece w{w_ != nullptr ? quartic(*w_, i) : Quartic{}, step_s_};
+  const auto [a_after, w_after] = interval(i);
+  const QuarticPiece a(a_after, step_s_), w(w_after, step_s_);
   Roof left = turned({a.at(0.0), w.at(0.0)});
   for (int part = 1; part <= parts; ++part) {
     const double y = static_cast<double>(part) / parts;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "contact.hpp"
 #include "glissade/building/motion_table.hpp"
 
 namespace glissade::block_detail {
@@ -12,15 +13,19 @@ namespace glissade::block_detail {
 /// LinearPiece for a drive that is a quartic, in Bernstein form: it stays within the hull of its
 /// coefficients and changes sign no more often than they do, so nothing between nodes is missed.
 struct QuarticPiece {
-  Quartic drive;
-  double length_s;
+  struct Interval {
+    Quartic a, w;
+  };
+  Quartic drive{};
+  double length_s = 0.0;
 
-  double at(double y) const {
-    const double z = 1.0 - y;
-    const double* b = drive.b;
-    return ((b[0] * z + 4.0 * b[1] * y) * z + 6.0 * b[2] * y * y) * z * z +
-           (4.0 * b[3] * z + b[4] * y) * y * y * y;
+  QuarticPiece() = default;
+  QuarticPiece(const Quartic& values, double length) : drive(values), length_s(length) {}
+  QuarticPiece(const DriveLine& line, const Interval& roof, double length) : length_s(length) {
+    for (int k = 0; k < 5; ++k) drive.b[k] = line.at({roof.a.b[k], roof.w.b[k]});
   }
+
+  double at(double y) const { return Powers(drive).value(y); }
 
   QuarticPiece after(double y) const { return {split(y).right, (1.0 - y) * length_s}; }
 
@@ -31,37 +36,45 @@ struct QuarticPiece {
 
   std::optional<double> stop(double v0) const {
     if (!may_stop(v0)) return std::nullopt;
+    if (!may_be_positive()) return falling_root(v0, 1.0);
     // Speed falls only where the drive is negative: from each fall to the next rise.
     QuarticPiece rest = *this;
     double y = 0.0, speed = v0;
-    for (int stretch = 0; stretch < 3; ++stretch) {
-      const auto skip = [&](double share) {
-        speed = std::max(0.0, speed + rest.gain(share));
-        y += share * (1.0 - y);
-        rest = rest.after(share);
-      };
+    const auto skip = [&](double share) {
+      speed = std::max(0.0, speed + rest.gain(share));
+      y += share * (1.0 - y);
+      rest = rest.after(share);
+      rest.begin_at_zero();
+    };
+    for (int stretch = 0; stretch < 3; ++stretch) {  // a quartic has no more sign changes
       if (rest.starts_positive()) {
         const std::optional<double> fall = rest.first_crossing(-1.0);
         if (!fall) return std::nullopt;
         skip(*fall);
-        rest.drive.b[0] = 0.0;
       }
       const std::optional<double> rise = rest.first_crossing(1.0);
       const double end = rise.value_or(1.0);
       if (speed + rest.gain(end) <= 0.0) return y + rest.falling_root(speed, end) * (1.0 - y);
       if (!rise) return std::nullopt;
       skip(end);
-      rest.drive.b[0] = 0.0;
     }
-    return std::nullopt;  // a quartic has no more sign changes
+    return std::nullopt;
   }
 
-  double gain(double y) const { return length_s * y * left_mean(y).speed; }
-  double travel(double y) const {
-    const double t = length_s * y;
-    return t * t * left_mean(y).way;
+  /// Speed gained and way gone from rest.
+  double gain(double y) const {
+    const Quartic q = y == 1.0 ? drive : split(y).left;
+    return 0.2 * length_s * y * ((q.b[0] + q.b[1]) + (q.b[2] + q.b[3]) + q.b[4]);
   }
-  bool may_be_positive() const { return *std::max_element(drive.b, drive.b + 5) > 0.0; }
+  double travel(double y) const {
+    const Quartic q = y == 1.0 ? drive : split(y).left;
+    const double t = length_s * y;
+    return t * t / 30.0 * ((5.0 * q.b[0] + 4.0 * q.b[1]) + (3.0 * q.b[2] + 2.0 * q.b[3]) + q.b[4]);
+  }
+  bool may_be_positive() const {
+    return std::max(std::max(drive.b[0], drive.b[4]),
+                    std::max(drive.b[1], std::max(drive.b[2], drive.b[3]))) > 0.0;
+  }
   void begin_at_zero() { drive.b[0] = 0.0; }
   void begin_at_most_zero() { drive.b[0] = std::min(drive.b[0], 0.0); }
 
@@ -81,17 +94,26 @@ struct QuarticPiece {
     return h;
   }
 
-  struct Means {
-    double speed, way;
+  /// Coefficients of the powers of y, for Halley's method.
+  struct Powers {
+    double c0, c1, c2, c3, c4;
+
+    explicit Powers(const Quartic& q) {
+      const double* b = q.b;
+      c0 = b[0];
+      c1 = 4.0 * (b[1] - b[0]);
+      c2 = 6.0 * ((b[2] - b[1]) - (b[1] - b[0]));
+      c3 = 4.0 * ((b[3] - b[0]) - 3.0 * (b[2] - b[1]));
+      c4 = (b[4] - b[3]) - 3.0 * (b[3] - b[2]) + 3.0 * (b[2] - b[1]) - (b[1] - b[0]);
+    }
+    double value(double y) const { return c0 + y * (c1 + y * (c2 + y * (c3 + y * c4))); }
+    double slope(double y) const { return c1 + y * (2.0 * c2 + y * (3.0 * c3 + y * (4.0 * c4))); }
+    double bend(double y) const { return 2.0 * c2 + y * (6.0 * c3 + y * (12.0 * c4)); }
+    double integral(double y) const {
+      constexpr double third = 1.0 / 3.0;
+      return y * (c0 + y * (0.5 * c1 + y * (third * c2 + y * (0.25 * c3 + y * (0.2 * c4)))));
+    }
   };
-  /// Integral and double integral of the drive from 0 to y over y and y^2: from the coefficients of
-  /// the part left of y.
-  Means left_mean(double y) const {
-    const Quartic q = y == 1.0 ? drive : split(y).left;
-    const double* b = q.b;
-    return {(b[0] + b[1] + b[2] + b[3] + b[4]) / 5.0,
-            (5.0 * b[0] + 4.0 * b[1] + 3.0 * b[2] + 2.0 * b[3] + b[4]) / 30.0};
-  }
 
   bool starts_positive() const {
     for (const double b : drive.b)
@@ -99,27 +121,22 @@ struct QuarticPiece {
     return false;
   }
 
-  /// The speed is a quintic with these Bernstein coefficients; it stays in their hull.
+  /// The speed is a quintic and stays in the hull of its Bernstein coefficients.
   bool may_stop(double v0) const {
-    double v = v0;
-    for (const double b : drive.b) {
-      v += 0.2 * length_s * b;
-      if (v <= 0.0) return true;
-    }
-    return false;
+    const double* b = drive.b;
+    const double share = 0.2 * length_s, v1 = v0 + share * b[0], v2 = v1 + share * b[1],
+                 v3 = v2 + share * b[2], v4 = v3 + share * b[3], v5 = v4 + share * b[4];
+    return std::min(std::min(v1, v2), std::min(v3, v4)) < 0.0 || v5 <= 0.0;
   }
 
   /// First y > 0 from which on sign * drive is positive, where it is not to begin with.
   std::optional<double> first_crossing(double sign, int depth = 0) const {
-    int changes = 0;
-    bool positive = false;
-    for (int k = 1; k < 5; ++k) {
-      const bool now = sign * drive.b[k] > 0.0;
-      changes += now != positive;
-      positive = now;
-    }
+    const double* b = drive.b;
+    const bool p1 = sign * b[1] > 0.0, p2 = sign * b[2] > 0.0, p3 = sign * b[3] > 0.0,
+               p4 = sign * b[4] > 0.0;
+    const int changes = p1 + (p1 != p2) + (p2 != p3) + (p3 != p4);
     if (changes == 0) return std::nullopt;
-    if ((changes == 1 && positive) || depth == 40) return root(sign);
+    if ((changes == 1 && p4) || depth == 40) return root();
     const Halves h = split(0.5);
     const QuarticPiece left{h.left, 0.5 * length_s}, right{h.right, 0.5 * length_s};
     if (const auto y = left.first_crossing(sign, depth + 1)) return 0.5 * *y;
@@ -128,40 +145,50 @@ struct QuarticPiece {
     return 0.5 + 0.5 * *y;
   }
 
-  /// The one zero of the drive where it rises (sign 1) or falls (-1): Newton, held in its bracket.
-  double root(double sign) const {
-    const auto value = [&](double y) { return sign * at(y); };
-    const auto slope = [&](double y) { return sign * slope_at(y); };
-    return bracketed_newton(value, slope, 0.0, 1.0, drive.b[0] / (drive.b[0] - drive.b[4]));
+  /// The one zero of the drive.
+  double root() const {
+    const Powers p(drive);
+    const double* b = drive.b;
+    return zero(
+        [&](double y) {
+          return Jet{p.value(y), p.slope(y), p.bend(y)};
+        },
+        {b[0], 4.0 * (b[1] - b[0])}, {b[4], 4.0 * (b[4] - b[3])}, 1.0);
   }
 
   /// The zero of the falling speed v0 + gain(y) in (0, end].
   double falling_root(double v0, double end) const {
-    const double v1 = v0 + gain(end);
-    const auto value = [&](double y) { return -(v0 + gain(y)); };
-    const auto slope = [&](double y) { return -length_s * at(y); };
-    return bracketed_newton(value, slope, 0.0, end, end * v0 / (v0 - v1));
+    const Powers p(drive);
+    const double v = v0 / length_s;
+    return zero(
+        [&](double y) {
+          return Jet{v + p.integral(y), p.value(y), p.slope(y)};
+        },
+        {v, drive.b[0]}, {v + p.integral(end), p.value(end)}, end);
   }
 
-  double slope_at(double y) const {
-    const double z = 1.0 - y;
-    const double* b = drive.b;
-    return 4.0 * (((b[1] - b[0]) * z + 3.0 * (b[2] - b[1]) * y) * z * z +
-                  (3.0 * (b[3] - b[2]) * z + (b[4] - b[3]) * y) * y * y);
-  }
+  /// A function's value and derivatives.
+  struct Jet {
+    double value, slope, bend = 0.0;
+  };
 
-  /// The zero of a function that rises from <= 0 at low to >= 0 at high.
-  template <class Value, class Slope>
-  static double bracketed_newton(Value value, Slope slope, double low, double high, double y) {
-    if (!(y > low && y < high)) y = 0.5 * (low + high);
+  /// The one zero in [0, high] of a function with the given ends: Halley's method, held in its
+  /// bracket. It begins with the Hermite cubic of the inverse function, which leaves 1e-4 or so,
+  /// and ends with a step below 1e-4, which leaves about its cube.
+  template <class Function>
+  static double zero(Function function, const Jet& begin, const Jet& end, double high) {
+    const double rise = end.value - begin.value, x = -begin.value / rise, z = 1.0 - x;
+    const double m0 = rise / (begin.slope * high), m1 = rise / (end.slope * high);
+    double low = 0.0, y = high * (x * x * (3.0 - 2.0 * x) + x * z * (z * m0 - x * m1));
+    if (!(y > low && y < high)) y = high * x;
+    if (!(y > low && y < high)) y = 0.5 * high;
     for (int i = 0; i < 60; ++i) {
-      const double f = value(y);
-      if (f == 0.0) return y;
-      (f < 0.0 ? low : high) = y;
-      const double step = f / slope(y);
-      double next = y - step;
+      const Jet f = function(y);
+      if (f.value == 0.0) return y;
+      ((f.value > 0.0) == (rise > 0.0) ? high : low) = y;
+      double next = y - 2.0 * f.value * f.slope / (2.0 * f.slope * f.slope - f.value * f.bend);
       if (!(next >= low && next <= high)) next = 0.5 * (low + high);
-      if (std::abs(next - y) < 1e-9) return next;  // converges quadratically: done
+      if (std::abs(next - y) < 1e-4) return next;
       y = next;
     }
     return y;

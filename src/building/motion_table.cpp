@@ -99,16 +99,18 @@ void respond(GroundTable& ground, std::span<const RoofMotionOptions> follow,
 
 }  // namespace
 
-Quartic quartic(const MotionTable& table, std::size_t i) {
-  const double a0 = table.acceleration_mps2(i), a1 = table.acceleration_mps2(i + 1);
-  if (table.rigid())
-    return {{a0, a0 + 0.25 * (a1 - a0), 0.5 * (a0 + a1), a1 - 0.25 * (a1 - a0), a1}};
-  const double h = table.step_s();
-  const double b1 = a0 + 0.25 * h * table.jerk_mps3(i);
-  const double b3 = a1 - 0.25 * h * table.jerk_mps3(i + 1);
-  // The mean of the coefficients is the mean of a, which V knows.
-  const double sum = 5.0 / h * (table.velocity_mps(i + 1) - table.velocity_mps(i));
-  return {{a0, b1, sum - ((a0 + a1) + (b1 + b3)), b3, a1}};
+MotionNodes MotionTable::at_nodes() const {
+  MotionNodes n;
+  n.ground_ = ground->nodes().data();
+  if (rigid()) return n;
+  n.x_ = x.data();
+  n.y_ = y.data();
+  n.omega_radps_ = omega_radps;
+  n.per_omega_s_ = 1.0 / omega_radps;
+  n.twice_zeta_ = 2.0 * oscillator.damping_ratio;
+  n.quarter_step_s_ = 0.25 * step_s();
+  n.five_per_step_ = 5.0 / step_s();
+  return n;
 }
 
 MotionTable tabulate_rigid(std::shared_ptr<GroundTable> ground) {

@@ -86,6 +86,7 @@ Extremes Bound(const Response& r, float* lowest, float* highest, float* below, f
   const hn::Rebind<float, Doubles> f;
   const std::size_t n = hn::Lanes(d), intervals = r.nodes - 1;
   const Vector twice = hn::Set(d, 2.0 * r.damping_ratio), omega = hn::Set(d, r.omega_radps);
+  const Vector per_omega = hn::Set(d, 1.0 / r.omega_radps);
   const Vector quarter_step = hn::Set(d, 0.25 * r.step_s), quarter = hn::Set(d, 0.25);
   const Vector five_per_step = hn::Set(d, 5.0 / r.step_s);
   const Vector a_scale = hn::Set(d, r.acceleration_scale), v_scale = hn::Set(d, r.velocity_scale);
@@ -103,7 +104,8 @@ Extremes Bound(const Response& r, float* lowest, float* highest, float* below, f
     const Vector elastic = hn::Add(x, hn::Mul(twice, y));
     const Vector ground = hn::LoadU(d, r.ground_mps2 + i);
     const Vector jerk = hn::Mul(omega, hn::Sub(hn::Mul(twice, hn::Add(elastic, ground)), y));
-    return Node{hn::Neg(elastic), jerk, hn::Add(hn::LoadU(d, r.ground_mps + i), hn::Div(y, omega))};
+    return Node{hn::Neg(elastic), jerk,
+                hn::Add(hn::LoadU(d, r.ground_mps + i), hn::Mul(y, per_omega))};
   };
   // The last vector starts early enough to end with the last interval.
   for (std::size_t i = 0; i < intervals; i += n) {
@@ -127,7 +129,8 @@ Extremes Bound(const Response& r, float* lowest, float* highest, float* below, f
   // excess[i] and excess[i + 1] are those of the intervals before and after node i.
   for (std::size_t i = 0; i < r.nodes; i += n) {
     if (i + n > r.nodes) i = r.nodes > n ? r.nodes - n : 0;
-    const Vector v = hn::Add(hn::LoadU(d, r.ground_mps + i), hn::Div(hn::LoadU(d, r.y + i), omega));
+    const Vector v =
+        hn::Add(hn::LoadU(d, r.ground_mps + i), hn::Mul(hn::LoadU(d, r.y + i), per_omega));
     const Vector sag = hn::Max(hn::LoadU(d, excess + i), hn::LoadU(d, excess + 1 + i));
     const auto below_f = hn::DemoteTo(f, hn::Mul(hn::Sub(v, sag), v_scale));
     const auto above_f = hn::DemoteTo(f, hn::Mul(hn::Add(v, sag), v_scale));

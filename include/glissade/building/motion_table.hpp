@@ -28,13 +28,61 @@ struct MotionBounds {
   double largest_velocity_mps = 0.0;  ///< |V|
 };
 
+/// Bernstein coefficients of a quartic on an interval.
+struct Quartic {
+  double b[5];
+};
+
+/// A table's exact values, to read. Holds pointers: valid until the table or its ground changes.
+class MotionNodes {
+ public:
+  bool rigid() const { return x_ == nullptr; }
+
+  double acceleration_mps2(std::size_t i) const {
+    return rigid() ? ground_[i].acceleration_mps2 : -(x_[i] + twice_zeta_ * y_[i]);
+  }
+  double velocity_mps(std::size_t i) const {
+    const double v = ground_[i].velocity_mps;
+    return rigid() ? v : v + y_[i] * per_omega_s_;
+  }
+  /// U(i) - U(from), without loss to what the ground has drifted before.
+  double displacement_from_m(std::size_t from, std::size_t i) const {
+    const GroundNode &a = ground_[from], &b = ground_[i];
+    const double moved =
+        (b.displacement_m - a.displacement_m) + (b.displacement_low_m - a.displacement_low_m);
+    return rigid() ? moved : moved + (x_[i] - x_[from]) * (per_omega_s_ * per_omega_s_);
+  }
+  /// The acceleration in the interval after node i; a straight line where the roof is rigid.
+  Quartic acceleration_after(std::size_t i) const {
+    const double a0 = acceleration_mps2(i), a1 = acceleration_mps2(i + 1);
+    if (rigid()) return {{a0, a0 + 0.25 * (a1 - a0), 0.5 * (a0 + a1), a1 - 0.25 * (a1 - a0), a1}};
+    const double b1 = a0 + quarter_step_s_ * jerk_mps3(i);
+    const double b3 = a1 - quarter_step_s_ * jerk_mps3(i + 1);
+    // The mean of the coefficients is the mean of a, which V knows.
+    const double sum = five_per_step_ * (velocity_mps(i + 1) - velocity_mps(i));
+    return {{a0, b1, sum - ((a0 + a1) + (b1 + b3)), b3, a1}};
+  }
+
+ private:
+  friend struct MotionTable;
+  double jerk_mps3(std::size_t i) const {
+    const double elastic = x_[i] + twice_zeta_ * y_[i];
+    return omega_radps_ * (twice_zeta_ * (elastic + ground_[i].acceleration_mps2) - y_[i]);
+  }
+
+  const GroundNode* ground_ = nullptr;
+  const double *x_ = nullptr, *y_ = nullptr;
+  double omega_radps_ = 0.0, per_omega_s_ = 0.0, twice_zeta_ = 0.0;
+  double quarter_step_s_ = 0.0, five_per_step_ = 0.0;
+};
+
 /// One component of a roof's motion, tabulated for the kernel: V, U and a exact at equally spaced
 /// nodes, and bounds that let it skip what it does not need. It is linear in the ground motion, so
 /// one table serves every intensity, friction and slope.
 ///
 /// Rigid: the ground itself, linear between nodes. Oscillator: exact at the nodes (Nigam & Jennings
 /// 1969); between them V is the quintic with the exact V, a and da/dt at both ends, so a is a
-/// quartic with coefficients `quartic()` in Bernstein form and the integral of a is exact.
+/// quartic whose integral is exact.
 struct MotionTable {
   std::shared_ptr<GroundTable> ground;
   Oscillator oscillator;  ///< period 0: rigid
@@ -47,38 +95,8 @@ struct MotionTable {
 
   bool rigid() const { return oscillator.period_s == 0.0; }
   double step_s() const { return ground->step_s(); }
-
-  double acceleration_mps2(std::size_t i) const {
-    return rigid() ? ground->nodes()[i].acceleration_mps2
-                   : -(x[i] + 2.0 * oscillator.damping_ratio * y[i]);
-  }
-  /// da/dt of an oscillator.
-  double jerk_mps3(std::size_t i) const {
-    const double twice = 2.0 * oscillator.damping_ratio;
-    return -omega_radps *
-           (y[i] - twice * (twice * y[i] + x[i] + ground->nodes()[i].acceleration_mps2));
-  }
-  double velocity_mps(std::size_t i) const {
-    const double v = ground->nodes()[i].velocity_mps;
-    return rigid() ? v : v + y[i] / omega_radps;
-  }
-  /// U(i) - U(from), without loss to what the ground has drifted before.
-  double displacement_from_m(std::size_t from, std::size_t i) const {
-    const GroundNode& a = ground->nodes()[from];
-    const GroundNode& b = ground->nodes()[i];
-    const double ground_moved =
-        (b.displacement_m - a.displacement_m) + (b.displacement_low_m - a.displacement_low_m);
-    return rigid() ? ground_moved : ground_moved + (x[i] - x[from]) / (omega_radps * omega_radps);
-  }
+  MotionNodes at_nodes() const;
 };
-
-/// Bernstein coefficients of a quartic on an interval.
-struct Quartic {
-  double b[5];
-};
-
-/// The acceleration in the interval after node i; a straight line where the table is rigid.
-Quartic quartic(const MotionTable& table, std::size_t i);
 
 /// The ground as the motion of a rigid roof.
 MotionTable tabulate_rigid(std::shared_ptr<GroundTable> ground);
