@@ -74,8 +74,8 @@ class EventKernel {
         last_(contact_.slides_at_rest() ? a_.ground->last_sample()
                                         : std::max(a_.end, w_ != nullptr ? w_->end : 0)),
         body_(contact_, scene.block.directions) {
-    const double highest = std::abs(lift_.a) * a_.peak_acceleration_mps2 +
-                           (w_ != nullptr ? std::abs(lift_.w) * w_->peak_acceleration_mps2 : 0.0);
+    const double highest = std::abs(lift_.a) * a_.acceleration_bound_mps2 +
+                           (w_ != nullptr ? std::abs(lift_.w) * w_->acceleration_bound_mps2 : 0.0);
     may_lift_ = lift_.constant + highest * (1.0 + slack) > 0.0;
     exits_.line[exits_.lines++] = bound(drive_[0]);
     if (!one_way_) exits_.line[exits_.lines++] = bound(drive_[1]);
@@ -132,14 +132,14 @@ class EventKernel {
     // Times the scale of a: powers of two, so that numbers of any size fit into single precision.
     const double scale = a.acceleration_scale;
     double size =
-        std::abs(line.a) * a_.peak_acceleration_mps2 * scale + std::abs(line.constant) * scale;
+        std::abs(line.a) * a_.acceleration_bound_mps2 * scale + std::abs(line.constant) * scale;
     b.c_a = to_float(line.a);
     if (w_ != nullptr) {
       const MotionBounds& w = w_->bounds;
       b.w = (line.w > 0.0 ? w.highest : w.lowest).data();
       b.w_block = (line.w > 0.0 ? w.block_highest : w.block_lowest).data();
       b.c_w = to_float(line.w * (scale / w.acceleration_scale));
-      size += std::abs(line.w) * w_->peak_acceleration_mps2 * scale;
+      size += std::abs(line.w) * w_->acceleration_bound_mps2 * scale;
     }
     b.constant = to_float(line.constant * scale + slack * size);
     return b;
@@ -168,7 +168,7 @@ class EventKernel {
     for (int in_interval = 0; body_.direction() == 0 && in_interval < 16; ++in_interval) {
       if (now.interval >= last_) return last_;
       const std::size_t here = now.interval;
-      if (!start(now, stopped)) return here + 1;
+      if (now.y >= 1.0 || !start(now, stopped)) return here + 1;
       stopped = body_.direction();
       now = slide(now);
       if (now.interval != here) in_interval = 0;
@@ -335,7 +335,7 @@ std::size_t EventKernel<LinearPiece>::lifted(std::size_t i) {
 
 template <>
 std::size_t EventKernel<QuarticPiece>::lifted(std::size_t i) {
-  constexpr int parts = 16;
+  constexpr int parts = 64;
   const auto [a_after, w_after] = interval(i);
   const QuarticPiece a(a_after, step_s_), w(w_after, step_s_);
   Roof left = turned({a.at(0.0), w.at(0.0)});

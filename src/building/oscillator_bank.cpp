@@ -208,7 +208,7 @@ void bound_response(MotionTable& table) {
        table.step_s(), b.acceleration_scale, b.velocity_scale, table.nodes},
       b.lowest.data(), b.highest.data(), b.velocity_below.data(), b.velocity_above.data(),
       excess.data());
-  table.peak_acceleration_mps2 = found.peak_acceleration;
+  table.acceleration_bound_mps2 = found.peak_acceleration;
   b.largest_velocity_mps = found.largest_velocity;
   coarsen(table);
 }
@@ -219,12 +219,12 @@ void bound_ground(MotionTable& table) {
   const std::span<const double> a = table.ground->acceleration_mps2(),
                                 v = table.ground->velocity_mps();
   const std::size_t intervals = table.nodes - 1;
-  table.peak_acceleration_mps2 = b.largest_velocity_mps = 0.0;
+  table.acceleration_bound_mps2 = b.largest_velocity_mps = 0.0;
   // Where a falls by r over an interval, V rises above its chord by r h / 8 at most; where it
   // rises, V sags.
   const auto excess = [&](std::size_t i) { return (a[i + 1] - a[i]) * table.step_s() / 8.0; };
   for (std::size_t i = 0; i < table.nodes; ++i) {
-    table.peak_acceleration_mps2 = std::max(table.peak_acceleration_mps2, std::abs(a[i]));
+    table.acceleration_bound_mps2 = std::max(table.acceleration_bound_mps2, std::abs(a[i]));
     b.largest_velocity_mps = std::max(b.largest_velocity_mps, std::abs(v[i]));
     const double before = i > 0 ? excess(i - 1) : 0.0, after = i < intervals ? excess(i) : 0.0;
     b.velocity_below[i] = below((v[i] - std::max({before, after, 0.0})) * b.velocity_scale);

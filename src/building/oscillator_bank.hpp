@@ -39,7 +39,7 @@ struct Extremes {
   double peak_acceleration = 0.0, largest_velocity = 0.0;
 };
 
-/// Fills in table.bounds and table.peak_acceleration_mps2 for an oscillator's response from its
+/// Fills in table.bounds and table.acceleration_bound_mps2 for an oscillator's response from its
 /// states.
 void bound_response(MotionTable& table);
 

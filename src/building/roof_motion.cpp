@@ -14,7 +14,7 @@ namespace {
 
 /// A period far below the record's step is as good as rigid: finer substeps would show only the
 /// straight line between samples.
-constexpr int most_substeps = 64;
+constexpr int most_substeps = 1024;
 
 /// How many substeps of dt give a period at least `steps_per_period` of them.
 int substeps(const Oscillator& oscillator, double dt_s, int steps_per_period) {

@@ -25,7 +25,8 @@ RoofTable::RoofTable(std::shared_ptr<const MotionTable> along,
                      std::shared_ptr<const MotionTable> up)
     : horizontal(std::move(along)), vertical(std::move(up)) {
   GLISSADE_EXPECTS(horizontal && (!vertical || (vertical->step_s() == horizontal->step_s() &&
-                                                vertical->nodes >= horizontal->nodes)));
+                                                vertical->nodes > horizontal->end &&
+                                                horizontal->nodes > vertical->end)));
 }
 
 RoofTable::RoofTable(double dt_s, std::span<const double> horizontal_mps2,

@@ -29,6 +29,7 @@ struct RunOptions {
   std::string study;
   std::string out;
   bool dry_run = false;
+  bool no_skip = false;
 };
 
 /// A results folder that holds anything is never written into.
@@ -129,11 +130,13 @@ void check_same_plan(const Plan& plan, const Communicator& world) {
   }
 }
 
-std::vector<UnitResult> execute_all(const Plan& plan, const Communicator& world) {
+std::vector<UnitResult> execute_all(const Plan& plan, const Communicator& world,
+                                    Skipping skipping) {
+  RoofStore roofs(plan, skipping);
   Progress progress(plan.units.size(), plan.histories());
   std::vector<UnitResult> mine;
   self_schedule(world, plan.units.size(), [&](std::uint64_t unit) {
-    mine.push_back(execute(plan, unit));
+    mine.push_back(execute(plan, unit, roofs));
     if (world.is_root())
       progress.update(unit);  // units go out in order: those before are done or under way
   });
@@ -178,20 +181,20 @@ void run(const RunOptions& options, const Communicator& world) {
     return;
   }
 
-  const std::vector<UnitResult> units = execute_all(plan, world);
+  const std::vector<UnitResult> units =
+      execute_all(plan, world, options.no_skip ? Skipping::none : Skipping::all);
   clock.end_phase("histories");
   on_root(world, [&] {
     const Results results = reduce(plan, units);
-    const std::vector<Skip> skips = skipped(plan, units);
+    const WorkCount count = total_count(units);
+    const std::vector<Skip> skips = skipped(plan, count);
     clock.end_phase("fragilities");
     write_results_file(out, results);
     clock.end_phase("results file");
     write_beside_results(out, [&] { write_report(results, out, skips); });
     clock.end_phase("report");
-    std::uint64_t integrated = 0;
-    for (const UnitResult& unit : units) integrated += unit.integrated + unit.searched;
     write_beside_results(out, [&] {
-      write_text_file(out / "run.json", run_json(results, skips, clock, world.size(), integrated));
+      write_text_file(out / "run.json", run_json(results, skips, clock, world.size(), count));
     });
 
     fmt::print("{}\n", summary_text(results, skips));
@@ -203,7 +206,9 @@ void run(const RunOptions& options, const Communicator& world) {
     }
     fmt::print("Seconds on {} rank{}: {:.2f} ({})\n", world.size(), world.size() == 1 ? "" : "s",
                total, phases);
-    fmt::print("Histories integrated: {}\n", integrated);
+    fmt::print(
+        "Histories integrated: {} at the levels, {} in search of capacities, on {} roof motions\n",
+        count.integrated, count.searched, count.roofs);
     fmt::print("Report   {}\nResults  {}\nTables   {}\nFigures  {}\nRun      {}\n",
                (out / "report.html").string(), (out / "results.h5").string(),
                (out / "tables").string(), (out / "figures").string(), (out / "run.json").string());
@@ -220,6 +225,9 @@ void add_run(CLI::App& program, const Communicator& world) {
   command->add_option("--out", options->out,
                       "results folder, new or empty [results/NAME OF THE STUDY FILE]");
   command->add_flag("--dry-run", options->dry_run, "print the plan and stop");
+  command->add_flag("--no-skip", options->no_skip,
+                    "compute also what the study does not need: much slower, the same results to "
+                    "the last bit");
   command->callback([options, world] { run(*options, world); });
 }
 

@@ -40,7 +40,7 @@ std::string started_json(const std::string& study_name, const std::string& plan_
 }
 
 std::string run_json(const Results& results, const std::vector<Skip>& skips,
-                     const PhaseClock& clock, int ranks, std::uint64_t histories_integrated) {
+                     const PhaseClock& clock, int ranks, const WorkCount& count) {
   nlohmann::ordered_json json;
   json["study"] = results.study_name;
   json["plan_hash"] = results.plan_hash;
@@ -49,7 +49,10 @@ std::string run_json(const Results& results, const std::vector<Skip>& skips,
   json["finished_utc"] = now_utc();
   json["host"] = host_name();
   json["ranks"] = ranks;
-  json["histories_integrated"] = histories_integrated;
+  json["histories_integrated"] = count.integrated + count.searched;
+  json["histories_at_levels"] = count.integrated;
+  json["histories_in_search"] = count.searched;
+  json["roof_motions"] = count.roofs;
   for (const auto& [phase, seconds] : clock.phases()) json["seconds"][phase] = seconds;
   json["skipped"] = nlohmann::ordered_json::array();
   for (const Skip& skip : skips)

@@ -9,6 +9,7 @@
 
 #include "glissade/study/results.hpp"
 #include "glissade/study/skip.hpp"
+#include "glissade/study/work_count.hpp"
 
 namespace glissade::cli {
 
@@ -30,7 +31,7 @@ std::string started_json(const std::string& study_name, const std::string& plan_
 /// run.json: when, where, on how many ranks, how long, and what was skipped: all that results.h5
 /// must not hold.
 std::string run_json(const Results& results, const std::vector<Skip>& skips,
-                     const PhaseClock& clock, int ranks, std::uint64_t histories_integrated);
+                     const PhaseClock& clock, int ranks, const WorkCount& count);
 
 /// The skips a run.json tells; none where there is no such file.
 std::vector<Skip> skips_in(const std::filesystem::path& run_json_file);

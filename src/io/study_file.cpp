@@ -278,8 +278,10 @@ StudyConfig read_study(const std::filesystem::path& file) {
   study.vertical = read_vertical(root.table("vertical"));
   study.sampling = read_sampling(root.table("sampling"));
   const TomlTable clearance = root.required_table("clearance");
-  if (clearance.exists())
+  if (clearance.exists()) {
     study.thresholds_m = read_increasing(clearance, "thresholds_m", above_zero);
+    study.stop_at_largest_threshold = clearance.flag("stop_at_largest").value_or(false);
+  }
   study.standards = read_standards(root.table("standards"), study.intensity.measure);
   document.finish();
   return study;

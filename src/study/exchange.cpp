@@ -58,11 +58,10 @@ std::vector<char> pack(const std::vector<UnitResult>& results) {
   ByteWriter out;
   out.put(results.size());
   for (const UnitResult& result : results) {
-    out.put(result.unit)
-        .put(result.integrated)
-        .put(result.held)
-        .put(result.searched)
-        .put(result.runs.size());
+    const WorkCount& c = result.count;
+    out.put(result.unit).put(result.runs.size());
+    out.put(c.integrated).put(c.searched).put(c.roofs);
+    out.put(c.held).put(c.from_curve).put(c.beyond).put(c.decided);
     for (const UnitResult::Run& run : result.runs)
       out.put(run.peak_displacement_m).put(run.uplift).put(run.capacity);
   }
@@ -76,7 +75,10 @@ std::vector<UnitResult> unpack_unit_results(const std::vector<char>& bytes) {
   std::vector<UnitResult> results(count);
   for (UnitResult& result : results) {
     std::size_t runs = 0;
-    in.get(result.unit).get(result.integrated).get(result.held).get(result.searched).get(runs);
+    WorkCount& c = result.count;
+    in.get(result.unit).get(runs);
+    in.get(c.integrated).get(c.searched).get(c.roofs);
+    in.get(c.held).get(c.from_curve).get(c.beyond).get(c.decided);
     result.runs.resize(runs);
     for (UnitResult::Run& run : result.runs)
       in.get(run.peak_displacement_m).get(run.uplift).get(run.capacity);

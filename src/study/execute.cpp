@@ -2,68 +2,68 @@
 #include "glissade/study/execute.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <limits>
-#include <span>
-
-#include "glissade/study/scene.hpp"
 
 namespace glissade {
 namespace {
 
 constexpr double capacity_tolerance =
     1e-4;  // of the capacity: far below the spread between records
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// One record seen by one sample: the roof it makes, and how far a block slips on it at any
-/// intensity.
+/// One block on one roof: how far it slips at any intensity.
 class Scene {
  public:
-  Scene(const Plan& plan, std::size_t record, std::size_t sample)
-      : point_(plan.samples[sample]), slope_rad_(point_.slope_deg * rad_per_deg) {
-    const Motion& motion = plan.suite.motions[record];
-    const VerticalConfig& vertical = plan.config.vertical;
-    const int component = motion.horizontal_mps2[1].empty() ? 0 : point_.component;
-    const GroundMotion ground{
-        motion.dt_s, motion.horizontal_mps2[static_cast<std::size_t>(component)],
-        vertical.use == VerticalChoice::none ? std::span<const double>() : motion.vertical_mps2};
-    const Building building{{point_.period_s, point_.damping},
-                            {vertical.period_s, vertical.damping}};
+  Scene(const SampleRoof& roof, const Block& block, int sign, SlipCurve* curve, Skipping skipping)
+      : roof_(roof), block_(block), sign_(sign), curve_(curve), skipping_(skipping) {}
 
-    std::vector<Block> blocks;
-    for (const FrictionRun& run : plan.runs) blocks.push_back(block(run.friction[sample]));
-    const double highest = plan.config.intensity.levels.back();
-    if (plan.config.intensity.measure == IntensityMeasure::ppa_g) {
-      // The factor needs the roof's peak, and the ring-down needs the factor: a first roof motion
-      // tells the peak.
-      const double peak = roof_motion(ground, building, {}).peak_horizontal_mps2;
-      roof_ = roof_motion(ground, building,
-                          follow_roof(blocks, highest * standard_gravity_mps2 / peak));
-      factor_at_unit_level_ = standard_gravity_mps2 / roof_.peak_horizontal_mps2;
+  /// The peak of the roof's acceleration leaves it in the stick range.
+  bool held(double level) const {
+    if (skipping_ == Skipping::none) return false;
+    const double factor = level * roof_.factor_at_unit_level;
+    const MotionTable* up = roof_.table.vertical.get();
+    return cannot_slip(block_, factor * roof_.table.horizontal->acceleration_bound_mps2,
+                       up != nullptr ? factor * up->acceleration_bound_mps2 : 0.0);
+  }
+
+  struct Slip {
+    double peak_displacement_m = 0.0;
+    bool uplift = false;
+  };
+  Slip at(double level, std::uint64_t& integrated, std::uint64_t& from_curve) const {
+    const double factor = level * roof_.factor_at_unit_level;
+    if (curve_ == nullptr) return integrate(factor, factor, integrated);
+    // lambda F(mu / lambda): the motion as it is, under gravity over lambda.
+    Block at_unit_factor = block_;
+    at_unit_factor.gravity_mps2 = block_.gravity_mps2 / factor;
+    const auto key = std::bit_cast<std::uint64_t>(at_unit_factor.gravity_mps2 * block_.friction);
+    auto point = curve_->find(key);
+    if (point != curve_->end()) {
+      ++from_curve;
     } else {
-      factor_at_unit_level_ = plan.factor_at_unit_level[record];
-      roof_ = roof_motion(ground, building, follow_roof(blocks, highest * factor_at_unit_level_));
+      ++integrated;
+      point = curve_->emplace(key, peak_slip(roof_.table, at_unit_factor)).first;
     }
-  }
-
-  Block block(double friction) const { return {.friction = friction, .slope_rad = slope_rad_}; }
-
-  bool held(const Block& block, double level) const {
-    const double factor = level * factor_at_unit_level_;
-    return cannot_slip(block, factor * roof_.peak_horizontal_mps2,
-                       factor * roof_.peak_vertical_mps2);
-  }
-
-  SlipResult slip(const Block& block, double level) const {
-    const double factor = level * factor_at_unit_level_;
-    return slide(felt_by(block, roof_, {point_.sign * factor, factor}), block);
+    return {factor * point->second.peak_displacement_m, point->second.uplift};
   }
 
  private:
-  SamplePoint point_;
-  double slope_rad_;
-  double factor_at_unit_level_ = 0.0;
-  RoofMotion roof_;
+  Slip integrate(double horizontal, double vertical, std::uint64_t& integrated) const {
+    ++integrated;
+    const EventSearch search =
+        skipping_ == Skipping::all ? EventSearch::bounds : EventSearch::every_interval;
+    const PeakSlip slip = peak_slip(roof_.table, block_, {sign_ * horizontal, vertical}, search);
+    return {slip.peak_displacement_m, slip.uplift};
+  }
+
+  const SampleRoof& roof_;
+  Block block_;
+  int sign_;
+  SlipCurve* curve_;
+  Skipping skipping_;
 };
 
 /// The lowest level at which the peak displacement reaches the threshold: bracketed on the study's
@@ -76,7 +76,7 @@ double first_crossing(const std::vector<double>& levels, const double* peaks, do
   const std::size_t n = levels.size();
   const std::size_t first = static_cast<std::size_t>(
       std::find_if(peaks, peaks + n, [&](double p) { return p >= threshold_m; }) - peaks);
-  if (first == n) return std::numeric_limits<double>::infinity();
+  if (first == n) return infinity;
 
   double high = levels[first], low = first > 0 ? levels[first - 1] : 0.0;
   double at_high = excess(peaks[first]),
@@ -90,39 +90,69 @@ double first_crossing(const std::vector<double>& levels, const double* peaks, do
   return 0.5 * (bracket.first + bracket.second);
 }
 
+/// All levels and thresholds of one sample and run.
+void fill(const Plan& plan, const Scene& scene, UnitResult::Run& run, WorkCount& count) {
+  const std::vector<double>& levels = plan.config.intensity.levels;
+  const std::vector<double>& thresholds = plan.config.thresholds_m;
+  const std::size_t begin = run.peak_displacement_m.size();
+  bool beyond = false;  // the largest threshold is reached, and nothing above it is asked
+  for (const double level : levels) {
+    Scene::Slip slip;
+    if (beyond) {
+      ++count.beyond;
+      slip.peak_displacement_m = infinity;
+    } else if (scene.held(level)) {
+      ++count.held;
+    } else {
+      slip = scene.at(level, count.integrated, count.from_curve);
+      beyond =
+          plan.config.stop_at_largest_threshold && slip.peak_displacement_m >= thresholds.back();
+    }
+    run.peak_displacement_m.push_back(slip.peak_displacement_m);
+    run.uplift.push_back(slip.uplift ? 1 : 0);
+  }
+  for (const double threshold : thresholds) {
+    const std::uint64_t before = count.searched;
+    run.capacity.push_back(first_crossing(
+        levels, run.peak_displacement_m.data() + begin, threshold, [&](double level) {
+          std::uint64_t known = 0;
+          return scene.held(level) ? 0.0
+                                   : scene.at(level, count.searched, known).peak_displacement_m;
+        }));
+    if (count.searched == before) ++count.decided;
+  }
+}
+
 }  // namespace
 
-UnitResult execute(const Plan& plan, std::size_t unit_index) {
+UnitResult execute(const Plan& plan, std::size_t unit_index, RoofStore& roofs) {
   const WorkUnit& unit = plan.units[unit_index];
-  const std::vector<double>& levels = plan.config.intensity.levels;
   UnitResult result;
   result.unit = unit_index;
   result.runs.resize(plan.runs.size());
-
-  for (std::uint64_t sample = unit.first_sample; sample < unit.first_sample + unit.sample_count;
-       ++sample) {
-    const Scene scene(plan, unit.record, sample);
-    for (std::size_t r = 0; r < plan.runs.size(); ++r) {
-      const Block block = scene.block(plan.runs[r].friction[sample]);
-      UnitResult::Run& run = result.runs[r];
-      const std::size_t begin = run.peak_displacement_m.size();
-      for (const double level : levels) {
-        const bool held = scene.held(block, level);
-        const SlipResult slip = held ? SlipResult{} : scene.slip(block, level);
-        ++(held ? result.held : result.integrated);
-        run.peak_displacement_m.push_back(slip.peak_displacement_m);
-        run.uplift.push_back(slip.uplift ? 1 : 0);
-      }
-      for (const double threshold : plan.config.thresholds_m) {
-        run.capacity.push_back(first_crossing(
-            levels, run.peak_displacement_m.data() + begin, threshold, [&](double level) {
-              ++result.searched;
-              return scene.held(block, level) ? 0.0 : scene.slip(block, level).peak_displacement_m;
-            }));
+  const std::uint64_t roofs_before = roofs.roofs_made();
+  const std::uint64_t at_once = roofs.skipping() == Skipping::all ? RoofStore::most_at_once : 1;
+  const std::uint64_t end = unit.first_sample + unit.sample_count;
+  for (std::uint64_t first = unit.first_sample; first < end; first += at_once) {
+    const auto under = roofs.under(unit.record, first, std::min(at_once, end - first));
+    for (std::size_t i = 0; i < under.size(); ++i) {
+      const SamplePoint& sample = plan.samples[first + i];
+      for (std::size_t r = 0; r < plan.runs.size(); ++r) {
+        const Block block{.friction = plan.runs[r].friction[first + i],
+                          .slope_rad = sample.slope_deg * rad_per_deg};
+        const Scene scene(under[i], block, sample.sign, roofs.curve(first + i, r),
+                          roofs.skipping());
+        fill(plan, scene, result.runs[r], result.count);
       }
     }
   }
+  result.count.roofs = roofs.roofs_made() - roofs_before;
   return result;
+}
+
+UnitResult execute(const Plan& plan, std::size_t unit, Skipping skipping) {
+  RoofStore roofs(plan, skipping);
+  return execute(plan, unit, roofs);
 }
 
 }  // namespace glissade

@@ -346,12 +346,30 @@ Results reduce(const Plan& plan, const std::vector<UnitResult>& units) {
   return results;
 }
 
-std::vector<Skip> skipped(const Plan& plan, const std::vector<UnitResult>& units) {
+WorkCount total_count(const std::vector<UnitResult>& units) {
+  WorkCount total;
+  for (const UnitResult& unit : units) total += unit.count;
+  return total;
+}
+
+std::vector<Skip> skipped(const Plan& plan, const WorkCount& count) {
   std::vector<Skip> skips = plan.skips;
-  std::uint64_t held = 0;
-  for (const UnitResult& unit : units) held += unit.held;
-  skips.push_back({"histories whose roof peak stays in the stick range",
-                   "they cannot slip: zero without integration", held});
+  const auto add = [&](const char* what, const char* why, std::uint64_t number) {
+    if (number > 0) skips.push_back({what, why, number});
+  };
+  add("histories whose roof peak stays in the stick range",
+      "they cannot slip: zero without integration", count.held);
+  add("roof motions",
+      "one serves every intensity, friction and slope on its record, period and damping",
+      count.integrated + count.searched + count.from_curve -
+          std::min(count.roofs, count.integrated));
+  add("histories on a flat roof without vertical",
+      "their point of the record's curve slip / lambda = F(mu / lambda) was known",
+      count.from_curve);
+  add("histories above the level that reaches the largest threshold",
+      "[clearance] stop_at_largest = true", count.beyond);
+  add("searches for a capacity", "the levels decide: not reached, or reached without shaking",
+      count.decided);
   return skips;
 }
 

@@ -52,6 +52,8 @@ int main(int argc, char** argv) try {
   std::filesystem::create_directories(folders.figures);
   const std::vector<Chapter> chapters = {sliding_block(folders),
                                          published_scheme(folders),
+                                         closed_form_solutions(),
+                                         event_kernel(folders),
                                          buildings(folders),
                                          fragility(),
                                          sampling(),

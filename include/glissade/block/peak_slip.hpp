@@ -35,7 +35,7 @@ enum class EventSearch {
 /// its events and a search, not its samples. Exact on a rigid roof, to 1e-10 relative to the peak
 /// against 50 digits (tests/unit/block); on an oscillator to 1e-6 (the quintic V between nodes).
 /// Where the block could lift off (outside the model), an oscillator's roof motion is taken linear
-/// over sixteenths of an interval.
+/// over 64ths of an interval.
 ///
 /// theory.md section 1: with speed v in the direction of sliding, drives linear in (a, w), and the
 /// phase at node r with speed v_r,

@@ -90,7 +90,7 @@ struct MotionTable {
   std::vector<double> x, y;  ///< an oscillator's scaled state (core/oscillator.hpp) at the nodes
   std::size_t nodes = 0;
   std::size_t end = 0;  ///< the last node the motion is followed to; the rest is for free sliders
-  double peak_acceleration_mps2 = 0.0;  ///< at least max |a|, over by the bounds' slack
+  double acceleration_bound_mps2 = 0.0;  ///< at least max |a|
   MotionBounds bounds;
 
   bool rigid() const { return oscillator.period_s == 0.0; }
@@ -113,6 +113,9 @@ int parts_needed(const Oscillator& oscillator, double dt_s);
 void tabulate_responses(const std::shared_ptr<GroundTable>& ground,
                         std::span<const Oscillator> oscillators,
                         std::span<const RoofMotionOptions> follow, std::span<MotionTable> tables);
+
+/// max |a| up to where the motion is followed, between nodes too, to 1e-12 of it.
+double peak_acceleration_mps2(const MotionTable& table);
 
 /// The motion goes on to at least `nodes` nodes: the ground stays quiet, an oscillator rings on.
 void extend(MotionTable& table, std::size_t nodes);

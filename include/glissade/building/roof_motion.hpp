@@ -51,14 +51,14 @@ struct RoofMotionOptions {
   double settle_deceleration_mps2 = 0.0;
   /// An undamped building never rings down: it is followed for this long.
   double longest_ring_down_s = 120.0;
-  /// The record's step is divided (at most 64 times) until a period has at least this many: between
-  /// samples the roof motion is taken linear, which is off by at most (2 pi / n)^2 / 8 of its
-  /// amplitude: 0.05 % for 100.
-  int steps_per_period = 100;
+  /// roof_motion() only: the record's step is divided (at most 1,024 times) until a period has at
+  /// least this many: between samples the roof motion is taken linear, which is off by at most (2
+  /// pi / n)^2 / 8 of its amplitude: 5e-6 for 1,000.
+  int steps_per_period = 1000;
 };
 
-/// Roof motion of the building, exact at its samples (core/oscillator.hpp). It is linear in the
-/// ground motion, so one serves every intensity, friction and slope.
+/// Roof motion of the building, exact at its samples (core/oscillator.hpp): for a history to be
+/// walked through sample by sample, and the reference beside motion_table.hpp.
 RoofMotion roof_motion(const GroundMotion& ground, const Building& building,
                        const RoofMotionOptions& options);
 

@@ -9,13 +9,13 @@
 namespace glissade {
 
 /// The tables of a roof's motion: along the slope's plan direction and, where there is one, up.
-/// Both have the same nodes.
+/// Each goes at least as far as the longer of them is followed.
 struct RoofTable {
   std::shared_ptr<const MotionTable> horizontal;
   std::shared_ptr<const MotionTable> vertical;  ///< null: none
 
   RoofTable() = default;
-  /// @throws std::logic_error when the steps differ. A shorter vertical is to be extended first.
+  /// Of one step; a shorter one is to be extended first.
   RoofTable(std::shared_ptr<const MotionTable> horizontal,
             std::shared_ptr<const MotionTable> vertical);
   /// A rigid roof under a record (see GroundMotion).
@@ -23,7 +23,6 @@ struct RoofTable {
             std::span<const double> vertical_mps2 = {});
 
   double step_s() const { return horizontal->step_s(); }
-  std::size_t nodes() const { return horizontal->nodes; }
 };
 
 /// The roof of one building under a record, by itself (a study tabulates many periods at once). The

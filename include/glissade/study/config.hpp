@@ -93,6 +93,9 @@ struct StudyConfig {
   VerticalConfig vertical;
   SamplingConfig sampling;
   std::vector<double> thresholds_m;  ///< > 0, strictly increasing
+  /// Levels above the one at which a history reaches the largest threshold are not run: slip there
+  /// is told as infinite.
+  bool stop_at_largest_threshold = false;
   StandardsConfig standards;
 };
 

@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "glissade/study/plan.hpp"
+#include "glissade/study/roof_store.hpp"
+#include "glissade/study/work_count.hpp"
 
 namespace glissade {
 
@@ -12,18 +14,21 @@ namespace glissade {
 struct UnitResult {
   std::uint64_t unit = 0;  ///< its index in Plan::units
   struct Run {
-    std::vector<double> peak_displacement_m;  ///< sample-major, levels fastest
+    std::vector<double> peak_displacement_m;  ///< sample-major, levels fastest; +inf: beyond the
+                                              ///< largest threshold, not asked
     std::vector<std::uint8_t> uplift;         ///< the same shape
     std::vector<double>
         capacity;  ///< sample-major, thresholds fastest; +inf not reached, 0 slides without shaking
   };
   std::vector<Run> runs;
-  std::uint64_t integrated = 0;  ///< histories at the levels, integrated
-  std::uint64_t searched = 0;    ///< histories run in search of capacities, on top
-  std::uint64_t held = 0;  ///< histories not integrated: the roof's peak stays in the stick range
+  WorkCount count;
 };
 
-/// Runs one unit. A free function of the plan: no state, no clock, no files; any rank, any order.
-UnitResult execute(const Plan& plan, std::size_t unit);
+/// Runs one unit. What it finds is a free function of the plan and the unit: no clock, no files;
+/// any rank, any order. `roofs` only remembers.
+UnitResult execute(const Plan& plan, std::size_t unit, RoofStore& roofs);
+
+/// The same by itself.
+UnitResult execute(const Plan& plan, std::size_t unit, Skipping skipping = Skipping::all);
 
 }  // namespace glissade

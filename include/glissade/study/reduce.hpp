@@ -12,7 +12,9 @@ namespace glissade {
 /// standards. `units` may come in any order; each unit of the plan must be there once.
 Results reduce(const Plan& plan, const std::vector<UnitResult>& units);
 
-/// What the plan left out, and what the units did not need to integrate.
-std::vector<Skip> skipped(const Plan& plan, const std::vector<UnitResult>& units);
+WorkCount total_count(const std::vector<UnitResult>& units);
+
+/// What the plan left out, and what the units did not need to do.
+std::vector<Skip> skipped(const Plan& plan, const WorkCount& count);
 
 }  // namespace glissade

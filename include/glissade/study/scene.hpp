@@ -3,6 +3,7 @@
 
 #include <span>
 
+#include "glissade/block/peak_slip.hpp"
 #include "glissade/block/slide.hpp"
 #include "glissade/building/roof_motion.hpp"
 
@@ -14,11 +15,6 @@ namespace glissade {
 /// `largest_factor`: until none that rests can start, and none that slides is still on its way.
 /// Free sliders (tan(slope) > mu) end with the record and ask for nothing.
 RoofMotionOptions follow_roof(std::span<const Block> blocks, double largest_factor);
-
-/// Factors on the roof's components.
-struct MotionFactors {
-  double horizontal = 1.0, vertical = 1.0;
-};
 
 /// What a block feels of the roof: all of it, or for a free slider the part up to the record's last
 /// sample, where its displacement is told.

@@ -19,7 +19,7 @@ const std::map<std::string, std::set<std::string>> may_include = {
     {"core", {}},
     {"motion", {"core"}},
     {"building", {"core"}},
-    {"block", {"core"}},
+    {"block", {"core", "building"}},
     {"sampling", {"core"}},
     {"fragility", {"core"}},
     {"standards", {"core"}},

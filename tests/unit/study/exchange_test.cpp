@@ -26,7 +26,7 @@ TEST(exchange, brings_unit_results_over_to_the_last_bit) {
   ASSERT_EQ(copy.size(), 2u);
   for (std::size_t i = 0; i < 2; ++i) {
     EXPECT_EQ(copy[i].unit, units[i].unit);
-    EXPECT_EQ(copy[i].held, units[i].held);
+    EXPECT_EQ(copy[i].count, units[i].count);
     for (std::size_t r = 0; r < 2; ++r) {
       EXPECT_EQ(copy[i].runs[r].peak_displacement_m, units[i].runs[r].peak_displacement_m);
       EXPECT_EQ(copy[i].runs[r].uplift, units[i].runs[r].uplift);

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <span>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "glissade/block/peak_slip.hpp"
+#include "glissade/building/roof_table.hpp"
+#include "glissade/study/plan.hpp"
+
+namespace glissade {
+
+/// Whether work a study does not need is left out. `none` does it all the same, and gives the same
+/// bits: for tests.
+enum class Skipping { all, none };
+
+/// The roof under one sample, and the factor on its motion at intensity 1.
+struct SampleRoof {
+  RoofTable table;
+  double factor_at_unit_level = 0.0;
+};
+
+/// Points of the curve F of theory.md: on a flat roof with no vertical the peak displacement is
+/// lambda F(mu / lambda), so a point serves every history with the same quotient.
+using SlipCurve = std::unordered_map<std::uint64_t, PeakSlip>;
+
+/// Makes the roofs of a plan's samples, each once: as long as the same record is asked for, its
+/// ground, its vertical, and, where all samples have one building, its roof and curve are kept.
+class RoofStore {
+ public:
+  RoofStore(const Plan& plan, Skipping skipping);
+
+  /// As many roofs at once as go through the SIMD lanes together.
+  static constexpr std::uint64_t most_at_once = 16;
+
+  /// The roofs under these samples of a record, most_at_once at most; valid until the next call.
+  std::span<const SampleRoof> under(std::size_t record, std::uint64_t first_sample,
+                                    std::uint64_t sample_count);
+
+  /// The curve that holds for a sample of the record last asked for, or null where none does or its
+  /// points would not be met again.
+  SlipCurve* curve(std::uint64_t sample, std::size_t run);
+
+  Skipping skipping() const { return skipping_; }
+  std::uint64_t roofs_made() const { return roofs_made_; }
+
+ private:
+  void turn_to(std::size_t record);
+  std::span<const double> ground_motion(int component) const;
+  std::shared_ptr<GroundTable> ground(int component, int parts);
+  std::shared_ptr<MotionTable> vertical(int parts);
+  RoofMotionOptions follow(std::uint64_t first_sample, std::uint64_t count, double factor) const;
+  SampleRoof& shared(int component);
+  void make(std::uint64_t first_sample, std::span<SampleRoof> roofs);
+  void make(std::uint64_t first_sample, std::span<const RoofMotionOptions> follow,
+            std::span<SampleRoof> roofs);
+  RoofTable stand_on(std::shared_ptr<MotionTable> horizontal, int parts);
+
+  const Plan& plan_;
+  Skipping skipping_;
+  bool one_building_;                ///< all samples have the same period and damping
+  std::vector<bool> few_frictions_;  ///< by run: values repeat from sample to sample
+  std::uint64_t roofs_made_ = 0;
+
+  std::size_t record_ = static_cast<std::size_t>(-1);
+  std::map<std::pair<int, int>, std::shared_ptr<GroundTable>> ground_;  ///< by component and parts
+  std::map<int, std::shared_ptr<MotionTable>> vertical_;                ///< by parts
+  std::map<int, SampleRoof> shared_;                                    ///< by component
+  std::map<int, SlipCurve> curve_;                                      ///< by component
+  std::vector<std::shared_ptr<MotionTable>> pool_;  ///< tables whose memory is used again
+  std::vector<SampleRoof> roofs_;
+};
+
+}  // namespace glissade

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glissade/study/roof_store.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "glissade/core/contract.hpp"
+#include "glissade/study/scene.hpp"
+
+namespace glissade {
+namespace {
+
+bool values_repeat(std::vector<double> values) {
+  const std::size_t count = values.size();
+  std::sort(values.begin(), values.end());
+  values.erase(std::unique(values.begin(), values.end()), values.end());
+  return 2 * values.size() <= count;
+}
+
+bool same_building(const std::vector<SamplePoint>& samples) {
+  return std::all_of(samples.begin(), samples.end(), [&](const SamplePoint& s) {
+    return s.period_s == samples.front().period_s && s.damping == samples.front().damping;
+  });
+}
+
+}  // namespace
+
+RoofStore::RoofStore(const Plan& plan, Skipping skipping)
+    : plan_(plan), skipping_(skipping), one_building_(same_building(plan.samples)) {
+  for (const FrictionRun& run : plan.runs) few_frictions_.push_back(values_repeat(run.friction));
+}
+
+std::span<const SampleRoof> RoofStore::under(std::size_t record, std::uint64_t first_sample,
+                                             std::uint64_t sample_count) {
+  GLISSADE_EXPECTS(sample_count <= most_at_once);
+  if (record != record_ || skipping_ == Skipping::none) turn_to(record);
+  roofs_.assign(sample_count, {});
+  if (one_building_) {
+    for (std::uint64_t i = 0; i < sample_count; ++i)
+      roofs_[i] = shared(plan_.samples[first_sample + i].component);
+  } else {
+    make(first_sample, roofs_);
+  }
+  return roofs_;
+}
+
+SlipCurve* RoofStore::curve(std::uint64_t sample, std::size_t run) {
+  const bool holds = one_building_ && few_frictions_[run] && skipping_ == Skipping::all &&
+                     plan_.samples[sample].slope_deg == 0.0 && vertical(1) == nullptr;
+  return holds ? &curve_[plan_.samples[sample].component] : nullptr;
+}
+
+void RoofStore::turn_to(std::size_t record) {
+  record_ = record;
+  ground_.clear();
+  vertical_.clear();
+  shared_.clear();
+  curve_.clear();
+}
+
+std::span<const double> RoofStore::ground_motion(int component) const {
+  const auto& horizontal = plan_.suite.motions[record_].horizontal_mps2;
+  return horizontal[horizontal[1].empty() ? 0 : static_cast<std::size_t>(component)];
+}
+
+std::shared_ptr<GroundTable> RoofStore::ground(int component, int parts) {
+  std::shared_ptr<GroundTable>& table = ground_[{component, parts}];
+  if (!table)
+    table = std::make_shared<GroundTable>(plan_.suite.motions[record_].dt_s,
+                                          ground_motion(component), parts);
+  return table;
+}
+
+std::shared_ptr<MotionTable> RoofStore::vertical(int parts) {
+  const Motion& motion = plan_.suite.motions[record_];
+  const VerticalConfig& config = plan_.config.vertical;
+  const bool there = config.use != VerticalChoice::none && !motion.vertical_mps2.empty();
+  if (!there && skipping_ == Skipping::all) return nullptr;
+  std::shared_ptr<MotionTable>& table = vertical_[parts];
+  if (table) return table;
+  // Not skipping, an absent vertical is one that stays at zero.
+  const auto up = std::make_shared<GroundTable>(
+      motion.dt_s, there ? motion.vertical_mps2 : std::vector<double>{0.0}, parts);
+  const Oscillator oscillator{config.period_s, config.damping};
+  if (!there || parts_needed(oscillator, motion.dt_s) == 0 || oscillator.period_s == 0.0) {
+    table = std::make_shared<MotionTable>(tabulate_rigid(up));
+  } else {
+    RoofMotionOptions options =
+        follow(0, plan_.samples.size(), plan_.factor_at_unit_level[record_]);
+    options.quiet_horizontal_mps2 = options.quiet_vertical_mps2;
+    table = std::make_shared<MotionTable>();
+    tabulate_responses(up, {&oscillator, 1}, {&options, 1}, {table.get(), 1});
+  }
+  return table;
+}
+
+/// How far a roof under these samples must be followed. @param factor on the motion at intensity 1
+RoofMotionOptions RoofStore::follow(std::uint64_t first_sample, std::uint64_t count,
+                                    double factor) const {
+  std::vector<Block> blocks;
+  for (std::uint64_t i = first_sample; i < first_sample + count; ++i) {
+    for (const FrictionRun& run : plan_.runs)
+      blocks.push_back(
+          {.friction = run.friction[i], .slope_rad = plan_.samples[i].slope_deg * rad_per_deg});
+  }
+  return follow_roof(blocks, plan_.config.intensity.levels.back() * factor);
+}
+
+/// Of a plan with one building: its roof under one component.
+SampleRoof& RoofStore::shared(int component) {
+  SampleRoof& roof = shared_[component];
+  if (roof.table.horizontal) return roof;
+  const auto any = std::find_if(plan_.samples.begin(), plan_.samples.end(),
+                                [&](const SamplePoint& s) { return s.component == component; });
+  make(static_cast<std::uint64_t>(any - plan_.samples.begin()), {&roof, 1});
+  return roof;
+}
+
+void RoofStore::make(std::uint64_t first_sample, std::span<SampleRoof> roofs) {
+  const bool by_peak = plan_.config.intensity.measure == IntensityMeasure::ppa_g;
+  std::vector<RoofMotionOptions> options(roofs.size());
+  if (by_peak) {
+    // The factor needs the roof's peak, and the ring-down needs the factor: a first roof motion
+    // tells the peak.
+    make(first_sample, options, roofs);
+    for (SampleRoof& roof : roofs)
+      roof.factor_at_unit_level =
+          standard_gravity_mps2 / peak_acceleration_mps2(*roof.table.horizontal);
+  } else {
+    for (SampleRoof& roof : roofs) roof.factor_at_unit_level = plan_.factor_at_unit_level[record_];
+  }
+  for (std::size_t i = 0; i < roofs.size(); ++i) {
+    const double factor = roofs[i].factor_at_unit_level;
+    options[i] = one_building_ ? follow(0, plan_.samples.size(), factor)
+                               : follow(first_sample + i, 1, factor);
+  }
+  make(first_sample, options, roofs);
+}
+
+/// Roofs of one component and step go through the oscillators' bank together.
+void RoofStore::make(std::uint64_t first_sample, std::span<const RoofMotionOptions> follow,
+                     std::span<SampleRoof> roofs) {
+  const double dt = plan_.suite.motions[record_].dt_s;
+  const VerticalConfig& up = plan_.config.vertical;
+  const bool both = vertical(1) != nullptr;
+  const int up_parts = both ? std::max(1, parts_needed({up.period_s, up.damping}, dt)) : 1;
+  while (pool_.size() < roofs.size()) pool_.push_back(nullptr);
+
+  struct Group {
+    std::vector<std::size_t> members;
+    std::vector<Oscillator> oscillators;
+    std::vector<RoofMotionOptions> follow;
+  };
+  std::map<std::pair<int, int>, Group> groups;  // by component and parts
+  for (std::size_t i = 0; i < roofs.size(); ++i) {
+    const SamplePoint& sample = plan_.samples[first_sample + i];
+    const Oscillator oscillator{sample.period_s, sample.damping};
+    const int parts = parts_needed(oscillator, dt), used = std::max({1, parts, up_parts});
+    ++roofs_made_;
+    if (sample.period_s == 0.0 || parts == 0) {
+      roofs[i].table = stand_on(
+          std::make_shared<MotionTable>(tabulate_rigid(ground(sample.component, used))), used);
+      continue;
+    }
+    Group& group = groups[{sample.component, used}];
+    group.members.push_back(i);
+    group.oscillators.push_back(oscillator);
+    group.follow.push_back(follow[i]);
+  }
+  for (const auto& [key, group] : groups) {
+    const auto [component, parts] = key;
+    std::vector<MotionTable> tables(group.members.size());
+    for (std::size_t k = 0; k < tables.size(); ++k) {
+      std::shared_ptr<MotionTable>& table = pool_[group.members[k]];
+      if (table && table.use_count() == 1) tables[k] = std::move(*table);  // its memory
+    }
+    tabulate_responses(ground(component, parts), group.oscillators, group.follow, tables);
+    for (std::size_t k = 0; k < tables.size(); ++k) {
+      const std::size_t i = group.members[k];
+      auto table = std::make_shared<MotionTable>(std::move(tables[k]));
+      roofs[i].table = stand_on(table, parts);
+      pool_[i] = std::move(table);
+    }
+  }
+}
+
+RoofTable RoofStore::stand_on(std::shared_ptr<MotionTable> horizontal, int parts) {
+  const std::shared_ptr<MotionTable> up = vertical(parts);
+  if (up) {
+    extend(*horizontal, up->end + 1);
+    extend(*up, horizontal->end + 1);
+    extend(*up, horizontal->ground->last_sample() + 1);
+  }
+  return {std::move(horizontal), up};
+}
+
+}  // namespace glissade
