@@ -2,6 +2,7 @@
 #include "glissade/building/ground_table.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "glissade/core/contract.hpp"
 
@@ -60,6 +61,7 @@ void GroundTable::append(double acceleration_mps2) {
 
 void GroundTable::append(const GroundNode& node) {
   nodes_.push_back(node);
+  peak_acceleration_mps2_ = std::max(peak_acceleration_mps2_, std::abs(node.acceleration_mps2));
   acceleration_mps2_.push_back(node.acceleration_mps2);
   velocity_mps_.push_back(node.velocity_mps);
 }

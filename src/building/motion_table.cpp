@@ -35,18 +35,6 @@ void resize_states(MotionTable& table, std::size_t nodes) {
   table.y.resize(nodes + padding);
 }
 
-/// Largest less smallest velocity up to node `end`.
-double velocity_range(const MotionTable& table, std::size_t end) {
-  const std::span<const double> ground = table.ground->velocity_mps();
-  double least = 0.0, most = 0.0;
-  for (std::size_t i = 0; i <= end; ++i) {
-    const double v = ground[i] + table.y[i] / table.omega_radps;
-    least = std::min(least, v);
-    most = std::max(most, v);
-  }
-  return most - least;
-}
-
 void load(OscillatorBank& bank, std::size_t lane, const MotionTable& table) {
   const OscillatorStep step =
       oscillator_step(table.omega_radps * table.step_s(), table.oscillator.damping_ratio);
@@ -83,9 +71,10 @@ void respond(GroundTable& ground, std::span<const RoofMotionOptions> follow,
   std::size_t most_nodes = 0;
   for (std::size_t k = 0; k < tables.size(); ++k) {
     MotionTable& t = tables[k];
-    t.end = quiet + building_detail::ring_down_steps(t.oscillator, t.step_s(), t.x[quiet],
-                                                     t.y[quiet], velocity_range(t, quiet),
-                                                     follow[k].quiet_horizontal_mps2, follow[k]);
+    t.end =
+        quiet + building_detail::ring_down_steps(t.oscillator, t.step_s(), t.x[quiet], t.y[quiet],
+                                                 building_detail::velocity_range_mps(t, quiet),
+                                                 follow[k].quiet_horizontal_mps2, follow[k]);
     most_nodes = std::max(most_nodes, nodes_to(t.end, ground));
   }
   ground.extend(most_nodes + padding);
@@ -125,7 +114,10 @@ MotionTable tabulate_rigid(std::shared_ptr<GroundTable> ground) {
 
 int parts_needed(const Oscillator& oscillator, double dt_s) {
   if (oscillator.period_s == 0.0) return 1;
-  const double wanted = nodes_per_period * dt_s / oscillator.period_s;
+  // Beyond critical damping the faster of the two rates counts.
+  const double zeta = oscillator.damping_ratio;
+  const double rate = zeta > 1.0 ? zeta + std::sqrt(zeta * zeta - 1.0) : 1.0;
+  const double wanted = nodes_per_period * rate * dt_s / oscillator.period_s;
   if (wanted > most_parts) return 0;
   int parts = 1;
   while (parts < wanted) parts *= 2;

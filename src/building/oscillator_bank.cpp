@@ -140,6 +140,46 @@ Extremes Bound(const Response& r, float* lowest, float* highest, float* below, f
   return {hn::GetLane(hn::MaxOfLanes(d, largest_a)), hn::GetLane(hn::MaxOfLanes(d, largest_v))};
 }
 
+/// Extremes of the bounds by block.
+void Coarsen(const float* lowest, const float* highest, std::size_t blocks, float* block_lowest,
+             float* block_highest) {
+  const HWY_CAPPED(float, 16) f;
+  const std::size_t n = hn::Lanes(f);
+  for (std::size_t b = 0; b < blocks; ++b) {
+    const std::size_t begin = b * MotionBounds::block, end = begin + MotionBounds::block;
+    auto low = hn::LoadU(f, lowest + begin), high = hn::LoadU(f, highest + begin);
+    for (std::size_t i = begin + n; i < end; i += n) {
+      low = hn::Min(low, hn::LoadU(f, lowest + i));
+      high = hn::Max(high, hn::LoadU(f, highest + i));
+    }
+    block_lowest[b] = hn::GetLane(hn::MinOfLanes(f, low));
+    block_highest[b] = hn::GetLane(hn::MaxOfLanes(f, high));
+  }
+}
+
+/// Largest less smallest of ground velocity + y / omega and zero.
+double VelocityRange(const double* ground_mps, const double* y, double per_omega_s,
+                     std::size_t count) {
+  const Doubles d;
+  const std::size_t n = hn::Lanes(d);
+  const Vector per_omega = hn::Set(d, per_omega_s);
+  Vector least = hn::Zero(d), most = hn::Zero(d);
+  const auto look = [&](std::size_t i) {
+    const Vector v = hn::Add(hn::LoadU(d, ground_mps + i), hn::Mul(hn::LoadU(d, y + i), per_omega));
+    least = hn::Min(least, v);
+    most = hn::Max(most, v);
+  };
+  std::size_t i = 0;
+  for (; i + n <= count; i += n) look(i);
+  double low = hn::GetLane(hn::MinOfLanes(d, least)), high = hn::GetLane(hn::MaxOfLanes(d, most));
+  for (; i < count; ++i) {
+    const double v = ground_mps[i] + y[i] * per_omega_s;
+    low = v < low ? v : low;
+    high = v > high ? v : high;
+  }
+  return high - low;
+}
+
 }  // namespace glissade::building_detail::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
@@ -150,6 +190,8 @@ HWY_AFTER_NAMESPACE();
 namespace glissade::building_detail {
 HWY_EXPORT(Advance);
 HWY_EXPORT(Bound);
+HWY_EXPORT(Coarsen);
+HWY_EXPORT(VelocityRange);
 
 namespace {
 
@@ -164,23 +206,21 @@ void size_bounds(MotionTable& table) {
   const std::size_t room = table.nodes + MotionBounds::block + padding;
   for (std::vector<float>* v : {&b.lowest, &b.highest, &b.velocity_below, &b.velocity_above})
     v->resize(room);
-  double peak = 0.0;
-  for (const double a : table.ground->acceleration_mps2()) peak = std::max(peak, std::abs(a));
-  b.acceleration_scale = scale_to_one(peak);
+  b.acceleration_scale = scale_to_one(table.ground->peak_acceleration_mps2());
   b.velocity_scale = b.acceleration_scale * scale_to_one(table.step_s());
 }
 
 void coarsen(MotionTable& table) {
   MotionBounds& b = table.bounds;
-  constexpr std::size_t block = MotionBounds::block;
-  const std::size_t intervals = table.nodes - 1, blocks = (intervals + block - 1) / block;
+  const std::size_t intervals = table.nodes - 1;
+  const std::size_t blocks = (intervals + MotionBounds::block - 1) / MotionBounds::block;
   b.block_lowest.assign(blocks + padding, 0.0f);
   b.block_highest.assign(blocks + padding, 0.0f);
-  for (std::size_t k = 0; k < blocks; ++k) {
-    const std::size_t begin = k * block, end = std::min(begin + block, intervals);
-    b.block_lowest[k] = *std::min_element(&b.lowest[begin], &b.lowest[0] + end);
-    b.block_highest[k] = *std::max_element(&b.highest[begin], &b.highest[0] + end);
-  }
+  // Beyond the last interval the last block sees zeros, which only widen its bounds.
+  std::fill(b.lowest.begin() + static_cast<std::ptrdiff_t>(intervals), b.lowest.end(), 0.0f);
+  std::fill(b.highest.begin() + static_cast<std::ptrdiff_t>(intervals), b.highest.end(), 0.0f);
+  HWY_DYNAMIC_DISPATCH(Coarsen)
+  (b.lowest.data(), b.highest.data(), blocks, b.block_lowest.data(), b.block_highest.data());
 }
 
 float below(double value) {
@@ -194,6 +234,11 @@ float above(double value) { return -below(-value); }
 void advance(OscillatorBank& bank, std::span<const double> ground_mps2, std::size_t from,
              std::size_t to, double* const* x, double* const* y) {
   HWY_DYNAMIC_DISPATCH(Advance)(bank, ground_mps2.data(), from, to, x, y);
+}
+
+double velocity_range_mps(const MotionTable& table, std::size_t end) {
+  return HWY_DYNAMIC_DISPATCH(VelocityRange)(table.ground->velocity_mps().data(), table.y.data(),
+                                             1.0 / table.omega_radps, end + 1);
 }
 
 void bound_response(MotionTable& table) {

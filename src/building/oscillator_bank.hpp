@@ -46,4 +46,7 @@ void bound_response(MotionTable& table);
 /// The same for a rigid table.
 void bound_ground(MotionTable& table);
 
+/// Largest less smallest velocity of an oscillator's roof up to node `end`, from rest.
+double velocity_range_mps(const MotionTable& table, std::size_t end);
+
 }  // namespace glissade::building_detail

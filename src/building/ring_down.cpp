@@ -15,12 +15,14 @@ std::size_t ring_down_steps(const Oscillator& oscillator, double step_s, double 
   if (!(quiet_mps2 > 0.0)) return 0;
   const double zeta = oscillator.damping_ratio;
   const double phase = 2.0 * std::numbers::pi * step_s / oscillator.period_s;
-  // |x + 2 zeta y| <= (1 + 2 zeta) envelope, which decays as exp(-zeta phase) a step.
-  const double bound = (1.0 + 2.0 * zeta) * free_vibration_envelope(x, y, zeta);
+  // |x + 2 zeta y| <= (1 + 2 zeta) envelope.
+  const Envelope envelope = free_vibration_envelope(x, y, zeta);
+  const double bound = (1.0 + 2.0 * zeta) * envelope.amplitude;
   const double longest = options.longest_ring_down_s / step_s;
   const auto steps_to = [&](double level_mps2) {
     if (bound <= level_mps2) return 0.0;
-    return zeta > 0.0 ? std::min(longest, std::log(bound / level_mps2) / (zeta * phase)) : longest;
+    if (envelope.decay == 0.0) return longest;
+    return std::min(longest, std::log(bound / level_mps2) / (envelope.decay * phase));
   };
   double steps = steps_to(quiet_mps2);
   if (options.settle_deceleration_mps2 > 0.0) {

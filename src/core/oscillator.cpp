@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glissade/core/oscillator.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "glissade/core/contract.hpp"
 
@@ -17,17 +19,26 @@ struct IntervalResponse {
 };
 
 /// g = exp(-zeta h) sin(beta h) / beta, S = 1 - g' - 2 zeta g, R = 1 - (g + 2 zeta S) / h, beta^2 =
-/// 1 - zeta^2.
+/// 1 - zeta^2; beyond critical damping sinh and cosh, and beta^2 = zeta^2 - 1.
 IntervalResponse closed_form(double h, double zeta) {
-  const double beta = std::sqrt(1.0 - zeta * zeta);
-  const double decay = std::exp(-zeta * h);
-  const double g = decay * std::sin(beta * h) / beta;
-  const double s = 1.0 - decay * std::cos(beta * h) - zeta * g;
+  const double beta = std::sqrt(std::abs(1.0 - zeta * zeta));
+  double g = 0.0, even = 0.0;  // exp(-zeta h) times sin(beta h) / beta, and times cos(beta h)
+  if (zeta < 1.0) {
+    const double decay = std::exp(-zeta * h);
+    g = decay * std::sin(beta * h) / beta;
+    even = decay * std::cos(beta * h);
+  } else {
+    const double slow = std::exp(-h / (zeta + beta)), lost = -std::expm1(-2.0 * beta * h);
+    g = beta > 0.0 ? slow * lost / (2.0 * beta) : slow * h;
+    even = slow * (1.0 - 0.5 * lost);
+  }
+  const double s = 1.0 - even - zeta * g;
   return {g, s, 1.0 - (g + 2.0 * zeta * s) / h};
 }
 
 /// The power series of the same, for small h, where S ~ h^2/2 and R ~ h^2/6 would be what is left
-/// of ones that cancel. Twenty-four terms are exact to rounding for h <= 1.
+/// of ones that cancel. Twenty-four terms are exact to rounding for h <= 1 and
+/// zeta h <= 1.
 IntervalResponse power_series(double h, double zeta) {
   IntervalResponse sum{0.0, 0.0, 0.0};
   double term = h;  // c_k h^k
@@ -47,9 +58,10 @@ IntervalResponse power_series(double h, double zeta) {
 
 OscillatorStep oscillator_step(double phase, double damping_ratio) {
   GLISSADE_EXPECTS(phase > 0.0);
-  GLISSADE_EXPECTS(damping_ratio >= 0.0 && damping_ratio < 1.0);
+  GLISSADE_EXPECTS(damping_ratio >= 0.0);
+  const bool short_step = phase <= 1.0 && phase * damping_ratio <= 1.0;
   const auto [g, s, r] =
-      phase <= 1.0 ? power_series(phase, damping_ratio) : closed_form(phase, damping_ratio);
+      short_step ? power_series(phase, damping_ratio) : closed_form(phase, damping_ratio);
   return {.xx = 1.0 - s,
           .xy = g,
           .yy = 1.0 - s - 2.0 * damping_ratio * g,
@@ -59,11 +71,20 @@ OscillatorStep oscillator_step(double phase, double damping_ratio) {
           .y_end = s / phase};
 }
 
-double free_vibration_envelope(double x, double y, double damping_ratio) {
-  // exp(2 zeta tau) (x^2 + 2 zeta x y + y^2) never changes, and the form is at least (1 - zeta)
-  // (x^2 + y^2).
-  const double invariant = x * x + 2.0 * damping_ratio * x * y + y * y;
-  return std::sqrt(invariant / (1.0 - damping_ratio));
+Envelope free_vibration_envelope(double x, double y, double damping_ratio) {
+  if (damping_ratio < 1.0) {
+    // exp(2 zeta tau) (x^2 + 2 zeta x y + y^2) never changes, and the form is at least (1 - zeta)
+    // (x^2 + y^2).
+    const double invariant = x * x + 2.0 * damping_ratio * x * y + y * y;
+    return {std::sqrt(invariant / (1.0 - damping_ratio)), damping_ratio};
+  }
+  // With the slower rate r = zeta - beta, |x| <= exp(-r tau) (|x| + |y + r x| tau), and tau
+  // exp(-r tau / 2) <= 2 / (e r). y obeys the same equation, with y' = -x - 2 zeta y.
+  const double slow = 1.0 / (damping_ratio + std::sqrt(damping_ratio * damping_ratio - 1.0));
+  const auto bound = [&](double value, double rate) {
+    return std::abs(value) + std::abs(rate + slow * value) * 2.0 / (std::numbers::e * slow);
+  };
+  return {std::max(bound(x, y), bound(y, -x - 2.0 * damping_ratio * y)), 0.5 * slow};
 }
 
 }  // namespace glissade

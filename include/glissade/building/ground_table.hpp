@@ -34,6 +34,8 @@ class GroundTable {
   /// The first node from which on the ground stays at zero acceleration.
   std::size_t quiet_from() const { return quiet_from_; }
 
+  double peak_acceleration_mps2() const { return peak_acceleration_mps2_; }
+
   /// Nodes 0 .. count - 1. More than quiet_from() + 1 of them are made when asked for.
   void extend(std::size_t count);
   std::span<const GroundNode> nodes() const { return nodes_; }
@@ -44,6 +46,7 @@ class GroundTable {
  private:
   double step_s_, sample_step_s_;
   std::size_t last_sample_ = 0, quiet_from_ = 0;
+  double peak_acceleration_mps2_ = 0.0;
   double velocity_low_mps_ = 0.0;  ///< what velocity_mps of the last node leaves out
   std::vector<GroundNode> nodes_;
   std::vector<double> acceleration_mps2_, velocity_mps_;

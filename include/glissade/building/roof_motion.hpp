@@ -11,7 +11,7 @@ namespace glissade {
 /// goes through unchanged.
 struct Oscillator {
   double period_s = 0.0;        ///< >= 0
-  double damping_ratio = 0.05;  ///< in [0, 1)
+  double damping_ratio = 0.05;  ///< >= 0
 };
 
 /// What lies between ground and roof: one oscillator along the slope, one for the vertical (Walters

@@ -15,13 +15,15 @@ struct OscillatorStep {
 };
 
 /// @param phase omega dt > 0, the interval in radians of the undamped oscillator
-/// @param damping_ratio in [0, 1)
-/// Accurate to a few ulp for any phase: a power series takes over where the closed form would
-/// cancel.
+/// @param damping_ratio >= 0; at and beyond 1 nothing oscillates
+/// Accurate to a few ulp for any phase below critical damping, and beyond it to 1e-14 absolutely: a
+/// power series takes over where the closed form would cancel.
 OscillatorStep oscillator_step(double phase, double damping_ratio);
 
-/// Bound on |x| and |y| over all later time of the free vibration from (x, y), now: it decays as
-/// exp(-zeta omega t).
-double free_vibration_envelope(double x, double y, double damping_ratio);
+/// |x| and |y| of a free vibration stay below amplitude exp(-decay omega t).
+struct Envelope {
+  double amplitude, decay;
+};
+Envelope free_vibration_envelope(double x, double y, double damping_ratio);
 
 }  // namespace glissade
