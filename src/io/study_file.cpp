@@ -283,6 +283,13 @@ StudyConfig read_study(const std::filesystem::path& file) {
     study.stop_at_largest_threshold = clearance.flag("stop_at_largest").value_or(false);
   }
   study.standards = read_standards(root.table("standards"), study.intensity.measure);
+  if (study.stop_at_largest_threshold && !study.standards.compare.empty()) {
+    clearance.report(
+        "stop_at_largest",
+        "clearance.stop_at_largest = true leaves slip beyond the largest threshold unknown, which "
+        "the comparison with standards needs",
+        "leave it out, or leave [standards] out");
+  }
   document.finish();
   return study;
 }

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "figure_text.hpp"
 #include "glissade/report/figures.hpp"
@@ -89,7 +90,8 @@ Figure slip_vs_sds_figure(const Results& results, const RunResults& run) {
   for (const SlipStatistics& s : run.slip) {
     data.row({s.level, s.median_m, s.median_interval.low, s.median_interval.high, s.p84_m,
               s.p84_interval.low, s.p84_interval.high, s.p95_m, s.mean_m});
-    top_m = std::max({top_m, s.p95_m, s.mean_m});
+    for (const double slip : {s.median_m, s.p84_m, s.p95_m, s.mean_m})
+      if (std::isfinite(slip)) top_m = std::max(top_m, slip);  // infinite: beyond, and not run
   }
   // The prescribed values may leave the figure at the top: slip must stay readable.
   double prescribed_m = 0.0;

@@ -170,6 +170,13 @@ std::vector<std::string> notes_on(const StudyConfig& config, const Suite& suite)
         fmt::format("{} of {} records have no vertical component: run with the horizontal alone",
                     flat, suite.motions.size()));
   }
+  if (config.stop_at_largest_threshold) {
+    notes.push_back(
+        fmt::format("[clearance] stop_at_largest: a history is not run above the level that takes "
+                    "it past {:g} m; its "
+                    "slip there is told as infinite, and a recrossing there would not be seen",
+                    config.thresholds_m.back()));
+  }
   const auto single = count([](const Motion& m) { return m.horizontal_mps2[1].empty(); });
   if (config.orientation.component == ComponentChoice::random && single > 0) {
     notes.push_back(

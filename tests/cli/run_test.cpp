@@ -133,6 +133,33 @@ TEST_F(Run, a_second_run_gives_the_same_bytes) {
   EXPECT_EQ(read_file(again / "tables/fragility.csv"), read_file(out() / "tables/fragility.csv"));
 }
 
+TEST_F(Run, without_skipping_gives_the_same_bytes) {
+  const fs::path again = folder_->path("no_skip");
+  const Finished child = run_program({"run", study_, "--no-skip", "--out", again.string()});
+  ASSERT_EQ(child.status, 0) << child.err;
+  EXPECT_TRUE(read_file(again / "results.h5") == read_file(out() / "results.h5"));
+  const auto count = [](const fs::path& folder, const char* key) {
+    return nlohmann::json::parse(read_file(folder / "run.json")).at(key).get<int>();
+  };
+  EXPECT_GT(count(again, "histories_at_levels"), count(out(), "histories_at_levels"));
+}
+
+TEST_F(Run, stops_at_the_largest_threshold_where_nothing_beyond_is_asked) {
+  const std::string asked = replaced(small_study(), "thresholds_m = [0.05, 0.2]",
+                                     "thresholds_m = [0.001, 0.01]\nstop_at_largest = true");
+  const Finished refused = run_program(
+      {"run", folder_->write("asks_both.toml", asked), "--out", folder_->path("refused").string()});
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_THAT(refused.err, HasSubstr("stop_at_largest"));
+  const std::string study = folder_->write(
+      "stops.toml", replaced(asked, "compare = [\"seaoc_pv1_2012\"]", "compare = []"));
+  const fs::path stopped = folder_->path("stopped");
+  const Finished child = run_program({"run", study, "--out", stopped.string()});
+  ASSERT_EQ(child.status, 0) << child.err;
+  EXPECT_THAT(child.out, HasSubstr("histories above the level that reaches the largest threshold"));
+  EXPECT_TRUE(fs::exists(stopped / "figures" / "slip_vs_sds.svg"));
+}
+
 TEST_F(Run, another_seed_gives_other_results) {
   const std::string study =
       folder_->write("other.toml", replaced(small_study(), "seed = 7", "seed = 8"));

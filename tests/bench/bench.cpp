@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Run time against error: of the sliding schemes, history by history, and of a whole fragility. See
+// README.md in this folder.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <exception>
+#include <iostream>
+
+#include "figures.hpp"
+#include "glissade/core/file.hpp"
+#include "max_pass.hpp"
+#include "tables.hpp"
+
+namespace {
+
+using namespace glissade;
+using namespace glissade::bench;
+
+const std::filesystem::path source = GLISSADE_SOURCE_DIR;
+
+/// What an exact scheme may be off by before the program fails: rounding; on an oscillator, the
+/// interpolation between samples.
+double tolerance(const SchemeResult& scheme) {
+  return scheme.problem == Problem::oscillator ? 1e-6 : 1e-10;
+}
+
+struct Options {
+  std::filesystem::path out;
+  bool quick = false;
+  std::string only;
+  std::size_t scenes = 500;
+  FragilityErrorOptions fragility;
+};
+
+bool has_column(const Table& table, const std::string& stem) {
+  return std::ranges::find(table.columns, stem, &Column::stem) != table.columns.end();
+}
+
+/// Prints and writes a table; false where a number is missing.
+bool show(const Table& table, const std::filesystem::path& out) {
+  write_text_file(out / (table.name + ".csv"), to_csv(table));
+  std::cout << to_text(has_column(table, "worst_scene") ? table.without("worst_scene") : table)
+            << '\n';
+  if (!is_complete(table)) std::cerr << "bench: a number is missing in " << table.name << '\n';
+  return is_complete(table);
+}
+
+bool bench_schemes(const Options& options) {
+  const test::StandardScenes all =
+      options.quick ? test::built_in_scenes(source / "suites", 2)
+                    : test::standard_scenes(source / "suites", source / "../shared/records");
+  std::cout << fmt::format("{} scenes on {}\n", all.scenes.size(), all.motions);
+  const std::size_t stride = test::thinning(all.scenes.size(), options.scenes);
+  const WorkPrecision measured = work_precision(all, stride, options.quick);
+  std::cout << fmt::format("{} compared: {} lift off and {} slip less than 1 mm\n\n",
+                           measured.compared, measured.uplift, measured.still);
+  bool good = show(scheme_table(measured), options.out);
+  good &= show(group_table(measured), options.out);
+  good &= show(ratio_table(measured), options.out);
+  good &= measured.agreements.empty() || show(agreement_table(measured), options.out);
+  draw_schemes(measured, options.out / "schemes.svg");
+  for (const SchemeResult& scheme : measured.schemes) {
+    if (!scheme.exact || scheme.largest_error <= tolerance(scheme)) continue;
+    std::cerr << fmt::format("bench: {} is off by {}: {}\n", scheme.family, scheme.largest_error,
+                             scheme.worst_scene);
+    good = false;
+  }
+  for (const Agreement& a : measured.agreements) {
+    if (a.largest_difference <= 1e-10) continue;
+    std::cerr << fmt::format("bench: {} are {} apart: {}\n", a.schemes, a.largest_difference,
+                             a.worst_scene);
+    good = false;
+  }
+  return good;
+}
+
+bool bench_fragility(const Options& options) {
+  const FragilityError measured = fragility_error(source / "suites", options.fragility);
+  const bool good = show(fragility_table(measured), options.out);
+  draw_fragility(measured, options.out / "fragility.svg");
+  return good;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) try {
+  Options options;
+  CLI::App program{"Run time against error: tables and figures"};
+  program.option_defaults()->always_capture_default();
+  program.add_option("--out", options.out, "folder for CSV and SVG; files there are replaced")
+      ->required();
+  program.add_flag("--quick", options.quick,
+                   "a smoke test of some seconds: few scenes and samples");
+  program.add_option("--only", options.only, "one of the two")
+      ->check(CLI::IsMember({"schemes", "fragility"}));
+  program.add_option("--scenes", options.scenes, "scenes on which all schemes are compared")
+      ->check(CLI::PositiveNumber);
+  program.add_option("--log2-samples", options.fragility.most_log2, "largest number of samples")
+      ->check(CLI::Range(7, 20));
+  program.add_option("--replicates", options.fragility.replicates, "of each number of samples")
+      ->check(CLI::Range(2, 1000));
+  program.add_option("--threads", options.fragility.threads, "fragilities side by side")
+      ->check(CLI::Range(1, 64));
+  CLI11_PARSE(program, argc, argv);
+  if (options.quick) {
+    options.scenes = 40;
+    options.fragility = {.least_log2 = 4, .most_log2 = 6, .replicates = 4};
+  }
+  std::filesystem::create_directories(options.out);
+  std::cout << "Vectors: " << max_pass_target() << '\n';
+  bool good = true;
+  if (options.only != "fragility") good &= bench_schemes(options);
+  if (options.only != "schemes") good &= bench_fragility(options);
+  return good ? 0 : 1;
+} catch (const std::exception& error) {
+  std::cerr << "bench: " << error.what() << '\n';
+  return 2;
+}

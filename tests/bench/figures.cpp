@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "figures.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "glissade/core/file.hpp"
+
+namespace glissade::bench {
+namespace {
+
+/// Two log-log panels side by side.
+void gnuplot(const std::filesystem::path& svg, const std::string& script) {
+  const std::filesystem::path script_file = std::filesystem::path(svg).replace_extension(".gp");
+  write_text_file(script_file,
+                  fmt::format("set terminal svg size 1000,460 font 'Helvetica,14' background "
+                              "'#ffffff'\nset output '{}'\nset grid lc rgb '#dddddd' lt 1 lw 0.7\n"
+                              "set logscale xy\nset format xy '10^{{%T}}'\nset border 3\n"
+                              "set tics nomirror\nset multiplot layout 1,2\n{}",
+                              svg.string(), script));
+  if (std::system(fmt::format("gnuplot --default-settings '{}'", script_file.string()).c_str()) !=
+      0)
+    throw std::runtime_error("gnuplot failed on " + script_file.string());
+  std::filesystem::remove(script_file);
+}
+
+/// By family, in the order of the table: colours that colour-blind readers tell apart (Okabe & Ito
+/// 2008).
+constexpr std::array colours{"#0072b2", "#d55e00", "#009e73", "#b05090", "#333333", "#9a6a00"};
+
+/// A family's points: (mean time of a history that slides, error, label).
+struct Curve {
+  std::string name, points;
+  std::size_t count = 0;
+  double first_us = 0.0, first_error = 0.0, last_us = 0.0, last_error = 0.0;
+};
+
+/// "64" at P = 64. Where the Newmark curves begin their first points are too close for labels.
+std::string point_label(const SchemeResult& scheme) {
+  if (!scheme.label.starts_with("P = ")) return "";
+  const std::string substeps = scheme.label.substr(4);
+  return scheme.family.starts_with("Newmark") && substeps == "1" ? "" : substeps;
+}
+
+/// An error of exactly zero is drawn at 1e-16.
+std::vector<Curve> curves_of(const WorkPrecision& measured, double SchemeResult::*error) {
+  std::vector<Curve> curves;
+  for (const SchemeResult& s : measured.schemes) {
+    if (s.judged == 0) continue;
+    const double us = s.sliding.mean_us, shown = std::max(s.*error, 1e-16);
+    if (curves.empty() || curves.back().name != s.family)
+      curves.push_back({s.family, "", 0, us, shown});
+    Curve& curve = curves.back();
+    curve.points += fmt::format("{} {} \"{}\"\n", us, shown, point_label(s));
+    curve.last_us = us;
+    curve.last_error = shown;
+    ++curve.count;
+  }
+  return curves;
+}
+
+/// The name beside the curve: after or, near slide's, under a lone point; above the start of the
+/// uppermost (published) curve, under the end of the lowest (one-way), before the start of the one
+/// between.
+std::string name_of(const Curve& curve, const char* colour) {
+  const auto label = [&](double us, double error, const char* where) {
+    return fmt::format("set label '{}' at {},{} {} noenhanced tc rgb '{}'\n", curve.name, us, error,
+                       where, colour);
+  };
+  if (curve.name == "peak_slip")
+    return label(curve.first_us, curve.first_error, "offset -0.5,-0.9");
+  if (curve.count == 1) return label(curve.first_us, curve.first_error, "offset 1,0");
+  if (curve.name.ends_with("one-way"))
+    return label(curve.last_us, curve.last_error, "right offset 0,-1");
+  if (curve.name.starts_with("Newmark"))
+    return label(curve.first_us, curve.first_error, "right offset -1,0 font ',12'");
+  return label(curve.first_us, curve.first_error, "offset -4,2");
+}
+
+}  // namespace
+
+void draw_schemes(const WorkPrecision& measured, const std::filesystem::path& svg) {
+  const double floor_us = measured.schemes.front().sliding.mean_us;
+  std::string script =
+      "set xrange [0.1:1e5]\nset yrange [1e-17:1e4]\nset format x '%g'\nunset key\n"
+      "set xtics ('0.1' 0.1, '1' 1, '10' 10, '100' 100, '1,000' 1e3, '10,000' 1e4, '' 1e5)\n"
+      "set ytics 1e-16,1e2\nunset mytics\nset xlabel 'mean time of a history that slides, µs'\n";
+  for (const bool largest : {false, true}) {
+    const std::vector<Curve> curves =
+        curves_of(measured, largest ? &SchemeResult::largest_error : &SchemeResult::median_error);
+    script += fmt::format("set ylabel '{} relative error in peak slip'\nunset label\nunset arrow\n",
+                          largest ? "largest" : "median");
+    script += fmt::format(
+        "set arrow from {0},graph 0 to {0},graph 1 nohead dt 2 lc rgb '#555555'\n"
+        "set label 'at the points: substeps per sample' at graph 0.98,graph 0.03 right font ',11' "
+        "tc "
+        "rgb '#555555'\n"
+        "set label 'one pass over the samples' at {0},graph 0.3 rotate by 90 center offset -0.8,0 "
+        "tc rgb '#555555'\n",
+        floor_us);
+    std::string plot;
+    for (std::size_t i = 0; i < curves.size(); ++i) {
+      const char* colour = colours[i % colours.size()];
+      script += fmt::format("$c{} << EOD\n{}EOD\n", i, curves[i].points);
+      script += name_of(curves[i], colour);
+      plot += fmt::format(
+          "{0}$c{1} using 1:2 with linespoints lw 2 pt 7 ps 0.5 lc rgb '{2}', $c{1} using 1:2:3 "
+          "with labels offset 0.4,0.7 font ',10' tc rgb '{2}'",
+          i == 0 ? "plot " : ", ", i, colour);
+    }
+    script += plot + "\n";
+  }
+  gnuplot(svg, script);
+}
+
+void draw_fragility(const FragilityError& measured, const std::filesystem::path& svg) {
+  std::string script = "unset key\nset xlabel 'run time of the histories on one core, s'\n";
+  for (const bool of_median : {true, false}) {
+    script += fmt::format("set ylabel 'rms relative error of {}'\nunset label\n",
+                          of_median ? "the median" : "log\\_std");
+    std::string plot;
+    for (const SamplingMethod method : {SamplingMethod::monte_carlo, SamplingMethod::sobol}) {
+      const bool sobol = method == SamplingMethod::sobol;
+      const char* colour = sobol ? "#0072b2" : "#d55e00";
+      std::vector<std::pair<const FragilityErrorRow*, RmsError>> curve;
+      for (const FragilityErrorRow& row : measured.rows)
+        if (row.method == method) curve.emplace_back(&row, of_median ? row.median : row.log_std);
+      const std::string block = sobol ? "$sobol" : "$plain";
+      script += block + " << EOD\n";
+      for (const auto& [row, error] : curve)
+        script += fmt::format("{} {} {} {}\n", row->histories_s, error.rms, error.low, error.high);
+      script += "EOD\n";
+      const auto label = [&](const std::string& text, std::size_t point, const char* where) {
+        script +=
+            fmt::format("set label '{}' at {},{} {} tc rgb '{}'\n", text,
+                        curve[point].first->histories_s, curve[point].second.rms, where, colour);
+      };
+      const std::size_t last = curve.size() - 1;
+      label(sobol ? "scrambled Sobol" : "plain Monte Carlo", curve.size() / 2,
+            sobol ? "right offset -2,-1" : "offset 0,2.2");
+      label(std::to_string(1L << curve[last].first->log2_samples), last,
+            "offset 0.8,0.3 font ',11'");
+      if (!sobol)
+        label(std::to_string(1L << curve[0].first->log2_samples) + " samples", 0,
+              "offset 1,1 font ',11'");
+      plot += fmt::format(
+          "{0}{1} using 1:2:3:4 with yerrorlines lw 2 pt 7 ps 0.5 lc rgb '{2}', "
+          "{3}*(x/{4})**{5} with lines dt 3 lw 1.5 lc rgb '{2}'",
+          sobol ? ", " : "plot ", block, colour, curve[last].second.rms,
+          curve[last].first->histories_s, sobol ? -1.0 : -0.5);
+    }
+    script += plot + "\n";
+  }
+  gnuplot(svg, script);
+}
+
+}  // namespace glissade::bench

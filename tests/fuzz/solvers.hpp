@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+#include "check.hpp"
+#include "unit/block/solvers.hpp"
+
+namespace glissade::fuzz {
+
+/// How far two exact solvers may be apart by rounding. Coulomb friction only ever brings two
+/// histories closer, so an error of the acceleration's rounding, held for the whole time, is the
+/// worst that can be: eps A t in velocity, eps A t^2 in slip, however ill-conditioned an event is.
+struct Rounding {
+  double acceleration_mps2 = 0.0;  ///< the largest there is, gravity and friction included
+  double time_s = 0.0;             ///< the record's, and what the block coasts after it
+  double slip_m(double peak_m) const {
+    constexpr double eps = std::numeric_limits<double>::epsilon();
+    return 1e-10 * peak_m + 64 * eps * acceleration_mps2 * time_s * time_s;
+  }
+};
+
+/// slide() against itself with a history.
+inline void check_history(const RoofAcceleration& roof, const Block& block,
+                          const SlipResult& expected) {
+  std::vector<SlipPoint> history;
+  const SlipResult recorded = slide(roof, block, history);
+  check(recorded.peak_displacement_m == expected.peak_displacement_m &&
+            recorded.residual_displacement_m == expected.residual_displacement_m &&
+            recorded.slip_phases == expected.slip_phases,
+        "recording a history changes nothing");
+  check(history.back().displacement_m == expected.residual_displacement_m,
+        "a history ends at the residual");
+  for (std::size_t i = 1; i < history.size(); ++i) {
+    check(history[i].time_s >= history[i - 1].time_s * (1 - 1e-14),
+          "time runs backwards by rounding at most");
+  }
+}
+
+/// Every solver of tests/unit/block/solvers.hpp, the one list of them, against slide().
+inline void check_other_solvers(const RoofAcceleration& roof, const Block& block,
+                                const SlipResult& expected, const Rounding& rounding) {
+  for (const test::Solver& solver : test::solvers()) {
+    const test::Outcome r = solver.solve(roof, block);
+    const double tolerance_m = rounding.slip_m(expected.peak_displacement_m);
+    const auto is_near = [&](double a, double b) { return std::abs(a - b) <= tolerance_m; };
+    check(r.peak_displacement_m == std::max(r.peak_downslope_m, r.peak_upslope_m) &&
+              -r.peak_upslope_m <= r.residual_displacement_m &&
+              r.residual_displacement_m <= r.peak_downslope_m,
+          "peaks bound the residual, whatever the solver");
+    check(is_near(r.peak_downslope_m, expected.peak_downslope_m) &&
+              is_near(r.peak_upslope_m, expected.peak_upslope_m) &&
+              is_near(r.residual_displacement_m, expected.residual_displacement_m),
+          "solvers agree");
+    check(
+        std::isfinite(r.slip_duration_s) && r.slip_phases <= 4 * (roof.horizontal_mps2.size() + 1),
+        "work per sample is bounded, whatever the solver");
+    // At critical friction whether it stops is a matter of the last digit.
+    const double pull = std::tan(std::abs(block.slope_rad)) - block.friction;
+    check(std::abs(pull) < 1e-12 || r.free_sliding == expected.free_sliding,
+          "solvers agree on what never stops");
+  }
+}
+
+}  // namespace glissade::fuzz

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Suite files: recorded ones (the record "a.txt" is there) and recipes, which are read but not
+// simulated: that takes seconds.
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+#include "check.hpp"
+#include "glissade/io/recipe_writer.hpp"
+#include "glissade/io/suite_file.hpp"
+
+namespace {
+
+using glissade::fuzz::check;
+
+bool all_finite(const std::vector<double>& samples) {
+  return std::all_of(samples.begin(), samples.end(), [](double a) { return std::isfinite(a); });
+}
+
+void check_motions(const glissade::Suite& suite) {
+  check(!suite.motions.empty(), "a suite has motions");
+  for (const glissade::Motion& motion : suite.motions) {
+    const auto& [first, second] = motion.horizontal_mps2;
+    check(motion.dt_s > 0.0 && !first.empty(), "a motion has a step and a first component");
+    check(second.empty() || second.size() == first.size(), "components are equally long");
+    check(all_finite(first) && all_finite(second) && all_finite(motion.vertical_mps2),
+          "samples are finite");
+  }
+}
+
+/// What is read is written and read again unchanged.
+void check_round_trip(const glissade::SyntheticRecipe& recipe) {
+  const std::string text = recipe_toml(recipe, "fuzz");
+  const auto copy = glissade::fuzz::folder().write("copy.toml", text);
+  check(recipe_toml(glissade::read_recipe(copy), "fuzz") == text, "a recipe survives its file");
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  static const auto record =
+      glissade::fuzz::folder().write("a.txt", "0 0.1\n0.01 -0.2\n0.02 0.05\n");
+  const auto file = glissade::fuzz::input_file(data, size, "suite.toml");
+  const std::string_view text(reinterpret_cast<const char*>(data), size);
+  if (text.find("simulation") == std::string_view::npos) {
+    glissade::fuzz::may_refuse([&] { check_motions(glissade::load_suite(file)); });
+  } else {
+    glissade::fuzz::may_refuse([&] {
+      const glissade::SyntheticRecipe recipe = glissade::read_recipe(file);
+      try {
+        check_round_trip(recipe);
+      } catch (const glissade::InputError& error) {
+        std::fprintf(stderr, "%s\n", error.what());
+        check(false, "what the writer writes the reader takes");
+      }
+    });
+  }
+  return 0;
+}
