@@ -2,7 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <optional>
 
 #include "sliding_block.hpp"
 
@@ -21,26 +20,27 @@ struct LinearPiece {
   LinearPiece(const DriveLine& drive, const Interval& roof, double length)
       : LinearPiece(drive.at(roof.begin), drive.at(roof.end), length) {}
 
-  /// What is left after y. Begins at exactly zero where the drive was found to cross zero.
-  LinearPiece after(double y) const {
-    return {begin + (end - begin) * y, end, (1.0 - y) * length_s};
+  void set(const DriveLine& drive, const Interval& roof, double length) {
+    *this = {drive, roof, length};
+  }
+  /// Leaves what comes after y.
+  void cut(double y) {
+    begin += (end - begin) * y;
+    length_s *= 1.0 - y;
   }
 
-  /// When the drive first becomes positive, if it does.
-  std::optional<double> rise() const {
+  /// When the drive first becomes positive, or never.
+  double rise() const {
     if (begin > 0.0) return 0.0;
-    if (!(end > 0.0)) return std::nullopt;
+    if (!(end > 0.0)) return never;
     const double y = begin / (begin - end);
-    if (y < 1.0) return y;
-    return std::nullopt;  // within rounding of the end: the next interval starts it
+    return y < 1.0 ? y : never;  // within rounding of the end: the next interval starts it
   }
 
-  /// When a speed v0 >= 0 under this drive first returns to zero, if it does.
-  std::optional<double> stop(double v0) const {
-    const std::optional<double> t =
-        time_to_stop(v0, {begin, (end - begin) / length_s, end}, length_s);
-    if (!t) return std::nullopt;
-    return std::min(*t / length_s, 1.0);
+  /// When a speed v0 >= 0 under this drive first returns to zero, or never.
+  double stop(double v0) const {
+    const double t = time_to_stop(v0, {begin, (end - begin) / length_s, end}, length_s);
+    return t == never ? never : std::min(t / length_s, 1.0);
   }
 
   /// Speed gained and way gone from rest.

@@ -7,6 +7,7 @@
 
 #include "bounds_search.hpp"
 #include "glissade/core/contract.hpp"
+#include "glissade/core/scale.hpp"
 #include "linear_piece.hpp"
 #include "quartic_piece.hpp"
 #include "sliding_block.hpp"
@@ -19,6 +20,7 @@ using block_detail::Contact;
 using block_detail::DriveLine;
 using block_detail::ExitSearch;
 using block_detail::LinearPiece;
+using block_detail::never;
 using block_detail::NoHistory;
 using block_detail::QuarticPiece;
 using block_detail::Roof;
@@ -80,7 +82,10 @@ class EventKernel {
     exits_.line[exits_.lines++] = bound(drive_[0]);
     if (!one_way_) exits_.line[exits_.lines++] = bound(drive_[1]);
     lift_bound_ = bound(lift_);
-    for (const int k : {0, 1}) stop_[k] = stop_search(drive_[k]);
+    for (const int k : {0, 1}) {
+      speed_scale_[k] = scale_to_one(speed_size(drive_[k]));
+      stop_[k] = stop_search(drive_[k], speed_scale_[k]);
+    }
     if (may_lift_) exits_.line[exits_.lines++] = lift_bound_;
   }
 
@@ -123,25 +128,24 @@ class EventKernel {
 
   // -- bounds
 
-  /// The largest a line can be in each interval.
+  /// The largest a line can be in each interval, in units of its own size (a power of two): numbers
+  /// of any size fit into single precision.
   BoundLine bound(const DriveLine& line) const {
     const MotionBounds& a = a_.bounds;
+    const double a_size = std::abs(line.a) * a_.acceleration_bound_mps2;
+    const double w_size = w_ != nullptr ? std::abs(line.w) * w_->acceleration_bound_mps2 : 0.0;
+    const double size = a_size + w_size + std::abs(line.constant), scale = scale_to_one(size);
     BoundLine b;
     b.a = (line.a > 0.0 ? a.highest : a.lowest).data();
     b.a_block = (line.a > 0.0 ? a.block_highest : a.block_lowest).data();
-    // Times the scale of a: powers of two, so that numbers of any size fit into single precision.
-    const double scale = a.acceleration_scale;
-    double size =
-        std::abs(line.a) * a_.acceleration_bound_mps2 * scale + std::abs(line.constant) * scale;
-    b.c_a = to_float(line.a);
+    b.c_a = to_float(line.a * (scale / a.acceleration_scale));
     if (w_ != nullptr) {
       const MotionBounds& w = w_->bounds;
       b.w = (line.w > 0.0 ? w.highest : w.lowest).data();
       b.w_block = (line.w > 0.0 ? w.block_highest : w.block_lowest).data();
       b.c_w = to_float(line.w * (scale / w.acceleration_scale));
-      size += std::abs(line.w) * w_->acceleration_bound_mps2 * scale;
     }
-    b.constant = to_float(line.constant * scale + slack * size);
+    b.constant = to_float((line.constant + slack * size) * scale);
     return b;
   }
 
@@ -187,12 +191,12 @@ class EventKernel {
     for (const int candidate : {stopped > 0 ? -1 : 1, stopped > 0 ? 1 : -1}) {
       if (candidate < 0 && one_way_) continue;
       Piece& drive = rest_[index(candidate)];
-      drive = Piece(drive_[index(candidate)], here, step_s_);
-      if (now.y > 0.0) drive = drive.after(now.y);
+      drive.set(drive_[index(candidate)], here, step_s_);
+      if (now.y > 0.0) drive.cut(now.y);
       if (candidate == stopped) drive.begin_at_most_zero();
-      const std::optional<double> rise = drive.rise();
-      if (rise && *rise < first) {
-        first = *rise;
+      const double rise = drive.rise();
+      if (rise < first) {
+        first = rise;
         direction = candidate;
         if (first == 0.0) break;
       }
@@ -200,7 +204,7 @@ class EventKernel {
     if (direction == 0) return false;
     Piece& own = rest_[index(direction)];
     if (first > 0.0) {
-      own = own.after(first);
+      own.cut(first);
       own.begin_at_zero();  // exactly on its threshold: no spurious stop
     }
     now.y += first * (1.0 - now.y);
@@ -212,10 +216,10 @@ class EventKernel {
   /// still on its way and the search ends.
   Moment slide(const Moment& now) {
     const Piece& own = rest_[index(body_.direction())];
-    if (const std::optional<double> y = own.stop(0.0)) {
-      body_.slid(own.travel(*y), *y * own.length_s, 0.0);
+    if (const double y = own.stop(0.0); y != never) {
+      body_.slid(own.travel(y), y * own.length_s, 0.0);
       body_.stop();
-      return {now.interval, now.y + *y * (1.0 - now.y)};
+      return {now.interval, now.y + y * (1.0 - now.y)};
     }
     return slide_on({own.gain(1.0), own.travel(1.0), own.length_s}, now.interval + 1);
   }
@@ -257,43 +261,45 @@ class EventKernel {
       if (may_lift_in(i)) return still_sliding(i);
       const Piece p = piece(drive, i);
       const double v = speed(i);
-      if (const std::optional<double> y = p.stop(v)) {
-        body_.slid(distance(i) + v * p.length_s * *y + p.travel(*y), duration(i, *y), 0.0);
+      if (const double y = p.stop(v); y != never) {
+        body_.slid(distance(i) + v * p.length_s * y + p.travel(y), duration(i, y), 0.0);
         body_.stop();
-        return {i, *y};
+        return {i, y};
       }
     }
     return still_sliding(last_);
   }
 
   /// What of the search for the end of a phase is the same for all phases in one direction.
-  StopSearch stop_search(const DriveLine& drive) const {
+  StopSearch stop_search(const DriveLine& drive, double scale) const {
     const MotionBounds& a = a_.bounds;
     StopSearch s;
     // The least the speed can be at a node and around it.
     s.a = (drive.a > 0.0 ? a.velocity_below : a.velocity_above).data();
-    s.c_a = to_float(drive.a);
+    s.c_a = to_float(drive.a * (scale / a.velocity_scale));
     if (w_ != nullptr) {
       const MotionBounds& w = w_->bounds;
       s.w = (drive.w > 0.0 ? w.velocity_below : w.velocity_above).data();
-      s.c_w = to_float(drive.w * (a.velocity_scale / w.velocity_scale));
+      s.c_w = to_float(drive.w * (scale / w.velocity_scale));
     }
-    s.per_step = to_float(drive.constant * step_s_ * a.velocity_scale);
+    s.per_step = to_float(drive.constant * step_s_ * scale);
     s.brake = bound({-drive.a, -drive.w, -drive.constant});
     if (may_lift_) s.lift = &lift_bound_;
     return s;
   }
 
+  /// The size of the speeds the motion gives under a drive.
+  double speed_size(const DriveLine& drive) const {
+    const double w = w_ != nullptr ? std::abs(drive.w) * w_->bounds.largest_velocity_mps : 0.0;
+    return std::abs(drive.a) * a_.bounds.largest_velocity_mps + w;
+  }
+
+  /// Sets the search off from node r.
   void reckon_from(std::size_t r, double speed, const DriveLine& drive, double v_a, double v_w,
                    StopSearch& s) const {
-    double constant = speed - drive.a * v_a;
-    double size =
-        std::abs(speed) + std::abs(drive.a) * (std::abs(v_a) + a_.bounds.largest_velocity_mps);
-    if (w_ != nullptr) {
-      constant -= drive.w * v_w;
-      size += std::abs(drive.w) * (std::abs(v_w) + w_->bounds.largest_velocity_mps);
-    }
-    s.constant = to_float((constant - slack * size) * a_.bounds.velocity_scale);
+    const double from = drive.a * v_a + drive.w * v_w;
+    const double size = std::abs(speed) + std::abs(from) + speed_size(drive);
+    s.constant = to_float((speed - from - slack * size) * speed_scale_[index(body_.direction())]);
     s.origin = r;
   }
 
@@ -313,6 +319,7 @@ class EventKernel {
   ExitSearch exits_;
   BoundLine lift_bound_;
   StopSearch stop_[2];
+  double speed_scale_[2];
   Piece rest_[2] = {};  ///< the drives over what is left of the interval
 };
 
@@ -323,8 +330,8 @@ LinearPiece::Interval EventKernel<LinearPiece>::interval(std::size_t i) const {
 
 template <>
 QuarticPiece::Interval EventKernel<QuarticPiece>::interval(std::size_t i) const {
-  return {a_nodes_.acceleration_after(i),
-          w_ != nullptr ? w_nodes_.acceleration_after(i) : Quartic{}};
+  if (w_ == nullptr) return {a_nodes_.acceleration_after(i), {}, false};
+  return {a_nodes_.acceleration_after(i), w_nodes_.acceleration_after(i), true};
 }
 
 template <>
@@ -336,12 +343,12 @@ std::size_t EventKernel<LinearPiece>::lifted(std::size_t i) {
 template <>
 std::size_t EventKernel<QuarticPiece>::lifted(std::size_t i) {
   constexpr int parts = 64;
-  const auto [a_after, w_after] = interval(i);
+  const auto [a_after, w_after, vertical] = interval(i);
   const QuarticPiece a(a_after, step_s_), w(w_after, step_s_);
-  Roof left = turned({a.at(0.0), w.at(0.0)});
+  Roof left = turned({a.at(0.0), vertical ? w.at(0.0) : 0.0});
   for (int part = 1; part <= parts; ++part) {
     const double y = static_cast<double>(part) / parts;
-    const Roof right = turned({a.at(y), w.at(y)});
+    const Roof right = turned({a.at(y), vertical ? w.at(y) : 0.0});
     body_.interval(step_s_ / parts, 0.0, left, right);
     left = right;
   }

@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "contact.hpp"
 #include "glissade/building/motion_table.hpp"
+#include "sliding_block.hpp"
 
 namespace glissade::block_detail {
 
@@ -15,27 +15,42 @@ namespace glissade::block_detail {
 struct QuarticPiece {
   struct Interval {
     Quartic a, w;
+    bool vertical;  ///< w counts
   };
   Quartic drive{};
   double length_s = 0.0;
 
   QuarticPiece() = default;
   QuarticPiece(const Quartic& values, double length) : drive(values), length_s(length) {}
-  QuarticPiece(const DriveLine& line, const Interval& roof, double length) : length_s(length) {
-    for (int k = 0; k < 5; ++k) drive.b[k] = line.at({roof.a.b[k], roof.w.b[k]});
+  QuarticPiece(const DriveLine& line, const Interval& roof, double length) {
+    set(line, roof, length);
+  }
+
+  // Set and cut in place: copies would wait for their own stores.
+  void set(const DriveLine& line, const Interval& roof, double length) {
+    length_s = length;
+    for (int k = 0; k < 5; ++k) drive.b[k] = line.a * roof.a.b[k] + line.constant;
+    if (!roof.vertical) return;
+    for (int k = 0; k < 5; ++k) drive.b[k] += line.w * roof.w.b[k];
   }
 
   double at(double y) const { return Powers(drive).value(y); }
 
-  QuarticPiece after(double y) const { return {split(y).right, (1.0 - y) * length_s}; }
+  /// Leaves what comes after y. de Casteljau.
+  void cut(double y) {
+    double* const b = drive.b;
+    for (int level = 4; level > 0; --level)
+      for (int k = 0; k < level; ++k) b[k] += y * (b[k + 1] - b[k]);
+    length_s *= 1.0 - y;
+  }
 
-  std::optional<double> rise() const {
+  double rise() const {
     if (drive.b[0] > 0.0) return 0.0;
     return first_crossing(1.0);
   }
 
-  std::optional<double> stop(double v0) const {
-    if (!may_stop(v0)) return std::nullopt;
+  double stop(double v0) const {
+    if (!may_stop(v0)) return never;
     if (!may_be_positive()) return falling_root(v0, 1.0);
     // Speed falls only where the drive is negative: from each fall to the next rise.
     QuarticPiece rest = *this;
@@ -43,22 +58,21 @@ struct QuarticPiece {
     const auto skip = [&](double share) {
       speed = std::max(0.0, speed + rest.gain(share));
       y += share * (1.0 - y);
-      rest = rest.after(share);
+      rest.cut(share);
       rest.begin_at_zero();
     };
     for (int stretch = 0; stretch < 3; ++stretch) {  // a quartic has no more sign changes
       if (rest.starts_positive()) {
-        const std::optional<double> fall = rest.first_crossing(-1.0);
-        if (!fall) return std::nullopt;
-        skip(*fall);
+        const double fall = rest.first_crossing(-1.0);
+        if (fall == never) return never;
+        skip(fall);
       }
-      const std::optional<double> rise = rest.first_crossing(1.0);
-      const double end = rise.value_or(1.0);
+      const double rise = rest.first_crossing(1.0), end = std::min(rise, 1.0);
       if (speed + rest.gain(end) <= 0.0) return y + rest.falling_root(speed, end) * (1.0 - y);
-      if (!rise) return std::nullopt;
+      if (rise == never) return never;
       skip(end);
     }
-    return std::nullopt;
+    return never;
   }
 
   /// Speed gained and way gone from rest.
@@ -130,19 +144,17 @@ struct QuarticPiece {
   }
 
   /// First y > 0 from which on sign * drive is positive, where it is not to begin with.
-  std::optional<double> first_crossing(double sign, int depth = 0) const {
+  double first_crossing(double sign, int depth = 0) const {
     const double* b = drive.b;
     const bool p1 = sign * b[1] > 0.0, p2 = sign * b[2] > 0.0, p3 = sign * b[3] > 0.0,
                p4 = sign * b[4] > 0.0;
     const int changes = p1 + (p1 != p2) + (p2 != p3) + (p3 != p4);
-    if (changes == 0) return std::nullopt;
+    if (changes == 0) return never;
     if ((changes == 1 && p4) || depth == 40) return root();
     const Halves h = split(0.5);
     const QuarticPiece left{h.left, 0.5 * length_s}, right{h.right, 0.5 * length_s};
-    if (const auto y = left.first_crossing(sign, depth + 1)) return 0.5 * *y;
-    const auto y = right.first_crossing(sign, depth + 1);
-    if (!y) return std::nullopt;
-    return 0.5 + 0.5 * *y;
+    const double y = left.first_crossing(sign, depth + 1);
+    return y != never ? 0.5 * y : 0.5 + 0.5 * right.first_crossing(sign, depth + 1);
   }
 
   /// The one zero of the drive.

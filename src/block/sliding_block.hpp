@@ -3,12 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
+#include <limits>
 #include <stdexcept>
 
 #include "contact.hpp"
 
 namespace glissade::block_detail {
+
+/// The time, or share of a piece, of what does not happen in it.
+constexpr double never = std::numeric_limits<double>::infinity();
 
 /// A function linear in time over what is left of a piece of a sample interval.
 struct Line {
@@ -17,17 +20,16 @@ struct Line {
   double at(double t) const { return value + rate * t; }
 };
 
-/// When a speed u0 >= 0 under the acceleration `drive` first returns to zero within `length`, if it
-/// does: the smaller positive root of u0 + value t + rate t^2 / 2, where the speed is falling.
-inline std::optional<double> time_to_stop(double u0, const Line& drive, double length) {
+/// When a speed u0 >= 0 under the acceleration `drive` first returns to zero within `length`, or
+/// never: the smaller positive root of u0 + value t + rate t^2 / 2, where the speed is falling.
+inline double time_to_stop(double u0, const Line& drive, double length) {
   const double n = drive.value, k = drive.rate;
   const double discriminant = n * n - 2.0 * k * u0;
   const bool turns_inside =
       k > 0.0 && n < 0.0 && -n < k * length;  // the speed has its minimum inside
-  if (turns_inside ? discriminant <= 0.0 : u0 + length * (n + 0.5 * k * length) > 0.0)
-    return std::nullopt;
-  if (n >= 0.0 && k >= 0.0) return std::nullopt;  // never slows down
-  if (u0 == 0.0 && n <= 0.0) return 0.0;          // it was about to start, and is held after all
+  if (turns_inside ? discriminant <= 0.0 : u0 + length * (n + 0.5 * k * length) > 0.0) return never;
+  if (n >= 0.0 && k >= 0.0) return never;  // does not slow down
+  if (u0 == 0.0 && n <= 0.0) return 0.0;   // it was about to start, and is held after all
   const double root = std::sqrt(std::max(discriminant, 0.0));
   const double t =
       n <= 0.0 ? 2.0 * u0 / (root - n) : (root + n) / -k;  // the form without cancellation
@@ -110,16 +112,16 @@ class SlidingBlock {
     for (int events = 0; events < 16; ++events) {
       if (direction_ == 0 && !start(down, up, left)) return rest_until(piece_end);
       Line& own = direction_ > 0 ? down : up;
-      const std::optional<double> stop = time_to_stop(speed_, own, left);
-      if (!stop) {
+      const double stop = time_to_stop(speed_, own, left);
+      if (stop == never) {
         slide_for(left, own);
         time_ = piece_end;
         return history_(time_, slip_, direction_ * speed_);
       }
-      slide_for(*stop, own);
-      shift(down, up, *stop);
+      slide_for(stop, own);
+      shift(down, up, stop);
       own.value = std::min(own.value, 0.0);  // it stopped, so its drive is not positive
-      left -= *stop;
+      left -= stop;
       end_phase();
       if (!(left > 0.0)) return rest_until(piece_end);
     }
@@ -156,17 +158,17 @@ class SlidingBlock {
  private:
   /// From rest: begins to slide, now or later in the piece. Moves time to the start.
   bool start(Line& down, Line& up, double& left) {
-    const auto start_time = [left](const Line& drive) -> std::optional<double> {
+    const auto start_time = [left](const Line& drive) {
       if (drive.value > 0.0) return 0.0;
-      if (!(drive.end > 0.0 && drive.rate > 0.0)) return std::nullopt;
+      if (!(drive.end > 0.0 && drive.rate > 0.0)) return never;
       const double wait = -drive.value / drive.rate;
-      if (wait < left) return wait;
-      return std::nullopt;  // within rounding of the piece's end: the next piece starts it
+      return wait < left ? wait
+                         : never;  // within rounding of the piece's end: the next piece starts it
     };
-    const std::optional<double> down_start = start_time(down), up_start = start_time(up);
-    if (!down_start && !up_start) return false;
-    direction_ = down_start && (!up_start || *down_start <= *up_start) ? 1 : -1;
-    const double wait = direction_ > 0 ? *down_start : *up_start;
+    const double down_start = start_time(down), up_start = start_time(up);
+    const double wait = std::min(down_start, up_start);
+    if (wait == never) return false;
+    direction_ = down_start <= up_start ? 1 : -1;
     if (wait > 0.0) {
       shift(down, up, wait);
       (direction_ > 0 ? down : up).value = 0.0;  // exactly on its threshold: no spurious stop

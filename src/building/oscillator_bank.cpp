@@ -187,6 +187,8 @@ HWY_AFTER_NAMESPACE();
 #include <algorithm>
 #include <cmath>
 
+#include "glissade/core/scale.hpp"
+
 namespace glissade::building_detail {
 HWY_EXPORT(Advance);
 HWY_EXPORT(Bound);
@@ -194,12 +196,6 @@ HWY_EXPORT(Coarsen);
 HWY_EXPORT(VelocityRange);
 
 namespace {
-
-/// The power of two that brings a positive number into [1, 2); within what a double can hold.
-double scale_to_one(double value) {
-  if (!(value > 0.0)) return 1.0;
-  return std::ldexp(1.0, std::clamp(-std::ilogb(value), -1000, 1000));
-}
 
 void size_bounds(MotionTable& table) {
   MotionBounds& b = table.bounds;

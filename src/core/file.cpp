@@ -60,11 +60,21 @@ class OutputFile {
   int fd_;
 };
 
+/// True of /dev/stdout, /dev/fd/3 and the like: links that the system keeps below /proc to what a
+/// process has open.
+bool leads_to_an_open_file(fs::path path) {
+  std::error_code ignored;
+  while (fs::is_symlink(path, ignored)) {
+    const fs::path folder = fs::absolute(path, ignored).parent_path();
+    if (fs::canonical(folder, ignored).string().starts_with("/proc/")) return true;
+    path = folder / fs::read_symlink(path, ignored);
+  }
+  return false;
+}
+
 /// Devices, pipes and sockets, and /dev/stdout even where the shell points it at a regular file.
 bool must_be_written_directly(const fs::path& path, const fs::file_status& status) {
-  if (!fs::exists(status)) return false;
-  return !fs::is_regular_file(status) || path.string().starts_with("/dev/") ||
-         path.string().starts_with("/proc/");
+  return fs::exists(status) && (!fs::is_regular_file(status) || leads_to_an_open_file(path));
 }
 
 void write_directly(const fs::path& path, std::string_view text) {

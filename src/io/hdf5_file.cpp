@@ -194,13 +194,24 @@ Hdf5Handle Hdf5Reader::open_array(const std::string& name, Dims& dims, std::size
                     " dimension(s)");
   }
   checked(H5Sget_simple_extent_dims(space, dims.data(), nullptr), "size the dataset " + name);
-  const hssize_t points = checked(H5Sget_simple_extent_npoints(space), "size the dataset " + name);
   const Hdf5Handle type(H5Dget_type(dataset), H5Tclose, "read the dataset " + name);
-  const std::size_t size = std::max<std::size_t>(H5Tget_size(type), 1);
-  count = static_cast<std::size_t>(points);
-  if (count > file_size_ / size)
-    throw Hdf5Error("read the dataset " + name + ", which is larger than the file");
+  const std::uintmax_t most = file_size_ / std::max<std::size_t>(H5Tget_size(type), 1);
+  // A side is held against the file too: 2^40 rows of nothing would be made room for. The product
+  // is formed here, since the library's wraps round.
+  count = std::ranges::find(dims, hsize_t{0}) == dims.end() ? 1 : 0;
+  for (const hsize_t side : dims) {
+    if (side > file_size_ || (count > 0 && count > most / side))
+      throw Hdf5Error("read the dataset " + name + ", which is larger than the file");
+    count *= side;
+  }
   return dataset;
+}
+
+std::size_t Hdf5Reader::row_count(const std::string& name, std::size_t rank) const {
+  Dims dims(rank);
+  std::size_t count = 0;
+  open_array(name, dims, count);
+  return dims.front();
 }
 
 template <class T>

@@ -62,6 +62,7 @@ class Hdf5Reader {
 
   Hdf5Reader group(const std::string& name) const;
   bool has(const std::string& name) const;
+  std::size_t row_count(const std::string& name, std::size_t rank) const;  ///< the first side
   void attribute(const std::string& name, std::string& text) const;
   void attribute(const std::string& name, double& value) const;
   void attribute(const std::string& name, std::uint64_t& value) const;

@@ -66,8 +66,8 @@ double mps2_per_unit(AccelerationUnits units) {
   return 1.0;
 }
 
-/// A finite sample, or an error that names the token.
-double parse_sample(const std::filesystem::path& file, std::size_t line, std::string_view token,
+/// A finite number, or an error that names the token.
+double parse_finite(const std::filesystem::path& file, std::size_t line, std::string_view token,
                     const char* what) {
   const std::optional<double> value = parse_number(token);
   if (!value) {
@@ -81,6 +81,17 @@ double parse_sample(const std::filesystem::path& file, std::size_t line, std::st
                       "repair the record: every sample must be a finite number", ""});
   }
   return *value;
+}
+
+/// A sample in m/s2, finite in these too.
+double parse_sample(const std::filesystem::path& file, std::size_t line, std::string_view token,
+                    double unit_mps2) {
+  const double sample_mps2 = unit_mps2 * parse_finite(file, line, token, "the value");
+  if (!std::isfinite(sample_mps2)) {
+    throw InputError({place(file, line), "the value " + in_quotes(token) + " is not finite in m/s2",
+                      "repair the record, or correct its units", ""});
+  }
+  return sample_mps2;
 }
 
 AccelerationUnits at2_units(const std::filesystem::path& file, const At2Header& header,
@@ -153,8 +164,7 @@ Record read_at2(const std::filesystem::path& file, std::string_view text, const 
   while (reader.next()) {
     if (reader.number() <= header.lines) continue;
     for (const std::string_view token : fields(reader.line())) {
-      record.acceleration_mps2.push_back(unit_mps2 *
-                                         parse_sample(file, reader.number(), token, "the value"));
+      record.acceleration_mps2.push_back(parse_sample(file, reader.number(), token, unit_mps2));
     }
   }
   const std::size_t found = record.acceleration_mps2.size();
@@ -191,7 +201,7 @@ Record read_columns(const std::filesystem::path& file, std::string_view text,
     const std::vector<std::string_view> parts = fields(reader.line());
     const std::size_t line = reader.number();
     if (columns == 0) {
-      parse_sample(file, line, parts.front(),
+      parse_finite(file, line, parts.front(),
                    "the value");  // text is told as text, however many words
       columns = parts.size();
     }
@@ -203,9 +213,8 @@ Record read_columns(const std::filesystem::path& file, std::string_view text,
                                               : ", " + std::to_string(columns) + " above"),
                         what_is_read, ""});
     }
-    if (columns == 2) time.add(parse_sample(file, line, parts[0], "the time"), parts[0], line);
-    record.acceleration_mps2.push_back(unit_mps2 *
-                                       parse_sample(file, line, parts.back(), "the value"));
+    if (columns == 2) time.add(parse_finite(file, line, parts[0], "the time"), parts[0], line);
+    record.acceleration_mps2.push_back(parse_sample(file, line, parts.back(), unit_mps2));
   }
   if (columns == 0)
     throw InputError({file.string(), "the file holds no samples", what_is_read, ""});

@@ -37,8 +37,13 @@ void cube(const Archive& archive, const std::string& name, const Label& label, C
 template <class T>
 using Stored = std::conditional_t<std::is_same_v<T, bool>, std::uint8_t, T>;
 
-/// One field of every row, as a 1-D dataset; `field(row)` is a reference to it. Reading sizes the
-/// rows by the first one read.
+/// Reading makes as many rows as the dataset has, which is one of theirs; all must then fit.
+template <class Archive, class Rows>
+void make_rows(const Archive& archive, const std::string& name, Rows& rows, std::size_t rank = 1) {
+  if constexpr (Archive::reads) rows.resize(archive.row_count(name, rank));
+}
+
+/// One field of every row, as a 1-D dataset; `field(row)` is a reference to it.
 template <class Archive, class Rows, class Field>
 void column(const Archive& archive, const std::string& name, const Label& label, Rows& rows,
             Field field) {
@@ -49,7 +54,6 @@ void column(const Archive& archive, const std::string& name, const Label& label,
   }
   list(archive, name, label, values);
   if constexpr (Archive::reads) {
-    if (rows.empty()) rows.resize(values.size());
     if (rows.size() != values.size()) throw Hdf5Error("fit " + name + " to the other columns");
     for (std::size_t i = 0; i < rows.size(); ++i) field(rows[i]) = static_cast<T>(values[i]);
   }
@@ -81,7 +85,6 @@ void name_column(const Archive& archive, const std::string& name, const Label& l
   }
   list(archive, name, label, values);
   if constexpr (Archive::reads) {
-    if (rows.empty()) rows.resize(values.size());
     if (rows.size() != values.size()) throw Hdf5Error("fit " + name + " to the other columns");
     for (std::size_t i = 0; i < rows.size(); ++i) field(rows[i]) = value_of<E>(names, values[i]);
   }
@@ -124,7 +127,6 @@ void matrix(const Archive& archive, const std::string& name, const Label& label,
   } else {
     counts.assign(dims[0], dims[1]);
     if (archive.has(name + "_count")) list(archive, name + "_count", count_label, counts);
-    if (rows.empty()) rows.resize(dims[0]);
     if (rows.size() != dims[0] || counts.size() != dims[0])
       throw Hdf5Error("fit " + name + " to the other columns");
     for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -150,12 +152,14 @@ void interval_matrix(const Archive& archive, const std::string& name, const Labe
       }
     }
   }
+  if constexpr (Archive::reads) {
+    low.resize(rows.size());
+    high.resize(rows.size());
+  }
   const auto whole = [](auto& row) -> auto& { return row; };
   matrix(archive, name + "_low", label, low, whole);
   matrix(archive, name + "_high", label, high, whole);
   if constexpr (Archive::reads) {
-    if (rows.size() != low.size() || rows.size() != high.size())
-      throw Hdf5Error("fit " + name + " to the other columns");
     for (std::size_t i = 0; i < rows.size(); ++i) {
       if (low[i].size() != high[i].size()) throw Hdf5Error("fit " + name + " to itself");
       field(rows[i]).clear();

@@ -13,7 +13,7 @@ namespace {
 
 constexpr const char* file_type_name = "glissade results";
 
-[[maybe_unused]] bool labels_are_distinct_names(const Results& results) {
+bool labels_are_distinct_names(const Results& results) {
   for (std::size_t i = 0; i < results.runs.size(); ++i) {
     const std::string& label = results.runs[i].label;
     if (label.empty() || label == "label" || label.find('/') != std::string::npos) return false;
@@ -45,6 +45,42 @@ void check_type_and_version(const Hdf5Reader& root) {
     throw Hdf5Error("understand format version " + std::to_string(version) +
                     " (this program reads " + std::to_string(results_format_version) + ")");
   }
+}
+
+void expect_fit(bool fits, const char* part, const char* whole) {
+  if (!fits) throw Hdf5Error(std::string("fit ") + part + " to the " + whole);
+}
+
+/// Every part is there for each record, sample, level and threshold that the others have: whoever
+/// goes through the results need not look.
+void check_shapes(const Results& results) {
+  const std::size_t records = results.records.size(), samples = results.samples.size(),
+                    levels = results.levels.size(), thresholds = results.thresholds_m.size();
+  const auto is_cube = [&](const auto& cube, std::size_t depth) {
+    return cube.rows == records && cube.columns == samples && cube.depth == depth;
+  };
+  for (const RunResults& run : results.runs) {
+    expect_fit(is_cube(run.peak_displacement_m, levels), "peak_displacement_m",
+               "records, samples and levels");
+    expect_fit(is_cube(run.uplift, levels), "uplift", "records, samples and levels");
+    expect_fit(is_cube(run.capacity, thresholds), "capacity_g", "records, samples and thresholds");
+    expect_fit(run.slip.size() == levels, "slip", "levels");
+    expect_fit(run.fragilities.size() == thresholds, "fragility", "thresholds");
+    for (const ThresholdFragility& f : run.fragilities) {
+      expect_fit(f.probability.size() == levels, "probability", "levels");
+      expect_fit(f.probability_interval.size() == levels, "probability_low", "levels");
+      expect_fit(f.record_recross.size() == records, "record_recross", "records");
+      expect_fit(f.band.empty() || f.band.size() == run.band_intensities.size(), "band_low",
+                 "band's intensities");
+    }
+  }
+  const SuiteSpectra& spectra = results.spectra;
+  const std::size_t periods = spectra.periods_s.size();
+  expect_fit(spectra.srss_g.size() == records, "srss_g", "records");
+  for (const std::vector<double>& srss : spectra.srss_g)
+    expect_fit(srss.size() == periods, "srss_g", "periods");
+  expect_fit(spectra.average_srss_g.size() == periods, "average_srss_g", "periods");
+  expect_fit(spectra.target_g.empty() || spectra.target_g.size() == periods, "target_g", "periods");
 }
 
 }  // namespace
@@ -79,6 +115,8 @@ Results read_results(const std::filesystem::path& file) {
     check_type_and_version(root);
     Results results;
     exchange(root, results);
+    check_shapes(results);
+    if (!labels_are_distinct_names(results)) throw Hdf5Error("tell the runs apart by their labels");
     return results;
   } catch (const Hdf5Error& error) {
     throw fail(error.what());

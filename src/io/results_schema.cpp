@@ -11,6 +11,7 @@ namespace {
 
 template <class Archive, class Samples>
 void exchange_samples(const Archive& archive, Samples& samples) {
+  make_rows(archive, "friction", samples);
   column(
       archive, "friction", {"-", "coefficient of friction"}, samples,
       [](auto& s) -> auto& { return s.friction; });
@@ -34,6 +35,7 @@ void exchange_samples(const Archive& archive, Samples& samples) {
 
 template <class Archive, class Records>
 void exchange_records(const Archive& archive, Records& records) {
+  make_rows(archive, "id", records);
   column(
       archive, "id", {"-", "name of the motion in its suite"}, records,
       [](auto& r) -> auto& { return r.id; });
@@ -82,6 +84,7 @@ template <class Archive, class Spectra>
 void exchange_spectra(const Archive& archive, Spectra& spectra) {
   archive.attribute("reference_level_g", spectra.reference_level);
   list(archive, "period_s", {"s", "periods of the spectra"}, spectra.periods_s);
+  make_rows(archive, "srss_g", spectra.srss_g, 2);
   matrix(
       archive, "srss_g", {"g", "5 % SRSS spectrum of each scaled record, by (record, period)"},
       spectra.srss_g, [](auto& row) -> auto& { return row; });
@@ -123,6 +126,7 @@ void exchange_fits(const Archive& archive, Fragilities& rows, Fit fit) {
 
 template <class Archive, class Fragilities>
 void exchange_fragilities(const Archive& archive, Fragilities& rows) {
+  make_rows(archive, "threshold_m", rows);
   column(
       archive, "threshold_m", {"m", "clearance threshold"}, rows,
       [](auto& f) -> auto& { return f.threshold_m; });
@@ -158,6 +162,7 @@ void exchange_fragilities(const Archive& archive, Fragilities& rows) {
 
 template <class Archive, class Slip>
 void exchange_slip(const Archive& archive, Slip& rows) {
+  make_rows(archive, "level_g", rows);
   column(
       archive, "level_g", {"g", "intensity level"}, rows, [](auto& s) -> auto& { return s.level; });
   column(
@@ -185,6 +190,7 @@ void exchange_slip(const Archive& archive, Slip& rows) {
 
 template <class Archive, class Comparisons>
 void exchange_standards(const Archive& archive, Comparisons& rows) {
+  make_rows(archive, "standard", rows);
   name_column<Standard>(
       archive, "standard", {"-", "standard"}, rows, standard_names(),
       [](auto& c) -> auto& { return c.standard; });
@@ -229,6 +235,7 @@ void exchange_run(const Archive& archive, Run& run) {
 
 template <class Archive, class Runs>
 void exchange_runs(const Archive& archive, Runs& runs) {
+  make_rows(archive, "label", runs);
   column(
       archive, "label", {"-", "the runs, in order; each is a group"}, runs,
       [](auto& run) -> auto& { return run.label; });

@@ -142,14 +142,40 @@ Suite read_recorded_suite(const std::filesystem::path& file, TomlDocument& docum
   return suite;
 }
 
+// The ranges of a recipe. The model is held to those of BSSA14, whose medians its gain follows; the
+// others are wide, and keep every motion finite and made in reasonable time.
+constexpr NumberRule magnitude_rule{
+    "from 3 to 8.5", [](double x) { return x >= 3.0 && x <= 8.5; },
+    "moment magnitudes of BSSA14, whose median spectra simulations are brought to"};
+constexpr NumberRule distance_rule{"from 0.1 to 400",
+                                   [](double x) { return x >= 0.1 && x <= 400.0; },
+                                   "BSSA14 ends at 400 km, and nearer than 0.1 km is no distance"};
+constexpr NumberRule vs30_rule{"from 100 to 2000",
+                               [](double x) { return x >= 100.0 && x <= 2000.0; },
+                               "soft soil to hard rock, in m/s"};
+constexpr NumberRule step_rule{
+    "from 0.001 to 0.05", [](double x) { return x >= 0.001 && x <= 0.05; },
+    "the time to simulate grows with the square of the samples, and above 0.05 s frequencies that "
+    "matter are lost"};
+constexpr NumberRule factor_rule{"from 0.001 to 1000",
+                                 [](double x) { return x >= 0.001 && x <= 1000.0; },
+                                 "a factor beyond is a slip"};
+constexpr NumberRule gain_frequency_rule{"from 0.001 to 1000",
+                                         [](double x) { return x >= 0.001 && x <= 1000.0; },
+                                         "no motion has such frequencies, in Hz"};
+
 void read_gain(const TomlTable& gain, SyntheticRecipe& recipe) {
   recipe.gain_frequencies_hz =
-      gain.numbers("frequency_hz", above_zero).value_or(std::vector<double>{});
-  recipe.horizontal_gain = gain.numbers("horizontal", above_zero).value_or(std::vector<double>{});
-  recipe.vertical_gain = gain.numbers("vertical", above_zero).value_or(std::vector<double>{});
+      gain.numbers("frequency_hz", gain_frequency_rule).value_or(std::vector<double>{});
+  recipe.horizontal_gain = gain.numbers("horizontal", factor_rule).value_or(std::vector<double>{});
+  recipe.vertical_gain = gain.numbers("vertical", factor_rule).value_or(std::vector<double>{});
   const auto& f = recipe.gain_frequencies_hz;
   if (std::adjacent_find(f.begin(), f.end(), std::greater_equal<>()) != f.end()) {
     gain.report("frequency_hz", "simulation.gain.frequency_hz is not increasing");
+  }
+  if (f.empty()) {
+    gain.report("frequency_hz", "simulation.gain.frequency_hz tells no frequency",
+                "give one at least; [1.0] with gains of [1.0] leaves motions as they are");
   }
   if (recipe.horizontal_gain.size() != f.size() || recipe.vertical_gain.size() != f.size()) {
     gain.report("frequency_hz", "frequency_hz, horizontal and vertical differ in length",
@@ -160,16 +186,16 @@ void read_gain(const TomlTable& gain, SyntheticRecipe& recipe) {
 SyntheticMotion read_synthetic_motion(const TomlTable& table) {
   SyntheticMotion motion;
   motion.id = table.required_text("id");
-  motion.magnitude = table.required_number("magnitude", above_zero);
-  motion.distance_km = table.required_number("distance_km", above_zero);
-  motion.vs30_mps = table.required_number("vs30_mps", above_zero);
+  motion.magnitude = table.required_number("magnitude", magnitude_rule);
+  motion.distance_km = table.required_number("distance_km", distance_rule);
+  motion.vs30_mps = table.required_number("vs30_mps", vs30_rule);
   motion.mechanism =
       table
           .choice<FaultMechanism>("mechanism", {{"strike_slip", FaultMechanism::strike_slip},
                                                 {"reverse", FaultMechanism::reverse}})
           .value_or(motion.mechanism);
   motion.realization = table.whole("realization", 0, largest_toml_integer).value_or(0);
-  motion.scale = table.number("scale", above_zero).value_or(1.0);
+  motion.scale = table.number("scale", factor_rule).value_or(1.0);
   for (const char* key : {"mechanism", "realization"}) {
     if (!table.has(key)) table.report_missing(key);
   }
@@ -192,9 +218,10 @@ SyntheticRecipe read_recipe(TomlDocument& document) {
                            {{"rezaeian_der_kiureghian_2010", Model::rezaeian_der_kiureghian_2010}});
   if (!simulation.has("seed")) simulation.report_missing("seed");
   recipe.seed = simulation.whole("seed", 0, largest_toml_integer).value_or(0);
-  recipe.dt_s = simulation.number("dt_s", above_zero).value_or(recipe.dt_s);
-  recipe.max_scale = simulation.number("max_scale", above_zero).value_or(recipe.max_scale);
-  if (const TomlTable gain = simulation.table("gain"); gain.exists()) read_gain(gain, recipe);
+  recipe.dt_s = simulation.number("dt_s", step_rule).value_or(recipe.dt_s);
+  recipe.max_scale = simulation.number("max_scale", factor_rule).value_or(recipe.max_scale);
+  if (const TomlTable gain = simulation.required_table("gain"); gain.exists())
+    read_gain(gain, recipe);
 
   const std::vector<TomlTable> motions = root.tables("motion");
   if (motions.empty()) root.report_missing("motion", "give [[motion]] entries");

@@ -85,9 +85,10 @@ std::optional<double> as_number(const toml::node& node, const NumberRule& rule,
   }
   const double value = *node.value<double>();
   if (!std::isfinite(value) || !rule.is_met(value)) {
+    const std::string reason = *rule.reason ? std::string(" (") + rule.reason + ")" : "";
     table.report(key,
                  name + " = " + shortest_decimal(value) + " is not " +
-                     (std::isfinite(value) ? rule.text : "finite"),
+                     (std::isfinite(value) ? rule.text + reason : "finite"),
                  std::string("give a value ") + rule.text);
     return std::nullopt;
   }

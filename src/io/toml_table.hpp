@@ -15,10 +15,12 @@
 
 namespace glissade {
 
-/// What a number in a file must be: `is_met`, told as `text` ("above 0"). A nan never meets a rule.
+/// What a number in a file must be: `is_met`, told as `text` ("above 0"), with the reason where it
+/// does not go without saying. A nan never meets a rule.
 struct NumberRule {
   const char* text;
   bool (*is_met)(double);
+  const char* reason = "";
 };
 inline constexpr NumberRule any_finite{"finite", [](double) { return true; }};
 inline constexpr NumberRule above_zero{"above 0", [](double x) { return x > 0.0; }};

@@ -14,7 +14,7 @@ namespace glissade {
 namespace {
 
 constexpr double whole_number_tolerance = 1e-6;
-constexpr double most_samples = 1e8;  // of a shift or of a coarser step: more is a slip of units
+constexpr double most_samples = 2e7;  // of a motion, 28 h at 0.005 s: more is a slip of units
 
 std::optional<std::size_t> whole_number(double value) {
   const double nearest = std::round(value);
@@ -119,8 +119,17 @@ Motion assemble_motion(Motion metadata, const TimedRecord& first,
   }
   std::size_t length = 0;
   for (Component& component : components) {
+    const Record& record = component.timed.record;
     component.placement = place(component.timed, motion.dt_s, problems);
-    length = std::max(length, end_of(component.timed.record, component.placement));
+    const std::size_t end = end_of(record, component.placement);
+    if (static_cast<double>(end) > most_samples) {
+      problems.add({record.name,
+                    fmt::format("would end after {} samples of the motion's step, dt_s = {}, the "
+                                "finest component's (the most is {})",
+                                end, motion.dt_s, most_samples),
+                    "check dt_s and start_s of all components", ""});
+    }
+    length = std::max(length, end);
   }
   problems.throw_if_any();
 

@@ -112,6 +112,24 @@ TEST(peak_slip, scales_exactly_with_motion_and_gravity) {
   });
 }
 
+// Found by fuzzing: the search's single precision must hold numbers of any size beside each other.
+TEST(peak_slip, searches_well_where_one_component_is_far_below_the_other) {
+  for (const double tiny : {1e-30, 1e-40, 1e-200, 1e-310}) {
+    std::vector<double> a(12, tiny), w(12, 0.0);
+    a[0] = a[1] = 0.0;
+    w[0] = w[1] = -7.0;
+    const Block block{
+        .friction = 0.45, .slope_rad = 0.46769, .directions = SlipDirections::downslope_only};
+    for (const bool swapped : {false, true}) {
+      const Scene s{{0.01, swapped ? w : a, swapped ? a : w}, block};
+      expect_same_bits(kernel(s), kernel(s, EventSearch::every_interval));
+      const SlipResult reference = slide(s.roof, s.block);
+      EXPECT_NEAR(kernel(s).peak_displacement_m, reference.peak_displacement_m,
+                  1e-12 * reference.peak_displacement_m);
+    }
+  }
+}
+
 TEST(peak_slip, needs_no_more_than_two_samples) {
   const std::vector<double> a{0.0, 6.0};
   const RoofAcceleration roof{0.1, a};
