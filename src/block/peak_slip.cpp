@@ -5,9 +5,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "bounds_search.hpp"
+#include "event_bounds.hpp"
 #include "glissade/core/contract.hpp"
-#include "glissade/core/scale.hpp"
 #include "linear_piece.hpp"
 #include "quartic_piece.hpp"
 #include "sliding_block.hpp"
@@ -15,28 +14,19 @@
 namespace glissade {
 namespace {
 
-using block_detail::BoundLine;
 using block_detail::Contact;
 using block_detail::DriveLine;
-using block_detail::ExitSearch;
+using block_detail::EventBounds;
 using block_detail::LinearPiece;
+using block_detail::Lines;
 using block_detail::never;
 using block_detail::NoHistory;
 using block_detail::QuarticPiece;
 using block_detail::Roof;
 using block_detail::SlidingBlock;
-using block_detail::StopSearch;
 
-/// Room for rounding in single precision, relative to the sum of a bound's terms: a few 2^-24.
-constexpr double slack = 0x1p-20;
-constexpr double largest_float = 1e37;
-
-float to_float(double value) {
-  return static_cast<float>(std::clamp(value, -largest_float, largest_float));
-}
-
-/// A roof and a block, brought to a motion of size one: times and lengths are the motion's own
-/// divided by its factor, and so is gravity. The surface falls toward +x.
+/// A block under the motion as it is tabulated: lengths are divided by the motion's factor, and so
+/// is gravity. The surface falls toward +x.
 struct Scaled {
   double factor = 1.0;  ///< of the motion
   Block block;
@@ -52,8 +42,13 @@ struct Scaled {
     w_ratio = factors.vertical / factor;
   }
 
-  DriveLine applied(const DriveLine& line) const {
-    return {line.a * a_sign, line.w * w_ratio, line.constant};
+  Lines lines(const Contact& contact) const {
+    const auto seen = [&](const DriveLine& line) {
+      return DriveLine{line.a * a_sign, line.w * w_ratio, line.constant};
+    };
+    return {{seen(contact.down()), seen(contact.up())},
+            seen(contact.lift()),
+            block.directions == SlipDirections::both ? 2 : 1};
   }
 };
 
@@ -68,33 +63,20 @@ class EventKernel {
         w_nodes_(w_ != nullptr ? w_->at_nodes() : MotionNodes()),
         scene_(scene),
         contact_(scene.block, scene.block.slope_rad),
-        drive_{scene.applied(contact_.down()), scene.applied(contact_.up())},
-        lift_(scene.applied(contact_.lift())),
+        lines_(scene.lines(contact_)),
         every_interval_(search == EventSearch::every_interval),
-        one_way_(scene.block.directions == SlipDirections::downslope_only),
         step_s_(roof.step_s()),
         last_(contact_.slides_at_rest() ? a_.ground->last_sample()
                                         : std::max(a_.end, w_ != nullptr ? w_->end : 0)),
-        body_(contact_, scene.block.directions) {
-    const double highest = std::abs(lift_.a) * a_.acceleration_bound_mps2 +
-                           (w_ != nullptr ? std::abs(lift_.w) * w_->acceleration_bound_mps2 : 0.0);
-    may_lift_ = lift_.constant + highest * (1.0 + slack) > 0.0;
-    exits_.line[exits_.lines++] = bound(drive_[0]);
-    if (!one_way_) exits_.line[exits_.lines++] = bound(drive_[1]);
-    lift_bound_ = bound(lift_);
-    for (const int k : {0, 1}) {
-      speed_scale_[k] = scale_to_one(speed_size(drive_[k]));
-      stop_[k] = stop_search(drive_[k], speed_scale_[k]);
-    }
-    if (may_lift_) exits_.line[exits_.lines++] = lift_bound_;
-  }
+        bounds_(a_, w_, lines_, last_),
+        body_(contact_, scene.block.directions) {}
 
   SlipResult run() {
     for (std::size_t i = 0; i < last_;) {
-      if (body_.direction() == 0) i = next_exit(i);
+      if (body_.direction() == 0 && !every_interval_) i = bounds_.next_exit(i);
       if (i < last_) i = may_lift_in(i) ? lifted(i) : events(i);
     }
-    const bool lifted_at_end = -lift_.at(roof(last_)) < 0.0;
+    const bool lifted_at_end = lines_.lift.at(roof(last_)) > 0.0;
     bool stops = false;
     if (!contact_.slides_at_rest()) {
       // To zero over one more interval, where the tables do not end at zero.
@@ -120,43 +102,14 @@ class EventKernel {
   }
   Roof turned(Roof r) const { return {scene_.a_sign * r.a, scene_.w_ratio * r.w}; }
 
-  static std::size_t index(int direction) { return direction > 0 ? 0 : 1; }
+  static int index(int direction) { return direction > 0 ? 0 : 1; }
 
   /// The roof's acceleration in the interval after node i, and a line of it.
   typename Piece::Interval interval(std::size_t i) const;
   Piece piece(const DriveLine& drive, std::size_t i) const { return {drive, interval(i), step_s_}; }
 
-  // -- bounds
-
-  /// The largest a line can be in each interval, in units of its own size (a power of two): numbers
-  /// of any size fit into single precision.
-  BoundLine bound(const DriveLine& line) const {
-    const MotionBounds& a = a_.bounds;
-    const double a_size = std::abs(line.a) * a_.acceleration_bound_mps2;
-    const double w_size = w_ != nullptr ? std::abs(line.w) * w_->acceleration_bound_mps2 : 0.0;
-    const double size = a_size + w_size + std::abs(line.constant), scale = scale_to_one(size);
-    BoundLine b;
-    b.a = (line.a > 0.0 ? a.highest : a.lowest).data();
-    b.a_block = (line.a > 0.0 ? a.block_highest : a.block_lowest).data();
-    b.c_a = to_float(line.a * (scale / a.acceleration_scale));
-    if (w_ != nullptr) {
-      const MotionBounds& w = w_->bounds;
-      b.w = (line.w > 0.0 ? w.highest : w.lowest).data();
-      b.w_block = (line.w > 0.0 ? w.block_highest : w.block_lowest).data();
-      b.c_w = to_float(line.w * (scale / w.acceleration_scale));
-    }
-    b.constant = to_float((line.constant + slack * size) * scale);
-    return b;
-  }
-
-  std::size_t next_exit(std::size_t from) const {
-    return every_interval_ ? from : block_detail::next_exit(exits_, from, last_);
-  }
-
   bool may_lift_in(std::size_t i) const {
-    if (!may_lift_) return false;
-    const Piece n = piece(lift_, i);
-    return n.may_be_positive();
+    return bounds_.may_lift() && piece(lines_.lift, i).may_be_positive();
   }
 
   // -- events
@@ -189,9 +142,9 @@ class EventKernel {
     // The drive it did not stop under first: the two are never positive at once, so where that one
     // pushes already the other need not be looked at.
     for (const int candidate : {stopped > 0 ? -1 : 1, stopped > 0 ? 1 : -1}) {
-      if (candidate < 0 && one_way_) continue;
+      if (index(candidate) >= lines_.directions) continue;
       Piece& drive = rest_[index(candidate)];
-      drive.set(drive_[index(candidate)], here, step_s_);
+      drive.set(lines_.drive[index(candidate)], here, step_s_);
       if (now.y > 0.0) drive.cut(now.y);
       if (candidate == stopped) drive.begin_at_most_zero();
       const double rise = drive.rise();
@@ -231,7 +184,8 @@ class EventKernel {
 
   /// Slides on from node r.
   Moment slide_on(const Reference& ref, std::size_t r) {
-    const DriveLine& drive = drive_[index(body_.direction())];
+    const int k = index(body_.direction());
+    const DriveLine& drive = lines_.drive[k];
     const double v_a = a_nodes_.velocity_mps(r),
                  v_w = w_ != nullptr ? w_nodes_.velocity_mps(r) : 0.0;
     const auto speed = [&](std::size_t i) {
@@ -253,10 +207,9 @@ class EventKernel {
       return {i, 0.0};
     };
 
-    StopSearch& search = stop_[index(body_.direction())];
-    reckon_from(r, ref.speed, drive, v_a, v_w, search);
+    bounds_.reckon_from(k, r, ref.speed, v_a, v_w);
     for (std::size_t i = r; i < last_; ++i) {
-      if (!every_interval_) i = block_detail::next_stop(search, i, last_);
+      if (!every_interval_) i = bounds_.next_stop(k, i);
       if (i == last_) break;
       if (may_lift_in(i)) return still_sliding(i);
       const Piece p = piece(drive, i);
@@ -270,39 +223,6 @@ class EventKernel {
     return still_sliding(last_);
   }
 
-  /// What of the search for the end of a phase is the same for all phases in one direction.
-  StopSearch stop_search(const DriveLine& drive, double scale) const {
-    const MotionBounds& a = a_.bounds;
-    StopSearch s;
-    // The least the speed can be at a node and around it.
-    s.a = (drive.a > 0.0 ? a.velocity_below : a.velocity_above).data();
-    s.c_a = to_float(drive.a * (scale / a.velocity_scale));
-    if (w_ != nullptr) {
-      const MotionBounds& w = w_->bounds;
-      s.w = (drive.w > 0.0 ? w.velocity_below : w.velocity_above).data();
-      s.c_w = to_float(drive.w * (scale / w.velocity_scale));
-    }
-    s.per_step = to_float(drive.constant * step_s_ * scale);
-    s.brake = bound({-drive.a, -drive.w, -drive.constant});
-    if (may_lift_) s.lift = &lift_bound_;
-    return s;
-  }
-
-  /// The size of the speeds the motion gives under a drive.
-  double speed_size(const DriveLine& drive) const {
-    const double w = w_ != nullptr ? std::abs(drive.w) * w_->bounds.largest_velocity_mps : 0.0;
-    return std::abs(drive.a) * a_.bounds.largest_velocity_mps + w;
-  }
-
-  /// Sets the search off from node r.
-  void reckon_from(std::size_t r, double speed, const DriveLine& drive, double v_a, double v_w,
-                   StopSearch& s) const {
-    const double from = drive.a * v_a + drive.w * v_w;
-    const double size = std::abs(speed) + std::abs(from) + speed_size(drive);
-    s.constant = to_float((speed - from - slack * size) * speed_scale_[index(body_.direction())]);
-    s.origin = r;
-  }
-
   /// An interval in which the block may lift: the roof motion linear over parts of it.
   std::size_t lifted(std::size_t i);
 
@@ -311,15 +231,12 @@ class EventKernel {
   MotionNodes a_nodes_, w_nodes_;
   Scaled scene_;
   Contact contact_;
-  DriveLine drive_[2], lift_;
-  bool every_interval_, one_way_, may_lift_ = false;
+  Lines lines_;
+  bool every_interval_;
   double step_s_;
   std::size_t last_;  ///< node
+  EventBounds bounds_;
   SlidingBlock<NoHistory> body_;
-  ExitSearch exits_;
-  BoundLine lift_bound_;
-  StopSearch stop_[2];
-  double speed_scale_[2];
   Piece rest_[2] = {};  ///< the drives over what is left of the interval
 };
 

@@ -142,8 +142,7 @@ Suite read_recorded_suite(const std::filesystem::path& file, TomlDocument& docum
   return suite;
 }
 
-// The ranges of a recipe. The model is held to those of BSSA14, whose medians its gain follows; the
-// others are wide, and keep every motion finite and made in reasonable time.
+// The ranges of a recipe: wide, and such that every motion is finite and made in reasonable time.
 constexpr NumberRule magnitude_rule{
     "from 3 to 8.5", [](double x) { return x >= 3.0 && x <= 8.5; },
     "moment magnitudes of BSSA14, whose median spectra simulations are brought to"};
