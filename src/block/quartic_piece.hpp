@@ -157,7 +157,8 @@ struct QuarticPiece {
     return y != never ? 0.5 * y : 0.5 + 0.5 * right.first_crossing(sign, depth + 1);
   }
 
-  /// The one zero of the drive.
+  /// The one zero of the drive, to 1e-9 or so: it is zero there, so that speed and way see only the
+  /// square and cube of what is left.
   double root() const {
     const Powers p(drive);
     const double* b = drive.b;
@@ -165,7 +166,7 @@ struct QuarticPiece {
         [&](double y) {
           return Jet{p.value(y), p.slope(y), p.bend(y)};
         },
-        {b[0], 4.0 * (b[1] - b[0])}, {b[4], 4.0 * (b[4] - b[3])}, 1.0);
+        {b[0], 4.0 * (b[1] - b[0])}, {b[4], 4.0 * (b[4] - b[3])}, 1.0, 1e-3);
   }
 
   /// The zero of the falling speed v0 + gain(y) in (0, end].
@@ -176,7 +177,7 @@ struct QuarticPiece {
         [&](double y) {
           return Jet{v + p.integral(y), p.value(y), p.slope(y)};
         },
-        {v, drive.b[0]}, {v + p.integral(end), p.value(end)}, end);
+        {v, drive.b[0]}, {v + p.integral(end), p.value(end)}, end, 1e-4);
   }
 
   /// A function's value and derivatives.
@@ -186,9 +187,10 @@ struct QuarticPiece {
 
   /// The one zero in [0, high] of a function with the given ends: Halley's method, held in its
   /// bracket. It begins with the Hermite cubic of the inverse function, which leaves 1e-4 or so,
-  /// and ends with a step below 1e-4, which leaves about its cube.
+  /// and ends with a step below `enough`, which leaves about its cube.
   template <class Function>
-  static double zero(Function function, const Jet& begin, const Jet& end, double high) {
+  static double zero(Function function, const Jet& begin, const Jet& end, double high,
+                     double enough) {
     const double rise = end.value - begin.value, x = -begin.value / rise, z = 1.0 - x;
     const double m0 = rise / (begin.slope * high), m1 = rise / (end.slope * high);
     double low = 0.0, y = high * (x * x * (3.0 - 2.0 * x) + x * z * (z * m0 - x * m1));
@@ -198,10 +200,11 @@ struct QuarticPiece {
       const Jet f = function(y);
       if (f.value == 0.0) return y;
       ((f.value > 0.0) == (rise > 0.0) ? high : low) = y;
-      double next = y - 2.0 * f.value * f.slope / (2.0 * f.slope * f.slope - f.value * f.bend);
-      if (!(next >= low && next <= high)) next = 0.5 * (low + high);
-      if (std::abs(next - y) < 1e-4) return next;
-      y = next;
+      const double step = 2.0 * f.value * f.slope / (2.0 * f.slope * f.slope - f.value * f.bend);
+      const double next = y - step;
+      const bool inside = next >= low && next <= high;
+      if (inside && std::abs(step) < enough) return next;
+      y = inside ? next : 0.5 * (low + high);
     }
     return y;
   }

@@ -82,21 +82,21 @@ class SlidingBlock {
     if (n0 >= 0.0 && n1 >= 0.0)
       return advance(length, end, contact_.sliding(r0), contact_.sliding(r1));
     uplift_ = true;
-    const auto lifted = [&](double duration, const Roof& from, const Roof& to) {
-      advance(duration, time_ + duration, contact_.frictionless(from), contact_.frictionless(to));
+    const auto lifted = [&](double duration, double until, const Roof& from, const Roof& to) {
+      advance(duration, until, contact_.frictionless(from), contact_.frictionless(to));
     };
-    if (n0 < 0.0 && n1 < 0.0) return lifted(length, r0, r1);
+    if (n0 < 0.0 && n1 < 0.0) return lifted(length, end, r0, r1);
     // Contact is lost or found again where N passes through zero.
     const double share = n0 / (n0 - n1);
     const Roof touch{r0.a + share * (r1.a - r0.a), r0.w + share * (r1.w - r0.w)};
     const double before = share * length, after = (1.0 - share) * length;
+    const double between = std::min(time_ + before, end);
     if (n0 < 0.0) {
-      if (before > 0.0) lifted(before, r0, touch);
+      if (before > 0.0) lifted(before, between, r0, touch);
       if (after > 0.0) advance(after, end, contact_.sliding(touch), contact_.sliding(r1));
     } else {
-      if (before > 0.0)
-        advance(before, time_ + before, contact_.sliding(r0), contact_.sliding(touch));
-      if (after > 0.0) lifted(after, touch, r1);
+      if (before > 0.0) advance(before, between, contact_.sliding(r0), contact_.sliding(touch));
+      if (after > 0.0) lifted(after, end, touch, r1);
     }
   }
 
@@ -106,6 +106,7 @@ class SlidingBlock {
     Line up{begin.up, (end.up - begin.up) / length, end.up};
     if (directions_ == SlipDirections::downslope_only) up = {-1.0, 0.0, -1.0};
 
+    piece_end_ = piece_end;
     double left = length;
     // Starts and stops inside a piece number a few (each drive is linear, so each direction starts
     // and stops at most twice); the bound only guards against rounding.
@@ -174,7 +175,7 @@ class SlidingBlock {
       (direction_ > 0 ? down : up).value = 0.0;  // exactly on its threshold: no spurious stop
       left -= wait;
     }
-    time_ += wait;
+    pass(wait);
     ++phases_;
     history_(time_, slip_, 0.0);
     return true;
@@ -191,12 +192,17 @@ class SlidingBlock {
     const double fastest = drive.value > 0.0 && end_drive < 0.0
                                ? speed_ - 0.5 * drive.value * drive.value / drive.rate
                                : std::max(speed_, end_speed);
-    slip_ += direction_ * (t * (speed_ + t * (0.5 * drive.value + drive.rate * t / 6.0)));
+    // Where the numbers are so small that their squares vanish, it would come out below zero.
+    const double distance = t * (speed_ + t * (0.5 * drive.value + drive.rate * t / 6.0));
+    slip_ += direction_ * std::max(distance, 0.0);
     peak_speed_ = std::max(peak_speed_, fastest);
     speed_ = std::max(end_speed, 0.0);
     duration_ += t;
-    time_ += t;
+    pass(t);
   }
+
+  /// Never beyond the piece's end by rounding: the next piece begins there.
+  void pass(double t) { time_ = std::min(time_ + t, piece_end_); }
 
   void end_phase() {
     stop();
@@ -209,7 +215,7 @@ class SlidingBlock {
   int direction_ = 0;   // +1 sliding down, -1 up, 0 at rest
   double speed_ = 0.0;  // |v| along the slope
   double slip_ = 0.0;   // along the slope, down positive
-  double time_ = 0.0;
+  double time_ = 0.0, piece_end_ = 0.0;
   double farthest_down_ = 0.0, farthest_up_ = 0.0, peak_speed_ = 0.0, duration_ = 0.0;
   std::size_t phases_ = 0;
   bool uplift_ = false;

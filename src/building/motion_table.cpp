@@ -7,7 +7,6 @@
 #include <numbers>
 
 #include "glissade/core/contract.hpp"
-#include "glissade/core/oscillator.hpp"
 #include "oscillator_bank.hpp"
 #include "ring_down.hpp"
 
@@ -15,6 +14,7 @@ namespace glissade {
 namespace {
 
 using building_detail::bank_size;
+using building_detail::load;
 using building_detail::OscillatorBank;
 using building_detail::padding;
 
@@ -33,18 +33,6 @@ void resize_states(MotionTable& table, std::size_t nodes) {
   table.nodes = nodes;
   table.x.resize(nodes + padding);
   table.y.resize(nodes + padding);
-}
-
-void load(OscillatorBank& bank, std::size_t lane, const MotionTable& table) {
-  const OscillatorStep step =
-      oscillator_step(table.omega_radps * table.step_s(), table.oscillator.damping_ratio);
-  bank.xx[lane] = step.xx;
-  bank.xy[lane] = step.xy;
-  bank.yy[lane] = step.yy;
-  bank.x_start[lane] = step.x_start;
-  bank.x_end[lane] = step.x_end;
-  bank.y_start[lane] = step.y_start;
-  bank.y_end[lane] = step.y_end;
 }
 
 /// Up to bank_size tables, whose ground and oscillator are set.

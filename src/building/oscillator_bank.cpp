@@ -187,6 +187,7 @@ HWY_AFTER_NAMESPACE();
 #include <algorithm>
 #include <cmath>
 
+#include "glissade/core/oscillator.hpp"
 #include "glissade/core/scale.hpp"
 
 namespace glissade::building_detail {
@@ -226,6 +227,18 @@ float below(double value) {
 float above(double value) { return -below(-value); }
 
 }  // namespace
+
+void load(OscillatorBank& bank, std::size_t lane, const MotionTable& table) {
+  const OscillatorStep step =
+      oscillator_step(table.omega_radps * table.step_s(), table.oscillator.damping_ratio);
+  bank.xx[lane] = step.xx;
+  bank.xy[lane] = step.xy;
+  bank.yy[lane] = step.yy;
+  bank.x_start[lane] = step.x_start;
+  bank.x_end[lane] = step.x_end;
+  bank.y_start[lane] = step.y_start;
+  bank.y_end[lane] = step.y_end;
+}
 
 void advance(OscillatorBank& bank, std::span<const double> ground_mps2, std::size_t from,
              std::size_t to, double* const* x, double* const* y) {

@@ -23,6 +23,9 @@ struct OscillatorBank {
   alignas(64) double x[bank_size] = {}, y[bank_size] = {};
 };
 
+/// Puts the table's oscillator, at rest, into a lane.
+void load(OscillatorBank& bank, std::size_t lane, const MotionTable& table);
+
 /// Takes all oscillators from node `from` to node `to` of the ground, writing the states at nodes
 /// from + 1 ... to at x[oscillator][node], y[oscillator][node].
 void advance(OscillatorBank& bank, std::span<const double> ground_mps2, std::size_t from,

@@ -196,9 +196,10 @@ void TomlTable::report(std::string_view key, std::string what, std::string sugge
 }
 
 void TomlTable::report(std::string_view key, const InputError& error) const {
+  const std::string name = key.empty() ? path_.substr(0, path_.find_last_of('.')) : name_of(key);
   for (const Problem& problem : error.problems()) {
     const std::string where = problem.where.empty() ? "" : problem.where + ": ";
-    report(key, name_of(key) + ": " + where + problem.what, problem.suggestion);
+    report(key, name + ": " + where + problem.what, problem.suggestion);
   }
 }
 

@@ -15,11 +15,12 @@ namespace {
 
 constexpr double whole_number_tolerance = 1e-6;
 constexpr double most_samples = 2e7;  // of a motion, 28 h at 0.005 s: more is a slip of units
+constexpr double largest_whole_number = 1e15;  // of which a double still tells the neighbours
 
 std::optional<std::size_t> whole_number(double value) {
   const double nearest = std::round(value);
   if (!(std::abs(value - nearest) <= whole_number_tolerance) || nearest < 0.0 ||
-      nearest > most_samples) {
+      nearest > largest_whole_number) {
     return std::nullopt;
   }
   return static_cast<std::size_t>(nearest);
@@ -70,8 +71,11 @@ Placement place(const TimedRecord& component, double dt_s, ProblemList& problems
   return placement;
 }
 
-std::size_t end_of(const Record& record, const Placement& placement) {
-  return placement.start + record.acceleration_mps2.size() * placement.stride;
+/// As a double, which does not wrap round.
+double end_of(const Record& record, const Placement& placement) {
+  return static_cast<double>(placement.start) +
+         static_cast<double>(record.acceleration_mps2.size()) *
+             static_cast<double>(placement.stride);
 }
 
 /// The component's samples on the motion's clock, between its own ones interpolated (also over the
@@ -117,24 +121,25 @@ Motion assemble_motion(Motion metadata, const TimedRecord& first,
   for (const Component& component : components) {
     motion.dt_s = std::min(motion.dt_s, component.timed.record.dt_s);
   }
-  std::size_t length = 0;
+  double length = 0.0;
   for (Component& component : components) {
     const Record& record = component.timed.record;
     component.placement = place(component.timed, motion.dt_s, problems);
-    const std::size_t end = end_of(record, component.placement);
-    if (static_cast<double>(end) > most_samples) {
+    const double end = end_of(record, component.placement);
+    length = std::max(length, end);
+    if (end > most_samples) {
       problems.add({record.name,
                     fmt::format("would end after {} samples of the motion's step, dt_s = {}, the "
                                 "finest component's (the most is {})",
                                 end, motion.dt_s, most_samples),
                     "check dt_s and start_s of all components", ""});
     }
-    length = std::max(length, end);
   }
   problems.throw_if_any();
 
   for (const Component& component : components) {
-    component.samples = on_clock(component.timed.record, component.placement, length);
+    component.samples =
+        on_clock(component.timed.record, component.placement, static_cast<std::size_t>(length));
   }
   return motion;
 }

@@ -60,6 +60,7 @@ bool bench_schemes(const Options& options) {
   good &= show(group_table(measured), options.out);
   good &= show(ratio_table(measured), options.out);
   good &= measured.agreements.empty() || show(agreement_table(measured), options.out);
+  good &= show(roof_table(roof_times()), options.out);
   draw_schemes(measured, options.out / "schemes.svg");
   for (const SchemeResult& scheme : measured.schemes) {
     if (!scheme.exact || scheme.largest_error <= tolerance(scheme)) continue;

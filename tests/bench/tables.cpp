@@ -108,6 +108,18 @@ Table agreement_table(const WorkPrecision& m) {
   return table;
 }
 
+Table roof_table(const RoofTimes& times) {
+  Table table{"roofs",
+              "Time to tabulate the response of sixteen oscillators to 8,000 samples, by node and "
+              "oscillator",
+              {{"part", "", "Part", ColumnKind::text}, {"time", "ns", "Time, ns"}},
+              {}};
+  table.add({"filter: a, V and U at the nodes", times.filter_ns});
+  table.add({"bounds for the search", times.bounds_ns});
+  table.add({"tabulate_responses(), whole", times.whole_ns});
+  return table;
+}
+
 Table fragility_table(const FragilityError& m) {
   Table table{
       "fragility",

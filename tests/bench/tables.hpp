@@ -3,6 +3,7 @@
 
 #include "fragility_error.hpp"
 #include "glissade/report/table.hpp"
+#include "roof_times.hpp"
 #include "work_precision.hpp"
 
 namespace glissade::bench {
@@ -13,6 +14,7 @@ Table group_table(const WorkPrecision& measured);
 /// with to without vertical.
 Table ratio_table(const WorkPrecision& measured);
 Table agreement_table(const WorkPrecision& measured);
+Table roof_table(const RoofTimes& times);
 Table fragility_table(const FragilityError& measured);
 
 /// Every number is finite.
