@@ -66,7 +66,7 @@ std::string recipe_toml(const SyntheticRecipe& recipe, const std::string& origin
       "model = \"rezaeian_der_kiureghian_2010\"\n"
       "seed = {}\n"
       "dt_s = {}\n"
-      "max_scale = {}\n"
+      "{}"
       "\n"
       "[simulation.gain]\n"
       "frequency_hz = {}\n"
@@ -74,7 +74,9 @@ std::string recipe_toml(const SyntheticRecipe& recipe, const std::string& origin
       "vertical = {}\n",
       origin, quoted(recipe.name), quoted(recipe.description),
       quoted(to_string(recipe.target.edition)), recipe.target.ss_g, recipe.target.s1_g,
-      site_classes(recipe.target), recipe.target.tl_s, recipe.seed, recipe.dt_s, recipe.max_scale,
+      site_classes(recipe.target), recipe.target.tl_s, recipe.seed, recipe.dt_s,
+      // Zero where the recipe does not tell it.
+      recipe.max_scale > 0.0 ? fmt::format("max_scale = {}\n", recipe.max_scale) : "",
       numbers(recipe.gain_frequencies_hz), numbers(recipe.horizontal_gain),
       numbers(recipe.vertical_gain));
   for (const SyntheticMotion& motion : recipe.motions) text += motion_toml(motion);

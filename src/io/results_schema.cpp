@@ -218,7 +218,10 @@ template <class Archive, class Run>
 void exchange_run(const Archive& archive, Run& run) {
   archive.attribute("friction", run.friction_description);
   cube(archive, "peak_displacement_m",
-       {"m", "peak displacement in plan, by (record, sample, level)"}, run.peak_displacement_m);
+       {"m",
+        "peak displacement in plan, by (record, sample, level); inf: beyond the largest threshold, "
+        "not run (stop_at_largest)"},
+       run.peak_displacement_m);
   cube(archive, "uplift", {"-", "1 where the array lifted off, by (record, sample, level)"},
        run.uplift);
   cube(archive, "capacity_g",

@@ -34,13 +34,6 @@ inline std::filesystem::path input_file(const std::uint8_t* data, std::size_t si
   return folder().write(name, {reinterpret_cast<const char*>(data), size});
 }
 
-/// A place in that folder with nothing there yet.
-inline std::filesystem::path free_place(const char* name) {
-  const std::filesystem::path file = folder().path() / name;
-  std::filesystem::remove(file);
-  return file;
-}
-
 /// Reads, and is content with a refusal; whatever else is thrown ends the program.
 template <class Read>
 void may_refuse(const Read& read) {

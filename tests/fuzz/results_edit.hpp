@@ -3,7 +3,6 @@
 
 #include <hdf5.h>
 
-#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <string>
@@ -77,11 +76,6 @@ class ResultsEditor {
     std::array<hsize_t, 3> dims{};
     for (hsize_t& side : dims)
       side = sides[bytes.take<std::uint8_t>() % (enormous ? sides.size() : sides.size() - 2)];
-    // Known, see README.md: read_results makes room for 2^40 rows of nothing, and for 2^80 values,
-    // which the library counts as none.
-    const auto used = dims.begin() + rank;
-    if (std::count(dims.begin(), used, 0) + std::count(dims.begin(), used, sides.back()) > 1)
-      for (hsize_t& side : dims) side = std::min<hsize_t>(side, 1000);
     return rank == 0 ? H5Screate(H5S_SCALAR) : H5Screate_simple(rank, dims.data(), nullptr);
   }
 

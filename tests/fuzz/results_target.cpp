@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Results files: a small good one, edited as the input says (results_edit.hpp). What is then still
-// taken must be writable, to a file that reads as the same bytes.
+// taken must be whole and writable, to a file that reads as the same bytes.
 #include "check.hpp"
 #include "glissade/core/file.hpp"
 #include "glissade/io/results_file.hpp"
@@ -49,11 +49,31 @@ Results small_results() {
 
 const std::string& good_file() {
   static const std::string bytes = [] {
-    const auto file = fuzz::free_place("good.h5");
+    const auto file = fuzz::folder().path() / "good.h5";
     write_results(file, small_results());
     return read_text_file(file);
   }();
   return bytes;
+}
+
+void check_whole(const Results& results) {
+  const auto is_cube = [&](const auto& cube, std::size_t depth) {
+    return cube.rows == results.records.size() && cube.columns == results.samples.size() &&
+           cube.depth == depth && cube.data.size() == cube.rows * cube.columns * cube.depth;
+  };
+  for (const RunResults& run : results.runs) {
+    check(is_cube(run.peak_displacement_m, results.levels.size()) &&
+              is_cube(run.uplift, results.levels.size()) &&
+              is_cube(run.capacity, results.thresholds_m.size()),
+          "cubes fit the records, samples, levels and thresholds");
+    check(run.slip.size() == results.levels.size(), "slip at each level");
+    check(run.fragilities.size() == results.thresholds_m.size(), "a fragility for each threshold");
+    for (const ThresholdFragility& f : run.fragilities) {
+      check(f.probability.size() == results.levels.size() &&
+                f.probability_interval.size() == results.levels.size(),
+            "a share for each level");
+    }
+  }
 }
 
 }  // namespace
@@ -69,7 +89,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   fuzz::may_refuse([&] {
     const Results results = read_results(file);
-    const auto copy = fuzz::free_place("copy.h5"), second = fuzz::free_place("second.h5");
+    check_whole(results);
+    const auto copy = fuzz::folder().path() / "copy.h5",
+               second = fuzz::folder().path() / "second.h5";
     write_results(copy, results);
     write_results(second, read_results(copy));
     check(read_text_file(copy) == read_text_file(second), "results survive their file");

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glissade/core/file.hpp"
 
+#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <fstream>
 
 #include "glissade/core/error.hpp"
 
@@ -22,6 +26,41 @@ TEST(write_text_file, replaces_a_file_whole_and_tells_of_a_full_disk) {
   } catch (const InputError& error) {
     EXPECT_THAT(error.what(), testing::HasSubstr("No space left"));
   }
+}
+
+// /dev/shm is a folder of regular files among the devices.
+TEST(write_text_file, replaces_a_regular_file_below_dev) {
+  const std::string file = "/dev/shm/glissade_text_file_" + std::to_string(::getpid());
+  if (!std::ofstream(file)) GTEST_SKIP() << "no /dev/shm to write to";
+  write_text_file(file, "old");
+  write_text_file(file, "new");
+  EXPECT_EQ(read_text_file(file), "new");
+  fs::remove(file);
+}
+
+TEST(write_text_file, adds_to_a_regular_file_that_the_shell_has_opened_as_a_descriptor) {
+  const fs::path file = fs::path(testing::TempDir()) / "glissade_opened_file.txt";
+  std::ofstream(file) << "before, ";
+  const int opened = ::open(file.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
+  ASSERT_GE(opened, 0);
+  const fs::path link = fs::path(testing::TempDir()) / "glissade_link_to_opened_file";
+  fs::remove(link);
+  fs::create_symlink("/dev/fd/" + std::to_string(opened), link);
+  write_text_file("/dev/fd/" + std::to_string(opened), "then ");
+  write_text_file(link, "text");
+  EXPECT_EQ(::close(opened), 0);
+  EXPECT_EQ(read_text_file(file), "before, then text");
+}
+
+TEST(write_text_file, follows_links_and_replaces_what_they_lead_to) {
+  const fs::path file = fs::path(testing::TempDir()) / "glissade_linked_file.txt";
+  const fs::path link = fs::path(testing::TempDir()) / "glissade_link";
+  write_text_file(file, "old");
+  fs::remove(link);
+  fs::create_symlink(file.filename(), link);
+  write_text_file(link, "new");
+  EXPECT_TRUE(fs::is_symlink(link));
+  EXPECT_EQ(read_text_file(file), "new");
 }
 
 TEST(read_text_file, tells_of_a_file_that_is_not_there) {

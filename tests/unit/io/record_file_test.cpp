@@ -100,6 +100,13 @@ TEST_F(RecordFile, samples_that_are_no_finite_numbers_are_told_with_their_line) 
               AllOf(HasSubstr("record:5"), HasSubstr("'two' is not a number")));
 }
 
+TEST_F(RecordFile, samples_that_are_finite_in_g_alone_are_told_with_their_line) {
+  EXPECT_THAT(error(at2_head + "NPTS= 2, DT= .01 SEC\n1\n1e308\n"),
+              AllOf(HasSubstr("record:6"), HasSubstr("'1e308' is not finite in m/s2")));
+  EXPECT_THAT(error("0 1\n0.01 -1e308\n", {.dt_s = {}, .units = AccelerationUnits::g}),
+              AllOf(HasSubstr("record:2"), HasSubstr("'-1e308' is not finite in m/s2")));
+}
+
 TEST_F(RecordFile, steps_that_are_not_above_zero_or_missing_are_refused) {
   EXPECT_THAT(error(at2_head + "NPTS= 1, DT= 0.0 SEC\n1\n"), HasSubstr("not above 0"));
   EXPECT_THAT(error(at2_head + "NPTS= 1, DT= -.01 SEC\n1\n"), HasSubstr("not above 0"));

@@ -2,6 +2,7 @@
 #include "glissade/io/results_file.hpp"
 
 #include <gmock/gmock.h>
+#include <hdf5.h>
 #include <signal.h>
 #include <sys/resource.h>
 
@@ -57,7 +58,8 @@ RunResults make_run(const std::string& label) {
   run.fragilities = {make_fragility(0.15, 2), make_fragility(0.3, 0)};  // the second has no band
   run.band_intensities = {0.5, 1.0};
   run.slip = {{0.5, 0.1, 0.2, 0.3, 0.15, {0.1, 0.2}, {0.05, 0.15}, {0.15, 0.25}, 0.0},
-              {1.0, 1, 2, 3, 4, {5, 6}, {7, 8}, {9, 10}, 0.5}};
+              {1.0, 1, 2, 3, 4, {5, 6}, {7, 8}, {9, 10}, 0.5},
+              {}};
   run.standards = {{Standard::asce7_16,
                     1.0,
                     {0.55, Provenance::recalled, "5 I_e (S_DS - 0.4)^2 ft"},
@@ -199,7 +201,7 @@ TEST(results_file, runs_come_back_in_order_with_ragged_bands) {
   EXPECT_EQ(f.recross_share, 0.01);
   EXPECT_EQ(f.censored_share, 0.5);
   EXPECT_EQ(f.free_sliding_share, 0.02);
-  ASSERT_EQ(a.slip.size(), 2u);
+  ASSERT_EQ(a.slip.size(), 3u);
   const SlipStatistics& s = a.slip[1];
   EXPECT_THAT(
       (std::vector<double>{s.level, s.median_m, s.p84_m, s.p95_m, s.mean_m, s.mean_interval.low,
@@ -249,6 +251,88 @@ TEST(results_file, cut_damaged_and_foreign_files_are_refused) {
   EXPECT_THAT(message_of([&] { read_results(folder.path() / "none.h5"); }),
               HasSubstr("no such file"));
   EXPECT_THAT(message_of([&] { read_results(folder.path()); }), HasSubstr("no ordinary file"));
+}
+
+/// A good file in which one dataset has been replaced by one of numbers with these sides, no value
+/// of which is stored.
+std::filesystem::path file_with(const TemporaryFolder& folder, const char* dataset,
+                                const std::vector<hsize_t>& sides) {
+  const auto path = folder.path() / "edited.h5";
+  write_results(path, make_results());
+  const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
+  const hid_t space = H5Screate_simple(static_cast<int>(sides.size()), sides.data(), nullptr);
+  EXPECT_GE(H5Ldelete(file, dataset, H5P_DEFAULT), 0) << dataset;
+  const hid_t set =
+      H5Dcreate2(file, dataset, H5T_IEEE_F64LE, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
+  EXPECT_GE(set, 0) << dataset;
+  H5Dclose(set);
+  H5Sclose(space);
+  EXPECT_GE(H5Fclose(file), 0);
+  return path;
+}
+
+TEST(results_file, datasets_that_claim_more_than_the_file_can_hold_are_refused) {
+  const TemporaryFolder folder;
+  constexpr hsize_t huge = hsize_t{1} << 40;
+  const auto refusal = [&](const char* dataset, const std::vector<hsize_t>& sides) {
+    return message_of([&] { read_results(file_with(folder, dataset, sides)); });
+  };
+  const auto is_too_large = HasSubstr("larger than the file");
+  EXPECT_THAT(refusal("level_g", {huge}), is_too_large);
+  EXPECT_THAT(refusal("spectra/srss_g", {huge, 0}), is_too_large);     // rows of nothing
+  EXPECT_THAT(refusal("spectra/srss_g", {huge, huge}), is_too_large);  // 2^80 wraps round to 0
+  EXPECT_THAT(refusal("runs/design/capacity_g", {1 << 16, 1 << 16, huge}), is_too_large);
+  EXPECT_THAT(refusal("runs/design/uplift", {huge, 0, huge}), is_too_large);
+}
+
+TEST(results_file, an_empty_first_column_is_not_filled_up_by_the_next) {
+  const TemporaryFolder folder;
+  for (const char* dataset :
+       {"samples/friction", "runs/sampled/slip/level_g", "runs/sampled/fragility/threshold_m"}) {
+    EXPECT_THAT(message_of([&] { read_results(file_with(folder, dataset, {0})); }),
+                HasSubstr("to the other columns"))
+        << dataset;
+  }
+}
+
+TEST(results_file, parts_that_do_not_fit_each_other_are_refused) {
+  const TemporaryFolder folder;
+  const auto refusal = [&](void (*spoil)(Results&)) {
+    Results results = make_results();
+    spoil(results);
+    write_results(folder.path() / "a.h5", results);
+    return message_of([&] { read_results(folder.path() / "a.h5"); });
+  };
+  const auto does_not_fit = [](const std::string& part, const std::string& whole) {
+    return HasSubstr("cannot fit " + part + " to the " + whole);
+  };
+  EXPECT_EQ(refusal([](Results&) {}), "");
+  EXPECT_THAT(refusal([](Results& r) { r.levels.pop_back(); }),
+              does_not_fit("peak_displacement_m", "records, samples and levels"));
+  EXPECT_THAT(refusal([](Results& r) { r.runs[1].uplift = Array3<std::uint8_t>(2, 3, 4); }),
+              does_not_fit("uplift", "records, samples and levels"));
+  EXPECT_THAT(refusal([](Results& r) { r.thresholds_m.push_back(1.0); }),
+              does_not_fit("capacity_g", "records, samples and thresholds"));
+  EXPECT_THAT(refusal([](Results& r) { r.runs[0].slip.pop_back(); }),
+              does_not_fit("slip", "levels"));
+  EXPECT_THAT(refusal([](Results& r) { r.runs[0].fragilities.pop_back(); }),
+              does_not_fit("fragility", "thresholds"));
+  EXPECT_THAT(refusal([](Results& r) { r.runs[0].fragilities[1].probability.clear(); }),
+              does_not_fit("probability", "levels"));
+  EXPECT_THAT(refusal([](Results& r) { r.runs[0].fragilities[1].probability_interval.clear(); }),
+              does_not_fit("probability_low", "levels"));
+  EXPECT_THAT(refusal([](Results& r) { r.runs[0].fragilities[1].record_recross.pop_back(); }),
+              does_not_fit("record_recross", "records"));
+  EXPECT_THAT(refusal([](Results& r) { r.runs[0].fragilities[0].band.pop_back(); }),
+              does_not_fit("band_low", "band's intensities"));
+  EXPECT_THAT(refusal([](Results& r) { r.spectra.srss_g.pop_back(); }),
+              does_not_fit("srss_g", "records"));
+  EXPECT_THAT(refusal([](Results& r) { r.spectra.srss_g[1].pop_back(); }),
+              does_not_fit("srss_g", "periods"));
+  EXPECT_THAT(refusal([](Results& r) { r.spectra.average_srss_g.pop_back(); }),
+              does_not_fit("average_srss_g", "periods"));
+  EXPECT_THAT(refusal([](Results& r) { r.spectra.target_g = {1.0}; }),
+              does_not_fit("target_g", "periods"));
 }
 
 std::size_t files_in(const std::filesystem::path& folder) {

@@ -3,7 +3,13 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
 #include "glissade/core/units.hpp"
+#include "glissade/io/recipe_writer.hpp"
 #include "temporary_folder.hpp"
 
 namespace glissade {
@@ -165,6 +171,87 @@ TEST_F(SuiteFile, a_recipe_is_simulated_where_a_suite_is_asked_for) {
   EXPECT_EQ(suite.motions[0].id, "m1");
   EXPECT_EQ(suite.motions[0].dt_s, 0.01);
   EXPECT_FALSE(suite.motions[0].vertical_mps2.empty());
+}
+
+std::string with(const std::string& key, const std::string& value) {
+  const std::size_t begin = recipe_text.find("\n" + key + " = ") + key.size() + 4;
+  std::string text = recipe_text;
+  return text.replace(begin, text.find('\n', begin) - begin, value);
+}
+
+TEST_F(SuiteFile, numbers_of_a_recipe_that_cannot_be_simulated_are_refused) {
+  const std::vector<std::array<const char*, 4>> cases = {
+      {"magnitude", "1e6", "motion.magnitude = 1e+06 is not from 3 to 8.5", "BSSA14"},
+      {"magnitude", "2.9", "motion.magnitude = 2.9", "give a value from 3 to 8.5"},
+      {"distance_km", "1e300", "motion.distance_km = 1e+300 is not from 0.1 to 400", "BSSA14"},
+      {"distance_km", "0.09", "motion.distance_km = 0.09", "give a value from 0.1 to 400"},
+      {"vs30_mps", "99", "motion.vs30_mps = 99 is not from 100 to 2000", "in m/s"},
+      {"vs30_mps", "2001", "motion.vs30_mps = 2001", "give a value from 100 to 2000"},
+      {"dt_s", "1e-6", "simulation.dt_s = 1e-06 is not from 0.001 to 0.05", "square"},
+      {"dt_s", "100", "simulation.dt_s = 100", "give a value from 0.001 to 0.05"},
+      {"max_scale", "1e300", "simulation.max_scale = 1e+300 is not from 0.001 to 1000", "slip"},
+      {"scale", "1e-300", "motion.scale = 1e-300 is not from 0.001 to 1000", "slip"},
+      {"frequency_hz", "[5e-324, 5.0]", "simulation.gain.frequency_hz = ", "from 0.001 to 1000"},
+      {"horizontal", "[1.1, 1e300]", "simulation.gain.horizontal = 1e+300", "slip"},
+      {"vertical", "[0.0, 1.0]", "simulation.gain.vertical = 0 is not from 0.001", "slip"}};
+  for (const auto& [key, value, what, why_or_what_to_do] : cases) {
+    EXPECT_THAT(error(with(key, value)),
+                AllOf(HasSubstr("suite.toml:"), HasSubstr(what), HasSubstr(why_or_what_to_do)))
+        << key;
+  }
+}
+
+TEST_F(SuiteFile, a_recipe_without_the_largest_scale_survives_being_written) {
+  std::string text = recipe_text;
+  text.erase(text.find("max_scale"), std::string("max_scale = 4.0\n").size());
+  const SyntheticRecipe recipe = read_recipe(folder_.write("recipe.toml", text));
+  const std::string written = recipe_toml(recipe, "a test");
+  EXPECT_EQ(recipe_toml(read_recipe(folder_.write("copy.toml", written)), "a test"), written);
+}
+
+TEST_F(SuiteFile, a_recipe_needs_a_gain) {
+  std::string text = recipe_text;
+  const std::size_t begin = text.find("[simulation.gain]");
+  text.erase(begin, text.find("[[motion]]") - begin);
+  EXPECT_THAT(error(text), HasSubstr("[simulation.gain] is missing"));
+  text.insert(begin, "[simulation.gain]\n");
+  EXPECT_THAT(error(text), HasSubstr("simulation.gain.frequency_hz tells no frequency"));
+}
+
+TEST_F(SuiteFile, a_recipe_at_the_ends_of_its_ranges_is_simulated_to_finite_motions) {
+  std::string text = with("dt_s", "0.05");
+  text.erase(text.find("[[motion]]"));
+  int count = 0;
+  for (const char* magnitude : {"3", "8.5"})
+    for (const char* distance_km : {"0.1", "400"})
+      for (const char* vs30_mps : {"100", "2000"})
+        for (int realization = 0; realization < 8; ++realization, ++count)
+          text += "[[motion]]\nid = \"" + std::to_string(count) + "\"\nmagnitude = " + magnitude +
+                  "\ndistance_km = " + distance_km + "\nvs30_mps = " + vs30_mps +
+                  "\nmechanism = \"" + (realization % 2 ? "reverse" : "strike_slip") +
+                  "\"\nrealization = " + std::to_string(realization) + "\n";
+  const Suite suite = load(text);
+  EXPECT_EQ(suite.motions.size(), 64u);
+  for (const Motion& motion : suite.motions) {
+    for (const auto& component :
+         {motion.horizontal_mps2[0], motion.horizontal_mps2[1], motion.vertical_mps2}) {
+      EXPECT_TRUE(std::ranges::all_of(component, [](double a) { return std::isfinite(a); }))
+          << motion.id;
+    }
+  }
+}
+
+TEST_F(SuiteFile, components_whose_common_clock_would_be_endless_are_refused) {
+  folder_.write("suites/fine.txt", ".1\n.2\n");
+  folder_.write("suites/coarse.txt", ".1\n.2\n.1\n.2\n");
+  // 4 samples of 1e7 each: the finest step, of 1e-7 s, is a slip.
+  EXPECT_THAT(error(head + "[[record]]\nid = \"a\"\nfirst = { file = \"fine.txt\", dt_s = 1e-7 }\n"
+                           "second = { file = \"coarse.txt\", dt_s = 1 }\n"),
+              AllOf(HasSubstr("suite.toml:4: record: "), HasSubstr("coarse.txt"),
+                    HasSubstr("40000000 samples"), HasSubstr("check dt_s")));
+  EXPECT_THAT(error(head + "[[record]]\nid = \"a\"\n"
+                           "first = { file = \"fine.txt\", dt_s = 1e-7, start_s = 3 }\n"),
+              HasSubstr("30000002 samples"));
 }
 
 TEST_F(SuiteFile, mistakes_in_a_recipe_are_located) {
