@@ -254,5 +254,30 @@ TEST(yield_acceleration, is_where_slip_begins) {
   EXPECT_EQ(slide({0.01, pulse, {}, yield * (1 + 1e-9)}, block).slip_phases, 1u);
 }
 
+// Both found by fuzzing.
+TEST(slide, history_never_goes_back_in_time) {
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    const auto a = made_up_record(300, seed, 8.0), w = made_up_record(300, seed + 50, 14.0);
+    for (const double slope : {0.0, 0.3}) {
+      std::vector<SlipPoint> history;
+      slide({0.0123, a, w}, {.friction = 0.1, .slope_rad = slope}, history);
+      for (std::size_t i = 1; i < history.size(); ++i)
+        ASSERT_GE(history[i].time_s, history[i - 1].time_s) << seed;
+    }
+  }
+}
+
+TEST(slide, one_way_never_goes_upslope_however_small_the_motion) {
+  for (const double peak : {1e-150, 1e-160, 1e-200, 1e-300}) {
+    for (unsigned seed = 1; seed <= 5; ++seed) {
+      const auto a = made_up_record(200, seed, peak);
+      const SlipResult r =
+          slide({0.01, a}, {.friction = 0.0, .directions = SlipDirections::downslope_only});
+      EXPECT_EQ(r.peak_upslope_m, 0.0);
+      EXPECT_GE(r.residual_displacement_m, 0.0);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace glissade
