@@ -69,6 +69,19 @@ std::vector<SamplePoint> draw_samples(const StudyConfig& config) {
   return samples;
 }
 
+bool values_repeat(std::vector<double> values) {
+  const std::size_t count = values.size();
+  std::sort(values.begin(), values.end());
+  values.erase(std::unique(values.begin(), values.end()), values.end());
+  return 2 * values.size() <= count;
+}
+
+bool same_building(const std::vector<SamplePoint>& samples) {
+  return std::all_of(samples.begin(), samples.end(), [&](const SamplePoint& s) {
+    return s.period_s == samples.front().period_s && s.damping == samples.front().damping;
+  });
+}
+
 std::vector<FrictionRun> friction_runs(const Plan& plan) {
   const FrictionConfig& friction = plan.config.friction;
   FrictionRun sampled{"sampled", "mu " + describe(friction.mu), {}};
@@ -81,6 +94,7 @@ std::vector<FrictionRun> friction_runs(const Plan& plan) {
                                 design == 0.0 ? " (below zero: held at 0)" : ""),
                     std::vector<double>(plan.samples.size(), design)});
   }
+  for (FrictionRun& run : runs) run.repeats = values_repeat(run.friction);
   return runs;
 }
 
@@ -255,6 +269,7 @@ Plan make_plan(const StudyConfig& config, Suite suite) {
   plan.notes = notes_on(config, suite);
   plan.suite = std::move(suite);
   plan.samples = draw_samples(config);
+  plan.one_building = same_building(plan.samples);
   plan.runs = friction_runs(plan);
   for (std::string& note : notes_on_standards(plan)) plan.notes.push_back(std::move(note));
   plan.skips = skips_of(config, plan);

@@ -8,34 +8,14 @@
 #include "glissade/study/scene.hpp"
 
 namespace glissade {
-namespace {
-
-bool values_repeat(std::vector<double> values) {
-  const std::size_t count = values.size();
-  std::sort(values.begin(), values.end());
-  values.erase(std::unique(values.begin(), values.end()), values.end());
-  return 2 * values.size() <= count;
-}
-
-bool same_building(const std::vector<SamplePoint>& samples) {
-  return std::all_of(samples.begin(), samples.end(), [&](const SamplePoint& s) {
-    return s.period_s == samples.front().period_s && s.damping == samples.front().damping;
-  });
-}
-
-}  // namespace
-
-RoofStore::RoofStore(const Plan& plan, Skipping skipping)
-    : plan_(plan), skipping_(skipping), one_building_(same_building(plan.samples)) {
-  for (const FrictionRun& run : plan.runs) few_frictions_.push_back(values_repeat(run.friction));
-}
+RoofStore::RoofStore(const Plan& plan, Skipping skipping) : plan_(plan), skipping_(skipping) {}
 
 std::span<const SampleRoof> RoofStore::under(std::size_t record, std::uint64_t first_sample,
                                              std::uint64_t sample_count) {
   GLISSADE_EXPECTS(sample_count <= most_at_once);
   if (record != record_ || skipping_ == Skipping::none) turn_to(record);
   roofs_.assign(sample_count, {});
-  if (one_building_) {
+  if (plan_.one_building) {
     for (std::uint64_t i = 0; i < sample_count; ++i)
       roofs_[i] = shared(plan_.samples[first_sample + i].component);
   } else {
@@ -45,7 +25,7 @@ std::span<const SampleRoof> RoofStore::under(std::size_t record, std::uint64_t f
 }
 
 SlipCurve* RoofStore::curve(std::uint64_t sample, std::size_t run) {
-  const bool holds = one_building_ && few_frictions_[run] && skipping_ == Skipping::all &&
+  const bool holds = plan_.one_building && plan_.runs[run].repeats && skipping_ == Skipping::all &&
                      plan_.samples[sample].slope_deg == 0.0 && vertical(1) == nullptr;
   return holds ? &curve_[plan_.samples[sample].component] : nullptr;
 }
@@ -131,8 +111,8 @@ void RoofStore::make(std::uint64_t first_sample, std::span<SampleRoof> roofs) {
   }
   for (std::size_t i = 0; i < roofs.size(); ++i) {
     const double factor = roofs[i].factor_at_unit_level;
-    options[i] = one_building_ ? follow(0, plan_.samples.size(), factor)
-                               : follow(first_sample + i, 1, factor);
+    options[i] = plan_.one_building ? follow(0, plan_.samples.size(), factor)
+                                    : follow(first_sample + i, 1, factor);
   }
   make(first_sample, options, roofs);
 }

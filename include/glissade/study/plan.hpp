@@ -23,6 +23,7 @@ struct FrictionRun {
   std::string label;  ///< "sampled", "design"
   std::string description;
   std::vector<double> friction;  ///< per sample
+  bool repeats = false;          ///< values come again: half of them or fewer are different
 };
 
 /// A study worked out: what would be computed, in which slices, and nothing computed yet. Immutable
@@ -31,6 +32,7 @@ struct Plan {
   StudyConfig config;
   Suite suite;
   std::vector<SamplePoint> samples;
+  bool one_building = false;      ///< all samples have the same period and damping
   std::vector<FrictionRun> runs;  ///< sampled first
   std::vector<double>
       factor_at_unit_level;  ///< per record: factor on the motion at intensity 1; 0 for ppa_g

@@ -63,8 +63,6 @@ class RoofStore {
 
   const Plan& plan_;
   Skipping skipping_;
-  bool one_building_;                ///< all samples have the same period and damping
-  std::vector<bool> few_frictions_;  ///< by run: values repeat from sample to sample
   std::uint64_t roofs_made_ = 0;
 
   std::size_t record_ = static_cast<std::size_t>(-1);
