@@ -71,7 +71,7 @@ std::vector<double> histories_at(const Array3<double>& slip_m, std::size_t first
   std::vector<double> values;
   for (std::size_t i = first; i < last; ++i) {
     for (std::size_t j = 0; j < slip_m.columns; ++j) {
-      if (std::isfinite(slip_m(i, j, level))) values.push_back(slip_m(i, j, level));
+      if (!std::isnan(slip_m(i, j, level))) values.push_back(slip_m(i, j, level));
     }
   }
   return values;
@@ -83,7 +83,9 @@ double percentile(std::vector<double> values, double share) {
   const double position = share * static_cast<double>(values.size() - 1);
   const auto below = static_cast<std::size_t>(position);
   const std::size_t above = std::min(below + 1, values.size() - 1);
-  return values[below] + (position - static_cast<double>(below)) * (values[above] - values[below]);
+  const double between = position - static_cast<double>(below);
+  if (between == 0.0 || std::isinf(values[below])) return values[below];
+  return values[below] + between * (values[above] - values[below]);
 }
 
 }  // namespace glissade

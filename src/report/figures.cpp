@@ -126,7 +126,10 @@ Figure ida_figure(const Results& results, const RunResults& run) {
     const std::vector<double> all = histories_at(slip, 0, slip.rows, l);
     data.row({results.levels.at(l), percentile(all, 0.16), percentile(all, 0.50),
               percentile(all, 0.84)});
-    widest_m = std::max(widest_m, percentile(all, 0.84));
+    for (const double share : {0.50, 0.84}) {
+      const double slip_m = percentile(all, share);
+      if (std::isfinite(slip_m)) widest_m = std::max(widest_m, slip_m);  // infinite: not run
+    }
   }
   data.begin("records", "record_median_m intensity_g");
   for (std::size_t i = 0; i < slip.rows; ++i) {

@@ -88,10 +88,14 @@ Figure slip_vs_sds_figure(const Results& results, const RunResults& run) {
              "sds_g median_m median_low95 median_high95 p84_m p84_low95 p84_high95 p95_m mean_m");
   double top_m = 0.0;
   for (const SlipStatistics& s : run.slip) {
-    data.row({s.level, s.median_m, s.median_interval.low, s.median_interval.high, s.p84_m,
-              s.p84_interval.low, s.p84_interval.high, s.p95_m, s.mean_m});
     for (const double slip : {s.median_m, s.p84_m, s.p95_m, s.mean_m})
       if (std::isfinite(slip)) top_m = std::max(top_m, slip);  // infinite: beyond, and not run
+  }
+  // A band whose upper end is infinite leaves the figure at the top.
+  const auto shown = [&](double limit_m) { return std::isinf(limit_m) ? 10.0 * top_m : limit_m; };
+  for (const SlipStatistics& s : run.slip) {
+    data.row({s.level, s.median_m, shown(s.median_interval.low), shown(s.median_interval.high),
+              s.p84_m, shown(s.p84_interval.low), shown(s.p84_interval.high), s.p95_m, s.mean_m});
   }
   // The prescribed values may leave the figure at the top: slip must stay readable.
   double prescribed_m = 0.0;

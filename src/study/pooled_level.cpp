@@ -3,12 +3,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace glissade {
 namespace {
 
 constexpr std::size_t bins = 512;
+
+// An infinite slip (beyond the largest threshold, not run) has its place among the others, but
+// differences of two have none: resampling takes a number above all that happens for it.
+constexpr double infinity = std::numeric_limits<double>::infinity(), stand_in = 1e100;
+double finite(double value) { return std::isinf(value) ? stand_in : value; }
+double infinite(double value) { return value > 1e-3 * stand_in ? infinity : value; }
 
 double mean_of(const std::vector<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
@@ -39,8 +46,9 @@ double PooledLevel::quantile_m(double probability) const {
   const double position = probability * static_cast<double>(sorted_.size() - 1);
   const std::size_t below = static_cast<std::size_t>(position);
   const std::size_t above = std::min(below + 1, sorted_.size() - 1);
-  return sorted_[below] +
-         (position - static_cast<double>(below)) * (sorted_[above] - sorted_[below]);
+  const double share = position - static_cast<double>(below);
+  return infinite(finite(sorted_[below]) +
+                  share * (finite(sorted_[above]) - finite(sorted_[below])));
 }
 
 double PooledLevel::mean_m() const { return mean_of(record_means_); }
@@ -71,16 +79,17 @@ Interval PooledLevel::quantile_interval(double probability, const BootstrapOptio
             low = middle + 1;
           }
         }
-        return bin_edges_[low];
+        return finite(bin_edges_[low]);
       },
       options);
   // The bins' quantile may lie a rank beside the estimate.
-  interval.low = std::min(interval.low, quantile_m(probability));
-  interval.high = std::max(interval.high, quantile_m(probability));
+  interval.low = std::min(infinite(interval.low), quantile_m(probability));
+  interval.high = std::max(infinite(interval.high), quantile_m(probability));
   return interval;
 }
 
 Interval PooledLevel::mean_interval(const BootstrapOptions& options) const {
+  if (std::isinf(mean_m())) return {};  // none can be told
   return bootstrap_interval(
       record_means_.size(),
       [&](const std::vector<double>& weights) {
