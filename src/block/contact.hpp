@@ -58,6 +58,7 @@ class Contact {
   double normal(Roof r) const { return (g_ + r.w) * cos_ + r.a * sin_; }  ///< N/m; negative: uplift
   double cos_slope() const { return cos_; }
   bool slides_at_rest() const { return gravity_down_ > 0.0; }
+  bool stops_at_rest() const { return gravity_down_ < 0.0; }
 
  private:
   double g_, sin_, cos_, gravity_down_, gravity_up_, inertia_down_, inertia_up_;

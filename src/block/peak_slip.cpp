@@ -66,8 +66,9 @@ class EventKernel {
         lines_(scene.lines(contact_)),
         every_interval_(search == EventSearch::every_interval),
         step_s_(roof.step_s()),
-        last_(contact_.slides_at_rest() ? a_.ground->last_sample()
-                                        : std::max(a_.end, w_ != nullptr ? w_->end : 0)),
+        ends_with_record_(contact_.slides_at_rest() || (!contact_.stops_at_rest() && !a_.rigid())),
+        last_(ends_with_record_ ? a_.ground->last_sample()
+                                : std::max(a_.end, w_ != nullptr ? w_->end : 0)),
         bounds_(a_, w_, lines_, last_),
         body_(contact_, scene.block.directions) {}
 
@@ -78,7 +79,7 @@ class EventKernel {
     }
     const bool lifted_at_end = lines_.lift.at(roof(last_)) > 0.0;
     bool stops = false;
-    if (!contact_.slides_at_rest()) {
+    if (!ends_with_record_) {
       // To zero over one more interval, where the tables do not end at zero.
       const Roof end = turned(roof(last_));
       if (end.a != 0.0 || end.w != 0.0) body_.interval(step_s_, 0.0, end, Roof{});
@@ -234,6 +235,9 @@ class EventKernel {
   Lines lines_;
   bool every_interval_;
   double step_s_;
+  /// Friction never stops it: it is told where it is at the record's last sample. On a rigid roof
+  /// at critical friction nothing moves after that but the block.
+  bool ends_with_record_;
   std::size_t last_;  ///< node
   EventBounds bounds_;
   SlidingBlock<NoHistory> body_;

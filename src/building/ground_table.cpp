@@ -26,7 +26,7 @@ std::size_t without_trailing_zeros(std::span<const double> samples) {
 }  // namespace
 
 GroundTable::GroundTable(double dt_s, std::span<const double> acceleration_mps2, int parts)
-    : step_s_(dt_s / parts), sample_step_s_(dt_s) {
+    : step_s_(dt_s / parts) {
   GLISSADE_EXPECTS(dt_s > 0.0 && parts >= 1 && !acceleration_mps2.empty());
   const std::size_t samples = without_trailing_zeros(acceleration_mps2);
   const auto pieces = static_cast<std::size_t>(parts);

@@ -19,7 +19,7 @@ using building_detail::OscillatorBank;
 using building_detail::padding;
 
 /// With this many nodes a period what the quintic leaves between nodes is below 1e-6 of slip
-/// (tests/unit/study: roof_table_error).
+/// (tests/unit/block/peak_slip_building_test.cpp).
 constexpr double nodes_per_period = 16.0;
 constexpr int most_parts = 256;
 constexpr std::size_t least_nodes = 16;  // whole SIMD vectors, however short the record
@@ -101,7 +101,7 @@ MotionTable tabulate_rigid(std::shared_ptr<GroundTable> ground) {
 }
 
 int parts_needed(const Oscillator& oscillator, double dt_s) {
-  if (oscillator.period_s == 0.0) return 1;
+  if (oscillator.period_s == 0.0) return 0;
   // Beyond critical damping the faster of the two rates counts.
   const double zeta = oscillator.damping_ratio;
   const double rate = zeta > 1.0 ? zeta + std::sqrt(zeta * zeta - 1.0) : 1.0;

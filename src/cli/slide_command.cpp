@@ -170,7 +170,9 @@ void run(const SlideOptions& o) {
     fmt::print(
         "UPLIFT: the normal force falls below zero; the model does not hold for this history.\n");
   if (r.free_sliding)
-    fmt::print("FREE SLIDING: tan(slope) > mu; displacements are those at the record's end.\n");
+    fmt::print(
+        "FREE SLIDING: friction cannot stop the block (tan(slope) >= mu); displacements are those "
+        "at the record's end.\n");
 }
 
 }  // namespace

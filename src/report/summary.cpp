@@ -54,11 +54,17 @@ const SlipStatistics* slip_near_1g(const RunResults& run) {
 }
 
 std::string slip_sentence(const Results& results, const SlipStatistics& slip) {
+  // Infinite: beyond the largest clearance, and not run.
+  const auto length = [&](double slip_m) {
+    return std::isinf(slip_m) ? "more than " + format_length(results.thresholds_m.back())
+                              : format_length(slip_m);
+  };
+  const std::string mean =
+      std::isinf(slip.mean_m) ? "" : ", and " + format_length(slip.mean_m) + " on average";
   return fmt::format(
-      "At {} the slip is {} in the median, {} at the 84th and {} at the 95th percentile, and {} on "
-      "average.",
-      at_intensity(results, slip.level), format_length(slip.median_m), format_length(slip.p84_m),
-      format_length(slip.p95_m), format_length(slip.mean_m));
+      "At {} the slip is {} in the median, {} at the 84th and {} at the 95th percentile{}.",
+      at_intensity(results, slip.level), length(slip.median_m), length(slip.p84_m),
+      length(slip.p95_m), mean);
 }
 
 std::string standard_sentence(const StandardComparison& comparison) {

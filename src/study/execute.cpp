@@ -5,6 +5,7 @@
 #include <bit>
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 namespace glissade {
@@ -17,12 +18,15 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 /// One block on one roof: how far it slips at any intensity.
 class Scene {
  public:
-  Scene(const SampleRoof& roof, const Block& block, int sign, SlipCurve* curve, Skipping skipping)
-      : roof_(roof), block_(block), sign_(sign), curve_(curve), skipping_(skipping) {}
+  /// @param remake makes the roof anew: called before every history where nothing is skipped
+  Scene(const SampleRoof& roof, const Block& block, int sign, SlipCurve* curve,
+        const std::function<void()>& remake)
+      : roof_(roof), block_(block), sign_(sign), curve_(curve), remake_(remake) {}
+  bool skips() const { return remake_ == nullptr; }
 
   /// The peak of the roof's acceleration leaves it in the stick range.
   bool held(double level) const {
-    if (skipping_ == Skipping::none) return false;
+    if (!skips()) return false;
     const double factor = level * roof_.factor_at_unit_level;
     const MotionTable* up = roof_.table.vertical.get();
     return cannot_slip(block_, factor * roof_.table.horizontal->acceleration_bound_mps2,
@@ -53,8 +57,8 @@ class Scene {
  private:
   Slip integrate(double horizontal, double vertical, std::uint64_t& integrated) const {
     ++integrated;
-    const EventSearch search =
-        skipping_ == Skipping::all ? EventSearch::bounds : EventSearch::every_interval;
+    if (!skips()) remake_();
+    const EventSearch search = skips() ? EventSearch::bounds : EventSearch::every_interval;
     const PeakSlip slip = peak_slip(roof_.table, block_, {sign_ * horizontal, vertical}, search);
     return {slip.peak_displacement_m, slip.uplift};
   }
@@ -63,7 +67,7 @@ class Scene {
   Block block_;
   int sign_;
   SlipCurve* curve_;
-  Skipping skipping_;
+  const std::function<void()>& remake_;
 };
 
 /// The lowest level at which the peak displacement reaches the threshold: bracketed on the study's
@@ -99,7 +103,11 @@ void fill(const Plan& plan, const Scene& scene, UnitResult::Run& run, WorkCount&
   for (const double level : levels) {
     Scene::Slip slip;
     if (beyond) {
-      ++count.beyond;
+      if (scene.skips()) {
+        ++count.beyond;
+      } else {
+        scene.at(level, count.integrated, count.from_curve);
+      }
       slip.peak_displacement_m = infinity;
     } else if (scene.held(level)) {
       ++count.held;
@@ -131,17 +139,21 @@ UnitResult execute(const Plan& plan, std::size_t unit_index, RoofStore& roofs) {
   result.unit = unit_index;
   result.runs.resize(plan.runs.size());
   const std::uint64_t roofs_before = roofs.roofs_made();
-  const std::uint64_t at_once = roofs.skipping() == Skipping::all ? RoofStore::most_at_once : 1;
+  const bool skips = roofs.skipping() == Skipping::all;
+  const std::uint64_t at_once = skips ? RoofStore::most_at_once : 1;
   const std::uint64_t end = unit.first_sample + unit.sample_count;
   for (std::uint64_t first = unit.first_sample; first < end; first += at_once) {
-    const auto under = roofs.under(unit.record, first, std::min(at_once, end - first));
+    const auto make = [&] {
+      return roofs.under(unit.record, first, std::min(at_once, end - first));
+    };
+    const auto under = make();
+    const std::function<void()> remake = skips ? std::function<void()>() : [&] { make(); };
     for (std::size_t i = 0; i < under.size(); ++i) {
       const SamplePoint& sample = plan.samples[first + i];
       for (std::size_t r = 0; r < plan.runs.size(); ++r) {
         const Block block{.friction = plan.runs[r].friction[first + i],
                           .slope_rad = sample.slope_deg * rad_per_deg};
-        const Scene scene(under[i], block, sample.sign, roofs.curve(first + i, r),
-                          roofs.skipping());
+        const Scene scene(under[i], block, sample.sign, roofs.curve(first + i, r), remake);
         fill(plan, scene, result.runs[r], result.count);
       }
     }

@@ -287,11 +287,14 @@ std::vector<std::string> notes_on_uplift(const Results& results) {
     notes.push_back(fmt::format(
         "UPLIFT, {} friction: {} of {} records ({}{}) lift the array off its roof in some "
         "histories, from {} = {:.3g} g "
-        "on; at the highest level {:.1f} % of all histories do. Lift-off is outside the model: "
+        "on; at the highest level {} of all histories do. Lift-off is outside the model: "
         "slip and fragility there "
         "rest on a block without friction while lifted (share by level: tables/slip.csv)",
         run.label, records, run.uplift.rows, names, records > 8 ? ", ..." : "", measure,
-        results.levels[first_level], 100.0 * run.slip.back().uplift_share));
+        results.levels[first_level],
+        run.slip.back().uplift_share < 5e-4
+            ? "fewer than 0.1 %"
+            : fmt::format("{:.1f} %", 100.0 * run.slip.back().uplift_share)));
   }
   return notes;
 }
@@ -359,10 +362,10 @@ std::vector<Skip> skipped(const Plan& plan, const WorkCount& count) {
   };
   add("histories whose roof peak stays in the stick range",
       "they cannot slip: zero without integration", count.held);
-  add("roof motions",
+  const std::uint64_t integrated = count.integrated + count.searched;
+  add("roof motions, beside those made",
       "one serves every intensity, friction and slope on its record, period and damping",
-      count.integrated + count.searched + count.from_curve -
-          std::min(count.roofs, count.integrated));
+      integrated - std::min(count.roofs, integrated));
   add("histories on a flat roof without vertical",
       "their point of the record's curve slip / lambda = F(mu / lambda) was known",
       count.from_curve);

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "glissade/core/contract.hpp"
+#include "glissade/motion/intensity.hpp"
 #include "glissade/study/scene.hpp"
 
 namespace glissade {
@@ -62,11 +63,16 @@ std::shared_ptr<MotionTable> RoofStore::vertical(int parts) {
   const auto up = std::make_shared<GroundTable>(
       motion.dt_s, there ? motion.vertical_mps2 : std::vector<double>{0.0}, parts);
   const Oscillator oscillator{config.period_s, config.damping};
-  if (!there || parts_needed(oscillator, motion.dt_s) == 0 || oscillator.period_s == 0.0) {
+  if (!there || parts_needed(oscillator, motion.dt_s) == 0) {
     table = std::make_shared<MotionTable>(tabulate_rigid(up));
   } else {
-    RoofMotionOptions options =
-        follow(0, plan_.samples.size(), plan_.factor_at_unit_level[record_]);
+    // By ppa_g the factor is each roof's own: one that a roof of a fiftieth of the ground's peak
+    // has, which only follows the vertical longer.
+    const double pga = horizontal_pga_mps2(motion, HorizontalCombination::geometric_mean);
+    const double factor = plan_.config.intensity.measure == IntensityMeasure::ppa_g
+                              ? 50.0 * standard_gravity_mps2 / pga
+                              : plan_.factor_at_unit_level[record_];
+    RoofMotionOptions options = follow(0, plan_.samples.size(), factor);
     options.quiet_horizontal_mps2 = options.quiet_vertical_mps2;
     table = std::make_shared<MotionTable>();
     tabulate_responses(up, {&oscillator, 1}, {&options, 1}, {table.get(), 1});
@@ -137,7 +143,7 @@ void RoofStore::make(std::uint64_t first_sample, std::span<const RoofMotionOptio
     const Oscillator oscillator{sample.period_s, sample.damping};
     const int parts = parts_needed(oscillator, dt), used = std::max({1, parts, up_parts});
     ++roofs_made_;
-    if (sample.period_s == 0.0 || parts == 0) {
+    if (parts == 0) {
       roofs[i].table = stand_on(
           std::make_shared<MotionTable>(tabulate_rigid(ground(sample.component, used))), used);
       continue;

@@ -52,6 +52,10 @@ RoofTimes roof_times() {
   times.filter_ns = per_node_and_oscillator_ns([&] {
     building_detail::advance(bank, ground->acceleration_mps2(), 0, samples - 1, x.data(), y.data());
   });
+  const std::vector<double> record = test::made_up_record(samples, 3, 4.0);
+  times.ground_ns = static_cast<double>(bank_size) * per_node_and_oscillator_ns([&] {
+                      tabulate_rigid(std::make_shared<GroundTable>(0.005, record));
+                    });
   return times;
 }
 

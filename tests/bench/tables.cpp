@@ -117,6 +117,7 @@ Table roof_table(const RoofTimes& times) {
   table.add({"filter: a, V and U at the nodes", times.filter_ns});
   table.add({"bounds for the search", times.bounds_ns});
   table.add({"tabulate_responses(), whole", times.whole_ns});
+  table.add({"the ground itself, once a record, by sample", times.ground_ns});
   return table;
 }
 

@@ -42,8 +42,8 @@ struct SlipResult {
   std::size_t slip_phases = 0;           ///< runs of sliding one way
   bool uplift = false;  ///< the normal force fell below zero: outside the model; friction is then
                         ///< taken as zero
-  bool free_sliding =
-      false;  ///< tan(slope) > mu: never stops; displacements are those at the last sample
+  bool free_sliding = false;  ///< friction cannot stop it: tan(slope) > mu, or equal and on its
+                              ///< way; displacements are those at the last sample
 };
 
 /// The sliding block from rest, event by event. Within a sample interval the acceleration is

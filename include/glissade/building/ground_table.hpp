@@ -28,7 +28,6 @@ class GroundTable {
   GroundTable(double dt_s, std::span<const double> acceleration_mps2, int parts = 1);
 
   double step_s() const { return step_s_; }
-  double sample_step_s() const { return sample_step_s_; }
   /// The node of the last sample given, zeros included: where a free slider is read off.
   std::size_t last_sample() const { return last_sample_; }
   /// The first node from which on the ground stays at zero acceleration.
@@ -44,7 +43,7 @@ class GroundTable {
   std::span<const double> velocity_mps() const { return velocity_mps_; }
 
  private:
-  double step_s_, sample_step_s_;
+  double step_s_;
   std::size_t last_sample_ = 0, quiet_from_ = 0;
   double peak_acceleration_mps2_ = 0.0;
   double velocity_low_mps_ = 0.0;  ///< what velocity_mps of the last node leaves out

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <limits>
 #include <memory>
 #include <span>
 #include <vector>
@@ -102,13 +101,13 @@ struct MotionTable {
 MotionTable tabulate_rigid(std::shared_ptr<GroundTable> ground);
 
 /// Into how many parts a sample interval must be cut for an oscillator of this period: a power of
-/// two, one for all but the shortest periods. 0: not even the finest cut does, and the oscillator
-/// passes the ground's motion on unchanged for all that the record can tell.
+/// two up to 256, one for all but the shortest periods. 0: it is rigid, or so short a period that
+/// it passes the ground's motion on unchanged for all that the record can tell.
 int parts_needed(const Oscillator& oscillator, double dt_s);
 
 /// Responses of oscillators (period > 0) to one ground motion, followed as `follow` says, each into
-/// its own table, whose memory is used again. As many oscillators at once as there are: they go
-/// side by side through the SIMD lanes. At most 1 ns a node and oscillator on one core of 2024.
+/// its own table, whose memory is used again. Sixteen at a time go side by side through the SIMD
+/// lanes; what it costs is in tests/bench (table `roofs`).
 /// @param follow as many as oscillators
 void tabulate_responses(const std::shared_ptr<GroundTable>& ground,
                         std::span<const Oscillator> oscillators,

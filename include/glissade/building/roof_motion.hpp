@@ -47,7 +47,7 @@ struct RoofMotionOptions {
   double quiet_horizontal_mps2 = 0.0;
   double quiet_vertical_mps2 = 0.0;
   /// > 0: a block that is still sliding then, and loses speed at this rate, is followed until it
-  /// has stopped, or until the roof moves with less than 1 % of the quiet accelerations.
+  /// has stopped, or until the roof moves with less than 1e-4 of the quiet accelerations.
   double settle_deceleration_mps2 = 0.0;
   /// An undamped building never rings down: it is followed for this long.
   double longest_ring_down_s = 120.0;
