@@ -8,7 +8,7 @@ namespace glissade::verification {
 Chapter sliding_block(
     const Folders& folders);  ///< exact solutions, closed forms, physical checks, invariants
 Chapter published_scheme(
-    const Folders& folders);  ///< Rodriguez-Nikl's scheme converging to the exact solution
+    const Folders& folders);      ///< Rodriguez-Nikl's scheme converging to the exact solution
 Chapter closed_form_solutions();  ///< pulses and harmonics, the block and the roof below it
 Chapter event_kernel(const Folders& folders);  ///< the tabulated event search
 Chapter buildings(const Folders& folders);

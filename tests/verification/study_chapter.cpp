@@ -52,9 +52,9 @@ Case fixed_everything(const Suite& suite) {
     const double factor = results.levels[j] * (standard_gravity_mps2 / pga);
     const SlipResult direct = slide({m.dt_s, m.horizontal_mps2[0], m.vertical_mps2, factor, factor},
                                     {.friction = 0.4, .slope_rad = 2.39 * rad_per_deg});
-    worst = worse(worst, std::abs(results.runs[0].peak_displacement_m(0, 0, j) -
-                                  direct.peak_displacement_m) /
-                             (direct.peak_displacement_m + 1e-6));
+    worst = worse(
+        worst, std::abs(results.runs[0].peak_displacement_m(0, 0, j) - direct.peak_displacement_m) /
+                   (direct.peak_displacement_m + 1e-6));
   }
   return limit({"one motion, rigid building, everything fixed, 16 levels", "peak slip",
                 "slide() on the scaled motion: the scalar reference beside the kernel"},
