@@ -41,9 +41,8 @@ RoofTable tabulate_roof(const GroundMotion& ground, const Building& building,
   const auto along =
       tabulate(building.horizontal, ground.dt_s, ground.horizontal_mps2, parts, follow);
   if (!both) return {along, nullptr};
-  RoofMotionOptions follow_up = follow;
-  follow_up.quiet_horizontal_mps2 = follow.quiet_vertical_mps2;
-  const auto up = tabulate(building.vertical, ground.dt_s, ground.vertical_mps2, parts, follow_up);
+  const auto up =
+      tabulate(building.vertical, ground.dt_s, ground.vertical_mps2, parts, for_vertical(follow));
   extend(*along, up->nodes);
   extend(*up, along->nodes);
   return {along, up};

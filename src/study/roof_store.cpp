@@ -72,8 +72,7 @@ std::shared_ptr<MotionTable> RoofStore::vertical(int parts) {
     const double factor = plan_.config.intensity.measure == IntensityMeasure::ppa_g
                               ? 50.0 * standard_gravity_mps2 / pga
                               : plan_.factor_at_unit_level[record_];
-    RoofMotionOptions options = follow(0, plan_.samples.size(), factor);
-    options.quiet_horizontal_mps2 = options.quiet_vertical_mps2;
+    const RoofMotionOptions options = for_vertical(follow(0, plan_.samples.size(), factor));
     table = std::make_shared<MotionTable>();
     tabulate_responses(up, {&oscillator, 1}, {&options, 1}, {table.get(), 1});
   }

@@ -146,7 +146,7 @@ void draw_fragility(const FragilityError& measured, const std::filesystem::path&
       label(sobol ? "scrambled Sobol" : "plain Monte Carlo", curve.size() / 2,
             sobol ? "right offset -2,-1" : "offset 0,2.2");
       label(std::to_string(1L << curve[last].first->log2_samples), last,
-            "offset 0.8,0.3 font ',11'");
+            "right offset -0.8,-0.6 font ',11'");  // left of the point: it is at the figure's edge
       if (!sobol)
         label(std::to_string(1L << curve[0].first->log2_samples) + " samples", 0,
               "offset 1,1 font ',11'");

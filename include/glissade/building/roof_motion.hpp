@@ -57,6 +57,13 @@ struct RoofMotionOptions {
   int steps_per_period = 1000;
 };
 
+/// The same for a vertical tabulated by itself: its quiet acceleration stands where a single
+/// component's is read, quiet_horizontal_mps2.
+inline RoofMotionOptions for_vertical(RoofMotionOptions follow) {
+  follow.quiet_horizontal_mps2 = follow.quiet_vertical_mps2;
+  return follow;
+}
+
 /// Roof motion of the building, exact at its samples (core/oscillator.hpp): for a history to be
 /// walked through sample by sample, and the reference beside motion_table.hpp.
 RoofMotion roof_motion(const GroundMotion& ground, const Building& building,
