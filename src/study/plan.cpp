@@ -51,6 +51,7 @@ std::vector<SamplePoint> draw_samples(const StudyConfig& config) {
         s.component = 1;
         break;
       case ComponentChoice::random:
+      case ComponentChoice::both:
         s.component = coin(component_dimension) ? 0 : 1;
         break;
     }
@@ -62,6 +63,7 @@ std::vector<SamplePoint> draw_samples(const StudyConfig& config) {
         s.sign = -1;
         break;
       case SignChoice::random:
+      case SignChoice::both:
         s.sign = coin(sign_dimension) ? 1 : -1;
         break;
     }

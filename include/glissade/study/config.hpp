@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "glissade/block/tipping.hpp"
 #include "glissade/motion/design_spectrum.hpp"
 #include "glissade/sampling/distribution.hpp"
 #include "glissade/sampling/point_set.hpp"
@@ -50,8 +51,8 @@ struct FrictionConfig {
   bool design_run = true;        ///< also run with mu = mean - 2 std (skipped where std = 0)
 };
 
-enum class ComponentChoice { first, second, random };
-enum class SignChoice { positive, negative, random };
+enum class ComponentChoice { first, second, random, both };  ///< `random` by sample; `both`: charts
+enum class SignChoice { positive, negative, random, both };  ///< likewise
 struct OrientationConfig {
   ComponentChoice component = ComponentChoice::random;  ///< which horizontal acts along the slope
   SignChoice sign = SignChoice::random;
@@ -77,6 +78,25 @@ struct StandardsConfig {
   double importance = 1.0;
 };
 
+/// A number to be read off a chart.
+struct ChartQuestion {
+  double level = 0.0, slope_deg = 0.0;   ///< within the chart's axes
+  std::optional<double> mu;              ///< asks for the displacement
+  std::optional<double> displacement_m;  ///< asks for the friction needed to keep slip within it
+};
+
+/// A design chart: every combination of slope, friction, building period and level is run, in every
+/// orientation, in place of random samples.
+struct ChartConfig {
+  std::vector<double> slope_deg;  ///< two or more, strictly increasing; a negative slope counts for
+                                  ///< its mirror image
+  std::vector<double> mu;         ///< two or more, strictly increasing, >= 0
+  std::vector<double> period_s;   ///< one or more, strictly increasing; 0: rigid
+  double shown_slope_deg = 0.0, shown_mu = 0.0, shown_level = 0.0;  ///< on the axes: where figures
+                                                                    ///< cut through the chart
+  std::vector<ChartQuestion> questions;
+};
+
 /// A study as its file tells it: checked, defaults filled in, nothing read or run yet.
 struct StudyConfig {
   std::string name;
@@ -85,6 +105,7 @@ struct StudyConfig {
   std::filesystem::path file;        ///< the study file
   std::string source_text;           ///< the study file, verbatim
   std::filesystem::path suite_file;  ///< resolved against the study file's folder
+  std::vector<std::string> records;  ///< ids of the suite's records to run; empty: all
   IntensityConfig intensity;
   BuildingConfig building;
   RoofConfig roof;
@@ -97,6 +118,9 @@ struct StudyConfig {
   /// is told as infinite.
   bool stop_at_largest_threshold = false;
   StandardsConfig standards;
+  std::optional<RigidBase> base;     ///< of the array: asks for the tipping check
+  std::optional<ChartConfig> chart;  ///< then friction, slope and period are its axes, and there
+                                     ///< are no samples and no thresholds
 };
 
 /// Axis label of the intensity measure with its unit: "S_DS (g)", "Sa(1 s) (g)" ...

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -57,6 +59,7 @@ struct SlipStatistics {
   double median_m = 0.0, p84_m = 0.0, p95_m = 0.0, mean_m = 0.0;
   Interval mean_interval, median_interval, p84_interval;  ///< 95 %, bootstrap over records
   double uplift_share = 0.0;
+  double tip_share = std::numeric_limits<double>::quiet_NaN();  ///< NaN: not asked for
 };
 
 /// A prescriptive value beside what came out at one S_DS.
@@ -74,11 +77,60 @@ struct RunResults {
   std::string friction_description;    ///< "normal, mean 0.55, std 0.04", "mean - 2 std = 0.47"
   Array3<double> peak_displacement_m;  ///< (record, sample, level)
   Array3<std::uint8_t> uplift;         ///< (record, sample, level), 0 or 1
+  Array3<std::uint8_t> tips;           ///< likewise; empty where the tipping check is not asked for
   Array3<double> capacity;  ///< (record, sample, threshold); +inf: not reached; 0: slides freely
   std::vector<ThresholdFragility> fragilities;  ///< by threshold
   std::vector<double> band_intensities;
   std::vector<SlipStatistics> slip;           ///< by level
   std::vector<StandardComparison> standards;  ///< by (standard, level); empty unless sds_g
+};
+
+/// How far an array slides at one point of a chart, over the suite's records, in plan. A record
+/// counts once, with the largest of its orientations.
+struct ChartSlip {
+  double mean_m = 0.0, p84_m = 0.0, p95_m = 0.0;  ///< percentiles by Hyndman & Fan (1996) type 7
+  double envelope_m = 0.0;                        ///< the largest record
+};
+
+/// A chart at one level, slope and friction. Where friction cannot stop the array (tan(slope) >=
+/// mu) every slip is +inf.
+struct ChartPoint {
+  double level = 0.0, slope_deg = 0.0, mu = 0.0;
+  bool free_sliding = false;
+  ChartSlip largest;                ///< over the building periods, each number by itself
+  Interval mean_interval;           ///< 95 % of largest.mean_m, bootstrap over records
+  double governing_period_s = 0.0;  ///< where the mean is largest
+  double clearance_m = 0.0;         ///< 1.1 x largest mean, as Walters et al. (2012) recommend
+  double uplift_share = 0.0;        ///< of the histories at this point
+  double tip_share = std::numeric_limits<double>::quiet_NaN();  ///< likewise; NaN: not asked for
+  std::vector<ChartSlip> by_period;
+};
+
+/// What was read off a chart by linear interpolation in slope and friction: displacements in
+/// metres, or coefficients of friction (+inf: more than the chart's largest).
+struct ChartReading {
+  ChartQuestion question;
+  double mean = 0.0, clearance = 0.0, p84 = 0.0, p95 = 0.0, envelope = 0.0;
+};
+
+/// A prescriptive value at one level of a chart.
+struct ChartPrescription {
+  Standard standard = Standard::seaoc_pv1_2012;
+  double sds_g = 0.0;
+  Prescription prescribed;
+};
+
+/// A design chart: slip over slope and friction at every level, for a range of building periods.
+struct Chart {
+  std::vector<double> slope_deg, mu, period_s;  ///< slopes are >= 0
+  double shown_slope_deg = 0.0, shown_mu = 0.0, shown_level = 0.0;
+  std::vector<ChartPoint> points;  ///< by (level, slope, mu), mu fastest
+  std::vector<ChartReading> readings;
+  std::vector<ChartPrescription> standards;  ///< by (standard, level); empty unless sds_g
+
+  const ChartPoint& at(std::size_t level, std::size_t slope, std::size_t friction) const {
+    return points[(level * slope_deg.size() + slope) * mu.size() + friction];
+  }
 };
 
 struct RecordSummary {
@@ -114,7 +166,9 @@ struct Results {
   std::vector<SamplePoint> samples;
   std::vector<RecordSummary> records;
   SuiteSpectra spectra;
-  std::vector<RunResults> runs;  ///< "sampled" first, then "design" if there is one
+  std::vector<RunResults> runs;  ///< "sampled" first, then "design" if there is one; of a chart
+                                 ///< "chart" alone, without fragilities, slip and standards
+  std::optional<Chart> chart;    ///< of a study with [chart]: samples are then its grid
   std::vector<std::string>
       notes;  ///< "5 of 22 records have no vertical: run with horizontals only"
 };
