@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstddef>
 
 #include "glissade/block/slide.hpp"
 
@@ -63,5 +64,16 @@ class Contact {
  private:
   double g_, sin_, cos_, gravity_down_, gravity_up_, inertia_down_, inertia_up_;
 };
+
+/// The number of samples up to the last that is not zero, at least one: padding changes nothing, to
+/// the last bit.
+inline std::size_t without_trailing_zeros(const RoofAcceleration& roof) {
+  std::size_t n = roof.horizontal_mps2.size();
+  while (n > 1 && roof.horizontal_mps2[n - 1] == 0.0 &&
+         (roof.vertical_mps2.empty() || roof.vertical_mps2[n - 1] == 0.0)) {
+    --n;
+  }
+  return n;
+}
 
 }  // namespace glissade::block_detail

@@ -117,7 +117,8 @@ SlipResult slide_rodriguez_nikl(const RoofAcceleration& roof, const Block& block
   const bool slides_at_rest = std::tan(slope) > block.friction;
   // The end of the record, as slide(): a free slider ends at the last sample; others after one more
   // interval to zero.
-  const std::size_t intervals = roof.horizontal_mps2.size() - (slides_at_rest ? 1 : 0);
+  const std::size_t intervals =
+      slides_at_rest ? roof.horizontal_mps2.size() - 1 : block_detail::without_trailing_zeros(roof);
   const double dt = roof.dt_s / substeps;
 
   SteppedBlock body(block, slope);

@@ -17,16 +17,7 @@ using block_detail::Drive;
 using block_detail::NoHistory;
 using block_detail::Roof;
 using block_detail::SlidingBlock;
-
-/// The number of samples up to the last that is not zero, at least one.
-std::size_t without_trailing_zeros(const RoofAcceleration& roof) {
-  std::size_t n = roof.horizontal_mps2.size();
-  while (n > 1 && roof.horizontal_mps2[n - 1] == 0.0 &&
-         (roof.vertical_mps2.empty() || roof.vertical_mps2[n - 1] == 0.0)) {
-    --n;
-  }
-  return n;
-}
+using block_detail::without_trailing_zeros;
 
 template <class History>
 SlipResult slide_with(const RoofAcceleration& roof, const Block& block, History history) {
@@ -52,8 +43,7 @@ SlipResult slide_with(const RoofAcceleration& roof, const Block& block, History 
 
   SlidingBlock<History> body(contact, block.directions, history);
   std::size_t n = roof.horizontal_mps2.size();
-  if (!contact.slides_at_rest())
-    n = without_trailing_zeros(roof);  // padding changes nothing, to the last bit
+  if (!contact.slides_at_rest()) n = without_trailing_zeros(roof);
   Roof now = sample(0);
   bool rested = may_rest(now);
   for (std::size_t i = 1; i < n; ++i) {

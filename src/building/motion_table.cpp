@@ -130,22 +130,27 @@ void tabulate_responses(const std::shared_ptr<GroundTable>& ground,
 
 namespace {
 
-/// Raises `peak` to the largest |quartic|, looking closer only where the hull leaves room.
-void raise_to_peak(const Quartic& q, double& peak) {
-  peak = std::max({peak, std::abs(q.b[0]), std::abs(q.b[4])});
+/// Raises `peak` to the largest size(quartic), looking closer only where the hull leaves room.
+template <class Size>
+void raise_to_peak(const Quartic& q, double& peak, Size size) {
+  peak = std::max({peak, size(q.b[0]), size(q.b[4])});
   double hull = 0.0;
-  for (const double b : q.b) hull = std::max(hull, std::abs(b));
+  for (const double b : q.b) hull = std::max(hull, size(b));
   if (hull <= peak * (1.0 + 1e-12)) return;
   Quartic left, right = q;
   for (int level = 0; level < 5; ++level) {  // de Casteljau, in the middle
     left.b[level] = right.b[0];
     for (int k = 0; k < 4 - level; ++k) right.b[k] = 0.5 * (right.b[k] + right.b[k + 1]);
   }
-  raise_to_peak(left, peak);
-  raise_to_peak(right, peak);
+  raise_to_peak(left, peak, size);
+  raise_to_peak(right, peak, size);
 }
 
 }  // namespace
+
+void raise_to_largest(const Quartic& q, double& largest) {
+  raise_to_peak(q, largest, [](double value) { return value; });
+}
 
 double peak_acceleration_mps2(const MotionTable& table) {
   const MotionNodes at = table.at_nodes();
@@ -153,7 +158,8 @@ double peak_acceleration_mps2(const MotionTable& table) {
   for (std::size_t i = 0; i <= table.end; ++i)
     peak = std::max(peak, std::abs(at.acceleration_mps2(i)));
   if (table.rigid()) return peak;
-  for (std::size_t i = 0; i < table.end; ++i) raise_to_peak(at.acceleration_after(i), peak);
+  for (std::size_t i = 0; i < table.end; ++i)
+    raise_to_peak(at.acceleration_after(i), peak, [](double a) { return std::abs(a); });
   return peak;
 }
 

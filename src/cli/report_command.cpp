@@ -5,12 +5,34 @@
 #include <filesystem>
 
 #include "commands.hpp"
+#include "glissade/io/convergence_file.hpp"
 #include "glissade/io/results_file.hpp"
+#include "glissade/report/convergence_report.hpp"
 #include "glissade/report/summary.hpp"
 #include "glissade/report/write_report.hpp"
 #include "run_record.hpp"
 
 namespace glissade::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The report of any kind of results; its summary.
+std::string report_again(const fs::path& file, const fs::path& out) {
+  const fs::path run_json = file.parent_path() / "run.json";
+  if (is_convergence_results(file)) {
+    const ConvergenceResults results = read_convergence(file);
+    const std::optional<ConvergenceTimes> times = times_in(run_json, results);
+    write_convergence_report(results, times, out);
+    return convergence_summary(results, times);
+  }
+  const Results results = read_results(file);
+  const std::vector<Skip> skips = skips_in(run_json);
+  write_report(results, out, skips);
+  return summary_text(results, skips);
+}
+
+}  // namespace
 
 void add_report(CLI::App& program) {
   struct ReportOptions {
@@ -22,13 +44,10 @@ void add_report(CLI::App& program) {
   command->add_option("results", o->results, "results.h5 of a run")->required();
   command->add_option("--out", o->out, "folder for the report [the results file's own]");
   command->callback([o] {
-    const Results results = read_results(o->results);
-    const std::filesystem::path file(o->results);
-    const std::filesystem::path out =
-        o->out.empty() ? file.parent_path() : std::filesystem::path(o->out);
-    const std::vector<Skip> skips = skips_in(file.parent_path() / "run.json");
-    write_report(results, out.empty() ? "." : out, skips);
-    fmt::print("{}\nReport   {}\n", summary_text(results, skips), (out / "report.html").string());
+    const fs::path file(o->results);
+    const fs::path folder = o->out.empty() ? file.parent_path() : fs::path(o->out);
+    const fs::path out = folder.empty() ? fs::path(".") : folder;
+    fmt::print("{}\nReport   {}\n", report_again(file, out), (out / "report.html").string());
   });
 }
 

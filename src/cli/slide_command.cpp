@@ -4,12 +4,14 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <optional>
 
 #include "commands.hpp"
 #include "glissade/block/rodriguez_nikl.hpp"
 #include "glissade/block/slide.hpp"
+#include "glissade/block/tipping.hpp"
 #include "glissade/core/error.hpp"
 #include "glissade/core/file.hpp"
 #include "glissade/io/csv.hpp"
@@ -24,7 +26,7 @@ namespace {
 struct SlideOptions {
   std::string record, vertical, second, units, method = "event", history;
   double mu = 0.0, slope_deg = 0.0, period_s = 0.0, damping = 0.05, mass_ratio = 0.0;
-  std::optional<double> scale, pga_g, dt_s;
+  std::optional<double> scale, pga_g, dt_s, cm_height_m, base_width_m;
   int substeps = 64;
   bool one_way = false, json = false;
 };
@@ -44,6 +46,16 @@ void check(const SlideOptions& o) {
   if (o.scale) require(*o.scale > 0.0, "--scale", *o.scale, "must be > 0");
   if (o.pga_g) require(*o.pga_g > 0.0, "--pga-g", *o.pga_g, "must be > 0");
   if (o.dt_s) require(*o.dt_s > 0.0, "--dt-s", *o.dt_s, "must be > 0");
+  if (o.cm_height_m)
+    require(*o.cm_height_m > 0.0, "--centre-of-mass-height-m", *o.cm_height_m, "must be > 0");
+  if (o.base_width_m)
+    require(*o.base_width_m > 0.0, "--base-width-m", *o.base_width_m, "must be > 0");
+  if (o.cm_height_m.has_value() != o.base_width_m.has_value()) {
+    problems.add({o.cm_height_m ? "--centre-of-mass-height-m" : "--base-width-m",
+                  "is one half of what the tipping check needs",
+                  o.cm_height_m ? "give --base-width-m too" : "give --centre-of-mass-height-m too",
+                  ""});
+  }
   require(o.substeps >= 1, "--substeps", o.substeps, "must be at least 1");
   if (o.method != "event" && o.method != "rodriguez-nikl") {
     problems.add({"--method", o.method + " is not a method", "give event or rodriguez-nikl", ""});
@@ -77,6 +89,37 @@ Motion read_motion(const SlideOptions& o) {
   std::optional<TimedRecord> vertical;
   if (!o.vertical.empty()) vertical = TimedRecord{read_record(o.vertical, file), 0.0};
   return assemble_motion({}, horizontal, std::nullopt, vertical);
+}
+
+/// The factor on the record at which the body begins to rock on its base; infinity: never.
+double tipping_scale(const GroundMotion& ground, const Building& building, const Block& block,
+                     const RigidBase& base, double scale) {
+  const Block rocking = rocking_block(block, base);
+  if (block.friction <= rocking.friction) return std::numeric_limits<double>::infinity();
+  const auto followed_up_to = [&](double largest_scale) {
+    const RoofMotion roof =
+        roof_motion(ground, building, follow_roof({&rocking, 1}, largest_scale));
+    return tipping_onset_factor(
+        RoofAcceleration{roof.dt_s, roof.horizontal_mps2, roof.vertical_mps2}, block, base);
+  };
+  // At a larger scale than the roof was followed for, its ring-down may be what tips first.
+  const double found = followed_up_to(scale);
+  return found > scale && std::isfinite(found) ? followed_up_to(found) : found;
+}
+
+std::string tipping_text(const Block& block, const RigidBase& base, double tipping_scale,
+                         double scale, double pga_g) {
+  const double most = rocking_block(block, base).friction;
+  if (block.friction <= most) {
+    return fmt::format(
+        "  cannot tip: friction lets it slide first (mu <= width / (2 height) = {:.4g})", most);
+  }
+  if (!std::isfinite(tipping_scale)) return "  tips       at no scale";
+  const std::string onset =
+      fmt::format("a scale of {:.4g} (PGA {:.4g} g)", tipping_scale, pga_g / scale * tipping_scale);
+  if (scale <= tipping_scale) return "  tips       not before " + onset;
+  return "TIPPING: from " + onset +
+         " on the body rocks on its base; the model does not hold for this history.";
 }
 
 std::string history_csv(const RoofAcceleration& roof, const std::vector<SlipPoint>& history) {
@@ -114,9 +157,9 @@ void run(const SlideOptions& o) {
       .friction = o.mu,
       .slope_rad = o.slope_deg * rad_per_deg,
       .directions = o.one_way ? SlipDirections::downslope_only : SlipDirections::both};
-  const RoofMotion roof_table =
-      roof_motion({motion.dt_s, motion.horizontal_mps2[0], motion.vertical_mps2},
-                  {{o.period_s, o.damping}, {}}, follow_roof({&block, 1}, factor));
+  const GroundMotion ground{motion.dt_s, motion.horizontal_mps2[0], motion.vertical_mps2};
+  const Building building{{o.period_s, o.damping}, {}};
+  const RoofMotion roof_table = roof_motion(ground, building, follow_roof({&block, 1}, factor));
   const RoofAcceleration roof = felt_by(block, roof_table, {factor, factor});
 
   std::vector<SlipPoint> history;
@@ -129,29 +172,37 @@ void run(const SlideOptions& o) {
   }
   if (!o.history.empty()) write_text_file(o.history, history_csv(roof, history));
 
+  std::optional<RigidBase> base;
+  if (o.cm_height_m) base = {*o.cm_height_m, *o.base_width_m};
+  const double tips_at = base ? tipping_scale(ground, building, block, *base, factor) : 0.0;
+
   const double pga_g = factor * pga / standard_gravity_mps2;
   const double ppa_g = factor * roof_table.peak_horizontal_mps2 / standard_gravity_mps2;
   if (o.json) {
-    const nlohmann::ordered_json json{{"peak_displacement_m", r.peak_displacement_m},
-                                      {"residual_displacement_m", r.residual_displacement_m},
-                                      {"peak_downslope_m", r.peak_downslope_m},
-                                      {"peak_upslope_m", r.peak_upslope_m},
-                                      {"peak_velocity_mps", r.peak_velocity_mps},
-                                      {"slip_phases", r.slip_phases},
-                                      {"slip_duration_s", r.slip_duration_s},
-                                      {"uplift", r.uplift},
-                                      {"free_sliding", r.free_sliding},
-                                      {"samples", motion.horizontal_mps2[0].size()},
-                                      {"dt_s", motion.dt_s},
-                                      {"pga_g", pga_g},
-                                      {"ppa_g", ppa_g},
-                                      {"scale", factor},
-                                      {"mu", o.mu},
-                                      {"slope_deg", o.slope_deg},
-                                      {"period_s", o.period_s},
-                                      {"damping", o.damping},
-                                      {"vertical", !motion.vertical_mps2.empty()},
-                                      {"method", o.method}};
+    nlohmann::ordered_json json{{"peak_displacement_m", r.peak_displacement_m},
+                                {"residual_displacement_m", r.residual_displacement_m},
+                                {"peak_downslope_m", r.peak_downslope_m},
+                                {"peak_upslope_m", r.peak_upslope_m},
+                                {"peak_velocity_mps", r.peak_velocity_mps},
+                                {"slip_phases", r.slip_phases},
+                                {"slip_duration_s", r.slip_duration_s},
+                                {"uplift", r.uplift},
+                                {"free_sliding", r.free_sliding},
+                                {"samples", motion.horizontal_mps2[0].size()},
+                                {"dt_s", motion.dt_s},
+                                {"pga_g", pga_g},
+                                {"ppa_g", ppa_g},
+                                {"scale", factor},
+                                {"mu", o.mu},
+                                {"slope_deg", o.slope_deg},
+                                {"period_s", o.period_s},
+                                {"damping", o.damping},
+                                {"vertical", !motion.vertical_mps2.empty()},
+                                {"method", o.method}};
+    if (base) {
+      json["tips"] = factor > tips_at;
+      json["tipping_scale"] = std::isfinite(tips_at) ? nlohmann::ordered_json(tips_at) : nullptr;
+    }
     fmt::print("{}\n", json.dump(2));
     return;
   }
@@ -166,6 +217,7 @@ void run(const SlideOptions& o) {
              r.peak_upslope_m);
   fmt::print("  velocity   {:10.4f} m/s\n", r.peak_velocity_mps);
   fmt::print("  slides     {:10.4f} s in {} phases\n", r.slip_duration_s, r.slip_phases);
+  if (base) fmt::print("{}\n", tipping_text(block, *base, tips_at, factor, pga_g));
   if (r.uplift)
     fmt::print(
         "UPLIFT: the normal force falls below zero; the model does not hold for this history.\n");
@@ -198,6 +250,10 @@ void add_slide(CLI::App& program) {
   command->add_option("--damping", o->damping, "building damping ratio");
   command->add_option("--mass-ratio", o->mass_ratio,
                       "array mass over building mass (coupled model)");
+  command->add_option("--centre-of-mass-height-m", o->cm_height_m,
+                      "height of the centre of mass above the roof: checks for tipping");
+  command->add_option("--base-width-m", o->base_width_m,
+                      "width of the base along the slope, the centre of mass midway");
   command->add_option("--method", o->method,
                       "event (exact) or rodriguez-nikl (published time stepping)");
   command->add_option("--substeps", o->substeps, "substeps P of rodriguez-nikl");

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "number_list.hpp"
 
+#include <fmt/format.h>
+
+#include <charconv>
 #include <cmath>
 #include <cstdint>
+#include <string>
 
 #include "glissade/io/csv.hpp"
 
@@ -10,6 +14,13 @@ namespace glissade {
 namespace {
 
 constexpr std::uint64_t largest_list = 10000;
+
+/// To twelve digits: 0.3 for 0.30000000000000004, as people write it.
+double as_written(double value) {
+  const std::string text = fmt::format("{:.12g}", value);
+  std::from_chars(text.data(), text.data() + text.size(), value);
+  return value;
+}
 
 /// { from, to, count, spacing = "linear" | "log" }, both ends included.
 std::vector<double> read_range(const TomlTable& range, const NumberRule& rule) {
@@ -34,9 +45,10 @@ std::vector<double> read_range(const TomlTable& range, const NumberRule& rule) {
   std::vector<double> values(count);
   for (std::uint64_t i = 0; i < count; ++i) {
     const double share = static_cast<double>(i) / static_cast<double>(count - 1);
-    values[i] =
-        spacing == Spacing::linear ? from + (to - from) * share : from * std::pow(to / from, share);
+    values[i] = spacing == Spacing::linear ? as_written(from + (to - from) * share)
+                                           : from * std::pow(to / from, share);
   }
+  values.front() = from;
   values.back() = to;
   return values;
 }

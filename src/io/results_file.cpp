@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glissade/io/results_file.hpp"
 
-#include <new>
-
 #include "glissade/core/contract.hpp"
-#include "glissade/core/error.hpp"
-#include "glissade/core/file.hpp"
+#include "results_envelope.hpp"
 #include "results_schema.hpp"
 
 namespace glissade {
 namespace {
 
-constexpr const char* file_type_name = "glissade results";
+constexpr ResultsKind kind{"glissade results", results_format_version, "glissade results file"};
 
 bool labels_are_distinct_names(const Results& results) {
   for (std::size_t i = 0; i < results.runs.size(); ++i) {
@@ -22,33 +19,6 @@ bool labels_are_distinct_names(const Results& results) {
     }
   }
   return true;
-}
-
-std::string image_of(const Results& results) {
-  const Hdf5Image image;
-  {
-    const Hdf5Writer root(image);
-    root.attribute("file_type", std::string(file_type_name));
-    root.attribute("format_version", std::uint64_t{results_format_version});
-    exchange(root, results);
-  }
-  return image.bytes();
-}
-
-void check_type_and_version(const Hdf5Reader& root) {
-  std::string file_type;
-  root.attribute("file_type", file_type);
-  if (file_type != file_type_name) throw Hdf5Error("take the file type " + file_type);
-  std::uint64_t version = 0;
-  root.attribute("format_version", version);
-  if (version != results_format_version) {
-    throw Hdf5Error("understand format version " + std::to_string(version) +
-                    " (this program reads " + std::to_string(results_format_version) + ")");
-  }
-}
-
-void expect_fit(bool fits, const char* part, const char* whole) {
-  if (!fits) throw Hdf5Error(std::string("fit ") + part + " to the " + whole);
 }
 
 /// Every part is there for each record, sample, level and threshold that the others have: whoever
@@ -63,8 +33,10 @@ void check_shapes(const Results& results) {
     expect_fit(is_cube(run.peak_displacement_m, levels), "peak_displacement_m",
                "records, samples and levels");
     expect_fit(is_cube(run.uplift, levels), "uplift", "records, samples and levels");
+    expect_fit(run.tips.data.empty() || is_cube(run.tips, levels), "tips",
+               "records, samples and levels");
     expect_fit(is_cube(run.capacity, thresholds), "capacity_g", "records, samples and thresholds");
-    expect_fit(run.slip.size() == levels, "slip", "levels");
+    expect_fit(run.slip.size() == (results.chart ? 0 : levels), "slip", "levels");
     expect_fit(run.fragilities.size() == thresholds, "fragility", "thresholds");
     for (const ThresholdFragility& f : run.fragilities) {
       expect_fit(f.probability.size() == levels, "probability", "levels");
@@ -83,46 +55,31 @@ void check_shapes(const Results& results) {
   expect_fit(spectra.target_g.empty() || spectra.target_g.size() == periods, "target_g", "periods");
 }
 
+void check_shape(const Chart& chart, std::size_t levels) {
+  expect_fit(chart.slope_deg.size() > 1 && chart.mu.size() > 1 && !chart.period_s.empty(), "axes",
+             "chart");
+  expect_fit(chart.points.size() == levels * chart.slope_deg.size() * chart.mu.size(), "points",
+             "chart's axes");
+  for (const ChartPoint& point : chart.points)
+    expect_fit(point.by_period.size() == chart.period_s.size(), "by_period", "chart's periods");
+}
+
 }  // namespace
 
 void write_results(const std::filesystem::path& file, const Results& results) {
   GLISSADE_EXPECTS(labels_are_distinct_names(results));
-  const Hdf5Silence silence;
-  std::string image;
-  try {
-    image = image_of(results);
-  } catch (const Hdf5Error& error) {
-    throw InputError(
-        {file.string(),
-         std::string("the results could not be put together: cannot ") + error.what(),
-         "check that there is memory enough, or ask for fewer samples, levels or records", ""});
-  }
-  write_text_file(file, image);
+  write_results_of(kind, file, [&](const Hdf5Writer& root) { exchange(root, results); });
 }
 
 Results read_results(const std::filesystem::path& file) {
-  const Hdf5Silence silence;
-  const auto fail = [&](const std::string& reason) {
-    return InputError({file.string(), "is not a whole glissade results file: cannot " + reason,
-                       "give a results file of `glissade run`, or run the study again", ""});
-  };
-  std::error_code ignored;
-  if (!std::filesystem::exists(file, ignored))
-    throw InputError({file.string(), "no such file", "check the path", ""});
-  if (!std::filesystem::is_regular_file(file, ignored)) throw fail("read what is no ordinary file");
-  try {
-    const Hdf5Reader root(file);
-    check_type_and_version(root);
-    Results results;
+  Results results;
+  read_results_of(kind, file, [&](const Hdf5Reader& root) {
     exchange(root, results);
     check_shapes(results);
+    if (results.chart) check_shape(*results.chart, results.levels.size());
     if (!labels_are_distinct_names(results)) throw Hdf5Error("tell the runs apart by their labels");
-    return results;
-  } catch (const Hdf5Error& error) {
-    throw fail(error.what());
-  } catch (const std::bad_alloc&) {
-    throw fail("hold it in memory");
-  }
+  });
+  return results;
 }
 
 }  // namespace glissade

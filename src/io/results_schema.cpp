@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "results_schema.hpp"
 
+#include "chart_schema.hpp"
 #include "enum_names.hpp"
 #include "results_archive.hpp"
 
@@ -186,26 +187,15 @@ void exchange_slip(const Archive& archive, Slip& rows) {
   column(
       archive, "uplift_share", {"-", "share of histories with uplift"}, rows,
       [](auto& s) -> auto& { return s.uplift_share; });
+  column(
+      archive, "tip_share",
+      {"-", "share of histories in which the body begins to tip; nan: not asked for"}, rows,
+      [](auto& s) -> auto& { return s.tip_share; });
 }
 
 template <class Archive, class Comparisons>
 void exchange_standards(const Archive& archive, Comparisons& rows) {
-  make_rows(archive, "standard", rows);
-  name_column<Standard>(
-      archive, "standard", {"-", "standard"}, rows, standard_names(),
-      [](auto& c) -> auto& { return c.standard; });
-  column(
-      archive, "sds_g", {"g", "design spectral acceleration S_DS"}, rows,
-      [](auto& c) -> auto& { return c.sds_g; });
-  column(
-      archive, "prescribed_m", {"m", "prescribed displacement"}, rows,
-      [](auto& c) -> auto& { return c.prescribed.value_m; });
-  name_column<Provenance>(
-      archive, "provenance", {"-", "how well the provision is known"}, rows, provenance_names(),
-      [](auto& c) -> auto& { return c.prescribed.provenance; });
-  column(
-      archive, "basis", {"-", "equation or clause"}, rows,
-      [](auto& c) -> auto& { return c.prescribed.basis; });
+  exchange_prescriptions(archive, rows);
   column(
       archive, "exceedance_probability", {"-", "share of histories with slip above it"}, rows,
       [](auto& c) -> auto& { return c.exceedance_probability; });
@@ -224,6 +214,9 @@ void exchange_run(const Archive& archive, Run& run) {
        run.peak_displacement_m);
   cube(archive, "uplift", {"-", "1 where the array lifted off, by (record, sample, level)"},
        run.uplift);
+  cube(archive, "tips",
+       {"-", "1 where the body begins to tip, by (record, sample, level); empty: not asked for"},
+       run.tips);
   cube(archive, "capacity_g",
        {"g",
         "lowest intensity reaching the threshold, by (record, sample, threshold); inf: not "
@@ -269,6 +262,10 @@ void exchange_all(const Archive& archive, R& results) {
   exchange_records(archive.group("records"), results.records);
   exchange_spectra(archive.group("spectra"), results.spectra);
   exchange_runs(archive.group("runs"), results.runs);
+  if constexpr (Archive::reads) {
+    if (archive.has("chart")) results.chart.emplace();
+  }
+  if (results.chart) exchange_chart(archive.group("chart"), *results.chart);
 }
 
 }  // namespace

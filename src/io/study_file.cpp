@@ -5,10 +5,12 @@
 #include <bit>
 #include <limits>
 
+#include "chart_table.hpp"
 #include "distribution_table.hpp"
 #include "enum_names.hpp"
 #include "glissade/io/csv.hpp"
 #include "number_list.hpp"
+#include "suite_choice.hpp"
 #include "target_table.hpp"
 #include "toml_table.hpp"
 
@@ -30,12 +32,13 @@ bool is_key_of(const TomlTable& table, const char* key, IntensityMeasure measure
   return measure == owner;
 }
 
-IntensityConfig read_intensity(const TomlTable& table) {
+/// @param level_rule a chart may begin at no shaking; a fragility cannot
+IntensityConfig read_intensity(const TomlTable& table, const NumberRule& level_rule) {
   IntensityConfig intensity;
   if (!table.has("measure"))
     table.report_missing("measure", "known are sds_g, pga_g, sa_g, avg_sa_g, ppa_g");
   const auto measure = table.choice<IntensityMeasure>("measure", measure_names());
-  if (table.exists()) intensity.levels = read_increasing(table, "levels", above_zero);
+  if (table.exists()) intensity.levels = read_increasing(table, "levels", level_rule);
   if (!measure) {
     table.ignore_unknown();
     return intensity;
@@ -124,6 +127,40 @@ OrientationConfig read_orientation(const TomlTable& table) {
   return orientation;
 }
 
+/// A chart takes every orientation there is, unless told otherwise: slopes of either sign already
+/// are both signs of the motion.
+OrientationConfig read_chart_orientation(const TomlTable& table, const ChartConfig& chart) {
+  const bool mirrored = !chart.slope_deg.empty() && chart.slope_deg.front() < 0.0;
+  OrientationConfig orientation;
+  orientation.component =
+      table
+          .choice<ComponentChoice>("component", {{"first", ComponentChoice::first},
+                                                 {"second", ComponentChoice::second},
+                                                 {"both", ComponentChoice::both}})
+          .value_or(ComponentChoice::both);
+  orientation.sign = table
+                         .choice<SignChoice>("sign", {{"positive", SignChoice::positive},
+                                                      {"negative", SignChoice::negative},
+                                                      {"both", SignChoice::both}})
+                         .value_or(mirrored ? SignChoice::positive : SignChoice::both);
+  if (mirrored && orientation.sign == SignChoice::both) {
+    table.report(
+        "sign",
+        "orientation.sign = \"both\" and negative slopes run everything twice: a slope and "
+        "its mirror image under one motion are one slope under both signs of it",
+        "leave out one of the two");
+  }
+  return orientation;
+}
+
+std::optional<RigidBase> read_base(const TomlTable& table) {
+  if (!table.exists()) return std::nullopt;
+  RigidBase base;
+  base.centre_of_mass_height_m = table.required_number("centre_of_mass_height_m", above_zero);
+  base.width_m = table.required_number("base_width_m", above_zero);
+  return base;
+}
+
 VerticalConfig read_vertical(const TomlTable& table) {
   VerticalConfig vertical;
   vertical.use = table
@@ -189,37 +226,13 @@ StandardsConfig read_standards(const TomlTable& table, IntensityMeasure measure)
   return standards;
 }
 
-std::filesystem::path read_suite_path(const TomlTable& suite,
-                                      const std::filesystem::path& study_file) {
-  const std::string name = suite.required_text("file");
-  const std::filesystem::path path = study_file.parent_path() / name;
-  std::error_code ignored;
-  if (!name.empty() && !std::filesystem::exists(path, ignored)) {
-    suite.report("file", "there is no suite " + path.string(),
-                 "give its path relative to the study file");
-  }
-  return path;
-}
-
-}  // namespace
-
-StudyConfig read_study(const std::filesystem::path& file) {
-  TomlDocument document(file);
-  const TomlTable root = document.root();
-  const TomlTable head = root.required_table("study");
-  StudyConfig study;
-  study.file = file;
-  study.source_text = document.text();
-  study.name = head.required_text("name");
-  study.description = head.text("description").value_or("");
-  study.seed = head.whole("seed", 0, std::numeric_limits<std::int64_t>::max()).value_or(0);
-  study.suite_file = read_suite_path(root.required_table("suite"), file);
-  study.intensity = read_intensity(root.required_table("intensity"));
+/// Friction, slope and period are sampled, clearances are asked for.
+void read_samples(const TomlTable& root, StudyConfig& study) {
+  study.intensity = read_intensity(root.required_table("intensity"), above_zero);
   study.building = read_building(root.table("building"));
   study.roof = read_roof(root.table("roof"));
   study.friction = read_friction(root.required_table("friction"));
   study.orientation = read_orientation(root.table("orientation"));
-  study.vertical = read_vertical(root.table("vertical"));
   study.sampling = read_sampling(root.table("sampling"));
   const TomlTable clearance = root.required_table("clearance");
   if (clearance.exists()) {
@@ -233,6 +246,58 @@ StudyConfig read_study(const std::filesystem::path& file) {
         "clearance.stop_at_largest = true leaves slip beyond the largest threshold unknown, which "
         "the comparison with standards needs",
         "leave it out, or leave [standards] out");
+  }
+}
+
+/// Friction, slope and period are the axes of a chart.
+void read_grid(const TomlTable& root, StudyConfig& study) {
+  for (const char* other : {"roof", "friction", "sampling", "clearance"}) {
+    if (!root.has(other)) continue;
+    root.report(other,
+                std::string("[") + other + "] does not go with [chart], whose axes it would double",
+                "leave it out, or leave [chart] out");
+    root.table(other).ignore_unknown();
+  }
+  study.intensity = read_intensity(root.required_table("intensity"), not_negative);
+  const std::vector<double>& levels = study.intensity.levels;
+  if (levels.size() == 1 && levels.front() == 0.0) {
+    root.table("intensity").report("levels", "intensity.levels has no level above 0");
+  }
+  const TomlTable building = root.table("building");
+  if (building.has("period_s")) {
+    building.report("period_s", "building.period_s does not go with [chart]",
+                    "give chart.period_s, a list");
+  }
+  study.building = read_building(building);
+  if (!is_fixed(study.building.damping))
+    building.report("damping", "a chart has one damping", "give a number");
+  study.chart = read_chart(root.table("chart"), levels);
+  study.orientation = read_chart_orientation(root.table("orientation"), *study.chart);
+  study.friction.design_run = false;
+  study.standards = read_standards(root.table("standards"), study.intensity.measure);
+}
+
+}  // namespace
+
+StudyConfig read_study(const std::filesystem::path& file) {
+  TomlDocument document(file);
+  const TomlTable root = document.root();
+  const TomlTable head = root.required_table("study"), suite = root.required_table("suite");
+  StudyConfig study;
+  study.file = file;
+  study.source_text = document.text();
+  study.name = head.required_text("name");
+  study.description = head.text("description").value_or("");
+  study.seed = head.whole("seed", 0, std::numeric_limits<std::int64_t>::max()).value_or(0);
+  const SuiteChoice chosen = read_suite_choice(suite, file);
+  study.suite_file = chosen.file;
+  study.records = chosen.records;
+  study.vertical = read_vertical(root.table("vertical"));
+  study.base = read_base(root.table("array"));
+  if (root.has("chart")) {
+    read_grid(root, study);
+  } else {
+    read_samples(root, study);
   }
   document.finish();
   return study;

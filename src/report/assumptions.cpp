@@ -32,14 +32,16 @@ std::string range_text(const Range<double>& range, const std::string& unit) {
   return range.is_one_value() ? high : format_number(range.min) + " to " + high;
 }
 
-std::string building_text(const std::vector<SamplePoint>& samples) {
+std::string building_text(const Results& results) {
+  const std::vector<SamplePoint>& samples = results.samples;
   const Range<double> period = range_of(samples, &SamplePoint::period_s);
   if (period.max == 0.0) return "Rigid: the roof moves as the ground does.";
   return fmt::format(
-      "A linear single-degree-of-freedom oscillator (no yielding, no higher modes) with sampled "
+      "A linear single-degree-of-freedom oscillator (no yielding, no higher modes) with {}"
       "periods of {} and damping ratios of {}. "
       "The array's mass is neglected: it does not change the building's motion.",
-      range_text(period, " s"), range_text(range_of(samples, &SamplePoint::damping), ""));
+      results.chart ? "" : "sampled ", range_text(period, " s"),
+      range_text(range_of(samples, &SamplePoint::damping), ""));
 }
 
 std::string orientation_text(const std::vector<SamplePoint>& samples) {
@@ -67,11 +69,52 @@ std::string vertical_text(const std::vector<RecordSummary>& records) {
       with, records.size());
 }
 
+std::string chart_orientation_text(const Results& results) {
+  const Range<int> component = range_of(results.samples, &SamplePoint::component);
+  const bool both_ways = !range_of(results.samples, &SamplePoint::sign).is_one_value() ||
+                         range_of(results.samples, &SamplePoint::slope_deg).min < 0.0;
+  return fmt::format(
+      "One horizontal component acts along the slope; motion across the slope is not combined with "
+      "it. Each record counts once, with the largest slip of its orientations: {}, {} along the "
+      "slope.",
+      component.is_one_value()
+          ? fmt::format("its {} component", component.min == 0 ? "first" : "second")
+          : "both components in turn",
+      both_ways ? "either way" : "one way");
+}
+
+/// What a reader takes from the numbers: fragilities, or a chart.
+std::vector<Assumption> reading_assumptions(const Results& results) {
+  if (results.chart) {
+    return {
+        {"Clearance",
+         "1.1 x the mean over the records (Walters et al. 2012): a recommendation, not a bound, "
+         "as single motions slide farther. Percentiles are over records. Each is the largest "
+         "over the building periods. Of one record there is neither: its peak slip is shown."},
+        {"Interpolation",
+         "Linear in slope and friction between the chart's points; none between levels, and "
+         "nothing beyond the axes."}};
+  }
+  return {
+      {"Capacity",
+       "The lowest intensity at which the slip first reaches the clearance. Slip does not always "
+       "grow with intensity; the share that falls below again is given as 'recross'."},
+      {"Independence",
+       "Records are the independent unit. Intervals come from resampling whole records, so a suite "
+       "of few records gives wide intervals however many samples there are."}};
+}
+
+std::string roof_text(const Results& results) {
+  if (results.chart) return "A plane; its slope is an axis of the chart.";
+  return "A plane with a slope of " +
+         range_text(range_of(results.samples, &SamplePoint::slope_deg), " degrees") +
+         " in the samples.";
+}
+
 }  // namespace
 
 std::vector<Assumption> assumptions_of(const Results& results) {
-  const Range<double> slope = range_of(results.samples, &SamplePoint::slope_deg);
-  return {
+  std::vector<Assumption> all = {
       {"Displacement",
        "In plan (measured horizontally), relative to the roof; the largest absolute value in the "
        "history, not the one that remains at its end."},
@@ -81,20 +124,18 @@ std::vector<Assumption> assumptions_of(const Results& results) {
       {"Friction",
        "Coulomb: one coefficient for sticking and sliding, independent of speed, pressure and "
        "wear. No bond that must first break."},
-      {"Roof", "A plane with a slope of " + range_text(slope, " degrees") + " in the samples."},
-      {"Building", building_text(results.samples)},
-      {"Orientation", orientation_text(results.samples)},
+      {"Roof", roof_text(results)},
+      {"Building", building_text(results)},
+      {"Orientation",
+       results.chart ? chart_orientation_text(results) : orientation_text(results.samples)},
       {"Vertical motion", vertical_text(results.records)},
       {"End of the record",
        "After its last sample the acceleration goes linearly to zero over one more interval and "
        "stays there; the building rings down and the array coasts until it stops."},
-      {"Capacity",
-       "The lowest intensity at which the slip first reaches the clearance. Slip does not always "
-       "grow with intensity; the share that falls below again is given as 'recross'."},
-      {"Independence",
-       "Records are the independent unit. Intervals come from resampling whole records, so a suite "
-       "of few records gives wide intervals however many samples there are."},
   };
+  const std::vector<Assumption> reading = reading_assumptions(results);
+  all.insert(all.end(), reading.begin(), reading.end());
+  return all;
 }
 
 }  // namespace glissade

@@ -40,13 +40,20 @@ double round_tick_step(double range) {
 
 }  // namespace
 
-std::string inches_beside(const std::string& which, double largest_m) {
+std::string inches_beside(const std::string& which, double largest_m, const std::string& label) {
   return fmt::format(
       "set link {0}2 via {0}/{3} inverse {0}*{3}\n"
       "set {0}2tics {2} out nomirror\n"
-      "set {0}2label 'Peak slip in plan (in)'\n"
+      "set {0}2label {4}\n"
       "set border {1}\n",
-      which, which == "x" ? 7 : 11, round_tick_step(largest_m / inch_m), inch_m);
+      which, which == "x" ? 7 : 11, round_tick_step(largest_m / inch_m), inch_m,
+      gnuplot::quoted(label + " (in)"));
+}
+
+std::string at_intensity(const Results& results, double value) {
+  std::string name = results.intensity_label;
+  if (name.ends_with(" (g)")) name.resize(name.size() - 4);
+  return name + " = " + format_number(value) + " g";
 }
 
 std::string counts_of(const Results& results) {

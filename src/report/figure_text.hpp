@@ -17,7 +17,10 @@ std::string title_of(const Figure& figure, const std::string& below);
 /// `set xlabel '...'`
 std::string axis(const std::string& which, const std::string& label);
 /// The opposite axis in inches, for an axis of slip from 0 to `largest_m`.
-std::string inches_beside(const std::string& which, double largest_m);
+std::string inches_beside(const std::string& which, double largest_m,
+                          const std::string& label = "Peak slip in plan");
+/// "S_DS = 0.840 g" from the axis label "S_DS (g)".
+std::string at_intensity(const Results& results, double value);
 /// "22 records x 1024 samples"
 std::string counts_of(const Results& results);
 /// "0.15 m (5.91 in), 0.30 m (11.8 in)"

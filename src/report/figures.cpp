@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "chart/report.hpp"
 #include "figure_text.hpp"
 #include "glissade/report/format.hpp"
 #include "gnuplot.hpp"
@@ -227,6 +228,7 @@ Figure spectra_figure(const Results& results) {
 }
 
 std::vector<Figure> make_figures(const Results& results) {
+  if (results.chart) return chart_figures(results);
   std::vector<Figure> figures;
   if (!results.runs.empty() && !results.levels.empty()) {
     for (const RunResults& run : results.runs) {

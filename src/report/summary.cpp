@@ -6,18 +6,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "chart/report.hpp"
+#include "figure_text.hpp"
 #include "glissade/report/format.hpp"
 #include "glissade/report/tables.hpp"
 
 namespace glissade {
 namespace {
-
-/// "S_DS = 0.840 g" from the axis label "S_DS (g)".
-std::string at_intensity(const Results& results, double value) {
-  std::string name = results.intensity_label;
-  if (name.ends_with(" (g)")) name.resize(name.size() - 4);
-  return name + " = " + format_number(value) + " g";
-}
 
 std::string threshold_sentence(const Results& results, const ThresholdFragility& fragility) {
   const FitSummary& fit = preferred_fit(fragility);
@@ -132,9 +127,22 @@ Table brief_standards_table(const Results& results, const RunResults& run) {
   return table;
 }
 
+std::string fragility_summary(const Results& results) {
+  std::string text = fmt::format(
+      "{}: {} records x {} samples x {} levels, displacements in plan\n\n", results.study_name,
+      results.records.size(), results.samples.size(), results.levels.size());
+  text += to_text(fragility_summary_table(results));
+  if (!results.runs.empty() && !results.runs.front().standards.empty()) {
+    text += "\n" + to_text(brief_standards_table(results, results.runs.front()));
+    text += "  (*) from memory of the standard: verify against the standard\n";
+  }
+  return text;
+}
+
 }  // namespace
 
 std::vector<std::string> answer_sentences(const Results& results) {
+  if (results.chart) return chart_sentences(results);
   std::vector<std::string> sentences;
   if (results.runs.empty() || results.levels.empty()) return sentences;
   const RunResults& run = results.runs.front();
@@ -155,14 +163,7 @@ std::vector<std::string> answer_sentences(const Results& results) {
 }
 
 std::string summary_text(const Results& results, const std::vector<Skip>& skips) {
-  std::string text = fmt::format(
-      "{}: {} records x {} samples x {} levels, displacements in plan\n\n", results.study_name,
-      results.records.size(), results.samples.size(), results.levels.size());
-  text += to_text(fragility_summary_table(results));
-  if (!results.runs.empty() && !results.runs.front().standards.empty()) {
-    text += "\n" + to_text(brief_standards_table(results, results.runs.front()));
-    text += "  (*) from memory of the standard: verify against the standard\n";
-  }
+  std::string text = results.chart ? chart_summary(results) : fragility_summary(results);
   if (!skips.empty()) text += "\nNot computed, because not needed\n";
   for (const Skip& skip : skips) text += "  " + format_skip(skip) + "\n";
   if (!results.notes.empty()) text += "\nNotes\n";

@@ -94,7 +94,7 @@ void Table::add(std::vector<Cell> row) {
 }
 
 Table Table::without(const std::string& stem) const {
-  Table rest{name, title, {}, std::vector<std::vector<Cell>>(rows.size())};
+  Table rest{name, title, {}, std::vector<std::vector<Cell>>(rows.size()), notes};
   for (std::size_t c = 0; c < columns.size(); ++c) {
     if (columns[c].stem == stem) continue;
     rest.columns.push_back(columns[c]);
@@ -111,6 +111,7 @@ std::string cell_text(const Column& column, const Cell& cell) {
 
 std::string to_csv(const Table& table) {
   std::string csv = "# " + one_line(table.title) + "\n";
+  for (const std::string& note : table.notes) csv += "# " + one_line(note) + "\n";
   for (std::size_t c = 0; c < table.columns.size(); ++c) {
     csv += (c == 0 ? "" : ",") + csv_header(table.columns[c]);
   }
@@ -136,6 +137,7 @@ std::string to_text(const Table& table) {
       widths[c] = std::max(widths[c], display_width(line[c]));
   }
   std::string text = one_line(table.title) + "\n";
+  for (const std::string& note : table.notes) text += one_line(note) + "\n";
   for (const auto& line : lines) {
     std::string row;
     for (std::size_t c = 0; c < line.size(); ++c) {
@@ -150,7 +152,9 @@ std::string to_html(const Table& table) {
   const auto cell_class = [&](std::size_t c) {
     return table.columns[c].kind == ColumnKind::text ? "" : " class=\"number\"";
   };
-  std::string html = "<table>\n<caption>" + escape_html(table.title) + "</caption>\n<thead><tr>";
+  std::string html = "<table>\n<caption>" + escape_html(table.title);
+  for (const std::string& note : table.notes) html += "<br>" + escape_html(note);
+  html += "</caption>\n<thead><tr>";
   for (std::size_t c = 0; c < table.columns.size(); ++c) {
     html += fmt::format("<th scope=\"col\"{}>{}</th>", cell_class(c),
                         escape_html(table.columns[c].heading));

@@ -5,6 +5,7 @@
 #include <limits>
 #include <numeric>
 
+#include "chart/report.hpp"
 #include "glissade/report/format.hpp"
 
 namespace glissade {
@@ -132,16 +133,19 @@ Table slip_table(const Results& results) {
                {"p84_slip", "m", "84th percentile, m (in) [95 %, m]", ColumnKind::length, true},
                {"p95_slip", "m", "95th percentile, m (in)", ColumnKind::length},
                {"mean_slip", "m", "Mean, m (in) [95 %, m]", ColumnKind::length, true},
-               {"uplift_share", "", "Uplift", ColumnKind::share}},
+               {"uplift_share", "", "Uplift", ColumnKind::share},
+               {"tip_share", "", "Begins to tip", ColumnKind::share}},
               {}};
+  bool tipping = false;  // asked for
   for (const RunResults& run : results.runs) {
     for (const SlipStatistics& slip : run.slip) {
+      tipping = tipping || !std::isnan(slip.tip_share);
       table.add({run.label, slip.level, Estimate{slip.median_m, slip.median_interval},
                  Estimate{slip.p84_m, slip.p84_interval}, slip.p95_m,
-                 Estimate{slip.mean_m, slip.mean_interval}, slip.uplift_share});
+                 Estimate{slip.mean_m, slip.mean_interval}, slip.uplift_share, slip.tip_share});
     }
   }
-  return table;
+  return tipping ? table : table.without("tip_share");
 }
 
 Table standards_table(const Results& results) {
@@ -284,6 +288,7 @@ Table samples_table(const Results& results) {
 }
 
 std::vector<Table> csv_tables(const Results& results) {
+  if (results.chart) return chart_csv_tables(results);
   std::vector<Table> tables = {fragility_table(results), slip_table(results),
                                stripes_table(results),   records_table(results),
                                spectra_table(results),   samples_table(results)};

@@ -42,6 +42,13 @@ std::string intensity_label(const IntensityConfig& intensity) {
   return {};
 }
 
+Prescription prescribed_displacement(Standard standard, double sds_g,
+                                     const StandardsConfig& standards) {
+  return standard == Standard::seaoc_pv1_2012
+             ? seaoc_pv1_2012_displacement(sds_g, standards.category)
+             : asce7_16_displacement(sds_g, standards.importance);
+}
+
 std::string describe(const Distribution& distribution) {
   struct Describe {
     std::string operator()(const Fixed& d) const { return fmt::format("{:g}", d.value); }

@@ -8,6 +8,8 @@
 #include <functional>
 #include <limits>
 
+#include "glissade/block/tipping.hpp"
+
 namespace glissade {
 namespace {
 
@@ -33,13 +35,19 @@ class Scene {
                        up != nullptr ? factor * up->acceleration_bound_mps2 : 0.0);
   }
 
+  /// The level above which the body begins to rock on its base.
+  double tipping_level(const RigidBase& base) const {
+    return tipping_onset_factor(roof_.table, block_, base, {1.0 * sign_, 1.0}) /
+           roof_.factor_at_unit_level;
+  }
+
   struct Slip {
     double peak_displacement_m = 0.0;
     bool uplift = false;
   };
   Slip at(double level, std::uint64_t& integrated, std::uint64_t& from_curve) const {
     const double factor = level * roof_.factor_at_unit_level;
-    if (curve_ == nullptr) return integrate(factor, factor, integrated);
+    if (curve_ == nullptr || factor == 0.0) return integrate(factor, factor, integrated);
     // lambda F(mu / lambda): the motion as it is, under gravity over lambda.
     Block at_unit_factor = block_;
     at_unit_factor.gravity_mps2 = block_.gravity_mps2 / factor;
@@ -118,6 +126,10 @@ void fill(const Plan& plan, const Scene& scene, UnitResult::Run& run, WorkCount&
     }
     run.peak_displacement_m.push_back(slip.peak_displacement_m);
     run.uplift.push_back(slip.uplift ? 1 : 0);
+  }
+  if (plan.config.base) {
+    const double tipping = scene.tipping_level(*plan.config.base);
+    for (const double level : levels) run.tips.push_back(level > tipping ? 1 : 0);
   }
   for (const double threshold : thresholds) {
     const std::uint64_t before = count.searched;

@@ -5,12 +5,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <tuple>
 
 #include "glissade/core/error.hpp"
 #include "glissade/core/hash.hpp"
 #include "glissade/core/units.hpp"
 #include "glissade/motion/intensity.hpp"
 #include "glissade/motion/suite_scaling.hpp"
+#include "glissade/study/chart.hpp"
+#include "keep_records.hpp"
 
 namespace glissade {
 namespace {
@@ -78,15 +82,28 @@ bool values_repeat(std::vector<double> values) {
   return 2 * values.size() <= count;
 }
 
-bool same_building(const std::vector<SamplePoint>& samples) {
-  return std::all_of(samples.begin(), samples.end(), [&](const SamplePoint& s) {
-    return s.period_s == samples.front().period_s && s.damping == samples.front().damping;
-  });
+/// Numbers the distinct roofs (component, period, damping) in the order in which they come. A
+/// record's are kept where that saves roofs and takes no more memory than a few dozen tables.
+void number_buildings(Plan& plan) {
+  constexpr std::size_t most_kept = 64;
+  std::map<std::tuple<int, double, double>, std::size_t> numbers;
+  for (const SamplePoint& s : plan.samples) {
+    plan.building.push_back(
+        numbers.try_emplace({s.component, s.period_s, s.damping}, numbers.size()).first->second);
+  }
+  plan.roofs_are_kept = numbers.size() <= most_kept &&
+                        (numbers.size() <= 2 || 2 * numbers.size() <= plan.samples.size());
 }
 
 std::vector<FrictionRun> friction_runs(const Plan& plan) {
   const FrictionConfig& friction = plan.config.friction;
   FrictionRun sampled{"sampled", "mu " + describe(friction.mu), {}};
+  if (plan.config.chart) {
+    const std::vector<double>& mu = plan.config.chart->mu;
+    sampled.label = "chart";
+    sampled.description =
+        fmt::format("mu {:g} to {:g}, {} values", mu.front(), mu.back(), mu.size());
+  }
   for (const SamplePoint& sample : plan.samples) sampled.friction.push_back(sample.friction);
   std::vector<FrictionRun> runs{sampled};
   if (friction.design_run && !is_fixed(friction.mu)) {
@@ -193,25 +210,33 @@ std::vector<std::string> notes_on(const StudyConfig& config, const Suite& suite)
                     "slip there is told as infinite, and a recrossing there would not be seen",
                     config.thresholds_m.back()));
   }
-  const auto single = count([](const Motion& m) { return m.horizontal_mps2[1].empty(); });
-  if (config.orientation.component == ComponentChoice::random && single > 0) {
+  if (suite.motions.size() == 1 && config.chart) {
     notes.push_back(
-        fmt::format("{} of {} records have one horizontal component: it is used in every sample",
-                    single, suite.motions.size()));
+        "one record: the mean, the percentiles and the envelope are all that record's slip");
+  }
+  const auto single = count([](const Motion& m) { return m.horizontal_mps2[1].empty(); });
+  const ComponentChoice choice = config.orientation.component;
+  if ((choice == ComponentChoice::random || choice == ComponentChoice::both) && single > 0) {
+    notes.push_back(
+        fmt::format("{} of {} records have one horizontal component: it is used throughout", single,
+                    suite.motions.size()));
   }
   return notes;
 }
 
-/// SEAOC PV1-2012 prescribes for slopes under 3 degrees and mu above 0.4.
+/// Samples that SEAOC PV1-2012 does not prescribe for.
 std::vector<std::string> notes_on_standards(const Plan& plan) {
   const auto& compare = plan.config.standards.compare;
   std::vector<std::string> notes;
-  if (std::find(compare.begin(), compare.end(), Standard::seaoc_pv1_2012) == compare.end())
+  if (plan.config.chart ||
+      std::find(compare.begin(), compare.end(), Standard::seaoc_pv1_2012) == compare.end())
     return notes;
   for (const FrictionRun& run : plan.runs) {
     std::size_t outside = 0;
     for (std::size_t i = 0; i < plan.samples.size(); ++i) {
-      if (std::abs(plan.samples[i].slope_deg) >= 3.0 || run.friction[i] <= 0.4) ++outside;
+      if (std::abs(plan.samples[i].slope_deg) >= seaoc_slope_limit_deg ||
+          run.friction[i] <= seaoc_mu_limit)
+        ++outside;
     }
     if (outside == 0) continue;
     notes.push_back(fmt::format(
@@ -230,11 +255,11 @@ std::vector<Skip> skips_of(const StudyConfig& config, const Plan& plan) {
   if (config.vertical.use == VerticalChoice::none) {
     skips.push_back({"vertical ground motion", "[vertical] use = \"none\"", pairs});
   }
-  const auto* period = std::get_if<Fixed>(&config.building.period_s);
-  if (period != nullptr && period->value == 0.0) {
+  if (std::all_of(plan.samples.begin(), plan.samples.end(),
+                  [](const SamplePoint& s) { return s.period_s == 0.0; })) {
     skips.push_back({"roof motions filtered by a building", "the building is rigid", pairs});
   }
-  if (plan.runs.size() == 1) {
+  if (plan.runs.size() == 1 && !config.chart) {
     skips.push_back(
         {"run at the design friction",
          is_fixed(config.friction.mu) ? "friction is one number" : "[friction] design_run = false",
@@ -247,7 +272,7 @@ std::vector<Skip> skips_of(const StudyConfig& config, const Plan& plan) {
 
 std::string hash_of(const Plan& plan) {
   Hasher hasher;
-  hasher.text("glissade plan 2").text(plan.config.source_text).numbers(plan.factor_at_unit_level);
+  hasher.text("glissade plan 3").text(plan.config.source_text).numbers(plan.factor_at_unit_level);
   for (const Motion& motion : plan.suite.motions) {
     hasher.text(motion.id).number(motion.scale).number(motion.dt_s);
     for (const auto& component : motion.horizontal_mps2) hasher.numbers(component);
@@ -264,14 +289,15 @@ std::string hash_of(const Plan& plan) {
 }  // namespace
 
 Plan make_plan(const StudyConfig& config, Suite suite) {
+  keep_records({config.file, config.suite_file, config.records}, suite);
   check(config, suite);
   Plan plan;
   plan.config = config;
   plan.factor_at_unit_level = factors_at_unit_level(config, suite);
   plan.notes = notes_on(config, suite);
   plan.suite = std::move(suite);
-  plan.samples = draw_samples(config);
-  plan.one_building = same_building(plan.samples);
+  plan.samples = config.chart ? chart_samples(config) : draw_samples(config);
+  number_buildings(plan);
   plan.runs = friction_runs(plan);
   for (std::string& note : notes_on_standards(plan)) plan.notes.push_back(std::move(note));
   plan.skips = skips_of(config, plan);
@@ -289,29 +315,47 @@ std::uint64_t Plan::histories() const {
   return suite.motions.size() * samples.size() * config.intensity.levels.size() * runs.size();
 }
 
+namespace {
+
+std::string drawn_by(const StudyConfig& config) {
+  return fmt::format(
+      " ({}), seed {}",
+      config.sampling.method == SamplingMethod::sobol ? "scrambled Sobol" : "Monte Carlo",
+      config.seed);
+}
+
+}  // namespace
+
 std::string to_string(const Plan& plan) {
   const StudyConfig& c = plan.config;
   std::string text = fmt::format(
       "study       {} (plan {})\n"
       "suite       {}: {} motions\n"
       "intensity   {}: {} levels, {:g} to {:g}\n"
-      "samples     {} ({}), seed {}\n"
+      "samples     {}{}\n"
       "runs        ",
       c.name, plan.hash, plan.suite.name, plan.suite.motions.size(), intensity_label(c.intensity),
       c.intensity.levels.size(), c.intensity.levels.front(), c.intensity.levels.back(),
-      plan.samples.size(),
-      c.sampling.method == SamplingMethod::sobol ? "scrambled Sobol" : "Monte Carlo", c.seed);
+      plan.samples.size(), c.chart ? ", the chart's grid in every orientation" : drawn_by(c));
   for (std::size_t i = 0; i < plan.runs.size(); ++i) {
     text +=
         fmt::format("{}{}: {}", i > 0 ? "; " : "", plan.runs[i].label, plan.runs[i].description);
   }
-  text += fmt::format(
-      "\nbuilding    period {} s, damping {}\n"
-      "roof        slope {} deg\n"
-      "thresholds  {:g} m\n"
-      "work        {} histories in {} units, and the search for capacities on top\n",
-      describe(c.building.period_s), describe(c.building.damping), describe(c.roof.slope_deg),
-      fmt::join(c.thresholds_m, ", "), plan.histories(), plan.units.size());
+  text += c.chart ? fmt::format(
+                        "\nbuilding    period {:g} s, damping {}\n"
+                        "roof        slope {:g} deg\n"
+                        "work        {} histories in {} units\n",
+                        fmt::join(c.chart->period_s, ", "), describe(c.building.damping),
+                        fmt::join(c.chart->slope_deg, ", "), plan.histories(), plan.units.size())
+                  : fmt::format(
+                        "\nbuilding    period {} s, damping {}\n"
+                        "roof        slope {} deg\n"
+                        "thresholds  {:g} m\n"
+                        "work        {} histories in {} units, and the search for capacities on "
+                        "top\n",
+                        describe(c.building.period_s), describe(c.building.damping),
+                        describe(c.roof.slope_deg), fmt::join(c.thresholds_m, ", "),
+                        plan.histories(), plan.units.size());
   for (const Skip& skip : plan.skips)
     text += fmt::format("not run     {}: {}\n", skip.what, skip.why);
   for (const std::string& note : plan.notes) text += fmt::format("note        {}\n", note);

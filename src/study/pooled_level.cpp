@@ -23,6 +23,14 @@ double mean_of(const std::vector<double>& values) {
 
 }  // namespace
 
+double quantile_of_sorted(const std::vector<double>& sorted, double probability) {
+  const double position = probability * static_cast<double>(sorted.size() - 1);
+  const std::size_t below = static_cast<std::size_t>(position);
+  const std::size_t above = std::min(below + 1, sorted.size() - 1);
+  const double share = position - static_cast<double>(below);
+  return infinite(finite(sorted[below]) + share * (finite(sorted[above]) - finite(sorted[below])));
+}
+
 PooledLevel::PooledLevel(const std::vector<std::vector<double>>& slips_m) : by_record_(slips_m) {
   for (std::vector<double>& slips : by_record_) {
     record_means_.push_back(mean_of(slips));
@@ -43,12 +51,7 @@ PooledLevel::PooledLevel(const std::vector<std::vector<double>>& slips_m) : by_r
 }
 
 double PooledLevel::quantile_m(double probability) const {
-  const double position = probability * static_cast<double>(sorted_.size() - 1);
-  const std::size_t below = static_cast<std::size_t>(position);
-  const std::size_t above = std::min(below + 1, sorted_.size() - 1);
-  const double share = position - static_cast<double>(below);
-  return infinite(finite(sorted_[below]) +
-                  share * (finite(sorted_[above]) - finite(sorted_[below])));
+  return quantile_of_sorted(sorted_, probability);
 }
 
 double PooledLevel::mean_m() const { return mean_of(record_means_); }

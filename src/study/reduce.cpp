@@ -10,6 +10,7 @@
 
 #include "glissade/core/units.hpp"
 #include "glissade/motion/intensity.hpp"
+#include "glissade/study/chart.hpp"
 #include "pooled_level.hpp"
 
 #ifndef GLISSADE_VERSION
@@ -39,6 +40,7 @@ RunResults assemble(const Plan& plan, const std::vector<const UnitResult*>& unit
   results.friction_description = plan.runs[run].description;
   results.peak_displacement_m = Array3<double>(records, samples, levels);
   results.uplift = Array3<std::uint8_t>(records, samples, levels);
+  if (plan.config.base) results.tips = Array3<std::uint8_t>(records, samples, levels);
   results.capacity = Array3<double>(records, samples, thresholds);
   for (const UnitResult* unit : units) {
     const WorkUnit& work = plan.units[unit->unit];
@@ -48,6 +50,8 @@ RunResults assemble(const Plan& plan, const std::vector<const UnitResult*>& unit
         results.peak_displacement_m(work.record, work.first_sample + i, j) =
             part.peak_displacement_m[i * levels + j];
         results.uplift(work.record, work.first_sample + i, j) = part.uplift[i * levels + j];
+        if (plan.config.base)
+          results.tips(work.record, work.first_sample + i, j) = part.tips[i * levels + j];
       }
       for (std::size_t t = 0; t < thresholds; ++t) {
         results.capacity(work.record, work.first_sample + i, t) = part.capacity[i * thresholds + t];
@@ -139,6 +143,16 @@ ThresholdFragility fit_threshold(const Plan& plan, const RunResults& run, std::s
   return fragility;
 }
 
+/// Share of the histories at a level for which a flag is set; NaN where there are none.
+double share_at(const Array3<std::uint8_t>& flags, std::size_t level) {
+  double set = 0.0;
+  for (std::size_t record = 0; record < flags.rows; ++record) {
+    for (std::size_t sample = 0; sample < flags.columns; ++sample)
+      set += flags(record, sample, level);
+  }
+  return set / static_cast<double>(flags.rows * flags.columns);
+}
+
 SlipStatistics statistics_of(const PooledLevel& pooled, const RunResults& run, std::size_t level,
                              double intensity, const BootstrapOptions& options) {
   SlipStatistics s;
@@ -150,12 +164,8 @@ SlipStatistics statistics_of(const PooledLevel& pooled, const RunResults& run, s
   s.mean_interval = pooled.mean_interval(options);
   s.median_interval = pooled.quantile_interval(0.5, options);
   s.p84_interval = pooled.quantile_interval(0.84, options);
-  double lifted = 0.0;
-  for (std::size_t record = 0; record < run.uplift.rows; ++record) {
-    for (std::size_t sample = 0; sample < run.uplift.columns; ++sample)
-      lifted += run.uplift(record, sample, level);
-  }
-  s.uplift_share = lifted / static_cast<double>(run.uplift.rows * run.uplift.columns);
+  s.uplift_share = share_at(run.uplift, level);
+  s.tip_share = share_at(run.tips, level);
   return s;
 }
 
@@ -164,9 +174,7 @@ StandardComparison compare(Standard standard, double sds_g, const StandardsConfi
   StandardComparison c;
   c.standard = standard;
   c.sds_g = sds_g;
-  c.prescribed = standard == Standard::seaoc_pv1_2012
-                     ? seaoc_pv1_2012_displacement(sds_g, config.category)
-                     : asce7_16_displacement(sds_g, config.importance);
+  c.prescribed = prescribed_displacement(standard, sds_g, config);
   c.exceedance_probability = pooled.share_above(c.prescribed.value_m);
   c.exceedance_interval = pooled.share_interval(c.prescribed.value_m, options);
   return c;
@@ -178,6 +186,7 @@ RunResults reduce_run(const Plan& plan, const std::vector<const UnitResult*>& un
   const BootstrapOptions options{.seed = plan.config.seed,
                                  .replicates = plan.config.sampling.bootstrap_replicates};
   RunResults run = assemble(plan, units, run_index);
+  if (plan.config.chart) return run;  // make_chart() tells what is to be told
   for (std::size_t i = 0; i < band_points; ++i) {
     run.band_intensities.push_back(levels.back() * static_cast<double>(i + 1) / band_points);
   }
@@ -224,14 +233,16 @@ RecordSummary summarise(const Motion& motion, double factor_at_unit_level) {
   return r;
 }
 
-/// At the level nearest S_DS = 1 g where the study is in sds_g; else as the suite file scales it,
-/// beside its MCE target.
+/// At the level nearest S_DS = 1 g, of a chart at the one it shows, where the study is in sds_g;
+/// else as the suite file scales it, beside its MCE target.
 SuiteSpectra spectra_of(const Plan& plan) {
   const IntensityConfig& intensity = plan.config.intensity;
   const bool by_sds = intensity.measure == IntensityMeasure::sds_g;
   SuiteSpectra spectra;
   spectra.periods_s = shown_periods_s();
-  if (by_sds) {
+  if (by_sds && plan.config.chart) {
+    spectra.reference_level = plan.config.chart->shown_level;
+  } else if (by_sds) {
     spectra.reference_level =
         *std::min_element(intensity.levels.begin(), intensity.levels.end(),
                           [](double a, double b) { return std::abs(a - 1.0) < std::abs(b - 1.0); });
@@ -262,8 +273,39 @@ SuiteSpectra spectra_of(const Plan& plan) {
   return spectra;
 }
 
+std::string percent(double share) {
+  return share < 5e-4 ? "fewer than 0.1 %" : fmt::format("{:.1f} %", 100.0 * share);
+}
+
+/// Tipping is outside the model too: from which level, and how much of the study.
+std::vector<std::string> notes_on_tipping(const Plan& plan, const Results& results) {
+  std::vector<std::string> notes;
+  if (!plan.config.base) return notes;
+  const RigidBase& base = *plan.config.base;
+  const std::string measure =
+      results.intensity_label.substr(0, results.intensity_label.rfind(" ("));
+  for (const RunResults& run : results.runs) {
+    std::size_t first = 0;
+    while (first < run.tips.depth && share_at(run.tips, first) == 0.0) ++first;
+    const std::string body =
+        fmt::format("{} friction: a body {:g} m wide with its centre of mass {:g} m above the roof",
+                    run.label, base.width_m, base.centre_of_mass_height_m);
+    if (first == run.tips.depth) {
+      notes.push_back("Tipping, " + body + " does not begin to tip in any history");
+      continue;
+    }
+    notes.push_back(fmt::format(
+        "TIPPING, {} begins to tip in some histories, from {} = {:.3g} g on; at the highest level "
+        "in {} of all. Tipping is outside "
+        "the model: slip there is that of a body that does not tip",
+        body, measure, results.levels[first], percent(share_at(run.tips, run.tips.depth - 1))));
+  }
+  return notes;
+}
+
 /// Uplift is outside the model: which records, from which level, and how much of the study.
 std::vector<std::string> notes_on_uplift(const Results& results) {
+  const char* table = results.chart ? "chart.csv" : "slip.csv";
   std::vector<std::string> notes;
   const std::string measure =
       results.intensity_label.substr(0, results.intensity_label.rfind(" ("));
@@ -288,13 +330,9 @@ std::vector<std::string> notes_on_uplift(const Results& results) {
         "UPLIFT, {} friction: {} of {} records ({}{}) lift the array off its roof in some "
         "histories, from {} = {:.3g} g "
         "on; at the highest level {} of all histories do. Lift-off is outside the model: "
-        "slip and fragility there "
-        "rest on a block without friction while lifted (share by level: tables/slip.csv)",
+        "slip there is that of a block without friction while lifted (shares: tables/{})",
         run.label, records, run.uplift.rows, names, records > 8 ? ", ..." : "", measure,
-        results.levels[first_level],
-        run.slip.back().uplift_share < 5e-4
-            ? "fewer than 0.1 %"
-            : fmt::format("{:.1f} %", 100.0 * run.slip.back().uplift_share)));
+        results.levels[first_level], percent(share_at(run.uplift, run.uplift.depth - 1)), table));
   }
   return notes;
 }
@@ -342,8 +380,11 @@ Results reduce(const Plan& plan, const std::vector<UnitResult>& units) {
   results.spectra = spectra_of(plan);
   for (std::size_t run = 0; run < plan.runs.size(); ++run)
     results.runs.push_back(reduce_run(plan, in_order, run));
+  if (plan.config.chart) results.chart = make_chart(plan, results.runs.front());
   results.notes = plan.notes;
   for (std::string& note : notes_on_uplift(results)) results.notes.push_back(std::move(note));
+  for (std::string& note : notes_on_tipping(plan, results))
+    results.notes.push_back(std::move(note));
   if (results.measure == IntensityMeasure::sds_g)
     results.notes.push_back(note_on_suite(results.spectra));
   return results;

@@ -4,21 +4,26 @@
 #include <algorithm>
 #include <cmath>
 
+#include "glissade/block/tipping.hpp"
 #include "glissade/core/contract.hpp"
 #include "glissade/motion/intensity.hpp"
 #include "glissade/study/scene.hpp"
 
 namespace glissade {
-RoofStore::RoofStore(const Plan& plan, Skipping skipping) : plan_(plan), skipping_(skipping) {}
+RoofStore::RoofStore(const Plan& plan, Skipping skipping) : plan_(plan), skipping_(skipping) {
+  for (std::uint64_t i = 0; i < plan.samples.size(); ++i) {
+    every_sample_.push_back(i);
+    if (plan.roofs_are_kept) samples_on_[plan.building[i]].push_back(i);
+  }
+}
 
 std::span<const SampleRoof> RoofStore::under(std::size_t record, std::uint64_t first_sample,
                                              std::uint64_t sample_count) {
   GLISSADE_EXPECTS(sample_count <= most_at_once);
   if (record != record_ || skipping_ == Skipping::none) turn_to(record);
   roofs_.assign(sample_count, {});
-  if (plan_.one_building) {
-    for (std::uint64_t i = 0; i < sample_count; ++i)
-      roofs_[i] = shared(plan_.samples[first_sample + i].component);
+  if (plan_.roofs_are_kept) {
+    for (std::uint64_t i = 0; i < sample_count; ++i) roofs_[i] = kept(first_sample + i);
   } else {
     make(first_sample, roofs_);
   }
@@ -26,16 +31,17 @@ std::span<const SampleRoof> RoofStore::under(std::size_t record, std::uint64_t f
 }
 
 SlipCurve* RoofStore::curve(std::uint64_t sample, std::size_t run) {
-  const bool holds = plan_.one_building && plan_.runs[run].repeats && skipping_ == Skipping::all &&
-                     plan_.samples[sample].slope_deg == 0.0 && vertical(1) == nullptr;
-  return holds ? &curve_[plan_.samples[sample].component] : nullptr;
+  const bool holds = plan_.roofs_are_kept && plan_.runs[run].repeats &&
+                     skipping_ == Skipping::all && plan_.samples[sample].slope_deg == 0.0 &&
+                     vertical(1) == nullptr;
+  return holds ? &curve_[plan_.building[sample]] : nullptr;
 }
 
 void RoofStore::turn_to(std::size_t record) {
   record_ = record;
   ground_.clear();
   vertical_.clear();
-  shared_.clear();
+  kept_.clear();
   curve_.clear();
 }
 
@@ -72,7 +78,7 @@ std::shared_ptr<MotionTable> RoofStore::vertical(int parts) {
     const double factor = plan_.config.intensity.measure == IntensityMeasure::ppa_g
                               ? 50.0 * standard_gravity_mps2 / pga
                               : plan_.factor_at_unit_level[record_];
-    const RoofMotionOptions options = for_vertical(follow(0, plan_.samples.size(), factor));
+    const RoofMotionOptions options = for_vertical(follow(every_sample_, factor));
     table = std::make_shared<MotionTable>();
     tabulate_responses(up, {&oscillator, 1}, {&options, 1}, {table.get(), 1});
   }
@@ -80,24 +86,24 @@ std::shared_ptr<MotionTable> RoofStore::vertical(int parts) {
 }
 
 /// How far a roof under these samples must be followed. @param factor on the motion at intensity 1
-RoofMotionOptions RoofStore::follow(std::uint64_t first_sample, std::uint64_t count,
-                                    double factor) const {
+RoofMotionOptions RoofStore::follow(std::span<const std::uint64_t> samples, double factor) const {
   std::vector<Block> blocks;
-  for (std::uint64_t i = first_sample; i < first_sample + count; ++i) {
-    for (const FrictionRun& run : plan_.runs)
-      blocks.push_back(
-          {.friction = run.friction[i], .slope_rad = plan_.samples[i].slope_deg * rad_per_deg});
+  for (const std::uint64_t i : samples) {
+    for (const FrictionRun& run : plan_.runs) {
+      const Block block{.friction = run.friction[i],
+                        .slope_rad = plan_.samples[i].slope_deg * rad_per_deg};
+      blocks.push_back(block);
+      if (!plan_.config.base) continue;
+      const Block rocking = rocking_block(block, *plan_.config.base);
+      if (rocking.friction < block.friction) blocks.push_back(rocking);
+    }
   }
   return follow_roof(blocks, plan_.config.intensity.levels.back() * factor);
 }
 
-/// Of a plan with one building: its roof under one component.
-SampleRoof& RoofStore::shared(int component) {
-  SampleRoof& roof = shared_[component];
-  if (roof.table.horizontal) return roof;
-  const auto any = std::find_if(plan_.samples.begin(), plan_.samples.end(),
-                                [&](const SamplePoint& s) { return s.component == component; });
-  make(static_cast<std::uint64_t>(any - plan_.samples.begin()), {&roof, 1});
+SampleRoof& RoofStore::kept(std::uint64_t sample) {
+  SampleRoof& roof = kept_[plan_.building[sample]];
+  if (!roof.table.horizontal) make(sample, {&roof, 1});
   return roof;
 }
 
@@ -116,8 +122,9 @@ void RoofStore::make(std::uint64_t first_sample, std::span<SampleRoof> roofs) {
   }
   for (std::size_t i = 0; i < roofs.size(); ++i) {
     const double factor = roofs[i].factor_at_unit_level;
-    options[i] = plan_.one_building ? follow(0, plan_.samples.size(), factor)
-                                    : follow(first_sample + i, 1, factor);
+    const std::uint64_t sample = first_sample + i;
+    options[i] = plan_.roofs_are_kept ? follow(samples_on_[plan_.building[sample]], factor)
+                                      : follow({&sample, 1}, factor);
   }
   make(first_sample, options, roofs);
 }

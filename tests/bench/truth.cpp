@@ -24,12 +24,12 @@ Truth truth_of(const StandardScene& scene, const StandardScenes& all) {
   RoofAcceleration felt = scene.felt(all.components, roof);
   Block block = scene.block;
   double factor = scene.factor(all.components);
-  if (block.slope_rad < 0.0) {  // mirrored: the references take slopes >= 0
+  const test::Reference exact(felt, block);
+  if (block.slope_rad < 0.0) {  // mirrored: the oscillator's reference takes slopes >= 0
     block.slope_rad = -block.slope_rad;
     felt.horizontal_factor = -felt.horizontal_factor;
     factor = -factor;
   }
-  const test::Reference exact(felt, block);
   Truth truth{.samples_m = static_cast<double>(exact.down > exact.up ? exact.down : exact.up),
               .uplift = exact.uplift};
   if (scene.period_s == 0.0) {

@@ -252,6 +252,78 @@ TEST_F(Slide, one_column_in_other_units_takes_dt_s_and_units) {
   EXPECT_NEAR(json["peak_displacement_m"], expected, 1e-12);
 }
 
+// -- tipping. The push of 0.5 g: a body of width / (2 height) = 0.25 rocks from 0.25 g on.
+
+TEST_F(Slide, a_body_held_by_friction_tips_where_its_base_is_too_narrow) {
+  const std::string push = folder_.write("push.txt", two_columns(std::vector<double>(51, 0.5)));
+  std::vector<std::string> options{
+      "--mu", "0.9", "--slope-deg", "0", "--centre-of-mass-height-m", "1", "--base-width-m", "0.5"};
+  for (const char* method : {"event", "rodriguez-nikl"}) {
+    auto all = options;
+    all.insert(all.end(), {"--method", method});
+    const Json json = slide_json(push, all);
+    EXPECT_EQ(json["tips"], true);
+    EXPECT_NEAR(json["tipping_scale"], 0.5, 1e-15);
+    EXPECT_EQ(json["peak_displacement_m"], 0.0);
+  }
+  options.insert(options.end(), {"--scale", "0.49"});
+  EXPECT_EQ(slide_json(push, options)["tips"], false);
+  EXPECT_NEAR(slide_json(push, options)["tipping_scale"], 0.5, 1e-15);  // on the record as it is
+}
+
+TEST_F(Slide, a_body_that_slides_first_never_tips) {
+  const Json json =
+      slide_json(record_, {"--mu", "0.25", "--slope-deg", "0", "--centre-of-mass-height-m", "1",
+                           "--base-width-m", "0.5", "--scale", "9"});
+  EXPECT_EQ(json["tips"], false);
+  EXPECT_TRUE(json.at("tipping_scale").is_null());
+}
+
+TEST_F(Slide, a_building_tips_a_body_in_its_ring_down_at_any_scale_asked_for) {
+  // A pulse much shorter than the period: the building swings furthest after it, while the ground
+  // is quiet, and a small scale asks for no ring-down.
+  const std::vector<double> pulse(11, 0.1);
+  const std::string file = folder_.write("pulse.txt", two_columns(pulse));
+  const auto scale_of = [&](const char* scale) -> double {
+    return slide_json(file, {"--mu", "0.9", "--slope-deg", "0", "--period-s", "1", "--damping",
+                             "0.02", "--centre-of-mass-height-m", "1", "--base-width-m", "0.5",
+                             "--scale", scale})["tipping_scale"];
+  };
+  const double well_followed = scale_of("100");
+  EXPECT_NEAR(scale_of("1e-6"), well_followed, 1e-12 * well_followed);
+}
+
+TEST_F(Slide, without_a_base_the_json_has_no_tipping) {
+  const Json json = slide_json(record_, {"--mu", "0.9", "--slope-deg", "0"});
+  EXPECT_FALSE(json.contains("tips"));
+  EXPECT_FALSE(json.contains("tipping_scale"));
+}
+
+TEST_F(Slide, refuses_half_a_base_and_sizes_that_are_none) {
+  expect_refused(run_program({"slide", record_, "--mu", "0.9", "--slope-deg", "0",
+                              "--centre-of-mass-height-m", "1"}),
+                 {"--centre-of-mass-height-m", "give --base-width-m too"});
+  expect_refused(
+      run_program({"slide", record_, "--mu", "0.9", "--slope-deg", "0", "--base-width-m", "1"}),
+      {"--base-width-m", "give --centre-of-mass-height-m too"});
+  expect_refused(run_program({"slide", record_, "--mu", "0.9", "--slope-deg", "0",
+                              "--centre-of-mass-height-m", "0", "--base-width-m", "inf"}),
+                 {"--centre-of-mass-height-m: 0 must be > 0", "--base-width-m: inf must be > 0"});
+}
+
+TEST_F(Slide, text_tells_whether_the_body_tips) {
+  const std::string push = folder_.write("push.txt", two_columns(std::vector<double>(51, 0.5)));
+  const auto text = [&](const char* mu, const char* scale) {
+    return run_program({"slide", push, "--mu", mu, "--slope-deg", "0", "--centre-of-mass-height-m",
+                        "1", "--base-width-m", "0.5", "--scale", scale})
+        .out;
+  };
+  EXPECT_THAT(text("0.9", "1"), HasSubstr("TIPPING: from a scale of 0.5 (PGA 0.25 g) on"));
+  EXPECT_THAT(text("0.9", "0.4"), HasSubstr("not before a scale of 0.5 (PGA 0.25 g)\n"));
+  EXPECT_THAT(text("0.2", "1"), HasSubstr("cannot tip: friction lets it slide first (mu <= width / "
+                                          "(2 height) = 0.25)\n"));
+}
+
 TEST_F(Slide, text_says_what_the_numbers_are) {
   const Finished child = run_program({"slide", record_, "--mu", "0.2", "--slope-deg", "2"});
   EXPECT_EQ(child.status, 0);

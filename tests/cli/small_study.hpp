@@ -38,6 +38,41 @@ compare = ["seaoc_pv1_2012"]
 )";
 }
 
+/// A chart of a second on the same motions: slopes to one that friction does not hold, and a tall
+/// body.
+inline std::string small_chart() {
+  return R"([study]
+name = "small chart"
+
+[suite]
+file = ")" GLISSADE_SOURCE_DIR R"(/suites/synthetic_level0.toml"
+
+[intensity]
+measure = "sds_g"
+levels = [0, 1.5]
+
+[chart]
+slope_deg = [0, 2, 6]
+mu = [0.1, 0.2, 0.3, 0.5]
+period_s = [0, 0.5]
+
+[[chart.read]]
+slope_deg = 1
+mu = 0.4
+
+[[chart.read]]
+slope_deg = 1
+displacement_m = 0.1
+
+[standards]
+compare = ["seaoc_pv1_2012"]
+
+[array]
+centre_of_mass_height_m = 1.0
+base_width_m = 0.8
+)";
+}
+
 /// A suite of one motion of one component: record.txt beside it, in g at 0.02 s.
 inline std::string suite_of_one_record() {
   return R"([suite]

@@ -4,6 +4,7 @@
 #include <cstdlib>
 
 #include "cli/child.hpp"
+#include "cli/small_convergence.hpp"
 #include "cli/small_study.hpp"
 
 namespace glissade::test {
@@ -50,6 +51,14 @@ TEST_F(Mpi, one_two_three_and_seven_ranks_give_the_bytes_of_none) {
     EXPECT_TRUE(results_on(ranks, study) == alone) << ranks << " ranks";
 }
 
+TEST_F(Mpi, a_chart_has_the_same_bytes_on_any_number_of_ranks) {
+  const std::string study = folder_.write("chart.toml", small_chart());
+  const std::string alone = results_on(0, study);
+  ASSERT_FALSE(alone.empty());
+  for (const int ranks : {1, 2, 3, 7})
+    EXPECT_TRUE(results_on(ranks, study) == alone) << ranks << " ranks";
+}
+
 TEST_F(Mpi, more_ranks_than_units_of_work_give_the_same_bytes) {
   std::string record;
   for (int i = 0; i < 500; ++i) record += i % 40 < 20 ? "0.5\n" : "-0.5\n";
@@ -66,6 +75,14 @@ TEST_F(Mpi, more_ranks_than_units_of_work_give_the_same_bytes) {
   const std::string alone = results_on(0, study);
   ASSERT_FALSE(alone.empty());
   for (const int ranks : {2, 7})
+    EXPECT_TRUE(results_on(ranks, study) == alone) << ranks << " ranks";
+}
+
+TEST_F(Mpi, a_convergence_study_gives_the_same_bytes_on_any_number_of_ranks) {
+  const std::string study = folder_.write("study.toml", small_convergence());
+  const std::string alone = results_on(0, study);
+  ASSERT_FALSE(alone.empty());
+  for (const int ranks : {2, 5})  // fewer and more than its three records
     EXPECT_TRUE(results_on(ranks, study) == alone) << ranks << " ranks";
 }
 

@@ -7,25 +7,6 @@
 namespace glissade::verification {
 namespace {
 
-constexpr double g = standard_gravity_mps2;
-
-// -- the physical checks of Rodriguez-Nikl et al. (2019), in their order
-
-const std::string paper = "Rodriguez-Nikl et al. 2019, physical check ";
-
-/// The smallest upslope-pushing pulse that loosens the block, by bisection of slide().
-double loosening_acceleration_mps2(const Block& block) {
-  double holds = 0.0, slips = g;
-  for (int i = 0; i < 60; ++i) {
-    const double peak = 0.5 * (holds + slips);
-    (slide({0.01, std::vector<double>{0.0, -peak, 0.0}}, block).slip_phases > 0 ? slips : holds) =
-        peak;
-  }
-  return slips;
-}
-
-// -- invariants
-
 bool same(const SlipResult& a, const SlipResult& b) {
   return a.peak_displacement_m == b.peak_displacement_m &&
          a.residual_displacement_m == b.residual_displacement_m &&
@@ -54,39 +35,6 @@ std::vector<double> with_midpoints(const std::vector<double>& x) {
 }
 
 }  // namespace
-
-std::vector<Case> physical_checks(const Suite& suite) {
-  const Block steep{1.0, 30.0 * rad_per_deg}, gentle{0.1, 7.0 * rad_per_deg};
-  const std::vector<double> still(1001, 0.0);
-  const Motion& m = suite.motions.front();
-  const auto peak_at = [&](double slope_deg) {
-    return slide({m.dt_s, m.horizontal_mps2[0], {}, m.scale}, {0.4, slope_deg * rad_per_deg})
-        .peak_displacement_m;
-  };
-  const double critical = std::tan(0.5 * rad_per_deg);
-  const auto still_slip = [&](double share) {
-    return slide({0.01, still}, {share * critical, 0.5 * rad_per_deg}).peak_displacement_m;
-  };
-  return {
-      all_equal({"holds on a still slope of 30 deg with mu 1.0", "slip phases", paper + "1"},
-                {slide({0.01, still}, steep).slip_phases == 0 ? 0 : 1, 1}),
-      compare({"and is knocked loose by a large enough acceleration", "acceleration, m/s2",
-               paper + "1; g tan(45 - 30 deg)"},
-              {loosening_acceleration_mps2(steep), g * std::tan(15.0 * rad_per_deg), 1e-12}),
-      compare({"slides down a still slope of 7 deg with mu 0.1 for 10 s", "slip in plan, m",
-               paper + "2; (g sin - mu g cos) t^2/2, times cos"},
-              {slide({0.01, still}, gentle).residual_displacement_m,
-               50.0 * g * (std::sin(gentle.slope_rad) - 0.1 * std::cos(gentle.slope_rad)) *
-                   std::cos(gentle.slope_rad),
-               1e-12}),
-      within({"slopes of +4 and -4 deg, mu 0.4, first motion of suite level 2", "peak slips",
-              paper + "3: they differ"},
-             {"relative difference", std::abs(peak_at(4.0) / peak_at(-4.0) - 1.0), 1e-3, INFINITY}),
-      all_equal({"slides on 0.5 deg at 0.999 of the critical friction and not at 1.000",
-                 "statements", paper + "4"},
-                {(still_slip(0.999) > 0.0 ? 0 : 1) + (still_slip(1.0) == 0.0 ? 0 : 1), 2}),
-  };
-}
 
 std::vector<Case> invariants(const Suite& suite) {
   int mirror = 0, field = 0, padding = 0, clock = 0, histories = 0;

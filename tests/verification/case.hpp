@@ -64,7 +64,8 @@ struct Chapter {
 
 /// Where chapters find their inputs and leave their figures.
 struct Folders {
-  std::filesystem::path suites;      ///< the built-in suites
+  std::filesystem::path suites;  ///< the built-in suites
+  std::filesystem::path studies;
   std::filesystem::path simulation;  ///< what verify_simulation wrote
   std::filesystem::path figures;
 };

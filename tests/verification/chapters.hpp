@@ -5,8 +5,7 @@
 
 namespace glissade::verification {
 
-Chapter sliding_block(
-    const Folders& folders);  ///< exact solutions, closed forms, physical checks, invariants
+Chapter sliding_block(const Folders& folders);  ///< exact solutions, closed forms, invariants
 Chapter published_scheme(
     const Folders& folders);      ///< Rodriguez-Nikl's scheme converging to the exact solution
 Chapter closed_form_solutions();  ///< pulses and harmonics, the block and the roof below it
@@ -17,5 +16,10 @@ Chapter sampling();
 Chapter standards();
 Chapter simulated_motions(const Folders& folders);
 Chapter end_to_end(const Folders& folders);
+Chapter first_paper_checks(const Folders& folders);  ///< Rodriguez-Nikl et al.'s physical checks
+Chapter first_paper_link(const Folders& folders);    ///< their comparison with SAP 2000
+Chapter first_paper_convergence(const Folders& folders);
+Chapter first_paper_parametric_study(const Folders& folders);
+Chapter first_paper_charts(const Folders& folders);  ///< what they name as future work
 
 }  // namespace glissade::verification

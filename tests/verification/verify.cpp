@@ -47,6 +47,7 @@ int main(int argc, char** argv) try {
   }
   const std::filesystem::path folder = arguments[0];
   const Folders folders{.suites = GLISSADE_SOURCE_DIR "/suites",
+                        .studies = GLISSADE_SOURCE_DIR "/studies",
                         .simulation = GLISSADE_SIMULATED_SPECTRA,
                         .figures = folder / "figures"};
   std::filesystem::create_directories(folders.figures);
@@ -59,7 +60,12 @@ int main(int argc, char** argv) try {
                                          sampling(),
                                          standards(),
                                          simulated_motions(folders),
-                                         end_to_end(folders)};
+                                         end_to_end(folders),
+                                         first_paper_checks(folders),
+                                         first_paper_link(folders),
+                                         first_paper_convergence(folders),
+                                         first_paper_parametric_study(folders),
+                                         first_paper_charts(folders)};
   const std::string text = page(chapters);
   write_text_file(folder / "README.md", text);
   const bool good = report_failures(chapters);

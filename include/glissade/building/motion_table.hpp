@@ -32,6 +32,9 @@ struct Quartic {
   double b[5];
 };
 
+/// Raises `largest` >= 0 to the largest value of a quartic on its interval, to 1e-12 of it.
+void raise_to_largest(const Quartic& quartic, double& largest);
+
 /// A table's exact values, to read. Holds pointers: valid until the table or its ground changes.
 class MotionNodes {
  public:

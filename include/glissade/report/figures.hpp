@@ -31,7 +31,9 @@ Figure slip_vs_sds_figure(const Results& results, const RunResults& run);
 Figure spectra_figure(const Results& results);
 
 /// Every figure the results can fill: per run the fragility, then of the first run IDA and
-/// slip_vs_sds (sds_g only), spectra.
+/// slip_vs_sds (sds_g only), spectra; of a design chart chart_contours, chart_friction,
+/// chart_slope, with several levels chart_intensity and chart_slope_levels, with several building
+/// periods chart_period, spectra.
 std::vector<Figure> make_figures(const Results& results);
 
 /// Writes NAME.gp and NAME.dat and runs gnuplot on them: NAME.svg and NAME.pdf in `folder`. The

@@ -41,6 +41,7 @@ struct Table {
   std::string title;  ///< one line: what it is
   std::vector<Column> columns;
   std::vector<std::vector<Cell>> rows;
+  std::vector<std::string> notes;  ///< how to read it: a line each, below the title
 
   /// Adds a row. Expects one cell per column.
   void add(std::vector<Cell> row);
@@ -52,8 +53,8 @@ struct Table {
 /// finite.
 std::string cell_text(const Column& column, const Cell& cell);
 
-/// `# title`, a header with the unit in every name, then the rows (RFC 4180 quoting). NaN is an
-/// empty field.
+/// `# title` and the notes likewise, a header with the unit in every name, then the rows (RFC 4180
+/// quoting). NaN is an empty field.
 std::string to_csv(const Table& table);
 /// Title and aligned columns, numbers to the right.
 std::string to_text(const Table& table);

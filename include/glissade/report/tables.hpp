@@ -28,7 +28,8 @@ Table spectra_table(const Results& results);
 /// The sampled parameters. Friction is that of the "sampled" run.
 Table samples_table(const Results& results);
 
-/// All of the above that are files of their own, in this order.
+/// All of the above that are files of their own, in this order; of a design chart chart (the
+/// interpolation table), chart_by_period, chart_readings, chart_standards, records, spectra.
 std::vector<Table> csv_tables(const Results& results);
 
 /// The fit on capacities where it converged, else the one on stripes where that did, else the one

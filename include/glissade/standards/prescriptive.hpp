@@ -24,9 +24,12 @@ struct Prescription {
       basis;  ///< the equation or clause, and, where recalled, "verify against the standard"
 };
 
+/// SEAOC PV1-2012 prescribes for slopes below and friction above these (checked: Rodriguez-Nikl et
+/// al. 2019).
+inline constexpr double seaoc_slope_limit_deg = 3.0, seaoc_mu_limit = 0.4;
+
 /// SEAOC PV1-2012 design displacement: 60 (S_DS - 0.4)^2 in for SDC D, E, F (checked); not less
-/// than 6 in (recalled); 6 in for SDC A-C (recalled). S_DS < 0.4 g counts as 0.4. Valid for slopes
-/// under 3 degrees and mu above 0.4.
+/// than 6 in (recalled); 6 in for SDC A-C (recalled). S_DS < 0.4 g counts as 0.4.
 Prescription seaoc_pv1_2012_displacement(double sds_g, SeismicDesignCategory category);
 
 /// ASCE 7-16 section 13.6.12: 5 I_e (S_DS - 0.4)^2 ft (checked); not less than 24 in (recalled).

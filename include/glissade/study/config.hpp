@@ -126,6 +126,10 @@ struct StudyConfig {
 /// Axis label of the intensity measure with its unit: "S_DS (g)", "Sa(1 s) (g)" ...
 std::string intensity_label(const IntensityConfig& intensity);
 
+/// What a standard prescribes at an S_DS.
+Prescription prescribed_displacement(Standard standard, double sds_g,
+                                     const StandardsConfig& standards);
+
 /// "uniform, 0.2 to 2", "one of 1.19, 2.39" ...
 std::string describe(const Distribution& distribution);
 

@@ -17,6 +17,7 @@ struct UnitResult {
     std::vector<double> peak_displacement_m;  ///< sample-major, levels fastest; +inf: beyond the
                                               ///< largest threshold, not asked
     std::vector<std::uint8_t> uplift;         ///< the same shape
+    std::vector<std::uint8_t> tips;           ///< the same shape; empty where it is not asked for
     std::vector<double>
         capacity;  ///< sample-major, thresholds fastest; +inf not reached, 0 slides without shaking
   };

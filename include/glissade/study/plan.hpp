@@ -32,8 +32,10 @@ struct Plan {
   StudyConfig config;
   Suite suite;
   std::vector<SamplePoint> samples;
-  bool one_building = false;      ///< all samples have the same period and damping
-  std::vector<FrictionRun> runs;  ///< sampled first
+  std::vector<std::size_t> building;  ///< per sample: which of the distinct roofs (component,
+                                      ///< period, damping) of a record it is on
+  bool roofs_are_kept = false;        ///< so few of them that a record's are all kept
+  std::vector<FrictionRun> runs;      ///< sampled first
   std::vector<double>
       factor_at_unit_level;  ///< per record: factor on the motion at intensity 1; 0 for ppa_g
   std::vector<WorkUnit> units;

@@ -30,7 +30,7 @@ struct SampleRoof {
 using SlipCurve = std::unordered_map<std::uint64_t, PeakSlip>;
 
 /// Makes the roofs of a plan's samples, each once: as long as the same record is asked for, its
-/// ground, its vertical, and, where all samples have one building, its roof and curve are kept.
+/// ground, its vertical, and, where its buildings are few, its roofs and curves are kept.
 class RoofStore {
  public:
   RoofStore(const Plan& plan, Skipping skipping);
@@ -54,8 +54,8 @@ class RoofStore {
   std::span<const double> ground_motion(int component) const;
   std::shared_ptr<GroundTable> ground(int component, int parts);
   std::shared_ptr<MotionTable> vertical(int parts);
-  RoofMotionOptions follow(std::uint64_t first_sample, std::uint64_t count, double factor) const;
-  SampleRoof& shared(int component);
+  RoofMotionOptions follow(std::span<const std::uint64_t> samples, double factor) const;
+  SampleRoof& kept(std::uint64_t sample);
   void make(std::uint64_t first_sample, std::span<SampleRoof> roofs);
   void make(std::uint64_t first_sample, std::span<const RoofMotionOptions> follow,
             std::span<SampleRoof> roofs);
@@ -64,12 +64,14 @@ class RoofStore {
   const Plan& plan_;
   Skipping skipping_;
   std::uint64_t roofs_made_ = 0;
+  std::vector<std::uint64_t> every_sample_;
+  std::map<std::size_t, std::vector<std::uint64_t>> samples_on_;  ///< by building, where kept
 
   std::size_t record_ = static_cast<std::size_t>(-1);
   std::map<std::pair<int, int>, std::shared_ptr<GroundTable>> ground_;  ///< by component and parts
   std::map<int, std::shared_ptr<MotionTable>> vertical_;                ///< by parts
-  std::map<int, SampleRoof> shared_;                                    ///< by component
-  std::map<int, SlipCurve> curve_;                                      ///< by component
+  std::map<std::size_t, SampleRoof> kept_;                              ///< by building
+  std::map<std::size_t, SlipCurve> curve_;                              ///< by building
   std::vector<std::shared_ptr<MotionTable>> pool_;  ///< tables whose memory is used again
   std::vector<SampleRoof> roofs_;
 };

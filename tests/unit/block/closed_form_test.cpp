@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "unit/block/each_solver.hpp"
+#include "unit/block/reference.hpp"
 
 namespace glissade {
 namespace {
@@ -37,6 +39,16 @@ TEST(physical_check,
     EXPECT_NEAR(r.residual_displacement_m, along_slope * std::cos(block.slope_rad), 1e-11);
     EXPECT_TRUE(r.free_sliding);
     EXPECT_EQ(r.slip_phases, 1u);
+  });
+}
+
+TEST(physical_check, three_differs_between_slopes_of_plus_and_minus_four_degrees) {
+  const auto a = test::made_up_record(1000, 1, g);  // not symmetric, peak 1 g as the paper's
+  for_each_solver([&](const Solver& solver) {
+    const Outcome plus = solver.solve({0.01, a}, {0.4, 4 * rad_per_deg});
+    const Outcome minus = solver.solve({0.01, a}, {0.4, -4 * rad_per_deg});
+    EXPECT_GT(std::min(plus.peak_displacement_m, minus.peak_displacement_m), 0.0);
+    EXPECT_GT(std::abs(plus.peak_displacement_m / minus.peak_displacement_m - 1.0), 1e-3);
   });
 }
 

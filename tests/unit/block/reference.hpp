@@ -17,17 +17,19 @@ using Real = boost::multiprecision::cpp_bin_float_50;
 /// at its turning point, and events are bisected on the monotone pieces. Slopes and coefficients
 /// are those of the doubles given.
 struct Reference {
-  Real slip = 0, down = 0, up = 0, peak_velocity = 0;  ///< along the slope times cos(slope)
+  Real slip = 0, down = 0, up = 0, peak_velocity = 0;  ///< in plan; downslope positive, +x if flat
   Real duration = 0;                                   ///< of sliding
   bool uplift = false;
 
   Reference(const RoofAcceleration& roof, const Block& block) {
     using std::abs;
-    const Real slope = block.slope_rad, sine = sin(slope), cosine = cos(slope),
+    // A roof that falls toward -x is the mirror image of one that falls toward +x.
+    const int mirror = block.slope_rad < 0 ? -1 : 1;
+    const Real slope = std::abs(block.slope_rad), sine = sin(slope), cosine = cos(slope),
                g = block.gravity_mps2, friction = block.friction;
     const std::size_t n = roof.horizontal_mps2.size();
     const auto a = [&](std::size_t i) {
-      return i < n ? Real(roof.horizontal_mps2[i]) * roof.horizontal_factor : Real(0);
+      return i < n ? mirror * Real(roof.horizontal_mps2[i]) * roof.horizontal_factor : Real(0);
     };
     const auto w = [&](std::size_t i) {
       return i < n && !roof.vertical_mps2.empty()

@@ -38,18 +38,6 @@ struct Scene {
   RoofAcceleration roof() const { return {dt_s, a, w}; }
 };
 
-/// Downslope is positive for Reference too where the roof falls toward +x; another is its mirror
-/// image.
-Reference fifty_digits(const RoofAcceleration& roof, const Block& block) {
-  RoofAcceleration seen = roof;
-  Block held = block;
-  if (block.slope_rad < 0) {
-    held.slope_rad *= -1;
-    seen.horizontal_factor *= -1;
-  }
-  return {seen, held};
-}
-
 double largest(const std::vector<double>& samples) {
   double peak = 0;
   for (const double x : samples) peak = std::max(peak, std::abs(x));
@@ -92,7 +80,7 @@ void expect_fifty_digits(const Scene& scene, const Outcome& r, const Reference& 
 int expect_all_stand(const std::vector<Scene>& scenes) {
   int slipped = 0;
   for (const Scene& scene : scenes) {
-    const Reference exact = fifty_digits(scene.roof(), scene.block);
+    const Reference exact(scene.roof(), scene.block);
     slipped += exact.down + exact.up > 0 ? 1 : 0;
     for (const Solver& solver : solvers()) {
       SCOPED_TRACE(scene.name + ", " + solver.name);

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "glissade/core/random.hpp"
+#include "glissade/core/units.hpp"
 #include "glissade/standards/prescriptive.hpp"
 
 namespace glissade {
@@ -176,7 +177,120 @@ SuiteSpectra spectra_of(std::size_t record_count) {
   return spectra;
 }
 
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+std::vector<double> steps(int first, int last, double step) {
+  std::vector<double> axis;
+  for (int i = first; i <= last; ++i) axis.push_back(i * step);
+  return axis;
+}
+
+/// Of the factors by record.
+struct RecordFactors {
+  double mean = 1.0, p84 = 1.306, p95 = 1.405, largest = 1.45;
+};
+
+ChartSlip times(double slip_m, const RecordFactors& factors) {
+  return {factors.mean * slip_m, factors.p84 * slip_m, factors.p95 * slip_m,
+          factors.largest * slip_m};
+}
+
+ChartPoint chart_point(ChartPoint point, const std::vector<double>& factor_by_period,
+                       const RecordFactors& factors) {
+  const double yield_g = point.mu - std::tan(point.slope_deg * rad_per_deg);
+  point.free_sliding = yield_g <= 0.0;
+  const double over_g = std::max(0.0, point.level - yield_g);
+  const double slip_m = point.free_sliding ? infinity : 0.25 * over_g * over_g / yield_g;
+  for (const double factor : factor_by_period)
+    point.by_period.push_back(times(factor * slip_m, factors));
+  point.largest = times(slip_m, factors);
+  if (!point.free_sliding) {
+    point.mean_interval = {0.8 * point.largest.mean_m, 1.2 * point.largest.mean_m};
+  }
+  point.clearance_m = 1.1 * point.largest.mean_m;
+  return point;
+}
+
+void fill_chart(Results& results, const std::vector<double>& factor_by_period,
+                const RecordFactors& factors, double governing_period_s) {
+  Chart& chart = *results.chart;
+  for (const double level : results.levels) {
+    for (const double slope_deg : chart.slope_deg) {
+      for (const double mu : chart.mu) {
+        ChartPoint point;
+        point.level = level;
+        point.slope_deg = slope_deg;
+        point.mu = mu;
+        point.governing_period_s = governing_period_s;
+        chart.points.push_back(chart_point(point, factor_by_period, factors));
+      }
+    }
+  }
+}
+
 }  // namespace
+
+Results made_up_chart_results() {
+  Results results = made_up_results();
+  results.study_name = "made_up_chart";
+  results.records.resize(10);
+  results.spectra = spectra_of(10);
+  results.levels = {0.5, 1.0, 1.5};
+  results.thresholds_m.clear();
+  results.runs.resize(1);
+  results.runs[0] = RunResults{};
+  results.runs[0].label = "chart";
+  results.notes.clear();
+  Chart& chart = results.chart.emplace();
+  chart.slope_deg = steps(0, 14, 0.5);
+  chart.mu = steps(2, 16, 0.05);
+  chart.period_s = {0.2, 0.5, 1.0};
+  chart.shown_slope_deg = 2.0;
+  chart.shown_mu = 0.5;
+  chart.shown_level = 1.0;
+  fill_chart(results, {0.7, 1.0, 0.4}, {}, 0.5);
+  ChartReading displacement;  // as if read off: the report shows what it is given
+  displacement.question.level = 1.0;
+  displacement.question.slope_deg = 2.0;
+  displacement.question.mu = 0.5;
+  displacement.mean = 0.25;
+  displacement.clearance = 0.275;
+  displacement.p84 = 0.3;
+  displacement.p95 = 0.35;
+  displacement.envelope = 0.4;
+  ChartReading friction = displacement;
+  friction.question.mu.reset();
+  friction.question.displacement_m = 0.5;
+  friction.mean = 0.1;
+  friction.clearance = 0.45;
+  friction.envelope = infinity;
+  chart.readings = {displacement, friction};
+  for (const double level : results.levels) {
+    chart.standards.push_back({Standard::seaoc_pv1_2012, level,
+                               seaoc_pv1_2012_displacement(level, SeismicDesignCategory::d)});
+  }
+  for (const double level : results.levels)
+    chart.standards.push_back({Standard::asce7_16, level, asce7_16_displacement(level, 1.0)});
+  return results;
+}
+
+Results made_up_one_record_chart() {
+  Results results = made_up_chart_results();
+  results.study_name = "made_up_one_record";
+  results.records.resize(1);
+  results.spectra = {};
+  results.levels = steps(0, 15, 0.1);
+  results.measure = IntensityMeasure::ppa_g;
+  results.intensity_label = "PPA (g)";
+  Chart& chart = *results.chart;
+  chart.points.clear();
+  chart.standards.clear();
+  chart.period_s = {0.0};
+  chart.shown_slope_deg = 1.0;
+  chart.shown_level = results.levels.back();
+  fill_chart(results, {1.0}, {1.0, 1.0, 1.0, 1.0}, 0.0);
+  return results;
+}
 
 Results made_up_results() {
   Results results;

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "glissade/study/plan.hpp"
+#include "glissade/study/results.hpp"
+
+namespace glissade {
+
+/// The grid of a chart in place of random samples: every period, component, slope, sign and
+/// friction, friction fastest.
+std::vector<SamplePoint> chart_samples(const StudyConfig& config);
+
+/// The chart of a run over that grid.
+Chart make_chart(const Plan& plan, const RunResults& run);
+
+/// The answer to a question, by linear interpolation in slope and friction. Of a friction: the
+/// least from which on slip stays within the displacement; +inf where it does not on this chart,
+/// the chart's least friction where that does already. Next to a point that slides freely, the next
+/// friction that does not.
+/// @param levels the chart's; the question's level is one of them, slope and friction lie within
+/// the axes
+ChartReading read_off(const Chart& chart, const std::vector<double>& levels,
+                      const ChartQuestion& question);
+
+}  // namespace glissade

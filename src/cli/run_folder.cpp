@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "run_folder.hpp"
+
+#include <stdexcept>
+
+#include "glissade/core/file.hpp"
+#include "glissade/study/exchange.hpp"
+
+namespace glissade::cli {
+
+namespace fs = std::filesystem;
+
+void share(Suite& suite, const Communicator& world) {
+  std::vector<char> message = world.is_root() ? pack(suite) : std::vector<char>();
+  world.broadcast(message);
+  if (!world.is_root()) suite = unpack_suite(message);
+}
+
+void check_same_plan(const std::string& hash, const Communicator& world) {
+  std::vector<char> of_root(hash.begin(), hash.end());
+  world.broadcast(of_root);
+  if (hash != std::string(of_root.begin(), of_root.end())) {
+    throw std::runtime_error(
+        "the ranks make different plans of one study: run them on one kind of machine, and leave "
+        "the study file alone meanwhile");
+  }
+}
+
+void check_results_folder(const fs::path& folder) {
+  std::error_code error;
+  if (!fs::exists(folder, error)) return;
+  if (!fs::is_directory(folder, error)) {
+    throw InputError({folder.string(), "is not a folder", "give another --out", ""});
+  }
+  if (!fs::is_empty(folder, error) || error) {
+    throw InputError({folder.string(),
+                      "already holds a run or other files, which are never written over",
+                      "give a new folder with --out, or remove this one", ""});
+  }
+}
+
+namespace {
+
+void check_room(const fs::path& folder, double bytes_of_results) {
+  const double needed = bytes_of_results + 20e6;  // figures, tables, report
+  std::error_code error;
+  fs::path existing = fs::absolute(folder);
+  while (!fs::exists(existing, error) && existing.has_relative_path())
+    existing = existing.parent_path();
+  const fs::space_info space = fs::space(existing, error);
+  if (!error && static_cast<double>(space.available) < needed) {
+    throw InputError(
+        {folder.string(),
+         fmt::format("the disk has {:.0f} MB free and the results need about {:.0f} MB",
+                     static_cast<double>(space.available) / 1e6, needed / 1e6),
+         "make room, or give a folder on another disk with --out", ""});
+  }
+}
+
+}  // namespace
+
+void take_results_folder(const fs::path& folder, double bytes_of_results,
+                         const std::string& run_json) {
+  check_room(folder, bytes_of_results);
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) {
+    throw InputError({folder.string(), "cannot be made: " + error.message(),
+                      "give a folder you may write to with --out", ""});
+  }
+  create_text_file(folder / "run.json", run_json);
+}
+
+void leave_results_folder(const fs::path& folder) {
+  std::error_code ignored;
+  fs::remove(folder / "run.json", ignored);
+  fs::remove(folder, ignored);  // if empty
+}
+
+void print_seconds(const PhaseClock& clock, int ranks) {
+  std::string phases;
+  double total = 0.0;
+  for (const auto& [phase, seconds] : clock.phases()) {
+    phases += fmt::format("{}{} {:.2f}", phases.empty() ? "" : ", ", phase, seconds);
+    total += seconds;
+  }
+  fmt::print("Seconds on {} rank{}: {:.2f} ({})\n", ranks, ranks == 1 ? "" : "s", total, phases);
+}
+
+void print_where(const fs::path& folder) {
+  fmt::print("Report   {}\nResults  {}\nTables   {}\nFigures  {}\nRun      {}\n",
+             (folder / "report.html").string(), (folder / "results.h5").string(),
+             (folder / "tables").string(), (folder / "figures").string(),
+             (folder / "run.json").string());
+}
+
+}  // namespace glissade::cli

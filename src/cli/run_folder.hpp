@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "commands.hpp"
+#include "glissade/core/error.hpp"
+#include "glissade/motion/motion.hpp"
+#include "glissade/parallel/communicator.hpp"
+#include "run_record.hpp"
+
+// What every kind of study does around its histories.
+namespace glissade::cli {
+
+/// Root prepares what may fail on the user's input; the others learn whether it did.
+template <class Prepare>
+void on_root(const Communicator& world, Prepare prepare) {
+  std::vector<char> ok(1, 1);
+  if (world.is_root()) {
+    try {
+      prepare();
+    } catch (const InputError& error) {
+      fmt::print(stderr, "glissade: {}\n", error.what());
+      ok[0] = 0;
+    }
+  }
+  world.broadcast(ok);
+  if (ok[0] == 0) throw ExitStatus{2};
+}
+
+/// Root's motions to everybody.
+void share(Suite& suite, const Communicator& world);
+
+/// Every rank makes the plan itself; other processors or mathematical libraries could make another.
+void check_same_plan(const std::string& hash, const Communicator& world);
+
+/// A results folder that holds anything is never written into.
+void check_results_folder(const std::filesystem::path& folder);
+
+/// Before hours of work: the folder is there, has room for the results, and nobody else may take
+/// it.
+void take_results_folder(const std::filesystem::path& folder, double bytes_of_results,
+                         const std::string& run_json);
+
+/// Takes back take_results_folder, as far as the folder holds nothing else.
+void leave_results_folder(const std::filesystem::path& folder);
+
+/// The results, or nothing: not even their folder.
+template <class Write>
+void write_or_leave_folder(const std::filesystem::path& folder, Write write) {
+  try {
+    write();
+  } catch (const InputError&) {
+    leave_results_folder(folder);
+    throw;
+  }
+}
+
+/// What is made from the results can be made again: the error says how.
+template <class Write>
+void write_beside_results(const std::filesystem::path& folder, Write write) {
+  try {
+    write();
+  } catch (const InputError& error) {
+    const std::string results = (folder / "results.h5").string();
+    ProblemList problems;
+    problems.add(error);
+    problems.add({results, "is whole", "make the rest again with: glissade report " + results, ""});
+    problems.throw_if_any();
+  }
+}
+
+/// "Seconds on 2 ranks: 6.03 (motions 1.20, ...)".
+void print_seconds(const PhaseClock& clock, int ranks);
+/// Where everything is.
+void print_where(const std::filesystem::path& folder);
+
+}  // namespace glissade::cli

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+
+#include "hdf5_file.hpp"
+
+namespace glissade {
+
+/// What a results file says of itself, and how it is called in messages.
+struct ResultsKind {
+  const char* file_type;
+  int format_version;
+  const char* name;  ///< "glissade results file"
+};
+
+/// Puts an HDF5 file together in memory, then writes it to a temporary name and renames it when
+/// whole: the same content gives the same bytes. Throws InputError; an older file stays as it was.
+void write_results_of(const ResultsKind& kind, const std::filesystem::path& file,
+                      const std::function<void(const Hdf5Writer&)>& content);
+
+/// Throws InputError for files of another kind or version, cut short or damaged.
+void read_results_of(const ResultsKind& kind, const std::filesystem::path& file,
+                     const std::function<void(const Hdf5Reader&)>& content);
+
+/// Whether a file is of that kind; false also where it cannot be read.
+bool is_results_of(const ResultsKind& kind, const std::filesystem::path& file);
+
+/// Parts of a file that do not fit each other.
+inline void expect_fit(bool fits, const char* part, const char* whole) {
+  if (!fits) throw Hdf5Error(std::string("fit ") + part + " to the " + whole);
+}
+
+}  // namespace glissade

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "chart/report.hpp"
+#include "chart/view.hpp"
+#include "figure_text.hpp"
+#include "glissade/report/format.hpp"
+
+namespace glissade {
+namespace {
+
+std::string shown_sentence(const Results& results) {
+  const ChartPoint& p = shown_point(results);
+  const std::string where = fmt::format("At {}, {}", at_intensity(results, p.level),
+                                        at_slope_and_friction(p.slope_deg, p.mu));
+  if (p.free_sliding)
+    return where + ", the array slides under gravity alone: no clearance is enough.";
+  const std::string period =
+      results.chart->period_s.size() > 1
+          ? fmt::format(" A building period of {} s governs.", brief(p.governing_period_s))
+          : "";
+  if (is_one_record(results)) {
+    return fmt::format("{}, the peak slip under the one record is {}.{}", where,
+                       format_length(p.largest.envelope_m), period);
+  }
+  const std::string interval = std::isnan(p.mean_interval.low)
+                                   ? ""
+                                   : ", 95 % interval " + format_interval(p.mean_interval) + " m";
+  return fmt::format(
+      "{}, the recommended clearance is {}: 1.1 x the mean over {} records, {}{}. Of the records "
+      "the 84th percentile is {}, the 95th {}, the largest {}.{}",
+      where, format_length(p.clearance_m), results.records.size(), format_length(p.largest.mean_m),
+      interval, format_length(p.largest.p84_m), format_length(p.largest.p95_m),
+      format_length(p.largest.envelope_m), period);
+}
+
+std::string standard_sentence(const Results& results, const ChartPrescription& prescription) {
+  const ChartPoint& p = shown_point(results);
+  const double design_m = design_statistic(results).slip_m(p);
+  std::string sentence = fmt::format("{} prescribes {} there", standard_name(prescription.standard),
+                                     format_length(prescription.prescribed.value_m));
+  if (prescription.prescribed.provenance == Provenance::recalled)
+    sentence += " (recalled: verify against the standard)";
+  if (std::isfinite(design_m) && design_m > 0.0) {
+    sentence += fmt::format(", {} x {}", format_number(prescription.prescribed.value_m / design_m),
+                            is_one_record(results) ? "this slip" : "this clearance");
+  }
+  if (!applies_at(prescription.standard, p.slope_deg, p.mu))
+    sentence += "; it is for " + seaoc_limits();
+  return sentence + ".";
+}
+
+std::string reading_sentence(const Results& results, const ChartReading& reading) {
+  std::string answers;
+  for (const ChartStatistic& s : chart_statistics(results)) {
+    const std::string answer = answer_text(*results.chart, reading.question, reading.*s.reading);
+    if (is_one_record(results))
+      return question_text(results, reading.question) + ": " + answer + ".";
+    answers += (answers.empty() ? "" : ", ") + s.name + " " + answer;
+  }
+  return question_text(results, reading.question) + ": " + answers + ".";
+}
+
+std::string free_sliding_sentence(const Results& results) {
+  const Chart& chart = *results.chart;
+  const auto free = std::count_if(chart.points.begin(), chart.points.end(),
+                                  [](const ChartPoint& p) { return p.free_sliding; });
+  if (free == 0) return "";
+  return fmt::format(
+      "At {} of the chart's {} combinations of slope and friction the array slides under gravity "
+      "alone (tan(slope) >= mu).",
+      free / static_cast<long>(results.levels.size()), chart.slope_deg.size() * chart.mu.size());
+}
+
+/// "In up to 3.0 % of the histories at a point WHAT."; "" where there are none.
+std::string share_sentence(const Chart& chart, double ChartPoint::*share, const std::string& what) {
+  double largest = 0.0;
+  for (const ChartPoint& p : chart.points) {
+    if (p.*share > largest) largest = p.*share;  // NaN is not larger
+  }
+  if (largest == 0.0) return "";
+  return fmt::format("In up to {} of the histories at a point of the chart {}.",
+                     format_share(largest), what);
+}
+
+std::string confidence_sentence(const Results& results) {
+  const double n = static_cast<double>(results.records.size());
+  return fmt::format(
+      "{0} is above the 84th percentile of all motions of this kind with a "
+      "confidence of {1} (1 - 0.84^{2}) and above their 95th with {3} (1 - 0.95^{2}), whatever "
+      "their distribution, if the records are drawn from them at random.",
+      is_one_record(results) ? "The one record"
+                             : fmt::format("The largest of {} records", results.records.size()),
+      format_share(1.0 - std::pow(0.84, n)), results.records.size(),
+      format_share(1.0 - std::pow(0.95, n)));
+}
+
+/// Between words, so that no line is wider than a terminal.
+std::string wrapped(const std::string& text, std::size_t width) {
+  std::string lines = "  ";
+  std::size_t column = 2, at = 0;
+  while (at < text.size()) {
+    const std::size_t end = std::min(text.find(' ', at), text.size());
+    if (column > 2 && column + 1 + (end - at) > width) {
+      lines += "\n    ";
+      column = 4;
+    } else if (column > 2) {
+      lines += ' ';
+      ++column;
+    }
+    lines += text.substr(at, end - at);
+    column += end - at;
+    at = end + 1;
+  }
+  return lines + "\n";
+}
+
+}  // namespace
+
+std::string question_text(const Results& results, const ChartQuestion& question) {
+  const std::string where = fmt::format("{}, slope {}", at_intensity(results, question.level),
+                                        degrees(question.slope_deg));
+  if (question.mu)
+    return fmt::format("Displacement at {}, friction {}", where, brief(*question.mu));
+  return fmt::format("Friction needed for {} at {}", format_length(question.displacement_m.value()),
+                     where);
+}
+
+std::string answer_text(const Chart& chart, const ChartQuestion& question, double answer) {
+  if (question.mu) return std::isinf(answer) ? "slides under gravity alone" : format_length(answer);
+  if (std::isinf(answer)) return "more than " + brief(chart.mu.back());
+  if (answer == chart.mu.front()) return brief(answer) + " or less";
+  return format_number(answer);
+}
+
+std::vector<std::string> chart_sentences(const Results& results) {
+  const Chart& chart = *results.chart;
+  std::vector<std::string> sentences = {shown_sentence(results)};
+  for (const ChartPrescription& p : chart.standards) {
+    if (p.sds_g == chart.shown_level) sentences.push_back(standard_sentence(results, p));
+  }
+  for (const ChartReading& reading : chart.readings)
+    sentences.push_back(reading_sentence(results, reading));
+  sentences.push_back(free_sliding_sentence(results));
+  sentences.push_back(share_sentence(chart, &ChartPoint::uplift_share,
+                                     "the array lifts off, which is outside the model"));
+  sentences.push_back(share_sentence(chart, &ChartPoint::tip_share,
+                                     "the array would begin to rock, which is outside the model"));
+  sentences.push_back(confidence_sentence(results));
+  std::erase(sentences, "");
+  return sentences;
+}
+
+std::string chart_summary(const Results& results) {
+  constexpr std::size_t terminal_columns = 100, most = 9;
+  std::string text =
+      fmt::format("{}: design chart, {}\n{}\n", results.study_name, chart_size(results),
+                  wrapped(how_counted(results), terminal_columns));
+  text += to_text(chart_matrix_table(results, most)) + "\n";
+  for (const std::string& sentence : chart_sentences(results))
+    text += wrapped(sentence, terminal_columns);
+  return text;
+}
+
+}  // namespace glissade

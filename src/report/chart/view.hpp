@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "glissade/study/results.hpp"
+
+// What figures, tables and sentences of a design chart share. All expect results with a chart.
+namespace glissade {
+
+/// A mean or percentile of one record says nothing: its peak slip is shown instead of a clearance.
+bool is_one_record(const Results& results);
+
+/// A number of a chart that is read off: the clearance and what lies around it.
+struct ChartStatistic {
+  std::string stem;     ///< "clearance", "mean_slip": the CSV name without its unit
+  std::string heading;  ///< "Clearance (1.1 x mean)"
+  std::string name;     ///< in a sentence: "84th percentile"
+  double (*slip_m)(const ChartPoint&);
+  double ChartReading::*reading;
+};
+/// The number to design with: 1.1 x the largest mean (Walters et al., 2012), or the record's peak.
+ChartStatistic design_statistic(const Results& results);
+/// It and the others; of one record, it alone.
+std::vector<ChartStatistic> chart_statistics(const Results& results);
+
+/// The chart's axes: which of their values is nearest.
+std::size_t nearest(const std::vector<double>& axis, double value);
+const ChartPoint& shown_point(const Results& results);
+/// Up to `count` indices below `size`, evenly spaced from the first, and the last.
+std::vector<std::size_t> spread(std::size_t size, std::size_t count);
+
+/// "0.55": up to four digits, none of them an idle zero.
+std::string brief(double value);
+/// "2 degrees"
+std::string degrees(double slope_deg);
+/// "a slope of 2 degrees and a coefficient of friction of 0.5"
+std::string at_slope_and_friction(double slope_deg, double mu);
+/// "15 slopes x 15 coefficients of friction x 3 building periods x 2 levels of S_DS (g)"
+std::string chart_size(const Results& results);
+/// How many records stand behind a number, in which orientation and for which buildings.
+std::string how_counted(const Results& results);
+
+/// Of SEAOC PV1-2012: "slopes under 3 degrees and friction above 0.4"
+std::string seaoc_limits();
+/// SEAOC PV1-2012 within those limits, the others everywhere.
+bool applies_at(Standard standard, double slope_deg, double mu);
+
+/// Standards that prescribe the same at a level: one line in a figure.
+struct PrescribedLine {
+  double value_m = 0.0;
+  std::vector<Standard> standards;
+  Provenance provenance = Provenance::checked;  ///< recalled if any is
+  bool only_seaoc() const {
+    return standards.size() == 1 && standards.front() == Standard::seaoc_pv1_2012;
+  }
+  std::string names() const;  ///< "SEAOC PV1-2012 and ASCE 7-16"
+  std::string label() const;  ///< with the value, and whether it must be verified
+};
+std::vector<PrescribedLine> prescribed_at(const Chart& chart, double level);
+/// What a standard prescribes at a level.
+std::optional<double> prescribed_m(const Chart& chart, Standard standard, double level);
+/// The standards of a chart, each once.
+std::vector<Standard> standards_of(const Chart& chart);
+
+}  // namespace glissade

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// `glissade run` of a study with [chart].
+#include <gmock/gmock.h>
+
+#include <sstream>
+
+#include "cli/child.hpp"
+#include "cli/small_study.hpp"
+
+namespace glissade::test {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+class ChartRun : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    folder_ = new ScratchFolder;
+    finished_ =
+        run_program({"run", folder_->write("chart.toml", small_chart()), "--out", out().string()});
+    ASSERT_EQ(finished_.status, 0) << finished_.err;
+  }
+  static void TearDownTestSuite() {
+    delete folder_;
+    folder_ = nullptr;
+  }
+  static std::filesystem::path out() { return folder_->path("out"); }
+  static std::string read(const std::string& name) { return read_file((out() / name).string()); }
+
+  static ScratchFolder* folder_;
+  static Finished finished_;
+};
+ScratchFolder* ChartRun::folder_ = nullptr;
+Finished ChartRun::finished_;
+
+TEST_F(ChartRun, leaves_a_table_to_read_clearances_from) {
+  const std::string table = read("tables/chart.csv");
+  EXPECT_THAT(table, HasSubstr("clearance_m"));
+  int rows = 0;
+  std::istringstream lines(table);
+  for (std::string line; std::getline(lines, line);) rows += !line.empty() && line[0] != '#';
+  EXPECT_EQ(rows, 1 + 2 * 3 * 4);  // header; levels x slopes x frictions
+}
+
+TEST_F(ChartRun, leaves_figures_report_and_readings) {
+  for (const char* name :
+       {"figures/chart_contours.svg", "figures/chart_friction.svg", "figures/chart_period.svg",
+        "figures/chart_intensity.svg", "tables/chart_readings.csv", "tables/chart_by_period.csv",
+        "report.html", "results.h5", "run.json"})
+    EXPECT_FALSE(read(name).empty()) << name;
+  EXPECT_FALSE(std::filesystem::exists(out() / "tables/fragility.csv"));
+}
+
+TEST_F(ChartRun, tells_free_sliding_and_tipping_as_results) {
+  // tan(6 deg) = 0.105 is more than the friction of 0.1: legal, and told.
+  EXPECT_THAT(read("tables/chart.csv"), HasSubstr("inf"));
+  EXPECT_THAT(read("run.json"), Not(HasSubstr("error")));
+  EXPECT_THAT(finished_.out, testing::ContainsRegex("[Tt]ip"));
+}
+
+TEST_F(ChartRun, is_made_again_from_its_results_file) {
+  const std::string again = folder_->path("again").string();
+  const Finished report = run_program({"report", (out() / "results.h5").string(), "--out", again});
+  ASSERT_EQ(report.status, 0) << report.err;
+  for (const char* name : {"/tables/chart.csv", "/figures/chart_contours.svg"})
+    EXPECT_EQ(read_file(again + name), read(name + 1)) << name;
+}
+
+TEST_F(ChartRun, a_chart_axis_of_one_value_is_refused_and_leaves_nothing) {
+  const ScratchFolder folder;
+  const std::string study = folder.write(
+      "chart.toml", replaced(small_chart(), "mu = [0.1, 0.2, 0.3, 0.5]", "mu = [0.3]"));
+  const Finished child = run_program({"run", study, "--out", folder.path("out").string()});
+  EXPECT_EQ(child.status, 2);
+  EXPECT_THAT(child.err, HasSubstr("chart.mu has one value"));
+  EXPECT_EQ(folder.contents(), std::vector<std::string>{"chart.toml"});
+}
+
+TEST_F(ChartRun, prints_its_grid_when_asked_for_the_plan) {
+  const Finished child = run_program({"run", folder_->path("chart.toml").string(), "--dry-run"});
+  EXPECT_EQ(child.status, 0) << child.err;
+  // 2 periods x 2 components x (1 flat slope + 2 slopes under both signs) x 4 frictions.
+  EXPECT_THAT(child.out, HasSubstr("samples     80, the chart's grid"));
+}
+
+}  // namespace
+}  // namespace glissade::test

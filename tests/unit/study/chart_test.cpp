@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glissade/study/chart.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "glissade/block/slide.hpp"
+#include "glissade/block/tipping.hpp"
+#include "glissade/building/roof_motion.hpp"
+#include "glissade/core/error.hpp"
+#include "glissade/study/execute.hpp"
+#include "glissade/study/reduce.hpp"
+#include "unit/study/small_study.hpp"
+
+namespace glissade {
+namespace {
+
+using test::small_config;
+using test::small_suite;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+StudyConfig chart_config() {
+  StudyConfig config = small_config();
+  config.thresholds_m.clear();
+  config.standards.compare = {Standard::seaoc_pv1_2012};
+  config.friction.design_run = false;
+  config.building = {};
+  config.intensity.levels = {0.0, 0.5, 2.0};
+  config.orientation = {ComponentChoice::both, SignChoice::both};
+  config.chart = ChartConfig{.slope_deg = {0.0, 2.0, 10.0},
+                             .mu = {0.15, 0.3, 0.5},
+                             .period_s = {0.0, 0.3},
+                             .shown_slope_deg = 2.0,
+                             .shown_mu = 0.3,
+                             .shown_level = 2.0};
+  return config;
+}
+
+Results run(const Plan& plan, Skipping skipping = Skipping::all) {
+  std::vector<UnitResult> units;
+  for (std::size_t u = 0; u < plan.units.size(); ++u) units.push_back(execute(plan, u, skipping));
+  return reduce(plan, units);
+}
+
+Results run(const StudyConfig& config) { return run(make_plan(config, small_suite())); }
+
+/// A history by itself, in the readable scheme, the ring-down followed to silence.
+double slip_by_hand(const Plan& plan, std::size_t record, const SamplePoint& p, double level) {
+  const Motion& m = plan.suite.motions[record];
+  const RoofMotion roof = roof_motion(
+      {m.dt_s, m.horizontal_mps2[static_cast<std::size_t>(p.component)], m.vertical_mps2},
+      {{p.period_s, p.damping}, {}}, {.quiet_horizontal_mps2 = 1e-4});
+  const double factor = level * plan.factor_at_unit_level[record];
+  return slide({roof.dt_s, roof.horizontal_mps2, roof.vertical_mps2, p.sign * factor, factor},
+               {.friction = p.friction, .slope_rad = p.slope_deg * rad_per_deg})
+      .peak_displacement_m;
+}
+
+TEST(chart, tells_the_mean_over_records_of_each_records_largest_orientation) {
+  const Plan plan = make_plan(chart_config(), small_suite());
+  const Chart chart = *run(plan).chart;
+  int slid = 0;
+  for (std::size_t level = 0; level < 3; ++level) {
+    for (std::size_t slope = 0; slope < 2; ++slope) {
+      for (std::size_t mu = 0; mu < 3; ++mu) {
+        const ChartPoint& point = chart.at(level, slope, mu);
+        for (std::size_t period = 0; period < 2; ++period) {
+          double sum = 0.0, largest = 0.0;
+          for (std::size_t record = 0; record < 3; ++record) {
+            double of_record = 0.0;
+            for (const int component : {0, 1})
+              for (const int sign : {1, -1})
+                of_record = std::max(of_record,
+                                     slip_by_hand(plan, record,
+                                                  {chart.mu[mu], chart.slope_deg[slope],
+                                                   chart.period_s[period], 0.05, component, sign},
+                                                  plan.config.intensity.levels[level]));
+            sum += of_record;
+            largest = std::max(largest, of_record);
+          }
+          const double uplift = point.uplift_share > 0.0 ? 1e-3 : 2e-5;
+          EXPECT_NEAR(point.by_period[period].mean_m, sum / 3.0, uplift * sum + 2e-6);
+          EXPECT_NEAR(point.by_period[period].envelope_m, largest, uplift * largest + 2e-6);
+          slid += sum > 0.0;
+        }
+        EXPECT_EQ(point.largest.mean_m,
+                  std::max(point.by_period[0].mean_m, point.by_period[1].mean_m));
+        EXPECT_EQ(point.clearance_m, 1.1 * point.largest.mean_m);
+      }
+    }
+  }
+  EXPECT_GT(slid, 12);
+}
+
+TEST(chart, has_the_6960_runs_of_the_paper) {
+  // Rodriguez-Nikl et al. (2019): 29 slopes x 15 frictions x 16 intensities.
+  StudyConfig config = chart_config();
+  config.orientation = {ComponentChoice::first, SignChoice::positive};
+  ChartConfig& chart = *config.chart;
+  chart.slope_deg.clear();
+  chart.mu.clear();
+  for (int i = -14; i <= 14; ++i) chart.slope_deg.push_back(0.5 * i);
+  for (int i = 0; i < 15; ++i) chart.mu.push_back(0.1 + 0.05 * i);
+  chart.period_s = {0.0};
+  EXPECT_EQ(chart_samples(config).size() * 16, 6960u);
+  // The same grid told as slopes under both signs of the motion.
+  chart.slope_deg.erase(chart.slope_deg.begin(), chart.slope_deg.begin() + 14);
+  config.orientation.sign = SignChoice::both;
+  EXPECT_EQ(chart_samples(config).size() * 16, 6960u);
+}
+
+TEST(chart, takes_negative_slopes_for_the_mirror_image_of_the_motion) {
+  StudyConfig both_signs = chart_config(), both_slopes = chart_config();
+  both_slopes.orientation.sign = SignChoice::positive;
+  both_slopes.chart->slope_deg = {-10.0, -2.0, 0.0, 2.0, 10.0};
+  const Chart a = *run(both_signs).chart, b = *run(both_slopes).chart;
+  EXPECT_EQ(a.slope_deg, b.slope_deg);
+  for (std::size_t i = 0; i < a.points.size(); ++i) {
+    EXPECT_EQ(a.points[i].largest.mean_m, b.points[i].largest.mean_m);
+    EXPECT_EQ(a.points[i].largest.envelope_m, b.points[i].largest.envelope_m);
+  }
+}
+
+TEST(chart, tells_where_friction_cannot_stop_the_array) {
+  const Results results = run(chart_config());
+  const Chart& chart = *results.chart;
+  // tan(10 deg) = 0.176: more than 0.15 and less than 0.3. With no shaking too.
+  for (const std::size_t level : {0u, 2u}) {
+    EXPECT_TRUE(chart.at(level, 2, 0).free_sliding);
+    EXPECT_EQ(chart.at(level, 2, 0).clearance_m, infinity);
+    EXPECT_EQ(chart.at(level, 2, 0).by_period.size(), 2u);
+    EXPECT_FALSE(chart.at(level, 2, 1).free_sliding);
+    EXPECT_TRUE(std::isfinite(chart.at(level, 2, 1).clearance_m));
+  }
+  EXPECT_EQ(chart.at(0, 2, 1).clearance_m, 0.0);  // no shaking
+  // What it slid by the record's end is kept with the histories.
+  EXPECT_GT(results.runs[0].peak_displacement_m(0, results.samples.size() - 3, 0), 1.0);
+}
+
+TEST(chart, gives_the_same_bits_when_nothing_is_skipped) {
+  StudyConfig config = chart_config();
+  config.base = RigidBase{0.4, 0.3};
+  const Plan plan = make_plan(config, small_suite());
+  const Results skipping = run(plan), thorough = run(plan, Skipping::none);
+  EXPECT_EQ(skipping.runs[0].peak_displacement_m.data, thorough.runs[0].peak_displacement_m.data);
+  EXPECT_EQ(skipping.runs[0].uplift.data, thorough.runs[0].uplift.data);
+  EXPECT_EQ(skipping.runs[0].tips.data, thorough.runs[0].tips.data);
+}
+
+TEST(chart, makes_each_roof_of_a_record_once) {
+  const Plan plan = make_plan(chart_config(), small_suite());
+  RoofStore roofs(plan, Skipping::all);
+  for (std::size_t u = 0; u < plan.units.size(); ++u) execute(plan, u, roofs);
+  EXPECT_EQ(roofs.roofs_made(), 3u * 2u * 2u);  // records x components x periods
+}
+
+TEST(chart, flags_histories_in_which_the_body_begins_to_tip) {
+  StudyConfig config = chart_config();
+  config.base = RigidBase{.centre_of_mass_height_m = 1.0, .width_m = 0.5};  // from 0.25 of N on
+  config.vertical.use = VerticalChoice::none;
+  const Plan plan = make_plan(config, small_suite());
+  const Results results = run(plan);
+  const Array3<std::uint8_t>& tips = results.runs[0].tips;
+  int tipped = 0, stood = 0;
+  for (std::size_t i = 0; i < plan.samples.size(); ++i) {
+    const SamplePoint& p = plan.samples[i];
+    if (p.period_s != 0.0 || p.slope_deg != 0.0) continue;
+    for (std::size_t record = 0; record < 3; ++record) {
+      double peak = 0.0;
+      for (const double a :
+           plan.suite.motions[record].horizontal_mps2[static_cast<std::size_t>(p.component)])
+        peak = std::max(peak, std::abs(a));
+      for (std::size_t level = 0; level < 3; ++level) {
+        const double a =
+            plan.config.intensity.levels[level] * plan.factor_at_unit_level[record] * peak;
+        const bool tipping = p.friction > 0.25 && a > 0.25 * standard_gravity_mps2;
+        EXPECT_EQ(tips(record, i, level), tipping ? 1 : 0);
+        (tipping ? tipped : stood) += 1;
+      }
+    }
+  }
+  EXPECT_GT(tipped, 10);
+  EXPECT_GT(stood, 10);
+  // 10 deg alone (tan 0.176) does not tip it; with friction 0.15 it slides first.
+  EXPECT_EQ(results.chart->at(2, 0, 0).tip_share, 0.0);
+  EXPECT_GT(results.chart->at(2, 0, 2).tip_share, 0.0);
+}
+
+TEST(chart, says_nothing_of_tipping_where_it_is_not_asked) {
+  EXPECT_TRUE(std::isnan(run(chart_config()).chart->points.front().tip_share));
+}
+
+TEST(chart, gives_the_mean_an_interval_that_holds_it) {
+  const Chart chart = *run(chart_config()).chart;
+  const ChartPoint& point = chart.at(2, 1, 0);
+  ASSERT_GT(point.largest.mean_m, 0.0);
+  EXPECT_LT(point.mean_interval.low, point.largest.mean_m);
+  EXPECT_GT(point.mean_interval.high, point.largest.mean_m);
+  EXPECT_LE(point.mean_interval.high, point.largest.envelope_m * 1.0001);
+}
+
+TEST(chart, puts_what_is_prescribed_beside_each_level) {
+  const Chart chart = *run(chart_config()).chart;
+  ASSERT_EQ(chart.standards.size(), 3u);
+  EXPECT_EQ(chart.standards[2].sds_g, 2.0);
+  EXPECT_NEAR(chart.standards[2].prescribed.value_m, 60.0 * 1.6 * 1.6 * 0.0254, 1e-12);
+}
+
+TEST(chart, runs_the_records_a_study_names) {
+  StudyConfig config = chart_config();
+  config.records = {"motion2", "motion0"};
+  const Plan plan = make_plan(config, small_suite());
+  ASSERT_EQ(plan.suite.motions.size(), 2u);
+  EXPECT_EQ(plan.suite.motions[0].id, "motion0");
+  config.records = {"motoin1"};
+  try {
+    make_plan(config, small_suite());
+    FAIL() << "an unknown record was taken";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("did you mean motion1"), std::string::npos);
+  }
+}
+
+// -- reading off, on a chart whose slips are known: bilinear in slope and friction
+
+/// mean = 1 + slope - mu in metres on slopes 0, 2, 4 and frictions 0.2, 0.4, 0.8; p95 twice that;
+/// the envelope infinite at slope 4 with friction 0.2.
+Chart made_up_chart() {
+  Chart chart{.slope_deg = {0.0, 2.0, 4.0}, .mu = {0.2, 0.4, 0.8}, .period_s = {0.0}};
+  for (const double slope : chart.slope_deg)
+    for (const double mu : chart.mu) {
+      ChartPoint p{.level = 1.0, .slope_deg = slope, .mu = mu};
+      const double slip = 1.0 + slope - mu;
+      p.largest = {slip, 0.0, 2.0 * slip, slope == 4.0 && mu == 0.2 ? infinity : slip};
+      p.clearance_m = 1.1 * slip;
+      chart.points.push_back(p);
+    }
+  return chart;
+}
+
+TEST(chart_reading, is_linear_between_the_points) {
+  const ChartReading r =
+      read_off(made_up_chart(), {1.0}, {.level = 1.0, .slope_deg = 1.5, .mu = 0.5});
+  EXPECT_NEAR(r.mean, 2.0, 1e-15);
+  EXPECT_NEAR(r.clearance, 2.2, 1e-15);
+  EXPECT_NEAR(r.p95, 4.0, 1e-15);
+  EXPECT_EQ(r.p84, 0.0);
+}
+
+TEST(chart_reading, gives_the_charts_own_values_at_its_points) {
+  const Chart chart = made_up_chart();
+  for (std::size_t s = 0; s < 3; ++s)
+    for (std::size_t m = 0; m < 3; ++m)
+      EXPECT_EQ(
+          read_off(chart, {1.0}, {.level = 1.0, .slope_deg = chart.slope_deg[s], .mu = chart.mu[m]})
+              .mean,
+          chart.at(0, s, m).largest.mean_m);
+}
+
+TEST(chart_reading, finds_the_friction_that_keeps_slip_within_a_displacement) {
+  const auto needed = [](double slope, double displacement) {
+    return read_off(made_up_chart(), {1.0},
+                    {.level = 1.0, .slope_deg = slope, .displacement_m = displacement});
+  };
+  EXPECT_NEAR(needed(1.0, 1.5).mean, 0.5, 1e-15);        // 1 + 1 - mu = 1.5
+  EXPECT_NEAR(needed(1.0, 1.65).clearance, 0.5, 1e-15);  // 1.1 (2 - mu) = 1.65
+  EXPECT_EQ(needed(1.0, 0.5).mean, infinity);            // more than 0.8
+  EXPECT_EQ(needed(1.0, 10.0).mean, 0.2);                // the least there is
+  EXPECT_EQ(needed(1.0, 0.0001).p84, 0.2);
+}
+
+TEST(chart_reading, is_on_the_safe_side_beside_free_sliding) {
+  const auto read = [](double slope, double mu) {
+    return read_off(made_up_chart(), {1.0}, {.level = 1.0, .slope_deg = slope, .mu = mu}).envelope;
+  };
+  EXPECT_EQ(read(4.0, 0.2), infinity);
+  EXPECT_EQ(read(3.0, 0.3), infinity);
+  EXPECT_NEAR(read(4.0, 0.4), 4.6, 1e-15);
+  EXPECT_EQ(read(2.0, 0.2), 2.8);
+  EXPECT_EQ(
+      read_off(made_up_chart(), {1.0}, {.level = 1.0, .slope_deg = 4.0, .displacement_m = 50.0})
+          .envelope,
+      0.4);
+}
+
+}  // namespace
+}  // namespace glissade

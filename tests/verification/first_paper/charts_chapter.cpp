@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "glissade/io/study_file.hpp"
+#include "glissade/study/chart.hpp"
+#include "run_study.hpp"
+#include "verification/chapters.hpp"
+
+namespace glissade::verification {
+namespace {
+
+/// Clearances interpolated halfway between a chart's slopes and frictions, over those run there, at
+/// the first level: only those of a centimetre and more.
+std::vector<double> interpolated_over_run(const StudyConfig& config, const Results& results) {
+  const auto halfway = [](const std::vector<double>& axis) {
+    std::vector<double> between;
+    for (std::size_t i = 0; i + 1 < axis.size(); ++i)
+      between.push_back(0.5 * (axis[i] + axis[i + 1]));
+    return between;
+  };
+  StudyConfig shifted = config;
+  shifted.intensity.levels.resize(1);
+  shifted.chart->slope_deg = halfway(config.chart->slope_deg);
+  shifted.chart->mu = halfway(config.chart->mu);
+  shifted.chart->questions.clear();
+  const Results run_there = run_study(plan_of(shifted));
+  std::vector<double> ratios;
+  for (const ChartPoint& p : run_there.chart->points) {
+    if (p.clearance_m < 0.01) continue;
+    const ChartReading read =
+        read_off(*results.chart, results.levels, {p.level, p.slope_deg, p.mu, std::nullopt});
+    ratios.push_back(read.clearance / p.clearance_m);
+  }
+  std::ranges::sort(ratios);
+  return ratios;
+}
+
+}  // namespace
+
+Chapter first_paper_charts(const Folders& folders) {
+  std::string table =
+      "\n| Intensity Level | S_DS, g | clearance, mm (in) | interval of the mean, mm | 84th "
+      "percentile, mm "
+      "| governing period, s | SEAOC PV1-2012, mm (in) |\n|---|---|---|---|---|---|---|\n";
+  std::vector<Case> cases;
+  for (int level = 0; level <= 4; ++level) {
+    StudyConfig config = read_study(
+        folders.studies / fmt::format("{:02d}_design_chart_level{}.toml", 9 + level, level));
+    config.intensity.levels.resize(1);
+    const Results results = run_study(plan_of(config));
+    const Chart& chart = *results.chart;
+    const ChartReading& read = chart.readings.front();
+    const auto near = [](const std::vector<double>& axis, double value) {
+      return static_cast<std::size_t>(std::ranges::lower_bound(axis, value) - axis.begin());
+    };
+    const ChartPoint& point = chart.at(0, near(chart.slope_deg, 1.0), near(chart.mu, 0.45));
+    const double seaoc_m = chart.standards.front().prescribed.value_m;
+    table += fmt::format(
+        "| {} | {:g} | {:.0f} ({:.1f}) | {:.0f} to {:.0f} | {:.0f} | {:g} | {:.0f} ({:.1f}) |\n",
+        level, results.levels[0], 1e3 * point.clearance_m, point.clearance_m / inch_m,
+        1e3 * point.mean_interval.low, 1e3 * point.mean_interval.high, 1e3 * point.largest.p84_m,
+        point.governing_period_s, 1e3 * seaoc_m, seaoc_m / inch_m);
+    if (level != 2) continue;
+    table += fmt::format("| 2, at 1.19 deg and mu 0.47 | {:g} | {:.0f} ({:.1f}) | | {:.0f} | | |\n",
+                         results.levels[0], 1e3 * read.clearance, read.clearance / inch_m,
+                         1e3 * read.p84);
+    const std::vector<double> ratios = interpolated_over_run(config, results);
+    const std::string name = "study 11, halfway between all its slopes and frictions";
+    cases.push_back(within({name, "clearance read off / clearance run there", "the run itself"},
+                           {"smallest", ratios.front(), 0.98, INFINITY}));
+    cases.push_back(within({name, "clearance read off / clearance run there", "the run itself"},
+                           {"median", ratios[ratios.size() / 2], 0.98, 1.02}));
+    cases.push_back(within({name, "clearance read off / clearance run there", "the run itself"},
+                           {"largest", ratios.back(), 0.98, 1.10}));
+  }
+  return {
+      "8.5 The first paper: design charts",
+      R"(Studies 09 to 13: clearance, 1.1 x the largest over buildings of 0.2 to 2 s of the mean over a suite,
+for each of Walters's Intensity Levels. A chart is read by linear interpolation; slip is nearly convex in
+slope and friction, so that reading errs on the large side. The table below is at 1 degree and mu 0.45
+(and, for Walters's example, at 1.19 degrees and 0.47, where he gives 286 mm (11.2 in) from seven recorded
+motions, both axes at once and 5 to 10 % of array mass; here are built-in motions and one axis).)",
+      std::move(cases), "", table};
+}
+
+}  // namespace glissade::verification

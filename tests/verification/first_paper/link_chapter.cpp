@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+
+#include "at_one_g.hpp"
+#include "glissade/io/suite_file.hpp"
+#include "link_comparison.hpp"
+#include "verification/chapters.hpp"
+
+namespace glissade::verification {
+namespace {
+
+/// How far the link may be off: it begins to slide with the velocity of its ringing spring, which
+/// is at most 2 mu g / omega as its force stays within +-mu N, and keeps the difference while it
+/// slides.
+double bound_m(const LinkRun& run, const test::ElasticLink& link) {
+  const Block block = run.scene.block();
+  const double omega = explicit_step(link, block) / link.longest_substep_s;
+  return 2.0 * block.friction * block.gravity_mps2 / omega * run.exact.slip_duration_s;
+}
+
+double largest_share_of_bound(const std::vector<LinkRun>& runs, Model model) {
+  const auto share = [&](const LinkRun& run) {
+    return residual_error_m(run, model) / bound_m(run, *link_models()[model].link);
+  };
+  return worse(spread(runs, {Roof::flat}, share).largest,
+               spread(runs, {Roof::sloping}, share).largest);
+}
+
+double mean_error_m(const std::vector<LinkRun>& runs, Roof roof, Model model) {
+  return spread(runs, {roof}, [&](const LinkRun& run) { return residual_error_m(run, model); })
+      .mean;
+}
+
+double mean_error_of_peak(const std::vector<LinkRun>& runs, Roof roof, Model model) {
+  return spread(runs, {roof},
+                [&](const LinkRun& run) {
+                  return residual_error_m(run, model) / run.exact.peak_displacement_m;
+                })
+      .mean;
+}
+
+/// Exponent of the mean error over 1/stiffness, from 100 to 10,000 N/mm.
+double order_in_stiffness(const std::vector<LinkRun>& runs, Roof roof) {
+  return std::log(mean_error_m(runs, roof, fine_step) / mean_error_m(runs, roof, stiffest)) /
+         std::log(100.0);
+}
+
+/// On 4 deg, by how much the link beyond its stability limit slips too far, at least.
+double smallest_divergence(const std::vector<LinkRun>& runs) {
+  double smallest = INFINITY;
+  for (const LinkRun& run : runs)
+    if (run.scene.slope_deg > 0.0)
+      smallest = std::min(
+          smallest, run.by_model[unstable].peak_displacement_m / run.exact.peak_displacement_m);
+  return smallest;
+}
+
+/// On a slope at rest, and under motions at the lowest friction the paper has there.
+std::vector<Case> in_equilibrium(const std::vector<LinkRun>& runs) {
+  const std::vector<double> still(1001, 0.0);
+  double low_friction = 0.0;
+  for (const LinkRun& run : runs)
+    if (run.scene.slope_deg == 4.0 && run.scene.friction == 0.1)
+      low_friction = worse(low_friction, residual_error_m(run, paper_link) /
+                                             std::abs(run.exact.residual_displacement_m));
+  return {compare({"still slope of 4 deg, mu 0.1, 10 s, the paper's link", "slip, m",
+                   "static equilibrium, where the paper found SAP 2000 in error"},
+                  {test::slide_on_elastic_link({0.01, still}, {0.1, 4.0 * rad_per_deg}, {})
+                       .peak_displacement_m,
+                   0.0, 1e-12, Metric::absolute}),
+          limit({"slope of 4 deg, mu 0.1, the paper's link, 7 motions", "residual slip",
+                 "slide(); there SAP 2000 was off; 1.69 %, the paper's mean on the flat roof"},
+                {"largest relative difference", low_friction, 0.0169})};
+}
+
+std::vector<Case> cases(const std::vector<LinkRun>& runs) {
+  std::vector<Case> all;
+  for (const Model model : {soft, paper_link, fine_step, stiff, stiffest})
+    all.push_back(
+        limit({link_models()[model].name, "residual slip",
+               "slide(); 2 mu g / omega, the velocity a ringing link can be off by, "
+               "times the time of sliding"},
+              {"largest share of that bound, of 112", largest_share_of_bound(runs, model), 1.0}));
+  const std::string series = "elastic link from 100 to 10,000 N/mm, ";
+  const std::string quantity = "mean error of residual slip over 1/stiffness";
+  all.push_back(
+      within({series + "flat roof", quantity, "slide(); 1/2, as of a velocity over omega"},
+             {"observed order", order_in_stiffness(runs, Roof::flat), 0.4, 0.6}));
+  all.push_back(within(
+      {series + "4 deg", quantity, "slide(); between 1/2 and the 1 of the springs' own deflection"},
+      {"observed order", order_in_stiffness(runs, Roof::sloping), 0.4, 1.0}));
+  for (const Roof roof : {Roof::flat, Roof::sloping})
+    all.push_back(
+        limit({link_models()[stiffest].name + (roof == Roof::flat ? ", flat" : ", 4 deg"),
+               "mean error of residual slip / peak slip",
+               "slide(); a tenth of the 1.2 % of the paper's link, and twice that allowed"},
+              {"mean relative difference", mean_error_of_peak(runs, roof, stiffest), 0.0024}));
+  for (const Roof roof : {Roof::flat, Roof::sloping})
+    all.push_back(limit(
+        {link_models()[scheme_64].name + (roof == Roof::flat ? ", flat" : ", 4 deg"),
+         "mean error of residual slip / peak slip", "slide(); worst 0.48 % in the paper's fig. 5"},
+        {"mean relative difference", mean_error_of_peak(runs, roof, scheme_64), 0.0048}));
+  all.push_back(
+      within({link_models()[unstable].name + ", 4 deg: omega dt = 3.13", "peak slip",
+              "an explicit scheme is stable for omega dt < 2: it fails"},
+             {"smallest ratio to slide(), of 42", smallest_divergence(runs), 10.0, INFINITY}));
+  for (const Case& c : in_equilibrium(runs)) all.push_back(c);
+  return all;
+}
+
+}  // namespace
+
+Chapter first_paper_link(const Folders& folders) {
+  const Suite suite = load_suite(folders.suites / "synthetic_level4.toml");
+  const std::vector<LinkRun> runs = run_links(suite);
+  draw_links(runs, suite.motions.front(), folders.figures);
+  return {
+      "8.2 The first paper: its comparison with SAP 2000",
+      R"(Rodriguez-Nikl et al. (2019) compare their scheme with SAP 2000: residual deflection (RRD) on the
+flat roof off by 6.78 % at worst and 1.69 % in the mean, SAP as the baseline, at friction 0.02, 0.05,
+0.1, 0.15, 0.2 and on to 0.7; on 4 degrees at 0.1 to 0.6. Whose error is that? Here the same cases
+are solved exactly by `slide()`, by the published scheme at P = 64, and by a model of SAP's link as
+the paper describes it (tests/elastic_link): weight 1 N, springs of 100 N/mm along the roof and
+normal to it, no damping, explicit Newmark steps (gamma 1/2, beta 0) of 1 ms with one iteration.
+
+The paper's record is not to be had, and it tells the peak plane acceleration of 1.0 g for its
+figures only. The first horizontal components of the seven motions of suite level 4 stand in, each
+scaled to 1.0 g, without verticals. They are sampled at 5 ms, the paper's at 10 ms, so P = 32 has the
+paper's substep. After the record a link without damping rings on for ever: its slip is its slider's,
+without the spring's deflection. Its friction is elastic-plastic, and it opens in tension; CSI's
+Analysis Reference Manual has Wen's rounded knee for the friction, which is tried beside it. SAP 2000
+itself was not run.
+
+**What makes the difference.** The link can ring, the block cannot. When a link stops sliding it
+swings about the force that holds it, so it begins to slide again sooner and with a velocity of up
+to 2 mu g / omega, 10 mm/s at mu 0.5 and 100 N/mm, and stays off by that much for as long as it
+slides. So it is the stiffness that counts: the error falls with its square root, from 100 to 10,000
+N/mm by ten, towards the exact solution. A smaller substep alone brings little, so that two substeps
+which agree do not show the error. The paper found 1,000 N/mm similar, without the substep it took
+there: at 1 ms it is beyond the explicit scheme's stability (omega dt = 3.13 > 2), and fails below.
+
+**Whose error it is.** With the first motion, scheme and link differ by as much as the paper's scheme
+and SAP did. Put the exact solution in the scheme's place and the difference stays: on the flat roof
+it is the link's. At the paper's substep, P = 32, the scheme's own error is smaller than the link's
+over the seven motions; for the first it is about as large in per cent of RRD, through the millimetre
+or two of residual at friction 0.6 and 0.7. On 4 degrees both are below a per cent in the mean. The
+residual is a difference of larger slips to either side: an error that is small beside the peak is
+large beside a residual that is itself small.
+
+**On 4 degrees** the paper found SAP's link out of static equilibrium, and off at low friction. That is
+not the method's: a link that begins in equilibrium agrees at mu 0.1 as well as at others. With the
+rounded knee, which gives a little at any force, the ringing link creeps down the slope.)",
+      cases(runs),
+      "![Flat roof: peak and residual slip over friction](figures/first_paper_flat.svg)\n"
+      "![Slope of 4 degrees: peak and residual slip over friction](figures/first_paper_4deg.svg)\n",
+      link_tables(runs)};
+}
+
+}  // namespace glissade::verification

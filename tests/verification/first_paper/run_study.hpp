@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "glissade/io/suite_file.hpp"
+#include "glissade/study/execute.hpp"
+#include "glissade/study/reduce.hpp"
+
+namespace glissade::verification {
+
+inline Plan plan_of(const StudyConfig& config) {
+  return make_plan(config, load_suite(config.suite_file));
+}
+
+inline Results run_study(const Plan& plan) {
+  RoofStore roofs(plan, Skipping::all);
+  std::vector<UnitResult> units;
+  for (std::size_t unit = 0; unit < plan.units.size(); ++unit)
+    units.push_back(execute(plan, unit, roofs));
+  return reduce(plan, units);
+}
+
+}  // namespace glissade::verification
