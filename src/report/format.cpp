@@ -90,4 +90,24 @@ std::string escape_html(std::string_view text) {
   return escaped;
 }
 
+std::string wrapped(const std::string& text) {
+  constexpr std::size_t width = 100;
+  std::string lines = "  ";
+  std::size_t column = 2, at = 0;
+  while (at < text.size()) {
+    const std::size_t end = std::min(text.find(' ', at), text.size());
+    if (column > 2 && column + 1 + (end - at) > width) {
+      lines += "\n    ";
+      column = 4;
+    } else if (column > 2) {
+      lines += ' ';
+      ++column;
+    }
+    lines += text.substr(at, end - at);
+    column += end - at;
+    at = end + 1;
+  }
+  return lines + "\n";
+}
+
 }  // namespace glissade

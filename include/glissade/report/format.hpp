@@ -32,6 +32,9 @@ std::string provenance_label(Provenance provenance);
 /// "1234 histories ...: why"; without the number where nothing was counted.
 std::string format_skip(const Skip& skip);
 
+/// A paragraph for the terminal, indented, broken between words.
+std::string wrapped(const std::string& text);
+
 /// & < > " ' as entities: safe as text and inside quoted attributes.
 std::string escape_html(std::string_view text);
 

@@ -89,33 +89,11 @@ std::string share_sentence(const Chart& chart, double ChartPoint::*share, const 
 std::string confidence_sentence(const Results& results) {
   const double n = static_cast<double>(results.records.size());
   return fmt::format(
-      "{0} is above the 84th percentile of all motions of this kind with a "
-      "confidence of {1} (1 - 0.84^{2}) and above their 95th with {3} (1 - 0.95^{2}), whatever "
+      "The largest of {2} records is above the 84th percentile of all motions of this kind with a "
+      "confidence of {0} (1 - 0.84^{2}) and above their 95th with {1} (1 - 0.95^{2}), whatever "
       "their distribution, if the records are drawn from them at random.",
-      is_one_record(results) ? "The one record"
-                             : fmt::format("The largest of {} records", results.records.size()),
-      format_share(1.0 - std::pow(0.84, n)), results.records.size(),
-      format_share(1.0 - std::pow(0.95, n)));
-}
-
-/// Between words, so that no line is wider than a terminal.
-std::string wrapped(const std::string& text, std::size_t width) {
-  std::string lines = "  ";
-  std::size_t column = 2, at = 0;
-  while (at < text.size()) {
-    const std::size_t end = std::min(text.find(' ', at), text.size());
-    if (column > 2 && column + 1 + (end - at) > width) {
-      lines += "\n    ";
-      column = 4;
-    } else if (column > 2) {
-      lines += ' ';
-      ++column;
-    }
-    lines += text.substr(at, end - at);
-    column += end - at;
-    at = end + 1;
-  }
-  return lines + "\n";
+      format_share(1.0 - std::pow(0.84, n)), format_share(1.0 - std::pow(0.95, n)),
+      results.records.size());
 }
 
 }  // namespace
@@ -149,19 +127,17 @@ std::vector<std::string> chart_sentences(const Results& results) {
                                      "the array lifts off, which is outside the model"));
   sentences.push_back(share_sentence(chart, &ChartPoint::tip_share,
                                      "the array would begin to rock, which is outside the model"));
-  sentences.push_back(confidence_sentence(results));
+  if (!is_one_record(results)) sentences.push_back(confidence_sentence(results));
   std::erase(sentences, "");
   return sentences;
 }
 
 std::string chart_summary(const Results& results) {
-  constexpr std::size_t terminal_columns = 100, most = 9;
-  std::string text =
-      fmt::format("{}: design chart, {}\n{}\n", results.study_name, chart_size(results),
-                  wrapped(how_counted(results), terminal_columns));
+  constexpr std::size_t most = 9;
+  std::string text = fmt::format("{}: design chart, {}\n{}\n", results.study_name,
+                                 chart_size(results), wrapped(how_counted(results)));
   text += to_text(chart_matrix_table(results, most)) + "\n";
-  for (const std::string& sentence : chart_sentences(results))
-    text += wrapped(sentence, terminal_columns);
+  for (const std::string& sentence : chart_sentences(results)) text += wrapped(sentence);
   return text;
 }
 

@@ -118,7 +118,7 @@ Figure convergence_figure(const ConvergenceResults& results, const MaybeTimes& t
   data.row({1.0 * published::substeps, 100.0 * published::largest_error, published::longest_s});
   Decades errors, seconds;
   errors.take(100.0 * published::largest_error);
-  seconds.take(published::longest_s);
+  seconds.take(5.0 * published::longest_s);  // room for the label above
   add_errors(results, data, errors);
 
   const std::string file = quoted_file(figure.name);
@@ -128,7 +128,8 @@ Figure convergence_figure(const ConvergenceResults& results, const MaybeTimes& t
   figure.key_rows = 5;
   if (shows_the_paper(results)) {
     axes += fmt::format(
-        "set label 'paper: {}' at first {}, first {} left offset 1.6,0 tc rgb '#0072b2'\n",
+        "set label 'paper: {}' at first {}, first {} left offset 1.6,0 front boxed tc rgb "
+        "'#0072b2'\n",
         stated_percent(published::largest_error), published::substeps,
         100.0 * published::largest_error);
   }
@@ -148,8 +149,10 @@ Figure convergence_figure(const ConvergenceResults& results, const MaybeTimes& t
   const double left = results.substeps.front(), right = finest;
   figure.body = title_of(figure, fmt::format("{} scenes x {} records, {}", results.scenes.size(),
                                              results.records.size(), results.suite_name)) +
-                fmt::format("set logscale x 2\nset xrange [{}:{}]\nset xtics {},2,{}\n",
-                            0.85 * left, 1.18 * right, left, right) +
+                fmt::format(
+                    "set style textbox opaque noborder margins 0.4,0.2\nset logscale x 2\nset "
+                    "xrange [{}:{}]\nset xtics {},2,{}\n",
+                    0.85 * left, 1.18 * right, left, right) +
                 axes + plot + "\n";
   figure.data = data.text();
   return figure;

@@ -154,9 +154,12 @@ std::vector<std::string> convergence_sentences(const ConvergenceResults& results
 
 std::string convergence_summary(const ConvergenceResults& results, const MaybeTimes& times) {
   std::string text = results.study_name + "\n\n";
-  for (const std::string& sentence : convergence_sentences(results, times)) text += sentence + "\n";
+  for (const std::string& sentence : convergence_sentences(results, times))
+    text += wrapped(sentence);
   Table table = convergence_table(results, times);
-  for (const char* stem : {"worst_of_finest", "worst_of_exact_residual", "worst_of_exact_peak"})
+  for (const char* stem : {"worst_of_finest", "worst_of_exact_residual", "worst_of_exact_peak",
+                           "median_error_of_finest", "median_error_of_exact_residual",
+                           "median_error_of_exact_peak", "counted", "median_time"})
     table = table.without(stem);
   return text + "\n" + to_text(table);
 }

@@ -6,6 +6,7 @@
 
 #include "glissade/core/error.hpp"
 #include "glissade/core/file.hpp"
+#include "one_line.hpp"
 
 namespace glissade {
 namespace {
@@ -66,7 +67,7 @@ TEST(convergence_report, the_scenes_table_tells_what_each_did) {
 }
 
 TEST(convergence_report, sentences_tell_what_the_paper_states_beside_what_came_out) {
-  const std::string text = convergence_summary(made_up(), made_up_times());
+  const std::string text = test::one_line(convergence_summary(made_up(), made_up_times()));
   for (const char* part :
        {"In 2 of the 6 cases nothing slides", "Largest error at P = 64 against P = 256: 100 %",
         "The paper states 0.48 % at P = 64", "Tokachi-Oki 2003, which is not available here",
@@ -114,7 +115,8 @@ TEST(convergence_report, where_nothing_slides_there_is_still_a_report) {
   const fs::path folder = fresh("glissade_convergence_at_rest");
   write_convergence_report(r, made_up_times(), folder);
   EXPECT_TRUE(fs::exists(folder / "figures/convergence.svg"));
-  EXPECT_THAT(convergence_summary(r, {}), HasSubstr("In 2 of the 2 cases nothing slides"));
+  EXPECT_THAT(test::one_line(convergence_summary(r, {})),
+              HasSubstr("In 2 of the 2 cases nothing slides"));
 }
 
 TEST(convergence_report, uplift_is_told) {

@@ -83,7 +83,10 @@ for each of Walters's Intensity Levels. A chart is read by linear interpolation;
 slope and friction, so that reading errs on the large side. The table below is at 1 degree and mu 0.45
 (and, for Walters's example, at 1.19 degrees and 0.47, where he gives 286 mm (11.2 in) from seven recorded
 motions, both axes at once and 5 to 10 % of array mass; here are built-in motions and one axis).)",
-      std::move(cases), "", table};
+      std::move(cases),
+      "![Contours of clearance at Intensity Level 2 (study 11)]"
+      "(../../studies/figures/11_chart_contours.svg)\n",
+      table};
 }
 
 }  // namespace glissade::verification

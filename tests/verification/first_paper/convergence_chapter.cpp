@@ -69,7 +69,8 @@ one more approximation. Run times and all records, built-in and recorded: studie
            within({"60 scenes, P from 8 to 256", "largest error of residual slip / peak slip",
                    "slide(); first order of an explicit step, 1"},
                   {"observed order", observed_order(results), 0.8, 1.2})},
-          "",
+          "![Largest error and longest time of the published scheme over its substeps (study "
+          "04)](../../studies/figures/04_convergence.svg)\n",
           convergence_table(results)};
 }
 

@@ -164,7 +164,10 @@ paper's one record stands among many.)",
                                  })),
        within({"mu 0.5, 1.5 g", "slip over slope", paper + "Fig. 11: nearly linear"},
               {"R2 of a straight line", linearity(chart, levels - 1), 0.95, 1.0})},
-      "",
+      "![Contours of peak slip over friction and slope (study 06)]"
+      "(../../studies/figures/06_chart_contours.svg)\n"
+      "![Peak slip over intensity (study 06)](../../studies/figures/06_chart_intensity.svg)\n"
+      "![Peak slip over slope (study 06)](../../studies/figures/06_chart_slope_levels.svg)\n",
       readings_table({{"study 06, one built-in motion", chart, &ChartReading::envelope},
                       {"its 22 motions: mean", *all.chart, &ChartReading::mean},
                       {"84th percentile", *all.chart, &ChartReading::p84},
