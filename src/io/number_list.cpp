@@ -3,9 +3,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <string>
 
 #include "glissade/io/csv.hpp"
@@ -43,13 +45,21 @@ std::vector<double> read_range(const TomlTable& range, const NumberRule& rule) {
   }
   if (range.problem_count() > problems_before) return {};
   std::vector<double> values(count);
-  for (std::uint64_t i = 0; i < count; ++i) {
-    const double share = static_cast<double>(i) / static_cast<double>(count - 1);
-    values[i] = spacing == Spacing::linear ? as_written(from + (to - from) * share)
-                                           : from * std::pow(to / from, share);
+  const auto fill = [&](auto write) {
+    for (std::uint64_t i = 0; i < count; ++i) {
+      const double share = static_cast<double>(i) / static_cast<double>(count - 1);
+      values[i] = write(spacing == Spacing::linear ? from + (to - from) * share
+                                                   : from * std::pow(to / from, share));
+    }
+    values.front() = from;
+    values.back() = to;
+    return std::adjacent_find(values.begin(), values.end(), std::greater_equal<>()) == values.end();
+  };
+  if (!fill(as_written) && !fill([](double value) { return value; })) {
+    range.report("count", range.name_of("count") + " asks for more values than there are between " +
+                              shortest_decimal(from) + " and " + shortest_decimal(to));
+    return {};
   }
-  values.front() = from;
-  values.back() = to;
   return values;
 }
 

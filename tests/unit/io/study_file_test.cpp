@@ -125,6 +125,21 @@ TEST_F(StudyFile, every_distribution_is_read) {
   EXPECT_EQ(std::get<LogNormal>(study.building.period_s).median, 0.5);
 }
 
+TEST_F(StudyFile, ranges_give_numbers_as_people_write_them) {
+  const auto levels = [&](const std::string& range) {
+    return read(study_part + suite_part + friction_part + clearance_part +
+                "[intensity]\nmeasure = \"pga_g\"\nlevels = " + range + "\n")
+        .intensity.levels;
+  };
+  EXPECT_THAT(levels("{ from = 0.1, to = 0.4, count = 4 }"), ElementsAre(0.1, 0.2, 0.3, 0.4));
+  // Where twelve digits do not tell them apart they are kept as they are.
+  const std::vector<double> near = levels("{ from = 1, to = 1.0000000000001, count = 3 }");
+  EXPECT_LT(near[0], near[1]);
+  EXPECT_LT(near[1], near[2]);
+  EXPECT_THAT(levels("{ from = 1, to = 100, count = 3, spacing = \"log\" }"),
+              ElementsAre(1, 10, 100));
+}
+
 TEST_F(StudyFile, measures_bring_their_periods_and_targets) {
   const std::string rest = study_part + suite_part + friction_part + clearance_part;
   EXPECT_EQ(read(rest + "[intensity]\nmeasure = \"sa_g\"\nsa_period_s = 1.0\nlevels = [0.1, 1]\n")
@@ -244,6 +259,9 @@ TEST_F(StudyFile, contradictions_and_values_out_of_range_have_one_clear_message_
       {rest +
            "[intensity]\nmeasure = \"pga_g\"\nlevels = { from = 1, to = 2, count = 100000000 }\n",
        "out of range"},
+      {rest + "[intensity]\nmeasure = \"pga_g\"\nlevels = { from = 1, to = 1.0000000000000004, "
+              "count = 9 }\n",
+       "more values than there are between"},
       {"[study]\nname = \"a\"\nseed = -1\n" + suite_part + intensity_part + friction_part +
            clearance_part,
        "study.seed = -1"},
