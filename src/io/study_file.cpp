@@ -10,6 +10,7 @@
 #include "glissade/io/csv.hpp"
 #include "number_list.hpp"
 #include "target_table.hpp"
+#include "tested_friction.hpp"
 #include "toml_table.hpp"
 
 namespace glissade {
@@ -81,9 +82,13 @@ RoofConfig read_roof(const TomlTable& table) {
   return roof;
 }
 
-FrictionConfig read_friction(const TomlTable& table) {
+FrictionConfig read_friction(const TomlTable& table, const std::filesystem::path& study_file) {
   FrictionConfig friction;
   friction.design_run = table.flag("design_run").value_or(friction.design_run);
+  if (table.has("file")) {
+    read_tested_friction(table, study_file.parent_path(), friction);
+    return friction;
+  }
   const bool has_moments = table.has("mean") || table.has("std");
   if (table.has("mu")) {
     if (has_moments)
@@ -96,7 +101,7 @@ FrictionConfig read_friction(const TomlTable& table) {
     return friction;
   }
   if (!has_moments) {
-    table.report_missing("mean", "give mean and std, or mu");
+    table.report_missing("mean", "give mean and std, or mu, or a file of pull tests");
     return friction;
   }
   const std::size_t problems_before = table.problem_count();
@@ -217,7 +222,7 @@ StudyConfig read_study(const std::filesystem::path& file) {
   study.intensity = read_intensity(root.required_table("intensity"));
   study.building = read_building(root.table("building"));
   study.roof = read_roof(root.table("roof"));
-  study.friction = read_friction(root.required_table("friction"));
+  study.friction = read_friction(root.required_table("friction"), file);
   study.orientation = read_orientation(root.table("orientation"));
   study.vertical = read_vertical(root.table("vertical"));
   study.sampling = read_sampling(root.table("sampling"));
