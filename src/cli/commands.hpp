@@ -11,6 +11,7 @@ namespace glissade::cli {
 void add_run(CLI::App& program, const Communicator& world);
 void add_slide(CLI::App& program);
 void add_fit(CLI::App& program);
+void add_friction(CLI::App& program);
 void add_suite(CLI::App& program);
 void add_standards(CLI::App& program);
 void add_report(CLI::App& program);

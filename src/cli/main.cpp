@@ -44,6 +44,7 @@ int run_program(int argc, char** argv, const glissade::Communicator& world) {
   glissade::cli::add_run(program, world);
   glissade::cli::add_slide(program);
   glissade::cli::add_fit(program);
+  glissade::cli::add_friction(program);
   glissade::cli::add_suite(program);
   glissade::cli::add_standards(program);
   glissade::cli::add_report(program);

@@ -15,6 +15,7 @@
 #include "glissade/study/execute.hpp"
 #include "glissade/study/plan.hpp"
 #include "glissade/study/reduce.hpp"
+#include "output_folder.hpp"
 #include "progress.hpp"
 #include "run_convergence.hpp"
 #include "run_folder.hpp"
@@ -65,7 +66,7 @@ void run_fragility(const RunOptions& options, const fs::path& out, const Communi
   Suite suite;
   on_root(world, [&] {
     const StudyConfig config = read_study(options.study);
-    if (!options.dry_run) check_results_folder(out);
+    if (!options.dry_run) check_output_folder(out);
     suite = load_suite(config.suite_file);
   });
   share(suite, world);

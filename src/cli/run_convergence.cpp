@@ -10,6 +10,7 @@
 #include "glissade/io/suite_file.hpp"
 #include "glissade/report/convergence_report.hpp"
 #include "glissade/study/convergence_error.hpp"
+#include "output_folder.hpp"
 #include "progress.hpp"
 #include "run_folder.hpp"
 #include "run_record.hpp"
@@ -44,7 +45,7 @@ void run_convergence(const ConvergenceRun& run, const Communicator& world) {
   Suite suite;
   on_root(world, [&] {
     const ConvergenceConfig config = read_convergence_study(run.study);
-    if (!run.dry_run) check_results_folder(run.out);
+    if (!run.dry_run) check_output_folder(run.out);
     suite = load_suite(config.suite_file);
   });
   share(suite, world);

@@ -26,19 +26,6 @@ void check_same_plan(const std::string& hash, const Communicator& world) {
   }
 }
 
-void check_results_folder(const fs::path& folder) {
-  std::error_code error;
-  if (!fs::exists(folder, error)) return;
-  if (!fs::is_directory(folder, error)) {
-    throw InputError({folder.string(), "is not a folder", "give another --out", ""});
-  }
-  if (!fs::is_empty(folder, error) || error) {
-    throw InputError({folder.string(),
-                      "already holds a run or other files, which are never written over",
-                      "give a new folder with --out, or remove this one", ""});
-  }
-}
-
 namespace {
 
 void check_room(const fs::path& folder, double bytes_of_results) {

@@ -39,9 +39,6 @@ void share(Suite& suite, const Communicator& world);
 /// Every rank makes the plan itself; other processors or mathematical libraries could make another.
 void check_same_plan(const std::string& hash, const Communicator& world);
 
-/// A results folder that holds anything is never written into.
-void check_results_folder(const std::filesystem::path& folder);
-
 /// Before hours of work: the folder is there, has room for the results, and nobody else may take
 /// it.
 void take_results_folder(const std::filesystem::path& folder, double bytes_of_results,

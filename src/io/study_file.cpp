@@ -12,6 +12,7 @@
 #include "number_list.hpp"
 #include "suite_choice.hpp"
 #include "target_table.hpp"
+#include "tested_friction.hpp"
 #include "toml_table.hpp"
 
 namespace glissade {
@@ -84,9 +85,13 @@ RoofConfig read_roof(const TomlTable& table) {
   return roof;
 }
 
-FrictionConfig read_friction(const TomlTable& table) {
+FrictionConfig read_friction(const TomlTable& table, const std::filesystem::path& study_file) {
   FrictionConfig friction;
   friction.design_run = table.flag("design_run").value_or(friction.design_run);
+  if (table.has("file")) {
+    read_tested_friction(table, study_file.parent_path(), friction);
+    return friction;
+  }
   const bool has_moments = table.has("mean") || table.has("std");
   if (table.has("mu")) {
     if (has_moments)
@@ -99,7 +104,7 @@ FrictionConfig read_friction(const TomlTable& table) {
     return friction;
   }
   if (!has_moments) {
-    table.report_missing("mean", "give mean and std, or mu");
+    table.report_missing("mean", "give mean and std, or mu, or a file of pull tests");
     return friction;
   }
   const std::size_t problems_before = table.problem_count();
@@ -231,7 +236,7 @@ void read_samples(const TomlTable& root, StudyConfig& study) {
   study.intensity = read_intensity(root.required_table("intensity"), above_zero);
   study.building = read_building(root.table("building"));
   study.roof = read_roof(root.table("roof"));
-  study.friction = read_friction(root.required_table("friction"));
+  study.friction = read_friction(root.required_table("friction"), study.file);
   study.orientation = read_orientation(root.table("orientation"));
   study.sampling = read_sampling(root.table("sampling"));
   const TomlTable clearance = root.required_table("clearance");

@@ -203,6 +203,7 @@ std::vector<std::string> notes_on(const StudyConfig& config, const Suite& suite)
         fmt::format("{} of {} records have no vertical component: run with the horizontal alone",
                     flat, suite.motions.size()));
   }
+  if (!config.friction.note.empty()) notes.push_back(config.friction.note);
   if (config.stop_at_largest_threshold) {
     notes.push_back(
         fmt::format("[clearance] stop_at_largest: a history is not run above the level that takes "

@@ -10,12 +10,12 @@ TEST(Usage, help_names_every_command_and_succeeds) {
   const Finished child = run_program({"--help"});
   EXPECT_EQ(child.status, 0);
   EXPECT_EQ(child.err, "");
-  for (const char* command : {"run", "slide", "fit", "suite", "standards", "report"})
+  for (const char* command : {"run", "slide", "fit", "friction", "suite", "standards", "report"})
     EXPECT_THAT(child.out, testing::HasSubstr(command));
 }
 
 TEST(Usage, every_command_has_help) {
-  for (const char* command : {"run", "slide", "fit", "suite", "standards", "report"}) {
+  for (const char* command : {"run", "slide", "fit", "friction", "suite", "standards", "report"}) {
     const Finished child = run_program({command, "--help"});
     EXPECT_EQ(child.status, 0) << command;
     EXPECT_THAT(child.out, testing::HasSubstr("--help")) << command;

@@ -49,6 +49,7 @@ struct RoofConfig {
 struct FrictionConfig {
   Distribution mu = Fixed{0.5};  ///< >= 0; `mean`/`std` in the file become a normal truncated at 0
   bool design_run = true;        ///< also run with mu = mean - 2 std (skipped where std = 0)
+  std::string note;              ///< where it comes from, if a reader must know: pull tests
 };
 
 enum class ComponentChoice { first, second, random, both };  ///< `random` by sample; `both`: charts

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "glissade/sampling/pull_test.hpp"
+
+namespace glissade {
+
+/// Pull tests from a CSV file (studies/README.md tells its columns): a header, then a row for each
+/// logged sample, those of one test together and in order of time. Lines that begin with # are
+/// comments. Throws InputError with a message for each kind of wrong row, at the first such row:
+/// numbers that are none, time that goes back, normal force not above 0 ...
+std::vector<PullTest> read_pull_tests(const std::filesystem::path& file);
+
+}  // namespace glissade

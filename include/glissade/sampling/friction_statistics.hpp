@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "glissade/sampling/normality.hpp"
+#include "glissade/sampling/pull_test.hpp"
+
+namespace glissade {
+
+/// A coefficient of friction over the tests of one direction, each test one value.
+struct MuStatistics {
+  std::size_t tests;
+  double mean;
+  double std;               ///< between tests (n - 1); NaN with one test, as are the next two
+  double mean_minus_2_std;  ///< the design value (Walters et al. 2012), not below 0
+  /// With 95 % confidence at least 97.7 % of pulls have more friction than this: what mean - 2 std
+  /// promises, Phi(2), with the doubt that few tests leave (mean - k std, sampling/tolerance.hpp).
+  /// For normal friction; not below 0.
+  double lower_bound_95;
+  std::optional<ShapiroWilk> normality;  ///< none with fewer than three tests or without spread
+};
+MuStatistics statistics_of(const std::vector<double>& mu);
+
+struct DirectionFriction {
+  std::string direction;
+  MuStatistics sliding, breakaway;
+};
+
+/// What a set of pull tests says.
+struct PullTestSummary {
+  SlidingRule rule;
+  std::vector<TraceFriction> tests;           ///< as given
+  std::vector<DirectionFriction> directions;  ///< as they first appear
+  std::vector<std::string> notes;             ///< what a reader must know
+};
+
+/// Throws InputError with the problems of all tests.
+PullTestSummary summarise(const std::vector<PullTest>& tests, const SlidingRule& rule);
+
+}  // namespace glissade

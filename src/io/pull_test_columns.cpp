@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pull_test_columns.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <string>
+
+#include "glissade/core/error.hpp"
+#include "glissade/core/units.hpp"
+#include "scan.hpp"
+
+namespace glissade {
+namespace {
+
+using enum PullTestColumn;
+
+constexpr double pound_force_n = 0.45359237 * standard_gravity_mps2;  // exact by definition
+
+struct KnownName {
+  const char* name;
+  PullTestColumn column;
+  double si_per_unit;
+};
+constexpr std::array<KnownName, 12> known_names{{{"test", test, 1.0},
+                                                 {"direction", direction, 1.0},
+                                                 {"time_s", time, 1.0},
+                                                 {"displacement_m", displacement, 1.0},
+                                                 {"displacement_mm", displacement, 1e-3},
+                                                 {"displacement_in", displacement, inch_m},
+                                                 {"force_n", force, 1.0},
+                                                 {"force_kn", force, 1e3},
+                                                 {"force_lbf", force, pound_force_n},
+                                                 {"normal_n", normal, 1.0},
+                                                 {"normal_kn", normal, 1e3},
+                                                 {"normal_lbf", normal, pound_force_n}}};
+
+std::vector<std::string> names_of(PullTestColumn column) {
+  std::vector<std::string> names;
+  for (const KnownName& known : known_names)
+    if (known.column == column) names.emplace_back(known.name);
+  return names;
+}
+
+std::string joined(const std::vector<std::string>& names) {
+  std::string text;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    text += (i == 0 ? "" : i + 1 == names.size() ? " or " : ", ") + names[i];
+  return text;
+}
+
+const KnownName* find_name(const std::string& name) {
+  const auto at = std::find_if(known_names.begin(), known_names.end(),
+                               [&](const KnownName& known) { return name == known.name; });
+  return at == known_names.end() ? nullptr : &*at;
+}
+
+std::string suggestion_for(const std::string& name) {
+  std::vector<std::string> names;
+  for (const KnownName& known : known_names) names.emplace_back(known.name);
+  const std::string nearest = nearest_word(name, names);
+  return nearest.empty() ? "leave the column out" : "did you mean " + nearest + "?";
+}
+
+}  // namespace
+
+std::vector<std::string_view> csv_cells(std::string_view line) {
+  std::vector<std::string_view> cells;
+  for (std::size_t begin = 0; begin <= line.size();) {
+    const std::size_t end = std::min(line.find(',', begin), line.size());
+    std::string_view cell = trimmed(line.substr(begin, end - begin));
+    if (cell.size() >= 2 && cell.front() == '"' && cell.back() == '"')
+      cell = cell.substr(1, cell.size() - 2);
+    cells.push_back(cell);
+    begin = end + 1;
+  }
+  return cells;
+}
+
+bool is_plain_text(std::string_view text) {
+  for (std::size_t i = 0; i < text.size();) {
+    const auto lead = static_cast<unsigned char>(text[i++]);
+    if (lead < 0x80) {
+      if (lead < 0x20 || lead == 0x7f) return false;
+      continue;
+    }
+    const int more = lead >= 0xf0 ? 3 : lead >= 0xe0 ? 2 : 1;
+    if (lead < 0xc0 || lead > 0xf4 || i + static_cast<std::size_t>(more) > text.size())
+      return false;
+    std::uint32_t code = lead & (0x3fu >> more);
+    for (int k = 0; k < more; ++k) {
+      const auto next = static_cast<unsigned char>(text[i++]);
+      if ((next & 0xc0u) != 0x80u) return false;
+      code = code << 6 | (next & 0x3fu);
+    }
+    const std::uint32_t least = more == 3 ? 0x10000 : more == 2 ? 0x800 : 0x80;
+    const bool is_surrogate = code >= 0xd800 && code <= 0xdfff;
+    if (code < least || code > 0x10ffff || is_surrogate) return false;
+  }
+  return true;
+}
+
+PullTestHeader read_pull_test_header(const std::filesystem::path& file, std::size_t line_number,
+                                     std::string_view line) {
+  const std::string where = place(file, line_number);
+  const std::vector<std::string_view> cells = csv_cells(line);
+  PullTestHeader header{{}, cells.size()};
+  ProblemList problems;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const std::string name = lower_case(cells[i]);
+    const KnownName* known = find_name(name);
+    if (known == nullptr) {
+      problems.add(
+          {where, "the column " + in_quotes(cells[i]) + " is not known", suggestion_for(name), ""});
+      continue;
+    }
+    auto& column = header.columns[static_cast<std::size_t>(known->column)];
+    if (column) {
+      problems.add({where, joined(names_of(known->column)) + " is there more than once",
+                    "keep one of them", ""});
+    }
+    column = PullTestHeader::Column{i, known->si_per_unit};
+  }
+  for (const PullTestColumn needed : {test, direction, displacement, force, normal}) {
+    if (!header[needed]) {
+      problems.add({where, "the column " + joined(names_of(needed)) + " is missing",
+                    "the first line names the columns, separated by commas", ""});
+    }
+  }
+  problems.throw_if_any();
+  return header;
+}
+
+}  // namespace glissade

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace glissade {
+
+/// The cells of a CSV line, trimmed, without the quotes around a whole cell.
+std::vector<std::string_view> csv_cells(std::string_view line);
+
+/// UTF-8 without control characters: fit for a table, a figure and JSON.
+bool is_plain_text(std::string_view text);
+
+enum class PullTestColumn { test, direction, time, displacement, force, normal };
+inline constexpr std::size_t pull_test_columns = 6;
+
+/// Where a file of pull tests has what: by PullTestColumn, the column's place and what takes its
+/// numbers to SI. Only time may be absent.
+struct PullTestHeader {
+  struct Column {
+    std::size_t index;
+    double si_per_unit;
+  };
+  std::array<std::optional<Column>, pull_test_columns> columns;
+  std::size_t width;  ///< columns in all
+
+  const std::optional<Column>& operator[](PullTestColumn column) const {
+    return columns[static_cast<std::size_t>(column)];
+  }
+};
+
+/// A header line: names in any order and any case. Throws InputError for every column that is
+/// missing, unknown or there twice.
+PullTestHeader read_pull_test_header(const std::filesystem::path& file, std::size_t line_number,
+                                     std::string_view line);
+
+}  // namespace glissade

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tested_friction.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "glissade/io/pull_test_file.hpp"
+#include "glissade/sampling/friction_statistics.hpp"
+
+namespace glissade {
+namespace {
+
+std::string list_of(const std::vector<DirectionFriction>& directions) {
+  std::string list;
+  for (const DirectionFriction& d : directions)
+    list += (list.empty() ? "" : ", ") + ("\"" + d.direction + "\"");
+  return list;
+}
+
+/// The direction asked for, or the only one; null where there is none, which is reported.
+const DirectionFriction* direction_of(const TomlTable& table, const PullTestSummary& summary) {
+  const auto name = table.text("direction");
+  const auto& directions = summary.directions;
+  if (!name && table.has("direction")) return nullptr;
+  if (!name) {
+    if (directions.size() == 1) return &directions.front();
+    table.report("file", fmt::format("friction.file has tests in {} directions", directions.size()),
+                 "say which with direction = ...: " + list_of(directions));
+    return nullptr;
+  }
+  const auto at = std::find_if(directions.begin(), directions.end(),
+                               [&](const DirectionFriction& d) { return d.direction == *name; });
+  if (at != directions.end()) return &*at;
+  table.report("direction",
+               fmt::format("friction.direction = \"{}\" is not in the pull tests", *name),
+               "they have " + list_of(directions));
+  return nullptr;
+}
+
+std::string note_on(const DirectionFriction& d, const std::string& file) {
+  const MuStatistics& s = d.sliding;
+  std::string note = fmt::format(
+      "friction from {} pull tests, direction {}, in {}: sliding mean {:.4g}, std {:.4g}; with "
+      "95 % confidence 97.7 % of pulls have more than {:.4g}",
+      s.tests, d.direction, file, s.mean, s.std, s.lower_bound_95);
+  if (s.normality) note += fmt::format("; Shapiro-Wilk p = {:.2g}", s.normality->p_value);
+  return note;
+}
+
+void take(const TomlTable& table, const DirectionFriction& d, const std::string& file,
+          FrictionConfig& friction) {
+  const MuStatistics& s = d.sliding;
+  if (s.tests < 2) {
+    table.report("file",
+                 fmt::format("friction.file has one test in direction \"{}\", which gives no "
+                             "standard deviation",
+                             d.direction),
+                 "test more, or give mean and std");
+    return;
+  }
+  friction.mu = s.std == 0.0 ? Distribution{Fixed{s.mean}}
+                             : Distribution{TruncatedNormal{
+                                   s.mean, s.std, 0.0, std::numeric_limits<double>::infinity()}};
+  friction.note = note_on(d, file);
+}
+
+}  // namespace
+
+void read_tested_friction(const TomlTable& table, const std::filesystem::path& folder,
+                          FrictionConfig& friction) {
+  const std::size_t problems_before = table.problem_count();
+  for (const char* key : {"mu", "mean", "std"}) {
+    if (table.has(key)) {
+      table.report(key, fmt::format("friction.file and friction.{} are both given", key),
+                   "give the file of pull tests, or the friction itself");
+    }
+  }
+  const std::string file = table.required_text("file");
+  SlidingRule rule;
+  rule.slip_m = table.number("slip_m", above_zero).value_or(rule.slip_m);
+  rule.sliding_from_m = table.number("sliding_from_m", above_zero).value_or(rule.sliding_from_m);
+  const auto give_up = [&] { table.ignore_unknown(); };
+  if (table.problem_count() > problems_before) return give_up();
+  try {
+    const PullTestSummary summary = summarise(read_pull_tests(folder / file), rule);
+    if (const DirectionFriction* d = direction_of(table, summary)) take(table, *d, file, friction);
+  } catch (const InputError& error) {
+    table.report("file", error);
+    give_up();
+  }
+}
+
+}  // namespace glissade

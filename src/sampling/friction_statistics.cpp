@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glissade/sampling/friction_statistics.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "glissade/core/contract.hpp"
+#include "glissade/core/error.hpp"
+#include "glissade/sampling/tolerance.hpp"
+
+namespace glissade {
+namespace {
+
+constexpr double confidence = 0.95;
+/// The share above mean - 2 std of a normal population, Phi(2).
+const double coverage = 0.5 * std::erfc(-std::numbers::sqrt2);
+constexpr double refused_at = 0.05;    // level of the normality test
+constexpr std::size_t few_tests = 10;  // fewer hardly tell a normal from another distribution
+constexpr double uneven_pull = 0.05;   // of sliding mu
+
+std::vector<std::string> directions_in(const std::vector<TraceFriction>& tests) {
+  std::vector<std::string> directions;
+  for (const TraceFriction& test : tests) {
+    if (std::find(directions.begin(), directions.end(), test.direction) == directions.end())
+      directions.push_back(test.direction);
+  }
+  return directions;
+}
+
+std::vector<double> values_of(const std::vector<TraceFriction>& tests, const std::string& direction,
+                              double TraceFriction::*mu) {
+  std::vector<double> values;
+  for (const TraceFriction& test : tests)
+    if (test.direction == direction) values.push_back(test.*mu);
+  return values;
+}
+
+std::string note_on_number(const DirectionFriction& d) {
+  const MuStatistics& s = d.sliding;
+  if (s.tests == 1) {
+    return fmt::format("{}: one test has no standard deviation, so there is no mean - 2 std",
+                       d.direction);
+  }
+  return fmt::format(
+      "{}: mean - 2 std = {:.3f} rests on {} tests and is itself uncertain; with 95 % confidence "
+      "97.7 % of pulls have more than {:.3f} (mean - {:.2f} std, if friction is normal)",
+      d.direction, s.mean_minus_2_std, s.tests, s.lower_bound_95,
+      one_sided_tolerance_factor({s.tests, coverage, confidence}));
+}
+
+std::string note_on_normality(const DirectionFriction& d) {
+  const MuStatistics& s = d.sliding;
+  if (!s.normality) {
+    return s.tests < 3
+               ? fmt::format("{}: whether friction is normal is not judged from fewer than 3 tests",
+                             d.direction)
+               : fmt::format("{}: all tests give one friction; normality is not judged",
+                             d.direction);
+  }
+  if (s.normality->p_value < refused_at) {
+    return fmt::format(
+        "{}: sliding friction does not look normal (Shapiro-Wilk W = {:.3f}, p = {:.3f}): look at "
+        "the tests one by one before using mean - 2 std",
+        d.direction, s.normality->w, s.normality->p_value);
+  }
+  if (s.tests < few_tests) {
+    return fmt::format(
+        "{}: nothing speaks against normal friction (Shapiro-Wilk p = {:.2f}), but {} tests could "
+        "hardly show it",
+        d.direction, s.normality->p_value, s.tests);
+  }
+  return "";
+}
+
+std::vector<std::string> notes_on_trace(const TraceFriction& t) {
+  std::vector<std::string> notes;
+  const std::string name = fmt::format("test {} {}", t.test, t.direction);
+  if (t.breakaway_mu < t.sliding_mu) {
+    notes.push_back(fmt::format(
+        "{}: breakaway {:.3f} is below sliding {:.3f}: if the rig stretches before the array "
+        "slips, raise slip_m",
+        name, t.breakaway_mu, t.sliding_mu));
+  }
+  if (std::abs(t.mu_by_displacement - t.sliding_mu) > uneven_pull * t.sliding_mu) {
+    notes.push_back(fmt::format(
+        "{}: the pull was uneven (or so was the logging): sliding friction is {:.3f} as a mean "
+        "over samples, {:.3f} as a mean over displacement",
+        name, t.sliding_mu, t.mu_by_displacement));
+  }
+  return notes;
+}
+
+std::vector<std::string> notes_on(const PullTestSummary& summary) {
+  std::vector<std::string> notes;
+  for (const DirectionFriction& d : summary.directions) {
+    notes.push_back(note_on_number(d));
+    if (std::string note = note_on_normality(d); !note.empty()) notes.push_back(std::move(note));
+  }
+  for (const TraceFriction& test : summary.tests)
+    for (std::string& note : notes_on_trace(test)) notes.push_back(std::move(note));
+  return notes;
+}
+
+}  // namespace
+
+MuStatistics statistics_of(const std::vector<double>& mu) {
+  GLISSADE_EXPECTS(!mu.empty());
+  const auto n = static_cast<double>(mu.size());
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  MuStatistics s{mu.size(), 0.0, none, none, none, {}};
+  for (const double x : mu) s.mean += x / n;
+  if (mu.size() == 1) return s;
+  const auto [least, most] = std::minmax_element(mu.begin(), mu.end());
+  if (*least == *most) s.mean = *least;  // no rounding, so no spread
+  double squares = 0.0;
+  for (const double x : mu) squares += (x - s.mean) * (x - s.mean);
+  s.std = std::sqrt(squares / (n - 1.0));
+  const double k = one_sided_tolerance_factor({mu.size(), coverage, confidence});
+  s.mean_minus_2_std = std::max(0.0, s.mean - 2.0 * s.std);
+  s.lower_bound_95 = std::max(0.0, s.mean - k * s.std);
+  constexpr std::size_t most_judged = 5000;
+  if (mu.size() >= 3 && mu.size() <= most_judged && *least < *most) s.normality = shapiro_wilk(mu);
+  return s;
+}
+
+PullTestSummary summarise(const std::vector<PullTest>& tests, const SlidingRule& rule) {
+  validate(rule);
+  PullTestSummary summary;
+  summary.rule = rule;
+  ProblemList problems;
+  for (const PullTest& test : tests) {
+    try {
+      summary.tests.push_back(friction_of(test, rule));
+    } catch (const InputError& error) {
+      problems.add(error);
+    }
+  }
+  problems.throw_if_any();
+  for (const std::string& direction : directions_in(summary.tests)) {
+    const auto statistics = [&](double TraceFriction::*mu) {
+      return statistics_of(values_of(summary.tests, direction, mu));
+    };
+    summary.directions.push_back({direction, statistics(&TraceFriction::sliding_mu),
+                                  statistics(&TraceFriction::breakaway_mu)});
+  }
+  summary.notes = notes_on(summary);
+  return summary;
+}
+
+}  // namespace glissade

@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glissade/io/pull_test_file.hpp"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "glissade/io/study_file.hpp"
+#include "glissade/sampling/friction_statistics.hpp"
+#include "temporary_folder.hpp"
+
+namespace glissade {
+namespace {
+
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::Not;
+
+const std::string header = "test,direction,time_s,displacement_m,force_n,normal_n\n";
+
+std::vector<PullTest> read(const std::string& content) {
+  const TemporaryFolder folder;
+  return read_pull_tests(folder.write("tests.csv", content));
+}
+std::string error(const std::string& content) {
+  return message_of([&] { read(content); });
+}
+
+TEST(pull_test_file, is_read_with_comments_blanks_quotes_and_either_line_end) {
+  const auto tests = read("# rig 3\r\ntest, direction ,displacement_m,force_n,normal_n\r\n\r\n" +
+                          std::string("\"EPDM 1\",along,0,0,100\r\nEPDM 1, along , 0.1 ,+50,100\n"
+                                      "# the next\nEPDM 1,across,0,1,100\n"));
+  ASSERT_EQ(tests.size(), 2u);
+  EXPECT_EQ(tests[0].test, "EPDM 1");
+  EXPECT_THAT(tests[0].displacement_m, ElementsAre(0.0, 0.1));
+  EXPECT_THAT(tests[0].force_n, ElementsAre(0.0, 50.0));
+  EXPECT_EQ(tests[1].direction, "across");
+  EXPECT_THAT(tests[1].place, HasSubstr("tests.csv:7"));
+}
+
+TEST(pull_test_file, may_have_its_columns_in_any_order_case_and_known_unit) {
+  const auto metric = read("normal_kN,force_kN,displacement_mm,Direction,Test\n1.5,0.75,20,a,1\n");
+  EXPECT_DOUBLE_EQ(metric[0].normal_n[0], 1500.0);
+  EXPECT_DOUBLE_EQ(metric[0].force_n[0], 750.0);
+  EXPECT_DOUBLE_EQ(metric[0].displacement_m[0], 0.02);
+  const auto us = read("test,direction,displacement_in,force_lbf,normal_lbf\n1,a,2,100,200\n");
+  EXPECT_DOUBLE_EQ(us[0].displacement_m[0], 0.0508);
+  EXPECT_DOUBLE_EQ(us[0].force_n[0], 444.82216152605);  // 1 lbf = 4.4482216152605 N exactly
+}
+
+TEST(pull_test_file, with_time_that_goes_back_is_refused_once) {
+  EXPECT_THAT(error(header + "1,a,0,0,0,9\n1,a,0.2,0,0,9\n1,a,0.1,0,0,9\n1,a,0.3,0,0,9\n"
+                             "1,a,0.2,0,0,9\n"),
+              AllOf(HasSubstr("tests.csv:4: time goes back in test 1 a, from 0.2 to 0.1 s"),
+                    HasSubstr("(and so 1 more)"), Not(HasSubstr("tests.csv:6"))));
+  EXPECT_EQ(error(header + "1,a,5,0,0,9\n1,a,5,0,0,9\n2,a,0,0,0,9\n"), "");  // equal; another test
+}
+
+TEST(pull_test_file, with_a_normal_force_not_above_zero_is_refused_once) {
+  EXPECT_THAT(error(header + "1,a,0,0,0,-9\n1,a,0,0,0,0\n"),
+              AllOf(HasSubstr("tests.csv:2: the normal force of test 1 a, -9 N, is not above 0"),
+                    HasSubstr("(and so 1 more)")));
+  EXPECT_THAT(error(header + "1,a,0,0,0,0\n"), HasSubstr("0 N, is not above 0"));
+}
+
+TEST(pull_test_file, tells_every_kind_of_wrong_row) {
+  EXPECT_THAT(error(header + "1,a,0,0,x,9\n1,a,0,0,0\n1,,0,0,0,9\n1,a,0,nan,0,9\n1,a,0,0,0,-1\n"),
+              AllOf(HasSubstr("tests.csv:2: 'x' is not a finite number (and so 1 more)"),
+                    HasSubstr("tests.csv:3: 5 column(s) where the header has 6"),
+                    HasSubstr("tests.csv:4: test or direction is empty"),
+                    HasSubstr("tests.csv:6: the normal force")));
+}
+
+TEST(pull_test_file, has_names_in_utf_8) {
+  for (const char* name : {"N\u2013S", "\u00e9", "\U0001F600", "a#1", "a b"})
+    EXPECT_EQ(read(header + name + ",a,0,0,0,9\n")[0].test, name);
+  // Latin-1; a control character; cut short; overlong; a surrogate; beyond Unicode.
+  for (const char* name : {"\xe9t\xe9", "a\x1b[0m", "\xe2\x80", "\xc0\xaf", "\xe0\x80\xaf",
+                           "\xed\xa0\x80", "\xf4\x90\x80\x80", "\x80"}) {
+    EXPECT_THAT(error(header + "x" + name + ",a,0,0,0,9\n"), HasSubstr("tests.csv:2: test or"));
+  }
+}
+
+TEST(pull_test_file, keeps_the_rows_of_a_test_together) {
+  EXPECT_THAT(
+      error(header + "1,a,0,0,0,9\n2,a,0,0,0,9\n1,a,1,0,0,9\n1,a,2,0,0,9\n"),
+      AllOf(HasSubstr("tests.csv:4: test 1 a already began on line 2"), Not(HasSubstr("more)"))));
+}
+
+TEST(pull_test_file, needs_its_columns_each_once) {
+  EXPECT_THAT(error("test,displacement,force_n,normal_n,force_kn\n1,0,0,9,0\n"),
+              AllOf(HasSubstr("tests.csv:1: the column direction is missing"),
+                    HasSubstr("'displacement' is not known; did you mean displacement_m"),
+                    HasSubstr("displacement_m, displacement_mm or displacement_in is missing"),
+                    HasSubstr("force_n, force_kn or force_lbf is there more than once")));
+  EXPECT_THAT(error("1,a,0,0,0,9\n"), HasSubstr("the column test is missing"));
+}
+
+TEST(pull_test_file, needs_rows) {
+  EXPECT_THAT(error(""), HasSubstr("the file is empty"));
+  EXPECT_THAT(error(header), HasSubstr("there are no rows"));
+  EXPECT_THAT(message_of([] { read_pull_tests("none.csv"); }), HasSubstr("none.csv"));
+}
+
+/// The example's rule, as its comments tell it.
+struct ExampleSample {
+  double displacement_m, force_n, normal_n;
+};
+ExampleSample example_at(double t_s, double m) {
+  const double s_mm = 25.0 * std::clamp(t_s - 1.0, 0.0, 12.0);
+  const double mu = m * (1.0 + 0.15 * std::exp(-s_mm / 5.0)) +
+                    0.02 * std::sin(2.0 * std::numbers::pi * s_mm / 60.0);
+  const double normal_n = 1500.0 * (1.0 + 0.01 * std::sin(2.0 * std::numbers::pi * t_s / 1.3));
+  const double loading = std::min(t_s, 1.0) * (1.0 - 0.2 * std::max(t_s - 13.0, 0.0));
+  return {1e-3 * (2.0 * std::min(t_s, 1.0) + s_mm), mu * loading * normal_n, normal_n};
+}
+
+TEST(example_pull_tests, follow_the_rule_they_state) {
+  const auto tests = read_pull_tests(GLISSADE_SOURCE_DIR "/studies/data/pull_tests.csv");
+  const std::vector<double> m = {0.578, 0.526, 0.494, 0.562, 0.598, 0.542,
+                                 0.603, 0.655, 0.570, 0.632, 0.538, 0.602};
+  ASSERT_EQ(tests.size(), m.size());
+  for (std::size_t k = 0; k < m.size(); ++k) {
+    ASSERT_EQ(tests[k].force_n.size(), 71u);
+    for (std::size_t i = 0; i < 71; ++i) {
+      const ExampleSample expected = example_at(static_cast<double>(i) / 5.0, m[k]);
+      EXPECT_NEAR(tests[k].displacement_m[i], expected.displacement_m, 1e-12);
+      EXPECT_NEAR(tests[k].force_n[i], expected.force_n, 0.0501);
+      EXPECT_NEAR(tests[k].normal_n[i], expected.normal_n, 0.0501);
+    }
+  }
+}
+
+class StudyWithPullTests : public testing::Test {
+ protected:
+  StudyWithPullTests() {
+    folder_.write("suite.toml", "");
+    folder_.write("tests.csv", traces("along", {0.50, 0.55, 0.60}));
+  }
+  /// Even pulls, one for each friction.
+  static std::string traces(const std::string& direction, const std::vector<double>& frictions) {
+    std::string text = "test,direction,displacement_m,force_n,normal_n\n";
+    return text + rows(direction, frictions);
+  }
+  static std::string rows(const std::string& direction, const std::vector<double>& frictions) {
+    std::string text;
+    for (std::size_t k = 0; k < frictions.size(); ++k) {
+      for (int i = 0; i <= 10; ++i) {
+        text += std::to_string(k) + "," + direction + "," + std::to_string(0.01 * i) + "," +
+                std::to_string(1000.0 * frictions[k]) + ",1000\n";
+      }
+    }
+    return text;
+  }
+  StudyConfig read(const std::string& friction) const {
+    return read_study(folder_.write("study.toml",
+                                    "[study]\nname = \"s\"\n[suite]\nfile = \"suite.toml\"\n"
+                                    "[intensity]\nmeasure = \"sds_g\"\nlevels = [1.0]\n"
+                                    "[clearance]\nthresholds_m = [0.1]\n[friction]\n" +
+                                        friction));
+  }
+  std::string error(const std::string& friction) const {
+    return message_of([&] { read(friction); });
+  }
+  TemporaryFolder folder_;
+};
+
+TEST_F(StudyWithPullTests, takes_mean_and_deviation_over_the_tests) {
+  const StudyConfig study = read("file = \"tests.csv\"\n");
+  const auto mu = std::get<TruncatedNormal>(study.friction.mu);
+  EXPECT_NEAR(mu.mean, 0.55, 1e-12);
+  EXPECT_NEAR(mu.std, 0.05, 1e-12);
+  EXPECT_EQ(mu.min, 0.0);
+  EXPECT_TRUE(std::isinf(mu.max));
+  EXPECT_NEAR(design_friction(study.friction), 0.45, 1e-12);
+  EXPECT_TRUE(study.friction.design_run);
+  EXPECT_THAT(study.friction.note,
+              AllOf(HasSubstr("3 pull tests"), HasSubstr("along"), HasSubstr("tests.csv"),
+                    HasSubstr("0.55"), HasSubstr("95 % confidence")));
+}
+
+TEST_F(StudyWithPullTests, takes_the_direction_it_names) {
+  folder_.write("tests.csv", traces("along", {0.5, 0.6}) + rows("across", {0.7, 0.8}));
+  EXPECT_NEAR(mean(read("file = \"tests.csv\"\ndirection = \"across\"\n").friction.mu), 0.75, 1e-6);
+  EXPECT_THAT(error("file = \"tests.csv\"\n"),
+              AllOf(HasSubstr("study.toml:"), HasSubstr("tests in 2 directions"),
+                    HasSubstr("\"along\", \"across\"")));
+  EXPECT_THAT(error("file = \"tests.csv\"\ndirection = \"up\"\n"),
+              AllOf(HasSubstr("\"up\" is not in the pull tests"), HasSubstr("\"along\"")));
+}
+
+TEST_F(StudyWithPullTests, takes_equal_tests_as_one_number) {
+  folder_.write("tests.csv", traces("along", {0.5, 0.5}));
+  EXPECT_EQ(std::get<Fixed>(read("file = \"tests.csv\"\n").friction.mu).value, 0.5);
+}
+
+TEST_F(StudyWithPullTests, needs_two_tests) {
+  folder_.write("tests.csv", traces("along", {0.5}));
+  EXPECT_THAT(error("file = \"tests.csv\"\n"), HasSubstr("one test in direction \"along\""));
+}
+
+TEST_F(StudyWithPullTests, refuses_friction_given_twice_and_nothing_else) {
+  const std::string text = error("file = \"tests.csv\"\nmean = 0.5\n");
+  EXPECT_THAT(text, HasSubstr("friction.file and friction.mean are both given"));
+  EXPECT_THAT(text, Not(HasSubstr("not a known key")));
+}
+
+TEST_F(StudyWithPullTests, follows_its_own_sliding_rule) {
+  EXPECT_THAT(error("file = \"tests.csv\"\nsliding_from_m = 0.5\n"), HasSubstr("no sliding"));
+  EXPECT_THAT(error("file = \"tests.csv\"\nslip_m = 0.1\nsliding_from_m = 0.05\n"),
+              HasSubstr("below slip_m"));
+  EXPECT_THAT(error("file = \"tests.csv\"\nslip_m = -1\n"), HasSubstr("friction.slip_m"));
+}
+
+TEST_F(StudyWithPullTests, tells_the_problems_of_the_tests_at_their_lines) {
+  folder_.write("tests.csv", "test,direction,displacement_m,force_n,normal_n\n1,a,0,0,-1\n");
+  EXPECT_THAT(error("file = \"tests.csv\"\n"),
+              AllOf(HasSubstr("study.toml:"), HasSubstr("tests.csv:2: the normal force")));
+  EXPECT_THAT(error("file = \"none.csv\"\n"), HasSubstr("none.csv"));
+}
+
+}  // namespace
+}  // namespace glissade

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glissade/report/friction_report.hpp"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+
+#include "glissade/core/file.hpp"
+
+namespace glissade {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+/// Slides at a constant mu over 0.1 m.
+PullTest even_pull(const std::string& test, const std::string& direction, double mu) {
+  PullTest pull{test, direction, "", {5.0, 5.002}, {0.0, 1200.0 * mu}, {1000.0, 1000.0}};
+  for (int i = 1; i <= 10; ++i) {
+    pull.displacement_m.push_back(5.0 + 0.01 * i);
+    pull.force_n.push_back(1000.0 * mu);
+    pull.normal_n.push_back(1000.0);
+  }
+  return pull;
+}
+
+const std::vector<PullTest> tests = {even_pull("1", "along", 0.50), even_pull("2", "along", 0.60),
+                                     even_pull("1", "E_W's {&} @ #1, \"x\"", 0.70)};
+
+TEST(friction_tables, have_a_row_for_each_test_and_two_for_each_direction) {
+  const PullTestSummary summary = summarise(tests, {});
+  const Table each = pull_tests_table(summary), over = friction_table(summary);
+  ASSERT_EQ(each.rows.size(), 3u);
+  EXPECT_EQ(std::get<std::string>(each.rows[1][0]), "2");
+  EXPECT_NEAR(std::get<double>(each.rows[1][3]), 0.6, 1e-12);
+  ASSERT_EQ(over.rows.size(), 4u);
+  EXPECT_NEAR(std::get<double>(over.rows[0][3]), 0.55, 1e-12);
+  EXPECT_NEAR(std::get<double>(over.rows[1][3]), 0.66, 1e-12);
+  // One test: empty fields where nothing is known.
+  EXPECT_THAT(to_csv(over), testing::ContainsRegex(",sliding,1,0.7[0-9]*,,,,,\n"));
+}
+
+TEST(friction_figure, draws_every_trace_from_its_own_zero_and_the_levels_of_each_direction) {
+  const PullTestSummary summary = summarise(tests, {});
+  const Figure figure = friction_figure(tests, summary);
+  EXPECT_EQ(figure.key_rows, 3);  // mean and mean - 2 std of two tests, the mean of one
+  EXPECT_THAT(figure.body, HasSubstr("along: mean of sliding friction 0.550 (2 tests)"));
+  EXPECT_THAT(figure.body, HasSubstr("(1 test)"));
+  EXPECT_THAT(figure.data, HasSubstr("# trace 0\n"));
+  EXPECT_THAT(figure.data, HasSubstr("# sliding 1\n"));
+  EXPECT_THAT(figure.data, HasSubstr("\n0 0\n"));
+  EXPECT_THAT(figure.data, Not(HasSubstr("\n5 ")));
+}
+
+TEST(friction_figure, keeps_the_peaks_of_a_long_trace_and_little_else) {
+  PullTest pull{"1", "along", "", {}, {}, {}};
+  for (int i = 0; i < 100000; ++i) {
+    pull.displacement_m.push_back(1e-5 * i);
+    pull.force_n.push_back(i == 54321 ? 900.0 : i == 65432 ? 100.0 : 500.0 + i % 7);
+    pull.normal_n.push_back(1000.0);
+  }
+  const Figure figure = friction_figure({pull}, summarise({pull}, {}));
+  EXPECT_THAT(figure.data, HasSubstr(" 0.9\n"));
+  EXPECT_THAT(figure.data, HasSubstr(" 0.1\n"));
+  EXPECT_LT(std::count(figure.data.begin(), figure.data.end(), '\n'),
+            2100);  // 2 x 2 x 500 and some
+}
+
+TEST(friction_figure, is_drawn_whatever_directions_are_called) {
+  const std::filesystem::path folder =
+      std::filesystem::path(testing::TempDir()) / "glissade_report_friction";
+  std::filesystem::remove_all(folder);
+  write_friction_report(tests, summarise(tests, {}), folder);
+  const std::string svg = read_text_file(folder / "figures" / "friction.svg");
+  EXPECT_THAT(svg, HasSubstr("E_W's {"));
+  EXPECT_THAT(svg, HasSubstr("@ #1, \"x\": mean of sliding friction"));
+  for (const char* file : {"figures/friction.pdf", "tables/friction.csv", "tables/pull_tests.csv"})
+    EXPECT_TRUE(std::filesystem::exists(folder / file)) << file;
+}
+
+}  // namespace
+}  // namespace glissade
