@@ -37,8 +37,8 @@ void check(const SlideOptions& o) {
     if (!ok || !std::isfinite(value))
       problems.add({option, fmt::format("{:g} {}", value, rule), "", ""});
   };
-  require(o.mu >= 0.0, "--mu", o.mu,
-          "is not a coefficient of friction: it must be finite and >= 0");
+  require(o.mu >= 0.0 && o.mu <= 10.0, "--mu", o.mu,
+          "is not a coefficient of friction: it must be from 0 to 10");
   require(std::abs(o.slope_deg) < 90.0, "--slope-deg", o.slope_deg,
           "is not a roof: it must lie between -90 and 90");
   require(o.period_s >= 0.0, "--period-s", o.period_s, "must be >= 0 (0: rigid building)");

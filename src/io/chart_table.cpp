@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "chart_table.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -25,6 +27,8 @@ std::vector<double> read_axis(const TomlTable& chart, const char* key, const Num
   }
   return axis;
 }
+
+constexpr double most_points = 1e6;  // each for every record and orientation
 
 bool same(double a, double b) { return std::abs(a - b) <= 1e-9 * std::max(1.0, std::abs(b)); }
 
@@ -83,7 +87,7 @@ ChartQuestion read_question(const TomlTable& table, const ChartConfig& chart,
     table.number("mu");
     table.number("displacement_m");
   } else if (table.has("mu")) {
-    question.mu = read_within(table, "mu", chart.mu, not_negative);
+    question.mu = read_within(table, "mu", chart.mu, friction_rule);
   } else {
     question.displacement_m = table.required_number("displacement_m", above_zero);
   }
@@ -96,10 +100,19 @@ ChartConfig read_chart(const TomlTable& table, const std::vector<double>& levels
   ChartConfig chart;
   chart.slope_deg = read_axis(table, "slope_deg", slope_rule);
   mirror_exactly(table, chart.slope_deg);
-  chart.mu = read_axis(table, "mu", not_negative);
+  chart.mu = read_axis(table, "mu", friction_rule);
   chart.period_s = table.has("period_s") ? read_increasing(table, "period_s", not_negative)
                                          : std::vector<double>{0.0};
 
+  const double points =
+      static_cast<double>(chart.slope_deg.size()) * static_cast<double>(chart.mu.size()) *
+      static_cast<double>(chart.period_s.size()) * static_cast<double>(levels.size());
+  if (points > most_points) {
+    table.report("",
+                 "the chart has " + fmt::format("{:.0f}", points) +
+                     " combinations of slope, friction, period and level",
+                 "a million at most: fewer values of slope_deg, mu, period_s or intensity.levels");
+  }
   std::vector<double> slopes;
   std::copy_if(chart.slope_deg.begin(), chart.slope_deg.end(), std::back_inserter(slopes),
                [](double slope) { return slope >= 0.0; });

@@ -19,7 +19,7 @@ constexpr NumberRule substeps_rule{"a whole number, 1 to 65536", [](double x) {
 
 void read_grid(const TomlTable& table, ConvergenceConfig& study) {
   study.slope_deg = read_increasing(table, "slope_deg", slope_rule);
-  study.mu = read_increasing(table, "mu", not_negative);
+  study.mu = read_increasing(table, "mu", friction_rule);
   study.ppa_g = read_increasing(table, "ppa_g", not_negative);
   if (study.ppa_g == std::vector<double>{0.0}) {
     table.report("ppa_g", "convergence.ppa_g has no value above 0", "shake the roof");

@@ -97,7 +97,7 @@ FrictionConfig read_friction(const TomlTable& table, const std::filesystem::path
     if (has_moments)
       table.report("mu", "friction.mu and friction.mean/std are both given",
                    "give mu, or mean and std");
-    friction.mu = read_distribution(table, "mu", {0.0, infinity, Bounds::Top::closed, "0 or more"})
+    friction.mu = read_distribution(table, "mu", {0.0, 10.0, Bounds::Top::closed, "0 to 10"})
                       .value_or(friction.mu);
     table.number("mean");
     table.number("std");
@@ -108,7 +108,7 @@ FrictionConfig read_friction(const TomlTable& table, const std::filesystem::path
     return friction;
   }
   const std::size_t problems_before = table.problem_count();
-  const double mean = table.required_number("mean", not_negative);
+  const double mean = table.required_number("mean", friction_rule);
   const double std = table.number("std", not_negative).value_or(0.0);
   if (table.problem_count() > problems_before) return friction;
   friction.mu = std == 0.0 ? Distribution{Fixed{mean}}

@@ -83,9 +83,9 @@ bool values_repeat(std::vector<double> values) {
 }
 
 /// Numbers the distinct roofs (component, period, damping) in the order in which they come. A
-/// record's are kept where that saves roofs and takes no more memory than a few dozen tables.
+/// record's are kept where that saves roofs and takes no more memory than a hundred tables.
 void number_buildings(Plan& plan) {
-  constexpr std::size_t most_kept = 64;
+  constexpr std::size_t most_kept = 128;
   std::map<std::tuple<int, double, double>, std::size_t> numbers;
   for (const SamplePoint& s : plan.samples) {
     plan.building.push_back(

@@ -290,6 +290,17 @@ std::vector<std::string> notes_on_tipping(const Plan& plan, const Results& resul
     const std::string body =
         fmt::format("{} friction: a body {:g} m wide with its centre of mass {:g} m above the roof",
                     run.label, base.width_m, base.centre_of_mass_height_m);
+    const auto friction = std::max_element(
+        plan.samples.begin(), plan.samples.end(),
+        [](const SamplePoint& a, const SamplePoint& b) { return a.friction < b.friction; });
+    const double rocking_friction = rocking_block({}, base).friction;
+    if (friction->friction <= rocking_friction) {
+      notes.push_back(
+          fmt::format("Tipping, {} cannot tip: no friction is above {:.3g}, its width over twice "
+                      "that height, so it slides first",
+                      body, rocking_friction));
+      continue;
+    }
     if (first == run.tips.depth) {
       notes.push_back("Tipping, " + body + " does not begin to tip in any history");
       continue;

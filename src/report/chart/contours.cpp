@@ -164,10 +164,9 @@ void add_gravity_region(const Chart& chart, ContourPlot& plot) {
     edge.push_back({std::max(least_mu, std::tan(slope_deg * rad_per_deg)), slope_deg});
   }
   const std::string style = "filledcurves closed fs solid 0.35 fc rgb '#777777'";
-  plot.add_to_key(
-      "filledcurves fs solid 0.35 fc rgb '#777777'",
-      "slides under gravity alone: tan(slope) is not less than the coefficient of friction");
-  plot.add_outline("slides under gravity alone", style, edge);
+  plot.add_to_key("filledcurves fs solid 0.35 fc rgb '#777777'",
+                  "slides freely: friction cannot stop the array, tan(slope) >= mu");
+  plot.add_outline("slides freely", style, edge);
 }
 
 /// SEAOC PV1-2012's limits, as far as they lie on the chart.
@@ -189,7 +188,7 @@ std::string everywhere(const GridValues& grid, const PrescribedLine& line) {
     if (std::isfinite(slip_m)) largest = std::max(largest, slip_m);
   }
   return fmt::format(
-      " {} is {} wherever the array does not slide under gravity alone.", line.label(),
+      " {} is {} wherever the array does not slide freely.", line.label(),
       largest < line.value_m ? "more than the chart asks for" : "less than the chart asks for");
 }
 
@@ -210,7 +209,8 @@ Figure chart_contours_figure(const Results& results) {
       "; what linear interpolation in tables/chart.csv gives. Find the coefficient of friction "
       "below and the slope at the left: the line through that point is the " +
       (one_record ? "slip" : "clearance") +
-      "; or follow a line to the friction that a slope needs. Grey: slides under gravity alone. " +
+      "; or follow a line to the friction that a slope needs. Grey: friction cannot stop the "
+      "array. " +
       how_counted(results);
   const GridValues grid = slip_grid(results, level);
   ContourPlot plot(grid);

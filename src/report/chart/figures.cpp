@@ -22,7 +22,7 @@ std::string prescribed_note(const Results& results) {
 }
 
 constexpr auto gaps =
-    " Gaps and missing ends: the array slides under gravity alone. Curves may leave at the top; "
+    " Gaps and missing ends: friction cannot stop the array. Curves may leave at the top; "
     "every number is in tables/chart.csv.";
 
 /// What is drawn where there is one curve for each of several: "clearance" or "peak slip".
@@ -84,14 +84,12 @@ Figure chart_slope_figure(const Results& results) {
   plot.key_columns = plot.curves.size() > 1 ? 3 : 1;
   std::string out_of_range;
   for (const PrescribedLine& line : prescribed_at(chart, level)) {
-    if (!line.only_seaoc()) {
-      plot.horizontals.push_back({line, {plot.x.front(), plot.x.back()}});
-    } else if (mu > seaoc_mu_limit) {
+    if (mu > line.mu_limit()) {
       plot.horizontals.push_back(
-          {line, {plot.x.front(), std::min(seaoc_slope_limit_deg, plot.x.back())}});
+          {line, {plot.x.front(), std::min(line.slope_limit_deg(), plot.x.back())}});
     } else {
       out_of_range = fmt::format(" {} is not drawn: it is for friction above {}.", line.label(),
-                                 seaoc_mu_limit);
+                                 line.mu_limit());
     }
   }
   figure.caption =
@@ -128,7 +126,7 @@ Figure chart_friction_figure(const Results& results) {
     plot.curves.push_back(std::move(curve));
   }
   for (const PrescribedLine& line : prescribed_at(chart, level)) {
-    const double from = line.only_seaoc() ? std::max(seaoc_mu_limit, plot.x.front()) : plot.x[0];
+    const double from = std::max(line.mu_limit(), plot.x.front());
     if (from < plot.x.back()) plot.horizontals.push_back({line, {from, plot.x.back()}});
   }
   figure.caption = caption_of(results,
@@ -226,7 +224,10 @@ Figure chart_period_figure(const Results& results) {
                          "lines lw 4 lc rgb '#0072b2'",
                          std::vector<double>(chart.period_s.size(), design.slip_m(point))});
   for (const PrescribedLine& line : prescribed_at(chart, point.level)) {
-    if (line.only_seaoc() && !applies_at(line.standards[0], point.slope_deg, point.mu)) continue;
+    if (std::none_of(line.standards.begin(), line.standards.end(), [&](Standard standard) {
+          return applies_at(standard, point.slope_deg, point.mu);
+        }))
+      continue;
     plot.horizontals.push_back({line, {plot.x.front(), plot.x.back()}});
   }
   figure.caption =

@@ -16,8 +16,7 @@ std::string shown_sentence(const Results& results) {
   const ChartPoint& p = shown_point(results);
   const std::string where = fmt::format("At {}, {}", at_intensity(results, p.level),
                                         at_slope_and_friction(p.slope_deg, p.mu));
-  if (p.free_sliding)
-    return where + ", the array slides under gravity alone: no clearance is enough.";
+  if (p.free_sliding) return where + ", friction cannot stop the array: no clearance is enough.";
   const std::string period =
       results.chart->period_s.size() > 1
           ? fmt::format(" A building period of {} s governs.", brief(p.governing_period_s))
@@ -49,7 +48,7 @@ std::string standard_sentence(const Results& results, const ChartPrescription& p
                             is_one_record(results) ? "this slip" : "this clearance");
   }
   if (!applies_at(prescription.standard, p.slope_deg, p.mu))
-    sentence += "; it is for " + seaoc_limits();
+    sentence += "; it is for " + limits_of(prescription.standard);
   return sentence + ".";
 }
 
@@ -70,20 +69,36 @@ std::string free_sliding_sentence(const Results& results) {
                                   [](const ChartPoint& p) { return p.free_sliding; });
   if (free == 0) return "";
   return fmt::format(
-      "At {} of the chart's {} combinations of slope and friction the array slides under gravity "
-      "alone (tan(slope) >= mu).",
+      "At {} of the chart's {} combinations of slope and friction the array slides freely: "
+      "friction "
+      "cannot stop it (tan(slope) >= mu).",
       free / static_cast<long>(results.levels.size()), chart.slope_deg.size() * chart.mu.size());
 }
 
-/// "In up to 3.0 % of the histories at a point WHAT."; "" where there are none.
-std::string share_sentence(const Chart& chart, double ChartPoint::*share, const std::string& what) {
-  double largest = 0.0;
-  for (const ChartPoint& p : chart.points) {
-    if (p.*share > largest) largest = p.*share;  // NaN is not larger
+/// "At S_DS = 1.30 g WHAT in up to 3.0 % of the histories at a point; in up to 12 % at S_DS = 1.95
+/// g."; "" where there are none.
+std::string share_sentence(const Results& results, double ChartPoint::*share,
+                           const std::string& what) {
+  const Chart& chart = *results.chart;
+  double here = 0.0, elsewhere = 0.0, where = 0.0;
+  for (const ChartPoint& p : chart.points) {  // NaN is not larger
+    if (p.level == chart.shown_level) {
+      if (p.*share > here) here = p.*share;
+    } else if (p.*share > elsewhere) {
+      elsewhere = p.*share;
+      where = p.level;
+    }
   }
-  if (largest == 0.0) return "";
-  return fmt::format("In up to {} of the histories at a point of the chart {}.",
-                     format_share(largest), what);
+  if (here == 0.0 && elsewhere == 0.0) return "";
+  std::string text = fmt::format(
+      "At {} {} in {}", at_intensity(results, chart.shown_level), what,
+      here > 0.0 ? "up to " + format_share(here) + " of the histories at a point of the chart"
+                 : std::string("no history"));
+  if (elsewhere > 0.0) {
+    text += fmt::format("; in up to {}{} at {}", format_share(elsewhere),
+                        here > 0.0 ? "" : " of those at a point", at_intensity(results, where));
+  }
+  return text + ".";
 }
 
 std::string confidence_sentence(const Results& results) {
@@ -108,7 +123,7 @@ std::string question_text(const Results& results, const ChartQuestion& question)
 }
 
 std::string answer_text(const Chart& chart, const ChartQuestion& question, double answer) {
-  if (question.mu) return std::isinf(answer) ? "slides under gravity alone" : format_length(answer);
+  if (question.mu) return std::isinf(answer) ? "slides freely" : format_length(answer);
   if (std::isinf(answer)) return "more than " + brief(chart.mu.back());
   if (answer == chart.mu.front()) return brief(answer) + " or less";
   return format_number(answer);
@@ -123,10 +138,10 @@ std::vector<std::string> chart_sentences(const Results& results) {
   for (const ChartReading& reading : chart.readings)
     sentences.push_back(reading_sentence(results, reading));
   sentences.push_back(free_sliding_sentence(results));
-  sentences.push_back(share_sentence(chart, &ChartPoint::uplift_share,
-                                     "the array lifts off, which is outside the model"));
-  sentences.push_back(share_sentence(chart, &ChartPoint::tip_share,
-                                     "the array would begin to rock, which is outside the model"));
+  sentences.push_back(share_sentence(results, &ChartPoint::uplift_share,
+                                     "the array lifts off (outside the model)"));
+  sentences.push_back(share_sentence(results, &ChartPoint::tip_share,
+                                     "the array would begin to rock (outside the model)"));
   if (!is_one_record(results)) sentences.push_back(confidence_sentence(results));
   std::erase(sentences, "");
   return sentences;

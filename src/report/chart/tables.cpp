@@ -18,7 +18,7 @@ namespace {
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 constexpr auto gravity_note =
-    "inf: the array slides under gravity alone (tan(slope) >= mu), no clearance is enough.";
+    "inf: friction cannot stop the array (tan(slope) >= mu), no clearance is enough.";
 
 const Column level_column = {"level", "g", "Level, g", ColumnKind::number};
 const Column slope_column = {"slope", "deg", "Slope, degrees", ColumnKind::number};
@@ -143,8 +143,8 @@ Table chart_readings_table(const Results& results) {
               {},
               {how_counted(results),
                "displacement is read off at a given mu, friction (the least mu needed) at a given "
-               "displacement. mu inf: more than the chart's largest. displacement inf: slides "
-               "under gravity alone."}};
+               "displacement. mu inf: more than the chart's largest. displacement inf: "
+               "friction cannot stop the array. mu at the chart's least: that or less."}};
   for (const ChartReading& reading : results.chart->readings) {
     const ChartQuestion& q = reading.question;
     for (const ChartStatistic& s : chart_statistics(results)) {

@@ -73,17 +73,22 @@ std::string chart_size(const Results& results) {
     return fmt::format("{} {}", count, count == 1 ? one : more);
   };
   const Chart& chart = *results.chart;
-  return fmt::format("{} x {} x {} x {} of {}", many(chart.slope_deg.size(), "slope", "slopes"),
+  const std::size_t histories =
+      results.records.size() * results.samples.size() * results.levels.size();
+  return fmt::format("{} x {} x {} x {} of {}: {} points from {} histories",
+                     many(chart.slope_deg.size(), "slope", "slopes"),
                      many(chart.mu.size(), "coefficient", "coefficients") + " of friction",
                      many(chart.period_s.size(), "building period", "building periods"),
-                     many(results.levels.size(), "level", "levels"), results.intensity_label);
+                     many(results.levels.size(), "level", "levels"), results.intensity_label,
+                     chart.points.size(), histories);
 }
 
 std::string how_counted(const Results& results) {
   const std::vector<double>& periods = results.chart->period_s;
   const std::string building =
-      periods.size() > 1       ? fmt::format("the largest over building periods of {} to {} s",
-                                             brief(periods.front()), brief(periods.back()))
+      periods.size() > 1
+          ? fmt::format("the largest over {} building periods from {} to {} s", periods.size(),
+                        brief(periods.front()), brief(periods.back()))
       : periods.front() == 0.0 ? "on a rigid building"
                                : fmt::format("for a building period of {} s", brief(periods[0]));
   return is_one_record(results)
@@ -102,9 +107,25 @@ std::string seaoc_limits() {
                      seaoc_mu_limit);
 }
 
+std::string limits_of(Standard standard) {
+  return standard == Standard::seaoc_pv1_2012
+             ? seaoc_limits()
+             : fmt::format("slopes up to {:.2f} degrees, 1 in 20 (recalled: verify)",
+                           asce7_16_slope_limit_deg);
+}
+
 bool applies_at(Standard standard, double slope_deg, double mu) {
-  return standard != Standard::seaoc_pv1_2012 ||
-         (slope_deg < seaoc_slope_limit_deg && mu > seaoc_mu_limit);
+  return standard == Standard::seaoc_pv1_2012
+             ? slope_deg < seaoc_slope_limit_deg && mu > seaoc_mu_limit
+             : slope_deg <= asce7_16_slope_limit_deg;
+}
+
+double PrescribedLine::slope_limit_deg() const {
+  return only(Standard::asce7_16) ? asce7_16_slope_limit_deg : seaoc_slope_limit_deg;
+}
+
+double PrescribedLine::mu_limit() const {
+  return only(Standard::seaoc_pv1_2012) ? seaoc_mu_limit : 0.0;
 }
 
 std::string PrescribedLine::names() const {

@@ -45,7 +45,9 @@ std::string how_counted(const Results& results);
 
 /// Of SEAOC PV1-2012: "slopes under 3 degrees and friction above 0.4"
 std::string seaoc_limits();
-/// SEAOC PV1-2012 within those limits, the others everywhere.
+/// The same of any standard.
+std::string limits_of(Standard standard);
+/// SEAOC PV1-2012 within those limits, ASCE 7-16 on slopes up to its own.
 bool applies_at(Standard standard, double slope_deg, double mu);
 
 /// Standards that prescribe the same at a level: one line in a figure.
@@ -53,9 +55,12 @@ struct PrescribedLine {
   double value_m = 0.0;
   std::vector<Standard> standards;
   Provenance provenance = Provenance::checked;  ///< recalled if any is
-  bool only_seaoc() const {
-    return standards.size() == 1 && standards.front() == Standard::seaoc_pv1_2012;
+  bool only(Standard standard) const {
+    return standards.size() == 1 && standards.front() == standard;
   }
+  /// As far as one of them goes: slopes below, friction above.
+  double slope_limit_deg() const;
+  double mu_limit() const;
   std::string names() const;  ///< "SEAOC PV1-2012 and ASCE 7-16"
   std::string label() const;  ///< with the value, and whether it must be verified
 };

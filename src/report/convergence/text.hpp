@@ -10,7 +10,7 @@ namespace glissade {
 
 /// What Rodriguez-Nikl et al. (2019), "Convergence", state of their record, Tokachi-Oki 2003.
 namespace published {
-inline constexpr int substeps = 64;
+inline constexpr int substeps = 64, finest = 256;  ///< P it chose, and took for the truth
 inline constexpr double largest_error = 0.0048;
 inline constexpr double longest_s = 0.09;  ///< "less than"
 }  // namespace published

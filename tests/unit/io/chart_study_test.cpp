@@ -108,7 +108,12 @@ TEST_F(ChartStudy, what_makes_no_chart_has_one_clear_message_each) {
       {with_axes("slope_deg = [0, 2]\nmu = []\n"), "chart.mu is empty"},
       {with_axes("mu = [0.3, 0.5]\n"), "chart.slope_deg is missing"},
       {with_axes("slope_deg = [0, 95]\nmu = [0.3, 0.5]\n"), "-89.9 to 89.9"},
-      {with_axes("slope_deg = [0, 2]\nmu = [-0.3, 0.5]\n"), "0 or more"},
+      {with_axes("slope_deg = [0, 2]\nmu = [-0.3, 0.5]\n"), "from 0 to 10"},
+      {with_axes("slope_deg = [0, 2]\nmu = [0.3, 1e100]\n"), "from 0 to 10"},
+      {with_axes("slope_deg = { from = 0, to = 7, count = 2000 }\n"
+                 "mu = { from = 0, to = 1, count = 2000 }\n"),
+       "12000000 combinations of slope, friction, period and level"},
+      {with_axes("slope_deg = [-2, 2]\nmu = [0.3, 0.5]\n"), "one slope and its mirror image"},
       {with_axes("slope_deg = [2, 0]\nmu = [0.3, 0.5]\n"), "is not increasing"},
       {with_axes("slope_deg = [-3, 0, 2]\nmu = [0.3, 0.5]\n"), "not its mirror image 3"},
       {chart + "period_s = []\n", "chart.period_s is empty"},

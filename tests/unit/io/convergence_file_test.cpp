@@ -75,7 +75,7 @@ TEST_F(ConvergenceStudy, what_is_wrong_is_told_with_its_line) {
            Case{"[1, 16, 256]", "64", "not a list of numbers"},
            Case{"[-7, 0, 7]", "[]", "study.toml:6: convergence.slope_deg is empty"},
            Case{"[-7, 0, 7]", "[-95, 0]", "slope_deg = -95 is not in degrees"},
-           Case{"[0, 0.5]", "[-0.5]", "mu = -0.5 is not 0 or more"},
+           Case{"[0, 0.5]", "[-0.5]", "mu = -0.5 is not from 0 to 10"},
            Case{"mu =", "# mu =", "convergence.mu is missing"},
            Case{"mu =", "friction =", "convergence.friction is not a known key"},
            Case{"{ from = 0.5, to = 1.5, count = 3 }", "[0]", "no value above 0"},

@@ -183,7 +183,7 @@ TEST_F(StudyFile, all_problems_are_told_at_once) {
           HasSubstr(
               "study.toml:7: intensity.measure = \"sdz_g\" is not known; did you mean \"sds_g\"?"),
           HasSubstr("study.toml:8: intensity.levels is not increasing"),
-          HasSubstr("study.toml:10: friction.mean = -0.5 is not 0 or more"),
+          HasSubstr("study.toml:10: friction.mean = -0.5 is not from 0 to 10"),
           HasSubstr("study.toml:13: roof.slope_deg is outside"),
           HasSubstr("[clearance] is missing")));
 }

@@ -119,8 +119,7 @@ TEST(chart_contours, stay_out_of_cells_that_slide_freely) {
 }
 
 TEST(chart_contours, shade_where_gravity_alone_moves_the_array) {
-  const auto edge =
-      block(figure_named(made_up_chart_results(), "chart_contours"), "slides under gravity alone");
+  const auto edge = block(figure_named(made_up_chart_results(), "chart_contours"), "slides freely");
   ASSERT_GT(edge.size(), 2u);
   for (const std::vector<double>& point : edge)
     EXPECT_LE(point[0], std::max(0.1, std::tan(point[1] * rad_per_deg)) + 1e-12);

@@ -64,7 +64,14 @@ TEST(chart_summary, counts_free_sliding_and_tells_uplift_and_rocking_only_where_
   EXPECT_THAT(answer_sentences(results), Each(Not(HasSubstr("lifts off"))));
   results.chart->points[0].uplift_share = 0.03;
   results.chart->points[1].tip_share = 0.2;
-  EXPECT_THAT(answer_sentences(results), Contains(HasSubstr("In up to 3.0 % of the histories")));
+  EXPECT_THAT(
+      answer_sentences(results),
+      Contains(HasSubstr("At S_DS = 1.00 g the array lifts off (outside the model) in no "
+                         "history; in up to 3.0 % of those at a point at S_DS = 0.500 g.")));
+  for (ChartPoint& p : results.chart->points)
+    if (p.level == results.chart->shown_level) p.uplift_share = 0.02;
+  EXPECT_THAT(answer_sentences(results),
+              Contains(HasSubstr("in up to 2.0 % of the histories at a point of the chart")));
   EXPECT_THAT(answer_sentences(results), Contains(HasSubstr("begin to rock")));
 }
 

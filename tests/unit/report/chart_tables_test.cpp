@@ -100,14 +100,15 @@ TEST(chart_tables, tell_free_sliding_as_infinite) {
   EXPECT_THAT(to_csv(table), HasSubstr("\n1,6,0.1,inf,inf,,,inf,inf,inf,0.5,1,"));
 }
 
-TEST(chart_tables, give_seaoc_only_where_it_applies_and_asce_7_everywhere) {
+TEST(chart_tables, give_standards_only_where_they_apply) {
   // 60 (1 - 0.4)^2 = 21.6 in at S_DS = 1 g, for slopes under 3 degrees and mu above 0.4; ASCE 7-16
   // 5 (1 - 0.4)^2 = 1.8 ft is below its floor of 24 in.
   const Table table = table_named(made_up_chart_results(), "chart");
   EXPECT_NEAR(number(table, row_at_1g(5, 7), "seaoc_pv1_2012"), 0.54864, 1e-12);  // 2.5, 0.45
   EXPECT_TRUE(std::isnan(number(table, row_at_1g(6, 7), "seaoc_pv1_2012")));      // 3 degrees
   EXPECT_TRUE(std::isnan(number(table, row_at_1g(5, 5), "seaoc_pv1_2012")));      // mu = 0.35
-  EXPECT_NEAR(number(table, row_at_1g(12, 0), "asce7_16"), 0.6096, 1e-12);
+  EXPECT_NEAR(number(table, row_at_1g(5, 0), "asce7_16"), 0.6096, 1e-12);  // 2.5: up to 1 in 20
+  EXPECT_TRUE(std::isnan(number(table, row_at_1g(6, 0), "asce7_16")));     // 3
 }
 
 TEST(chart_tables, have_a_tipping_column_only_where_it_was_asked_for) {
