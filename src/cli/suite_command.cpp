@@ -15,6 +15,7 @@
 #include "glissade/motion/intensity.hpp"
 #include "glissade/motion/simulation/suite_design.hpp"
 #include "glissade/motion/suite_scaling.hpp"
+#include "glissade/motion/walters_level.hpp"
 
 namespace glissade::cli {
 namespace {
@@ -50,9 +51,11 @@ void show(const SuiteOptions& o) {
   fmt::print("{}: {}\n", suite.name, suite.description);
   if (suite.target) {
     const TargetSpectrum target(*suite.target);
-    fmt::print("target: {} S_s {:g} g, S_1 {:g} g: S_DS {:.3f} g, S_D1 {:.3f} g\n",
-               to_string(suite.target->edition), suite.target->ss_g, suite.target->s1_g,
-               target.sds_g(), target.sd1_g());
+    const auto level = intensity_level({suite.target->ss_g, suite.target->s1_g});
+    fmt::print(
+        "target: {} S_s {:g} g, S_1 {:g} g: S_DS {:.3f} g, S_D1 {:.3f} g; Intensity Level {}\n",
+        to_string(suite.target->edition), suite.target->ss_g, suite.target->s1_g, target.sds_g(),
+        target.sd1_g(), level ? std::to_string(*level) : "above 4");
   }
   std::size_t id_width = 2, event_width = 5, station_width = 7;
   for (const Motion& m : suite.motions) {
@@ -153,7 +156,7 @@ void design(const SuiteOptions& o) {
 void add_suite(CLI::App& program) {
   auto o = std::make_shared<SuiteOptions>();
   CLI::App* command =
-      program.add_subcommand("suite", "Look at, scale or design a ground-motion suite");
+      program.add_subcommand("suite", "Look at, scale, design or select a ground-motion suite");
   command->require_subcommand(1);
   const auto verb = [&](const char* name, const char* what, auto act) {
     CLI::App* sub = command->add_subcommand(name, what);
@@ -180,6 +183,7 @@ void add_suite(CLI::App& program) {
       ->required();
   design_verb->add_option("--seed", o->seed, "seed of the simulation");
   design_verb->add_option("--out", o->out, "file [standard output]");
+  add_suite_select(*command);
 }
 
 }  // namespace glissade::cli

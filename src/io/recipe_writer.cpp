@@ -4,27 +4,13 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "toml_text.hpp"
+
 namespace glissade {
 namespace {
 
-/// A TOML basic string.
-std::string quoted(const std::string& text) {
-  std::string result = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\') result += '\\';
-    result += c;
-  }
-  return result + '"';
-}
-
 std::string numbers(const std::vector<double>& values) {
   return fmt::format("[{}]", fmt::join(values, ", "));
-}
-
-std::string site_classes(const DesignTarget& target) {
-  std::vector<std::string> names;
-  for (const SiteClass site : target.site_classes) names.push_back(quoted(to_string(site)));
-  return fmt::format("[{}]", fmt::join(names, ", "));
 }
 
 std::string motion_toml(const SyntheticMotion& motion) {
@@ -55,12 +41,7 @@ std::string recipe_toml(const SyntheticRecipe& recipe, const std::string& origin
       "name = {}\n"
       "description = {}\n"
       "\n"
-      "[target]\n"
-      "edition = {}\n"
-      "ss_g = {}\n"
-      "s1_g = {}\n"
-      "site_classes = {}\n"
-      "tl_s = {}\n"
+      "{}"
       "\n"
       "[simulation]\n"
       "model = \"rezaeian_der_kiureghian_2010\"\n"
@@ -72,9 +53,8 @@ std::string recipe_toml(const SyntheticRecipe& recipe, const std::string& origin
       "frequency_hz = {}\n"
       "horizontal = {}\n"
       "vertical = {}\n",
-      origin, quoted(recipe.name), quoted(recipe.description),
-      quoted(to_string(recipe.target.edition)), recipe.target.ss_g, recipe.target.s1_g,
-      site_classes(recipe.target), recipe.target.tl_s, recipe.seed, recipe.dt_s,
+      origin, quoted(recipe.name), quoted(recipe.description), target_toml(recipe.target),
+      recipe.seed, recipe.dt_s,
       // Zero where the recipe does not tell it.
       recipe.max_scale > 0.0 ? fmt::format("max_scale = {}\n", recipe.max_scale) : "",
       numbers(recipe.gain_frequencies_hz), numbers(recipe.horizontal_gain),

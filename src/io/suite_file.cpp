@@ -7,6 +7,7 @@
 
 #include "glissade/core/error.hpp"
 #include "glissade/io/record_file.hpp"
+#include "record_entry.hpp"
 #include "record_finder.hpp"
 #include "target_table.hpp"
 #include "toml_table.hpp"
@@ -30,44 +31,6 @@ void check_ids(const std::vector<TomlTable>& tables) {
     if (id && !seen.insert(*id).second)
       table.report("id", "id \"" + *id + "\" is used twice", "give each its own id");
   }
-}
-
-struct ComponentEntry {
-  std::string file;
-  double start_s = 0.0;
-  RecordFileOptions options;
-};
-
-/// `key = "file"` or `key = { file, start_s, dt_s, units }`.
-std::optional<ComponentEntry> read_component(const TomlTable& record, const char* key) {
-  if (!record.has(key)) return std::nullopt;
-  ComponentEntry entry;
-  if (!record.is_table(key)) {
-    entry.file = record.required_text(key);
-    return entry;
-  }
-  const TomlTable table = record.table(key);
-  entry.file = table.required_text("file");
-  entry.start_s = table.number("start_s", not_negative).value_or(0.0);
-  entry.options.dt_s = table.number("dt_s", above_zero);
-  entry.options.units =
-      table.choice<AccelerationUnits>("units", {{"g", AccelerationUnits::g},
-                                                {"m/s2", AccelerationUnits::mps2},
-                                                {"cm/s2", AccelerationUnits::cmps2},
-                                                {"gal", AccelerationUnits::cmps2}});
-  return entry;
-}
-
-Motion read_metadata(const TomlTable& record) {
-  Motion motion;
-  motion.id = record.required_text("id");
-  motion.event = record.text("event").value_or("");
-  motion.station = record.text("station").value_or("");
-  motion.magnitude = record.number("magnitude", above_zero).value_or(0.0);
-  motion.distance_km = record.number("distance_km", not_negative).value_or(0.0);
-  motion.vs30_mps = record.number("vs30_mps", above_zero).value_or(0.0);
-  motion.scale = record.number("scale", above_zero).value_or(1.0);
-  return motion;
 }
 
 /// Reads the motions of a recorded suite, collecting what is missing to tell it together.
@@ -107,7 +70,7 @@ class RecordedSuiteReader {
  private:
   std::optional<TimedRecord> load(const TomlTable& record, const char* key) {
     const std::size_t problems_before = record.problem_count();
-    const auto entry = read_component(record, key);
+    const auto entry = read_component_entry(record, key);
     if (!entry || record.problem_count() > problems_before) return std::nullopt;
     try {
       if (const auto path = finder_.find(entry->file))

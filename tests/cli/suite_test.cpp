@@ -18,6 +18,7 @@ TEST(Suite, show_lists_every_motion_with_its_components) {
     EXPECT_THAT(child.out, testing::HasSubstr("level0_" + std::to_string(i)));
   // Walters's Level 0: S_s 0.45, S_1 0.18; site class D, F_a = 1.44: S_DS = 2/3 1.44 0.45.
   EXPECT_THAT(child.out, testing::HasSubstr("S_DS 0.432 g"));
+  EXPECT_THAT(child.out, testing::HasSubstr("Intensity Level 0"));
 }
 
 TEST(Suite, spectra_are_a_table_whose_average_stays_above_the_target_to_2_s) {

@@ -14,15 +14,6 @@
 namespace glissade {
 namespace {
 
-// Walters et al. (2012), Tables 1 and 2 (site classes A-D).
-constexpr std::array<WaltersLevel, 5> levels = {{
-    {0.45, 0.18, 5.9, 6.9, 10, 75, 340, 900, 3},
-    {0.70, 0.27, 5.9, 6.9, 5, 50, 260, 600, 3},
-    {1.95, 0.80, 6.7, 7.6, 5, 50, 260, 800, 4},
-    {2.60, 1.10, 6.7, 7.6, 0, 15, 320, 800, 5},
-    {3.70, 1.38, 6.7, 7.6, 0, 25, 270, 660, 6},
-}};
-
 constexpr auto strike_slip = FaultMechanism::strike_slip;
 constexpr auto reverse = FaultMechanism::reverse;
 const std::array<std::array<Scenario, 7>, 5> scenarios = {{
@@ -65,14 +56,6 @@ const std::array<std::array<Scenario, 7>, 5> scenarios = {{
 
 constexpr std::size_t candidates_per_scenario = 30;
 
-std::size_t level_index(int level) {
-  if (level < 0 || level > 4)
-    throw InputError(Problem{
-        "", "level = " + std::to_string(level) + " is not one of Walters's Intensity Levels",
-        "give a level from 0 to 4", ""});
-  return static_cast<std::size_t>(level);
-}
-
 /// Four significant digits, so that the recipe's text tells the numbers exactly.
 double rounded(double value) {
   const double power = std::pow(10.0, 3.0 - std::floor(std::log10(value)));
@@ -80,19 +63,14 @@ double rounded(double value) {
 }
 
 SyntheticRecipe recipe_of_level(int level, std::uint64_t seed) {
-  const WaltersLevel& limits = walters_level(level);
   SyntheticRecipe recipe;
   recipe.name = "synthetic_level" + std::to_string(level);
   recipe.description =
       "Seven simulated three-component motions scaled to the MCE of Intensity Level " +
       std::to_string(level) + " of Walters et al. (2012), site classes A-D";
   recipe.seed = seed;
-  recipe.max_scale = limits.max_scale;
-  recipe.target = {.edition = AsceEdition::asce7_10,
-                   .ss_g = limits.ss_g,
-                   .s1_g = limits.s1_g,
-                   .site_classes = {SiteClass::a, SiteClass::b, SiteClass::c, SiteClass::d},
-                   .tl_s = 8.0};
+  recipe.max_scale = walters_level(level).max_scale;
+  recipe.target = walters_target(level);
   return recipe;
 }
 
@@ -199,9 +177,10 @@ void set_scales(SyntheticRecipe& recipe, const TargetSpectrum& target,
 
 }  // namespace
 
-const WaltersLevel& walters_level(int level) { return levels[level_index(level)]; }
-
-const std::array<Scenario, 7>& level_scenarios(int level) { return scenarios[level_index(level)]; }
+const std::array<Scenario, 7>& level_scenarios(int level) {
+  walters_level(level);  // refuses what is no level
+  return scenarios[static_cast<std::size_t>(level)];
+}
 
 SyntheticRecipe design_suite(int level, std::uint64_t seed) {
   SyntheticRecipe recipe = recipe_of_level(level, seed);

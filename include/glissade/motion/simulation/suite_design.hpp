@@ -5,21 +5,9 @@
 #include <cstdint>
 
 #include "glissade/motion/simulation/synthetic_suite.hpp"
+#include "glissade/motion/walters_level.hpp"
 
 namespace glissade {
-
-/// One of the five Seismic Intensity Levels of Walters et al. (2012), site classes A-D: Table 1's
-/// largest mapped values and Table 2's limits on the motions.
-struct WaltersLevel {
-  double ss_g, s1_g;
-  double min_magnitude, max_magnitude;
-  double min_distance_km, max_distance_km;
-  double min_vs30_mps, max_vs30_mps;
-  double max_scale;
-};
-
-/// Level 0 to 4; InputError otherwise.
-const WaltersLevel& walters_level(int level);
 
 /// The seven scenarios we spread over the level's ranges: larger magnitudes and shorter distances
 /// at higher levels.

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glissade/block/coupled.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "coupled_body.hpp"
+#include "glissade/core/contract.hpp"
+
+namespace glissade {
+namespace {
+
+using block_detail::CoupledBody;
+using block_detail::CoupledContact;
+using block_detail::Cut;
+using block_detail::GroundPiece;
+using block_detail::Roof;
+
+/// The ground in the block's own direction, at its factors; beyond the last sample it is at rest.
+class Ground {
+ public:
+  Ground(const GroundMotion& motion, const MotionFactors& factors, double mirror)
+      : motion_(motion), horizontal_(mirror * factors.horizontal), vertical_(factors.vertical) {}
+  double dt_s() const { return motion_.dt_s; }
+  std::size_t samples() const { return motion_.horizontal_mps2.size(); }
+  std::size_t samples_without_trailing_zeros() const {
+    std::size_t n = samples();
+    while (n > 1 && motion_.horizontal_mps2[n - 1] == 0.0 &&
+           (motion_.vertical_mps2.empty() || motion_.vertical_mps2[n - 1] == 0.0))
+      --n;
+    return n;
+  }
+  Roof at(std::size_t i) const {
+    if (i >= samples()) return {};
+    return {horizontal_ * motion_.horizontal_mps2[i],
+            motion_.vertical_mps2.empty() ? 0.0 : vertical_ * motion_.vertical_mps2[i]};
+  }
+
+ private:
+  GroundMotion motion_;
+  double horizontal_, vertical_;
+};
+
+/// The interval that ends with sample i.
+void walk_interval(CoupledBody& body, const Ground& ground, std::size_t i, int pieces) {
+  const Roof begin = ground.at(i - 1), end = i < ground.samples() ? ground.at(i) : Roof{};
+  const double dt = ground.dt_s();
+  const auto share = [&](int part) {
+    if (part == pieces) return end;
+    const double y = static_cast<double>(part) / pieces;
+    return Roof{begin.a + y * (end.a - begin.a), begin.w + y * (end.w - begin.w)};
+  };
+  for (int part = 0; part < pieces; ++part) {
+    const double at_end = static_cast<double>(i - 1) + static_cast<double>(part + 1) / pieces;
+    body.advance({dt / pieces, share(part), share(part + 1)}, at_end * dt);
+  }
+}
+
+/// The ground is quiet from sample `quiet` on. A free vibration has its largest displacement and
+/// acceleration within a period.
+void ring_down(CoupledBody& body, const Ground& ground, std::size_t quiet, const Cut& cut,
+               const CoupledBuilding& building, const Block& block) {
+  const bool rigid = cut.frame.rigid();
+  const double period_s =
+      rigid ? 0.0 : building.horizontal.period_s * std::sqrt(1.0 + building.mass_ratio);
+  const std::size_t last = quiet + block_detail::longest_ring_down(ground.dt_s());
+  double at_rest_s = 0.0;
+  for (std::size_t i = quiet;;) {
+    if (!body.sliding() && at_rest_s >= period_s &&
+        cannot_slip(block, body.largest_acceleration_to_come_mps2(), 0.0))
+      return;
+    if (!rigid && i == last) return body.coast();
+    walk_interval(body, ground, ++i, cut.pieces);
+    at_rest_s = body.sliding() ? 0.0 : at_rest_s + ground.dt_s();
+  }
+}
+
+CoupledResult slide_with(const GroundMotion& motion, const MotionFactors& factors,
+                         const CoupledBuilding& building, const Block& block,
+                         CoupledBody::History history) {
+  GLISSADE_EXPECTS(motion.dt_s > 0.0 && !motion.horizontal_mps2.empty());
+  GLISSADE_EXPECTS(motion.vertical_mps2.empty() ||
+                   motion.vertical_mps2.size() == motion.horizontal_mps2.size());
+  GLISSADE_EXPECTS(block.friction >= 0.0 && std::abs(block.slope_rad) < std::numbers::pi / 2);
+  GLISSADE_EXPECTS(building.horizontal.period_s >= 0.0 && building.horizontal.damping_ratio >= 0.0);
+  GLISSADE_EXPECTS(coupling_is_regular(block, building.mass_ratio));
+
+  // A surface that falls toward -x is the mirror image of one that falls toward +x.
+  const double mirror = block.slope_rad < 0.0 ? -1.0 : 1.0;
+  const CoupledContact contact(block, std::abs(block.slope_rad), building.mass_ratio);
+  const Ground ground(motion, factors, mirror);
+  const Cut cut_building = block_detail::cut(building.horizontal, contact, motion.dt_s);
+  CoupledBody body(contact, cut_building.frame, block, CoupledBody::Keeps::all, std::move(history));
+
+  const std::size_t n =
+      contact.slides_at_rest() ? ground.samples() : ground.samples_without_trailing_zeros();
+  for (std::size_t i = 1; i < n; ++i) walk_interval(body, ground, i, cut_building.pieces);
+  if (!contact.slides_at_rest()) walk_interval(body, ground, n, cut_building.pieces);
+  if (contact.stops_at_rest()) ring_down(body, ground, n, cut_building, building, block);
+  CoupledResult result = body.result();
+  result.slip.free_sliding = contact.slides_at_rest() || body.sliding();
+  return result;
+}
+
+}  // namespace
+
+bool coupling_is_regular(const Block& block, double mass_ratio) {
+  const CoupledContact contact(block, std::abs(block.slope_rad), mass_ratio);
+  return mass_ratio >= 0.0 && contact.sliding_down().mass > 0.0;
+}
+
+CoupledResult slide_coupled(const GroundMotion& ground, const MotionFactors& factors,
+                            const CoupledBuilding& building, const Block& block) {
+  return slide_with(ground, factors, building, block, {});
+}
+
+CoupledResult slide_coupled(const GroundMotion& ground, const MotionFactors& factors,
+                            const CoupledBuilding& building, const Block& block,
+                            std::vector<CoupledPoint>& history) {
+  const double mirror = block.slope_rad < 0.0 ? -1.0 : 1.0;
+  history.assign(1, CoupledPoint{});
+  return slide_with(ground, factors, building, block, [&](CoupledPoint point) {
+    point.roof_displacement_m *= mirror;
+    point.roof_acceleration_mps2 *= mirror;
+    history.push_back(point);
+  });
+}
+
+}  // namespace glissade

@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "coupled_body.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+#include "glissade/core/oscillator.hpp"
+
+namespace glissade::block_detail {
+
+CoupledBody::CoupledBody(const CoupledContact& contact, const Frame& frame, const Block& block,
+                         Keeps keeps, History history)
+    : contact_(contact),
+      frame_(frame),
+      block_(block),
+      keeps_(keeps),
+      history_(std::move(history)),
+      energy_(frame, contact) {}
+
+Mode CoupledBody::mode() const {
+  if (direction_ == 0) return contact_.stuck();
+  if (lifted_) return contact_.lifted(direction_);
+  return direction_ > 0 ? contact_.sliding_down() : contact_.sliding_up();
+}
+
+/// A phase that begins at its threshold has its drive exactly zero there, and rising.
+SlipSeries CoupledBody::slip_series(const Mode& mode, const RoofMotionSeries& roof,
+                                    double length_s) const {
+  SlipSeries slip;
+  slip.direction = direction_;
+  if (direction_ == 0) return slip;
+  Series drive = roof.line(mode.drive);
+  if (at_threshold_) {
+    drive.c[0] = 0.0;
+    drive.c[1] = std::max(drive.c[1], 0.0);
+  }
+  slip.speed = drive.integral(length_s, speed_);
+  slip.friction = lifted_ ? 0.0 : block_.friction;
+  return slip;
+}
+
+/// When the block starts from rest. Its drive is zero or less in the direction in which it has just
+/// stopped.
+double CoupledBody::start_share(const RoofMotionSeries& roof, double a_swing, int direction) const {
+  const DriveLine line = lifted_         ? contact_.frictionless(direction)
+                         : direction > 0 ? contact_.down()
+                                         : contact_.up();
+  if (roof.is_negative(line, a_swing)) return never;
+  Series drive = roof.line(line);
+  if (stopped_direction_ == direction) {
+    drive.c[0] = std::min(drive.c[0], 0.0);
+    if (refused_) drive.c[1] = std::min(drive.c[1], 0.0);
+  }
+  return first_rise(drive);
+}
+
+/// When contact is lost, or found again.
+double CoupledBody::contact_share(const RoofMotionSeries& roof, double a_swing) const {
+  if (!lifted_ && roof.is_negative(contact_.lift(), a_swing)) return never;
+  Series lift = roof.line(contact_.lift());
+  if (just_lifted_or_landed_) lift.c[0] = 0.0;
+  return lifted_ ? first_fall(lift) : first_rise(lift);
+}
+
+CoupledBody::NextEvent CoupledBody::first_event(const RoofMotionSeries& roof,
+                                                const SlipSeries& slip) const {
+  NextEvent next;
+  const double a_swing = roof.swing();
+  if (direction_ == 0) {
+    next.sooner(Event::starts_down, start_share(roof, a_swing, +1));
+    if (block_.directions == SlipDirections::both)
+      next.sooner(Event::starts_up, start_share(roof, a_swing, -1));
+  } else {
+    next.sooner(Event::stops, first_fall(slip.speed));
+  }
+  next.sooner(Event::lifts_or_lands, contact_share(roof, a_swing));
+  return next;
+}
+
+void CoupledBody::advance(GroundPiece ground, double end_time_s) {
+  piece_end_ = end_time_s;
+  stopped_direction_ = 0;
+  at_threshold_ = refused_ = just_lifted_or_landed_ = false;
+  for (int events = 0; events < 64; ++events) {
+    const Mode now = mode();
+    const RoofMotionSeries roof =
+        roof_motion_series(frame_, now, contact_.gravity(), roof_, ground);
+    const SlipSeries slip = slip_series(now, roof, ground.length_s);
+    const NextEvent next = first_event(roof, slip);
+    pass(ground, roof, slip, next.share);
+    ground.cut(next.share);
+    if (next.event == Event::none) {
+      time_ = piece_end_;
+      return record(ground);
+    }
+    happen(next);
+    record(ground);
+    if (!(ground.length_s > 0.0)) return;
+  }
+  throw std::logic_error("slide_coupled: too many events inside one piece of time");
+}
+
+void CoupledBody::pass(const GroundPiece& ground, const RoofMotionSeries& roof,
+                       const SlipSeries& slip, double share) {
+  const auto raise = [share](double& peak, const Series& of) {
+    if (of.bound() > peak) peak = std::max(peak, largest(of, share));
+  };
+  raise(peaks_.elastic_mps2, roof.elastic);
+  raise(peaks_.x_mps2, roof.x);
+  if (keeps_ == Keeps::all) {
+    raise(result_.peak_roof_acceleration_mps2, roof.a);
+    energy_.add(ground, roof, slip, share);
+  }
+  result_.slip.uplift |= lifted_;
+  if (direction_ != 0) {
+    double& peak = result_.slip.peak_velocity_mps;
+    if (keeps_ == Keeps::all && slip.speed.bound() > peak)
+      peak = std::max(peak, highest(slip.speed, share));
+    slip_ += direction_ * std::max(slip.speed.integral(ground.length_s, 0.0).at(share), 0.0);
+    speed_ = std::max(slip.speed.at(share), 0.0);
+    result_.slip.slip_duration_s += share * ground.length_s;
+  }
+  roof_ = {roof.x.at(share), roof.y.at(share)};
+  time_ = std::min(time_ + share * ground.length_s, piece_end_);
+}
+
+void CoupledBody::happen(const NextEvent& next) {
+  const auto start = [&](int direction) {
+    // Held until now, or only just stopped: its drive is not positive yet.
+    at_threshold_ = next.share > 0.0 || stopped_direction_ == direction;
+    direction_ = direction;
+    stopped_direction_ = 0;
+    ++result_.slip.slip_phases;
+  };
+  just_lifted_or_landed_ = next.event == Event::lifts_or_lands;
+  switch (next.event) {
+    case Event::starts_down:
+      return start(+1);
+    case Event::starts_up:
+      return start(-1);
+    case Event::stops:
+      refused_ = at_threshold_ && next.share == 0.0;
+      stopped_direction_ = direction_;
+      break;
+    case Event::lifts_or_lands:
+      lifted_ = !lifted_;
+      break;
+    case Event::none:
+      break;
+  }
+  at_threshold_ = false;
+  if (next.event == Event::stops) stop();
+}
+
+/// Slip is monotone inside a phase, so its peaks are at phase ends.
+void CoupledBody::stop() {
+  direction_ = 0;
+  speed_ = 0.0;
+  farthest_down_ = std::max(farthest_down_, slip_);
+  farthest_up_ = std::min(farthest_up_, slip_);
+}
+
+void CoupledBody::record(const GroundPiece& ground) const {
+  if (!history_) return;
+  const Mode now = mode();
+  const double elastic = -(roof_.x + 2.0 * frame_.damping_ratio * roof_.y);
+  const double a = frame_.rigid()
+                       ? ground.begin.a
+                       : (elastic - now.weight * (contact_.gravity() + ground.begin.w)) / now.mass;
+  const double per_omega = frame_.rigid() ? 0.0 : 1.0 / frame_.omega_radps;
+  history_({time_, slip_ * contact_.cos_slope(), direction_ * speed_ * contact_.cos_slope(),
+            roof_.x * per_omega * per_omega, a});
+}
+
+void CoupledBody::coast() {
+  const Drive at_rest = contact_.sliding({});
+  const double deceleration = direction_ > 0 ? -at_rest.down : -at_rest.up;
+  if (direction_ == 0 || !(deceleration > 0.0)) return;
+  slip_ += direction_ * 0.5 * speed_ * speed_ / deceleration;
+  result_.slip.slip_duration_s += speed_ / deceleration;
+  time_ += speed_ / deceleration;
+  velocity_before_coast_ = direction_ * speed_;
+  direction_ = 0;
+  speed_ = 0.0;
+}
+
+double CoupledBody::largest_acceleration_to_come_mps2() const {
+  if (frame_.rigid()) return 0.0;
+  const double mass = contact_.stuck().mass, root = std::sqrt(mass);
+  const double zeta = frame_.damping_ratio / root;
+  const Envelope envelope = free_vibration_envelope(roof_.x / mass, roof_.y / root, zeta);
+  return (1.0 + 2.0 * zeta) * envelope.amplitude;
+}
+
+CoupledResult CoupledBody::result() const {
+  CoupledResult r = result_;
+  const double cosine = contact_.cos_slope();
+  r.slip.peak_downslope_m = std::max(farthest_down_, slip_) * cosine;
+  r.slip.peak_upslope_m = -std::min(farthest_up_, slip_) * cosine + 0.0;  // no negative zero
+  r.slip.peak_displacement_m = std::max(r.slip.peak_downslope_m, r.slip.peak_upslope_m);
+  r.slip.residual_displacement_m = slip_ * cosine;
+  r.slip.peak_velocity_mps *= cosine;
+  r.peak_base_shear = peaks_.elastic_mps2 / contact_.gravity();
+  if (!frame_.rigid())
+    r.peak_roof_displacement_m = peaks_.x_mps2 / (frame_.omega_radps * frame_.omega_radps);
+  r.energy = energy_.total(roof_, direction_ * speed_ + velocity_before_coast_);
+  return r;
+}
+
+}  // namespace glissade::block_detail

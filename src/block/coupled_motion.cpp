@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "coupled_motion.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace glissade::block_detail {
+
+namespace {
+/// A shorter period is taken as rigid: over a sample interval its ringing shows nothing a record
+/// can tell.
+constexpr double most_pieces = 4096.0;
+}  // namespace
+
+Cut cut(const Oscillator& oscillator, const CoupledContact& contact, double dt_s) {
+  if (oscillator.period_s == 0.0) return {};
+  const double omega = 2.0 * std::numbers::pi / oscillator.period_s,
+               zeta = oscillator.damping_ratio;
+  // The fastest mode is the lightest.
+  const double mass =
+      std::min({1.0, contact.sliding_down().mass, contact.sliding_up().mass, contact.stuck().mass});
+  const double root = std::sqrt(mass);
+  const double phase = omega * dt_s / root * (1.0 + 2.0 * zeta / root);
+  // A power of two, so that buildings share grounds cut alike (coupled_slip.cpp).
+  const double pieces = std::exp2(std::max(0.0, std::ceil(std::log2(phase / longest_phase))));
+  if (pieces > most_pieces) return {};
+  const double piece_phase = phase / pieces;
+  int terms = 3;
+  for (double term = piece_phase * piece_phase * piece_phase / 6.0; term > 1e-19;)
+    term *= piece_phase / ++terms;
+  return {{omega, zeta, terms + 1}, static_cast<int>(pieces)};
+}
+
+// In the share s of the piece, with phase = omega length:
+//   dx/ds = phase y,  dy/ds = phase (a - a_ground),  mass a = E - weight (g + w).
+RoofMotionSeries roof_motion_series(const Frame& frame, const Mode& mode, double gravity_mps2,
+                                    const RoofState& from, const GroundPiece& ground) {
+  RoofMotionSeries m;
+  const Roof rise{ground.end.a - ground.begin.a, ground.end.w - ground.begin.w};
+  m.w_begin = ground.begin.w;
+  m.w_rise = rise.w;
+  const double weight[2] = {mode.weight * (gravity_mps2 + ground.begin.w), mode.weight * rise.w};
+  if (frame.rigid()) {
+    m.x.terms = m.y.terms = m.elastic.terms = m.a.terms = 2;
+    m.a.c[0] = ground.begin.a;
+    m.a.c[1] = rise.a;
+    for (int k = 0; k < 2; ++k) m.x.c[k] = m.y.c[k] = 0.0;
+    for (int k = 0; k < 2; ++k) m.elastic.c[k] = mode.mass * m.a.c[k] + weight[k];
+    return m;
+  }
+  // With A = a_ground + weight (g + w) / mass, in the order that keeps the chain from term to term
+  // short: y_{k+1} = -(share/mass) (x_k + 2 zeta y_k) - share A_k.
+  const double phase = frame.omega_radps * ground.length_s, per_mass = 1.0 / mode.mass,
+               twice_zeta = 2.0 * frame.damping_ratio;
+  const int terms = frame.terms;
+  m.x.terms = m.y.terms = m.elastic.terms = m.a.terms = terms;
+  m.x.c[0] = from.x;
+  m.y.c[0] = from.y;
+  const double forcing[2] = {ground.begin.a + weight[0] * per_mass, rise.a + weight[1] * per_mass};
+  for (int k = 0; k + 1 < terms; ++k) {
+    const double share = phase * Series::inverse[k + 1], elastic = share * per_mass;
+    double y = -(elastic * m.x.c[k]) - (elastic * twice_zeta) * m.y.c[k];
+    if (k < 2) y -= share * forcing[k];
+    m.x.c[k + 1] = share * m.y.c[k];
+    m.y.c[k + 1] = y;
+  }
+  for (int k = 0; k < terms; ++k) {
+    m.elastic.c[k] = -(m.x.c[k] + twice_zeta * m.y.c[k]);
+    m.a.c[k] = m.elastic.c[k] * per_mass;
+  }
+  for (int k = 0; k < 2; ++k) m.a.c[k] -= weight[k] * per_mass;
+  return m;
+}
+
+}  // namespace glissade::block_detail

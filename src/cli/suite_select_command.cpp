@@ -1,0 +1,287 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "commands.hpp"
+#include "glissade/core/error.hpp"
+#include "glissade/core/file.hpp"
+#include "glissade/io/suite_file.hpp"
+#include "glissade/io/suite_writer.hpp"
+#include "glissade/motion/record_selection.hpp"
+#include "glissade/motion/suite_scaling.hpp"
+
+namespace glissade::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct SelectOptions {
+  std::string library, out, site_class;
+  std::vector<std::string> site_classes;
+  std::optional<int> level;
+  std::optional<double> ss_g, s1_g, max_scale;
+  SelectionCriteria criteria;  ///< count, per_event and the limits that were given
+  bool keep_untold = false, json = false;
+};
+
+/// The design spectrum asked for, and what is looked for to match it.
+struct Task {
+  DesignTarget target;
+  SelectionCriteria criteria;
+};
+
+SiteGroup group_of(const std::string& site_class) {
+  if (site_class.empty()) return SiteGroup::a_to_d;
+  if (parse_site_class(site_class) == SiteClass::e) return SiteGroup::e;
+  throw InputError({"--site-class", "a level's suite is for class E, or for A to D together",
+                    "give E, or leave it out for A to D", ""});
+}
+
+DesignTarget target_of_site(const SelectOptions& o) {
+  ProblemList problems;
+  const auto mapped = [&](const std::optional<double>& value, const char* option) {
+    if (value && *value > 0.0) return *value;
+    problems.add({option, value ? fmt::format("{} g is not above 0", *value) : "is missing",
+                  "give the mapped accelerations of the site, --ss-g and --s1-g, or a --level",
+                  ""});
+    return 1.0;
+  };
+  DesignTarget target{.edition = AsceEdition::asce7_10,
+                      .ss_g = mapped(o.ss_g, "--ss-g"),
+                      .s1_g = mapped(o.s1_g, "--s1-g")};
+  target.site_classes.clear();
+  for (const std::string& name : o.site_classes)
+    target.site_classes.push_back(parse_site_class(name));
+  if (target.site_classes.empty())
+    target.site_classes = {SiteClass::a, SiteClass::b, SiteClass::c, SiteClass::d};
+  problems.throw_if_any();
+  return target;
+}
+
+/// Limits that are given take the place of the level's.
+void override_with(Limits& limits, const Limits& given) {
+  if (given.min) limits.min = given.min;
+  if (given.max) limits.max = given.max;
+}
+
+Task task_of(const SelectOptions& o) {
+  const bool of_a_site = o.ss_g || o.s1_g || !o.site_classes.empty();
+  if (o.level && of_a_site)
+    throw InputError({"--level", "has its own S_s, S_1 and site classes",
+                      "leave out --ss-g, --s1-g and --site-classes, or the level", ""});
+  if (!o.level && !o.site_class.empty())
+    throw InputError({"--site-class", "is of a level", "give --site-classes with --ss-g", ""});
+  Task task;
+  if (o.level) {
+    const SiteGroup sites = group_of(o.site_class);
+    task = {walters_target(*o.level, sites), walters_criteria(*o.level, sites)};
+  } else {
+    task.target = target_of_site(o);
+  }
+  SelectionCriteria& criteria = task.criteria;
+  criteria.count = o.criteria.count;
+  criteria.per_event = o.criteria.per_event;
+  override_with(criteria.magnitude, o.criteria.magnitude);
+  override_with(criteria.distance_km, o.criteria.distance_km);
+  override_with(criteria.vs30_mps, o.criteria.vs30_mps);
+  if (o.max_scale) criteria.max_scale = *o.max_scale;
+  if (o.keep_untold) criteria.untold = UntoldMetadata::keeps;
+  return task;
+}
+
+/// Criteria are told by their options.
+RecordSelection select(const Suite& library, const Task& task) {
+  static const std::map<std::string, std::string> options = {
+      {"count", "--count"},
+      {"magnitude", "--min-magnitude, --max-magnitude"},
+      {"distance_km", "--min-distance-km, --max-distance-km"},
+      {"vs30_mps", "--min-vs30-mps, --max-vs30-mps"},
+      {"max_scale", "--max-scale"},
+      {"per_event", "--per-event"}};
+  const TargetSpectrum target(task.target);
+  try {
+    return select_records(
+        library, [&](double period_s) { return target.mce_sa_g(period_s); }, walters_periods_s(),
+        task.criteria);
+  } catch (const InputError& error) {
+    ProblemList problems;
+    for (Problem problem : error.problems()) {
+      if (const auto option = options.find(problem.where); option != options.end())
+        problem.where = option->second;
+      problems.add(problem);
+    }
+    problems.throw_if_any();
+    throw;
+  }
+}
+
+std::vector<std::string> names(const DesignTarget& target) {
+  std::vector<std::string> classes;
+  for (const SiteClass site : target.site_classes) classes.push_back(to_string(site));
+  return classes;
+}
+
+std::string target_line(const DesignTarget& target) {
+  return fmt::format("MCE, {} S_s {} g, S_1 {} g, site class{} {}", to_string(target.edition),
+                     target.ss_g, target.s1_g, target.site_classes.size() > 1 ? "es" : "",
+                     fmt::join(names(target), ", "));
+}
+
+std::string average_line(const RecordSelection& s) {
+  return fmt::format("{:.3f} (at {:g} s) to {:.3f} (at {:g} s) of the target from 0 to 2 s",
+                     s.lowest.ratio, s.lowest.period_s, s.highest.ratio, s.highest.period_s);
+}
+
+std::string shortfall_line(const RecordSelection& s, double max_scale) {
+  return fmt::format(
+      "the average falls below the target: every record is at the largest factor {:g}; "
+      "{:.3g} would lift these to it",
+      max_scale, max_scale / s.lowest.ratio);
+}
+
+/// 0 where not told.
+std::string told(double value, int decimals) {
+  return value > 0.0 ? fmt::format("{:.{}f}", value, decimals) : "-";
+}
+
+void print(const Suite& library, const Task& task, const RecordSelection& s) {
+  fmt::print("target: {}", target_line(task.target));
+  const auto level = intensity_level({task.target.ss_g, task.target.s1_g});
+  fmt::print("; Intensity Level {}\n", level ? std::to_string(*level) : "above 4");
+  fmt::print("{} candidates of {} records\n\n", s.candidates, library.motions.size());
+  std::size_t id_width = 6, event_width = 5;
+  for (const SelectedRecord& r : s.records) {
+    id_width = std::max(id_width, library.motions[r.record].id.size());
+    event_width = std::max(event_width, library.motions[r.record].event.size());
+  }
+  fmt::print("{:<{}}  {:<{}}  {:>4} {:>6} {:>6} {:>7} {:>7}\n", "record", id_width, "event",
+             event_width, "M", "R km", "Vs30", "factor", "misfit");
+  for (const SelectedRecord& r : s.records) {
+    const Motion& m = library.motions[r.record];
+    fmt::print("{:<{}}  {:<{}}  {:>4} {:>6} {:>6} {:>7.4f} {:>7.3f}\n", m.id, id_width, m.event,
+               event_width, told(m.magnitude, 2), told(m.distance_km, 1), told(m.vs30_mps, 0),
+               r.scale, r.misfit);
+  }
+  fmt::print("\naverage of the SRSS spectra: {}\n", average_line(s));
+  if (!s.reaches_target()) fmt::print("note  {}\n", shortfall_line(s, task.criteria.max_scale));
+  if (s.left_out.empty()) return;
+  fmt::print("\nleft out:\n");
+  for (const LeftOutRecord& record : s.left_out) {
+    std::vector<const char*> reasons;
+    for (const LeftOutFor reason : record.reasons) reasons.push_back(to_string(reason));
+    fmt::print("  {}: {}\n", library.motions[record.record].id, fmt::join(reasons, ", "));
+  }
+}
+
+/// 0, not told, becomes null.
+Json told(double value) { return value > 0.0 ? Json(value) : Json(); }
+
+Json to_json(const RatioAtPeriod& r) { return {{"ratio", r.ratio}, {"period_s", r.period_s}}; }
+
+Json to_json(const Suite& library, const Task& task, const RecordSelection& s) {
+  const DesignTarget& target = task.target;
+  const auto level = intensity_level({target.ss_g, target.s1_g});
+  Json json{{"target",
+             {{"edition", to_string(target.edition)},
+              {"ss_g", target.ss_g},
+              {"s1_g", target.s1_g},
+              {"site_classes", names(target)},
+              {"intensity_level", level ? Json(*level) : Json()}}},
+            {"max_scale", task.criteria.max_scale},
+            {"candidates", s.candidates},
+            {"records", Json::array()},
+            {"average",
+             {{"lowest", to_json(s.lowest)},
+              {"highest", to_json(s.highest)},
+              {"reaches_target", s.reaches_target()}}},
+            {"left_out", Json::array()}};
+  for (const SelectedRecord& r : s.records) {
+    const Motion& m = library.motions[r.record];
+    json["records"].push_back({{"id", m.id},
+                               {"event", m.event},
+                               {"magnitude", told(m.magnitude)},
+                               {"distance_km", told(m.distance_km)},
+                               {"vs30_mps", told(m.vs30_mps)},
+                               {"scale", r.scale},
+                               {"misfit", r.misfit}});
+  }
+  for (const LeftOutRecord& record : s.left_out) {
+    Json reasons = Json::array();
+    for (const LeftOutFor reason : record.reasons) reasons.push_back(to_string(reason));
+    json["left_out"].push_back({{"id", library.motions[record.record].id}, {"reasons", reasons}});
+  }
+  return json;
+}
+
+std::string suite_text(const SelectOptions& o, const Suite& library, const Task& task,
+                       const RecordSelection& s) {
+  namespace fs = std::filesystem;
+  SuiteHead head{fs::path(o.out).stem().string(),
+                 fmt::format("{} records of {}, scaled to the {}", s.records.size(), library.name,
+                             target_line(task.target)),
+                 task.target,
+                 {"Made by: glissade suite select, from " + fs::path(o.library).filename().string(),
+                  "average of the SRSS spectra: " + average_line(s)}};
+  if (!s.reaches_target()) head.comments.push_back(shortfall_line(s, task.criteria.max_scale));
+  std::vector<ScaledRecord> records;
+  for (const SelectedRecord& r : s.records)
+    records.push_back({library.motions[r.record].id, r.scale});
+  return suite_of_records_toml(o.library, head, records, fs::path(o.out).parent_path());
+}
+
+void run(const SelectOptions& o) {
+  const Task task = task_of(o);
+  if (!o.out.empty() && std::filesystem::exists(o.out))
+    throw InputError({o.out, "is there already, and nothing is written over",
+                      "give another --out, or remove it", ""});
+  const Suite library = load_suite(o.library);
+  const RecordSelection selection = select(library, task);
+  if (!o.out.empty()) create_text_file(o.out, suite_text(o, library, task, selection));
+  if (o.json) {
+    fmt::print("{}\n", to_json(library, task, selection).dump(2));
+    return;
+  }
+  print(library, task, selection);
+  if (!o.out.empty()) fmt::print("\nsuite file   {}\n", o.out);
+}
+
+}  // namespace
+
+void add_suite_select(CLI::App& suite) {
+  auto o = std::make_shared<SelectOptions>();
+  CLI::App* command = suite.add_subcommand(
+      "select", "Select and scale records of a library to an MCE spectrum, by Walters's rule");
+  command->add_option("library", o->library, "suite file with the records to select from")
+      ->required();
+  command->add_option("--count", o->criteria.count, "how many records");
+  command->add_option("--level", o->level,
+                      "Walters's Seismic Intensity Level, 0 to 4: its target and its limits");
+  command->add_option("--site-class", o->site_class, "E: the level's suite for class E [A to D]");
+  command->add_option("--ss-g", o->ss_g, "the site's own mapped S_s");
+  command->add_option("--s1-g", o->s1_g, "the site's own mapped S_1");
+  command->add_option("--site-classes", o->site_classes, "classes to envelope [A,B,C,D]")
+      ->delimiter(',');
+  const auto takes_limits = [&](const std::string& name, Limits& limits, const char* what) {
+    command->add_option("--min-" + name, limits.min, fmt::format("smallest {}", what));
+    command->add_option("--max-" + name, limits.max, fmt::format("largest {}", what));
+  };
+  takes_limits("magnitude", o->criteria.magnitude, "magnitude [the level's]");
+  takes_limits("distance-km", o->criteria.distance_km, "distance [the level's]");
+  takes_limits("vs30-mps", o->criteria.vs30_mps, "V_S30 [the level's]");
+  command->add_option("--max-scale", o->max_scale,
+                      "largest factor on a record [the level's, or 4]");
+  command->add_option("--per-event", o->criteria.per_event, "at most so many of one earthquake");
+  command->add_flag("--keep-untold", o->keep_untold,
+                    "keep records that do not tell what a limit is on");
+  command->add_option("--out", o->out, "new suite file [none is written]");
+  command->add_flag("--json", o->json, "print one JSON object");
+  command->callback([o] { run(*o); });
+}
+
+}  // namespace glissade::cli

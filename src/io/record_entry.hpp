@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "glissade/io/record_file.hpp"
+#include "glissade/motion/motion.hpp"
+#include "toml_table.hpp"
+
+namespace glissade {
+
+/// A component of a [[record]].
+struct ComponentEntry {
+  std::string file;
+  double start_s = 0.0;
+  RecordFileOptions options;
+};
+
+/// `key = "file"` or `key = { file, start_s, dt_s, units }`; nothing where the key is absent.
+std::optional<ComponentEntry> read_component_entry(const TomlTable& record, const char* key);
+
+/// What a [[record]] tells of its motion besides the samples.
+Motion read_metadata(const TomlTable& record);
+
+}  // namespace glissade

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "glissade/motion/design_spectrum.hpp"
+
+namespace glissade {
+
+/// A TOML basic string.
+std::string quoted(const std::string& text);
+
+/// The table [target].
+std::string target_toml(const DesignTarget& target);
+
+}  // namespace glissade

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "cli/child.hpp"
+
+namespace glissade::test {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+
+/// A library of chirps that sweep from 0.3 to 15 Hz, of different strength and metadata, in its
+/// folder "library".
+class SuiteSelect : public testing::Test {
+ protected:
+  void SetUp() override {
+    std::filesystem::create_directories(folder_.path("library"));
+    std::string text = "[suite]\nname = \"library\"\n";
+    for (int i = 0; i < 5; ++i) {
+      const std::string id = "r" + std::to_string(i);
+      std::string columns[2];
+      for (int axis = 0; axis < 2; ++axis) {
+        for (int n = 0; n < 800; ++n) {
+          const double t = n / 800.0;
+          const double phase = 40.0 * std::pow(t, 1.5 + 0.2 * i) + axis;
+          columns[axis] += std::to_string((0.3 + 0.1 * i) * std::sin(6.2832 * phase)) + "\n";
+        }
+        folder_.write("library/" + id + "_" + std::to_string(axis) + ".acc", columns[axis]);
+      }
+      text += "[[record]]\nid = \"" + id + "\"\nevent = \"event " + std::to_string(i / 2) +
+              "\"\nmagnitude = 6." + std::to_string(5 + i) + "\ndistance_km = 20\n" +
+              (i == 4 ? "" : "vs30_mps = " + std::to_string(300 + 50 * i) + "\n") +
+              "first = { file = \"" + id + "_0.acc\", dt_s = 0.01 }\n" +
+              (i == 3 ? "" : "second = { file = \"" + id + "_1.acc\", dt_s = 0.01 }\n");
+    }
+    library_ = folder_.write("library/library.toml", text);
+  }
+  Finished select(std::vector<std::string> arguments) const {
+    arguments.insert(arguments.begin(), {"suite", "select", library_});
+    return run_program(arguments);
+  }
+  ScratchFolder folder_;
+  std::string library_;
+};
+
+const std::vector<std::string> a_site = {"--ss-g", "0.4", "--s1-g", "0.15", "--max-scale", "50"};
+
+std::vector<std::string> with(std::vector<std::string> arguments,
+                              const std::vector<std::string>& more) {
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return arguments;
+}
+
+TEST_F(SuiteSelect, prints_the_records_how_the_average_compares_and_who_is_left_out) {
+  const Finished child = select(with(a_site, {"--count", "2"}));
+  EXPECT_EQ(child.status, 0) << child.err;
+  EXPECT_EQ(child.err, "");
+  EXPECT_THAT(child.out, HasSubstr("Intensity Level 0"));
+  EXPECT_THAT(child.out, HasSubstr("site classes A, B, C, D"));
+  EXPECT_THAT(child.out, HasSubstr("4 candidates of 5 records"));
+  EXPECT_THAT(child.out, HasSubstr("average of the SRSS spectra: 1.000 (at "));
+  EXPECT_THAT(child.out, HasSubstr("r3: no second horizontal"));
+}
+
+TEST_F(SuiteSelect, json_tells_the_same_and_respects_limits) {
+  const Finished child = select(
+      with(a_site, {"--count", "2", "--min-magnitude", "6.6", "--max-vs30-mps", "450", "--json"}));
+  EXPECT_EQ(child.status, 0) << child.err;
+  const json result = json::parse(child.out);
+  EXPECT_EQ(result["candidates"], 2);
+  EXPECT_EQ(result["target"]["intensity_level"], 0);
+  ASSERT_EQ(result["records"].size(), 2u);
+  for (const json& record : result["records"]) {
+    EXPECT_GE(record["magnitude"], 6.6);
+    EXPECT_LE(record["scale"], 50.0);
+  }
+  EXPECT_GE(result["average"]["lowest"]["ratio"], 1.0 - 1e-9);
+  EXPECT_EQ(result["average"]["reaches_target"], true);
+  ASSERT_EQ(result["left_out"].size(), 3u);
+  EXPECT_EQ(result["left_out"][0]["reasons"], json({"magnitude outside the limits"}));
+  EXPECT_EQ(result["left_out"][2]["reasons"], json({"no Vs30 told"}));
+}
+
+TEST_F(SuiteSelect, writes_a_suite_file_elsewhere_that_scales_to_the_same_factors) {
+  const std::string out = folder_.path("deep/er/mine.toml").string();
+  std::filesystem::create_directories(folder_.path("deep/er"));
+  const Finished child = select(with(a_site, {"--count", "3", "--out", out, "--json"}));
+  EXPECT_EQ(child.status, 0) << child.err;
+  const json records = json::parse(child.out)["records"];
+  EXPECT_EQ(run_program({"suite", "show", out}).status, 0);
+  const Finished scaled = run_program({"suite", "scale", out, "--max-factor", "50"});
+  EXPECT_EQ(scaled.status, 0) << scaled.err;
+  const std::vector<std::string> lines = lines_of(scaled.out);
+  const auto header = std::find(lines.begin(), lines.end(), "id,scale");
+  ASSERT_EQ(lines.end() - header, 4);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::vector<std::string> cells = cells_of(header[1 + static_cast<std::ptrdiff_t>(i)]);
+    EXPECT_EQ(cells[0], records[i]["id"]);
+    EXPECT_NEAR(std::stod(cells[1]), records[i]["scale"].get<double>(), 1.01e-4);
+  }
+}
+
+TEST_F(SuiteSelect, never_writes_over_a_file) {
+  const std::string out = folder_.write("mine.toml", "mine");
+  expect_refused(select(with(a_site, {"--count", "2", "--out", out})), {"mine.toml", "--out"});
+  EXPECT_EQ(read_file(out), "mine");
+}
+
+TEST_F(SuiteSelect, a_level_brings_its_limits_which_can_be_widened) {
+  // Level 2, class E: V_S30 115 to 285 m/s, which none has.
+  expect_refused(
+      select({"--level", "2", "--site-class", "E", "--count", "1"}),
+      {"candidates left: 0 of 5", "4 with Vs30 outside the limits", "1 with no Vs30 told"});
+  const Finished child = select({"--level", "2", "--site-class", "E", "--count", "1",
+                                 "--max-vs30-mps", "500", "--max-scale", "40", "--json"});
+  EXPECT_EQ(child.status, 0) << child.err;
+  EXPECT_EQ(json::parse(child.out)["target"]["site_classes"], json({"E"}));
+  const Finished kept =
+      select({"--level", "2", "--count", "1", "--keep-untold", "--max-scale", "40", "--json"});
+  EXPECT_EQ(json::parse(kept.out)["candidates"], 2);  // r2, and r4, which tells no V_S30
+}
+
+TEST_F(SuiteSelect, a_shortfall_is_told_and_is_no_error) {
+  const Finished child = select({"--ss-g", "3", "--s1-g", "1", "--max-scale", "0.5", "--count", "2",
+                                 "--out", folder_.path("short.toml").string()});
+  EXPECT_EQ(child.status, 0) << child.err;
+  EXPECT_THAT(child.out, HasSubstr("the average falls below the target"));
+  EXPECT_THAT(read_file(folder_.path("short.toml")), HasSubstr("falls below the target"));
+}
+
+TEST_F(SuiteSelect, mistakes_are_refused) {
+  expect_refused(select({"--level", "2", "--ss-g", "1"}), {"--level", "--ss-g"});
+  expect_refused(select({}), {"--ss-g", "--s1-g", "--level"});
+  expect_refused(select({"--ss-g", "-1", "--s1-g", "0.2"}), {"--ss-g", "not above 0"});
+  expect_refused(select({"--level", "9"}), {"9", "0 to 4"});
+  expect_refused(select({"--level", "2", "--site-class", "C"}), {"--site-class", "A to D"});
+  expect_refused(select(with(a_site, {"--site-class", "E"})), {"--site-classes"});
+  expect_refused(select(with(a_site, {"--site-classes", "A,F"})), {"F"});
+  expect_refused(select(with(a_site, {"--min-magnitude", "7", "--max-magnitude", "6"})),
+                 {"--min-magnitude", "admits nothing"});
+  expect_refused(select({"--ss-g", "1", "--s1-g", "0.4", "--max-scale", "-2", "--count", "0"}),
+                 {"--max-scale", "--count"});
+  expect_refused(select(with(a_site, {"--count", "2", "--per-event", "0"})), {"--per-event"});
+  expect_refused(select(with(a_site, {"--count", "4", "--per-event", "1"})),
+                 {"4 records are asked for", "1 of an event allows 3"});
+}
+
+TEST_F(SuiteSelect, simulated_motions_are_not_written_into_a_suite_file) {
+  const std::string out = folder_.path("out.toml").string();
+  expect_refused(
+      run_program({"suite", "select", GLISSADE_SOURCE_DIR "/suites/synthetic_level0.toml",
+                   "--level", "0", "--count", "3", "--out", out}),
+      {"synthetic_level0.toml", "[[record]]"});
+  EXPECT_FALSE(std::filesystem::exists(out));
+}
+
+}  // namespace
+}  // namespace glissade::test
