@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+
+#include "plane_vector.hpp"
+
+namespace glissade::block_detail {
+
+/// A piece of path in plan: the velocity is the cubic through both ends' velocities and
+/// accelerations (Hermite), of order 4 as the step.
+struct Path {
+  double length_s = 0.0;
+  Vector begin, end;  ///< displacement
+  Vector v[4];        ///< the cubic's Bernstein coefficients: it stays in their hull
+
+  Path(double length, Vector from, Vector v0, Vector a0, Vector v1, Vector a1)
+      : length_s(length),
+        begin(from),
+        end(from + (0.5 * length) * (v0 + v1) + (length * length / 12.0) * (a0 - a1)),
+        v{v0, v0 + (length / 3.0) * a0, v1 - (length / 3.0) * a1, v1} {}
+
+  Vector velocity(double share) const;
+  Vector displacement(double share) const;
+  /// By Simpson's rule on the speed.
+  double path_length() const;
+};
+
+/// The largest that a history has seen.
+class Extremes {
+ public:
+  void at(Vector displacement);
+  void at_speed(double speed) { speed_ = std::max(speed_, speed); }
+  void along(const Path& path);
+  double displacement() const { return displacement_; }
+  Vector by_axis() const { return by_axis_; }
+  double speed() const { return speed_; }
+
+ private:
+  double displacement_ = 0.0, speed_ = 0.0;
+  Vector by_axis_;
+};
+
+}  // namespace glissade::block_detail
