@@ -62,7 +62,7 @@ TEST_F(Convergence, run_json_tells_how_long_histories_took) {
   EXPECT_EQ(json.at("ranks"), 1);
   const Json& history = json.at("history_seconds");
   ASSERT_EQ(history.at("published").size(), 4u);
-  EXPECT_EQ(history.at("published")[3].at("substeps"), 64);
+  EXPECT_EQ(history.at("published")[3].at("substeps"), 256);
   EXPECT_GE(history.at("published")[3].at("longest"), history.at("published")[3].at("median"));
   EXPECT_GT(history.at("exact").at("median"), 0.0);
 }
@@ -122,7 +122,7 @@ TEST_F(Convergence, a_dry_run_tells_the_plan_and_writes_nothing) {
   const Finished child = run_program({"run", study_, "--out", out, "--dry-run"});
   EXPECT_EQ(child.status, 0) << child.err;
   for (const char* part : {"Convergence study small convergence", "(3 records)",
-                           "8: slope 0, 7 deg", "P = 1, 4, 16, 64", "96 by the published scheme"})
+                           "8: slope 0, 7 deg", "P = 1, 16, 64, 256", "96 by the published scheme"})
     EXPECT_THAT(child.out, HasSubstr(part));
   EXPECT_FALSE(fs::exists(out));
 }
@@ -134,7 +134,7 @@ TEST_F(Convergence, input_that_is_wrong_is_told_with_its_line_and_leaves_nothing
     expect_refused(run_program({"run", study, "--out", out}), {part});
     EXPECT_FALSE(fs::exists(out));
   };
-  told("[1, 4, 16, 64]", "[64]", "wrong.toml:12: convergence.substeps has one value");
+  told("[1, 16, 64, 256]", "[64]", "wrong.toml:12: convergence.substeps has one value");
   told("mu =", "mue =", "wrong.toml:10: convergence.mue is not a known key");
   told("\"level0_2\"", "\"level0_22\"", "suite.records names level0_22, which is not in");
 }

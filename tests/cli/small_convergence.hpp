@@ -18,7 +18,7 @@ records = ["level0_1", "level0_2", "level0_3"]
 slope_deg = [0, 7]
 mu = [0.1, 0.5]
 ppa_g = [0, 1.44]
-substeps = [1, 4, 16, 64]
+substeps = [1, 16, 64, 256]
 )";
 }
 
