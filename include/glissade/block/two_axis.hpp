@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "glissade/block/friction_law.hpp"
 #include "glissade/core/units.hpp"
 
 namespace glissade {
@@ -23,6 +24,7 @@ struct TwoAxisBlock {
   double azimuth_rad = 0.0;  ///< from the roof's first axis to where the surface falls, toward the
                              ///< second axis. On a flat roof it turns the axes of friction.
   double gravity_mps2 = standard_gravity_mps2;  ///< > 0
+  FrictionLaw law = {};                         ///< slide_two_axis(): Coulomb's only
 };
 
 /// Absolute acceleration of the roof along two horizontal axes at right angles, and up; piecewise

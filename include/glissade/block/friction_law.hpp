@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace glissade {
+
+/// How the coefficient of friction depends on what the block does: factors on every coefficient of
+/// the block, which are those of slow sliding (what a pull test measures).
+///   at rest    mu_static = static_ratio mu: the block stays where |tangential force| <= mu_static
+///   N sliding    mu(|v|) = mu (fast_ratio - (fast_ratio - 1) exp(-rate_spm |v|))
+/// The latter is mu_fast - (mu_fast - mu_slow) exp(-a |v|) (Constantinou, Mokha & Reinhorn 1990,
+/// J. Struct. Eng. 116(2):455-474) with mu_fast = fast_ratio mu_slow. By default Coulomb's law.
+struct FrictionLaw {
+  double static_ratio = 1.0;  ///< >= 1
+  double fast_ratio = 1.0;    ///< > 0
+  double rate_spm = 0.0;      ///< a, s/m along the slope, >= 0
+
+  bool depends_on_speed() const { return fast_ratio != 1.0 && rate_spm != 0.0; }
+  bool is_coulomb() const { return static_ratio == 1.0 && !depends_on_speed(); }
+};
+
+}  // namespace glissade
