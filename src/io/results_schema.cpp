@@ -27,11 +27,27 @@ void exchange_samples(const Archive& archive, Samples& samples) {
       [](auto& s) -> auto& { return s.damping; });
   column(
       archive, "component",
-      {"-", "horizontal component along the slope: 0 the first, 1 the second"}, samples,
-      [](auto& s) -> auto& { return s.component; });
+      {"-",
+       "horizontal component along the slope, of two axes along the building's first axis: 0 the "
+       "first, 1 the second"},
+      samples, [](auto& s) -> auto& { return s.component; });
   column(
       archive, "sign", {"-", "sign of that component: 1 or -1"}, samples,
       [](auto& s) -> auto& { return s.sign; });
+  column(
+      archive, "mass_ratio", {"-", "array mass over building mass"}, samples,
+      [](auto& s) -> auto& { return s.mass_ratio; });
+  column(
+      archive, "friction_across",
+      {"-", "two axes: coefficient of friction across the slope; 0 on one axis"}, samples,
+      [](auto& s) -> auto& { return s.friction_across; });
+  column(
+      archive, "azimuth_deg",
+      {"deg", "two axes: from the building's first axis to where the roof falls"}, samples,
+      [](auto& s) -> auto& { return s.azimuth_deg; });
+  column(
+      archive, "second_sign", {"-", "two axes: sign of the other component: 1 or -1"}, samples,
+      [](auto& s) -> auto& { return s.second_sign; });
 }
 
 template <class Archive, class Records>
@@ -191,6 +207,10 @@ void exchange_slip(const Archive& archive, Slip& rows) {
       archive, "tip_share",
       {"-", "share of histories in which the body begins to tip; nan: not asked for"}, rows,
       [](auto& s) -> auto& { return s.tip_share; });
+  column(
+      archive, "mean_vector_m",
+      {"m", "two axes: mean of the longest displacement vectors; nan: one axis"}, rows,
+      [](auto& s) -> auto& { return s.mean_vector_m; });
 }
 
 template <class Archive, class Comparisons>
@@ -212,6 +232,11 @@ void exchange_run(const Archive& archive, Run& run) {
         "peak displacement in plan, by (record, sample, level); inf: beyond the largest threshold, "
         "not run (stop_at_largest)"},
        run.peak_displacement_m);
+  cube(archive, "peak_vector_m",
+       {"m",
+        "two axes: longest displacement vector in plan, by (record, sample, level); empty: one "
+        "axis"},
+       run.peak_vector_m);
   cube(archive, "uplift", {"-", "1 where the array lifted off, by (record, sample, level)"},
        run.uplift);
   cube(archive, "tips",
@@ -248,6 +273,10 @@ void exchange_all(const Archive& archive, R& results) {
   archive.attribute("suite_name", results.suite_name);
   archive.attribute("suite_description", results.suite_description);
   archive.attribute("intensity_label", results.intensity_label);
+  archive.attribute("model_kernel", results.model.kernel);
+  archive.attribute("model_building", results.model.building);
+  archive.attribute("model_friction", results.model.friction);
+  archive.attribute("model_displacement", results.model.displacement);
   std::string measure;
   if constexpr (!Archive::reads)
     measure = name_of<IntensityMeasure>(measure_names(), results.measure);

@@ -8,19 +8,14 @@
 #include "chart_table.hpp"
 #include "distribution_table.hpp"
 #include "enum_names.hpp"
-#include "glissade/io/csv.hpp"
+#include "model_table.hpp"
 #include "number_list.hpp"
 #include "suite_choice.hpp"
 #include "target_table.hpp"
-#include "tested_friction.hpp"
 #include "toml_table.hpp"
 
 namespace glissade {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr NumberRule damping_ratio{"0 or more and below 1",
-                                   [](double x) { return x >= 0.0 && x < 1.0; }};
 
 /// `key` belongs to one measure only: there it is needed, elsewhere it contradicts.
 bool is_key_of(const TomlTable& table, const char* key, IntensityMeasure measure,
@@ -58,65 +53,7 @@ IntensityConfig read_intensity(const TomlTable& table, const NumberRule& level_r
   return intensity;
 }
 
-BuildingConfig read_building(const TomlTable& table) {
-  BuildingConfig building;
-  building.period_s = read_distribution(table, "period_s",
-                                        {0.0, infinity, Bounds::Top::closed, "0 (rigid) or more"})
-                          .value_or(building.period_s);
-  building.damping =
-      read_distribution(table, "damping",
-                        {0.0, 1.0, Bounds::Top::open, "a ratio, 0 or more and below 1"})
-          .value_or(building.damping);
-  if (const auto ratio = table.number("mass_ratio", not_negative); ratio && *ratio != 0.0) {
-    table.report("mass_ratio",
-                 "building.mass_ratio = " + shortest_decimal(*ratio) +
-                     " needs the coupled model, which studies do not have yet",
-                 "leave it out, or give 0: the array then does not act back on the building");
-  }
-  return building;
-}
-
-RoofConfig read_roof(const TomlTable& table) {
-  RoofConfig roof;
-  roof.slope_deg =
-      read_distribution(table, "slope_deg",
-                        {-89.9, 89.9, Bounds::Top::closed, "in degrees, -89.9 to 89.9"})
-          .value_or(roof.slope_deg);
-  return roof;
-}
-
-FrictionConfig read_friction(const TomlTable& table, const std::filesystem::path& study_file) {
-  FrictionConfig friction;
-  friction.design_run = table.flag("design_run").value_or(friction.design_run);
-  if (table.has("file")) {
-    read_tested_friction(table, study_file.parent_path(), friction);
-    return friction;
-  }
-  const bool has_moments = table.has("mean") || table.has("std");
-  if (table.has("mu")) {
-    if (has_moments)
-      table.report("mu", "friction.mu and friction.mean/std are both given",
-                   "give mu, or mean and std");
-    friction.mu = read_distribution(table, "mu", {0.0, 10.0, Bounds::Top::closed, "0 to 10"})
-                      .value_or(friction.mu);
-    table.number("mean");
-    table.number("std");
-    return friction;
-  }
-  if (!has_moments) {
-    table.report_missing("mean", "give mean and std, or mu, or a file of pull tests");
-    return friction;
-  }
-  const std::size_t problems_before = table.problem_count();
-  const double mean = table.required_number("mean", friction_rule);
-  const double std = table.number("std", not_negative).value_or(0.0);
-  if (table.problem_count() > problems_before) return friction;
-  friction.mu = std == 0.0 ? Distribution{Fixed{mean}}
-                           : Distribution{TruncatedNormal{mean, std, 0.0, infinity}};
-  return friction;
-}
-
-OrientationConfig read_orientation(const TomlTable& table) {
+OrientationConfig read_orientation(const TomlTable& table, SlidingAxes axes) {
   OrientationConfig orientation;
   orientation.component =
       table
@@ -129,6 +66,13 @@ OrientationConfig read_orientation(const TomlTable& table) {
                                                       {"negative", SignChoice::negative},
                                                       {"random", SignChoice::random}})
                          .value_or(orientation.sign);
+  orientation.second_sign =
+      table
+          .choice<SignChoice>("second_sign", {{"positive", SignChoice::positive},
+                                              {"negative", SignChoice::negative},
+                                              {"random", SignChoice::random}})
+          .value_or(orientation.second_sign);
+  needs_two_axes(table, "second_sign", axes);
   return orientation;
 }
 
@@ -234,15 +178,17 @@ StandardsConfig read_standards(const TomlTable& table, IntensityMeasure measure)
 /// Friction, slope and period are sampled, clearances are asked for.
 void read_samples(const TomlTable& root, StudyConfig& study) {
   study.intensity = read_intensity(root.required_table("intensity"), above_zero);
-  study.building = read_building(root.table("building"));
-  study.roof = read_roof(root.table("roof"));
-  study.friction = read_friction(root.required_table("friction"), study.file);
-  study.orientation = read_orientation(root.table("orientation"));
+  const SlidingAxes axes = study.model.axes;
+  study.building = read_building(root.table("building"), axes);
+  study.roof = read_roof(root.table("roof"), axes);
+  study.friction = read_friction(root.required_table("friction"), axes, study.file);
+  study.orientation = read_orientation(root.table("orientation"), axes);
   study.sampling = read_sampling(root.table("sampling"));
   const TomlTable clearance = root.required_table("clearance");
   if (clearance.exists()) {
     study.thresholds_m = read_increasing(clearance, "thresholds_m", above_zero);
     study.stop_at_largest_threshold = clearance.flag("stop_at_largest").value_or(false);
+    study.impact = clearance.flag("impact").value_or(false);
   }
   study.standards = read_standards(root.table("standards"), study.intensity.measure);
   if (study.stop_at_largest_threshold && !study.standards.compare.empty()) {
@@ -251,6 +197,12 @@ void read_samples(const TomlTable& root, StudyConfig& study) {
         "clearance.stop_at_largest = true leaves slip beyond the largest threshold unknown, which "
         "the comparison with standards needs",
         "leave it out, or leave [standards] out");
+  }
+  if (study.stop_at_largest_threshold && study.impact) {
+    clearance.report("impact",
+                     "clearance.impact needs every level, and clearance.stop_at_largest leaves "
+                     "levels out",
+                     "leave out one of them");
   }
 }
 
@@ -273,9 +225,11 @@ void read_grid(const TomlTable& root, StudyConfig& study) {
     building.report("period_s", "building.period_s does not go with [chart]",
                     "give chart.period_s, a list");
   }
-  study.building = read_building(building);
+  study.building = read_building(building, study.model.axes);
   if (!is_fixed(study.building.damping))
     building.report("damping", "a chart has one damping", "give a number");
+  if (!is_fixed(study.building.mass_ratio))
+    building.report("mass_ratio", "a chart has one mass ratio", "give a number");
   study.chart = read_chart(root.table("chart"), levels);
   study.orientation = read_chart_orientation(root.table("orientation"), *study.chart);
   study.friction.design_run = false;
@@ -298,6 +252,7 @@ StudyConfig read_study(const std::filesystem::path& file) {
   study.suite_file = chosen.file;
   study.records = chosen.records;
   study.vertical = read_vertical(root.table("vertical"));
+  study.model = read_model(root.table("model"));
   study.base = read_base(root.table("array"));
   if (root.has("chart")) {
     read_grid(root, study);

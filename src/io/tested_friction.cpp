@@ -19,11 +19,12 @@ std::string list_of(const std::vector<DirectionFriction>& directions) {
   return list;
 }
 
-/// The direction asked for, or the only one; null where there is none, which is reported.
-const DirectionFriction* direction_of(const TomlTable& table, const PullTestSummary& summary) {
-  const auto name = table.text("direction");
+/// The direction that `key` asks for, or the only one; null where there is none, which is reported.
+const DirectionFriction* direction_of(const TomlTable& table, const char* key,
+                                      const PullTestSummary& summary) {
+  const auto name = table.text(key);
   const auto& directions = summary.directions;
-  if (!name && table.has("direction")) return nullptr;
+  if (!name && table.has(key)) return nullptr;
   if (!name) {
     if (directions.size() == 1) return &directions.front();
     table.report("file", fmt::format("friction.file has tests in {} directions", directions.size()),
@@ -33,8 +34,7 @@ const DirectionFriction* direction_of(const TomlTable& table, const PullTestSumm
   const auto at = std::find_if(directions.begin(), directions.end(),
                                [&](const DirectionFriction& d) { return d.direction == *name; });
   if (at != directions.end()) return &*at;
-  table.report("direction",
-               fmt::format("friction.direction = \"{}\" is not in the pull tests", *name),
+  table.report(key, fmt::format("friction.{} = \"{}\" is not in the pull tests", key, *name),
                "they have " + list_of(directions));
   return nullptr;
 }
@@ -49,8 +49,8 @@ std::string note_on(const DirectionFriction& d, const std::string& file) {
   return note;
 }
 
-void take(const TomlTable& table, const DirectionFriction& d, const std::string& file,
-          FrictionConfig& friction) {
+/// How friction in a direction is distributed; nothing where too few tests tell, which is reported.
+std::optional<Distribution> distribution_in(const TomlTable& table, const DirectionFriction& d) {
   const MuStatistics& s = d.sliding;
   if (s.tests < 2) {
     table.report("file",
@@ -58,12 +58,23 @@ void take(const TomlTable& table, const DirectionFriction& d, const std::string&
                              "standard deviation",
                              d.direction),
                  "test more, or give mean and std");
-    return;
+    return std::nullopt;
   }
-  friction.mu = s.std == 0.0 ? Distribution{Fixed{s.mean}}
-                             : Distribution{TruncatedNormal{
-                                   s.mean, s.std, 0.0, std::numeric_limits<double>::infinity()}};
-  friction.note = note_on(d, file);
+  if (s.std == 0.0) return Fixed{s.mean};
+  return TruncatedNormal{s.mean, s.std, 0.0, std::numeric_limits<double>::infinity()};
+}
+
+void take(const TomlTable& table, const PullTestSummary& summary, const std::string& file,
+          FrictionConfig& friction) {
+  if (const DirectionFriction* d = direction_of(table, "direction", summary)) {
+    friction.mu = distribution_in(table, *d).value_or(friction.mu);
+    friction.note = note_on(*d, file);
+  }
+  if (!table.has("across_direction")) return;
+  if (const DirectionFriction* d = direction_of(table, "across_direction", summary)) {
+    friction.across = distribution_in(table, *d);
+    friction.note += "; across the slope: " + note_on(*d, file);
+  }
 }
 
 }  // namespace
@@ -71,7 +82,7 @@ void take(const TomlTable& table, const DirectionFriction& d, const std::string&
 void read_tested_friction(const TomlTable& table, const std::filesystem::path& folder,
                           FrictionConfig& friction) {
   const std::size_t problems_before = table.problem_count();
-  for (const char* key : {"mu", "mean", "std"}) {
+  for (const char* key : {"mu", "mean", "std", "across_mu", "across_mean", "across_std"}) {
     if (table.has(key)) {
       table.report(key, fmt::format("friction.file and friction.{} are both given", key),
                    "give the file of pull tests, or the friction itself");
@@ -85,7 +96,7 @@ void read_tested_friction(const TomlTable& table, const std::filesystem::path& f
   if (table.problem_count() > problems_before) return give_up();
   try {
     const PullTestSummary summary = summarise(read_pull_tests(folder / file), rule);
-    if (const DirectionFriction* d = direction_of(table, summary)) take(table, *d, file, friction);
+    take(table, summary, file, friction);
   } catch (const InputError& error) {
     table.report("file", error);
     give_up();

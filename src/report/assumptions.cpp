@@ -36,12 +36,36 @@ std::string building_text(const Results& results) {
   const std::vector<SamplePoint>& samples = results.samples;
   const Range<double> period = range_of(samples, &SamplePoint::period_s);
   if (period.max == 0.0) return "Rigid: the roof moves as the ground does.";
+  const bool yields = !results.model.building.empty();
+  const Range<double> mass = range_of(samples, &SamplePoint::mass_ratio);
   return fmt::format(
-      "A linear single-degree-of-freedom oscillator (no yielding, no higher modes) with {}"
-      "periods of {} and damping ratios of {}. "
-      "The array's mass is neglected: it does not change the building's motion.",
-      results.chart ? "" : "sampled ", range_text(period, " s"),
-      range_text(range_of(samples, &SamplePoint::damping), ""));
+      "A {}single-degree-of-freedom oscillator{} ({}no higher modes) with {}"
+      "periods of {} and damping ratios of {}. {}{}",
+      yields ? "" : "linear ", slides_on_two_axes(results) ? " along each horizontal axis" : "",
+      yields ? "" : "no yielding, ", results.chart ? "" : "sampled ", range_text(period, " s"),
+      range_text(range_of(samples, &SamplePoint::damping), ""), results.model.building,
+      mass.max == 0.0
+          ? "The array's mass is neglected: it does not change the building's motion."
+          : fmt::format("The array's mass acts back on it: array over building mass {}.",
+                        range_text(mass, "")));
+}
+
+std::string drawn_or_fixed(const Range<int>& sign) {
+  return sign.is_one_value() ? fmt::format("always {}", sign.min > 0 ? "positive" : "negative")
+                             : "drawn for each sample";
+}
+
+std::string two_axis_orientation_text(const Results& results) {
+  const std::vector<SamplePoint>& samples = results.samples;
+  const Range<int> component = range_of(samples, &SamplePoint::component);
+  return fmt::format(
+      "Both horizontal components act at once. The one along the building's first axis is {}; its "
+      "sign is {}, that of the other {}. The roof falls {} degrees from that axis.",
+      component.is_one_value() ? (component.min == 0 ? "the record's first" : "the record's second")
+                               : "drawn for each sample",
+      drawn_or_fixed(range_of(samples, &SamplePoint::sign)),
+      drawn_or_fixed(range_of(samples, &SamplePoint::second_sign)),
+      range_text(range_of(samples, &SamplePoint::azimuth_deg), ""));
 }
 
 std::string orientation_text(const std::vector<SamplePoint>& samples) {
@@ -74,9 +98,13 @@ std::string chart_orientation_text(const Results& results) {
   const bool both_ways = !range_of(results.samples, &SamplePoint::sign).is_one_value() ||
                          range_of(results.samples, &SamplePoint::slope_deg).min < 0.0;
   return fmt::format(
-      "One horizontal component acts along the slope; motion across the slope is not combined with "
-      "it. Each record counts once, with the largest slip of its orientations: {}, {} along the "
+      "{} Each record counts once, with the largest slip of its orientations: {}, {} along the "
       "slope.",
+      slides_on_two_axes(results)
+          ? "Both horizontal components act at once, along and across the slope."
+          : "One horizontal component acts along the slope; motion across the slope is not "
+            "combined "
+            "with it.",
       component.is_one_value()
           ? fmt::format("its {} component", component.min == 0 ? "first" : "second")
           : "both components in turn",
@@ -115,19 +143,24 @@ std::string roof_text(const Results& results) {
 
 std::vector<Assumption> assumptions_of(const Results& results) {
   std::vector<Assumption> all = {
+      {"Model", results.model.kernel + "."},
       {"Displacement",
        "In plan (measured horizontally), relative to the roof; the largest absolute value in the "
-       "history, not the one that remains at its end."},
+       "history, not the one that remains at its end. " +
+           results.model.displacement},
       {"Array",
        "A rigid block without attachment: no flexing of the array, no wind, no wiring or parapet "
        "that stops it."},
-      {"Friction",
-       "Coulomb: one coefficient for sticking and sliding, independent of speed, pressure and "
-       "wear. No bond that must first break."},
+      {"Friction", results.model.friction.empty()
+                       ? "Coulomb: one coefficient for sticking and sliding, independent of speed, "
+                         "pressure and "
+                         "wear. No bond that must first break."
+                       : results.model.friction + "It does not depend on pressure or wear."},
       {"Roof", roof_text(results)},
       {"Building", building_text(results)},
-      {"Orientation",
-       results.chart ? chart_orientation_text(results) : orientation_text(results.samples)},
+      {"Orientation", results.chart                 ? chart_orientation_text(results)
+                      : slides_on_two_axes(results) ? two_axis_orientation_text(results)
+                                                    : orientation_text(results.samples)},
       {"Vertical motion", vertical_text(results.records)},
       {"End of the record",
        "After its last sample the acceleration goes linearly to zero over one more interval and "

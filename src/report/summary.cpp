@@ -128,9 +128,10 @@ Table brief_standards_table(const Results& results, const RunResults& run) {
 }
 
 std::string fragility_summary(const Results& results) {
-  std::string text = fmt::format(
-      "{}: {} records x {} samples x {} levels, displacements in plan\n\n", results.study_name,
-      results.records.size(), results.samples.size(), results.levels.size());
+  std::string text =
+      fmt::format("{}: {} records x {} samples x {} levels, displacements in plan\nModel: {}\n\n",
+                  results.study_name, results.records.size(), results.samples.size(),
+                  results.levels.size(), results.model.kernel);
   text += to_text(fragility_summary_table(results));
   if (!results.runs.empty() && !results.runs.front().standards.empty()) {
     text += "\n" + to_text(brief_standards_table(results, results.runs.front()));

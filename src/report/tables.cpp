@@ -133,19 +133,23 @@ Table slip_table(const Results& results) {
                {"p84_slip", "m", "84th percentile, m (in) [95 %, m]", ColumnKind::length, true},
                {"p95_slip", "m", "95th percentile, m (in)", ColumnKind::length},
                {"mean_slip", "m", "Mean, m (in) [95 %, m]", ColumnKind::length, true},
+               {"mean_vector", "m", "Mean longest vector, m (in)", ColumnKind::length},
                {"uplift_share", "", "Uplift", ColumnKind::share},
                {"tip_share", "", "Begins to tip", ColumnKind::share}},
               {}};
-  bool tipping = false;  // asked for
+  bool tipping = false, two_axes = false;  // asked for
   for (const RunResults& run : results.runs) {
     for (const SlipStatistics& slip : run.slip) {
       tipping = tipping || !std::isnan(slip.tip_share);
+      two_axes = two_axes || !std::isnan(slip.mean_vector_m);
       table.add({run.label, slip.level, Estimate{slip.median_m, slip.median_interval},
                  Estimate{slip.p84_m, slip.p84_interval}, slip.p95_m,
-                 Estimate{slip.mean_m, slip.mean_interval}, slip.uplift_share, slip.tip_share});
+                 Estimate{slip.mean_m, slip.mean_interval}, slip.mean_vector_m, slip.uplift_share,
+                 slip.tip_share});
     }
   }
-  return tipping ? table : table.without("tip_share");
+  if (!tipping) table = table.without("tip_share");
+  return two_axes ? table : table.without("mean_vector");
 }
 
 Table standards_table(const Results& results) {
@@ -269,7 +273,8 @@ Table samples_table(const Results& results) {
   Table table{"samples",
               std::string("Sampled parameters. Friction is that of the sampled run; component 0 or "
                           "1 is the horizontal "
-                          "that acts along the slope, with the given sign. ") +
+                          "that acts along the slope (of two axes: along the building's first), "
+                          "with the given sign. ") +
                   in_plan,
               {{"sample", "", "Sample", ColumnKind::count},
                {"friction", "", "Friction", ColumnKind::number},
@@ -277,14 +282,20 @@ Table samples_table(const Results& results) {
                {"period", "s", "Period, s", ColumnKind::number},
                {"damping_ratio", "", "Damping ratio", ColumnKind::number},
                {"component", "", "Component", ColumnKind::count},
-               {"sign", "", "Sign", ColumnKind::count}},
+               {"sign", "", "Sign", ColumnKind::count},
+               {"mass_ratio", "", "Mass ratio", ColumnKind::number},
+               {"friction_across", "", "Friction across", ColumnKind::number},
+               {"azimuth", "deg", "Azimuth, deg", ColumnKind::number},
+               {"second_sign", "", "Sign of the other component", ColumnKind::count}},
               {}};
   for (std::size_t j = 0; j < results.samples.size(); ++j) {
     const SamplePoint& s = results.samples[j];
     table.add({static_cast<double>(j), s.friction, s.slope_deg, s.period_s, s.damping,
-               static_cast<double>(s.component), static_cast<double>(s.sign)});
+               static_cast<double>(s.component), static_cast<double>(s.sign), s.mass_ratio,
+               s.friction_across, s.azimuth_deg, static_cast<double>(s.second_sign)});
   }
-  return table;
+  if (slides_on_two_axes(results)) return table;
+  return table.without("friction_across").without("azimuth").without("second_sign");
 }
 
 std::vector<Table> csv_tables(const Results& results) {

@@ -134,6 +134,7 @@ std::vector<SamplePoint> chart_samples(const StudyConfig& config) {
   std::vector<SamplePoint> samples;
   SamplePoint s;
   s.damping = std::get<Fixed>(config.building.damping).value;
+  s.mass_ratio = std::get<Fixed>(config.building.mass_ratio).value;
   for (const double period : chart.period_s) {
     s.period_s = period;
     for (const int component : components_of(config.orientation.component)) {
@@ -144,6 +145,8 @@ std::vector<SamplePoint> chart_samples(const StudyConfig& config) {
           s.sign = sign;
           for (const double mu : chart.mu) {
             s.friction = mu;
+            // The other component's sign mirrors the history, and friction is round.
+            if (config.model.axes == SlidingAxes::two) s.friction_across = mu;
             samples.push_back(s);
           }
         }

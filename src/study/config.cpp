@@ -94,8 +94,8 @@ Moments stated_moments(const Distribution& distribution) {
 
 }  // namespace
 
-double design_friction(const FrictionConfig& friction) {
-  const Moments moments = stated_moments(friction.mu);
+double design_friction(const Distribution& mu) {
+  const Moments moments = stated_moments(mu);
   return std::max(0.0, moments.mean - 2.0 * moments.std);
 }
 

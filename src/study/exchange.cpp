@@ -63,7 +63,13 @@ std::vector<char> pack(const std::vector<UnitResult>& results) {
     out.put(c.integrated).put(c.searched).put(c.roofs);
     out.put(c.held).put(c.from_curve).put(c.beyond).put(c.decided);
     for (const UnitResult::Run& run : result.runs)
-      out.put(run.peak_displacement_m).put(run.uplift).put(run.tips).put(run.capacity);
+      out.put(run.peak_displacement_m)
+          .put(run.peak_vector_m)
+          .put(run.uplift)
+          .put(run.tips)
+          .put(run.capacity)
+          .put(run.crossing_time_s)
+          .put(run.crossing_speed_mps);
   }
   return out.take();
 }
@@ -81,7 +87,13 @@ std::vector<UnitResult> unpack_unit_results(const std::vector<char>& bytes) {
     in.get(c.held).get(c.from_curve).get(c.beyond).get(c.decided);
     result.runs.resize(runs);
     for (UnitResult::Run& run : result.runs)
-      in.get(run.peak_displacement_m).get(run.uplift).get(run.tips).get(run.capacity);
+      in.get(run.peak_displacement_m)
+          .get(run.peak_vector_m)
+          .get(run.uplift)
+          .get(run.tips)
+          .get(run.capacity)
+          .get(run.crossing_time_s)
+          .get(run.crossing_speed_mps);
   }
   return results;
 }

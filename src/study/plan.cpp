@@ -8,13 +8,13 @@
 #include <map>
 #include <tuple>
 
-#include "glissade/core/error.hpp"
 #include "glissade/core/hash.hpp"
 #include "glissade/core/units.hpp"
 #include "glissade/motion/intensity.hpp"
 #include "glissade/motion/suite_scaling.hpp"
 #include "glissade/study/chart.hpp"
 #include "keep_records.hpp"
+#include "plan_check.hpp"
 
 namespace glissade {
 namespace {
@@ -27,7 +27,11 @@ enum Dimension : std::uint32_t {
   period_dimension,
   damping_dimension,
   component_dimension,
-  sign_dimension
+  sign_dimension,
+  friction_across_dimension,
+  mass_ratio_dimension,
+  azimuth_dimension,
+  second_sign_dimension
 };
 
 constexpr std::uint64_t samples_per_unit = 16;  // large against a message, small against a run
@@ -59,18 +63,20 @@ std::vector<SamplePoint> draw_samples(const StudyConfig& config) {
         s.component = coin(component_dimension) ? 0 : 1;
         break;
     }
-    switch (config.orientation.sign) {
-      case SignChoice::positive:
-        s.sign = 1;
-        break;
-      case SignChoice::negative:
-        s.sign = -1;
-        break;
-      case SignChoice::random:
-      case SignChoice::both:
-        s.sign = coin(sign_dimension) ? 1 : -1;
-        break;
-    }
+    const auto sign = [&](SignChoice choice, Dimension dimension) {
+      if (choice == SignChoice::positive) return 1;
+      if (choice == SignChoice::negative) return -1;
+      return coin(dimension) ? 1 : -1;
+    };
+    s.sign = sign(config.orientation.sign, sign_dimension);
+    s.mass_ratio = std::clamp(draw(config.building.mass_ratio, mass_ratio_dimension), 0.0, 1.0);
+    if (config.model.axes == SlidingAxes::one) continue;
+    s.friction_across =
+        config.friction.across
+            ? std::max(0.0, draw(*config.friction.across, friction_across_dimension))
+            : s.friction;
+    s.azimuth_deg = draw(config.roof.azimuth_deg, azimuth_dimension);
+    s.second_sign = sign(config.orientation.second_sign, second_sign_dimension);
   }
   return samples;
 }
@@ -82,37 +88,55 @@ bool values_repeat(std::vector<double> values) {
   return 2 * values.size() <= count;
 }
 
-/// Numbers the distinct roofs (component, period, damping) in the order in which they come. A
-/// record's are kept where that saves roofs and takes no more memory than a hundred tables.
+/// Numbers the distinct roofs (component, period, damping, mass ratio) in the order in which they
+/// come. A record's are kept where that saves roofs and takes no more memory than a hundred tables.
 void number_buildings(Plan& plan) {
   constexpr std::size_t most_kept = 128;
-  std::map<std::tuple<int, double, double>, std::size_t> numbers;
+  std::map<std::tuple<int, double, double, double>, std::size_t> numbers;
   for (const SamplePoint& s : plan.samples) {
     plan.building.push_back(
-        numbers.try_emplace({s.component, s.period_s, s.damping}, numbers.size()).first->second);
+        numbers.try_emplace({s.component, s.period_s, s.damping, s.mass_ratio}, numbers.size())
+            .first->second);
   }
   plan.roofs_are_kept = numbers.size() <= most_kept &&
                         (numbers.size() <= 2 || 2 * numbers.size() <= plan.samples.size());
 }
 
+/// At mean - 2 std of every coefficient.
+FrictionRun design_run(const FrictionConfig& friction, std::size_t samples, SlidingAxes axes) {
+  const auto describe_one = [](const Distribution& mu) {
+    const double design = design_friction(mu);
+    return fmt::format("mean - 2 std = {:.4g}{}", design,
+                       design == 0.0 ? " (below zero: held at 0)" : "");
+  };
+  const double along = design_friction(friction.mu);
+  FrictionRun run{"design", "mu = " + describe_one(friction.mu),
+                  std::vector<double>(samples, along)};
+  if (axes == SlidingAxes::one) return run;
+  run.friction_across.assign(samples, friction.across ? design_friction(*friction.across) : along);
+  if (friction.across) run.description += "; across the slope " + describe_one(*friction.across);
+  return run;
+}
+
 std::vector<FrictionRun> friction_runs(const Plan& plan) {
   const FrictionConfig& friction = plan.config.friction;
+  const SlidingAxes axes = plan.config.model.axes;
   FrictionRun sampled{"sampled", "mu " + describe(friction.mu), {}};
+  if (friction.across) sampled.description += "; across the slope " + describe(*friction.across);
   if (plan.config.chart) {
     const std::vector<double>& mu = plan.config.chart->mu;
     sampled.label = "chart";
     sampled.description =
         fmt::format("mu {:g} to {:g}, {} values", mu.front(), mu.back(), mu.size());
   }
-  for (const SamplePoint& sample : plan.samples) sampled.friction.push_back(sample.friction);
-  std::vector<FrictionRun> runs{sampled};
-  if (friction.design_run && !is_fixed(friction.mu)) {
-    const double design = design_friction(friction);
-    runs.push_back({"design",
-                    fmt::format("mu = mean - 2 std = {:.4g}{}", design,
-                                design == 0.0 ? " (below zero: held at 0)" : ""),
-                    std::vector<double>(plan.samples.size(), design)});
+  for (const SamplePoint& sample : plan.samples) {
+    sampled.friction.push_back(sample.friction);
+    if (axes == SlidingAxes::two) sampled.friction_across.push_back(sample.friction_across);
   }
+  std::vector<FrictionRun> runs{sampled};
+  const bool uncertain = !is_fixed(friction.mu) || (friction.across && !is_fixed(*friction.across));
+  if (friction.design_run && uncertain)
+    runs.push_back(design_run(friction, plan.samples.size(), axes));
   for (FrictionRun& run : runs) run.repeats = values_repeat(run.friction);
   return runs;
 }
@@ -156,40 +180,6 @@ std::vector<double> factors_at_unit_level(const StudyConfig& config, const Suite
       break;
   }
   return factors;
-}
-
-void check(const StudyConfig& config, const Suite& suite) {
-  ProblemList problems;
-  const std::string where = config.suite_file.string();
-  if (suite.motions.empty())
-    problems.add({where, "the suite has no motions", "add at least one record", ""});
-  if (config.intensity.measure == IntensityMeasure::sds_g && !config.intensity.target &&
-      !suite.target) {
-    problems.add({config.file.string(),
-                  "measure = \"sds_g\" needs the shape of a design spectrum and neither study nor "
-                  "suite gives one",
-                  "add target = { edition = \"asce7_10\", ss_g = ..., s1_g = ..., site_class = "
-                  "\"D\" } to [intensity]",
-                  ""});
-  }
-  for (const Motion& motion : suite.motions) {
-    if (config.orientation.component == ComponentChoice::second &&
-        motion.horizontal_mps2[1].empty()) {
-      problems.add({where, "record " + motion.id + " has no second horizontal component",
-                    "set component = \"first\" or \"random\" in [orientation]", ""});
-    }
-    if (config.vertical.use == VerticalChoice::required && motion.vertical_mps2.empty()) {
-      problems.add({where,
-                    "record " + motion.id +
-                        " has no vertical component although [vertical] use = \"required\"",
-                    "set use = \"if_available\", or leave the record out", ""});
-    }
-    if (horizontal_pga_mps2(motion, HorizontalCombination::srss) == 0.0) {
-      problems.add(
-          {where, "record " + motion.id + " is zero throughout", "leave it out of the suite", ""});
-    }
-  }
-  problems.throw_if_any();
 }
 
 std::vector<std::string> notes_on(const StudyConfig& config, const Suite& suite) {
@@ -273,7 +263,7 @@ std::vector<Skip> skips_of(const StudyConfig& config, const Plan& plan) {
 
 std::string hash_of(const Plan& plan) {
   Hasher hasher;
-  hasher.text("glissade plan 3").text(plan.config.source_text).numbers(plan.factor_at_unit_level);
+  hasher.text("glissade plan 4").text(plan.config.source_text).numbers(plan.factor_at_unit_level);
   for (const Motion& motion : plan.suite.motions) {
     hasher.text(motion.id).number(motion.scale).number(motion.dt_s);
     for (const auto& component : motion.horizontal_mps2) hasher.numbers(component);
@@ -282,8 +272,10 @@ std::string hash_of(const Plan& plan) {
   for (const SamplePoint& s : plan.samples) {
     hasher.number(s.slope_deg).number(s.period_s).number(s.damping);
     hasher.number(static_cast<double>(s.component)).number(static_cast<double>(s.sign));
+    hasher.number(s.mass_ratio).number(s.azimuth_deg).number(static_cast<double>(s.second_sign));
   }
-  for (const FrictionRun& run : plan.runs) hasher.text(run.label).numbers(run.friction);
+  for (const FrictionRun& run : plan.runs)
+    hasher.text(run.label).numbers(run.friction).numbers(run.friction_across);
   return to_hex(hasher.value());
 }
 
@@ -291,15 +283,17 @@ std::string hash_of(const Plan& plan) {
 
 Plan make_plan(const StudyConfig& config, Suite suite) {
   keep_records({config.file, config.suite_file, config.records}, suite);
-  check(config, suite);
+  check_fit(config, suite);
   Plan plan;
   plan.config = config;
   plan.factor_at_unit_level = factors_at_unit_level(config, suite);
   plan.notes = notes_on(config, suite);
   plan.suite = std::move(suite);
+  plan.kernel = cheapest_exact_kernel(config);
   plan.samples = config.chart ? chart_samples(config) : draw_samples(config);
   number_buildings(plan);
   plan.runs = friction_runs(plan);
+  check_samples(plan);
   for (std::string& note : notes_on_standards(plan)) plan.notes.push_back(std::move(note));
   plan.skips = skips_of(config, plan);
   plan.hash = hash_of(plan);
@@ -314,53 +308,6 @@ Plan make_plan(const StudyConfig& config, Suite suite) {
 
 std::uint64_t Plan::histories() const {
   return suite.motions.size() * samples.size() * config.intensity.levels.size() * runs.size();
-}
-
-namespace {
-
-std::string drawn_by(const StudyConfig& config) {
-  return fmt::format(
-      " ({}), seed {}",
-      config.sampling.method == SamplingMethod::sobol ? "scrambled Sobol" : "Monte Carlo",
-      config.seed);
-}
-
-}  // namespace
-
-std::string to_string(const Plan& plan) {
-  const StudyConfig& c = plan.config;
-  std::string text = fmt::format(
-      "study       {} (plan {})\n"
-      "suite       {}: {} motions\n"
-      "intensity   {}: {} levels, {:g} to {:g}\n"
-      "samples     {}{}\n"
-      "runs        ",
-      c.name, plan.hash, plan.suite.name, plan.suite.motions.size(), intensity_label(c.intensity),
-      c.intensity.levels.size(), c.intensity.levels.front(), c.intensity.levels.back(),
-      plan.samples.size(), c.chart ? ", the chart's grid in every orientation" : drawn_by(c));
-  for (std::size_t i = 0; i < plan.runs.size(); ++i) {
-    text +=
-        fmt::format("{}{}: {}", i > 0 ? "; " : "", plan.runs[i].label, plan.runs[i].description);
-  }
-  text += c.chart ? fmt::format(
-                        "\nbuilding    period {:g} s, damping {}\n"
-                        "roof        slope {:g} deg\n"
-                        "work        {} histories in {} units\n",
-                        fmt::join(c.chart->period_s, ", "), describe(c.building.damping),
-                        fmt::join(c.chart->slope_deg, ", "), plan.histories(), plan.units.size())
-                  : fmt::format(
-                        "\nbuilding    period {} s, damping {}\n"
-                        "roof        slope {} deg\n"
-                        "thresholds  {:g} m\n"
-                        "work        {} histories in {} units, and the search for capacities on "
-                        "top\n",
-                        describe(c.building.period_s), describe(c.building.damping),
-                        describe(c.roof.slope_deg), fmt::join(c.thresholds_m, ", "),
-                        plan.histories(), plan.units.size());
-  for (const Skip& skip : plan.skips)
-    text += fmt::format("not run     {}: {}\n", skip.what, skip.why);
-  for (const std::string& note : plan.notes) text += fmt::format("note        {}\n", note);
-  return text;
 }
 
 }  // namespace glissade

@@ -11,6 +11,7 @@
 #include "glissade/core/units.hpp"
 #include "glissade/motion/intensity.hpp"
 #include "glissade/study/chart.hpp"
+#include "model_text.hpp"
 #include "pooled_level.hpp"
 
 #ifndef GLISSADE_VERSION
@@ -41,6 +42,11 @@ RunResults assemble(const Plan& plan, const std::vector<const UnitResult*>& unit
   results.peak_displacement_m = Array3<double>(records, samples, levels);
   results.uplift = Array3<std::uint8_t>(records, samples, levels);
   if (plan.config.base) results.tips = Array3<std::uint8_t>(records, samples, levels);
+  const bool two_axes = plan.config.model.axes == SlidingAxes::two;
+  if (two_axes) results.peak_vector_m = Array3<double>(records, samples, levels);
+  const std::size_t crossings = plan.config.impact ? levels * thresholds : 0;  // of a sample
+  results.crossing_time_s.resize(records * samples * crossings);
+  results.crossing_speed_mps.resize(records * samples * crossings);
   results.capacity = Array3<double>(records, samples, thresholds);
   for (const UnitResult* unit : units) {
     const WorkUnit& work = plan.units[unit->unit];
@@ -52,11 +58,21 @@ RunResults assemble(const Plan& plan, const std::vector<const UnitResult*>& unit
         results.uplift(work.record, work.first_sample + i, j) = part.uplift[i * levels + j];
         if (plan.config.base)
           results.tips(work.record, work.first_sample + i, j) = part.tips[i * levels + j];
+        if (two_axes) {
+          results.peak_vector_m(work.record, work.first_sample + i, j) =
+              part.peak_vector_m[i * levels + j];
+        }
       }
       for (std::size_t t = 0; t < thresholds; ++t) {
         results.capacity(work.record, work.first_sample + i, t) = part.capacity[i * thresholds + t];
       }
     }
+    const auto to =
+        static_cast<std::ptrdiff_t>((work.record * samples + work.first_sample) * crossings);
+    std::copy(part.crossing_time_s.begin(), part.crossing_time_s.end(),
+              results.crossing_time_s.begin() + to);
+    std::copy(part.crossing_speed_mps.begin(), part.crossing_speed_mps.end(),
+              results.crossing_speed_mps.begin() + to);
   }
   return results;
 }
@@ -143,14 +159,19 @@ ThresholdFragility fit_threshold(const Plan& plan, const RunResults& run, std::s
   return fragility;
 }
 
-/// Share of the histories at a level for which a flag is set; NaN where there are none.
-double share_at(const Array3<std::uint8_t>& flags, std::size_t level) {
-  double set = 0.0;
-  for (std::size_t record = 0; record < flags.rows; ++record) {
-    for (std::size_t sample = 0; sample < flags.columns; ++sample)
-      set += flags(record, sample, level);
+/// Over the histories at a level; NaN where there are none. Of flags: the share that is set.
+template <class T>
+double mean_at(const Array3<T>& values, std::size_t level) {
+  double sum = 0.0;
+  for (std::size_t record = 0; record < values.rows; ++record) {
+    for (std::size_t sample = 0; sample < values.columns; ++sample)
+      sum += values(record, sample, level);
   }
-  return set / static_cast<double>(flags.rows * flags.columns);
+  return sum / static_cast<double>(values.rows * values.columns);
+}
+
+double share_at(const Array3<std::uint8_t>& flags, std::size_t level) {
+  return mean_at(flags, level);
 }
 
 SlipStatistics statistics_of(const PooledLevel& pooled, const RunResults& run, std::size_t level,
@@ -166,6 +187,7 @@ SlipStatistics statistics_of(const PooledLevel& pooled, const RunResults& run, s
   s.p84_interval = pooled.quantile_interval(0.84, options);
   s.uplift_share = share_at(run.uplift, level);
   s.tip_share = share_at(run.tips, level);
+  s.mean_vector_m = mean_at(run.peak_vector_m, level);
   return s;
 }
 
@@ -382,6 +404,7 @@ Results reduce(const Plan& plan, const std::vector<UnitResult>& units) {
   results.intensity_label = intensity_label(plan.config.intensity);
   results.suite_name = plan.suite.name;
   results.suite_description = plan.suite.description;
+  results.model = model_text(plan);
   results.levels = plan.config.intensity.levels;
   results.thresholds_m = plan.config.thresholds_m;
   results.samples = plan.samples;

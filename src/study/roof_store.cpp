@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "glissade/block/tipping.hpp"
 #include "glissade/core/contract.hpp"
@@ -10,6 +11,19 @@
 #include "glissade/study/scene.hpp"
 
 namespace glissade {
+namespace {
+
+/// The oscillator that moves the roof along one of the building's axes while the block stays where
+/// it is: with the array's mass on it where the kernel counts that.
+Oscillator held_roof(const Plan& plan, const SamplePoint& sample, int axis) {
+  const double period_s =
+      axis == 0 ? sample.period_s : plan.config.building.period_ratio * sample.period_s;
+  const double mass = plan.kernel.kernel == Kernel::tables ? 1.0 : 1.0 + sample.mass_ratio;
+  return {period_s * std::sqrt(mass), sample.damping / std::sqrt(mass)};
+}
+
+}  // namespace
+
 RoofStore::RoofStore(const Plan& plan, Skipping skipping) : plan_(plan), skipping_(skipping) {
   for (std::uint64_t i = 0; i < plan.samples.size(); ++i) {
     every_sample_.push_back(i);
@@ -22,7 +36,9 @@ std::span<const SampleRoof> RoofStore::under(std::size_t record, std::uint64_t f
   GLISSADE_EXPECTS(sample_count <= most_at_once);
   if (record != record_ || skipping_ == Skipping::none) turn_to(record);
   roofs_.assign(sample_count, {});
-  if (plan_.roofs_are_kept) {
+  if (plan_.config.building.strength && plan_.kernel.kernel != Kernel::tables) {
+    for (SampleRoof& roof : roofs_) roof.factor_at_unit_level = plan_.factor_at_unit_level[record];
+  } else if (plan_.roofs_are_kept) {
     for (std::uint64_t i = 0; i < sample_count; ++i) roofs_[i] = kept(first_sample + i);
   } else {
     make(first_sample, roofs_);
@@ -90,7 +106,9 @@ RoofMotionOptions RoofStore::follow(std::span<const std::uint64_t> samples, doub
   std::vector<Block> blocks;
   for (const std::uint64_t i : samples) {
     for (const FrictionRun& run : plan_.runs) {
-      const Block block{.friction = run.friction[i],
+      const Block block{.friction = run.friction_across.empty()
+                                        ? run.friction[i]
+                                        : std::min(run.friction[i], run.friction_across[i]),
                         .slope_rad = plan_.samples[i].slope_deg * rad_per_deg};
       blocks.push_back(block);
       if (!plan_.config.base) continue;
@@ -98,7 +116,9 @@ RoofMotionOptions RoofStore::follow(std::span<const std::uint64_t> samples, doub
       if (rocking.friction < block.friction) blocks.push_back(rocking);
     }
   }
-  return follow_roof(blocks, plan_.config.intensity.levels.back() * factor);
+  // Of two axes each leaves room for the other: together they are below the limit.
+  const double both = plan_.config.model.axes == SlidingAxes::two ? std::numbers::sqrt2 : 1.0;
+  return follow_roof(blocks, both * plan_.config.intensity.levels.back() * factor);
 }
 
 SampleRoof& RoofStore::kept(std::uint64_t sample) {
@@ -129,49 +149,78 @@ void RoofStore::make(std::uint64_t first_sample, std::span<SampleRoof> roofs) {
   make(first_sample, options, roofs);
 }
 
+/// Into how many parts the vertical's oscillator asks a sample interval to be cut.
+int RoofStore::vertical_parts() {
+  const VerticalConfig& up = plan_.config.vertical;
+  if (vertical(1) == nullptr) return 1;
+  return std::max(1, parts_needed({up.period_s, up.damping}, plan_.suite.motions[record_].dt_s));
+}
+
+BuildingGround RoofStore::ground_under(std::uint64_t sample) {
+  const int parts = vertical_parts(), component = plan_.samples[sample].component;
+  BuildingGround result{{ground(component, parts), nullptr}, nullptr};
+  if (!plan_.suite.motions[record_].vertical_mps2.empty() &&
+      plan_.config.vertical.use != VerticalChoice::none)
+    result.vertical = vertical(parts);
+  if (plan_.config.model.axes == SlidingAxes::two)
+    result.horizontal[1] = ground(1 - component, parts);
+  return result;
+}
+
 /// Roofs of one component and step go through the oscillators' bank together.
 void RoofStore::make(std::uint64_t first_sample, std::span<const RoofMotionOptions> follow,
                      std::span<SampleRoof> roofs) {
   const double dt = plan_.suite.motions[record_].dt_s;
-  const VerticalConfig& up = plan_.config.vertical;
-  const bool both = vertical(1) != nullptr;
-  const int up_parts = both ? std::max(1, parts_needed({up.period_s, up.damping}, dt)) : 1;
-  while (pool_.size() < roofs.size()) pool_.push_back(nullptr);
+  const int up_parts = vertical_parts();
+  const int axes = plan_.config.model.axes == SlidingAxes::two ? 2 : 1;
+  while (pool_.size() < roofs.size() * 2) pool_.push_back(nullptr);
 
+  struct Member {
+    std::size_t roof;
+    int axis;
+  };
   struct Group {
-    std::vector<std::size_t> members;
+    std::vector<Member> members;
     std::vector<Oscillator> oscillators;
     std::vector<RoofMotionOptions> follow;
+  };
+  const auto table_of = [&](Member m) -> RoofTable& {
+    return m.axis == 0 ? roofs[m.roof].table : roofs[m.roof].second;
+  };
+  const auto pooled = [&](Member m) -> std::shared_ptr<MotionTable>& {
+    return pool_[2 * m.roof + static_cast<std::size_t>(m.axis)];
   };
   std::map<std::pair<int, int>, Group> groups;  // by component and parts
   for (std::size_t i = 0; i < roofs.size(); ++i) {
     const SamplePoint& sample = plan_.samples[first_sample + i];
-    const Oscillator oscillator{sample.period_s, sample.damping};
-    const int parts = parts_needed(oscillator, dt), used = std::max({1, parts, up_parts});
-    ++roofs_made_;
-    if (parts == 0) {
-      roofs[i].table = stand_on(
-          std::make_shared<MotionTable>(tabulate_rigid(ground(sample.component, used))), used);
-      continue;
+    for (int axis = 0; axis < axes; ++axis) {
+      const Oscillator oscillator = held_roof(plan_, sample, axis);
+      const int component = axis == 0 ? sample.component : 1 - sample.component;
+      const int parts = parts_needed(oscillator, dt), used = std::max({1, parts, up_parts});
+      ++roofs_made_;
+      if (parts == 0) {
+        table_of({i, axis}) =
+            stand_on(std::make_shared<MotionTable>(tabulate_rigid(ground(component, used))), used);
+        continue;
+      }
+      Group& group = groups[{component, used}];
+      group.members.push_back({i, axis});
+      group.oscillators.push_back(oscillator);
+      group.follow.push_back(follow[i]);
     }
-    Group& group = groups[{sample.component, used}];
-    group.members.push_back(i);
-    group.oscillators.push_back(oscillator);
-    group.follow.push_back(follow[i]);
   }
   for (const auto& [key, group] : groups) {
     const auto [component, parts] = key;
     std::vector<MotionTable> tables(group.members.size());
     for (std::size_t k = 0; k < tables.size(); ++k) {
-      std::shared_ptr<MotionTable>& table = pool_[group.members[k]];
+      std::shared_ptr<MotionTable>& table = pooled(group.members[k]);
       if (table && table.use_count() == 1) tables[k] = std::move(*table);  // its memory
     }
     tabulate_responses(ground(component, parts), group.oscillators, group.follow, tables);
     for (std::size_t k = 0; k < tables.size(); ++k) {
-      const std::size_t i = group.members[k];
       auto table = std::make_shared<MotionTable>(std::move(tables[k]));
-      roofs[i].table = stand_on(table, parts);
-      pool_[i] = std::move(table);
+      table_of(group.members[k]) = stand_on(table, parts);
+      pooled(group.members[k]) = std::move(table);
     }
   }
 }

@@ -33,4 +33,27 @@ RoofAcceleration felt_by(const Block& block, const RoofMotion& roof, const Motio
   return felt;
 }
 
+BuildingGround building_ground(const Motion& motion, const Oscillator& vertical,
+                               const RoofMotionOptions& follow) {
+  const int own_parts = motion.vertical_mps2.empty() ? 0 : parts_needed(vertical, motion.dt_s);
+  const int parts = std::max(1, own_parts);
+  const auto tabulated = [&](const std::vector<double>& component) {
+    return component.empty() ? nullptr
+                             : std::make_shared<GroundTable>(motion.dt_s, component, parts);
+  };
+  BuildingGround ground{
+      {tabulated(motion.horizontal_mps2[0]), tabulated(motion.horizontal_mps2[1])}, nullptr};
+  const std::shared_ptr<GroundTable> up = tabulated(motion.vertical_mps2);
+  if (!up) return ground;
+  const auto table = std::make_shared<MotionTable>();
+  if (own_parts == 0) {
+    *table = tabulate_rigid(up);
+  } else {
+    const RoofMotionOptions options = for_vertical(follow);
+    tabulate_responses(up, {&vertical, 1}, {&options, 1}, {table.get(), 1});
+  }
+  ground.vertical = table;
+  return ground;
+}
+
 }  // namespace glissade

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "glissade/block/friction_law.hpp"
 #include "glissade/block/tipping.hpp"
 #include "glissade/motion/design_spectrum.hpp"
 #include "glissade/sampling/distribution.hpp"
@@ -37,26 +38,59 @@ struct IntensityConfig {
   std::vector<double> avg_sa_periods_s;  ///< avg_sa_g only
 };
 
+/// Along how many horizontal axes the array may slide.
+enum class SlidingAxes { one, two };
+
+/// What the displacement of a history on two axes is.
+enum class DisplacementMeasure {
+  srss,   ///< SRSS of the two axes' separate maxima (Walters et al. 2012)
+  vector  ///< the longest displacement vector; never more than the SRSS
+};
+
+struct ModelConfig {
+  SlidingAxes axes = SlidingAxes::one;
+  DisplacementMeasure displacement = DisplacementMeasure::srss;  ///< of two axes
+};
+
+/// How strong a yielding building is: by one of the first two.
+struct StrengthConfig {
+  std::optional<double> response_modification;  ///< R >= 1: the yield force is the design
+                                                ///< spectrum's elastic demand at the building's
+                                                ///< period over R; needs a target spectrum
+  std::optional<double> yield_coefficient;      ///< > 0: yield force over the building's weight
+  double hardening_ratio = 0.0;                 ///< stiffness after yielding over before, [0, 1)
+};
+
 struct BuildingConfig {
-  Distribution period_s = Fixed{0.0};  ///< 0: rigid
-  Distribution damping = Fixed{0.05};  ///< ratio, [0, 1)
+  Distribution period_s = Fixed{0.0};    ///< 0: rigid
+  Distribution damping = Fixed{0.05};    ///< ratio, [0, 1)
+  Distribution mass_ratio = Fixed{0.0};  ///< the array's mass over the building's, [0, 1]
+  double period_ratio = 1.0;  ///< two axes: period along the building's second axis over that along
+                              ///< its first, > 0
+  std::optional<StrengthConfig> strength;  ///< none: it stays elastic
 };
 
 struct RoofConfig {
-  Distribution slope_deg = Fixed{0.0};  ///< [-89.9, 89.9]; in a study usually >= 0
+  Distribution slope_deg = Fixed{0.0};    ///< [-89.9, 89.9]; in a study usually >= 0
+  Distribution azimuth_deg = Fixed{0.0};  ///< two axes: from the building's first axis to where the
+                                          ///< roof falls, toward the second; [-360, 360]
 };
 
 struct FrictionConfig {
   Distribution mu = Fixed{0.5};  ///< >= 0; `mean`/`std` in the file become a normal truncated at 0
-  bool design_run = true;        ///< also run with mu = mean - 2 std (skipped where std = 0)
-  std::string note;              ///< where it comes from, if a reader must know: pull tests
+  std::optional<Distribution> across;  ///< two axes: across the slope; none: the same as along it
+  FrictionLaw law;
+  bool design_run = true;  ///< also run with mu = mean - 2 std (skipped where std = 0)
+  std::string note;        ///< where it comes from, if a reader must know: pull tests
 };
 
 enum class ComponentChoice { first, second, random, both };  ///< `random` by sample; `both`: charts
 enum class SignChoice { positive, negative, random, both };  ///< likewise
 struct OrientationConfig {
-  ComponentChoice component = ComponentChoice::random;  ///< which horizontal acts along the slope
-  SignChoice sign = SignChoice::random;
+  ComponentChoice component = ComponentChoice::random;  ///< which horizontal acts along the slope;
+                                                        ///< of two axes: along the building's first
+  SignChoice sign = SignChoice::random;                 ///< of that component
+  SignChoice second_sign = SignChoice::random;          ///< two axes: of the other
 };
 
 enum class VerticalChoice { none, if_available, required };
@@ -108,6 +142,7 @@ struct StudyConfig {
   std::filesystem::path suite_file;  ///< resolved against the study file's folder
   std::vector<std::string> records;  ///< ids of the suite's records to run; empty: all
   IntensityConfig intensity;
+  ModelConfig model;
   BuildingConfig building;
   RoofConfig roof;
   FrictionConfig friction;
@@ -118,6 +153,7 @@ struct StudyConfig {
   /// Levels above the one at which a history reaches the largest threshold are not run: slip there
   /// is told as infinite.
   bool stop_at_largest_threshold = false;
+  bool impact = false;  ///< when and how fast each threshold is first reached is kept too
   StandardsConfig standards;
   std::optional<RigidBase> base;     ///< of the array: asks for the tipping check
   std::optional<ChartConfig> chart;  ///< then friction, slope and period are its axes, and there
@@ -135,6 +171,6 @@ Prescription prescribed_displacement(Standard standard, double sds_g,
 std::string describe(const Distribution& distribution);
 
 /// The design coefficient of friction, mean - 2 std (Walters 2012), not below 0.
-double design_friction(const FrictionConfig& friction);
+double design_friction(const Distribution& mu);
 
 }  // namespace glissade

@@ -16,10 +16,14 @@ struct UnitResult {
   struct Run {
     std::vector<double> peak_displacement_m;  ///< sample-major, levels fastest; +inf: beyond the
                                               ///< largest threshold, not asked
+    std::vector<double> peak_vector_m;        ///< the same shape; two axes only
     std::vector<std::uint8_t> uplift;         ///< the same shape
     std::vector<std::uint8_t> tips;           ///< the same shape; empty where it is not asked for
     std::vector<double>
         capacity;  ///< sample-major, thresholds fastest; +inf not reached, 0 slides without shaking
+    /// First crossings by sample, level and threshold, the latter fastest; NaN: none. Empty where
+    /// they are not asked for.
+    std::vector<double> crossing_time_s, crossing_speed_mps;
   };
   std::vector<Run> runs;
   WorkCount count;

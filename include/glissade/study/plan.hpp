@@ -7,6 +7,7 @@
 
 #include "glissade/motion/motion.hpp"
 #include "glissade/study/config.hpp"
+#include "glissade/study/kernel.hpp"
 #include "glissade/study/results.hpp"
 #include "glissade/study/skip.hpp"
 
@@ -22,8 +23,9 @@ struct WorkUnit {
 struct FrictionRun {
   std::string label;  ///< "sampled", "design"
   std::string description;
-  std::vector<double> friction;  ///< per sample
-  bool repeats = false;          ///< values come again: half of them or fewer are different
+  std::vector<double> friction;         ///< per sample
+  std::vector<double> friction_across;  ///< per sample; of two axes
+  bool repeats = false;                 ///< values come again: half of them or fewer are different
 };
 
 /// A study worked out: what would be computed, in which slices, and nothing computed yet. Immutable
@@ -31,9 +33,10 @@ struct FrictionRun {
 struct Plan {
   StudyConfig config;
   Suite suite;
+  KernelChoice kernel;
   std::vector<SamplePoint> samples;
   std::vector<std::size_t> building;  ///< per sample: which of the distinct roofs (component,
-                                      ///< period, damping) of a record it is on
+                                      ///< period, damping, mass ratio) of a record it is on
   bool roofs_are_kept = false;        ///< so few of them that a record's are all kept
   std::vector<FrictionRun> runs;      ///< sampled first
   std::vector<double>

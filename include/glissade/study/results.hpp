@@ -34,8 +34,14 @@ struct SamplePoint {
   double slope_deg = 0.0;
   double period_s = 0.0;
   double damping = 0.0;
-  int component = 0;  ///< 0 or 1: which horizontal acts along the slope
-  int sign = 1;       ///< +1 or -1
+  int component = 0;  ///< 0 or 1: which horizontal acts along the slope (two axes: along the
+                      ///< building's first axis)
+  int sign = 1;       ///< +1 or -1, of that component
+  double mass_ratio = 0.0;
+  // Of two axes:
+  double friction_across = 0.0;
+  double azimuth_deg = 0.0;
+  int second_sign = 1;  ///< +1 or -1, of the other component
 };
 
 /// A lognormal fragility for one clearance threshold, with what it rests on.
@@ -59,7 +65,10 @@ struct SlipStatistics {
   double median_m = 0.0, p84_m = 0.0, p95_m = 0.0, mean_m = 0.0;
   Interval mean_interval, median_interval, p84_interval;  ///< 95 %, bootstrap over records
   double uplift_share = 0.0;
-  double tip_share = std::numeric_limits<double>::quiet_NaN();  ///< NaN: not asked for
+  double tip_share = std::numeric_limits<double>::quiet_NaN();      ///< NaN: not asked for
+  double mean_vector_m = std::numeric_limits<double>::quiet_NaN();  ///< mean of the longest
+                                                                    ///< displacement vectors; NaN:
+                                                                    ///< one axis
 };
 
 /// A prescriptive value beside what came out at one S_DS.
@@ -76,6 +85,8 @@ struct RunResults {
   std::string label;                   ///< "sampled", "design"
   std::string friction_description;    ///< "normal, mean 0.55, std 0.04", "mean - 2 std = 0.47"
   Array3<double> peak_displacement_m;  ///< (record, sample, level)
+  Array3<double> peak_vector_m;        ///< likewise: two axes, the longest displacement vector;
+                                       ///< empty on one
   Array3<std::uint8_t> uplift;         ///< (record, sample, level), 0 or 1
   Array3<std::uint8_t> tips;           ///< likewise; empty where the tipping check is not asked for
   Array3<double> capacity;  ///< (record, sample, threshold); +inf: not reached; 0: slides freely
@@ -83,6 +94,9 @@ struct RunResults {
   std::vector<double> band_intensities;
   std::vector<SlipStatistics> slip;           ///< by level
   std::vector<StandardComparison> standards;  ///< by (standard, level); empty unless sds_g
+  /// First crossings by (record, sample, level, threshold), the last fastest; NaN: none. Empty
+  /// where they are not asked for.
+  std::vector<double> crossing_time_s, crossing_speed_mps;
 };
 
 /// How far an array slides at one point of a chart, over the suite's records, in plan. A record
@@ -155,6 +169,14 @@ struct SuiteSpectra {
   double reference_level = 0.0;             ///< 0: as scaled in the suite file
 };
 
+/// What moved and what resisted, in sentences for a reader. Empty where there is nothing to tell.
+struct ModelText {
+  std::string kernel;        ///< what computed the histories
+  std::string building;      ///< how it yields
+  std::string friction;      ///< what differs from Coulomb's law
+  std::string displacement;  ///< of two axes: what a history's displacement is
+};
+
 /// Everything a study found, and nothing about when, where or on how many ranks.
 struct Results {
   std::string study_name, program_version, plan_hash, study_text;
@@ -162,6 +184,7 @@ struct Results {
   IntensityMeasure measure = IntensityMeasure::sds_g;
   std::string intensity_label;  ///< for axes: "S_DS (g)", "Sa(1.0 s) (g)" ...
   std::string suite_name, suite_description;
+  ModelText model;
   std::vector<double> levels, thresholds_m;
   std::vector<SamplePoint> samples;
   std::vector<RecordSummary> records;
@@ -172,5 +195,9 @@ struct Results {
   std::vector<std::string>
       notes;  ///< "5 of 22 records have no vertical: run with horizontals only"
 };
+
+inline bool slides_on_two_axes(const Results& results) {
+  return !results.runs.empty() && !results.runs.front().peak_vector_m.data.empty();
+}
 
 }  // namespace glissade

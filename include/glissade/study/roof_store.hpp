@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "glissade/block/on_building.hpp"
 #include "glissade/block/peak_slip.hpp"
 #include "glissade/building/roof_table.hpp"
 #include "glissade/study/plan.hpp"
@@ -19,9 +20,12 @@ namespace glissade {
 /// bits: for tests.
 enum class Skipping { all, none };
 
-/// The roof under one sample, and the factor on its motion at intensity 1.
+/// The roof under one sample as long as the block stays where it is (where the array's mass counts,
+/// it moves with the roof), and the factor on the motion at intensity 1. No roof is made where it
+/// would tell nothing: under a building that yields.
 struct SampleRoof {
-  RoofTable table;
+  RoofTable table;   ///< along the building's first axis, or the only one
+  RoofTable second;  ///< of two axes; shares the vertical
   double factor_at_unit_level = 0.0;
 };
 
@@ -42,6 +46,9 @@ class RoofStore {
   std::span<const SampleRoof> under(std::size_t record, std::uint64_t first_sample,
                                     std::uint64_t sample_count);
 
+  /// What moves the building under a sample of the record last asked for. Valid as `under` is.
+  BuildingGround ground_under(std::uint64_t sample);
+
   /// The curve that holds for a sample of the record last asked for, or null where none does or its
   /// points would not be met again.
   SlipCurve* curve(std::uint64_t sample, std::size_t run);
@@ -60,6 +67,7 @@ class RoofStore {
   void make(std::uint64_t first_sample, std::span<const RoofMotionOptions> follow,
             std::span<SampleRoof> roofs);
   RoofTable stand_on(std::shared_ptr<MotionTable> horizontal, int parts);
+  int vertical_parts();
 
   const Plan& plan_;
   Skipping skipping_;

@@ -3,9 +3,11 @@
 
 #include <span>
 
+#include "glissade/block/on_building.hpp"
 #include "glissade/block/peak_slip.hpp"
 #include "glissade/block/slide.hpp"
 #include "glissade/building/roof_motion.hpp"
+#include "glissade/motion/motion.hpp"
 
 namespace glissade {
 
@@ -19,5 +21,10 @@ RoofMotionOptions follow_roof(std::span<const Block> blocks, double largest_fact
 /// What a block feels of the roof: all of it, or for a free slider the part up to the record's last
 /// sample, where its displacement is told.
 RoofAcceleration felt_by(const Block& block, const RoofMotion& roof, const MotionFactors& factors);
+
+/// What moves a building under a motion: both horizontals, and the vertical through its own
+/// oscillator (period 0: unchanged), in steps short enough for that.
+BuildingGround building_ground(const Motion& motion, const Oscillator& vertical,
+                               const RoofMotionOptions& follow);
 
 }  // namespace glissade

@@ -175,7 +175,7 @@ TEST_F(StudyWithPullTests, takes_mean_and_deviation_over_the_tests) {
   EXPECT_NEAR(mu.std, 0.05, 1e-12);
   EXPECT_EQ(mu.min, 0.0);
   EXPECT_TRUE(std::isinf(mu.max));
-  EXPECT_NEAR(design_friction(study.friction), 0.45, 1e-12);
+  EXPECT_NEAR(design_friction(study.friction.mu), 0.45, 1e-12);
   EXPECT_TRUE(study.friction.design_run);
   EXPECT_THAT(study.friction.note,
               AllOf(HasSubstr("3 pull tests"), HasSubstr("along"), HasSubstr("tests.csv"),

@@ -26,6 +26,10 @@ const std::string clearance_part = "[clearance]\nthresholds_m = [0.15, 0.3]\n";
 const std::string needed =
     study_part + suite_part + intensity_part + friction_part + clearance_part;
 
+/// The same, open for more keys of [friction].
+const std::string friction_last =
+    study_part + suite_part + intensity_part + clearance_part + friction_part;
+
 class StudyFile : public testing::Test {
  protected:
   StudyFile() { folder_.write("suite.toml", ""); }
@@ -86,6 +90,43 @@ importance = 1.5
   EXPECT_THAT(study.standards.compare, ElementsAre(Standard::seaoc_pv1_2012, Standard::asce7_16));
   EXPECT_EQ(study.standards.category, SeismicDesignCategory::e);
   EXPECT_EQ(study.standards.importance, 1.5);
+}
+
+TEST_F(StudyFile, the_model_is_read) {
+  const StudyConfig study = read(friction_last + R"(across_mean = 0.45
+across_std = 0.02
+static_ratio = 1.1
+fast_ratio = 1.3
+rate_spm = 20
+[model]
+axes = 2
+displacement = "vector"
+[building]
+period_s = 0.5
+period_ratio = 1.5
+mass_ratio = { distribution = "uniform", min = 0.05, max = 0.1 }
+response_modification = 3
+hardening_ratio = 0.02
+[roof]
+azimuth_deg = 30
+[orientation]
+second_sign = "negative"
+)");
+  EXPECT_EQ(study.model.axes, SlidingAxes::two);
+  EXPECT_EQ(study.model.displacement, DisplacementMeasure::vector);
+  EXPECT_EQ(study.building.period_ratio, 1.5);
+  EXPECT_EQ(std::get<Uniform>(study.building.mass_ratio).max, 0.1);
+  ASSERT_TRUE(study.building.strength);
+  EXPECT_EQ(study.building.strength->response_modification, 3.0);
+  EXPECT_FALSE(study.building.strength->yield_coefficient);
+  EXPECT_EQ(study.building.strength->hardening_ratio, 0.02);
+  EXPECT_EQ(std::get<Fixed>(study.roof.azimuth_deg).value, 30.0);
+  ASSERT_TRUE(study.friction.across);
+  EXPECT_EQ(std::get<TruncatedNormal>(*study.friction.across).mean, 0.45);
+  EXPECT_EQ(study.friction.law.static_ratio, 1.1);
+  EXPECT_EQ(study.friction.law.fast_ratio, 1.3);
+  EXPECT_EQ(study.friction.law.rate_spm, 20.0);
+  EXPECT_EQ(study.orientation.second_sign, SignChoice::negative);
 }
 
 TEST_F(StudyFile, what_is_left_out_takes_the_defaults_of_the_configuration) {
@@ -237,7 +278,22 @@ TEST_F(StudyFile, contradictions_and_values_out_of_range_have_one_clear_message_
        "did you mean \"uniform\"?"},
       {needed + "[building]\nperiod_s = { distribution = \"uniform\", low = 1, max = 2 }\n",
        "building.period_s.min is missing"},
-      {needed + "[building]\nmass_ratio = 0.1\n", "coupled model"},
+      {needed + "[building]\nmass_ratio = -0.1\n", "building.mass_ratio is outside"},
+      {needed + "[building]\nmass_ratio = 1.5\n", "the array's mass over the building's, 0 to 1"},
+      {needed + "[building]\nresponse_modification = 0.5\n", "R divides the elastic demand"},
+      {needed + "[building]\nresponse_modification = 2\nyield_coefficient = 0.2\n",
+       "each tells how strong the building is"},
+      {needed + "[building]\nhardening_ratio = 0.05\n", "has no effect on a building that stays"},
+      {needed + "[building]\nperiod_ratio = 0.5\n", "goes with [model] axes = 2 only"},
+      {needed + "[roof]\nazimuth_deg = 45\n", "goes with [model] axes = 2 only"},
+      {friction_last + "across_mu = 0.4\n", "goes with [model] axes = 2 only"},
+      {needed + "[orientation]\nsecond_sign = \"positive\"\n", "goes with [model] axes = 2 only"},
+      {needed + "[model]\ndisplacement = \"vector\"\n", "goes with [model] axes = 2 only"},
+      {needed + "[model]\naxes = 3\n", "model.axes = 3"},
+      {friction_last + "across_mu = 0\n[model]\naxes = 2\n", "friction across the slope is zero"},
+      {friction_last + "static_ratio = 0.9\n", "static friction is not below sliding friction"},
+      {friction_last + "fast_ratio = 1.2\n", "one half of how friction depends on speed"},
+      {friction_last + "fast_ratio = 0\nrate_spm = 3\n", "friction.fast_ratio"},
       {needed + "[roof]\nslope_deg = { distribution = \"uniform\", min = 0, max = 90 }\n",
        "can take values outside"},
       {needed + "[vertical]\nuse = \"none\"\nperiod_s = 0.1\n", "no effect"},

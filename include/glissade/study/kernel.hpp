@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "glissade/study/config.hpp"
+
+namespace glissade {
+
+/// What computes the histories of a study.
+enum class Kernel {
+  tables,    ///< peak_slip(): the roof's motion is known before the block moves, one axis
+  coupled,   ///< coupled_slip(): the array's mass is felt by a linear building, one axis
+  yielding,  ///< slide_coupled(): the building yields, one axis
+  full       ///< slide_on_building(): two axes, any friction law, and all that the others have
+};
+
+/// A kernel and why a study needs no cheaper one.
+struct KernelChoice {
+  Kernel kernel = Kernel::tables;
+  std::string reason;  ///< "building.mass_ratio is above 0"
+};
+
+/// The cheapest kernel whose equations are exactly those the study asks for. All that it leaves out
+/// is absent from the study, so a dearer one would give the same slip.
+KernelChoice cheapest_exact_kernel(const StudyConfig& config);
+
+/// What the kernel is: "one axis, coupled: ..."
+std::string describe(Kernel kernel);
+
+}  // namespace glissade

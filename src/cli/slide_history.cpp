@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "slide_history.hpp"
+
+#include <limits>
+#include <numbers>
+
+#include "glissade/block/coupled.hpp"
+#include "glissade/block/rodriguez_nikl.hpp"
+#include "glissade/block/tipping.hpp"
+#include "glissade/core/error.hpp"
+#include "glissade/core/file.hpp"
+#include "glissade/io/csv.hpp"
+#include "glissade/study/scene.hpp"
+
+namespace glissade::cli {
+namespace {
+
+Block block_of(const SlideOptions& o) {
+  return {.friction = o.mu,
+          .slope_rad = o.slope_deg * rad_per_deg,
+          .directions = o.one_way ? SlipDirections::downslope_only : SlipDirections::both};
+}
+
+Yielding yielding_of(const SlideOptions& o) {
+  if (!o.yield_coefficient) return {};
+  return {*o.yield_coefficient * standard_gravity_mps2, o.hardening_ratio};
+}
+
+GroundMotion ground_of(const Motion& motion) {
+  return {motion.dt_s, motion.horizontal_mps2[0], motion.vertical_mps2};
+}
+
+class HistoryFile {
+ public:
+  explicit HistoryFile(const std::string& file) : file_(file) {}
+  void add(double time_s, double roof_acceleration_mps2, double displacement_m,
+           double velocity_mps) {
+    table_.cell(time_s)
+        .cell(roof_acceleration_mps2)
+        .cell(displacement_m)
+        .cell(velocity_mps)
+        .end_row();
+  }
+  void write() const {
+    write_text_file(file_,
+                    "# displacement and velocity of the block relative to the roof, in plan, "
+                    "downslope positive (flat roof: +x)\n" +
+                        table_.text());
+  }
+
+ private:
+  std::string file_;
+  CsvTable table_{{"time_s", "roof_acceleration_mps2", "displacement_m", "velocity_mps"}};
+};
+
+void write_history(const std::string& file, const RoofAcceleration& roof,
+                   const std::vector<SlipPoint>& history) {
+  HistoryFile table(file);
+  const std::size_t n = roof.horizontal_mps2.size();
+  const auto sample = [&](std::size_t k) {
+    return k < n ? roof.horizontal_factor * roof.horizontal_mps2[k] : 0.0;
+  };
+  for (const SlipPoint& point : history) {
+    const double position = point.time_s / roof.dt_s;
+    const std::size_t i = static_cast<std::size_t>(position);
+    const double share = position - static_cast<double>(i);
+    table.add(point.time_s, sample(i) + share * (sample(i + 1) - sample(i)), point.displacement_m,
+              point.velocity_mps);
+  }
+  table.write();
+}
+
+/// The factor on the record at which the body begins to rock on its base; infinity: never.
+double tipping_scale(const GroundMotion& ground, const Building& building, const Block& block,
+                     const RigidBase& base, double scale) {
+  const Block rocking = rocking_block(block, base);
+  if (block.friction <= rocking.friction) return std::numeric_limits<double>::infinity();
+  const auto followed_up_to = [&](double largest_scale) {
+    const RoofMotion roof =
+        roof_motion(ground, building, follow_roof({&rocking, 1}, largest_scale));
+    return tipping_onset_factor(
+        RoofAcceleration{roof.dt_s, roof.horizontal_mps2, roof.vertical_mps2}, block, base);
+  };
+  // At a larger scale than the roof was followed for, its ring-down may be what tips first.
+  const double found = followed_up_to(scale);
+  return found > scale && std::isfinite(found) ? followed_up_to(found) : found;
+}
+
+/// One axis; the roof's motion is known before the block moves.
+SlideHistory on_known_roof(const SlideOptions& o, const Motion& motion, double factor) {
+  const Block block = block_of(o);
+  const GroundMotion ground = ground_of(motion);
+  const Building building{{o.period_s, o.damping}, {o.vertical_period_s, o.vertical_damping}};
+  const RoofMotion roof_table = roof_motion(ground, building, follow_roof({&block, 1}, factor));
+  const RoofAcceleration roof = felt_by(block, roof_table, {factor, factor});
+
+  SlideHistory h;
+  if (o.method != "event") {
+    h.slip = slide_rodriguez_nikl(roof, block, o.substeps);
+  } else if (o.history.empty()) {
+    h.slip = slide(roof, block);
+  } else {
+    std::vector<SlipPoint> points;
+    h.slip = slide(roof, block, points);
+    if (std::isfinite(h.slip.residual_displacement_m)) write_history(o.history, roof, points);
+  }
+  if (o.clearance_m) slide(roof, block, {&*o.clearance_m, 1}, {&h.crossing.emplace(), 1});
+  h.ppa_g = factor * roof_table.peak_horizontal_mps2 / standard_gravity_mps2;
+  if (o.cm_height_m) {
+    h.tips_at = tipping_scale(ground, building, block, {*o.cm_height_m, *o.base_width_m}, factor);
+  }
+  return h;
+}
+
+/// One axis; the building feels the array, or yields.
+SlideHistory on_coupled_building(const SlideOptions& o, const Motion& motion, double factor) {
+  const Block block = block_of(o);
+  if (!coupling_is_regular(block, o.mass_ratio)) {
+    throw InputError({"--mass-ratio",
+                      "with this friction and slope the array locks against the roof it moves: the "
+                      "coupled equations have no solution",
+                      "give a smaller mass ratio, friction or slope", ""});
+  }
+  const CoupledBuilding building{{o.period_s, o.damping}, o.mass_ratio, yielding_of(o)};
+  const GroundMotion ground = ground_of(motion);
+  const MotionFactors factors{factor, factor};
+  std::vector<CoupledPoint> points;
+  const CoupledResult r = o.history.empty()
+                              ? slide_coupled(ground, factors, building, block)
+                              : slide_coupled(ground, factors, building, block, points);
+  if (!o.history.empty() && std::isfinite(r.slip.residual_displacement_m)) {
+    HistoryFile table(o.history);
+    for (const CoupledPoint& p : points)
+      table.add(p.time_s, p.roof_acceleration_mps2, p.displacement_m, p.velocity_mps);
+    table.write();
+  }
+  SlideHistory h;
+  h.slip = r.slip;
+  h.ppa_g = r.peak_roof_acceleration_mps2 / standard_gravity_mps2;
+  h.peak_base_shear = {r.peak_base_shear};
+  h.peak_roof_displacement_m = {r.peak_roof_displacement_m};
+  if (o.clearance_m) {
+    slide_coupled(ground, factors, building, block, {&*o.clearance_m, 1},
+                  {&h.crossing.emplace(), 1});
+  }
+  return h;
+}
+
+/// Two axes, or a law of friction that only the full model knows.
+SlideHistory in_full_model(const SlideOptions& o, const Motion& motion, double factor) {
+  const double turn = o.slope_deg < 0.0 ? std::numbers::pi : 0.0;
+  const TwoAxisBlock block{.friction = {o.mu, o.mu_across.value_or(o.mu)},
+                           .slope_rad = std::abs(o.slope_deg) * rad_per_deg,
+                           .azimuth_rad = o.azimuth_deg * rad_per_deg + turn,
+                           .law = o.law};
+  BiaxialBuilding building{.horizontal = {Oscillator{o.period_s, o.damping},
+                                          Oscillator{o.period_ratio * o.period_s, o.damping}},
+                           .yielding = {yielding_of(o), yielding_of(o)},
+                           .mass_ratio = o.mass_ratio};
+  const Block weakest{.friction = std::min(block.friction.along, block.friction.across),
+                      .slope_rad = block.slope_rad};
+  const BuildingGround ground = building_ground(motion, {o.vertical_period_s, o.vertical_damping},
+                                                follow_roof({&weakest, 1}, factor));
+  SlideHistory h;
+  const std::span<const double> thresholds =
+      o.clearance_m ? std::span<const double>(&*o.clearance_m, 1) : std::span<const double>();
+  const std::span<Crossing> crossings =
+      o.clearance_m ? std::span<Crossing>(&h.crossing.emplace(), 1) : std::span<Crossing>();
+  const BuildingSlip r =
+      slide_on_building(ground, {{factor, factor}, factor}, building, block, thresholds, crossings);
+  const TwoAxisResult& t = r.slip;
+  h.slip.peak_displacement_m = t.peak_displacement_m;
+  h.slip.residual_displacement_m = t.residual.along_m;
+  h.slip.peak_downslope_m = t.peak_downslope_m;
+  h.slip.peak_upslope_m = t.peak_upslope_m;
+  h.slip.peak_velocity_mps = t.peak_velocity_mps;
+  h.slip.slip_duration_s = t.slip_duration_s;
+  h.slip.slip_phases = t.slip_phases;
+  h.slip.uplift = t.uplift;
+  h.slip.free_sliding = t.free_sliding;
+  if (o.two_axes()) h.plane = t;
+  if (o.period_s > 0.0) {
+    const std::size_t axes = o.two_axes() ? 2 : 1;
+    h.peak_base_shear.assign(r.peak_base_shear.begin(), r.peak_base_shear.begin() + axes);
+    h.peak_roof_displacement_m.assign(r.peak_roof_displacement_m.begin(),
+                                      r.peak_roof_displacement_m.begin() + axes);
+  }
+  return h;
+}
+
+}  // namespace
+
+SlideHistory run_history(const SlideOptions& o, const Motion& motion, double factor) {
+  switch (kernel_for(o).kernel) {
+    case Kernel::tables:
+      return on_known_roof(o, motion, factor);
+    case Kernel::coupled:
+    case Kernel::yielding:
+      return on_coupled_building(o, motion, factor);
+    case Kernel::full:
+      break;
+  }
+  return in_full_model(o, motion, factor);
+}
+
+}  // namespace glissade::cli

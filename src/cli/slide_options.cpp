@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "slide_options.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <filesystem>
+
+#include "glissade/core/error.hpp"
+
+namespace glissade::cli {
+namespace {
+
+void require_number(ProblemList& problems, bool ok, const char* option, double value,
+                    const char* rule) {
+  if (!ok || !std::isfinite(value))
+    problems.add({option, fmt::format("{:g} {}", value, rule), "", ""});
+}
+
+/// What the model's extensions ask of themselves and each other.
+void check_model(const SlideOptions& o, ProblemList& problems) {
+  const auto require = [&](bool ok, const char* option, double value, const char* rule) {
+    require_number(problems, ok, option, value, rule);
+  };
+  require(o.mass_ratio >= 0.0 && o.mass_ratio <= 1.0, "--mass-ratio", o.mass_ratio,
+          "is not the array's mass over the building's: it must be from 0 to 1");
+  require(o.period_ratio > 0.0, "--period-ratio", o.period_ratio, "must be > 0");
+  require(std::abs(o.azimuth_deg) <= 360.0, "--azimuth-deg", o.azimuth_deg,
+          "must lie from -360 to 360");
+  if (o.mu_across) {
+    require(*o.mu_across > 0.0 && *o.mu_across <= 10.0, "--mu-across", *o.mu_across,
+            "is not an axis of a friction ellipse: it must be above 0, at most 10");
+  }
+  if (o.two_axes() && o.mu == 0.0) {
+    problems.add({"--mu", "0 leaves the friction ellipse without an axis",
+                  "on two axes give friction above 0", ""});
+  }
+  if (o.yield_coefficient)
+    require(*o.yield_coefficient > 0.0, "--yield-coefficient", *o.yield_coefficient, "must be > 0");
+  require(o.hardening_ratio >= 0.0 && o.hardening_ratio < 1.0, "--hardening-ratio",
+          o.hardening_ratio, "must be a ratio in [0, 1)");
+  require(o.vertical_period_s >= 0.0, "--vertical-period-s", o.vertical_period_s, "must be >= 0");
+  require(o.vertical_damping >= 0.0 && o.vertical_damping < 1.0, "--vertical-damping",
+          o.vertical_damping, "must be a ratio in [0, 1)");
+  require(o.law.static_ratio >= 1.0, "--static-ratio", o.law.static_ratio,
+          "must be >= 1: static friction is not below sliding friction");
+  require(o.law.fast_ratio > 0.0, "--fast-ratio", o.law.fast_ratio, "must be > 0");
+  require(o.law.rate_spm >= 0.0, "--rate-spm", o.law.rate_spm, "must be >= 0");
+
+  const auto needs = [&](bool given, const char* option, bool met, const char* what) {
+    if (given && !met) problems.add({option, what, "leave it out, or give the other", ""});
+  };
+  needs(o.azimuth_deg != 0.0, "--azimuth-deg", o.two_axes(), "goes with --second only");
+  needs(o.period_ratio != 1.0, "--period-ratio", o.two_axes(), "goes with --second only");
+  needs(o.mu_across.has_value(), "--mu-across", o.two_axes(), "goes with --second only");
+  needs(o.hardening_ratio != 0.0, "--hardening-ratio", o.yield_coefficient.has_value(),
+        "goes with --yield-coefficient only");
+  needs(o.vertical_period_s != 0.0, "--vertical-period-s", !o.vertical.empty(),
+        "goes with --vertical only");
+  needs(o.yield_coefficient.has_value(), "--yield-coefficient", o.period_s > 0.0,
+        "needs a building: --period-s above 0");
+
+  const KernelChoice choice = kernel_for(o);
+  if (choice.kernel == Kernel::tables) return;
+  const auto refuse = [&](bool given, const char* option) {
+    if (given) {
+      problems.add({option,
+                    "goes with one axis, Coulomb friction and a linear building that does "
+                    "not feel the array only: " +
+                        choice.reason,
+                    "leave it out", ""});
+    }
+  };
+  refuse(o.method != "event", "--method");
+  refuse(o.cm_height_m.has_value(), "--centre-of-mass-height-m");
+  if (choice.kernel == Kernel::full) {
+    refuse(!o.history.empty(), "--history");
+    refuse(o.one_way, "--one-way");
+  }
+}
+
+}  // namespace
+
+KernelChoice kernel_for(const SlideOptions& o) {
+  StudyConfig config;
+  if (o.two_axes()) config.model.axes = SlidingAxes::two;
+  config.friction.law = o.law;
+  config.building.period_s = Fixed{o.period_s};
+  config.building.mass_ratio = Fixed{o.mass_ratio};
+  if (o.yield_coefficient) config.building.strength.emplace();
+  config.vertical.use = o.vertical.empty() ? VerticalChoice::none : VerticalChoice::required;
+  config.vertical.period_s = o.vertical_period_s;
+  return cheapest_exact_kernel(config);
+}
+
+void check(const SlideOptions& o) {
+  ProblemList problems;
+  const auto require = [&](bool ok, const char* option, double value, const char* rule) {
+    require_number(problems, ok, option, value, rule);
+  };
+  require(o.mu >= 0.0 && o.mu <= 10.0, "--mu", o.mu,
+          "is not a coefficient of friction: it must be from 0 to 10");
+  require(std::abs(o.slope_deg) < 90.0, "--slope-deg", o.slope_deg,
+          "is not a roof: it must lie between -90 and 90");
+  require(o.period_s >= 0.0, "--period-s", o.period_s, "must be >= 0 (0: rigid building)");
+  require(o.damping >= 0.0 && o.damping < 1.0, "--damping", o.damping, "must be a ratio in [0, 1)");
+  if (o.scale) require(*o.scale > 0.0, "--scale", *o.scale, "must be > 0");
+  if (o.pga_g) require(*o.pga_g > 0.0, "--pga-g", *o.pga_g, "must be > 0");
+  if (o.dt_s) require(*o.dt_s > 0.0, "--dt-s", *o.dt_s, "must be > 0");
+  if (o.cm_height_m)
+    require(*o.cm_height_m > 0.0, "--centre-of-mass-height-m", *o.cm_height_m, "must be > 0");
+  if (o.base_width_m)
+    require(*o.base_width_m > 0.0, "--base-width-m", *o.base_width_m, "must be > 0");
+  if (o.cm_height_m.has_value() != o.base_width_m.has_value()) {
+    problems.add({o.cm_height_m ? "--centre-of-mass-height-m" : "--base-width-m",
+                  "is one half of what the tipping check needs",
+                  o.cm_height_m ? "give --base-width-m too" : "give --centre-of-mass-height-m too",
+                  ""});
+  }
+  if (o.clearance_m) require(*o.clearance_m > 0.0, "--clearance-m", *o.clearance_m, "must be > 0");
+  require(o.substeps >= 1, "--substeps", o.substeps, "must be at least 1");
+  if (o.method != "event" && o.method != "rodriguez-nikl") {
+    problems.add({"--method", o.method + " is not a method", "give event or rodriguez-nikl", ""});
+  }
+  if (!o.history.empty() && o.method != "event") {
+    problems.add({"--history", "is written by the event method only", "leave out --method", ""});
+  }
+  if (o.history == "/dev/stdout") {
+    problems.add({"--history", "/dev/stdout is where the result is printed", "give a file", ""});
+  }
+  if (std::filesystem::is_regular_file(o.history)) {
+    problems.add({"--history", o.history + " is there already and is not written over",
+                  "give a new file", ""});
+  }
+  check_model(o, problems);
+  problems.throw_if_any();
+}
+
+void add_options(CLI::App& command, SlideOptions& o) {
+  command
+      .add_option(
+          "record", o.record,
+          "horizontal acceleration along the slope: PEER AT2, or text of one or two columns")
+      ->required();
+  command.add_option("--vertical", o.vertical, "vertical acceleration, up positive");
+  command.add_option("--second", o.second,
+                     "second horizontal component, a quarter turn on: the array slides along two "
+                     "axes");
+  command.add_option("--mu", o.mu, "coefficient of friction")->required();
+  command
+      .add_option("--slope-deg", o.slope_deg, "roof slope; positive: the surface falls toward +x")
+      ->required();
+  CLI::Option* scale = command.add_option("--scale", o.scale, "factor on all components [1]");
+  command.add_option("--pga-g", o.pga_g, "scale so that the horizontal peaks at this")
+      ->excludes(scale);
+  command.add_option("--period-s", o.period_s, "building period; 0: rigid");
+  command.add_option("--damping", o.damping, "building damping ratio");
+  command.add_option("--period-ratio", o.period_ratio,
+                     "with --second: building period along the second axis over the first [1]");
+  command.add_option("--mass-ratio", o.mass_ratio,
+                     "array mass over building mass: the building feels the array [0]");
+  command.add_option("--yield-coefficient", o.yield_coefficient,
+                     "the building yields: yield force over its weight");
+  command.add_option("--hardening-ratio", o.hardening_ratio,
+                     "stiffness after yielding over before [0]");
+  command.add_option("--vertical-period-s", o.vertical_period_s,
+                     "period of the roof's vertical motion; 0: rigid [0]");
+  command.add_option("--vertical-damping", o.vertical_damping, "its damping ratio [0.05]");
+  command.add_option("--azimuth-deg", o.azimuth_deg,
+                     "with --second: from the first component to where the roof falls, toward the "
+                     "second [0]");
+  command.add_option("--mu-across", o.mu_across,
+                     "with --second: coefficient of friction across the slope [as --mu]");
+  command.add_option("--static-ratio", o.law.static_ratio,
+                     "friction at rest over sliding friction [1]");
+  command.add_option("--fast-ratio", o.law.fast_ratio,
+                     "friction of fast over slow sliding; --mu is the slow one [1]");
+  command.add_option("--rate-spm", o.law.rate_spm,
+                     "rate a of mu_fast - (mu_fast - mu_slow) exp(-a speed), s/m");
+  command.add_option("--clearance-m", o.clearance_m,
+                     "tells when and how fast the array first gets this far");
+  command.add_option("--centre-of-mass-height-m", o.cm_height_m,
+                     "height of the centre of mass above the roof: checks for tipping");
+  command.add_option("--base-width-m", o.base_width_m,
+                     "width of the base along the slope, the centre of mass midway");
+  command.add_option("--method", o.method,
+                     "event (exact) or rodriguez-nikl (published time stepping)");
+  command.add_option("--substeps", o.substeps, "substeps P of rodriguez-nikl");
+  command.add_flag("--one-way", o.one_way, "no upslope slip (classical Newmark)");
+  command.add_option("--dt-s", o.dt_s,
+                     "time step of files that do not tell it; overrides an AT2 header");
+  command.add_option("--units", o.units, "units of text files: g, m/s2, cm/s2 [g]");
+  command.add_option("--history", o.history, "write the slip history to this CSV file");
+  command.add_flag("--json", o.json, "print one JSON object");
+}
+
+}  // namespace glissade::cli

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
+
+#include "glissade/study/kernel.hpp"
+
+namespace glissade::cli {
+
+/// What `glissade slide` is told.
+struct SlideOptions {
+  std::string record, vertical, second, units, method = "event", history;
+  double mu = 0.0, slope_deg = 0.0, period_s = 0.0, damping = 0.05, mass_ratio = 0.0;
+  std::optional<double> scale, pga_g, dt_s, cm_height_m, base_width_m, clearance_m;
+  int substeps = 64;
+  bool one_way = false, json = false;
+  // The model's extensions.
+  std::optional<double> mu_across, yield_coefficient;
+  double azimuth_deg = 0.0, period_ratio = 1.0, hardening_ratio = 0.0;
+  double vertical_period_s = 0.0, vertical_damping = 0.05;
+  FrictionLaw law;
+
+  bool two_axes() const { return !second.empty(); }
+};
+
+void add_options(CLI::App& command, SlideOptions& options);
+
+/// Throws InputError with everything in which the options break a rule or each other.
+void check(const SlideOptions& options);
+
+/// The cheapest kernel that is exact for what is asked.
+KernelChoice kernel_for(const SlideOptions& options);
+
+}  // namespace glissade::cli

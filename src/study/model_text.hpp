@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "glissade/study/plan.hpp"
+
+namespace glissade {
+
+ModelText model_text(const Plan& plan);
+
+}  // namespace glissade
