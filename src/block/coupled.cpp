@@ -66,19 +66,26 @@ void ring_down(CoupledBody& body, const Ground& ground, std::size_t quiet, const
       rigid ? 0.0 : building.horizontal.period_s * std::sqrt(1.0 + building.mass_ratio);
   const std::size_t last = quiet + block_detail::longest_ring_down(ground.dt_s());
   double at_rest_s = 0.0;
+  const auto settled = [&] { return !body.sliding() && !body.may_yield(); };
   for (std::size_t i = quiet;;) {
-    if (!body.sliding() && at_rest_s >= period_s &&
+    if (settled() && at_rest_s >= period_s &&
         cannot_slip(block, body.largest_acceleration_to_come_mps2(), 0.0))
       return;
     if (!rigid && i == last) return body.coast();
     walk_interval(body, ground, ++i, cut.pieces);
-    at_rest_s = body.sliding() ? 0.0 : at_rest_s + ground.dt_s();
+    at_rest_s = settled() ? at_rest_s + ground.dt_s() : 0.0;
   }
 }
 
+/// What is wanted besides the result.
+struct Watch {
+  CoupledBody::History history;
+  std::span<const double> thresholds_m;
+  std::span<Crossing> crossings;
+};
+
 CoupledResult slide_with(const GroundMotion& motion, const MotionFactors& factors,
-                         const CoupledBuilding& building, const Block& block,
-                         CoupledBody::History history) {
+                         const CoupledBuilding& building, const Block& block, const Watch& watch) {
   GLISSADE_EXPECTS(motion.dt_s > 0.0 && !motion.horizontal_mps2.empty());
   GLISSADE_EXPECTS(motion.vertical_mps2.empty() ||
                    motion.vertical_mps2.size() == motion.horizontal_mps2.size());
@@ -91,7 +98,13 @@ CoupledResult slide_with(const GroundMotion& motion, const MotionFactors& factor
   const CoupledContact contact(block, std::abs(block.slope_rad), building.mass_ratio);
   const Ground ground(motion, factors, mirror);
   const Cut cut_building = block_detail::cut(building.horizontal, contact, motion.dt_s);
-  CoupledBody body(contact, cut_building.frame, block, CoupledBody::Keeps::all, std::move(history));
+  const Yielding& spring = building.yielding;
+  GLISSADE_EXPECTS(!spring.yields() || !cut_building.frame.rigid());
+  GLISSADE_EXPECTS(spring.yield_acceleration_mps2 > 0.0);
+  GLISSADE_EXPECTS(spring.hardening_ratio >= 0.0 && spring.hardening_ratio < 1.0);
+  CoupledBody body(contact, cut_building.frame, block, CoupledBody::Keeps::all, spring);
+  body.keep(watch.history);
+  body.crossings() = {watch.thresholds_m, watch.crossings, contact.cos_slope()};
 
   const std::size_t n =
       contact.slides_at_rest() ? ground.samples() : ground.samples_without_trailing_zeros();
@@ -99,6 +112,7 @@ CoupledResult slide_with(const GroundMotion& motion, const MotionFactors& factor
   if (!contact.slides_at_rest()) walk_interval(body, ground, n, cut_building.pieces);
   if (contact.stops_at_rest()) ring_down(body, ground, n, cut_building, building, block);
   CoupledResult result = body.result();
+  result.residual_roof_displacement_m *= mirror;
   result.slip.free_sliding = contact.slides_at_rest() || body.sliding();
   return result;
 }
@@ -117,14 +131,22 @@ CoupledResult slide_coupled(const GroundMotion& ground, const MotionFactors& fac
 
 CoupledResult slide_coupled(const GroundMotion& ground, const MotionFactors& factors,
                             const CoupledBuilding& building, const Block& block,
+                            std::span<const double> thresholds_m, std::span<Crossing> crossings) {
+  return slide_with(ground, factors, building, block, {{}, thresholds_m, crossings});
+}
+
+CoupledResult slide_coupled(const GroundMotion& ground, const MotionFactors& factors,
+                            const CoupledBuilding& building, const Block& block,
                             std::vector<CoupledPoint>& history) {
   const double mirror = block.slope_rad < 0.0 ? -1.0 : 1.0;
   history.assign(1, CoupledPoint{});
-  return slide_with(ground, factors, building, block, [&](CoupledPoint point) {
+  const auto keep = [&](CoupledPoint point) {
     point.roof_displacement_m *= mirror;
     point.roof_acceleration_mps2 *= mirror;
+    point.spring_acceleration_mps2 *= mirror;
     history.push_back(point);
-  });
+  };
+  return slide_with(ground, factors, building, block, {keep, {}, {}});
 }
 
 }  // namespace glissade

@@ -3,20 +3,17 @@
 
 #include <algorithm>
 #include <stdexcept>
-#include <utility>
-
-#include "glissade/core/oscillator.hpp"
 
 namespace glissade::block_detail {
 
 CoupledBody::CoupledBody(const CoupledContact& contact, const Frame& frame, const Block& block,
-                         Keeps keeps, History history)
+                         Keeps keeps, const Yielding& yielding)
     : contact_(contact),
       frame_(frame),
       block_(block),
       keeps_(keeps),
-      history_(std::move(history)),
-      energy_(frame, contact) {}
+      energy_(frame, contact),
+      spring_(yielding) {}
 
 Mode CoupledBody::mode() const {
   if (direction_ == 0) return contact_.stuck();
@@ -75,6 +72,12 @@ CoupledBody::NextEvent CoupledBody::first_event(const RoofMotionSeries& roof,
     next.sooner(Event::stops, first_fall(slip.speed));
   }
   next.sooner(Event::lifts_or_lands, contact_share(roof, a_swing));
+  if (spring_.yielding()) {
+    next.sooner(Event::unloads, spring_.unload_share(roof.y));
+  } else if (spring_.yields()) {
+    next.sooner(Event::yields_up, spring_.yield_share(roof.x, +1));
+    next.sooner(Event::yields_down, spring_.yield_share(roof.x, -1));
+  }
   return next;
 }
 
@@ -85,10 +88,10 @@ void CoupledBody::advance(GroundPiece ground, double end_time_s) {
   for (int events = 0; events < 64; ++events) {
     const Mode now = mode();
     const RoofMotionSeries roof =
-        roof_motion_series(frame_, now, contact_.gravity(), roof_, ground);
+        roof_motion_series(frame_, now, contact_.gravity(), roof_, spring_.line(roof_.x), ground);
     const SlipSeries slip = slip_series(now, roof, ground.length_s);
     const NextEvent next = first_event(roof, slip);
-    pass(ground, roof, slip, next.share);
+    pass(ground, roof, slip, next);
     ground.cut(next.share);
     if (next.event == Event::none) {
       time_ = piece_end_;
@@ -102,7 +105,8 @@ void CoupledBody::advance(GroundPiece ground, double end_time_s) {
 }
 
 void CoupledBody::pass(const GroundPiece& ground, const RoofMotionSeries& roof,
-                       const SlipSeries& slip, double share) {
+                       const SlipSeries& slip, const NextEvent& next) {
+  const double share = next.share;
   const auto raise = [share](double& peak, const Series& of) {
     if (of.bound() > peak) peak = std::max(peak, largest(of, share));
   };
@@ -117,15 +121,31 @@ void CoupledBody::pass(const GroundPiece& ground, const RoofMotionSeries& roof,
     double& peak = result_.slip.peak_velocity_mps;
     if (keeps_ == Keeps::all && slip.speed.bound() > peak)
       peak = std::max(peak, highest(slip.speed, share));
+    const double begin = slip_;
     slip_ += direction_ * std::max(slip.speed.integral(ground.length_s, 0.0).at(share), 0.0);
+    crossings_.follow({direction_, begin, slip_, time_}, slip.speed, ground.length_s, share,
+                      next.event == Event::stops);
     speed_ = std::max(slip.speed.at(share), 0.0);
     result_.slip.slip_duration_s += share * ground.length_s;
   }
-  roof_ = {roof.x.at(share), roof.y.at(share)};
+  const double x = roof.x.at(share);
+  spring_.pass(roof_.x, x, share);
+  roof_ = {x, roof.y.at(share)};
   time_ = std::min(time_ + share * ground.length_s, piece_end_);
 }
 
+/// The forces do not jump, only their rates.
+void CoupledBody::happen_to_spring(const NextEvent& next) {
+  refused_ = false;
+  if (next.share > 0.0) at_threshold_ = just_lifted_or_landed_ = false;
+  if (next.event != Event::unloads)
+    return spring_.yield(next.event == Event::yields_up ? +1 : -1, roof_.x);
+  spring_.unload();
+  roof_.y = 0.0;
+}
+
 void CoupledBody::happen(const NextEvent& next) {
+  if (next.of_spring()) return happen_to_spring(next);
   const auto start = [&](int direction) {
     // Held until now, or only just stopped: its drive is not positive yet.
     at_threshold_ = next.share > 0.0 || stopped_direction_ == direction;
@@ -146,7 +166,7 @@ void CoupledBody::happen(const NextEvent& next) {
     case Event::lifts_or_lands:
       lifted_ = !lifted_;
       break;
-    case Event::none:
+    default:
       break;
   }
   at_threshold_ = false;
@@ -164,20 +184,22 @@ void CoupledBody::stop() {
 void CoupledBody::record(const GroundPiece& ground) const {
   if (!history_) return;
   const Mode now = mode();
-  const double elastic = -(roof_.x + 2.0 * frame_.damping_ratio * roof_.y);
+  const double elastic = -(spring_.force(roof_.x) + 2.0 * frame_.damping_ratio * roof_.y);
   const double a = frame_.rigid()
                        ? ground.begin.a
                        : (elastic - now.weight * (contact_.gravity() + ground.begin.w)) / now.mass;
   const double per_omega = frame_.rigid() ? 0.0 : 1.0 / frame_.omega_radps;
   history_({time_, slip_ * contact_.cos_slope(), direction_ * speed_ * contact_.cos_slope(),
-            roof_.x * per_omega * per_omega, a});
+            roof_.x * per_omega * per_omega, a, spring_.force(roof_.x)});
 }
 
 void CoupledBody::coast() {
   const Drive at_rest = contact_.sliding({});
   const double deceleration = direction_ > 0 ? -at_rest.down : -at_rest.up;
   if (direction_ == 0 || !(deceleration > 0.0)) return;
+  const double begin = slip_;
   slip_ += direction_ * 0.5 * speed_ * speed_ / deceleration;
+  crossings_.follow_to_rest({direction_, begin, slip_, time_}, speed_, deceleration);
   result_.slip.slip_duration_s += speed_ / deceleration;
   time_ += speed_ / deceleration;
   velocity_before_coast_ = direction_ * speed_;
@@ -185,12 +207,21 @@ void CoupledBody::coast() {
   speed_ = 0.0;
 }
 
+/// Of the block's mass and the building's, elastic about where the spring pulls nothing.
+Envelope CoupledBody::free_vibration() const {
+  const double mass = contact_.stuck().mass, root = std::sqrt(mass);
+  return free_vibration_envelope(spring_.force(roof_.x) / mass, roof_.y / root,
+                                 frame_.damping_ratio / root);
+}
+
+bool CoupledBody::may_yield() const {
+  return spring_.yields() && spring_.may_yield(contact_.stuck().mass * free_vibration().amplitude);
+}
+
 double CoupledBody::largest_acceleration_to_come_mps2() const {
   if (frame_.rigid()) return 0.0;
-  const double mass = contact_.stuck().mass, root = std::sqrt(mass);
-  const double zeta = frame_.damping_ratio / root;
-  const Envelope envelope = free_vibration_envelope(roof_.x / mass, roof_.y / root, zeta);
-  return (1.0 + 2.0 * zeta) * envelope.amplitude;
+  const double zeta = frame_.damping_ratio / std::sqrt(contact_.stuck().mass);
+  return (1.0 + 2.0 * zeta) * free_vibration().amplitude;
 }
 
 CoupledResult CoupledBody::result() const {
@@ -202,9 +233,13 @@ CoupledResult CoupledBody::result() const {
   r.slip.residual_displacement_m = slip_ * cosine;
   r.slip.peak_velocity_mps *= cosine;
   r.peak_base_shear = peaks_.elastic_mps2 / contact_.gravity();
-  if (!frame_.rigid())
-    r.peak_roof_displacement_m = peaks_.x_mps2 / (frame_.omega_radps * frame_.omega_radps);
-  r.energy = energy_.total(roof_, direction_ * speed_ + velocity_before_coast_);
+  r.ductility = peaks_.x_mps2 / spring_.limit();
+  if (!frame_.rigid()) {
+    const double square = frame_.omega_radps * frame_.omega_radps;
+    r.peak_roof_displacement_m = peaks_.x_mps2 / square;
+    r.residual_roof_displacement_m = spring_.offset() / square;
+  }
+  r.energy = energy_.total(roof_, spring_, direction_ * speed_ + velocity_before_coast_);
   return r;
 }
 

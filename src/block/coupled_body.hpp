@@ -2,9 +2,13 @@
 #pragma once
 
 #include <functional>
+#include <utility>
 
+#include "coupled_crossing.hpp"
 #include "coupled_energy.hpp"
 #include "coupled_motion.hpp"
+#include "coupled_spring.hpp"
+#include "glissade/core/oscillator.hpp"
 
 namespace glissade::block_detail {
 
@@ -18,16 +22,19 @@ class CoupledBody {
   enum class Keeps { all, peaks };
 
   CoupledBody(const CoupledContact& contact, const Frame& frame, const Block& block, Keeps keeps,
-              History history = {});
+              const Yielding& yielding = {});
+  void keep(History history) { history_ = std::move(history); }
+  CrossingWatch& crossings() { return crossings_; }
 
   void advance(GroundPiece ground, double end_time_s);
   /// The roof is at rest from now on.
   void coast();
 
   // A motion without events that was worked out elsewhere.
-  void resume(const RoofState& roof, double speed_mps) {
+  void resume(const RoofState& roof, double speed_mps, double time_s) {
     roof_ = roof;
     speed_ = speed_mps;
+    time_ = time_s;
   }
   void slid(double distance_m, double duration_s) {
     slip_ += direction_ * distance_m;
@@ -44,16 +51,30 @@ class CoupledBody {
   int direction() const { return direction_; }
   bool lifted() const { return lifted_; }
   bool sliding() const { return direction_ != 0; }
-  /// |a| never exceeds this again while the block stays where it is and the ground is quiet.
+  /// While the block stays where it is and the ground is quiet.
+  bool may_yield() const;
+  /// |a| never exceeds this again then, and if the spring does not yield.
   double largest_acceleration_to_come_mps2() const;
   CoupledResult result() const;
 
  private:
   /// What happens first in a piece, and when.
-  enum class Event { none, starts_down, starts_up, stops, lifts_or_lands };
+  enum class Event {
+    none,
+    starts_down,
+    starts_up,
+    stops,
+    lifts_or_lands,
+    yields_up,
+    yields_down,
+    unloads
+  };
   struct NextEvent {
     Event event = Event::none;
     double share = 1.0;
+    bool of_spring() const {
+      return event == Event::yields_up || event == Event::yields_down || event == Event::unloads;
+    }
     void sooner(Event candidate, double y) {
       if (y < share) *this = {candidate, y};
     }
@@ -65,9 +86,11 @@ class CoupledBody {
   double start_share(const RoofMotionSeries& roof, double a_swing, int direction) const;
   double contact_share(const RoofMotionSeries& roof, double a_swing) const;
   void pass(const GroundPiece& ground, const RoofMotionSeries& roof, const SlipSeries& slip,
-            double share);
+            const NextEvent& next);
   void happen(const NextEvent& next);
+  void happen_to_spring(const NextEvent& next);
   void stop();
+  Envelope free_vibration() const;
   void record(const GroundPiece& ground) const;
 
   CoupledContact contact_;
@@ -76,8 +99,10 @@ class CoupledBody {
   Keeps keeps_;
   History history_;
   EnergyMeter energy_;
+  CrossingWatch crossings_;
 
   RoofState roof_;
+  Spring spring_;
   int direction_ = 0;  // +1 sliding down, -1 up, 0 at rest
   bool lifted_ = false;
   double speed_ = 0.0, slip_ = 0.0, time_ = 0.0, piece_end_ = 0.0;

@@ -39,15 +39,17 @@ void EnergyMeter::add(const GroundPiece& ground, const RoofMotionSeries& roof,
   }
 }
 
-CoupledEnergy EnergyMeter::total(const RoofState& state, double slip_velocity_mps) const {
+CoupledEnergy EnergyMeter::total(const RoofState& state, const Spring& spring,
+                                 double slip_velocity_mps) const {
   CoupledEnergy e = sum_;
   const double per_omega = frame_.rigid() ? 0.0 : 1.0 / frame_.omega_radps;
-  const double u_velocity = state.y * per_omega, u_omega = state.x * per_omega;
+  const double u_velocity = state.y * per_omega;
   const double along = u_velocity + slip_velocity_mps * contact_.cos_slope();
   const double down = slip_velocity_mps * contact_.sin_slope();
   e.kinetic_m2ps2 =
       0.5 * (u_velocity * u_velocity + contact_.mass_ratio() * (along * along + down * down));
-  e.strain_m2ps2 = 0.5 * u_omega * u_omega;
+  e.strain_m2ps2 = spring.stored_m2ps2(state.x, per_omega);
+  e.hysteretic_m2ps2 = spring.dissipated() * (per_omega * per_omega);
   return e;
 }
 

@@ -23,7 +23,7 @@ class EnergyMeter {
   void add(const GroundPiece& ground, const RoofMotionSeries& roof, const SlipSeries& slip,
            double end);
   /// With what is stored in the end state.
-  CoupledEnergy total(const RoofState& state, double slip_velocity_mps) const;
+  CoupledEnergy total(const RoofState& state, const Spring& spring, double slip_velocity_mps) const;
 
  private:
   Frame frame_;

@@ -62,7 +62,8 @@ bool fits_lane(const CoupledScene& scene, const GroundMotion& ground) {
                                scene.building.mass_ratio);
   double largest_w = 0.0;
   for (const double w : ground.vertical_mps2) largest_w = std::max(largest_w, std::abs(w));
-  return !cut(scene.building.horizontal, contact, ground.dt_s).frame.rigid() &&
+  return !scene.building.yielding.yields() &&
+         !cut(scene.building.horizontal, contact, ground.dt_s).frame.rigid() &&
          scene.block.directions == SlipDirections::both &&
          (contact.slides_at_rest() || contact.stops_at_rest()) && contact.up().a > 0.0 &&
          std::abs(scene.factors.vertical) * largest_w < 0.99 * scene.block.gravity_mps2;
@@ -123,7 +124,8 @@ void CoupledLane::catch_up(const CoupledBank::State& state, std::size_t lane, st
         0.5 * contact_.gravity() * t * t + w_factor_ * way(ground_.w, base_, node, t);
     body_.slid(base_speed_ * t + drive.a * roof_way + drive.w * fall, t);
   }
-  body_.resume(roof, body_.sliding() ? state.speed[lane] : 0.0);
+  body_.resume(roof, body_.sliding() ? state.speed[lane] : 0.0,
+               static_cast<double>(node) * step_s_);
 }
 
 void CoupledLane::resolve(CoupledBank& bank, std::size_t lane, std::size_t node) {

@@ -35,7 +35,8 @@ Cut cut(const Oscillator& oscillator, const CoupledContact& contact, double dt_s
 // In the share s of the piece, with phase = omega length:
 //   dx/ds = phase y,  dy/ds = phase (a - a_ground),  mass a = E - weight (g + w).
 RoofMotionSeries roof_motion_series(const Frame& frame, const Mode& mode, double gravity_mps2,
-                                    const RoofState& from, const GroundPiece& ground) {
+                                    const RoofState& from, const SpringLine& spring,
+                                    const GroundPiece& ground) {
   RoofMotionSeries m;
   const Roof rise{ground.end.a - ground.begin.a, ground.end.w - ground.begin.w};
   m.w_begin = ground.begin.w;
@@ -50,7 +51,7 @@ RoofMotionSeries roof_motion_series(const Frame& frame, const Mode& mode, double
     return m;
   }
   // With A = a_ground + weight (g + w) / mass, in the order that keeps the chain from term to term
-  // short: y_{k+1} = -(share/mass) (x_k + 2 zeta y_k) - share A_k.
+  // short: y_{k+1} = -(share/mass) (f_k + 2 zeta y_k) - share A_k.
   const double phase = frame.omega_radps * ground.length_s, per_mass = 1.0 / mode.mass,
                twice_zeta = 2.0 * frame.damping_ratio;
   const int terms = frame.terms;
@@ -58,15 +59,16 @@ RoofMotionSeries roof_motion_series(const Frame& frame, const Mode& mode, double
   m.x.c[0] = from.x;
   m.y.c[0] = from.y;
   const double forcing[2] = {ground.begin.a + weight[0] * per_mass, rise.a + weight[1] * per_mass};
+  const auto force = [&](int k) { return k == 0 ? spring.force : spring.stiffness * m.x.c[k]; };
   for (int k = 0; k + 1 < terms; ++k) {
     const double share = phase * Series::inverse[k + 1], elastic = share * per_mass;
-    double y = -(elastic * m.x.c[k]) - (elastic * twice_zeta) * m.y.c[k];
+    double y = -(elastic * force(k)) - (elastic * twice_zeta) * m.y.c[k];
     if (k < 2) y -= share * forcing[k];
     m.x.c[k + 1] = share * m.y.c[k];
     m.y.c[k + 1] = y;
   }
   for (int k = 0; k < terms; ++k) {
-    m.elastic.c[k] = -(m.x.c[k] + twice_zeta * m.y.c[k]);
+    m.elastic.c[k] = -(force(k) + twice_zeta * m.y.c[k]);
     m.a.c[k] = m.elastic.c[k] * per_mass;
   }
   for (int k = 0; k < 2; ++k) m.a.c[k] -= weight[k] * per_mass;

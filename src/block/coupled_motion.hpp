@@ -6,6 +6,7 @@
 #include <cstddef>
 
 #include "contact.hpp"
+#include "coupled_spring.hpp"
 #include "glissade/block/coupled.hpp"
 #include "power_series.hpp"
 
@@ -88,7 +89,7 @@ struct RoofState {
 /// The building over a piece, in one mode.
 struct RoofMotionSeries {
   Series x, y;     ///< scaled state
-  Series elastic;  ///< E = -(x + 2 zeta y)
+  Series elastic;  ///< E = -(f + 2 zeta y), f = x where the spring has not yielded
   Series a;        ///< absolute acceleration
   double w_begin, w_rise;
 
@@ -116,6 +117,13 @@ struct RoofMotionSeries {
 };
 
 RoofMotionSeries roof_motion_series(const Frame& frame, const Mode& mode, double gravity_mps2,
-                                    const RoofState& from, const GroundPiece& ground);
+                                    const RoofState& from, const SpringLine& spring,
+                                    const GroundPiece& ground);
+/// With an elastic spring.
+inline RoofMotionSeries roof_motion_series(const Frame& frame, const Mode& mode,
+                                           double gravity_mps2, const RoofState& from,
+                                           const GroundPiece& ground) {
+  return roof_motion_series(frame, mode, gravity_mps2, from, {from.x, 1.0}, ground);
+}
 
 }  // namespace glissade::block_detail

@@ -3,6 +3,8 @@
 
 #include <limits>
 
+#include "glissade/core/units.hpp"
+
 namespace glissade {
 
 /// A building's spring that yields: bilinear with kinematic hardening. Its force is elastic, k u,
@@ -16,5 +18,22 @@ struct Yielding {
 
   bool yields() const { return yield_acceleration_mps2 < std::numeric_limits<double>::infinity(); }
 };
+
+/// A building's strength by itself: C_y, its yield force over its weight M g.
+struct YieldCoefficient {
+  double force_over_weight = 0.0;  ///< > 0
+  double gravity_mps2 = standard_gravity_mps2;
+};
+
+/// A building's strength by what it would need to stay elastic (Chopra 2017, eq 7.2.2).
+struct ReducedDemand {
+  double elastic_mps2 = 0.0;  ///< spectral (pseudo-)acceleration at the building's period, > 0
+  double reduction = 1.0;     ///< R >= 1
+};
+
+/// Yield acceleration C_y g.
+Yielding yielding_for(const YieldCoefficient& strength, double hardening_ratio = 0.0);
+/// Yield acceleration S_a / R.
+Yielding yielding_for(const ReducedDemand& strength, double hardening_ratio = 0.0);
 
 }  // namespace glissade

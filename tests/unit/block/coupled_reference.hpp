@@ -10,7 +10,8 @@
 namespace glissade::test {
 
 /// Block and building in 50 digits, from the free bodies: in every state of contact the building is
-/// an oscillator with its own mass, solved by exponentials and sines; what holds in that state is
+/// an oscillator with its own mass and, where its spring yields, its own stiffness, solved by
+/// exponentials and sines; what holds in that state is
 /// looked at `looks` times in every sample interval, and the moment it ceases to is bisected.
 /// Slope >= 0, 0 <= damping < 1.
 class CoupledReference {
@@ -18,7 +19,8 @@ class CoupledReference {
   Real down = 0, up = 0, slip = 0, duration = 0;  ///< in plan, m
   Real time = 0, u = 0, u_velocity = 0, velocity = 0;
   Real base_shear = 0, roof_displacement = 0, roof_acceleration = 0;  ///< largest at the looks
-  int phases = 0;
+  Real ductility = 0, residual_roof = 0;  ///< the former the largest at the looks
+  int phases = 0, yields = 0;
   bool uplift = false;
 
   CoupledReference(const GroundMotion& ground, const MotionFactors& factors,
@@ -31,7 +33,9 @@ class CoupledReference {
         sine_(sin(Real(block.slope_rad))),
         cosine_(cos(Real(block.slope_rad))),
         zeta_(building.horizontal.damping_ratio),
-        omega_(2 * boost::math::constants::pi<Real>() / building.horizontal.period_s) {
+        omega_(2 * boost::math::constants::pi<Real>() / building.horizontal.period_s),
+        yields_at_(building.yielding.yield_acceleration_mps2),
+        alpha_(building.yielding.yields() ? building.yielding.hardening_ratio : 0.0) {
     const std::size_t n = ground.horizontal_mps2.size();
     const auto steps = n + static_cast<std::size_t>(ring_down_s / ground.dt_s);
     const auto a = [&](std::size_t i) {
@@ -44,6 +48,8 @@ class CoupledReference {
     };
     for (std::size_t i = 0; i < steps; ++i)
       interval(Real(ground.dt_s), a(i), a(i + 1), w(i), w(i + 1));
+    residual_roof = (1 - alpha_) * plastic_ / (omega_ * omega_);
+    ductility = roof_displacement * omega_ * omega_ / yields_at_;
     slip *= cosine_;
     down *= cosine_;
     up *= cosine_;
@@ -64,20 +70,39 @@ class CoupledReference {
   Real mass() const { return sigma_ == 0 ? 1 + r_ : 1 + r_ * sine_ * q(); }
   Real weight() const { return sigma_ == 0 ? Real(0) : r_ * cosine_ * q(); }
 
+  // Per omega^2, the spring's force is stiffness u + offset.
+  Real stiffness() const { return yielding_ == 0 ? Real(1) : alpha_; }
+  Real offset() const {
+    return (1 - alpha_) * (yielding_ == 0 ? Real(-plastic_) : yielding_ * yields_at_);
+  }
+
+  /// u'' + c u' + k u = -(force + rate t)
+  static State oscillate(const State& from, const Real& c, const Real& k, const Real& force,
+                         const Real& rate, const Real& t) {
+    State to = from;
+    if (k == 0) {
+      // c w = -(force + rate t) + rate / c is the velocity long after.
+      const Real w0 = (rate / c - force) / c, w1 = -rate / c, decay = exp(-c * t);
+      to.u_velocity = w0 + w1 * t + (from.u_velocity - w0) * decay;
+      to.u = from.u + w0 * t + w1 * t * t / 2 + (from.u_velocity - w0) * (1 - decay) / c;
+      return to;
+    }
+    const Real u0 = (c * rate / k - force) / k, u1 = -rate / k;
+    const Real p = from.u - u0, pv = from.u_velocity - u1 + c / 2 * p;
+    const Real square = k - c * c / 4, beta = sqrt(abs(square)), decay = exp(-c / 2 * t);
+    const Real even = square > 0 ? Real(cos(beta * t)) : Real(cosh(beta * t)),
+               odd = square > 0 ? Real(sin(beta * t)) : Real(sinh(beta * t));
+    to.u = decay * (p * even + pv * odd / beta) + u0 + u1 * t;
+    to.u_velocity = decay * ((pv - c / 2 * p) * even - (square * p + c / 2 * pv) * odd / beta) + u1;
+    return to;
+  }
+
   State at(const State& from, const Ground& ground, const Real& t) const {
-    const Real m = mass(), omega = omega_ / sqrt(m), zeta = zeta_ / sqrt(m),
-               beta = omega * sqrt(1 - zeta * zeta);
-    const Real force = ground.a + weight() / m * (g_ + ground.w),
+    const Real m = mass();
+    const Real force = ground.a + (offset() + weight() * (g_ + ground.w)) / m,
                rate = ground.a_rate + weight() / m * ground.w_rate;
-    // u'' + 2 zeta omega u' + omega^2 u = -(force + rate t)
-    const Real o2 = omega * omega, u0 = -force / o2 + 2 * zeta * rate / (o2 * omega),
-               u1 = -rate / o2;
-    const Real p = from.u - u0, pv = (from.u_velocity - u1 + zeta * omega * p) / beta;
-    const Real decay = exp(-zeta * omega * t), c = cos(beta * t), s = sin(beta * t);
-    State to;
-    to.u = decay * (p * c + pv * s) + u0 + u1 * t;
-    to.u_velocity =
-        decay * ((beta * pv - zeta * omega * p) * c - (beta * p + zeta * omega * pv) * s) + u1;
+    State to =
+        oscillate(from, 2 * zeta_ * omega_ / m, stiffness() * omega_ * omega_ / m, force, rate, t);
     to.s = from.s;
     to.velocity = from.velocity;
     if (sigma_ == 0) return to;
@@ -93,7 +118,7 @@ class CoupledReference {
     return to;
   }
   Real elastic(const State& s) const {
-    return -(2 * zeta_ * omega_ * s.u_velocity + omega_ * omega_ * s.u);
+    return -(2 * zeta_ * omega_ * s.u_velocity + stiffness() * omega_ * omega_ * s.u + offset());
   }
   Real acceleration(const State& s, const Real& w) const {
     return (elastic(s) - weight() * (g_ + w)) / mass();
@@ -105,6 +130,10 @@ class CoupledReference {
     return (g_ + w) * sine_ - acceleration(s, w) * cosine_;
   }
   bool contact_holds(const State& s, const Real& w) const { return (normal(s, w) < 0) == lifted_; }
+  bool spring_holds(const State& s) const {
+    if (yielding_ != 0) return yielding_ * s.u_velocity >= 0;
+    return abs(omega_ * omega_ * s.u - plastic_) <= yields_at_ + Real(1e-40);
+  }
   bool block_holds(const State& s, const Real& w) const {
     if (sigma_ != 0) return sigma_ * s.velocity >= 0;
     return abs(demand(s, w)) <= friction() * normal(s, w) + Real(1e-40);
@@ -120,7 +149,7 @@ class CoupledReference {
         const auto holds = [&](const Real& t) {
           const State s = at(state, ground, t);
           const Real w = ground.w + ground.w_rate * t;
-          return contact_holds(s, w) && block_holds(s, w);
+          return contact_holds(s, w) && block_holds(s, w) && spring_holds(s);
         };
         Real low = 0, high = until - gone;
         if (holds(high)) break;
@@ -159,6 +188,14 @@ class CoupledReference {
     if (!contact_holds(s, w)) {
       lifted_ = !lifted_;
       uplift = true;
+    } else if (!spring_holds(s)) {
+      if (yielding_ == 0) {
+        yielding_ = s.u_velocity > 0 ? 1 : -1;
+        ++yields;
+      } else {
+        plastic_ = omega_ * omega_ * s.u - yielding_ * yields_at_;
+        yielding_ = 0;
+      }
     } else if (sigma_ != 0) {
       sigma_ = 0;
       s.velocity = 0;
@@ -175,7 +212,8 @@ class CoupledReference {
 
   int looks_;
   Real g_, mu_, r_, sine_, cosine_, zeta_, omega_;
-  int sigma_ = 0;
+  Real yields_at_, alpha_, plastic_ = 0;
+  int sigma_ = 0, yielding_ = 0;
   bool lifted_ = false;
 };
 

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glissade/building/yielding.hpp"
+
+#include "glissade/core/contract.hpp"
+
+namespace glissade {
+
+Yielding yielding_for(const YieldCoefficient& strength, double hardening_ratio) {
+  GLISSADE_EXPECTS(strength.force_over_weight > 0.0 && strength.gravity_mps2 > 0.0);
+  GLISSADE_EXPECTS(hardening_ratio >= 0.0 && hardening_ratio < 1.0);
+  return {strength.force_over_weight * strength.gravity_mps2, hardening_ratio};
+}
+
+Yielding yielding_for(const ReducedDemand& strength, double hardening_ratio) {
+  GLISSADE_EXPECTS(strength.elastic_mps2 > 0.0 && strength.reduction >= 1.0);
+  GLISSADE_EXPECTS(hardening_ratio >= 0.0 && hardening_ratio < 1.0);
+  return {strength.elastic_mps2 / strength.reduction, hardening_ratio};
+}
+
+}  // namespace glissade

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The building whose spring yields, with the block on it, against 50 digits and against what must
+// hold.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "glissade/block/coupled.hpp"
+#include "unit/block/coupled_reference.hpp"
+
+namespace glissade {
+namespace {
+
+using test::CoupledReference;
+using test::made_up_record;
+
+double uniform(std::mt19937& random, double low, double high) {
+  return low + (high - low) * static_cast<double>(random()) / 4294967296.0;
+}
+
+/// With a yield level below what the building would feel elastic, and blocks that slide below it.
+struct Scene {
+  double dt_s;
+  std::vector<double> a, w;
+  CoupledBuilding building;
+  Block block;
+
+  Scene(std::mt19937& random, unsigned seed, std::size_t samples)
+      : dt_s(uniform(random, 0.005, 0.03)),
+        a(made_up_record(samples, seed, uniform(random, 3.0, 14.0))),
+        w(made_up_record(samples, seed + 1000, uniform(random, 0.0, 5.0))),
+        building{
+            {std::exp(uniform(random, std::log(0.1), std::log(2.0))), uniform(random, 0.01, 0.2)},
+            uniform(random, 0.0, 1.0),
+            {}},
+        block{.friction = uniform(random, 0.05, 0.3)} {
+    block.slope_rad = uniform(random, -0.9, 0.9) * std::min(std::atan(block.friction), 0.3);
+    building.yielding = {1.0, seed % 3 == 0 ? 0.0 : uniform(random, 0.0, 0.3)};
+    const CoupledBuilding elastic{building.horizontal, building.mass_ratio, {}};
+    const double omega = 2.0 * std::numbers::pi / building.horizontal.period_s;
+    building.yielding.yield_acceleration_mps2 =
+        slide_coupled(ground(), {}, elastic, block).peak_roof_displacement_m * omega * omega /
+        uniform(random, 1.2, 6.0);
+  }
+  GroundMotion ground() const { return {dt_s, a, w}; }
+};
+
+TEST(coupled_yielding, agrees_with_50_digits) {
+  std::mt19937 random(6);
+  int slid = 0, yields = 0;
+  for (unsigned k = 0; k < 20; ++k) {
+    Scene scene(random, 100 + k, 120);
+    scene.block.slope_rad = std::abs(scene.block.slope_rad);
+    std::vector<CoupledPoint> history;
+    const CoupledResult r = slide_coupled(scene.ground(), {}, scene.building, scene.block, history);
+    const double rings_s = history.back().time_s - static_cast<double>(scene.a.size()) * scene.dt_s;
+    const int looks = std::max(
+        8, static_cast<int>(std::ceil(60.0 * scene.dt_s / scene.building.horizontal.period_s)));
+    const CoupledReference truth(scene.ground(), {}, scene.building, scene.block,
+                                 std::max(rings_s, 0.0) + 0.5 * scene.dt_s, looks);
+    SCOPED_TRACE("scene " + std::to_string(k));
+    const auto error = [](double found, const test::Real& true_value, double scale) {
+      return std::abs(static_cast<double>(found - true_value)) / (scale > 0.0 ? scale : 1.0);
+    };
+    const double slip = r.slip.peak_displacement_m, roof = r.peak_roof_displacement_m;
+    for (const double e : {error(r.slip.peak_downslope_m, truth.down, slip),
+                           error(r.slip.peak_upslope_m, truth.up, slip),
+                           error(r.slip.residual_displacement_m, truth.slip, slip),
+                           error(r.slip.slip_duration_s, truth.duration, r.slip.slip_duration_s),
+                           error(history.back().roof_displacement_m, truth.u, roof),
+                           error(r.residual_roof_displacement_m, truth.residual_roof, roof)}) {
+      EXPECT_LT(e, 1e-11);
+    }
+    EXPECT_EQ(r.slip.slip_phases, static_cast<std::size_t>(truth.phases));
+    EXPECT_EQ(r.slip.uplift, truth.uplift);
+    // The reference sees its peaks at sixty looks a period: within (2 pi / 60)^2 / 8.
+    for (const auto& [found, looked] :
+         {std::pair{r.peak_base_shear, truth.base_shear},
+          std::pair{r.peak_roof_displacement_m, truth.roof_displacement},
+          std::pair{r.ductility, truth.ductility}}) {
+      EXPECT_GE(found, static_cast<double>(looked) * (1.0 - 1e-12));
+      EXPECT_LE(found, static_cast<double>(looked) * (1.0 + 2e-3));
+    }
+    slid += r.slip.slip_phases > 0 ? 1 : 0;
+    yields += truth.yields;
+  }
+  EXPECT_GT(slid, 12);
+  EXPECT_GT(yields, 60);
+}
+
+TEST(coupled_yielding, energy_is_balanced_with_what_yielding_took) {
+  std::mt19937 random(9);
+  double hysteretic = 0.0;
+  for (unsigned k = 0; k < 1500; ++k) {
+    const Scene scene(random, k, 150);
+    const CoupledEnergy e =
+        slide_coupled(scene.ground(), {1.3, k % 7 == 0 ? 4.0 : 1.0}, scene.building, scene.block)
+            .energy;
+    const double largest = std::max(
+        {std::abs(e.input_m2ps2), e.damped_m2ps2, e.friction_m2ps2, e.hysteretic_m2ps2, 1e-300});
+    const double left =
+        e.input_m2ps2 + e.gravity_m2ps2 -
+        (e.kinetic_m2ps2 + e.strain_m2ps2 + e.damped_m2ps2 + e.friction_m2ps2 + e.hysteretic_m2ps2);
+    EXPECT_LT(std::abs(left) / largest, 1e-10) << k;
+    EXPECT_GE(e.hysteretic_m2ps2, 0.0);
+    hysteretic += e.hysteretic_m2ps2 / largest;
+  }
+  EXPECT_GT(hysteretic, 150.0);  // a tenth of the energy and more, over all
+}
+
+}  // namespace
+}  // namespace glissade
