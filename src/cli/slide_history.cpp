@@ -23,7 +23,7 @@ Block block_of(const SlideOptions& o) {
 
 Yielding yielding_of(const SlideOptions& o) {
   if (!o.yield_coefficient) return {};
-  return {*o.yield_coefficient * standard_gravity_mps2, o.hardening_ratio};
+  return yielding_for(YieldCoefficient{*o.yield_coefficient}, o.hardening_ratio);
 }
 
 GroundMotion ground_of(const Motion& motion) {

@@ -106,13 +106,13 @@ GroundMotion ground_of(const Plan& plan, std::size_t record, int component) {
 Yielding yielding_of(const Plan& plan, double period_s) {
   const std::optional<StrengthConfig>& strength = plan.config.building.strength;
   if (!strength) return {};
-  if (strength->yield_coefficient) {
-    return {*strength->yield_coefficient * standard_gravity_mps2, strength->hardening_ratio};
-  }
+  if (strength->yield_coefficient)
+    return yielding_for(YieldCoefficient{*strength->yield_coefficient}, strength->hardening_ratio);
   const auto& own = plan.config.intensity.target;
   const TargetSpectrum spectrum(own ? *own : *plan.suite.target);
-  return {spectrum.design_sa_g(period_s) * standard_gravity_mps2 / *strength->response_modification,
-          strength->hardening_ratio};
+  return yielding_for(ReducedDemand{spectrum.design_sa_g(period_s) * standard_gravity_mps2,
+                                    *strength->response_modification},
+                      strength->hardening_ratio);
 }
 
 class NoTipping : public Histories {

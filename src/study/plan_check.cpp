@@ -24,10 +24,6 @@ void check_model(const StudyConfig& config, const Suite& suite, ProblemList& pro
                   "and neither study nor suite gives one",
                   "give yield_coefficient instead, or a target", ""});
   }
-  if (strength && support(config.building.period_s).min == 0.0 && !config.chart) {
-    problems.add({file, "a rigid building does not yield: building.period_s reaches 0",
-                  "give periods above 0, or leave out the building's strength", ""});
-  }
   if (choice.kernel == Kernel::tables) return;
   if (config.base) {
     problems.add({file,
@@ -84,6 +80,24 @@ void check_ellipse(const Plan& plan) {
   }
 }
 
+/// A spring that yields has a yield displacement, which a building as good as rigid has not.
+void check_strength(const Plan& plan) {
+  constexpr double shortest_s = 0.01;
+  if (!plan.config.building.strength) return;
+  const auto is_shorter = [&](const SamplePoint& s) {
+    return s.period_s * std::min(1.0, plan.config.building.period_ratio) < shortest_s;
+  };
+  const auto shorter = std::find_if(plan.samples.begin(), plan.samples.end(), is_shorter);
+  if (shorter == plan.samples.end()) return;
+  throw InputError({plan.config.file.string(),
+                    fmt::format("a rigid building does not yield, and a building period is {:g} s",
+                                shorter->period_s),
+                    fmt::format("give periods of {:g} s or more, or leave out the building's "
+                                "strength",
+                                shortest_s),
+                    ""});
+}
+
 }  // namespace
 
 void check_fit(const StudyConfig& config, const Suite& suite) {
@@ -128,6 +142,7 @@ void check_fit(const StudyConfig& config, const Suite& suite) {
 }
 
 void check_samples(const Plan& plan) {
+  check_strength(plan);
   check_ellipse(plan);
   check_coupling(plan);
 }

@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "cli/child.hpp"
+#include "cli/shaking.hpp"
 
 namespace glissade::test {
 namespace {
@@ -16,41 +17,7 @@ namespace {
 using Json = nlohmann::json;
 using testing::HasSubstr;
 constexpr double g = standard_gravity_mps2;
-constexpr double dt_s = 0.02;
-
-/// Doubles survive the way through a file: 17 digits.
-std::string exact(double value) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.17g", value);
-  return text;
-}
-
-/// Two columns: time in s and acceleration in g.
-std::string two_columns(const std::vector<double>& acceleration_g) {
-  std::string text = "# time_s acceleration_g\n";
-  for (std::size_t i = 0; i < acceleration_g.size(); ++i) {
-    char time[32];
-    std::snprintf(time, sizeof time, "%.2f ", dt_s * static_cast<double>(i));
-    text += time + exact(acceleration_g[i]) + "\n";
-  }
-  return text;
-}
-
-/// A made-up shaking of 8 s: two sines with an envelope.
-std::vector<double> shaking_g() {
-  std::vector<double> a(400);
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    const double t = dt_s * static_cast<double>(i);
-    a[i] = std::sin(std::numbers::pi * t / 8.0) *
-           (0.5 * std::sin(7.0 * t) + 0.3 * std::sin(17.0 * t + 1.0));
-  }
-  return a;
-}
-
-std::vector<double> times(double factor, std::vector<double> values) {
-  for (double& value : values) value *= factor;
-  return values;
-}
+constexpr double dt_s = shaking_dt_s;
 
 class Slide : public testing::Test {
  protected:

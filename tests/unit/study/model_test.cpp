@@ -305,7 +305,7 @@ TEST(plan_of_a_model, refuses_what_does_not_go_together_with_one_message) {
   without_target.target.reset();
   expect_refused(config, without_target, "building.response_modification divides");
   config.building.strength = StrengthConfig{.yield_coefficient = 0.2};
-  config.building.period_s = Uniform{0.0, 1.0};
+  config.building.period_s = Uniform{0.0, 1e-3};
   expect_refused(config, without_target, "a rigid building does not yield");
 }
 
