@@ -173,7 +173,7 @@ void TwoAxisBody::coast(const Load& load, double step_s) {
 TwoAxisResult TwoAxisBody::result() const {
   TwoAxisResult r;
   r.peak_displacement_m = extremes_.displacement();
-  r.peak_by_axis = {extremes_.by_axis().s, extremes_.by_axis().y};
+  tell_peaks(extremes_, r);
   r.residual = {displacement_.s, displacement_.y};
   r.path_length_m = path_length_;
   r.peak_velocity_mps = extremes_.speed();

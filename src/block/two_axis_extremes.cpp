@@ -28,22 +28,20 @@ double largest_on_piece(const Value& value, const Rate& rate) {
   return largest;
 }
 
-/// The largest |displacement| along one axis, at most `reach` from the path's begin.
-double largest_along(const Path& path, double Vector::*axis, double reach, double so_far) {
-  const double begin = path.begin.*axis;
-  if (std::abs(begin) + reach <= so_far) return so_far;
-  const double largest = std::max(so_far, std::abs(path.end.*axis));
+/// The largest sign * displacement along one axis, at most `reach` from the path's begin.
+double largest_along(const Path& path, double Vector::*axis, double sign, double reach,
+                     double so_far) {
+  const double begin = sign * (path.begin.*axis);
+  if (begin + reach <= so_far) return so_far;
+  const double largest = std::max(so_far, sign * (path.end.*axis));
   // Beyond the ends only where the velocity changes sign, and so its coefficients do.
-  const auto [slowest, fastest] =
-      std::minmax({path.v[0].*axis, path.v[1].*axis, path.v[2].*axis, path.v[3].*axis});
+  const auto [slowest, fastest] = std::minmax({sign * (path.v[0].*axis), sign * (path.v[1].*axis),
+                                               sign * (path.v[2].*axis), sign * (path.v[3].*axis)});
   if (slowest >= 0.0 || fastest <= 0.0) return largest;
-  const double farthest_up = begin + path.length_s * fastest;
-  const double farthest_down = -begin - path.length_s * slowest;
-  if (std::max(farthest_up, farthest_down) <= largest) return largest;
-  const double sign = farthest_up > farthest_down ? 1.0 : -1.0;  // the other end is nearer zero
+  if (begin + path.length_s * fastest <= largest) return largest;
   return std::max(largest,
-                  largest_on_piece([&](double t) { return sign * path.displacement(t).*axis; },
-                                   [&](double t) { return sign * path.velocity(t).*axis; }));
+                  largest_on_piece([&](double t) { return sign * (path.displacement(t).*axis); },
+                                   [&](double t) { return sign * (path.velocity(t).*axis); }));
 }
 
 }  // namespace
@@ -66,18 +64,28 @@ double Path::path_length() const {
   return length_s / 6.0 * (length(v[0]) + 4.0 * length(middle) + length(v[3]));
 }
 
+void tell_peaks(const Extremes& extremes, TwoAxisResult& result) {
+  const Vector ahead = extremes.ahead(), back = extremes.back();
+  result.peak_downslope_m = ahead.s;
+  result.peak_upslope_m = back.s;
+  result.peak_by_axis = {std::max(ahead.s, back.s), std::max(ahead.y, back.y)};
+}
+
 void Extremes::at(Vector displacement) {
   displacement_ = std::max(displacement_, length(displacement));
-  by_axis_.s = std::max(by_axis_.s, std::abs(displacement.s));
-  by_axis_.y = std::max(by_axis_.y, std::abs(displacement.y));
+  const Vector d = displacement;
+  ahead_ = {std::max(ahead_.s, d.s), std::max(ahead_.y, d.y)};
+  back_ = {std::max(back_.s, -d.s), std::max(back_.y, -d.y)};
 }
 
 void Extremes::along(const Path& path) {
   double fastest2 = 0.0;
   for (const Vector& v : path.v) fastest2 = std::max(fastest2, dot(v, v));
   const double fastest = std::sqrt(fastest2), reach = path.length_s * fastest;
-  by_axis_.s = largest_along(path, &Vector::s, reach, by_axis_.s);
-  by_axis_.y = largest_along(path, &Vector::y, reach, by_axis_.y);
+  for (double Vector::*axis : {&Vector::s, &Vector::y}) {
+    ahead_.*axis = largest_along(path, axis, 1.0, reach, ahead_.*axis);
+    back_.*axis = largest_along(path, axis, -1.0, reach, back_.*axis);
+  }
   if (length(path.begin) + reach > displacement_) {
     displacement_ = std::max(
         displacement_,

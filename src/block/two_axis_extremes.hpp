@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "glissade/block/two_axis.hpp"
 #include "plane_vector.hpp"
 
 namespace glissade::block_detail {
@@ -33,12 +34,17 @@ class Extremes {
   void at_speed(double speed) { speed_ = std::max(speed_, speed); }
   void along(const Path& path);
   double displacement() const { return displacement_; }
-  Vector by_axis() const { return by_axis_; }
+  /// The largest displacement in the positive and in the negative direction of each axis, >= 0.
+  Vector ahead() const { return ahead_; }
+  Vector back() const { return back_; }
   double speed() const { return speed_; }
 
  private:
   double displacement_ = 0.0, speed_ = 0.0;
-  Vector by_axis_;
+  Vector ahead_, back_;
 };
+
+/// Peaks by axis and direction.
+void tell_peaks(const Extremes& extremes, TwoAxisResult& result);
 
 }  // namespace glissade::block_detail

@@ -73,7 +73,7 @@ bool TwoAxisTrack::may_cross(double way) const {
 TwoAxisResult TwoAxisTrack::result() const {
   TwoAxisResult r;
   r.peak_displacement_m = extremes_.displacement();
-  r.peak_by_axis = {extremes_.by_axis().s, extremes_.by_axis().y};
+  tell_peaks(extremes_, r);
   r.residual = {displacement_.s, displacement_.y};
   r.path_length_m = path_length_;
   r.peak_velocity_mps = extremes_.speed();

@@ -4,14 +4,12 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <map>
-#include <numbers>
 
 #include "glissade/block/coupled_slip.hpp"
 #include "glissade/block/tipping.hpp"
 #include "glissade/core/contract.hpp"
 #include "glissade/core/units.hpp"
-#include "glissade/motion/design_spectrum.hpp"
+#include "model_scene.hpp"
 
 namespace glissade {
 namespace {
@@ -102,19 +100,6 @@ GroundMotion ground_of(const Plan& plan, std::size_t record, int component) {
   return ground;
 }
 
-/// The building's own strength along one axis.
-Yielding yielding_of(const Plan& plan, double period_s) {
-  const std::optional<StrengthConfig>& strength = plan.config.building.strength;
-  if (!strength) return {};
-  if (strength->yield_coefficient)
-    return yielding_for(YieldCoefficient{*strength->yield_coefficient}, strength->hardening_ratio);
-  const auto& own = plan.config.intensity.target;
-  const TargetSpectrum spectrum(own ? *own : *plan.suite.target);
-  return yielding_for(ReducedDemand{spectrum.design_sa_g(period_s) * standard_gravity_mps2,
-                                    *strength->response_modification},
-                      strength->hardening_ratio);
-}
-
 class NoTipping : public Histories {
  public:
   double tipping_level(const RigidBase&) const override {
@@ -130,7 +115,7 @@ class CoupledHistories : public NoTipping {
         ground_(ground),
         building_{{scene.sample.period_s, scene.sample.damping},
                   scene.sample.mass_ratio,
-                  yielding_of(scene.plan, scene.sample.period_s)} {}
+                  strength_of(scene.plan, scene.sample.period_s)} {}
 
   bool held(double level) const override { return is_held(scene_, scene_.block.friction, level); }
 
@@ -195,24 +180,9 @@ class CoupledHistories : public NoTipping {
 /// The full model.
 class FullHistories : public NoTipping {
  public:
-  FullHistories(const Scene& scene, double friction_across, BuildingGround ground)
-      : scene_(scene), ground_(std::move(ground)) {
-    const SamplePoint& s = scene.sample;
-    const bool two = scene.plan.config.model.axes == SlidingAxes::two;
-    const double periods_s[2] = {s.period_s, scene.plan.config.building.period_ratio * s.period_s};
-    building_.mass_ratio = s.mass_ratio;
-    for (std::size_t axis = 0; axis < 2; ++axis) {
-      building_.horizontal[axis] = {periods_s[axis], s.damping};
-      if (periods_s[axis] > 0.0)
-        building_.yielding[axis] = yielding_of(scene.plan, periods_s[axis]);
-    }
-    // A slope that falls toward -x falls toward +x, half a turn on.
-    const double turn = scene.block.slope_rad < 0.0 ? std::numbers::pi : 0.0;
-    block_ = {.friction = {scene.block.friction, two ? friction_across : scene.block.friction},
-              .slope_rad = std::abs(scene.block.slope_rad),
-              .azimuth_rad = s.azimuth_deg * rad_per_deg + turn,
-              .law = scene.plan.config.friction.law};
-  }
+  FullHistories(const Scene& scene, BuildingGround ground, const BiaxialBuilding& building,
+                const TwoAxisBlock& block)
+      : scene_(scene), ground_(std::move(ground)), building_(building), block_(block) {}
 
   bool held(double level) const override {
     return is_held(scene_, std::min(block_.friction.along, block_.friction.across), level);
@@ -259,9 +229,9 @@ std::unique_ptr<Histories> histories_of(const Plan& plan, RoofStore& roofs, std:
     case Kernel::full:
       break;
   }
-  const double across =
-      friction.friction_across.empty() ? block.friction : friction.friction_across[sample];
-  return std::make_unique<FullHistories>(scene, across, roofs.ground_under(sample));
+  return std::make_unique<FullHistories>(scene, roofs.ground_under(sample),
+                                         biaxial_building(plan, sample),
+                                         two_axis_block(plan, run, sample));
 }
 
 }  // namespace glissade

@@ -9,6 +9,7 @@
 #include "glissade/core/error.hpp"
 #include "glissade/core/units.hpp"
 #include "glissade/motion/intensity.hpp"
+#include "model_scene.hpp"
 
 namespace glissade {
 namespace {
@@ -40,25 +41,28 @@ void check_model(const StudyConfig& config, const Suite& suite, ProblemList& pro
   }
 }
 
+bool is_regular(const Plan& plan, std::size_t run, std::size_t sample) {
+  if (plan.kernel.kernel == Kernel::full) {
+    return coupling_is_regular(two_axis_block(plan, run, sample), biaxial_building(plan, sample));
+  }
+  const SamplePoint& s = plan.samples[sample];
+  return coupling_is_regular(
+      {.friction = plan.runs[run].friction[sample], .slope_rad = s.slope_deg * rad_per_deg},
+      s.mass_ratio);
+}
+
 /// Where the array's friction would lock it against the roof it moves, the coupled equations have
 /// no solution.
 void check_coupling(const Plan& plan) {
   if (plan.kernel.kernel == Kernel::tables) return;
-  for (const FrictionRun& run : plan.runs) {
+  for (std::size_t run = 0; run < plan.runs.size(); ++run) {
     for (std::size_t i = 0; i < plan.samples.size(); ++i) {
+      if (is_regular(plan, run, i)) continue;
       const SamplePoint& s = plan.samples[i];
-      const double mu = run.friction_across.empty()
-                            ? run.friction[i]
-                            : std::max(run.friction[i], run.friction_across[i]);
-      const double most = mu * std::max(plan.config.friction.law.static_ratio,
-                                        std::max(1.0, plan.config.friction.law.fast_ratio));
-      if (coupling_is_regular({.friction = most, .slope_rad = s.slope_deg * rad_per_deg},
-                              s.mass_ratio))
-        continue;
       throw InputError({plan.config.file.string(),
                         fmt::format("with mu = {:.3g}, a slope of {:.3g} degrees and a mass ratio "
                                     "of {:.3g} friction locks the array against the roof it moves",
-                                    most, s.slope_deg, s.mass_ratio),
+                                    plan.runs[run].friction[i], s.slope_deg, s.mass_ratio),
                         "the coupled equations have no solution there: take a smaller mass ratio, "
                         "friction or slope",
                         ""});

@@ -47,6 +47,8 @@ struct PlanVector {
 struct TwoAxisResult {
   double peak_displacement_m = 0.0;  ///< largest length of the displacement vector
   PlanVector peak_by_axis;           ///< largest |displacement| along each axis, whenever
+  double peak_downslope_m = 0.0;     ///< >= 0
+  double peak_upslope_m = 0.0;       ///< >= 0
   PlanVector residual;               ///< signed, when the block has come to rest
   double path_length_m = 0.0;
   double peak_velocity_mps = 0.0;  ///< largest length of the velocity vector
