@@ -59,6 +59,20 @@ TEST_F(Mpi, a_chart_has_the_same_bytes_on_any_number_of_ranks) {
     EXPECT_TRUE(results_on(ranks, study) == alone) << ranks << " ranks";
 }
 
+TEST_F(Mpi, every_model_has_the_same_bytes_on_any_number_of_ranks) {
+  const std::string impact = replaced(small_study(), "[0.05, 0.2]", "[0.05, 0.2]\nimpact = true");
+  for (const char* building :
+       {"[building]\nmass_ratio = 0.1",
+        "[building]\nmass_ratio = 0.1\nyield_coefficient = 0.2\nhardening_ratio = 0.05",
+        "[model]\naxes = 2\n[building]\nmass_ratio = 0.1"}) {
+    const std::string study = folder_.write("model.toml", replaced(impact, "[building]", building));
+    const std::string alone = results_on(0, study);
+    ASSERT_FALSE(alone.empty());
+    EXPECT_TRUE(results_on(3, study) == alone) << building;
+    for (const char* out : {"on0", "on3"}) std::filesystem::remove_all(folder_.path(out));
+  }
+}
+
 TEST_F(Mpi, more_ranks_than_units_of_work_give_the_same_bytes) {
   std::string record;
   for (int i = 0; i < 500; ++i) record += i % 40 < 20 ? "0.5\n" : "-0.5\n";
