@@ -49,6 +49,7 @@ class CoupledBody {
   const RoofState& roof() const { return roof_; }
   double speed() const { return speed_; }
   int direction() const { return direction_; }
+  double slip() const { return slip_; }
   bool lifted() const { return lifted_; }
   bool sliding() const { return direction_ != 0; }
   /// While the block stays where it is and the ground is quiet.

@@ -32,8 +32,9 @@ void CrossingWatch::follow(const SlipWay& way, const Series& speed, double lengt
     Series left = speed.integral(length_s, 0.0);
     for (int k = 1; k < left.terms; ++k) left.c[k] = -left.c[k];
     left.c[0] = ahead_m(way);
-    const double y = std::min(first_fall(left), share);
-    const bool at_rest = stops && y == share;
+    // Near a stop the root is no better than the square root of rounding.
+    const bool at_rest = stops && std::abs(way.end_m) * cos_slope_ == thresholds_m_[next_];
+    const double y = at_rest ? share : std::min(first_fall(left), share);
     note(way.time_s + y * length_s, at_rest ? 0.0 : std::max(speed.at(y), 0.0));
   }
 }

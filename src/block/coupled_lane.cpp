@@ -62,14 +62,14 @@ bool fits_lane(const CoupledScene& scene, const GroundMotion& ground) {
                                scene.building.mass_ratio);
   double largest_w = 0.0;
   for (const double w : ground.vertical_mps2) largest_w = std::max(largest_w, std::abs(w));
-  return !scene.building.yielding.yields() &&
-         !cut(scene.building.horizontal, contact, ground.dt_s).frame.rigid() &&
+  return !cut(scene.building.horizontal, contact, ground.dt_s).frame.rigid() &&
          scene.block.directions == SlipDirections::both &&
          (contact.slides_at_rest() || contact.stops_at_rest()) && contact.up().a > 0.0 &&
          std::abs(scene.factors.vertical) * largest_w < 0.99 * scene.block.gravity_mps2;
 }
 
-CoupledLane::CoupledLane(const CoupledScene& scene, const Cut& cut, const LaneGround& ground)
+CoupledLane::CoupledLane(const CoupledScene& scene, const Cut& cut, const LaneGround& ground,
+                         std::span<const double> thresholds_m, std::span<Crossing> crossings)
     : ground_(ground),
       block_(downhill(scene.block)),
       mass_ratio_(scene.building.mass_ratio),
@@ -80,6 +80,7 @@ CoupledLane::CoupledLane(const CoupledScene& scene, const Cut& cut, const LaneGr
       frame_(cut.frame),
       contact_(block_, block_.slope_rad, mass_ratio_),
       body_(contact_, frame_, block_, CoupledBody::Keeps::peaks) {
+  body_.crossings() = {thresholds_m, crossings, contact_.cos_slope()};
   modes_[0].mode = contact_.stuck();
   modes_[1].mode = contact_.sliding_down();
   modes_[2].mode = contact_.sliding_up();
@@ -122,10 +123,23 @@ void CoupledLane::catch_up(const CoupledBank::State& state, std::size_t lane, st
                             a_factor_ * way(ground_.a, base_, node, t);
     const double fall =
         0.5 * contact_.gravity() * t * t + w_factor_ * way(ground_.w, base_, node, t);
-    body_.slid(base_speed_ * t + drive.a * roof_way + drive.w * fall, t);
+    const double gone = base_speed_ * t + drive.a * roof_way + drive.w * fall;
+    const double to = body_.slip() + body_.direction() * gone;
+    if (body_.crossings().reached(to)) cross(to, node);
+    body_.slid(gone, t);
   }
   body_.resume(roof, body_.sliding() ? state.speed[lane] : 0.0,
                static_cast<double>(node) * step_s_);
+}
+
+void CoupledLane::cross(double to, std::size_t node) {
+  CoupledBody again = body_;
+  again.resume(base_roof_, base_speed_, static_cast<double>(base_) * step_s_);
+  for (std::size_t i = base_ + 1; i <= node && again.crossings().reached(to); ++i)
+    again.advance(ground_before(i), static_cast<double>(i) * step_s_);
+  // To rounding, it may be reached only now.
+  again.crossings().arrive(to, again.speed(), static_cast<double>(node) * step_s_);
+  body_.crossings() = again.crossings();
 }
 
 void CoupledLane::resolve(CoupledBank& bank, std::size_t lane, std::size_t node) {
@@ -207,7 +221,9 @@ CoupledPeak peak_of(const CoupledResult& r) {
            .uplift = r.slip.uplift,
            .free_sliding = r.slip.free_sliding},
           r.peak_base_shear,
-          r.peak_roof_displacement_m};
+          r.peak_roof_displacement_m,
+          r.ductility,
+          r.residual_roof_displacement_m};
 }
 
 }  // namespace glissade::block_detail

@@ -30,14 +30,15 @@ struct LaneGround {
   std::size_t longest_end() const { return quiet_from() + longest_ring_down_nodes; }
 };
 
-/// True where a history can go through the lanes.
+/// True where a history can go through the lanes, as long as its spring does not yield.
 bool fits_lane(const CoupledScene& scene, const GroundMotion& ground);
 
-/// One history in its lane of a bank: the modes' constants, and the scalar scheme for the intervals
-/// in which the lane is flagged.
+/// One history in its lane of a bank, its spring elastic: the modes' constants, and the scalar
+/// scheme for the intervals in which the lane is flagged.
 class CoupledLane {
  public:
-  CoupledLane(const CoupledScene& scene, const Cut& cut, const LaneGround& ground);
+  CoupledLane(const CoupledScene& scene, const Cut& cut, const LaneGround& ground,
+              std::span<const double> thresholds_m, std::span<Crossing> crossings);
 
   /// Puts the history into its lane, at rest at node 0.
   void load(CoupledBank& bank, std::size_t lane);
@@ -82,6 +83,8 @@ class CoupledLane {
   Roof roof_ground(std::size_t node) const;
   /// Brings the body from base_ to a node, no event between.
   void catch_up(const CoupledBank::State& state, std::size_t lane, std::size_t node);
+  /// A distance that is watched for lies between the slip and `to`, which it has at a node.
+  void cross(double to, std::size_t node);
   void store_state(CoupledBank& bank, std::size_t lane, std::size_t node);
   void store_mode(CoupledBank& bank, std::size_t lane) const;
   void store_limits(CoupledBank& bank, std::size_t lane, std::size_t node);

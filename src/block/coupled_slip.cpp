@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <optional>
 #include <vector>
 
@@ -22,6 +23,15 @@ using block_detail::LaneGround;
 /// Nodes between looks at which histories are over.
 constexpr std::size_t stretch = 64;
 
+/// What is to be watched for: in a scene, its own crossings.
+struct Watched {
+  std::span<const double> thresholds_m;
+  std::span<Crossing> crossings;
+  std::span<Crossing> of(std::size_t scene) const {
+    return crossings.subspan(scene * thresholds_m.size(), thresholds_m.size());
+  }
+};
+
 struct Task {
   std::size_t scene;
   Cut cut;
@@ -31,10 +41,12 @@ struct Task {
 class Batch {
  public:
   Batch(LaneGround& ground, std::span<const Task> tasks, std::span<const CoupledScene> scenes,
-        std::span<CoupledPeak> peaks)
+        std::span<CoupledPeak> peaks, const Watched& watched)
       : ground_(ground), tasks_(tasks), peaks_(peaks) {
     for (std::size_t lane = 0; lane < tasks.size(); ++lane) {
-      lanes_[lane].emplace(scenes[tasks[lane].scene], tasks[lane].cut, ground);
+      const std::size_t scene = tasks[lane].scene;
+      lanes_[lane].emplace(scenes[scene], tasks[lane].cut, ground, watched.thresholds_m,
+                           watched.of(scene));
       lanes_[lane]->load(bank_, lane);
     }
     for (std::size_t lane = tasks.size(); lane < CoupledBank::lanes; ++lane) idle(lane);
@@ -103,18 +115,37 @@ class Batch {
   std::size_t left_ = 0, at_ = 0;
 };
 
+CoupledPeak by_reference(const GroundMotion& ground, const CoupledScene& scene,
+                         std::span<const double> thresholds_m, std::span<Crossing> crossings) {
+  return block_detail::peak_of(
+      slide_coupled(ground, scene.factors, scene.building, scene.block, thresholds_m, crossings));
+}
+
+/// Of a building that went through the lanes elastic.
+double elastic_ductility(const CoupledBuilding& building, const CoupledPeak& peak) {
+  const double omega = 2.0 * std::numbers::pi / building.horizontal.period_s;
+  return peak.peak_roof_displacement_m * omega * omega / building.yielding.yield_acceleration_mps2;
+}
+
 }  // namespace
 
 void coupled_slip(const GroundMotion& ground, std::span<const CoupledScene> scenes,
                   std::span<CoupledPeak> peaks) {
+  coupled_slip(ground, scenes, peaks, {}, {});
+}
+
+void coupled_slip(const GroundMotion& ground, std::span<const CoupledScene> scenes,
+                  std::span<CoupledPeak> peaks, std::span<const double> thresholds_m,
+                  std::span<Crossing> crossings) {
   GLISSADE_EXPECTS(scenes.size() == peaks.size());
+  GLISSADE_EXPECTS(crossings.size() == scenes.size() * thresholds_m.size());
+  const Watched watched{thresholds_m, crossings};
   std::map<int, std::vector<Task>> tasks;  // by how the ground is cut
   for (std::size_t k = 0; k < scenes.size(); ++k) {
     const CoupledScene& scene = scenes[k];
     GLISSADE_EXPECTS(coupling_is_regular(scene.block, scene.building.mass_ratio));
     if (!block_detail::fits_lane(scene, ground)) {
-      peaks[k] =
-          block_detail::peak_of(slide_coupled(ground, scene.factors, scene.building, scene.block));
+      peaks[k] = by_reference(ground, scene, thresholds_m, watched.of(k));
       continue;
     }
     const block_detail::CoupledContact contact(scene.block, std::abs(scene.block.slope_rad),
@@ -126,7 +157,15 @@ void coupled_slip(const GroundMotion& ground, std::span<const CoupledScene> scen
     LaneGround cut_ground(ground, pieces);
     for (std::size_t first = 0; first < all.size(); first += CoupledBank::lanes) {
       const std::size_t count = std::min(CoupledBank::lanes, all.size() - first);
-      Batch(cut_ground, std::span(all).subspan(first, count), scenes, peaks).run();
+      Batch(cut_ground, std::span(all).subspan(first, count), scenes, peaks, watched).run();
+    }
+    for (const Task& task : all) {
+      const CoupledScene& scene = scenes[task.scene];
+      CoupledPeak& peak = peaks[task.scene];
+      if (scene.building.yielding.yields())
+        peak.ductility = elastic_ductility(scene.building, peak);
+      if (peak.ductility > 1.0 - 1e-9)
+        peak = by_reference(ground, scene, thresholds_m, watched.of(task.scene));
     }
   }
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 #include "glissade/block/coupled.hpp"
@@ -21,12 +22,18 @@ class CoupledReference {
   Real base_shear = 0, roof_displacement = 0, roof_acceleration = 0;  ///< largest at the looks
   Real ductility = 0, residual_roof = 0;  ///< the former the largest at the looks
   int phases = 0, yields = 0;
+  /// Of the displacements, in plan, that are watched for: as far as they have been reached.
+  struct Crossed {
+    Real time, speed;
+  };
+  std::vector<Crossed> crossed;
   bool uplift = false;
 
   CoupledReference(const GroundMotion& ground, const MotionFactors& factors,
                    const CoupledBuilding& building, const Block& block, double ring_down_s,
-                   int looks = 16)
+                   int looks = 16, std::vector<double> thresholds_m = {})
       : looks_(looks),
+        thresholds_m_(std::move(thresholds_m)),
         g_(block.gravity_mps2),
         mu_(block.friction),
         r_(building.mass_ratio),
@@ -157,7 +164,7 @@ class CoupledReference {
           const Real middle = (low + high) / 2;
           (holds(middle) ? low : high) = middle;
         }
-        move(state, ground, high);
+        move(state, ground, high, gone);
         gone += high;
         see(state, ground.w);
         change(state, ground.w);
@@ -165,7 +172,7 @@ class CoupledReference {
       }
       see(at(state, ground, until - gone), ground.w + ground.w_rate * (until - gone));
     }
-    move(state, ground, h - gone);
+    move(state, ground, h - gone, gone);
     u = state.u;
     u_velocity = state.u_velocity;
     slip = state.s;
@@ -175,7 +182,22 @@ class CoupledReference {
     up = std::max(up, Real(-slip));
   }
 
-  void move(State& state, Ground& ground, const Real& t) {
+  /// Slip is monotone on the way.
+  void watch(const State& state, const Ground& ground, const Real& t, const Real& gone) {
+    while (crossed.size() < thresholds_m_.size()) {
+      const Real threshold = thresholds_m_[crossed.size()] / cosine_;
+      Real low = 0, high = t;
+      if (abs(at(state, ground, t).s) < threshold) return;
+      for (int i = 0; i < 160; ++i) {
+        const Real middle = (low + high) / 2;
+        (abs(at(state, ground, middle).s) < threshold ? low : high) = middle;
+      }
+      crossed.push_back({time + gone + high, abs(at(state, ground, high).velocity) * cosine_});
+    }
+  }
+
+  void move(State& state, Ground& ground, const Real& t, const Real& gone) {
+    watch(state, ground, t, gone);
     state = at(state, ground, t);
     ground.a += ground.a_rate * t;
     ground.w += ground.w_rate * t;
@@ -211,6 +233,7 @@ class CoupledReference {
   }
 
   int looks_;
+  std::vector<double> thresholds_m_;
   Real g_, mu_, r_, sine_, cosine_, zeta_, omega_;
   Real yields_at_, alpha_, plastic_ = 0;
   int sigma_ = 0, yielding_ = 0;
