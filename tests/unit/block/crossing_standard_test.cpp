@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Crossings by both solvers on the standard scenes of the built-in suite.
+// Crossings by both solvers on the standard scenes of one component of the built-in suite.
 #include <gtest/gtest.h>
 
 #include "glissade/block/peak_slip.hpp"
@@ -11,7 +11,7 @@ namespace {
 
 // On the same samples both are exact: what differs is rounding.
 TEST(crossing_on_standard_scenes, is_the_same_by_either_solver) {
-  const auto all = test::built_in_scenes(GLISSADE_SOURCE_DIR "/suites", 4);
+  const auto all = test::built_in_scenes(GLISSADE_SOURCE_DIR "/suites", 1);
   int compared = 0, beyond = 0;
   test::for_each_roof(
       all.components, all.scenes,
@@ -39,8 +39,8 @@ TEST(crossing_on_standard_scenes, is_the_same_by_either_solver) {
           }
         }
       });
-  EXPECT_GT(compared, 5000);
-  EXPECT_GT(beyond, 500);
+  EXPECT_GT(compared, 2000);
+  EXPECT_GT(beyond, 200);
 }
 
 }  // namespace
