@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 
+#include "crossing_watch.hpp"
 #include "glissade/core/contract.hpp"
 #include "sliding_block.hpp"
 
@@ -13,11 +14,27 @@ namespace glissade {
 namespace {
 
 using block_detail::Contact;
+using block_detail::CrossingWatch;
 using block_detail::Drive;
 using block_detail::NoHistory;
 using block_detail::Roof;
 using block_detail::SlidingBlock;
+using block_detail::WatchHistory;
 using block_detail::without_trailing_zeros;
+
+/// Keeps the points of a history, in plan.
+class Points : public NoHistory {
+ public:
+  Points(std::vector<SlipPoint>& points, double cos_slope)
+      : points_(points), cos_slope_(cos_slope) {}
+  void operator()(double time, double slip, double velocity) const {
+    points_.push_back({time, slip * cos_slope_, velocity * cos_slope_});
+  }
+
+ private:
+  std::vector<SlipPoint>& points_;
+  double cos_slope_;
+};
 
 template <class History>
 SlipResult slide_with(const RoofAcceleration& roof, const Block& block, History history) {
@@ -81,11 +98,14 @@ SlipResult slide(const RoofAcceleration& roof, const Block& block) {
 
 SlipResult slide(const RoofAcceleration& roof, const Block& block,
                  std::vector<SlipPoint>& history) {
-  const double cos_slope = std::cos(block.slope_rad);
   history.assign(1, SlipPoint{});
-  return slide_with(roof, block, [&](double time, double slip, double velocity) {
-    history.push_back({time, slip * cos_slope, velocity * cos_slope});
-  });
+  return slide_with(roof, block, Points(history, std::cos(block.slope_rad)));
+}
+
+SlipResult slide(const RoofAcceleration& roof, const Block& block,
+                 std::span<const double> thresholds_m, std::span<Crossing> crossings) {
+  CrossingWatch watch(thresholds_m, crossings, std::cos(block.slope_rad));
+  return slide_with(roof, block, WatchHistory{&watch});
 }
 
 bool cannot_slip(const Block& block, double peak_horizontal_mps2, double peak_vertical_mps2) {

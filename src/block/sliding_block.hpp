@@ -36,9 +36,20 @@ inline double time_to_stop(double u0, const Line& drive, double length) {
   return std::min(t, length);
 }
 
+/// Where a block that slides is on its way.
+struct SlideState {
+  double time = 0.0;
+  double slip = 0.0;   ///< along the slope, down positive
+  double speed = 0.0;  ///< >= 0, along the slope
+  int direction = 0;   ///< +1 sliding down, -1 up
+};
+
 /// Ignores the history: slide() without one compiles to nothing here.
 struct NoHistory {
+  /// At each sample, start and stop: time, slip, velocity.
   void operator()(double, double, double) const {}
+  /// Slid over a length of time under a drive.
+  void slides(const SlideState&, const Line&, double, const SlideState&) const {}
 };
 
 /// Integrates one block over pieces of time in which the drives are linear.
@@ -50,6 +61,7 @@ class SlidingBlock {
 
   int direction() const { return direction_; }  ///< +1 sliding down, -1 up, 0 at rest
   double speed() const { return speed_; }
+  double slip() const { return slip_; }
 
   // A phase that was worked out elsewhere, in parts.
   void start(int direction) {
@@ -68,6 +80,9 @@ class SlidingBlock {
                               slip_);  // slip is monotone inside a phase: peaks are at phase ends
     farthest_up_ = std::min(farthest_up_, slip_);
   }
+
+  /// What comes next begins at this time.
+  void be_at(double time) { time_ = time; }
 
   /// Time passes and the block stays where it is.
   void rest_until(double time) {
@@ -194,12 +209,16 @@ class SlidingBlock {
                                : std::max(speed_, end_speed);
     // Where the numbers are so small that their squares vanish, it would come out below zero.
     const double distance = t * (speed_ + t * (0.5 * drive.value + drive.rate * t / 6.0));
+    const SlideState from = state();
     slip_ += direction_ * std::max(distance, 0.0);
     peak_speed_ = std::max(peak_speed_, fastest);
     speed_ = std::max(end_speed, 0.0);
     duration_ += t;
     pass(t);
+    history_.slides(from, drive, t, state());
   }
+
+  SlideState state() const { return {time_, slip_, speed_, direction_}; }
 
   /// Never beyond the piece's end by rounding: the next piece begins there.
   void pass(double t) { time_ = std::min(time_ + t, piece_end_); }

@@ -62,7 +62,6 @@ double PooledLevel::share_above(double slip_m) const {
 }
 
 Interval PooledLevel::quantile_interval(double probability, const BootstrapOptions& options) const {
-  const double wanted = probability * static_cast<double>(sorted_.size());
   Interval interval = bootstrap_interval(
       by_record_.size(),
       [&](const std::vector<double>& weights) {
@@ -73,6 +72,8 @@ Interval PooledLevel::quantile_interval(double probability, const BootstrapOptio
           }
           return count;
         };
+        const double drawn = count_up_to(bins - 1), wanted = probability * drawn;
+        if (drawn == 0.0) return std::numeric_limits<double>::quiet_NaN();
         std::size_t low = 0, high = bins - 1;  // the first bin that holds the wanted count
         while (low < high) {
           const std::size_t middle = (low + high) / 2;

@@ -15,7 +15,8 @@ double quantile_of_sorted(const std::vector<double>& sorted, double probability)
 /// resample them whole.
 class PooledLevel {
  public:
-  /// @param slips_m by record, then by sample; every record has as many samples
+  /// @param slips_m by record, then by sample; every record has as many samples, but for quantiles,
+  /// to which a record may bring any number or none
   explicit PooledLevel(const std::vector<std::vector<double>>& slips_m);
 
   double quantile_m(double probability) const;  ///< of all slips; Hyndman & Fan (1996) type 7

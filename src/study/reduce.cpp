@@ -11,6 +11,7 @@
 #include "glissade/core/units.hpp"
 #include "glissade/motion/intensity.hpp"
 #include "glissade/study/chart.hpp"
+#include "glissade/study/impact.hpp"
 #include "model_text.hpp"
 #include "pooled_level.hpp"
 
@@ -225,6 +226,12 @@ RunResults reduce_run(const Plan& plan, const std::vector<const UnitResult*>& un
     }
     pooled.emplace_back(slips);
     run.slip.push_back(statistics_of(pooled.back(), run, level, levels[level], options));
+  }
+  if (plan.config.impact) {
+    run.impact = impact_statistics(
+        {run.capacity.rows, run.capacity.columns, levels, plan.config.thresholds_m,
+         run.crossing_time_s, run.crossing_speed_mps},
+        options);
   }
   for (const Standard standard : plan.config.standards.compare) {
     for (std::size_t level = 0; level < levels.size(); ++level) {

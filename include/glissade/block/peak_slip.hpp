@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 
+#include "glissade/block/crossing.hpp"
 #include "glissade/block/slide.hpp"
 #include "glissade/building/roof_table.hpp"
 
@@ -45,6 +47,14 @@ enum class EventSearch {
 /// The same bits on every SIMD target. Scaling factors and gravity together by any number scales
 /// the slip by it, exactly.
 PeakSlip peak_slip(const RoofTable& roof, const Block& block, const MotionFactors& factors = {},
+                   EventSearch search = EventSearch::bounds);
+
+/// The same, to the last bit, and when and how fast the block first gets each distance from where
+/// it lay: of a phase that passes a threshold, the interval between nodes in which it does is
+/// searched for by bisection, and the root in it found to rounding. See slide() for the parameters
+/// and what a crossing is.
+PeakSlip peak_slip(const RoofTable& roof, const Block& block, const MotionFactors& factors,
+                   std::span<const double> thresholds_m, std::span<Crossing> crossings,
                    EventSearch search = EventSearch::bounds);
 
 }  // namespace glissade

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "glissade/block/crossing.hpp"
 #include "glissade/core/units.hpp"
 
 namespace glissade {
@@ -70,6 +71,16 @@ struct SlipPoint {
 
 /// The same, and what happened on the way.
 SlipResult slide(const RoofAcceleration& roof, const Block& block, std::vector<SlipPoint>& history);
+
+/// The same, and when and how fast the block first gets each distance from where it lay. Slip is a
+/// cubic of time between events; its root is found to rounding. A threshold is crossed exactly
+/// where peak_displacement_m is at least as large; met only as the block stops, its speed is zero.
+/// Just short of a stop the speed goes as the root of the way that is left, and so does its
+/// rounding.
+/// @param thresholds_m > 0, ascending; in plan
+/// @param crossings one for each
+SlipResult slide(const RoofAcceleration& roof, const Block& block,
+                 std::span<const double> thresholds_m, std::span<Crossing> crossings);
 
 /// True when the block cannot move whatever the phase between horizontal and vertical: the largest
 /// |a| and |w| together stay in the stick range. Then slide() gives exactly zero, and need not be

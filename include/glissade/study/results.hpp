@@ -71,6 +71,19 @@ struct SlipStatistics {
                                                                     ///< one axis
 };
 
+/// How the array first gets a threshold's distance from where it lay, at one level: over those
+/// records' samples that get there (percentiles by Hyndman & Fan 1996, type 7; NaN where none
+/// does). Speed is that of the array relative to the roof, in plan. Where fewer than three records
+/// have any that does there is no interval.
+struct ImpactStatistics {
+  double level = 0.0, threshold_m = 0.0;
+  double reached_share = 0.0;  ///< of all histories at the level
+  Interval reached_interval;   ///< 95 %, bootstrap over records, as all here
+  double speed_median_mps = 0.0, speed_p84_mps = 0.0, speed_p95_mps = 0.0, speed_largest_mps = 0.0;
+  Interval speed_median_interval, speed_p84_interval;
+  double time_median_s = 0.0, time_p16_s = 0.0, time_p84_s = 0.0;  ///< from the record's begin
+};
+
 /// A prescriptive value beside what came out at one S_DS.
 struct StandardComparison {
   Standard standard = Standard::seaoc_pv1_2012;
@@ -94,9 +107,11 @@ struct RunResults {
   std::vector<double> band_intensities;
   std::vector<SlipStatistics> slip;           ///< by level
   std::vector<StandardComparison> standards;  ///< by (standard, level); empty unless sds_g
-  /// First crossings by (record, sample, level, threshold), the last fastest; NaN: none. Empty
-  /// where they are not asked for.
-  std::vector<double> crossing_time_s, crossing_speed_mps;
+  // Where the study asks for impact, else empty:
+  std::vector<double> crossing_time_s;  ///< (record, sample, level, threshold), the last fastest;
+                                        ///< NaN: not reached
+  std::vector<double> crossing_speed_mps;  ///< likewise; in plan, relative to the roof
+  std::vector<ImpactStatistics> impact;    ///< by (threshold, level)
 };
 
 /// How far an array slides at one point of a chart, over the suite's records, in plan. A record

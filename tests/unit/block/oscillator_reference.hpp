@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "glissade/block/crossing.hpp"
 #include "glissade/block/slide.hpp"
 #include "glissade/core/oscillator.hpp"
 
@@ -19,10 +20,11 @@ namespace glissade::test {
 class OscillatorReference {
  public:
   double down = 0.0, up = 0.0, residual = 0.0;  ///< in plan, m
+  std::vector<Crossing> crossings;              ///< of the thresholds that are reached
 
   OscillatorReference(double dt_s, std::span<const double> ground_mps2, double period_s,
                       double damping, double factor, const Block& block, double ring_down_s,
-                      int looks = 64)
+                      int looks = 64, std::span<const double> thresholds_m = {})
       : dt_(dt_s),
         ground_(ground_mps2.begin(), ground_mps2.end()),
         omega_(2.0 * std::numbers::pi / period_s),
@@ -69,8 +71,18 @@ class OscillatorReference {
           }
           const int d = direction > 0 ? 0 : 1;
           const auto slowing = [&](double y) { return -speed(d, start, roof(i, y)); };
-          if (!(slowing(to) > 0.0)) break;
-          const double at = bisect(slowing, from, to);
+          const bool stops = slowing(to) > 0.0;
+          const double at = stops ? bisect(slowing, from, to) : to;
+          while (crossings.size() < thresholds_m.size()) {
+            const auto beyond = [&](double y) {
+              return std::abs(slip + direction * way(d, start, roof(i, y))) * c -
+                     thresholds_m[crossings.size()];
+            };
+            if (!(beyond(at) >= 0.0)) break;
+            const Roof here = roof(i, bisect(beyond, from, at));
+            crossings.push_back({here.time, c * speed(d, start, here)});
+          }
+          if (!stops) break;
           slip += direction * way(d, start, roof(i, at));
           far_down = std::max(far_down, slip);
           far_up = std::min(far_up, slip);

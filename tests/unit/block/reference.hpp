@@ -20,8 +20,11 @@ struct Reference {
   Real slip = 0, down = 0, up = 0, peak_velocity = 0;  ///< in plan; downslope positive, +x if flat
   Real duration = 0;                                   ///< of sliding
   bool uplift = false;
+  /// Of the thresholds that are reached, in order: when, and how fast in plan.
+  std::vector<Real> crossing_s, crossing_mps;
 
-  Reference(const RoofAcceleration& roof, const Block& block) {
+  Reference(const RoofAcceleration& roof, const Block& block,
+            const std::vector<double>& thresholds_m = {}) {
     using std::abs;
     // A roof that falls toward -x is the mirror image of one that falls toward +x.
     const int mirror = block.slope_rad < 0 ? -1 : 1;
@@ -43,8 +46,24 @@ struct Reference {
     const auto acceleration = [&](const Real& ai, const Real& wi, int sg, const Real& mu) -> Real {
       return (g + wi) * sine - ai * cosine - sg * mu * normal(ai, wi);
     };
-    Real v = 0, s = 0;
+    Real v = 0, s = 0, clock = 0;
     int sigma = 0;
+    // Over tau from now, slip is s + v tau + n tau^2 / 2 + k tau^3 / 6 and goes one way.
+    const auto cross = [&](const Real& now, const Real& tau, const Real& n0, const Real& k) {
+      const auto slip_at = [&](const Real& t) -> Real {
+        return s + t * (v + t * (n0 / 2 + t * k / 6));
+      };
+      while (crossing_s.size() < thresholds_m.size() &&
+             abs(slip_at(tau)) * cosine >= thresholds_m[crossing_s.size()]) {
+        Real lo = 0, hi = tau;
+        for (int i = 0; i < 170; ++i) {
+          const Real mid = (lo + hi) / 2;
+          (abs(slip_at(mid)) * cosine >= thresholds_m[crossing_s.size()] ? hi : lo) = mid;
+        }
+        crossing_s.push_back(now + hi);
+        crossing_mps.push_back(abs(v + hi * (n0 + hi * k / 2)) * cosine);
+      }
+    };
     const bool free = tan(slope) > friction;
     const auto run = [&](const Real& a0, const Real& w0, const Real& a1, const Real& w1,
                          const Real& h, const Real& mu) {
@@ -95,6 +114,7 @@ struct Reference {
           }
         }
         const Real tau = stop < 0 ? left : stop;
+        cross(clock + t, tau, nn, kk);
         s += v * tau + nn * tau * tau / 2 + kk * tau * tau * tau / 6;
         v = stop < 0 ? velocity(left) : Real(0);
         t += tau;
@@ -108,8 +128,10 @@ struct Reference {
     };
     // A lifted block feels no friction: the interval is cut where the normal force, a line, is
     // zero.
-    const auto interval = [&](const Real& a0, const Real& w0, const Real& a1, const Real& w1) {
+    const auto interval = [&](std::size_t sample, const Real& a0, const Real& w0, const Real& a1,
+                              const Real& w1) {
       const Real h = roof.dt_s;
+      clock = sample * h;
       const bool held0 = normal(a0, w0) >= 0, held1 = normal(a1, w1) >= 0;
       uplift |= !held0 || !held1;
       if (held0 == held1) return run(a0, w0, a1, w1, h, held0 ? friction : Real(0));
@@ -120,11 +142,14 @@ struct Reference {
       }
       const Real am = a0 + lo * (a1 - a0), wm = w0 + lo * (w1 - w0);
       run(a0, w0, am, wm, lo * h, held0 ? friction : Real(0));
+      clock += lo * h;
       run(am, wm, a1, w1, (1 - lo) * h, held1 ? friction : Real(0));
     };
-    for (std::size_t i = 0; i + (free ? 1 : 0) < n; ++i) interval(a(i), w(i), a(i + 1), w(i + 1));
+    for (std::size_t i = 0; i + (free ? 1 : 0) < n; ++i)
+      interval(i, a(i), w(i), a(i + 1), w(i + 1));
     if (!free && sigma != 0) {
       const Real drive = acceleration(0, 0, sigma, friction);
+      if (drive != 0) cross(n * Real(roof.dt_s), -v / drive, drive, 0);
       if (drive != 0) duration += -v / drive;
       if (drive != 0) s += -v * v / (2 * drive);  // without friction on a flat roof it never stops
       if (s > down) down = s;

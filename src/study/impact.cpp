@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glissade/study/impact.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "glissade/core/contract.hpp"
+#include "pooled_level.hpp"
+
+namespace glissade {
+namespace {
+
+/// Fewer records that get there say nothing of how records differ.
+constexpr std::ptrdiff_t fewest_records = 3;
+
+/// The crossings of one threshold at one level that happen, by record.
+struct Happened {
+  std::vector<std::vector<double>> time_s, speed_mps;
+
+  Happened(const CrossingArrays& all, std::size_t level, std::size_t threshold)
+      : time_s(all.records), speed_mps(all.records) {
+    for (std::size_t record = 0; record < all.records; ++record) {
+      for (std::size_t sample = 0; sample < all.samples; ++sample) {
+        const std::size_t history = (record * all.samples + sample) * all.levels.size() + level;
+        const std::size_t at = history * all.thresholds_m.size() + threshold;
+        if (std::isnan(all.time_s[at])) continue;
+        time_s[record].push_back(all.time_s[at]);
+        speed_mps[record].push_back(all.speed_mps[at]);
+      }
+    }
+  }
+
+  std::ptrdiff_t records() const {
+    return std::ranges::count_if(time_s, [](const auto& times) { return !times.empty(); });
+  }
+};
+
+std::vector<double> sorted_together(const std::vector<std::vector<double>>& by_record) {
+  std::vector<double> all;
+  for (const std::vector<double>& values : by_record)
+    all.insert(all.end(), values.begin(), values.end());
+  std::ranges::sort(all);
+  return all;
+}
+
+double quantile(const std::vector<double>& sorted, double probability) {
+  return sorted.empty() ? std::numeric_limits<double>::quiet_NaN()
+                        : quantile_of_sorted(sorted, probability);
+}
+
+/// Of the share of histories that get there.
+Interval share_interval(const Happened& happened, std::size_t samples,
+                        const BootstrapOptions& options) {
+  return bootstrap_interval(
+      happened.time_s.size(),
+      [&](const std::vector<double>& weights) {
+        double count = 0.0;
+        for (std::size_t record = 0; record < weights.size(); ++record)
+          count += weights[record] * static_cast<double>(happened.time_s[record].size());
+        return count / static_cast<double>(weights.size() * samples);
+      },
+      options);
+}
+
+ImpactStatistics statistics_of(const Happened& happened, std::size_t samples,
+                               const BootstrapOptions& options) {
+  const std::vector<double> times = sorted_together(happened.time_s),
+                            speeds = sorted_together(happened.speed_mps);
+  const std::size_t histories = happened.time_s.size() * samples;
+  ImpactStatistics s;
+  s.reached_share = static_cast<double>(times.size()) / static_cast<double>(histories);
+  s.speed_median_mps = quantile(speeds, 0.5);
+  s.speed_p84_mps = quantile(speeds, 0.84);
+  s.speed_p95_mps = quantile(speeds, 0.95);
+  s.speed_largest_mps = quantile(speeds, 1.0);
+  s.time_median_s = quantile(times, 0.5);
+  s.time_p16_s = quantile(times, 0.16);
+  s.time_p84_s = quantile(times, 0.84);
+  if (happened.records() < fewest_records) return s;
+  // Where every history gets there resampling tells nothing of the share.
+  if (times.size() < histories) s.reached_interval = share_interval(happened, samples, options);
+  const PooledLevel pooled(happened.speed_mps);
+  s.speed_median_interval = pooled.quantile_interval(0.5, options);
+  s.speed_p84_interval = pooled.quantile_interval(0.84, options);
+  return s;
+}
+
+}  // namespace
+
+std::vector<ImpactStatistics> impact_statistics(const CrossingArrays& crossings,
+                                                const BootstrapOptions& options) {
+  const std::size_t size = crossings.records * crossings.samples * crossings.levels.size() *
+                           crossings.thresholds_m.size();
+  GLISSADE_EXPECTS(crossings.records > 0 && crossings.samples > 0);
+  GLISSADE_EXPECTS(crossings.time_s.size() == size && crossings.speed_mps.size() == size);
+  std::vector<ImpactStatistics> all;
+  for (std::size_t t = 0; t < crossings.thresholds_m.size(); ++t) {
+    for (std::size_t l = 0; l < crossings.levels.size(); ++l) {
+      all.push_back(statistics_of(Happened(crossings, l, t), crossings.samples, options));
+      all.back().level = crossings.levels[l];
+      all.back().threshold_m = crossings.thresholds_m[t];
+    }
+  }
+  return all;
+}
+
+}  // namespace glissade
