@@ -17,8 +17,6 @@ Series product(const Series& a, const Series& b) {
   return s;
 }
 
-double term(const Series& s, int k) { return k < s.terms ? s.c[static_cast<std::size_t>(k)] : 0.0; }
-
 /// FrictionEllipse::excess over a piece.
 Series excess(const FrictionEllipse& friction, const TwoAxisLoading& loading,
               const AxisSeries (&axis)[2], const Shaking& shaking) {
@@ -26,9 +24,8 @@ Series excess(const FrictionEllipse& friction, const TwoAxisLoading& loading,
   s.terms = y.terms = n.terms =
       std::max({axis[0].a.terms, axis[1].a.terms, shaking.vertical_terms});
   for (int k = 0; k < s.terms; ++k) {
-    const double a1 = term(axis[0].a, k), a2 = term(axis[1].a, k);
-    const double w =
-        k < shaking.vertical_terms ? shaking.vertical[static_cast<std::size_t>(k)] : 0.0;
+    const double a1 = coefficient(axis[0].a, k), a2 = coefficient(axis[1].a, k);
+    const double w = shaking.coefficient(k);
     const Load load = k == 0 ? loading.at(a1, a2, w) : loading.change(a1, a2, w);
     s.c[k] = load.drive.s;
     y.c[k] = friction.to_circle() * load.drive.y;

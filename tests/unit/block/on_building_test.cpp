@@ -36,6 +36,34 @@ double difference(const BuildingSlip& two, const CoupledResult& one) {
                             std::max(one.peak_roof_displacement_m, 1e-12))});
 }
 
+TEST(explore, rates) {
+  std::vector<double> pick;
+  for (double tol : {1e-6,1e-8, 1e-9}) {
+    std::mt19937 random(3);
+    for (unsigned k = 0; k < 100; ++k) {
+      OnBuilding scene(random, k, 600);
+      scene.second.clear();
+      scene.block.azimuth_rad = k % 3 == 0 ? std::numbers::pi : 0.0;
+      scene.building.horizontal[1].period_s = k % 2 == 0 ? 0.0 : 0.7;
+      scene.tolerance = tol;
+      if (k % 5 == 0) scene.building.mass_ratio = 0.0;
+      if (k % 7 == 0) for (double& w : scene.up) w *= 4.0;
+      const double towards = k % 3 == 0 ? -1.0 : 1.0;
+      try {
+      const BuildingSlip two = scene.result();
+      const CoupledResult one = slide_coupled(
+          {scene.dt_s, scene.first, scene.up}, {scene.factor, scene.factor},
+          {scene.building.horizontal[0], scene.building.mass_ratio},
+          {.friction = scene.block.friction.along, .slope_rad = towards * scene.block.slope_rad});
+      if (one.slip.slip_phases == 0) continue;
+      double e = difference(two, one);
+      if (one.slip.uplift && e> 10*tol)
+       printf("%g  %u T %.3f r %.3f slope %.3f mu %.3f lift %d %zu %zu  %.3e | %.3e %.3e sh %.3e %.3e\n", tol,k, scene.building.horizontal[0].period_s, scene.building.mass_ratio, scene.block.slope_rad, scene.block.friction.along, one.slip.uplift, two.slip.slip_phases, one.slip.slip_phases, e, two.slip.peak_displacement_m, one.slip.peak_displacement_m, two.peak_base_shear[0],one.peak_base_shear);
+     } catch (std::exception& e) { printf("%g  %u T %.3f r %.3f slope %.3f mu %.3f %s\n", tol,k, scene.building.horizontal[0].period_s, scene.building.mass_ratio, scene.block.slope_rad, scene.block.friction.along,e.what()); }
+    }
+  }
+}
+
 TEST(slide_on_building, is_slide_coupled_where_the_ground_moves_along_the_slope) {
   std::mt19937 random(3);
   std::vector<double> errors;
