@@ -123,12 +123,13 @@ void CoupledBody::pass(const GroundPiece& ground, const RoofMotionSeries& roof,
       peak = std::max(peak, highest(slip.speed, share));
     const double begin = slip_;
     slip_ += direction_ * std::max(slip.speed.integral(ground.length_s, 0.0).at(share), 0.0);
-    crossings_.follow({direction_, begin, slip_, time_}, slip.speed, ground.length_s, share,
-                      next.event == Event::stops);
+    if (crossings_.reached(slip_))
+      crossings_.follow({direction_, begin, slip_, time_}, slip.speed, ground.length_s, share,
+                        next.event == Event::stops);
     speed_ = std::max(slip.speed.at(share), 0.0);
     result_.slip.slip_duration_s += share * ground.length_s;
   }
-  spring_.pass(roof.x, share);
+  if (spring_.yields()) spring_.pass(roof.x, share);
   roof_ = {roof.x.at(share), roof.y.at(share)};
   time_ = std::min(time_ + share * ground.length_s, piece_end_);
 }

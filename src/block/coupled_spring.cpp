@@ -23,7 +23,6 @@ double Spring::unload_share(const Series& y) const {
 }
 
 void Spring::pass(const Series& x, double share) {
-  if (!yields()) return;
   Series way = x;
   way.c[0] = 0.0;
   if (yielding())

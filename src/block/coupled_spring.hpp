@@ -43,7 +43,7 @@ class Spring {
   double yield_share(const Series& x, int side) const;
   /// When x, yielding, turns back.
   double unload_share(const Series& y) const;
-  /// The share of a piece passes.
+  /// The share of a piece passes; @pre yields().
   void pass(const Series& x, double share);
   void yield(int side);
   void unload() { direction_ = 0; }
