@@ -123,14 +123,14 @@ void CoupledBody::pass(const GroundPiece& ground, const RoofMotionSeries& roof,
       peak = std::max(peak, highest(slip.speed, share));
     const double begin = slip_;
     slip_ += direction_ * std::max(slip.speed.integral(ground.length_s, 0.0).at(share), 0.0);
-    crossings_.follow({direction_, begin, slip_, time_}, slip.speed, ground.length_s, share,
-                      next.event == Event::stops);
+    if (crossings_.reached(slip_))
+      crossings_.follow({direction_, begin, slip_, time_}, slip.speed, ground.length_s, share,
+                        next.event == Event::stops);
     speed_ = std::max(slip.speed.at(share), 0.0);
     result_.slip.slip_duration_s += share * ground.length_s;
   }
-  const double x = roof.x.at(share);
-  spring_.pass(roof_.x, x, share);
-  roof_ = {x, roof.y.at(share)};
+  if (spring_.yields()) spring_.pass(roof.x, share);
+  roof_ = {roof.x.at(share), roof.y.at(share)};
   time_ = std::min(time_ + share * ground.length_s, piece_end_);
 }
 
@@ -138,8 +138,7 @@ void CoupledBody::pass(const GroundPiece& ground, const RoofMotionSeries& roof,
 void CoupledBody::happen_to_spring(const NextEvent& next) {
   refused_ = false;
   if (next.share > 0.0) at_threshold_ = just_lifted_or_landed_ = false;
-  if (next.event != Event::unloads)
-    return spring_.yield(next.event == Event::yields_up ? +1 : -1, roof_.x);
+  if (next.event != Event::unloads) return spring_.yield(next.event == Event::yields_up ? +1 : -1);
   spring_.unload();
   roof_.y = 0.0;
 }
@@ -215,7 +214,8 @@ Envelope CoupledBody::free_vibration() const {
 }
 
 bool CoupledBody::may_yield() const {
-  return spring_.yields() && spring_.may_yield(contact_.stuck().mass * free_vibration().amplitude);
+  return spring_.yields() &&
+         spring_.may_yield(roof_.x, contact_.stuck().mass * free_vibration().amplitude);
 }
 
 double CoupledBody::largest_acceleration_to_come_mps2() const {
@@ -237,7 +237,7 @@ CoupledResult CoupledBody::result() const {
   if (!frame_.rigid()) {
     const double square = frame_.omega_radps * frame_.omega_radps;
     r.peak_roof_displacement_m = peaks_.x_mps2 / square;
-    r.residual_roof_displacement_m = spring_.offset() / square;
+    r.residual_roof_displacement_m = spring_.offset(roof_.x) / square;
   }
   r.energy = energy_.total(roof_, spring_, direction_ * speed_ + velocity_before_coast_);
   return r;

@@ -56,20 +56,19 @@ RoofMotionSeries roof_motion_series(const Frame& frame, const Mode& mode, double
                twice_zeta = 2.0 * frame.damping_ratio;
   const int terms = frame.terms;
   m.x.terms = m.y.terms = m.elastic.terms = m.a.terms = terms;
-  m.x.c[0] = from.x;
-  m.y.c[0] = from.y;
   const double forcing[2] = {ground.begin.a + weight[0] * per_mass, rise.a + weight[1] * per_mass};
-  const auto force = [&](int k) { return k == 0 ? spring.force : spring.stiffness * m.x.c[k]; };
-  for (int k = 0; k + 1 < terms; ++k) {
-    const double share = phase * Series::inverse[k + 1], elastic = share * per_mass;
-    double y = -(elastic * force(k)) - (elastic * twice_zeta) * m.y.c[k];
-    if (k < 2) y -= share * forcing[k];
-    m.x.c[k + 1] = share * m.y.c[k];
-    m.y.c[k + 1] = y;
-  }
+  double x = from.x, y = from.y, force = spring.force;
   for (int k = 0; k < terms; ++k) {
-    m.elastic.c[k] = -(force(k) + twice_zeta * m.y.c[k]);
+    m.x.c[k] = x;
+    m.y.c[k] = y;
+    m.elastic.c[k] = -(force + twice_zeta * y);
     m.a.c[k] = m.elastic.c[k] * per_mass;
+    const double share = phase * Series::inverse[k + 1], elastic = share * per_mass;
+    double next = -(elastic * force) - (elastic * twice_zeta) * y;
+    if (k < 2) next -= share * forcing[k];
+    x = share * y;
+    y = next;
+    force = spring.stiffness * x;
   }
   for (int k = 0; k < 2; ++k) m.a.c[k] -= weight[k] * per_mass;
   return m;

@@ -53,7 +53,7 @@ struct Scene {
 TEST(coupled_yielding, agrees_with_50_digits) {
   std::mt19937 random(6);
   int slid = 0, yields = 0;
-  for (unsigned k = 0; k < 20; ++k) {
+  for (unsigned k = 0; k < 14; ++k) {
     Scene scene(random, 100 + k, 120);
     scene.block.slope_rad = std::abs(scene.block.slope_rad);
     std::vector<CoupledPoint> history;
@@ -89,7 +89,7 @@ TEST(coupled_yielding, agrees_with_50_digits) {
     slid += r.slip.slip_phases > 0 ? 1 : 0;
     yields += truth.yields;
   }
-  EXPECT_GT(slid, 12);
+  EXPECT_GT(slid, 9);
   EXPECT_GT(yields, 60);
 }
 
