@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glissade/motion/response_spectrum.hpp"
 
-#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -11,6 +10,7 @@
 #include "glissade/core/contract.hpp"
 #include "glissade/core/oscillator.hpp"
 #include "glissade/motion/intensity.hpp"
+#include "oscillator_block.hpp"
 
 namespace glissade {
 namespace {
@@ -61,83 +61,50 @@ struct Interval {
   }
 };
 
-/// Oscillators advanced in lockstep: Eigen keeps them in SIMD registers.
-constexpr std::size_t lanes = 8;
-using Lanes = Eigen::Array<double, int{lanes}, 1>;
+using motion_detail::block_size;
+using motion_detail::OscillatorBlock;
 
-class OscillatorBlock {
- public:
-  explicit OscillatorBlock(double zeta) : zeta_(zeta) {}
+void load(OscillatorBlock& block, std::size_t k, double h) {
+  const OscillatorStep step = oscillator_step(h, block.zeta);
+  block.h[k] = h;
+  block.bulge[k] = h <= 1.0 ? 0.15 * h * h : 0.0;
+  block.xx[k] = step.xx;
+  block.xy[k] = step.xy;
+  block.yy[k] = step.yy;
+  block.x_start[k] = step.x_start;
+  block.x_end[k] = step.x_end;
+  block.y_start[k] = step.y_start;
+  block.y_end[k] = step.y_end;
+}
 
-  void set(std::size_t lane, double h) {
-    const OscillatorStep step = oscillator_step(h, zeta_);
-    h_[lane] = h;
-    bulge_[lane] = h <= 1.0 ? 0.15 * h * h : 0.0;
-    xx_[lane] = step.xx;
-    xy_[lane] = step.xy;
-    yy_[lane] = step.yy;
-    x_start_[lane] = step.x_start;
-    x_end_[lane] = step.x_end;
-    y_start_[lane] = step.y_start;
-    y_end_[lane] = step.y_end;
+/// An oscillator is looked at where what the lanes found says that its peak may have risen.
+void look_inside(OscillatorBlock& block, std::size_t first, std::size_t last, double a_start,
+                 double a_end) {
+  const auto& [x0, y0, v0] = block.now;
+  const auto& [x1, y1, v1] = block.next;
+  for (std::size_t k = first; k < last; ++k) {
+    const double x_ends = std::max(std::abs(x1[k]), std::abs(x0[k]));
+    const double v_ends = std::max(std::abs(v1[k]), std::abs(v0[k]));
+    if (x_ends + block.bulge[k] * v_ends - block.peak[k] <= 0.0) continue;
+    if (std::max(-y1[k] * y0[k], -v1[k] * v0[k]) <= 0.0) continue;
+    const Interval interval{block.h[k], block.zeta, {x0[k], y0[k], v0[k]}, a_start, a_end};
+    block.peak[k] = std::max(block.peak[k], interval.peak({x1[k], y1[k], v1[k]}));
   }
+}
 
-  /// Before the first interval.
-  void start(double acceleration) { v_ = -acceleration; }
+/// The largest |x| of the free vibration from now on: its first extremum is where
+/// tan(beta tau) = beta y / (x + zeta y), and exp(2 zeta tau) (x^2 + 2 zeta x y + y^2) does not
+/// change.
+double free_vibration_peak(double x, double y, double zeta) {
+  const double beta = std::sqrt(1.0 - zeta * zeta);
+  double angle = std::atan2(beta * y, x + zeta * y);
+  if (angle < 0.0) angle += std::numbers::pi;
+  return std::exp(-zeta * angle / beta) * std::sqrt(x * x + 2.0 * zeta * x * y + y * y);
+}
 
-  void advance(double a_start, double a_end) {
-    const Lanes x = xx_ * x_ + xy_ * y_ - (x_start_ * a_start + x_end_ * a_end);
-    const Lanes y = yy_ * y_ - xy_ * x_ - (y_start_ * a_start + y_end_ * a_end);
-    const Lanes v = -(x + 2.0 * zeta_ * y + a_end);
-    const Lanes x_ends = x.abs().max(x_.abs());
-    peak_ = peak_.max(x_ends);
-    // Inside the interval |x| exceeds its ends' by at most h^2/8 max|v|; and v, which is a free
-    // vibration there, exceeds its own ends' by at most 15 % when h <= 1. And y must pass zero,
-    // once or twice.
-    const Lanes excess = x_ends + bulge_ * v.abs().max(v_.abs()) - peak_;
-    const Lanes look = excess.min((-y * y_).max(-v * v_));
-    if (look.maxCoeff() > 0.0) look_inside(look, {x, y, v}, a_start, a_end);
-    x_ = x;
-    y_ = y;
-    v_ = v;
-  }
-
-  double peak(std::size_t lane) const { return std::max(peak_[lane], free_vibration_peak(lane)); }
-
- private:
-  struct States {
-    const Lanes &x, &y, &v;
-  };
-
-  void look_inside(const Lanes& look, const States& end, double a_start, double a_end) {
-    for (std::size_t i = 0; i < lanes; ++i) {
-      if (look[i] <= 0.0) continue;
-      const Interval interval{h_[i], zeta_, {x_[i], y_[i], v_[i]}, a_start, a_end};
-      peak_[i] = std::max(peak_[i], interval.peak({end.x[i], end.y[i], end.v[i]}));
-    }
-  }
-
-  /// The largest |x| of the free vibration from now on: its first extremum is where
-  /// tan(beta tau) = beta y / (x + zeta y), and exp(2 zeta tau) (x^2 + 2 zeta x y + y^2) does not
-  /// change.
-  double free_vibration_peak(std::size_t lane) const {
-    const double x = x_[lane];
-    const double y = y_[lane];
-    const double beta = std::sqrt(1.0 - zeta_ * zeta_);
-    double angle = std::atan2(beta * y, x + zeta_ * y);
-    if (angle < 0.0) angle += std::numbers::pi;
-    return std::exp(-zeta_ * angle / beta) * std::sqrt(x * x + 2.0 * zeta_ * x * y + y * y);
-  }
-
-  static Lanes zero() { return Lanes::Zero(); }
-
-  double zeta_;
-  Lanes h_ = zero(), bulge_ = zero();
-  Lanes xx_ = zero(), xy_ = zero(), yy_ = zero();  // transition; yx = -xy
-  Lanes x_start_ = zero(), x_end_ = zero(), y_start_ = zero(),
-        y_end_ = zero();  // forcing by a at both ends
-  Lanes x_ = zero(), y_ = zero(), v_ = zero(), peak_ = zero();
-};
+double peak(const OscillatorBlock& block, std::size_t k) {
+  return std::max(block.peak[k], free_vibration_peak(block.now.x[k], block.now.y[k], block.zeta));
+}
 
 /// Steps per sample interval for which omega dt <= 1: the motion is linear in between, so that
 /// smaller steps cost no accuracy. At most 64: beyond, the oscillator as good as follows the
@@ -147,18 +114,22 @@ int substeps_for(double dt_s, double period_s) {
       std::clamp(std::ceil(2.0 * std::numbers::pi * dt_s / period_s), 1.0, 64.0));
 }
 
-void advance_through(std::span<const double> acceleration, int substeps, OscillatorBlock& block) {
-  block.start(acceleration.front());
-  for (std::size_t n = 0; n < acceleration.size(); ++n) {
-    const double a_first = acceleration[n];
-    const double a_last = n + 1 < acceleration.size() ? acceleration[n + 1] : 0.0;
-    double a_start = a_first;
-    for (int step = 1; step < substeps; ++step) {
-      const double a_end = a_first + (a_last - a_first) * step / substeps;
-      block.advance(a_start, a_end);
-      a_start = a_end;
+void advance_through(std::span<const double> acceleration, int substeps, std::size_t count,
+                     OscillatorBlock& block) {
+  constexpr std::size_t stretch = 256;
+  for (std::size_t k = 0; k < count; ++k) block.now.v[k] = -acceleration.front();
+  std::vector<double> ground;
+  for (std::size_t begin = 0; begin < acceleration.size(); begin += stretch) {
+    const std::size_t end = std::min(begin + stretch, acceleration.size());
+    ground.assign(1, acceleration[begin]);
+    for (std::size_t n = begin; n < end; ++n) {
+      const double a_first = acceleration[n];
+      const double a_last = n + 1 < acceleration.size() ? acceleration[n + 1] : 0.0;
+      for (int step = 1; step < substeps; ++step)
+        ground.push_back(a_first + (a_last - a_first) * step / substeps);
+      ground.push_back(a_last);
     }
-    block.advance(a_start, a_last);
+    motion_detail::advance(block, count, ground, look_inside);
   }
 }
 
@@ -180,14 +151,14 @@ std::vector<double> pseudo_acceleration_spectrum(double dt_s,
     if (periods_s[i] > 0.0) groups[substeps_for(dt_s, periods_s[i])].push_back(i);
   }
   for (const auto& [substeps, group] : groups) {
-    for (std::size_t first = 0; first < group.size(); first += lanes) {
-      const std::size_t count = std::min(lanes, group.size() - first);
-      OscillatorBlock block(damping_ratio);
+    for (std::size_t first = 0; first < group.size(); first += block_size) {
+      const std::size_t count = std::min(block_size, group.size() - first);
+      OscillatorBlock block{.zeta = damping_ratio};
       for (std::size_t k = 0; k < count; ++k) {
-        block.set(k, 2.0 * std::numbers::pi * dt_s / (periods_s[group[first + k]] * substeps));
+        load(block, k, 2.0 * std::numbers::pi * dt_s / (periods_s[group[first + k]] * substeps));
       }
-      advance_through(acceleration_mps2, substeps, block);
-      for (std::size_t k = 0; k < count; ++k) spectrum[group[first + k]] = block.peak(k);
+      advance_through(acceleration_mps2, substeps, count, block);
+      for (std::size_t k = 0; k < count; ++k) spectrum[group[first + k]] = peak(block, k);
     }
   }
   return spectrum;

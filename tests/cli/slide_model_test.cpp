@@ -18,7 +18,6 @@ namespace {
 
 using Json = nlohmann::json;
 using testing::HasSubstr;
-constexpr double g = standard_gravity_mps2;
 
 class SlideModel : public testing::Test {
  protected:
@@ -46,7 +45,8 @@ TEST_F(SlideModel, on_two_axes_it_gives_what_the_library_gives_to_the_last_bit) 
                                 "--period-ratio", "1.4", "--mass-ratio", "0.1"});
   Motion motion;
   motion.dt_s = shaking_dt_s;
-  motion.horizontal_mps2 = {times(g, first_g_), times(g, second_g_)};
+  motion.horizontal_mps2 = {times(standard_gravity_mps2, first_g_),
+                            times(standard_gravity_mps2, second_g_)};
   const BuildingSlip expected = slide_on_building(
       building_ground(motion, {}, {}), {},
       {.horizontal = {Oscillator{0.5, 0.05}, Oscillator{1.4 * 0.5, 0.05}}, .mass_ratio = 0.1},
@@ -80,7 +80,7 @@ TEST_F(SlideModel, a_second_component_of_zero_changes_nothing) {
 }
 
 TEST_F(SlideModel, a_building_that_feels_the_array_gives_what_the_library_gives) {
-  const std::vector<double> a = times(g, first_g_);
+  const std::vector<double> a = times(standard_gravity_mps2, first_g_);
   for (const bool yields : {false, true}) {
     CoupledBuilding building{{0.4, 0.03}, 0.25};
     std::vector<std::string> options{"--mu",         "0.2", "--slope-deg", "-3",
@@ -106,9 +106,9 @@ TEST_F(SlideModel, a_constant_push_passes_a_clearance_with_the_speed_of_its_clos
   const Finished child = run_program(
       {"slide", push, "--json", "--mu", "0.2", "--slope-deg", "0", "--clearance-m", "0.5"});
   const Json json = Json::parse(child.out);
-  const double t = std::sqrt(0.5 / (0.15 * g));
+  const double t = std::sqrt(0.5 / (0.15 * standard_gravity_mps2));
   EXPECT_NEAR(json["crossing_time_s"].get<double>(), t, 1e-12);
-  EXPECT_NEAR(json["crossing_speed_mps"].get<double>(), 0.3 * g * t, 1e-12);
+  EXPECT_NEAR(json["crossing_speed_mps"].get<double>(), 0.3 * standard_gravity_mps2 * t, 1e-12);
   const Json never = slide_json({"--mu", "2", "--slope-deg", "0", "--clearance-m", "0.5"});
   EXPECT_TRUE(never["crossing_time_s"].is_null());
 }
