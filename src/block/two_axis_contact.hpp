@@ -37,6 +37,17 @@ class TwoAxisLoading {
     const double across = cos_azimuth_ * a2 - sin_azimuth_ * a1;
     return {{(g_ + w) * tan_ - along, -across / cos_}, g_ + w + along * tan_};
   }
+  /// What `at` changes by when the roof's acceleration does.
+  Load change(double a1, double a2, double w) const {
+    const double along = cos_azimuth_ * a1 + sin_azimuth_ * a2;
+    const double across = cos_azimuth_ * a2 - sin_azimuth_ * a1;
+    return {{w * tan_ - along, -across / cos_}, w + along * tan_};
+  }
+  double gravity() const { return g_; }
+  double tan_slope() const { return tan_; }
+  double cos_slope() const { return cos_; }
+  double cos_azimuth() const { return cos_azimuth_; }
+  double sin_azimuth() const { return sin_azimuth_; }
   /// From slip per cos(slope) to displacement in plan.
   Vector to_plan() const { return {cos_ * cos_, cos_}; }
 
@@ -52,6 +63,8 @@ class FrictionEllipse {
 
   bool is_circle() const { return mu_.s == mu_.y; }
   double along() const { return mu_.s; }
+  double across() const { return mu_.y; }
+  double to_circle() const { return to_circle_; }  ///< a factor on what is across
   double smallest() const { return std::min(mu_.s, mu_.y); }
   double largest() const { return std::max(mu_.s, mu_.y); }
 

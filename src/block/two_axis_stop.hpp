@@ -11,6 +11,18 @@ struct Stop {
   Vector displacement;
   double path = 0.0;
   double fastest = 0.0;  ///< on the way
+
+  /// The part of a straight way gone after a share of the time, and its rate per share, from the
+  /// speed at its begin: the cubic that ends at rest.
+  struct WayShare {
+    double way, rate;
+  };
+  WayShare way_share(double y, double speed) const {
+    const double begin = path > 0.0 ? speed * time_s / path : 0.0;
+    // way = begin y + b y^2 + c y^3 with way(1) = 1, way'(1) = 0
+    const double c = begin - 2.0, b = 1.0 - begin - c;
+    return {y * (begin + y * (b + y * c)), begin + y * (2.0 * b + y * 3.0 * c)};
+  }
 };
 
 /// With d and n = mu N constant on a circle (two_axis.hpp): never, where |d| >= n.

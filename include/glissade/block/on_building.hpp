@@ -40,6 +40,12 @@ struct BuildingSlip {
   std::array<double, 2> peak_roof_displacement_m{};  ///< max |u|, relative to the ground
 };
 
+/// The equations have one solution, and only one, in whatever direction the block slides: in the
+/// axes of the slope, with R = (m/M) times the identity where both axes of the building can move,
+///   1 + sin(slope) (sin(slope) R_ss - cos(slope) |(mu_s R_ss, mu_y R_sy / cos(slope))|) > 0,
+/// mu that of the fastest sliding. On one axis it is the condition of coupled.hpp.
+bool coupling_is_regular(const TwoAxisBlock& block, const BiaxialBuilding& building);
+
 /// The full model: slide_two_axis() on a building that may feel the array's mass, may yield, and
 /// whose vertical may be an oscillator's; with any FrictionLaw of the block.
 BuildingSlip slide_on_building(const BuildingGround& ground, const BuildingFactors& factors,

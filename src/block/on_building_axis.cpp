@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "on_building_axis.hpp"
+
+#include <numbers>
+
+namespace glissade::block_detail {
+
+BuildingAxis::BuildingAxis(const Oscillator& oscillator, const Yielding& yielding,
+                           double mass_ratio, double piece_s)
+    : stuck_mass_(1.0 + mass_ratio) {
+  if (oscillator.period_s == 0.0) return;
+  omega_ = 2.0 * std::numbers::pi / oscillator.period_s;
+  twice_zeta_ = 2.0 * oscillator.damping_ratio;
+  yields_ = yielding.yields();
+  if (yields_) {
+    share_ = yielding.hardening_ratio;
+    yield_ = yielding.yield_acceleration_mps2;
+  }
+  phase_ = omega_ * piece_s;
+  const double rate = phase_ * (1.0 + twice_zeta_);
+  int terms = 3;
+  for (double term = rate * rate * rate / 6.0; term > 1e-17 && terms < Series::most_terms - 3;)
+    term *= rate / ++terms;
+  terms_ = terms + 1;
+
+  const double root = std::sqrt(stuck_mass_);
+  const OscillatorStep step = oscillator_step(phase_ / root, oscillator.damping_ratio / root);
+  rest_ = {step.xx,
+           step.xy * root,
+           step.xy / root,
+           step.yy,
+           stuck_mass_ * step.x_start,
+           stuck_mass_ * step.x_end,
+           root * step.y_start,
+           root * step.y_end};
+}
+
+// In the share of the piece, with phase = omega length:
+//   dx = phase y,  dy = phase (a - a_ground),  mass a = E - push,  dE = -(2 zeta dy + k dx).
+AxisSeries BuildingAxis::motion(double length_s, const Ramp& ground, double mass,
+                                const Ramp& push) const {
+  AxisSeries m;
+  const double ground_c[2] = {ground.begin, ground.end - ground.begin},
+               push_c[2] = {push.begin, push.end - push.begin};
+  m.x.terms = m.y.terms = m.elastic.terms = m.a.terms = terms_;
+  if (rigid()) {
+    for (int k = 0; k < 2; ++k) {
+      m.x.c[k] = m.y.c[k] = 0.0;
+      m.a.c[k] = ground_c[k];
+      m.elastic.c[k] = mass * ground_c[k] + push_c[k];
+    }
+    return m;
+  }
+  const double phase = omega_ * length_s, per_mass = 1.0 / mass, k_tangent = stiffness();
+  m.x.c[0] = x_;
+  m.y.c[0] = y_;
+  m.elastic.c[0] = elastic();
+  const double forcing[2] = {ground_c[0] + push_c[0] * per_mass,
+                             ground_c[1] + push_c[1] * per_mass};
+  for (int k = 0; k + 1 < terms_; ++k) {
+    const double share = phase * Series::inverse[k + 1];
+    double rise = m.elastic.c[k] * per_mass;
+    if (k < 2) rise -= forcing[k];
+    m.x.c[k + 1] = share * m.y.c[k];
+    m.y.c[k + 1] = share * rise;
+    m.elastic.c[k + 1] = -(twice_zeta_ * m.y.c[k + 1] + k_tangent * m.x.c[k + 1]);
+  }
+  for (int k = 0; k < terms_; ++k) m.a.c[k] = m.elastic.c[k] * per_mass;
+  for (int k = 0; k < 2; ++k) m.a.c[k] -= push_c[k] * per_mass;
+  return m;
+}
+
+double BuildingAxis::next_yield(const AxisSeries& motion) const {
+  if (!yields_) return never;
+  if (flow_ != 0) return first_fall(motion.y, flow_ > 0 ? Sign::plus : Sign::minus);
+  Series z = motion.x;
+  z.c[0] = z_ - yield_;
+  const double up = first_rise(z);
+  z.c[0] = z_ + yield_;
+  return std::min(up, first_fall(z));
+}
+
+void BuildingAxis::follow(const AxisSeries& motion, double share, double add_x, double add_y) {
+  if (rigid()) return;
+  const double x = motion.x.at(share) + add_x;
+  if (yields_ && flow_ == 0) z_ = std::clamp(z_ + (x - x_), -yield_, yield_);
+  x_ = x;
+  y_ = motion.y.at(share) + add_y;
+}
+
+void BuildingAxis::yield() {
+  if (flow_ != 0) {
+    flow_ = 0;
+    y_ = 0.0;
+    return;
+  }
+  flow_ = z_ > 0.0 ? 1 : -1;
+  z_ = flow_ * yield_;
+}
+
+// A function leaves its chord by at most 1/8 of its largest second derivative. With z = a -
+// a_ground, mass m, ' over the piece:
+//   y' = phase z,  z' = -phase (y + 2 zeta z) / m - da_ground,
+// so that |z| <= (|z_0| + phase |y_0| / m + |da_ground|) / (1 - (phase^2 + 2 zeta phase) / m).
+BuildingAxis::Sag BuildingAxis::sag(const Ramp& ground) const {
+  if (rigid()) return {0.0, 0.0};
+  const double per_mass = 1.0 / stuck_mass_, rise = std::abs(ground.end - ground.begin);
+  const double left = 1.0 - (phase_ + twice_zeta_) * phase_ * per_mass;
+  if (!(left > 0.0)) return {never, never};
+  const double z0 = std::abs(elastic() * per_mass - ground.begin), y0 = std::abs(y_);
+  const double z = (z0 + phase_ * y0 * per_mass + rise) / left;
+  const double z_rate = phase_ * (y0 + (phase_ + twice_zeta_) * z) * per_mass + rise;
+  const double x = 0.125 * phase_ * phase_ * z;
+  return {x + 0.125 * phase_ * twice_zeta_ * z_rate, x};
+}
+
+double BuildingAxis::largest_to_come_mps2() const {
+  if (rigid()) return 0.0;
+  if (flow_ != 0) return never;
+  const double s = spring(), root = std::sqrt(stuck_mass_), zeta = 0.5 * twice_zeta_ / root;
+  const Envelope envelope = free_vibration_envelope(s / stuck_mass_, y_ / root, zeta);
+  // Elastic about where the spring is without force.
+  if (yields_ && !(std::abs(z_ - s) + stuck_mass_ * envelope.amplitude < yield_)) return never;
+  return (1.0 + 2.0 * zeta) * envelope.amplitude;
+}
+
+}  // namespace glissade::block_detail

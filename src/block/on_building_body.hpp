@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+
+#include "on_building_shaking.hpp"
+#include "on_building_step.hpp"
+#include "two_axis_track.hpp"
+
+namespace glissade::block_detail {
+
+/// Block and building together on two axes, over pieces of time in which the ground is linear and
+/// the vertical a quartic.
+class OnBuildingBody {
+ public:
+  /// @param pieces a sample interval is cut into as many, for the building
+  OnBuildingBody(const BuildingContact& contact, const std::array<BuildingAxis, 2>& axes,
+                 double mass_ratio, int pieces, double tolerance, TwoAxisTrack track);
+
+  bool at_rest() const { return !sliding_; }
+  double time_s() const { return time_s_; }
+
+  /// One sample interval that ends at time `end_s`.
+  void interval(const Shaking& shaking, double end_s);
+
+  /// The roof is at rest from now on, and every motion stops.
+  void coast(double step_s);
+  /// Whether a roof at rest stops the block.
+  bool will_stop() const;
+  /// Neither starts the block again while the ground is quiet, nor does the spring yield.
+  bool is_settled() const;
+
+  TwoAxisResult result() const;
+  /// Largest |E| and |x|.
+  struct Peaks {
+    Axes elastic{}, x{};
+  };
+  const Peaks& peaks() const { return peaks_; }
+
+ private:
+  /// The building by itself over a piece, from the state it has now.
+  struct Bare {
+    AxisSeries axis[2];
+    const Shaking& shaking;
+    Axes e(double share) const { return {axis[0].a.at(share), axis[1].a.at(share)}; }
+  };
+
+  bool rest_quickly(const Shaking& shaking);
+  void advance(Shaking piece, double end_s);
+  // Each returns the share of the piece that has passed.
+  double rest(const Shaking& piece);
+  double slide(const Shaking& piece);
+
+  void start(Vector acceleration, const Shaking& piece);
+  Bare alone(const Shaking& piece) const;
+  double first_lift(const Bare& bare) const;
+  double step(const Bare& bare, double longest);
+  Stop find_stop(const Bare& bare, double left_s, std::array<Ramp, 2>& push);
+  Stop find_curved_stop(const Bare& bare, double left_s, double allowed) const;
+  bool passes_no_peak(Vector drive) const;
+  bool stop_there(const Stop& stop, const Bare& bare, const std::array<Ramp, 2>& push);
+  void raise_peaks(std::size_t axis, const AxisSeries& motion, double share);
+
+  BuildingContact contact_;
+  std::array<BuildingAxis, 2> axes_;
+  double mass_ratio_;
+  Mobility mobility_;  // at an instant
+  int pieces_;
+  double tolerance_, strongest_;
+
+  bool sliding_ = false;
+  Sliding now_;
+  Vector friction_now_;  // a guess
+  double time_s_ = 0.0;
+  double step_s_ = never;  // the longest worth trying
+  double rest_margin_ = -1.0;
+
+  TwoAxisTrack track_;
+  Peaks peaks_;
+  double peak_speed_ = 0.0;  // per cos(slope), at the ends of steps
+  std::size_t phases_ = 0;
+  bool uplift_ = false;
+};
+
+}  // namespace glissade::block_detail

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "on_building_axis.hpp"
+#include "on_building_contact.hpp"
+#include "two_axis_step.hpp"
+
+namespace glissade::block_detail {
+
+/// What the block has added to a building's axis since a step began.
+struct Added {
+  double x = 0.0, y = 0.0;
+};
+
+/// What an axis answers an addition with.
+struct AxisResponse {
+  double omega_radps = 0.0, twice_zeta = 0.0, stiffness = 1.0, mass_ratio = 0.0;
+};
+
+struct BuildingStep {
+  Contact2 end;
+  std::array<Added, 2> added{};
+  Axes added_rate{};   ///< of added.y, at the end
+  double error = 0.0;  ///< of end.v, estimated
+};
+
+/// SDIRK4 (two_axis_step.hpp) of block and building together. What the building does by itself is
+/// known exactly: `roof(share)` gives its acceleration then; only what the block adds to it is
+/// integrated, xi'' + 2 zeta omega xi' + k xi = -push. In a stage xi follows from the push in
+/// closed form, which only changes e and R:
+///   a = [e + b / (1 + beta)] - push / (1 + beta),   beta = own omega (2 zeta + k own omega)
+/// By the balance of momentum an error in xi' is m/M times that in v, so v alone is looked at.
+template <class RoofAt>
+BuildingStep building_sdirk4(Vector v, Vector guess, double length_s, double enough,
+                             const RoofAt& roof, const BuildingContact& contact,
+                             const std::array<AxisResponse, 2>& axes, const Mobility& at_once) {
+  constexpr int stages = 5;
+  constexpr double gamma = 0.25;
+  constexpr double c[stages] = {1.0 / 4, 3.0 / 4, 11.0 / 20, 1.0 / 2, 1.0};
+  constexpr double a[stages][stages - 1] = {{},
+                                            {1.0 / 2},
+                                            {17.0 / 50, -1.0 / 25},
+                                            {371.0 / 1360, -137.0 / 2720, 15.0 / 544},
+                                            {25.0 / 24, -49.0 / 48, 125.0 / 16, -85.0 / 12}};
+  constexpr double difference[stages] = {-3.0 / 16, -27.0 / 32, 25.0 / 32, 0.0, 1.0 / 4};
+
+  const double own = gamma * length_s;
+  const bool feels = !at_once.none();
+  double spring[2] = {}, gives[2] = {1.0, 1.0};
+  Mobility mobility = at_once;
+  if (feels) {
+    for (std::size_t n = 0; n < 2; ++n) {
+      const double phase = own * axes[n].omega_radps;
+      spring[n] = axes[n].twice_zeta + axes[n].stiffness * phase;
+      gives[n] = 1.0 / (1.0 + phase * spring[n]);
+    }
+    mobility = contact.mobility({axes[0].mass_ratio * gives[0], axes[1].mass_ratio * gives[1]});
+  }
+
+  BuildingStep step;
+  Vector k[stages], error;
+  Added rate[stages][2];
+  for (int i = 0; i < stages; ++i) {
+    Vector known{};
+    for (int j = 0; j < i; ++j) known = known + a[i][j] * k[j];
+    known = v + length_s * known;
+    auto [e, w] = roof(c[i]);
+    Added before[2];
+    Axes rest{};  // of xi's own forces
+    if (feels) {
+      for (std::size_t n = 0; n < 2; ++n) {
+        for (int j = 0; j < i; ++j) {
+          before[n].x += a[i][j] * rate[j][n].x;
+          before[n].y += a[i][j] * rate[j][n].y;
+        }
+        before[n].x *= length_s;
+        before[n].y *= length_s;
+        rest[n] = -(axes[n].stiffness * before[n].x + spring[n] * before[n].y) * gives[n];
+        e[n] += rest[n];
+      }
+    }
+    const Contact2 at = contact.slide(known, own, e, w, mobility, guess, enough);
+    guess = at.friction;
+    k[i] = at.a;
+    error = error + difference[i] * k[i];
+    if (feels) {
+      for (std::size_t n = 0; n < 2; ++n) {
+        rate[i][n].y = axes[n].omega_radps * (rest[n] - at.push[n]);
+        step.added_rate[n] = rate[i][n].y;
+        step.added[n].y = before[n].y + own * rate[i][n].y;
+        rate[i][n].x = axes[n].omega_radps * step.added[n].y;
+        step.added[n].x = before[n].x + own * rate[i][n].x;
+      }
+    }
+    step.end = at;
+  }
+  const Load turning{{}, step.end.normal * (1.0 + at_once.mean)};
+  step.error = length_s * length(damped(error, step.end.v, own, turning, contact.friction()));
+  return step;
+}
+
+}  // namespace glissade::block_detail
