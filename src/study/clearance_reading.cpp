@@ -95,8 +95,15 @@ std::vector<double> weighted_means(const Values& values, const std::vector<doubl
 
 double number_of(const ClearanceResults& results, HistoryNumber number,
                  const ClearanceHistory& history) {
-  return number == HistoryNumber::base_shear ? base_shear(history)
-                                             : displacement_m(history, results.displacement);
+  switch (number) {
+    case HistoryNumber::displacement:
+      return displacement_m(history, results.displacement);
+    case HistoryNumber::vector_peak:
+      return history.peak_m;
+    case HistoryNumber::base_shear:
+      return base_shear(history);
+  }
+  return nan;
 }
 
 std::vector<std::size_t> records_of(const ClearanceResults& results, std::size_t suite) {

@@ -31,7 +31,7 @@ std::vector<Figure> clearance_figures(const ClearanceResults& results);
 
 /// What came out on a topic; "" where the grid cannot tell.
 std::string clearance_reading(const ClearanceResults& results, ClearanceTopic topic);
-/// All of them.
+/// What was run, and the readings but those that stand beside a statement of the paper.
 std::vector<std::string> clearance_sentences(const ClearanceResults& results);
 /// For the terminal, in plain ASCII.
 std::string clearance_summary(const ClearanceResults& results);

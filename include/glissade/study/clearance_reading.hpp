@@ -14,6 +14,7 @@ namespace glissade {
 
 enum class HistoryNumber {
   displacement,  ///< m, by the study's DisplacementMeasure
+  vector_peak,   ///< m, the farthest the array gets, whatever the measure
   base_shear,    ///< over the bare building's weight
 };
 

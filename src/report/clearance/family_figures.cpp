@@ -56,11 +56,12 @@ void tell_bands(const ClearanceResults& results, LinePlot& plot) {
     }
     return;
   }
-  thin_out_bands(plot);
+  const bool bars = plot.lines.front().spread == PlotLine::Spread::bars;
+  if (!bars) thin_out_bands(plot);
   const bool all = plot.lines.size() == 1 || !plot.lines[1].low.empty();
-  plot.band_title =
-      fmt::format("{}: lowest to highest of the {}; lines: their median",
-                  all ? "shaded" : "shaded (first line only)", orientations_text(results));
+  plot.band_title = fmt::format("{}{}: lowest to highest of the {}; lines: their median",
+                                bars ? "bars" : "shaded", all ? "" : " (first line only)",
+                                orientations_text(results));
 }
 
 std::string what_is_averaged(const ClearanceResults& results) {
@@ -94,8 +95,9 @@ LinePlot over_periods(const ClearanceResults& results, const ClearanceQuestion& 
 void mark_statements(const ClearanceResults& results, ClearanceTopic topic, LinePlot& plot) {
   for (const PaperStatement& s : results.statements) {
     if (s.about != topic || std::isnan(s.displacement_m) || std::isnan(s.period_s)) continue;
-    plot.marks.push_back({s.period_s, s.displacement_m,
-                          fmt::format("{}: {}", s.where, format_length(s.displacement_m))});
+    plot.marks.push_back(
+        {s.period_s, s.displacement_m,
+         fmt::format("the paper, {}: {}", s.where, format_length(s.displacement_m))});
   }
 }
 
@@ -184,7 +186,8 @@ Figure each_orientation_figure(const ClearanceResults& results) {
   figure.name = "orientations";
   figure.title = "How the records lie to the roof: each choice by itself";
   figure.caption = what_is_averaged(results) +
-                   ". Turning round what acts across the slope mirrors the history and changes no "
+                   ". +: a component as recorded; -: turned round. Turning round what acts across "
+                   "the slope mirrors the history and changes no "
                    "peak; where friction is the same in both directions of the array it does not "
                    "matter along which of them the roof falls.";
   draw_lines(figure,
@@ -222,6 +225,7 @@ Figure permutations_figure(const ClearanceResults& results) {
     line.colour = gnuplot::ramp_colour(m, masses);
     line.style = fmt::format("points pt {} ps 1.6 lc rgb '{}'", point_symbol(m), line.colour);
     line.spread = PlotLine::Spread::bars;
+    line.shift = 0.16 * (static_cast<double>(m) - 0.5 * static_cast<double>(masses - 1));
     for (const auto& [slope, axis] : permutations) {
       ClearancePosition at;
       at[ClearanceAxis::slope] = slope;
@@ -365,6 +369,49 @@ Figure base_shear_figure(const ClearanceResults& results) {
   return figure;
 }
 
+Figure base_shear_ratio_figure(const ClearanceResults& results) {
+  const ClearanceGrid& grid = results.grid;
+  const std::size_t bare = *place_of(grid, ArraySupport::no_array);
+  LinePlot plot;
+  plot.x_label = "Period of the building (s)";
+  plot.y_label = "Base shear over that without an array";
+  plot.length = PlotLength::no;
+  plot.x = grid.period_s;
+  for (const ArraySupport support : {ArraySupport::isolated, ArraySupport::anchored}) {
+    const auto place = place_of(grid, support);
+    if (!place) continue;
+    PlotLine line;
+    const std::size_t index = plot.lines.size();
+    line.colour = gnuplot::ramp_colour(index, 3);
+    line.style = style_of(index, 3);
+    line.title = label_of(grid, ClearanceAxis::support, *place);
+    for (const ClearancePosition& at : along(grid, ClearanceAxis::period)) {
+      const std::vector<double> ratios = ratios_by_orientation(
+          results, {.number = HistoryNumber::base_shear}, at.with(ClearanceAxis::support, *place),
+          at.with(ClearanceAxis::support, bare));
+      line.y.push_back(percentile(ratios, 0.5));
+      line.low.push_back(ratios.front());
+      line.high.push_back(ratios.back());
+    }
+    plot.lines.push_back(line);
+  }
+  tell_bands(results, plot);
+  plot.levels.push_back({1.0, "no array", "#555555"});
+  plot.from_zero = false;
+  Figure figure;
+  figure.name = "base_shear_ratio";
+  figure.title = "What the array does to the base shear of its building";
+  figure.caption =
+      "The same relative to the building without an array: below 1 the array relieves its "
+      "building. "
+      "An anchored array adds its mass.";
+  draw_lines(figure,
+             results.suites.front().name + "; " +
+                 conditions_text(results, {}, {ClearanceAxis::period, ClearanceAxis::support}),
+             plot);
+  return figure;
+}
+
 Figure slope_figure(const ClearanceResults& results) {
   const ClearanceGrid& grid = results.grid;
   LinePlot plot;
@@ -402,55 +449,67 @@ Figure slope_figure(const ClearanceResults& results) {
   return figure;
 }
 
-namespace {
-
-/// Over the period, a line for each place on an axis; with a single period, over that axis.
-Figure family_figure(const ClearanceResults& results, ClearanceAxis family, Figure figure) {
+Figure mce_figure(const ClearanceResults& results) {
   const ClearanceGrid& grid = results.grid;
-  LinePlot plot;
-  if (has_several(grid, ClearanceAxis::period)) {
-    plot = over_periods(
-        results, {}, along(grid, family),
-        {ClearanceAxis::period, ClearanceAxis::slope, ClearanceAxis::mass, ClearanceAxis::support,
-         ClearanceAxis::response_modification,
-         family == ClearanceAxis::level ? ClearanceAxis::vertical : ClearanceAxis::level});
-  } else {
-    plot.y_label = displacement_label();
-    for (std::size_t i = 0; i < grid.size(family); ++i) {
-      plot.x.push_back(static_cast<double>(i));
-      plot.ticks.push_back({plot.x.back(), label_of(grid, family, i)});
-    }
-    plot.lines.push_back(line_through(results, {}, along(grid, family), 0, 1));
-    plot.lines.back().title = "median of the orientations";
-    tell_bands(results, plot);
-  }
-  figure.caption += what_is_averaged(results) + ".";
+  LinePlot plot = over_periods(
+      results, {}, along(grid, ClearanceAxis::level),
+      {ClearanceAxis::period, ClearanceAxis::slope, ClearanceAxis::mass, ClearanceAxis::support,
+       ClearanceAxis::response_modification, ClearanceAxis::vertical});
+  const OrientationRange weak = over_orientations(results, {}, {}, Periods::largest);
+  plot.levels.push_back(
+      {weak.median,
+       "largest at " + label_of(grid, ClearanceAxis::level, 0) + ": " + format_length(weak.median),
+       plot.lines.front().colour});
+  Figure figure;
+  figure.name = "mce";
+  figure.title = "Displacement under weaker and stronger shaking";
+  figure.caption =
+      fmt::format("After Walters et al. (2012), Fig. 18. {}.", what_is_averaged(results));
   draw_lines(
       figure,
       results.suites.front().name + "; " +
-          conditions_text(results, {}, {ClearanceAxis::period, family, ClearanceAxis::support}),
+          conditions_text(results, {},
+                          {ClearanceAxis::period, ClearanceAxis::level, ClearanceAxis::support}),
       plot);
   return figure;
 }
 
-}  // namespace
-
-Figure mce_figure(const ClearanceResults& results) {
-  Figure figure;
-  figure.name = "mce";
-  figure.title = "Displacement under weaker and stronger shaking";
-  figure.caption = "After Walters et al. (2012), Fig. 18. ";
-  return family_figure(results, ClearanceAxis::level, figure);
-}
-
 Figure vertical_figure(const ClearanceResults& results) {
+  const ClearanceGrid& grid = results.grid;
+  LinePlot plot;
+  plot.x_label = "Vertical motion of the roof";
+  plot.y_label = displacement_label();
+  for (std::size_t i = 0; i < grid.vertical.size(); ++i) {
+    const VerticalCondition& vertical = grid.vertical[i];
+    plot.x.push_back(static_cast<double>(i));
+    plot.ticks.push_back({plot.x.back(), vertical.use == VerticalChoice::none ? "none"
+                                         : vertical.period_s == 0.0
+                                             ? "rigid"
+                                             : fmt::format("{:g} s", vertical.period_s)});
+  }
+  const Places family = along(grid, ClearanceAxis::period);
+  for (std::size_t i = 0; i < family.size(); ++i) {
+    plot.lines.push_back(line_through(results, {}, along(grid, ClearanceAxis::vertical, family[i]),
+                                      i, family.size()));
+    plot.lines.back().title = "building of " + label_of(grid, ClearanceAxis::period, i);
+    plot.lines.back().spread = PlotLine::Spread::bars;
+  }
+  tell_bands(results, plot);
   Figure figure;
   figure.name = "vertical";
   figure.title = "What the roof's vertical motion does to the displacement";
-  figure.caption =
-      "T_v is the period at which the roof itself goes up and down (5 % damped); rigid: it follows "
-      "the ground. ";
-  return family_figure(results, ClearanceAxis::vertical, figure);
+  figure.caption = fmt::format(
+      "None: no vertical motion. Rigid: the roof goes up and down with the ground, as Walters et "
+      "al. "
+      "(2012) take it. Else: with a vertical period of its own, damped as the study says. {}.",
+      what_is_averaged(results));
+  draw_lines(
+      figure,
+      results.suites.front().name + "; " +
+          conditions_text(results, {},
+                          {ClearanceAxis::period, ClearanceAxis::vertical, ClearanceAxis::support}),
+      plot);
+  return figure;
 }
 
 }  // namespace glissade

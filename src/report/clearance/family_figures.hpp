@@ -18,11 +18,13 @@ Figure level_figure(const ClearanceResults& results);
 Figure yielding_figure(const ClearanceResults& results);
 /// Base shear over the period by support (Fig. 16).
 Figure base_shear_figure(const ClearanceResults& results);
+/// The same over that without an array, which must be among the supports.
+Figure base_shear_ratio_figure(const ClearanceResults& results);
 /// Displacement over slope by period (Fig. 17).
 Figure slope_figure(const ClearanceResults& results);
 /// Displacement over the period by level (Fig. 18).
 Figure mce_figure(const ClearanceResults& results);
-/// Displacement over the period by the roof's vertical period.
+/// Displacement over the roof's vertical period by the building's.
 Figure vertical_figure(const ClearanceResults& results);
 
 }  // namespace glissade

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "figure_text.hpp"
 #include "gnuplot.hpp"
@@ -12,17 +13,28 @@
 namespace glissade {
 namespace {
 
-double top_of(const LinePlot& plot) {
-  double top = 0.0;
+struct Range {
+  double low = 0.0, high = 1.0;
+};
+
+/// What y has to hold, with some room.
+Range y_range(const LinePlot& plot) {
+  double low = std::numeric_limits<double>::infinity(), high = 0.0;
   const auto take = [&](double y) {
-    if (std::isfinite(y)) top = std::max(top, y);
+    if (!std::isfinite(y)) return;
+    low = std::min(low, y);
+    high = std::max(high, y);
   };
   for (const PlotLine& line : plot.lines) {
-    for (const auto* values : {&line.y, &line.high}) std::ranges::for_each(*values, take);
+    for (const auto* values : {&line.y, &line.low, &line.high})
+      std::ranges::for_each(*values, take);
   }
   for (const PlotMark& mark : plot.marks) take(mark.y);
   for (const PlotLevel& level : plot.levels) take(level.y);
-  return top > 0.0 ? 1.12 * top : 1.0;
+  if (!(high > 0.0)) return {};
+  if (plot.from_zero) return {0.0, 1.12 * high};
+  const double room = 0.15 * std::max(high - low, 1e-3 * high);
+  return {low - room, high + room};
 }
 
 std::string ticks_of(const LinePlot& plot) {
@@ -40,7 +52,7 @@ std::string data_of(const LinePlot& plot) {
     data.begin(fmt::format("line {}", i), "x '" + line.title + "' low high");
     for (std::size_t j = 0; j < plot.x.size(); ++j) {
       const bool spreads = !line.low.empty();
-      data.row({plot.x[j], line.y.at(j), spreads ? line.low.at(j) : line.y.at(j),
+      data.row({plot.x[j] + line.shift, line.y.at(j), spreads ? line.low.at(j) : line.y.at(j),
                 spreads ? line.high.at(j) : line.y.at(j)});
     }
   }
@@ -74,7 +86,7 @@ std::string marks_of(const LinePlot& plot) {
   for (const PlotMark& mark : plot.marks) {
     text += fmt::format(
         "set label {3} at first {0},first {1} point pt 3 ps 2 lw 2.5 lc rgb '{2}' front left "
-        "offset 1,0.4 boxed tc rgb '{2}'\n",
+        "offset 1.5,0.5 boxed tc rgb '{2}'\n",
         mark.x, mark.y, mark.colour, gnuplot::quoted(mark.label));
   }
   return text;
@@ -83,17 +95,18 @@ std::string marks_of(const LinePlot& plot) {
 }  // namespace
 
 void draw_lines(Figure& figure, const std::string& below, const LinePlot& plot) {
-  const double top = top_of(plot);
+  const Range range = y_range(plot);
   const auto [first, last] = std::minmax_element(plot.x.begin(), plot.x.end());
   const double room = 0.05 * std::max(*last - *first, 1e-9);
   figure.body = title_of(figure, below) + axis("x", plot.x_label) +
                 axis("y", plot.y_label + (plot.length == PlotLength::metres ? " (m)" : ""));
-  if (plot.length == PlotLength::metres) figure.body += inches_beside("y", top, plot.y_label);
-  figure.body +=
-      fmt::format("set xrange [{}:{}]\nset yrange [0:{}]\n", *first - room, *last + room, top) +
-      "set style textbox opaque noborder margins 0.4,0.2\n" +
-      fmt::format("set key horizontal maxcols {}\n", plot.key_columns) + ticks_of(plot) +
-      levels_of(plot) + marks_of(plot) + "plot \\\n";
+  if (plot.length == PlotLength::metres)
+    figure.body += inches_beside("y", range.high, plot.y_label);
+  figure.body += fmt::format("set xrange [{}:{}]\nset yrange [{}:{}]\n", *first - room,
+                             *last + room, range.low, range.high) +
+                 "set style textbox opaque noborder margins 0.4,0.2\n" +
+                 fmt::format("set key horizontal maxcols {}\n", plot.key_columns) + ticks_of(plot) +
+                 levels_of(plot) + marks_of(plot) + "plot \\\n";
   std::string spreads, lines;
   const std::string file = quoted_file(figure.name);
   for (std::size_t i = 0; i < plot.lines.size(); ++i) {
@@ -105,8 +118,10 @@ void draw_lines(Figure& figure, const std::string& below, const LinePlot& plot) 
   figure.body += spreads + lines;
   auto entries = static_cast<int>(plot.lines.size());
   if (!plot.band_title.empty()) {
-    figure.body += fmt::format(", \\\n  keyentry with filledcurves fc rgb '#777777' title {}",
-                               gnuplot::quoted(plot.band_title));
+    const bool bars = plot.lines.front().spread == PlotLine::Spread::bars;
+    figure.body +=
+        fmt::format(", \\\n  keyentry with {} rgb '#777777' title {}",
+                    bars ? "lines lw 2 lc" : "filledcurves fc", gnuplot::quoted(plot.band_title));
     ++entries;
   }
   figure.body += "\n";

@@ -16,6 +16,7 @@ struct PlotLine {
   std::vector<double> low, high;  ///< a band in `band_colour`, or bars; empty: none
   enum class Spread { band, bars } spread = Spread::band;
   std::string colour = "#000000";  ///< of band or bars
+  double shift = 0.0;              ///< along x, so that bars do not hide one another
 };
 
 struct PlotMark {
@@ -46,9 +47,10 @@ struct LinePlot {
   std::vector<PlotTick> ticks;  ///< of the x axis; empty: gnuplot's own
   std::string band_title;       ///< tells in the key what bands and bars are; "": nothing
   int key_columns = 1;
+  bool from_zero = true;  ///< else from a little below the lowest
 };
 
-/// Draws below the title that figure.title and `below` make, from 0 upward.
+/// Draws below the title that figure.title and `below` make.
 void draw_lines(Figure& figure, const std::string& below, const LinePlot& plot);
 
 }  // namespace glissade

@@ -85,6 +85,13 @@ std::string orientation_reading(const ClearanceResults& r) {
         "component turned round.",
         format_length(stronger.as_recorded), format_length(stronger.turned_round));
   }
+  if (r.displacement == DisplacementMeasure::srss_of_maxima) {
+    const OrientationRange farthest =
+        over_orientations(r, {.number = HistoryNumber::vector_peak}, {}, Periods::largest);
+    text += fmt::format(
+        " By the farthest the array gets in place of the SRSS of its separate maxima: {}.",
+        range_text(r, farthest));
+  }
   const auto distinct = std::ranges::count_if(
       r.same_as, [i = std::uint64_t{0}](std::uint64_t same) mutable { return same == i++; });
   if (static_cast<std::size_t>(distinct) < r.orientations.size()) {
@@ -291,13 +298,18 @@ std::string answer_to(const ClearanceResults& results, const PaperStatement& sta
 
 std::vector<std::string> clearance_sentences(const ClearanceResults& results) {
   std::vector<std::string> sentences{what_was_run(results)};
+  const auto told_elsewhere = [&](ClearanceTopic topic) {
+    return std::ranges::any_of(results.statements, [&](const PaperStatement& s) {
+      return s.about == topic && std::isnan(s.displacement_m);
+    });
+  };
   for (const ClearanceTopic topic :
        {ClearanceTopic::period, ClearanceTopic::orientation, ClearanceTopic::mass,
         ClearanceTopic::level, ClearanceTopic::yielding, ClearanceTopic::base_shear,
         ClearanceTopic::slope, ClearanceTopic::mce, ClearanceTopic::vertical,
         ClearanceTopic::spectra}) {
     const std::string reading = clearance_reading(results, topic);
-    if (!reading.empty()) sentences.push_back(reading);
+    if (!reading.empty() && !told_elsewhere(topic)) sentences.push_back(reading);
   }
   return sentences;
 }

@@ -27,7 +27,7 @@ std::string friction_text(const ClearanceResults& results);
 bool has_several(const ClearanceGrid& grid, ClearanceAxis axis);
 /// Where a kind of support stands on its axis, if it was asked for.
 std::optional<std::size_t> place_of(const ClearanceGrid& grid, ArraySupport support);
-/// Whether a topic's axis has two values or more.
+/// Whether a topic's axis has two values or more. Of several suites, only how they compare is told.
 bool can_tell(const ClearanceResults& results, ClearanceTopic topic);
 
 /// "sixteen orientations", "both orientations", "32 orientations"; of one: "".
