@@ -5,8 +5,10 @@
 #include <filesystem>
 
 #include "commands.hpp"
+#include "glissade/io/clearance_file.hpp"
 #include "glissade/io/convergence_file.hpp"
 #include "glissade/io/results_file.hpp"
+#include "glissade/report/clearance_report.hpp"
 #include "glissade/report/convergence_report.hpp"
 #include "glissade/report/summary.hpp"
 #include "glissade/report/write_report.hpp"
@@ -25,6 +27,11 @@ std::string report_again(const fs::path& file, const fs::path& out) {
     const std::optional<ConvergenceTimes> times = times_in(run_json, results);
     write_convergence_report(results, times, out);
     return convergence_summary(results, times);
+  }
+  if (is_clearance_results(file)) {
+    const ClearanceResults results = read_clearance(file);
+    write_clearance_report(results, out);
+    return clearance_summary(results);
   }
   const Results results = read_results(file);
   const std::vector<Skip> skips = skips_in(run_json);

@@ -99,6 +99,14 @@ std::string run_json(const ConvergenceResults& results, const ConvergenceTimes& 
   return json.dump(2) + "\n";
 }
 
+std::string run_json(const ClearanceResults& results, std::uint64_t histories,
+                     const PhaseClock& clock, int ranks) {
+  Json json = finished({results.study_name, results.plan_hash, results.program_version}, ranks);
+  json["histories_integrated"] = histories;
+  add_phases(json, clock);
+  return json.dump(2) + "\n";
+}
+
 std::vector<Skip> skips_in(const std::filesystem::path& run_json_file) {
   std::vector<Skip> skips;
   std::ifstream in(run_json_file);

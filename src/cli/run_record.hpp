@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "glissade/study/clearance_study.hpp"
 #include "glissade/study/convergence_error.hpp"
 #include "glissade/study/results.hpp"
 #include "glissade/study/skip.hpp"
@@ -37,6 +38,10 @@ std::string run_json(const Results& results, const std::vector<Skip>& skips,
 
 /// The same of a convergence study, with how long its histories took.
 std::string run_json(const ConvergenceResults& results, const ConvergenceTimes& times,
+                     const PhaseClock& clock, int ranks);
+
+/// The same of a clearance study.
+std::string run_json(const ClearanceResults& results, std::uint64_t histories,
                      const PhaseClock& clock, int ranks);
 
 /// The skips a run.json tells; none where there is no such file.

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "glissade/report/figures.hpp"
+#include "glissade/report/table.hpp"
+#include "glissade/study/clearance_reading.hpp"
+
+namespace glissade {
+
+/// By condition but the period: the largest suite mean over the periods, over the orientations, and
+/// the clearance.
+Table clearance_table(const ClearanceResults& results);
+/// By condition and period: the suite's mean over the orientations, and its bounds if each record
+/// could lie its own way.
+Table clearance_periods_table(const ClearanceResults& results);
+/// Every orientation by itself, at the first of every other condition.
+Table clearance_orientations_table(const ClearanceResults& results);
+/// Base shear over the bare building's weight, by period and support.
+Table clearance_base_shear_table(const ClearanceResults& results);
+/// What the paper states, and what came out here.
+Table clearance_statements_table(const ClearanceResults& results);
+/// Every history that was run.
+Table clearance_histories_table(const ClearanceResults& results);
+
+/// One for every topic the study's grid can fill: those whose axis has two values or more.
+std::vector<Figure> clearance_figures(const ClearanceResults& results);
+
+/// What came out on a topic; "" where the grid cannot tell.
+std::string clearance_reading(const ClearanceResults& results, ClearanceTopic topic);
+/// What was run, and the readings but those that stand beside a statement of the paper.
+std::vector<std::string> clearance_sentences(const ClearanceResults& results);
+/// For the terminal, in plain ASCII.
+std::string clearance_summary(const ClearanceResults& results);
+
+/// Writes out_dir/report.html, out_dir/tables/*.csv and out_dir/figures/*.{svg,pdf,gp,dat}, as
+/// write_report() does.
+void write_clearance_report(const ClearanceResults& results, const std::filesystem::path& out_dir);
+
+}  // namespace glissade

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "glissade/study/clearance_reading.hpp"
+
+// What tables, figures and sentences of a clearance study share. Where an axis is not the one
+// shown, its first value is.
+namespace glissade {
+
+/// "T 0.2 s", "m/M 0.05", "R 2", "slope 1/4:12", "DBE", "with verticals", "anchored"
+std::string label_of(const ClearanceGrid& grid, ClearanceAxis axis, std::size_t place);
+/// "1/4:12 (1.19 deg)"
+std::string slope_text(double slope_deg);
+/// The labels of all axes that have more than one value but those of `without`.
+std::string distinguished(const ClearanceGrid& grid, const ClearancePosition& at,
+                          const std::vector<ClearanceAxis>& without = {});
+/// "level2; DBE; slope 1/4:12 (1.19 deg), friction 0.47; m/M 0.05; elastic building; with
+/// verticals", without some axes.
+std::string conditions_text(const ClearanceResults& results, const ClearancePosition& at,
+                            const std::vector<ClearanceAxis>& without = {});
+/// "0.47", "E-W 0.47, N-S 0.52"
+std::string friction_text(const ClearanceResults& results);
+
+bool has_several(const ClearanceGrid& grid, ClearanceAxis axis);
+/// Where a kind of support stands on its axis, if it was asked for.
+std::optional<std::size_t> place_of(const ClearanceGrid& grid, ArraySupport support);
+/// Whether a topic's axis has two values or more. Of several suites, only how they compare is told.
+bool can_tell(const ClearanceResults& results, ClearanceTopic topic);
+
+/// "sixteen orientations", "both orientations", "32 orientations"; of one: "".
+std::string orientations_text(const ClearanceResults& results);
+/// "0.210 m (8.27 in), from 0.180 m (7.09 in) to 0.260 m (10.2 in) over the sixteen orientations"
+std::string range_text(const ClearanceResults& results, const OrientationRange& range);
+
+/// mean(at) / mean(of) by orientation; both must be above zero to count. Sorted; may be empty.
+std::vector<double> ratios_by_orientation(const ClearanceResults& results,
+                                          const ClearanceQuestion& question,
+                                          const ClearancePosition& at, const ClearancePosition& of);
+
+}  // namespace glissade

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glissade/study/clearance_grid.hpp"
+
+#include <fmt/format.h>
+
+#include "glissade/core/contract.hpp"
+
+namespace glissade {
+
+ClearancePosition ClearancePosition::with(ClearanceAxis axis, std::size_t place) const {
+  ClearancePosition changed = *this;
+  changed[axis] = place;
+  return changed;
+}
+
+std::size_t ClearanceGrid::size(ClearanceAxis axis) const {
+  switch (axis) {
+    case ClearanceAxis::support:
+      return support.size();
+    case ClearanceAxis::vertical:
+      return vertical.size();
+    case ClearanceAxis::response_modification:
+      return response_modification.size();
+    case ClearanceAxis::mass:
+      return mass_ratio.size();
+    case ClearanceAxis::slope:
+      return slope_deg.size();
+    case ClearanceAxis::level:
+      return fraction_of_mce.size();
+    case ClearanceAxis::period:
+      return period_s.size();
+  }
+  return 0;
+}
+
+std::size_t ClearanceGrid::count() const {
+  std::size_t count = 1;
+  for (const ClearanceAxis axis : clearance_axes) count *= size(axis);
+  return count;
+}
+
+std::size_t ClearanceGrid::index(const ClearancePosition& position) const {
+  std::size_t index = 0;
+  for (const ClearanceAxis axis : clearance_axes) {
+    GLISSADE_EXPECTS(position[axis] < size(axis));
+    index = index * size(axis) + position[axis];
+  }
+  return index;
+}
+
+ClearancePosition ClearanceGrid::position(std::size_t index) const {
+  GLISSADE_EXPECTS(index < count());
+  ClearancePosition position;
+  for (std::size_t i = clearance_axis_count; i > 0; --i) {
+    const ClearanceAxis axis = clearance_axes[i - 1];
+    position[axis] = index % size(axis);
+    index /= size(axis);
+  }
+  return position;
+}
+
+std::vector<ClearancePosition> along(const ClearanceGrid& grid, ClearanceAxis axis,
+                                     const ClearancePosition& position) {
+  std::vector<ClearancePosition> places;
+  for (std::size_t i = 0; i < grid.size(axis); ++i) places.push_back(position.with(axis, i));
+  return places;
+}
+
+std::vector<ClearancePosition> all_but(const ClearanceGrid& grid, ClearanceAxis axis) {
+  std::vector<ClearancePosition> places;
+  for (std::size_t i = 0; i < grid.count(); ++i) {
+    const ClearancePosition position = grid.position(i);
+    if (position[axis] == 0) places.push_back(position);
+  }
+  return places;
+}
+
+std::vector<GroundOrientation> orientations(OrientationChoice choice,
+                                            const std::vector<SlopeAxis>& slope_axes) {
+  constexpr int azimuths = 16;
+  std::vector<GroundOrientation> all;
+  for (const SlopeAxis axis : slope_axes) {
+    switch (choice) {
+      case OrientationChoice::sixteen:
+        for (const double azimuth : {0.0, 180.0, 90.0, 270.0}) {
+          for (const int across : {1, -1}) all.push_back({axis, azimuth, across});
+        }
+        break;
+      case OrientationChoice::azimuths:
+        for (int i = 0; i < azimuths; ++i) all.push_back({axis, 360.0 / azimuths * i, 1});
+        break;
+      case OrientationChoice::stated:
+        all.push_back({axis, 0.0, 1});
+        break;
+    }
+  }
+  return all;
+}
+
+std::string to_string(SlopeAxis axis) { return axis == SlopeAxis::e_w ? "E-W" : "N-S"; }
+
+std::string to_string(const GroundOrientation& o) {
+  const std::string slope = "slope " + to_string(o.slope_axis);
+  // At azimuth 90 the roof falls where the second component points, and the first, turned round,
+  // acts a quarter turn on.
+  const bool second = o.azimuth_deg == 90.0 || o.azimuth_deg == 270.0;
+  if (!second && o.azimuth_deg != 0.0 && o.azimuth_deg != 180.0) {
+    return fmt::format("{}, azimuth {:g} deg{}", slope, o.azimuth_deg,
+                       o.across_sign < 0 ? ", across turned round" : "");
+  }
+  const int along = o.azimuth_deg < 180.0 ? 1 : -1;
+  const int across = o.across_sign * (second ? -along : along);
+  const char* names[] = {"first", "second"};
+  return fmt::format("{}, along it {}{}, across {}{}", slope, along > 0 ? '+' : '-', names[second],
+                     across > 0 ? '+' : '-', names[!second]);
+}
+
+}  // namespace glissade
