@@ -35,9 +35,8 @@ inline EnumNames<OrientationChoice> orientation_names() {
 }
 
 inline EnumNames<DisplacementMeasure> displacement_names() {
-  static constexpr EnumNames<DisplacementMeasure> names = {
-      {"srss_of_maxima", DisplacementMeasure::srss_of_maxima},
-      {"vector_peak", DisplacementMeasure::vector_peak}};
+  static constexpr EnumNames<DisplacementMeasure> names = {{"srss", DisplacementMeasure::srss},
+                                                           {"vector", DisplacementMeasure::vector}};
   return names;
 }
 

@@ -136,7 +136,7 @@ std::string names_of(const std::vector<Suite>& suites) {
 }  // namespace
 
 double displacement_m(const ClearanceHistory& history, DisplacementMeasure measure) {
-  return measure == DisplacementMeasure::vector_peak
+  return measure == DisplacementMeasure::vector
              ? history.peak_m
              : std::hypot(history.peak_along_m, history.peak_across_m);
 }

@@ -17,12 +17,6 @@
 // period, the largest over the periods, and 1.1 times that.
 namespace glissade {
 
-/// What is taken for the displacement of a history.
-enum class DisplacementMeasure {
-  srss_of_maxima,  ///< of the separate maxima along the roof's two axes (Walters et al. 2012)
-  vector_peak,     ///< the farthest the array gets
-};
-
 /// From pull tests.
 struct TestedFriction {
   double mean = 0.0, std = 0.0;
@@ -67,7 +61,7 @@ struct ClearanceConfig {
   OrientationChoice orientation = OrientationChoice::sixteen;
   double damping = 0.05, vertical_damping = 0.05;
   double hardening_ratio = 0.0;  ///< of yielding buildings, [0, 1)
-  DisplacementMeasure displacement = DisplacementMeasure::srss_of_maxima;
+  DisplacementMeasure displacement = DisplacementMeasure::srss;
   double clearance_factor = 1.1;  ///< on the largest mean
   std::vector<PaperStatement> statements;
 };
@@ -151,7 +145,7 @@ struct ClearanceResults {
   std::vector<ClearanceSuite> suites;
   std::vector<ClearanceRecord> records;  ///< those of one suite together
   std::vector<double> friction;          ///< design values by SlopeAxis
-  DisplacementMeasure displacement = DisplacementMeasure::srss_of_maxima;
+  DisplacementMeasure displacement = DisplacementMeasure::srss;
   double clearance_factor = 1.1;
   std::vector<PaperStatement> statements;
   std::vector<ClearanceHistory> histories;  ///< by (record, orientation, condition)

@@ -65,7 +65,7 @@ void tell_bands(const ClearanceResults& results, LinePlot& plot) {
 }
 
 std::string what_is_averaged(const ClearanceResults& results) {
-  return results.displacement == DisplacementMeasure::srss_of_maxima
+  return results.displacement == DisplacementMeasure::srss
              ? "Mean over the suite of each history's SRSS of the separate maxima along the roof's "
                "two axes, in plan, relative to the roof"
              : "Mean over the suite of each history's farthest displacement, in plan, relative to "

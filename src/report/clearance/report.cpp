@@ -22,7 +22,7 @@ std::vector<std::string> how_it_was_done(const ClearanceResults& r) {
       "mass "
       "on it held by Coulomb friction; it slides along both axes at once and acts back on the "
       "building.",
-      r.displacement == DisplacementMeasure::srss_of_maxima
+      r.displacement == DisplacementMeasure::srss
           ? "The displacement of a history is the SRSS of the separate maxima along the roof's two "
             "axes, as the paper takes it. The vector's own peak, which is never larger, is in "
             "tables/histories.csv."

@@ -85,7 +85,7 @@ std::string orientation_reading(const ClearanceResults& r) {
         "component turned round.",
         format_length(stronger.as_recorded), format_length(stronger.turned_round));
   }
-  if (r.displacement == DisplacementMeasure::srss_of_maxima) {
+  if (r.displacement == DisplacementMeasure::srss) {
     const OrientationRange farthest =
         over_orientations(r, {.number = HistoryNumber::vector_peak}, {}, Periods::largest);
     text += fmt::format(
