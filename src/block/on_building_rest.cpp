@@ -99,8 +99,6 @@ bool OnBuildingBody::rest_quickly(const Shaking& piece) {
     if (axis.rigid()) {
       a0[n] = ground.begin;
       a1[n] = ground.end;
-      const double most = (1.0 + mass_ratio_) * std::max(std::abs(a0[n]), std::abs(a1[n]));
-      peaks_.elastic[n] = std::max(peaks_.elastic[n], most);
       continue;
     }
     const BuildingAxis::State begin = axis.state();
@@ -123,8 +121,14 @@ bool OnBuildingBody::rest_quickly(const Shaking& piece) {
       tangent + std::max(1.0 / friction.along(), 1.0 / (friction.across() * loading.cos_slope()));
   const double needed = sag * by_a + piece.w_sag() * (1.0 + tangent / friction.along());
   if (!(std::min(rest_margin_, after) > needed * (1.0 + 1e-9))) return false;
-  for (std::size_t n = 0; n < 2; ++n)
-    if (!axes_[n].rigid()) axes_[n].set(end[n]);
+  for (std::size_t n = 0; n < 2; ++n) {
+    if (!axes_[n].rigid()) {
+      axes_[n].set(end[n]);
+      continue;
+    }
+    const double most = (1.0 + mass_ratio_) * std::max(std::abs(a0[n]), std::abs(a1[n]));
+    peaks_.elastic[n] = std::max(peaks_.elastic[n], most);
+  }
   rest_margin_ = after;
   return true;
 }
