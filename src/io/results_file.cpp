@@ -38,6 +38,14 @@ void check_shapes(const Results& results) {
     expect_fit(is_cube(run.capacity, thresholds), "capacity_g", "records, samples and thresholds");
     expect_fit(run.slip.size() == (results.chart ? 0 : levels), "slip", "levels");
     expect_fit(run.fragilities.size() == thresholds, "fragility", "thresholds");
+    const bool tells_impact = !run.impact.empty() || !run.crossing_time_s.empty();
+    const std::size_t crossings = tells_impact ? records * samples * levels * thresholds : 0;
+    expect_fit(run.crossing_time_s.size() == crossings, "crossing_time_s",
+               "records, samples, levels and thresholds");
+    expect_fit(run.crossing_speed_mps.size() == crossings, "crossing_speed_mps",
+               "records, samples, levels and thresholds");
+    expect_fit(run.impact.size() == (tells_impact ? levels * thresholds : 0), "impact",
+               "levels and thresholds");
     for (const ThresholdFragility& f : run.fragilities) {
       expect_fit(f.probability.size() == levels, "probability", "levels");
       expect_fit(f.probability_interval.size() == levels, "probability_low", "levels");

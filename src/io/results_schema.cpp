@@ -3,6 +3,7 @@
 
 #include "chart_schema.hpp"
 #include "enum_names.hpp"
+#include "impact_schema.hpp"
 #include "results_archive.hpp"
 
 namespace glissade {
@@ -252,6 +253,7 @@ void exchange_run(const Archive& archive, Run& run) {
   exchange_fragilities(archive.group("fragility"), run.fragilities);
   exchange_slip(archive.group("slip"), run.slip);
   exchange_standards(archive.group("standards"), run.standards);
+  exchange_impact(archive, run);
 }
 
 template <class Archive, class Runs>

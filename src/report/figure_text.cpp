@@ -67,6 +67,13 @@ std::string list_of_lengths(const std::vector<double>& lengths_m) {
   return list;
 }
 
+std::vector<double> some_levels(const std::vector<double>& levels, std::size_t count) {
+  const std::size_t steps = std::min(count, levels.size());
+  std::vector<double> chosen;
+  for (std::size_t i = 1; i <= steps; ++i) chosen.push_back(levels[i * levels.size() / steps - 1]);
+  return chosen;
+}
+
 int point_symbol(std::size_t index) {
   static constexpr std::array<int, 5> symbols = {
       7, 5, 9, 13, 11};  // disc, square, triangle, diamond, triangle down

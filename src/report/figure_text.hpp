@@ -25,6 +25,8 @@ std::string at_intensity(const Results& results, double value);
 std::string counts_of(const Results& results);
 /// "0.15 m (5.91 in), 0.30 m (11.8 in)"
 std::string list_of_lengths(const std::vector<double>& lengths_m);
+/// Up to `count` of the levels, spread evenly, the highest included.
+std::vector<double> some_levels(const std::vector<double>& levels, std::size_t count);
 /// A gnuplot point type: filled shapes of different outline, in turn.
 int point_symbol(std::size_t index);
 

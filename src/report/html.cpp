@@ -11,6 +11,7 @@
 #include "glissade/report/format.hpp"
 #include "glissade/report/summary.hpp"
 #include "glissade/report/tables.hpp"
+#include "impact.hpp"
 #include "page.hpp"
 
 namespace glissade {
@@ -65,10 +66,21 @@ std::string standards_html(const Results& results, const Table& standards) {
          wide_table(standards.without("basis"));
 }
 
+/// Nothing where the study does not ask for it.
+std::string impact_html(const Results& results) {
+  if (!tells_impact(results)) return "";
+  const Table table = brief_impact_table(results);
+  return heading("Speed on reaching a parapet, given that it gets there") +
+         paragraph(impact_explained()) +
+         (table.rows.empty() ? paragraph("The array reached no clearance at these levels.")
+                             : wide_table(table)) +
+         paragraph("Every run, clearance and level: tables/impact.csv.");
+}
+
 std::string fragility_html(const Results& results, const std::vector<DrawnFigure>& figures) {
   return heading("Results") + wide_table(fragility_summary_table(results)) + figures_html(figures) +
-         standards_html(results, standards_table(results)) + heading("Slip by level") +
-         wide_table(slip_table(results)) + heading("Fits in full") +
+         standards_html(results, standards_table(results)) + impact_html(results) +
+         heading("Slip by level") + wide_table(slip_table(results)) + heading("Fits in full") +
          wide_table(fragility_table(results).without("interval_method"));
 }
 

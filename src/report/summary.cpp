@@ -10,6 +10,7 @@
 #include "figure_text.hpp"
 #include "glissade/report/format.hpp"
 #include "glissade/report/tables.hpp"
+#include "impact.hpp"
 
 namespace glissade {
 namespace {
@@ -90,14 +91,6 @@ std::string design_sentence(const RunResults& design) {
                      design.friction_description, medians);
 }
 
-/// Up to `count` of the levels, spread evenly, the highest included.
-std::vector<double> some_levels(const std::vector<double>& levels, std::size_t count) {
-  const std::size_t steps = std::min(count, levels.size());
-  std::vector<double> chosen;
-  for (std::size_t i = 1; i <= steps; ++i) chosen.push_back(levels[i * levels.size() / steps - 1]);
-  return chosen;
-}
-
 /// The standards table at a handful of levels, narrow enough for a terminal: the rest is in
 /// standards.csv.
 Table brief_standards_table(const Results& results, const RunResults& run) {
@@ -155,6 +148,8 @@ std::vector<std::string> answer_sentences(const Results& results) {
     for (const StandardComparison& comparison : run.standards) {
       if (comparison.sds_g == slip->level) sentences.push_back(standard_sentence(comparison));
     }
+    const std::string impact = impact_sentence(results, *slip);
+    if (!impact.empty()) sentences.push_back(impact);
   }
   for (std::size_t r = 1; r < results.runs.size(); ++r) {
     const std::string sentence = design_sentence(results.runs[r]);

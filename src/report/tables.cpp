@@ -305,6 +305,8 @@ std::vector<Table> csv_tables(const Results& results) {
                                spectra_table(results),   samples_table(results)};
   Table standards = standards_table(results);
   if (!standards.rows.empty()) tables.insert(tables.begin() + 2, std::move(standards));
+  Table impact = impact_table(results);
+  if (!impact.rows.empty()) tables.push_back(std::move(impact));
   return tables;
 }
 

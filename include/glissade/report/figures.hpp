@@ -27,13 +27,16 @@ Figure fragility_figure(const Results& results, const RunResults& run);
 Figure ida_figure(const Results& results, const RunResults& run);
 /// Slip percentiles and what the standards prescribe, over S_DS.
 Figure slip_vs_sds_figure(const Results& results, const RunResults& run);
+/// Speed on first reaching each threshold, given that it is reached, over the thresholds at a few
+/// levels; kinetic energy by mass beside it. Without lines where nothing is reached.
+Figure impact_figure(const Results& results, const RunResults& run);
 /// The suite's spectra, their average and the target.
 Figure spectra_figure(const Results& results);
 
 /// Every figure the results can fill: per run the fragility, then of the first run IDA and
-/// slip_vs_sds (sds_g only), spectra; of a design chart chart_contours, chart_friction,
-/// chart_slope, with several levels chart_intensity and chart_slope_levels, with several building
-/// periods chart_period, spectra.
+/// slip_vs_sds (sds_g only) and impact (where the study asks for it), spectra; of a design chart
+/// chart_contours, chart_friction, chart_slope, with several levels chart_intensity and
+/// chart_slope_levels, with several building periods chart_period, spectra.
 std::vector<Figure> make_figures(const Results& results);
 
 /// Writes NAME.gp and NAME.dat and runs gnuplot on them: NAME.svg and NAME.pdf in `folder`. The

@@ -6,9 +6,11 @@
 #include <limits>
 #include <string>
 
+#include "glissade/core/contract.hpp"
 #include "glissade/core/random.hpp"
 #include "glissade/core/units.hpp"
 #include "glissade/standards/prescriptive.hpp"
+#include "glissade/study/impact.hpp"
 
 namespace glissade {
 namespace {
@@ -289,6 +291,33 @@ Results made_up_one_record_chart() {
   chart.shown_slope_deg = 1.0;
   chart.shown_level = results.levels.back();
   fill_chart(results, {1.0}, {1.0, 1.0, 1.0, 1.0}, 0.0);
+  return results;
+}
+
+Results made_up_impact_results() {
+  Results results = made_up_results();
+  const std::size_t levels = results.levels.size(), thresholds = results.thresholds_m.size();
+  for (RunResults& run : results.runs) {
+    for (std::size_t i = 0; i < records; ++i) {
+      for (std::size_t j = 0; j < samples; ++j) {
+        for (std::size_t l = 0; l < levels; ++l) {
+          for (const double threshold_m : results.thresholds_m) {
+            // As if what is left of the slip were lost at 4 m/s2.
+            const double left_m = run.peak_displacement_m(i, j, l) - threshold_m;
+            const double time_s = 5.0 + static_cast<double>(i) + threshold_m / results.levels[l];
+            const double nowhere = std::numeric_limits<double>::quiet_NaN();
+            run.crossing_time_s.push_back(left_m >= 0.0 ? time_s : nowhere);
+            run.crossing_speed_mps.push_back(
+                left_m >= 0.0 ? std::sqrt(2.0 * 4.0 * left_m / (1.0 + 10.0 * left_m)) : nowhere);
+          }
+        }
+      }
+    }
+    run.impact = impact_statistics({records, samples, results.levels, results.thresholds_m,
+                                    run.crossing_time_s, run.crossing_speed_mps},
+                                   {.seed = 1, .replicates = 100});
+    GLISSADE_EXPECTS(run.impact.size() == levels * thresholds);
+  }
   return results;
 }
 

@@ -11,6 +11,9 @@ namespace glissade {
 /// run has 0.8 of the capacities.
 Results made_up_results();
 
+/// The same, and how fast the array first reaches each threshold.
+Results made_up_impact_results();
+
 /// A made-up design chart, by formula, over S_DS, with both standards: levels 0.5, 1, 1.5 g, slopes
 /// 0 to 7 degrees by 0.5, friction 0.1 to 0.8 by 0.05, building periods 0.2, 0.5, 1 s. Record i = 0
 /// ... 9 slides (0.55 + 0.1 i) p(T) 0.25 m max(0, x - y)^2 / y, with y = mu - tan(slope) and p =
