@@ -113,7 +113,7 @@ void ring_down(OnBuildingBody& body, const Shaken& shaken, double longest_period
   if (body.will_stop()) body.coast(dt);
 }
 
-void check(const BuildingGround& ground, const BiaxialBuilding& building,
+void check(const BuildingGround& ground, [[maybe_unused]] const BiaxialBuilding& building,
            const TwoAxisBlock& block) {
   [[maybe_unused]] const EllipticFriction& mu = block.friction;
   GLISSADE_EXPECTS(ground.horizontal[0] != nullptr);

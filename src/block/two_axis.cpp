@@ -44,7 +44,7 @@ class Samples {
   const TwoAxisLoading& loading_;
 };
 
-bool is_whole(std::span<const double> component, std::size_t samples) {
+[[maybe_unused]] bool is_whole(std::span<const double> component, std::size_t samples) {
   return component.empty() || component.size() == samples;
 }
 

@@ -90,8 +90,8 @@ ImpactStatistics statistics_of(const Happened& happened, std::size_t samples,
 
 std::vector<ImpactStatistics> impact_statistics(const CrossingArrays& crossings,
                                                 const BootstrapOptions& options) {
-  const std::size_t size = crossings.records * crossings.samples * crossings.levels.size() *
-                           crossings.thresholds_m.size();
+  [[maybe_unused]] const std::size_t size = crossings.records * crossings.samples *
+                                            crossings.levels.size() * crossings.thresholds_m.size();
   GLISSADE_EXPECTS(crossings.records > 0 && crossings.samples > 0);
   GLISSADE_EXPECTS(crossings.time_s.size() == size && crossings.speed_mps.size() == size);
   std::vector<ImpactStatistics> all;
