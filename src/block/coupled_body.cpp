@@ -6,12 +6,21 @@
 
 namespace glissade::block_detail {
 
+namespace {
+Block with_static_friction(Block block) {
+  block.friction *= block.law.static_ratio;
+  return block;
+}
+}  // namespace
+
 CoupledBody::CoupledBody(const CoupledContact& contact, const Frame& frame, const Block& block,
                          Keeps keeps, const Yielding& yielding)
     : contact_(contact),
+      at_rest_(with_static_friction(block), std::abs(block.slope_rad), contact.mass_ratio()),
       frame_(frame),
       block_(block),
       keeps_(keeps),
+      breaks_away_(block.law.static_ratio > 1.0),
       energy_(frame, contact),
       spring_(yielding) {}
 
@@ -41,8 +50,8 @@ SlipSeries CoupledBody::slip_series(const Mode& mode, const RoofMotionSeries& ro
 /// stopped.
 double CoupledBody::start_share(const RoofMotionSeries& roof, double a_swing, int direction) const {
   const DriveLine line = lifted_         ? contact_.frictionless(direction)
-                         : direction > 0 ? contact_.down()
-                                         : contact_.up();
+                         : direction > 0 ? at_rest_.down()
+                                         : at_rest_.up();
   if (roof.is_negative(line, a_swing)) return never;
   Series drive = roof.line(line);
   if (stopped_direction_ == direction) {
@@ -146,8 +155,9 @@ void CoupledBody::happen_to_spring(const NextEvent& next) {
 void CoupledBody::happen(const NextEvent& next) {
   if (next.of_spring()) return happen_to_spring(next);
   const auto start = [&](int direction) {
-    // Held until now, or only just stopped: its drive is not positive yet.
-    at_threshold_ = next.share > 0.0 || stopped_direction_ == direction;
+    // Held until now, or only just stopped: its drive is not positive yet, unless it breaks away.
+    at_threshold_ =
+        (next.share > 0.0 || stopped_direction_ == direction) && (lifted_ || !breaks_away_);
     direction_ = direction;
     stopped_direction_ = 0;
     ++result_.slip.slip_phases;
@@ -159,7 +169,7 @@ void CoupledBody::happen(const NextEvent& next) {
     case Event::starts_up:
       return start(-1);
     case Event::stops:
-      refused_ = at_threshold_ && next.share == 0.0;
+      refused_ = (at_threshold_ || breaks_away_) && next.share == 0.0;
       stopped_direction_ = direction_;
       break;
     case Event::lifts_or_lands:

@@ -51,6 +51,7 @@ class CoupledBody {
   int direction() const { return direction_; }
   double slip() const { return slip_; }
   bool lifted() const { return lifted_; }
+  bool slides_at_rest() const { return at_rest_.slides_at_rest(); }
   bool sliding() const { return direction_ != 0; }
   /// While the block stays where it is and the ground is quiet.
   bool may_yield() const;
@@ -94,10 +95,11 @@ class CoupledBody {
   Envelope free_vibration() const;
   void record(const GroundPiece& ground) const;
 
-  CoupledContact contact_;
+  CoupledContact contact_, at_rest_;  // with the friction of sliding, and static friction
   Frame frame_;
   Block block_;
   Keeps keeps_;
+  bool breaks_away_;  // with more than what holds it sliding
   History history_;
   EnergyMeter energy_;
   CrossingWatch crossings_;
