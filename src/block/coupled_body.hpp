@@ -115,6 +115,8 @@ class CoupledBody {
   int stopped_direction_ = 0;           // the drive this way is not positive; 0: neither
   bool refused_ = false;                // nor does it rise: the phase stopped where it started
 
+  bool chatters_ = false;  // contact is not lost or found any more in this piece
+
   double velocity_before_coast_ = 0.0;  // the energy balance ends there
   double farthest_down_ = 0.0, farthest_up_ = 0.0;
   Peaks peaks_;
