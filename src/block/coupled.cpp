@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "coupled_body.hpp"
+#include "coupled_walk.hpp"
 #include "glissade/core/contract.hpp"
 
 namespace glissade {
@@ -77,19 +77,16 @@ void ring_down(CoupledBody& body, const Ground& ground, std::size_t quiet, const
   }
 }
 
-/// What is wanted besides the result.
-struct Watch {
-  CoupledBody::History history;
-  std::span<const double> thresholds_m;
-  std::span<Crossing> crossings;
-};
+}  // namespace
 
-CoupledResult slide_with(const GroundMotion& motion, const MotionFactors& factors,
-                         const CoupledBuilding& building, const Block& block, const Watch& watch) {
+CoupledResult block_detail::walk_coupled(const GroundMotion& motion, const MotionFactors& factors,
+                                         const CoupledBuilding& building, const Block& block,
+                                         const CoupledWatch& watch) {
   GLISSADE_EXPECTS(motion.dt_s > 0.0 && !motion.horizontal_mps2.empty());
   GLISSADE_EXPECTS(motion.vertical_mps2.empty() ||
                    motion.vertical_mps2.size() == motion.horizontal_mps2.size());
   GLISSADE_EXPECTS(block.friction >= 0.0 && std::abs(block.slope_rad) < std::numbers::pi / 2);
+  GLISSADE_EXPECTS(block.law.static_ratio >= 1.0 && !block.law.depends_on_speed());
   GLISSADE_EXPECTS(building.horizontal.period_s >= 0.0 && building.horizontal.damping_ratio >= 0.0);
   GLISSADE_EXPECTS(coupling_is_regular(block, building.mass_ratio));
 
@@ -102,7 +99,7 @@ CoupledResult slide_with(const GroundMotion& motion, const MotionFactors& factor
   GLISSADE_EXPECTS(!spring.yields() || !cut_building.frame.rigid());
   GLISSADE_EXPECTS(spring.yield_acceleration_mps2 > 0.0);
   GLISSADE_EXPECTS(spring.hardening_ratio >= 0.0 && spring.hardening_ratio < 1.0);
-  CoupledBody body(contact, cut_building.frame, block, CoupledBody::Keeps::all, spring);
+  CoupledBody body(contact, cut_building.frame, block, watch.keeps, spring);
   body.keep(watch.history);
   body.crossings() = {watch.thresholds_m, watch.crossings, contact.cos_slope()};
 
@@ -112,12 +109,10 @@ CoupledResult slide_with(const GroundMotion& motion, const MotionFactors& factor
   if (!contact.slides_at_rest()) walk_interval(body, ground, n, cut_building.pieces);
   if (contact.stops_at_rest()) ring_down(body, ground, n, cut_building, building, block);
   CoupledResult result = body.result();
-  result.residual_roof_displacement_m *= mirror;
-  result.slip.free_sliding = contact.slides_at_rest() || body.sliding();
+  if (mirror < 0.0) result.residual_roof_displacement_m = 0.0 - result.residual_roof_displacement_m;
+  result.slip.free_sliding = body.slides_at_rest() || body.sliding();
   return result;
 }
-
-}  // namespace
 
 bool coupling_is_regular(const Block& block, double mass_ratio) {
   const CoupledContact contact(block, std::abs(block.slope_rad), mass_ratio);
@@ -126,13 +121,14 @@ bool coupling_is_regular(const Block& block, double mass_ratio) {
 
 CoupledResult slide_coupled(const GroundMotion& ground, const MotionFactors& factors,
                             const CoupledBuilding& building, const Block& block) {
-  return slide_with(ground, factors, building, block, {});
+  return block_detail::walk_coupled(ground, factors, building, block, {});
 }
 
 CoupledResult slide_coupled(const GroundMotion& ground, const MotionFactors& factors,
                             const CoupledBuilding& building, const Block& block,
                             std::span<const double> thresholds_m, std::span<Crossing> crossings) {
-  return slide_with(ground, factors, building, block, {{}, thresholds_m, crossings});
+  return block_detail::walk_coupled(ground, factors, building, block,
+                                    {.thresholds_m = thresholds_m, .crossings = crossings});
 }
 
 CoupledResult slide_coupled(const GroundMotion& ground, const MotionFactors& factors,
@@ -146,7 +142,7 @@ CoupledResult slide_coupled(const GroundMotion& ground, const MotionFactors& fac
     point.spring_acceleration_mps2 *= mirror;
     history.push_back(point);
   };
-  return slide_with(ground, factors, building, block, {keep, {}, {}});
+  return block_detail::walk_coupled(ground, factors, building, block, {.history = keep});
 }
 
 }  // namespace glissade

@@ -6,12 +6,21 @@
 
 namespace glissade::block_detail {
 
+namespace {
+Block with_static_friction(Block block) {
+  block.friction *= block.law.static_ratio;
+  return block;
+}
+}  // namespace
+
 CoupledBody::CoupledBody(const CoupledContact& contact, const Frame& frame, const Block& block,
                          Keeps keeps, const Yielding& yielding)
     : contact_(contact),
+      at_rest_(with_static_friction(block), std::abs(block.slope_rad), contact.mass_ratio()),
       frame_(frame),
       block_(block),
       keeps_(keeps),
+      breaks_away_(block.law.static_ratio > 1.0 && block.friction > 0.0),
       energy_(frame, contact),
       spring_(yielding) {}
 
@@ -41,8 +50,8 @@ SlipSeries CoupledBody::slip_series(const Mode& mode, const RoofMotionSeries& ro
 /// stopped.
 double CoupledBody::start_share(const RoofMotionSeries& roof, double a_swing, int direction) const {
   const DriveLine line = lifted_         ? contact_.frictionless(direction)
-                         : direction > 0 ? contact_.down()
-                                         : contact_.up();
+                         : direction > 0 ? at_rest_.down()
+                                         : at_rest_.up();
   if (roof.is_negative(line, a_swing)) return never;
   Series drive = roof.line(line);
   if (stopped_direction_ == direction) {
@@ -54,7 +63,7 @@ double CoupledBody::start_share(const RoofMotionSeries& roof, double a_swing, in
 
 /// When contact is lost, or found again.
 double CoupledBody::contact_share(const RoofMotionSeries& roof, double a_swing) const {
-  if (!lifted_ && roof.is_negative(contact_.lift(), a_swing)) return never;
+  if (chatters_ || (!lifted_ && roof.is_negative(contact_.lift(), a_swing))) return never;
   Series lift = roof.line(contact_.lift());
   if (just_lifted_or_landed_) lift.c[0] = 0.0;
   return lifted_ ? first_fall(lift) : first_rise(lift);
@@ -90,6 +99,8 @@ void CoupledBody::advance(GroundPiece ground, double end_time_s) {
     const RoofMotionSeries roof =
         roof_motion_series(frame_, now, contact_.gravity(), roof_, spring_.line(roof_.x), ground);
     const SlipSeries slip = slip_series(now, roof, ground.length_s);
+    // With no normal force a block may lift and land without end.
+    chatters_ = events > 32;
     const NextEvent next = first_event(roof, slip);
     pass(ground, roof, slip, next);
     ground.cut(next.share);
@@ -144,10 +155,11 @@ void CoupledBody::happen_to_spring(const NextEvent& next) {
 }
 
 void CoupledBody::happen(const NextEvent& next) {
+  if (breaks_away_ && next.share > 0.0) stopped_direction_ = 0;
   if (next.of_spring()) return happen_to_spring(next);
   const auto start = [&](int direction) {
-    // Held until now, or only just stopped: its drive is not positive yet.
-    at_threshold_ = next.share > 0.0 || stopped_direction_ == direction;
+    // Held until now, or only just stopped: its drive is not positive yet, unless it breaks away.
+    at_threshold_ = next.share > 0.0 ? lifted_ || !breaks_away_ : stopped_direction_ == direction;
     direction_ = direction;
     stopped_direction_ = 0;
     ++result_.slip.slip_phases;
@@ -159,7 +171,7 @@ void CoupledBody::happen(const NextEvent& next) {
     case Event::starts_up:
       return start(-1);
     case Event::stops:
-      refused_ = at_threshold_ && next.share == 0.0;
+      refused_ = (at_threshold_ || breaks_away_) && next.share == 0.0;
       stopped_direction_ = direction_;
       break;
     case Event::lifts_or_lands:

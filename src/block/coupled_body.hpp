@@ -51,6 +51,7 @@ class CoupledBody {
   int direction() const { return direction_; }
   double slip() const { return slip_; }
   bool lifted() const { return lifted_; }
+  bool slides_at_rest() const { return at_rest_.slides_at_rest(); }
   bool sliding() const { return direction_ != 0; }
   /// While the block stays where it is and the ground is quiet.
   bool may_yield() const;
@@ -94,10 +95,11 @@ class CoupledBody {
   Envelope free_vibration() const;
   void record(const GroundPiece& ground) const;
 
-  CoupledContact contact_;
+  CoupledContact contact_, at_rest_;  // with the friction of sliding, and static friction
   Frame frame_;
   Block block_;
   Keeps keeps_;
+  bool breaks_away_;  // with more than what holds it sliding
   History history_;
   EnergyMeter energy_;
   CrossingWatch crossings_;
@@ -112,6 +114,8 @@ class CoupledBody {
   bool just_lifted_or_landed_ = false;  // the normal force
   int stopped_direction_ = 0;           // the drive this way is not positive; 0: neither
   bool refused_ = false;                // nor does it rise: the phase stopped where it started
+
+  bool chatters_ = false;  // contact is not lost or found any more in this piece
 
   double velocity_before_coast_ = 0.0;  // the energy balance ends there
   double farthest_down_ = 0.0, farthest_up_ = 0.0;

@@ -63,7 +63,7 @@ bool fits_lane(const CoupledScene& scene, const GroundMotion& ground) {
   double largest_w = 0.0;
   for (const double w : ground.vertical_mps2) largest_w = std::max(largest_w, std::abs(w));
   return !cut(scene.building.horizontal, contact, ground.dt_s).frame.rigid() &&
-         scene.block.directions == SlipDirections::both &&
+         scene.block.directions == SlipDirections::both && scene.block.law.is_coulomb() &&
          (contact.slides_at_rest() || contact.stops_at_rest()) && contact.up().a > 0.0 &&
          std::abs(scene.factors.vertical) * largest_w < 0.99 * scene.block.gravity_mps2;
 }

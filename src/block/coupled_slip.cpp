@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "coupled_lane.hpp"
+#include "coupled_walk.hpp"
 #include "glissade/core/contract.hpp"
 
 namespace glissade {
@@ -117,8 +118,9 @@ class Batch {
 
 CoupledPeak by_reference(const GroundMotion& ground, const CoupledScene& scene,
                          std::span<const double> thresholds_m, std::span<Crossing> crossings) {
-  return block_detail::peak_of(
-      slide_coupled(ground, scene.factors, scene.building, scene.block, thresholds_m, crossings));
+  return block_detail::peak_of(block_detail::walk_coupled(
+      ground, scene.factors, scene.building, scene.block,
+      {block_detail::CoupledBody::Keeps::peaks, thresholds_m, crossings}));
 }
 
 /// Of a building that went through the lanes elastic.

@@ -79,6 +79,10 @@ struct CoupledPoint {
 /// u: z follows omega^2 u, but no further than the yield acceleration; it is held there from the
 /// instant it reaches it until u' changes sign. Between these events f is linear in u.
 ///
+/// With a static_ratio above 1 the block starts where it would with static_ratio mu, and then at
+/// once with the v' that mu gives. Where tan(slope) lies between the two, it rests until it is
+/// shaken loose, and its history ends with the record.
+///
 /// Each phase is a linear oscillator of mass D M under a forcing linear in time, solved by its
 /// power series over pieces of at most 1/16 period (exact to rounding); slip and its speed are the
 /// series' integrals; events are the first roots of series, found without missing any and taken to
@@ -91,8 +95,9 @@ struct CoupledPoint {
 ///
 /// This is the readable reference. m/M = 0 is the uncoupled block; period 0 a rigid building.
 /// @param ground its vertical acceleration is the roof's
-/// @pre coupling_is_regular(block, building.mass_ratio); a spring that yields: yield acceleration
-/// > 0, hardening ratio in [0, 1), and a period the record's step can show (above 1e-3 of it)
+/// @pre coupling_is_regular(block, building.mass_ratio); friction that does not depend on speed; a
+/// spring that yields: yield acceleration > 0, hardening ratio in [0, 1), and a period the record's
+/// step can show (above 1e-3 of it)
 CoupledResult slide_coupled(const GroundMotion& ground, const MotionFactors& factors,
                             const CoupledBuilding& building, const Block& block);
 

@@ -30,9 +30,9 @@ struct CoupledPeak {
 /// missed. Within 1e-11 of slide_coupled (tests/unit/block/coupled_slip_test.cpp). The same bits
 /// on every SIMD target, and whatever else is in the batch.
 ///
-/// Rigid buildings, SlipDirections::downslope_only, blocks at critical friction or with
-/// mu tan(slope) >= 1, and verticals that may take the gravity away go through slide_coupled(). So
-/// do buildings that yield, after the lanes have told which do.
+/// Rigid buildings, SlipDirections::downslope_only, static friction, blocks at critical friction or
+/// with mu tan(slope) >= 1, and verticals that may take the gravity away go through
+/// slide_coupled(). So do buildings that yield, after the lanes have told which do.
 /// @param peaks as many as scenes
 void coupled_slip(const GroundMotion& ground, std::span<const CoupledScene> scenes,
                   std::span<CoupledPeak> peaks);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "glissade/block/crossing.hpp"
+#include "glissade/block/friction_law.hpp"
 #include "glissade/core/units.hpp"
 
 namespace glissade {
@@ -19,6 +20,8 @@ struct Block {
   double slope_rad = 0.0;  ///< in (-pi/2, pi/2); positive: the surface falls toward +x
   SlipDirections directions = SlipDirections::both;
   double gravity_mps2 = standard_gravity_mps2;  ///< > 0
+  FrictionLaw law;  ///< Coulomb's but in slide_coupled() and coupled_slip(), which take a
+                    ///< static_ratio too
 };
 
 /// Absolute acceleration of the roof, piecewise linear between equally spaced samples. One table of

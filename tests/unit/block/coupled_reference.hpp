@@ -36,6 +36,7 @@ class CoupledReference {
         thresholds_m_(std::move(thresholds_m)),
         g_(block.gravity_mps2),
         mu_(block.friction),
+        mu_static_(Real(block.friction) * block.law.static_ratio),
         r_(building.mass_ratio),
         sine_(sin(Real(block.slope_rad))),
         cosine_(cos(Real(block.slope_rad))),
@@ -143,7 +144,7 @@ class CoupledReference {
   }
   bool block_holds(const State& s, const Real& w) const {
     if (sigma_ != 0) return sigma_ * s.velocity >= 0;
-    return abs(demand(s, w)) <= friction() * normal(s, w) + Real(1e-40);
+    return abs(demand(s, w)) <= (lifted_ ? Real(0) : mu_static_) * normal(s, w) + Real(1e-40);
   }
 
   void interval(const Real& h, const Real& a0, const Real& a1, const Real& w0, const Real& w1) {
@@ -234,7 +235,7 @@ class CoupledReference {
 
   int looks_;
   std::vector<double> thresholds_m_;
-  Real g_, mu_, r_, sine_, cosine_, zeta_, omega_;
+  Real g_, mu_, mu_static_, r_, sine_, cosine_, zeta_, omega_;
   Real yields_at_, alpha_, plastic_ = 0;
   int sigma_ = 0, yielding_ = 0;
   bool lifted_ = false;

@@ -256,16 +256,19 @@ TEST(coupled_yielding_limits, ties_and_extremes_end_and_keep_the_balance) {
   };
   int yielded = 0;
   for (int k = 0; k < 600; ++k) {
-    std::vector<double> steps(40);
+    std::vector<double> steps(40), vertical(40);
     for (std::size_t i = 0; i < steps.size(); ++i)
       steps[i] = i % 4 == 0 ? pick({-2.0, -1.0, 0.0, 0.0, 1.0, 2.0}) : steps[i - 1];
+    const double lift = pick({0.0, 0.0, 4.0, 16.0});
+    for (std::size_t i = 0; i < steps.size(); ++i) vertical[i] = lift * pick({-1.0, 0.0, 1.0});
     const CoupledBuilding building{{pick({0.125, 0.25, 1.0, 8.0}), pick({0.0, 0.05, 1.0, 2.0})},
                                    pick({0.0, 0.25, 1.0}),
                                    {pick({1e-6, 0.5, 1.0, 2.0, 4.0}), pick({0.0, 0.0, 0.1, 0.9})}};
     const Block block{.friction = pick({0.0, 0.125, 0.5}),
                       .slope_rad = std::atan(pick({0.0, 0.125, 0.0625, 0.5})),
-                      .gravity_mps2 = 8.0};
-    const CoupledResult r = slide_coupled({0.0625, steps}, {}, building, block);
+                      .gravity_mps2 = 8.0,
+                      .law = {.static_ratio = pick({1.0, 1.0, 1.5})}};
+    const CoupledResult r = slide_coupled({0.0625, steps, vertical}, {}, building, block);
     const CoupledEnergy& e = r.energy;
     // Where less is left of the input, it is what is left of far larger parts.
     const double least = 1e-5;

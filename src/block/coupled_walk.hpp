@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+
+#include "coupled_body.hpp"
+#include "glissade/block/coupled.hpp"
+
+namespace glissade::block_detail {
+
+/// What is wanted of a walk besides its peaks.
+struct CoupledWatch {
+  CoupledBody::Keeps keeps = CoupledBody::Keeps::all;
+  std::span<const double> thresholds_m = {};
+  std::span<Crossing> crossings = {};
+  CoupledBody::History history = {};
+};
+
+/// slide_coupled() with or without what takes longest.
+CoupledResult walk_coupled(const GroundMotion& motion, const MotionFactors& factors,
+                           const CoupledBuilding& building, const Block& block,
+                           const CoupledWatch& watch);
+
+}  // namespace glissade::block_detail
