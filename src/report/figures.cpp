@@ -240,7 +240,10 @@ std::vector<Figure> make_figures(const Results& results) {
     }
     if (!main_run.peak_displacement_m.data.empty())
       figures.push_back(ida_figure(results, main_run));
-    if (!main_run.impact.empty()) figures.push_back(impact_figure(results, main_run));
+    if (!main_run.impact.empty()) {
+      Figure impact = impact_figure(results, main_run);
+      if (!impact.data.empty()) figures.push_back(std::move(impact));
+    }
   }
   if (!results.spectra.periods_s.empty()) figures.push_back(spectra_figure(results));
   return figures;

@@ -69,11 +69,11 @@ std::vector<LevelCurve> curves_of(const Results& results, const RunResults& run)
 /// The opposite axis: kinetic energy by mass, in round numbers that stand apart.
 std::string energy_beside(double largest_mps) {
   std::string ticks;
-  double last_mps = -1.0;
+  double last_mps = 0.0;
   for (int power = -5; power < 5; ++power) {
-    for (const int digit : {1, 2, 5}) {
+    for (const int digit : {1, 2, 3, 5, 7}) {
       const double energy = digit * std::pow(10.0, power), speed = std::sqrt(2.0 * energy);
-      if (speed > largest_mps || speed - last_mps < 0.05 * largest_mps) continue;
+      if (speed > largest_mps || speed - last_mps < 0.07 * largest_mps) continue;
       ticks += fmt::format("{}{:g}", ticks.empty() ? "0, " : ", ", energy);
       last_mps = speed;
     }

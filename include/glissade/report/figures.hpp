@@ -28,7 +28,7 @@ Figure ida_figure(const Results& results, const RunResults& run);
 /// Slip percentiles and what the standards prescribe, over S_DS.
 Figure slip_vs_sds_figure(const Results& results, const RunResults& run);
 /// Speed on first reaching each threshold, given that it is reached, over the thresholds at a few
-/// levels; kinetic energy by mass beside it. Without lines where nothing is reached.
+/// levels; kinetic energy by mass beside it. Without data where fewer than three records reach any.
 Figure impact_figure(const Results& results, const RunResults& run);
 /// The suite's spectra, their average and the target.
 Figure spectra_figure(const Results& results);

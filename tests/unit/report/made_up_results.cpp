@@ -302,13 +302,13 @@ Results made_up_impact_results() {
       for (std::size_t j = 0; j < samples; ++j) {
         for (std::size_t l = 0; l < levels; ++l) {
           for (const double threshold_m : results.thresholds_m) {
-            // As if what is left of the slip were lost at 4 m/s2.
+            // As if what is left of the slip were lost at 0.5 m/s2.
             const double left_m = run.peak_displacement_m(i, j, l) - threshold_m;
             const double time_s = 5.0 + static_cast<double>(i) + threshold_m / results.levels[l];
             const double nowhere = std::numeric_limits<double>::quiet_NaN();
             run.crossing_time_s.push_back(left_m >= 0.0 ? time_s : nowhere);
-            run.crossing_speed_mps.push_back(
-                left_m >= 0.0 ? std::sqrt(2.0 * 4.0 * left_m / (1.0 + 10.0 * left_m)) : nowhere);
+            run.crossing_speed_mps.push_back(left_m >= 0.0 ? std::sqrt(2.0 * 0.5 * left_m)
+                                                           : nowhere);
           }
         }
       }
