@@ -4,6 +4,7 @@
 #include <cstdlib>
 
 #include "cli/child.hpp"
+#include "cli/small_clearance.hpp"
 #include "cli/small_convergence.hpp"
 #include "cli/small_study.hpp"
 
@@ -56,6 +57,14 @@ TEST_F(Mpi, a_chart_has_the_same_bytes_on_any_number_of_ranks) {
   const std::string alone = results_on(0, study);
   ASSERT_FALSE(alone.empty());
   for (const int ranks : {1, 2, 3, 7})
+    EXPECT_TRUE(results_on(ranks, study) == alone) << ranks << " ranks";
+}
+
+TEST_F(Mpi, a_clearance_study_has_the_same_bytes_on_any_number_of_ranks) {
+  const std::string study = folder_.write("clearance.toml", small_clearance());
+  const std::string alone = results_on(0, study);
+  ASSERT_FALSE(alone.empty());
+  for (const int ranks : {1, 2, 7})
     EXPECT_TRUE(results_on(ranks, study) == alone) << ranks << " ranks";
 }
 
