@@ -113,8 +113,9 @@ void ring_down(OnBuildingBody& body, const Shaken& shaken, double longest_period
   if (body.will_stop()) body.coast(dt);
 }
 
-void check(const BuildingGround& ground, const BiaxialBuilding& building,
-           const TwoAxisBlock& block) {
+void check([[maybe_unused]] const BuildingGround& ground,
+           [[maybe_unused]] const BiaxialBuilding& building,
+           [[maybe_unused]] const TwoAxisBlock& block) {
   [[maybe_unused]] const EllipticFriction& mu = block.friction;
   GLISSADE_EXPECTS(ground.horizontal[0] != nullptr);
   [[maybe_unused]] const double step_s = ground.horizontal[0]->step_s();

@@ -114,18 +114,21 @@ double OnBuildingBody::slide(const Shaking& piece) {
 /// Friction ends where the normal force does. Where that is, is told by the building alone: what
 /// the block adds on the way moves it by little, which the step's error sees.
 double OnBuildingBody::first_lift(const Bare& bare) const {
-  const auto normal = [&](double share) {
-    const Axes e = bare.e(share);
-    return contact_.loading().at(e[0], e[1], bare.shaking.w(share)).normal;
-  };
-  const bool lifted = normal(0.0) < 0.0;
-  if ((normal(1.0) < 0.0) == lifted) return 1.0;
-  double low = 0.0, high = 1.0;
-  for (int i = 0; i < 50; ++i) {
-    const double middle = 0.5 * (low + high);
-    ((normal(middle) < 0.0) == lifted ? low : high) = middle;
-  }
-  return high > 1e-9 ? high : 1.0;
+  const TwoAxisLoading& loading = contact_.loading();
+  const Shaking& piece = bare.shaking;
+  const double tangent = loading.tan_slope();
+  const double c = tangent * loading.cos_azimuth(), s = tangent * loading.sin_azimuth();
+  const Series &a1 = bare.axis[0].a, &a2 = bare.axis[1].a;
+  Series normal;
+  normal.terms = std::max({a1.terms, a2.terms, piece.vertical_terms});
+  for (int k = 0; k < normal.terms; ++k)
+    normal.c[k] = c * coefficient(a1, k) + s * coefficient(a2, k) + piece.coefficient(k);
+  const double g = loading.gravity();
+  normal.c[0] += g;
+  if (std::abs(normal.c[0]) <= 1e-9 * g) normal.c[0] = 0.0;  // just lifted or landed
+  int first = 0;
+  while (first + 1 < normal.terms && normal.c[first] == 0.0) ++first;
+  return std::clamp(first_fall(normal, normal.c[first] < 0.0 ? Sign::minus : Sign::plus), 1e-6, 1.0);
 }
 
 double OnBuildingBody::step(const Bare& bare, double longest) {

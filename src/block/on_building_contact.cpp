@@ -49,7 +49,7 @@ double BuildingContact::strongest(const Mobility& m) const {
 
 /// Newton's method on the factor k, with |v| falling by lambda f.v/|v| per k.
 Vector BuildingContact::holding_by_speed(Vector p, double lambda) const {
-  const auto [low, high] = std::minmax(1.0, law_.fast_ratio);
+  const auto [low, high] = std::minmax({1.0, law_.fast_ratio});
   double k = factor(p);
   Vector f;
   for (int i = 0; i < 60; ++i) {

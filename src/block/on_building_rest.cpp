@@ -17,8 +17,6 @@ Series product(const Series& a, const Series& b) {
   return s;
 }
 
-double term(const Series& s, int k) { return k < s.terms ? s.c[static_cast<std::size_t>(k)] : 0.0; }
-
 /// FrictionEllipse::excess over a piece.
 Series excess(const FrictionEllipse& friction, const TwoAxisLoading& loading,
               const AxisSeries (&axis)[2], const Shaking& shaking) {
@@ -26,9 +24,8 @@ Series excess(const FrictionEllipse& friction, const TwoAxisLoading& loading,
   s.terms = y.terms = n.terms =
       std::max({axis[0].a.terms, axis[1].a.terms, shaking.vertical_terms});
   for (int k = 0; k < s.terms; ++k) {
-    const double a1 = term(axis[0].a, k), a2 = term(axis[1].a, k);
-    const double w =
-        k < shaking.vertical_terms ? shaking.vertical[static_cast<std::size_t>(k)] : 0.0;
+    const double a1 = coefficient(axis[0].a, k), a2 = coefficient(axis[1].a, k);
+    const double w = shaking.coefficient(k);
     const Load load = k == 0 ? loading.at(a1, a2, w) : loading.change(a1, a2, w);
     s.c[k] = load.drive.s;
     y.c[k] = friction.to_circle() * load.drive.y;
@@ -102,8 +99,6 @@ bool OnBuildingBody::rest_quickly(const Shaking& piece) {
     if (axis.rigid()) {
       a0[n] = ground.begin;
       a1[n] = ground.end;
-      const double most = (1.0 + mass_ratio_) * std::max(std::abs(a0[n]), std::abs(a1[n]));
-      peaks_.elastic[n] = std::max(peaks_.elastic[n], most);
       continue;
     }
     const BuildingAxis::State begin = axis.state();
@@ -126,8 +121,14 @@ bool OnBuildingBody::rest_quickly(const Shaking& piece) {
       tangent + std::max(1.0 / friction.along(), 1.0 / (friction.across() * loading.cos_slope()));
   const double needed = sag * by_a + piece.w_sag() * (1.0 + tangent / friction.along());
   if (!(std::min(rest_margin_, after) > needed * (1.0 + 1e-9))) return false;
-  for (std::size_t n = 0; n < 2; ++n)
-    if (!axes_[n].rigid()) axes_[n].set(end[n]);
+  for (std::size_t n = 0; n < 2; ++n) {
+    if (!axes_[n].rigid()) {
+      axes_[n].set(end[n]);
+      continue;
+    }
+    const double most = (1.0 + mass_ratio_) * std::max(std::abs(a0[n]), std::abs(a1[n]));
+    peaks_.elastic[n] = std::max(peaks_.elastic[n], most);
+  }
   rest_margin_ = after;
   return true;
 }

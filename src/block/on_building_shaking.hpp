@@ -22,6 +22,9 @@ struct Shaking {
       sum = sum * share + vertical[static_cast<std::size_t>(k)];
     return sum;
   }
+  double coefficient(int k) const {
+    return k < vertical_terms ? vertical[static_cast<std::size_t>(k)] : 0.0;
+  }
   /// At most how far w leaves the line between its values at both ends.
   double w_sag() const {
     double sum = 0.0;

@@ -81,7 +81,7 @@ Stop OnBuildingBody::find_stop(const Bare& bare, double left_s, std::array<Ramp,
   }
 
   step_s_ = std::min(step_s_, 0.6 * t);
-  if (!contact_.friction().is_circle()) return {};
+  if (!contact_.friction().is_circle() || speed == 0.0) return {};
   const Stop curved = find_curved_stop(bare, left_s, allowed);
   if (curved.time_s != never) {  // by the balance of momentum
     const Axes a = contact_.held((-1.0 / curved.time_s) * now_.v, e0, piece.w(0.0), mobility_).a;

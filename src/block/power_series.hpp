@@ -56,6 +56,10 @@ struct Series {
   }
 };
 
+inline double coefficient(const Series& s, int k) {
+  return k < s.terms ? s.c[static_cast<std::size_t>(k)] : 0.0;
+}
+
 /// Of a series or of its negative.
 enum class Sign { plus, minus };
 
