@@ -196,6 +196,8 @@ void check_shapes(const R& r) {
              "results");
   expect_fit(r.friction.size() == 2, "friction", "two directions");
   expect_fit(r.same_as.size() == r.orientations.size(), "same_as", "orientations");
+  for (const std::uint64_t same : r.same_as)
+    expect_fit(same < r.orientations.size(), "same_as", "orientations");
   std::uint64_t suite = 0;
   for (const ClearanceRecord& record : r.records) {
     expect_fit(record.suite == suite || record.suite == suite + 1, "records", "suites");

@@ -77,10 +77,23 @@ std::vector<VerticalCondition> read_verticals(const TomlTable& table) {
   return conditions;
 }
 
+/// The isolated array first, as what is shown where nothing else is said.
+std::vector<ArraySupport> read_supports(const TomlTable& table) {
+  auto supports =
+      choices_or<ArraySupport>(table, "support", support_names(), {ArraySupport::isolated});
+  const auto isolated = std::ranges::find(supports, ArraySupport::isolated);
+  if (isolated == supports.end()) {
+    table.report("support", table.name_of("support") + " leaves out \"isolated\"",
+                 "an array that does not slide needs no clearance: name isolated too");
+  } else {
+    std::rotate(supports.begin(), isolated, isolated + 1);
+  }
+  return supports;
+}
+
 ClearanceGrid read_grid(const TomlTable& table) {
   ClearanceGrid grid;
-  grid.support =
-      choices_or<ArraySupport>(table, "support", support_names(), {ArraySupport::isolated});
+  grid.support = read_supports(table);
   grid.vertical = read_verticals(table);
   grid.response_modification = increasing_or(table, "response_modification", r_rule, {1.0});
   grid.mass_ratio = increasing_or(table, "mass_ratio", mass_rule, {0.05});

@@ -4,6 +4,7 @@
 #include <cstdlib>
 
 #include "cli/child.hpp"
+#include "cli/small_clearance.hpp"
 #include "cli/small_convergence.hpp"
 #include "cli/small_study.hpp"
 
@@ -71,6 +72,14 @@ TEST_F(Mpi, every_model_has_the_same_bytes_on_any_number_of_ranks) {
     EXPECT_TRUE(results_on(3, study) == alone) << building;
     for (const char* out : {"on0", "on3"}) std::filesystem::remove_all(folder_.path(out));
   }
+}
+
+TEST_F(Mpi, a_clearance_study_has_the_same_bytes_on_any_number_of_ranks) {
+  const std::string study = folder_.write("clearance.toml", small_clearance());
+  const std::string alone = results_on(0, study);
+  ASSERT_FALSE(alone.empty());
+  for (const int ranks : {1, 2, 7})
+    EXPECT_TRUE(results_on(ranks, study) == alone) << ranks << " ranks";
 }
 
 TEST_F(Mpi, more_ranks_than_units_of_work_give_the_same_bytes) {

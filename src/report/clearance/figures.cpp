@@ -74,7 +74,7 @@ std::vector<Figure> clearance_figures(const ClearanceResults& results) {
   add(ClearanceTopic::level, level_figure);
   add(ClearanceTopic::yielding, yielding_figure);
   add(ClearanceTopic::base_shear, base_shear_figure);
-  if (place_of(results.grid, ArraySupport::no_array) && results.grid.support.size() > 1)
+  if (place_of(results.grid, ArraySupport::no_array))
     add(ClearanceTopic::base_shear, base_shear_ratio_figure);
   add(ClearanceTopic::slope, slope_figure);
   add(ClearanceTopic::mce, mce_figure);

@@ -122,13 +122,14 @@ std::optional<std::size_t> place_of(const ClearanceGrid& grid, ArraySupport supp
 
 bool can_tell(const ClearanceResults& results, ClearanceTopic topic) {
   const ClearanceGrid& grid = results.grid;
+  if (results.suites.size() > 1) return topic == ClearanceTopic::level;
   switch (topic) {
     case ClearanceTopic::spectra:
-      return results.suites.size() == 1;
+      return true;
     case ClearanceTopic::period:
       return has_several(grid, ClearanceAxis::period);
     case ClearanceTopic::level:
-      return results.suites.size() > 1;
+      return false;
     case ClearanceTopic::yielding:
       return has_several(grid, ClearanceAxis::response_modification) &&
              grid.response_modification.front() == 1.0;

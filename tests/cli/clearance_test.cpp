@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gmock/gmock.h>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/child.hpp"
+#include "cli/small_clearance.hpp"
+#include "cli/small_study.hpp"
+#include "one_line.hpp"
+
+namespace glissade::test {
+namespace {
+
+using testing::HasSubstr;
+namespace fs = std::filesystem;
+
+/// One run of the small clearance study, shared by the tests that look at what it left.
+class Clearance : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    folder_ = new ScratchFolder;
+    study_ = folder_->write("small.toml", small_clearance());
+    finished_ = run_program({"run", study_, "--out", out().string()});
+    ASSERT_EQ(finished_.status, 0) << finished_.err;
+  }
+  static void TearDownTestSuite() {
+    delete folder_;
+    folder_ = nullptr;
+  }
+  static fs::path out() { return folder_->path("out"); }
+
+  static inline ScratchFolder* folder_ = nullptr;
+  static inline std::string study_;
+  static inline Finished finished_;
+};
+
+TEST_F(Clearance, leaves_results_report_tables_figures_and_its_record) {
+  for (const char* name :
+       {"results.h5", "run.json", "report.html", "tables/clearances.csv", "tables/by_period.csv",
+        "tables/orientations.csv", "tables/histories.csv", "tables/statements.csv",
+        "figures/spectra.svg", "figures/period.svg", "figures/orientations.svg"}) {
+    EXPECT_GT(fs::exists(out() / name) ? fs::file_size(out() / name) : 0, 0u) << name;
+  }
+  for (const std::string& name : folder_->contents())
+    EXPECT_EQ(name.find(".partial"), std::string::npos) << name;
+}
+
+TEST_F(Clearance, ends_with_what_the_paper_states_beside_what_came_out) {
+  EXPECT_EQ(finished_.err, "");
+  for (const std::string& part :
+       {std::string("2 conditions, 3 records of synthetic_level2, sixteen orientations"),
+        std::string("Fig. 13: \"10.21 inches\""), std::string("of these are below it"),
+        std::string("only 4 differ"), (out() / "report.html").string()})
+    EXPECT_THAT(one_line(finished_.out), HasSubstr(part));
+}
+
+TEST_F(Clearance, run_json_counts_the_histories_that_were_run) {
+  const auto json = nlohmann::json::parse(read_file(out() / "run.json"));
+  EXPECT_EQ(json.at("status"), "finished");
+  EXPECT_EQ(json.at("histories_integrated"), 3 * 4 * 2);  // records x different orientations x T
+}
+
+TEST_F(Clearance, report_makes_the_same_again) {
+  const fs::path again = folder_->path("report_again");
+  const Finished child =
+      run_program({"report", (out() / "results.h5").string(), "--out", again.string()});
+  ASSERT_EQ(child.status, 0) << child.err;
+  for (const char* name : {"report.html", "tables/clearances.csv", "tables/histories.csv",
+                           "figures/period.svg", "figures/spectra.pdf"})
+    EXPECT_TRUE(read_file(again / name) == read_file(out() / name)) << name;
+}
+
+TEST_F(Clearance, a_dry_run_tells_the_plan_and_writes_nothing) {
+  const std::string out = folder_->path("dry").string();
+  const Finished child = run_program({"run", study_, "--out", out, "--dry-run"});
+  EXPECT_EQ(child.status, 0) << child.err;
+  for (const char* part : {"Clearance study small clearance", "synthetic_level2 (3 records)",
+                           "16, of which 4 differ", "24, in 12 units"})
+    EXPECT_THAT(child.out, HasSubstr(part));
+  EXPECT_FALSE(fs::exists(out));
+}
+
+TEST_F(Clearance, never_writes_into_a_folder_in_use) {
+  expect_refused(run_program({"run", study_, "--out", out().string()}), {"already holds a run"});
+}
+
+TEST_F(Clearance, input_that_is_wrong_is_told_with_its_line_and_leaves_nothing) {
+  const std::string out = folder_->path("refused").string();
+  const auto told = [&](const std::string& from, const std::string& to, const std::string& part) {
+    const std::string study = folder_->write("wrong.toml", replaced(small_clearance(), from, to));
+    expect_refused(run_program({"run", study, "--out", out}), {part});
+    EXPECT_FALSE(fs::exists(out));
+  };
+  told("mass_ratio = [0.05]", "mass_ratio = [1.5]", "mass_ratio = 1.5 is not from 0 to 1");
+  told("mu = 0.47", "mue = 0.47", "clearance_study.mue is not a known key");
+  told("\"level2_2\"", "\"level2_22\"", "suite.records names level2_22, which is not in");
+}
+
+}  // namespace
+}  // namespace glissade::test

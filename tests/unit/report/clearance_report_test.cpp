@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glissade/report/clearance_report.hpp"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+namespace glissade {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+constexpr double inch = 0.0254;
+
+/// Two records in four orientations at two periods, of an isolated and an anchored array; all
+/// numbers from two rules that can be followed by hand: a displacement of (o + 1)(p + 1) inches for
+/// record a and three times that for b, so a mean of 2 (o + 1)(p + 1) inches.
+ClearanceResults made_up() {
+  ClearanceResults r;
+  r.study_name = "made <up>";
+  r.study_text = "[clearance_study]";
+  r.grid.support = {ArraySupport::isolated, ArraySupport::anchored};
+  r.grid.slope_deg = {1.2};
+  r.grid.period_s = {0.2, 1.0};
+  for (const double azimuth : {0.0, 180.0, 90.0, 270.0})
+    r.orientations.push_back({SlopeAxis::e_w, azimuth, 1});
+  r.same_as = {0, 1, 2, 3};
+  r.suites = {{"suite",
+               "two records",
+               {{0.0, 1.0, 2.0},
+                {{1.0, 2.0, 1.0}, {3.0, 4.0, 1.0}},
+                {2.0, 3.0, 1.0},
+                {1.0, 2.0, 0.8},
+                0.0}}};
+  r.records = {{.id = "a", .has_vertical = true}, {.id = "b"}};
+  r.friction = {0.47, 0.47};
+  for (int record = 0; record < 2; ++record) {
+    for (int o = 0; o < 4; ++o) {
+      for (int support = 0; support < 2; ++support) {
+        for (int p = 0; p < 2; ++p) {
+          const double x = inch * (o + 1) * (p + 1) * (record == 0 ? 1 : 3);
+          ClearanceHistory h;
+          if (support == 0) h = {.peak_m = x, .peak_along_m = x};
+          h.shear_along = support == 0 ? 0.9 : 1.0;
+          r.histories.push_back(h);
+        }
+      }
+    }
+  }
+  return r;
+}
+
+std::vector<std::string> figure_names(const ClearanceResults& r) {
+  std::vector<std::string> names;
+  for (const Figure& figure : clearance_figures(r)) names.push_back(figure.name);
+  return names;
+}
+
+TEST(clearance_report, the_clearance_is_a_factor_times_the_largest_mean_over_the_periods) {
+  const Table table = clearance_table(made_up());
+  ASSERT_EQ(table.rows.size(), 1u);  // the anchored array has no clearance
+  const std::string csv = to_csv(table);
+  EXPECT_THAT(csv, HasSubstr("governing_period_s,lowest_m,median_m,median_low95_m"));
+  const auto number = [&](std::size_t i) { return std::get<double>(table.rows[0][i]); };
+  EXPECT_EQ(number(0), 1.0);                                                // T, s
+  EXPECT_DOUBLE_EQ(number(1), 4 * inch);                                    // lowest
+  EXPECT_DOUBLE_EQ(std::get<Estimate>(table.rows[0][2]).value, 10 * inch);  // 4, 8, 12, 16
+  EXPECT_DOUBLE_EQ(number(3), 16 * inch);
+  EXPECT_DOUBLE_EQ(number(6), 1.1 * 10 * inch);
+  EXPECT_DOUBLE_EQ(number(7), 1.1 * 16 * inch);
+}
+
+TEST(clearance_report, every_orientation_has_its_row) {
+  const Table table = clearance_orientations_table(made_up());
+  ASSERT_EQ(table.rows.size(), 4u);
+  EXPECT_DOUBLE_EQ(std::get<double>(table.rows[2][2]), 6 * inch);   // third, T 0.2 s
+  EXPECT_DOUBLE_EQ(std::get<double>(table.rows[2][3]), 12 * inch);  // T 1 s
+}
+
+TEST(clearance_report, readings_are_of_what_the_grid_varies) {
+  const ClearanceResults r = made_up();
+  EXPECT_THAT(
+      clearance_reading(r, ClearanceTopic::period),
+      HasSubstr("largest at T = 1 s. The largest over the periods is 0.254 m (10.0 in), from "
+                "0.102 m (4.00 in) to 0.406 m (16.0 in)"));
+  EXPECT_THAT(clearance_reading(r, ClearanceTopic::base_shear),
+              HasSubstr("0.900 to 0.900 of that with the array anchored, below it at 2 of 2"));
+  EXPECT_THAT(clearance_reading(r, ClearanceTopic::spectra), HasSubstr("1.25 (at 2 s) to 2.00"));
+  for (const ClearanceTopic topic :
+       {ClearanceTopic::level, ClearanceTopic::yielding, ClearanceTopic::slope, ClearanceTopic::mce,
+        ClearanceTopic::vertical, ClearanceTopic::mass})
+    EXPECT_EQ(clearance_reading(r, topic), "");
+}
+
+TEST(clearance_report, a_stated_displacement_is_placed_among_ours) {
+  ClearanceResults r = made_up();
+  r.statements = {{ClearanceTopic::period, "Fig. 13", "so much", 5 * inch, 0.2},
+                  {ClearanceTopic::period, "Fig. 13", "at most", 10 * inch, std::nan("")},
+                  {ClearanceTopic::base_shear, "Fig. 16", "lower", std::nan(""), std::nan("")}};
+  const Table table = clearance_statements_table(r);
+  ASSERT_EQ(table.rows.size(), 3u);
+  // At 0.2 s the means are 2, 4, 6 and 8 inches; the largest over the periods twice that.
+  EXPECT_THAT(std::get<std::string>(table.rows[0][2]),
+              HasSubstr("at T = 0.2 s. 0.127 m (5.00 in)"));
+  EXPECT_THAT(std::get<std::string>(table.rows[0][2]), HasSubstr("; 50 % of these are below it"));
+  EXPECT_THAT(std::get<std::string>(table.rows[1][2]),
+              HasSubstr("largest over the periods. 0.254"));
+  EXPECT_THAT(std::get<std::string>(table.rows[2][2]), HasSubstr("the base shear is 0.900"));
+  // What stands beside a statement is not told twice.
+  for (const std::string& sentence : clearance_sentences(r))
+    EXPECT_THAT(sentence, Not(HasSubstr("base shear")));
+}
+
+TEST(clearance_report, figures_are_of_the_axes_with_several_values) {
+  EXPECT_EQ(figure_names(made_up()),
+            (std::vector<std::string>{"spectra", "period", "orientations", "base_shear"}));
+  ClearanceResults r = made_up();
+  r.grid.support = {ArraySupport::isolated};
+  r.grid.slope_deg = {1.2, 2.4};  // in place of the supports: as many conditions
+  for (ClearanceHistory& h : r.histories) h.peak_along_m += inch;
+  EXPECT_EQ(figure_names(r),
+            (std::vector<std::string>{"spectra", "period", "permutations", "slope"}));
+  r.grid.slope_deg = {1.2};
+  r.grid.fraction_of_mce = {2.0 / 3, 1.0};
+  EXPECT_EQ(figure_names(r),
+            (std::vector<std::string>{"spectra", "period", "orientations", "mce"}));
+  r.grid.fraction_of_mce = {1.0};
+  r.grid.response_modification = {1.0, 2.0};
+  EXPECT_EQ(figure_names(r),
+            (std::vector<std::string>{"spectra", "period", "orientations", "yielding"}));
+  r.grid.response_modification = {1.0};
+  r.grid.vertical = {{VerticalChoice::none, 0.0}, {VerticalChoice::if_available, 0.0}};
+  EXPECT_EQ(figure_names(r),
+            (std::vector<std::string>{"spectra", "period", "orientations", "vertical"}));
+}
+
+TEST(clearance_report, of_several_suites_only_how_they_compare_is_told) {
+  ClearanceResults r = made_up();
+  r.suites.push_back(r.suites.front());
+  r.suites.back().name = "other";
+  r.records[1].suite = 1;
+  EXPECT_EQ(figure_names(r), std::vector<std::string>{"level"});
+  EXPECT_THAT(clearance_reading(r, ClearanceTopic::level),
+              HasSubstr("suite 0.0635 m (2.50 in)"));  // a alone: 1, 2, 3, 4 inches
+  EXPECT_THAT(clearance_reading(r, ClearanceTopic::level), HasSubstr("other 0.190 m (7.50 in)"));
+}
+
+TEST(clearance_report, the_paper_is_marked_in_the_figure_over_periods) {
+  ClearanceResults r = made_up();
+  r.statements = {{ClearanceTopic::period, "Fig. 13", "so much", 5 * inch, 0.2}};
+  const Figure figure = clearance_figures(r)[1];
+  EXPECT_THAT(figure.body, HasSubstr("the paper, Fig. 13: 0.127 m (5.00 in)"));
+  EXPECT_THAT(figure.body, HasSubstr("at first 0.2,first 0.127"));
+}
+
+TEST(clearance_report, histories_are_told_once_each) {
+  ClearanceResults r = made_up();
+  r.same_as = {0, 1, 0, 1};
+  EXPECT_EQ(clearance_histories_table(r).rows.size(), 2u * 2u * 4u);
+}
+
+}  // namespace
+}  // namespace glissade

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glissade/study/clearance_reading.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace glissade {
+namespace {
+
+/// Two records of one suite and one of another, four orientations (slope along E-W), two periods.
+/// Displacements of the first suite, by (record, orientation, period):
+///   a  1 2   3 4   5 6   7 0
+///   b  1 0   1 0   1 0   1 8
+ClearanceResults by_hand() {
+  ClearanceResults r;
+  r.grid.slope_deg = {1.0};
+  r.grid.period_s = {0.2, 1.0};
+  for (const double azimuth : {0.0, 180.0, 90.0, 270.0})
+    r.orientations.push_back({SlopeAxis::e_w, azimuth, 1});
+  r.same_as = {0, 1, 2, 3};
+  r.suites.resize(2);
+  r.records = {{.suite = 0, .id = "a", .stronger = 0},
+               {.suite = 0, .id = "b", .stronger = 1},
+               {.suite = 1, .id = "c"}};
+  r.friction = {0.5, 0.5};
+  for (const double x : {1., 2., 3., 4., 5., 6., 7., 0.,  //
+                         1., 0., 1., 0., 1., 0., 1., 8.,  //
+                         9., 9., 9., 9., 9., 9., 9., 9.}) {
+    // An SRSS of x from 3-4-5 triangles; the vector's peak is smaller.
+    r.histories.push_back({.peak_m = 0.9 * x,
+                           .peak_along_m = 0.6 * x,
+                           .peak_across_m = 0.8 * x,
+                           .shear_along = 0.3 * x,
+                           .shear_across = 0.4 * x});
+  }
+  return r;
+}
+
+ClearancePosition at_period(std::size_t period) {
+  ClearancePosition at;
+  at[ClearanceAxis::period] = period;
+  return at;
+}
+
+TEST(clearance_reading, means_are_of_the_suites_records_in_one_orientation) {
+  const ClearanceResults r = by_hand();
+  EXPECT_DOUBLE_EQ(suite_mean(r, {}, 0, at_period(0)), 1.0);
+  EXPECT_DOUBLE_EQ(suite_mean(r, {}, 3, at_period(1)), 4.0);
+  EXPECT_DOUBLE_EQ(suite_mean(r, {.suite = 1}, 0, at_period(0)), 9.0);
+  EXPECT_DOUBLE_EQ(suite_mean(r, {.number = HistoryNumber::base_shear}, 2, at_period(0)), 1.5);
+  EXPECT_DOUBLE_EQ(suite_mean(r, {.number = HistoryNumber::vector_peak}, 2, at_period(0)), 2.7);
+}
+
+TEST(clearance_reading, the_measure_is_the_studys) {
+  ClearanceResults r = by_hand();
+  r.displacement = DisplacementMeasure::vector_peak;
+  EXPECT_DOUBLE_EQ(suite_mean(r, {}, 2, at_period(0)), 2.7);
+}
+
+TEST(clearance_reading, the_range_is_over_orientations_with_the_median_between_the_middle_two) {
+  const OrientationRange one = over_orientations(by_hand(), {}, at_period(0), Periods::one);
+  EXPECT_DOUBLE_EQ(one.lowest, 1.0);  // means 1, 2, 3, 4
+  EXPECT_DOUBLE_EQ(one.median, 2.5);
+  EXPECT_DOUBLE_EQ(one.highest, 4.0);
+  const OrientationRange largest = over_orientations(by_hand(), {}, {}, Periods::largest);
+  EXPECT_DOUBLE_EQ(largest.lowest, 1.0);  // the larger of the two periods: 1, 2, 3, 4
+  EXPECT_DOUBLE_EQ(largest.highest, 4.0);
+}
+
+TEST(clearance_reading, the_interval_is_from_resampling_records) {
+  const OrientationRange range = over_orientations(by_hand(), {}, at_period(0), Periods::one);
+  // A resample is a twice, b twice, or both: medians 4, 1 or 2.5.
+  EXPECT_DOUBLE_EQ(range.interval.low, 1.0);
+  EXPECT_DOUBLE_EQ(range.interval.high, 4.0);
+  const OrientationRange alone = over_orientations(by_hand(), {.suite = 1}, {}, Periods::one);
+  EXPECT_TRUE(std::isnan(alone.interval.low));
+}
+
+TEST(clearance_reading, the_governing_period_is_of_the_median) {
+  EXPECT_EQ(governing_period(by_hand(), {}, {}), 0u);  // 2.5 against (1 + 2)/2 + ...: 1, 2, 3, 4
+  ClearanceResults r = by_hand();
+  for (std::size_t i = 1; i < r.histories.size(); i += 2) r.histories[i].peak_along_m += 100.0;
+  EXPECT_EQ(governing_period(r, {}, {}), 1u);
+}
+
+TEST(clearance_reading, no_way_for_each_record_leaves_the_bounds) {
+  const ClearanceResults r = by_hand();
+  const OwnWayBounds bounds = own_way_bounds(r, {}, at_period(1), Periods::one);
+  EXPECT_DOUBLE_EQ(bounds.lowest, 0.0);
+  EXPECT_DOUBLE_EQ(bounds.highest, 7.0);  // a 6, b 8
+  const OwnWayBounds largest = own_way_bounds(r, {}, {}, Periods::largest);
+  EXPECT_DOUBLE_EQ(largest.lowest, 1.0);
+  EXPECT_DOUBLE_EQ(largest.highest, 7.0);
+  const std::vector<double> means = own_way_means(r, {}, at_period(1), Periods::one);
+  ASSERT_EQ(means.size(), 10000u);
+  EXPECT_DOUBLE_EQ(means.front(), 0.0);
+  EXPECT_DOUBLE_EQ(means.back(), 7.0);
+  // Of the sixteen pairs, equally likely, one gives 7: 625 +- 24 (binomial), here within four.
+  const double share = 1.0 - share_below(means, 6.9);
+  EXPECT_NEAR(share, 1.0 / 16, 4 * 0.0024);
+}
+
+TEST(clearance_reading, ties_count_half_below) {
+  EXPECT_DOUBLE_EQ(share_below({1.0, 2.0, 2.0, 3.0}, 2.0), 0.5);
+  EXPECT_DOUBLE_EQ(share_below({1.0, 2.0}, 5.0), 1.0);
+  EXPECT_TRUE(std::isnan(share_below({}, 5.0)));
+}
+
+TEST(clearance_reading, each_records_stronger_component_falls_with_the_roof) {
+  // a by its first (azimuth 0, 180), b by its second (90, 270).
+  const StrongerAlong strong = stronger_along(by_hand(), {}, at_period(1), Periods::one);
+  EXPECT_DOUBLE_EQ(strong.as_recorded, 1.0);   // a 2, b 0
+  EXPECT_DOUBLE_EQ(strong.turned_round, 6.0);  // a 4, b 8
+  ClearanceResults r = by_hand();
+  r.orientations[3].azimuth_deg = 22.5;
+  EXPECT_TRUE(std::isnan(stronger_along(r, {}, {}, Periods::one).turned_round));
+}
+
+TEST(clearance_reading, a_slope_axis_that_was_not_run_has_no_orientations) {
+  EXPECT_TRUE(orientations_of(by_hand(), {.slope_axis = SlopeAxis::n_s}).empty());
+}
+
+}  // namespace
+}  // namespace glissade

@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "glissade/block/two_axis.hpp"
+#include "glissade/building/motion_table.hpp"
+#include "glissade/core/error.hpp"
+#include "glissade/core/units.hpp"
+#include "glissade/study/clearance_reading.hpp"
+#include "unit/study/clearance_motions.hpp"
+
+namespace glissade {
+namespace {
+
+using test::shaking;
+using test::suite_of;
+using testing::HasSubstr;
+using Axis = ClearanceAxis;
+
+ClearanceConfig config() {
+  ClearanceConfig c;
+  c.name = "clearance";
+  c.file = "study.toml";
+  c.suite_files = {"suite.toml"};
+  c.grid.slope_deg = {1.2};
+  c.grid.period_s = {0.3};
+  c.grid.fraction_of_mce = {1.0};
+  c.friction = {TestedFriction{0.3, 0.0}, TestedFriction{0.3, 0.0}};
+  c.slope_axes = {SlopeAxis::e_w, SlopeAxis::n_s};
+  return c;
+}
+
+ClearanceResults run(const ClearancePlan& plan) {
+  std::vector<ClearanceUnit> units;
+  for (std::size_t i = plan.units(); i > 0; --i)
+    units.push_back(execute(plan, i - 1));  // any order
+  return reduce(plan, units);
+}
+
+ClearanceResults run(const ClearanceConfig& c, std::vector<Motion> motions) {
+  return run(make_plan(c, {suite_of(std::move(motions))}));
+}
+
+TEST(clearance_grid, index_and_position_are_each_others_inverse) {
+  ClearanceGrid grid;
+  grid.support = {ArraySupport::isolated, ArraySupport::no_array};
+  grid.mass_ratio = {0.0, 0.05, 0.1};
+  grid.slope_deg = {1.0, 2.0};
+  grid.period_s = {0.2, 0.4, 0.7};
+  ASSERT_EQ(grid.count(), 36u);
+  for (std::size_t i = 0; i < grid.count(); ++i) EXPECT_EQ(grid.index(grid.position(i)), i);
+  EXPECT_EQ(grid.position(1)[Axis::period], 1u);  // the period varies fastest
+  EXPECT_EQ(along(grid, Axis::mass, grid.position(35)).size(), 3u);
+  EXPECT_EQ(all_but(grid, Axis::period).size(), 12u);
+}
+
+TEST(clearance_grid, sixteen_orientations_are_sixteen_different_ones) {
+  const auto all = orientations(OrientationChoice::sixteen, {SlopeAxis::e_w, SlopeAxis::n_s});
+  std::set<std::string> names;
+  for (const GroundOrientation& o : all) names.insert(to_string(o));
+  EXPECT_EQ(all.size(), 16u);
+  EXPECT_EQ(names.size(), 16u);
+  EXPECT_EQ(orientations(OrientationChoice::azimuths, {SlopeAxis::e_w}).size(), 16u);
+  EXPECT_EQ(to_string(GroundOrientation{SlopeAxis::e_w, 90.0, 1}),
+            "slope E-W, along it +second, across -first");
+  EXPECT_EQ(to_string(GroundOrientation{SlopeAxis::n_s, 180.0, -1}),
+            "slope N-S, along it -first, across +second");
+  EXPECT_EQ(to_string(GroundOrientation{SlopeAxis::n_s, 22.5, 1}), "slope N-S, azimuth 22.5 deg");
+}
+
+TEST(clearance, a_rigid_building_is_the_block_on_the_ground_in_every_orientation) {
+  ClearanceConfig c = config();
+  c.grid.period_s = {0.0};
+  c.grid.mass_ratio = {0.0};
+  c.friction[1] = {0.4, 0.02};  // mean - 2 std: 0.36 along N-S
+  const Motion motion = shaking("a", 6.0, 0.4);
+  const ClearanceResults results = run(c, {motion});
+  const double mu[] = {0.3, 0.36};
+  ASSERT_EQ(results.orientations.size(), 16u);
+  for (std::size_t o = 0; o < results.orientations.size(); ++o) {
+    // The components by the orientation's own words.
+    const std::string words = to_string(results.orientations[o]);
+    const std::size_t first = words.find("it +first") != words.npos   ? 0
+                              : words.find("it -first") != words.npos ? 0
+                                                                      : 1;
+    const double along = words.find("along it +") != words.npos ? 1.0 : -1.0;
+    const double across = words.find("across +") != words.npos ? 1.0 : -1.0;
+    std::array<std::vector<double>, 2> a{motion.horizontal_mps2[first],
+                                         motion.horizontal_mps2[1 - first]};
+    for (double& x : a[0]) x *= along;
+    for (double& x : a[1]) x *= across;
+    const auto axis = static_cast<std::size_t>(results.orientations[o].slope_axis);
+    const TwoAxisResult direct = slide_two_axis(
+        {.dt_s = motion.dt_s,
+         .horizontal_mps2 = {a[0], a[1]},
+         .vertical_mps2 = motion.vertical_mps2},
+        {.friction = {mu[axis], mu[1 - axis]}, .slope_rad = 1.2 * rad_per_deg}, 1e-8);
+    const ClearanceHistory& h = results.at(0, o, 0);
+    ASSERT_GT(direct.peak_displacement_m, 0.01);
+    // The kernel's tolerance is 1e-6 a step; noise of many phases may take thirty of it.
+    const double within = 3e-5 * direct.peak_displacement_m;
+    EXPECT_NEAR(h.peak_m, direct.peak_displacement_m, within) << words;
+    EXPECT_NEAR(displacement_m(h, DisplacementMeasure::srss_of_maxima), srss_of_maxima_m(direct),
+                within)
+        << words;
+    EXPECT_NEAR(h.residual_along_m, direct.residual.along_m, within) << words;
+    EXPECT_NEAR(h.residual_across_m, direct.residual.across_m, within) << words;
+  }
+}
+
+TEST(clearance, orientations_that_are_not_run_would_have_given_the_same) {
+  const ClearanceConfig c = config();
+  ClearancePlan plan = make_plan(c, {suite_of({shaking("a", 6.0, 0.4)})});
+  EXPECT_EQ(plan.run.size(), 4u);
+  const ClearanceResults skipped = run(plan);
+  for (std::size_t o = 0; o < plan.same_as.size(); ++o) plan.same_as[o] = o;
+  plan.run = plan.same_as;
+  const ClearanceResults all = run(plan);
+  for (std::size_t o = 0; o < plan.run.size(); ++o) {
+    const ClearanceHistory &a = skipped.at(0, o, 0), &b = all.at(0, o, 0);
+    EXPECT_NEAR(a.peak_along_m, b.peak_along_m, 1e-5 * b.peak_m);
+    EXPECT_NEAR(a.peak_across_m, b.peak_across_m, 1e-5 * b.peak_m);
+    EXPECT_NEAR(a.residual_across_m, b.residual_across_m, 1e-5 * b.peak_m);
+    EXPECT_NEAR(a.shear_along, b.shear_along, 1e-9);
+  }
+}
+
+TEST(clearance, two_frictions_make_eight_orientations_differ) {
+  ClearanceConfig c = config();
+  c.friction[1] = {0.4, 0.0};
+  EXPECT_EQ(make_plan(c, {suite_of({shaking("a", 6.0, 0.4)})}).run.size(), 8u);
+}
+
+/// max |a| of an oscillator's roof, by its own exact steps.
+double roof_peak_mps2(const Motion& motion, std::size_t component, const Oscillator& oscillator) {
+  auto ground = std::make_shared<GroundTable>(motion.dt_s, motion.horizontal_mps2[component]);
+  const RoofMotionOptions follow{.quiet_horizontal_mps2 = 1e-3};
+  MotionTable table;
+  tabulate_responses(ground, {&oscillator, 1}, {&follow, 1}, {&table, 1});
+  return peak_acceleration_mps2(table);
+}
+
+TEST(clearance, an_anchored_array_adds_its_mass_and_nothing_else) {
+  ClearanceConfig c = config();
+  c.orientation = OrientationChoice::stated;
+  c.slope_axes = {SlopeAxis::e_w};
+  c.grid.support = {ArraySupport::isolated, ArraySupport::anchored, ArraySupport::no_array};
+  c.grid.mass_ratio = {0.1};
+  const Motion motion = shaking("a", 6.0, 0.4);
+  const ClearanceResults results = run(c, {motion});
+  const double longer = std::sqrt(1.1);  // period and 1 / damping ratio of the heavier mass
+  for (const std::size_t axis : {0u, 1u}) {
+    const double anchored =
+        1.1 * roof_peak_mps2(motion, axis, {0.3 * longer, 0.05 / longer}) / standard_gravity_mps2;
+    const double bare = roof_peak_mps2(motion, axis, {0.3, 0.05}) / standard_gravity_mps2;
+    const ClearanceHistory &h1 = results.at(0, 0, 1), &h2 = results.at(0, 0, 2);
+    EXPECT_NEAR(axis == 0 ? h1.shear_along : h1.shear_across, anchored, 1e-7 * anchored);
+    EXPECT_NEAR(axis == 0 ? h2.shear_along : h2.shear_across, bare, 1e-7 * bare);
+    EXPECT_EQ(h1.peak_m, 0.0);
+  }
+  EXPECT_GT(results.at(0, 0, 0).peak_m, 0.01);
+}
+
+TEST(clearance, a_building_yields_at_its_elastic_demand_over_r) {
+  ClearanceConfig c = config();
+  c.orientation = OrientationChoice::stated;
+  c.slope_axes = {SlopeAxis::e_w};
+  c.damping = 0.0;  // then base shear is the spring's alone
+  c.grid.support = {ArraySupport::isolated, ArraySupport::no_array};
+  c.grid.response_modification = {1.0, 3.0, 6.0};
+  const ClearanceResults results = run(c, {shaking("a", 8.0, 0.4)});
+  // Class D, S_s 1.95 g: S_DS = 2/3 x 1.0 x 1.95 g on the plateau, where 0.3 s lies.
+  const double demand = 1.3;
+  for (const std::size_t r : {1u, 2u}) {
+    for (const std::size_t support : {0u, 1u}) {
+      ClearancePosition at;
+      at[Axis::support] = support;
+      at[Axis::response_modification] = r;
+      const ClearanceHistory& h = results.at(0, 0, results.grid.index(at));
+      // The kernel integrates a sliding array to 1e-6 of its speed, and the spring with it.
+      EXPECT_NEAR(h.shear_along, demand / results.grid.response_modification[r],
+                  support == 0 ? 1e-7 : 1e-12);
+    }
+  }
+  EXPECT_GT(results.at(0, 0, 0).shear_along, demand / 3.0);
+}
+
+TEST(clearance, the_level_is_a_factor_on_the_suites_own_scale) {
+  ClearanceConfig c = config();
+  c.grid.fraction_of_mce = {0.5, 1.0};
+  c.grid.period_s = {0.3};
+  Motion once = shaking("a", 6.0, 0.4), scaled = shaking("a", 6.0, 0.4);
+  scaled.scale = 2.0;
+  const ClearanceResults a = run(c, {once}), b = run(c, {scaled});
+  for (std::size_t o = 0; o < a.orientations.size(); ++o) {
+    EXPECT_EQ(a.at(0, o, 1).peak_along_m, b.at(0, o, 0).peak_along_m);
+    EXPECT_EQ(a.at(0, o, 1).shear_along, b.at(0, o, 0).shear_along);
+  }
+}
+
+TEST(clearance, a_record_without_a_vertical_is_run_without) {
+  ClearanceConfig c = config();
+  c.grid.vertical = {{VerticalChoice::none, 0.0},
+                     {VerticalChoice::if_available, 0.0},
+                     {VerticalChoice::if_available, 0.2}};
+  Motion without = shaking("b", 6.0, 1.4);
+  without.vertical_mps2.clear();
+  const ClearanceResults results = run(c, {shaking("a", 6.0, 0.4), without});
+  EXPECT_TRUE(results.records[0].has_vertical);
+  EXPECT_FALSE(results.records[1].has_vertical);
+  EXPECT_NE(results.at(0, 0, 0).peak_m, results.at(0, 0, 1).peak_m);
+  EXPECT_NE(results.at(0, 0, 1).peak_m, results.at(0, 0, 2).peak_m);
+  for (const std::size_t i : {1u, 2u}) {  // on a finer step where the vertical asks for it
+    EXPECT_NEAR(results.at(1, 0, i).peak_m, results.at(1, 0, 0).peak_m,
+                1e-5 * results.at(1, 0, 0).peak_m);
+  }
+}
+
+TEST(clearance, units_go_from_rank_to_rank_whole) {
+  const ClearancePlan plan = make_plan(config(), {suite_of({shaking("a", 6.0, 0.4)})});
+  const std::vector<ClearanceUnit> sent{execute(plan, 0), execute(plan, 3)};
+  const std::vector<ClearanceUnit> received = unpack_clearance_units(pack(sent));
+  ASSERT_EQ(received.size(), 2u);
+  EXPECT_EQ(received[1].unit, 3u);
+  EXPECT_EQ(received[1].histories[0].peak_m, sent[1].histories[0].peak_m);
+}
+
+std::string problems_of(const ClearanceConfig& c, Suite suite) {
+  try {
+    make_plan(c, {std::move(suite)});
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return {};
+}
+
+TEST(clearance, suites_that_do_not_fit_are_refused_with_all_that_is_wrong) {
+  ClearanceConfig c = config();
+  c.grid.response_modification = {1.0, 2.0};
+  c.grid.vertical = {{VerticalChoice::required, 0.0}};
+  Motion lame = shaking("lame", 6.0, 0.4), quiet = shaking("quiet", 0.0, 0.4);
+  lame.horizontal_mps2[1].clear();
+  lame.vertical_mps2.clear();
+  Suite suite = suite_of({lame, quiet});
+  suite.target.reset();
+  const std::string told = problems_of(c, suite);
+  for (const char* part : {"suite.toml: has no [target]", "record lame has no second horizontal",
+                           "record lame has no vertical", "record quiet is zero throughout"})
+    EXPECT_THAT(told, HasSubstr(part));
+  c.records = {"lamb"};
+  EXPECT_THAT(problems_of(c, suite), HasSubstr("did you mean lame?"));
+}
+
+TEST(clearance, the_plan_changes_with_every_motion_and_scale) {
+  const ClearanceConfig c = config();
+  const std::string hash = make_plan(c, {suite_of({shaking("a", 6.0, 0.4)})}).hash;
+  Motion louder = shaking("a", 6.0, 0.4);
+  louder.vertical_mps2[300] += 1e-9;
+  EXPECT_NE(make_plan(c, {suite_of({louder})}).hash, hash);
+  louder = shaking("a", 6.0, 0.4);
+  louder.scale = 1.5;
+  EXPECT_NE(make_plan(c, {suite_of({louder})}).hash, hash);
+}
+
+}  // namespace
+}  // namespace glissade
