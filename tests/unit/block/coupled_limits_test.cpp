@@ -143,6 +143,22 @@ TEST(coupled_limits, similitude_holds_to_the_last_bit) {
   EXPECT_EQ(r.peak_base_shear, s.peak_base_shear);
 }
 
+// Round numbers in which the normal force vanishes together with its cause: contact alone would
+// make the block lift, and lifted it would land at once.
+TEST(coupled_limits, a_block_on_the_verge_of_lifting_does_not_halt_the_walk) {
+  for (const double mass_ratio : {0.25, 1.0}) {
+    const std::vector<double> push{1.0, -2.0, -2.0}, fall(3, -16.0);
+    const Block b{.friction = 0.125, .slope_rad = std::atan(0.125), .gravity_mps2 = 8.0};
+    const CoupledResult r =
+        slide_coupled({0.0625, push, fall}, {}, {{0.125, 0.2}, mass_ratio, {}}, b);
+    EXPECT_TRUE(r.slip.uplift);
+    const CoupledEnergy& e = r.energy;
+    EXPECT_NEAR(e.input_m2ps2 + e.gravity_m2ps2,
+                e.kinetic_m2ps2 + e.strain_m2ps2 + e.damped_m2ps2 + e.friction_m2ps2,
+                1e-10 * std::abs(e.input_m2ps2));
+  }
+}
+
 TEST(coupled_limits, coupling_is_regular_up_to_the_friction_that_locks) {
   // sqrt(1 + mu^2) = 1 + 2/r at the slope that is worst, half the friction angle.
   for (const double r : {0.1, 0.5, 1.0}) {
