@@ -18,7 +18,8 @@ namespace {
 Block block_of(const SlideOptions& o) {
   return {.friction = o.mu,
           .slope_rad = o.slope_deg * rad_per_deg,
-          .directions = o.one_way ? SlipDirections::downslope_only : SlipDirections::both};
+          .directions = o.one_way ? SlipDirections::downslope_only : SlipDirections::both,
+          .law = o.law};
 }
 
 Yielding yielding_of(const SlideOptions& o) {
@@ -195,7 +196,7 @@ SlideHistory run_history(const SlideOptions& o, const Motion& motion, double fac
     case Kernel::tables:
       return on_known_roof(o, motion, factor);
     case Kernel::coupled:
-    case Kernel::yielding:
+    case Kernel::events:
       return on_coupled_building(o, motion, factor);
     case Kernel::full:
       break;

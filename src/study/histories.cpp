@@ -218,13 +218,14 @@ std::unique_ptr<Histories> histories_of(const Plan& plan, RoofStore& roofs, std:
   const SamplePoint& point = plan.samples[sample];
   const FrictionRun& friction = plan.runs[run];
   const Block block{.friction = friction.friction[sample],
-                    .slope_rad = point.slope_deg * rad_per_deg};
+                    .slope_rad = point.slope_deg * rad_per_deg,
+                    .law = plan.config.friction.law};
   const Scene scene{plan, point, block, roof, roofs.skipping() == Skipping::all};
   switch (plan.kernel.kernel) {
     case Kernel::tables:
       return std::make_unique<TableHistories>(scene, roofs.curve(sample, run), remake);
     case Kernel::coupled:
-    case Kernel::yielding:
+    case Kernel::events:
       return std::make_unique<CoupledHistories>(scene, ground_of(plan, record, point.component));
     case Kernel::full:
       break;

@@ -26,8 +26,14 @@ bool has_vertical_oscillator(const VerticalConfig& vertical) {
 
 KernelChoice cheapest_exact_kernel(const StudyConfig& config) {
   if (config.model.axes == SlidingAxes::two) return {Kernel::full, "[model] axes = 2"};
-  if (!config.friction.law.is_coulomb())
-    return {Kernel::full, "friction differs between rest and sliding, or with speed"};
+  const FrictionLaw& law = config.friction.law;
+  if (law.depends_on_speed()) return {Kernel::full, "friction depends on speed"};
+  if (!law.is_coulomb()) {
+    if (has_vertical_oscillator(config.vertical))
+      return {Kernel::full,
+              "friction is stronger at rest and the vertical has a period of its own"};
+    return {Kernel::events, "friction is stronger at rest"};
+  }
   if (is_rigid(config)) return {Kernel::tables, "one axis on a rigid building"};
   const bool feels_array = !is_always(config.building.mass_ratio, 0.0);
   const bool yields = config.building.strength.has_value();
@@ -37,7 +43,7 @@ KernelChoice cheapest_exact_kernel(const StudyConfig& config) {
     return {Kernel::full,
             "the vertical has a period of its own beside a building that yields or "
             "feels the array"};
-  if (yields) return {Kernel::yielding, "the building yields"};
+  if (yields) return {Kernel::events, "the building yields"};
   return {Kernel::coupled, "building.mass_ratio is above 0"};
 }
 
@@ -48,8 +54,9 @@ std::string describe(Kernel kernel) {
     case Kernel::coupled:
       return "one axis, coupled with a linear building: exact events, histories side by side "
              "(coupled_slip)";
-    case Kernel::yielding:
-      return "one axis, coupled with a yielding building: exact events (slide_coupled)";
+    case Kernel::events:
+      return "one axis, coupled with a building that may yield, friction that may be stronger at "
+             "rest: exact events (slide_coupled)";
     case Kernel::full:
       return "full model: two axes, coupled, error-controlled (slide_on_building)";
   }

@@ -96,7 +96,7 @@ TEST_F(SlideModel, a_building_that_feels_the_array_gives_what_the_library_gives)
     EXPECT_EQ(json["peak_displacement_m"], expected.slip.peak_displacement_m);
     EXPECT_EQ(json["residual_displacement_m"], expected.slip.residual_displacement_m);
     EXPECT_EQ(json["peak_base_shear"][0], expected.peak_base_shear);
-    EXPECT_THAT(json["model"].get<std::string>(), HasSubstr(yields ? "yielding" : "coupled"));
+    EXPECT_THAT(json["model"].get<std::string>(), HasSubstr(yields ? "slide_coupled" : "coupled_slip"));
   }
 }
 

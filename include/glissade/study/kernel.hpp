@@ -11,7 +11,7 @@ namespace glissade {
 enum class Kernel {
   tables,    ///< peak_slip(): the roof's motion is known before the block moves, one axis
   coupled,   ///< coupled_slip(): the array's mass is felt by a linear building, one axis
-  yielding,  ///< slide_coupled(): the building yields, one axis
+  events,    ///< slide_coupled(): the building yields, or friction is stronger at rest, one axis
   full       ///< slide_on_building(): two axes, any friction law, and all that the others have
 };
 

@@ -51,7 +51,7 @@ TEST(cheapest_exact_kernel, is_the_first_that_has_all_the_study_asks_for) {
   config.vertical.period_s = 0.0;
   EXPECT_EQ(kernel_of(config), Kernel::coupled);
   config.building.strength = StrengthConfig{.yield_coefficient = 0.3};
-  EXPECT_EQ(kernel_of(config), Kernel::yielding);
+  EXPECT_EQ(kernel_of(config), Kernel::events);
   config.model.axes = SlidingAxes::two;
   EXPECT_EQ(kernel_of(config), Kernel::full);
 }
@@ -63,10 +63,16 @@ TEST(cheapest_exact_kernel, needs_no_coupling_with_a_building_that_does_not_move
   EXPECT_EQ(kernel_of(config), Kernel::tables);
 }
 
-TEST(cheapest_exact_kernel, gives_any_law_of_friction_but_coulomb_s_to_the_full_model) {
+TEST(cheapest_exact_kernel, keeps_friction_that_is_stronger_at_rest_exact_on_one_axis) {
   StudyConfig config = tiny_config();
   config.friction.law.static_ratio = 1.2;
+  EXPECT_EQ(kernel_of(config), Kernel::events);
+  config.model.axes = SlidingAxes::two;
   EXPECT_EQ(kernel_of(config), Kernel::full);
+}
+
+TEST(cheapest_exact_kernel, gives_friction_that_depends_on_speed_to_the_full_model) {
+  StudyConfig config = tiny_config();
   config.friction.law = {.fast_ratio = 1.3, .rate_spm = 10.0};
   EXPECT_EQ(kernel_of(config), Kernel::full);
   config.friction.law = {.fast_ratio = 1.0, .rate_spm = 10.0};
@@ -129,7 +135,7 @@ TEST(execute_yielding, r_is_the_design_spectrum_s_demand_over_the_strength) {
   StudyConfig config = tiny_config();
   config.building.strength = StrengthConfig{.response_modification = 3.0, .hardening_ratio = 0.05};
   const Plan plan = make_plan(config, small_suite());
-  ASSERT_EQ(plan.kernel.kernel, Kernel::yielding);
+  ASSERT_EQ(plan.kernel.kernel, Kernel::events);
   const TargetSpectrum design(*plan.suite.target);
   int differ = 0;
   for_each_history(plan, [&](std::size_t record, std::size_t i, std::size_t level,
