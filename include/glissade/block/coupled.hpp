@@ -97,7 +97,7 @@ struct CoupledPoint {
 /// @param ground its vertical acceleration is the roof's
 /// @pre coupling_is_regular(block, building.mass_ratio); friction that does not depend on speed; a
 /// spring that yields: yield acceleration > 0, hardening ratio in [0, 1), and a period the record's
-/// step can show (above 1e-3 of it)
+/// step can show (above 1/50 of it)
 CoupledResult slide_coupled(const GroundMotion& ground, const MotionFactors& factors,
                             const CoupledBuilding& building, const Block& block);
 
