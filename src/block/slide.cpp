@@ -42,6 +42,7 @@ SlipResult slide_with(const RoofAcceleration& roof, const Block& block, History 
   GLISSADE_EXPECTS(roof.vertical_mps2.empty() ||
                    roof.vertical_mps2.size() == roof.horizontal_mps2.size());
   GLISSADE_EXPECTS(block.friction >= 0.0 && std::abs(block.slope_rad) < std::numbers::pi / 2);
+  GLISSADE_EXPECTS(block.law.is_coulomb());
 
   // A surface that falls toward -x is the mirror image of one that falls toward +x.
   const double mirror = block.slope_rad < 0.0 ? -1.0 : 1.0;
