@@ -51,8 +51,9 @@ PeakSlip peak_slip(const RoofTable& roof, const Block& block, const MotionFactor
 
 /// The same, to the last bit, and when and how fast the block first gets each distance from where
 /// it lay: of a phase that passes a threshold, the interval between nodes in which it does is
-/// searched for by bisection, and the root in it found to rounding. See slide() for the parameters
-/// and what a crossing is.
+/// searched for by bisection, and the root in it found to rounding. As exact as slide() on a rigid
+/// roof; on an oscillator the way is 1e-6 of the peak off, as the peak is. See slide() for the
+/// parameters and what a crossing is.
 PeakSlip peak_slip(const RoofTable& roof, const Block& block, const MotionFactors& factors,
                    std::span<const double> thresholds_m, std::span<Crossing> crossings,
                    EventSearch search = EventSearch::bounds);
