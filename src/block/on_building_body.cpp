@@ -128,7 +128,8 @@ double OnBuildingBody::first_lift(const Bare& bare) const {
   if (std::abs(normal.c[0]) <= 1e-9 * g) normal.c[0] = 0.0;  // just lifted or landed
   int first = 0;
   while (first + 1 < normal.terms && normal.c[first] == 0.0) ++first;
-  return std::clamp(first_fall(normal, normal.c[first] < 0.0 ? Sign::minus : Sign::plus), 1e-6, 1.0);
+  return std::clamp(first_fall(normal, normal.c[first] < 0.0 ? Sign::minus : Sign::plus), 1e-6,
+                    1.0);
 }
 
 double OnBuildingBody::step(const Bare& bare, double longest) {
