@@ -21,7 +21,7 @@ struct Ramp {
 struct AxisSeries {
   Series x, y;     ///< scaled state (core/oscillator.hpp)
   Series elastic;  ///< E, see BuildingAxis
-  Series a;        ///< absolute acceleration
+  double largest_elastic = 0.0, largest_x = 0.0;  ///< no |value| is larger
 };
 
 /// One axis of the building: mass a = E - push with E = -(2 zeta y + s), in accelerations: x =

@@ -18,13 +18,17 @@ AxisSeries with_added(AxisSeries m, const BuildingAxis& axis, const Added& end, 
   while (m.x.terms < 4) {
     for (Series* s : {&m.x, &m.y, &m.elastic}) s->c[s->terms++] = 0.0;
   }
-  double scale = 1.0;
+  double scale = 1.0, bound_x = 0.0, bound_y = 0.0;
   for (std::size_t k = 1; k < 4; ++k) {
+    bound_x += std::abs(x[k]);
+    bound_y += std::abs(v[k]);
     scale /= y;
     m.x.c[k] += scale * x[k];
     m.y.c[k] += scale * v[k];
     m.elastic.c[k] -= scale * (axis.twice_zeta() * v[k] + axis.stiffness() * x[k]);
   }
+  m.largest_elastic += axis.twice_zeta() * bound_y + bound_x;
+  m.largest_x += bound_x;
   return m;
 }
 
@@ -41,7 +45,13 @@ OnBuildingBody::OnBuildingBody(const BuildingContact& contact,
       pieces_(pieces),
       tolerance_(tolerance),
       strongest_(contact.strongest(mobility_)),
-      track_(std::move(track)) {}
+      track_(std::move(track)) {
+  const FrictionEllipse& friction = contact_.friction_at_rest();
+  const TwoAxisLoading& loading = contact_.loading();
+  margin_per_a_ = loading.tan_slope() + std::max(1.0 / friction.along(),
+                                                 1.0 / (friction.across() * loading.cos_slope()));
+  margin_per_w_ = 1.0 + loading.tan_slope() / friction.along();
+}
 
 void OnBuildingBody::interval(const Shaking& shaking, double end_s) {
   if (pieces_ == 1) return advance(shaking, end_s);
@@ -78,15 +88,16 @@ void OnBuildingBody::advance(Shaking piece, double end_s) {
 OnBuildingBody::Bare OnBuildingBody::alone(const Shaking& piece) const {
   return {{axes_[0].motion(piece.length_s, piece.ground[0], 1.0),
            axes_[1].motion(piece.length_s, piece.ground[1], 1.0)},
-          piece};
+          piece,
+          piece.largest_w()};
 }
 
 void OnBuildingBody::raise_peaks(std::size_t axis, const AxisSeries& motion, double share) {
   const auto raise = [share](double& peak, const Series& of) {
     if (of.bound() > peak) peak = std::max(peak, largest(of, share));
   };
-  raise(peaks_.elastic[axis], motion.elastic);
-  raise(peaks_.x[axis], motion.x);
+  if (motion.largest_elastic > peaks_.elastic[axis]) raise(peaks_.elastic[axis], motion.elastic);
+  if (motion.largest_x > peaks_.x[axis]) raise(peaks_.x[axis], motion.x);
 }
 
 void OnBuildingBody::start(Vector acceleration, const Shaking& piece) {
@@ -102,9 +113,18 @@ void OnBuildingBody::start(Vector acceleration, const Shaking& piece) {
 
 double OnBuildingBody::slide(const Shaking& piece) {
   const Bare bare = alone(piece);
-  const Axes e = bare.e(0.0);
-  uplift_ = uplift_ || contact_.loading().at(e[0], e[1], piece.w(0.0)).normal < 0.0;
-  const double longest = first_lift(bare);
+  const TwoAxisLoading& loading = contact_.loading();
+  const double tangent = loading.tan_slope(), g = loading.gravity(),
+               most = bare.axis[0].largest_elastic + bare.axis[1].largest_elastic;
+  double longest = 1.0;
+  if (!(g > bare.largest_w + tangent * most)) {
+    const Axes e = bare.e(0.0);
+    uplift_ = uplift_ || loading.at(e[0], e[1], piece.w(0.0)).normal < 0.0;
+    longest = first_lift(bare);
+  }
+  const double heaviest = g + bare.largest_w + tangent * most;
+  const double strongest = heaviest * (tangent + strongest_) + 2.0 * most / loading.cos_slope();
+  if (length(now_.v) > piece.length_s * strongest) return step(bare, longest);
   std::array<Ramp, 2> push;
   const Stop stop = find_stop(bare, longest * piece.length_s, push);
   if (stop.time_s != never && stop_there(stop, bare, push)) return stop.time_s / piece.length_s;
@@ -118,7 +138,7 @@ double OnBuildingBody::first_lift(const Bare& bare) const {
   const Shaking& piece = bare.shaking;
   const double tangent = loading.tan_slope();
   const double c = tangent * loading.cos_azimuth(), s = tangent * loading.sin_azimuth();
-  const Series &a1 = bare.axis[0].a, &a2 = bare.axis[1].a;
+  const Series &a1 = bare.axis[0].elastic, &a2 = bare.axis[1].elastic;
   Series normal;
   normal.terms = std::max({a1.terms, a2.terms, piece.vertical_terms});
   for (int k = 0; k < normal.terms; ++k)
@@ -128,7 +148,43 @@ double OnBuildingBody::first_lift(const Bare& bare) const {
   if (std::abs(normal.c[0]) <= 1e-9 * g) normal.c[0] = 0.0;  // just lifted or landed
   int first = 0;
   while (first + 1 < normal.terms && normal.c[first] == 0.0) ++first;
-  return std::clamp(first_fall(normal, normal.c[first] < 0.0 ? Sign::minus : Sign::plus), 1e-6, 1.0);
+  return std::clamp(first_fall(normal, normal.c[first] < 0.0 ? Sign::minus : Sign::plus), 1e-6,
+                    1.0);
+}
+
+/// An axis over a step, with the block's part.
+AxisSeries OnBuildingBody::with_block(const Bare& bare, const BuildingStep& step, std::size_t n,
+                                      double length_s) const {
+  if (mobility_.axis[n] == 0.0) return bare.axis[n];
+  const Axes e = bare.e(0.0);
+  const Axes a = contact_.held(now_.a, e, bare.shaking.w(0.0), mobility_).a;
+  return with_added(bare.axis[n], axes_[n], step.added[n], axes_[n].omega_radps() * (a[n] - e[n]),
+                    step.added_rate[n], length_s, length_s / bare.shaking.length_s);
+}
+
+void OnBuildingBody::raise_peaks(std::size_t n, const Bare& bare, const BuildingStep& step,
+                                 double length_s) {
+  const double share = length_s / bare.shaking.length_s;
+  if (axes_[n].rigid() && mass_ratio_ > 0.0) {  // it carries the block too
+    const Contact2& c = step.end;
+    const Axes force = contact_.to_building(
+        c.normal * Vector{contact_.loading().tan_slope() - c.friction.s, -c.friction.y});
+    const double carried = bare.axis[n].elastic.at(share) + mass_ratio_ * force[n];
+    peaks_.elastic[n] = std::max(peaks_.elastic[n], std::abs(carried));
+    return;
+  }
+  if (mobility_.axis[n] == 0.0) return raise_peaks(n, bare.axis[n], share);
+  // What the block adds is no more than its push over the step would leave undamped.
+  const double phase = axes_[n].omega_radps() * length_s;
+  const double heaviest = contact_.loading().gravity() + bare.largest_w +
+                          contact_.loading().tan_slope() * (bare.axis[0].largest_elastic +
+                                                            bare.axis[1].largest_elastic);
+  const double added = 2.0 * mass_ratio_ * heaviest * (contact_.loading().tan_slope() + strongest_) *
+                       phase * (axes_[n].twice_zeta() + phase);
+  if (bare.axis[n].largest_elastic + added > peaks_.elastic[n] ||
+      bare.axis[n].largest_x + added > peaks_.x[n]) {
+    raise_peaks(n, with_block(bare, step, n, length_s), share);
+  }
 }
 
 double OnBuildingBody::step(const Bare& bare, double longest) {
@@ -165,44 +221,26 @@ double OnBuildingBody::step(const Bare& bare, double longest) {
       to_event = false;
       continue;
     }
-    const bool feels = !mobility_.none();
-    Axes begin_rate{};
-    if (feels) {
-      const Axes a = contact_.held(now_.a, e0, piece.w(0.0), mobility_).a;
-      for (std::size_t n = 0; n < 2; ++n) begin_rate[n] = axes_[n].omega_radps() * (a[n] - e0[n]);
-    }
-    AxisSeries motion[2];
-    Axes event{};
-    for (std::size_t n = 0; n < 2; ++n) {
-      motion[n] = feels && !axes_[n].rigid()
-                      ? with_added(bare.axis[n], axes_[n], trial.added[n], begin_rate[n],
-                                   trial.added_rate[n], length_s, y)
-                      : bare.axis[n];
-      event[n] = to_event ? never : axes_[n].next_yield(motion[n]);
-    }
-    const double first = std::min(event[0], event[1]);
-    if (first <= 1e-9 * y) {
+    if (!to_event && (axes_[0].yields() || axes_[1].yields())) {
+      Axes event;
       for (std::size_t n = 0; n < 2; ++n)
-        if (event[n] == first) axes_[n].yield();
-      return 0.0;
-    }
-    if (first < y) {
-      for (std::size_t n = 0; n < 2; ++n) happens[n] = event[n] == first;
-      length_s = first * piece.length_s;
-      to_event = true;
-      continue;
+        event[n] = axes_[n].next_yield(with_block(bare, trial, n, length_s));
+      const double first = std::min(event[0], event[1]);
+      if (first <= 1e-9 * y) {
+        for (std::size_t n = 0; n < 2; ++n)
+          if (event[n] == first) axes_[n].yield();
+        return 0.0;
+      }
+      if (first < y) {
+        for (std::size_t n = 0; n < 2; ++n) happens[n] = event[n] == first;
+        length_s = first * piece.length_s;
+        to_event = true;
+        continue;
+      }
     }
     step_s_ = next_s;
     for (std::size_t n = 0; n < 2; ++n) {
-      if (axes_[n].rigid() && mass_ratio_ > 0.0) {  // it carries the block too
-        const Contact2& c = trial.end;
-        const Axes force = contact_.to_building(
-            c.normal * Vector{contact_.loading().tan_slope() - c.friction.s, -c.friction.y});
-        const double carried = motion[n].a.at(y) + mass_ratio_ * force[n];
-        peaks_.elastic[n] = std::max(peaks_.elastic[n], std::abs(carried));
-      } else {
-        raise_peaks(n, motion[n], y);
-      }
+      raise_peaks(n, bare, trial, length_s);
       axes_[n].follow(bare.axis[n], y, trial.added[n].x, trial.added[n].y);
       if (to_event && happens[n]) axes_[n].yield();
     }

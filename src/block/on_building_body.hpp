@@ -42,7 +42,8 @@ class OnBuildingBody {
   struct Bare {
     AxisSeries axis[2];
     const Shaking& shaking;
-    Axes e(double share) const { return {axis[0].a.at(share), axis[1].a.at(share)}; }
+    Axes e(double share) const { return {axis[0].elastic.at(share), axis[1].elastic.at(share)}; }
+    double largest_w;  ///< |w|
   };
 
   bool rest_quickly(const Shaking& shaking);
@@ -55,6 +56,9 @@ class OnBuildingBody {
   Bare alone(const Shaking& piece) const;
   double first_lift(const Bare& bare) const;
   double step(const Bare& bare, double longest);
+  AxisSeries with_block(const Bare& bare, const BuildingStep& step, std::size_t n,
+                        double length_s) const;
+  void raise_peaks(std::size_t n, const Bare& bare, const BuildingStep& step, double length_s);
   Stop find_stop(const Bare& bare, double left_s, std::array<Ramp, 2>& push);
   Stop find_curved_stop(const Bare& bare, double left_s, double allowed) const;
   bool passes_no_peak(Vector drive) const;
@@ -67,6 +71,7 @@ class OnBuildingBody {
   Mobility mobility_;  // at an instant
   int pieces_;
   double tolerance_, strongest_;
+  double margin_per_a_, margin_per_w_;  // what N - |M^-1 F| can lose per acceleration
 
   bool sliding_ = false;
   Sliding now_;

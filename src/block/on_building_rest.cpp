@@ -19,12 +19,13 @@ Series product(const Series& a, const Series& b) {
 
 /// FrictionEllipse::excess over a piece.
 Series excess(const FrictionEllipse& friction, const TwoAxisLoading& loading,
-              const AxisSeries (&axis)[2], const Shaking& shaking) {
+              const AxisSeries (&axis)[2], double mass, const Shaking& shaking) {
   Series s, y, n;
   s.terms = y.terms = n.terms =
-      std::max({axis[0].a.terms, axis[1].a.terms, shaking.vertical_terms});
+      std::max({axis[0].elastic.terms, axis[1].elastic.terms, shaking.vertical_terms});
   for (int k = 0; k < s.terms; ++k) {
-    const double a1 = coefficient(axis[0].a, k), a2 = coefficient(axis[1].a, k);
+    const double a1 = coefficient(axis[0].elastic, k) / mass,
+                 a2 = coefficient(axis[1].elastic, k) / mass;
     const double w = shaking.coefficient(k);
     const Load load = k == 0 ? loading.at(a1, a2, w) : loading.change(a1, a2, w);
     s.c[k] = load.drive.s;
@@ -44,9 +45,10 @@ double OnBuildingBody::rest(const Shaking& piece) {
   const AxisSeries motion[2] = {axes_[0].motion(piece.length_s, piece.ground[0], mass),
                                 axes_[1].motion(piece.length_s, piece.ground[1], mass)};
   const FrictionEllipse& friction = contact_.friction_at_rest();
-  const Load begin = contact_.loading().at(motion[0].a.c[0], motion[1].a.c[0], piece.w(0.0));
+  const Load begin = contact_.loading().at(motion[0].elastic.c[0] / mass, motion[1].elastic.c[0] / mass,
+                                            piece.w(0.0));
   const double release = friction.may_rest(begin)
-                             ? first_rise(excess(friction, contact_.loading(), motion, piece))
+                             ? first_rise(excess(friction, contact_.loading(), motion, mass, piece))
                              : 0.0;
   double yield[2], share = std::min(release, 1.0);
   for (std::size_t n = 0; n < 2; ++n) {
@@ -69,8 +71,9 @@ double OnBuildingBody::rest(const Shaking& piece) {
   const bool jumps = share == 0.0 || contact_.law().static_ratio != 1.0;
   Vector a;
   if (jumps) {
-    const Axes e{axes_[0].rigid() ? motion[0].a.at(share) : axes_[0].elastic(),
-                 axes_[1].rigid() ? motion[1].a.at(share) : axes_[1].elastic()};
+    Axes e;
+    for (std::size_t n = 0; n < 2; ++n)
+      e[n] = axes_[n].rigid() ? piece.ground[n].at(share) : axes_[n].elastic();
     a = contact_.release_acceleration(e, piece.w(share), mobility_);
   }
   start(a, piece);
@@ -84,7 +87,7 @@ bool OnBuildingBody::rest_quickly(const Shaking& piece) {
   const FrictionEllipse& friction = contact_.friction_at_rest();
   if (axes_[0].flows() || axes_[1].flows() || friction.smallest() == 0.0) return false;
   const TwoAxisLoading& loading = contact_.loading();
-  const double per_mass = 1.0 / (1.0 + mass_ratio_);
+  const double mass = 1.0 + mass_ratio_, per_mass = 1.0 / mass;
   const auto margin = [&](const Axes& e, double w) {
     const Load load = loading.at(e[0], e[1], w);
     const Vector held{load.drive.s / friction.along(), load.drive.y / friction.across()};
@@ -93,41 +96,35 @@ bool OnBuildingBody::rest_quickly(const Shaking& piece) {
   Axes a0, a1;
   BuildingAxis::State end[2];
   double sag = 0.0;
+  bool may_peak[2];
   for (std::size_t n = 0; n < 2; ++n) {
     const BuildingAxis& axis = axes_[n];
     const Ramp& ground = piece.ground[n];
     if (axis.rigid()) {
       a0[n] = ground.begin;
       a1[n] = ground.end;
+      may_peak[n] = true;
       continue;
     }
     const BuildingAxis::State begin = axis.state();
     end[n] = axis.rest_end(ground);
     const BuildingAxis::Sag own = axis.sag(ground);
+    if (axis.may_yield_at(begin, own.x) || axis.may_yield_at(end[n], own.x)) return false;
     const double e0 = axis.elastic(begin), e1 = axis.elastic(end[n]);
-    if (std::max(std::abs(e0), std::abs(e1)) + own.elastic > peaks_.elastic[n] ||
-        std::max(std::abs(begin.x), std::abs(end[n].x)) + own.x > peaks_.x[n] ||
-        axis.may_yield_at(begin, own.x) || axis.may_yield_at(end[n], own.x)) {
-      return false;
-    }
+    may_peak[n] =
+        std::max(std::abs(e0), std::abs(e1)) + own.elastic > peaks_.elastic[n] ||
+        std::max(std::abs(begin.x), std::abs(end[n].x)) + own.x > peaks_.x[n];
     sag += own.elastic * per_mass;
     a0[n] = e0 * per_mass;
     a1[n] = e1 * per_mass;
   }
   if (rest_margin_ < 0.0) rest_margin_ = margin(a0, piece.w(0.0));
   const double after = margin(a1, piece.w(1.0));
-  const double tangent = loading.tan_slope();
-  const double by_a =
-      tangent + std::max(1.0 / friction.along(), 1.0 / (friction.across() * loading.cos_slope()));
-  const double needed = sag * by_a + piece.w_sag() * (1.0 + tangent / friction.along());
+  const double needed = sag * margin_per_a_ + piece.w_sag() * margin_per_w_;
   if (!(std::min(rest_margin_, after) > needed * (1.0 + 1e-9))) return false;
   for (std::size_t n = 0; n < 2; ++n) {
-    if (!axes_[n].rigid()) {
-      axes_[n].set(end[n]);
-      continue;
-    }
-    const double most = (1.0 + mass_ratio_) * std::max(std::abs(a0[n]), std::abs(a1[n]));
-    peaks_.elastic[n] = std::max(peaks_.elastic[n], most);
+    if (may_peak[n]) raise_peaks(n, axes_[n].motion(piece.length_s, piece.ground[n], mass), 1.0);
+    if (!axes_[n].rigid()) axes_[n].set(end[n]);
   }
   rest_margin_ = after;
   return true;

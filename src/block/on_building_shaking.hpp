@@ -31,6 +31,12 @@ struct Shaking {
     for (std::size_t k = 2; k < 5; ++k) sum += std::abs(vertical[k]);
     return vertical_terms > 2 ? sum : 0.0;
   }
+  /// No |w| is larger.
+  double largest_w() const {
+    double sum = 0.0;
+    for (int k = 0; k < vertical_terms; ++k) sum += std::abs(coefficient(k));
+    return sum;
+  }
   /// Leaves what comes after y.
   void cut(double y) { part(y, 1.0); }
   /// Leaves what is between two shares.
