@@ -259,14 +259,13 @@ Figure permutations_figure(const ClearanceResults& results) {
 
 }  // namespace
 
-Figure orientation_figure(const ClearanceResults& results) {
-  const bool two_frictions = results.friction[0] != results.friction[1];
-  const auto distinct = std::ranges::count_if(
-      results.same_as, [&, i = std::size_t{0}](std::uint64_t same) mutable { return same == i++; });
-  constexpr int most_lines = 8;
-  if (has_several(results.grid, ClearanceAxis::slope) || two_frictions || distinct > most_lines ||
-      !has_several(results.grid, ClearanceAxis::period))
-    return permutations_figure(results);
+std::optional<Figure> orientation_figure(const ClearanceResults& results) {
+  if (results.friction[0] != results.friction[1]) return permutations_figure(results);
+  constexpr std::size_t most_lines = 8;
+  std::size_t distinct = 0;
+  for (std::size_t o = 0; o < results.orientations.size(); ++o) distinct += results.same_as[o] == o;
+  if (distinct > most_lines || !has_several(results.grid, ClearanceAxis::period))
+    return std::nullopt;
   return each_orientation_figure(results);
 }
 

@@ -14,12 +14,15 @@
 namespace glissade {
 namespace {
 
+/// Below a thousandth nothing is told of a ratio but that.
+std::string one_ratio(double ratio) { return ratio < 1e-3 ? "below 0.001" : format_number(ratio); }
+
 std::string ratio_text(const std::vector<double>& ratios) {
   if (ratios.empty()) return "-";
-  const std::string median = format_number(percentile(ratios, 0.5));
-  if (ratios.front() == ratios.back()) return median;
-  return fmt::format("{} ({} to {})", median, format_number(ratios.front()),
-                     format_number(ratios.back()));
+  const double median = percentile(ratios, 0.5);
+  if (ratios.back() < 1e-3 || ratios.front() == ratios.back()) return one_ratio(median);
+  return fmt::format("{} ({} to {})", one_ratio(median), one_ratio(ratios.front()),
+                     one_ratio(ratios.back()));
 }
 
 double at_period(const SuiteSpectra& spectra, std::size_t p) {
