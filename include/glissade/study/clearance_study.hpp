@@ -106,7 +106,7 @@ struct ClearanceHistory {
   std::uint8_t uplift = 0;    ///< 1: the array lifts off, outside the model
 };
 
-/// The suite's, and with an array that does not slide 0.
+/// In plan; 0 where the array is anchored or there is none.
 double displacement_m(const ClearanceHistory& history, DisplacementMeasure measure);
 /// SRSS of the peaks along both axes, as displacements are taken.
 double base_shear(const ClearanceHistory& history);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
+
 #include "glissade/report/figures.hpp"
 #include "glissade/study/clearance_reading.hpp"
 
@@ -10,8 +12,9 @@ namespace glissade {
 
 /// Displacement over the building's period, by m/M and vertical (Walters et al. 2012, Fig. 13).
 Figure period_figure(const ClearanceResults& results);
-/// The same in each orientation; with several slopes or two frictions, clearance by slope and axis.
-Figure orientation_figure(const ClearanceResults& results);
+/// The same in each orientation, where they are few; with two frictions the clearance by slope and
+/// axis.
+std::optional<Figure> orientation_figure(const ClearanceResults& results);
 /// Displacement over the suites (Fig. 14).
 Figure level_figure(const ClearanceResults& results);
 /// Displacement over R, relative to the elastic building's (Fig. 15).

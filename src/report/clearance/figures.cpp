@@ -70,7 +70,9 @@ std::vector<Figure> clearance_figures(const ClearanceResults& results) {
   };
   add(ClearanceTopic::spectra, spectra_figure);
   add(ClearanceTopic::period, period_figure);
-  add(ClearanceTopic::orientation, orientation_figure);
+  if (can_tell(results, ClearanceTopic::orientation)) {
+    if (const auto figure = orientation_figure(results)) figures.push_back(*figure);
+  }
   add(ClearanceTopic::level, level_figure);
   add(ClearanceTopic::yielding, yielding_figure);
   add(ClearanceTopic::base_shear, base_shear_figure);

@@ -42,7 +42,8 @@ std::string ticks_of(const LinePlot& plot) {
   std::string list;
   for (const PlotTick& tick : plot.ticks)
     list += (list.empty() ? "" : ", ") + fmt::format("{} {}", gnuplot::quoted(tick.label), tick.x);
-  return "set xtics (" + list + ")\n";
+  const char* turned = plot.ticks.size() > 7 ? "rotate by 30 right " : "";  // else they touch
+  return std::string("set xtics ") + turned + "(" + list + ")\n";
 }
 
 std::string data_of(const LinePlot& plot) {

@@ -82,7 +82,7 @@ TEST_F(ClearanceStudyFile, is_read_as_it_is_written) {
   EXPECT_DOUBLE_EQ(c.friction[1].design(), 0.6);
   EXPECT_EQ(c.slope_axes, std::vector<SlopeAxis>{SlopeAxis::n_s});
   EXPECT_EQ(c.orientation, OrientationChoice::azimuths);
-  EXPECT_EQ(c.displacement, DisplacementMeasure::vector_peak);
+  EXPECT_EQ(c.displacement, DisplacementMeasure::vector);
   EXPECT_EQ(c.hardening_ratio, 0.02);
   ASSERT_EQ(c.statements.size(), 2u);
   EXPECT_TRUE(std::isnan(c.statements[0].displacement_m));
@@ -104,7 +104,7 @@ mu = 0.47
   EXPECT_EQ(c.grid.mass_ratio, std::vector<double>{0.05});
   EXPECT_EQ(c.grid.response_modification, std::vector<double>{1.0});
   EXPECT_EQ(c.orientation, OrientationChoice::sixteen);
-  EXPECT_EQ(c.displacement, DisplacementMeasure::srss_of_maxima);
+  EXPECT_EQ(c.displacement, DisplacementMeasure::srss);
   EXPECT_EQ(c.slope_axes.size(), 2u);
   EXPECT_EQ(c.clearance_factor, 1.1);
   EXPECT_EQ(c.damping, 0.05);
@@ -186,7 +186,7 @@ ClearanceResults made_up() {
                {.suite = 1, .id = "b", .stronger = 1},
                {.suite = 1, .id = "c", .magnitude = 6.7}};
   r.friction = {0.47, 0.5};
-  r.displacement = DisplacementMeasure::vector_peak;
+  r.displacement = DisplacementMeasure::vector;
   r.statements = {{ClearanceTopic::mce, "Fig. 18", "close", std::nan(""), 0.2},
                   {ClearanceTopic::mass, "here", "5 %", 0.259, std::nan("")}};
   for (std::size_t i = 0; i < 3 * 2 * r.grid.count(); ++i) {
@@ -207,7 +207,7 @@ TEST(clearance_file, gives_back_every_bit) {
   EXPECT_EQ(read.grid.vertical, written.grid.vertical);
   EXPECT_EQ(read.grid.support, written.grid.support);
   EXPECT_EQ(read.seed, 9u);
-  EXPECT_EQ(read.displacement, DisplacementMeasure::vector_peak);
+  EXPECT_EQ(read.displacement, DisplacementMeasure::vector);
   EXPECT_EQ(read.orientations[1].azimuth_deg, 22.5);
   EXPECT_EQ(read.orientations[1].across_sign, -1);
   EXPECT_EQ(read.suites[1].spectra.srss_g, written.suites[1].spectra.srss_g);

@@ -120,7 +120,11 @@ TEST(clearance_report, figures_are_of_the_axes_with_several_values) {
   r.grid.slope_deg = {1.2, 2.4};  // in place of the supports: as many conditions
   for (ClearanceHistory& h : r.histories) h.peak_along_m += inch;
   EXPECT_EQ(figure_names(r),
+            (std::vector<std::string>{"spectra", "period", "orientations", "slope"}));
+  r.friction[1] = 0.5;
+  EXPECT_EQ(figure_names(r),
             (std::vector<std::string>{"spectra", "period", "permutations", "slope"}));
+  r.friction[1] = r.friction[0];
   r.grid.slope_deg = {1.2};
   r.grid.fraction_of_mce = {2.0 / 3, 1.0};
   EXPECT_EQ(figure_names(r),

@@ -54,7 +54,7 @@ TEST(clearance_reading, means_are_of_the_suites_records_in_one_orientation) {
 
 TEST(clearance_reading, the_measure_is_the_studys) {
   ClearanceResults r = by_hand();
-  r.displacement = DisplacementMeasure::vector_peak;
+  r.displacement = DisplacementMeasure::vector;
   EXPECT_DOUBLE_EQ(suite_mean(r, {}, 2, at_period(0)), 2.7);
 }
 
