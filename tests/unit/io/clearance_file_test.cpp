@@ -33,7 +33,7 @@ support = ["no_array", "isolated"]
 vertical = ["none", "if_available"]
 vertical_period_s = [0, 0.3]
 orientations = "azimuths"
-displacement = "vector_peak"
+displacement = "vector"
 [[paper]]
 about = "mce"
 where = "Fig. 18"
