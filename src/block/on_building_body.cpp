@@ -48,8 +48,8 @@ OnBuildingBody::OnBuildingBody(const BuildingContact& contact,
       track_(std::move(track)) {
   const FrictionEllipse& friction = contact_.friction_at_rest();
   const TwoAxisLoading& loading = contact_.loading();
-  margin_per_a_ = loading.tan_slope() + std::max(1.0 / friction.along(),
-                                                 1.0 / (friction.across() * loading.cos_slope()));
+  margin_per_a_ = loading.tan_slope() +
+                  std::max(1.0 / friction.along(), 1.0 / (friction.across() * loading.cos_slope()));
   margin_per_w_ = 1.0 + loading.tan_slope() / friction.along();
 }
 
@@ -69,7 +69,6 @@ void OnBuildingBody::advance(Shaking piece, double end_s) {
     time_s_ = end_s;
     return;
   }
-  rest_margin_ = -1.0;
   const double whole_s = piece.length_s;
   // Steps shrink geometrically toward a stop, so some dozens suffice; the bound only guards against
   // rounding.
@@ -83,6 +82,23 @@ void OnBuildingBody::advance(Shaking piece, double end_s) {
     piece.cut(share);
   }
   throw std::logic_error("slide_on_building: too many steps inside one sample interval");
+}
+
+/// At a step that ends at a share of the piece.
+StageLoads OnBuildingBody::Bare::at_stages(double share) const {
+  constexpr std::size_t stages = StageLoads::stages;
+  StageLoads loads;
+  double y[stages];
+  for (std::size_t i = 0; i < stages; ++i) y[i] = share * StageLoads::at[i];
+  const auto values = [&](const double* c, int terms, double(&sum)[stages]) {
+    for (double& s : sum) s = 0.0;
+    for (int k = terms; k-- > 0;)
+      for (std::size_t i = 0; i < stages; ++i) sum[i] = sum[i] * y[i] + c[k];
+  };
+  for (std::size_t n = 0; n < 2; ++n)
+    values(axis[n].elastic.c.data(), axis[n].elastic.terms, loads.e[n]);
+  values(shaking.vertical.data(), shaking.vertical_terms, loads.w);
+  return loads;
 }
 
 OnBuildingBody::Bare OnBuildingBody::alone(const Shaking& piece) const {
@@ -177,10 +193,11 @@ void OnBuildingBody::raise_peaks(std::size_t n, const Bare& bare, const Building
   // What the block adds is no more than its push over the step would leave undamped.
   const double phase = axes_[n].omega_radps() * length_s;
   const double heaviest = contact_.loading().gravity() + bare.largest_w +
-                          contact_.loading().tan_slope() * (bare.axis[0].largest_elastic +
-                                                            bare.axis[1].largest_elastic);
-  const double added = 2.0 * mass_ratio_ * heaviest * (contact_.loading().tan_slope() + strongest_) *
-                       phase * (axes_[n].twice_zeta() + phase);
+                          contact_.loading().tan_slope() *
+                              (bare.axis[0].largest_elastic + bare.axis[1].largest_elastic);
+  const double added = 2.0 * mass_ratio_ * heaviest *
+                       (contact_.loading().tan_slope() + strongest_) * phase *
+                       (axes_[n].twice_zeta() + phase);
   if (bare.axis[n].largest_elastic + added > peaks_.elastic[n] ||
       bare.axis[n].largest_x + added > peaks_.x[n]) {
     raise_peaks(n, with_block(bare, step, n, length_s), share);
@@ -205,12 +222,11 @@ double OnBuildingBody::step(const Bare& bare, double longest) {
   bool to_event = false, happens[2] = {};
   for (;;) {
     const double y = length_s / piece.length_s;
-    const auto roof = [&](double share) {
-      return std::pair{bare.e(y * share), piece.w(y * share)};
-    };
-    const double enough = 1e-4 * tolerance_ * peak_speed_;
-    const BuildingStep trial = building_sdirk4(now_.v, friction_now_, length_s, enough, roof,
-                                               contact_, response, mobility_);
+    const double enough = 1e-3 * tolerance_ * peak_speed_;
+    const StageLoads loads = bare.at_stages(y);
+    const auto sdirk4 = mobility_.none() ? building_sdirk4<false> : building_sdirk4<true>;
+    const BuildingStep trial =
+        sdirk4(now_.v, friction_now_, length_s, enough, loads, contact_, response, mobility_);
     // The first step of all is judged by the speed it would reach, taken or not.
     peak_speed_ = std::max(peak_speed_, length(trial.end.v));
     const double allowed = tolerance_ * peak_speed_ + length_s * rounding;

@@ -73,6 +73,17 @@ class BuildingContact {
   Contact2 slide(Vector known, double own, const Axes& e, double w, const Mobility& mobility,
                  Vector guess, double enough) const;
 
+  /// The same on a roof that does not feel the block.
+  Contact2 slide_unfelt(Vector known, double own, const Load& load) const {
+    Contact2 c;
+    c.normal = load.normal;
+    const double normal = std::max(load.normal, 0.0);
+    if (normal > 0.0) c.friction = holding(known + own * load.drive, own * normal);
+    c.a = load.drive - normal * c.friction;
+    c.v = known + own * c.a;
+    return c;
+  }
+
   /// The acceleration with which a block at rest begins to slide.
   Vector release_acceleration(const Axes& e, double w, const Mobility& mobility) const;
 
