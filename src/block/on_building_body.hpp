@@ -62,7 +62,12 @@ class OnBuildingBody {
   void start(Vector acceleration, const Shaking& piece);
   Bare alone(const Shaking& piece) const;
   double first_lift(const Bare& bare) const;
+  double heaviest(const Bare& bare) const;
   double step(const Bare& bare, double longest);
+  BuildingStep try_step(const Bare& bare, double length_s) const;
+  Axes next_yields(const Bare& bare, const BuildingStep& step, double length_s) const;
+  void yield(const Axes& when);
+  void take(const Bare& bare, const BuildingStep& step, double length_s);
   AxisSeries with_block(const Bare& bare, const BuildingStep& step, std::size_t n,
                         double length_s) const;
   void raise_peaks(std::size_t n, const Bare& bare, const BuildingStep& step, double length_s);

@@ -16,6 +16,7 @@ struct Mobility {
   Axes axis{};  ///< by the building's axes: m/M of an axis that can move, 0 of a rigid one
   double ss = 0.0, sy = 0.0, yy = 0.0;
   double mean = 0.0;
+  double coupling = 0.0;  ///< at least what an iterate leaves of the error before it
   bool isotropic = true;  ///< and the normal force does not depend on it
 
   bool none() const { return axis[0] == 0.0 && axis[1] == 0.0; }
