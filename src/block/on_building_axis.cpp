@@ -23,6 +23,9 @@ BuildingAxis::BuildingAxis(const Oscillator& oscillator, const Yielding& yieldin
     term *= rate / ++terms;
   terms_ = terms + 1;
 
+  per_mass_ = 1.0 / stuck_mass_;
+  const double left = 1.0 - (phase_ + twice_zeta_) * phase_ * per_mass_;
+  per_left_ = left > 0.0 ? 1.0 / left : never;
   const double root = std::sqrt(stuck_mass_);
   const OscillatorStep step = oscillator_step(phase_ / root, oscillator.damping_ratio / root);
   rest_ = {step.xx,
@@ -70,8 +73,7 @@ AxisSeries BuildingAxis::motion(double length_s, const Ramp& ground, double mass
   const auto size = [](const Series& of, int k) { return std::abs(coefficient(of, k)); };
   const double e2 = 1.02 * size(m.elastic, 2), e3 = 1.13 * size(m.elastic, 3);
   m.largest_elastic = size(m.elastic, 0) + size(m.elastic, 1) + e2 + e3;
-  m.largest_x =
-      size(m.x, 0) + size(m.x, 1) + size(m.x, 2) + size(m.x, 3) + 0.0134 * (e2 + e3);
+  m.largest_x = size(m.x, 0) + size(m.x, 1) + size(m.x, 2) + size(m.x, 3) + 0.0134 * (e2 + e3);
   return m;
 }
 
@@ -101,22 +103,6 @@ void BuildingAxis::yield() {
   }
   flow_ = z_ > 0.0 ? 1 : -1;
   z_ = flow_ * yield_;
-}
-
-// A function leaves its chord by at most 1/8 of its largest second derivative. With z = a -
-// a_ground, mass m, ' over the piece:
-//   y' = phase z,  z' = -phase (y + 2 zeta z) / m - da_ground,
-// so that |z| <= (|z_0| + phase |y_0| / m + |da_ground|) / (1 - (phase^2 + 2 zeta phase) / m).
-BuildingAxis::Sag BuildingAxis::sag(const Ramp& ground) const {
-  if (rigid()) return {0.0, 0.0};
-  const double per_mass = 1.0 / stuck_mass_, rise = std::abs(ground.end - ground.begin);
-  const double left = 1.0 - (phase_ + twice_zeta_) * phase_ * per_mass;
-  if (!(left > 0.0)) return {never, never};
-  const double z0 = std::abs(elastic() * per_mass - ground.begin), y0 = std::abs(y_);
-  const double z = (z0 + phase_ * y0 * per_mass + rise) / left;
-  const double z_rate = phase_ * (y0 + (phase_ + twice_zeta_) * z) * per_mass + rise;
-  const double x = 0.125 * phase_ * phase_ * z;
-  return {x + 0.125 * phase_ * twice_zeta_ * z_rate, x};
 }
 
 double BuildingAxis::largest_to_come_mps2() const {

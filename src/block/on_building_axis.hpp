@@ -19,8 +19,8 @@ struct Ramp {
 
 /// A building's axis over a piece of time, y in [0, 1] its share.
 struct AxisSeries {
-  Series x, y;     ///< scaled state (core/oscillator.hpp)
-  Series elastic;  ///< E, see BuildingAxis
+  Series x, y;                                    ///< scaled state (core/oscillator.hpp)
+  Series elastic;                                 ///< E, see BuildingAxis
   double largest_elastic = 0.0, largest_x = 0.0;  ///< no |value| is larger
 };
 
@@ -58,28 +58,37 @@ class BuildingAxis {
   };
   /// While the block rests, over a whole piece: exact at its end (Nigam & Jennings 1969). Only of a
   /// spring that does not flow.
-  State rest_end(const Ramp& ground) const {
-    if (rigid()) return {};
-    const double s = spring(), y = y_;
-    const double s1 =
-        rest_.xx * s + rest_.xy * y - (rest_.x_start * ground.begin + rest_.x_end * ground.end);
-    const double y1 =
-        rest_.yy * y - rest_.yx * s - (rest_.y_start * ground.begin + rest_.y_end * ground.end);
-    return yields_ ? State{x_ + (s1 - s), y1, z_ + (s1 - s)} : State{s1, y1, 0.0};
+  State rest_end(const State& from, double ground_begin, double ground_end) const {
+    const double s = spring(from);
+    const double s1 = rest_.xx * s + rest_.xy * from.y -
+                      (rest_.x_start * ground_begin + rest_.x_end * ground_end);
+    const double y1 = rest_.yy * from.y - rest_.yx * s -
+                      (rest_.y_start * ground_begin + rest_.y_end * ground_end);
+    return yields_ ? State{from.x + (s1 - s), y1, from.z + (s1 - s)} : State{s1, y1, 0.0};
   }
   void set(const State& state) {
     x_ = state.x;
     y_ = state.y;
     z_ = state.z;
   }
-  double elastic(const State& at) const {
-    return -(twice_zeta_ * at.y + share_ * at.x + (1.0 - share_) * at.z);
-  }
-  /// By how much E and x can leave their chords over such a piece that starts now.
+  double spring(const State& at) const { return share_ * at.x + (1.0 - share_) * at.z; }
+  double elastic(const State& at) const { return -(twice_zeta_ * at.y + spring(at)); }
+  /// By how much E and x can leave their chords over such a piece: a function leaves its
+  /// chord by at most 1/8 of its largest second derivative. With z = a - a_ground, mass
+  /// m, ' over the piece:
+  ///   y' = phase z,  z' = -phase (y + 2 zeta z) / m - a_ground',
+  /// so that |z| <= (|z_0| + phase |y_0| / m + |a_ground'|) / (1 - (phase^2 + 2 zeta phase) / m).
   struct Sag {
     double elastic, x;
   };
-  Sag sag(const Ramp& ground) const;
+  Sag sag(const State& from, double elastic, double ground_begin, double ground_end) const {
+    const double rise = std::abs(ground_end - ground_begin), y0 = std::abs(from.y);
+    const double z0 = std::abs(elastic * per_mass_ - ground_begin);
+    const double z = (z0 + phase_ * y0 * per_mass_ + rise) * per_left_;
+    const double z_rate = phase_ * (y0 + (phase_ + twice_zeta_) * z) * per_mass_ + rise;
+    const double x = 0.125 * phase_ * phase_ * z;
+    return {x + 0.125 * phase_ * twice_zeta_ * z_rate, x};
+  }
   bool may_yield_at(const State& state, double within) const {
     return yields_ && !(std::abs(state.z) + within < yield_);
   }
@@ -98,7 +107,7 @@ class BuildingAxis {
   int terms_ = 2;
   bool yields_ = false;
   double share_ = 1.0, yield_ = 0.0;  // hardening ratio; yield force
-  double stuck_mass_ = 1.0, phase_ = 0.0;
+  double stuck_mass_ = 1.0, per_mass_ = 1.0, phase_ = 0.0, per_left_ = 1.0;
   RestStep rest_{};
 
   double x_ = 0.0, y_ = 0.0, z_ = 0.0;

@@ -28,6 +28,9 @@ Mobility BuildingContact::mobility(const Axes& by_axis) const {
   m.sy = cosine * (c * s * differs);
   m.yy = by_axis[0] + c * c * differs;
   m.mean = 0.5 * (m.ss + m.yy);
+  const double uneven = std::max(m.ss, m.yy) - m.mean + std::abs(m.sy);
+  const double tangent = loading_.tan_slope();
+  m.coupling = 2.0 * (uneven + tangent * (m.ss + std::abs(m.sy)) * (tangent + friction_.largest()));
   m.isotropic = m.none() || (loading_.tan_slope() == 0.0 && differs == 0.0);
   return m;
 }
@@ -119,7 +122,8 @@ Vector BuildingContact::iterate(Vector known, double own, const Load& bare, cons
     if (size > 0.5 * last) share = 0.5;
     f = f + share * change;
     last = size;
-    if (lambda * size <= enough || size <= 8.0 * epsilon * length(f)) break;
+    if (lambda * size * std::min(m.coupling, 1.0) <= enough || size <= 8.0 * epsilon * length(f))
+      break;
   }
   return f;
 }

@@ -45,8 +45,8 @@ double OnBuildingBody::rest(const Shaking& piece) {
   const AxisSeries motion[2] = {axes_[0].motion(piece.length_s, piece.ground[0], mass),
                                 axes_[1].motion(piece.length_s, piece.ground[1], mass)};
   const FrictionEllipse& friction = contact_.friction_at_rest();
-  const Load begin = contact_.loading().at(motion[0].elastic.c[0] / mass, motion[1].elastic.c[0] / mass,
-                                            piece.w(0.0));
+  const Load begin = contact_.loading().at(motion[0].elastic.c[0] / mass,
+                                           motion[1].elastic.c[0] / mass, piece.w(0.0));
   const double release = friction.may_rest(begin)
                              ? first_rise(excess(friction, contact_.loading(), motion, mass, piece))
                              : 0.0;
@@ -80,54 +80,87 @@ double OnBuildingBody::rest(const Shaking& piece) {
   return share;
 }
 
-/// Over a whole piece in which nothing happens, as bounds on how far the motion leaves its chord
-/// tell: while m = N - |M^-1 F| > 0 it rests, and m is concave, so that on the chord it is no less
+/// Whole pieces in which nothing happens, as bounds on how far the motion leaves its chord tell:
+/// while m = N - |M^-1 F| > 0 the block rests, and m is concave, so that on the chord it is no less
 /// than at the ends.
-bool OnBuildingBody::rest_quickly(const Shaking& piece) {
+template <class Nodes>
+std::size_t OnBuildingBody::rest_over(const Nodes& nodes, std::size_t from, std::size_t to) {
   const FrictionEllipse& friction = contact_.friction_at_rest();
-  if (axes_[0].flows() || axes_[1].flows() || friction.smallest() == 0.0) return false;
+  if (axes_[0].flows() || axes_[1].flows() || friction.smallest() == 0.0) return from;
   const TwoAxisLoading& loading = contact_.loading();
   const double mass = 1.0 + mass_ratio_, per_mass = 1.0 / mass;
-  const auto margin = [&](const Axes& e, double w) {
-    const Load load = loading.at(e[0], e[1], w);
-    const Vector held{load.drive.s / friction.along(), load.drive.y / friction.across()};
-    return load.normal - length(held);
+  const double per_along = 1.0 / friction.along(), per_across = 1.0 / friction.across();
+  struct Node {
+    BuildingAxis::State state;
+    double ground, elastic;
   };
-  Axes a0, a1;
-  BuildingAxis::State end[2];
-  double sag = 0.0;
-  bool may_peak[2];
+  Node now[2], next[2];
+  const auto elastic = [&](const Node& node, std::size_t n) {
+    return axes_[n].rigid() ? mass * node.ground : axes_[n].elastic(node.state);
+  };
+  const auto margin = [&](const Node(&node)[2], double w) {
+    const Load load = loading.at(node[0].elastic * per_mass, node[1].elastic * per_mass, w);
+    return load.normal - length({per_along * load.drive.s, per_across * load.drive.y});
+  };
   for (std::size_t n = 0; n < 2; ++n) {
-    const BuildingAxis& axis = axes_[n];
-    const Ramp& ground = piece.ground[n];
-    if (axis.rigid()) {
-      a0[n] = ground.begin;
-      a1[n] = ground.end;
-      may_peak[n] = true;
-      continue;
+    now[n] = {axes_[n].state(), nodes.ground(n, from), 0.0};
+    now[n].elastic = elastic(now[n], n);
+  }
+  double before = margin(now, nodes.w(from));
+  std::size_t i = from;
+  for (; i < to; ++i) {
+    double sag = 0.0;
+    bool may_peak[2], may_yield = false;
+    for (std::size_t n = 0; n < 2; ++n) {
+      const BuildingAxis& axis = axes_[n];
+      next[n].ground = nodes.ground(n, i + 1);
+      BuildingAxis::Sag own{0.0, 0.0};
+      if (!axis.rigid()) {
+        next[n].state = axis.rest_end(now[n].state, now[n].ground, next[n].ground);
+        own = axis.sag(now[n].state, now[n].elastic, now[n].ground, next[n].ground);
+        may_yield |=
+            axis.may_yield_at(now[n].state, own.x) || axis.may_yield_at(next[n].state, own.x);
+      }
+      next[n].elastic = elastic(next[n], n);
+      may_peak[n] =
+          std::max(std::abs(now[n].elastic), std::abs(next[n].elastic)) + own.elastic >
+              peaks_.elastic[n] ||
+          std::max(std::abs(now[n].state.x), std::abs(next[n].state.x)) + own.x > peaks_.x[n];
+      sag += own.elastic * per_mass;
     }
-    const BuildingAxis::State begin = axis.state();
-    end[n] = axis.rest_end(ground);
-    const BuildingAxis::Sag own = axis.sag(ground);
-    if (axis.may_yield_at(begin, own.x) || axis.may_yield_at(end[n], own.x)) return false;
-    const double e0 = axis.elastic(begin), e1 = axis.elastic(end[n]);
-    may_peak[n] =
-        std::max(std::abs(e0), std::abs(e1)) + own.elastic > peaks_.elastic[n] ||
-        std::max(std::abs(begin.x), std::abs(end[n].x)) + own.x > peaks_.x[n];
-    sag += own.elastic * per_mass;
-    a0[n] = e0 * per_mass;
-    a1[n] = e1 * per_mass;
+    const double after = margin(next, nodes.w(i + 1));
+    const double needed = sag * margin_per_a_ + nodes.w_sag(i) * margin_per_w_;
+    if (may_yield || !(std::min(before, after) > needed * (1.0 + 1e-9))) break;
+    for (std::size_t n = 0; n < 2; ++n) {
+      if (may_peak[n]) {
+        axes_[n].set(now[n].state);
+        raise_peaks(n, axes_[n].motion(nodes.dt_s(), {now[n].ground, next[n].ground}, mass), 1.0);
+      }
+      now[n] = next[n];
+    }
+    before = after;
   }
-  if (rest_margin_ < 0.0) rest_margin_ = margin(a0, piece.w(0.0));
-  const double after = margin(a1, piece.w(1.0));
-  const double needed = sag * margin_per_a_ + piece.w_sag() * margin_per_w_;
-  if (!(std::min(rest_margin_, after) > needed * (1.0 + 1e-9))) return false;
-  for (std::size_t n = 0; n < 2; ++n) {
-    if (may_peak[n]) raise_peaks(n, axes_[n].motion(piece.length_s, piece.ground[n], mass), 1.0);
-    if (!axes_[n].rigid()) axes_[n].set(end[n]);
-  }
-  rest_margin_ = after;
-  return true;
+  for (std::size_t n = 0; n < 2; ++n) axes_[n].set(now[n].state);
+  return i;
+}
+
+std::size_t OnBuildingBody::rest_through(const Shaken& shaken, std::size_t from, std::size_t to) {
+  const std::size_t i = rest_over(shaken, from, to);
+  time_s_ = static_cast<double>(i) * shaken.dt_s();
+  return i;
+}
+
+bool OnBuildingBody::rest_quickly(const Shaking& piece) {
+  struct Ends {
+    const Shaking& piece;
+    double dt_s() const { return piece.length_s; }
+    double ground(std::size_t n, std::size_t i) const {
+      return i == 0 ? piece.ground[n].begin : piece.ground[n].end;
+    }
+    double w(std::size_t i) const { return piece.w(i == 0 ? 0.0 : 1.0); }
+    double w_sag(std::size_t) const { return piece.w_sag(); }
+  };
+  return rest_over(Ends{piece}, 0, 1) == 1;
 }
 
 }  // namespace glissade::block_detail
