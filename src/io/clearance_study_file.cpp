@@ -13,7 +13,7 @@
 namespace glissade {
 namespace {
 
-constexpr std::uint64_t most_conditions = 100000;
+constexpr double most_conditions = 100000;
 constexpr std::uint64_t largest_seed = std::uint64_t{1} << 62;
 
 constexpr NumberRule mass_rule{"from 0 to 1", [](double x) { return x >= 0.0 && x <= 1.0; },
@@ -105,8 +105,11 @@ ClearanceGrid read_grid(const TomlTable& table) {
     table.report("period_s", "a rigid building (period 0) cannot yield",
                  "leave period 0 out, or ask for response_modification = [1]");
   }
-  if (grid.count() > most_conditions) {
-    table.report("", "asks for " + std::to_string(grid.count()) + " conditions",
+  double conditions = 1.0;  // the product may exceed any integer
+  for (const ClearanceAxis axis : clearance_axes)
+    conditions *= static_cast<double>(grid.size(axis));
+  if (conditions > most_conditions) {
+    table.report("", "clearance_study asks for " + shortest_decimal(conditions) + " conditions",
                  "at most 100000 in one study: divide it");
   }
   return grid;

@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "check.hpp"
+#include "glissade/io/clearance_file.hpp"
 #include "glissade/io/convergence_file.hpp"
 #include "glissade/io/study_file.hpp"
 
@@ -61,6 +62,19 @@ void check_convergence(const glissade::ConvergenceConfig& study) {
         "substeps increase");
 }
 
+void check_clearance(const glissade::ClearanceConfig& study) {
+  const glissade::ClearanceGrid& grid = study.grid;
+  for (const glissade::ClearanceAxis axis : glissade::clearance_axes)
+    check(grid.size(axis) > 0, "no axis is empty");
+  for (const auto* axis : {&grid.response_modification, &grid.mass_ratio, &grid.slope_deg,
+                           &grid.fraction_of_mce, &grid.period_s})
+    check(increases(*axis), "axes increase");
+  check(grid.mass_ratio.front() >= 0.0 && grid.mass_ratio.back() <= 1.0, "m/M from 0 to 1");
+  for (const glissade::TestedFriction& friction : study.friction)
+    check(friction.design() > 0.0, "there is friction");
+  check(!study.slope_axes.empty() && !study.suite_files.empty(), "there is a suite and a slope");
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -69,6 +83,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   glissade::fuzz::may_refuse([&] {
     if (glissade::is_convergence_study(file)) {
       check_convergence(glissade::read_convergence_study(file));
+      return;
+    }
+    if (glissade::is_clearance_study(file)) {
+      check_clearance(glissade::read_clearance_study(file));
       return;
     }
     const glissade::StudyConfig study = glissade::read_study(file);

@@ -119,6 +119,8 @@ TEST_F(ClearanceStudyFile, what_is_wrong_is_told_with_its_line) {
            Case{"[0, 0.05]", "[0.5, 1.5]", "mass_ratio = 1.5 is not from 0 to 1"},
            Case{"[1, 4]", "[0.5, 2]", "response_modification = 0.5 is not 1 or more"},
            Case{"[0.2, 1.0]", "[0, 1.0]", "rigid building (period 0) cannot yield"},
+           Case{"[0.2, 1.0]", "{ from = 0.1, to = 2, count = 10000 }",
+                "clearance_study asks for 960000 conditions"},
            Case{"[0.2, 1.0]", "[-1, 1.0]", "period_s = -1 is not 0 or more"},
            Case{"rise_in_12 = [0.25, 1]", "slope_deg = [-1, 2]", "slope_deg = -1 is not in deg"},
            Case{"rise_in_12 = [0.25, 1]", "slope_deg = [1, 90]", "slope_deg = 90 is not in deg"},
