@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Run time against error: of the sliding schemes, history by history, and of a whole fragility. See
-// README.md in this folder.
+// Run time against error: of the sliding schemes on one axis, of those for a coupled building and
+// for two axes, and of a whole fragility. See README.md in this folder.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -8,10 +8,12 @@
 #include <exception>
 #include <iostream>
 
+#include "coupled_precision.hpp"
 #include "figures.hpp"
 #include "glissade/core/file.hpp"
 #include "max_pass.hpp"
 #include "tables.hpp"
+#include "two_axes_precision.hpp"
 
 namespace {
 
@@ -47,10 +49,13 @@ bool show(const Table& table, const std::filesystem::path& out) {
   return is_complete(table);
 }
 
+test::StandardScenes scenes(const Options& options) {
+  return options.quick ? test::built_in_scenes(source / "suites", 2)
+                       : test::standard_scenes(source / "suites", source / "../shared/records");
+}
+
 bool bench_schemes(const Options& options) {
-  const test::StandardScenes all =
-      options.quick ? test::built_in_scenes(source / "suites", 2)
-                    : test::standard_scenes(source / "suites", source / "../shared/records");
+  const test::StandardScenes all = scenes(options);
   std::cout << fmt::format("{} scenes on {}\n", all.scenes.size(), all.motions);
   const std::size_t stride = test::thinning(all.scenes.size(), options.scenes);
   const WorkPrecision measured = work_precision(all, stride, options.quick);
@@ -77,6 +82,38 @@ bool bench_schemes(const Options& options) {
   return good;
 }
 
+/// Prints, writes and draws a table of schemes over one set of histories.
+bool show_trial(const std::string& name, const std::string& title,
+                const std::vector<SchemeResult>& results, const std::filesystem::path& out) {
+  draw_trial(results, out / (name + ".svg"));
+  return show(trial_table(name, title, results), out);
+}
+
+bool bench_coupled(const Options& options) {
+  const test::StandardScenes all = scenes(options);
+  const std::vector<SchemeResult> results = coupled_precision(all, options.scenes, options.quick);
+  bool good = show_trial("coupled",
+                         "Array and building that feel each other: time of a history of 8,000 "
+                         "samples against its error, on " +
+                             all.motions,
+                         results, options.out);
+  for (const SchemeResult& r : results) {
+    if (!r.family.starts_with("coupled_slip") || r.largest_error <= 1e-10) continue;
+    std::cerr << fmt::format("bench: {} is off by {}: {}\n", r.family, r.largest_error,
+                             r.worst_scene);
+    good = false;
+  }
+  return good;
+}
+
+bool bench_two_axes(const Options& options) {
+  const test::StandardScenes all = scenes(options);
+  return show_trial(
+      "two_axes",
+      "Two axes at once: time of a history of 8,000 samples against its error, on " + all.motions,
+      two_axes_precision(all, options.scenes, options.quick), options.out);
+}
+
 bool bench_fragility(const Options& options) {
   const FragilityError measured = fragility_error(source / "suites", options.fragility);
   const bool good = show(fragility_table(measured), options.out);
@@ -94,8 +131,8 @@ int main(int argc, char** argv) try {
       ->required();
   program.add_flag("--quick", options.quick,
                    "a smoke test of some seconds: few scenes and samples");
-  program.add_option("--only", options.only, "one of the two")
-      ->check(CLI::IsMember({"schemes", "fragility"}));
+  program.add_option("--only", options.only, "one of them")
+      ->check(CLI::IsMember({"schemes", "coupled", "two_axes", "fragility"}));
   program.add_option("--scenes", options.scenes, "scenes on which all schemes are compared")
       ->check(CLI::PositiveNumber);
   program.add_option("--log2-samples", options.fragility.most_log2, "largest number of samples")
@@ -112,8 +149,13 @@ int main(int argc, char** argv) try {
   std::filesystem::create_directories(options.out);
   std::cout << "Vectors: " << max_pass_target() << '\n';
   bool good = true;
-  if (options.only != "fragility") good &= bench_schemes(options);
-  if (options.only != "schemes") good &= bench_fragility(options);
+  const auto wanted = [&](const char* part) {
+    return options.only.empty() || options.only == part;
+  };
+  if (wanted("schemes")) good &= bench_schemes(options);
+  if (wanted("coupled")) good &= bench_coupled(options);
+  if (wanted("two_axes")) good &= bench_two_axes(options);
+  if (wanted("fragility")) good &= bench_fragility(options);
   return good ? 0 : 1;
 } catch (const std::exception& error) {
   std::cerr << "bench: " << error.what() << '\n';

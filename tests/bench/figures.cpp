@@ -44,15 +44,17 @@ struct Curve {
 
 /// "64" at P = 64. Where the Newmark curves begin their first points are too close for labels.
 std::string point_label(const SchemeResult& scheme) {
-  if (!scheme.label.starts_with("P = ")) return "";
-  const std::string substeps = scheme.label.substr(4);
-  return scheme.family.starts_with("Newmark") && substeps == "1" ? "" : substeps;
+  const std::size_t sign = scheme.label.find(" = ");
+  if (sign == std::string::npos) return "";
+  const std::string step = scheme.label.substr(sign + 3);
+  return scheme.family.starts_with("Newmark trapezoid") && step == "1" ? "" : step;
 }
 
 /// An error of exactly zero is drawn at 1e-16.
-std::vector<Curve> curves_of(const WorkPrecision& measured, double SchemeResult::*error) {
+std::vector<Curve> curves_of(const std::vector<SchemeResult>& results,
+                             double SchemeResult::*error) {
   std::vector<Curve> curves;
-  for (const SchemeResult& s : measured.schemes) {
+  for (const SchemeResult& s : results) {
     if (s.judged == 0) continue;
     const double us = s.sliding.mean_us, shown = std::max(s.*error, 1e-16);
     if (curves.empty() || curves.back().name != s.family)
@@ -84,40 +86,58 @@ std::string name_of(const Curve& curve, const char* colour) {
   return label(curve.first_us, curve.first_error, "offset -4,2");
 }
 
-}  // namespace
-
-void draw_schemes(const WorkPrecision& measured, const std::filesystem::path& svg) {
-  const double floor_us = measured.schemes.front().sliding.mean_us;
+/// Error against time, median left, largest right, the floor first of the results.
+/// @param settings ranges and key, and what the labels at the points are
+/// @param name_of what writes a curve's name beside it
+template <class NameOf>
+std::string error_panels(const std::vector<SchemeResult>& results, const std::string& settings,
+                         const char* point_labels, NameOf name_of) {
+  const double floor_us = results.front().sliding.mean_us;
   std::string script =
-      "set xrange [0.1:1e5]\nset yrange [1e-17:1e4]\nset format x '%g'\nunset key\n"
+      settings +
+      "set format x '%g'\n"
       "set xtics ('0.1' 0.1, '1' 1, '10' 10, '100' 100, '1,000' 1e3, '10,000' 1e4, '' 1e5)\n"
       "set ytics 1e-16,1e2\nunset mytics\nset xlabel 'mean time of a history that slides, µs'\n";
   for (const bool largest : {false, true}) {
     const std::vector<Curve> curves =
-        curves_of(measured, largest ? &SchemeResult::largest_error : &SchemeResult::median_error);
+        curves_of(results, largest ? &SchemeResult::largest_error : &SchemeResult::median_error);
     script += fmt::format("set ylabel '{} relative error in peak slip'\nunset label\nunset arrow\n",
                           largest ? "largest" : "median");
     script += fmt::format(
         "set arrow from {0},graph 0 to {0},graph 1 nohead dt 2 lc rgb '#555555'\n"
-        "set label 'at the points: substeps per sample' at graph 0.98,graph 0.03 right font ',11' "
-        "tc "
-        "rgb '#555555'\n"
+        "set label '{1}' at graph 0.98,graph 0.03 right font ',11' tc rgb '#555555'\n"
         "set label 'one pass over the samples' at {0},graph 0.3 rotate by 90 center offset -0.8,0 "
         "tc rgb '#555555'\n",
-        floor_us);
+        floor_us, point_labels);
     std::string plot;
     for (std::size_t i = 0; i < curves.size(); ++i) {
       const char* colour = colours[i % colours.size()];
       script += fmt::format("$c{} << EOD\n{}EOD\n", i, curves[i].points);
       script += name_of(curves[i], colour);
       plot += fmt::format(
-          "{0}$c{1} using 1:2 with linespoints lw 2 pt 7 ps 0.5 lc rgb '{2}', $c{1} using 1:2:3 "
-          "with labels offset 0.4,0.7 font ',10' tc rgb '{2}'",
-          i == 0 ? "plot " : ", ", i, colour);
+          "{0}$c{1} using 1:2 with linespoints lw 2 pt 7 ps 0.5 lc rgb '{2}' title '{3}', $c{1} "
+          "using 1:2:3 with labels offset 0.4,0.7 font ',10' tc rgb '{2}' notitle",
+          i == 0 ? "plot " : ", ", i, colour, curves[i].name);
     }
     script += plot + "\n";
   }
-  gnuplot(svg, script);
+  return script;
+}
+
+}  // namespace
+
+void draw_schemes(const WorkPrecision& measured, const std::filesystem::path& svg) {
+  gnuplot(svg, error_panels(measured.schemes,
+                            "set xrange [0.1:1e5]\nset yrange [1e-17:1e4]\nunset key\n",
+                            "at the points: substeps per sample", name_of));
+}
+
+void draw_trial(const std::vector<SchemeResult>& results, const std::filesystem::path& svg) {
+  gnuplot(svg, error_panels(results,
+                            "set xrange [0.1:1e5]\nset yrange [1e-17:1e4]\n"
+                            "set key at graph 0.98,graph 0.99 top right noenhanced font ',11'\n",
+                            "at the points: substeps per sample, or tolerance",
+                            [](const Curve&, const char*) { return ""; }));
 }
 
 void draw_fragility(const FragilityError& measured, const std::filesystem::path& svg) {

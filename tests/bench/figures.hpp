@@ -10,6 +10,8 @@ namespace glissade::bench {
 
 // Drawn by gnuplot; std::runtime_error where that fails.
 
+/// Schemes over one set of histories, the floor first: error against mean time.
+void draw_trial(const std::vector<SchemeResult>& results, const std::filesystem::path& svg);
 void draw_schemes(const WorkPrecision& measured, const std::filesystem::path& svg);
 void draw_fragility(const FragilityError& measured, const std::filesystem::path& svg);
 

@@ -142,6 +142,31 @@ Table fragility_table(const FragilityError& m) {
   return table;
 }
 
+Table trial_table(const std::string& name, const std::string& title,
+                  const std::vector<SchemeResult>& results) {
+  Table table{name,
+              title,
+              {{"scheme", "", "Scheme", ColumnKind::text},
+               {"step", "", "Step", ColumnKind::text},
+               {"histories", "", "Histories", ColumnKind::count},
+               {"median_time", "us", "Median, us"},
+               {"mean_time", "us", "Mean, us"},
+               {"passes", "", "Passes"},
+               {"median_error", "", "Median error"},
+               {"largest_error", "", "Largest error"},
+               {"worst_scene", "", "Where", ColumnKind::text}},
+              {}};
+  const double floor_us = results.front().sliding.mean_us;
+  for (const SchemeResult& s : results) {
+    const bool has_error = s.judged > 0;
+    table.add({s.family, s.label, number(s.sliding.histories), s.sliding.median_us,
+               s.sliding.mean_us, s.sliding.mean_us / floor_us,
+               has_error ? Cell(s.median_error) : Cell(""),
+               has_error ? Cell(s.largest_error) : Cell(""), s.worst_scene});
+  }
+  return table;
+}
+
 bool is_complete(const Table& table) {
   return !table.rows.empty() && std::ranges::all_of(table.rows, [](const std::vector<Cell>& row) {
     return std::ranges::all_of(row, [](const Cell& cell) {

@@ -16,6 +16,9 @@ Table ratio_table(const WorkPrecision& measured);
 Table agreement_table(const WorkPrecision& measured);
 Table roof_table(const RoofTimes& times);
 Table fragility_table(const FragilityError& measured);
+/// Schemes over one set of histories, the floor first.
+Table trial_table(const std::string& name, const std::string& title,
+                  const std::vector<SchemeResult>& results);
 
 /// Every number is finite.
 bool is_complete(const Table& table);
