@@ -117,7 +117,7 @@ void OnBuildingBody::raise_peaks(std::size_t n, const Bare& bare, const Building
                                  double length_s) {
   const double share = length_s / bare.shaking.length_s;
   if (axes_[n].rigid() && mass_ratio_ > 0.0) {  // it carries the block too
-    const Contact2& c = step.end;
+    const ContactState& c = step.end;
     const Axes force = contact_.to_building(
         c.normal * Vector{contact_.loading().tan_slope() - c.friction.s, -c.friction.y});
     const double carried = bare.axis[n].elastic.at(share) + mass_ratio_ * force[n];
