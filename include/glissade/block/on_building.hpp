@@ -78,9 +78,10 @@ bool coupling_is_regular(const TwoAxisBlock& block, const BiaxialBuilding& build
 /// have one solution.
 ///
 /// @param block its friction so that coupling_is_regular()
-/// @param tolerance as slide_two_axis()'s, in [1e-9, 1e-2]: on recorded motions 504 scenes gave
-///   peaks off by a median of 0.1 and at most 2.5 tolerances; base shear and roof displacement by
-///   less.
+/// @param tolerance as slide_two_axis()'s, in [1e-9, 1e-2]: on recorded motions 700 scenes gave
+/// peaks
+///   off by a median of 0.1, nine in ten by less than 0.5 and one by 12 tolerances; base shear and
+///   roof displacement by less. Against slide_coupled() on rough noise up to 20.
 BuildingSlip slide_on_building(const BuildingGround& ground, const BuildingFactors& factors,
                                const BiaxialBuilding& building, const TwoAxisBlock& block,
                                double tolerance = 1e-6);
