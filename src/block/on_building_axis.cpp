@@ -23,9 +23,6 @@ BuildingAxis::BuildingAxis(const Oscillator& oscillator, const Yielding& yieldin
     term *= rate / ++terms;
   terms_ = terms + 1;
 
-  per_mass_ = 1.0 / stuck_mass_;
-  const double left = 1.0 - (phase_ + twice_zeta_) * phase_ * per_mass_;
-  per_left_ = left > 0.0 ? 1.0 / left : never;
   const double root = std::sqrt(stuck_mass_);
   const OscillatorStep step = oscillator_step(phase_ / root, oscillator.damping_ratio / root);
   rest_ = {step.xx,

@@ -71,12 +71,13 @@ Vector BuildingContact::holding_by_speed(Vector p, double lambda) const {
   return k * friction_.holding(p, lambda * k);
 }
 
-Contact2 BuildingContact::with_friction(Vector friction, const Axes& e, double w,
-                                        const Mobility& m) const {
+ContactState BuildingContact::with_friction(Vector friction, const Axes& e, double w,
+                                            const Mobility& m) const {
   const Load bare = loading_.at(e[0], e[1], w);
+  if (bare.normal < 0.0) friction = {};
   const Vector pull{loading_.tan_slope() - friction.s, -friction.y};
   const Vector gives = m * pull;
-  Contact2 c;
+  ContactState c;
   c.friction = friction;
   c.normal = bare.normal / (1.0 + loading_.tan_slope() * gives.s);
   c.a = bare.drive + c.normal * (gives - friction);
@@ -85,8 +86,8 @@ Contact2 BuildingContact::with_friction(Vector friction, const Axes& e, double w
   return c;
 }
 
-Contact2 BuildingContact::slide(Vector known, double own, const Axes& e, double w,
-                                const Mobility& m, Vector guess, double enough) const {
+ContactState BuildingContact::slide(Vector known, double own, const Axes& e, double w,
+                                    const Mobility& m, Vector guess, double enough) const {
   const Load bare = loading_.at(e[0], e[1], w);
   Vector f;
   if (bare.normal > 0.0) {
@@ -95,7 +96,7 @@ Contact2 BuildingContact::slide(Vector known, double own, const Axes& e, double 
     else
       f = iterate(known, own, bare, m, guess, enough, e, w);
   }
-  Contact2 c = with_friction(f, e, w, m);
+  ContactState c = with_friction(f, e, w, m);
   c.v = known + own * c.a;
   return c;
 }

@@ -24,7 +24,7 @@ struct Mobility {
 };
 
 /// Block and roof at an instant, or over an implicit stage. All per cos(slope), as Load.
-struct Contact2 {
+struct ContactState {
   Vector v;             ///< of the block
   Vector a;             ///< its rate
   Vector friction;      ///< f, per normal force
@@ -71,12 +71,12 @@ class BuildingContact {
   /// @param e, w the roof's acceleration if it did not feel the block, and the vertical's
   /// @param guess of the friction
   /// @param enough velocity by which v may be off
-  Contact2 slide(Vector known, double own, const Axes& e, double w, const Mobility& mobility,
-                 Vector guess, double enough) const;
+  ContactState slide(Vector known, double own, const Axes& e, double w, const Mobility& mobility,
+                     Vector guess, double enough) const;
 
   /// The same on a roof that does not feel the block.
-  Contact2 slide_unfelt(Vector known, double own, const Load& load) const {
-    Contact2 c;
+  ContactState slide_unfelt(Vector known, double own, const Load& load) const {
+    ContactState c;
     c.normal = load.normal;
     const double normal = std::max(load.normal, 0.0);
     if (normal > 0.0) c.friction = holding(known + own * load.drive, own * normal);
@@ -88,8 +88,9 @@ class BuildingContact {
   /// The acceleration with which a block at rest begins to slide.
   Vector release_acceleration(const Axes& e, double w, const Mobility& mobility) const;
 
-  /// Of given friction.
-  Contact2 with_friction(Vector friction, const Axes& e, double w, const Mobility& mobility) const;
+  /// Of given friction, which a block that lifts does not have.
+  ContactState with_friction(Vector friction, const Axes& e, double w,
+                             const Mobility& mobility) const;
 
   /// Of given v', 0 where the block rests: the roof's acceleration, and the load that friction
   /// must hold.

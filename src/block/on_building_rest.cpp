@@ -80,6 +80,75 @@ double OnBuildingBody::rest(const Shaking& piece) {
   return share;
 }
 
+namespace {
+
+/// The building's two axes side by side over whole pieces at rest: s the springs' force, E and sag
+/// as below. A rigid axis has no state, and E = mass a_ground.
+struct RestSteps {
+  double xx[2], xy[2], yx[2], yy[2], x_start[2], x_end[2], y_start[2], y_end[2];
+  double twice_zeta[2], phase[2], carried[2], per_left[2];
+  double per_mass;
+
+  RestSteps(const std::array<BuildingAxis, 2>& axes, double mass) : per_mass(1.0 / mass) {
+    for (std::size_t n = 0; n < 2; ++n) {
+      const BuildingAxis::RestStep& c = axes[n].rest_step();
+      xx[n] = c.xx;
+      xy[n] = c.xy;
+      yx[n] = c.yx;
+      yy[n] = c.yy;
+      x_start[n] = c.x_start;
+      x_end[n] = c.x_end;
+      y_start[n] = c.y_start;
+      y_end[n] = c.y_end;
+      twice_zeta[n] = axes[n].twice_zeta();
+      phase[n] = axes[n].phase();
+      carried[n] = axes[n].rigid() ? mass : 0.0;
+      const double left = 1.0 - (phase[n] + twice_zeta[n]) * phase[n] * per_mass;
+      per_left[n] = left > 0.0 ? 1.0 / left : never;
+    }
+  }
+};
+
+struct RestNode {
+  double s[2], y[2], ground[2], e[2];
+};
+
+RestNode next_node(const RestSteps& c, const RestNode& now, double ground_1, double ground_2) {
+  RestNode next;
+  next.ground[0] = ground_1;
+  next.ground[1] = ground_2;
+  for (std::size_t n = 0; n < 2; ++n) {
+    const double a0 = now.ground[n], a1 = next.ground[n];
+    next.s[n] = c.xx[n] * now.s[n] + c.xy[n] * now.y[n] - (c.x_start[n] * a0 + c.x_end[n] * a1);
+    next.y[n] = c.yy[n] * now.y[n] - c.yx[n] * now.s[n] - (c.y_start[n] * a0 + c.y_end[n] * a1);
+    next.e[n] = c.carried[n] * a1 - (c.twice_zeta[n] * next.y[n] + next.s[n]);
+  }
+  return next;
+}
+
+/// By how much E and s can leave their chords over a piece: a function leaves its chord by at most
+/// 1/8 of its largest second derivative. With z = a - a_ground, mass m, ' over the piece:
+///   s' = phase y,  y' = phase z,  z' = -phase (y + 2 zeta z) / m - a_ground',
+/// so that |z| <= (|z_0| + phase |y_0| / m + |a_ground'|) / (1 - (phase^2 + 2 zeta phase) / m).
+struct Sag {
+  double e[2], s[2];
+};
+Sag sag_after(const RestSteps& c, const RestNode& now, const RestNode& next) {
+  Sag sag;
+  for (std::size_t n = 0; n < 2; ++n) {
+    const double phase = c.phase[n], zeta2 = c.twice_zeta[n];
+    const double rise = std::abs(next.ground[n] - now.ground[n]), y0 = std::abs(now.y[n]);
+    const double z0 = std::abs(now.e[n] * c.per_mass - now.ground[n]);
+    const double z = (z0 + phase * y0 * c.per_mass + rise) * c.per_left[n];
+    const double z_rate = phase * (y0 + (phase + zeta2) * z) * c.per_mass + rise;
+    sag.s[n] = 0.125 * phase * phase * z;
+    sag.e[n] = sag.s[n] + 0.125 * phase * zeta2 * z_rate;
+  }
+  return sag;
+}
+
+}  // namespace
+
 /// Whole pieces in which nothing happens, as bounds on how far the motion leaves its chord tell:
 /// while m = N - |M^-1 F| > 0 the block rests, and m is concave, so that on the chord it is no less
 /// than at the ends.
@@ -87,60 +156,64 @@ template <class Nodes>
 std::size_t OnBuildingBody::rest_over(const Nodes& nodes, std::size_t from, std::size_t to) {
   const FrictionEllipse& friction = contact_.friction_at_rest();
   if (axes_[0].flows() || axes_[1].flows() || friction.smallest() == 0.0) return from;
-  const TwoAxisLoading& loading = contact_.loading();
+  const TwoAxisLoading loading = contact_.loading();
   const double mass = 1.0 + mass_ratio_, per_mass = 1.0 / mass;
   const double per_along = 1.0 / friction.along(), per_across = 1.0 / friction.across();
-  struct Node {
-    BuildingAxis::State state;
-    double ground, elastic;
-  };
-  Node now[2], next[2];
-  const auto elastic = [&](const Node& node, std::size_t n) {
-    return axes_[n].rigid() ? mass * node.ground : axes_[n].elastic(node.state);
-  };
-  const auto margin = [&](const Node(&node)[2], double w) {
-    const Load load = loading.at(node[0].elastic * per_mass, node[1].elastic * per_mass, w);
+  const RestSteps steps(axes_, mass);
+  const auto margin = [&](const RestNode& node, double w) {
+    const Load load = loading.at(node.e[0] * per_mass, node.e[1] * per_mass, w);
     return load.normal - length({per_along * load.drive.s, per_across * load.drive.y});
   };
+  RestNode now;
+  double yield_from[2], yield_left[2];
   for (std::size_t n = 0; n < 2; ++n) {
-    now[n] = {axes_[n].state(), nodes.ground(n, from), 0.0};
-    now[n].elastic = elastic(now[n], n);
+    const BuildingAxis& axis = axes_[n];
+    now.s[n] = axis.rigid() ? 0.0 : axis.spring();
+    now.y[n] = axis.y();
+    now.ground[n] = nodes.ground(n, from);
+    now.e[n] = axis.rigid() ? mass * now.ground[n] : axis.elastic();
+    yield_from[n] = now.s[n];
+    yield_left[n] = axis.yield_left();
   }
+  const auto hold = [&](const RestNode& node) {
+    for (std::size_t n = 0; n < 2; ++n)
+      if (!axes_[n].rigid()) axes_[n].rest_to(node.s[n], node.y[n]);
+  };
+  const bool yields = axes_[0].yields() || axes_[1].yields();
   double before = margin(now, nodes.w(from));
   std::size_t i = from;
   for (; i < to; ++i) {
-    double sag = 0.0;
-    bool may_peak[2], may_yield = false;
-    for (std::size_t n = 0; n < 2; ++n) {
-      const BuildingAxis& axis = axes_[n];
-      next[n].ground = nodes.ground(n, i + 1);
-      BuildingAxis::Sag own{0.0, 0.0};
-      if (!axis.rigid()) {
-        next[n].state = axis.rest_end(now[n].state, now[n].ground, next[n].ground);
-        own = axis.sag(now[n].state, now[n].elastic, now[n].ground, next[n].ground);
-        may_yield |=
-            axis.may_yield_at(now[n].state, own.x) || axis.may_yield_at(next[n].state, own.x);
-      }
-      next[n].elastic = elastic(next[n], n);
-      may_peak[n] =
-          std::max(std::abs(now[n].elastic), std::abs(next[n].elastic)) + own.elastic >
-              peaks_.elastic[n] ||
-          std::max(std::abs(now[n].state.x), std::abs(next[n].state.x)) + own.x > peaks_.x[n];
-      sag += own.elastic * per_mass;
-    }
+    const RestNode next = next_node(steps, now, nodes.ground(0, i + 1), nodes.ground(1, i + 1));
+    const Sag sag = sag_after(steps, now, next);
     const double after = margin(next, nodes.w(i + 1));
-    const double needed = sag * margin_per_a_ + nodes.w_sag(i) * margin_per_w_;
-    if (may_yield || !(std::min(before, after) > needed * (1.0 + 1e-9))) break;
-    for (std::size_t n = 0; n < 2; ++n) {
-      if (may_peak[n]) {
-        axes_[n].set(now[n].state);
-        raise_peaks(n, axes_[n].motion(nodes.dt_s(), {now[n].ground, next[n].ground}, mass), 1.0);
-      }
-      now[n] = next[n];
+    const double needed =
+        (sag.e[0] + sag.e[1]) * per_mass * margin_per_a_ + nodes.w_sag(i) * margin_per_w_;
+    if (!(std::min(before, after) > needed * (1.0 + 1e-9))) break;
+    if (yields) {
+      bool may_yield = false;
+      for (std::size_t n = 0; n < 2; ++n)
+        may_yield |=
+            std::max(std::abs(now.s[n] - yield_from[n]), std::abs(next.s[n] - yield_from[n])) +
+                sag.s[n] >=
+            yield_left[n];
+      if (may_yield) break;
     }
+    for (std::size_t n = 0; n < 2; ++n) {
+      const double moved = yields ? std::abs(axes_[n].x() - yield_from[n]) : 0.0;
+      const double e = std::max(std::abs(now.e[n]), std::abs(next.e[n])) + sag.e[n],
+                   x = std::max(std::abs(now.s[n]), std::abs(next.s[n])) + sag.s[n] + moved;
+      if (!(e > peaks_.elastic[n] || x > peaks_.x[n])) continue;
+      hold(now);
+      for (std::size_t k = 0; k < 2; ++k) {
+        yield_from[k] = now.s[k];
+        yield_left[k] = axes_[k].yield_left();
+      }
+      raise_peaks(n, axes_[n].motion(nodes.dt_s(), {now.ground[n], next.ground[n]}, mass), 1.0);
+    }
+    now = next;
     before = after;
   }
-  for (std::size_t n = 0; n < 2; ++n) axes_[n].set(now[n].state);
+  if (i > from) hold(now);
   return i;
 }
 

@@ -62,8 +62,11 @@ class Shaken {
  public:
   Shaken(const BuildingGround& ground, const BuildingFactors& factors)
       : ground_(ground), factors_(factors) {
-    for (const auto& axis : ground.horizontal) {
+    for (std::size_t n = 0; n < 2; ++n) {
+      const GroundTable* axis = ground.horizontal[n].get();
       if (axis == nullptr) continue;
+      acceleration_mps2_[n] = axis->acceleration_mps2().data();
+      samples_[n] = axis->quiet_from();
       quiet_from_ = std::max(quiet_from_, axis->quiet_from());
       last_sample_ = std::max(last_sample_, axis->last_sample());
     }
@@ -82,8 +85,7 @@ class Shaken {
 
   /// The ground at node i, and the vertical.
   double ground(std::size_t n, std::size_t i) const {
-    const GroundTable* axis = ground_.horizontal[n].get();
-    return axis == nullptr ? 0.0 : factors_.horizontal[n] * at(*axis, i);
+    return i < samples_[n] ? factors_.horizontal[n] * acceleration_mps2_[n][i] : 0.0;
   }
   double w(std::size_t i) const {
     return ground_.vertical != nullptr && i <= vertical_end_
@@ -105,10 +107,6 @@ class Shaken {
   }
 
  private:
-  static double at(const GroundTable& ground, std::size_t i) {
-    return i < ground.quiet_from() ? ground.acceleration_mps2()[i] : 0.0;
-  }
-
   /// From the end of its table on, an oscillator's goes linearly to zero.
   void set_vertical(Shaking& s, std::size_t i) const {
     const double f = factors_.vertical;
@@ -129,6 +127,8 @@ class Shaken {
 
   const BuildingGround& ground_;
   const BuildingFactors& factors_;
+  std::array<const double*, 2> acceleration_mps2_{};
+  std::array<std::size_t, 2> samples_{};
   MotionNodes vertical_;
   std::size_t vertical_end_ = 0, quiet_from_ = 1, last_sample_ = 0;
 };

@@ -66,8 +66,8 @@ double OnBuildingBody::slide(const Shaking& piece) {
     uplift_ = uplift_ || loading.at(e[0], e[1], piece.w(0.0)).normal < 0.0;
     longest = first_lift(bare);
   }
-  const double roof = bare.axis[0].largest_elastic + bare.axis[1].largest_elastic;
-  const double most = heaviest(bare) * (tangent + strongest_) + 2.0 * roof / loading.cos_slope();
+  const double roof = length({bare.axis[0].largest_elastic, bare.axis[1].largest_elastic});
+  const double most = heaviest(bare) * (tangent + strongest_) + roof / loading.cos_slope();
   if (length(now_.v) > piece.length_s * most) return step(bare, longest);  // it cannot stop
   std::array<Ramp, 2> push;
   const Stop stop = find_stop(bare, longest * piece.length_s, push);
@@ -117,7 +117,7 @@ void OnBuildingBody::raise_peaks(std::size_t n, const Bare& bare, const Building
                                  double length_s) {
   const double share = length_s / bare.shaking.length_s;
   if (axes_[n].rigid() && mass_ratio_ > 0.0) {  // it carries the block too
-    const Contact2& c = step.end;
+    const ContactState& c = step.end;
     const Axes force = contact_.to_building(
         c.normal * Vector{contact_.loading().tan_slope() - c.friction.s, -c.friction.y});
     const double carried = bare.axis[n].elastic.at(share) + mass_ratio_ * force[n];

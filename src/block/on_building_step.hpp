@@ -18,7 +18,7 @@ struct AxisResponse {
 };
 
 struct BuildingStep {
-  Contact2 end;
+  ContactState end;
   std::array<Added, 2> added{};
   Axes added_rate{};   ///< of added.y, at the end
   double error = 0.0;  ///< of end.v, estimated

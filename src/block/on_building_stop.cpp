@@ -16,10 +16,9 @@ Stop OnBuildingBody::find_stop(const Bare& bare, double left_s, std::array<Ramp,
              end = loading.at(e_end[0], e_end[1], piece.w(left_s / piece.length_s));
   if (!(std::max(begin.normal, end.normal) > 0.0)) return {};
   const auto grip = [&](const Load& load) {
-    return std::abs(load.drive.s) + std::abs(load.drive.y) +
-           strongest_ * std::max(load.normal, 0.0);
+    return length(load.drive) + strongest_ * std::max(load.normal, 0.0);
   };
-  if (speed > 1.5 * left_s * std::max(grip(begin), grip(end))) return {};
+  if (speed > 1.1 * left_s * std::max(grip(begin), grip(end))) return {};
   const Vector heading = speed > 0.0 ? now_.v : now_.a;
   const double size = length(heading);
   if (size == 0.0) return {};  // on the threshold: the load leaves it, and cannot stop it soon
@@ -38,7 +37,7 @@ Stop OnBuildingBody::find_stop(const Bare& bare, double left_s, std::array<Ramp,
     const double k = contact_.factor(at_speed);
     return contact_.with_friction(k * friction, e, piece.w(share), mobility_);
   };
-  const Contact2 first = pull(0.0, speed);
+  const ContactState first = pull(0.0, speed);
   pushed = first.push;
   const double gain0 = dot(along, first.a);
   if (speed == 0.0 && !(gain0 > 0.0)) return {};  // rounding on the threshold: it starts

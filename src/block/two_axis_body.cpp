@@ -111,7 +111,8 @@ Stop TwoAxisBody::find_stop(const Load& now, const Load& end, double left_s) {
   }
 
   step_s_ = std::min(step_s_, 0.6 * t);
-  return friction_.is_circle() && speed > 0.0 ? find_curved_stop(now, end, left_s, allowed) : Stop{};
+  return friction_.is_circle() && speed > 0.0 ? find_curved_stop(now, end, left_s, allowed)
+                                              : Stop{};
 }
 
 Stop TwoAxisBody::find_curved_stop(const Load& now, const Load& end, double left_s,

@@ -19,8 +19,6 @@ struct OnBuildingReference {
   double peak_m = 0.0, along_m = 0.0, across_m = 0.0, path_length_m = 0.0, slipping_s = 0.0;
   std::array<double, 2> base_shear{}, roof_m{};
   std::vector<double> crossing_s;
-  /// Work and energy per mass of the building: input + gravity = the rest.
-  double input = 0.0, gravity = 0.0, damped = 0.0, rubbed = 0.0, stored = 0.0;
 
   OnBuildingReference(const OnBuilding& scene, int steps, double ring_down_s,
                       std::vector<double> thresholds_m = {})
@@ -79,7 +77,7 @@ struct OnBuildingReference {
     const double g = scene_.block.gravity_mps2 + w;
     const EllipticFriction& mu = scene_.block.friction;
     const bool at_rest = v_[0] == 0.0 && v_[1] == 0.0;
-    Two force = force_, a{}, middle{}, velocity{}, friction{};
+    Two force = force_, a{}, middle{}, velocity{};
     double normal = 0.0;
     for (int i = 0; i < 200; ++i) {
       for (std::size_t k = 0; k < 2; ++k) {
@@ -113,25 +111,19 @@ struct OnBuildingReference {
       const Two pushes{c_ * along - s_ * across, s_ * along + c_ * across};
       const double change = std::hypot(pushes[0] - force[0], pushes[1] - force[1]);
       force = pushes;
-      friction = next;
       if (change <= 1e-13 * g) break;
     }
     force_ = force;
     for (std::size_t k = 0; k < 2; ++k) {
       const double carried = a[k] + r_ * force[k];
       base_shear[k] = std::max(base_shear[k], std::abs(carried) / scene_.block.gravity_mps2);
-      input -= h * ground[k] * (velocity[k] + r_ * velocity[k]);
       if (rigid(k)) continue;
-      const double end = u_[k] + h * velocity[k],
-                   z2 = 2.0 * omega(k) * scene_.building.horizontal[k].damping_ratio;
-      damped += h * z2 * velocity[k] * velocity[k];
-      stored += h * velocity[k] * spring(k, u_[k] + 0.5 * h * velocity[k]);
+      const double end = u_[k] + h * velocity[k];
       if (scene_.building.yielding[k].yields()) z_[k] = plastic(k, end);
       u_[k] = end;
       velocity_[k] = 2.0 * velocity[k] - velocity_[k];
       roof_m[k] = std::max(roof_m[k], std::abs(end));
     }
-    rubbed += h * r_ * (friction[0] * middle_v_[0] + friction[1] * middle_v_[1]);
     along_m += h * middle_v_[0] * cosine_;
     across_m += h * middle_v_[1];
     path_length_m += h * std::hypot(middle_v_[0] * cosine_, middle_v_[1]);

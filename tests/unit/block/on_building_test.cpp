@@ -234,6 +234,19 @@ TEST(slide_on_building, rests_at_critical_friction_and_slides_freely_beyond) {
   }
 }
 
+TEST(slide_on_building, without_friction_the_building_does_not_feel_a_block_on_a_flat_roof) {
+  OnBuilding scene;
+  scene.second.clear();
+  scene.block = {};
+  const BuildingSlip two = scene.result();
+  const CoupledResult one = slide_coupled({scene.dt_s, scene.first, scene.up}, {},
+                                          {scene.building.horizontal[0], 0.0}, {.friction = 0.0});
+  EXPECT_TRUE(two.slip.free_sliding);
+  EXPECT_NEAR(two.slip.residual.along_m, one.slip.residual_displacement_m,
+              1e-6 * one.slip.peak_displacement_m);
+  EXPECT_NEAR(two.peak_base_shear[0], one.peak_base_shear, 1e-12);
+}
+
 TEST(coupling_is_regular, is_that_of_one_axis_where_both_axes_move) {
   for (const double mu : {0.5, 2.7, 2.9, 4.0}) {
     for (const double slope : {0.1, 0.6, 0.62, 1.2}) {
