@@ -13,6 +13,7 @@ namespace {
 using block_detail::BuildingAxis;
 using block_detail::BuildingContact;
 using block_detail::OnBuildingBody;
+using block_detail::Shaken;
 using block_detail::Shaking;
 using block_detail::TwoAxisTrack;
 
@@ -29,71 +30,6 @@ int pieces(const Oscillator& oscillator, double dt_s) {
   const double parts = std::exp2(std::max(0.0, std::ceil(std::log2(wanted))));
   return parts > most_pieces ? 0 : static_cast<int>(parts);
 }
-
-/// What shakes the building, interval by interval.
-class Shaken {
- public:
-  Shaken(const BuildingGround& ground, const BuildingFactors& factors)
-      : ground_(ground), factors_(factors) {
-    for (const auto& axis : ground.horizontal) {
-      if (axis == nullptr) continue;
-      quiet_from_ = std::max(quiet_from_, axis->quiet_from());
-      last_sample_ = std::max(last_sample_, axis->last_sample());
-    }
-    if (ground.vertical == nullptr) return;
-    const MotionTable& up = *ground.vertical;
-    vertical_ = up.at_nodes();
-    vertical_end_ = up.end;
-    last_sample_ = std::max(last_sample_, up.ground->last_sample());
-    quiet_from_ = std::max(quiet_from_, vertical_end_ + (up.rigid() ? 0 : 1));
-  }
-
-  double dt_s() const { return ground_.horizontal[0]->step_s(); }
-  /// The first node from which on nothing shakes.
-  std::size_t quiet_from() const { return quiet_from_; }
-  std::size_t last_sample() const { return last_sample_; }
-
-  /// The interval after node i.
-  Shaking after(std::size_t i) const {
-    Shaking s;
-    s.length_s = dt_s();
-    for (std::size_t n = 0; n < 2; ++n) {
-      if (ground_.horizontal[n] == nullptr) continue;
-      s.ground[n] = {factors_.horizontal[n] * at(*ground_.horizontal[n], i),
-                     factors_.horizontal[n] * at(*ground_.horizontal[n], i + 1)};
-    }
-    if (ground_.vertical != nullptr && i <= vertical_end_) set_vertical(s, i);
-    return s;
-  }
-
- private:
-  static double at(const GroundTable& ground, std::size_t i) {
-    return i < ground.quiet_from() ? ground.acceleration_mps2()[i] : 0.0;
-  }
-
-  /// From the end of its table on, an oscillator's goes linearly to zero.
-  void set_vertical(Shaking& s, std::size_t i) const {
-    const double f = factors_.vertical;
-    const double begin = f * vertical_.acceleration_mps2(i);
-    if (i == vertical_end_ || vertical_.rigid()) {
-      const double end = i == vertical_end_ ? 0.0 : f * vertical_.acceleration_mps2(i + 1);
-      s.vertical = {begin, end - begin};
-      s.vertical_terms = 2;
-      return;
-    }
-    const Quartic q = vertical_.acceleration_after(i);
-    const double* b = q.b;
-    s.vertical = {f * b[0], f * 4.0 * (b[1] - b[0]), f * 6.0 * ((b[2] - b[1]) - (b[1] - b[0])),
-                  f * 4.0 * ((b[3] - b[0]) - 3.0 * (b[2] - b[1])),
-                  f * ((b[4] - b[3]) - 3.0 * (b[3] - b[2]) + 3.0 * (b[2] - b[1]) - (b[1] - b[0]))};
-    s.vertical_terms = 5;
-  }
-
-  const BuildingGround& ground_;
-  const BuildingFactors& factors_;
-  MotionNodes vertical_;
-  std::size_t vertical_end_ = 0, quiet_from_ = 1, last_sample_ = 0;
-};
 
 /// Until nothing can move the block again and the building's own peaks are past.
 void ring_down(OnBuildingBody& body, const Shaken& shaken, double longest_period_s, bool rigid) {
@@ -188,8 +124,12 @@ BuildingSlip slide_on_building(const BuildingGround& ground, const BuildingFacto
   const bool slides_at_rest =
       contact.friction_at_rest().excess(contact.loading().at(0.0, 0.0, 0.0)) > 0.0;
   const std::size_t n = slides_at_rest ? shaken.last_sample() : shaken.quiet_from();
-  for (std::size_t i = 0; i < n; ++i)
+  for (std::size_t i = 0; i < n;) {
+    if (body.at_rest() && cut == 1) i = body.rest_through(shaken, i, n);
+    if (i == n) break;
     body.interval(shaken.after(i), static_cast<double>(i + 1) * dt);
+    ++i;
+  }
   if (!slides_at_rest && body.will_stop())
     ring_down(body, shaken, longest_period_s, longest_period_s == 0.0);
 

@@ -19,9 +19,9 @@ struct Ramp {
 
 /// A building's axis over a piece of time, y in [0, 1] its share.
 struct AxisSeries {
-  Series x, y;     ///< scaled state (core/oscillator.hpp)
-  Series elastic;  ///< E, see BuildingAxis
-  Series a;        ///< absolute acceleration
+  Series x, y;                                    ///< scaled state (core/oscillator.hpp)
+  Series elastic;                                 ///< E, see BuildingAxis
+  double largest_elastic = 0.0, largest_x = 0.0;  ///< no |value| is larger
 };
 
 /// One axis of the building: mass a = E - push with E = -(2 zeta y + s), in accelerations: x =
@@ -41,6 +41,8 @@ class BuildingAxis {
   double y() const { return y_; }
   double elastic() const { return -(twice_zeta_ * y_ + spring()); }
   double spring() const { return share_ * x_ + (1.0 - share_) * z_; }
+  /// By how much z may still grow, either way.
+  double yield_left() const { return yields_ ? yield_ - std::abs(z_) : never; }
   double stiffness() const { return flow_ == 0 ? 1.0 : share_; }  ///< tangent, of the elastic
 
   /// Over a piece whose ground and push go linearly, with the spring as it is now.
@@ -53,53 +55,34 @@ class BuildingAxis {
   /// What next_yield() found happens.
   void yield();
 
-  struct State {
-    double x = 0.0, y = 0.0, z = 0.0;
-  };
-  /// While the block rests, over a whole piece: exact at its end (Nigam & Jennings 1969). Only of a
-  /// spring that does not flow.
-  State rest_end(const Ramp& ground) const {
-    if (rigid()) return {};
-    const double s = spring(), y = y_;
-    const double s1 =
-        rest_.xx * s + rest_.xy * y - (rest_.x_start * ground.begin + rest_.x_end * ground.end);
-    const double y1 =
-        rest_.yy * y - rest_.yx * s - (rest_.y_start * ground.begin + rest_.y_end * ground.end);
-    return yields_ ? State{x_ + (s1 - s), y1, z_ + (s1 - s)} : State{s1, y1, 0.0};
+  /// The rest's whole pieces (RestSteps) have taken the spring's force and the state here.
+  void rest_to(double spring_force, double y) {
+    const double change = spring_force - spring();
+    x_ = yields_ ? x_ + change : spring_force;
+    if (yields_) z_ += change;
+    y_ = y;
   }
-  void set(const State& state) {
-    x_ = state.x;
-    y_ = state.y;
-    z_ = state.z;
-  }
-  double elastic(const State& at) const {
-    return -(twice_zeta_ * at.y + share_ * at.x + (1.0 - share_) * at.z);
-  }
-  /// By how much E and x can leave their chords over such a piece that starts now.
-  struct Sag {
-    double elastic, x;
-  };
-  Sag sag(const Ramp& ground) const;
-  bool may_yield_at(const State& state, double within) const {
-    return yields_ && !(std::abs(state.z) + within < yield_);
-  }
-  State state() const { return {x_, y_, z_}; }
   bool flows() const { return flow_ != 0; }
 
   /// |a| never exceeds this again while the block rests and the ground is quiet.
   double largest_to_come_mps2() const;
 
- private:
+  /// Coefficients of a piece at rest, in the spring's force s and y: exact at its end (Nigam &
+  /// Jennings 1969, core/oscillator.hpp) while the spring does not flow.
   struct RestStep {
-    double xx, xy, yx, yy, x_start, x_end, y_start, y_end;
+    double xx = 0.0, xy = 0.0, yx = 0.0, yy = 0.0;
+    double x_start = 0.0, x_end = 0.0, y_start = 0.0, y_end = 0.0;
   };
+  const RestStep& rest_step() const { return rest_; }
+  double phase() const { return phase_; }
 
+ private:
   double omega_ = 0.0, twice_zeta_ = 0.0;
   int terms_ = 2;
   bool yields_ = false;
   double share_ = 1.0, yield_ = 0.0;  // hardening ratio; yield force
   double stuck_mass_ = 1.0, phase_ = 0.0;
-  RestStep rest_{};
+  RestStep rest_;
 
   double x_ = 0.0, y_ = 0.0, z_ = 0.0;
   int flow_ = 0;  // +1, -1: the spring flows that way

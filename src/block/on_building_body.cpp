@@ -5,31 +5,6 @@
 #include <utility>
 
 namespace glissade::block_detail {
-namespace {
-
-/// The block's part in an axis over a step that ends at share y of the piece: cubics through values
-/// and slopes at both ends, added to what the building does by itself.
-AxisSeries with_added(AxisSeries m, const BuildingAxis& axis, const Added& end, double begin_rate,
-                      double end_rate, double length_s, double y) {
-  const double way = axis.omega_radps() * length_s * end.y, r0 = begin_rate * length_s,
-               r1 = end_rate * length_s;
-  const double x[4] = {0.0, 0.0, 3.0 * end.x - way, way - 2.0 * end.x};
-  const double v[4] = {0.0, r0, 3.0 * end.y - 2.0 * r0 - r1, r0 + r1 - 2.0 * end.y};
-  while (m.x.terms < 4) {
-    for (Series* s : {&m.x, &m.y, &m.elastic}) s->c[s->terms++] = 0.0;
-  }
-  double scale = 1.0;
-  for (std::size_t k = 1; k < 4; ++k) {
-    scale /= y;
-    m.x.c[k] += scale * x[k];
-    m.y.c[k] += scale * v[k];
-    m.elastic.c[k] -= scale * (axis.twice_zeta() * v[k] + axis.stiffness() * x[k]);
-  }
-  return m;
-}
-
-}  // namespace
-
 OnBuildingBody::OnBuildingBody(const BuildingContact& contact,
                                const std::array<BuildingAxis, 2>& axes, double mass_ratio,
                                int pieces, double tolerance, TwoAxisTrack track)
@@ -41,7 +16,13 @@ OnBuildingBody::OnBuildingBody(const BuildingContact& contact,
       pieces_(pieces),
       tolerance_(tolerance),
       strongest_(contact.strongest(mobility_)),
-      track_(std::move(track)) {}
+      track_(std::move(track)) {
+  const FrictionEllipse& friction = contact_.friction_at_rest();
+  const TwoAxisLoading& loading = contact_.loading();
+  margin_per_a_ = loading.tan_slope() +
+                  std::max(1.0 / friction.along(), 1.0 / (friction.across() * loading.cos_slope()));
+  margin_per_w_ = 1.0 + loading.tan_slope() / friction.along();
+}
 
 void OnBuildingBody::interval(const Shaking& shaking, double end_s) {
   if (pieces_ == 1) return advance(shaking, end_s);
@@ -59,7 +40,6 @@ void OnBuildingBody::advance(Shaking piece, double end_s) {
     time_s_ = end_s;
     return;
   }
-  rest_margin_ = -1.0;
   const double whole_s = piece.length_s;
   // Steps shrink geometrically toward a stop, so some dozens suffice; the bound only guards against
   // rounding.
@@ -75,18 +55,12 @@ void OnBuildingBody::advance(Shaking piece, double end_s) {
   throw std::logic_error("slide_on_building: too many steps inside one sample interval");
 }
 
-OnBuildingBody::Bare OnBuildingBody::alone(const Shaking& piece) const {
-  return {{axes_[0].motion(piece.length_s, piece.ground[0], 1.0),
-           axes_[1].motion(piece.length_s, piece.ground[1], 1.0)},
-          piece};
-}
-
 void OnBuildingBody::raise_peaks(std::size_t axis, const AxisSeries& motion, double share) {
   const auto raise = [share](double& peak, const Series& of) {
     if (of.bound() > peak) peak = std::max(peak, largest(of, share));
   };
-  raise(peaks_.elastic[axis], motion.elastic);
-  raise(peaks_.x[axis], motion.x);
+  if (motion.largest_elastic > peaks_.elastic[axis]) raise(peaks_.elastic[axis], motion.elastic);
+  if (motion.largest_x > peaks_.x[axis]) raise(peaks_.x[axis], motion.x);
 }
 
 void OnBuildingBody::start(Vector acceleration, const Shaking& piece) {
@@ -98,122 +72,6 @@ void OnBuildingBody::start(Vector acceleration, const Shaking& piece) {
   friction_now_ = {};
   step_s_ = never;
   ++phases_;
-}
-
-double OnBuildingBody::slide(const Shaking& piece) {
-  const Bare bare = alone(piece);
-  const Axes e = bare.e(0.0);
-  uplift_ = uplift_ || contact_.loading().at(e[0], e[1], piece.w(0.0)).normal < 0.0;
-  const double longest = first_lift(bare);
-  std::array<Ramp, 2> push;
-  const Stop stop = find_stop(bare, longest * piece.length_s, push);
-  if (stop.time_s != never && stop_there(stop, bare, push)) return stop.time_s / piece.length_s;
-  return step(bare, longest);
-}
-
-/// Friction ends where the normal force does. Where that is, is told by the building alone: what
-/// the block adds on the way moves it by little, which the step's error sees.
-double OnBuildingBody::first_lift(const Bare& bare) const {
-  const TwoAxisLoading& loading = contact_.loading();
-  const Shaking& piece = bare.shaking;
-  const double tangent = loading.tan_slope();
-  const double c = tangent * loading.cos_azimuth(), s = tangent * loading.sin_azimuth();
-  const Series &a1 = bare.axis[0].a, &a2 = bare.axis[1].a;
-  Series normal;
-  normal.terms = std::max({a1.terms, a2.terms, piece.vertical_terms});
-  for (int k = 0; k < normal.terms; ++k)
-    normal.c[k] = c * coefficient(a1, k) + s * coefficient(a2, k) + piece.coefficient(k);
-  const double g = loading.gravity();
-  normal.c[0] += g;
-  if (std::abs(normal.c[0]) <= 1e-9 * g) normal.c[0] = 0.0;  // just lifted or landed
-  int first = 0;
-  while (first + 1 < normal.terms && normal.c[first] == 0.0) ++first;
-  return std::clamp(first_fall(normal, normal.c[first] < 0.0 ? Sign::minus : Sign::plus), 1e-6, 1.0);
-}
-
-double OnBuildingBody::step(const Bare& bare, double longest) {
-  constexpr double shortest = 1e-9;  // of what is left: far below what any tolerance asks for
-  const Shaking& piece = bare.shaking;
-  const double left_s = longest * piece.length_s;
-  const Axes e0 = bare.e(0.0);
-  const Load load = contact_.loading().at(e0[0], e0[1], piece.w(0.0));
-  const double rounding = 16.0 * std::numeric_limits<double>::epsilon() *
-                          (std::abs(load.drive.s) + std::abs(load.drive.y) + std::abs(load.normal));
-  const std::array<AxisResponse, 2> response{
-      AxisResponse{axes_[0].omega_radps(), axes_[0].twice_zeta(), axes_[0].stiffness(),
-                   mobility_.axis[0]},
-      AxisResponse{axes_[1].omega_radps(), axes_[1].twice_zeta(), axes_[1].stiffness(),
-                   mobility_.axis[1]}};
-  double length_s = std::min({step_s_, left_s, contact_.longest_step_s(load, mobility_)});
-  if (length_s < left_s && length_s > 0.5 * left_s) length_s = 0.5 * left_s;
-  bool to_event = false, happens[2] = {};
-  for (;;) {
-    const double y = length_s / piece.length_s;
-    const auto roof = [&](double share) {
-      return std::pair{bare.e(y * share), piece.w(y * share)};
-    };
-    const double enough = 1e-4 * tolerance_ * peak_speed_;
-    const BuildingStep trial = building_sdirk4(now_.v, friction_now_, length_s, enough, roof,
-                                               contact_, response, mobility_);
-    // The first step of all is judged by the speed it would reach, taken or not.
-    peak_speed_ = std::max(peak_speed_, length(trial.end.v));
-    const double allowed = tolerance_ * peak_speed_ + length_s * rounding;
-    const double share = trial.error > 0.0 ? allowed / trial.error : 1e4;
-    const double next_s = length_s * std::clamp(0.9 * std::sqrt(std::sqrt(share)), 0.2, 5.0);
-    if (share < 1.0 && length_s > shortest * left_s) {
-      length_s = step_s_ = next_s;
-      to_event = false;
-      continue;
-    }
-    const bool feels = !mobility_.none();
-    Axes begin_rate{};
-    if (feels) {
-      const Axes a = contact_.held(now_.a, e0, piece.w(0.0), mobility_).a;
-      for (std::size_t n = 0; n < 2; ++n) begin_rate[n] = axes_[n].omega_radps() * (a[n] - e0[n]);
-    }
-    AxisSeries motion[2];
-    Axes event{};
-    for (std::size_t n = 0; n < 2; ++n) {
-      motion[n] = feels && !axes_[n].rigid()
-                      ? with_added(bare.axis[n], axes_[n], trial.added[n], begin_rate[n],
-                                   trial.added_rate[n], length_s, y)
-                      : bare.axis[n];
-      event[n] = to_event ? never : axes_[n].next_yield(motion[n]);
-    }
-    const double first = std::min(event[0], event[1]);
-    if (first <= 1e-9 * y) {
-      for (std::size_t n = 0; n < 2; ++n)
-        if (event[n] == first) axes_[n].yield();
-      return 0.0;
-    }
-    if (first < y) {
-      for (std::size_t n = 0; n < 2; ++n) happens[n] = event[n] == first;
-      length_s = first * piece.length_s;
-      to_event = true;
-      continue;
-    }
-    step_s_ = next_s;
-    for (std::size_t n = 0; n < 2; ++n) {
-      if (axes_[n].rigid() && mass_ratio_ > 0.0) {  // it carries the block too
-        const Contact2& c = trial.end;
-        const Axes force = contact_.to_building(
-            c.normal * Vector{contact_.loading().tan_slope() - c.friction.s, -c.friction.y});
-        const double carried = motion[n].a.at(y) + mass_ratio_ * force[n];
-        peaks_.elastic[n] = std::max(peaks_.elastic[n], std::abs(carried));
-      } else {
-        raise_peaks(n, motion[n], y);
-      }
-      axes_[n].follow(bare.axis[n], y, trial.added[n].x, trial.added[n].y);
-      if (to_event && happens[n]) axes_[n].yield();
-    }
-    uplift_ = uplift_ || trial.end.normal < 0.0;
-    const Sliding end{trial.end.v, trial.end.a};
-    track_.slide(now_, end, length_s, time_s_);
-    now_ = end;
-    friction_now_ = trial.end.friction;
-    if (end.v.s == 0.0 && end.v.y == 0.0) sliding_ = false;
-    return y;
-  }
 }
 
 void OnBuildingBody::coast(double step_s) {

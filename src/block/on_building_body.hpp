@@ -20,6 +20,10 @@ class OnBuildingBody {
   bool at_rest() const { return !sliding_; }
   double time_s() const { return time_s_; }
 
+  /// At rest from node to node while nothing happens: returns how far. Only where an interval is
+  /// one piece.
+  std::size_t rest_through(const Shaken& shaken, std::size_t from, std::size_t to);
+
   /// One sample interval that ends at time `end_s`.
   void interval(const Shaking& shaking, double end_s);
 
@@ -42,10 +46,14 @@ class OnBuildingBody {
   struct Bare {
     AxisSeries axis[2];
     const Shaking& shaking;
-    Axes e(double share) const { return {axis[0].a.at(share), axis[1].a.at(share)}; }
+    Axes e(double share) const { return {axis[0].elastic.at(share), axis[1].elastic.at(share)}; }
+    StageLoads at_stages(double share) const;
+    double largest_w;  ///< |w|
   };
 
-  bool rest_quickly(const Shaking& shaking);
+  template <class Nodes>
+  std::size_t rest_over(const Nodes& nodes, std::size_t from, std::size_t to);
+  bool rest_quickly(const Shaking& piece);
   void advance(Shaking piece, double end_s);
   // Each returns the share of the piece that has passed.
   double rest(const Shaking& piece);
@@ -54,7 +62,15 @@ class OnBuildingBody {
   void start(Vector acceleration, const Shaking& piece);
   Bare alone(const Shaking& piece) const;
   double first_lift(const Bare& bare) const;
+  double heaviest(const Bare& bare) const;
   double step(const Bare& bare, double longest);
+  BuildingStep try_step(const Bare& bare, double length_s) const;
+  Axes next_yields(const Bare& bare, const BuildingStep& step, double length_s) const;
+  void yield(const Axes& when);
+  void take(const Bare& bare, const BuildingStep& step, double length_s);
+  AxisSeries with_block(const Bare& bare, const BuildingStep& step, std::size_t n,
+                        double length_s) const;
+  void raise_peaks(std::size_t n, const Bare& bare, const BuildingStep& step, double length_s);
   Stop find_stop(const Bare& bare, double left_s, std::array<Ramp, 2>& push);
   Stop find_curved_stop(const Bare& bare, double left_s, double allowed) const;
   bool passes_no_peak(Vector drive) const;
@@ -67,13 +83,13 @@ class OnBuildingBody {
   Mobility mobility_;  // at an instant
   int pieces_;
   double tolerance_, strongest_;
+  double margin_per_a_, margin_per_w_;  // what N - |M^-1 F| can lose per acceleration
 
   bool sliding_ = false;
   Sliding now_;
   Vector friction_now_;  // a guess
   double time_s_ = 0.0;
   double step_s_ = never;  // the longest worth trying
-  double rest_margin_ = -1.0;
 
   TwoAxisTrack track_;
   Peaks peaks_;

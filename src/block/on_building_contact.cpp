@@ -28,6 +28,9 @@ Mobility BuildingContact::mobility(const Axes& by_axis) const {
   m.sy = cosine * (c * s * differs);
   m.yy = by_axis[0] + c * c * differs;
   m.mean = 0.5 * (m.ss + m.yy);
+  const double uneven = std::max(m.ss, m.yy) - m.mean + std::abs(m.sy);
+  const double tangent = loading_.tan_slope();
+  m.coupling = 2.0 * (uneven + tangent * (m.ss + std::abs(m.sy)) * (tangent + friction_.largest()));
   m.isotropic = m.none() || (loading_.tan_slope() == 0.0 && differs == 0.0);
   return m;
 }
@@ -68,12 +71,13 @@ Vector BuildingContact::holding_by_speed(Vector p, double lambda) const {
   return k * friction_.holding(p, lambda * k);
 }
 
-Contact2 BuildingContact::with_friction(Vector friction, const Axes& e, double w,
-                                        const Mobility& m) const {
+ContactState BuildingContact::with_friction(Vector friction, const Axes& e, double w,
+                                            const Mobility& m) const {
   const Load bare = loading_.at(e[0], e[1], w);
+  if (bare.normal < 0.0) friction = {};
   const Vector pull{loading_.tan_slope() - friction.s, -friction.y};
   const Vector gives = m * pull;
-  Contact2 c;
+  ContactState c;
   c.friction = friction;
   c.normal = bare.normal / (1.0 + loading_.tan_slope() * gives.s);
   c.a = bare.drive + c.normal * (gives - friction);
@@ -82,8 +86,8 @@ Contact2 BuildingContact::with_friction(Vector friction, const Axes& e, double w
   return c;
 }
 
-Contact2 BuildingContact::slide(Vector known, double own, const Axes& e, double w,
-                                const Mobility& m, Vector guess, double enough) const {
+ContactState BuildingContact::slide(Vector known, double own, const Axes& e, double w,
+                                    const Mobility& m, Vector guess, double enough) const {
   const Load bare = loading_.at(e[0], e[1], w);
   Vector f;
   if (bare.normal > 0.0) {
@@ -92,7 +96,7 @@ Contact2 BuildingContact::slide(Vector known, double own, const Axes& e, double 
     else
       f = iterate(known, own, bare, m, guess, enough, e, w);
   }
-  Contact2 c = with_friction(f, e, w, m);
+  ContactState c = with_friction(f, e, w, m);
   c.v = known + own * c.a;
   return c;
 }
@@ -119,7 +123,8 @@ Vector BuildingContact::iterate(Vector known, double own, const Load& bare, cons
     if (size > 0.5 * last) share = 0.5;
     f = f + share * change;
     last = size;
-    if (lambda * size <= enough || size <= 8.0 * epsilon * length(f)) break;
+    if (lambda * size * std::min(m.coupling, 1.0) <= enough || size <= 8.0 * epsilon * length(f))
+      break;
   }
   return f;
 }

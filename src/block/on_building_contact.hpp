@@ -16,6 +16,7 @@ struct Mobility {
   Axes axis{};  ///< by the building's axes: m/M of an axis that can move, 0 of a rigid one
   double ss = 0.0, sy = 0.0, yy = 0.0;
   double mean = 0.0;
+  double coupling = 0.0;  ///< at least what an iterate leaves of the error before it
   bool isotropic = true;  ///< and the normal force does not depend on it
 
   bool none() const { return axis[0] == 0.0 && axis[1] == 0.0; }
@@ -23,7 +24,7 @@ struct Mobility {
 };
 
 /// Block and roof at an instant, or over an implicit stage. All per cos(slope), as Load.
-struct Contact2 {
+struct ContactState {
   Vector v;             ///< of the block
   Vector a;             ///< its rate
   Vector friction;      ///< f, per normal force
@@ -70,14 +71,26 @@ class BuildingContact {
   /// @param e, w the roof's acceleration if it did not feel the block, and the vertical's
   /// @param guess of the friction
   /// @param enough velocity by which v may be off
-  Contact2 slide(Vector known, double own, const Axes& e, double w, const Mobility& mobility,
-                 Vector guess, double enough) const;
+  ContactState slide(Vector known, double own, const Axes& e, double w, const Mobility& mobility,
+                     Vector guess, double enough) const;
+
+  /// The same on a roof that does not feel the block.
+  ContactState slide_unfelt(Vector known, double own, const Load& load) const {
+    ContactState c;
+    c.normal = load.normal;
+    const double normal = std::max(load.normal, 0.0);
+    if (normal > 0.0) c.friction = holding(known + own * load.drive, own * normal);
+    c.a = load.drive - normal * c.friction;
+    c.v = known + own * c.a;
+    return c;
+  }
 
   /// The acceleration with which a block at rest begins to slide.
   Vector release_acceleration(const Axes& e, double w, const Mobility& mobility) const;
 
-  /// Of given friction.
-  Contact2 with_friction(Vector friction, const Axes& e, double w, const Mobility& mobility) const;
+  /// Of given friction, which a block that lifts does not have.
+  ContactState with_friction(Vector friction, const Axes& e, double w,
+                             const Mobility& mobility) const;
 
   /// Of given v', 0 where the block rests: the roof's acceleration, and the load that friction
   /// must hold.

@@ -19,12 +19,13 @@ Series product(const Series& a, const Series& b) {
 
 /// FrictionEllipse::excess over a piece.
 Series excess(const FrictionEllipse& friction, const TwoAxisLoading& loading,
-              const AxisSeries (&axis)[2], const Shaking& shaking) {
+              const AxisSeries (&axis)[2], double mass, const Shaking& shaking) {
   Series s, y, n;
   s.terms = y.terms = n.terms =
-      std::max({axis[0].a.terms, axis[1].a.terms, shaking.vertical_terms});
+      std::max({axis[0].elastic.terms, axis[1].elastic.terms, shaking.vertical_terms});
   for (int k = 0; k < s.terms; ++k) {
-    const double a1 = coefficient(axis[0].a, k), a2 = coefficient(axis[1].a, k);
+    const double a1 = coefficient(axis[0].elastic, k) / mass,
+                 a2 = coefficient(axis[1].elastic, k) / mass;
     const double w = shaking.coefficient(k);
     const Load load = k == 0 ? loading.at(a1, a2, w) : loading.change(a1, a2, w);
     s.c[k] = load.drive.s;
@@ -44,9 +45,10 @@ double OnBuildingBody::rest(const Shaking& piece) {
   const AxisSeries motion[2] = {axes_[0].motion(piece.length_s, piece.ground[0], mass),
                                 axes_[1].motion(piece.length_s, piece.ground[1], mass)};
   const FrictionEllipse& friction = contact_.friction_at_rest();
-  const Load begin = contact_.loading().at(motion[0].a.c[0], motion[1].a.c[0], piece.w(0.0));
+  const Load begin = contact_.loading().at(motion[0].elastic.c[0] / mass,
+                                           motion[1].elastic.c[0] / mass, piece.w(0.0));
   const double release = friction.may_rest(begin)
-                             ? first_rise(excess(friction, contact_.loading(), motion, piece))
+                             ? first_rise(excess(friction, contact_.loading(), motion, mass, piece))
                              : 0.0;
   double yield[2], share = std::min(release, 1.0);
   for (std::size_t n = 0; n < 2; ++n) {
@@ -69,68 +71,169 @@ double OnBuildingBody::rest(const Shaking& piece) {
   const bool jumps = share == 0.0 || contact_.law().static_ratio != 1.0;
   Vector a;
   if (jumps) {
-    const Axes e{axes_[0].rigid() ? motion[0].a.at(share) : axes_[0].elastic(),
-                 axes_[1].rigid() ? motion[1].a.at(share) : axes_[1].elastic()};
+    Axes e;
+    for (std::size_t n = 0; n < 2; ++n)
+      e[n] = axes_[n].rigid() ? piece.ground[n].at(share) : axes_[n].elastic();
     a = contact_.release_acceleration(e, piece.w(share), mobility_);
   }
   start(a, piece);
   return share;
 }
 
-/// Over a whole piece in which nothing happens, as bounds on how far the motion leaves its chord
-/// tell: while m = N - |M^-1 F| > 0 it rests, and m is concave, so that on the chord it is no less
+namespace {
+
+/// The building's two axes side by side over whole pieces at rest: s the springs' force, E and sag
+/// as below. A rigid axis has no state, and E = mass a_ground.
+struct RestSteps {
+  double xx[2], xy[2], yx[2], yy[2], x_start[2], x_end[2], y_start[2], y_end[2];
+  double twice_zeta[2], phase[2], carried[2], per_left[2];
+  double per_mass;
+
+  RestSteps(const std::array<BuildingAxis, 2>& axes, double mass) : per_mass(1.0 / mass) {
+    for (std::size_t n = 0; n < 2; ++n) {
+      const BuildingAxis::RestStep& c = axes[n].rest_step();
+      xx[n] = c.xx;
+      xy[n] = c.xy;
+      yx[n] = c.yx;
+      yy[n] = c.yy;
+      x_start[n] = c.x_start;
+      x_end[n] = c.x_end;
+      y_start[n] = c.y_start;
+      y_end[n] = c.y_end;
+      twice_zeta[n] = axes[n].twice_zeta();
+      phase[n] = axes[n].phase();
+      carried[n] = axes[n].rigid() ? mass : 0.0;
+      const double left = 1.0 - (phase[n] + twice_zeta[n]) * phase[n] * per_mass;
+      per_left[n] = left > 0.0 ? 1.0 / left : never;
+    }
+  }
+};
+
+struct RestNode {
+  double s[2], y[2], ground[2], e[2];
+};
+
+RestNode next_node(const RestSteps& c, const RestNode& now, double ground_1, double ground_2) {
+  RestNode next;
+  next.ground[0] = ground_1;
+  next.ground[1] = ground_2;
+  for (std::size_t n = 0; n < 2; ++n) {
+    const double a0 = now.ground[n], a1 = next.ground[n];
+    next.s[n] = c.xx[n] * now.s[n] + c.xy[n] * now.y[n] - (c.x_start[n] * a0 + c.x_end[n] * a1);
+    next.y[n] = c.yy[n] * now.y[n] - c.yx[n] * now.s[n] - (c.y_start[n] * a0 + c.y_end[n] * a1);
+    next.e[n] = c.carried[n] * a1 - (c.twice_zeta[n] * next.y[n] + next.s[n]);
+  }
+  return next;
+}
+
+/// By how much E and s can leave their chords over a piece: a function leaves its chord by at most
+/// 1/8 of its largest second derivative. With z = a - a_ground, mass m, ' over the piece:
+///   s' = phase y,  y' = phase z,  z' = -phase (y + 2 zeta z) / m - a_ground',
+/// so that |z| <= (|z_0| + phase |y_0| / m + |a_ground'|) / (1 - (phase^2 + 2 zeta phase) / m).
+struct Sag {
+  double e[2], s[2];
+};
+Sag sag_after(const RestSteps& c, const RestNode& now, const RestNode& next) {
+  Sag sag;
+  for (std::size_t n = 0; n < 2; ++n) {
+    const double phase = c.phase[n], zeta2 = c.twice_zeta[n];
+    const double rise = std::abs(next.ground[n] - now.ground[n]), y0 = std::abs(now.y[n]);
+    const double z0 = std::abs(now.e[n] * c.per_mass - now.ground[n]);
+    const double z = (z0 + phase * y0 * c.per_mass + rise) * c.per_left[n];
+    const double z_rate = phase * (y0 + (phase + zeta2) * z) * c.per_mass + rise;
+    sag.s[n] = 0.125 * phase * phase * z;
+    sag.e[n] = sag.s[n] + 0.125 * phase * zeta2 * z_rate;
+  }
+  return sag;
+}
+
+}  // namespace
+
+/// Whole pieces in which nothing happens, as bounds on how far the motion leaves its chord tell:
+/// while m = N - |M^-1 F| > 0 the block rests, and m is concave, so that on the chord it is no less
 /// than at the ends.
-bool OnBuildingBody::rest_quickly(const Shaking& piece) {
+template <class Nodes>
+std::size_t OnBuildingBody::rest_over(const Nodes& nodes, std::size_t from, std::size_t to) {
   const FrictionEllipse& friction = contact_.friction_at_rest();
-  if (axes_[0].flows() || axes_[1].flows() || friction.smallest() == 0.0) return false;
-  const TwoAxisLoading& loading = contact_.loading();
-  const double per_mass = 1.0 / (1.0 + mass_ratio_);
-  const auto margin = [&](const Axes& e, double w) {
-    const Load load = loading.at(e[0], e[1], w);
-    const Vector held{load.drive.s / friction.along(), load.drive.y / friction.across()};
-    return load.normal - length(held);
+  if (axes_[0].flows() || axes_[1].flows() || friction.smallest() == 0.0) return from;
+  const TwoAxisLoading loading = contact_.loading();
+  const double mass = 1.0 + mass_ratio_, per_mass = 1.0 / mass;
+  const double per_along = 1.0 / friction.along(), per_across = 1.0 / friction.across();
+  const RestSteps steps(axes_, mass);
+  const auto margin = [&](const RestNode& node, double w) {
+    const Load load = loading.at(node.e[0] * per_mass, node.e[1] * per_mass, w);
+    return load.normal - length({per_along * load.drive.s, per_across * load.drive.y});
   };
-  Axes a0, a1;
-  BuildingAxis::State end[2];
-  double sag = 0.0;
+  RestNode now;
+  double yield_from[2], yield_left[2];
   for (std::size_t n = 0; n < 2; ++n) {
     const BuildingAxis& axis = axes_[n];
-    const Ramp& ground = piece.ground[n];
-    if (axis.rigid()) {
-      a0[n] = ground.begin;
-      a1[n] = ground.end;
-      continue;
-    }
-    const BuildingAxis::State begin = axis.state();
-    end[n] = axis.rest_end(ground);
-    const BuildingAxis::Sag own = axis.sag(ground);
-    const double e0 = axis.elastic(begin), e1 = axis.elastic(end[n]);
-    if (std::max(std::abs(e0), std::abs(e1)) + own.elastic > peaks_.elastic[n] ||
-        std::max(std::abs(begin.x), std::abs(end[n].x)) + own.x > peaks_.x[n] ||
-        axis.may_yield_at(begin, own.x) || axis.may_yield_at(end[n], own.x)) {
-      return false;
-    }
-    sag += own.elastic * per_mass;
-    a0[n] = e0 * per_mass;
-    a1[n] = e1 * per_mass;
+    now.s[n] = axis.rigid() ? 0.0 : axis.spring();
+    now.y[n] = axis.y();
+    now.ground[n] = nodes.ground(n, from);
+    now.e[n] = axis.rigid() ? mass * now.ground[n] : axis.elastic();
+    yield_from[n] = now.s[n];
+    yield_left[n] = axis.yield_left();
   }
-  if (rest_margin_ < 0.0) rest_margin_ = margin(a0, piece.w(0.0));
-  const double after = margin(a1, piece.w(1.0));
-  const double tangent = loading.tan_slope();
-  const double by_a =
-      tangent + std::max(1.0 / friction.along(), 1.0 / (friction.across() * loading.cos_slope()));
-  const double needed = sag * by_a + piece.w_sag() * (1.0 + tangent / friction.along());
-  if (!(std::min(rest_margin_, after) > needed * (1.0 + 1e-9))) return false;
-  for (std::size_t n = 0; n < 2; ++n) {
-    if (!axes_[n].rigid()) {
-      axes_[n].set(end[n]);
-      continue;
+  const auto hold = [&](const RestNode& node) {
+    for (std::size_t n = 0; n < 2; ++n)
+      if (!axes_[n].rigid()) axes_[n].rest_to(node.s[n], node.y[n]);
+  };
+  const bool yields = axes_[0].yields() || axes_[1].yields();
+  double before = margin(now, nodes.w(from));
+  std::size_t i = from;
+  for (; i < to; ++i) {
+    const RestNode next = next_node(steps, now, nodes.ground(0, i + 1), nodes.ground(1, i + 1));
+    const Sag sag = sag_after(steps, now, next);
+    const double after = margin(next, nodes.w(i + 1));
+    const double needed =
+        (sag.e[0] + sag.e[1]) * per_mass * margin_per_a_ + nodes.w_sag(i) * margin_per_w_;
+    if (!(std::min(before, after) > needed * (1.0 + 1e-9))) break;
+    if (yields) {
+      bool may_yield = false;
+      for (std::size_t n = 0; n < 2; ++n)
+        may_yield |=
+            std::max(std::abs(now.s[n] - yield_from[n]), std::abs(next.s[n] - yield_from[n])) +
+                sag.s[n] >=
+            yield_left[n];
+      if (may_yield) break;
     }
-    const double most = (1.0 + mass_ratio_) * std::max(std::abs(a0[n]), std::abs(a1[n]));
-    peaks_.elastic[n] = std::max(peaks_.elastic[n], most);
+    for (std::size_t n = 0; n < 2; ++n) {
+      const double moved = yields ? std::abs(axes_[n].x() - yield_from[n]) : 0.0;
+      const double e = std::max(std::abs(now.e[n]), std::abs(next.e[n])) + sag.e[n],
+                   x = std::max(std::abs(now.s[n]), std::abs(next.s[n])) + sag.s[n] + moved;
+      if (!(e > peaks_.elastic[n] || x > peaks_.x[n])) continue;
+      hold(now);
+      for (std::size_t k = 0; k < 2; ++k) {
+        yield_from[k] = now.s[k];
+        yield_left[k] = axes_[k].yield_left();
+      }
+      raise_peaks(n, axes_[n].motion(nodes.dt_s(), {now.ground[n], next.ground[n]}, mass), 1.0);
+    }
+    now = next;
+    before = after;
   }
-  rest_margin_ = after;
-  return true;
+  if (i > from) hold(now);
+  return i;
+}
+
+std::size_t OnBuildingBody::rest_through(const Shaken& shaken, std::size_t from, std::size_t to) {
+  const std::size_t i = rest_over(shaken, from, to);
+  time_s_ = static_cast<double>(i) * shaken.dt_s();
+  return i;
+}
+
+bool OnBuildingBody::rest_quickly(const Shaking& piece) {
+  struct Ends {
+    const Shaking& piece;
+    double dt_s() const { return piece.length_s; }
+    double ground(std::size_t n, std::size_t i) const {
+      return i == 0 ? piece.ground[n].begin : piece.ground[n].end;
+    }
+    double w(std::size_t i) const { return piece.w(i == 0 ? 0.0 : 1.0); }
+    double w_sag(std::size_t) const { return piece.w_sag(); }
+  };
+  return rest_over(Ends{piece}, 0, 1) == 1;
 }
 
 }  // namespace glissade::block_detail

@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "glissade/block/on_building.hpp"
 #include "on_building_axis.hpp"
 #include "power_series.hpp"
 
@@ -31,6 +32,12 @@ struct Shaking {
     for (std::size_t k = 2; k < 5; ++k) sum += std::abs(vertical[k]);
     return vertical_terms > 2 ? sum : 0.0;
   }
+  /// No |w| is larger.
+  double largest_w() const {
+    double sum = 0.0;
+    for (int k = 0; k < vertical_terms; ++k) sum += std::abs(coefficient(k));
+    return sum;
+  }
   /// Leaves what comes after y.
   void cut(double y) { part(y, 1.0); }
   /// Leaves what is between two shares.
@@ -48,6 +55,82 @@ struct Shaking {
     }
     length_s *= share;
   }
+};
+
+/// What shakes the building, interval by interval.
+class Shaken {
+ public:
+  Shaken(const BuildingGround& ground, const BuildingFactors& factors)
+      : ground_(ground), factors_(factors) {
+    for (std::size_t n = 0; n < 2; ++n) {
+      const GroundTable* axis = ground.horizontal[n].get();
+      if (axis == nullptr) continue;
+      acceleration_mps2_[n] = axis->acceleration_mps2().data();
+      samples_[n] = axis->quiet_from();
+      quiet_from_ = std::max(quiet_from_, axis->quiet_from());
+      last_sample_ = std::max(last_sample_, axis->last_sample());
+    }
+    if (ground.vertical == nullptr) return;
+    const MotionTable& up = *ground.vertical;
+    vertical_ = up.at_nodes();
+    vertical_end_ = up.end;
+    last_sample_ = std::max(last_sample_, up.ground->last_sample());
+    quiet_from_ = std::max(quiet_from_, vertical_end_ + (up.rigid() ? 0 : 1));
+  }
+
+  double dt_s() const { return ground_.horizontal[0]->step_s(); }
+  /// The first node from which on nothing shakes.
+  std::size_t quiet_from() const { return quiet_from_; }
+  std::size_t last_sample() const { return last_sample_; }
+
+  /// The ground at node i, and the vertical.
+  double ground(std::size_t n, std::size_t i) const {
+    return i < samples_[n] ? factors_.horizontal[n] * acceleration_mps2_[n][i] : 0.0;
+  }
+  double w(std::size_t i) const {
+    return ground_.vertical != nullptr && i <= vertical_end_
+               ? factors_.vertical * vertical_.acceleration_mps2(i)
+               : 0.0;
+  }
+  /// At most how far w leaves the line between nodes i and i + 1.
+  double w_sag(std::size_t i) const {
+    return ground_.vertical == nullptr || ground_.vertical->rigid() ? 0.0 : after(i).w_sag();
+  }
+
+  /// The interval after node i.
+  Shaking after(std::size_t i) const {
+    Shaking s;
+    s.length_s = dt_s();
+    for (std::size_t n = 0; n < 2; ++n) s.ground[n] = {ground(n, i), ground(n, i + 1)};
+    if (ground_.vertical != nullptr && i <= vertical_end_) set_vertical(s, i);
+    return s;
+  }
+
+ private:
+  /// From the end of its table on, an oscillator's goes linearly to zero.
+  void set_vertical(Shaking& s, std::size_t i) const {
+    const double f = factors_.vertical;
+    const double begin = f * vertical_.acceleration_mps2(i);
+    if (i == vertical_end_ || vertical_.rigid()) {
+      const double end = i == vertical_end_ ? 0.0 : f * vertical_.acceleration_mps2(i + 1);
+      s.vertical = {begin, end - begin};
+      s.vertical_terms = 2;
+      return;
+    }
+    const Quartic q = vertical_.acceleration_after(i);
+    const double* b = q.b;
+    s.vertical = {f * b[0], f * 4.0 * (b[1] - b[0]), f * 6.0 * ((b[2] - b[1]) - (b[1] - b[0])),
+                  f * 4.0 * ((b[3] - b[0]) - 3.0 * (b[2] - b[1])),
+                  f * ((b[4] - b[3]) - 3.0 * (b[3] - b[2]) + 3.0 * (b[2] - b[1]) - (b[1] - b[0]))};
+    s.vertical_terms = 5;
+  }
+
+  const BuildingGround& ground_;
+  const BuildingFactors& factors_;
+  std::array<const double*, 2> acceleration_mps2_{};
+  std::array<std::size_t, 2> samples_{};
+  MotionNodes vertical_;
+  std::size_t vertical_end_ = 0, quiet_from_ = 1, last_sample_ = 0;
 };
 
 }  // namespace glissade::block_detail

@@ -18,25 +18,31 @@ struct AxisResponse {
 };
 
 struct BuildingStep {
-  Contact2 end;
+  ContactState end;
   std::array<Added, 2> added{};
   Axes added_rate{};   ///< of added.y, at the end
   double error = 0.0;  ///< of end.v, estimated
 };
 
+/// What the roof would do by itself at a step's stages.
+struct StageLoads {
+  static constexpr std::size_t stages = 5;
+  static constexpr double at[stages] = {1.0 / 4, 3.0 / 4, 11.0 / 20, 1.0 / 2, 1.0};
+  double e[2][stages];
+  double w[stages];
+};
+
 /// SDIRK4 (two_axis_step.hpp) of block and building together. What the building does by itself is
-/// known exactly: `roof(share)` gives its acceleration then; only what the block adds to it is
-/// integrated, xi'' + 2 zeta omega xi' + k xi = -push. In a stage xi follows from the push in
-/// closed form, which only changes e and R:
+/// known exactly (`loads`); only what the block adds to it is integrated, xi'' + 2 zeta omega xi' +
+/// k xi = -push. In a stage xi follows from the push in closed form, which only changes e and R:
 ///   a = [e + b / (1 + beta)] - push / (1 + beta),   beta = own omega (2 zeta + k own omega)
 /// By the balance of momentum an error in xi' is m/M times that in v, so v alone is looked at.
-template <class RoofAt>
+template <bool kFeels>
 BuildingStep building_sdirk4(Vector v, Vector guess, double length_s, double enough,
-                             const RoofAt& roof, const BuildingContact& contact,
+                             const StageLoads& loads, const BuildingContact& contact,
                              const std::array<AxisResponse, 2>& axes, const Mobility& at_once) {
-  constexpr int stages = 5;
+  constexpr int stages = StageLoads::stages;
   constexpr double gamma = 0.25;
-  constexpr double c[stages] = {1.0 / 4, 3.0 / 4, 11.0 / 20, 1.0 / 2, 1.0};
   constexpr double a[stages][stages - 1] = {{},
                                             {1.0 / 2},
                                             {17.0 / 50, -1.0 / 25},
@@ -45,10 +51,9 @@ BuildingStep building_sdirk4(Vector v, Vector guess, double length_s, double eno
   constexpr double difference[stages] = {-3.0 / 16, -27.0 / 32, 25.0 / 32, 0.0, 1.0 / 4};
 
   const double own = gamma * length_s;
-  const bool feels = !at_once.none();
-  double spring[2] = {}, gives[2] = {1.0, 1.0};
-  Mobility mobility = at_once;
-  if (feels) {
+  double spring[2] = {}, gives[2] = {};
+  Mobility mobility;
+  if constexpr (kFeels) {
     for (std::size_t n = 0; n < 2; ++n) {
       const double phase = own * axes[n].omega_radps;
       spring[n] = axes[n].twice_zeta + axes[n].stiffness * phase;
@@ -60,14 +65,17 @@ BuildingStep building_sdirk4(Vector v, Vector guess, double length_s, double eno
   BuildingStep step;
   Vector k[stages], error;
   Added rate[stages][2];
+  // Unrolled, the tableau's numbers are constants and its zeros vanish.
+#pragma GCC unroll 5
   for (int i = 0; i < stages; ++i) {
     Vector known{};
+#pragma GCC unroll 5
     for (int j = 0; j < i; ++j) known = known + a[i][j] * k[j];
     known = v + length_s * known;
-    auto [e, w] = roof(c[i]);
-    Added before[2];
-    Axes rest{};  // of xi's own forces
-    if (feels) {
+    Axes e{loads.e[0][i], loads.e[1][i]};
+    if constexpr (kFeels) {
+      Added before[2];
+      Axes rest{};  // of xi's own forces
       for (std::size_t n = 0; n < 2; ++n) {
         for (int j = 0; j < i; ++j) {
           before[n].x += a[i][j] * rate[j][n].x;
@@ -78,21 +86,20 @@ BuildingStep building_sdirk4(Vector v, Vector guess, double length_s, double eno
         rest[n] = -(axes[n].stiffness * before[n].x + spring[n] * before[n].y) * gives[n];
         e[n] += rest[n];
       }
-    }
-    const Contact2 at = contact.slide(known, own, e, w, mobility, guess, enough);
-    guess = at.friction;
-    k[i] = at.a;
-    error = error + difference[i] * k[i];
-    if (feels) {
+      step.end = contact.slide(known, own, e, loads.w[i], mobility, guess, enough);
       for (std::size_t n = 0; n < 2; ++n) {
-        rate[i][n].y = axes[n].omega_radps * (rest[n] - at.push[n]);
+        rate[i][n].y = axes[n].omega_radps * (rest[n] - step.end.push[n]);
         step.added_rate[n] = rate[i][n].y;
         step.added[n].y = before[n].y + own * rate[i][n].y;
         rate[i][n].x = axes[n].omega_radps * step.added[n].y;
         step.added[n].x = before[n].x + own * rate[i][n].x;
       }
+      guess = step.end.friction;
+    } else {
+      step.end = contact.slide_unfelt(known, own, contact.loading().at(e[0], e[1], loads.w[i]));
     }
-    step.end = at;
+    k[i] = step.end.a;
+    error = error + difference[i] * k[i];
   }
   const Load turning{{}, step.end.normal * (1.0 + at_once.mean)};
   step.error = length_s * length(damped(error, step.end.v, own, turning, contact.friction()));

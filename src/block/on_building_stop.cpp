@@ -38,7 +38,7 @@ Stop OnBuildingBody::find_stop(const Bare& bare, double left_s, std::array<Ramp,
     const double k = contact_.factor(at_speed);
     return contact_.with_friction(k * friction, e, piece.w(share), mobility_);
   };
-  const Contact2 first = pull(0.0, speed);
+  const ContactState first = pull(0.0, speed);
   pushed = first.push;
   const double gain0 = dot(along, first.a);
   if (speed == 0.0 && !(gain0 > 0.0)) return {};  // rounding on the threshold: it starts

@@ -122,8 +122,8 @@ struct OnBuildingReference {
       base_shear[k] = std::max(base_shear[k], std::abs(carried) / scene_.block.gravity_mps2);
       input -= h * ground[k] * (velocity[k] + r_ * velocity[k]);
       if (rigid(k)) continue;
-      const double end = u_[k] + h * velocity[k], z2 = 2.0 * omega(k) *
-                                                        scene_.building.horizontal[k].damping_ratio;
+      const double end = u_[k] + h * velocity[k],
+                   z2 = 2.0 * omega(k) * scene_.building.horizontal[k].damping_ratio;
       damped += h * z2 * velocity[k] * velocity[k];
       stored += h * velocity[k] * spring(k, u_[k] + 0.5 * h * velocity[k]);
       if (scene_.building.yielding[k].yields()) z_[k] = plastic(k, end);

@@ -21,13 +21,13 @@ struct OnBuilding {
   TwoAxisBlock block{{0.3, 0.3}, 2.0 * rad_per_deg, 0.4};
   double tolerance = 1e-6;
 
-  explicit OnBuilding(unsigned seed = 1, std::size_t n = 1200, double peak_mps2 = 8.0)
+  explicit OnBuilding(unsigned seed = 1, std::size_t n = 1200, double peak_mps2 = 20.0)
       : first(made_up_record(n, seed, peak_mps2)),
         second(made_up_record(n, seed + 50, 0.8 * peak_mps2)),
         up(made_up_record(n, seed + 100, 3.0)) {}
 
   /// Any size of everything.
-  OnBuilding(std::mt19937& random, unsigned seed, std::size_t n) : OnBuilding(seed, n) {
+  OnBuilding(std::mt19937& random, unsigned seed, std::size_t n) : OnBuilding(seed, n, 8.0) {
     const auto uniform = [&](double low, double high) {
       return low + (high - low) * static_cast<double>(random()) / 4294967296.0;
     };

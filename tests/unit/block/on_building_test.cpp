@@ -43,13 +43,12 @@ double difference(const TwoAxisResult& a, const TwoAxisResult& b) {
 /// The same against slide_coupled(), and in the building's peaks relative to themselves.
 double difference(const BuildingSlip& two, const CoupledResult& one) {
   const double slip = one.slip.peak_displacement_m;
-  return std::max(
-      {off(two.slip.peak_displacement_m, one.slip.peak_displacement_m, slip),
-       off(two.slip.residual.along_m, one.slip.residual_displacement_m, slip),
-       off(two.slip.residual.across_m, 0.0, slip),
-       off(two.peak_base_shear[0], one.peak_base_shear, one.peak_base_shear),
-       off(two.peak_roof_displacement_m[0], one.peak_roof_displacement_m,
-           one.peak_roof_displacement_m)});
+  return std::max({off(two.slip.peak_displacement_m, one.slip.peak_displacement_m, slip),
+                   off(two.slip.residual.along_m, one.slip.residual_displacement_m, slip),
+                   off(two.slip.residual.across_m, 0.0, slip),
+                   off(two.peak_base_shear[0], one.peak_base_shear, one.peak_base_shear),
+                   off(two.peak_roof_displacement_m[0], one.peak_roof_displacement_m,
+                       one.peak_roof_displacement_m)});
 }
 
 // slide_coupled() is exact. Every third roof falls the other way, every fifth does not feel the
@@ -246,8 +245,10 @@ TEST(coupling_is_regular, is_that_of_one_axis_where_both_axes_move) {
     }
   }
   // A rigid axis gives way to nothing.
-  EXPECT_FALSE(coupling_is_regular({{9.0, 9.0}, 0.7}, {{Oscillator{0.5}, Oscillator{0.5}}, {}, 1.0}));
-  EXPECT_TRUE(coupling_is_regular({{9.0, 9.0}, 0.7}, {{Oscillator{0.0}, Oscillator{0.0}}, {}, 1.0}));
+  EXPECT_FALSE(
+      coupling_is_regular({{9.0, 9.0}, 0.7}, {{Oscillator{0.5}, Oscillator{0.5}}, {}, 1.0}));
+  EXPECT_TRUE(
+      coupling_is_regular({{9.0, 9.0}, 0.7}, {{Oscillator{0.0}, Oscillator{0.0}}, {}, 1.0}));
 }
 
 }  // namespace
