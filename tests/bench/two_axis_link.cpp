@@ -11,7 +11,7 @@
 namespace glissade::bench {
 namespace {
 
-constexpr double stiffness_per_weight_1pm = 1e4;  // 10 N/mm for 1 N
+constexpr double stiffness_per_weight_1pm = 1e5;  // 100 N/mm for 1 N
 constexpr double longest_ring_down_s = 120.0;
 
 struct Vector {
