@@ -128,7 +128,8 @@ Case suite_meets_design_spectrum(const Suite& suite) {
 /// roof: the fragility in PGA is the distribution of friction.
 std::vector<Case> friction_comes_back(const Suite& suite) {
   StudyConfig config = fixed_study(0.0, 0.4, VerticalChoice::none);
-  config.friction = {LogNormal{0.4, 0.1}, false};
+  config.friction.mu = LogNormal{0.4, 0.1};
+  config.friction.design_run = false;
   config.sampling.samples = 1024;
   config.thresholds_m = {1e-12};
   Suite one = one_motion(suite);

@@ -65,7 +65,13 @@ int main(int argc, char** argv) try {
                                          first_paper_link(folders),
                                          first_paper_convergence(folders),
                                          first_paper_parametric_study(folders),
-                                         first_paper_charts(folders)};
+                                         first_paper_charts(folders),
+                                         second_paper_coupled(),
+                                         second_paper_yielding(),
+                                         second_paper_two_axes(folders),
+                                         second_paper_friction(),
+                                         second_paper_crossings(folders),
+                                         second_paper_vertical(folders)};
   const std::string text = page(chapters);
   write_text_file(folder / "README.md", text);
   const bool good = report_failures(chapters);

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "glissade/io/suite_file.hpp"
+#include "verification/second_paper/biaxial.hpp"
+
+namespace glissade::verification {
+namespace {
+
+struct Scene {
+  BuildingGround ground;
+  BuildingFactors factors;
+  BiaxialBuilding building;
+  TwoAxisBlock block;
+
+  double peak_m(double tolerance) const {
+    return slide_on_building(ground, factors, building, block, tolerance).slip.peak_displacement_m;
+  }
+  bool ellipse() const { return block.friction.along != block.friction.across; }
+  bool sloped() const { return block.slope_rad != 0.0; }
+  bool rigid() const { return building.horizontal[0].period_s == 0.0; }
+  bool coupled() const { return building.mass_ratio != 0.0; }
+};
+
+std::vector<Scene> scenes_of(const Suite& suite) {
+  const BiaxialBuilding rigid{{Oscillator{0.0}, Oscillator{0.0}}, {}, 0.0},
+      light{{Oscillator{0.4, 0.05}, Oscillator{0.7, 0.05}}, {}, 0.0},
+      heavy{light.horizontal, {}, 0.1};
+  std::vector<Scene> scenes;
+  for (std::size_t m = 0; m < 2; ++m) {
+    const Motion& motion = suite.motions[m];
+    BuildingGround ground;
+    for (std::size_t axis = 0; axis < 2; ++axis)
+      ground.horizontal[axis] =
+          std::make_shared<GroundTable>(motion.dt_s, motion.horizontal_mps2[axis]);
+    ground.vertical = std::make_shared<const MotionTable>(
+        tabulate_rigid(std::make_shared<GroundTable>(motion.dt_s, motion.vertical_mps2)));
+    const double f = motion.scale;
+    for (const BiaxialBuilding& building : {rigid, light, heavy})
+      for (const double slope_deg : {0.0, 4.0})
+        for (const double across : {0.3, 0.2})
+          scenes.push_back(
+              {ground, {{f, f}, f}, building, {{0.3, across}, slope_deg * rad_per_deg, 0.4}});
+  }
+  return scenes;
+}
+
+using Choice = std::function<bool(const Scene&)>;
+
+}  // namespace
+
+Convergence two_axis_convergence(const Folders& folders) {
+  const std::vector<Scene> scenes = scenes_of(load_suite(folders.suites / "synthetic_level2.toml"));
+  std::vector<double> truth;
+  for (const Scene& s : scenes) truth.push_back(s.peak_m(1e-9));
+
+  Convergence c;
+  c.table =
+      "\n| tolerance | median error | largest | on a rigid building | m/M 0 | m/M 0.1 | flat | 4 "
+      "deg "
+      "| circle | ellipse |\n|---|---|---|---|---|---|---|---|---|---|\n";
+  for (const double tolerance : {1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8}) {
+    std::vector<double> errors;
+    for (std::size_t k = 0; k < scenes.size(); ++k)
+      errors.push_back(std::abs(scenes[k].peak_m(tolerance) / truth[k] - 1.0));
+    const auto largest = [&](const Choice& choice) {
+      double worst = 0.0;
+      for (std::size_t k = 0; k < scenes.size(); ++k)
+        if (choice(scenes[k])) worst = worse(worst, errors[k]);
+      return worst;
+    };
+    std::vector<double> sorted = errors;
+    std::ranges::sort(sorted);
+    const double median = sorted[sorted.size() / 2],
+                 all = largest([](const Scene&) { return true; });
+    c.table += fmt::format("| {:.0e} | {:.0e} | {:.0e} |", tolerance, median, all);
+    for (const Choice& choice : {Choice([](const Scene& s) { return s.rigid(); }),
+                                 Choice([](const Scene& s) { return !s.rigid() && !s.coupled(); }),
+                                 Choice([](const Scene& s) { return s.coupled(); }),
+                                 Choice([](const Scene& s) { return !s.sloped(); }),
+                                 Choice([](const Scene& s) { return s.sloped(); }),
+                                 Choice([](const Scene& s) { return !s.ellipse(); }),
+                                 Choice([](const Scene& s) { return s.ellipse(); })})
+      c.table += fmt::format(" {:.0e} |", largest(choice));
+    c.table += '\n';
+    const std::string name = fmt::format("24 scenes, tolerance {:.0e}", tolerance);
+    c.cases.push_back(limit({name, "longest displacement vector", "the same with 1e-9"},
+                            {"median relative difference", median, tolerance}));
+    c.cases.push_back(limit({name, "longest displacement vector", "the same with 1e-9"},
+                            {"largest relative difference", all, 3.0 * tolerance}));
+  }
+  return c;
+}
+
+}  // namespace glissade::verification
