@@ -191,7 +191,8 @@ TEST(clearance, a_building_yields_at_its_elastic_demand_over_r) {
 TEST(clearance, the_level_is_a_factor_on_the_suites_own_scale) {
   ClearanceConfig c = config();
   c.grid.fraction_of_mce = {0.5, 1.0};
-  c.grid.period_s = {0.3};
+  c.orientation = OrientationChoice::stated;
+  c.slope_axes = {SlopeAxis::e_w};
   Motion once = shaking("a", 6.0, 0.4), scaled = shaking("a", 6.0, 0.4);
   scaled.scale = 2.0;
   const ClearanceResults a = run(c, {once}), b = run(c, {scaled});
@@ -203,6 +204,8 @@ TEST(clearance, the_level_is_a_factor_on_the_suites_own_scale) {
 
 TEST(clearance, a_record_without_a_vertical_is_run_without) {
   ClearanceConfig c = config();
+  c.orientation = OrientationChoice::stated;
+  c.slope_axes = {SlopeAxis::e_w};
   c.grid.vertical = {{VerticalChoice::none, 0.0},
                      {VerticalChoice::if_available, 0.0},
                      {VerticalChoice::if_available, 0.2}};
