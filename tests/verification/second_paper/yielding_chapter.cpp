@@ -94,7 +94,7 @@ Case growing_pulse() {
 /// of them.
 Case textbook_loop() {
   const MadeUpGround ground;
-  int wrong = 0, points = 0;
+  int wrong = 0;
   for (const double alpha : {0.0, 0.1}) {
     const CoupledBuilding building{{0.4, 0.05}, 0.2, {2.5, alpha}};
     const double square = std::pow(omega_radps(0.4), 2), half_width = (1.0 - alpha) * 2.5;
@@ -112,13 +112,12 @@ Case textbook_loop() {
                  on_line = std::abs(above(q) - above(p)) < 1e-11 &&
                            std::abs(std::abs(above(q)) - half_width) < 1e-11;
       wrong += within_lines && (elastic || on_line) ? 0 : 1;
-      ++points;
     }
   }
-  return all_equal({"a made-up motion, yield level 2.5 m/s2, hardening 0 and 0.1, with a block",
-                    "spring force against displacement, step by step",
-                    "bilinear with kinematic hardening (Chopra 2017, fig. 7.1.3), to 1e-11 m/s2"},
-                   {wrong, points});
+  return limit({"a made-up motion, yield level 2.5 m/s2, hardening 0 and 0.1, with a block",
+                "spring force against displacement, step by step",
+                "bilinear with kinematic hardening (Chopra 2017, fig. 7.1.3), to 1e-11 m/s2"},
+               {"steps neither elastic nor on a line", static_cast<double>(wrong), 0.0});
 }
 
 // -- with the block
