@@ -60,20 +60,19 @@ void check_model(const SlideOptions& o, ProblemList& problems) {
   needs(o.yield_coefficient.has_value(), "--yield-coefficient", o.period_s > 0.0,
         "needs a building: --period-s above 0");
 
-  const KernelChoice choice = kernel_for(o);
-  if (choice.kernel == Kernel::tables) return;
+  const Kernel kernel = kernel_for(o).kernel;
+  if (kernel == Kernel::tables) return;
   const auto refuse = [&](bool given, const char* option) {
     if (given) {
       problems.add({option,
-                    "goes with one axis, Coulomb friction and a linear building that does "
-                    "not feel the array only: " +
-                        choice.reason,
+                    "goes with one axis, Coulomb friction and a linear building that does not feel "
+                    "the array only",
                     "leave it out", ""});
     }
   };
   refuse(o.method != "event", "--method");
   refuse(o.cm_height_m.has_value(), "--centre-of-mass-height-m");
-  if (choice.kernel == Kernel::full) {
+  if (kernel == Kernel::full) {
     refuse(!o.history.empty(), "--history");
     refuse(o.one_way, "--one-way");
   }

@@ -80,7 +80,7 @@ TEST_F(Run, run_json_tells_when_where_and_how_long) {
 
 TEST_F(Run, results_tell_what_they_are_at_the_root) {
   EXPECT_EQ(root_attribute("file_type"), "\"glissade results\"");
-  EXPECT_EQ(root_attribute("format_version"), "2");
+  EXPECT_EQ(root_attribute("format_version"), "3");
   EXPECT_EQ(root_attribute("seed"), "7");
   EXPECT_THAT(run_program({"--version"}).out,
               HasSubstr(root_attribute("program_version").substr(1, 3)));

@@ -96,7 +96,8 @@ TEST_F(SlideModel, a_building_that_feels_the_array_gives_what_the_library_gives)
     EXPECT_EQ(json["peak_displacement_m"], expected.slip.peak_displacement_m);
     EXPECT_EQ(json["residual_displacement_m"], expected.slip.residual_displacement_m);
     EXPECT_EQ(json["peak_base_shear"][0], expected.peak_base_shear);
-    EXPECT_THAT(json["model"].get<std::string>(), HasSubstr(yields ? "slide_coupled" : "coupled_slip"));
+    EXPECT_THAT(json["model"].get<std::string>(),
+                HasSubstr(yields ? "slide_coupled" : "coupled_slip"));
   }
 }
 
@@ -137,8 +138,8 @@ TEST_F(SlideModel, text_names_the_model_and_both_axes) {
 TEST_F(SlideModel, each_bad_input_gets_one_clear_message) {
   expect_refused(run({"--mass-ratio", "-0.1"}), {"--mass-ratio: -0.1", "from 0 to 1"});
   expect_refused(run({"--mass-ratio", "1.5"}), {"--mass-ratio: 1.5", "from 0 to 1"});
-  expect_refused(run({"--azimuth-deg", "20"}), {"--azimuth-deg goes with --second only"});
-  expect_refused(run({"--mu-across", "0.3"}), {"--mu-across goes with --second only"});
+  expect_refused(run({"--azimuth-deg", "20"}), {"--azimuth-deg: goes with --second only"});
+  expect_refused(run({"--mu-across", "0.3"}), {"--mu-across: goes with --second only"});
   expect_refused(run({"--second", second_, "--mu-across", "0"}),
                  {"--mu-across: 0 is not an axis of a friction ellipse"});
   expect_refused(run({"--yield-coefficient", "0.2"}), {"needs a building"});
@@ -148,9 +149,9 @@ TEST_F(SlideModel, each_bad_input_gets_one_clear_message) {
   expect_refused(run({"--static-ratio", "0.5"}), {"static friction is not below"});
   expect_refused(run({"--vertical-period-s", "0.2"}), {"goes with --vertical only"});
   expect_refused(run({"--second", second_, "--history", folder_.path("h.csv").string()}),
-                 {"--history goes with one axis"});
+                 {"--history: goes with one axis"});
   expect_refused(run({"--period-s", "0.5", "--mass-ratio", "0.1", "--method", "rodriguez-nikl"}),
-                 {"--method goes with one axis"});
+                 {"--method: goes with one axis"});
   expect_refused(run({"--second", "nowhere.txt"}), {"nowhere.txt"});
   expect_refused(run_program({"slide", first_, "--mu", "5", "--slope-deg", "45", "--period-s",
                               "0.5", "--mass-ratio", "1"}),
