@@ -84,8 +84,9 @@ bool bench_schemes(const Options& options) {
 
 /// Prints, writes and draws a table of schemes over one set of histories.
 bool show_trial(const std::string& name, const std::string& title,
-                const std::vector<SchemeResult>& results, const std::filesystem::path& out) {
-  draw_trial(results, out / (name + ".svg"));
+                const std::vector<SchemeResult>& results, double key_top,
+                const std::filesystem::path& out) {
+  draw_trial(results, key_top, out / (name + ".svg"));
   return show(trial_table(name, title, results), out);
 }
 
@@ -96,7 +97,7 @@ bool bench_coupled(const Options& options) {
                          "Array and building that feel each other: time of a history of 8,000 "
                          "samples against its error, on " +
                              all.motions,
-                         results, options.out);
+                         results, 0.6, options.out);
   for (const SchemeResult& r : results) {
     if (!r.family.starts_with("coupled_slip") || r.largest_error <= 1e-10) continue;
     std::cerr << fmt::format("bench: {} is off by {}: {}\n", r.family, r.largest_error,
@@ -111,7 +112,7 @@ bool bench_two_axes(const Options& options) {
   return show_trial(
       "two_axes",
       "Two axes at once: time of a history of 8,000 samples against its error, on " + all.motions,
-      two_axes_precision(all, options.scenes, options.quick), options.out);
+      two_axes_precision(all, options.scenes, options.quick), 0.4, options.out);
 }
 
 bool bench_fragility(const Options& options) {

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "coupled_link.hpp"
@@ -85,10 +86,14 @@ struct Trial {
             }};
   }
 
+  /// It is the truth, and not judged.
   BatchScheme events(const std::string& family) const {
-    return one_by_one(family, "events", [](const GroundMotion& ground, const CoupledScene& scene) {
-      return solve(ground, scene).slip.peak_displacement_m;
-    });
+    BatchScheme scheme =
+        one_by_one(family, "events", [](const GroundMotion& ground, const CoupledScene& s) {
+          return solve(ground, s).slip.peak_displacement_m;
+        });
+    scheme.problem = Problem::none;
+    return scheme;
   }
 
   BatchScheme kernel(const std::string& family) const {
@@ -111,14 +116,16 @@ struct Trial {
   }
 };
 
-Trial trial_of(const test::StandardScenes& all, std::size_t histories, const Yielding& yielding) {
+enum class Shaking { horizontal, vertical_too };
+
+Trial trial_of(const test::StandardScenes& all, std::size_t histories, Shaking shaking,
+               const Yielding& yielding) {
   Trial trial;
-  const std::size_t count = 2 * all.components.size();
-  const std::size_t stride =
-      test::thinning(count, std::max<std::size_t>(histories / batch_size, 1));
+  const std::size_t count = all.components.size();
+  const std::size_t stride = std::max<std::size_t>(count * batch_size / histories, 1);
+  const bool vertical = shaking == Shaking::vertical_too;
   for (std::size_t i = 0; i < count; i += stride) {
-    const bool vertical = i >= all.components.size();
-    const Component& component = all.components[i % all.components.size()];
+    const Component& component = all.components[i];
     if (!vertical || !component.vertical_mps2.empty())
       trial.add(component, vertical, yielding, 37 * i);
   }
@@ -130,20 +137,23 @@ Trial trial_of(const test::StandardScenes& all, std::size_t histories, const Yie
 std::vector<SchemeResult> coupled_precision(const test::StandardScenes& all, std::size_t histories,
                                             bool quick) {
   const std::size_t rounds = quick ? 1 : 3;
-  const Trial linear = trial_of(all, histories, {});
+  std::vector<SchemeResult> results;
+  const auto run = [&](const Trial& trial, const std::vector<BatchScheme>& schemes) {
+    for (const SchemeResult& result : run_trial(trial.judged, schemes, rounds))
+      results.push_back(result);
+  };
+  const Trial linear = trial_of(all, histories, Shaking::horizontal, {});
   std::vector<BatchScheme> schemes{one_pass(linear.judged), linear.kernel("coupled_slip"),
                                    linear.events("slide_coupled")};
   for (int substeps = 1; substeps <= (quick ? 4 : 64); substeps *= 4)
     schemes.push_back(linear.link(substeps));
-  std::vector<SchemeResult> results = run_trial(linear.judged, schemes, rounds);
+  run(linear, schemes);
 
-  const Trial yields =
-      trial_of(all, histories, yielding_for(YieldCoefficient{yield_coefficient}, hardening_ratio));
-  for (const SchemeResult& result : run_trial(
-           yields.judged,
-           {yields.kernel("coupled_slip, yielding"), yields.events("slide_coupled, yielding")},
-           rounds))
-    results.push_back(result);
+  const Trial lifted = trial_of(all, histories, Shaking::vertical_too, {});
+  run(lifted, {lifted.kernel("coupled_slip, vertical"), lifted.events("slide_coupled, vertical")});
+  const Trial yields = trial_of(all, histories, Shaking::horizontal,
+                                yielding_for(YieldCoefficient{yield_coefficient}, hardening_ratio));
+  run(yields, {yields.kernel("coupled_slip, yielding"), yields.events("slide_coupled, yielding")});
   return results;
 }
 

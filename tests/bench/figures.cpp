@@ -42,11 +42,14 @@ struct Curve {
   double first_us = 0.0, first_error = 0.0, last_us = 0.0, last_error = 0.0;
 };
 
-/// "64" at P = 64. Where the Newmark curves begin their first points are too close for labels.
+/// "64" at P = 64. Where the Newmark curves begin their first points are too close for labels;
+/// curves by tolerance have the same ones, told along the first.
 std::string point_label(const SchemeResult& scheme) {
   const std::size_t sign = scheme.label.find(" = ");
   if (sign == std::string::npos) return "";
   const std::string step = scheme.label.substr(sign + 3);
+  if (scheme.label.starts_with("tolerance") && !scheme.family.starts_with("slide_two_axis"))
+    return "";
   return scheme.family.starts_with("Newmark trapezoid") && step == "1" ? "" : step;
 }
 
@@ -132,11 +135,13 @@ void draw_schemes(const WorkPrecision& measured, const std::filesystem::path& sv
                             "at the points: substeps per sample", name_of));
 }
 
-void draw_trial(const std::vector<SchemeResult>& results, const std::filesystem::path& svg) {
-  gnuplot(svg, error_panels(results,
-                            "set xrange [0.1:1e5]\nset yrange [1e-17:1e4]\n"
-                            "set key at graph 0.98,graph 0.99 top right noenhanced font ',11'\n",
-                            "at the points: substeps per sample, or tolerance",
+void draw_trial(const std::vector<SchemeResult>& results, double key_top,
+                const std::filesystem::path& svg) {
+  const std::string settings = fmt::format(
+      "set xrange [0.1:1e5]\nset yrange [1e-17:1e4]\n"
+      "set key at graph 0.99,graph {} top right noenhanced font ',11'\n",
+      key_top);
+  gnuplot(svg, error_panels(results, settings, "at the points: substeps per sample, or tolerance",
                             [](const Curve&, const char*) { return ""; }));
 }
 

@@ -11,7 +11,9 @@ namespace glissade::bench {
 // Drawn by gnuplot; std::runtime_error where that fails.
 
 /// Schemes over one set of histories, the floor first: error against mean time.
-void draw_trial(const std::vector<SchemeResult>& results, const std::filesystem::path& svg);
+/// @param key_top where the curves leave room for their names, as a share of the figure's height
+void draw_trial(const std::vector<SchemeResult>& results, double key_top,
+                const std::filesystem::path& svg);
 void draw_schemes(const WorkPrecision& measured, const std::filesystem::path& svg);
 void draw_fragility(const FragilityError& measured, const std::filesystem::path& svg);
 

@@ -127,16 +127,18 @@ struct Trial {
             }};
   }
 
-  BatchScheme on_building(double tolerance) const {
-    return one_by_one("slide_on_building", fmt::format("tolerance = {:.0e}", tolerance),
-                      [tolerance](const Batch& batch, const Scene& scene) {
-                        return batch.solve(scene, tolerance).slip.peak_displacement_m;
-                      });
+  /// At tolerance 10^-digits.
+  BatchScheme on_building(int digits) const {
+    return one_by_one(
+        "slide_on_building", fmt::format("tolerance = 1e-{}", digits),
+        [tolerance = std::pow(10.0, -digits)](const Batch& batch, const Scene& scene) {
+          return batch.solve(scene, tolerance).slip.peak_displacement_m;
+        });
   }
 
-  BatchScheme two_axis(double tolerance) const {
-    return one_by_one("slide_two_axis", fmt::format("tolerance = {:.0e}", tolerance),
-                      [tolerance](const Batch& batch, const Scene& s) {
+  BatchScheme two_axis(int digits) const {
+    return one_by_one("slide_two_axis", fmt::format("tolerance = 1e-{}", digits),
+                      [tolerance = std::pow(10.0, -digits)](const Batch& batch, const Scene& s) {
                         const SampledGround& g = batch.sampled;
                         return slide_two_axis({g.dt_s, g.horizontal_mps2, g.vertical_mps2,
                                                s.factors.horizontal[0], s.factors.vertical},
@@ -177,8 +179,7 @@ std::vector<SchemeResult> two_axes_precision(const test::StandardScenes& all, st
                                 {"m/M 0", periods_s},
                                 {"m/M 0.05", periods_s, 0.05},
                                 {"m/M 0.05, ellipse", periods_s, 0.05, 0.8}};
-  const std::vector<double> tolerances =
-      quick ? std::vector{1e-3, 1e-6} : std::vector{1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8};
+  const std::vector<int> tolerances = quick ? std::vector{3, 6} : std::vector{3, 4, 5, 6, 7, 8};
   std::vector<SchemeResult> results;
   for (const Kind& kind : kinds) {
     const Trial trial = trial_of(all, histories, kind);
@@ -187,9 +188,9 @@ std::vector<SchemeResult> two_axes_precision(const test::StandardScenes& all, st
     std::vector<BatchScheme> schemes;
     if (first) {
       schemes.push_back(one_pass(trial.judged));
-      for (const double tolerance : tolerances) schemes.push_back(trial.two_axis(tolerance));
+      for (const int digits : tolerances) schemes.push_back(trial.two_axis(digits));
     }
-    for (const double tolerance : tolerances) schemes.push_back(trial.on_building(tolerance));
+    for (const int digits : tolerances) schemes.push_back(trial.on_building(digits));
     for (int substeps = 1; stepped && substeps <= (quick ? 4 : 64); substeps *= 4)
       schemes.push_back(trial.link(substeps));
     for (const SchemeResult& result : run_trial(trial.judged, schemes, quick ? 1 : 2))
