@@ -60,6 +60,12 @@ std::string counts_of(const Results& results) {
   return fmt::format("{} records x {} samples", results.records.size(), results.samples.size());
 }
 
+std::string friction_of(const RunResults& run) {
+  constexpr std::size_t room = 60;
+  return run.friction_description.size() <= room ? "friction " + run.friction_description
+                                                 : run.label + " friction";
+}
+
 std::string list_of_lengths(const std::vector<double>& lengths_m) {
   std::string list;
   for (const double length_m : lengths_m)

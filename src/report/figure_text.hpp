@@ -23,6 +23,9 @@ std::string inches_beside(const std::string& which, double largest_m,
 std::string at_intensity(const Results& results, double value);
 /// "22 records x 1024 samples"
 std::string counts_of(const Results& results);
+/// "friction mu normal, mean 0.55, std 0.04" where a line has room for it, else "sampled friction":
+/// captions tell it all.
+std::string friction_of(const RunResults& run);
 /// "0.15 m (5.91 in), 0.30 m (11.8 in)"
 std::string list_of_lengths(const std::vector<double>& lengths_m);
 /// Up to `count` of the levels, spread evenly, the highest included.

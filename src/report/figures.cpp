@@ -96,7 +96,7 @@ Figure fragility_figure(const Results& results, const RunResults& run) {
                                        symbol_of_fit(fragility.capacities)));
   }
   figure.body =
-      title_of(figure, counts_of(results) + "; friction " + run.friction_description) +
+      title_of(figure, counts_of(results) + "; " + friction_of(run)) +
       axis("x", results.intensity_label) +
       axis("y", "Probability that slip in plan exceeds the clearance") +
       fmt::format("set xrange [0:{}]\nset yrange [0:1]\nset ytics 0.1\n", largest) + "plot \\\n" +
@@ -149,7 +149,7 @@ Figure ida_figure(const Results& results, const RunResults& run) {
         threshold_m);
   }
   figure.body =
-      title_of(figure, counts_of(results) + "; friction " + run.friction_description) + lines +
+      title_of(figure, counts_of(results) + "; " + friction_of(run)) + lines +
       axis("x", "Peak slip in plan (m)") + axis("y", results.intensity_label) +
       inches_beside("x", right_m) +
       fmt::format("set xrange [0:{}]\nset yrange [0:{}]\n", right_m, results.levels.back()) +

@@ -126,8 +126,8 @@ Figure impact_figure(const Results& results, const RunResults& run) {
   }
   const double shown_mps = top_mps > 0.0 ? 1.08 * top_mps : 1.0;
   figure.body =
-      title_of(figure, "given that it gets there; " + counts_of(results) + "; friction " +
-                           run.friction_description) +
+      title_of(figure,
+               "given that it gets there; " + counts_of(results) + "; " + friction_of(run)) +
       axis("x", "Clearance: distance in plan from where the array lay (m)") +
       axis("y", "Speed in plan, relative to the roof (m/s)") +
       inches_beside("x", right_m, "Clearance") + energy_beside(shown_mps) +

@@ -124,7 +124,7 @@ Figure slip_vs_sds_figure(const Results& results, const RunResults& run) {
   figure.key_rows += add_standard(
       run, {Standard::seaoc_pv1_2012, "#000000", 7, 6, 0.8, "lw 1.5 dt 5"}, file, data, plot);
   figure.body =
-      title_of(figure, counts_of(results) + "; friction " + run.friction_description) +
+      title_of(figure, counts_of(results) + "; " + friction_of(run)) +
       axis("x", results.intensity_label) + axis("y", "Peak slip in plan (m)") +
       inches_beside("y", shown_m) +
       fmt::format("set xrange [0:{}]\nset yrange [0:{}]\n", results.levels.back(), shown_m) + plot +
