@@ -112,7 +112,7 @@ bool bench_two_axes(const Options& options) {
   return show_trial(
       "two_axes",
       "Two axes at once: time of a history of 8,000 samples against its error, on " + all.motions,
-      two_axes_precision(all, options.scenes, options.quick), 0.4, options.out);
+      two_axes_precision(all, options.scenes, options.quick), 0.34, options.out);
 }
 
 bool bench_fragility(const Options& options) {

@@ -119,8 +119,9 @@ std::string error_panels(const std::vector<SchemeResult>& results, const std::st
       script += name_of(curves[i], colour);
       plot += fmt::format(
           "{0}$c{1} using 1:2 with linespoints lw 2 pt 7 ps 0.5 lc rgb '{2}' title '{3}', $c{1} "
-          "using 1:2:3 with labels offset 0.4,0.7 font ',10' tc rgb '{2}' notitle",
-          i == 0 ? "plot " : ", ", i, colour, curves[i].name);
+          "using 1:2:3 with labels {4} font ',10' tc rgb '{2}' notitle",
+          i == 0 ? "plot " : ", ", i, colour, curves[i].name,
+          curves[i].name.starts_with("slide_two_axis") ? "right offset -0.6,0" : "offset 0.4,0.7");
     }
     script += plot + "\n";
   }
