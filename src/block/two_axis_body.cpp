@@ -94,7 +94,7 @@ Stop TwoAxisBody::find_stop(const Load& now, const Load& end, double left_s) {
   const Vector along = (1.0 / size) * heading;
 
   // Stops are many, and a wrong one is not mended by what follows: they get a small share.
-  const double allowed = 1e-3 * tolerance_ * path_length_;
+  const double allowed = 1e-3 * tolerance_ * track_.path_length();
   const Stop straight = stop_on_a_line(speed, along, now, end, left_s, friction_);
   if (straight.time_s == never) return {};
   const Vector sliding = friction_.sliding(along);
@@ -133,31 +133,18 @@ Stop TwoAxisBody::find_curved_stop(const Load& now, const Load& end, double left
 /// On its way to rest the velocity turns to the drive's direction: between the two, neither an axis
 /// nor the displacement's own direction is passed.
 bool TwoAxisBody::passes_no_peak(Vector drive) const {
-  const Vector v = now_.v, out = scaled(displacement_, to_plan_);
+  const Vector v = now_.v, out = scaled(track_.displacement(), to_plan_);
   return v.s * drive.s >= 0.0 && v.y * drive.y >= 0.0 && dot(out, v) * dot(out, drive) >= 0.0;
 }
 
 void TwoAxisBody::slide_to(const Sliding& to, double length_s) {
-  const Path path(length_s, displacement_, scaled(now_.v, to_plan_), scaled(now_.a, to_plan_),
-                  scaled(to.v, to_plan_), scaled(to.a, to_plan_));
-  extremes_.along(path);
-  displacement_ = path.end;
-  path_length_ += path.path_length();
-  duration_s_ += length_s;
+  track_.slide(now_, to, length_s, time_s_);
   now_ = to;
   if (to.v.s == 0.0 && to.v.y == 0.0) sliding_ = false;
 }
 
 void TwoAxisBody::rest_after(const Stop& stop) {
-  const Vector way = scaled(stop.displacement, to_plan_);
-  const double straight = length(stop.displacement);
-  displacement_ = displacement_ + way;
-  extremes_.at(displacement_);
-  if (straight > 0.0) {  // its curved way is taken in plan as its chord is
-    path_length_ += stop.path * length(way) / straight;
-    extremes_.at_speed(stop.fastest * length(way) / straight);
-  }
-  duration_s_ += stop.time_s;
+  track_.stop(stop, length(now_.v), time_s_);
   sliding_ = false;
 }
 
@@ -172,13 +159,7 @@ void TwoAxisBody::coast(const Load& load, double step_s) {
 }
 
 TwoAxisResult TwoAxisBody::result() const {
-  TwoAxisResult r;
-  r.peak_displacement_m = extremes_.displacement();
-  tell_peaks(extremes_, r);
-  r.residual = {displacement_.s, displacement_.y};
-  r.path_length_m = path_length_;
-  r.peak_velocity_mps = extremes_.speed();
-  r.slip_duration_s = duration_s_;
+  TwoAxisResult r = track_.result();
   r.slip_phases = phases_;
   r.uplift = uplift_;
   return r;

@@ -3,9 +3,9 @@
 
 #include <vector>
 
-#include "two_axis_extremes.hpp"
 #include "two_axis_step.hpp"
 #include "two_axis_stop.hpp"
+#include "two_axis_track.hpp"
 
 namespace glissade::block_detail {
 
@@ -15,7 +15,11 @@ class TwoAxisBody {
  public:
   TwoAxisBody(const FrictionEllipse& friction, Vector to_plan, double tolerance,
               std::vector<TwoAxisPoint>* history)
-      : friction_(friction), to_plan_(to_plan), tolerance_(tolerance), history_(history) {}
+      : friction_(friction),
+        to_plan_(to_plan),
+        tolerance_(tolerance),
+        history_(history),
+        track_(to_plan, {}, {}) {}
 
   bool at_rest() const { return !sliding_; }
 
@@ -48,7 +52,9 @@ class TwoAxisBody {
   void slide_to(const Sliding& to, double length_s);
   void rest_after(const Stop& stop);
   void note() {
-    if (history_ != nullptr) history_->push_back({time_s_, {displacement_.s, displacement_.y}});
+    if (history_ == nullptr) return;
+    const Vector at = track_.displacement();
+    history_->push_back({time_s_, {at.s, at.y}});
   }
 
   FrictionEllipse friction_;
@@ -58,13 +64,11 @@ class TwoAxisBody {
 
   bool sliding_ = false;
   Sliding now_;
-  Vector displacement_;
   double time_s_ = 0.0;
   double step_s_ = never;  // the longest worth trying
 
-  Extremes extremes_;
+  TwoAxisTrack track_;
   double peak_speed_ = 0.0;  // per cos(slope), at the ends of steps
-  double path_length_ = 0.0, duration_s_ = 0.0;
   std::size_t phases_ = 0;
   bool uplift_ = false;
 };
