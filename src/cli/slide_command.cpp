@@ -79,7 +79,7 @@ Json to_json(const SlideOptions& o, const SlideHistory& h, const Motion& motion,
     json["tips"] = factor > *h.tips_at;
     json["tipping_scale"] = number_or_null(*h.tips_at);
   }
-  json["model"] = describe(kernel_for(o).kernel);
+  json["model"] = model_of(o);
   return json;
 }
 
@@ -108,7 +108,8 @@ void print_plane(const TwoAxisResult& plane) {
 }
 
 void print_building(const SlideHistory& h) {
-  const char* axes[] = {"", " along the second axis"};
+  const bool two = h.peak_base_shear.size() == 2;
+  const char* axes[] = {two ? " along its first axis" : "", " along its second axis"};
   for (std::size_t i = 0; i < h.peak_base_shear.size(); ++i) {
     fmt::print(
         "  building   {:10.4f} of its weight in base shear, {:.4f} m of roof displacement{}\n",
@@ -122,7 +123,7 @@ void print_text(const SlideOptions& o, const SlideHistory& h, const Motion& moti
   fmt::print("{}: {} samples at {:g} s, PGA {:.4g} g{}\n", o.record,
              motion.horizontal_mps2[0].size(), motion.dt_s, pga_g,
              h.ppa_g ? fmt::format(", peak roof acceleration {:.4g} g", *h.ppa_g) : "");
-  fmt::print("Model: {}\n", describe(kernel_for(o).kernel));
+  fmt::print("Model: {}\n", model_of(o));
   fmt::print(
       "Displacement relative to the roof, in plan (downslope positive; on a flat roof +x):\n");
   fmt::print("  peak       {:10.4f} m  ({:.2f} in)\n", r.peak_displacement_m,

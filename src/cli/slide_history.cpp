@@ -92,7 +92,11 @@ SlideHistory on_known_roof(const SlideOptions& o, const Motion& motion, double f
   const Block block = block_of(o);
   const GroundMotion ground = ground_of(motion);
   const Building building{{o.period_s, o.damping}, {o.vertical_period_s, o.vertical_damping}};
-  const RoofMotion roof_table = roof_motion(ground, building, follow_roof({&block, 1}, factor));
+  RoofMotionOptions follow = follow_roof({&block, 1}, factor);
+  // Straight lines between so many samples of a period leave 1e-7 of the slip; a history, which has
+  // a row for each, is sampled as roof_motion() does by itself.
+  if (o.history.empty()) follow.steps_per_period = 8000;
+  const RoofMotion roof_table = roof_motion(ground, building, follow);
   const RoofAcceleration roof = felt_by(block, roof_table, {factor, factor});
 
   SlideHistory h;
@@ -190,6 +194,22 @@ SlideHistory in_full_model(const SlideOptions& o, const Motion& motion, double f
 }
 
 }  // namespace
+
+std::string model_of(const SlideOptions& o) {
+  switch (kernel_for(o).kernel) {
+    case Kernel::tables:
+      return o.method == "event"
+                 ? "one axis, the roof's motion known beforehand: exact events (slide)"
+                 : "one axis, the published scheme (slide_rodriguez_nikl)";
+    case Kernel::coupled:
+    case Kernel::events:
+      return o.period_s > 0.0 ? "one axis, coupled with the building: exact events (slide_coupled)"
+                              : "one axis on a rigid roof: exact events (slide_coupled)";
+    case Kernel::full:
+      break;
+  }
+  return describe(Kernel::full);
+}
 
 SlideHistory run_history(const SlideOptions& o, const Motion& motion, double factor) {
   switch (kernel_for(o).kernel) {

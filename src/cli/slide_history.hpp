@@ -22,6 +22,9 @@ struct SlideHistory {
   std::optional<double> tips_at;  ///< the scale at which the body begins to tip; infinity: never
 };
 
+/// What computes it: "one axis, coupled with the building: exact events (slide_coupled)".
+std::string model_of(const SlideOptions& options);
+
 /// By the cheapest kernel that is exact for it; writes --history.
 /// @param factor on all components
 SlideHistory run_history(const SlideOptions& options, const Motion& motion, double factor);

@@ -47,6 +47,11 @@ void check_model(const SlideOptions& o, ProblemList& problems) {
   require(o.law.fast_ratio > 0.0, "--fast-ratio", o.law.fast_ratio, "must be > 0");
   require(o.law.rate_spm >= 0.0, "--rate-spm", o.law.rate_spm, "must be >= 0");
 
+  if ((o.law.fast_ratio != 1.0) != (o.law.rate_spm != 0.0)) {
+    problems.add({o.law.rate_spm == 0.0 ? "--fast-ratio" : "--rate-spm",
+                  "is one half of how friction depends on speed",
+                  "give --fast-ratio (mu_fast / mu_slow) and --rate-spm (the rate a, s/m)", ""});
+  }
   const auto needs = [&](bool given, const char* option, bool met, const char* what) {
     if (given && !met) problems.add({option, what, "leave it out, or give the other", ""});
   };
@@ -57,6 +62,8 @@ void check_model(const SlideOptions& o, ProblemList& problems) {
         "goes with --yield-coefficient only");
   needs(o.vertical_period_s != 0.0, "--vertical-period-s", !o.vertical.empty(),
         "goes with --vertical only");
+  needs(o.mass_ratio != 0.0, "--mass-ratio", o.period_s > 0.0,
+        "has no effect without a building: --period-s above 0");
   needs(o.yield_coefficient.has_value(), "--yield-coefficient", o.period_s > 0.0,
         "needs a building: --period-s above 0");
 
@@ -189,7 +196,7 @@ void add_options(CLI::App& command, SlideOptions& o) {
   command.add_option("--dt-s", o.dt_s,
                      "time step of files that do not tell it; overrides an AT2 header");
   command.add_option("--units", o.units, "units of text files: g, m/s2, cm/s2 [g]");
-  command.add_option("--history", o.history, "write the slip history to this CSV file");
+  command.add_option("--history", o.history, "write the slip history to this CSV file (one axis)");
   command.add_flag("--json", o.json, "print one JSON object");
 }
 

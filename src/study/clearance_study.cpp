@@ -12,6 +12,7 @@
 #include "glissade/core/error.hpp"
 #include "glissade/core/hash.hpp"
 #include "glissade/motion/intensity.hpp"
+#include "glissade/study/kernel.hpp"
 #include "keep_records.hpp"
 
 namespace glissade {
@@ -130,7 +131,8 @@ std::string to_string(const ClearancePlan& plan) {
   const ClearanceGrid& grid = plan.config.grid;
   std::string text = fmt::format("Clearance study {}\n", plan.config.name);
   text += fmt::format("Suites        {}\n", names_of(plan.suites));
-  text += fmt::format("Levels        {:.3g} of MCE\n", fmt::join(grid.fraction_of_mce, ", "));
+  text += fmt::format("Model         {}\n", describe(Kernel::full));
+  text += fmt::format("Shaking       {:.3g} of MCE\n", fmt::join(grid.fraction_of_mce, ", "));
   text +=
       fmt::format("Buildings     T {:g} s; m/M {:g}; R {:g}\n", fmt::join(grid.period_s, ", "),
                   fmt::join(grid.mass_ratio, ", "), fmt::join(grid.response_modification, ", "));

@@ -96,9 +96,17 @@ TEST_F(SlideModel, a_building_that_feels_the_array_gives_what_the_library_gives)
     EXPECT_EQ(json["peak_displacement_m"], expected.slip.peak_displacement_m);
     EXPECT_EQ(json["residual_displacement_m"], expected.slip.residual_displacement_m);
     EXPECT_EQ(json["peak_base_shear"][0], expected.peak_base_shear);
-    EXPECT_THAT(json["model"].get<std::string>(),
-                HasSubstr(yields ? "slide_coupled" : "coupled_slip"));
+    EXPECT_THAT(json["model"].get<std::string>(), HasSubstr("slide_coupled"));
   }
+}
+
+TEST_F(SlideModel, a_very_light_array_slides_as_one_without_mass) {
+  const auto peak = [&](const char* ratio) {
+    return slide_json({"--mu", "0.2", "--slope-deg", "2", "--period-s", "0.4", "--mass-ratio",
+                       ratio})["peak_displacement_m"]
+        .get<double>();
+  };
+  EXPECT_NEAR(peak("0"), peak("1e-12"), 2e-7 * peak("0"));
 }
 
 TEST_F(SlideModel, a_constant_push_passes_a_clearance_with_the_speed_of_its_closed_form) {
@@ -147,6 +155,9 @@ TEST_F(SlideModel, each_bad_input_gets_one_clear_message) {
   expect_refused(run({"--period-s", "0.5", "--hardening-ratio", "0.1"}),
                  {"goes with --yield-coefficient only"});
   expect_refused(run({"--static-ratio", "0.5"}), {"static friction is not below"});
+  expect_refused(run({"--fast-ratio", "1.5"}), {"--fast-ratio: is one half"});
+  expect_refused(run({"--rate-spm", "10"}), {"--rate-spm: is one half"});
+  expect_refused(run({"--mass-ratio", "0.1"}), {"--mass-ratio: has no effect without a building"});
   expect_refused(run({"--vertical-period-s", "0.2"}), {"goes with --vertical only"});
   expect_refused(run({"--second", second_, "--history", folder_.path("h.csv").string()}),
                  {"--history: goes with one axis"});

@@ -6,6 +6,7 @@
 #include "glissade/report/clearance_report.hpp"
 #include "glissade/report/format.hpp"
 #include "glissade/report/html.hpp"
+#include "glissade/study/kernel.hpp"
 #include "page.hpp"
 
 namespace glissade {
@@ -17,11 +18,10 @@ constexpr std::size_t most_rows_shown = 60;
 std::vector<std::string> how_it_was_done(const ClearanceResults& r) {
   return {
       "The model of Walters et al. (2012): the building is one oscillator along each of two axes, "
-      "5 "
-      "% damped unless the study says otherwise, of the same period along both; the array is a "
-      "mass "
-      "on it held by Coulomb friction; it slides along both axes at once and acts back on the "
-      "building.",
+      "5 % damped unless the study says otherwise, of the same period along both; the array is a "
+      "mass on it held by Coulomb friction; it slides along both axes at once and acts back on the "
+      "building. Computed by the " +
+          describe(Kernel::full) + ".",
       r.displacement == DisplacementMeasure::srss
           ? "The displacement of a history is the SRSS of the separate maxima along the roof's two "
             "axes, as the paper takes it. The vector's own peak, which is never larger, is in "
