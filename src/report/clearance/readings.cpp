@@ -71,6 +71,23 @@ std::string period_reading(const ClearanceResults& r) {
   return text;
 }
 
+/// Which of two frictions acts down the slope.
+std::string downhill_reading(const ClearanceResults& r) {
+  if (r.friction[0] == r.friction[1]) return "";
+  std::string text;
+  for (const SlopeAxis axis : {SlopeAxis::e_w, SlopeAxis::n_s}) {
+    const ClearanceQuestion question{.slope_axis = axis};
+    if (orientations_of(r, question).empty()) continue;
+    const OrientationRange range = over_orientations(r, question, {}, Periods::largest);
+    text += fmt::format(
+        " Where the roof falls {}, with a friction of {:g} downhill, the largest mean over the "
+        "periods is {}, from {} to {} over the orientations.",
+        axis == SlopeAxis::e_w ? "E-W" : "N-S", r.friction[axis == SlopeAxis::e_w ? 0 : 1],
+        format_length(range.median), format_length(range.lowest), format_length(range.highest));
+  }
+  return text;
+}
+
 std::string orientation_reading(const ClearanceResults& r) {
   const ClearanceQuestion question;
   const OwnWayBounds own = own_way_bounds(r, question, {}, Periods::largest);
@@ -87,6 +104,7 @@ std::string orientation_reading(const ClearanceResults& r) {
         "component turned round.",
         format_length(stronger.as_recorded), format_length(stronger.turned_round));
   }
+  text += downhill_reading(r);
   if (r.displacement == DisplacementMeasure::srss) {
     const OrientationRange farthest =
         over_orientations(r, {.number = HistoryNumber::vector_peak}, {}, Periods::largest);

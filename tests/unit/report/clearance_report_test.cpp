@@ -93,6 +93,19 @@ TEST(clearance_report, readings_are_of_what_the_grid_varies) {
     EXPECT_EQ(clearance_reading(r, topic), "");
 }
 
+TEST(clearance_report, of_two_frictions_each_is_told_where_it_acts_downhill) {
+  ClearanceResults r = made_up();
+  EXPECT_THAT(clearance_reading(r, ClearanceTopic::orientation), Not(HasSubstr("downhill")));
+  r.friction = {0.47, 0.52};
+  r.orientations[2].slope_axis = r.orientations[3].slope_axis = SlopeAxis::n_s;
+  const std::string reading = clearance_reading(r, ClearanceTopic::orientation);
+  // Largest over the periods: 4 and 8 inches along E-W, 12 and 16 along N-S.
+  EXPECT_THAT(reading, HasSubstr("falls E-W, with a friction of 0.47 downhill, the largest mean "
+                                 "over the periods is 0.152 m (6.00 in)"));
+  EXPECT_THAT(reading, HasSubstr("falls N-S, with a friction of 0.52 downhill, the largest mean "
+                                 "over the periods is 0.356 m (14.0 in)"));
+}
+
 TEST(clearance_report, a_stated_displacement_is_placed_among_ours) {
   ClearanceResults r = made_up();
   r.statements = {{ClearanceTopic::period, "Fig. 13", "so much", 5 * inch, 0.2},
