@@ -8,6 +8,7 @@
 #include "hdf5_file.hpp"
 #include "results_archive.hpp"
 #include "results_envelope.hpp"
+#include "shared_schema.hpp"
 
 namespace glissade {
 namespace {
@@ -79,40 +80,21 @@ void exchange_suites(const Archive& archive, Suites& suites) {
       [](auto& s) -> auto& { return s.description; });
   for (std::size_t i = 0; i < suites.size(); ++i) {
     const auto group = archive.group("spectra_" + std::to_string(i));
-    auto& spectra = suites[i].spectra;
-    list(group, "period_s", {"s", "periods of the spectra"}, spectra.periods_s);
-    make_rows(group, "srss_g", spectra.srss_g, 2);
-    matrix(
-        group, "srss_g", {"g", "5 % SRSS spectrum of each record as scaled to MCE"}, spectra.srss_g,
-        [](auto& row) -> auto& { return row; });
-    list(group, "average_srss_g", {"g", "average over the records"}, spectra.average_srss_g);
-    list(group, "target_g", {"g", "target MCE spectrum; empty without a target"}, spectra.target_g);
+    exchange_curves(group, suites[i].spectra,
+                    {"5 % SRSS spectrum of each record as scaled to MCE",
+                     "target MCE spectrum; empty without a target"});
   }
 }
 
 template <class Archive, class Records>
 void exchange_records(const Archive& archive, Records& records) {
-  make_rows(archive, "id", records);
-  column(
-      archive, "id", {"-", "name of the motion in its suite"}, records,
-      [](auto& r) -> auto& { return r.id; });
+  exchange_identity(archive, records);
+  exchange_source(archive, records);
   column(
       archive, "suite", {"-", "position of its suite"}, records,
       [](auto& r) -> auto& { return r.suite; });
   column(
-      archive, "event", {"-", "earthquake"}, records, [](auto& r) -> auto& { return r.event; });
-  column(
-      archive, "station", {"-", "station"}, records, [](auto& r) -> auto& { return r.station; });
-  column(
-      archive, "magnitude", {"-", "moment magnitude; 0 where not told"}, records,
-      [](auto& r) -> auto& { return r.magnitude; });
-  column(
-      archive, "distance_km", {"km", "rupture distance; 0 where not told"}, records,
-      [](auto& r) -> auto& { return r.distance_km; });
-  column(
       archive, "scale", {"-", "factor to MCE"}, records, [](auto& r) -> auto& { return r.scale; });
-  column(
-      archive, "dt_s", {"s", "time step"}, records, [](auto& r) -> auto& { return r.dt_s; });
   column(
       archive, "has_vertical", {"-", "1 where there is a vertical component"}, records,
       [](auto& r) -> auto& { return r.has_vertical; });

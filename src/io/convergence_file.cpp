@@ -8,6 +8,7 @@
 #include "hdf5_file.hpp"
 #include "results_archive.hpp"
 #include "results_envelope.hpp"
+#include "shared_schema.hpp"
 
 namespace glissade {
 namespace {
@@ -33,16 +34,7 @@ void exchange_scenes(const Archive& archive, Scenes& scenes) {
 
 template <class Archive, class Records>
 void exchange_records(const Archive& archive, Records& records) {
-  make_rows(archive, "id", records);
-  column(
-      archive, "id", {"-", "name of the motion in its suite"}, records,
-      [](auto& r) -> auto& { return r.id; });
-  column(
-      archive, "event", {"-", "earthquake"}, records, [](auto& r) -> auto& { return r.event; });
-  column(
-      archive, "station", {"-", "station"}, records, [](auto& r) -> auto& { return r.station; });
-  column(
-      archive, "dt_s", {"s", "time step"}, records, [](auto& r) -> auto& { return r.dt_s; });
+  exchange_identity(archive, records);
   column(
       archive, "samples", {"-", "number of samples"}, records,
       [](auto& r) -> auto& { return r.samples; });

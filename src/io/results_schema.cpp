@@ -5,6 +5,7 @@
 #include "enum_names.hpp"
 #include "impact_schema.hpp"
 #include "results_archive.hpp"
+#include "shared_schema.hpp"
 
 namespace glissade {
 namespace {
@@ -53,20 +54,8 @@ void exchange_samples(const Archive& archive, Samples& samples) {
 
 template <class Archive, class Records>
 void exchange_records(const Archive& archive, Records& records) {
-  make_rows(archive, "id", records);
-  column(
-      archive, "id", {"-", "name of the motion in its suite"}, records,
-      [](auto& r) -> auto& { return r.id; });
-  column(
-      archive, "event", {"-", "earthquake"}, records, [](auto& r) -> auto& { return r.event; });
-  column(
-      archive, "station", {"-", "station"}, records, [](auto& r) -> auto& { return r.station; });
-  column(
-      archive, "magnitude", {"-", "moment magnitude; 0 where not told"}, records,
-      [](auto& r) -> auto& { return r.magnitude; });
-  column(
-      archive, "distance_km", {"km", "rupture distance; 0 where not told"}, records,
-      [](auto& r) -> auto& { return r.distance_km; });
+  exchange_identity(archive, records);
+  exchange_source(archive, records);
   column(
       archive, "vs30_mps", {"m/s", "mean shear-wave velocity of the upper 30 m; 0 where not told"},
       records, [](auto& r) -> auto& { return r.vs30_mps; });
@@ -86,8 +75,6 @@ void exchange_records(const Archive& archive, Records& records) {
       {"m/s", "geometric mean of the horizontals' peak ground velocities, as recorded"}, records,
       [](auto& r) -> auto& { return r.pgv_mps; });
   column(
-      archive, "dt_s", {"s", "time step"}, records, [](auto& r) -> auto& { return r.dt_s; });
-  column(
       archive, "samples", {"-", "number of samples"}, records,
       [](auto& r) -> auto& { return r.samples; });
   column(
@@ -101,13 +88,9 @@ void exchange_records(const Archive& archive, Records& records) {
 template <class Archive, class Spectra>
 void exchange_spectra(const Archive& archive, Spectra& spectra) {
   archive.attribute("reference_level_g", spectra.reference_level);
-  list(archive, "period_s", {"s", "periods of the spectra"}, spectra.periods_s);
-  make_rows(archive, "srss_g", spectra.srss_g, 2);
-  matrix(
-      archive, "srss_g", {"g", "5 % SRSS spectrum of each scaled record, by (record, period)"},
-      spectra.srss_g, [](auto& row) -> auto& { return row; });
-  list(archive, "average_srss_g", {"g", "average over the records"}, spectra.average_srss_g);
-  list(archive, "target_g", {"g", "target spectrum; empty without a target"}, spectra.target_g);
+  exchange_curves(archive, spectra,
+                  {"5 % SRSS spectrum of each scaled record, by (record, period)",
+                   "target spectrum; empty without a target"});
 }
 
 /// One of the two fits of every threshold.

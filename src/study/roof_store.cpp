@@ -36,7 +36,7 @@ std::span<const SampleRoof> RoofStore::under(std::size_t record, std::uint64_t f
   GLISSADE_EXPECTS(sample_count <= most_at_once);
   if (record != record_ || skipping_ == Skipping::none) turn_to(record);
   roofs_.assign(sample_count, {});
-  if (plan_.config.building.strength && plan_.kernel.kernel != Kernel::tables) {
+  if (plan_.config.building.strength) {
     for (SampleRoof& roof : roofs_) roof.factor_at_unit_level = plan_.factor_at_unit_level[record];
   } else if (plan_.roofs_are_kept) {
     for (std::uint64_t i = 0; i < sample_count; ++i) roofs_[i] = kept(first_sample + i);

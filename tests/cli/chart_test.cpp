@@ -4,35 +4,21 @@
 
 #include <sstream>
 
-#include "cli/child.hpp"
+#include "cli/one_run.hpp"
 #include "cli/small_study.hpp"
+#include "one_line.hpp"
 
 namespace glissade::test {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
-class ChartRun : public testing::Test {
+class ChartRun : public OneRun<small_chart> {
  protected:
-  static void SetUpTestSuite() {
-    folder_ = new ScratchFolder;
-    finished_ =
-        run_program({"run", folder_->write("chart.toml", small_chart()), "--out", out().string()});
-    ASSERT_EQ(finished_.status, 0) << finished_.err;
-  }
-  static void TearDownTestSuite() {
-    delete folder_;
-    folder_ = nullptr;
-  }
-  static std::filesystem::path out() { return folder_->path("out"); }
   static std::string read(const std::string& name) { return read_file((out() / name).string()); }
-
-  static ScratchFolder* folder_;
-  static Finished finished_;
 };
-ScratchFolder* ChartRun::folder_ = nullptr;
-Finished ChartRun::finished_;
 
 TEST_F(ChartRun, leaves_a_table_to_read_clearances_from) {
   const std::string table = read("tables/chart.csv");
@@ -78,10 +64,29 @@ TEST_F(ChartRun, a_chart_axis_of_one_value_is_refused_and_leaves_nothing) {
 }
 
 TEST_F(ChartRun, prints_its_grid_when_asked_for_the_plan) {
-  const Finished child = run_program({"run", folder_->path("chart.toml").string(), "--dry-run"});
+  const Finished child = run_program({"run", study_, "--dry-run"});
   EXPECT_EQ(child.status, 0) << child.err;
   // 2 periods x 2 components x (1 flat slope + 2 slopes under both signs) x 4 frictions.
   EXPECT_THAT(child.out, HasSubstr("samples     80, the chart's grid"));
+}
+
+TEST_F(ChartRun, says_that_one_component_acts) {
+  EXPECT_THAT(read("tables/chart.csv"), HasSubstr("one horizontal component along the slope"));
+}
+
+/// The small chart without what one axis alone has.
+std::string small_chart_on_two_axes() {
+  const std::string text = small_chart().substr(0, small_chart().find("[array]"));
+  return replaced(text, "[chart]", "[model]\naxes = 2\n[building]\nmass_ratio = 0.05\n[chart]");
+}
+using ChartOnTwoAxes = OneRun<small_chart_on_two_axes>;
+
+TEST_F(ChartOnTwoAxes, says_that_both_components_act) {
+  const std::string both = "both horizontal components, along and across the slope; in plan";
+  EXPECT_THAT(read_file((out() / "tables/chart.csv").string()), HasSubstr(both));
+  EXPECT_THAT(one_line(finished_.out), HasSubstr(both));
+  EXPECT_THAT(read_file((out() / "report.html").string()),
+              AllOf(HasSubstr("full model"), HasSubstr("array over building mass 0.05")));
 }
 
 }  // namespace

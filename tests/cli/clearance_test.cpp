@@ -3,7 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "cli/child.hpp"
+#include "cli/one_run.hpp"
 #include "cli/small_clearance.hpp"
 #include "cli/small_study.hpp"
 #include "one_line.hpp"
@@ -14,25 +14,7 @@ namespace {
 using testing::HasSubstr;
 namespace fs = std::filesystem;
 
-/// One run of the small clearance study, shared by the tests that look at what it left.
-class Clearance : public testing::Test {
- protected:
-  static void SetUpTestSuite() {
-    folder_ = new ScratchFolder;
-    study_ = folder_->write("small.toml", small_clearance());
-    finished_ = run_program({"run", study_, "--out", out().string()});
-    ASSERT_EQ(finished_.status, 0) << finished_.err;
-  }
-  static void TearDownTestSuite() {
-    delete folder_;
-    folder_ = nullptr;
-  }
-  static fs::path out() { return folder_->path("out"); }
-
-  static inline ScratchFolder* folder_ = nullptr;
-  static inline std::string study_;
-  static inline Finished finished_;
-};
+using Clearance = OneRun<small_clearance>;
 
 TEST_F(Clearance, leaves_results_report_tables_figures_and_its_record) {
   for (const char* name :

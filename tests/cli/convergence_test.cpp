@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "cli/child.hpp"
+#include "cli/one_run.hpp"
 #include "cli/small_convergence.hpp"
 #include "cli/small_study.hpp"
 #include "one_line.hpp"
@@ -16,25 +16,7 @@ using Json = nlohmann::json;
 using testing::HasSubstr;
 namespace fs = std::filesystem;
 
-/// One run of the small convergence study, shared by the tests that look at what it left.
-class Convergence : public testing::Test {
- protected:
-  static void SetUpTestSuite() {
-    folder_ = new ScratchFolder;
-    study_ = folder_->write("small.toml", small_convergence());
-    finished_ = run_program({"run", study_, "--out", out().string()});
-    ASSERT_EQ(finished_.status, 0) << finished_.err;
-  }
-  static void TearDownTestSuite() {
-    delete folder_;
-    folder_ = nullptr;
-  }
-  static fs::path out() { return folder_->path("out"); }
-
-  static inline ScratchFolder* folder_ = nullptr;
-  static inline std::string study_;
-  static inline Finished finished_;
-};
+using Convergence = OneRun<small_convergence>;
 
 TEST_F(Convergence, leaves_results_report_tables_figure_and_its_record) {
   for (const char* name :

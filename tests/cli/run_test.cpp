@@ -4,7 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "cli/child.hpp"
+#include "cli/one_run.hpp"
 #include "cli/small_study.hpp"
 
 namespace glissade::test {
@@ -14,20 +14,8 @@ using Json = nlohmann::json;
 using testing::HasSubstr;
 namespace fs = std::filesystem;
 
-/// One run of the small study, shared by the tests that look at what it left.
-class Run : public testing::Test {
+class Run : public OneRun<small_study> {
  protected:
-  static void SetUpTestSuite() {
-    folder_ = new ScratchFolder;
-    study_ = folder_->write("small.toml", small_study());
-    finished_ = run_program({"run", study_, "--out", out().string()});
-    ASSERT_EQ(finished_.status, 0) << finished_.err;
-  }
-  static void TearDownTestSuite() {
-    delete folder_;
-    folder_ = nullptr;
-  }
-  static fs::path out() { return folder_->path("out"); }
   static std::string h5dump(const std::vector<std::string>& options) {
     std::vector<std::string> command{"h5dump"};
     command.insert(command.end(), options.begin(), options.end());
@@ -42,10 +30,6 @@ class Run : public testing::Test {
     const std::size_t begin = text.find("(0): ") + 5;
     return text.substr(begin, text.find('\n', begin) - begin);
   }
-
-  static inline ScratchFolder* folder_ = nullptr;
-  static inline std::string study_;
-  static inline Finished finished_;
 };
 
 TEST_F(Run, leaves_results_report_tables_figures_and_its_record) {

@@ -98,8 +98,11 @@ std::string how_counted(const Results& results) {
                    results.records.front().id, building)
              : fmt::format(
                    "{} records, each counted with the orientation that slides farthest; {}; "
-                   "one horizontal component along the slope; in plan.",
-                   results.records.size(), building);
+                   "{}; in plan.",
+                   results.records.size(), building,
+                   slides_on_two_axes(results)
+                       ? "both horizontal components, along and across the slope"
+                       : "one horizontal component along the slope");
 }
 
 std::string seaoc_limits() {

@@ -80,14 +80,22 @@ Figure yielding_figure(const ClearanceResults& results) {
       "At R the building yields where the design spectrum asks an elastic force R times as large; "
       "R = 1 is taken elastic.",
       what_is_averaged(results));
-  draw_lines(figure,
-             results.suites.front().name + "; " +
-                 conditions_text(results, {},
-                                 {ClearanceAxis::response_modification, ClearanceAxis::period,
-                                  ClearanceAxis::support}),
-             plot);
-  return figure;
+  return with_lines(results, figure, {ClearanceAxis::response_modification}, plot);
 }
+
+namespace {
+
+/// A line over an axis for each building period.
+void add_buildings(const ClearanceResults& results, ClearanceAxis axis, LinePlot& plot) {
+  const Places family = along(results.grid, ClearanceAxis::period);
+  for (std::size_t i = 0; i < family.size(); ++i) {
+    plot.lines.push_back(
+        line_through(results, {}, along(results.grid, axis, family[i]), i, family.size()));
+    plot.lines.back().title = "building of " + label_of(results.grid, ClearanceAxis::period, i);
+  }
+}
+
+}  // namespace
 
 Figure slope_figure(const ClearanceResults& results) {
   const ClearanceGrid& grid = results.grid;
@@ -105,25 +113,14 @@ Figure slope_figure(const ClearanceResults& results) {
   largest.style = "linespoints lw 3.5 pt 7 ps 1.1 lc rgb '#000000'";
   largest.colour = "#000000";
   plot.lines.push_back(largest);
-  const Places family = along(grid, ClearanceAxis::period);
-  for (std::size_t i = 0; family.size() > 1 && i < family.size(); ++i) {
-    plot.lines.push_back(
-        line_through(results, {}, along(grid, ClearanceAxis::slope, family[i]), i, family.size()));
-    plot.lines.back().title = "building of " + label_of(grid, ClearanceAxis::period, i);
-  }
+  if (grid.period_s.size() > 1) add_buildings(results, ClearanceAxis::slope, plot);
   tell_bands(results, plot);
   Figure figure;
   figure.name = "slope";
   figure.title = "Displacement over the roof's slope";
   figure.caption =
       fmt::format("After Walters et al. (2012), Fig. 17. {}.", what_is_averaged(results));
-  draw_lines(
-      figure,
-      results.suites.front().name + "; " +
-          conditions_text(results, {},
-                          {ClearanceAxis::period, ClearanceAxis::slope, ClearanceAxis::support}),
-      plot);
-  return figure;
+  return with_lines(results, figure, {ClearanceAxis::slope}, plot);
 }
 
 Figure vertical_figure(const ClearanceResults& results) {
@@ -139,13 +136,8 @@ Figure vertical_figure(const ClearanceResults& results) {
                                              ? "rigid"
                                              : fmt::format("{:g} s", vertical.period_s)});
   }
-  const Places family = along(grid, ClearanceAxis::period);
-  for (std::size_t i = 0; i < family.size(); ++i) {
-    plot.lines.push_back(line_through(results, {}, along(grid, ClearanceAxis::vertical, family[i]),
-                                      i, family.size()));
-    plot.lines.back().title = "building of " + label_of(grid, ClearanceAxis::period, i);
-    plot.lines.back().spread = PlotLine::Spread::bars;
-  }
+  add_buildings(results, ClearanceAxis::vertical, plot);
+  for (PlotLine& line : plot.lines) line.spread = PlotLine::Spread::bars;
   tell_bands(results, plot);
   Figure figure;
   figure.name = "vertical";
@@ -155,13 +147,7 @@ Figure vertical_figure(const ClearanceResults& results) {
       "al. "
       "(2012) take it. Else: with a vertical period of its own, damped as the study says. {}.",
       what_is_averaged(results));
-  draw_lines(
-      figure,
-      results.suites.front().name + "; " +
-          conditions_text(results, {},
-                          {ClearanceAxis::period, ClearanceAxis::vertical, ClearanceAxis::support}),
-      plot);
-  return figure;
+  return with_lines(results, figure, {ClearanceAxis::vertical}, plot);
 }
 
 }  // namespace glissade

@@ -86,6 +86,14 @@ LinePlot over_periods(const ClearanceResults& results, const ClearanceQuestion& 
   return plot;
 }
 
+Figure with_lines(const ClearanceResults& results, Figure figure, std::vector<ClearanceAxis> shown,
+                  const LinePlot& plot) {
+  shown.insert(shown.end(), {ClearanceAxis::period, ClearanceAxis::support});
+  draw_lines(figure, results.suites.front().name + "; " + conditions_text(results, {}, shown),
+             plot);
+  return figure;
+}
+
 void mark_statements(const ClearanceResults& results, ClearanceTopic topic, LinePlot& plot) {
   for (const PaperStatement& s : results.statements) {
     if (s.about != topic || std::isnan(s.displacement_m) || std::isnan(s.period_s)) continue;

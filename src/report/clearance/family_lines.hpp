@@ -31,6 +31,11 @@ void tell_bands(const ClearanceResults& results, LinePlot& plot);
 /// What the paper states of displacements at a period, where a figure over periods can show it.
 void mark_statements(const ClearanceResults& results, ClearanceTopic topic, LinePlot& plot);
 
+/// The figure drawn with these lines. Below its title stand the suite and every condition that is
+/// the same all over: those of `shown`, the building's period and the support vary.
+Figure with_lines(const ClearanceResults& results, Figure figure, std::vector<ClearanceAxis> shown,
+                  const LinePlot& plot);
+
 /// For captions: what a displacement is.
 std::string what_is_averaged(const ClearanceResults& results);
 /// For axes.

@@ -51,13 +51,7 @@ Figure period_figure(const ClearanceResults& results) {
       "orientations "
       "in turn. Star: what the paper states.",
       what_is_averaged(results));
-  draw_lines(figure,
-             results.suites.front().name + "; " +
-                 conditions_text(results, {},
-                                 {ClearanceAxis::period, ClearanceAxis::mass,
-                                  ClearanceAxis::vertical, ClearanceAxis::support}),
-             plot);
-  return figure;
+  return with_lines(results, figure, {ClearanceAxis::mass, ClearanceAxis::vertical}, plot);
 }
 
 namespace {
@@ -91,11 +85,7 @@ Figure each_orientation_figure(const ClearanceResults& results) {
                    "the slope mirrors the history and changes no "
                    "peak; where friction is the same in both directions of the array it does not "
                    "matter along which of them the roof falls.";
-  draw_lines(figure,
-             results.suites.front().name + "; " +
-                 conditions_text(results, {}, {ClearanceAxis::period, ClearanceAxis::support}),
-             plot);
-  return figure;
+  return with_lines(results, figure, {}, plot);
 }
 
 /// Clearance for each slope along either axis, by m/M.
@@ -149,13 +139,7 @@ Figure permutations_figure(const ClearanceResults& results) {
                                       "slope permutations of Walters et "
                                       "al. (2012), with friction {}.",
                                       results.clearance_factor, friction_text(results));
-  draw_lines(figure,
-             results.suites.front().name + "; " +
-                 conditions_text(results, {},
-                                 {ClearanceAxis::period, ClearanceAxis::slope, ClearanceAxis::mass,
-                                  ClearanceAxis::support}),
-             plot);
-  return figure;
+  return with_lines(results, figure, {ClearanceAxis::slope, ClearanceAxis::mass}, plot);
 }
 
 }  // namespace
@@ -186,13 +170,7 @@ Figure mce_figure(const ClearanceResults& results) {
   figure.title = "Displacement under weaker and stronger shaking";
   figure.caption =
       fmt::format("After Walters et al. (2012), Fig. 18. {}.", what_is_averaged(results));
-  draw_lines(
-      figure,
-      results.suites.front().name + "; " +
-          conditions_text(results, {},
-                          {ClearanceAxis::period, ClearanceAxis::level, ClearanceAxis::support}),
-      plot);
-  return figure;
+  return with_lines(results, figure, {ClearanceAxis::level}, plot);
 }
 
 Figure base_shear_figure(const ClearanceResults& results) {
@@ -211,11 +189,7 @@ Figure base_shear_figure(const ClearanceResults& results) {
       "After Walters et al. (2012), Fig. 16. Mean over the suite of each history's SRSS of the "
       "peak "
       "base shears along both axes, over the weight of the building without the array.";
-  draw_lines(figure,
-             results.suites.front().name + "; " +
-                 conditions_text(results, {}, {ClearanceAxis::period, ClearanceAxis::support}),
-             plot);
-  return figure;
+  return with_lines(results, figure, {}, plot);
 }
 
 Figure base_shear_ratio_figure(const ClearanceResults& results) {
@@ -254,11 +228,7 @@ Figure base_shear_ratio_figure(const ClearanceResults& results) {
       "The same relative to the building without an array: below 1 the array relieves its "
       "building. "
       "An anchored array adds its mass.";
-  draw_lines(figure,
-             results.suites.front().name + "; " +
-                 conditions_text(results, {}, {ClearanceAxis::period, ClearanceAxis::support}),
-             plot);
-  return figure;
+  return with_lines(results, figure, {}, plot);
 }
 
 }  // namespace glissade

@@ -16,10 +16,7 @@ namespace {
 
 using test::CoupledReference;
 using test::made_up_record;
-
-double uniform(std::mt19937& random, double low, double high) {
-  return low + (high - low) * static_cast<double>(random()) / 4294967296.0;
-}
+using test::uniform;
 
 std::vector<CoupledScene> made_up_scenes(std::size_t count, unsigned seed) {
   std::mt19937 random(seed);

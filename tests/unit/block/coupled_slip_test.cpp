@@ -17,10 +17,7 @@ namespace glissade {
 namespace {
 
 using test::made_up_record;
-
-double uniform(std::mt19937& random, double low, double high) {
-  return low + (high - low) * static_cast<double>(random()) / 4294967296.0;
-}
+using test::uniform;
 
 /// Buildings from a few samples a period to slower than the record, on slopes to either side.
 std::vector<CoupledScene> made_up_scenes(std::size_t count, unsigned seed, double vertical) {

@@ -16,14 +16,11 @@ namespace {
 
 using test::CoupledReference;
 using test::made_up_record;
+using test::uniform;
 
 constexpr double g = standard_gravity_mps2;
 const auto a = made_up_record(150, 1, 8.0), w = made_up_record(150, 2, 3.0);
 const GroundMotion ground{0.02, a, w};
-
-double uniform(std::mt19937& random, double low, double high) {
-  return low + (high - low) * static_cast<double>(random()) / 4294967296.0;
-}
 
 CoupledScene made_up_scene(std::mt19937& random) {
   CoupledScene s{{{uniform(random, 0.1, 1.5), uniform(random, 0.01, 0.1)},

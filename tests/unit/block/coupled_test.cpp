@@ -17,10 +17,7 @@ namespace {
 
 using test::CoupledReference;
 using test::made_up_record;
-
-double uniform(std::mt19937& random, double low, double high) {
-  return low + (high - low) * static_cast<double>(random()) / 4294967296.0;
-}
+using test::uniform;
 
 /// A scene of any size, drawn from the generator: buildings from much stiffer than a sample
 /// interval to much slower than the record.

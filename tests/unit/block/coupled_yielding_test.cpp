@@ -18,10 +18,7 @@ namespace {
 
 using test::CoupledReference;
 using test::made_up_record;
-
-double uniform(std::mt19937& random, double low, double high) {
-  return low + (high - low) * static_cast<double>(random()) / 4294967296.0;
-}
+using test::uniform;
 
 /// With a yield level below what the building would feel elastic, and blocks that slide below it.
 struct Scene {

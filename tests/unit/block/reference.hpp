@@ -162,6 +162,11 @@ struct Reference {
   }
 };
 
+/// From the generator's own bits: the same numbers with every standard library.
+inline double uniform(std::mt19937& random, double low, double high) {
+  return low + (high - low) * static_cast<double>(random()) / 4294967296.0;
+}
+
 /// A made-up record: filtered noise under an envelope, the same on every machine (std::mt19937 is
 /// specified; no distribution of the library is used).
 inline std::vector<double> made_up_record(std::size_t n, unsigned seed, double peak_mps2) {

@@ -192,6 +192,20 @@ TEST_F(StudyWithPullTests, takes_the_direction_it_names) {
               AllOf(HasSubstr("\"up\" is not in the pull tests"), HasSubstr("\"along\"")));
 }
 
+TEST_F(StudyWithPullTests, takes_a_direction_for_each_of_two_axes) {
+  folder_.write("tests.csv", traces("along", {0.5, 0.6}) + rows("across", {0.7, 0.8}));
+  const std::string along = "file = \"tests.csv\"\ndirection = \"along\"\n";
+  const std::string both = along + "across_direction = \"across\"\n";
+  const StudyConfig study = read(both + "[model]\naxes = 2\n");
+  EXPECT_NEAR(mean(study.friction.mu), 0.55, 1e-6);
+  ASSERT_TRUE(study.friction.across);
+  EXPECT_NEAR(mean(*study.friction.across), 0.75, 1e-6);
+  EXPECT_THAT(study.friction.note, HasSubstr("direction across"));
+  EXPECT_THAT(error(both), HasSubstr("goes with [model] axes = 2 only"));
+  EXPECT_THAT(error(along + "across_direction = \"up\"\n[model]\naxes = 2\n"),
+              HasSubstr("friction.across_direction = \"up\" is not in the pull tests"));
+}
+
 TEST_F(StudyWithPullTests, takes_equal_tests_as_one_number) {
   folder_.write("tests.csv", traces("along", {0.5, 0.5}));
   EXPECT_EQ(std::get<Fixed>(read("file = \"tests.csv\"\n").friction.mu).value, 0.5);

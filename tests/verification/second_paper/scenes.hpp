@@ -12,16 +12,14 @@
 
 namespace glissade::verification {
 
+using test::uniform;
+
 /// A made-up horizontal motion with its vertical, 1,000 samples of 0.01 s.
 struct MadeUpGround {
   std::vector<double> a = test::made_up_record(1000, 1, 7.0),
                       w = test::made_up_record(1000, 2, 3.0);
   GroundMotion motion() const { return {0.01, a, w}; }
 };
-
-inline double uniform(std::mt19937& random, double low, double high) {
-  return low + (high - low) * static_cast<double>(random()) / 4294967296.0;
-}
 
 /// Linear buildings from a few samples a period to a third of the record, m/M up to 0.5, slopes to
 /// either side of which friction holds the block, motions from weak to strong.

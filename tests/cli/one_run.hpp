@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+
+#include "cli/child.hpp"
+
+namespace glissade::test {
+
+/// One run of a study, shared by the tests that look at what it left.
+template <std::string (*study_text)()>
+class OneRun : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    folder_ = new ScratchFolder;
+    study_ = folder_->write("small.toml", study_text());
+    finished_ = run_program({"run", study_, "--out", out().string()});
+    ASSERT_EQ(finished_.status, 0) << finished_.err;
+  }
+  static void TearDownTestSuite() {
+    delete folder_;
+    folder_ = nullptr;
+  }
+  static std::filesystem::path out() { return folder_->path("out"); }
+
+  static inline ScratchFolder* folder_ = nullptr;
+  static inline std::string study_;
+  static inline Finished finished_;
+};
+
+}  // namespace glissade::test
