@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "coupled_body.hpp"
+#include "glissade/core/not_converged.hpp"
 
 #include <algorithm>
-#include <stdexcept>
 
 namespace glissade::block_detail {
 
@@ -112,7 +112,7 @@ void CoupledBody::advance(GroundPiece ground, double end_time_s) {
     record(ground);
     if (!(ground.length_s > 0.0)) return;
   }
-  throw std::logic_error("slide_coupled: too many events inside one piece of time");
+  throw NotConverged("slide_coupled: too many events inside one piece of time");
 }
 
 void CoupledBody::pass(const GroundPiece& ground, const RoofMotionSeries& roof,

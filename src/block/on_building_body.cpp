@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "on_building_body.hpp"
+#include "glissade/core/not_converged.hpp"
 
-#include <stdexcept>
 #include <utility>
 
 namespace glissade::block_detail {
@@ -52,7 +52,7 @@ void OnBuildingBody::advance(Shaking piece, double end_s) {
     time_s_ = std::min(time_s_ + share * piece.length_s, end_s);
     piece.cut(share);
   }
-  throw std::logic_error("slide_on_building: too many steps inside one sample interval");
+  throw NotConverged("slide_on_building: too many steps inside one sample interval");
 }
 
 void OnBuildingBody::raise_peaks(std::size_t axis, const AxisSeries& motion, double share) {
@@ -84,7 +84,7 @@ void OnBuildingBody::coast(double step_s) {
       contact_.least_factor(now_.v) * contact_.friction().along() * load.normal -
       std::abs(load.drive.s);
   for (int steps = 0; sliding_; ++steps) {
-    if (steps == 100000) throw std::logic_error("slide_on_building: does not come to rest");
+    if (steps == 100000) throw NotConverged("slide_on_building: does not come to rest");
     Shaking still;
     // A quarter of the longest that can be left, straight down the slope.
     still.length_s = std::max(step_s, 0.25 * length(now_.v) / least_brake);

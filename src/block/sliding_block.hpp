@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 
 #include "contact.hpp"
+#include "glissade/core/not_converged.hpp"
 
 namespace glissade::block_detail {
 
@@ -141,7 +141,7 @@ class SlidingBlock {
       end_phase();
       if (!(left > 0.0)) return rest_until(piece_end);
     }
-    throw std::logic_error("slide: too many events inside one sample interval");
+    throw NotConverged("slide: too many events inside one sample interval");
   }
 
   /// No more roof motion: slides on under constant deceleration until it stops. False if it never

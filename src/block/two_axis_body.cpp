@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "two_axis_body.hpp"
+#include "glissade/core/not_converged.hpp"
 
-#include <stdexcept>
 
 namespace glissade::block_detail {
 
@@ -43,7 +43,7 @@ void TwoAxisBody::advance(double length_s, double end_s, const Load& begin, cons
     note();
     now = between(begin, end, done_s / length_s);
   }
-  throw std::logic_error("slide_two_axis: too many steps inside one sample interval");
+  throw NotConverged("slide_two_axis: too many steps inside one sample interval");
 }
 
 void TwoAxisBody::start(Vector acceleration) {
@@ -150,7 +150,7 @@ void TwoAxisBody::rest_after(const Stop& stop) {
 
 void TwoAxisBody::coast(const Load& load, double step_s) {
   for (int steps = 0; sliding_; ++steps) {
-    if (steps == 100000) throw std::logic_error("slide_two_axis: does not come to rest");
+    if (steps == 100000) throw NotConverged("slide_two_axis: does not come to rest");
     // A quarter of the longest that can be left, straight down the slope.
     const double least_brake = friction_.along() * load.normal - std::abs(load.drive.s);
     const double length_s = std::max(step_s, 0.25 * length(now_.v) / least_brake);

@@ -16,6 +16,7 @@ struct Place {
   double share;
 };
 Place place_on(const std::vector<double>& axis, double value) {
+  if (axis.size() == 1) return {0, 0.0};
   const auto above = std::upper_bound(axis.begin() + 1, axis.end() - 1, value);
   const auto cell = static_cast<std::size_t>(above - axis.begin()) - 1;
   return {cell, (value - axis[cell]) / (axis[cell + 1] - axis[cell])};
@@ -36,7 +37,7 @@ std::vector<double> over_friction(const Chart& chart, std::size_t level, double 
   std::vector<double> row;
   for (std::size_t m = 0; m < chart.mu.size(); ++m) {
     row.push_back(between(slip(chart.at(level, slope.cell, m)),
-                          slip(chart.at(level, slope.cell + 1, m)), slope.share));
+                          slip(chart.at(level, std::min(slope.cell + 1, chart.slope_deg.size() - 1), m)), slope.share));
   }
   return row;
 }
@@ -64,7 +65,7 @@ ChartReading read_off(const Chart& chart, const std::vector<double>& levels,
     const std::vector<double> row = over_friction(chart, level, question.slope_deg, slip);
     if (question.displacement_m) return friction_needed(chart.mu, row, *question.displacement_m);
     const Place mu = place_on(chart.mu, *question.mu);
-    return between(row[mu.cell], row[mu.cell + 1], mu.share);
+    return between(row[mu.cell], row[std::min(mu.cell + 1, row.size() - 1)], mu.share);
   };
   return {.question = question,
           .mean = answer([](const ChartPoint& p) { return p.largest.mean_m; }),

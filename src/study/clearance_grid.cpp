@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glissade/study/clearance_grid.hpp"
 
-#include <fmt/format.h>
-
 #include "glissade/core/contract.hpp"
 
 namespace glissade {
@@ -73,46 +71,6 @@ std::vector<ClearancePosition> all_but(const ClearanceGrid& grid, ClearanceAxis 
     if (position[axis] == 0) places.push_back(position);
   }
   return places;
-}
-
-std::vector<GroundOrientation> orientations(OrientationChoice choice,
-                                            const std::vector<SlopeAxis>& slope_axes) {
-  constexpr int azimuths = 16;
-  std::vector<GroundOrientation> all;
-  for (const SlopeAxis axis : slope_axes) {
-    switch (choice) {
-      case OrientationChoice::sixteen:
-        for (const double azimuth : {0.0, 180.0, 90.0, 270.0}) {
-          for (const int across : {1, -1}) all.push_back({axis, azimuth, across});
-        }
-        break;
-      case OrientationChoice::azimuths:
-        for (int i = 0; i < azimuths; ++i) all.push_back({axis, 360.0 / azimuths * i, 1});
-        break;
-      case OrientationChoice::stated:
-        all.push_back({axis, 0.0, 1});
-        break;
-    }
-  }
-  return all;
-}
-
-std::string to_string(SlopeAxis axis) { return axis == SlopeAxis::e_w ? "E-W" : "N-S"; }
-
-std::string to_string(const GroundOrientation& o) {
-  const std::string slope = "slope " + to_string(o.slope_axis);
-  // At azimuth 90 the roof falls where the second component points, and the first, turned round,
-  // acts a quarter turn on.
-  const bool second = o.azimuth_deg == 90.0 || o.azimuth_deg == 270.0;
-  if (!second && o.azimuth_deg != 0.0 && o.azimuth_deg != 180.0) {
-    return fmt::format("{}, azimuth {:g} deg{}", slope, o.azimuth_deg,
-                       o.across_sign < 0 ? ", across turned round" : "");
-  }
-  const int along = o.azimuth_deg < 180.0 ? 1 : -1;
-  const int across = o.across_sign * (second ? -along : along);
-  const char* names[] = {"first", "second"};
-  return fmt::format("{}, along it {}{}, across {}{}", slope, along > 0 ? '+' : '-', names[second],
-                     across > 0 ? '+' : '-', names[!second]);
 }
 
 }  // namespace glissade

@@ -27,8 +27,7 @@ class Values {
       const std::size_t condition = results.grid.index(places[p]);
       for (std::size_t o = 0; o < orientations_.size(); ++o) {
         for (std::size_t r = 0; r < records_.size(); ++r) {
-          values_(p, o, r) = number_of(results, question.number,
-                                       results.at(records_[r], orientations_[o], condition));
+          values_(p, o, r) = number_of(question.number, results.at(records_[r], orientations_[o], condition));
         }
       }
     }
@@ -93,11 +92,10 @@ std::vector<double> weighted_means(const Values& values, const std::vector<doubl
 
 }  // namespace
 
-double number_of(const ClearanceResults& results, HistoryNumber number,
-                 const ClearanceHistory& history) {
+double number_of(HistoryNumber number, const ClearanceHistory& history) {
   switch (number) {
     case HistoryNumber::displacement:
-      return displacement_m(history, results.displacement);
+      return history.displacement_m;
     case HistoryNumber::vector_peak:
       return history.peak_m;
     case HistoryNumber::base_shear:
@@ -129,7 +127,7 @@ double suite_mean(const ClearanceResults& results, const ClearanceQuestion& ques
   const std::vector<std::size_t> records = records_of(results, question.suite);
   double sum = 0.0;
   for (const std::size_t record : records) {
-    sum += number_of(results, question.number,
+    sum += number_of(question.number,
                      results.at(record, orientation, results.grid.index(at)));
   }
   return sum / static_cast<double>(records.size());
@@ -171,7 +169,7 @@ std::size_t governing_period(const ClearanceResults& results, const ClearanceQue
   return governing;
 }
 
-OwnWayBounds own_way_bounds(const ClearanceResults& results, const ClearanceQuestion& question,
+PerRecordBounds per_record_bounds(const ClearanceResults& results, const ClearanceQuestion& question,
                             const ClearancePosition& at, Periods periods) {
   const Values values(results, question, at, periods);
   const auto bound = [&](const double& (*pick)(const double&, const double&)) {
@@ -181,20 +179,20 @@ OwnWayBounds own_way_bounds(const ClearanceResults& results, const ClearanceQues
   return {bound(std::min<double>), bound(std::max<double>)};
 }
 
-std::vector<double> own_way_means(const ClearanceResults& results,
+std::vector<double> per_record_means(const ClearanceResults& results,
                                   const ClearanceQuestion& question, const ClearancePosition& at,
                                   Periods periods) {
   constexpr std::uint64_t draws = 10000;
   const Values values(results, question, at, periods);
   const std::vector<std::size_t>& run = values.orientations();
-  // Ways for each axis the slope may have: places in `run`.
-  std::vector<std::vector<std::size_t>> ways;
+  // Orientations for each axis the slope may have: places in `run`.
+  std::vector<std::vector<std::size_t>> choices;
   for (const SlopeAxis axis : {SlopeAxis::e_w, SlopeAxis::n_s}) {
     std::vector<std::size_t> of_axis;
     for (std::size_t o = 0; o < run.size(); ++o) {
       if (results.orientations[run[o]].slope_axis == axis) of_axis.push_back(o);
     }
-    if (!of_axis.empty()) ways.push_back(std::move(of_axis));
+    if (!of_axis.empty()) choices.push_back(std::move(of_axis));
   }
   const auto pick = [&](std::uint64_t draw, std::size_t which, std::size_t count) {
     const double u = keyed_uniform(results.seed, RandomPurpose::sample_point, draw,
@@ -203,7 +201,7 @@ std::vector<double> own_way_means(const ClearanceResults& results,
   };
   std::vector<double> means;
   for (std::uint64_t draw = 0; draw < draws; ++draw) {
-    const std::vector<std::size_t>& of_axis = ways[pick(draw, 0, ways.size())];
+    const std::vector<std::size_t>& of_axis = choices[pick(draw, 0, choices.size())];
     means.push_back(values.mean_as(
         [&](std::size_t record) { return of_axis[pick(draw, 1 + record, of_axis.size())]; }));
   }
@@ -227,7 +225,7 @@ StrongerAlong stronger_along(const ClearanceResults& results, const ClearanceQue
       const double azimuth =
           turned_deg + (results.records[values.records()[r]].stronger == 1 ? 90.0 : 0.0);
       for (std::size_t o = 0; o < values.orientations().size(); ++o) {
-        if (results.orientations[values.orientations()[o]].azimuth_deg == azimuth) return o;
+        if (results.orientations[values.orientations()[o]].ground_azimuth_deg == azimuth) return o;
       }
       found = false;
       return std::size_t{0};

@@ -1,164 +1,184 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glissade/study/clearance_study.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <algorithm>
+#include <array>
 #include <cmath>
 
-#include "glissade/core/bytes.hpp"
 #include "glissade/core/contract.hpp"
-#include "glissade/core/error.hpp"
-#include "glissade/core/hash.hpp"
-#include "glissade/motion/intensity.hpp"
-#include "glissade/study/kernel.hpp"
-#include "keep_records.hpp"
 
 namespace glissade {
 namespace {
 
-bool yields(const ClearanceGrid& grid) { return grid.response_modification.back() > 1.0; }
+/// The axes of a study's cases that make up the grid of conditions.
+struct GridAxes {
+  std::size_t friction_value, support, vertical, vertical_period, response_modification, mass,
+      slope, period;
 
-bool requires_vertical(const ClearanceGrid& grid) {
-  return std::ranges::any_of(grid.vertical, [](const VerticalCondition& condition) {
-    return condition.use == VerticalChoice::required;
-  });
+  explicit GridAxes(const CaseSet& set)
+      : friction_value(set.axis("friction.value")),
+        support(set.axis("array.support")),
+        vertical(set.axis("vertical.use")),
+        vertical_period(set.axis("vertical.period_s")),
+        response_modification(set.axis("building.response_modification")),
+        mass(set.axis("building.mass_ratio")),
+        slope(set.axis("roof.slope_deg")),
+        period(set.axis("building.period_s")) {}
+};
+
+std::vector<double> values_on(const CaseSet& set, std::size_t axis, double otherwise) {
+  return axis < set.axes.size() ? set.axes[axis].values : std::vector{otherwise};
 }
 
-void check(const ClearanceConfig& config, const Suite& suite, const std::string& file,
-           ProblemList& problems) {
-  if (yields(config.grid) && !suite.target) {
-    problems.add({file, "has no [target], and a building's strength for R above 1 rests on it",
-                  "give the suite its design spectrum, or ask for R = 1 only", ""});
-  }
-  for (const Motion& motion : suite.motions) {
-    if (motion.horizontal_mps2[1].empty()) {
-      problems.add({file, "record " + motion.id + " has no second horizontal component",
-                    "a clearance study shakes both axes: add it, or leave the record out", ""});
-    }
-    if (requires_vertical(config.grid) && motion.vertical_mps2.empty()) {
-      problems.add({file, "record " + motion.id + " has no vertical component",
-                    "use vertical = \"if_available\", or leave the record out", ""});
-    }
-    if (horizontal_pga_mps2(motion, HorizontalCombination::srss) == 0.0) {
-      problems.add({file, "record " + motion.id + " is zero throughout", "leave it out", ""});
-    }
-  }
-}
-
-double friction_along(const ClearanceConfig& config, SlopeAxis axis) {
-  return config.friction[static_cast<std::size_t>(axis)].design();
-}
-
-bool same_histories(const ClearanceConfig& config, const GroundOrientation& a,
-                    const GroundOrientation& b) {
-  const bool alike =
-      friction_along(config, SlopeAxis::e_w) == friction_along(config, SlopeAxis::n_s);
-  return a.azimuth_deg == b.azimuth_deg && (a.slope_axis == b.slope_axis || alike);
-}
-
-std::vector<std::size_t> same_as(const ClearanceConfig& config,
-                                 const std::vector<GroundOrientation>& all) {
-  std::vector<std::size_t> first(all.size());
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    std::size_t j = 0;
-    while (!same_histories(config, all[j], all[i])) ++j;
-    first[i] = j;
-  }
-  return first;
-}
-
-std::string hash_of(const ClearancePlan& plan) {
-  Hasher hasher;
-  hasher.text("clearance study").text(plan.config.source_text);
-  for (const Suite& suite : plan.suites) {
-    hasher.number(std::uint64_t{suite.motions.size()});
-    for (const Motion& motion : suite.motions) {
-      hasher.text(motion.id).number(motion.scale).number(motion.dt_s);
-      hasher.numbers(motion.horizontal_mps2[0]).numbers(motion.horizontal_mps2[1]);
-      hasher.numbers(motion.vertical_mps2);
+/// The roof's vertical and its period; with no vertical the period has no part.
+std::vector<VerticalCondition> verticals_of(const CaseSet& set, const GridAxes& axes) {
+  const Case& c = set.cases.front();
+  std::vector<VerticalCondition> conditions;
+  for (const double use : values_on(set, axes.vertical, static_cast<double>(c.vertical))) {
+    for (const double period_s : values_on(set, axes.vertical_period, c.vertical_period_s)) {
+      const auto choice = static_cast<VerticalChoice>(static_cast<int>(use));
+      const VerticalCondition condition{choice,
+                                        choice == VerticalChoice::none ? 0.0 : period_s};
+      if (std::ranges::find(conditions, condition) == conditions.end())
+        conditions.push_back(condition);
     }
   }
-  return to_hex(hasher.value());
+  return conditions;
 }
 
-std::string names_of(const std::vector<Suite>& suites) {
-  std::vector<std::string> names;
-  for (const Suite& suite : suites)
-    names.push_back(fmt::format("{} ({} records)", suite.name, suite.motions.size()));
-  return fmt::format("{}", fmt::join(names, ", "));
+ClearanceGrid grid_of(const Results& results, const GridAxes& axes) {
+  const CaseSet& set = results.cases;
+  const Case& c = set.cases.front();
+  ClearanceGrid grid;
+  grid.support.clear();
+  for (const double support : values_on(set, axes.support, static_cast<double>(c.support)))
+    grid.support.push_back(static_cast<ArraySupport>(static_cast<int>(support)));
+  grid.vertical = verticals_of(set, axes);
+  grid.response_modification =
+      values_on(set, axes.response_modification, c.response_modification);
+  grid.mass_ratio = values_on(set, axes.mass, c.mass_ratio);
+  grid.slope_deg = values_on(set, axes.slope, c.slope_deg);
+  grid.fraction_of_mce = results.levels;
+  grid.period_s = values_on(set, axes.period, c.period_s);
+  return grid;
+}
+
+/// The combination of cases at a place of the grid.
+std::size_t combination_at(const CaseSet& set, const GridAxes& axes, const ClearanceGrid& grid,
+                           const ClearancePosition& at) {
+  std::vector<std::size_t> places(set.axes.size(), 0);
+  const auto put = [&](std::size_t axis, std::size_t place) {
+    if (axis < places.size()) places[axis] = place;
+  };
+  const auto put_value = [&](std::size_t axis, double value) {
+    if (axis == places.size()) return;
+    const std::vector<double>& values = set.axes[axis].values;
+    places[axis] = static_cast<std::size_t>(std::ranges::find(values, value) - values.begin());
+    if (places[axis] == values.size()) places[axis] = 0;  // with no vertical: any period
+  };
+  const VerticalCondition& vertical = grid.vertical[at[ClearanceAxis::vertical]];
+  if (axes.friction_value < places.size()) places[axes.friction_value] = 1;  // design
+  put(axes.support, at[ClearanceAxis::support]);
+  put_value(axes.vertical, static_cast<double>(vertical.use));
+  put_value(axes.vertical_period, vertical.period_s);
+  put(axes.response_modification, at[ClearanceAxis::response_modification]);
+  put(axes.mass, at[ClearanceAxis::mass]);
+  put(axes.slope, at[ClearanceAxis::slope]);
+  put(axes.period, at[ClearanceAxis::period]);
+  return set.combination(places);
+}
+
+/// The mean over the samples of one record in one orientation of one combination.
+ClearanceHistory history_of(const Results& results, std::size_t record, std::size_t combination,
+                            std::size_t orientation, std::size_t level) {
+  const CaseSet& set = results.cases;
+  const HistoryTable& table = results.histories;
+  const auto mean = [&](const std::vector<double>& field) {
+    if (field.empty()) return 0.0;
+    double sum = 0.0;
+    for (std::size_t sample = 0; sample < set.samples; ++sample)
+      sum += field[table.at(record, set.index(combination, sample, orientation), level)];
+    return sum / static_cast<double>(set.samples);
+  };
+  const HistoryFields& f = table.fields;
+  ClearanceHistory history{.displacement_m = mean(f.peak_displacement_m),
+                           .peak_m = mean(f.peak_vector_m.empty() ? f.peak_displacement_m
+                                                                  : f.peak_vector_m),
+                           .peak_along_m = mean(f.peak_along_m),
+                           .peak_across_m = mean(f.peak_across_m),
+                           .residual_along_m = mean(f.residual_along_m),
+                           .residual_across_m = mean(f.residual_across_m),
+                           .shear_along = mean(f.shear_along),
+                           .shear_across = mean(f.shear_across)};
+  for (std::size_t sample = 0; sample < set.samples; ++sample) {
+    const std::size_t at = table.at(record, set.index(combination, sample, orientation), level);
+    history.uplift = std::max(history.uplift, f.uplift[at]);
+  }
+  return history;
+}
+
+/// Friction at its design value, for the slope along either axis of the array.
+std::vector<double> design_frictions(const CaseSet& set, const GridAxes& axes) {
+  std::vector<std::size_t> places(set.axes.size(), 0);
+  if (axes.friction_value < places.size()) places[axes.friction_value] = 1;
+  const Case& c = set.cases[set.index(set.combination(places), 0, 0)];
+  const bool along_e_w = c.orientation.slope_axis == SlopeAxis::e_w;
+  return {along_e_w ? c.friction : c.friction_across, along_e_w ? c.friction_across : c.friction};
 }
 
 }  // namespace
-
-double displacement_m(const ClearanceHistory& history, DisplacementMeasure measure) {
-  return measure == DisplacementMeasure::vector
-             ? history.peak_m
-             : std::hypot(history.peak_along_m, history.peak_across_m);
-}
 
 double base_shear(const ClearanceHistory& history) {
   return std::hypot(history.shear_along, history.shear_across);
 }
 
-ClearancePlan make_plan(const ClearanceConfig& config, std::vector<Suite> suites) {
-  GLISSADE_EXPECTS(suites.size() == config.suite_files.size() && !suites.empty());
-  GLISSADE_EXPECTS(config.grid.count() > 0 && !config.slope_axes.empty());
-  ClearancePlan plan{.config = config,
-                     .suites = std::move(suites),
-                     .records = {},
-                     .orientations = orientations(config.orientation, config.slope_axes),
-                     .same_as = {},
-                     .run = {},
-                     .hash = {}};
-  ProblemList problems;
-  for (std::size_t i = 0; i < plan.suites.size(); ++i) {
-    keep_records({config.file, config.suite_files[i], config.records}, plan.suites[i]);
-    check(config, plan.suites[i], config.suite_files[i].string(), problems);
-    for (std::size_t j = 0; j < plan.suites[i].motions.size(); ++j) plan.records.push_back({i, j});
+bool is_clearance_axis(const std::string& key) {
+  constexpr std::array known = {"friction.value",
+                                "array.support",
+                                "vertical.use",
+                                "vertical.period_s",
+                                "building.response_modification",
+                                "building.mass_ratio",
+                                "roof.slope_deg",
+                                "building.period_s"};
+  return std::ranges::find(known, key) != known.end();
+}
+
+ClearanceResults clearance_results(const Results& results) {
+  GLISSADE_EXPECTS(results.clearance.has_value());
+  const CaseSet& set = results.cases;
+  const GridAxes axes(set);
+  ClearanceResults clearance{.study_name = results.study_name,
+                             .study_description = results.study_description,
+                             .program_version = results.program_version,
+                             .plan_hash = results.plan_hash,
+                             .study_text = results.study_text,
+                             .seed = results.seed,
+                             .grid = grid_of(results, axes),
+                             .orientations = {},
+                             .same_as = {},
+                             .suites = results.suites,
+                             .records = results.records,
+                             .friction = design_frictions(set, axes),
+                             .displacement = results.displacement,
+                             .clearance_factor = results.clearance->factor,
+                             .histories = {}};
+  const std::vector<std::size_t> same = same_as(set, slides_on_two_axes(results));
+  for (std::size_t o = 0; o < set.orientations; ++o) {
+    clearance.orientations.push_back(set.cases[set.index(0, 0, o)].orientation);
+    clearance.same_as.push_back(same[set.index(0, 0, o)] % set.orientations);
   }
-  problems.throw_if_any();
-  plan.same_as = same_as(config, plan.orientations);
-  for (std::size_t i = 0; i < plan.orientations.size(); ++i) {
-    if (plan.same_as[i] == i) plan.run.push_back(i);
+  for (std::size_t record = 0; record < results.records.size(); ++record) {
+    for (std::size_t o = 0; o < set.orientations; ++o) {
+      for (std::size_t i = 0; i < clearance.grid.count(); ++i) {
+        const ClearancePosition at = clearance.grid.position(i);
+        clearance.histories.push_back(
+            history_of(results, record, combination_at(set, axes, clearance.grid, at), o,
+                       at[ClearanceAxis::level]));
+      }
+    }
   }
-  plan.hash = hash_of(plan);
-  return plan;
-}
-
-std::string to_string(const ClearancePlan& plan) {
-  const ClearanceGrid& grid = plan.config.grid;
-  std::string text = fmt::format("Clearance study {}\n", plan.config.name);
-  text += fmt::format("Suites        {}\n", names_of(plan.suites));
-  text += fmt::format("Model         {}\n", describe(Kernel::full));
-  text += fmt::format("Shaking       {:.3g} of MCE\n", fmt::join(grid.fraction_of_mce, ", "));
-  text +=
-      fmt::format("Buildings     T {:g} s; m/M {:g}; R {:g}\n", fmt::join(grid.period_s, ", "),
-                  fmt::join(grid.mass_ratio, ", "), fmt::join(grid.response_modification, ", "));
-  text += fmt::format("Roofs         slope {:.3g} deg; friction E-W {:g}, N-S {:g}\n",
-                      fmt::join(grid.slope_deg, ", "), friction_along(plan.config, SlopeAxis::e_w),
-                      friction_along(plan.config, SlopeAxis::n_s));
-  text += fmt::format("Orientations  {}, of which {} differ\n", plan.orientations.size(),
-                      plan.run.size());
-  text += fmt::format("Histories     {}, in {} units\n", plan.histories(), plan.units());
-  return text + fmt::format("Plan hash     {}\n", plan.hash);
-}
-
-std::vector<char> pack(const std::vector<ClearanceUnit>& units) {
-  ByteWriter out;
-  out.put(units.size());
-  for (const ClearanceUnit& unit : units) out.put(unit.unit).put(unit.histories);
-  return out.take();
-}
-
-std::vector<ClearanceUnit> unpack_clearance_units(const std::vector<char>& bytes) {
-  ByteReader in(bytes);
-  std::size_t count = 0;
-  in.get(count);
-  std::vector<ClearanceUnit> units(count);
-  for (ClearanceUnit& unit : units) in.get(unit.unit).get(unit.histories);
-  return units;
+  return clearance;
 }
 
 }  // namespace glissade

@@ -9,37 +9,26 @@
 
 namespace glissade {
 
-std::string to_string(IntensityMeasure measure) {
-  switch (measure) {
-    case IntensityMeasure::sds_g:
-      return "sds_g";
-    case IntensityMeasure::pga_g:
-      return "pga_g";
-    case IntensityMeasure::sa_g:
-      return "sa_g";
-    case IntensityMeasure::avg_sa_g:
-      return "avg_sa_g";
-    case IntensityMeasure::ppa_g:
-      return "ppa_g";
+Quantities::Quantities() {
+  const Case usual;
+  for (const Parameter& p : parameters()) all_.push_back({{value_of(p, usual)}, {}});
+}
+
+const std::vector<double>& StudyConfig::thresholds_m() const {
+  static const std::vector<double> none;
+  return fragility ? fragility->thresholds_m : none;
+}
+
+bool StudyConfig::draws() const {
+  if (orientation.choice == OrientationChoice::random) return true;
+  for (std::size_t i = 0; i < parameters().size(); ++i) {
+    if (quantities[i].is_drawn()) return true;
   }
-  return {};
+  return false;
 }
 
 std::string intensity_label(const IntensityConfig& intensity) {
-  switch (intensity.measure) {
-    case IntensityMeasure::sds_g:
-      return "S_DS (g)";
-    case IntensityMeasure::pga_g:
-      return "peak ground acceleration (g)";
-    case IntensityMeasure::sa_g:
-      return fmt::format("Sa({:g} s) (g)", intensity.sa_period_s);
-    case IntensityMeasure::avg_sa_g:
-      return fmt::format("average Sa, {:g} to {:g} s (g)", intensity.avg_sa_periods_s.front(),
-                         intensity.avg_sa_periods_s.back());
-    case IntensityMeasure::ppa_g:
-      return "peak roof acceleration (g)";
-  }
-  return {};
+  return fmt::format("{} ({})", intensity.measure.symbol(intensity), intensity.measure.unit());
 }
 
 Prescription prescribed_displacement(Standard standard, double sds_g,
@@ -78,6 +67,11 @@ std::string describe(const Distribution& distribution) {
     }
   };
   return std::visit(Describe{}, distribution);
+}
+
+std::string describe(const Quantity& quantity) {
+  return quantity.drawn ? describe(*quantity.drawn)
+                        : fmt::format("{:g}", fmt::join(quantity.values, ", "));
 }
 
 namespace {

@@ -9,28 +9,36 @@
 #include "glissade/block/tipping.hpp"
 #include "glissade/core/contract.hpp"
 #include "glissade/core/units.hpp"
-#include "model_scene.hpp"
+#include "cases/case_scene.hpp"
 
 namespace glissade {
 namespace {
 
-/// What a sample under a run is to every kernel.
+/// A case under a record, as every kernel needs it.
 struct Scene {
   const Plan& plan;
-  const SamplePoint& sample;
-  Block block;
-  const SampleRoof& roof;
+  const Case& c;
+  std::size_t record;
+  const CaseRoof& roof;
   bool skips;
+  Block block = block_of(c);
 
-  double factor(double level) const { return level * roof.factor_at_unit_level; }
-  std::span<const double> thresholds_m() const { return plan.config.thresholds_m; }
+  double factor(double level) const {
+    return plan.config.intensity.measure.factor_of_level(level) * roof.factor_at_unit_level;
+  }
+  /// On the motion along an axis.
+  double axis_factor(int axis, double level) const {
+    return axis_motion(c.orientation, axis).sign * factor(level);
+  }
+  std::span<const double> thresholds_m() const { return plan.config.thresholds_m(); }
 };
 
 /// A smaller friction than either direction has, under the longer of both axes' peaks together: on
 /// a circle the worst direction is straight up the slope.
-bool is_held(const Scene& scene, double friction, double level) {
+bool is_below_yield(const Scene& scene, double friction, double level) {
   const RoofTable &first = scene.roof.table, &second = scene.roof.second;
-  if (!scene.skips || !first.horizontal) return false;
+  const bool may_skip = scene.skips && !scene.c.yields() && !scene.plan.config.base_shear;
+  if (!may_skip || !first.horizontal) return false;
   Block block = scene.block;
   block.friction = friction;
   const double peak = second.horizontal ? std::hypot(first.horizontal->acceleration_bound_mps2,
@@ -46,11 +54,13 @@ class TableHistories : public Histories {
   TableHistories(const Scene& scene, SlipCurve* curve, std::function<void()> remake)
       : scene_(scene), curve_(curve), remake_(std::move(remake)) {}
 
-  bool held(double level) const override { return is_held(scene_, scene_.block.friction, level); }
+  bool does_not_slide(double level) const override {
+    return is_below_yield(scene_, scene_.block.friction, level);
+  }
 
   double tipping_level(const RigidBase& base) const override {
     return tipping_onset_factor(scene_.roof.table, scene_.block, base,
-                                {1.0 * scene_.sample.sign, 1.0}) /
+                                {sign_, 1.0}) /
            scene_.roof.factor_at_unit_level;
   }
 
@@ -70,7 +80,8 @@ class TableHistories : public Histories {
       ++count.integrated;
       point = curve_->emplace(key, peak_slip(scene_.roof.table, at_unit_factor)).first;
     }
-    return {factor * point->second.peak_displacement_m, 0.0, point->second.uplift};
+    return {.peak_displacement_m = factor * point->second.peak_displacement_m,
+            .uplift = point->second.uplift};
   }
 
  private:
@@ -78,27 +89,19 @@ class TableHistories : public Histories {
     ++count.integrated;
     if (!scene_.skips) remake_();
     const EventSearch search = scene_.skips ? EventSearch::bounds : EventSearch::every_interval;
-    const MotionFactors factors{scene_.sample.sign * factor, factor};
+    const MotionFactors factors{sign_ * factor, factor};
     const PeakSlip slip = crossings.empty()
                               ? peak_slip(scene_.roof.table, scene_.block, factors, search)
                               : peak_slip(scene_.roof.table, scene_.block, factors,
                                           scene_.thresholds_m(), crossings, search);
-    return {slip.peak_displacement_m, 0.0, slip.uplift};
+    return {.peak_displacement_m = slip.peak_displacement_m, .uplift = slip.uplift};
   }
 
   Scene scene_;
+  double sign_ = axis_motion(scene_.c.orientation, 0).sign;
   SlipCurve* curve_;
   std::function<void()> remake_;
 };
-
-GroundMotion ground_of(const Plan& plan, std::size_t record, int component) {
-  const Motion& motion = plan.suite.motions[record];
-  const auto& horizontal = motion.horizontal_mps2;
-  GroundMotion ground{motion.dt_s,
-                      horizontal[horizontal[1].empty() ? 0 : static_cast<std::size_t>(component)]};
-  if (plan.config.vertical.use != VerticalChoice::none) ground.vertical_mps2 = motion.vertical_mps2;
-  return ground;
-}
 
 class NoTipping : public Histories {
  public:
@@ -113,11 +116,13 @@ class CoupledHistories : public NoTipping {
   CoupledHistories(const Scene& scene, const GroundMotion& ground)
       : scene_(scene),
         ground_(ground),
-        building_{{scene.sample.period_s, scene.sample.damping},
-                  scene.sample.mass_ratio,
-                  strength_of(scene.plan, scene.sample.period_s)} {}
+        building_{{scene.c.period_s, scene.c.damping},
+                  scene.c.mass_ratio,
+                  strength_of(scene.c, scene.c.period_s, scene.plan.target(scene.record))} {}
 
-  bool held(double level) const override { return is_held(scene_, scene_.block.friction, level); }
+  bool does_not_slide(double level) const override {
+    return is_below_yield(scene_, scene_.block.friction, level);
+  }
 
   History at(double level, std::span<Crossing> crossings, WorkCount& count) override {
     ++count.integrated;
@@ -137,7 +142,7 @@ class CoupledHistories : public NoTipping {
     const std::vector<double>& levels = scene_.plan.config.intensity.levels;
     std::vector<double> moving;
     for (const double level : levels)
-      if (!held(level)) moving.push_back(level);
+      if (!does_not_slide(level)) moving.push_back(level);
     const std::size_t thresholds = scene_.plan.config.impact ? scene_.thresholds_m().size() : 0;
     std::vector<Crossing> crossings(moving.size() * thresholds);
     const std::vector<History> found = run(moving, crossings);
@@ -155,8 +160,7 @@ class CoupledHistories : public NoTipping {
   std::vector<History> run(std::span<const double> levels, std::span<Crossing> crossings) const {
     std::vector<CoupledScene> scenes;
     for (const double level : levels) {
-      const double factor = scene_.factor(level);
-      scenes.push_back({building_, scene_.block, {scene_.sample.sign * factor, factor}});
+      scenes.push_back({building_, scene_.block, {scene_.axis_factor(0, level), scene_.factor(level)}});
     }
     std::vector<CoupledPeak> peaks(levels.size());
     if (crossings.empty()) {
@@ -166,41 +170,51 @@ class CoupledHistories : public NoTipping {
     }
     std::vector<History> found;
     for (const CoupledPeak& peak : peaks)
-      found.push_back({peak.slip.peak_displacement_m, 0.0, peak.slip.uplift});
+      found.push_back({.peak_displacement_m = peak.slip.peak_displacement_m,
+                       .uplift = peak.slip.uplift});
     return found;
   }
 
   Scene scene_;
   GroundMotion ground_;
   CoupledBuilding building_;
-  std::vector<History> at_levels_;   // as soon as one of them is asked for; a held one is zero
+  std::vector<History> at_levels_;   // as soon as one of them is needed
   std::vector<Crossing> crossings_;  // by level, then threshold
 };
 
 /// The full model.
 class FullHistories : public NoTipping {
  public:
-  FullHistories(const Scene& scene, BuildingGround ground, const BiaxialBuilding& building,
-                const TwoAxisBlock& block)
-      : scene_(scene), ground_(std::move(ground)), building_(building), block_(block) {}
+  FullHistories(const Scene& scene, BuildingGround ground)
+      : scene_(scene),
+        ground_(std::move(ground)),
+        building_(biaxial_building(scene.c, scene.plan.target(scene.record))),
+        block_(two_axis_block(scene.c)) {
+    if (scene.c.support == ArraySupport::isolated) return;
+    ground_.vertical = nullptr;
+    block_ = anchored_block();
+  }
 
-  bool held(double level) const override {
-    return is_held(scene_, std::min(block_.friction.along, block_.friction.across), level);
+  bool does_not_slide(double level) const override {
+    return is_below_yield(scene_, std::min(block_.friction.along, block_.friction.across), level);
   }
 
   History at(double level, std::span<Crossing> crossings, WorkCount& count) override {
     ++count.integrated;
-    const double factor = scene_.factor(level);
-    const BuildingFactors factors{{scene_.sample.sign * factor, scene_.sample.second_sign * factor},
-                                  factor};
-    const TwoAxisResult slip =
+    const BuildingFactors factors{{scene_.axis_factor(0, level), scene_.axis_factor(1, level)},
+                                  scene_.factor(level)};
+    const BuildingSlip on_building =
         slide_on_building(ground_, factors, building_, block_,
                           crossings.empty() ? std::span<const double>() : scene_.thresholds_m(),
-                          crossings)
-            .slip;
+                          crossings);
+    const TwoAxisResult& slip = on_building.slip;
     const bool srss = scene_.plan.config.model.displacement == DisplacementMeasure::srss;
-    return {srss ? srss_of_maxima_m(slip) : slip.peak_displacement_m, slip.peak_displacement_m,
-            slip.uplift};
+    return {.peak_displacement_m = srss ? srss_of_maxima_m(slip) : slip.peak_displacement_m,
+            .peak_vector_m = slip.peak_displacement_m,
+            .peak_by_axis_m = {slip.peak_by_axis.along_m, slip.peak_by_axis.across_m},
+            .residual_m = {slip.residual.along_m, slip.residual.across_m},
+            .base_shear = on_building.peak_base_shear,
+            .uplift = slip.uplift};
   }
 
  private:
@@ -213,26 +227,24 @@ class FullHistories : public NoTipping {
 }  // namespace
 
 std::unique_ptr<Histories> histories_of(const Plan& plan, RoofStore& roofs, std::size_t record,
-                                        std::size_t sample, std::size_t run, const SampleRoof& roof,
+                                        std::size_t case_number, const CaseRoof& roof,
                                         const std::function<void()>& remake) {
-  const SamplePoint& point = plan.samples[sample];
-  const FrictionRun& friction = plan.runs[run];
-  const Block block{.friction = friction.friction[sample],
-                    .slope_rad = point.slope_deg * rad_per_deg,
-                    .law = plan.config.friction.law};
-  const Scene scene{plan, point, block, roof, roofs.skipping() == Skipping::all};
+  const Case& c = plan.cases.cases[case_number];
+  const Scene scene{plan, c, record, roof, roofs.skipping() == Skipping::all};
   switch (plan.kernel.kernel) {
     case Kernel::tables:
-      return std::make_unique<TableHistories>(scene, roofs.curve(sample, run), remake);
+      return std::make_unique<TableHistories>(scene, roofs.curve(case_number), remake);
     case Kernel::coupled:
-    case Kernel::events:
-      return std::make_unique<CoupledHistories>(scene, ground_of(plan, record, point.component));
+    case Kernel::events: {
+      GroundMotion ground{plan.motion(record).dt_s,
+                          roofs.ground_motion(axis_motion(c.orientation, 0))};
+      ground.vertical_mps2 = roofs.vertical_motion(c);
+      return std::make_unique<CoupledHistories>(scene, ground);
+    }
     case Kernel::full:
       break;
   }
-  return std::make_unique<FullHistories>(scene, roofs.ground_under(sample),
-                                         biaxial_building(plan, sample),
-                                         two_axis_block(plan, run, sample));
+  return std::make_unique<FullHistories>(scene, roofs.ground_under(c));
 }
 
 }  // namespace glissade

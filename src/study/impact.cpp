@@ -18,15 +18,15 @@ constexpr std::ptrdiff_t fewest_records = 3;
 struct Happened {
   std::vector<std::vector<double>> time_s, speed_mps;
 
-  Happened(const CrossingArrays& all, std::size_t level, std::size_t threshold)
+  Happened(const HistoryTable& all, CaseSlice cases, std::size_t level, std::size_t threshold)
       : time_s(all.records), speed_mps(all.records) {
     for (std::size_t record = 0; record < all.records; ++record) {
-      for (std::size_t sample = 0; sample < all.samples; ++sample) {
-        const std::size_t history = (record * all.samples + sample) * all.levels.size() + level;
-        const std::size_t at = history * all.thresholds_m.size() + threshold;
-        if (std::isnan(all.time_s[at])) continue;
-        time_s[record].push_back(all.time_s[at]);
-        speed_mps[record].push_back(all.speed_mps[at]);
+      for (std::size_t i = 0; i < cases.count; ++i) {
+        const std::size_t at =
+            all.at(record, cases.first + i, level) * all.thresholds + threshold;
+        if (std::isnan(all.fields.crossing_time_s[at])) continue;
+        time_s[record].push_back(all.fields.crossing_time_s[at]);
+        speed_mps[record].push_back(all.fields.crossing_speed_mps[at]);
       }
     }
   }
@@ -88,18 +88,17 @@ ImpactStatistics statistics_of(const Happened& happened, std::size_t samples,
 
 }  // namespace
 
-std::vector<ImpactStatistics> impact_statistics(const CrossingArrays& crossings,
+std::vector<ImpactStatistics> impact_statistics(const HistoryTable& histories, CaseSlice cases,
+                                                std::span<const double> levels,
+                                                std::span<const double> thresholds_m,
                                                 const BootstrapOptions& options) {
-  [[maybe_unused]] const std::size_t size = crossings.records * crossings.samples *
-                                            crossings.levels.size() * crossings.thresholds_m.size();
-  GLISSADE_EXPECTS(crossings.records > 0 && crossings.samples > 0);
-  GLISSADE_EXPECTS(crossings.time_s.size() == size && crossings.speed_mps.size() == size);
+  GLISSADE_EXPECTS(histories.records > 0 && cases.count > 0);
   std::vector<ImpactStatistics> all;
-  for (std::size_t t = 0; t < crossings.thresholds_m.size(); ++t) {
-    for (std::size_t l = 0; l < crossings.levels.size(); ++l) {
-      all.push_back(statistics_of(Happened(crossings, l, t), crossings.samples, options));
-      all.back().level = crossings.levels[l];
-      all.back().threshold_m = crossings.thresholds_m[t];
+  for (std::size_t t = 0; t < thresholds_m.size(); ++t) {
+    for (std::size_t l = 0; l < levels.size(); ++l) {
+      all.push_back(statistics_of(Happened(histories, cases, l, t), cases.count, options));
+      all.back().level = levels[l];
+      all.back().threshold_m = thresholds_m[t];
     }
   }
   return all;

@@ -1,48 +1,43 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glissade/study/kernel.hpp"
 
-#include <algorithm>
-
 namespace glissade {
 namespace {
 
-bool is_always(const Distribution& distribution, double value) {
-  const Support range = support(distribution);
-  return range.min == value && range.max == value;
-}
-
-bool is_rigid(const StudyConfig& config) {
-  if (!config.chart) return is_always(config.building.period_s, 0.0);
-  const std::vector<double>& periods = config.chart->period_s;
-  return std::all_of(periods.begin(), periods.end(), [](double t) { return t == 0.0; });
-}
-
 /// The vertical's own oscillator takes part in the history.
-bool has_vertical_oscillator(const VerticalConfig& vertical) {
-  return vertical.use != VerticalChoice::none && vertical.period_s > 0.0;
+bool has_vertical_oscillator(const StudyConfig& config) {
+  return config.vertical != std::vector{VerticalChoice::none} &&
+         !config.quantities.at("vertical", "period_s").is_always(0.0);
 }
 
 }  // namespace
 
 KernelChoice cheapest_exact_kernel(const StudyConfig& config) {
-  if (config.model.axes == SlidingAxes::two) return {Kernel::full, "[model] axes = 2"};
-  const FrictionLaw& law = config.friction.law;
-  if (law.depends_on_speed()) return {Kernel::full, "friction depends on speed"};
-  if (!law.is_coulomb()) {
-    if (has_vertical_oscillator(config.vertical))
+  const auto is_always = [&](const char* table, const char* key, double value) {
+    return config.quantities.at(table, key).is_always(value);
+  };
+  if (config.two_axes()) return {Kernel::full, "[model] axes = 2"};
+  if (!is_always("friction", "fast_over_slow", 1.0) &&
+      !is_always("friction", "rate_s_per_m", 0.0))
+    return {Kernel::full, "friction depends on speed"};
+  const bool oscillates = has_vertical_oscillator(config);
+  if (!is_always("friction", "static_over_sliding", 1.0)) {
+    if (oscillates)
       return {Kernel::full,
               "friction is stronger at rest and the vertical has a period of its own"};
     return {Kernel::events, "friction is stronger at rest"};
   }
-  if (is_rigid(config)) return {Kernel::tables, "one axis on a rigid building"};
-  const bool feels_array = !is_always(config.building.mass_ratio, 0.0);
-  const bool yields = config.building.strength.has_value();
-  if (!feels_array && !yields)
-    return {Kernel::tables, "one axis on a linear building that does not feel the array"};
-  if (has_vertical_oscillator(config.vertical))
+  if (is_always("building", "period_s", 0.0))
+    return {Kernel::tables, "one axis on a rigid building"};
+  const bool coupled = !is_always("building", "mass_ratio", 0.0);
+  const bool yields = !is_always("building", "response_modification", 0.0) ||
+                      !is_always("building", "yield_coefficient", 0.0);
+  if (!coupled && !yields)
+    return {Kernel::tables, "one axis on a linear building that the array does not move"};
+  if (oscillates)
     return {Kernel::full,
-            "the vertical has a period of its own beside a building that yields or "
-            "feels the array"};
+            "the vertical has a period of its own beside a building that yields or is coupled with "
+            "the array"};
   if (yields) return {Kernel::events, "the building yields"};
   return {Kernel::coupled, "building.mass_ratio is above 0"};
 }

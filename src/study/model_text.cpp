@@ -6,30 +6,37 @@
 namespace glissade {
 namespace {
 
-std::string building_text(const BuildingConfig& building) {
-  if (!building.strength) return "";
-  const StrengthConfig& strength = *building.strength;
+std::string building_text(const Quantities& q) {
+  const Quantity& r = q.at("building", "response_modification");
+  const Quantity& coefficient = q.at("building", "yield_coefficient");
+  std::string at;
+  if (!r.is_always(0.0)) {
+    at = fmt::format(
+        "the design spectrum's elastic demand at its period over R ({}; 0: it stays elastic)",
+        describe(r));
+  } else if (!coefficient.is_always(0.0)) {
+    at = fmt::format("this part of its weight: {}", describe(coefficient));
+  } else {
+    return "";
+  }
   return fmt::format(
-      "It yields at {}, bilinear with kinematic hardening, with {:g} of its stiffness from there "
-      "on. ",
-      strength.response_modification
-          ? fmt::format("the design spectrum's elastic demand at its period over R = {:g}",
-                        *strength.response_modification)
-          : fmt::format("{:g} of its weight", *strength.yield_coefficient),
-      strength.hardening_ratio);
+      "It yields at {}, bilinear with kinematic hardening, with {} of its stiffness from there on. ",
+      at, describe(q.at("building", "hardening_ratio")));
 }
 
-std::string friction_text(const FrictionLaw& law) {
+std::string friction_text(const Quantities& q) {
+  const Quantity& at_rest = q.at("friction", "static_over_sliding");
+  const Quantity& fast = q.at("friction", "fast_over_slow");
+  const Quantity& rate = q.at("friction", "rate_s_per_m");
   std::string text;
-  if (law.static_ratio != 1.0) {
-    text += fmt::format("At rest friction holds {:g} times what it does while the array slides. ",
-                        law.static_ratio);
+  if (!at_rest.is_always(1.0)) {
+    text += fmt::format("Static friction is {} times sliding friction. ", describe(at_rest));
   }
-  if (law.depends_on_speed()) {
+  if (!fast.is_always(1.0) && !rate.is_always(0.0)) {
     text += fmt::format(
-        "The coefficients are those of slow sliding; with the speed v they go to {0:g} times that, "
-        "as {0:g} - {1:g} exp(-{2:g} v) with v in m/s. ",
-        law.fast_ratio, law.fast_ratio - 1.0, law.rate_spm);
+        "The coefficients are those of slow sliding; with the sliding velocity v they go to r "
+        "times that, as r - (r - 1) exp(-a v), r = {}, a = {} s/m. ",
+        describe(fast), describe(rate));
   }
   return text;
 }
@@ -45,9 +52,9 @@ std::string displacement_text(const ModelConfig& model) {
 }  // namespace
 
 ModelText model_text(const Plan& plan) {
-  return {describe(plan.kernel.kernel) + "; because " + plan.kernel.reason,
-          building_text(plan.config.building), friction_text(plan.config.friction.law),
-          displacement_text(plan.config.model)};
+  const Quantities& q = plan.config.quantities;
+  return {describe(plan.kernel.kernel) + "; because " + plan.kernel.reason, building_text(q),
+          friction_text(q), displacement_text(plan.config.model)};
 }
 
 }  // namespace glissade

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "glissade/study/plan.hpp"
+#include "glissade/study/results.hpp"
 
 namespace glissade {
 

@@ -5,10 +5,10 @@
 
 namespace glissade {
 
-/// Throws InputError with everything in which study and suite do not fit each other.
-void check_fit(const StudyConfig& config, const Suite& suite);
+/// Throws InputError with everything in which study and suites do not fit each other.
+void check_fit(const StudyConfig& config, const std::vector<Suite>& suites);
 
-/// Throws InputError where a sample's friction, slope and mass ratio have no solution.
-void check_samples(const Plan& plan);
+/// Throws InputError where a case's friction, slope and mass ratio have no solution.
+void check_cases(const Plan& plan);
 
 }  // namespace glissade

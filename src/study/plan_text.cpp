@@ -1,52 +1,58 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "glissade/study/plan.hpp"
 
 namespace glissade {
 namespace {
 
-std::string drawn_by(const StudyConfig& config) {
-  return fmt::format(
-      " ({}), seed {}",
-      config.sampling.method == SamplingMethod::sobol ? "scrambled Sobol" : "Monte Carlo",
-      config.seed);
+std::string suites_text(const Plan& plan) {
+  std::vector<std::string> texts;
+  for (const Suite& suite : plan.suites)
+    texts.push_back(fmt::format("{}: {} motions", suite.name, suite.motions.size()));
+  return fmt::format("{}", fmt::join(texts, "; "));
+}
+
+/// What is listed and what is drawn; what is as a default case has it is left out.
+std::string cases_text(const Plan& plan) {
+  const StudyConfig& c = plan.config;
+  std::string text;
+  const Quantities usual;
+  for (std::size_t i = 0; i < parameters().size(); ++i) {
+    const Parameter& p = parameters()[i];
+    const Quantity& quantity = c.quantities[i];
+    if (!quantity.is_drawn() && quantity.values == usual[i].values) continue;
+    text += fmt::format("{:<12}{}.{} {}{}\n", "", p.table, p.key, describe(quantity),
+                        p.unit == std::string("-") ? "" : std::string(" ") + p.unit);
+  }
+  return text;
 }
 
 }  // namespace
 
 std::string to_string(const Plan& plan) {
   const StudyConfig& c = plan.config;
+  const std::vector<double>& levels = c.intensity.levels;
   std::string text = fmt::format(
       "study       {} (plan {})\n"
-      "suite       {}: {} motions\n"
+      "suite       {}\n"
       "intensity   {}: {} levels, {:g} to {:g}\n"
       "model       {}; because {}\n"
-      "samples     {}{}\n"
-      "runs        ",
-      c.name, plan.hash, plan.suite.name, plan.suite.motions.size(), intensity_label(c.intensity),
-      c.intensity.levels.size(), c.intensity.levels.front(), c.intensity.levels.back(),
-      describe(plan.kernel.kernel), plan.kernel.reason, plan.samples.size(),
-      c.chart ? ", the chart's grid in every orientation" : drawn_by(c));
-  for (std::size_t i = 0; i < plan.runs.size(); ++i) {
-    text +=
-        fmt::format("{}{}: {}", i > 0 ? "; " : "", plan.runs[i].label, plan.runs[i].description);
+      "cases       {} combinations x {} samples x {} orientations, of which {} differ\n{}",
+      c.name, plan.hash, suites_text(plan), intensity_label(c.intensity), levels.size(),
+      levels.front(), levels.back(), describe(plan.kernel.kernel), plan.kernel.reason,
+      plan.cases.combinations(), plan.cases.samples, plan.cases.orientations, plan.order.size(),
+      cases_text(plan));
+  if (c.draws()) {
+    text += fmt::format(
+        "samples     {}, seed {}\n",
+        c.sampling.method == SamplingMethod::sobol ? "scrambled Sobol" : "Monte Carlo", c.seed);
   }
-  text += c.chart ? fmt::format(
-                        "\nbuilding    period {:g} s, damping {}\n"
-                        "roof        slope {:g} deg\n"
-                        "work        {} histories in {} units\n",
-                        fmt::join(c.chart->period_s, ", "), describe(c.building.damping),
-                        fmt::join(c.chart->slope_deg, ", "), plan.histories(), plan.units.size())
-                  : fmt::format(
-                        "\nbuilding    period {} s, damping {}\n"
-                        "roof        slope {} deg\n"
-                        "thresholds  {:g} m\n"
-                        "work        {} histories in {} units, and the search for capacities on "
-                        "top\n",
-                        describe(c.building.period_s), describe(c.building.damping),
-                        describe(c.roof.slope_deg), fmt::join(c.thresholds_m, ", "),
-                        plan.histories(), plan.units.size());
+  if (c.fragility) text += fmt::format("thresholds  {:g} m\n", fmt::join(c.thresholds_m(), ", "));
+  text += fmt::format("work        {} histories in {} units{}\n", plan.histories(),
+                      plan.units.size(),
+                      c.fragility ? ", and the search for capacities on top" : "");
   for (const Skip& skip : plan.skips)
     text += fmt::format("not run     {}: {}\n", skip.what, skip.why);
   for (const std::string& note : plan.notes) text += fmt::format("note        {}\n", note);

@@ -3,17 +3,14 @@
 
 #include <vector>
 
-#include "glissade/study/plan.hpp"
+#include "glissade/study/config.hpp"
 #include "glissade/study/results.hpp"
 
 namespace glissade {
 
-/// The grid of a chart in place of random samples: every period, component, slope, sign and
-/// friction, friction fastest.
-std::vector<SamplePoint> chart_samples(const StudyConfig& config);
-
-/// The chart of a run over that grid.
-Chart make_chart(const Plan& plan, const RunResults& run);
+/// The chart of a study's histories. A record and sample counts once at each point, with the
+/// largest of its orientations.
+Chart make_chart(const StudyConfig& config, const Results& results);
 
 /// The answer to a question, by linear interpolation in slope and friction. Of a friction: the
 /// least from which on slip stays within the displacement; +inf where it does not on this chart,

@@ -7,21 +7,11 @@
 #include <string>
 #include <vector>
 
-#include "glissade/study/config.hpp"
+#include "glissade/study/cases/case.hpp"
 
 // What a clearance study varies (Walters et al. 2012): its conditions, and how the ground's
 // components lie to the roof.
 namespace glissade {
-
-/// How the array stands on the building.
-enum class ArraySupport {
-  isolated,  ///< held by friction alone
-  anchored,  ///< its mass is the building's
-  no_array,
-};
-
-/// The array's two directions, which its friction may tell apart.
-enum class SlopeAxis { e_w, n_s };
 
 struct VerticalCondition {
   VerticalChoice use = VerticalChoice::if_available;
@@ -53,12 +43,12 @@ class ClearancePosition {
 struct ClearanceGrid {
   std::vector<ArraySupport> support = {ArraySupport::isolated};
   std::vector<VerticalCondition> vertical = {{}};
-  /// R: the building yields at its elastic demand under the design spectrum over R, whatever shakes
-  /// it. 1: it stays elastic.
-  std::vector<double> response_modification = {1.0};
+  /// R: the building yields at its elastic demand under the design spectrum over R; 0: it stays
+  /// elastic.
+  std::vector<double> response_modification = {0.0};
   std::vector<double> mass_ratio = {0.05};          ///< m/M, [0, 1]
   std::vector<double> slope_deg;                    ///< [0, 45]
-  std::vector<double> fraction_of_mce = {2.0 / 3};  ///< of the suite as its file scales it: 2/3 DBE
+  std::vector<double> fraction_of_mce = {2.0 / 3};  ///< the study's levels
   std::vector<double> period_s;                     ///< of the building, along both axes; 0: rigid
 
   std::size_t size(ClearanceAxis axis) const;
@@ -72,29 +62,5 @@ std::vector<ClearancePosition> along(const ClearanceGrid& grid, ClearanceAxis ax
                                      const ClearancePosition& position = {});
 /// Every place on all axes but one, which stays at its first.
 std::vector<ClearancePosition> all_but(const ClearanceGrid& grid, ClearanceAxis axis);
-
-/// How the ground lies to the roof.
-struct GroundOrientation {
-  SlopeAxis slope_axis = SlopeAxis::e_w;
-  /// From the first component to where the roof falls, toward the second component, [0, 360).
-  double azimuth_deg = 0.0;
-  /// -1: what acts across the slope is turned round, which no rotation can do; +1: it is not.
-  int across_sign = 1;
-};
-
-/// Which orientations a study runs, for each axis the slope may have.
-enum class OrientationChoice {
-  sixteen,   ///< either component along the slope, with either sign, the other with either sign: 8
-             ///< for each axis of the slope
-  azimuths,  ///< every 22.5 degrees
-  stated,    ///< the first component falls with the roof, as recorded
-};
-
-std::vector<GroundOrientation> orientations(OrientationChoice choice,
-                                            const std::vector<SlopeAxis>& slope_axes);
-
-/// "slope E-W, along it + first, across + second", "slope N-S, azimuth 22.5 deg"
-std::string to_string(const GroundOrientation& orientation);
-std::string to_string(SlopeAxis axis);  ///< "E-W"
 
 }  // namespace glissade

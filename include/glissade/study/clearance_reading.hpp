@@ -25,8 +25,7 @@ struct ClearanceQuestion {
   std::optional<SlopeAxis> slope_axis;  ///< nothing: both
 };
 
-double number_of(const ClearanceResults& results, HistoryNumber number,
-                 const ClearanceHistory& history);
+double number_of(HistoryNumber number, const ClearanceHistory& history);
 
 /// Positions in ClearanceResults of the suite's records and of the orientations asked for.
 std::vector<std::size_t> records_of(const ClearanceResults& results, std::size_t suite);
@@ -59,17 +58,17 @@ OrientationRange over_orientations(const ClearanceResults& results,
 std::size_t governing_period(const ClearanceResults& results, const ClearanceQuestion& question,
                              const ClearancePosition& at);
 
-/// The suite's mean if each record could lie its own way: no choice gives less or more.
-struct OwnWayBounds {
+/// The suite's mean with the orientation chosen record by record: no choice gives less or more.
+struct PerRecordBounds {
   double lowest = 0.0, highest = 0.0;
 };
-OwnWayBounds own_way_bounds(const ClearanceResults& results, const ClearanceQuestion& question,
+PerRecordBounds per_record_bounds(const ClearanceResults& results, const ClearanceQuestion& question,
                             const ClearancePosition& at, Periods periods);
 
-/// Suite means of 10,000 draws in which each record lies any of its ways, as likely as the others
-/// (and the roof falls along either axis), in rising order. What a paper's number is held against
-/// that does not tell how its records lay.
-std::vector<double> own_way_means(const ClearanceResults& results,
+/// Suite means of 10,000 draws in which each record has any of its orientations, equally likely (and
+/// the roof falls along either axis), in rising order: what to compare a published number with whose
+/// orientations are not stated.
+std::vector<double> per_record_means(const ClearanceResults& results,
                                   const ClearanceQuestion& question, const ClearancePosition& at,
                                   Periods periods);
 

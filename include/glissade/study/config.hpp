@@ -7,33 +7,20 @@
 #include <string>
 #include <vector>
 
-#include "glissade/block/friction_law.hpp"
 #include "glissade/block/tipping.hpp"
 #include "glissade/motion/design_spectrum.hpp"
 #include "glissade/sampling/distribution.hpp"
 #include "glissade/sampling/point_set.hpp"
 #include "glissade/standards/prescriptive.hpp"
+#include "glissade/study/cases/case.hpp"
+#include "glissade/study/intensity_measure.hpp"
 
 namespace glissade {
-
-/// What the levels of a study mean. Record i at level x runs with the factor that gives it that
-/// intensity.
-enum class IntensityMeasure {
-  sds_g,     ///< the whole suite scaled so that its average SRSS spectrum meets the design spectrum
-             ///< with this S_DS
-  pga_g,     ///< geometric mean of the horizontals' peak ground accelerations
-  sa_g,      ///< geometric mean of the horizontals' Sa at sa_period_s, 5 %
-  avg_sa_g,  ///< geometric mean of Sa over avg_sa_periods_s and both horizontals, 5 %
-  ppa_g,     ///< peak roof acceleration along the slope's plan direction (depends on the sample's
-             ///< building)
-};
-std::string to_string(IntensityMeasure measure);
 
 struct IntensityConfig {
   IntensityMeasure measure = IntensityMeasure::sds_g;
   std::vector<double> levels;  ///< > 0, strictly increasing
-  std::optional<DesignTarget>
-      target;                ///< sds_g: shape of the design spectrum; else the suite's own
+  std::optional<DesignTarget> target;  ///< sds_g: shape of the design spectrum; else the suite's own
   double sa_period_s = 0.0;  ///< sa_g only, >= 0
   std::vector<double> avg_sa_periods_s;  ///< avg_sa_g only
 };
@@ -52,52 +39,50 @@ struct ModelConfig {
   DisplacementMeasure displacement = DisplacementMeasure::srss;  ///< of two axes
 };
 
-/// How strong a yielding building is: by one of the first two.
-struct StrengthConfig {
-  std::optional<double> response_modification;  ///< R >= 1: the yield force is the design
-                                                ///< spectrum's elastic demand at the building's
-                                                ///< period over R; needs a target spectrum
-  std::optional<double> yield_coefficient;      ///< > 0: yield force over the building's weight
-  double hardening_ratio = 0.0;                 ///< stiffness after yielding over before, [0, 1)
+/// A physical quantity of a study: a list (one value, or several that are all run) or a distribution
+/// (a value is drawn for each sample).
+struct Quantity {
+  std::vector<double> values;         ///< strictly increasing; empty where it is drawn
+  std::optional<Distribution> drawn;  ///< never Fixed
+
+  bool is_drawn() const { return drawn.has_value(); }
+  bool is_always(double value) const { return values.size() == 1 && values.front() == value; }
+  /// No value is above this.
+  double largest() const { return drawn ? support(*drawn).max : values.back(); }
 };
 
-struct BuildingConfig {
-  Distribution period_s = Fixed{0.0};    ///< 0: rigid
-  Distribution damping = Fixed{0.05};    ///< ratio, [0, 1)
-  Distribution mass_ratio = Fixed{0.0};  ///< the array's mass over the building's, [0, 1]
-  double period_ratio = 1.0;  ///< two axes: period along the building's second axis over that along
-                              ///< its first, > 0
-  std::optional<StrengthConfig> strength;  ///< none: it stays elastic
-};
+/// A quantity for each row of parameters().
+class Quantities {
+ public:
+  Quantities();  ///< each as a default Case has it
+  Quantity& operator[](std::size_t parameter) { return all_[parameter]; }
+  const Quantity& operator[](std::size_t parameter) const { return all_[parameter]; }
+  const Quantity& at(const char* table, const char* key) const {
+    return all_[parameter_index(table, key)];
+  }
+  Quantity& at(const char* table, const char* key) { return all_[parameter_index(table, key)]; }
 
-struct RoofConfig {
-  Distribution slope_deg = Fixed{0.0};    ///< [-89.9, 89.9]; in a study usually >= 0
-  Distribution azimuth_deg = Fixed{0.0};  ///< two axes: from the building's first axis to where the
-                                          ///< roof falls, toward the second; [-360, 360]
+ private:
+  std::vector<Quantity> all_;
 };
 
 struct FrictionConfig {
-  Distribution mu = Fixed{0.5};  ///< >= 0; `mean`/`std` in the file become a normal truncated at 0
-  std::optional<Distribution> across;  ///< two axes: across the slope; none: the same as along it
-  FrictionLaw law;
-  bool design_run = true;  ///< also run with mu = mean - 2 std (skipped where std = 0)
-  std::string note;        ///< where it comes from, if a reader must know: pull tests
+  bool across_is_given = false;  ///< friction across the slope is a quantity of its own
+  /// Where friction is drawn, mean - 2 std is run too (Walters et al. 2012).
+  bool design_value = true;
+  std::string note;  ///< where it comes from, if a reader must know: pull tests
 };
 
-enum class ComponentChoice { first, second, random, both };  ///< `random` by sample; `both`: charts
-enum class SignChoice { positive, negative, random, both };  ///< likewise
+/// Which components act along the slope, drawn one a sample.
+enum class ComponentChoice { first, second, random };
+enum class SignChoice { positive, negative, random };
 struct OrientationConfig {
-  ComponentChoice component = ComponentChoice::random;  ///< which horizontal acts along the slope;
-                                                        ///< of two axes: along the building's first
-  SignChoice sign = SignChoice::random;                 ///< of that component
-  SignChoice second_sign = SignChoice::random;          ///< two axes: of the other
-};
-
-enum class VerticalChoice { none, if_available, required };
-struct VerticalConfig {
-  VerticalChoice use = VerticalChoice::if_available;
-  double period_s = 0.0;  ///< 0: the vertical reaches the roof unchanged (Walters 2012)
-  double damping = 0.05;
+  OrientationChoice choice = OrientationChoice::random;
+  std::vector<SlopeAxis> slope_axis = {SlopeAxis::e_w};
+  // Of a random choice:
+  ComponentChoice component = ComponentChoice::random;
+  SignChoice sign = SignChoice::random;
+  SignChoice second_sign = SignChoice::random;  ///< two axes
 };
 
 struct SamplingConfig {
@@ -120,16 +105,23 @@ struct ChartQuestion {
   std::optional<double> displacement_m;  ///< asks for the friction needed to keep slip within it
 };
 
-/// A design chart: every combination of slope, friction, building period and level is run, in every
-/// orientation, in place of random samples.
+/// A chart of displacement over the study's slopes, frictions and building periods.
 struct ChartConfig {
-  std::vector<double> slope_deg;  ///< two or more, strictly increasing; a negative slope counts for
-                                  ///< its mirror image
-  std::vector<double> mu;         ///< two or more, strictly increasing, >= 0
-  std::vector<double> period_s;   ///< one or more, strictly increasing; 0: rigid
-  double shown_slope_deg = 0.0, shown_mu = 0.0, shown_level = 0.0;  ///< on the axes: where figures
-                                                                    ///< cut through the chart
+  double shown_slope_deg = 0.0, shown_mu = 0.0, shown_level = 0.0;  ///< where figures cut through
   std::vector<ChartQuestion> questions;
+};
+
+/// The clearance that Walters et al. (2012) recommend: a factor on the suite's mean displacement,
+/// the largest over the building periods.
+struct ClearanceConfig {
+  double factor = 1.1;  ///< >= 1
+};
+
+struct FragilityConfig {
+  std::vector<double> thresholds_m;  ///< > 0, strictly increasing
+  /// Levels above the one at which a history reaches the largest threshold are not run: slip there
+  /// is reported as infinite.
+  bool stop_at_largest = false;
 };
 
 /// A study as its file tells it: checked, defaults filled in, nothing read or run yet.
@@ -137,27 +129,30 @@ struct StudyConfig {
   std::string name;
   std::string description;
   std::uint64_t seed = 0;
-  std::filesystem::path file;        ///< the study file
-  std::string source_text;           ///< the study file, verbatim
-  std::filesystem::path suite_file;  ///< resolved against the study file's folder
-  std::vector<std::string> records;  ///< ids of the suite's records to run; empty: all
+  std::filesystem::path file;                      ///< the study file
+  std::string source_text;                         ///< the study file, verbatim
+  std::vector<std::filesystem::path> suite_files;  ///< one at least, resolved
+  std::vector<std::string> records;                ///< ids of the records to run; empty: all
   IntensityConfig intensity;
   ModelConfig model;
-  BuildingConfig building;
-  RoofConfig roof;
+  Quantities quantities;
+  std::vector<ArraySupport> support = {ArraySupport::isolated};
+  std::vector<VerticalChoice> vertical = {VerticalChoice::if_available};
   FrictionConfig friction;
   OrientationConfig orientation;
-  VerticalConfig vertical;
   SamplingConfig sampling;
-  std::vector<double> thresholds_m;  ///< > 0, strictly increasing
-  /// Levels above the one at which a history reaches the largest threshold are not run: slip there
-  /// is told as infinite.
-  bool stop_at_largest_threshold = false;
-  bool impact = false;  ///< when and how fast each threshold is first reached is kept too
+  // Analyses, each where the study has its table:
+  std::optional<FragilityConfig> fragility;
+  std::optional<ChartConfig> chart;
+  std::optional<ClearanceConfig> clearance;
   StandardsConfig standards;
-  std::optional<RigidBase> base;     ///< of the array: asks for the tipping check
-  std::optional<ChartConfig> chart;  ///< then friction, slope and period are its axes, and there
-                                     ///< are no samples and no thresholds
+  bool impact = false;               ///< when and how fast each threshold is first reached
+  bool base_shear = false;           ///< two axes: peak base shear of the building
+  std::optional<RigidBase> tipping;  ///< of the array
+
+  bool two_axes() const { return model.axes == SlidingAxes::two; }
+  const std::vector<double>& thresholds_m() const;  ///< of the fragility; empty without one
+  bool draws() const;                               ///< any quantity or the orientation
 };
 
 /// Axis label of the intensity measure with its unit: "S_DS (g)", "Sa(1 s) (g)" ...
@@ -170,7 +165,10 @@ Prescription prescribed_displacement(Standard standard, double sds_g,
 /// "uniform, 0.2 to 2", "one of 1.19, 2.39" ...
 std::string describe(const Distribution& distribution);
 
-/// The design coefficient of friction, mean - 2 std (Walters 2012), not below 0.
+/// "0.47", "0.2, 0.4, 0.7", "uniform, 0.2 to 2".
+std::string describe(const Quantity& quantity);
+
+/// The design coefficient of friction, mean - 2 std (Walters et al. 2012), not below 0.
 double design_friction(const Distribution& mu);
 
 }  // namespace glissade

@@ -9,8 +9,8 @@
 namespace glissade {
 
 // Messages between the ranks of one run.
-std::vector<char> pack(const Suite& suite);
-Suite unpack_suite(const std::vector<char>& bytes);
+std::vector<char> pack(const std::vector<Suite>& suites);
+std::vector<Suite> unpack_suites(const std::vector<char>& bytes);
 std::vector<char> pack(const std::vector<UnitResult>& results);
 std::vector<UnitResult> unpack_unit_results(const std::vector<char>& bytes);
 

@@ -10,17 +10,12 @@
 
 namespace glissade {
 
-/// First crossings by (record, sample, level, threshold), the last fastest; NaN where a history
-/// does not get there, in both.
-struct CrossingArrays {
-  std::size_t records = 0, samples = 0;
-  std::span<const double> levels, thresholds_m;
-  std::span<const double> time_s, speed_mps;
-};
-
-/// By (threshold, level). Records are the independent unit: intervals resample them whole, and
-/// percentiles of speed are of what the drawn records' histories that get there bring.
-std::vector<ImpactStatistics> impact_statistics(const CrossingArrays& crossings,
+/// First crossings of some cases, by (threshold, level). Records are the independent unit: intervals
+/// resample them whole, and percentiles of speed are of what the drawn records' histories that get
+/// there bring.
+std::vector<ImpactStatistics> impact_statistics(const HistoryTable& histories, CaseSlice cases,
+                                                std::span<const double> levels,
+                                                std::span<const double> thresholds_m,
                                                 const BootstrapOptions& options);
 
 }  // namespace glissade

@@ -8,7 +8,9 @@
 #include <vector>
 
 #include "glissade/fragility/bootstrap.hpp"
+#include "glissade/study/cases/case_set.hpp"
 #include "glissade/study/config.hpp"
+#include "glissade/study/history_table.hpp"
 
 namespace glissade {
 
@@ -26,22 +28,6 @@ struct Array3 {
   const T& operator()(std::size_t i, std::size_t j, std::size_t k) const {
     return data[(i * columns + j) * depth + k];
   }
-};
-
-/// One Monte Carlo sample of everything uncertain, by (seed, sample, dimension).
-struct SamplePoint {
-  double friction = 0.0;
-  double slope_deg = 0.0;
-  double period_s = 0.0;
-  double damping = 0.0;
-  int component = 0;  ///< 0 or 1: which horizontal acts along the slope (two axes: along the
-                      ///< building's first axis)
-  int sign = 1;       ///< +1 or -1, of that component
-  double mass_ratio = 0.0;
-  // Of two axes:
-  double friction_across = 0.0;
-  double azimuth_deg = 0.0;
-  int second_sign = 1;  ///< +1 or -1, of the other component
 };
 
 /// A lognormal fragility for one clearance threshold, with what it rests on.
@@ -93,25 +79,16 @@ struct StandardComparison {
   Interval exceedance_interval;         ///< 95 %, bootstrap over records
 };
 
-/// One friction choice ("sampled" or "design") over records x samples x levels.
+/// The fragility of one combination of what the study lists, over records x samples x levels.
 struct RunResults {
-  std::string label;                   ///< "sampled", "design"
-  std::string friction_description;    ///< "normal, mean 0.55, std 0.04", "mean - 2 std = 0.47"
-  Array3<double> peak_displacement_m;  ///< (record, sample, level)
-  Array3<double> peak_vector_m;        ///< likewise: two axes, the longest displacement vector;
-                                       ///< empty on one
-  Array3<std::uint8_t> uplift;         ///< (record, sample, level), 0 or 1
-  Array3<std::uint8_t> tips;           ///< likewise; empty where the tipping check is not asked for
-  Array3<double> capacity;  ///< (record, sample, threshold); +inf: not reached; 0: slides freely
+  std::string label;                  ///< "sampled", "design", "design_period_s_0.5": a file's name
+  std::string friction_description;   ///< "normal, mean 0.55, std 0.04", "mean - 2 std = 0.47"
+  std::uint64_t first_case = 0, cases = 0;      ///< of the histories
   std::vector<ThresholdFragility> fragilities;  ///< by threshold
   std::vector<double> band_intensities;
   std::vector<SlipStatistics> slip;           ///< by level
   std::vector<StandardComparison> standards;  ///< by (standard, level); empty unless sds_g
-  // Where the study asks for impact, else empty:
-  std::vector<double> crossing_time_s;  ///< (record, sample, level, threshold), the last fastest;
-                                        ///< NaN: not reached
-  std::vector<double> crossing_speed_mps;  ///< likewise; in plan, relative to the roof
-  std::vector<ImpactStatistics> impact;    ///< by (threshold, level)
+  std::vector<ImpactStatistics> impact;       ///< by (threshold, level); empty where not required
 };
 
 /// How far an array slides at one point of a chart, over the suite's records, in plan. A record
@@ -163,15 +140,17 @@ struct Chart {
 };
 
 struct RecordSummary {
+  std::uint64_t suite = 0;  ///< position of its suite
   std::string id, event, station;
-  double magnitude = 0.0, distance_km = 0.0, vs30_mps = 0.0;
-  double suite_scale = 1.0;  ///< the suite file's factor
-  double factor_at_unit_level =
-      0.0;  ///< factor on the record at intensity 1 (0 for ppa_g: depends on the sample)
+  double magnitude = 0.0, distance_km = 0.0, vs30_mps = 0.0;  ///< 0 where not given
+  double suite_scale = 1.0;                                   ///< the suite file's factor
+  double factor_at_unit_level = 0.0;  ///< factor on the record at intensity 1 (0 for ppa_g: depends
+                                      ///< on the roof)
   double pga_g = 0.0, pgv_mps = 0.0;  ///< geometric mean of the horizontals, as recorded
   double dt_s = 0.0;
   std::uint64_t samples = 0;
   bool has_second = false, has_vertical = false;
+  std::uint64_t stronger = 0;  ///< the component with the larger integral of a^2: 0 or 1
 };
 
 /// 5 % spectra of the suite, scaled to `reference_level` (sds_g) or by the suite's own factors
@@ -192,27 +171,37 @@ struct ModelText {
   std::string displacement;  ///< of two axes: what a history's displacement is
 };
 
+struct SuiteSummary {
+  std::string name, description;
+  SuiteSpectra spectra;
+};
+
 /// Everything a study found, and nothing about when, where or on how many ranks.
 struct Results {
-  std::string study_name, program_version, plan_hash, study_text;
+  std::string study_name, study_description, program_version, plan_hash, study_text;
   std::uint64_t seed = 0;
   IntensityMeasure measure = IntensityMeasure::sds_g;
   std::string intensity_label;  ///< for axes: "S_DS (g)", "Sa(1.0 s) (g)" ...
-  std::string suite_name, suite_description;
+  std::vector<SuiteSummary> suites;
   ModelText model;
+  SlidingAxes axes = SlidingAxes::one;
+  DisplacementMeasure displacement = DisplacementMeasure::srss;  ///< of two axes
   std::vector<double> levels, thresholds_m;
-  std::vector<SamplePoint> samples;
-  std::vector<RecordSummary> records;
-  SuiteSpectra spectra;
-  std::vector<RunResults> runs;  ///< "sampled" first, then "design" if there is one; of a chart
-                                 ///< "chart" alone, without fragilities, slip and standards
-  std::optional<Chart> chart;    ///< of a study with [chart]: samples are then its grid
-  std::vector<std::string>
-      notes;  ///< "5 of 22 records have no vertical: run with horizontals only"
+  CaseSet cases;
+  std::vector<RecordSummary> records;  ///< those of one suite together
+  HistoryTable histories;              ///< by (record, case)
+  std::vector<RunResults> runs;        ///< of a study with [fragility]: by combination of the cases
+  std::optional<Chart> chart;          ///< of a study with [chart]
+  std::optional<ClearanceConfig> clearance;  ///< of a study with [clearance]
+  std::vector<std::string> notes;      ///< what a reader must know
 };
 
-inline bool slides_on_two_axes(const Results& results) {
-  return !results.runs.empty() && !results.runs.front().peak_vector_m.data.empty();
-}
+/// The histories of some cases in a row.
+struct CaseSlice {
+  std::size_t first = 0, count = 0;
+};
+inline CaseSlice slice_of(const RunResults& run) { return {run.first_case, run.cases}; }
+
+inline bool slides_on_two_axes(const Results& results) { return results.axes == SlidingAxes::two; }
 
 }  // namespace glissade

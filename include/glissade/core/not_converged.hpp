@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <stdexcept>
+
+namespace glissade {
+
+/// A numerical scheme did not get to the end of a history. A result of that history, not an error
+/// of the program: whoever runs many counts it and goes on.
+class NotConverged : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+}  // namespace glissade

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace glissade {
+
+struct StudyConfig;
+
+/// What is kept of histories: for each (record, case) as many values as `Depth` says. A field that
+/// the study does not need is empty. Displacements are in plan.
+struct HistoryFields {
+  std::vector<double> peak_displacement_m;
+  std::vector<double> peak_vector_m;
+  std::vector<double> peak_along_m, peak_across_m, residual_along_m, residual_across_m;
+  std::vector<double> shear_along, shear_across;
+  std::vector<std::uint8_t> uplift, tips, failed;
+  std::vector<double> capacity;
+  std::vector<double> crossing_time_s, crossing_speed_mps;
+};
+
+/// How many values of a field there are for a record and case: one a level, one a threshold, or one
+/// a level and threshold (the latter fastest).
+enum class Depth { levels, thresholds, levels_and_thresholds };
+
+/// A field of HistoryFields.
+template <class T>
+struct HistoryField {
+  const char* name;
+  const char* unit;  ///< empty: that of the intensity measure
+  const char* description;
+  Depth depth;
+  std::vector<T> HistoryFields::*of;
+};
+
+/// Every field, in order: messages, assembly and the results file go through this list.
+template <class Visit>
+void for_each_history_field(Visit visit) {
+  using Number = HistoryField<double>;
+  using Flag = HistoryField<std::uint8_t>;
+  visit(Number{"peak_displacement_m", "m", "peak displacement in plan; inf: beyond the largest threshold and not run "
+        "(stop_at_largest), or not converged", Depth::levels, &HistoryFields::peak_displacement_m});
+  visit(Number{"peak_vector_m", "m", "two axes: longest displacement vector in plan", Depth::levels, &HistoryFields::peak_vector_m});
+  visit(Number{"peak_along_m", "m", "two axes: largest |displacement| along the slope", Depth::levels, &HistoryFields::peak_along_m});
+  visit(Number{"peak_across_m", "m", "two axes: largest |displacement| across the slope", Depth::levels, &HistoryFields::peak_across_m});
+  visit(Number{"residual_along_m", "m", "two axes: where it comes to rest, positive down the slope", Depth::levels, &HistoryFields::residual_along_m});
+  visit(Number{"residual_across_m", "m", "two axes: the same across the slope", Depth::levels, &HistoryFields::residual_across_m});
+  visit(Number{"shear_along", "-", "peak base shear along the building's first axis, over the bare building's weight", Depth::levels, &HistoryFields::shear_along});
+  visit(Number{"shear_across", "-", "the same along its second axis", Depth::levels, &HistoryFields::shear_across});
+  visit(Flag{"uplift", "-", "1 where the array lifts off", Depth::levels, &HistoryFields::uplift});
+  visit(Flag{"tips", "-", "1 where the body begins to tip", Depth::levels, &HistoryFields::tips});
+  visit(Flag{"failed", "-", "1 where the history did not converge", Depth::levels, &HistoryFields::failed});
+  visit(Number{"capacity", "", "lowest intensity that reaches the threshold; inf: not reached; 0: slides freely", Depth::thresholds, &HistoryFields::capacity});
+  visit(Number{"crossing_time_s", "s", "time of the first crossing of the threshold from the record's begin; nan: not reached", Depth::levels_and_thresholds, &HistoryFields::crossing_time_s});
+  visit(Number{"crossing_speed_mps", "m/s", "speed then, in plan and relative to the roof; nan: not reached", Depth::levels_and_thresholds, &HistoryFields::crossing_speed_mps});
+}
+
+/// Histories by (record, case).
+struct HistoryTable {
+  std::size_t records = 0, cases = 0, levels = 0, thresholds = 0;
+  HistoryFields fields;
+
+  std::size_t depth(Depth depth) const {
+    if (depth == Depth::levels) return levels;
+    return depth == Depth::thresholds ? thresholds : levels * thresholds;
+  }
+  std::size_t at(std::size_t record, std::size_t c, std::size_t level) const {
+    return (record * cases + c) * levels + level;
+  }
+  double displacement_m(std::size_t record, std::size_t c, std::size_t level) const {
+    return fields.peak_displacement_m[at(record, c, level)];
+  }
+  double capacity(std::size_t record, std::size_t c, std::size_t threshold) const {
+    return fields.capacity[(record * cases + c) * thresholds + threshold];
+  }
+};
+
+/// Which fields a study keeps.
+struct KeptFields {
+  bool vector = false, by_axis = false, base_shear = false, tips = false, crossings = false;
+  explicit KeptFields(const StudyConfig& config);
+};
+
+/// Bytes of a table that keeps these.
+double bytes_of(const StudyConfig& config, std::size_t records, std::size_t cases);
+
+}  // namespace glissade

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "glissade/motion/motion.hpp"
+
+namespace glissade {
+
+struct IntensityConfig;
+
+/// What the levels of a study mean: a row of the table in src/study/intensity_measure.cpp, which is
+/// all that an intensity measure is made of. Record i at level x runs with the factor that gives it
+/// that intensity.
+class IntensityMeasure {
+ public:
+  static const IntensityMeasure sds_g, ppa_g, mce_fraction;
+  static std::size_t count();
+  static IntensityMeasure number(std::size_t row) { return IntensityMeasure(row); }
+  static std::optional<IntensityMeasure> named(const std::string& key);
+
+  const char* key() const;      ///< "pga_g": in study and results files
+  const char* unit() const;     ///< "g", "m/s", "-"
+  const char* meaning() const;  ///< in a sentence
+  /// The key of [intensity] that goes with this measure alone; null: none.
+  const char* own_key() const;
+  /// For axes and texts: "S_DS", "Sa(1 s)".
+  std::string symbol(const IntensityConfig& intensity) const;
+  /// One factor on each record at level 1; 0 where it depends on the roof. All of one suite.
+  std::vector<double> factors_at_unit_level(const IntensityConfig& intensity,
+                                            const Suite& suite) const;
+  /// The factor on a record at a level over that at level 1: the level, or its root for measures
+  /// that go with a power of the motion.
+  double factor_of_level(double level) const;
+
+  bool operator==(const IntensityMeasure&) const = default;
+
+ private:
+  constexpr explicit IntensityMeasure(std::size_t row) : row_(row) {}
+  std::size_t row_;
+};
+inline constexpr IntensityMeasure IntensityMeasure::sds_g{0};
+inline constexpr IntensityMeasure IntensityMeasure::ppa_g{1};
+inline constexpr IntensityMeasure IntensityMeasure::mce_fraction{2};
+
+/// "_g", "_mps", "": what the name of a column or dataset in this unit ends with.
+std::string unit_suffix(const std::string& unit);
+
+}  // namespace glissade

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fragility.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "../pooled_level.hpp"
+#include "glissade/study/impact.hpp"
+
+namespace glissade {
+namespace {
+
+constexpr std::size_t band_points = 120;
+
+/// Reached the threshold and fell below it again at a higher level.
+bool recrosses(const HistoryTable& histories, std::size_t record, std::size_t c,
+               double threshold_m) {
+  bool reached = false;
+  for (std::size_t level = 0; level < histories.levels; ++level) {
+    const bool exceeds = histories.displacement_m(record, c, level) >= threshold_m;
+    if (reached && !exceeds) return true;
+    reached |= exceeds;
+  }
+  return false;
+}
+
+ThresholdFragility fit_threshold(const Results& results, const RunResults& run,
+                                 std::size_t threshold, const BootstrapOptions& options) {
+  const std::vector<double>& levels = results.levels;
+  const HistoryTable& histories_of_all = results.histories;
+  const std::size_t records = histories_of_all.records, samples = run.cases;
+  ThresholdFragility fragility;
+  fragility.threshold_m = results.thresholds_m[threshold];
+
+  std::vector<RecordStripes> stripes(records);
+  std::vector<RecordCapacities> capacities(records);
+  double reached = 0.0, recrossed = 0.0, censored = 0.0, free = 0.0;
+  for (std::size_t record = 0; record < records; ++record) {
+    stripes[record].exceedances.assign(levels.size(), 0.0);
+    stripes[record].trials.assign(levels.size(), static_cast<double>(samples));
+    double record_recrossed = 0.0;
+    for (std::size_t sample = 0; sample < samples; ++sample) {
+      for (std::size_t level = 0; level < levels.size(); ++level) {
+        if (histories_of_all.displacement_m(record, run.first_case + sample, level) >=
+            fragility.threshold_m)
+          stripes[record].exceedances[level] += 1.0;
+      }
+      const double capacity = histories_of_all.capacity(record, run.first_case + sample, threshold);
+      if (std::isinf(capacity)) {
+        capacities[record].censored += 1.0;
+        ++censored;
+      } else if (capacity == 0.0) {
+        ++free;
+      } else {
+        capacities[record].capacities.push_back(capacity);
+      }
+      if (!std::isinf(capacity)) ++reached;
+      if (recrosses(histories_of_all, record, run.first_case + sample, fragility.threshold_m)) {
+        ++recrossed;
+        record_recrossed = 1.0;
+      }
+    }
+    fragility.record_recross.push_back(record_recrossed);
+  }
+  const double histories = static_cast<double>(records * samples);
+  fragility.recross_share = reached > 0.0 ? recrossed / reached : 0.0;
+  fragility.censored_share = censored / histories;
+  fragility.free_sliding_share = free / histories;
+  fragility.stripes = fit_stripes_by_record(levels, stripes, options);
+  fragility.capacities = fit_capacities_by_record(capacities, levels.back(), options,
+                                                  run.band_intensities, &fragility.band);
+  if (free > 0.0) {
+    std::string& note = fragility.capacities.note;
+    note +=
+        std::string(note.empty() ? "" : "; ") +
+        "histories that slide without any shaking have no capacity and are left out of this fit";
+  }
+  for (std::size_t level = 0; level < levels.size(); ++level) {
+    double share = 0.0;
+    for (const RecordStripes& record : stripes) share += record.exceedances[level];
+    fragility.probability.push_back(share / histories);
+    if (share == 0.0 || share == histories) {  // resampling tells nothing of what was never seen
+      fragility.probability_interval.push_back({});
+      continue;
+    }
+    fragility.probability_interval.push_back(bootstrap_interval(
+        records,
+        [&](const std::vector<double>& weights) {
+          double count = 0.0;
+          for (std::size_t record = 0; record < records; ++record)
+            count += weights[record] * stripes[record].exceedances[level];
+          return count / histories;
+        },
+        options));
+  }
+  return fragility;
+}
+
+SlipStatistics statistics_of(const PooledLevel& pooled, const Results& results,
+                             const RunResults& run, std::size_t level,
+                             const BootstrapOptions& options) {
+  const HistoryTable& histories = results.histories;
+  SlipStatistics s;
+  s.level = results.levels[level];
+  s.median_m = pooled.quantile_m(0.5);
+  s.p84_m = pooled.quantile_m(0.84);
+  s.p95_m = pooled.quantile_m(0.95);
+  s.mean_m = pooled.mean_m();
+  s.mean_interval = pooled.mean_interval(options);
+  s.median_interval = pooled.quantile_interval(0.5, options);
+  s.p84_interval = pooled.quantile_interval(0.84, options);
+  s.uplift_share = mean_at(histories, histories.fields.uplift, slice_of(run), level);
+  s.tip_share = mean_at(histories, histories.fields.tips, slice_of(run), level);
+  s.mean_vector_m = mean_at(histories, histories.fields.peak_vector_m, slice_of(run), level);
+  return s;
+}
+
+StandardComparison compare(Standard standard, double sds_g, const StandardsConfig& config,
+                           const PooledLevel& pooled, const BootstrapOptions& options) {
+  StandardComparison c;
+  c.standard = standard;
+  c.sds_g = sds_g;
+  c.prescribed = prescribed_displacement(standard, sds_g, config);
+  c.exceedance_probability = pooled.share_above(c.prescribed.value_m);
+  c.exceedance_interval = pooled.share_interval(c.prescribed.value_m, options);
+  return c;
+}
+
+std::string design_text(const Quantity& mu) {
+  if (!mu.is_drawn()) return describe(mu);
+  const double design = design_friction(*mu.drawn);
+  return fmt::format("mean - 2 std = {:.4g}{}", design,
+                     design == 0.0 ? " (below zero: taken as 0)" : "");
+}
+
+std::string friction_text(const StudyConfig& config, const Case& c, const std::string& listed) {
+  const Quantity& along = config.quantities.at("friction", "mu");
+  const Quantity& across = config.quantities.at("friction", "across_mu");
+  const bool design = c.friction_value == FrictionValue::design;
+  std::string text =
+      design ? "mu = " + design_text(along)
+             : "mu " + (along.is_drawn() ? describe(along) : fmt::format("{:g}", c.friction));
+  if (config.friction.across_is_given)
+    text += "; across the slope " + (design ? design_text(across) : describe(across));
+  return listed.empty() ? text : text + "; " + listed;
+}
+
+/// What a combination is beside its friction's value, which the label says.
+std::string listed_text(const CaseSet& cases, std::size_t combination) {
+  std::string text = cases.describe(combination);
+  const std::string friction = "friction.value = ";
+  if (text.rfind(friction, 0) != 0) return text;
+  const std::size_t comma = text.find(", ");
+  return comma == std::string::npos ? "" : text.substr(comma + 2);
+}
+
+std::vector<std::vector<double>> slips_at(const HistoryTable& histories, CaseSlice cases,
+                                          std::size_t level) {
+  std::vector<std::vector<double>> slips(histories.records);
+  for (std::size_t record = 0; record < slips.size(); ++record) {
+    for (std::size_t i = 0; i < cases.count; ++i)
+      slips[record].push_back(histories.displacement_m(record, cases.first + i, level));
+  }
+  return slips;
+}
+
+RunResults fragility_of(const StudyConfig& config, const Results& results,
+                        std::size_t combination) {
+  const std::vector<double>& levels = results.levels;
+  const BootstrapOptions options{.seed = config.seed,
+                                 .replicates = config.sampling.bootstrap_replicates};
+  RunResults run;
+  run.label = results.cases.label(combination);
+  run.cases = results.cases.per_combination();
+  run.first_case = combination * run.cases;
+  run.friction_description = friction_text(config, results.cases.cases[run.first_case],
+                                           listed_text(results.cases, combination));
+  for (std::size_t i = 0; i < band_points; ++i)
+    run.band_intensities.push_back(levels.back() * static_cast<double>(i + 1) / band_points);
+  for (std::size_t t = 0; t < results.thresholds_m.size(); ++t)
+    run.fragilities.push_back(fit_threshold(results, run, t, options));
+
+  std::vector<PooledLevel> pooled;
+  for (std::size_t level = 0; level < levels.size(); ++level) {
+    pooled.emplace_back(slips_at(results.histories, slice_of(run), level));
+    run.slip.push_back(statistics_of(pooled.back(), results, run, level, options));
+  }
+  if (config.impact)
+    run.impact = impact_statistics(results.histories, slice_of(run), levels, results.thresholds_m,
+                                   options);
+  for (const Standard standard : config.standards.compare) {
+    for (std::size_t level = 0; level < levels.size(); ++level) {
+      run.standards.push_back(
+          compare(standard, levels[level], config.standards, pooled[level], options));
+    }
+  }
+  return run;
+}
+
+}  // namespace
+
+std::vector<RunResults> fragility_runs(const StudyConfig& config, const Results& results) {
+  std::vector<RunResults> runs;
+  if (!config.fragility) return runs;
+  for (std::size_t i = 0; i < results.cases.combinations(); ++i)
+    runs.push_back(fragility_of(config, results, i));
+  return runs;
+}
+
+}  // namespace glissade

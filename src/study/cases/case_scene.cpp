@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "case_scene.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include "glissade/core/contract.hpp"
+#include "glissade/core/units.hpp"
+#include "glissade/study/cases/axis_motion.hpp"
+
+namespace glissade {
+
+Yielding strength_of(const Case& c, double period_s, const DesignTarget* target) {
+  if (!c.yields() || period_s == 0.0) return {};
+  if (c.yield_coefficient > 0.0)
+    return yielding_for(YieldCoefficient{c.yield_coefficient}, c.hardening_ratio);
+  GLISSADE_EXPECTS(target != nullptr);
+  const double demand_g = TargetSpectrum(*target).design_sa_g(period_s);
+  return yielding_for(ReducedDemand{demand_g * standard_gravity_mps2, c.response_modification},
+                      c.hardening_ratio);
+}
+
+Block block_of(const Case& c) {
+  return {.friction = c.friction, .slope_rad = c.slope_deg * rad_per_deg, .law = c.law};
+}
+
+TwoAxisBlock two_axis_block(const Case& c) {
+  // A slope that falls toward -x falls toward +x, half a turn on.
+  const double turn = c.slope_deg < 0.0 ? std::numbers::pi : 0.0;
+  return {.friction = {c.friction, c.friction_across},
+          .slope_rad = std::abs(c.slope_deg) * rad_per_deg,
+          .azimuth_rad = c.azimuth_deg * rad_per_deg + turn,
+          .law = c.law};
+}
+
+BiaxialBuilding biaxial_building(const Case& c, const DesignTarget* target) {
+  const double second_s = c.period_ratio * c.period_s;
+  return {.horizontal = {Oscillator{c.period_s, c.damping}, Oscillator{second_s, c.damping}},
+          .yielding = {strength_of(c, c.period_s, target), strength_of(c, second_s, target)},
+          .mass_ratio = c.support == ArraySupport::no_array ? 0.0 : c.mass_ratio};
+}
+
+TwoAxisBlock anchored_block() {
+  constexpr double overwhelming = 1e6;
+  return {.friction = {overwhelming, overwhelming}};
+}
+
+AxisMotion axis_motion(const Orientation& o, int axis) {
+  if (!o.is_quarter_turn()) return {axis, o.ground_azimuth_deg, axis == 0 ? 1 : o.across_sign};
+  const SignedComponent along = along_axis(o, axis);
+  return {along.component, -1.0, along.sign};
+}
+
+}  // namespace glissade

@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glissade/study/cases/case_set.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+#include <map>
+
+#include "glissade/core/contract.hpp"
+#include "glissade/study/config.hpp"
+
+namespace glissade {
+namespace {
+
+/// An axis, and how a value of it is put into a case.
+struct Axis {
+  CaseAxis axis;
+  std::function<void(Case&, std::size_t)> put;
+};
+
+template <class E>
+void add_choices(std::vector<Axis>& axes, const char* key, const std::vector<E>& choices,
+                 const std::vector<std::string>& names, E Case::*member) {
+  Axis axis{{key, "-", {}, {}}, [choices, member](Case& c, std::size_t i) { c.*member = choices[i]; }};
+  for (const E choice : choices) {
+    axis.axis.values.push_back(static_cast<double>(choice));
+    axis.axis.names.push_back(names[static_cast<std::size_t>(choice)]);
+  }
+  axes.push_back(std::move(axis));
+}
+
+bool friction_is_drawn(const StudyConfig& config) {
+  return config.quantities.at("friction", "mu").is_drawn() ||
+         (config.friction.across_is_given &&
+          config.quantities.at("friction", "across_mu").is_drawn());
+}
+
+/// Every quantity with its values, also those that have one.
+std::vector<Axis> axes_of(const StudyConfig& config) {
+  std::vector<Axis> axes;
+  std::vector<FrictionValue> friction{FrictionValue::as_drawn};
+  if (config.friction.design_value && friction_is_drawn(config))
+    friction.push_back(FrictionValue::design);
+  add_choices(axes, "friction.value", friction, {"sampled", "design"}, &Case::friction_value);
+  add_choices(axes, "array.support", config.support, {"isolated", "anchored", "no_array"},
+              &Case::support);
+  add_choices(axes, "vertical.use", config.vertical, {"none", "if_available", "required"},
+              &Case::vertical);
+  for (std::size_t i = 0; i < parameters().size(); ++i) {
+    const Parameter& p = parameters()[i];
+    const Quantity& quantity = config.quantities[i];
+    if (quantity.is_drawn()) continue;
+    axes.push_back({{std::string(p.table) + "." + p.key, p.unit, quantity.values, {}},
+                    [&p, &quantity](Case& c, std::size_t k) { p.of(c) = quantity.values[k]; }});
+  }
+  return axes;
+}
+
+/// Draws the samples of everything uncertain; what is listed stays as a default case has it.
+class Draw {
+ public:
+  explicit Draw(const StudyConfig& config)
+      : config_(config), points_(config.sampling.method, config.seed) {}
+
+  void put(Case& c, std::size_t sample) const {
+    for (std::size_t i = 0; i < parameters().size(); ++i) {
+      const Parameter& p = parameters()[i];
+      const Quantity& quantity = config_.quantities[i];
+      if (!quantity.is_drawn()) continue;
+      // Tails outside the physical range (less than one in a million) are put at its ends.
+      p.of(c) = std::clamp(quantile(*quantity.drawn, points_.coordinate(sample, p.dimension)),
+                           p.range.min, p.range.max);
+    }
+  }
+
+  Orientation orientation(std::size_t sample) const {
+    const OrientationConfig& o = config_.orientation;
+    const auto coin = [&](std::uint32_t dimension) {
+      return points_.coordinate(sample, dimension) < 0.5;
+    };
+    const auto sign = [&](SignChoice choice, std::uint32_t dimension) {
+      if (choice == SignChoice::positive) return 1;
+      if (choice == SignChoice::negative) return -1;
+      return coin(dimension) ? 1 : -1;
+    };
+    int component = o.component == ComponentChoice::second ? 1 : 0;
+    if (o.component == ComponentChoice::random) component = coin(component_dimension) ? 0 : 1;
+    return quarter_turn({component, sign(o.sign, sign_dimension)},
+                        config_.two_axes() ? sign(o.second_sign, second_sign_dimension) : 1);
+  }
+
+ private:
+  const StudyConfig& config_;
+  PointSet points_;
+};
+
+/// Friction as the case has it: at its design value, along and across the slope.
+void settle_friction(const StudyConfig& config, Case& c) {
+  const Quantity& along = config.quantities.at("friction", "mu");
+  const Quantity& across = config.quantities.at("friction", "across_mu");
+  const bool design = c.friction_value == FrictionValue::design;
+  if (design && along.is_drawn()) c.friction = design_friction(*along.drawn);
+  if (!config.friction.across_is_given) {
+    c.friction_across = c.friction;
+  } else if (design && across.is_drawn()) {
+    c.friction_across = design_friction(*across.drawn);
+  }
+  if (c.orientation.slope_axis == SlopeAxis::n_s) std::swap(c.friction, c.friction_across);
+}
+
+std::vector<Orientation> orientations_of(const StudyConfig& config) {
+  const OrientationConfig& o = config.orientation;
+  if (o.choice == OrientationChoice::random) {
+    std::vector<Orientation> by_axis;
+    for (const SlopeAxis axis : o.slope_axis) by_axis.push_back({axis, 0.0, 1});
+    return by_axis;
+  }
+  std::vector<Orientation> all = orientations(o.choice, o.slope_axis);
+  // Along one axis nothing acts across.
+  if (!config.two_axes())
+    std::erase_if(all, [](const Orientation& orientation) { return orientation.across_sign < 0; });
+  return all;
+}
+
+}  // namespace
+
+std::size_t CaseSet::combinations() const {
+  std::size_t count = 1;
+  for (const CaseAxis& axis : axes) count *= axis.size();
+  return count;
+}
+
+std::vector<std::size_t> CaseSet::places(std::size_t combination) const {
+  std::vector<std::size_t> places(axes.size());
+  for (std::size_t i = axes.size(); i > 0; --i) {
+    places[i - 1] = combination % axes[i - 1].size();
+    combination /= axes[i - 1].size();
+  }
+  return places;
+}
+
+std::size_t CaseSet::combination(const std::vector<std::size_t>& places) const {
+  GLISSADE_EXPECTS(places.size() == axes.size());
+  std::size_t combination = 0;
+  for (std::size_t i = 0; i < axes.size(); ++i) combination = combination * axes[i].size() + places[i];
+  return combination;
+}
+
+std::size_t CaseSet::axis(const std::string& key) const {
+  return static_cast<std::size_t>(
+      std::ranges::find(axes, key, &CaseAxis::key) - axes.begin());
+}
+
+std::string CaseSet::label(std::size_t combination) const {
+  std::string label;
+  const std::vector<std::size_t> place = places(combination);
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    const CaseAxis& axis = axes[i];
+    if (!label.empty()) label += "_";
+    label += axis.names.empty() ? fmt::format("{}_{:g}", axis.key.substr(axis.key.find('.') + 1),
+                                              axis.values[place[i]])
+                                : axis.names[place[i]];
+  }
+  return label.empty() ? "sampled" : label;
+}
+
+std::string CaseSet::describe(std::size_t combination) const {
+  std::string text;
+  const std::vector<std::size_t> place = places(combination);
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    const CaseAxis& axis = axes[i];
+    if (!text.empty()) text += ", ";
+    text += axis.names.empty()
+                ? fmt::format("{} = {:g}{}", axis.key, axis.values[place[i]],
+                              axis.unit == "-" ? "" : " " + axis.unit)
+                : fmt::format("{} = {}", axis.key, axis.names[place[i]]);
+  }
+  return text;
+}
+
+CaseSet make_cases(const StudyConfig& config) {
+  const std::vector<Axis> axes = axes_of(config);
+  CaseSet set;
+  std::vector<const Axis*> varied;
+  Case usual;
+  for (const Axis& axis : axes) {
+    axis.put(usual, 0);
+    if (axis.axis.size() < 2) continue;
+    varied.push_back(&axis);
+    set.axes.push_back(axis.axis);
+  }
+  const Draw draw(config);
+  const std::vector<Orientation> orientations = orientations_of(config);
+  set.samples = config.draws() ? config.sampling.samples : 1;
+  set.orientations = orientations.size();
+  std::vector<Case> drawn(set.samples, usual);
+  for (std::size_t sample = 0; sample < set.samples; ++sample) draw.put(drawn[sample], sample);
+  const std::size_t combinations = set.combinations();
+  set.cases.reserve(combinations * set.per_combination());
+  for (std::size_t combination = 0; combination < combinations; ++combination) {
+    const std::vector<std::size_t> place = set.places(combination);
+    for (std::size_t sample = 0; sample < set.samples; ++sample) {
+      for (const Orientation& orientation : orientations) {
+        Case c = drawn[sample];
+        for (std::size_t i = 0; i < varied.size(); ++i) varied[i]->put(c, place[i]);
+        c.orientation = orientation;
+        if (config.orientation.choice == OrientationChoice::random) {
+          c.orientation = draw.orientation(sample);
+          c.orientation.slope_axis = orientation.slope_axis;
+        }
+        settle_friction(config, c);
+        set.cases.push_back(c);
+      }
+    }
+  }
+  return set;
+}
+
+std::vector<std::size_t> same_as(const CaseSet& set, bool two_axes) {
+  const auto key_of = [two_axes](const Case& c) {
+    std::vector<double> key;
+    for (const Parameter& p : parameters()) {
+      const bool counts = (two_axes || p.axes == Parameter::Axes::any) &&
+                          (c.vertical != VerticalChoice::none || p.table != std::string("vertical"));
+      key.push_back(counts ? value_of(p, c) : 0.0);
+    }
+    key.push_back(static_cast<double>(c.support));
+    key.push_back(static_cast<double>(c.vertical));
+    const bool mirrors_across = c.azimuth_deg == 0.0;
+    if (two_axes) {
+      key.push_back(c.orientation.ground_azimuth_deg);
+      key.push_back(mirrors_across ? 1.0 : c.orientation.across_sign);
+    } else if (c.orientation.is_quarter_turn()) {
+      const SignedComponent along = along_axis(c.orientation, 0);
+      key.push_back(along.component);
+      key.push_back(c.slope_deg == 0.0 ? 1.0 : along.sign);
+    } else {
+      key.push_back(2.0 + c.orientation.ground_azimuth_deg);
+    }
+    return key;
+  };
+  std::map<std::vector<double>, std::size_t> first;
+  std::vector<std::size_t> same;
+  for (std::size_t i = 0; i < set.cases.size(); ++i)
+    same.push_back(first.try_emplace(key_of(set.cases[i]), i).first->second);
+  return same;
+}
+
+}  // namespace glissade

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <array>
+#include <cstring>
+#include <limits>
+
+#include "glissade/core/contract.hpp"
+#include "glissade/study/cases/case.hpp"
+
+namespace glissade {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr ParameterRange coefficient{0.0, 10.0, "0 to 10"};
+constexpr ParameterRange damping_ratio{0.0, 0.999, "a ratio, 0 or more and below 1"};
+
+/// In the order in which lists vary, the first slowest.
+const std::array table = {
+    Parameter{"building", "response_modification", "-",
+              {0.0, infinity, "0 (it stays elastic), or 1 or more"},
+              11,
+              "R: the building yields at the design spectrum's elastic demand over R; 0: it stays "
+              "elastic",
+              [](Case& c) -> double& { return c.response_modification; }},
+    Parameter{"building", "yield_coefficient", "-",
+              {0.0, infinity, "0 (it stays elastic) or more"},
+              12,
+              "yield force over the building's weight; 0: it stays elastic",
+              [](Case& c) -> double& { return c.yield_coefficient; }},
+    Parameter{"building", "hardening_ratio", "-",
+              {0.0, 0.999, "0 or more and below 1"},
+              13,
+              "stiffness after yielding over that before",
+              [](Case& c) -> double& { return c.hardening_ratio; }},
+    Parameter{"building", "mass_ratio", "-",
+              {0.0, 1.0, "the array's mass over the building's, 0 to 1"},
+              7,
+              "the array's mass over the building's",
+              [](Case& c) -> double& { return c.mass_ratio; }},
+    Parameter{"building", "damping", "-", damping_ratio, 3, "the building's damping ratio",
+              [](Case& c) -> double& { return c.damping; }},
+    Parameter{"building", "period_ratio", "-",
+              {1e-3, 1e3, "0.001 to 1000"},
+              10,
+              "period along the building's second axis over that along its first",
+              [](Case& c) -> double& { return c.period_ratio; }, Parameter::Axes::two},
+    Parameter{"vertical", "period_s", "s",
+              {0.0, infinity, "0 (the roof goes up and down with the ground) or more"},
+              14,
+              "period of the roof's vertical oscillator; 0: the roof goes up and down with the "
+              "ground",
+              [](Case& c) -> double& { return c.vertical_period_s; }},
+    Parameter{"vertical", "damping", "-", damping_ratio, 15, "damping ratio of that oscillator",
+              [](Case& c) -> double& { return c.vertical_damping; }},
+    Parameter{"friction", "static_over_sliding", "-",
+              {1.0, 100.0, "1 or more: static friction is not below sliding friction"},
+              16,
+              "friction at rest over friction while sliding",
+              [](Case& c) -> double& { return c.law.static_ratio; }},
+    Parameter{"friction", "fast_over_slow", "-",
+              {1e-3, 1e3, "above 0"},
+              17,
+              "friction of fast sliding over that of slow sliding",
+              [](Case& c) -> double& { return c.law.fast_ratio; }},
+    Parameter{"friction", "rate_s_per_m", "s/m",
+              {0.0, infinity, "0 or more"},
+              18,
+              "how fast friction goes from slow to fast: exp(-rate x speed)",
+              [](Case& c) -> double& { return c.law.rate_spm; }},
+    Parameter{"building", "period_s", "s",
+              {0.0, infinity, "0 (rigid) or more"},
+              2,
+              "the bare building's period along its first axis; 0: rigid",
+              [](Case& c) -> double& { return c.period_s; }},
+    Parameter{"roof", "azimuth_deg", "deg",
+              {-360.0, 360.0, "in degrees, -360 to 360"},
+              8,
+              "from the building's first axis to where the roof falls, toward the second",
+              [](Case& c) -> double& { return c.azimuth_deg; }, Parameter::Axes::two},
+    Parameter{"roof", "slope_deg", "deg",
+              {-89.9, 89.9, "in degrees, -89.9 to 89.9"},
+              1,
+              "the roof's slope; positive where it falls toward the building's first axis",
+              [](Case& c) -> double& { return c.slope_deg; }},
+    Parameter{"friction", "mu", "-", coefficient, 0, "coefficient of friction along the slope",
+              [](Case& c) -> double& { return c.friction; }},
+    Parameter{"friction", "across_mu", "-", coefficient, 6,
+              "coefficient of friction across the slope",
+              [](Case& c) -> double& { return c.friction_across; }, Parameter::Axes::two},
+};
+
+}  // namespace
+
+std::span<const Parameter> parameters() { return table; }
+
+std::size_t parameter_index(const char* in_table, const char* key) {
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    if (std::strcmp(table[i].table, in_table) == 0 && std::strcmp(table[i].key, key) == 0) return i;
+  }
+  GLISSADE_EXPECTS(false);
+  return table.size();
+}
+
+}  // namespace glissade

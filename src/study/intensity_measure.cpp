@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glissade/study/intensity_measure.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+
+#include "glissade/core/units.hpp"
+#include "glissade/motion/intensity.hpp"
+#include "glissade/motion/suite_scaling.hpp"
+#include "glissade/study/config.hpp"
+
+namespace glissade {
+namespace {
+
+/// The intensity is that of each record, geometric mean of its horizontals where there are two.
+struct Row {
+  const char *key, *unit, *own_key, *meaning;
+  std::string (*symbol)(const IntensityConfig&);
+  /// Of one record at level 1; null: see factors_at_unit_level().
+  double (*factor)(const IntensityConfig&, const Motion&);
+  double power = 1.0;  ///< of the motion that the intensity goes with
+};
+
+double geometric_mean_sa_mps2(const Motion& motion, double period_s) {
+  return horizontal_spectrum_mps2(motion, {&period_s, 1}, HorizontalCombination::geometric_mean)
+      .front();
+}
+
+const std::array rows = {
+    Row{"sds_g", "g", "target",
+        "design spectral acceleration S_DS: each suite is scaled as a whole until its average SRSS "
+        "spectrum is nowhere below the design spectrum, 0 to 2 s",
+        [](const IntensityConfig&) -> std::string { return "S_DS"; }, nullptr},
+    Row{"ppa_g", "g", nullptr,
+        "peak roof acceleration along the slope's plan direction (depends on the building)",
+        [](const IntensityConfig&) -> std::string { return "peak roof acceleration"; }, nullptr},
+    Row{"mce_fraction", "-", nullptr,
+        "factor on the suite as its file scales it, to MCE; 2/3 is the design earthquake",
+        [](const IntensityConfig&) -> std::string { return "fraction of MCE"; },
+        [](const IntensityConfig&, const Motion& m) { return m.scale; }},
+    Row{"pga_g", "g", nullptr, "peak ground acceleration",
+        [](const IntensityConfig&) -> std::string { return "peak ground acceleration"; },
+        [](const IntensityConfig&, const Motion& m) {
+          return standard_gravity_mps2 /
+                 horizontal_pga_mps2(m, HorizontalCombination::geometric_mean);
+        }},
+    Row{"sa_g", "g", "sa_period_s", "5 % damped spectral acceleration at sa_period_s",
+        [](const IntensityConfig& c) { return fmt::format("Sa({:g} s)", c.sa_period_s); },
+        [](const IntensityConfig& c, const Motion& m) {
+          return standard_gravity_mps2 / geometric_mean_sa_mps2(m, c.sa_period_s);
+        }},
+    Row{"avg_sa_g", "g", "avg_sa_periods_s",
+        "geometric mean of the 5 % damped spectral accelerations at avg_sa_periods_s",
+        [](const IntensityConfig& c) {
+          return fmt::format("average Sa, {:g} to {:g} s", c.avg_sa_periods_s.front(),
+                             c.avg_sa_periods_s.back());
+        },
+        [](const IntensityConfig& c, const Motion& m) {
+          return standard_gravity_mps2 / average_sa_mps2(m, c.avg_sa_periods_s);
+        }},
+};
+
+const Row& row_of(std::size_t row) { return rows.at(row); }
+
+/// Walters's rule, on the suite as its file scales its records.
+std::vector<double> factors_at_unit_sds(const IntensityConfig& intensity, const Suite& suite) {
+  const TargetSpectrum spectrum(intensity.target ? *intensity.target : *suite.target);
+  const auto unit_design = [&](double period) {
+    return spectrum.design_sa_g(period) / spectrum.sds_g();
+  };
+  const double common = suite_average_factor(suite, unit_design, walters_periods_s());
+  std::vector<double> factors;
+  for (const Motion& motion : suite.motions) factors.push_back(common * motion.scale);
+  return factors;
+}
+
+}  // namespace
+
+std::size_t IntensityMeasure::count() { return rows.size(); }
+
+std::optional<IntensityMeasure> IntensityMeasure::named(const std::string& key) {
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (key == rows[i].key) return IntensityMeasure(i);
+  }
+  return std::nullopt;
+}
+
+const char* IntensityMeasure::key() const { return row_of(row_).key; }
+const char* IntensityMeasure::unit() const { return row_of(row_).unit; }
+const char* IntensityMeasure::meaning() const { return row_of(row_).meaning; }
+const char* IntensityMeasure::own_key() const { return row_of(row_).own_key; }
+std::string IntensityMeasure::symbol(const IntensityConfig& c) const {
+  return row_of(row_).symbol(c);
+}
+
+std::vector<double> IntensityMeasure::factors_at_unit_level(const IntensityConfig& intensity,
+                                                            const Suite& suite) const {
+  if (*this == sds_g) return factors_at_unit_sds(intensity, suite);
+  std::vector<double> factors;
+  for (const Motion& motion : suite.motions)
+    factors.push_back(*this == ppa_g ? 0.0 : row_of(row_).factor(intensity, motion));
+  return factors;
+}
+
+double IntensityMeasure::factor_of_level(double level) const {
+  const double power = row_of(row_).power;
+  return power == 1.0 ? level : std::pow(level, 1.0 / power);
+}
+
+std::string unit_suffix(const std::string& unit) {
+  if (unit == "-") return "";
+  return unit == "m/s" ? "_mps" : "_" + unit;
+}
+
+}  // namespace glissade

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "glissade/study/results.hpp"
+
+namespace glissade {
+
+/// What a reader must know of what came out: uplift, tipping, histories that did not converge, how
+/// the suites meet their target.
+std::vector<std::string> notes_on(const Results& results, const StudyConfig& config);
+
+}  // namespace glissade
