@@ -9,12 +9,55 @@ namespace glissade {
 
 // The names enumerations have in study files and in results files.
 
-inline EnumNames<IntensityMeasure> measure_names() {
-  static constexpr EnumNames<IntensityMeasure> names = {{"sds_g", IntensityMeasure::sds_g},
-                                                        {"pga_g", IntensityMeasure::pga_g},
-                                                        {"sa_g", IntensityMeasure::sa_g},
-                                                        {"avg_sa_g", IntensityMeasure::avg_sa_g},
-                                                        {"ppa_g", IntensityMeasure::ppa_g}};
+inline EnumNames<ArraySupport> support_names() {
+  static constexpr EnumNames<ArraySupport> names = {
+      {"isolated", ArraySupport::isolated},
+      {"anchored", ArraySupport::anchored},
+      {"no_array", ArraySupport::no_array}};
+  return names;
+}
+
+inline EnumNames<SlopeAxis> slope_axis_names() {
+  static constexpr EnumNames<SlopeAxis> names = {
+      {"e_w", SlopeAxis::e_w},
+      {"n_s", SlopeAxis::n_s}};
+  return names;
+}
+
+inline EnumNames<VerticalChoice> vertical_names() {
+  static constexpr EnumNames<VerticalChoice> names = {
+      {"none", VerticalChoice::none},
+      {"if_available", VerticalChoice::if_available},
+      {"required", VerticalChoice::required}};
+  return names;
+}
+
+inline EnumNames<OrientationChoice> orientation_names() {
+  static constexpr EnumNames<OrientationChoice> names = {
+      {"random", OrientationChoice::random},
+      {"all_permutations", OrientationChoice::all_permutations},
+      {"azimuths", OrientationChoice::azimuths},
+      {"as_recorded", OrientationChoice::as_recorded}};
+  return names;
+}
+
+inline EnumNames<DisplacementMeasure> displacement_names() {
+  static constexpr EnumNames<DisplacementMeasure> names = {
+      {"srss", DisplacementMeasure::srss},
+      {"vector", DisplacementMeasure::vector}};
+  return names;
+}
+
+inline EnumNames<SlidingAxes> axes_names() {
+  static constexpr EnumNames<SlidingAxes> names = {{"one", SlidingAxes::one},
+                                                   {"two", SlidingAxes::two}};
+  return names;
+}
+
+inline EnumNames<FrictionValue> friction_value_names() {
+  static constexpr EnumNames<FrictionValue> names = {
+      {"as_drawn", FrictionValue::as_drawn},
+      {"design", FrictionValue::design}};
   return names;
 }
 

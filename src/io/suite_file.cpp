@@ -9,7 +9,7 @@
 #include "glissade/io/record_file.hpp"
 #include "record_entry.hpp"
 #include "record_finder.hpp"
-#include "target_table.hpp"
+#include "study/target_table.hpp"
 #include "toml_table.hpp"
 
 namespace glissade {

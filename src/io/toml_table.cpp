@@ -24,6 +24,7 @@ struct TomlDocument::State {
   /// plays no part.
   std::map<const void*, std::set<std::string, std::less<>>> asked;
   std::set<const void*> not_checked;
+  std::vector<RenamedKey> renamed;
 
   Problem problem(const toml::source_position& at, std::string what, std::string suggestion) const;
   void add(Problem problem) {
@@ -121,8 +122,11 @@ void TomlDocument::State::find_unknown_keys(const toml::table& table, const std:
   }
   for (const auto& [at, name] : unknown) {
     const std::string nearest = nearest_word(name, known);
+    const auto old = std::ranges::find(renamed, path + name, &RenamedKey::name);
     std::string suggestion;
-    if (!nearest.empty()) {
+    if (old != renamed.end()) {
+      suggestion = old->now;
+    } else if (!nearest.empty()) {
       suggestion = "did you mean " + nearest + "?";
     } else {
       for (const std::string& word : known)
@@ -144,6 +148,10 @@ TomlDocument::TomlDocument(const std::filesystem::path& file) : state_(std::make
 }
 
 TomlDocument::~TomlDocument() = default;
+
+void TomlDocument::explain_old_keys(std::vector<RenamedKey> keys) {
+  state_->renamed = std::move(keys);
+}
 
 TomlTable TomlDocument::root() {
   state_->asked[&state_->root];

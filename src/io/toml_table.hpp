@@ -32,6 +32,12 @@ inline constexpr NumberRule friction_rule{
 template <class E>
 using EnumNames = std::initializer_list<std::pair<const char*, E>>;
 
+/// A key that had another name, or a table that is gone, and what to write now.
+struct RenamedKey {
+  std::string name;  ///< "friction.mean"
+  std::string now;   ///< "write friction.mu = { mean = ..., std = ... }"
+};
+
 class TomlTable;
 
 /// A TOML file that is being read. Problems are collected while its tables are read; `finish` adds
@@ -48,6 +54,8 @@ class TomlDocument {
   TomlTable root();
   const std::string& text() const;
   void add(Problem problem);  ///< one that belongs to no key
+  /// What to suggest for keys that are not known any more.
+  void explain_old_keys(std::vector<RenamedKey> keys);
   void finish();
 
   struct State;

@@ -1,10 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "results_archive.hpp"
+#include "archive.hpp"
 
 // What results files of every kind hold alike.
 namespace glissade {
+
+/// How datasets of intensities are named, and their unit.
+struct IntensityScale {
+  const char* unit;
+  std::string suffix;  ///< "_g"
+  std::string level = "level" + suffix;
+};
+
+/// A choice as an attribute.
+template <class E, class Archive, class Value>
+void name_attribute(const Archive& archive, const std::string& name, EnumNames<E> names,
+                    Value& value) {
+  std::string text;
+  if constexpr (!Archive::reads) text = name_of<E>(names, value);
+  archive.attribute(name, text);
+  if constexpr (Archive::reads) value = value_of<E>(names, text);
+}
 
 /// Which motion a row is of; the number of rows is the number of ids.
 template <class Archive, class Records>
@@ -24,10 +41,10 @@ void exchange_identity(const Archive& archive, Records& records) {
 template <class Archive, class Records>
 void exchange_source(const Archive& archive, Records& records) {
   column(
-      archive, "magnitude", {"-", "moment magnitude; 0 where not told"}, records,
+      archive, "magnitude", {"-", "moment magnitude; 0 where not given"}, records,
       [](auto& r) -> auto& { return r.magnitude; });
   column(
-      archive, "distance_km", {"km", "rupture distance; 0 where not told"}, records,
+      archive, "distance_km", {"km", "rupture distance; 0 where not given"}, records,
       [](auto& r) -> auto& { return r.distance_km; });
 }
 

@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "glissade/study/config.hpp"
-#include "toml_table.hpp"
+#include "../toml_table.hpp"
 
 namespace glissade {
 
@@ -13,6 +13,6 @@ namespace glissade {
 /// over the tests. `folder` is the study file's. Leaves `friction` as it is where something is
 /// wrong, which is reported.
 void read_tested_friction(const TomlTable& table, const std::filesystem::path& folder,
-                          FrictionConfig& friction);
+                          StudyConfig& study);
 
 }  // namespace glissade

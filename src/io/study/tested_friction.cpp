@@ -57,32 +57,42 @@ std::optional<Distribution> distribution_in(const TomlTable& table, const Direct
                  fmt::format("friction.file has one test in direction \"{}\", which gives no "
                              "standard deviation",
                              d.direction),
-                 "test more, or give mean and std");
+                 "test more, or give mu = { mean, std }");
     return std::nullopt;
   }
   if (s.std == 0.0) return Fixed{s.mean};
   return TruncatedNormal{s.mean, s.std, 0.0, std::numeric_limits<double>::infinity()};
 }
 
+void put(const std::optional<Distribution>& distribution, Quantity& quantity) {
+  if (!distribution) return;
+  if (const auto* fixed = std::get_if<Fixed>(&*distribution)) {
+    quantity = {{fixed->value}, {}};
+  } else {
+    quantity = {{}, *distribution};
+  }
+}
+
 void take(const TomlTable& table, const PullTestSummary& summary, const std::string& file,
-          FrictionConfig& friction) {
+          StudyConfig& study) {
   if (const DirectionFriction* d = direction_of(table, "direction", summary)) {
-    friction.mu = distribution_in(table, *d).value_or(friction.mu);
-    friction.note = note_on(*d, file);
+    put(distribution_in(table, *d), study.quantities.at("friction", "mu"));
+    study.friction.note = note_on(*d, file);
   }
   if (!table.has("across_direction")) return;
   if (const DirectionFriction* d = direction_of(table, "across_direction", summary)) {
-    friction.across = distribution_in(table, *d);
-    friction.note += "; across the slope: " + note_on(*d, file);
+    put(distribution_in(table, *d), study.quantities.at("friction", "across_mu"));
+    study.friction.across_is_given = true;
+    study.friction.note += "; across the slope: " + note_on(*d, file);
   }
 }
 
 }  // namespace
 
 void read_tested_friction(const TomlTable& table, const std::filesystem::path& folder,
-                          FrictionConfig& friction) {
+                          StudyConfig& study) {
   const std::size_t problems_before = table.problem_count();
-  for (const char* key : {"mu", "mean", "std", "across_mu", "across_mean", "across_std"}) {
+  for (const char* key : {"mu", "across_mu"}) {
     if (table.has(key)) {
       table.report(key, fmt::format("friction.file and friction.{} are both given", key),
                    "give the file of pull tests, or the friction itself");
@@ -96,7 +106,7 @@ void read_tested_friction(const TomlTable& table, const std::filesystem::path& f
   if (table.problem_count() > problems_before) return give_up();
   try {
     const PullTestSummary summary = summarise(read_pull_tests(folder / file), rule);
-    take(table, summary, file, friction);
+    take(table, summary, file, study);
   } catch (const InputError& error) {
     table.report("file", error);
     give_up();

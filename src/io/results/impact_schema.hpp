@@ -1,18 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "results_archive.hpp"
+#include "archive.hpp"
+#include "shared_schema.hpp"
 
 namespace glissade {
 
 template <class Archive, class Statistics>
-void exchange_impact_statistics(const Archive& archive, Statistics& rows) {
+void exchange_impact_statistics(const Archive& archive, const IntensityScale& scale,
+                                Statistics& rows) {
   make_rows(archive, "threshold_m", rows);
   column(
       archive, "threshold_m", {"m", "clearance threshold"}, rows,
       [](auto& s) -> auto& { return s.threshold_m; });
   column(
-      archive, "level_g", {"g", "intensity level"}, rows, [](auto& s) -> auto& { return s.level; });
+      archive, scale.level, {scale.unit, "intensity level"}, rows, [](auto& s) -> auto& { return s.level; });
   column(
       archive, "reached_share", {"-", "share of histories that get there"}, rows,
       [](auto& s) -> auto& { return s.reached_share; });
@@ -50,36 +52,15 @@ void exchange_impact_statistics(const Archive& archive, Statistics& rows) {
       [](auto& s) -> auto& { return s.time_p84_s; });
 }
 
-/// First crossings of a run and their statistics. Absent where the study does not ask for them.
+/// Absent where the study does not ask for it.
 template <class Archive, class Run>
-void exchange_impact(const Archive& run_archive, Run& run) {
+void exchange_impact(const Archive& run_archive, const IntensityScale& scale, Run& run) {
   if constexpr (Archive::reads) {
     if (!run_archive.has("impact")) return;
   } else {
-    if (run.crossing_time_s.empty() && run.impact.empty()) return;
+    if (run.impact.empty()) return;
   }
-  const auto archive = run_archive.group("impact");
-  const auto& shape = run.peak_displacement_m;
-  const std::size_t histories = shape.data.size();
-  const auto crossings = [&](const std::string& name, const Label& label, auto& values) {
-    Dims dims{shape.rows, shape.columns, shape.depth,
-              histories > 0 ? values.size() / histories : 0};
-    archive.array(name, label, dims, values);
-    const bool fits = dims.size() == 4 && dims[0] == shape.rows && dims[1] == shape.columns &&
-                      dims[2] == shape.depth;
-    if (!fits) throw Hdf5Error("fit " + name + " to the peak displacements");
-  };
-  crossings("crossing_time_s",
-            {"s",
-             "time of the first crossing from the record's begin, by (record, sample, level, "
-             "threshold); nan: not reached"},
-            run.crossing_time_s);
-  crossings("crossing_speed_mps",
-            {"m/s",
-             "speed then, in plan and relative to the roof, by (record, sample, level, threshold); "
-             "nan: not reached"},
-            run.crossing_speed_mps);
-  exchange_impact_statistics(archive, run.impact);
+  exchange_impact_statistics(run_archive.group("impact"), scale, run.impact);
 }
 
 }  // namespace glissade

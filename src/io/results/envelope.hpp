@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -31,6 +33,16 @@ bool is_results_of(const ResultsKind& kind, const std::filesystem::path& file);
 /// Parts of a file that do not fit each other.
 inline void expect_fit(bool fits, const char* part, const char* whole) {
   if (!fits) throw Hdf5Error(std::string("fit ") + part + " to the " + whole);
+}
+
+/// Names from a file that become names of files, or stand in scripts.
+inline void expect_file_name(const std::string& name) {
+  const auto is_plain = [](unsigned char c) {
+    return std::isalnum(c) || c == '_' || c == '.' || c == '-' || c == '+';
+  };
+  const bool fits = !name.empty() && name.size() <= 200 && name.front() != '.' &&
+                    std::all_of(name.begin(), name.end(), is_plain);
+  if (!fits) throw Hdf5Error("take a name that is not made of letters, digits, _ . + and -");
 }
 
 }  // namespace glissade

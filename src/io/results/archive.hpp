@@ -9,7 +9,7 @@
 
 #include "glissade/study/results.hpp"
 #include "hdf5_file.hpp"
-#include "toml_table.hpp"
+#include "../toml_table.hpp"
 
 namespace glissade {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "results_envelope.hpp"
+#include "envelope.hpp"
 
 #include <new>
 

@@ -4,8 +4,9 @@
 #include <cmath>
 #include <limits>
 
-#include "enum_names.hpp"
-#include "results_archive.hpp"
+#include "../enum_names.hpp"
+#include "archive.hpp"
+#include "shared_schema.hpp"
 
 namespace glissade {
 
@@ -35,10 +36,10 @@ void exchange_chart_slip(const Archive& archive, Points& points, const std::stri
 }
 
 template <class Archive, class Points>
-void exchange_chart_points(const Archive& archive, Points& points) {
-  make_rows(archive, "level_g", points);
+void exchange_chart_points(const Archive& archive, const IntensityScale& scale, Points& points) {
+  make_rows(archive, scale.level, points);
   column(
-      archive, "level_g", {"g", "intensity level"}, points,
+      archive, scale.level, {scale.unit, "intensity level"}, points,
       [](auto& p) -> auto& { return p.level; });
   column(
       archive, "slope_deg", {"deg", "roof slope"}, points,
@@ -78,10 +79,11 @@ void exchange_chart_points(const Archive& archive, Points& points) {
 }
 
 template <class Archive, class Readings>
-void exchange_chart_readings(const Archive& archive, Readings& readings) {
-  make_rows(archive, "level_g", readings);
+void exchange_chart_readings(const Archive& archive, const IntensityScale& scale,
+                             Readings& readings) {
+  make_rows(archive, scale.level, readings);
   column(
-      archive, "level_g", {"g", "intensity level"}, readings,
+      archive, scale.level, {scale.unit, "intensity level"}, readings,
       [](auto& r) -> auto& { return r.question.level; });
   column(
       archive, "slope_deg", {"deg", "roof slope"}, readings,
@@ -137,15 +139,15 @@ void exchange_prescriptions(const Archive& archive, Prescriptions& rows) {
 }
 
 template <class Archive, class C>
-void exchange_chart(const Archive& archive, C& chart) {
+void exchange_chart(const Archive& archive, const IntensityScale& scale, C& chart) {
   list(archive, "slope_deg", {"deg", "axis: roof slope"}, chart.slope_deg);
   list(archive, "friction", {"-", "axis: coefficient of friction"}, chart.mu);
   list(archive, "period_s", {"s", "building periods; 0 is rigid"}, chart.period_s);
   archive.attribute("shown_slope_deg", chart.shown_slope_deg);
   archive.attribute("shown_friction", chart.shown_mu);
-  archive.attribute("shown_level_g", chart.shown_level);
-  exchange_chart_points(archive.group("points"), chart.points);
-  exchange_chart_readings(archive.group("readings"), chart.readings);
+  archive.attribute("shown_" + scale.level, chart.shown_level);
+  exchange_chart_points(archive.group("points"), scale, chart.points);
+  exchange_chart_readings(archive.group("readings"), scale, chart.readings);
   exchange_prescriptions(archive.group("standards"), chart.standards);
 }
 

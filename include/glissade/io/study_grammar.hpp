@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+namespace glissade {
+
+/// The keys of a study file with their meaning, as text for a terminal. @param asked a table
+/// ("building") or a key ("building.period_s"); empty: all. Empty text where there is no such.
+std::string grammar_text(const std::string& asked);
+
+/// The same as a page in Markdown: studies/GRAMMAR.md.
+std::string grammar_page();
+
+}  // namespace glissade

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis_tables.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "../enum_names.hpp"
+#include "glissade/core/units.hpp"
+#include "glissade/io/csv.hpp"
+#include "glissade/study/clearance_study.hpp"
+#include "number_list.hpp"
+
+namespace glissade {
+namespace {
+
+constexpr NumberRule slope_read_rule{"in degrees, 0 to 89.9",
+                                     [](double x) { return x >= 0.0 && x <= 89.9; }};
+
+bool same(double a, double b) { return std::abs(a - b) <= 1e-9 * std::max(1.0, std::abs(b)); }
+
+/// A negative slope counts for its mirror image, which must be there; with every orientation both
+/// run twice.
+void mirror_exactly(const TomlTable& root, StudyConfig& study) {
+  std::vector<double>& slopes = study.quantities.at("roof", "slope_deg").values;
+  const TomlTable roof = root.table("roof");
+  for (double& slope : slopes) {
+    if (slope >= 0.0) break;
+    const auto mirror =
+        std::find_if(slopes.begin(), slopes.end(), [&](double s) { return same(s, -slope); });
+    if (mirror == slopes.end()) {
+      roof.report("slope_deg",
+                  "roof.slope_deg has " + shortest_decimal(slope) + " and not its mirror image " +
+                      shortest_decimal(-slope) + ", which a chart needs",
+                  "give both of each, or slopes of 0 and more with [orientation] choice = "
+                  "\"all_permutations\"");
+      return;
+    }
+    slope = -*mirror;
+  }
+}
+
+/// A value of an axis, to be read from a key; `otherwise` where the key is not there.
+double read_on_axis(const TomlTable& table, const char* key, const std::vector<double>& axis,
+                    double otherwise) {
+  const auto value = table.number(key);
+  if (!value || axis.empty()) return otherwise;
+  const auto found =
+      std::find_if(axis.begin(), axis.end(), [&](double x) { return same(x, *value); });
+  if (found != axis.end()) return *found;
+  table.report(key, table.name_of(key) + " = " + shortest_decimal(*value) + " is not on the chart",
+               "give one of its values, " + shortest_decimal(axis.front()) + " to " +
+                   shortest_decimal(axis.back()));
+  return otherwise;
+}
+
+/// A value within an axis.
+double read_within(const TomlTable& table, const char* key, const std::vector<double>& axis,
+                   const NumberRule& rule) {
+  const double value = table.required_number(key, rule);
+  if (axis.size() > 1 && table.has(key) && (value < axis.front() || value > axis.back())) {
+    table.report(key,
+                 table.name_of(key) + " = " + shortest_decimal(value) + " is outside the chart",
+                 "a chart is not extrapolated: stay from " + shortest_decimal(axis.front()) +
+                     " to " + shortest_decimal(axis.back()));
+  }
+  return value;
+}
+
+ChartQuestion read_question(const TomlTable& table, const std::vector<double>& mu,
+                            const std::vector<double>& slopes, const std::vector<double>& levels) {
+  ChartQuestion question;
+  question.level = read_on_axis(table, "level", levels, levels.empty() ? 0.0 : levels.back());
+  question.slope_deg = read_within(table, "slope_deg", slopes, slope_read_rule);
+  if (table.has("mu") == table.has("displacement_m")) {
+    table.report("", "a [[chart.read]] asks for a displacement or for a friction",
+                 "give mu (and read the displacement), or displacement_m (and read the friction)");
+    table.number("mu");
+    table.number("displacement_m");
+  } else if (table.has("mu")) {
+    question.mu = read_within(table, "mu", mu, friction_rule);
+  } else {
+    question.displacement_m = table.required_number("displacement_m", above_zero);
+  }
+  return question;
+}
+
+void read_chart(const TomlTable& root, StudyConfig& study) {
+  const TomlTable table = root.table("chart");
+  ChartConfig chart;
+  mirror_exactly(root, study);
+  const std::vector<double>& levels = study.intensity.levels;
+  const std::vector<double>& mu = study.quantities.at("friction", "mu").values;
+  std::vector<double> slopes;
+  std::ranges::copy_if(study.quantities.at("roof", "slope_deg").values, std::back_inserter(slopes),
+                       [](double slope) { return slope >= 0.0; });
+  if (slopes.size() < 2) {
+    table.report("", "a chart needs two slopes or more of 0 and above",
+                 "give roof.slope_deg (or rise_in_12) as a list, or { from, to, count }");
+  }
+  const auto middle = [](const std::vector<double>& axis) {
+    return axis.empty() ? 0.0 : axis[axis.size() / 2];
+  };
+  const double drawn_mu = mu.empty() ? mean(*study.quantities.at("friction", "mu").drawn) : 0.0;
+  const TomlTable shown = table.table("shown");
+  chart.shown_slope_deg = read_on_axis(shown, "slope_deg", slopes, middle(slopes));
+  chart.shown_mu = read_on_axis(shown, "mu", mu, mu.empty() ? drawn_mu : middle(mu));
+  chart.shown_level = read_on_axis(shown, "level", levels, levels.empty() ? 0.0 : levels.back());
+  for (const TomlTable& read : table.tables("read"))
+    chart.questions.push_back(read_question(read, mu, slopes, levels));
+  study.chart = chart;
+}
+
+void read_clearance(const TomlTable& root, StudyConfig& study) {
+  constexpr NumberRule factor_rule{"1 or more", [](double x) { return x >= 1.0; }};
+  const TomlTable table = root.table("clearance");
+  ClearanceConfig clearance;
+  clearance.factor = table.number("factor", factor_rule).value_or(clearance.factor);
+  study.clearance = clearance;
+  for (std::size_t i = 0; i < parameters().size(); ++i) {
+    const std::string key = std::string(parameters()[i].table) + "." + parameters()[i].key;
+    if (is_clearance_axis(key) || study.quantities[i].values.size() < 2) continue;
+    table.report("", "a required clearance does not go with a list of " + key,
+                 "give one value of it or a distribution, or a study for each value");
+  }
+}
+
+void read_fragility(const TomlTable& root, StudyConfig& study) {
+  const TomlTable table = root.table("fragility");
+  FragilityConfig fragility;
+  fragility.thresholds_m = read_increasing(table, "thresholds_m", above_zero);
+  fragility.stop_at_largest = table.flag("stop_at_largest").value_or(false);
+  const bool others = root.has("standards") || root.has("impact") || root.has("chart") ||
+                      root.has("clearance");
+  if (fragility.stop_at_largest && others) {
+    table.report("stop_at_largest",
+                 "fragility.stop_at_largest = true leaves slip beyond the largest threshold "
+                 "unknown, which [standards], [impact], [chart] and [clearance] need",
+                 "leave it out, or leave these out");
+  }
+  study.fragility = fragility;
+}
+
+StandardsConfig read_standards(const TomlTable& table, IntensityMeasure measure) {
+  constexpr NumberRule importance_rule{"from 1 to 1.5",
+                                       [](double x) { return x >= 1.0 && x <= 1.5; }};
+  StandardsConfig standards;
+  standards.compare =
+      table.choices<Standard>("compare", standard_names()).value_or(standards.compare);
+  standards.importance = table.number("importance", importance_rule).value_or(standards.importance);
+  using Sdc = SeismicDesignCategory;
+  standards.category = table
+                           .choice<Sdc>("seismic_design_category", {{"A", Sdc::a},
+                                                                    {"B", Sdc::b},
+                                                                    {"C", Sdc::c},
+                                                                    {"D", Sdc::d},
+                                                                    {"E", Sdc::e},
+                                                                    {"F", Sdc::f}})
+                           .value_or(standards.category);
+  if (!standards.compare.empty() && measure != IntensityMeasure::sds_g) {
+    table.report(
+        "compare",
+        "standards.compare needs intensity.measure = \"sds_g\": the standards prescribe by S_DS",
+        "measure by sds_g, or leave [standards] out");
+  }
+  return standards;
+}
+
+/// An analysis that needs another one, or a model.
+void needs(const TomlTable& root, const char* table, bool met, const char* what) {
+  if (!root.has(table) || met) return;
+  root.report(table, std::string("[") + table + "] needs " + what, std::string("give it, or leave out [") + table + "]");
+}
+
+std::optional<RigidBase> read_tipping(const TomlTable& table) {
+  if (!table.exists()) return std::nullopt;
+  RigidBase base;
+  base.centre_of_mass_height_m = table.required_number("centre_of_mass_height_m", above_zero);
+  base.width_m = table.required_number("base_width_m", above_zero);
+  return base;
+}
+
+}  // namespace
+
+void read_analyses(const TomlTable& root, StudyConfig& study) {
+  if (root.has("fragility")) read_fragility(root, study);
+  if (root.has("chart")) read_chart(root, study);
+  if (root.has("clearance")) read_clearance(root, study);
+  study.standards = read_standards(root.table("standards"), study.intensity.measure);
+  study.impact = root.table("impact").exists();
+  study.base_shear = root.table("base_shear").exists();
+  study.tipping = read_tipping(root.table("tipping"));
+  const std::vector<double>& levels = study.intensity.levels;
+  if (levels.size() == 1 && levels.front() == 0.0)
+    root.table("intensity").report("levels", "intensity.levels has no level above 0");
+  if (!study.fragility && !study.chart && !study.clearance && !study.base_shear) {
+    root.report("", "the study asks for no analysis",
+                "give [fragility] thresholds_m = [...], [chart], [clearance] or [base_shear]");
+  }
+  needs(root, "standards", study.fragility || study.chart, "[fragility] or [chart]");
+  needs(root, "impact", study.fragility.has_value(), "[fragility] thresholds_m");
+  needs(root, "base_shear", study.two_axes(), "[model] axes = 2");
+}
+
+}  // namespace glissade

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "../toml_table.hpp"
+#include "glissade/study/config.hpp"
+
+namespace glissade {
+
+/// The tables that ask for analyses, and what they need of each other. Reads after all others.
+void read_analyses(const TomlTable& root, StudyConfig& study);
+
+}  // namespace glissade

@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "case_tables.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <limits>
+
+#include "../enum_names.hpp"
+#include "quantity_table.hpp"
+#include "tested_friction.hpp"
+
+namespace glissade {
+namespace {
+
+void needs_two_axes(const TomlTable& table, const char* key, const StudyConfig& study) {
+  if (study.two_axes() || !table.has(key)) return;
+  table.report(key, table.name_of(key) + " goes with [model] axes = 2 only",
+               "leave it out, or let the array slide along two axes");
+}
+
+/// One name or several, each once; nothing where the key is absent.
+template <class E>
+std::optional<std::vector<E>> read_choices(const TomlTable& table, const char* key,
+                                           EnumNames<E> names) {
+  if (!table.is_array(key)) {
+    const auto one = table.choice<E>(key, names);
+    return one ? std::optional(std::vector{*one}) : std::nullopt;
+  }
+  auto given = table.choices<E>(key, names);
+  if (!given) return std::nullopt;
+  if (given->empty()) {
+    table.report(key, table.name_of(key) + " is empty", "name at least one");
+    return std::nullopt;
+  }
+  auto sorted = *given;
+  std::ranges::sort(sorted);
+  if (std::ranges::adjacent_find(sorted) != sorted.end())
+    table.report(key, table.name_of(key) + " names one twice", "name each once");
+  return given;
+}
+
+/// An ellipse of friction has two axes.
+void refuse_zero(const TomlTable& table, const Quantity& mu, const char* key) {
+  if (mu.largest() > 0.0) return;
+  table.report(key, table.name_of(key) + " is zero",
+               "on two axes friction lies on an ellipse, and both of its axes are above zero");
+}
+
+void check_strength(const TomlTable& table, const StudyConfig& study) {
+  const Quantity& r = study.quantities.at("building", "response_modification");
+  const Quantity& coefficient = study.quantities.at("building", "yield_coefficient");
+  const bool below_one =
+      r.drawn ? support(*r.drawn).min < 1.0
+              : std::ranges::any_of(r.values, [](double x) { return x > 0.0 && x < 1.0; });
+  if (below_one) {
+    table.report("response_modification",
+                 "building.response_modification has values between 0 and 1",
+                 "it divides the elastic demand: give 1 or more, or 0 for a building that stays "
+                 "elastic");
+  }
+  if (!r.is_always(0.0) && !coefficient.is_always(0.0)) {
+    table.report("yield_coefficient",
+                 "building.response_modification and building.yield_coefficient are both given",
+                 "give one of them: each says how strong the building is");
+  }
+  if (table.has("hardening_ratio") && r.is_always(0.0) && coefficient.is_always(0.0)) {
+    table.report("hardening_ratio",
+                 "building.hardening_ratio has no effect on a building that stays elastic",
+                 "give response_modification or yield_coefficient too, or leave it out");
+  }
+}
+
+void check_law(const TomlTable& table) {
+  if (table.has("fast_over_slow") == table.has("rate_s_per_m")) return;
+  const char* there = table.has("fast_over_slow") ? "fast_over_slow" : "rate_s_per_m";
+  table.report(there,
+               table.name_of(there) + " is one half of how friction depends on speed",
+               "give fast_over_slow (mu of fast over slow sliding) and rate_s_per_m");
+}
+
+}  // namespace
+
+ModelConfig read_model(const TomlTable& table) {
+  ModelConfig model;
+  if (table.whole("axes", 1, 2).value_or(1) == 2) model.axes = SlidingAxes::two;
+  model.displacement =
+      table
+          .choice<DisplacementMeasure>("displacement", displacement_names())
+          .value_or(model.displacement);
+  if (model.axes == SlidingAxes::one && table.has("displacement")) {
+    table.report("displacement", "model.displacement goes with axes = 2 only", "leave it out");
+  }
+  return model;
+}
+
+void read_quantities(const TomlTable& root, StudyConfig& study) {
+  for (std::size_t i = 0; i < parameters().size(); ++i) {
+    const Parameter& p = parameters()[i];
+    const TomlTable table = root.table(p.table);
+    if (p.axes == Parameter::Axes::two) needs_two_axes(table, p.key, study);
+    if (auto quantity = read_quantity(table, p.key, p.range)) study.quantities[i] = *quantity;
+  }
+  const TomlTable roof = root.table("roof");
+  if (const auto slope = read_rise_in_12(roof)) {
+    if (roof.has("slope_deg"))
+      roof.report("slope_deg", "roof.slope_deg and roof.rise_in_12 are both given",
+                  "give the slope one way");
+    study.quantities.at("roof", "slope_deg") = *slope;
+  }
+  check_strength(root.table("building"), study);
+}
+
+void read_friction(const TomlTable& table, StudyConfig& study) {
+  study.friction.design_value = table.flag("design_value").value_or(true);
+  study.friction.across_is_given = table.has("across_mu");
+  check_law(table);
+  const bool by_file = table.has("file");
+  if (by_file) {
+    read_tested_friction(table, study.file.parent_path(), study);
+  } else {
+    for (const char* key : {"direction", "across_direction", "slip_m", "sliding_from_m"}) {
+      if (table.has(key))
+        table.report(key, table.name_of(key) + " goes with friction.file only", "leave it out");
+    }
+    if (!table.has("mu") && table.exists()) {
+      table.report_missing("mu",
+                           "give mu = 0.5, mu = { mean = 0.55, std = 0.04 }, a list or a "
+                           "distribution, or a file of pull tests");
+    }
+  }
+  needs_two_axes(table, "across_direction", study);
+  if (!study.two_axes()) return;
+  refuse_zero(table, study.quantities.at("friction", "mu"), "mu");
+  if (study.friction.across_is_given)
+    refuse_zero(table, study.quantities.at("friction", "across_mu"), "across_mu");
+}
+
+void read_support(const TomlTable& table, StudyConfig& study) {
+  study.support =
+      read_choices<ArraySupport>(table, "support", support_names()).value_or(study.support);
+  const auto isolated = std::ranges::find(study.support, ArraySupport::isolated);
+  if (isolated == study.support.end()) {
+    table.report("support", table.name_of("support") + " leaves out \"isolated\"",
+                 "an array that does not slide has no displacement: name isolated too");
+  } else {
+    std::rotate(study.support.begin(), isolated, isolated + 1);
+  }
+  if (study.support.size() > 1) needs_two_axes(table, "support", study);
+}
+
+void read_vertical(const TomlTable& table, StudyConfig& study) {
+  study.vertical =
+      read_choices<VerticalChoice>(table, "use", vertical_names()).value_or(study.vertical);
+  if (study.vertical != std::vector{VerticalChoice::none}) return;
+  for (const char* key : {"period_s", "damping"}) {
+    if (table.has(key))
+      table.report(key, table.name_of(key) + " has no effect with use = \"none\"", "leave it out");
+  }
+}
+
+void read_orientation(const TomlTable& table, bool drawn, StudyConfig& study) {
+  OrientationConfig& o = study.orientation;
+  o.choice = table.choice<OrientationChoice>("choice", orientation_names())
+                 .value_or(drawn ? OrientationChoice::random : OrientationChoice::all_permutations);
+  o.slope_axis =
+      read_choices<SlopeAxis>(table, "slope_axis", slope_axis_names()).value_or(o.slope_axis);
+  const EnumNames<SignChoice> signs = {{"positive", SignChoice::positive},
+                                       {"negative", SignChoice::negative},
+                                       {"random", SignChoice::random}};
+  o.component = table
+                    .choice<ComponentChoice>("component", {{"first", ComponentChoice::first},
+                                                           {"second", ComponentChoice::second},
+                                                           {"random", ComponentChoice::random}})
+                    .value_or(o.component);
+  o.sign = table.choice<SignChoice>("sign", signs).value_or(o.sign);
+  o.second_sign = table.choice<SignChoice>("second_sign", signs).value_or(o.second_sign);
+  needs_two_axes(table, "second_sign", study);
+  needs_two_axes(table, "slope_axis", study);
+  if (o.choice == OrientationChoice::random) return;
+  for (const char* key : {"component", "sign", "second_sign"}) {
+    if (table.has(key))
+      table.report(key, table.name_of(key) + " goes with choice = \"random\" only",
+                   "leave it out, or set choice = \"random\"");
+  }
+}
+
+SamplingConfig read_sampling(const TomlTable& table) {
+  SamplingConfig sampling;
+  sampling.method =
+      table
+          .choice<SamplingMethod>("method", {{"sobol", SamplingMethod::sobol},
+                                             {"monte_carlo", SamplingMethod::monte_carlo}})
+          .value_or(sampling.method);
+  const auto samples = table.whole("samples", 1, std::numeric_limits<std::uint32_t>::max());
+  sampling.samples = samples.value_or(sampling.samples);
+  if (sampling.method == SamplingMethod::sobol && samples && !std::has_single_bit(*samples)) {
+    table.report("samples",
+                 "sampling.samples = " + std::to_string(*samples) +
+                     " is not a power of two, as Sobol points need",
+                 "take " + std::to_string(std::bit_floor(*samples)) + " or " +
+                     std::to_string(std::bit_ceil(*samples)) + ", or method = \"monte_carlo\"");
+  }
+  sampling.bootstrap_replicates =
+      static_cast<int>(table.whole("bootstrap_replicates", 100, 1000000)
+                           .value_or(static_cast<std::uint64_t>(sampling.bootstrap_replicates)));
+  return sampling;
+}
+
+}  // namespace glissade

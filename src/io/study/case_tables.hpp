@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "../toml_table.hpp"
+#include "glissade/study/config.hpp"
+
+namespace glissade {
+
+// What a study's cases are: every table but those of suite, intensity and analyses.
+
+ModelConfig read_model(const TomlTable& table);
+/// All rows of parameters(), but friction from a file. Needs study.model and study.file.
+void read_quantities(const TomlTable& root, StudyConfig& study);
+void read_friction(const TomlTable& table, StudyConfig& study);
+void read_support(const TomlTable& table, StudyConfig& study);
+void read_vertical(const TomlTable& table, StudyConfig& study);
+/// @param drawn the study draws samples where [orientation] does not say otherwise
+void read_orientation(const TomlTable& table, bool drawn, StudyConfig& study);
+SamplingConfig read_sampling(const TomlTable& table);
+
+}  // namespace glissade

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "grammar.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "../enum_names.hpp"
+#include "glissade/io/study_grammar.hpp"
+#include "glissade/study/config.hpp"
+
+namespace glissade {
+namespace {
+
+constexpr const char* quantity_value =
+    "number, list, { from, to, count }, { mean, std } or a distribution";
+
+template <class E>
+std::string one_of(EnumNames<E> names) {
+  std::string text;
+  for (const auto& [name, value] : names)
+    text += (text.empty() ? "\"" : ", \"") + std::string(name) + "\"";
+  return text;
+}
+
+std::string measures() {
+  std::string text;
+  for (std::size_t i = 0; i < IntensityMeasure::count(); ++i) {
+    const IntensityMeasure m = IntensityMeasure::number(i);
+    text += fmt::format("{}{} ({}): {}", i > 0 ? "; " : "", m.key(), m.unit(), m.meaning());
+  }
+  return text;
+}
+
+void add_head(std::vector<GrammarKey>& keys) {
+  keys.insert(
+      keys.end(),
+      {{"study", "name", "text", "required", "name of the study"},
+       {"study", "description", "text", "\"\"", "what it is, in a sentence"},
+       {"study", "seed", "whole number", "0", "of the samples and of the bootstrap"},
+       {"suite", "file", "path", "required (or files)", "suite file, relative to the study file"},
+       {"suite", "files", "list of paths", "none", "several suites in one study"},
+       {"suite", "records", "list of ids", "all", "the records to run"},
+       {"intensity", "measure", "name", "required", measures()},
+       {"intensity", "levels", "list or { from, to, count, spacing }", "required",
+        "the levels, increasing, in the measure's unit; spacing \"linear\" or \"log\""},
+       {"intensity", "sa_period_s", "number", "required with sa_g", "period of the spectral "
+                                                                    "acceleration, s"},
+       {"intensity", "avg_sa_periods_s", "list or { from, to, count }", "required with avg_sa_g",
+        "periods of the average spectral acceleration, s"},
+       {"intensity", "target", "{ edition, ss_g, s1_g, site_class or site_classes, tl_s }",
+        "that of the suite", "the design spectrum: shape for sds_g, demand for "
+                             "building.response_modification"},
+       {"model", "axes", "1 or 2", "1", "along how many horizontal axes the array may slide"},
+       {"model", "displacement", one_of(displacement_names()), "\"srss\"",
+        "two axes: SRSS of the separate maxima (Walters et al. 2012), or the longest vector"}});
+}
+
+void add_quantities(std::vector<GrammarKey>& keys) {
+  const Quantities usual;
+  for (std::size_t i = 0; i < parameters().size(); ++i) {
+    const Parameter& p = parameters()[i];
+    const bool mu = p.table == std::string("friction") && p.key == std::string("mu");
+    const bool across = p.key == std::string("across_mu");
+    const std::string axes = p.axes == Parameter::Axes::two ? "two axes: " : "";
+    keys.push_back({p.table, p.key, quantity_value,
+                    mu       ? "required (or file)"
+                    : across ? "friction.mu"
+                             : describe(usual[i]),
+                    fmt::format("{}{}{}; range: {}", axes, p.meaning,
+                                p.unit == std::string("-") ? "" : std::string(", ") + p.unit,
+                                p.range.text)});
+  }
+  keys.push_back({"roof", "rise_in_12", "number, list or discrete distribution", "slope_deg",
+                  "the slope as a rise in 12"});
+}
+
+void add_cases(std::vector<GrammarKey>& keys) {
+  keys.insert(
+      keys.end(),
+      {{"friction", "design_value", "true or false", "true",
+        "where friction is drawn, mean - 2 std is run too (Walters et al. 2012)"},
+       {"friction", "file", "path", "none", "pull tests that give mu (CSV; see Pull tests)"},
+       {"friction", "direction", "name", "the only one", "direction of the pull tests for mu"},
+       {"friction", "across_direction", "name", "none",
+        "two axes: direction of the pull tests for across_mu"},
+       {"friction", "slip_m", "number", "see Pull tests", "slip from which a pull slides, m"},
+       {"friction", "sliding_from_m", "number", "see Pull tests",
+        "slip from which sliding friction is averaged, m"},
+       {"array", "support", one_of(support_names()) + ", or a list", "\"isolated\"",
+        "how the array stands on its building: by friction, fixed, or not at all"},
+       {"vertical", "use", one_of(vertical_names()) + ", or a list", "\"if_available\"",
+        "whether the vertical ground motion acts"},
+       {"orientation", "choice", one_of(orientation_names()),
+        "\"random\" where the study draws samples or has [fragility], else \"all_permutations\"",
+        "how the horizontal components lie to the building: drawn for each sample; either "
+        "component along the first axis with either sign, the other with either sign; every 22.5 "
+        "degrees; as recorded"},
+       {"orientation", "slope_axis", one_of(slope_axis_names()) + ", or a list", "\"e_w\"",
+        "two axes: the array's axis along the slope; friction.mu is along E-W, across_mu along "
+        "N-S"},
+       {"orientation", "component", "\"first\", \"second\", \"random\"", "\"random\"",
+        "with choice \"random\": the component along the first axis"},
+       {"orientation", "sign", "\"positive\", \"negative\", \"random\"", "\"random\"",
+        "with choice \"random\": its sign"},
+       {"orientation", "second_sign", "\"positive\", \"negative\", \"random\"", "\"random\"",
+        "with choice \"random\", two axes: sign of the other component"},
+       {"sampling", "method", "\"sobol\", \"monte_carlo\"", "\"sobol\"",
+        "scrambled Sobol points, or independent ones"},
+       {"sampling", "samples", "whole number", "1024",
+        "samples of what is drawn; for Sobol a power of two"},
+       {"sampling", "bootstrap_replicates", "whole number", "1000",
+        "resamples of whole records for the intervals"}});
+}
+
+void add_analyses(std::vector<GrammarKey>& keys) {
+  keys.insert(
+      keys.end(),
+      {{"fragility", "thresholds_m", "list or { from, to, count }", "required",
+        "clearances, m: probability that displacement exceeds each"},
+       {"fragility", "stop_at_largest", "true or false", "false",
+        "levels above the one that reaches the largest threshold are not run"},
+       {"impact", "", "an empty table", "absent",
+        "when and how fast each threshold is first reached; needs [fragility]"},
+       {"standards", "compare", "list of \"seaoc_pv1_2012\", \"asce7_16\"", "none",
+        "prescriptive displacements to compare with; needs measure = \"sds_g\""},
+       {"standards", "importance", "number", "1", "importance factor, 1 to 1.5"},
+       {"standards", "seismic_design_category", "\"A\" to \"F\"", "\"D\"", ""},
+       {"chart", "shown", "{ slope_deg, mu, level }", "the middle",
+        "where the figures cut through the chart"},
+       {"chart", "read", "[[chart.read]] with level, slope_deg and mu or displacement_m", "none",
+        "a displacement, or the friction required for one, read off the chart"},
+       {"clearance", "factor", "number", "1.1",
+        "required clearance: this factor on the suite's mean displacement, the largest over the "
+        "periods (Walters et al. 2012)"},
+       {"base_shear", "", "an empty table", "absent", "two axes: peak base shear is kept"},
+       {"tipping", "centre_of_mass_height_m", "number", "required",
+        "of the array above the roof, m: where the body begins to tip is checked"},
+       {"tipping", "base_width_m", "number", "required", "of the array along the slope, m"}});
+}
+
+}  // namespace
+
+std::vector<GrammarKey> grammar() {
+  std::vector<GrammarKey> keys;
+  add_head(keys);
+  add_quantities(keys);
+  add_cases(keys);
+  add_analyses(keys);
+  // A table's keys together, the tables in the order in which they first come.
+  std::vector<std::string> tables;
+  for (const GrammarKey& key : keys) {
+    if (std::ranges::find(tables, key.table) == tables.end()) tables.push_back(key.table);
+  }
+  std::ranges::stable_sort(keys, {}, [&](const GrammarKey& key) {
+    return std::ranges::find(tables, key.table) - tables.begin();
+  });
+  return keys;
+}
+
+std::vector<RenamedKey> renamed_keys() {
+  const char* moments = "write friction.mu = { mean = ..., std = ... }";
+  const char* across = "write friction.across_mu = { mean = ..., std = ... }";
+  const char* thresholds = "it is in [fragility] now";
+  const char* tipping = "[array] is [tipping] for this key now";
+  const char* grid = "[clearance_study] is gone: its quantities are in [building], [roof], "
+                     "[friction], [vertical] and [orientation], each a number, a list or a "
+                     "distribution; give [clearance], and [model] axes = 2";
+  return {{"friction.mean", moments},
+          {"friction.std", moments},
+          {"friction.across_mean", across},
+          {"friction.across_std", across},
+          {"friction.static_ratio", "it is friction.static_over_sliding now"},
+          {"friction.fast_ratio", "it is friction.fast_over_slow now"},
+          {"friction.rate_spm", "it is friction.rate_s_per_m now"},
+          {"friction.design_run", "it is friction.design_value now"},
+          {"clearance.thresholds_m", thresholds},
+          {"clearance.stop_at_largest", thresholds},
+          {"clearance.impact", "give an empty table [impact]"},
+          {"array.centre_of_mass_height_m", tipping},
+          {"array.base_width_m", tipping},
+          {"chart.slope_deg", "it is roof.slope_deg now, a list"},
+          {"chart.mu", "it is friction.mu now, a list"},
+          {"chart.period_s", "it is building.period_s now, a list"},
+          {"clearance_study", grid},
+          {"paper", "published statements are compared in tests/verification now: leave it out"},
+          {"convergence", "the convergence of the published scheme is a program under tests now"}};
+}
+
+std::string grammar_text(const std::string& asked) {
+  std::string text, table;
+  for (const GrammarKey& key : grammar()) {
+    if (!asked.empty() && key.table != asked && key.name() != asked) continue;
+    if (key.table != table) text += fmt::format("{}[{}]\n", text.empty() ? "" : "\n", key.table);
+    table = key.table;
+    text += fmt::format("  {:<24} {}\n{:27}usual: {}\n{:27}{}\n",
+                        key.key.empty() ? "(no keys)" : key.key, key.value, "", key.usual, "",
+                        key.meaning);
+  }
+  return text;
+}
+
+std::string grammar_page() {
+  std::string page =
+      "# The keys of a study file\n\n"
+      "Made by `glissade explain --markdown`; do not edit. A quantity is a number, a list (every "
+      "value is run, in all combinations), or a distribution (a value is drawn for each "
+      "sample).\n";
+  std::string table;
+  for (const GrammarKey& key : grammar()) {
+    if (key.table != table)
+      page += fmt::format("\n## [{}]\n\n| key | value | where absent | meaning |\n|---|---|---|---|\n",
+                          key.table);
+    table = key.table;
+    page += fmt::format("| {} | {} | {} | {} |\n", key.key.empty() ? "" : "`" + key.key + "`",
+                        key.value, key.usual, key.meaning);
+  }
+  return page;
+}
+
+}  // namespace glissade

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+
+#include "../toml_table.hpp"
+#include "glissade/study/config.hpp"
+
+namespace glissade {
+
+/// A quantity of a study: a number, a list, { from, to, count }, a distribution, or { mean, std } of
+/// a normal one that is cut at the ends of the range. Nothing where the key is absent or wrong.
+std::optional<Quantity> read_quantity(const TomlTable& table, const char* key,
+                                      const ParameterRange& range);
+
+/// The same of a slope that is given as the rise in 12, not in degrees.
+std::optional<Quantity> read_rise_in_12(const TomlTable& table);
+
+}  // namespace glissade

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glissade/io/study_file.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "../enum_names.hpp"
+#include "analysis_tables.hpp"
+#include "case_tables.hpp"
+#include "grammar.hpp"
+#include "number_list.hpp"
+#include "target_table.hpp"
+
+namespace glissade {
+namespace {
+
+/// Keys that go with one measure only.
+void refuse_other_keys(const TomlTable& table, IntensityMeasure measure) {
+  for (std::size_t i = 0; i < IntensityMeasure::count(); ++i) {
+    const IntensityMeasure owner = IntensityMeasure::number(i);
+    const char* key = owner.own_key();
+    if (key == nullptr || owner == measure || !table.has(key)) continue;
+    // A target also says what strength a building has.
+    if (key == std::string("target")) continue;
+    table.report(key,
+                 table.name_of(key) + " goes with measure = \"" + owner.key() + "\" only",
+                 std::string("leave it out, or measure by ") + owner.key());
+  }
+}
+
+IntensityConfig read_intensity(const TomlTable& table, const NumberRule& level_rule) {
+  IntensityConfig intensity;
+  std::string known;
+  for (std::size_t i = 0; i < IntensityMeasure::count(); ++i)
+    known += (i > 0 ? ", " : "") + std::string(IntensityMeasure::number(i).key());
+  const auto name = table.text("measure");
+  if (!table.has("measure")) table.report_missing("measure", "known are " + known);
+  if (table.exists()) intensity.levels = read_increasing(table, "levels", level_rule);
+  const auto measure = IntensityMeasure::named(name.value_or(""));
+  if (!measure) {
+    if (name)
+      table.report("measure", "intensity.measure = \"" + *name + "\" is not known",
+                   "known are " + known);
+    table.ignore_unknown();
+    return intensity;
+  }
+  intensity.measure = *measure;
+  const auto is_own = [&](const char* key) {
+    return measure->own_key() != nullptr && measure->own_key() == std::string(key);
+  };
+  if (is_own("sa_period_s"))
+    intensity.sa_period_s = table.required_number("sa_period_s", not_negative);
+  if (is_own("avg_sa_periods_s"))
+    intensity.avg_sa_periods_s = read_increasing(table, "avg_sa_periods_s", not_negative);
+  if (table.has("target")) intensity.target = read_target(table.table("target"));
+  refuse_other_keys(table, *measure);
+  return intensity;
+}
+
+/// One suite by `file`, or several by `files`.
+void read_suites(const TomlTable& table, StudyConfig& study) {
+  std::vector<std::string> names;
+  if (table.has("files")) {
+    if (table.has("file")) table.report("files", "suite.file and suite.files are both given",
+                                        "name one suite by file, or several by files");
+    names = table.texts("files").value_or(names);
+    if (names.empty()) table.report("files", "suite.files is empty", "name at least one suite");
+  } else {
+    names = {table.required_text("file")};
+  }
+  table.text("file");
+  const char* key = table.has("files") ? "files" : "file";
+  for (const std::string& name : names) {
+    study.suite_files.push_back(study.file.parent_path() / name);
+    std::error_code ignored;
+    if (!name.empty() && !std::filesystem::exists(study.suite_files.back(), ignored)) {
+      table.report(key, "there is no suite " + study.suite_files.back().string(),
+                   "give its path relative to the study file");
+    }
+  }
+  study.records = table.texts("records").value_or(study.records);
+  if (table.is_array("records") && study.records.empty())
+    table.report("records", "suite.records is empty", "name at least one record, or leave it out");
+}
+
+/// More than anybody can run, or hold the results of.
+void check_size(const TomlTable& root, const StudyConfig& study) {
+  constexpr double most = 5e7;
+  double cases = static_cast<double>(study.intensity.levels.size()) *
+                 static_cast<double>(study.support.size() * study.vertical.size()) *
+                 (study.draws() ? static_cast<double>(study.sampling.samples) : 1.0);
+  for (std::size_t i = 0; i < parameters().size(); ++i) {
+    if (!study.quantities[i].is_drawn())
+      cases *= static_cast<double>(study.quantities[i].values.size());
+  }
+  if (cases > most)
+    root.report("",
+                "the study has more than fifty million combinations, samples and levels a record",
+                "list fewer values, draw fewer samples, or divide the study");
+}
+
+}  // namespace
+
+StudyConfig read_study(const std::filesystem::path& file) {
+  TomlDocument document(file);
+  document.explain_old_keys(renamed_keys());
+  const TomlTable root = document.root();
+  const TomlTable head = root.required_table("study");
+  StudyConfig study;
+  study.file = file;
+  study.source_text = document.text();
+  study.name = head.required_text("name");
+  study.description = head.text("description").value_or("");
+  study.seed = head.whole("seed", 0, std::numeric_limits<std::int64_t>::max()).value_or(0);
+  read_suites(root.required_table("suite"), study);
+  const bool fragility = root.has("fragility");
+  study.intensity =
+      read_intensity(root.required_table("intensity"), fragility ? above_zero : not_negative);
+  study.model = read_model(root.table("model"));
+  read_quantities(root, study);
+  read_friction(root.required_table("friction"), study);
+  read_support(root.table("array"), study);
+  read_vertical(root.table("vertical"), study);
+  study.sampling = read_sampling(root.table("sampling"));
+  study.orientation.choice = OrientationChoice::as_recorded;
+  const bool drawn = fragility || root.has("sampling") || study.draws();
+  read_orientation(root.table("orientation"), drawn, study);
+  read_analyses(root, study);
+  check_size(root, study);
+  document.finish();
+  return study;
+}
+
+}  // namespace glissade
