@@ -56,7 +56,7 @@ inline EnumNames<SlidingAxes> axes_names() {
 
 inline EnumNames<FrictionValue> friction_value_names() {
   static constexpr EnumNames<FrictionValue> names = {
-      {"as_drawn", FrictionValue::as_drawn},
+      {"sampled", FrictionValue::as_drawn},
       {"design", FrictionValue::design}};
   return names;
 }

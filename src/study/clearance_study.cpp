@@ -77,7 +77,7 @@ std::size_t combination_at(const CaseSet& set, const GridAxes& axes, const Clear
     if (places[axis] == values.size()) places[axis] = 0;  // with no vertical: any period
   };
   const VerticalCondition& vertical = grid.vertical[at[ClearanceAxis::vertical]];
-  if (axes.friction_value < places.size()) places[axes.friction_value] = 1;  // design
+  put_value(axes.friction_value, static_cast<double>(FrictionValue::design));
   put(axes.support, at[ClearanceAxis::support]);
   put_value(axes.vertical, static_cast<double>(vertical.use));
   put_value(axes.vertical_period, vertical.period_s);
@@ -119,9 +119,13 @@ ClearanceHistory history_of(const Results& results, std::size_t record, std::siz
 
 /// Friction at its design value, for the slope along either axis of the array.
 std::vector<double> design_frictions(const CaseSet& set, const GridAxes& axes) {
-  std::vector<std::size_t> places(set.axes.size(), 0);
-  if (axes.friction_value < places.size()) places[axes.friction_value] = 1;
-  const Case& c = set.cases[set.index(set.combination(places), 0, 0)];
+  std::size_t combination = 0;
+  if (axes.friction_value < set.axes.size()) {
+    while (set.cases[set.index(combination, 0, 0)].friction_value != FrictionValue::design &&
+           combination + 1 < set.combinations())
+      ++combination;
+  }
+  const Case& c = set.cases[set.index(combination, 0, 0)];
   const bool along_e_w = c.orientation.slope_axis == SlopeAxis::e_w;
   return {along_e_w ? c.friction : c.friction_across, along_e_w ? c.friction_across : c.friction};
 }

@@ -68,8 +68,8 @@ class Quantities {
 
 struct FrictionConfig {
   bool across_is_given = false;  ///< friction across the slope is a quantity of its own
-  /// Where friction is drawn, mean - 2 std is run too (Walters et al. 2012).
-  bool design_value = true;
+  /// Of friction that is drawn: which of its values are run.
+  std::vector<FrictionValue> values = {FrictionValue::as_drawn, FrictionValue::design};
   std::string note;  ///< where it comes from, if a reader must know: pull tests
 };
 

@@ -110,8 +110,10 @@ void read_quantities(const TomlTable& root, StudyConfig& study) {
   check_strength(root.table("building"), study);
 }
 
-void read_friction(const TomlTable& table, StudyConfig& study) {
-  study.friction.design_value = table.flag("design_value").value_or(true);
+void read_friction(const TomlTable& table, const std::vector<FrictionValue>& usual,
+                   StudyConfig& study) {
+  study.friction.values =
+      read_choices<FrictionValue>(table, "value", friction_value_names()).value_or(usual);
   study.friction.across_is_given = table.has("across_mu");
   check_law(table);
   const bool by_file = table.has("file");

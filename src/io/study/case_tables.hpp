@@ -11,7 +11,9 @@ namespace glissade {
 ModelConfig read_model(const TomlTable& table);
 /// All rows of parameters(), but friction from a file. Needs study.model and study.file.
 void read_quantities(const TomlTable& root, StudyConfig& study);
-void read_friction(const TomlTable& table, StudyConfig& study);
+/// @param usual the values of drawn friction that the study's analyses need
+void read_friction(const TomlTable& table, const std::vector<FrictionValue>& usual,
+                   StudyConfig& study);
 void read_support(const TomlTable& table, StudyConfig& study);
 void read_vertical(const TomlTable& table, StudyConfig& study);
 /// @param drawn the study draws samples where [orientation] does not say otherwise

@@ -78,8 +78,9 @@ void add_quantities(std::vector<GrammarKey>& keys) {
 void add_cases(std::vector<GrammarKey>& keys) {
   keys.insert(
       keys.end(),
-      {{"friction", "design_value", "true or false", "true",
-        "where friction is drawn, mean - 2 std is run too (Walters et al. 2012)"},
+      {{"friction", "value", one_of(friction_value_names()) + ", or a list",
+        "what the analyses need: [fragility] both, [chart] \"sampled\", [clearance] \"design\"",
+        "of friction that is drawn: the samples, or mean - 2 std (Walters et al. 2012)"},
        {"friction", "file", "path", "none", "pull tests that give mu (CSV; see Pull tests)"},
        {"friction", "direction", "name", "the only one", "direction of the pull tests for mu"},
        {"friction", "across_direction", "name", "none",
@@ -173,7 +174,7 @@ std::vector<RenamedKey> renamed_keys() {
           {"friction.static_ratio", "it is friction.static_over_sliding now"},
           {"friction.fast_ratio", "it is friction.fast_over_slow now"},
           {"friction.rate_spm", "it is friction.rate_s_per_m now"},
-          {"friction.design_run", "it is friction.design_value now"},
+          {"friction.design_run", "it is friction.value now: \"sampled\", \"design\" or both"},
           {"clearance.thresholds_m", thresholds},
           {"clearance.stop_at_largest", thresholds},
           {"clearance.impact", "give an empty table [impact]"},

@@ -83,6 +83,15 @@ void read_suites(const TomlTable& table, StudyConfig& study) {
     table.report("records", "suite.records is empty", "name at least one record, or leave it out");
 }
 
+/// The values of drawn friction that the analyses need.
+std::vector<FrictionValue> friction_values(const TomlTable& root) {
+  std::vector<FrictionValue> values;
+  if (root.has("fragility") || root.has("chart") || !root.has("clearance"))
+    values.push_back(FrictionValue::as_drawn);
+  if (root.has("fragility") || root.has("clearance")) values.push_back(FrictionValue::design);
+  return values;
+}
+
 /// More than anybody can run, or hold the results of.
 void check_size(const TomlTable& root, const StudyConfig& study) {
   constexpr double most = 5e7;
@@ -118,7 +127,7 @@ StudyConfig read_study(const std::filesystem::path& file) {
       read_intensity(root.required_table("intensity"), fragility ? above_zero : not_negative);
   study.model = read_model(root.table("model"));
   read_quantities(root, study);
-  read_friction(root.required_table("friction"), study);
+  read_friction(root.required_table("friction"), friction_values(root), study);
   read_support(root.table("array"), study);
   read_vertical(root.table("vertical"), study);
   study.sampling = read_sampling(root.table("sampling"));

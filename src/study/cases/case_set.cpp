@@ -40,8 +40,7 @@ bool friction_is_drawn(const StudyConfig& config) {
 std::vector<Axis> axes_of(const StudyConfig& config) {
   std::vector<Axis> axes;
   std::vector<FrictionValue> friction{FrictionValue::as_drawn};
-  if (config.friction.design_value && friction_is_drawn(config))
-    friction.push_back(FrictionValue::design);
+  if (friction_is_drawn(config)) friction = config.friction.values;
   add_choices(axes, "friction.value", friction, {"sampled", "design"}, &Case::friction_value);
   add_choices(axes, "array.support", config.support, {"isolated", "anchored", "no_array"},
               &Case::support);
