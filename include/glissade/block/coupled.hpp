@@ -64,7 +64,7 @@ struct CoupledPoint {
 
 /// The sliding block on a building that feels it, from rest, event by event. With r = m/M,
 /// g' = g + w, sigma = sgn v, and E = -(2 zeta omega u' + omega^2 u) of the building alone, the
-/// free bodies of block and roof give (theory.md section 2, "Coupled")
+/// free bodies of block and roof give (theory.md, 2.2)
 ///   stuck:    (1 + r) a = E
 ///   sliding:  D a = E - r cos(slope) q g',   q = sin(slope) - sigma mu cos(slope),
 ///             D = 1 + r sin(slope) q,        v' = q g' - a (cos(slope) + sigma mu sin(slope))

@@ -49,8 +49,8 @@ bool coupling_is_regular(const TwoAxisBlock& block, const BiaxialBuilding& build
 /// The full model, from rest: slide_two_axis() on a building that may feel the array's mass, may
 /// yield, and whose vertical may be an oscillator's; with any FrictionLaw of the block. With r =
 /// m/M, g' = g + w, f the friction per normal force, and E = -(2 zeta omega u' + spring) of the
-/// building alone along each of its axes, the free bodies of block and roof give (theory.md
-/// sections 2 and 3)
+/// building alone along each of its axes, the free bodies of block and roof give
+/// (theory.md, 3.4)
 ///   stuck:    (1 + r) a = E
 ///   sliding:  N/m = g' cos(slope) + a_s sin(slope)
 ///             a   = E - r N/m (sin(slope) - f_s cos(slope), -f_y)

@@ -39,7 +39,7 @@ enum class EventSearch {
 /// Where the block could lift off (outside the model), an oscillator's roof motion is taken linear
 /// over 64ths of an interval.
 ///
-/// theory.md section 1: with speed v in the direction of sliding, drives linear in (a, w), and the
+/// theory.md, 1.3: with speed v in the direction of sliding, drives linear in (a, w), and the
 /// phase at node r with speed v_r,
 ///   v(t) = v_r + c_a (V(t) - V_r) + c_w (V_w(t) - V_w,r) + c_0 (t - t_r)
 ///   s(t) = s_r + v_r (t - t_r) + c_a (U(t) - U_r - V_r (t - t_r)) + ... + c_0 (t - t_r)^2 / 2

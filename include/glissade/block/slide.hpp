@@ -56,7 +56,7 @@ struct SlipResult {
 /// against long double (tests/unit/block). After the last sample the roof's acceleration goes
 /// linearly to zero over one more interval, and the block coasts until it stops.
 ///
-/// Equations (theory.md section 1; Rodriguez-Nikl et al. 2019, eqs 6-18, extended by the vertical
+/// Equations (theory.md, 1.1; Rodriguez-Nikl et al. 2019, eqs 6-18, extended by the vertical
 /// w):
 ///   N/m = (g + w) cos(slope) + a sin(slope)
 ///   v'  = (g + w) sin(slope) - a cos(slope) - mu sgn(v) N/m         while sliding

@@ -63,7 +63,7 @@ struct TwoAxisResult {
 double srss_of_maxima_m(const TwoAxisResult& result);
 
 /// The sliding block on two axes, from rest. With the slip (s, y) in the roof's plane, s where it
-/// falls, and v = (s', y') (theory.md section 3):
+/// falls, and v = (s', y') (theory.md, 3.1):
 ///   N/m = (g + w) cos(slope) + a_s sin(slope)
 ///   v'  = d - N/m (mu_s^2 v_s, mu_y^2 v_y) / sqrt(mu_s^2 v_s^2 + mu_y^2 v_y^2)
 ///   d   = ((g + w) sin(slope) - a_s cos(slope), -a_y)

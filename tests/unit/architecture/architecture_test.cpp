@@ -83,6 +83,40 @@ TEST(architecture, mpi_hdf5_and_toml_stay_in_their_rooms) {
   }
 }
 
+/// "1.2" and "Two axes" of a heading "## 1.2 Two axes".
+std::set<std::string> theory_sections() {
+  std::set<std::string> sections;
+  std::ifstream in(root / "src" / "theory.md");
+  const std::regex heading(R"re(^#+ (?:(\d+(?:\.\d+)?)\.? )?(.*)$)re");
+  for (std::string line; std::getline(in, line);) {
+    std::smatch match;
+    if (!std::regex_match(line, match, heading)) continue;
+    sections.insert(match[1]);
+    sections.insert('"' + match[2].str() + '"');
+  }
+  return sections;
+}
+
+TEST(architecture, citations_of_theory_name_sections_that_exist) {
+  const std::set<std::string> sections = theory_sections();
+  const std::regex citation(R"re(theory\.md(?: section|,) (\d+(?:\.\d+)?|"[^"]*"))re");
+  int checked = 0;
+  for (const char* folder : {"src", "include", "tests"}) {
+    for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
+      const fs::path extension = entry.path().extension();
+      if (extension != ".cpp" && extension != ".hpp" && extension != ".md") continue;
+      std::ifstream in(entry.path());
+      for (std::string line; std::getline(in, line);) {
+        for (std::sregex_iterator at(line.begin(), line.end(), citation), end; at != end; ++at) {
+          ++checked;
+          EXPECT_TRUE(sections.contains((*at)[1])) << entry.path() << ": " << at->str();
+        }
+      }
+    }
+  }
+  EXPECT_GT(checked, 10);
+}
+
 TEST(architecture, top_level_holds_the_agreed_folders_only) {
   const std::set<std::string> agreed = {"src",   "include", "suites", "studies",
                                         "tests", "cluster", "build",  "results"};
