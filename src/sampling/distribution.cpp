@@ -17,7 +17,7 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 const boost::math::normal standard_normal;
 
-/// Phi^-1 of a share of which the share above is known too: the smaller of the two is exact.
+/// Phi^-1 of a probability below; the probability above is given too: the smaller is exact.
 struct Share {
   double below, above;
 };
@@ -34,7 +34,7 @@ std::vector<double> sorted(std::vector<double> values) {
   return values;
 }
 
-/// Values in increasing order, each with the share of it.
+/// Values in increasing order, each with its probability.
 struct Atom {
   double value, share;
 };
@@ -53,8 +53,8 @@ struct Quantile {
   double operator()(const Fixed& d) const { return d.value; }
   double operator()(const Normal& d) const { return d.mean + d.std * normal_quantile({u, 1 - u}); }
   double operator()(const TruncatedNormal& d) const {
-    // Shares of the parent below and above the value: sums of positive terms, so exact in either
-    // tail.
+    // Probabilities of the parent below and above the value: sums of positive terms, so exact in
+    // both tails.
     const double a = (d.min - d.mean) / d.std, b = (d.max - d.mean) / d.std;
     const double below_min = cdf(standard_normal, a),
                  above_max = cdf(complement(standard_normal, b));
@@ -90,8 +90,8 @@ struct Moments {
   double mean, variance;
 };
 
-/// By quadrature of the density relative to its peak: no difference of near-equal terms, however
-/// far out or narrow the range. Cut where the density is exp(-40) of its peak.
+/// By quadrature of the density relative to its peak: no difference of nearly equal terms for any
+/// range. Truncated where the density is exp(-40) of its peak.
 Moments truncated_moments(double a, double b) {
   const double peak = std::clamp(0.0, a, b);
   const double reach = std::sqrt(peak * peak + 80);
@@ -131,7 +131,7 @@ struct MomentsOf {
       m.variance += atom.share * (atom.value - m.mean) * (atom.value - m.mean);
     return m;
   }
-  /// Uniform pieces of equal share between neighbouring order statistics.
+  /// Uniform pieces of equal probability between neighbouring order statistics.
   Moments operator()(const Empirical& d) const {
     const std::vector<double> x = sorted(d.values);
     const double share = 1.0 / static_cast<double>(x.size() - 1);
