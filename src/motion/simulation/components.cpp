@@ -19,8 +19,7 @@ namespace {
 constexpr Rdk10Scores axis_correlation = {1.0, .848, .908, .897, .647, .761};
 constexpr double arias_ratio_log_std = 0.345;  // of the two axes, same source
 
-// The vertical relative to the mean horizontal, before its gain: not published (README of
-// ../shared/ground-motion-model, section 4).
+// The vertical relative to the mean horizontal, before its gain: not published.
 constexpr double vertical_arias_factor = 0.35, vertical_frequency_factor = 1.8;
 
 // RDK10's motions vary less than BSSA14's at short periods (ln-sd of RotD50 about .55 against .71

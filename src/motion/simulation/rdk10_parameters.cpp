@@ -11,9 +11,8 @@
 namespace glissade {
 namespace {
 
-// ../shared/ground-motion-model/README.md, section 2, whose sources are SCEC BBP's rzz2015_gmpe.py
-// and J. Du (2023). The first row has the four decimals of rzz2015_gmpe.py, as the test vector; the
-// page shows three.
+// Coefficients of RDK10 as in rzz2015_gmpe.py of the SCEC Broadband Platform and in J. Du's Python
+// code (2023): the first row with four decimals, as in rzz2015_gmpe.py, the others with three.
 struct Predictor {
   double constant, reverse, magnitude, distance, vs30;  // of the mean score
   double between_events, within_event;                  // standard deviations
