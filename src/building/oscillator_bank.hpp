@@ -38,7 +38,7 @@ struct Response {
   std::size_t nodes;
 };
 
-struct Extremes {
+struct ResponsePeaks {
   double peak_acceleration = 0.0, largest_velocity = 0.0;
 };
 

@@ -23,7 +23,7 @@ struct State {
 };
 
 /// An interval of one oscillator, h <= 1: its state at the start, and a linear ground acceleration.
-struct Interval {
+struct OscillatorInterval {
   double h, zeta;
   State start;
   double a_start, a_end;
@@ -87,7 +87,8 @@ void look_inside(OscillatorBlock& block, std::size_t first, std::size_t last, do
     const double v_ends = std::max(std::abs(v1[k]), std::abs(v0[k]));
     if (x_ends + block.bulge[k] * v_ends - block.peak[k] <= 0.0) continue;
     if (std::max(-y1[k] * y0[k], -v1[k] * v0[k]) <= 0.0) continue;
-    const Interval interval{block.h[k], block.zeta, {x0[k], y0[k], v0[k]}, a_start, a_end};
+    const OscillatorInterval interval{
+        block.h[k], block.zeta, {x0[k], y0[k], v0[k]}, a_start, a_end};
     block.peak[k] = std::max(block.peak[k], interval.peak({x1[k], y1[k], v1[k]}));
   }
 }

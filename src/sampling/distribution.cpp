@@ -86,13 +86,13 @@ struct Quantile {
   }
 };
 
-struct Moments {
+struct MeanAndVariance {
   double mean, variance;
 };
 
 /// By quadrature of the density relative to its peak: no difference of nearly equal terms for any
 /// range. Truncated where the density is exp(-40) of its peak.
-Moments truncated_moments(double a, double b) {
+MeanAndVariance truncated_moments(double a, double b) {
   const double peak = std::clamp(0.0, a, b);
   const double reach = std::sqrt(peak * peak + 80);
   const double low = std::max(a, -reach), high = std::min(b, reach);
@@ -108,37 +108,37 @@ Moments truncated_moments(double a, double b) {
 }
 
 struct MomentsOf {
-  Moments operator()(const Fixed& d) const { return {d.value, 0}; }
-  Moments operator()(const Normal& d) const { return {d.mean, d.std * d.std}; }
-  Moments operator()(const TruncatedNormal& d) const {
-    const Moments z = truncated_moments((d.min - d.mean) / d.std, (d.max - d.mean) / d.std);
+  MeanAndVariance operator()(const Fixed& d) const { return {d.value, 0}; }
+  MeanAndVariance operator()(const Normal& d) const { return {d.mean, d.std * d.std}; }
+  MeanAndVariance operator()(const TruncatedNormal& d) const {
+    const MeanAndVariance z = truncated_moments((d.min - d.mean) / d.std, (d.max - d.mean) / d.std);
     return {d.mean + d.std * z.mean, d.std * d.std * z.variance};
   }
-  Moments operator()(const LogNormal& d) const {
+  MeanAndVariance operator()(const LogNormal& d) const {
     const double mean = d.median * std::exp(0.5 * d.log_std * d.log_std);
     return {mean, mean * mean * std::expm1(d.log_std * d.log_std)};
   }
-  Moments operator()(const Uniform& d) const {
+  MeanAndVariance operator()(const Uniform& d) const {
     return {std::midpoint(d.min, d.max), (d.max - d.min) * (d.max - d.min) / 12};
   }
-  Moments operator()(const Triangular& d) const {
+  MeanAndVariance operator()(const Triangular& d) const {
     return {boost::math::mean(boost_triangular(d)), boost::math::variance(boost_triangular(d))};
   }
-  Moments operator()(const Discrete& d) const {
-    Moments m{0, 0};
+  MeanAndVariance operator()(const Discrete& d) const {
+    MeanAndVariance m{0, 0};
     for (const Atom& atom : atoms(d)) m.mean += atom.share * atom.value;
     for (const Atom& atom : atoms(d))
       m.variance += atom.share * (atom.value - m.mean) * (atom.value - m.mean);
     return m;
   }
   /// Uniform pieces of equal probability between neighbouring order statistics.
-  Moments operator()(const Empirical& d) const {
+  MeanAndVariance operator()(const Empirical& d) const {
     const std::vector<double> x = sorted(d.values);
     const double share = 1.0 / static_cast<double>(x.size() - 1);
-    Moments m{0, 0};
+    MeanAndVariance m{0, 0};
     for (std::size_t i = 1; i < x.size(); ++i) m.mean += share * std::midpoint(x[i - 1], x[i]);
     for (std::size_t i = 1; i < x.size(); ++i) {
-      const Moments piece = (*this)(Uniform{x[i - 1], x[i]});
+      const MeanAndVariance piece = (*this)(Uniform{x[i - 1], x[i]});
       m.variance += share * (piece.variance + (piece.mean - m.mean) * (piece.mean - m.mean));
     }
     return m;

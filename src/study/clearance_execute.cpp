@@ -39,9 +39,10 @@ std::array<std::vector<double>, 2> turned(const Motion& motion, const GroundOrie
 }
 
 /// What shakes the building in one orientation of one record.
-class Shaking {
+class OrientedGround {
  public:
-  Shaking(const ClearancePlan& plan, const Motion& motion, const GroundOrientation& orientation)
+  OrientedGround(const ClearancePlan& plan, const Motion& motion,
+                 const GroundOrientation& orientation)
       : motion_(motion) {
     const ClearanceConfig& c = plan.config;
     for (const VerticalCondition& condition : c.grid.vertical) {
@@ -85,7 +86,7 @@ class Shaking {
 };
 
 /// One condition of the grid, as the kernel takes it.
-struct Scene {
+struct GridScene {
   BiaxialBuilding building;
   TwoAxisBlock block;
   BuildingFactors factors;
@@ -98,8 +99,8 @@ Yielding yielding_of(const ClearanceConfig& c, const Suite& suite, double period
   return {demand_g * standard_gravity_mps2 / r, c.hardening_ratio};
 }
 
-Scene scene_at(const ClearancePlan& plan, const Suite& suite, const Motion& motion,
-               const GroundOrientation& orientation, const ClearancePosition& at) {
+GridScene scene_at(const ClearancePlan& plan, const Suite& suite, const Motion& motion,
+                   const GroundOrientation& orientation, const ClearancePosition& at) {
   const ClearanceConfig& c = plan.config;
   const ClearanceGrid& grid = c.grid;
   const double period_s = grid.period_s[at[ClearanceAxis::period]];
@@ -107,13 +108,14 @@ Scene scene_at(const ClearancePlan& plan, const Suite& suite, const Motion& moti
   const Yielding yielding = yielding_of(
       c, suite, period_s, grid.response_modification[at[ClearanceAxis::response_modification]]);
   const auto slope_axis = static_cast<std::size_t>(orientation.slope_axis);
-  Scene scene{.building = {.horizontal = {Oscillator{period_s, c.damping}, {period_s, c.damping}},
-                           .yielding = {yielding, yielding},
-                           .mass_ratio = grid.mass_ratio[at[ClearanceAxis::mass]]},
-              .block = {.friction = {.along = c.friction[slope_axis].design(),
-                                     .across = c.friction[1 - slope_axis].design()},
-                        .slope_rad = grid.slope_deg[at[ClearanceAxis::slope]] * rad_per_deg},
-              .factors = {.horizontal = {factor, factor}, .vertical = factor}};
+  GridScene scene{
+      .building = {.horizontal = {Oscillator{period_s, c.damping}, {period_s, c.damping}},
+                   .yielding = {yielding, yielding},
+                   .mass_ratio = grid.mass_ratio[at[ClearanceAxis::mass]]},
+      .block = {.friction = {.along = c.friction[slope_axis].design(),
+                             .across = c.friction[1 - slope_axis].design()},
+                .slope_rad = grid.slope_deg[at[ClearanceAxis::slope]] * rad_per_deg},
+      .factors = {.horizontal = {factor, factor}, .vertical = factor}};
   if (grid.support[at[ClearanceAxis::support]] == ArraySupport::no_array)
     scene.building.mass_ratio = 0.0;
   return scene;
@@ -121,7 +123,7 @@ Scene scene_at(const ClearancePlan& plan, const Suite& suite, const Motion& moti
 
 /// The base shear alone, of a mass that stays where it is: on a flat roof that does not move
 /// vertically, by friction that nothing overcomes.
-ClearanceHistory fixed_to_building(BuildingGround ground, Scene scene) {
+ClearanceHistory fixed_to_building(BuildingGround ground, GridScene scene) {
   ground.vertical = nullptr;
   scene.block = {.friction = {1e6, 1e6}};
   const BuildingSlip slip = slide_on_building(ground, scene.factors, scene.building, scene.block);
@@ -132,7 +134,7 @@ ClearanceHistory fixed_to_building(BuildingGround ground, Scene scene) {
   return history;
 }
 
-ClearanceHistory slide(const BuildingGround& ground, const Scene& scene) {
+ClearanceHistory slide(const BuildingGround& ground, const GridScene& scene) {
   const BuildingSlip on_building =
       slide_on_building(ground, scene.factors, scene.building, scene.block);
   const TwoAxisResult& slip = on_building.slip;
@@ -155,11 +157,11 @@ ClearanceUnit execute(const ClearancePlan& plan, std::size_t unit) {
   const Suite& suite = plan.suites[record.suite];
   const Motion& motion = suite.motions[record.motion];
   const ClearanceGrid& grid = plan.config.grid;
-  const Shaking shaking(plan, motion, orientation);
+  const OrientedGround shaking(plan, motion, orientation);
   ClearanceUnit result{unit, {}};
   for (std::size_t i = 0; i < grid.count(); ++i) {
     const ClearancePosition at = grid.position(i);
-    const Scene scene = scene_at(plan, suite, motion, orientation, at);
+    const GridScene scene = scene_at(plan, suite, motion, orientation, at);
     const BuildingGround ground = shaking.ground(at[ClearanceAxis::vertical]);
     const bool slides = grid.support[at[ClearanceAxis::support]] == ArraySupport::isolated;
     result.histories.push_back(slides ? slide(ground, scene) : fixed_to_building(ground, scene));
