@@ -13,10 +13,10 @@ struct Roof {
   double a = 0.0, w = 0.0;
 };
 
-/// What would accelerate the block along the slope if it slid down, or up: each in its own
-/// direction. The block at rest starts to slide where one of them is positive; sliding, it gains
-/// speed where its own is positive and loses it where negative. Both are linear in (a, w), hence
-/// linear in time inside a sample interval.
+/// Acceleration of the block along the slope if it slid down, or up, each positive in its own
+/// direction (theory.md, 1.2). The block at rest starts to slide if one of them is positive; a
+/// sliding block accelerates while the drive of its direction is positive. Both are linear in
+/// (a, w), hence linear in time inside a sample interval.
 struct Drive {
   double down = 0.0, up = 0.0;
 };
@@ -34,7 +34,7 @@ class Contact {
       : g_(block.gravity_mps2),
         sin_(std::sin(slope)),
         cos_(std::cos(slope)),
-        // tan(slope) - mu decides between resting and sliding for ever: exactly zero where mu =
+        // tan(slope) - mu decides on free sliding (theory.md, 1.5): exactly zero if mu =
         // std::tan(slope).
         gravity_down_(cos_ * (std::tan(slope) - block.friction)),
         gravity_up_(-cos_ * (std::tan(slope) + block.friction)),
@@ -49,7 +49,7 @@ class Contact {
   }
   DriveLine down() const { return {-inertia_down_, gravity_down_, g_ * gravity_down_}; }
   DriveLine up() const { return {inertia_up_, gravity_up_, g_ * gravity_up_}; }
-  /// Minus the normal force: positive where the block lifts, as the drives are where it slides.
+  /// Minus the normal force: positive in uplift, as the drives are in sliding.
   DriveLine lift() const { return {-sin_, -cos_, -g_ * cos_}; }
   /// Without contact there is no friction.
   Drive frictionless(Roof r) const {
@@ -65,8 +65,7 @@ class Contact {
   double g_, sin_, cos_, gravity_down_, gravity_up_, inertia_down_, inertia_up_;
 };
 
-/// The number of samples up to the last that is not zero, at least one: padding changes nothing, to
-/// the last bit.
+/// The number of samples up to the last non-zero one, at least one: padding changes no bit.
 inline std::size_t without_trailing_zeros(const RoofAcceleration& roof) {
   std::size_t n = roof.horizontal_mps2.size();
   while (n > 1 && roof.horizontal_mps2[n - 1] == 0.0 &&

@@ -17,7 +17,8 @@ using block_detail::Cut;
 using block_detail::GroundPiece;
 using block_detail::Roof;
 
-/// The ground in the block's own direction, at its factors; beyond the last sample it is at rest.
+/// The ground motion times its factors, mirrored if the surface falls toward -x; zero after the
+/// last sample.
 class Ground {
  public:
   Ground(const GroundMotion& motion, const MotionFactors& factors, double mirror)
@@ -57,8 +58,8 @@ void walk_interval(CoupledBody& body, const Ground& ground, std::size_t i, int p
   }
 }
 
-/// The ground is quiet from sample `quiet` on. A free vibration has its largest displacement and
-/// acceleration within a period.
+/// The ground is at rest from sample `quiet` on. A free vibration has its largest displacement and
+/// acceleration within one period.
 void ring_down(CoupledBody& body, const Ground& ground, std::size_t quiet, const Cut& cut,
                const CoupledBuilding& building, const Block& block) {
   const bool rigid = cut.frame.rigid();

@@ -24,7 +24,7 @@ class CoupledBody {
   CoupledBody(const CoupledContact& contact, const Frame& frame, const Block& block, Keeps keeps,
               const Yielding& yielding = {});
   void keep(History history) { history_ = std::move(history); }
-  CrossingWatch& crossings() { return crossings_; }
+  CoupledCrossings& crossings() { return crossings_; }
 
   void advance(GroundPiece ground, double end_time_s);
   /// The roof is at rest from now on.
@@ -102,7 +102,7 @@ class CoupledBody {
   bool breaks_away_;  // with more than what holds it sliding
   History history_;
   EnergyMeter energy_;
-  CrossingWatch crossings_;
+  CoupledCrossings crossings_;
 
   RoofState roof_;
   Spring spring_;

@@ -8,8 +8,8 @@
 
 namespace glissade::block_detail {
 
-CrossingWatch::CrossingWatch(std::span<const double> thresholds_m, std::span<Crossing> crossings,
-                             double cos_slope)
+CoupledCrossings::CoupledCrossings(std::span<const double> thresholds_m,
+                                   std::span<Crossing> crossings, double cos_slope)
     : thresholds_m_(thresholds_m), crossings_(crossings), cos_slope_(cos_slope) {
   GLISSADE_EXPECTS(thresholds_m.size() == crossings.size());
   GLISSADE_EXPECTS(thresholds_m.empty() || thresholds_m.front() > 0.0);
@@ -18,16 +18,16 @@ CrossingWatch::CrossingWatch(std::span<const double> thresholds_m, std::span<Cro
   std::ranges::fill(crossings_, Crossing{});
 }
 
-double CrossingWatch::ahead_m(const SlipWay& way) const {
+double CoupledCrossings::ahead_m(const SlipWay& way) const {
   return thresholds_m_[next_] / cos_slope_ - way.direction * way.begin_m;
 }
 
-void CrossingWatch::note(double time_s, double speed_mps) {
+void CoupledCrossings::note(double time_s, double speed_mps) {
   crossings_[next_++] = {time_s, speed_mps * cos_slope_};
 }
 
-void CrossingWatch::follow(const SlipWay& way, const Series& speed, double length_s, double share,
-                           bool stops) {
+void CoupledCrossings::follow(const SlipWay& way, const Series& speed, double length_s,
+                              double share, bool stops) {
   while (reached(way.end_m)) {
     Series left = speed.integral(length_s, 0.0);
     for (int k = 1; k < left.terms; ++k) left.c[k] = -left.c[k];
@@ -39,7 +39,8 @@ void CrossingWatch::follow(const SlipWay& way, const Series& speed, double lengt
   }
 }
 
-void CrossingWatch::follow_to_rest(const SlipWay& way, double speed_mps, double deceleration_mps2) {
+void CoupledCrossings::follow_to_rest(const SlipWay& way, double speed_mps,
+                                      double deceleration_mps2) {
   while (reached(way.end_m)) {
     const double energy = speed_mps * speed_mps - 2.0 * deceleration_mps2 * ahead_m(way);
     const double speed = std::min(std::sqrt(std::max(energy, 0.0)), speed_mps);
@@ -47,7 +48,7 @@ void CrossingWatch::follow_to_rest(const SlipWay& way, double speed_mps, double 
   }
 }
 
-void CrossingWatch::arrive(double slip_m, double speed_mps, double time_s) {
+void CoupledCrossings::arrive(double slip_m, double speed_mps, double time_s) {
   while (reached(slip_m)) note(time_s, speed_mps);
 }
 

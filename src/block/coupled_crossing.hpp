@@ -18,12 +18,12 @@ struct SlipWay {
 };
 
 /// Notes when the block first has given distances, in plan, from where it lay.
-class CrossingWatch {
+class CoupledCrossings {
  public:
-  CrossingWatch() = default;
+  CoupledCrossings() = default;
   /// @param thresholds_m > 0, increasing
-  CrossingWatch(std::span<const double> thresholds_m, std::span<Crossing> crossings,
-                double cos_slope);
+  CoupledCrossings(std::span<const double> thresholds_m, std::span<Crossing> crossings,
+                   double cos_slope);
 
   bool reached(double slip_m) const {
     return next_ < thresholds_m_.size() && std::abs(slip_m) * cos_slope_ >= thresholds_m_[next_];

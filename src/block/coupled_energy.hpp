@@ -5,7 +5,7 @@
 
 namespace glissade::block_detail {
 
-/// What the block does over a piece.
+/// Motion of the block over a piece.
 struct SlipSeries {
   int direction = 0;  ///< +1 down, -1 up
   Series speed;       ///< along the slope, in its direction
@@ -22,7 +22,7 @@ class EnergyMeter {
   /// The part of a piece up to its share `end`.
   void add(const GroundPiece& ground, const RoofMotionSeries& roof, const SlipSeries& slip,
            double end);
-  /// With what is stored in the end state.
+  /// With the energy stored in the end state.
   CoupledEnergy total(const RoofState& state, const Spring& spring, double slip_velocity_mps) const;
 
  private:

@@ -8,8 +8,8 @@
 namespace glissade::block_detail {
 
 namespace {
-/// A shorter period is taken as rigid: over a sample interval its ringing shows nothing a record
-/// can tell.
+/// A shorter period is taken as rigid: its free vibration within a sample interval is not resolved
+/// by the record.
 constexpr double most_pieces = 4096.0;
 }  // namespace
 
@@ -22,7 +22,7 @@ Cut cut(const Oscillator& oscillator, const CoupledContact& contact, double dt_s
       std::min({1.0, contact.sliding_down().mass, contact.sliding_up().mass, contact.stuck().mass});
   const double root = std::sqrt(mass);
   const double phase = omega * dt_s / root * (1.0 + 2.0 * zeta / root);
-  // A power of two, so that buildings share grounds cut alike (coupled_slip.cpp).
+  // A power of two, so that buildings share ground tables of equal step (coupled_slip.cpp).
   const double pieces = std::exp2(std::max(0.0, std::ceil(std::log2(phase / longest_phase))));
   if (pieces > most_pieces) return {};
   const double piece_phase = phase / pieces;

@@ -15,14 +15,14 @@ namespace glissade::block_detail {
 /// Fourteen terms and more fall below rounding on a piece of this phase.
 constexpr double longest_phase = 0.4;  // 1/16 period
 
-/// How the roof feels the block: mass a = E - weight (g + w), with E the elastic and damping
+/// Effect of the block on the roof: mass a = E - weight (g + w), with E the elastic and damping
 /// acceleration of the building alone.
 struct Mode {
   double mass = 1.0, weight = 0.0;
   DriveLine drive;  ///< while sliding: the block's, in its own direction
 };
 
-/// The contact's equations for a roof that feels it, slope >= 0.
+/// The contact equations of a coupled roof, slope >= 0 (theory.md, 2.2).
 class CoupledContact : public Contact {
  public:
   CoupledContact(const Block& block, double slope, double mass_ratio)
@@ -51,7 +51,7 @@ class CoupledContact : public Contact {
   double mass_ratio_, sin_, g_;
 };
 
-/// The building's own oscillator.
+/// The oscillator of the building without the array.
 struct Frame {
   double omega_radps = 0.0, damping_ratio = 0.0;  ///< omega 0: rigid
   int terms = 0;                                  ///< of a series on a piece
@@ -65,12 +65,12 @@ struct Cut {
 };
 Cut cut(const Oscillator& oscillator, const CoupledContact& contact, double dt_s);
 
-/// An undamped building never rings down: it is followed for this many sample intervals.
+/// Limit of the ring-down in sample intervals, reached by undamped buildings.
 inline std::size_t longest_ring_down(double dt_s) {
   return static_cast<std::size_t>(std::ceil(RoofMotionOptions{}.longest_ring_down_s / dt_s));
 }
 
-/// The ground over a piece of time, or what is left of it: linear.
+/// The ground over a piece of time or over the rest of it: linear.
 struct GroundPiece {
   double length_s = 0.0;
   Roof begin, end;
@@ -93,13 +93,13 @@ struct RoofMotionSeries {
   Series a;        ///< absolute acceleration
   double w_begin, w_rise;
 
-  /// How far a leaves its value at the begin, at most.
+  /// Bound of the change of a from its value at the start.
   double swing() const {
     double sum = 0.0;
     for (int k = 1; k < a.terms; ++k) sum += std::abs(a.c[k]);
     return sum;
   }
-  /// Told from swing() alone, without the series.
+  /// From swing() alone, without the series.
   bool is_negative(const DriveLine& line, double a_swing) const {
     return line.at({a.c[0], w_begin}) + std::abs(line.a) * a_swing +
                std::max(line.w * w_rise, 0.0) <

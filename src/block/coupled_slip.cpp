@@ -33,7 +33,7 @@ struct Watched {
   }
 };
 
-struct Task {
+struct LaneTask {
   std::size_t scene;
   Cut cut;
 };
@@ -41,7 +41,7 @@ struct Task {
 /// Up to CoupledBank::lanes histories, side by side.
 class Batch {
  public:
-  Batch(LaneGround& ground, std::span<const Task> tasks, std::span<const CoupledScene> scenes,
+  Batch(LaneGround& ground, std::span<const LaneTask> tasks, std::span<const CoupledScene> scenes,
         std::span<CoupledPeak> peaks, const Watched& watched)
       : ground_(ground), tasks_(tasks), peaks_(peaks) {
     for (std::size_t lane = 0; lane < tasks.size(); ++lane) {
@@ -109,7 +109,7 @@ class Batch {
   }
 
   LaneGround& ground_;
-  std::span<const Task> tasks_;
+  std::span<const LaneTask> tasks_;
   std::span<CoupledPeak> peaks_;
   CoupledBank bank_;
   std::optional<CoupledLane> lanes_[CoupledBank::lanes];
@@ -142,7 +142,7 @@ void coupled_slip(const GroundMotion& ground, std::span<const CoupledScene> scen
   GLISSADE_EXPECTS(scenes.size() == peaks.size());
   GLISSADE_EXPECTS(crossings.size() == scenes.size() * thresholds_m.size());
   const Watched watched{thresholds_m, crossings};
-  std::map<int, std::vector<Task>> tasks;  // by how the ground is cut
+  std::map<int, std::vector<LaneTask>> tasks;  // by how the ground is cut
   for (std::size_t k = 0; k < scenes.size(); ++k) {
     const CoupledScene& scene = scenes[k];
     GLISSADE_EXPECTS(coupling_is_regular(scene.block, scene.building.mass_ratio));
@@ -161,7 +161,7 @@ void coupled_slip(const GroundMotion& ground, std::span<const CoupledScene> scen
       const std::size_t count = std::min(CoupledBank::lanes, all.size() - first);
       Batch(cut_ground, std::span(all).subspan(first, count), scenes, peaks, watched).run();
     }
-    for (const Task& task : all) {
+    for (const LaneTask& task : all) {
       const CoupledScene& scene = scenes[task.scene];
       CoupledPeak& peak = peaks[task.scene];
       if (scene.building.yielding.yields())

@@ -3,9 +3,9 @@
 
 namespace glissade::block_detail {
 
-// Where it has just unloaded, z = limit and y = 0 exactly: z leaves the limit as the first term of
-// y that is not zero says. That term is the same, to the bit, elastic and yielding, so that one of
-// the two goes on.
+// Just after unloading z = limit and y = 0 exactly: z leaves the limit in the direction of the
+// first non-zero term of y. That term has the same bits, elastic and yielding, so exactly one of
+// the two continues.
 double Spring::yield_share(const Series& x, int side) const {
   Series left;  // up to the limit
   left.terms = x.terms;

@@ -8,7 +8,7 @@
 
 namespace glissade::block_detail {
 
-/// What is wanted of a walk besides its peaks.
+/// Outputs of a history besides its peaks.
 struct CoupledWatch {
   CoupledBody::Keeps keeps = CoupledBody::Keeps::all;
   std::span<const double> thresholds_m = {};
@@ -16,7 +16,7 @@ struct CoupledWatch {
   CoupledBody::History history = {};
 };
 
-/// slide_coupled() with or without what takes longest.
+/// slide_coupled() with or without the outputs that take longest.
 CoupledResult walk_coupled(const GroundMotion& motion, const MotionFactors& factors,
                            const CoupledBuilding& building, const Block& block,
                            const CoupledWatch& watch);

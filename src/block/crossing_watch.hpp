@@ -14,8 +14,8 @@
 
 namespace glissade::block_detail {
 
-/// Where on a piece that is slid over from speed v0 the distance is reached, no later than `end`:
-/// the root of v0 t + travel(t), which never falls there. Newton's method, held in its bracket, to
+/// Time, not after `end`, at which a piece of sliding from speed v0 reaches a distance: the root of
+/// v0 t + travel(t), which does not decrease there. Newton's method, kept in its bracket, to
 /// rounding.
 template <class Piece>
 double share_at_distance(const Piece& piece, double v0, double distance, double end) {
@@ -36,8 +36,9 @@ double share_at_distance(const Piece& piece, double v0, double distance, double 
   return y;
 }
 
-/// Sees a block slide, stretch by stretch, and notes when and how fast it first gets each distance
-/// from where it lay. Slip is along the slope; within a stretch it goes one way.
+/// Observes the sliding of a block, piece by piece, and records time and speed of the first
+/// crossing of each distance from the initial position. Slip is along the slope and has one
+/// direction within a piece.
 class CrossingWatch {
  public:
   /// @param factor of the motion that the slip is divided by (see Scaled)
@@ -50,13 +51,13 @@ class CrossingWatch {
     std::ranges::fill(crossings, Crossing{});
   }
 
-  /// The next threshold is no farther than this slip. Rounded as peak displacements are, so that a
-  /// threshold is crossed where the peak is at least as large, to the last bit.
+  /// The next threshold is not beyond this slip. Rounded like peak displacements, so that a
+  /// threshold is crossed exactly if the peak is at least as large, to the last bit.
   bool passes(double slip) const {
     return next_ < thresholds_.size() && in_plan(slip) >= thresholds_[next_];
   }
 
-  /// A piece slid over from `from`, up to its share `end`, where the block is at `to`.
+  /// A piece of sliding from `from`, up to its fraction `end`, where the block is at `to`.
   template <class Piece>
   void slides(const SlideState& from, const Piece& piece, double end, const SlideState& to) {
     while (passes(to.slip)) {
@@ -69,9 +70,9 @@ class CrossingWatch {
     }
   }
 
-  /// Several intervals slid over without a stop: from node `first` to the share `end` of the
-  /// interval after node `last`, where the block is at `to`. Only those in which a threshold lies
-  /// are looked into.
+  /// Several intervals of sliding without a stop: from node `first` to the fraction `end` of the
+  /// interval after node `last`, where the block is at `to`. Only those with a threshold are
+  /// searched.
   /// @param state (node) -> SlideState; @param piece (node) -> the drive in the interval after it
   template <class State, class PieceAt>
   void slides(std::size_t first, std::size_t last, const State& state, const PieceAt& piece,
@@ -101,7 +102,7 @@ class CrossingWatch {
   std::size_t next_ = 0;  // thresholds before it are crossed
 };
 
-/// Lets a SlidingBlock tell a watch, if there is one, of the pieces it works out itself.
+/// Passes the pieces that a SlidingBlock computes itself to a watch, if there is one.
 struct WatchHistory {
   CrossingWatch* watch = nullptr;
 

@@ -9,7 +9,8 @@
 namespace glissade::block_detail {
 namespace {
 
-/// Room for rounding in single precision, relative to the sum of a bound's terms: a few 2^-24.
+/// Allowance for rounding in single precision, relative to the sum of the terms of a bound: a few
+/// 2^-24.
 constexpr double slack = 0x1p-20;
 
 float to_float(double value) {
@@ -53,8 +54,8 @@ std::size_t EventBounds::next_stop(int k, std::size_t from) const {
   return block_detail::next_stop(stop_[k], from, last_);
 }
 
-/// The largest a line can be in each interval, in units of its own size (a power of two): numbers
-/// of any size fit into single precision.
+/// The largest value of a line in each interval, in units of its own size (a power of two), so that
+/// numbers of any size fit into single precision.
 BoundLine EventBounds::bound(const DriveLine& line) const {
   const MotionBounds& a = a_.bounds;
   const double a_size = std::abs(line.a) * a_.acceleration_bound_mps2;
@@ -74,11 +75,11 @@ BoundLine EventBounds::bound(const DriveLine& line) const {
   return b;
 }
 
-/// What of the search for the end of a phase is the same for all phases in one direction.
+/// The part of the search for the end of a phase that is the same for all phases in one direction.
 StopSearch EventBounds::stop_search(const DriveLine& drive, double scale) const {
   const MotionBounds& a = a_.bounds;
   StopSearch s;
-  // The least the speed can be at a node and around it.
+  // The smallest speed possible at a node and around it.
   s.a = (drive.a > 0.0 ? a.velocity_below : a.velocity_above).data();
   s.c_a = to_float(drive.a * (scale / a.velocity_scale));
   if (w_ != nullptr) {

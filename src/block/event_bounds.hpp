@@ -16,26 +16,27 @@ struct Lines {
   int directions = 2;  ///< 1: down only
 };
 
-/// Where in a roof's tables something may happen to a block: what peak_slip looks into exactly.
-/// Holds on to the tables.
+/// Intervals of the tables of a roof in which an event is possible and that peak_slip examines
+/// exactly. Shares ownership of the tables.
 class EventBounds {
  public:
   /// @param w null: no vertical
-  /// @param last the node at which looking ends
+  /// @param last the node at which the search ends
   EventBounds(const MotionTable& a, const MotionTable* w, const Lines& lines, std::size_t last);
   EventBounds(const EventBounds&) = delete;
   EventBounds& operator=(const EventBounds&) = delete;
 
-  /// False: the normal force is positive whatever the phase between the components.
+  /// False: the normal force is positive for any phase between the components.
   bool may_lift() const { return may_lift_; }
 
-  /// The first interval from `from` on in which a block at rest may begin to slide, or lift.
+  /// The first interval from `from` on in which a block at rest may begin to slide, or uplift
+  /// occur.
   std::size_t next_exit(std::size_t from) const;
 
   /// A phase in direction k (0 down, 1 up) has this speed at node r, where the roof's velocities
   /// are v_a and v_w.
   void reckon_from(int k, std::size_t r, double speed, double v_a, double v_w);
-  /// The first interval from `from` >= r on in which it may end, or the block lift.
+  /// The first interval from `from` >= r on in which it may end, or uplift occur.
   std::size_t next_stop(int k, std::size_t from) const;
 
  private:
@@ -50,7 +51,7 @@ class EventBounds {
   ExitSearch exits_;
   BoundLine lift_;
   StopSearch stop_[2];
-  double speed_size_[2], speed_scale_[2];  ///< of the speeds the motion gives under a drive
+  double speed_size_[2], speed_scale_[2];  ///< of the speeds under a drive
 };
 
 }  // namespace glissade::block_detail

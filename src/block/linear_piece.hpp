@@ -7,8 +7,8 @@
 
 namespace glissade::block_detail {
 
-/// A drive that is a straight line over one interval between nodes, or over what is left of it. y
-/// in [0, 1] is the share of the piece that has passed.
+/// A drive that is a straight line over one interval between nodes, or over the rest of it. y in
+/// [0, 1] is the elapsed fraction of the piece.
 struct LinearPiece {
   struct Interval {
     Roof begin, end;
@@ -23,13 +23,13 @@ struct LinearPiece {
   void set(const DriveLine& drive, const Interval& roof, double length) {
     *this = {drive, roof, length};
   }
-  /// Leaves what comes after y.
+  /// Keeps the part after y.
   void cut(double y) {
     begin += (end - begin) * y;
     length_s *= 1.0 - y;
   }
 
-  /// When the drive first becomes positive, or never.
+  /// Time at which the drive first becomes positive, or never.
   double rise() const {
     if (begin > 0.0) return 0.0;
     if (!(end > 0.0)) return never;
@@ -37,13 +37,13 @@ struct LinearPiece {
     return y < 1.0 ? y : never;  // within rounding of the end: the next interval starts it
   }
 
-  /// When a speed v0 >= 0 under this drive first returns to zero, or never.
+  /// Time at which a speed v0 >= 0 under this drive first returns to zero, or never.
   double stop(double v0) const {
     const double t = time_to_stop(v0, {begin, (end - begin) / length_s, end}, length_s);
     return t == never ? never : std::min(t / length_s, 1.0);
   }
 
-  /// Speed gained and way gone from rest.
+  /// Speed and displacement from rest.
   double gain(double y) const { return length_s * y * (begin + 0.5 * (end - begin) * y); }
   double travel(double y) const {
     const double t = length_s * y;

@@ -17,12 +17,12 @@ using block_detail::Shaken;
 using block_detail::Shaking;
 using block_detail::TwoAxisTrack;
 
-/// A shorter period is taken as rigid: over a sample interval its ringing shows nothing a record
-/// can tell.
+/// A shorter period is taken as rigid: its free vibration within a sample interval is not resolved
+/// by the record.
 constexpr double most_pieces = 4096.0;
 constexpr double longest_piece = 0.4;  // of phase: 1/16 period
 
-/// Into how many pieces an interval must be cut, a power of two; 0: as good as rigid.
+/// Number of pieces into which an interval must be divided, a power of two; 0: taken as rigid.
 int pieces(const Oscillator& oscillator, double dt_s) {
   if (oscillator.period_s == 0.0) return 1;
   const double phase = 2.0 * std::numbers::pi / oscillator.period_s * dt_s;

@@ -17,7 +17,7 @@ struct Ramp {
   double at(double share) const { return begin + share * (end - begin); }
 };
 
-/// A building's axis over a piece of time, y in [0, 1] its share.
+/// An axis of the building over a piece of time, y in [0, 1] the elapsed fraction.
 struct AxisSeries {
   Series x, y;                                    ///< scaled state (core/oscillator.hpp)
   Series elastic;                                 ///< E, see BuildingAxis
@@ -26,8 +26,8 @@ struct AxisSeries {
 
 /// One axis of the building: mass a = E - push with E = -(2 zeta y + s), in accelerations: x =
 /// omega^2 u, y = omega u', s the spring's force per mass of the building. A yielding spring is
-/// s = hardening x + (1 - hardening) z, where z is x itself kept within the yield force (Bouc's
-/// decomposition of the bilinear spring): z follows x, or flows at +- the yield force.
+/// s = hardening x + (1 - hardening) z, where z is x limited to the yield force (decomposition of
+/// the bilinear spring by Bouc): z follows x, or is constant at +- the yield force (yielding).
 class BuildingAxis {
  public:
   BuildingAxis(const Oscillator& oscillator, const Yielding& yielding, double mass_ratio,
@@ -41,21 +41,21 @@ class BuildingAxis {
   double y() const { return y_; }
   double elastic() const { return -(twice_zeta_ * y_ + spring()); }
   double spring() const { return share_ * x_ + (1.0 - share_) * z_; }
-  /// By how much z may still grow, either way.
+  /// Distance of z from its limits, in either direction.
   double yield_left() const { return yields_ ? yield_ - std::abs(z_) : never; }
   double stiffness() const { return flow_ == 0 ? 1.0 : share_; }  ///< tangent, of the elastic
 
-  /// Over a piece whose ground and push go linearly, with the spring as it is now.
+  /// Over a piece with linear ground and push, with the spring in its present state.
   AxisSeries motion(double length_s, const Ramp& ground, double mass, const Ramp& push = {}) const;
 
-  /// When the spring first yields or unloads, or never.
+  /// Time at which the spring first yields or unloads, or never.
   double next_yield(const AxisSeries& motion) const;
-  /// The state at a share of the piece, and what has been added to it since.
+  /// The state at a fraction of the piece, with the addition since then.
   void follow(const AxisSeries& motion, double share, double add_x = 0.0, double add_y = 0.0);
-  /// What next_yield() found happens.
+  /// Applies the event that next_yield() found.
   void yield();
 
-  /// The rest's whole pieces (RestSteps) have taken the spring's force and the state here.
+  /// Sets spring force and state after whole pieces of rest (RestSteps).
   void rest_to(double spring_force, double y) {
     const double change = spring_force - spring();
     x_ = yields_ ? x_ + change : spring_force;
@@ -64,11 +64,11 @@ class BuildingAxis {
   }
   bool flows() const { return flow_ != 0; }
 
-  /// |a| never exceeds this again while the block rests and the ground is quiet.
+  /// |a| never exceeds this again while the block rests and the ground is at rest.
   double largest_to_come_mps2() const;
 
-  /// Coefficients of a piece at rest, in the spring's force s and y: exact at its end (Nigam &
-  /// Jennings 1969, core/oscillator.hpp) while the spring does not flow.
+  /// Coefficients of a piece at rest, in the spring force s and y: exact at its end (Nigam &
+  /// Jennings 1969, core/oscillator.hpp) while the spring does not yield.
   struct RestStep {
     double xx = 0.0, xy = 0.0, yx = 0.0, yy = 0.0;
     double x_start = 0.0, x_end = 0.0, y_start = 0.0, y_end = 0.0;
@@ -85,7 +85,7 @@ class BuildingAxis {
   RestStep rest_;
 
   double x_ = 0.0, y_ = 0.0, z_ = 0.0;
-  int flow_ = 0;  // +1, -1: the spring flows that way
+  int flow_ = 0;  // +1, -1: direction of yielding
 };
 
 }  // namespace glissade::block_detail

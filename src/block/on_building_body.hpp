@@ -13,15 +13,15 @@ namespace glissade::block_detail {
 /// the vertical a quartic.
 class OnBuildingBody {
  public:
-  /// @param pieces a sample interval is cut into as many, for the building
+  /// @param pieces number of pieces of a sample interval, for the building
   OnBuildingBody(const BuildingContact& contact, const std::array<BuildingAxis, 2>& axes,
                  double mass_ratio, int pieces, double tolerance, TwoAxisTrack track);
 
   bool at_rest() const { return !sliding_; }
   double time_s() const { return time_s_; }
 
-  /// At rest from node to node while nothing happens: returns how far. Only where an interval is
-  /// one piece.
+  /// Steps from node to node while the block rests without an event; returns the last node. Only if
+  /// an interval is one piece.
   std::size_t rest_through(const Shaken& shaken, std::size_t from, std::size_t to);
 
   /// One sample interval that ends at time `end_s`.
@@ -31,7 +31,7 @@ class OnBuildingBody {
   void coast(double step_s);
   /// Whether a roof at rest stops the block.
   bool will_stop() const;
-  /// Neither starts the block again while the ground is quiet, nor does the spring yield.
+  /// The block cannot start again while the ground is at rest, and the springs cannot yield.
   bool is_settled() const;
 
   TwoAxisResult result() const;
@@ -42,7 +42,7 @@ class OnBuildingBody {
   const Peaks& peaks() const { return peaks_; }
 
  private:
-  /// The building by itself over a piece, from the state it has now.
+  /// The building alone over a piece, from its present state.
   struct Bare {
     AxisSeries axis[2];
     const Shaking& shaking;
@@ -55,7 +55,7 @@ class OnBuildingBody {
   std::size_t rest_over(const Nodes& nodes, std::size_t from, std::size_t to);
   bool rest_quickly(const Shaking& piece);
   void advance(Shaking piece, double end_s);
-  // Each returns the share of the piece that has passed.
+  // Each returns the elapsed fraction of the piece.
   double rest(const Shaking& piece);
   double slide(const Shaking& piece);
 
@@ -83,13 +83,13 @@ class OnBuildingBody {
   Mobility mobility_;  // at an instant
   int pieces_;
   double tolerance_, strongest_;
-  double margin_per_a_, margin_per_w_;  // what N - |M^-1 F| can lose per acceleration
+  double margin_per_a_, margin_per_w_;  // largest decrease of N - |M^-1 F| per acceleration
 
   bool sliding_ = false;
   Sliding now_;
-  Vector friction_now_;  // a guess
+  Vector friction_now_;  // initial value of the iteration
   double time_s_ = 0.0;
-  double step_s_ = never;  // the longest worth trying
+  double step_s_ = never;  // the longest to be tried
 
   TwoAxisTrack track_;
   Peaks peaks_;

@@ -7,16 +7,16 @@
 
 namespace glissade::block_detail {
 
-/// By the building's two axes.
+/// By the two axes of the building.
 using Axes = std::array<double, 2>;
 
-/// How far the roof gives way to the block: R, by which the roof's acceleration changes when the
-/// block pulls at it, in the axes of the slope and per cos(slope) as Load is.
+/// Compliance R of the roof: change of the roof acceleration per force of the block, in the axes of
+/// the slope and per cos(slope) as Load is.
 struct Mobility {
-  Axes axis{};  ///< by the building's axes: m/M of an axis that can move, 0 of a rigid one
+  Axes axis{};  ///< by the axes of the building: m/M of an axis that can move, 0 of a rigid one
   double ss = 0.0, sy = 0.0, yy = 0.0;
   double mean = 0.0;
-  double coupling = 0.0;  ///< at least what an iterate leaves of the error before it
+  double coupling = 0.0;  ///< bound of the error of an iterate over the one before
   bool isotropic = true;  ///< and the normal force does not depend on it
 
   bool none() const { return axis[0] == 0.0 && axis[1] == 0.0; }
@@ -29,14 +29,13 @@ struct ContactState {
   Vector a;             ///< its rate
   Vector friction;      ///< f, per normal force
   double normal = 0.0;  ///< negative: uplift
-  Axes push{};          ///< what the block takes off the roof's acceleration, m/s2
+  Axes push{};          ///< reduction of the roof acceleration by the block, m/s2
 };
 
-/// The equations of block and roof in contact. With t = (tan(slope), 0), the load (d, n) the block
-/// would have on a roof of acceleration e that does not feel it, and f the friction per normal
-/// force N:
+/// The equations of block and roof in contact. With t = (tan(slope), 0), the load (d, n) of the
+/// block on an uncoupled roof of acceleration e, and f the friction per normal force N:
 ///   N = n / (1 + t.R(t - f)),   v' = d + N (R (t - f) - f)
-/// They have one solution where the divisor is positive for every f.
+/// They have one solution if the divisor is positive for every f.
 class BuildingContact {
  public:
   explicit BuildingContact(const TwoAxisBlock& block);
@@ -57,9 +56,10 @@ class BuildingContact {
   double factor(double speed_per_cos) const {
     return law_.depends_on_speed() ? factor_at(loading_.cos_slope() * speed_per_cos) : 1.0;
   }
-  /// The least of mu(|v|) / mu that a block of this velocity meets on its way to rest.
+  /// The least of mu(|v|) / mu between this velocity and rest.
   double least_factor(Vector v) const { return std::min(1.0, factor(v)); }
-  /// Friction that falls with speed must fall slower than an implicit step lets the speed fall.
+  /// Friction that decreases with speed must do so slowly enough for an implicit step to have one
+  /// solution.
   double longest_step_s(const Load& load, const Mobility& mobility) const {
     const double falls = law_.depends_on_speed() ? (1.0 - law_.fast_ratio) * law_.rate_spm : 0.0;
     if (!(falls > 0.0)) return never;
@@ -68,13 +68,13 @@ class BuildingContact {
   }
 
   /// The block that slides with v = known + own v'.
-  /// @param e, w the roof's acceleration if it did not feel the block, and the vertical's
-  /// @param guess of the friction
-  /// @param enough velocity by which v may be off
+  /// @param e, w the acceleration of the uncoupled roof, and the vertical one
+  /// @param guess initial value of the friction
+  /// @param enough permitted error of v
   ContactState slide(Vector known, double own, const Axes& e, double w, const Mobility& mobility,
                      Vector guess, double enough) const;
 
-  /// The same on a roof that does not feel the block.
+  /// The same on an uncoupled roof.
   ContactState slide_unfelt(Vector known, double own, const Load& load) const {
     ContactState c;
     c.normal = load.normal;
@@ -92,8 +92,7 @@ class BuildingContact {
   ContactState with_friction(Vector friction, const Axes& e, double w,
                              const Mobility& mobility) const;
 
-  /// Of given v', 0 where the block rests: the roof's acceleration, and the load that friction
-  /// must hold.
+  /// For given v', 0 at rest: the roof acceleration, and the load that friction must balance.
   struct Held {
     Axes a;
     Load load;
@@ -111,7 +110,7 @@ class BuildingContact {
   double factor_at(double speed_mps) const {
     return law_.fast_ratio - (law_.fast_ratio - 1.0) * std::exp(-law_.rate_spm * speed_mps);
   }
-  /// Friction per normal force of v = p - lambda f(v); rest where that can be.
+  /// Friction per normal force of v = p - lambda f(v); v = 0 if that is a solution.
   Vector holding(Vector p, double lambda) const {
     return law_.depends_on_speed() ? holding_by_speed(p, lambda) : friction_.holding(p, lambda);
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Block and building while the block rests.
+// Block and building while the block sticks.
 #include "on_building_body.hpp"
 
 namespace glissade::block_detail {
@@ -82,8 +82,8 @@ double OnBuildingBody::rest(const Shaking& piece) {
 
 namespace {
 
-/// The building's two axes side by side over whole pieces at rest: s the springs' force, E and sag
-/// as below. A rigid axis has no state, and E = mass a_ground.
+/// The two axes of the building side by side over whole pieces at rest: s the spring forces, E and
+/// sag as below. A rigid axis has no state, and E = mass a_ground.
 struct RestSteps {
   double xx[2], xy[2], yx[2], yy[2], x_start[2], x_end[2], y_start[2], y_end[2];
   double twice_zeta[2], phase[2], carried[2], per_left[2];
@@ -126,8 +126,8 @@ RestNode next_node(const RestSteps& c, const RestNode& now, double ground_1, dou
   return next;
 }
 
-/// By how much E and s can leave their chords over a piece: a function leaves its chord by at most
-/// 1/8 of its largest second derivative. With z = a - a_ground, mass m, ' over the piece:
+/// Largest departure of E and s from their chords over a piece: 1/8 of the largest second
+/// derivative. With z = a - a_ground, mass m, ' over the piece:
 ///   s' = phase y,  y' = phase z,  z' = -phase (y + 2 zeta z) / m - a_ground',
 /// so that |z| <= (|z_0| + phase |y_0| / m + |a_ground'|) / (1 - (phase^2 + 2 zeta phase) / m).
 struct Sag {
@@ -149,8 +149,8 @@ Sag sag_after(const RestSteps& c, const RestNode& now, const RestNode& next) {
 
 }  // namespace
 
-/// Whole pieces in which nothing happens, as bounds on how far the motion leaves its chord tell:
-/// while m = N - |M^-1 F| > 0 the block rests, and m is concave, so that on the chord it is no less
+/// Whole pieces without events, by bounds on the departure of the motion from its chord: while
+/// m = N - |M^-1 F| > 0 the block sticks, and m is concave, so that on the chord it is not less
 /// than at the ends.
 template <class Nodes>
 std::size_t OnBuildingBody::rest_over(const Nodes& nodes, std::size_t from, std::size_t to) {

@@ -9,12 +9,12 @@
 
 namespace glissade::block_detail {
 
-/// What shakes the building over a piece of time: the ground's axes, linear, and the roof's
-/// vertical acceleration, a polynomial in the piece's share.
+/// Excitation of the building over a piece of time: the ground along both axes, linear, and the
+/// vertical roof acceleration, a polynomial in the elapsed fraction of the piece.
 struct Shaking {
   double length_s = 0.0;
   std::array<Ramp, 2> ground{};
-  std::array<double, 5> vertical{};  ///< coefficients of the share's powers
+  std::array<double, 5> vertical{};  ///< coefficients of the powers of the fraction
   int vertical_terms = 0;            ///< 0: none, 2: linear, 5
 
   double w(double share) const {
@@ -26,7 +26,7 @@ struct Shaking {
   double coefficient(int k) const {
     return k < vertical_terms ? vertical[static_cast<std::size_t>(k)] : 0.0;
   }
-  /// At most how far w leaves the line between its values at both ends.
+  /// Bound of the departure of w from the line between its values at both ends.
   double w_sag() const {
     double sum = 0.0;
     for (std::size_t k = 2; k < 5; ++k) sum += std::abs(vertical[k]);
@@ -38,9 +38,9 @@ struct Shaking {
     for (int k = 0; k < vertical_terms; ++k) sum += std::abs(coefficient(k));
     return sum;
   }
-  /// Leaves what comes after y.
+  /// Keeps the part after y.
   void cut(double y) { part(y, 1.0); }
-  /// Leaves what is between two shares.
+  /// Keeps the part between two fractions.
   void part(double from, double to) {
     const double share = to - from;
     for (Ramp& g : ground) g = {g.at(from), to == 1.0 ? g.end : g.at(to)};
@@ -57,7 +57,7 @@ struct Shaking {
   }
 };
 
-/// What shakes the building, interval by interval.
+/// Excitation of the building, interval by interval.
 class Shaken {
  public:
   Shaken(const BuildingGround& ground, const BuildingFactors& factors)
@@ -79,7 +79,7 @@ class Shaken {
   }
 
   double dt_s() const { return ground_.horizontal[0]->step_s(); }
-  /// The first node from which on nothing shakes.
+  /// The first node from which on the excitation is zero.
   std::size_t quiet_from() const { return quiet_from_; }
   std::size_t last_sample() const { return last_sample_; }
 
@@ -92,7 +92,7 @@ class Shaken {
                ? factors_.vertical * vertical_.acceleration_mps2(i)
                : 0.0;
   }
-  /// At most how far w leaves the line between nodes i and i + 1.
+  /// Bound of the departure of w from the line between nodes i and i + 1.
   double w_sag(std::size_t i) const {
     return ground_.vertical == nullptr || ground_.vertical->rigid() ? 0.0 : after(i).w_sag();
   }
@@ -107,7 +107,7 @@ class Shaken {
   }
 
  private:
-  /// From the end of its table on, an oscillator's goes linearly to zero.
+  /// After the end of its table the vertical of an oscillator goes linearly to zero.
   void set_vertical(Shaking& s, std::size_t i) const {
     const double f = factors_.vertical;
     const double begin = f * vertical_.acceleration_mps2(i);

@@ -5,8 +5,8 @@
 namespace glissade::block_detail {
 namespace {
 
-/// The block's part in an axis over a step that ends at share y of the piece: cubics through values
-/// and slopes at both ends, added to what the building does by itself.
+/// The effect of the block on an axis over a step that ends at fraction y of the piece: cubics
+/// through values and slopes at both ends, added to the response of the building alone.
 AxisSeries with_added(AxisSeries m, const BuildingAxis& axis, const Added& end, double begin_rate,
                       double end_rate, double length_s, double y) {
   const double way = axis.omega_radps() * length_s * end.y, r0 = begin_rate * length_s,
@@ -39,7 +39,7 @@ OnBuildingBody::Bare OnBuildingBody::alone(const Shaking& piece) const {
           piece.largest_w()};
 }
 
-/// At a step that ends at a share of the piece.
+/// For a step that ends at a fraction of the piece.
 StageLoads OnBuildingBody::Bare::at_stages(double share) const {
   constexpr std::size_t stages = StageLoads::stages;
   StageLoads loads;
@@ -75,15 +75,15 @@ double OnBuildingBody::slide(const Shaking& piece) {
   return step(bare, longest);
 }
 
-/// No normal force on a roof that does not feel the block is larger.
+/// Upper bound of the normal force on an uncoupled roof.
 double OnBuildingBody::heaviest(const Bare& bare) const {
   const TwoAxisLoading& loading = contact_.loading();
   return loading.gravity() + bare.largest_w +
          loading.tan_slope() * (bare.axis[0].largest_elastic + bare.axis[1].largest_elastic);
 }
 
-/// Friction ends where the normal force does. Where that is, is told by the building alone: what
-/// the block adds on the way moves it by little, which the step's error sees.
+/// Friction ends when the normal force becomes zero. The time is that of the building alone: the
+/// effect of the block changes it by little, which the error estimate of the step includes.
 double OnBuildingBody::first_lift(const Bare& bare) const {
   const TwoAxisLoading& loading = contact_.loading();
   const Shaking& piece = bare.shaking;
@@ -103,7 +103,7 @@ double OnBuildingBody::first_lift(const Bare& bare) const {
                     1.0);
 }
 
-/// An axis over a step, with the block's part.
+/// An axis over a step, with the effect of the block.
 AxisSeries OnBuildingBody::with_block(const Bare& bare, const BuildingStep& step, std::size_t n,
                                       double length_s) const {
   if (mobility_.axis[n] == 0.0) return bare.axis[n];
@@ -136,7 +136,7 @@ void OnBuildingBody::raise_peaks(std::size_t n, const Bare& bare, const Building
   }
 }
 
-/// A step of the error asked for, and not across a yielding of the building.
+/// A step within the tolerance, and not across a yielding event of the building.
 double OnBuildingBody::step(const Bare& bare, double longest) {
   constexpr double shortest = 1e-9;  // of what is left: far below what any tolerance asks for
   const Shaking& piece = bare.shaking;

@@ -7,12 +7,12 @@
 
 namespace glissade::block_detail {
 
-/// What the block has added to a building's axis since a step began.
+/// Effect of the block on an axis of the building since the start of a step.
 struct Added {
   double x = 0.0, y = 0.0;
 };
 
-/// What an axis answers an addition with.
+/// Response of an axis to that effect.
 struct AxisResponse {
   double omega_radps = 0.0, twice_zeta = 0.0, stiffness = 1.0, mass_ratio = 0.0;
 };
@@ -24,7 +24,7 @@ struct BuildingStep {
   double error = 0.0;  ///< of end.v, estimated
 };
 
-/// What the roof would do by itself at a step's stages.
+/// Motion of the uncoupled roof at the stages of a step.
 struct StageLoads {
   static constexpr std::size_t stages = 5;
   static constexpr double at[stages] = {1.0 / 4, 3.0 / 4, 11.0 / 20, 1.0 / 2, 1.0};
@@ -32,11 +32,11 @@ struct StageLoads {
   double w[stages];
 };
 
-/// SDIRK4 (two_axis_step.hpp) of block and building together. What the building does by itself is
-/// known exactly (`loads`); only what the block adds to it is integrated, xi'' + 2 zeta omega xi' +
-/// k xi = -push. In a stage xi follows from the push in closed form, which only changes e and R:
+/// SDIRK4 (two_axis_step.hpp) of block and building together. The response of the building alone is
+/// exact (`loads`); only the effect of the block is integrated, xi'' + 2 zeta omega xi' + k xi =
+/// -push. In a stage xi follows from the push in closed form, which only changes e and R:
 ///   a = [e + b / (1 + beta)] - push / (1 + beta),   beta = own omega (2 zeta + k own omega)
-/// By the balance of momentum an error in xi' is m/M times that in v, so v alone is looked at.
+/// By the balance of momentum an error in xi' is m/M times that in v, so v alone is controlled.
 template <bool kFeels>
 BuildingStep building_sdirk4(Vector v, Vector guess, double length_s, double enough,
                              const StageLoads& loads, const BuildingContact& contact,

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How a block on a building comes to rest.
+// Stop of a block on a building.
 #include "on_building_body.hpp"
 
 namespace glissade::block_detail {
 
 /// Along the line of its velocity, as stop_on_a_line() (two_axis_stop.hpp), with the net
-/// acceleration then and at the stop for a straight line's begin and end. What that leaves is told
-/// by the acceleration half way, and by what drives the block aside.
+/// acceleration now and at the stop as start and end of a straight line. The error is estimated by
+/// the acceleration half way, and by the transverse load.
 Stop OnBuildingBody::find_stop(const Bare& bare, double left_s, std::array<Ramp, 2>& push) {
   const double speed = length(now_.v);
   const Shaking& piece = bare.shaking;

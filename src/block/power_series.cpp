@@ -31,7 +31,7 @@ struct Point {
   double y, value;
 };
 
-/// Where the first three terms would have their root between a and b, else where the chord has.
+/// The root of the first three terms between a and b, or else that of the chord.
 double first_guess(const Series& f, const Point& a, const Point& b) {
   const double low = std::min(a.y, b.y), high = std::max(a.y, b.y);
   if (f.terms > 2) {
@@ -44,9 +44,9 @@ double first_guess(const Series& f, const Point& a, const Point& b) {
   return a.y + (b.y - a.y) * (a.value / (a.value - b.value));
 }
 
-/// The root of f between `above`, where f >= 0, and `below`, where f < 0 (either may be the
-/// earlier), to rounding: Newton's method kept inside the bracket. It doubles the right digits, so
-/// the step after one of 1e-9 is below rounding.
+/// The root of f between `above`, where f >= 0, and `below`, where f < 0 (in either order), to
+/// rounding: Newton's method kept inside the bracket. It doubles the correct digits, so the step
+/// after one of 1e-9 is below rounding.
 double root_between(const Series& f, const Point& above, const Point& below) {
   double high = above.y, low = below.y;  // where f is so
   double y = first_guess(f, above, below);
@@ -62,8 +62,8 @@ double root_between(const Series& f, const Point& above, const Point& below) {
   return y;
 }
 
-/// Looks for the first fall below zero on ever shorter parts, until a part is known to be
-/// monotone, or bent one way only, or clear of zero.
+/// Searches the first decrease below zero on shorter and shorter parts, until a part is monotone,
+/// or has curvature of one sign, or has no zero.
 class FallSearch {
  public:
   explicit FallSearch(const Series& f) : f_(f) {
@@ -77,7 +77,7 @@ class FallSearch {
   /// f(a) >= 0.
   double first_fall(const Point& a, const Point& b) const {
     const double width = b.y - a.y;
-    // The chord, less what the curve can sag below it.
+    // The chord, less the largest departure of the curve below it.
     if (std::min(a.value, b.value) > 0.125 * most_curvature_ * width * width) return never;
     const double middle = a.y + 0.5 * width;
     const auto [value, slope] = at(f_, middle);

@@ -19,7 +19,7 @@ struct SeriesFactors {
   }
 };
 
-/// A power series on a piece of time; y in [0, 1] is the share of the piece that has passed.
+/// A power series on a piece of time; y in [0, 1] is the elapsed fraction of the piece.
 struct Series {
   static constexpr int most_terms = SeriesFactors::most_terms;
   static constexpr auto order = SeriesFactors::all([](double k) { return k; });
@@ -40,7 +40,7 @@ struct Series {
     for (int k = 1; k < terms; ++k) d.c[k - 1] = order[k] * c[k];
     return d;
   }
-  /// Its integral over the time from the piece's begin, from `begin` on.
+  /// Its integral over time from the start of the piece, with the initial value `begin`.
   Series integral(double length_s, double begin) const {
     Series s;
     s.terms = terms + 1;
@@ -63,12 +63,12 @@ inline double coefficient(const Series& s, int k) {
 /// Of a series or of its negative.
 enum class Sign { plus, minus };
 
-/// The first y at which the series becomes negative, or never. A series that begins at zero falls
-/// at once only where it leaves zero downward.
+/// The first y at which the series becomes negative, or never. A series that begins at zero is
+/// negative at once only if it decreases from zero.
 double first_fall(const Series& series, Sign sign = Sign::plus);
 inline double first_rise(const Series& series) { return first_fall(series, Sign::minus); }
 
-/// The largest |value| up to y = end, at its first turn too.
+/// The largest |value| up to y = end, including the first extremum.
 double largest(const Series& series, double end);
 /// The largest value, the same.
 double highest(const Series& series, double end);

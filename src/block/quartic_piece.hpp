@@ -11,11 +11,11 @@
 namespace glissade::block_detail {
 
 /// LinearPiece for a drive that is a quartic, in Bernstein form: it stays within the hull of its
-/// coefficients and changes sign no more often than they do, so nothing between nodes is missed.
+/// coefficients and changes sign no more often than they do, so no event between nodes is missed.
 struct QuarticPiece {
   struct Interval {
     Quartic a, w;
-    bool vertical;  ///< w counts
+    bool vertical;  ///< with w
   };
   Quartic drive{};
   double length_s = 0.0;
@@ -26,7 +26,7 @@ struct QuarticPiece {
     set(line, roof, length);
   }
 
-  // Set and cut in place: copies would wait for their own stores.
+  // Set and divided in place: copies would stall on store forwarding.
   void set(const DriveLine& line, const Interval& roof, double length) {
     length_s = length;
     for (int k = 0; k < 5; ++k) drive.b[k] = line.a * roof.a.b[k] + line.constant;
@@ -36,7 +36,7 @@ struct QuarticPiece {
 
   double at(double y) const { return Powers(drive).value(y); }
 
-  /// Leaves what comes after y. de Casteljau.
+  /// Keeps the part after y. de Casteljau.
   void cut(double y) {
     double* const b = drive.b;
     for (int level = 4; level > 0; --level)
@@ -52,7 +52,7 @@ struct QuarticPiece {
   double stop(double v0) const {
     if (!may_stop(v0)) return never;
     if (!may_be_positive()) return falling_root(v0, 1.0);
-    // Speed falls only where the drive is negative: from each fall to the next rise.
+    // The speed decreases only where the drive is negative.
     QuarticPiece rest = *this;
     double y = 0.0, speed = v0;
     const auto skip = [&](double share) {
@@ -75,7 +75,7 @@ struct QuarticPiece {
     return never;
   }
 
-  /// Speed gained and way gone from rest.
+  /// Speed and displacement from rest.
   double gain(double y) const {
     const Quartic q = y == 1.0 ? drive : split(y).left;
     return 0.2 * length_s * y * ((q.b[0] + q.b[1]) + (q.b[2] + q.b[3]) + q.b[4]);
@@ -143,7 +143,7 @@ struct QuarticPiece {
     return std::min(std::min(v1, v2), std::min(v3, v4)) < 0.0 || v5 <= 0.0;
   }
 
-  /// First y > 0 from which on sign * drive is positive, where it is not to begin with.
+  /// First y > 0 from which on sign * drive is positive, if it is not at the start.
   double first_crossing(double sign, int depth = 0) const {
     const double* b = drive.b;
     const bool p1 = sign * b[1] > 0.0, p2 = sign * b[2] > 0.0, p3 = sign * b[3] > 0.0,
@@ -157,8 +157,8 @@ struct QuarticPiece {
     return y != never ? 0.5 * y : 0.5 + 0.5 * right.first_crossing(sign, depth + 1);
   }
 
-  /// The one zero of the drive, to 1e-9 or so: it is zero there, so that speed and way see only the
-  /// square and cube of what is left.
+  /// The single zero of the drive, to about 1e-9: the drive is zero there, so that the errors of
+  /// speed and displacement are of second and third order.
   double root() const {
     const Powers p(drive);
     const double* b = drive.b;
@@ -169,7 +169,7 @@ struct QuarticPiece {
         {b[0], 4.0 * (b[1] - b[0])}, {b[4], 4.0 * (b[4] - b[3])}, 1.0, 1e-3);
   }
 
-  /// The zero of the falling speed v0 + gain(y) in (0, end].
+  /// The zero of the decreasing speed v0 + gain(y) in (0, end].
   double falling_root(double v0, double end) const {
     const Powers p(drive);
     const double v = v0 / length_s;
@@ -180,14 +180,14 @@ struct QuarticPiece {
         {v, drive.b[0]}, {v + p.integral(end), p.value(end)}, end, 1e-4);
   }
 
-  /// A function's value and derivatives.
+  /// Value and derivatives of a function.
   struct Jet {
     double value, slope, bend = 0.0;
   };
 
-  /// The one zero in [0, high] of a function with the given ends: Halley's method, held in its
-  /// bracket. It begins with the Hermite cubic of the inverse function, which leaves 1e-4 or so,
-  /// and ends with a step below `enough`, which leaves about its cube.
+  /// The single zero in [0, high] of a function with the given ends: Halley's method, kept in its
+  /// bracket. It starts from the Hermite cubic of the inverse function, with an error of about
+  /// 1e-4, and ends with a step below `enough`, with an error of about its cube.
   template <class Function>
   static double zero(Function function, const Jet& begin, const Jet& end, double high,
                      double enough) {

@@ -24,8 +24,8 @@ class SteppedBlock {
         tan_(std::tan(slope)),
         one_way_(block.directions == SlipDirections::downslope_only) {}
 
-  /// The roof has come to rest: under gravity and friction alone the scheme's limit is a parabola.
-  /// False if the block never stops.
+  /// After the roof has come to rest: under gravity and friction alone the limit of the scheme is a
+  /// parabola. False if the block never stops.
   bool coast() {
     const double relative = velocity_x_ - velocity_p_;
     if (sticking_ || relative == 0.0) return true;
@@ -40,8 +40,8 @@ class SteppedBlock {
     return true;
   }
 
-  /// One substep with the roof's acceleration held at its value at the beginning (paper,
-  /// "Time-stepping algorithm").
+  /// One substep with the roof acceleration constant at its initial value (paper, "Time-stepping
+  /// algorithm").
   void step(const block_detail::Roof& r, double dt) {
     const double relative = velocity_x_ - velocity_p_;  // eq 10
     const double g = g_ + r.w;
@@ -115,8 +115,8 @@ SlipResult slide_rodriguez_nikl(const RoofAcceleration& roof, const Block& block
         roof.vertical_mps2.empty() ? 0.0 : roof.vertical_factor * roof.vertical_mps2[i]};
   };
   const bool slides_at_rest = std::tan(slope) > block.friction;
-  // The end of the record, as slide(): a free slider ends at the last sample; others after one more
-  // interval to zero.
+  // The end of the record, as in slide(): free sliding ends at the last sample, all others after
+  // one more interval to zero.
   const std::size_t intervals =
       slides_at_rest ? roof.horizontal_mps2.size() - 1 : block_detail::without_trailing_zeros(roof);
   const double dt = roof.dt_s / substeps;

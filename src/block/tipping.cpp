@@ -38,8 +38,7 @@ double onset_factor(const Block& block, const MotionFactors& factors, PeakOf pea
   return std::min(down, onset(contact.up()));
 }
 
-/// The search of peak_slip for where a block leaves its rest, its threshold the largest value so
-/// far.
+/// The search of peak_slip for the onset of sliding, with the largest value so far as threshold.
 double peak_over_table(const RoofTable& roof, const DriveLine& line) {
   const MotionTable &a = *roof.horizontal, *w = roof.vertical.get();
   const MotionNodes a_nodes = a.at_nodes(), w_nodes = w != nullptr ? w->at_nodes() : MotionNodes();

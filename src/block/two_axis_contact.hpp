@@ -11,8 +11,8 @@
 
 namespace glissade::block_detail {
 
-/// What acts on the block, per mass and per cos(slope): the drive, and the normal force. Divided by
-/// the cosine, a block at critical friction is exactly on its threshold: tan(slope) = mu.
+/// Load of the block, per mass and per cos(slope): the drive, and the normal force. Divided by the
+/// cosine, a block at critical friction is exactly on its threshold: tan(slope) = mu.
 struct Load {
   Vector drive;
   double normal = 0.0;  ///< negative: uplift
@@ -22,7 +22,7 @@ inline Load between(const Load& a, const Load& b, double share) {
   return {a.drive + share * (b.drive - a.drive), a.normal + share * (b.normal - a.normal)};
 }
 
-/// From the roof's acceleration to what acts on the block.
+/// From the roof acceleration to the load of the block.
 class TwoAxisLoading {
  public:
   explicit TwoAxisLoading(const TwoAxisBlock& block)
@@ -37,7 +37,7 @@ class TwoAxisLoading {
     const double across = cos_azimuth_ * a2 - sin_azimuth_ * a1;
     return {{(g_ + w) * tan_ - along, -across / cos_}, g_ + w + along * tan_};
   }
-  /// What `at` changes by when the roof's acceleration does.
+  /// Change of `at` with the roof acceleration.
   Load change(double a1, double a2, double w) const {
     const double along = cos_azimuth_ * a1 + sin_azimuth_ * a2;
     const double across = cos_azimuth_ * a2 - sin_azimuth_ * a1;
@@ -64,22 +64,22 @@ class FrictionEllipse {
   bool is_circle() const { return mu_.s == mu_.y; }
   double along() const { return mu_.s; }
   double across() const { return mu_.y; }
-  double to_circle() const { return to_circle_; }  ///< a factor on what is across
+  double to_circle() const { return to_circle_; }  ///< a factor on transverse components
   double smallest() const { return std::min(mu_.s, mu_.y); }
   double largest() const { return std::max(mu_.s, mu_.y); }
 
-  /// Positive where the block cannot rest.
+  /// Positive if the block cannot stick.
   double excess(const Load& load) const {
     const double y = to_circle_ * load.drive.y, n = mu_.s * load.normal;
     return load.drive.s * load.drive.s + y * y - n * n;
   }
   bool may_rest(const Load& load) const { return load.normal >= 0.0 && excess(load) <= 0.0; }
 
-  /// The share of the way from `begin` to `end` at which the block can rest no longer, or never.
+  /// The fraction between `begin` and `end` at which the block can no longer stick, or never.
   double release(const Load& begin, const Load& end) const;
 
   /// The friction f per normal force of the velocity v = p - lambda f: on the ellipse against v, or
-  /// p / lambda where that brings the block to rest.
+  /// p / lambda if the block then stops.
   Vector holding(Vector p, double lambda) const {
     if (is_circle()) {
       const double size = length(p);

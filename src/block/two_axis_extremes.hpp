@@ -8,12 +8,12 @@
 
 namespace glissade::block_detail {
 
-/// A piece of path in plan: the velocity is the cubic through both ends' velocities and
-/// accelerations (Hermite), of order 4 as the step.
+/// A piece of path in plan: the velocity is the cubic through the velocities and accelerations of
+/// both ends (Hermite), of order 4 as the step.
 struct Path {
   double length_s = 0.0;
   Vector begin, end;  ///< displacement
-  Vector v[4];        ///< the cubic's Bernstein coefficients: it stays in their hull
+  Vector v[4];        ///< Bernstein coefficients of the cubic, which stays in their hull
 
   Path(double length, Vector from, Vector v0, Vector a0, Vector v1, Vector a1)
       : length_s(length),
@@ -27,7 +27,7 @@ struct Path {
   double path_length() const;
 };
 
-/// The largest that a history has seen.
+/// The largest values of a history.
 class Extremes {
  public:
   void at(Vector displacement);

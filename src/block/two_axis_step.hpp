@@ -15,9 +15,9 @@ struct SlidingStep {
   double error = 0.0;  ///< of end.v, estimated
 };
 
-/// What an error of the velocity leaves after an implicit step of `own_s`: friction turns it toward
-/// v at the rate |f| N / |v|, which is as fast as v is small (Hairer & Wanner 1996, IV.8: an
-/// estimate must not count what the stiffness takes away).
+/// Remainder of an error of the velocity after an implicit step of `own_s`: friction turns it
+/// toward v at the rate |f| N / |v|, which is large for small v (Hairer & Wanner 1996, IV.8: an
+/// estimate must not include the part that stiffness damps).
 inline Vector damped(Vector error, Vector v, double own_s, const Load& load,
                      const FrictionEllipse& friction) {
   const double speed2 = dot(v, v);

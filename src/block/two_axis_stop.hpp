@@ -5,15 +5,15 @@
 
 namespace glissade::block_detail {
 
-/// How a block comes to rest.
+/// Stop of a block.
 struct Stop {
   double time_s = never;
   Vector displacement;
   double path = 0.0;
   double fastest = 0.0;  ///< on the way
 
-  /// The part of a straight way gone after a share of the time, and its rate per share, from the
-  /// speed at its begin: the cubic that ends at rest.
+  /// The fraction of a straight path after a fraction of the time, and its rate, from the speed at
+  /// its start: the cubic that ends at rest.
   struct WayShare {
     double way, rate;
   };

@@ -11,11 +11,11 @@
 
 namespace glissade::block_detail {
 
-/// The share of a path at which it first is `radius` from the origin, or never. Its begin is
+/// The fraction of a path at which it first is `radius` from the origin, or never. Its start is
 /// nearer.
 double first_reach(const Path& path, double radius);
 
-/// Where a block has been: what a history tells of it. Displacements are in plan.
+/// Path of a block, with the results of a history. Displacements are in plan.
 class TwoAxisTrack {
  public:
   /// @param crossings as many as thresholds, which increase
@@ -28,9 +28,9 @@ class TwoAxisTrack {
 
   /// A step of sliding.
   void slide(const Sliding& from, const Sliding& to, double length_s, double begin_s);
-  /// The way to rest, straight or so short that it may be taken as straight.
+  /// The path to the stop, straight or short enough to be taken as straight.
   void stop(const Stop& stop, double speed, double begin_s);
-  /// Whether a way of this length may reach a threshold.
+  /// Whether a path of this length may reach a threshold.
   bool may_cross(double way) const;
   /// In TwoAxisResult: all but phases and flags.
   TwoAxisResult result() const;

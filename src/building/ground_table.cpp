@@ -40,7 +40,7 @@ GroundTable::GroundTable(double dt_s, std::span<const double> acceleration_mps2,
     for (int part = 1; part < parts; ++part) append(begin + (end - begin) * part / parts);
     append(end);
   }
-  constexpr std::size_t least = 32;  // whole SIMD vectors, however short the record
+  constexpr std::size_t least = 32;  // whole SIMD vectors for records of any length
   extend(std::max(last_sample_ + 1, least));
 }
 

@@ -18,13 +18,13 @@ using building_detail::load;
 using building_detail::OscillatorBank;
 using building_detail::padding;
 
-/// With this many nodes a period what the quintic leaves between nodes is below 1e-6 of slip
+/// With this many nodes a period the quintic between nodes has an error below 1e-6 of slip
 /// (tests/unit/block/peak_slip_building_test.cpp).
 constexpr double nodes_per_period = 16.0;
 constexpr int most_parts = 256;
-constexpr std::size_t least_nodes = 16;  // whole SIMD vectors, however short the record
+constexpr std::size_t least_nodes = 16;  // whole SIMD vectors for records of any length
 
-/// How many nodes a table needs whose motion is followed to node `end`.
+/// Number of nodes of a table whose motion ends at node `end`.
 std::size_t nodes_to(std::size_t end, const GroundTable& ground) {
   return std::max({end + 1, ground.last_sample() + 1, least_nodes});
 }
@@ -35,7 +35,7 @@ void resize_states(MotionTable& table, std::size_t nodes) {
   table.y.resize(nodes + padding);
 }
 
-/// Up to bank_size tables, whose ground and oscillator are set.
+/// Up to bank_size tables with ground and oscillator set.
 void respond(GroundTable& ground, std::span<const RoofMotionOptions> follow,
              std::span<MotionTable> tables) {
   OscillatorBank bank;
@@ -102,7 +102,7 @@ MotionTable tabulate_rigid(std::shared_ptr<GroundTable> ground) {
 
 int parts_needed(const Oscillator& oscillator, double dt_s) {
   if (oscillator.period_s == 0.0) return 0;
-  // Beyond critical damping the faster of the two rates counts.
+  // Above critical damping the faster of the two rates governs.
   const double zeta = oscillator.damping_ratio;
   const double rate = zeta > 1.0 ? zeta + std::sqrt(zeta * zeta - 1.0) : 1.0;
   const double wanted = nodes_per_period * rate * dt_s / oscillator.period_s;
@@ -130,7 +130,7 @@ void tabulate_responses(const std::shared_ptr<GroundTable>& ground,
 
 namespace {
 
-/// Raises `peak` to the largest size(quartic), looking closer only where the hull leaves room.
+/// Raises `peak` to the largest size(quartic), refining only where the hull allows a larger value.
 template <class Size>
 void raise_to_peak(const Quartic& q, double& peak, Size size) {
   peak = std::max({peak, size(q.b[0]), size(q.b[4])});

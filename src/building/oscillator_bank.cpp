@@ -80,8 +80,8 @@ void Advance(OscillatorBank& bank, const double* ground, std::size_t from, std::
 
 /// Acceleration bounds are those of the quartic's Bernstein coefficients: it stays in their hull.
 /// In an interval where a ranges over r, V leaves its chord by r h / 4 at most.
-Extremes Bound(const Response& r, float* lowest, float* highest, float* below, float* above,
-               double* excess) {
+ResponsePeaks Bound(const Response& r, float* lowest, float* highest, float* below, float* above,
+                    double* excess) {
   const Doubles d;
   const hn::Rebind<float, Doubles> f;
   const std::size_t n = hn::Lanes(d), intervals = r.nodes - 1;

@@ -7,10 +7,10 @@
 
 namespace glissade::building_detail {
 
-/// How long a building must be followed once the ground is quiet, in steps.
+/// Length of the ring-down after the ground has come to rest, in time steps.
 /// @param x, y its scaled state then (core/oscillator.hpp)
-/// @param velocity_range_mps largest less smallest velocity of the roof until then, from rest: a
-/// block on its way is no faster
+/// @param velocity_range_mps largest minus smallest velocity of the roof until then, from rest: an
+/// upper bound of the velocity of a sliding block
 std::size_t ring_down_steps(const Oscillator& oscillator, double step_s, double x, double y,
                             double velocity_range_mps, double quiet_mps2,
                             const RoofMotionOptions& options);

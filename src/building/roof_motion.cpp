@@ -12,18 +12,18 @@
 namespace glissade {
 namespace {
 
-/// A period far below the record's step is as good as rigid: finer substeps would show only the
-/// straight line between samples.
+/// A period far below the time step of the record is practically rigid: finer substeps would only
+/// resolve the straight line between samples.
 constexpr int most_substeps = 1024;
 
-/// How many substeps of dt give a period at least `steps_per_period` of them.
+/// Number of substeps of dt for which a period has at least `steps_per_period` of them.
 int substeps(const Oscillator& oscillator, double dt_s, int steps_per_period) {
   if (oscillator.period_s == 0.0) return 1;
   const double wanted = std::ceil(steps_per_period * dt_s / oscillator.period_s - 1e-9);
   return static_cast<int>(std::clamp(wanted, 1.0, static_cast<double>(most_substeps)));
 }
 
-/// Visits the linear pieces of a record cut into `parts` each: visit(a_begin, a_end).
+/// Visits the linear pieces of a record divided into `parts` each: visit(a_begin, a_end).
 template <class Visit>
 void for_each_piece(std::span<const double> ground, bool to_zero, int parts, Visit visit) {
   const std::size_t intervals = ground.size() - (to_zero ? 0 : 1);
@@ -46,7 +46,7 @@ std::vector<double> rigid_response(std::span<const double> ground, bool to_zero,
   return roof;
 }
 
-/// Largest less smallest velocity of a roof that starts from rest.
+/// Largest minus smallest velocity of a roof that starts from rest.
 double velocity_range(const std::vector<double>& acceleration_mps2, double dt_s) {
   double velocity = 0.0, least = 0.0, most = 0.0;
   for (std::size_t i = 1; i < acceleration_mps2.size(); ++i) {
@@ -119,8 +119,8 @@ RoofMotion roof_motion(const GroundMotion& ground, const Building& building,
   roof.peak_horizontal_mps2 = peak(roof.horizontal_mps2);
   roof.peak_vertical_mps2 = peak(roof.vertical_mps2);
   if (vertical && roof.vertical_mps2.size() != roof.horizontal_mps2.size()) {
-    // The component that ends first goes to zero over one record interval, refined as the rest is,
-    // and stays there.
+    // The component that ends first goes to zero over one record interval, divided like the others,
+    // and remains zero.
     auto& shorter = roof.vertical_mps2.size() < roof.horizontal_mps2.size() ? roof.vertical_mps2
                                                                             : roof.horizontal_mps2;
     const std::size_t full = std::max(roof.vertical_mps2.size(), roof.horizontal_mps2.size());

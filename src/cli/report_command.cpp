@@ -5,11 +5,7 @@
 #include <filesystem>
 
 #include "commands.hpp"
-#include "glissade/io/clearance_file.hpp"
-#include "glissade/io/convergence_file.hpp"
 #include "glissade/io/results_file.hpp"
-#include "glissade/report/clearance_report.hpp"
-#include "glissade/report/convergence_report.hpp"
 #include "glissade/report/summary.hpp"
 #include "glissade/report/write_report.hpp"
 #include "run_record.hpp"
@@ -19,22 +15,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The report of any kind of results; its summary.
+/// The report; its summary.
 std::string report_again(const fs::path& file, const fs::path& out) {
-  const fs::path run_json = file.parent_path() / "run.json";
-  if (is_convergence_results(file)) {
-    const ConvergenceResults results = read_convergence(file);
-    const std::optional<ConvergenceTimes> times = times_in(run_json, results);
-    write_convergence_report(results, times, out);
-    return convergence_summary(results, times);
-  }
-  if (is_clearance_results(file)) {
-    const ClearanceResults results = read_clearance(file);
-    write_clearance_report(results, out);
-    return clearance_summary(results);
-  }
   const Results results = read_results(file);
-  const std::vector<Skip> skips = skips_in(run_json);
+  const std::vector<Skip> skips = skips_in(file.parent_path() / "run.json");
   write_report(results, out, skips);
   return summary_text(results, skips);
 }

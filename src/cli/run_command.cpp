@@ -5,8 +5,6 @@
 
 #include "commands.hpp"
 #include "glissade/core/file.hpp"
-#include "glissade/io/clearance_file.hpp"
-#include "glissade/io/convergence_file.hpp"
 #include "glissade/io/results_file.hpp"
 #include "glissade/io/study_file.hpp"
 #include "glissade/io/suite_file.hpp"
@@ -18,8 +16,6 @@
 #include "glissade/study/reduce.hpp"
 #include "output_folder.hpp"
 #include "progress.hpp"
-#include "run_clearance.hpp"
-#include "run_convergence.hpp"
 #include "run_folder.hpp"
 #include "run_record.hpp"
 
@@ -34,14 +30,6 @@ struct RunOptions {
   bool dry_run = false;
   bool no_skip = false;
 };
-
-/// What results.h5 will hold.
-double bytes_needed(const Plan& plan) {
-  const std::size_t pairs = plan.suite.motions.size() * plan.samples.size();
-  return static_cast<double>(plan.histories()) * (sizeof(double) + 1) +
-         static_cast<double>(plan.runs.size() * pairs * plan.config.thresholds_m.size()) *
-             sizeof(double);
-}
 
 std::vector<UnitResult> execute_all(const Plan& plan, const Communicator& world,
                                     Skipping skipping) {
@@ -61,26 +49,69 @@ std::vector<UnitResult> execute_all(const Plan& plan, const Communicator& world,
   return all;
 }
 
-void run_fragility(const RunOptions& options, const fs::path& out, const Communicator& world) {
+/// Every suite's problems, reported together.
+std::vector<Suite> load_suites(const std::vector<fs::path>& files) {
+  ProblemList problems;
+  std::vector<Suite> suites;
+  for (const fs::path& file : files) {
+    try {
+      suites.push_back(load_suite(file));
+    } catch (const InputError& error) {
+      problems.add(error);
+    }
+  }
+  problems.throw_if_any();
+  return suites;
+}
+
+/// What root does with the histories of all ranks.
+void write_all(const Plan& plan, const std::vector<UnitResult>& units, const fs::path& out,
+               PhaseClock& clock, int ranks) {
+  const WorkCount count = total_count(units);
+  const std::vector<Skip> skips = skipped(plan, count);
+  Results results;
+  write_or_leave_folder(out, [&] {
+    results = reduce(plan, units);
+    clock.end_phase("analyses");
+    write_results(out / "results.h5", results);
+  });
+  clock.end_phase("results file");
+  write_beside_results(out, [&] { write_report(results, out, skips); });
+  clock.end_phase("report");
+  write_beside_results(out, [&] {
+    write_text_file(out / "run.json", run_json(results, skips, clock, ranks, count));
+  });
+  fmt::print("{}\n", summary_text(results, skips));
+  print_seconds(clock, ranks);
+  fmt::print(
+      "Histories integrated: {} at the levels, {} in search of capacities, on {} roof motions\n",
+      count.integrated, count.searched, count.roofs);
+  print_where(out);
+}
+
+void run(const RunOptions& options, const Communicator& world) {
+  const fs::path out = options.out.empty() ? fs::path("results") / fs::path(options.study).stem()
+                                           : fs::path(options.out);
   PhaseClock clock;
 
   // Read and simulate once, on root; then everybody makes the same plan.
-  Suite suite;
+  std::vector<Suite> suites;
   on_root(world, [&] {
     const StudyConfig config = read_study(options.study);
     if (!options.dry_run) check_output_folder(out);
-    suite = load_suite(config.suite_file);
+    suites = load_suites(config.suite_files);
   });
-  share(suite, world);
+  share(suites, world);
   clock.end_phase("motions");
   Plan plan;
   on_root(world, [&] {
-    plan = make_plan(read_study(options.study), suite);
+    plan = make_plan(read_study(options.study), suites);
     if (!options.dry_run) {
-      take_results_folder(out, bytes_needed(plan), started_json(plan.config.name, plan.hash));
+      take_results_folder(out, bytes_of(plan.config, plan.records.size(), plan.cases.size()),
+                          started_json(plan.config.name, plan.hash));
     }
   });
-  if (!world.is_root()) plan = make_plan(read_study(options.study), suite);
+  if (!world.is_root()) plan = make_plan(read_study(options.study), suites);
   check_same_plan(plan.hash, world);
   clock.end_phase("plan");
   if (options.dry_run) {
@@ -91,46 +122,7 @@ void run_fragility(const RunOptions& options, const fs::path& out, const Communi
   const std::vector<UnitResult> units =
       execute_all(plan, world, options.no_skip ? Skipping::none : Skipping::all);
   clock.end_phase("histories");
-  on_root(world, [&] {
-    const Results results = reduce(plan, units);
-    const WorkCount count = total_count(units);
-    const std::vector<Skip> skips = skipped(plan, count);
-    clock.end_phase("fragilities");
-    write_or_leave_folder(out, [&] { write_results(out / "results.h5", results); });
-    clock.end_phase("results file");
-    write_beside_results(out, [&] { write_report(results, out, skips); });
-    clock.end_phase("report");
-    write_beside_results(out, [&] {
-      write_text_file(out / "run.json", run_json(results, skips, clock, world.size(), count));
-    });
-
-    fmt::print("{}\n", summary_text(results, skips));
-    print_seconds(clock, world.size());
-    fmt::print(
-        "Histories integrated: {} at the levels, {} in search of capacities, on {} roof motions\n",
-        count.integrated, count.searched, count.roofs);
-    print_where(out);
-  });
-}
-
-void run(const RunOptions& options, const Communicator& world) {
-  const fs::path out = options.out.empty() ? fs::path("results") / fs::path(options.study).stem()
-                                           : fs::path(options.out);
-  enum Kind : char { fragility, convergence, clearance };
-  std::vector<char> kind(1, fragility);
-  on_root(world, [&] {
-    if (is_convergence_study(options.study)) kind[0] = convergence;
-    if (is_clearance_study(options.study)) kind[0] = clearance;
-  });
-  world.broadcast(kind);
-  switch (kind[0]) {
-    case convergence:
-      return run_convergence({options.study, out, options.dry_run}, world);
-    case clearance:
-      return run_clearance({options.study, out, options.dry_run}, world);
-    default:
-      return run_fragility(options, out, world);
-  }
+  on_root(world, [&] { write_all(plan, units, out, clock, world.size()); });
 }
 
 }  // namespace
@@ -138,7 +130,7 @@ void run(const RunOptions& options, const Communicator& world) {
 void add_run(CLI::App& program, const Communicator& world) {
   auto options = std::make_shared<RunOptions>();
   CLI::App* command = program.add_subcommand(
-      "run", "Run a study: fragility curves, slip against the standards, report");
+      "run", "Run a study: histories, the analyses it asks for, tables, figures and report");
   command->add_option("study", options->study, "study file (TOML); see studies/")->required();
   command->add_option("--out", options->out,
                       "results folder, new or empty [results/NAME OF THE STUDY FILE]");

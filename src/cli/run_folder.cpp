@@ -10,10 +10,10 @@ namespace glissade::cli {
 
 namespace fs = std::filesystem;
 
-void share(Suite& suite, const Communicator& world) {
-  std::vector<char> message = world.is_root() ? pack(suite) : std::vector<char>();
+void share(std::vector<Suite>& suites, const Communicator& world) {
+  std::vector<char> message = world.is_root() ? pack(suites) : std::vector<char>();
   world.broadcast(message);
-  if (!world.is_root()) suite = unpack_suite(message);
+  if (!world.is_root()) suites = unpack_suites(message);
 }
 
 void check_same_plan(const std::string& hash, const Communicator& world) {

@@ -14,7 +14,7 @@
 #include "glissade/parallel/communicator.hpp"
 #include "run_record.hpp"
 
-// What every kind of study does around its histories.
+// What a run does around its histories.
 namespace glissade::cli {
 
 /// Root prepares what may fail on the user's input; the others learn whether it did.
@@ -34,7 +34,7 @@ void on_root(const Communicator& world, Prepare prepare) {
 }
 
 /// Root's motions to everybody.
-void share(Suite& suite, const Communicator& world);
+void share(std::vector<Suite>& suites, const Communicator& world);
 
 /// Every rank makes the plan itself; other processors or mathematical libraries could make another.
 void check_same_plan(const std::string& hash, const Communicator& world);

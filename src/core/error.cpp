@@ -59,8 +59,8 @@ void ProblemList::throw_if_any() const {
 }
 
 std::string nearest_word(const std::string& word, const std::vector<std::string>& candidates) {
-  // A suggestion helps when the two words share a beginning (a wrong unit) or differ by a few
-  // letters (a slip).
+  // A suggestion helps if the two words share a beginning (a wrong unit) or differ by a few letters
+  // (a typing error).
   std::string best;
   std::size_t best_distance = std::max<std::size_t>(2, word.size() / 2) + 1;
   for (const std::string& candidate : candidates) {

@@ -27,9 +27,8 @@ namespace fs = std::filesystem;
 /// Owns an open file descriptor; `close` tells what a delayed write met.
 class OutputFile {
  public:
-  /// Errors name `shown`, the file the user asked for.
-  OutputFile(const fs::path& path, int flags, const fs::path& shown)
-      : path_(shown), fd_(::open(path.c_str(), flags, 0666)) {
+  /// @param fd from ::open; @param shown the file the user named, for errors
+  OutputFile(int fd, const fs::path& shown) : path_(shown), fd_(fd) {
     if (fd_ < 0) throw_io_error(path_, "cannot be opened for writing", errno);
   }
   OutputFile(const OutputFile&) = delete;
@@ -78,23 +77,42 @@ bool must_be_written_directly(const fs::path& path, const fs::file_status& statu
 }
 
 void write_directly(const fs::path& path, std::string_view text) {
-  OutputFile file(path, O_WRONLY | O_APPEND | O_CLOEXEC, path);
+  OutputFile file(::open(path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC), path);
   file.write(text);
   file.close();
 }
 
-void write_and_rename(const fs::path& path, std::string_view text) {
+/// A name for `path` while it is written. One that is taken, by a file that was left over or by a
+/// link put in the way, is not written to: the next attempt has another.
+fs::path partial_name(const fs::path& path, int attempt) {
   fs::path partial = path;
   partial += ".partial." + std::to_string(::getpid());
-  try {
-    OutputFile file(partial, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, path);
-    file.write(text);
-    file.sync();
-    file.close();
-  } catch (...) {
-    ::unlink(partial.c_str());
-    throw;
+  if (attempt > 0) partial += "." + std::to_string(attempt);
+  return partial;
+}
+
+/// Creates a file that was not there and writes to it; its name.
+fs::path write_new_beside(const fs::path& path, std::string_view text) {
+  constexpr int attempts = 100;
+  for (int attempt = 0;; ++attempt) {
+    fs::path partial = partial_name(path, attempt);
+    const int fd = ::open(partial.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (fd < 0 && errno == EEXIST && attempt + 1 < attempts) continue;
+    OutputFile file(fd, path);
+    try {
+      file.write(text);
+      file.sync();
+      file.close();
+    } catch (...) {
+      ::unlink(partial.c_str());
+      throw;
+    }
+    return partial;
   }
+}
+
+void write_and_rename(const fs::path& path, std::string_view text) {
+  const fs::path partial = write_new_beside(path, text);
   if (::rename(partial.c_str(), path.c_str()) != 0) {
     const int error_number = errno;
     ::unlink(partial.c_str());
@@ -122,7 +140,7 @@ std::string read_text_file(const fs::path& path) {
 }
 
 void create_text_file(const fs::path& path, std::string_view text) {
-  OutputFile file(path, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, path);
+  OutputFile file(::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666), path);
   file.write(text);
   file.sync();
   file.close();

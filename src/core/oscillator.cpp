@@ -10,7 +10,7 @@
 namespace glissade {
 namespace {
 
-// In the time tau = omega t everything about an interval of length h = omega dt follows from the
+// In the time tau = omega t the step over an interval of length h = omega dt follows from the
 // impulse response g, g'' + 2 zeta g' + g = 0, g(0) = 0, g'(0) = 1.
 struct IntervalResponse {
   double impulse;  ///< g(h)
@@ -19,7 +19,7 @@ struct IntervalResponse {
 };
 
 /// g = exp(-zeta h) sin(beta h) / beta, S = 1 - g' - 2 zeta g, R = 1 - (g + 2 zeta S) / h, beta^2 =
-/// 1 - zeta^2; beyond critical damping sinh and cosh, and beta^2 = zeta^2 - 1.
+/// 1 - zeta^2; above critical damping sinh and cosh, and beta^2 = zeta^2 - 1.
 IntervalResponse closed_form(double h, double zeta) {
   const double beta = std::sqrt(std::abs(1.0 - zeta * zeta));
   double g = 0.0, even = 0.0;  // exp(-zeta h) times sin(beta h) / beta, and times cos(beta h)
@@ -36,15 +36,14 @@ IntervalResponse closed_form(double h, double zeta) {
   return {g, s, 1.0 - (g + 2.0 * zeta * s) / h};
 }
 
-/// The power series of the same, for small h, where S ~ h^2/2 and R ~ h^2/6 would be what is left
-/// of ones that cancel. Twenty-four terms are exact to rounding for h <= 1 and
-/// zeta h <= 1.
+/// The power series of the same, for small h, where the closed forms of S ~ h^2/2 and R ~ h^2/6
+/// have cancellation. Twenty-four terms are exact to rounding for h <= 1 and zeta h <= 1.
 IntervalResponse power_series(double h, double zeta) {
   IntervalResponse sum{0.0, 0.0, 0.0};
   double term = h;  // c_k h^k
   double previous = 0.0;
   for (int k = 1; k <= 24; ++k) {
-    // From k = 2 the larger of two terms in a row never grows: what follows rounds away.
+    // From k = 2 the larger of two successive terms never grows: the rest is below rounding.
     if (k > 2 && std::max(std::abs(term), std::abs(previous)) < 0x1p-70 * h) break;
     sum.impulse += term;
     sum.step += term * h / (k + 1);
@@ -75,8 +74,8 @@ OscillatorStep oscillator_step(double phase, double damping_ratio) {
 
 Envelope free_vibration_envelope(double x, double y, double damping_ratio) {
   if (damping_ratio < 1.0) {
-    // exp(2 zeta tau) (x^2 + 2 zeta x y + y^2) never changes, and the form is at least (1 - zeta)
-    // (x^2 + y^2).
+    // exp(2 zeta tau) (x^2 + 2 zeta x y + y^2) is constant, and the quadratic form is at least
+    // (1 - zeta) (x^2 + y^2).
     const double invariant = x * x + 2.0 * damping_ratio * x * y + y * y;
     return {std::sqrt(invariant / (1.0 - damping_ratio)), damping_ratio};
   }

@@ -35,21 +35,22 @@ struct ClusterFit {
   }
 
   /// ln median - center; infinite where none or all exceeded.
-  Estimate log_median() const {
+  EstimateWithError log_median() const {
     if (is_bound()) return {point.status == FitStatus::lower_bound ? infinity : -infinity, nan};
     const double b0 = point.line[0], b1 = point.line[1];
-    return has_line() ? Estimate{-b0 / b1, error_of(-1 / b1, b0 / (b1 * b1))} : Estimate{nan, nan};
+    return has_line() ? EstimateWithError{-b0 / b1, error_of(-1 / b1, b0 / (b1 * b1))}
+                      : EstimateWithError{nan, nan};
   }
   /// ln log_std
-  Estimate log_log_std() const {
-    return has_line() ? Estimate{-std::log(point.line[1]), error_of(0, -1 / point.line[1])}
-                      : Estimate{nan, nan};
+  EstimateWithError log_log_std() const {
+    return has_line() ? EstimateWithError{-std::log(point.line[1]), error_of(0, -1 / point.line[1])}
+                      : EstimateWithError{nan, nan};
   }
   /// Phi^-1 of the probability of exceedance at y.
-  Estimate probit_at(double y) const {
+  EstimateWithError probit_at(double y) const {
     if (is_bound()) return {point.status == FitStatus::lower_bound ? -infinity : infinity, nan};
-    return has_line() ? Estimate{point.line[0] + point.line[1] * y, error_of(1, y)}
-                      : Estimate{nan, nan};
+    return has_line() ? EstimateWithError{point.line[0] + point.line[1] * y, error_of(1, y)}
+                      : EstimateWithError{nan, nan};
   }
 };
 
@@ -109,10 +110,10 @@ class Resamples {
   }
 
  private:
-  using Quantity = std::function<Estimate(const ClusterFit&)>;
+  using Quantity = std::function<EstimateWithError(const ClusterFit&)>;
 
-  std::vector<Estimate> estimates(const Quantity& quantity) const {
-    std::vector<Estimate> result;
+  std::vector<EstimateWithError> estimates(const Quantity& quantity) const {
+    std::vector<EstimateWithError> result;
     for (const ClusterFit& replicate : replicates_) result.push_back(quantity(replicate));
     return result;
   }

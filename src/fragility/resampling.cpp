@@ -17,7 +17,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-double t_of(Estimate replicate, Estimate center) {
+double t_of(EstimateWithError replicate, EstimateWithError center) {
   const double t = (replicate.value - center.value) / replicate.standard_error;
   return std::isfinite(t) ? t : infinity;
 }
@@ -55,20 +55,22 @@ double expanded_tail(std::size_t records, double level) {
   return widened_tail(records, quantile(student, 0.5 + 0.5 * level));
 }
 
-Interval symmetric_t_interval(Estimate estimate, const std::vector<Estimate>& replicates,
-                              double level) {
+Interval symmetric_t_interval(EstimateWithError estimate,
+                              const std::vector<EstimateWithError>& replicates, double level) {
   std::vector<double> t;
-  for (const Estimate& replicate : replicates) t.push_back(std::abs(t_of(replicate, estimate)));
+  for (const EstimateWithError& replicate : replicates)
+    t.push_back(std::abs(t_of(replicate, estimate)));
   const double greatest = percentile_interval(t, 1 - level).high;
   return {estimate.value - greatest * estimate.standard_error,
           estimate.value + greatest * estimate.standard_error};
 }
 
-Interval log_std_interval(Estimate log_log_std, const std::vector<Estimate>& replicates,
-                          std::size_t records, double level) {
+Interval log_std_interval(EstimateWithError log_log_std,
+                          const std::vector<EstimateWithError>& replicates, std::size_t records,
+                          double level) {
   const auto [value, error] = log_log_std;
   std::vector<double> t;
-  for (const Estimate& replicate : replicates) t.push_back(t_of(replicate, log_log_std));
+  for (const EstimateWithError& replicate : replicates) t.push_back(t_of(replicate, log_log_std));
   const double z = quantile(boost::math::normal(), 0.5 + 0.5 * level);
   const Interval range = percentile_interval(t, widened_tail(records, z));
   const double freedom = std::min(0.5 / (error * error), static_cast<double>(records) - 1);

@@ -12,7 +12,7 @@ std::vector<double> draw_records(std::size_t records, const BootstrapOptions& op
                                  int replicate);
 
 /// A quantity and its standard error; the error is NaN where there is none.
-struct Estimate {
+struct EstimateWithError {
   double value, standard_error;
 };
 
@@ -27,15 +27,16 @@ double expanded_tail(std::size_t records, double level);
 /// Symmetric bootstrap-t: estimate -+ standard error x the `level` quantile of |t| over replicates
 /// (Hall 1988, Annals of Statistics 16(3):927-953). A replicate without a standard error counts as
 /// an infinite |t|.
-Interval symmetric_t_interval(Estimate estimate, const std::vector<Estimate>& replicates,
-                              double level);
+Interval symmetric_t_interval(EstimateWithError estimate,
+                              const std::vector<EstimateWithError>& replicates, double level);
 
 /// For ln log_std, whose estimate is biased low with few records: equal-tailed bootstrap-t (Efron &
 /// Tibshirani 1993, section 12.5) with the tails at Phi(-sqrt(n/(n-1)) z), as a resample spreads by
 /// (n-1)/n less than a sample. With few records its upper end runs away, so neither end goes beyond
 /// the chi-square interval of a normal sample of as many degrees of freedom as the standard error
 /// is worth, 1 / (2 se^2) (Satterthwaite 1946), but at most n - 1.
-Interval log_std_interval(Estimate log_log_std, const std::vector<Estimate>& replicates,
-                          std::size_t records, double level);
+Interval log_std_interval(EstimateWithError log_log_std,
+                          const std::vector<EstimateWithError>& replicates, std::size_t records,
+                          double level);
 
 }  // namespace glissade::fragility

@@ -14,8 +14,8 @@ namespace glissade {
 namespace {
 
 constexpr double whole_number_tolerance = 1e-6;
-constexpr double most_samples = 2e7;  // of a motion, 28 h at 0.005 s: more is a slip of units
-constexpr double largest_whole_number = 1e15;  // of which a double still tells the neighbours
+constexpr double most_samples = 2e7;  // of a motion, 28 h at 0.005 s: more is an error of units
+constexpr double largest_whole_number = 1e15;  // whose neighbours are distinct doubles
 
 std::optional<std::size_t> whole_number(double value) {
   const double nearest = std::round(value);
@@ -41,7 +41,7 @@ void check_record(const Record& record, ProblemList& problems) {
   }
 }
 
-/// How a component lies on the motion's clock.
+/// Position of a component on the time axis of the motion.
 struct Placement {
   std::size_t start = 0;   ///< sample of the motion at which the component begins
   std::size_t stride = 1;  ///< samples of the motion per sample of the component
@@ -71,15 +71,15 @@ Placement place(const TimedRecord& component, double dt_s, ProblemList& problems
   return placement;
 }
 
-/// As a double, which does not wrap round.
+/// As a double, which does not overflow.
 double end_of(const Record& record, const Placement& placement) {
   return static_cast<double>(placement.start) +
          static_cast<double>(record.acceleration_mps2.size()) *
              static_cast<double>(placement.stride);
 }
 
-/// The component's samples on the motion's clock, between its own ones interpolated (also over the
-/// interval after its last, which ends at zero).
+/// Samples of the component on the time axis of the motion, interpolated between its own samples
+/// (also over the interval after the last one, which ends at zero).
 std::vector<double> on_clock(const Record& record, const Placement& placement, std::size_t length) {
   const std::vector<double>& samples = record.acceleration_mps2;
   std::vector<double> result(length, 0.0);

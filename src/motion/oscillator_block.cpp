@@ -46,9 +46,9 @@ struct Walk {
     peak = Lanes(b.peak, first);
   }
 
-  /// To the interval's end; gives above zero where the interval must be looked into. Inside it |x|
-  /// exceeds its ends' by at most h^2/8 max|v|; and v, which is a free vibration there, exceeds its
-  /// own ends' by at most 15 % when h <= 1. And y must pass zero, once or twice.
+  /// Steps to the end of the interval; returns a positive number if the interval must be searched.
+  /// Inside it |x| exceeds its end values by at most h^2/8 max|v|; v, a free vibration there,
+  /// exceeds its end values by at most 15 % if h <= 1. And y must pass zero, once or twice.
   Vector step(Vector a0, Vector a1) {
     const Vector x_forced = hn::Add(hn::Mul(x_start, a0), hn::Mul(x_end, a1));
     const Vector y_forced = hn::Add(hn::Mul(y_start, a0), hn::Mul(y_end, a1));

@@ -8,7 +8,7 @@ namespace glissade::motion_detail {
 
 constexpr std::size_t block_size = 16;
 
-/// A number of each oscillator of a block.
+/// One number for each oscillator of a block.
 struct alignas(64) PerOscillator {
   double values[block_size] = {};
   double& operator[](std::size_t k) { return values[k]; }
@@ -19,25 +19,24 @@ struct OscillatorStates {
   PerOscillator x, y, v;
 };
 
-/// Oscillators that go through the SIMD lanes side by side, in the scaled state of
-/// core/oscillator.hpp, with v = dy/dtau = -(x + 2 zeta y + a). Each has the bits it would have
-/// alone, on every target.
+/// Oscillators computed side by side in SIMD lanes, in the scaled state of core/oscillator.hpp,
+/// with v = dy/dtau = -(x + 2 zeta y + a). Each has the same bits as alone, on every target.
 struct OscillatorBlock {
   double zeta = 0.0;
   PerOscillator h;      ///< omega dt
-  PerOscillator bulge;  ///< how far |x| inside an interval may exceed its ends', over max|v|
+  PerOscillator bulge;  ///< bound of the excess of |x| inside an interval over its ends, per max|v|
   PerOscillator xx, xy, yy, x_start, x_end, y_start, y_end;  ///< the exact step
-  OscillatorStates now, next;                                ///< at an interval's start and end
+  OscillatorStates now, next;                                ///< at start and end of an interval
   PerOscillator peak;                                        ///< largest |x| so far
 };
 
-/// Looks for a peak inside the interval from `now` to `next`, of oscillators first ... last - 1,
-/// while the ground goes from a_start to a_end.
+/// Searches a peak inside the interval from `now` to `next`, of oscillators first ... last - 1,
+/// with ground acceleration from a_start to a_end.
 using LookInside = void (*)(OscillatorBlock& block, std::size_t first, std::size_t last,
                             double a_start, double a_end);
 
-/// Takes the first `count` oscillators over the intervals between the samples of the ground, and
-/// calls `look_inside` where an oscillator's peak may have risen inside an interval.
+/// Steps the first `count` oscillators over the intervals between the samples of the ground, and
+/// calls `look_inside` if the peak of an oscillator may have increased inside an interval.
 void advance(OscillatorBlock& block, std::size_t count, std::span<const double> ground_mps2,
              LookInside look_inside);
 

@@ -40,7 +40,7 @@ void check(const SelectionCriteria& criteria) {
   problems.throw_if_any();
 }
 
-/// A motion's metadata are 0 where not told.
+/// Metadata of a motion are 0 if not given.
 void judge(const Limits& limits, double value, UntoldMetadata untold, LeftOutFor outside,
            LeftOutFor not_told, std::vector<LeftOutFor>& reasons) {
   if (!limits.are_asked()) return;
@@ -67,7 +67,7 @@ std::vector<LeftOutFor> reasons_against(const Motion& motion, const SelectionCri
   return reasons;
 }
 
-/// How many of the candidates `per_event` lets into one suite.
+/// Number of the candidates that `per_event` permits in one suite.
 std::size_t selectable(const Suite& library, const std::vector<std::size_t>& candidates,
                        const SelectionCriteria& criteria) {
   if (!criteria.per_event) return candidates.size();
@@ -115,7 +115,7 @@ void check_count(const Suite& library, const Screening& screening,
 
 }  // namespace
 
-// The tables tell magnitudes to a tenth: Northridge, 6.69 in NGA-West2, is 6.7 in Table 3 and in a
+// The tables give magnitudes to a tenth: Northridge, 6.69 in NGA-West2, is 6.7 in Table 3 and in a
 // suite whose smallest magnitude is 6.7.
 SelectionCriteria walters_criteria(int level, SiteGroup sites) {
   constexpr double rounding = 0.05;

@@ -8,12 +8,12 @@
 namespace glissade {
 
 struct Screening {
-  std::vector<std::size_t> candidates;  ///< places in the library, by id
+  std::vector<std::size_t> candidates;  ///< indices in the library, by id
   std::vector<LeftOutRecord> left_out;
 };
 
-/// Which records of the library keep the criteria. InputError where the criteria contradict
-/// themselves or leave fewer than they ask for.
+/// The records of the library that meet the criteria. InputError if the criteria contradict each
+/// other or leave fewer records than required.
 Screening screen(const Suite& library, const SelectionCriteria& criteria);
 
 }  // namespace glissade

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double factor_weight = 0.01;
 
-/// A candidate's SRSS spectrum beside the target.
+/// SRSS spectrum of a candidate relative to the target.
 struct Candidate {
   std::size_t record;
   const std::string* event;
@@ -45,7 +45,7 @@ Candidate candidate_of(const Suite& library, std::size_t record,
 
 using Choice = std::vector<std::size_t>;  ///< which candidates
 
-/// Less is better: how far the average falls below the target, then the misfit.
+/// Smaller is better: distance of the average below the target, then the misfit.
 struct Score {
   double shortfall = 0.0;
   double misfit = 0.0;
@@ -99,7 +99,7 @@ class Selector {
       score.misfit += candidates_[choice[i]].misfit_square(factors[i]) +
                       factor_weight * log_factor * log_factor;
     }
-    // Only where all are at the limit can the average lie below: elsewhere it touches the target.
+    // Only if all are at the limit can the average be below; otherwise it is equal at one period.
     if (std::ranges::min(factors) >= criteria_.max_scale) {
       const double lowest = lowest_ratio(factors, spectra_of(choice), target_g_).ratio;
       score.shortfall = std::max(0.0, 1.0 - lowest);
@@ -107,7 +107,7 @@ class Selector {
     return score;
   }
 
-  /// Whether `k` may join; place `out` of the choice (choice.size() for none) is given up.
+  /// Whether `k` may replace the record at index `out` of the choice (choice.size(): be added).
   bool may_join(const Choice& choice, std::size_t out, std::size_t k) const {
     std::size_t of_event = 0;
     for (std::size_t i = 0; i < choice.size(); ++i) {
@@ -117,7 +117,7 @@ class Selector {
     return !criteria_.per_event || of_event < *criteria_.per_event;
   }
 
-  /// The records that are closest to the target by themselves.
+  /// The records that are closest to the target individually.
   Choice closest() const {
     std::vector<double> misfits;
     for (const Candidate& c : candidates_)
@@ -142,7 +142,7 @@ class Selector {
         if (!may_join(choice, out, k)) continue;
         Choice exchanged = choice;
         exchanged[out] = k;
-        // One order for one set: its score must not depend on the way it was reached.
+        // One order for one set: its score must not depend on the sequence of exchanges.
         std::ranges::sort(exchanged);
         const Score reached = score_of(exchanged);
         if (!(reached < score)) continue;

@@ -23,7 +23,7 @@ struct State {
 };
 
 /// An interval of one oscillator, h <= 1: its state at the start, and a linear ground acceleration.
-struct Interval {
+struct OscillatorInterval {
   double h, zeta;
   State start;
   double a_start, a_end;
@@ -37,9 +37,9 @@ struct Interval {
     return {x, y, -(x + 2.0 * zeta * y + a)};
   }
 
-  /// |x| at the moment between `from` and `to` at which y = 0, or 0 where y keeps its sign.
-  /// Newton's method, begun at the chord's zero: an error e in tau is one of v e^2 / 2 in x, so
-  /// that four steps reach rounding.
+  /// |x| at the time between `from` and `to` at which y = 0, or 0 if y does not change sign.
+  /// Newton's method from the zero of the chord: an error e in tau is an error v e^2 / 2 in x, so
+  /// four steps reach rounding.
   double extremum(double from, double y_from, double to, double y_to) const {
     if (y_from * y_to >= 0.0) return 0.0;
     double tau = from + (to - from) * y_from / (y_from - y_to);
@@ -51,8 +51,8 @@ struct Interval {
     return std::abs(state.x);
   }
 
-  /// The largest |x| where y = 0. y is monotone but for one turning point, near the chord's zero of
-  /// v, which is a free vibration.
+  /// The largest |x| where y = 0. y is monotone except for one turning point, near the zero of the
+  /// chord of v, which is a free vibration.
   double peak(const State& end) const {
     if (start.v * end.v >= 0.0) return extremum(0.0, start.y, h, end.y);
     const double turn = h * start.v / (start.v - end.v);
@@ -77,7 +77,7 @@ void load(OscillatorBlock& block, std::size_t k, double h) {
   block.y_end[k] = step.y_end;
 }
 
-/// An oscillator is looked at where what the lanes found says that its peak may have risen.
+/// An oscillator is searched if by the result of the lanes its peak may have increased.
 void look_inside(OscillatorBlock& block, std::size_t first, std::size_t last, double a_start,
                  double a_end) {
   const auto& [x0, y0, v0] = block.now;
@@ -87,14 +87,14 @@ void look_inside(OscillatorBlock& block, std::size_t first, std::size_t last, do
     const double v_ends = std::max(std::abs(v1[k]), std::abs(v0[k]));
     if (x_ends + block.bulge[k] * v_ends - block.peak[k] <= 0.0) continue;
     if (std::max(-y1[k] * y0[k], -v1[k] * v0[k]) <= 0.0) continue;
-    const Interval interval{block.h[k], block.zeta, {x0[k], y0[k], v0[k]}, a_start, a_end};
+    const OscillatorInterval interval{
+        block.h[k], block.zeta, {x0[k], y0[k], v0[k]}, a_start, a_end};
     block.peak[k] = std::max(block.peak[k], interval.peak({x1[k], y1[k], v1[k]}));
   }
 }
 
 /// The largest |x| of the free vibration from now on: its first extremum is where
-/// tan(beta tau) = beta y / (x + zeta y), and exp(2 zeta tau) (x^2 + 2 zeta x y + y^2) does not
-/// change.
+/// tan(beta tau) = beta y / (x + zeta y), and exp(2 zeta tau) (x^2 + 2 zeta x y + y^2) is constant.
 double free_vibration_peak(double x, double y, double zeta) {
   const double beta = std::sqrt(1.0 - zeta * zeta);
   double angle = std::atan2(beta * y, x + zeta * y);
@@ -107,7 +107,7 @@ double peak(const OscillatorBlock& block, std::size_t k) {
 }
 
 /// Steps per sample interval for which omega dt <= 1: the motion is linear in between, so that
-/// smaller steps cost no accuracy. At most 64: beyond, the oscillator as good as follows the
+/// smaller steps lose no accuracy. At most 64: beyond that the oscillator practically follows the
 /// ground.
 int substeps_for(double dt_s, double period_s) {
   return static_cast<int>(
@@ -144,8 +144,8 @@ std::vector<double> pseudo_acceleration_spectrum(double dt_s,
   GLISSADE_EXPECTS(std::ranges::all_of(periods_s, [](double period_s) { return period_s >= 0.0; }));
   std::vector<double> spectrum(periods_s.size(), peak_ground_acceleration_mps2(acceleration_mps2));
 
-  // A block is of periods with as many substeps, so that the value at a period does not depend on
-  // the other periods.
+  // The periods of a block have the same number of substeps, so that the value at a period does not
+  // depend on the other periods.
   std::map<int, std::vector<std::size_t>> groups;
   for (std::size_t i = 0; i < periods_s.size(); ++i) {
     if (periods_s[i] > 0.0) groups[substeps_for(dt_s, periods_s[i])].push_back(i);

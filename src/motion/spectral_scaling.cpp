@@ -12,7 +12,7 @@
 namespace glissade {
 namespace {
 
-/// In which order motions reach their limit.
+/// Order in which motions reach their limit.
 std::vector<std::size_t> largest_first(const std::vector<double>& factors) {
   std::vector<std::size_t> order(factors.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -22,12 +22,12 @@ std::vector<std::size_t> largest_first(const std::vector<double>& factors) {
   return order;
 }
 
-/// The least common factor c with (1/n) sum_j min(c f_j, f_max) S_j >= target at one period, where
-/// all motions at f_max suffice. The left side is concave and piecewise linear in c, with a corner
+/// The least common factor c with (1/n) sum_j min(c f_j, f_max) S_j >= target at one period, if all
+/// motions at f_max suffice. The left side is concave and piecewise linear in c, with a corner
 /// at each c = f_max / f_j; `order` is that of the corners.
 double common_factor(const std::vector<double>& factors, const std::vector<std::size_t>& order,
                      const std::vector<double>& sa_g, double max_factor, double target_g) {
-  double needed = target_g * static_cast<double>(factors.size());  // of the motions not yet held
+  double needed = target_g * static_cast<double>(factors.size());  // from motions below max_factor
   double slope = 0.0;
   for (const std::size_t j : order) slope += factors[j] * sa_g[j];
   for (const std::size_t j : order) {
@@ -38,7 +38,7 @@ double common_factor(const std::vector<double>& factors, const std::vector<std::
   return max_factor / factors[order.back()];
 }
 
-/// The motions' spectra at one period.
+/// The spectra of the motions at one period.
 void set_column(const Spectra& spectra, std::size_t period, std::vector<double>& sa_g) {
   for (std::size_t j = 0; j < spectra.size(); ++j) sa_g[j] = spectra[j][period];
 }

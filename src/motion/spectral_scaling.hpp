@@ -10,7 +10,7 @@
 
 namespace glissade {
 
-/// The spectra of a suite's motions in g, all at the same periods.
+/// The spectra of the motions of a suite in g, all at the same periods.
 using Spectra = std::vector<std::span<const double>>;
 
 /// 5 % SRSS spectrum of the unscaled horizontals, in g.
@@ -20,7 +20,7 @@ std::vector<double> srss_spectrum_g(const Motion& motion, std::span<const double
 std::vector<double> target_at(const std::function<double(double)>& target_sa_g,
                               const std::vector<double>& periods_s);
 
-/// The factor that brings a spectrum closest to the target in least squares of ln Sa: the mean log
+/// The factor for which a spectrum is closest to the target in least squares of ln Sa: the mean log
 /// ratio.
 double closest_factor(std::span<const double> spectrum_g, std::span<const double> target_g);
 
@@ -43,7 +43,7 @@ struct LiftedFactors {
 };
 
 /// min(c x closest, max_factor) of each motion, c the least for which the average is nowhere below
-/// the target. All at max_factor where that does not reach it.
+/// the target. All at max_factor if the target is not reached.
 LiftedFactors lift_to_target(const std::vector<double>& closest_factors, const Spectra& spectra,
                              std::span<const double> target_g, double max_factor);
 

@@ -11,7 +11,7 @@
 
 namespace glissade {
 
-/// The group: MPI_COMM_NULL where the program runs alone and MPI was never started.
+/// The group: MPI_COMM_NULL if the program runs alone and MPI was not started.
 struct Communicator::State {
   MPI_Comm group = MPI_COMM_NULL;
   int rank = 0, size = 1;
@@ -25,7 +25,7 @@ int Communicator::size() const { return state_->size; }
 
 namespace {
 
-// MPI counts are ints: messages go in pieces well below 2^31.
+// MPI counts are ints: messages are sent in pieces well below 2^31 bytes.
 constexpr std::size_t piece_bytes = std::size_t{1} << 30;
 
 template <class Transfer>
@@ -72,8 +72,7 @@ void Communicator::abort(int exit_status) const {
   std::exit(exit_status);
 }
 
-/// A counter that lives on root and is fetched and incremented by everybody (MPI-3 one-sided), or a
-/// plain number.
+/// A counter on rank 0 that all ranks fetch and increment (MPI-3 one-sided), or a plain number.
 struct Communicator::Ticket::State {
   MPI_Comm group = MPI_COMM_NULL;
   MPI_Win window = MPI_WIN_NULL;
@@ -121,7 +120,7 @@ void self_schedule(const Communicator& world, std::uint64_t count,
     try {
       work(item);
     } catch (const std::exception& error) {
-      // Unwinding would wait for the other ranks to finish all their work first.
+      // Stack unwinding would wait until the other ranks have finished all their work.
       if (world.size() > 1) {
         std::fprintf(stderr, "glissade: rank %d: %s\n", world.rank(), error.what());
         world.abort(1);

@@ -17,7 +17,7 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 const boost::math::normal standard_normal;
 
-/// Phi^-1 of a share of which the share above is known too: the smaller of the two is exact.
+/// Phi^-1 of a probability below; the probability above is given too: the smaller is exact.
 struct Share {
   double below, above;
 };
@@ -34,7 +34,7 @@ std::vector<double> sorted(std::vector<double> values) {
   return values;
 }
 
-/// Values in increasing order, each with the share of it.
+/// Values in increasing order, each with its probability.
 struct Atom {
   double value, share;
 };
@@ -53,8 +53,8 @@ struct Quantile {
   double operator()(const Fixed& d) const { return d.value; }
   double operator()(const Normal& d) const { return d.mean + d.std * normal_quantile({u, 1 - u}); }
   double operator()(const TruncatedNormal& d) const {
-    // Shares of the parent below and above the value: sums of positive terms, so exact in either
-    // tail.
+    // Probabilities of the parent below and above the value: sums of positive terms, so exact in
+    // both tails.
     const double a = (d.min - d.mean) / d.std, b = (d.max - d.mean) / d.std;
     const double below_min = cdf(standard_normal, a),
                  above_max = cdf(complement(standard_normal, b));
@@ -86,13 +86,13 @@ struct Quantile {
   }
 };
 
-struct Moments {
+struct MeanAndVariance {
   double mean, variance;
 };
 
-/// By quadrature of the density relative to its peak: no difference of near-equal terms, however
-/// far out or narrow the range. Cut where the density is exp(-40) of its peak.
-Moments truncated_moments(double a, double b) {
+/// By quadrature of the density relative to its peak: no difference of nearly equal terms for any
+/// range. Truncated where the density is exp(-40) of its peak.
+MeanAndVariance truncated_moments(double a, double b) {
   const double peak = std::clamp(0.0, a, b);
   const double reach = std::sqrt(peak * peak + 80);
   const double low = std::max(a, -reach), high = std::min(b, reach);
@@ -108,37 +108,37 @@ Moments truncated_moments(double a, double b) {
 }
 
 struct MomentsOf {
-  Moments operator()(const Fixed& d) const { return {d.value, 0}; }
-  Moments operator()(const Normal& d) const { return {d.mean, d.std * d.std}; }
-  Moments operator()(const TruncatedNormal& d) const {
-    const Moments z = truncated_moments((d.min - d.mean) / d.std, (d.max - d.mean) / d.std);
+  MeanAndVariance operator()(const Fixed& d) const { return {d.value, 0}; }
+  MeanAndVariance operator()(const Normal& d) const { return {d.mean, d.std * d.std}; }
+  MeanAndVariance operator()(const TruncatedNormal& d) const {
+    const MeanAndVariance z = truncated_moments((d.min - d.mean) / d.std, (d.max - d.mean) / d.std);
     return {d.mean + d.std * z.mean, d.std * d.std * z.variance};
   }
-  Moments operator()(const LogNormal& d) const {
+  MeanAndVariance operator()(const LogNormal& d) const {
     const double mean = d.median * std::exp(0.5 * d.log_std * d.log_std);
     return {mean, mean * mean * std::expm1(d.log_std * d.log_std)};
   }
-  Moments operator()(const Uniform& d) const {
+  MeanAndVariance operator()(const Uniform& d) const {
     return {std::midpoint(d.min, d.max), (d.max - d.min) * (d.max - d.min) / 12};
   }
-  Moments operator()(const Triangular& d) const {
+  MeanAndVariance operator()(const Triangular& d) const {
     return {boost::math::mean(boost_triangular(d)), boost::math::variance(boost_triangular(d))};
   }
-  Moments operator()(const Discrete& d) const {
-    Moments m{0, 0};
+  MeanAndVariance operator()(const Discrete& d) const {
+    MeanAndVariance m{0, 0};
     for (const Atom& atom : atoms(d)) m.mean += atom.share * atom.value;
     for (const Atom& atom : atoms(d))
       m.variance += atom.share * (atom.value - m.mean) * (atom.value - m.mean);
     return m;
   }
-  /// Uniform pieces of equal share between neighbouring order statistics.
-  Moments operator()(const Empirical& d) const {
+  /// Uniform pieces of equal probability between neighbouring order statistics.
+  MeanAndVariance operator()(const Empirical& d) const {
     const std::vector<double> x = sorted(d.values);
     const double share = 1.0 / static_cast<double>(x.size() - 1);
-    Moments m{0, 0};
+    MeanAndVariance m{0, 0};
     for (std::size_t i = 1; i < x.size(); ++i) m.mean += share * std::midpoint(x[i - 1], x[i]);
     for (std::size_t i = 1; i < x.size(); ++i) {
-      const Moments piece = (*this)(Uniform{x[i - 1], x[i]});
+      const MeanAndVariance piece = (*this)(Uniform{x[i - 1], x[i]});
       m.variance += share * (piece.variance + (piece.mean - m.mean) * (piece.mean - m.mean));
     }
     return m;

@@ -10,7 +10,7 @@
 namespace glissade {
 namespace {
 
-/// The rules of each distribution; what they break is collected.
+/// The rules of each distribution; violations are collected.
 class Rules {
  public:
   void operator()(const Fixed& d) { finite("value", d.value); }

@@ -19,7 +19,7 @@ constexpr double confidence = 0.95;
 /// The share above mean - 2 std of a normal population, Phi(2).
 const double coverage = 0.5 * std::erfc(-std::numbers::sqrt2);
 constexpr double refused_at = 0.05;    // level of the normality test
-constexpr std::size_t few_tests = 10;  // fewer hardly tell a normal from another distribution
+constexpr std::size_t few_tests = 10;  // fewer hardly identify a distribution
 constexpr double uneven_pull = 0.05;   // of sliding mu
 
 std::vector<std::string> directions_in(const std::vector<TraceFriction>& tests) {

@@ -32,7 +32,7 @@ std::vector<double> normal_scores(std::size_t n) {
   return scores;
 }
 
-/// The weights a, which rise, sum to 0 and have unit length: scores scaled to it, but for the
+/// The weights a, which increase, sum to 0 and have unit length: scaled scores, except the
 /// outermost one (n > 5: two) on either side, which are polynomials in 1/sqrt(n).
 std::vector<double> weights(std::size_t n) {
   if (n == 3) return {-std::numbers::sqrt2 / 2, 0.0, std::numbers::sqrt2 / 2};
@@ -58,10 +58,10 @@ std::vector<double> weights(std::size_t n) {
   return a;
 }
 
-/// 1 - W: the part of the ordered values' variance that does not lie along the weights.
+/// 1 - W: the part of the variance of the ordered values that is orthogonal to the weights.
 double variance_off_the_line(const std::vector<double>& sorted) {
   const std::vector<double> a = weights(sorted.size());
-  // On the range, so that neither origin nor scale costs digits.
+  // Scaled to the range, so that neither origin nor scale loses digits.
   const double origin = sorted.front(), range = sorted.back() - sorted.front();
   double mean = 0.0;
   for (const double x : sorted) mean += (x - origin) / range / static_cast<double>(sorted.size());

@@ -15,8 +15,8 @@ constexpr std::uint32_t bits = 32;
 using DirectionNumbers = std::array<std::array<std::uint32_t, bits>, dimensions>;
 
 /// Point n is the exclusive or of the direction numbers at the bits of its Gray code n ^ n/2, so
-/// that point 2^(k+1) - 1, whose Gray code is 2^k, is direction number k itself. Boost's engine
-/// skips point 0: seeded with n it goes on with point n + 1.
+/// that point 2^(k+1) - 1, whose Gray code is 2^k, is direction number k itself. The engine of
+/// Boost skips point 0: seeded with n it continues with point n + 1.
 DirectionNumbers direction_numbers_from_boost() {
   DirectionNumbers numbers{};
   boost::random::sobol_engine<std::uint32_t, bits> engine(dimensions);
@@ -37,17 +37,17 @@ std::uint32_t sobol_bits(std::uint32_t sample, std::uint32_t dimension) {
   return point;
 }
 
-/// The finalizer of SplitMix64 (Steele, Lea & Flood 2014): every bit in flips every bit out with
-/// odds near one half.
+/// The finalizer of SplitMix64 (Steele, Lea & Flood 2014): every input bit flips every output bit
+/// with a probability near one half.
 constexpr std::uint64_t mix(std::uint64_t x) {
   x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
   x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
   return x ^ (x >> 31);
 }
 
-/// Nested uniform scramble (Owen 1995): a bit is flipped or not by a coin that belongs to the bits
-/// above it. The cell of a bit is those bits behind a leading 1, which tells the cells of different
-/// depths apart.
+/// Nested uniform scramble (Owen 1995): a bit is flipped or not by a random bit that depends on the
+/// bits above it. The cell of a bit is those bits behind a leading 1, which distinguishes the cells
+/// of different depths.
 std::uint32_t owen_scramble(std::uint32_t point, std::uint64_t key) {
   std::uint32_t scrambled = point;
   for (std::uint32_t bit = 0; bit < bits; ++bit) {

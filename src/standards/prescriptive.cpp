@@ -29,7 +29,7 @@ double demand(double sds_g) {
   return over * over;
 }
 
-/// The formula where it governs, else the floor.
+/// The formula if it governs, else the lower bound.
 Prescription not_less_than(const Prescription& floor, const Prescription& formula) {
   return formula.value_m >= floor.value_m ? formula : floor;
 }

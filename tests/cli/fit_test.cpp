@@ -27,7 +27,7 @@ class Fit : public testing::Test {
 
 TEST_F(Fit, bakers_stripes_give_the_known_numbers) {
   // Input: Baker 2015, Earthquake Spectra 31(1):579-599. Results: recomputed with two independent
-  // programs (statistics.md, ex1).
+  // programs.
   const std::string counts = folder_.write(
       "counts.csv",
       "# Baker 2015\nim,num_gms,num_exceed\n0.2,40,0\n0.3,40,0\n0.4,40,0\n0.6,40,4\n0.7,40,6\n"
@@ -85,7 +85,7 @@ TEST_F(Fit, censored_capacities_maximise_the_censored_likelihood) {
 }
 
 TEST_F(Fit, separated_counts_are_fitted_by_the_labelled_penalty) {
-  // statistics.md: x 0.2 to 1.2, k 0 0 0 20 20 20: no finite maximum; Jeffreys.
+  // Separated (theory.md, 6.2): x 0.2 to 1.2, k 0 0 0 20 20 20: no finite maximum; Jeffreys.
   const Json fit =
       fit_json({"--counts", folder_.write("counts.csv",
                                           "im,num_gms,num_exceed\n0.2,20,0\n0.4,20,0\n0.6,20,0\n0."

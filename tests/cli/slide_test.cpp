@@ -105,7 +105,7 @@ TEST_F(Slide, a_mirrored_record_on_a_mirrored_roof_slides_downslope_alike) {
 }
 
 TEST_F(Slide, twice_the_motion_on_twice_the_friction_slides_twice_as_far) {
-  // theory.md, similitude; a factor of two is exact in binary.
+  // theory.md, 1.7; a factor of two is exact in binary.
   const double once =
       slide_json(record_, {"--mu", "0.2", "--slope-deg", "0"})["peak_displacement_m"];
   const Json twice = slide_json(record_, {"--mu", "0.4", "--slope-deg", "0", "--scale", "2"});

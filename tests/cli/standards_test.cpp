@@ -25,8 +25,8 @@ TEST(Standards, rodriguez_nikls_example_is_2_07_m) {
 }
 
 TEST(Standards, a_stamped_calculation_and_its_separations_come_out) {
-  // S_DS 1.050, I_e 1: 5 (0.65)^2 ft = 25.35 in (standards.md); separations 0.5, 1, 1 and 2 times
-  // that.
+  // S_DS 1.050, I_e 1: 5 (0.65)^2 ft = 25.35 in (a permit calculation); separations 0.5, 1, 1 and 2
+  // times that.
   const Json json = standards_json({"--sds-g", "1.05"});
   const double prescribed = json["asce7_16_m"];
   EXPECT_NEAR(prescribed, 5 * 0.65 * 0.65 * 0.3048, 1e-9);

@@ -21,7 +21,7 @@ struct Slider {
   double plan;  ///< cos(slope)
 };
 
-/// With the vertical in proportion to the horizontal, w = ratio a, theory.md section 1 reads
+/// With the vertical in proportion to the horizontal, w = ratio a, the drives (theory.md, 1.2) are
 ///   down, a = -alpha:  v' = alpha [c + mu s + ratio (mu c - s)] - g (mu c - s)
 ///   up,   a = +alpha:  v' = alpha [c - mu s - ratio (mu c + s)] - g (mu c + s)
 /// with c, s = cos, sin(slope): two ways again, with other gains and yields.

@@ -111,7 +111,7 @@ void check_result(const Scene& scene, const SlipResult& r) {
     check(r.slip_phases == 0, "what cannot slip does not");
 }
 
-/// theory.md, "Similitude". Exact, but for the mirror of a flat roof, which knows no direction to
+/// theory.md, 1.7. Exact, but for the mirror of a flat roof, which knows no direction to
 /// begin with and is left out.
 void check_mirror(Scene scene, const SlipResult& r) {
   if (scene.block.slope_rad == 0.0) return;

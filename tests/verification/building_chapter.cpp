@@ -137,8 +137,8 @@ Chapter buildings(const Folders& folders) {
       "2. Buildings and response spectra",
       R"(A linear oscillator under piecewise-linear ground acceleration, exact at its samples. Its
 coefficients are compared with the printed ones evaluated in 50 digits, its steady state with
-the closed form, and response spectra, which come from code of their own, with closed forms and
-with the textbook's recurrence on a fine grid.)",
+the closed form, and response spectra, which have separate code, with closed forms and
+with the recurrence of the textbook on a fine grid.)",
       {}};
   for (const double phase : {1e-6, 1e-3, 0.0157, 0.3, 0.999, 1.001, 3.0, 40.0})
     chapter.cases.push_back(coefficients(phase));

@@ -227,12 +227,12 @@ Chapter closed_form_solutions() {
       "1.3 Closed forms",
       R"(Pulses, half sines and harmonics, on a block and on the building below it, against solutions
 derived from the equations piece by piece in tests/closed_forms (the derivation is beside each
-formula; tests/unit/block runs more of them). k and y are gain and yield of the way the block
-slides, v' = k (alpha - y), with alpha the roof's acceleration against it; A is an amplitude, D a
-duration, r = T / T_ground. Pulses that are linear between samples agree to rounding. A sine is not
+formula; tests/unit/block runs more of them). k and y are gain and yield acceleration in the
+direction of sliding, v' = k (alpha - y), with alpha the roof acceleration against it; A is an
+amplitude, D a duration, r = T / T_ground. Pulses that are linear between samples agree to rounding. A sine is not
 linear between samples, so results are of second order in the step; the value extrapolated from two
 steps (Richardson) is compared. Stops under a sine are roots of one transcendental equation. Of
-several solvers, the one that is farthest off is shown.)",
+several solvers, the one with the largest error is shown.)",
       {}};
   const auto add = [&](const std::vector<Case>& cases) {
     chapter.cases.insert(chapter.cases.end(), cases.begin(), cases.end());

@@ -144,11 +144,11 @@ void add_coverage(std::vector<Case>& cases) {
 Chapter fragility() {
   Chapter chapter{
       "3. Fragility",
-      R"(Fits of published data, each with the result of two independent programs, to the digits those
-are given in. Then the intervals: samples of one record are no independent trials, so studies
-take them from resampled records. 1,000 studies are simulated with known truth (dispersion 0.35
-between and 0.20 within records; 400 resamples each). Were the coverage exactly 95 %, 1,000
-studies would leave 93 to 97 % with probability 0.4 %.)",
+      R"(Fits of published data, each compared with the result of two independent programs, to the given
+digits. Then the intervals: samples of one record are no independent trials, so studies
+obtain them from resampled records. 1,000 studies are simulated with known parameters (dispersion 0.35
+between and 0.20 within records; 400 resamples each). If the coverage is exactly 95 %, 1,000
+studies give less than 93 or more than 97 % with probability 0.4 %.)",
       {}};
   add_baker(chapter.cases);
   add_others(chapter.cases);

@@ -104,9 +104,9 @@ Chapter event_kernel(const Folders& folders) {
   const Suite suite = load_suite(folders.suites / "synthetic_level2.toml");
   Chapter chapter{
       "1.4 Kernel",
-      R"(`peak_slip()` finds the same events over tables of V and U and passes over what cannot
-matter. On a rigid roof it is exact; on a building V is a quintic between nodes, exact at them,
-and the step is cut only where the period asks for it. `glissade run` uses it throughout.)",
+      R"(`peak_slip()` finds the same events over tables of V and U and skips intervals without events.
+On a rigid roof it is exact; on a building V is a quintic between nodes, exact at them,
+and the step is divided only for short periods. `glissade run` uses it on one axis.)",
       {rigid(suite, false), rigid(suite, true)}};
   for (const double period_s : {0.05, 0.2, 0.5, 1.0})
     chapter.cases.push_back(building(suite.motions.front(), 0.01, period_s));

@@ -41,23 +41,23 @@ std::string page(const std::vector<Chapter>& chapters) {
 
 Does glissade solve its equations right? Each row compares a result with a reference that does not
 come from the code that is verified: a closed form, a published number, another method in many
-digits, or a law the physics obeys exactly. {} of {} cases pass.
+digits, or an exact law of the physics. {} of {} cases pass.
 
 This page is generated; do not edit it. From the top folder, after `cmake --preset dev`:
 
 ```
-# makes this page and its figures again (two minutes)
+# generates this page and its figures (two minutes)
 cmake --build --preset dev --target verification_manual
-# makes it elsewhere; fails where a case does, or where the page that is committed lists other
+# generates it elsewhere; fails if a case fails, or if the committed page lists other
 # cases, references, tolerances or verdicts
 ctest --preset dev -R '^verification'
 ```
 
 The target runs `verify_simulation` (the long simulations of chapter 6) and then
-`build/dev/tests/verification/verify tests/verification`. Here is one file for each chapter;
-`case.hpp` tells what a case is. *Result* is what the machine that made the page found: others may
-differ in the last digits, and only there. Monte Carlo cases have fixed seeds, and their chapter
-says with which confidence the tolerance was chosen. How fast things are is told in tests/bench.
+`build/dev/tests/verification/verify tests/verification`. This folder has one file for each chapter;
+`case.hpp` defines a case. *Result* is that of the machine that generated the page: others may
+differ in the last digits only. Monte Carlo cases have fixed seeds, and their chapter
+states the confidence with which the tolerance was chosen. Run times are in tests/bench.
 )",
                                  passed, cases);
   for (const Chapter& chapter : chapters) text += section(chapter);

@@ -83,8 +83,8 @@ Chapter published_scheme(const Folders& folders) {
   return {
       "1.2 Sliding block: the published scheme",
       R"(The time-stepping scheme of Rodriguez-Nikl et al. (2019), implemented as published, must
-converge to the exact solution as its substep shrinks, at first order: acceleration is held
-constant over a substep. 63 scenes: the seven motions of suite level 2 with their verticals,
+converge to the exact solution at first order in its substep: acceleration is constant over a
+substep. 63 scenes: the seven motions of suite level 2 with their verticals,
 slopes -4, 0 and 4 degrees, friction 0.1, 0.3 and 0.5. The paper chose P = 64 and reports a
 largest error of 0.48 % there for its own motion, relative to P = 256.)",
       {within({"63 scenes, P from 4 to 512", "median error of residual slip", source},

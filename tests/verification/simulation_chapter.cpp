@@ -187,12 +187,12 @@ Chapter simulated_motions(const Folders& folders) {
   Chapter chapter{
       "6. Simulated motions",
       R"(The stochastic model of Rezaeian & Der Kiureghian (2010, RDK10) and the ground-motion models it
-is held against, with the digits their references are given in. Then the outcome: four
-scenarios of 200 simulations each, whose median spectra a zero-phase gain (ours) brings to
-BSSA14's. The gain is found with the same 200, so the table below also has 200 fresh ones,
-whose medians have a standard error of 5 %. BSSA14's sigma judges the horizontals alone, being
-a model of them; the table shows the verticals beside it. Last, the built-in suites against
-what Walters et al. (2012) ask of a suite.)",
+is compared with, to the digits of their references. Then the results: four
+scenarios of 200 simulations each, whose median spectra are scaled to BSSA14 by a zero-phase gain
+(not published). The gain is calibrated with the same 200, so the table below also has 200 new ones,
+whose medians have a standard error of 5 %. The sigma of BSSA14 is a model of the horizontals and is
+compared with them only; the table also gives the verticals. Last, the built-in suites and the
+requirements of Walters et al. (2012).)",
       {},
       "![Simulated horizontal spectra and BSSA14](figures/simulated_spectra_horizontal.svg)\n\n"
       "![Simulated vertical spectra and BSSA14 times "

@@ -158,7 +158,7 @@ Chapter standards() {
       "5. Standards",
       R"(Prescriptive displacements, separations, design spectra and site coefficients against published
 calculations. Values marked *recalled* are from memory of the standard: the row shows that they
-are applied, not that they are right.)",
+are applied, not that they are correct.)",
       {}};
   add_displacements(chapter.cases);
   add_spectrum(chapter.cases);

@@ -149,7 +149,7 @@ std::vector<Case> friction_comes_back(const Suite& suite) {
 Chapter end_to_end(const Folders& folders) {
   const Suite suite = load_suite(folders.suites / "synthetic_level2.toml");
   Chapter chapter{"7. End to end",
-                  "Whole studies (plan, execute, reduce) whose results are known without them.",
+                  "Whole studies (plan, execute, reduce) with known results.",
                   {fixed_everything(suite), capacity_gives_clearance(suite)}};
   for (const Case& c : similitude(suite)) chapter.cases.push_back(c);
   chapter.cases.push_back(suite_meets_design_spectrum(suite));

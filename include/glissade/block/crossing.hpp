@@ -6,10 +6,10 @@
 
 namespace glissade {
 
-/// When and how fast a block first gets a given distance, in plan, from where it lay: what a
-/// parapet there would be hit by. NaN: it does not get there.
+/// Time and speed at which a block first reaches a given distance, in plan, from its initial
+/// position (theory.md, 4.2). NaN: it does not reach it.
 struct Crossing {
-  double time_s = std::numeric_limits<double>::quiet_NaN();     ///< from the record's begin
+  double time_s = std::numeric_limits<double>::quiet_NaN();     ///< from the start of the record
   double speed_mps = std::numeric_limits<double>::quiet_NaN();  ///< in plan, relative to the roof
   bool happens() const { return !std::isnan(time_s); }
 };

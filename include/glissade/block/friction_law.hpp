@@ -3,10 +3,10 @@
 
 namespace glissade {
 
-/// How the coefficient of friction depends on what the block does: factors on every coefficient of
-/// the block, which are those of slow sliding (what a pull test measures).
-///   at rest    mu_static = static_ratio mu: the block stays where |tangential force| <= mu_static
-///   N sliding    mu(|v|) = mu (fast_ratio - (fast_ratio - 1) exp(-rate_spm |v|))
+/// Dependence of friction on the state of the block (theory.md, 3.5): factors on every coefficient
+/// of the block, which are those of slow sliding, as measured by a pull test.
+///   at rest    mu_static = static_ratio mu: it sticks while |tangential force| <= mu_static N
+///   sliding    mu(|v|) = mu (fast_ratio - (fast_ratio - 1) exp(-rate_spm |v|))
 /// The latter is mu_fast - (mu_fast - mu_slow) exp(-a |v|) (Constantinou, Mokha & Reinhorn 1990,
 /// J. Struct. Eng. 116(2):455-474) with mu_fast = fast_ratio mu_slow. By default Coulomb's law.
 struct FrictionLaw {

@@ -10,12 +10,12 @@
 
 namespace glissade {
 
-/// Factors on the roof's components.
+/// Factors on the components of the roof motion.
 struct MotionFactors {
   double horizontal = 1.0, vertical = 1.0;
 };
 
-/// How far a block slipped: SlipResult without what only a walk through every sample can tell.
+/// SlipResult without the quantities that require a step through every sample.
 struct PeakSlip {
   double peak_displacement_m = 0.0;      ///< max |displacement|, in plan as all of these
   double residual_displacement_m = 0.0;  ///< signed, when the block has come to rest
@@ -27,33 +27,32 @@ struct PeakSlip {
   bool free_sliding = false;  ///< see SlipResult
 };
 
-/// How the kernel finds its events; both give the same bits.
+/// Search for events in the kernel; both give the same bits.
 enum class EventSearch {
-  bounds,         ///< through the table's bounds: only where something can happen
-  every_interval  ///< looking into each interval, to prove the former
+  bounds,         ///< by the bounds of the table: only intervals where an event is possible
+  every_interval  ///< in each interval, to verify the former
 };
 
-/// slide() over tables: a phase begins and ends where V crosses a straight line, so a history costs
-/// its events and a search, not its samples. Exact on a rigid roof, to 1e-10 relative to the peak
-/// against 50 digits (tests/unit/block); on an oscillator to 1e-6 (the quintic V between nodes).
-/// Where the block could lift off (outside the model), an oscillator's roof motion is taken linear
-/// over 64ths of an interval.
+/// slide() over tables: a phase begins and ends where V crosses a straight line, so the run time of
+/// a history depends on its events, not on its samples. Exact on a rigid roof, to 1e-10 relative to
+/// the peak against 50 digits (tests/unit/block); on an oscillator to 1e-6 (the quintic V between
+/// nodes). Where uplift is possible (outside the model), the roof motion of an oscillator is taken
+/// linear over 64ths of an interval.
 ///
-/// theory.md section 1: with speed v in the direction of sliding, drives linear in (a, w), and the
+/// theory.md, 1.3: with speed v in the direction of sliding, drives linear in (a, w), and the
 /// phase at node r with speed v_r,
 ///   v(t) = v_r + c_a (V(t) - V_r) + c_w (V_w(t) - V_w,r) + c_0 (t - t_r)
 ///   s(t) = s_r + v_r (t - t_r) + c_a (U(t) - U_r - V_r (t - t_r)) + ... + c_0 (t - t_r)^2 / 2
 ///
-/// The same bits on every SIMD target. Scaling factors and gravity together by any number scales
-/// the slip by it, exactly.
+/// The same bits on every SIMD target. If factors and gravity are multiplied by a number, so is the
+/// slip, exactly.
 PeakSlip peak_slip(const RoofTable& roof, const Block& block, const MotionFactors& factors = {},
                    EventSearch search = EventSearch::bounds);
 
-/// The same, to the last bit, and when and how fast the block first gets each distance from where
-/// it lay: of a phase that passes a threshold, the interval between nodes in which it does is
-/// searched for by bisection, and the root in it found to rounding. As exact as slide() on a rigid
-/// roof; on an oscillator the way is 1e-6 of the peak off, as the peak is. See slide() for the
-/// parameters and what a crossing is.
+/// The same, to the last bit, with the first crossing of each threshold: in a phase that passes a
+/// threshold, the interval between nodes is found by bisection, and the root in it to rounding. As
+/// exact as slide() on a rigid roof; on an oscillator the slip has an error of 1e-6 of the peak, as
+/// the peak has. See slide() for the parameters and the definition of a crossing.
 PeakSlip peak_slip(const RoofTable& roof, const Block& block, const MotionFactors& factors,
                    std::span<const double> thresholds_m, std::span<Crossing> crossings,
                    EventSearch search = EventSearch::bounds);

@@ -14,14 +14,14 @@ namespace glissade {
 /// Whether the block may slip upslope. `downslope_only` is the classical Newmark convention.
 enum class SlipDirections { both, downslope_only };
 
-/// A rigid block held on a sloping roof by Coulomb friction alone.
+/// A rigid block on a sloping roof with Coulomb friction.
 struct Block {
   double friction = 0.0;   ///< mu, >= 0
   double slope_rad = 0.0;  ///< in (-pi/2, pi/2); positive: the surface falls toward +x
   SlipDirections directions = SlipDirections::both;
   double gravity_mps2 = standard_gravity_mps2;  ///< > 0
-  FrictionLaw law;  ///< Coulomb's but in slide_coupled() and coupled_slip(), which take a
-                    ///< static_ratio too
+  FrictionLaw law;  ///< Coulomb's law, except in slide_coupled() and coupled_slip(), which accept a
+                    ///< static_ratio
 };
 
 /// Absolute acceleration of the roof, piecewise linear between equally spaced samples. One table of
@@ -34,8 +34,8 @@ struct RoofAcceleration {
   double vertical_factor = 1.0;
 };
 
-/// What a history did. Displacement and velocity of the block relative to the roof, in plan (slip
-/// along the slope times cos(slope)); downslope is positive, on a flat roof +x is.
+/// Result of a history. Displacement and velocity of the block relative to the roof, in plan (slip
+/// along the slope times cos(slope)); positive downslope, on a flat roof toward +x.
 struct SlipResult {
   double peak_displacement_m = 0.0;      ///< max |displacement|
   double residual_displacement_m = 0.0;  ///< signed, when the block has come to rest
@@ -43,26 +43,26 @@ struct SlipResult {
   double peak_upslope_m = 0.0;           ///< >= 0
   double peak_velocity_mps = 0.0;        ///< max |velocity|
   double slip_duration_s = 0.0;          ///< time spent sliding
-  std::size_t slip_phases = 0;           ///< runs of sliding one way
-  bool uplift = false;  ///< the normal force fell below zero: outside the model; friction is then
+  std::size_t slip_phases = 0;           ///< intervals of sliding in one direction
+  bool uplift = false;  ///< the normal force was negative: outside the model; friction is then
                         ///< taken as zero
-  bool free_sliding = false;  ///< friction cannot stop it: tan(slope) > mu, or equal and on its
-                              ///< way; displacements are those at the last sample
+  bool free_sliding = false;  ///< friction cannot stop it: tan(slope) > mu, or equal and moving;
+                              ///< displacements are those at the last sample
 };
 
 /// The sliding block from rest, event by event. Within a sample interval the acceleration is
-/// linear, so slip starts at the root of a line and stops at the root of a quadratic; both are
-/// taken in closed form. Exact for the piecewise-linear input up to rounding: 1e-12 relative
-/// against long double (tests/unit/block). After the last sample the roof's acceleration goes
-/// linearly to zero over one more interval, and the block coasts until it stops.
+/// linear, so slip starts at the root of a line and stops at the root of a quadratic; both have a
+/// closed form. Exact for the piecewise-linear input up to rounding: 1e-12 relative against long
+/// double (tests/unit/block). After the last sample the roof acceleration goes linearly to zero
+/// over one more interval, and the block coasts until it stops.
 ///
-/// Equations (theory.md section 1; Rodriguez-Nikl et al. 2019, eqs 6-18, extended by the vertical
+/// Equations (theory.md, 1.1; Rodriguez-Nikl et al. 2019, eqs 6-18, extended by the vertical
 /// w):
 ///   N/m = (g + w) cos(slope) + a sin(slope)
 ///   v'  = (g + w) sin(slope) - a cos(slope) - mu sgn(v) N/m         while sliding
 ///   stick while v = 0 and |(g + w) sin(slope) - a cos(slope)| <= mu N/m
 ///
-/// This is the readable reference: one short step per sample.
+/// This is the scalar reference: one short step per sample.
 SlipResult slide(const RoofAcceleration& roof, const Block& block);
 
 /// A point of a slip history: at each sample and at each start and stop between samples.
@@ -72,32 +72,32 @@ struct SlipPoint {
   double velocity_mps = 0.0;    ///< in plan, downslope positive
 };
 
-/// The same, and what happened on the way.
+/// The same, with the history.
 SlipResult slide(const RoofAcceleration& roof, const Block& block, std::vector<SlipPoint>& history);
 
-/// The same, and when and how fast the block first gets each distance from where it lay. Slip is a
-/// cubic of time between events; its root is found to rounding: times to 1e-13 s and speeds to
-/// 1e-11 relative against 50 digits, up to 0.9 of the peak (tests/unit/block). Just short of a stop
-/// speed goes as the root of the way that is left, and so does its rounding. A threshold is crossed
-/// exactly where peak_displacement_m is at least as large; met only as the block stops, its speed
-/// is zero.
+/// The same, with the first crossing of each distance from the initial position. Slip is a cubic of
+/// time between events; its root is found to rounding: times to 1e-13 s and speeds to 1e-11
+/// relative against 50 digits, up to 0.9 of the peak (tests/unit/block). Close to a stop the speed,
+/// and its rounding error, is proportional to the square root of the remaining distance. A
+/// threshold is crossed exactly if peak_displacement_m is at least as large; if it is reached only
+/// at a stop, the speed is zero.
 /// @param thresholds_m > 0, ascending; in plan
 /// @param crossings one for each
 SlipResult slide(const RoofAcceleration& roof, const Block& block,
                  std::span<const double> thresholds_m, std::span<Crossing> crossings);
 
-/// True when the block cannot move whatever the phase between horizontal and vertical: the largest
-/// |a| and |w| together stay in the stick range. Then slide() gives exactly zero, and need not be
-/// called.
+/// True if the block cannot slide for any phase between horizontal and vertical: the largest |a|
+/// and |w| together are within the stick range. Then slide() gives exactly zero and is not
+/// necessary.
 bool cannot_slip(const Block& block, double peak_horizontal_mps2, double peak_vertical_mps2);
 
-/// The horizontal acceleration, m/s2, below which nothing moves when the roof moves horizontally
-/// only: min(|a_d|, a_u) with a_d = g tan(slope - phi), a_u = g tan(slope + phi). Zero for a free
-/// slider.
+/// Yield acceleration: horizontal acceleration, m/s2, below which the block does not slide without
+/// vertical: min(|a_d|, a_u) with a_d = g tan(slope - phi), a_u = g tan(slope + phi) (theory.md,
+/// 1.2). Zero in free sliding.
 double yield_acceleration_mps2(const Block& block);
 
-/// How fast a block sliding down a roof at rest loses speed along the slope, m/s2:
-/// g (mu cos(slope) - sin(slope)), zero where it does not.
+/// Deceleration along the slope of a block that slides down a roof at rest, m/s2:
+/// g (mu cos(slope) - sin(slope)), zero if that is negative.
 double resting_deceleration_mps2(const Block& block);
 
 }  // namespace glissade

@@ -7,9 +7,9 @@
 
 namespace glissade {
 
-/// The ground at an instant: its acceleration and what that integrates to from rest. The
-/// displacement is a sum of two doubles, so that differences of neighbouring ones keep their digits
-/// however far the integral has drifted.
+/// Ground motion at an instant: acceleration, and velocity and displacement integrated from rest.
+/// The displacement is a sum of two doubles, so that differences of neighbouring values keep their
+/// digits at any drift.
 struct GroundNode {
   double acceleration_mps2 = 0.0;
   double velocity_mps = 0.0;
@@ -23,22 +23,22 @@ struct GroundNode {
 class GroundTable {
  public:
   /// @param dt_s > 0, the record's step
-  /// @param acceleration_mps2 at least one sample; zeros at its end are as good as none
+  /// @param acceleration_mps2 at least one sample; zeros at its end have no effect
   /// @param parts >= 1
   GroundTable(double dt_s, std::span<const double> acceleration_mps2, int parts = 1);
 
   double step_s() const { return step_s_; }
-  /// The node of the last sample given, zeros included: where a free slider is read off.
+  /// The node of the last given sample, zeros included: the end of free sliding.
   std::size_t last_sample() const { return last_sample_; }
   /// The first node from which on the ground stays at zero acceleration.
   std::size_t quiet_from() const { return quiet_from_; }
 
   double peak_acceleration_mps2() const { return peak_acceleration_mps2_; }
 
-  /// Nodes 0 .. count - 1. More than quiet_from() + 1 of them are made when asked for.
+  /// Nodes 0 .. count - 1. Those after quiet_from() are made on demand.
   void extend(std::size_t count);
   std::span<const GroundNode> nodes() const { return nodes_; }
-  /// The nodes' accelerations and velocities by themselves, for code that runs over all of them.
+  /// Accelerations and velocities of the nodes as arrays, for loops over all of them.
   std::span<const double> acceleration_mps2() const { return acceleration_mps2_; }
   std::span<const double> velocity_mps() const { return velocity_mps_; }
 
@@ -46,7 +46,7 @@ class GroundTable {
   double step_s_;
   std::size_t last_sample_ = 0, quiet_from_ = 0;
   double peak_acceleration_mps2_ = 0.0;
-  double velocity_low_mps_ = 0.0;  ///< what velocity_mps of the last node leaves out
+  double velocity_low_mps_ = 0.0;  ///< rounding remainder of velocity_mps of the last node
   std::vector<GroundNode> nodes_;
   std::vector<double> acceleration_mps2_, velocity_mps_;
 

@@ -11,18 +11,18 @@
 
 namespace glissade {
 
-/// Bounds on a motion, on the safe side and in single precision: they only tell where to look,
-/// never what is found there. Accelerations are times acceleration_scale, velocities times
+/// Bounds on a motion, on the safe side and in single precision: they limit the search for events
+/// and never affect results. Accelerations are multiplied by acceleration_scale, velocities by
 /// velocity_scale, which are powers of two, so that motions of any size fit.
 struct MotionBounds {
-  static constexpr std::size_t block = 64;  ///< intervals a coarse bound covers
+  static constexpr std::size_t block = 64;  ///< intervals covered by a coarse bound
 
   double acceleration_scale = 1.0, velocity_scale = 1.0;
   // Of the acceleration in the interval after each node.
   std::vector<float> lowest, highest;
   std::vector<float> block_lowest, block_highest;
-  // V, lowered and raised by as much as V in the intervals on either side of the node can leave the
-  // chord between its values at the nodes.
+  // V, lowered and raised by its largest departure from the chord between its values at the nodes,
+  // in the intervals on either side of the node.
   std::vector<float> velocity_below, velocity_above;
   double largest_velocity_mps = 0.0;  ///< |V|
 };
@@ -35,7 +35,8 @@ struct Quartic {
 /// Raises `largest` >= 0 to the largest value of a quartic on its interval, to 1e-12 of it.
 void raise_to_largest(const Quartic& quartic, double& largest);
 
-/// A table's exact values, to read. Holds pointers: valid until the table or its ground changes.
+/// Read access to the exact values of a table. Contains pointers: valid until the table or its
+/// ground changes.
 class MotionNodes {
  public:
   bool rigid() const { return x_ == nullptr; }
@@ -47,20 +48,20 @@ class MotionNodes {
     const double v = ground_[i].velocity_mps;
     return rigid() ? v : v + y_[i] * per_omega_s_;
   }
-  /// U(i) - U(from), without loss to what the ground has drifted before.
+  /// U(i) - U(from), without loss of digits by earlier drift of the ground.
   double displacement_from_m(std::size_t from, std::size_t i) const {
     const GroundNode &a = ground_[from], &b = ground_[i];
     const double moved =
         (b.displacement_m - a.displacement_m) + (b.displacement_low_m - a.displacement_low_m);
     return rigid() ? moved : moved + (x_[i] - x_[from]) * (per_omega_s_ * per_omega_s_);
   }
-  /// The acceleration in the interval after node i; a straight line where the roof is rigid.
+  /// The acceleration in the interval after node i; a straight line if the roof is rigid.
   Quartic acceleration_after(std::size_t i) const {
     const double a0 = acceleration_mps2(i), a1 = acceleration_mps2(i + 1);
     if (rigid()) return {{a0, a0 + 0.25 * (a1 - a0), 0.5 * (a0 + a1), a1 - 0.25 * (a1 - a0), a1}};
     const double b1 = a0 + quarter_step_s_ * jerk_mps3(i);
     const double b3 = a1 - quarter_step_s_ * jerk_mps3(i + 1);
-    // The mean of the coefficients is the mean of a, which V knows.
+    // The mean of the coefficients is the mean of a, which follows from V.
     const double sum = five_per_step_ * (velocity_mps(i + 1) - velocity_mps(i));
     return {{a0, b1, sum - ((a0 + a1) + (b1 + b3)), b3, a1}};
   }
@@ -78,9 +79,9 @@ class MotionNodes {
   double quarter_step_s_ = 0.0, five_per_step_ = 0.0;
 };
 
-/// One component of a roof's motion, tabulated for the kernel: V, U and a exact at equally spaced
-/// nodes, and bounds that let it skip what it does not need. It is linear in the ground motion, so
-/// one table serves every intensity, friction and slope.
+/// One component of a roof motion, tabulated for the kernel: V, U and a exact at equally spaced
+/// nodes, and bounds to skip intervals without events. It is linear in the ground motion, so one
+/// table serves every intensity, friction and slope (theory.md, 2.1).
 ///
 /// Rigid: the ground itself, linear between nodes. Oscillator: exact at the nodes (Nigam & Jennings
 /// 1969); between them V is the quintic with the exact V, a and da/dt at both ends, so a is a
@@ -91,7 +92,7 @@ struct MotionTable {
   double omega_radps = 0.0;
   std::vector<double> x, y;  ///< an oscillator's scaled state (core/oscillator.hpp) at the nodes
   std::size_t nodes = 0;
-  std::size_t end = 0;  ///< the last node the motion is followed to; the rest is for free sliders
+  std::size_t end = 0;  ///< the last node required by the ring-down; the rest is for free sliding
   double acceleration_bound_mps2 = 0.0;  ///< at least max |a|
   MotionBounds bounds;
 
@@ -103,23 +104,24 @@ struct MotionTable {
 /// The ground as the motion of a rigid roof.
 MotionTable tabulate_rigid(std::shared_ptr<GroundTable> ground);
 
-/// Into how many parts a sample interval must be cut for an oscillator of this period: a power of
-/// two up to 256, one for all but the shortest periods. 0: it is rigid, or so short a period that
-/// it passes the ground's motion on unchanged for all that the record can tell.
+/// Number of parts into which a sample interval is divided for an oscillator of this period: a
+/// power of two up to 256, one except for the shortest periods. 0: rigid, or a period so short
+/// compared with the time step of the record that the roof motion is the ground motion.
 int parts_needed(const Oscillator& oscillator, double dt_s);
 
-/// Responses of oscillators (period > 0) to one ground motion, followed as `follow` says, each into
-/// its own table, whose memory is used again. Sixteen at a time go side by side through the SIMD
-/// lanes; what it costs is in tests/bench (table `roofs`).
+/// Responses of oscillators (period > 0) to one ground motion, with the ring-down given by
+/// `follow`, each in its own table, whose memory is reused. Sixteen at a time are computed in SIMD
+/// lanes; run times are in tests/bench (table `roofs`).
 /// @param follow as many as oscillators
 void tabulate_responses(const std::shared_ptr<GroundTable>& ground,
                         std::span<const Oscillator> oscillators,
                         std::span<const RoofMotionOptions> follow, std::span<MotionTable> tables);
 
-/// max |a| up to where the motion is followed, between nodes too, to 1e-12 of it.
+/// max |a| up to `end`, between nodes too, with a relative error of 1e-12.
 double peak_acceleration_mps2(const MotionTable& table);
 
-/// The motion goes on to at least `nodes` nodes: the ground stays quiet, an oscillator rings on.
+/// Continues the motion to at least `nodes` nodes: the ground at rest, an oscillator in free
+/// vibration.
 void extend(MotionTable& table, std::size_t nodes);
 
 }  // namespace glissade

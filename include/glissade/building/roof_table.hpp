@@ -8,14 +8,14 @@
 
 namespace glissade {
 
-/// The tables of a roof's motion: along the slope's plan direction and, where there is one, up.
-/// Each goes at least as far as the longer of them is followed.
+/// The tables of a roof motion: in plan along the slope and, if given, vertical. Both extend at
+/// least to the end of the longer ring-down.
 struct RoofTable {
   std::shared_ptr<const MotionTable> horizontal;
   std::shared_ptr<const MotionTable> vertical;  ///< null: none
 
   RoofTable() = default;
-  /// Of one step; a shorter one is to be extended first.
+  /// Both of one time step; extend the shorter one first.
   RoofTable(std::shared_ptr<const MotionTable> horizontal,
             std::shared_ptr<const MotionTable> vertical);
   /// A rigid roof under a record (see GroundMotion).
@@ -25,8 +25,8 @@ struct RoofTable {
   double step_s() const { return horizontal->step_s(); }
 };
 
-/// The roof of one building under a record, by itself (a study tabulates many periods at once). The
-/// step is cut where the periods ask for it.
+/// The roof motion of one building under a record (a study tabulates many periods at once). The
+/// time step is divided for short periods.
 RoofTable tabulate_roof(const GroundMotion& ground, const Building& building,
                         const RoofMotionOptions& follow);
 

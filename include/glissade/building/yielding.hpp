@@ -7,9 +7,9 @@
 
 namespace glissade {
 
-/// A building's spring that yields: bilinear with kinematic hardening. Its force is elastic, k u,
-/// up to the yield force, and from there has the stiffness hardening_ratio k; unloading is elastic
-/// over twice the yield displacement (Chopra 2017, Dynamics of Structures, section 7.1).
+/// Yielding spring of a building: bilinear with kinematic hardening (theory.md, 2.3). The force is
+/// elastic, k u, up to the yield force, and then has the stiffness hardening_ratio k; unloading is
+/// elastic over twice the yield displacement (Chopra 2017, Dynamics of Structures, section 7.1).
 struct Yielding {
   double yield_acceleration_mps2 = std::numeric_limits<double>::infinity();  ///< yield force over
                                                                              ///< the building's
@@ -19,13 +19,13 @@ struct Yielding {
   bool yields() const { return yield_acceleration_mps2 < std::numeric_limits<double>::infinity(); }
 };
 
-/// A building's strength by itself: C_y, its yield force over its weight M g.
+/// Strength of a building as yield coefficient: C_y, yield force over weight M g.
 struct YieldCoefficient {
   double force_over_weight = 0.0;  ///< > 0
   double gravity_mps2 = standard_gravity_mps2;
 };
 
-/// A building's strength by what it would need to stay elastic (Chopra 2017, eq 7.2.2).
+/// Strength of a building as elastic demand over R (Chopra 2017, eq 7.2.2).
 struct ReducedDemand {
   double elastic_mps2 = 0.0;  ///< spectral (pseudo-)acceleration at the building's period, > 0
   double reduction = 1.0;     ///< R >= 1

@@ -7,21 +7,20 @@
 
 namespace glissade {
 
-/// One thing that is wrong with the user's input, told as `<where>: <what> (<why>); <suggestion>`.
+/// One fault of the user's input, reported as `<where>: <what> (<why>); <suggestion>`.
 struct Problem {
   std::string where;  ///< "study.toml:12", "record.AT2:5", "--mu"; may be empty
   std::string what;   ///< the value and the rule it breaks: "slope_deg = 95 is not below 90"
   std::string
       suggestion;  ///< what to do: "give the slope in degrees, between -90 and 90"; may be empty
-  std::string excerpt;  ///< the user's own line with a caret below the fault; may be empty
+  std::string excerpt;  ///< the input line with a caret below the fault; may be empty
 };
 
 /// `where: what; suggestion`, with the excerpt indented on the lines below.
 std::string to_string(const Problem& problem);
 
-/// Bad input: everything that is wrong with it, in one throw. The program prints it and exits with
-/// status 2, having written nothing over. Results (never slid, level not reached, uplift ...) are
-/// never errors.
+/// Bad input: all its faults in one throw. The program prints them and exits with status 2; no file
+/// is overwritten. Results (never slid, level not reached, uplift ...) are never errors.
 class InputError : public std::runtime_error {
  public:
   explicit InputError(Problem problem);
@@ -44,7 +43,7 @@ class ProblemList {
   std::vector<Problem> problems_;
 };
 
-/// The candidate nearest to `word` by edit distance, or "" when none is near enough to suggest.
+/// The candidate nearest to `word` by edit distance, or "" if none is near enough to suggest.
 std::string nearest_word(const std::string& word, const std::vector<std::string>& candidates);
 
 }  // namespace glissade

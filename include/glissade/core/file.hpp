@@ -10,9 +10,10 @@ namespace glissade {
 /// The whole file, byte for byte. Throws InputError when it cannot be read.
 std::string read_text_file(const std::filesystem::path& path);
 
-/// Writes a file whole or not at all: to `path` + ".partial.<process id>", flushed to the disk,
-/// then renamed over `path`, so that a reader never sees half of it and a full disk leaves the old
-/// file as it was. What is there and is not a regular file
+/// Writes a file whole or not at all: to a new file, `path` + ".partial.<process id>", flushed to
+/// the disk, then renamed over `path`, so that a reader never sees half of it and a full disk
+/// leaves the old file as it was. A file or link that already has the new file's name is left alone
+/// and another name is taken. What is there and is not a regular file
 /// (/dev/stdout, /dev/full, a pipe) is written to directly; a symbolic link is followed. Missing
 /// folders are made. Throws InputError telling the path, the system's reason and what to do.
 void write_text_file(const std::filesystem::path& path, std::string_view text);

@@ -15,9 +15,9 @@ struct OscillatorStep {
 };
 
 /// @param phase omega dt > 0, the interval in radians of the undamped oscillator
-/// @param damping_ratio >= 0; at and beyond 1 nothing oscillates
-/// Accurate to a few ulp for any phase below critical damping, and beyond it to 1e-14 absolutely: a
-/// power series takes over where the closed form would cancel.
+/// @param damping_ratio >= 0; from 1 on (critical damping) there is no oscillation
+/// Accurate to a few ulp for any phase below critical damping, and above it to 1e-14 absolutely: a
+/// power series is used where the closed form has cancellation.
 OscillatorStep oscillator_step(double phase, double damping_ratio);
 
 /// |x| and |y| of a free vibration stay below amplitude exp(-decay omega t).

@@ -7,13 +7,12 @@
 namespace glissade {
 
 /// Philox4x32-10, a counter-based generator (Salmon, Moraes, Dror & Shaw 2011, "Parallel random
-/// numbers: as easy as 1, 2, 3", SC11): the number belongs to its key and counter, not to a
-/// sequence, so any rank can draw any of them in any order. Passes the known-answer vectors
-/// published with it.
+/// numbers: as easy as 1, 2, 3", SC11): a number depends on its key and counter, not on a sequence,
+/// so any rank can draw any number in any order. Passes the published known-answer vectors.
 std::array<std::uint32_t, 4> philox4x32(std::array<std::uint32_t, 4> counter,
                                         std::array<std::uint32_t, 2> key);
 
-/// What a random number is for. Streams of different purpose never share a number.
+/// Purpose of a random number. Streams of different purpose never share a number.
 enum class RandomPurpose : std::uint32_t {
   sample_point = 1,    ///< plain Monte Carlo points
   sobol_scramble = 2,  ///< scrambling of Sobol points
@@ -23,7 +22,7 @@ enum class RandomPurpose : std::uint32_t {
   test = 99,
 };
 
-/// A uniform number in the open interval (0, 1), 53 bits, keyed by what it is for.
+/// A uniform number in the open interval (0, 1), 53 bits, keyed by its purpose.
 double keyed_uniform(std::uint64_t seed, RandomPurpose purpose, std::uint64_t item,
                      std::uint32_t index);
 

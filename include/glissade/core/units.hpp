@@ -5,8 +5,8 @@
 
 namespace glissade {
 
-// Inside glissade every quantity is SI and every angle is in radians. These constants convert at
-// the edges, and nowhere else; g is one number for the whole program.
+// Inside glissade every quantity is SI and every angle is in radians. These constants convert input
+// and output only; g is one number for the whole program.
 inline constexpr double standard_gravity_mps2 = 9.80665;  ///< exact by definition (CGPM 1901)
 inline constexpr double inch_m = 0.0254;
 inline constexpr double foot_m = 0.3048;

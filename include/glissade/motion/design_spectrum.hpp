@@ -28,8 +28,8 @@ struct DesignSpectrum {
   double sa_g(double period_s) const;
 };
 
-/// What a suite is to match: mapped values, edition and the site classes whose spectra are
-/// enveloped (Walters 2012 envelopes A-D).
+/// Target spectrum of a suite: mapped values, edition and the site classes whose spectra are
+/// enveloped (A-D in Walters et al. 2012).
 struct DesignTarget {
   AsceEdition edition = AsceEdition::asce7_10;
   double ss_g = 0.0;  ///< > 0
@@ -38,7 +38,7 @@ struct DesignTarget {
   double tl_s = 8.0;
 };
 
-/// The envelope over the target's site classes. Multiply by 1.5 for MCE_R.
+/// The envelope over the site classes of the target. Multiply by 1.5 for MCE_R.
 class TargetSpectrum {
  public:
   explicit TargetSpectrum(const DesignTarget& target);

@@ -14,7 +14,7 @@ double peak_ground_acceleration_mps2(std::span<const double> acceleration_mps2);
 /// inside intervals and the interval to zero after the last sample included. dt_s > 0.
 double peak_ground_velocity_mps(double dt_s, std::span<const double> acceleration_mps2);
 
-/// How two horizontal components become one number. With one component both are that component.
+/// Combination of two horizontal components. With one component it counts as both.
 enum class HorizontalCombination { geometric_mean, srss };
 double combine(HorizontalCombination combination, double first, double second);
 

@@ -8,10 +8,10 @@
 namespace glissade {
 
 /// One component of a digitised accelerogram: piecewise linear between equally spaced samples, zero
-/// before the first; after the last it goes linearly to zero over one more interval and stays
-/// there.
+/// before the first; after the last it goes linearly to zero over one more interval and remains
+/// zero.
 struct Record {
-  std::string name;                       ///< where it came from: a file, or what was simulated
+  std::string name;                       ///< its source: a file, or a simulation
   double dt_s = 0.0;                      ///< > 0
   std::vector<double> acceleration_mps2;  ///< finite, at least one sample
 };

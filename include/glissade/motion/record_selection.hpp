@@ -12,7 +12,7 @@
 
 namespace glissade {
 
-/// What a number may be, both ends included; an end that is not asked for is absent.
+/// Permitted range of a number, both limits included; a missing limit is no limit.
 struct Limits {
   std::optional<double> min, max;
 
@@ -20,21 +20,21 @@ struct Limits {
   bool admit(double value) const { return !(min && value < *min) && !(max && value > *max); }
 };
 
-/// What to do with a record that does not tell what a limit is on. Kept, those that tell no event
-/// count as of one.
+/// Treatment of a record without a value that is limited. If kept, all records without an event
+/// count as records of one event.
 enum class UntoldMetadata { leaves_out, keeps };
 
-/// Which records are looked for. Defaults: seven (Walters et al. 2012), of any earthquake and site.
+/// Selection criteria. Defaults: seven records (Walters et al. 2012), of any earthquake and site.
 struct SelectionCriteria {
   std::size_t count = 7;
   Limits magnitude, distance_km, vs30_mps;
   double max_scale = 4.0;                ///< largest factor on a record, > 0
-  std::optional<std::size_t> per_event;  ///< at most so many of one earthquake
+  std::optional<std::size_t> per_event;  ///< largest number of records of one earthquake
   UntoldMetadata untold = UntoldMetadata::leaves_out;
 };
 
-/// Table 2 of Walters et al. (2012): the limits of a level's suite, its magnitudes widened by the
-/// half tenth they are rounded to. InputError for a level outside 0-4.
+/// Table 2 of Walters et al. (2012): the limits of the suite of an Intensity Level, its magnitudes
+/// widened by 0.05 since they are rounded to 0.1. InputError for a level outside 0-4.
 SelectionCriteria walters_criteria(int level, SiteGroup sites = SiteGroup::a_to_d);
 
 enum class LeftOutFor {
@@ -53,17 +53,17 @@ const char* to_string(LeftOutFor reason);
 
 /// A record of the library that is not a candidate, with all reasons.
 struct LeftOutRecord {
-  std::size_t record = 0;  ///< place in the library
+  std::size_t record = 0;  ///< index in the library
   std::vector<LeftOutFor> reasons;
 };
 
 struct SelectedRecord {
-  std::size_t record = 0;  ///< place in the library
+  std::size_t record = 0;  ///< index in the library
   double scale = 0.0;      ///< on its three components; four decimals
   double misfit = 0.0;     ///< root mean square of ln(scale x Sa / target) over the periods
 };
 
-/// The suite's average over the target at a period.
+/// Average of the suite divided by the target, at a period.
 struct RatioAtPeriod {
   double ratio = 0.0;
   double period_s = 0.0;
@@ -72,33 +72,31 @@ struct RatioAtPeriod {
 struct RecordSelection {
   std::vector<SelectedRecord> records;  ///< smallest misfit first
   std::size_t candidates = 0;
-  std::vector<LeftOutRecord> left_out;  ///< in the library's order
-  RatioAtPeriod lowest, highest;        ///< of the selected records' average
-  /// Below 1 where every record at max_scale still leaves the average below the target.
+  std::vector<LeftOutRecord> left_out;  ///< in the order of the library
+  RatioAtPeriod lowest, highest;        ///< of the average of the selected records
+  /// Below 1 if the average is below the target with every record at max_scale.
   bool reaches_target() const { return lowest.ratio >= 1.0 - 1e-9; }
 };
 
-/// Selects and scales records as Walters et al. (2012), 'Ground motion selection and scaling',
-/// asks: within limits on magnitude, distance, V_S30 and factor, SRSS spectra close to the target,
-/// their average nowhere below it, small factors. How the set is found is ours:
+/// Selects and scales records by the criteria of Walters et al. (2012), 'Ground motion selection
+/// and scaling': within limits on magnitude, distance, V_S30 and factor, SRSS spectra close to the
+/// target, their average nowhere below it, small factors. The search is not published:
 ///
-/// - Candidates are the records with two horizontals that keep the limits. `Motion::scale` is not
-///   looked at.
-/// - The factors of a set are those of scale_suite_to_target: each as close as a factor can bring
-///   it, then one common factor until the average is nowhere below the target, none above
-///   max_scale. A set that max_scale keeps below the target has all its records there.
-/// - The better of two sets is the one whose average falls less far below the target; where
-///   neither does, the one with the smaller mean over its records of
-///   misfit^2 + 0.01 (ln max(scale, 1))^2: a factor of 4 counts like a misfit of 0.14.
-/// - From the `count` records that are closest by themselves, single records are exchanged for the
-///   better, the best exchange first, until none helps. So no one exchange betters the set; that
-///   no other set does is not proved.
+/// - Candidates are the records with two horizontals within the limits. `Motion::scale` is ignored.
+/// - The factors of a set are those of scale_suite_to_target: each record as close to the target as
+///   possible, then one common factor until the average is nowhere below the target, none above
+///   max_scale. A set whose average stays below the target has all its records at max_scale.
+/// - The better of two sets is the one whose average is less far below the target; if neither is
+///   below it, the one with the smaller mean over its records of
+///   misfit^2 + 0.01 (ln max(scale, 1))^2: a factor of 4 has the weight of a misfit of 0.14.
+/// - The search starts from the `count` records that are closest individually, and makes the best
+///   exchange of one record until none improves the set. That no other set is better is not proved.
 ///
 /// The result depends on the records only, not on the order of the library.
 ///
-/// `target_sa_g` gives g, > 0, at each of `periods_s` (>= 0, one at least). Throws InputError where
-/// criteria contradict themselves (`where` is the criterion: "count", "max_scale", "magnitude"...)
-/// and where fewer candidates are left than asked for, told with the limits that left them out.
+/// `target_sa_g` gives g, > 0, at each of `periods_s` (>= 0, one at least). Throws InputError if
+/// criteria contradict each other (`where` is the criterion: "count", "max_scale", "magnitude"...)
+/// and if there are fewer candidates than required, with the limits that excluded the others.
 RecordSelection select_records(const Suite& library,
                                const std::function<double(double)>& target_sa_g,
                                const std::vector<double>& periods_s,

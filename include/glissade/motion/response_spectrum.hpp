@@ -8,15 +8,15 @@ namespace glissade {
 
 /// Pseudo-spectral acceleration omega^2 max|u| of a linear SDOF oscillator, at rest before the
 /// record, for piecewise-linear ground acceleration: the recurrence that is exact at the samples
-/// (Nigam & Jennings 1969, BSSA 59(2):909-922), and peaks between samples too. The record ends as
-/// Record tells, and the first extremum of the free vibration after it (within half a damped
-/// period, the largest of all that follow) is included. So zero padding and interpolated samples
+/// (Nigam & Jennings 1969, BSSA 59(2):909-922), with peaks between samples. The end of the record
+/// is that of Record, and the first extremum of the free vibration after it (within half a damped
+/// period, the largest of the free vibration) is included. So zero padding and interpolated samples
 /// change nothing. Period 0 gives the peak ground acceleration.
 ///
 /// Accuracy for periods of dt_s and more: rounding, 2e-13 relative over 10,000 samples at any T/dt
 /// (against long double). From dt_s down to 0.1 dt_s: 1e-11 undamped, 1e-14 at 5 %. Below that,
-/// peaks are seen at 64 points per interval only. A value does not depend on the other periods
-/// asked for. About 2 ns per sample and period.
+/// peaks are detected at 64 points per interval only. A value does not depend on the other periods
+/// of the call. About 2 ns per sample and period.
 ///
 /// @param dt_s > 0
 /// @param acceleration_mps2 ground acceleration, finite, any length >= 1

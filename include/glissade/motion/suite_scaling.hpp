@@ -8,32 +8,31 @@
 
 namespace glissade {
 
-/// The periods at which the suite average is held above the target (Walters et al. 2012: 0 to 2 s;
-/// the steps are ours): to 0.2 s by 0.001, to 0.5 s by 0.0025, to 2 s by 0.005, finer than a 5 %
-/// damped spectrum can dip between.
+/// The periods at which the suite average must not be below the target (0 to 2 s, Walters et al.
+/// 2012; the steps are not from there): to 0.2 s by 0.001, to 0.5 s by 0.0025, to 2 s by 0.005.
 std::vector<double> walters_periods_s();
 
 /// The one factor on the whole suite (each motion's own `scale` applied first) for which the
 /// average over motions of the SRSS spectra of their horizontals (5 %) is nowhere below
-/// `target_sa_g` over `periods_s` and touches it at one period at least (Walters et al. 2012).
-/// Period 0 compares the SRSS of the components' peak accelerations. `target_sa_g` gives g, > 0, at
-/// each of `periods_s` (>= 0, one at least). Throws InputError for a suite without motions or with
-/// one that is zero throughout.
+/// `target_sa_g` over `periods_s` and equal to it at one period at least (Walters et al. 2012).
+/// Period 0 compares the SRSS of the peak accelerations of the components. `target_sa_g` gives g, >
+/// 0, at each of `periods_s` (>= 0, one at least). Throws InputError for a suite without motions or
+/// with one that is zero throughout.
 double suite_average_factor(const Suite& suite, const std::function<double(double)>& target_sa_g,
                             const std::vector<double>& periods_s);
 
 struct SuiteScaling {
   std::vector<double> factors;  ///< per motion, on all its components
   double largest_factor = 0.0;
-  double controlling_period_s = 0.0;  ///< where the average touches the target
+  double controlling_period_s = 0.0;  ///< where the average is equal to the target
 };
 
-/// One factor per motion, as Walters: each motion's SRSS spectrum is first brought as close as a
-/// factor can to the target (least squares in ln Sa over the periods), then one common factor lifts
-/// the average to the target, nowhere below and touching it. Motions that would exceed `max_factor`
-/// (> 0) are held there and the others make up for them. The factors take the place of
-/// Motion::scale, which is not looked at. Throws InputError as suite_average_factor does, and where
-/// all motions at `max_factor` do not reach the target.
+/// One factor per motion, as in Walters et al. (2012): the SRSS spectrum of each motion is first
+/// scaled closest to the target (least squares in ln Sa over the periods), then one common factor
+/// raises the average until it is nowhere below the target. Motions that would exceed `max_factor`
+/// (> 0) are limited to it, and the factors of the others are increased. The factors replace
+/// Motion::scale, which is ignored. Throws InputError as suite_average_factor does, and if all
+/// motions at `max_factor` do not reach the target.
 SuiteScaling scale_suite_to_target(const Suite& suite,
                                    const std::function<double(double)>& target_sa_g,
                                    const std::vector<double>& periods_s, double max_factor);

@@ -18,15 +18,15 @@ class Communicator {
   int size() const;
   bool is_root() const { return rank() == 0; }
 
-  /// Root's bytes to everybody.
+  /// Sends the bytes of rank 0 to all ranks.
   void broadcast(std::vector<char>& bytes) const;
-  /// Everybody's bytes to root, by rank; empty elsewhere.
+  /// Collects the bytes of all ranks on rank 0, by rank; empty on the others.
   std::vector<std::vector<char>> gather(const std::vector<char>& bytes) const;
-  /// Ends every rank at once (an error on one of them).
+  /// Ends all ranks at once (after an error on one of them).
   [[noreturn]] void abort(int exit_status) const;
 
-  /// Self-scheduling: hands out 0, 1, 2, ... once each over all ranks. Collective to make and to
-  /// destroy.
+  /// Self-scheduling: gives 0, 1, 2, ... once each over all ranks. Construction and destruction are
+  /// collective.
   class Ticket {
    public:
     struct State;
@@ -53,8 +53,8 @@ class Communicator {
 void self_schedule(const Communicator& world, std::uint64_t count,
                    const std::function<void(std::uint64_t)>& work);
 
-/// Starts MPI for the life of the object when the program runs under mpirun (or srun); otherwise
-/// starts nothing.
+/// Starts MPI for the lifetime of the object if the program runs under mpirun (or srun); otherwise
+/// does nothing.
 class MpiSession {
  public:
   MpiSession(int& argc, char**& argv);

@@ -12,8 +12,8 @@ struct Fixed {
 struct Normal {
   double mean, std;
 };  ///< std > 0
-/// mean and std are the parent's; min < max, either may be infinite, but some of the parent must
-/// lie between them: they may not both be more than 35 std to the same side of the mean.
+/// mean and std are those of the parent; min < max, either may be infinite, but part of the parent
+/// must be between them: they may not both be more than 35 std to the same side of the mean.
 struct TruncatedNormal {
   double mean, std, min, max;
 };
@@ -33,25 +33,24 @@ struct Empirical {
   std::vector<double> values;
 };  ///< at least two; linear between order statistics
 
-/// How an uncertain parameter is distributed. A plain value type.
+/// Distribution of an uncertain parameter. A plain value type.
 using Distribution = std::variant<Fixed, Normal, TruncatedNormal, LogNormal, Uniform, Triangular,
                                   Discrete, Empirical>;
 
-/// Throws InputError (where = "") naming every parameter that breaks its rule. The functions below
-/// take a distribution that passes.
+/// Throws InputError (where = "") with every parameter that violates its rule. The functions below
+/// require a valid distribution.
 void validate(const Distribution& distribution);
 
-/// The value below which a share u in (0, 1) lies. Monotone in u, so that quasi-random points stay
-/// quasi-random; never outside the support. Accuracy of Boost.Math's normal quantile (a few ulp),
+/// The quantile of u in (0, 1). Monotone in u, so that quasi-random points remain quasi-random;
+/// never outside the support. Accuracy of Boost.Math's normal quantile (a few ulp),
 /// in both tails. Discrete: by increasing value, whatever their order. Empirical: Hyndman & Fan
 /// (1996) type 7.
 double quantile(const Distribution& distribution, double u);
 
-/// Of the distribution that quantile() samples (so for Empirical not exactly those of the values it
-/// is made from).
+/// Of the distribution that quantile() samples (so for Empirical not exactly those of its values).
 double mean(const Distribution& distribution);
 double standard_deviation(const Distribution& distribution);
-/// The range outside which no value can fall; may be infinite.
+/// The smallest and the largest possible value; may be infinite.
 struct Support {
   double min, max;
 };

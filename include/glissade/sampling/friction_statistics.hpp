@@ -10,15 +10,15 @@
 
 namespace glissade {
 
-/// A coefficient of friction over the tests of one direction, each test one value.
+/// A coefficient of friction over the tests of one direction, one value for each test.
 struct MuStatistics {
   std::size_t tests;
   double mean;
   double std;               ///< between tests (n - 1); NaN with one test, as are the next two
   double mean_minus_2_std;  ///< the design value (Walters et al. 2012), not below 0
-  /// With 95 % confidence at least 97.7 % of pulls have more friction than this: what mean - 2 std
-  /// promises, Phi(2), with the doubt that few tests leave (mean - k std, sampling/tolerance.hpp).
-  /// For normal friction; not below 0.
+  /// With 95 % confidence at least 97.7 % of pulls have more friction than this: the probability
+  /// Phi(2) of mean - 2 std, with the uncertainty of a small number of tests (mean - k std,
+  /// sampling/tolerance.hpp). For normal friction; not below 0.
   double lower_bound_95;
   std::optional<ShapiroWilk> normality;  ///< none with fewer than three tests or without spread
 };
@@ -29,12 +29,12 @@ struct DirectionFriction {
   MuStatistics sliding, breakaway;
 };
 
-/// What a set of pull tests says.
+/// Results of a set of pull tests.
 struct PullTestSummary {
   SlidingRule rule;
   std::vector<TraceFriction> tests;           ///< as given
   std::vector<DirectionFriction> directions;  ///< as they first appear
-  std::vector<std::string> notes;             ///< what a reader must know
+  std::vector<std::string> notes;             ///< remarks for the user
 };
 
 /// Throws InputError with the problems of all tests.

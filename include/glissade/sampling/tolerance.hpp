@@ -5,7 +5,7 @@
 
 namespace glissade {
 
-/// How sure a bound from a sample is to have how much of a normal population on its side.
+/// A bound from a sample: share of a normal population on its side, and confidence.
 struct ToleranceBound {
   std::size_t sample_size;  ///< >= 2
   double coverage;          ///< share of the population, (0, 1)

@@ -10,13 +10,13 @@ enum class SeismicDesignCategory { a, b, c, d, e, f };
 SeismicDesignCategory parse_seismic_design_category(const std::string& text);
 std::string to_string(SeismicDesignCategory category);
 
-/// How well a provision is known here.
+/// Source of a provision.
 enum class Provenance {
   checked,   ///< reproduced from a source
   recalled,  ///< from memory of the standard: verify against the standard
 };
 
-/// A prescribed displacement or separation, with what it rests on.
+/// A prescribed displacement or separation, with its source.
 struct Prescription {
   double value_m = 0.0;
   Provenance provenance = Provenance::checked;

@@ -41,7 +41,7 @@ double median(const Bssa14Row& k, const Scenario& scenario) {
   return std::exp(event_and_path(k, scenario) + site(k, scenario.vs30_mps, rock_pga_g));
 }
 
-/// The value at x of the line through (x0, y0) and (x1, y1), held outside.
+/// The value at x of the line through (x0, y0) and (x1, y1), constant outside.
 double ramp(double x, double x0, double x1, double y0, double y1) {
   return std::lerp(y0, y1, std::clamp((x - x0) / (x1 - x0), 0.0, 1.0));
 }

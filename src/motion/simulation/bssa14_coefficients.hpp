@@ -2,9 +2,8 @@
 #pragma once
 
 // Boore, Stewart, Seyhan & Atkinson (2014), Earthquake Spectra 30(3):1057-1085, the coefficients of
-// their electronic supplement as OpenQuake's boore_2014.py carries them
-// (../shared/ground-motion-model/bssa14_coeffs.csv, copied by program). Period -1 is PGV in cm/s, 0
-// is PGA; all others pseudo-acceleration in g.
+// their electronic supplement as in OpenQuake's boore_2014.py, copied by program. Period -1 is PGV
+// in cm/s, 0 is PGA; all others pseudo-acceleration in g.
 
 namespace glissade {
 

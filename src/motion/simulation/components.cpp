@@ -19,14 +19,13 @@ namespace {
 constexpr Rdk10Scores axis_correlation = {1.0, .848, .908, .897, .647, .761};
 constexpr double arias_ratio_log_std = 0.345;  // of the two axes, same source
 
-// The vertical against the mean horizontal, before its gain: ours (README of
-// ../shared/ground-motion-model, section 4).
+// The vertical relative to the mean horizontal, before its gain: not published.
 constexpr double vertical_arias_factor = 0.35, vertical_frequency_factor = 1.8;
 
 // RDK10's motions vary less than BSSA14's at short periods (ln-sd of RotD50 about .55 against .71
-// at 0.1 s). A residual of this ln-sd above the upper frequency, none below the lower one, makes up
-// for that: ours, chosen on the scenarios of the verification manual. It is independent of the
-// parameters and leaves the mean ln amplitude as it is.
+// at 0.1 s). A residual of this ln-sd above the upper frequency, none below the lower one, corrects
+// that: not published, chosen on the scenarios of the verification manual. It is independent of the
+// parameters and does not change the mean ln amplitude.
 struct ShortPeriodResidual {
   double from_hz, full_hz, log_std;
 };
@@ -34,9 +33,9 @@ constexpr ShortPeriodResidual horizontal_residual{2.5, 10.0, 0.6},
     vertical_residual{5.0, 10.0, 0.35};
 
 constexpr double corner_hz = 0.1;                // of the high-pass (SCEC BBP's rzz2015.py)
-constexpr double last_arias_fraction = 0.995;    // the noise goes on to here ...
-constexpr double lead_in_s = 1.0, ramp_s = 2.0;  // ... and down a ramp; before it a quiet beginning
-constexpr double rest_s = 1.5 / corner_hz;       // for the high-pass to come to rest
+constexpr double last_arias_fraction = 0.995;    // end of the noise, before the final ramp
+constexpr double lead_in_s = 1.0, ramp_s = 2.0;  // initial taper, final ramp
+constexpr double rest_s = 1.5 / corner_hz;       // for the decay of the high-pass filter
 
 constexpr std::uint32_t component_stride = 1u
                                            << 24;  // of the noise index: samples of one component
@@ -48,7 +47,7 @@ enum ParameterIndex : std::uint32_t {
 };
 
 /// Median of ln(J major / J intermediate): .62, .60, .55, .50 at M 6, 6.5, 7, 7.5 (from DDK18),
-/// held outside.
+/// constant outside.
 double mean_log_arias_ratio(double magnitude) {
   constexpr std::array<double, 4> values = {.62, .60, .55, .50};
   const double place = std::clamp((magnitude - 6.0) / 0.5, 0.0, 3.0);
@@ -56,7 +55,7 @@ double mean_log_arias_ratio(double magnitude) {
   return std::lerp(values[below], values[below + 1], place - static_cast<double>(below));
 }
 
-/// Residuals of both axes: J's, which they share, then five of the major and five of the
+/// Residuals of both axes: that of J, common to both, then five of the major and five of the
 /// intermediate axis. Within an axis RDK10's correlation C, across axes sqrt(r_i) C_ij sqrt(r_j),
 /// which is r_i for a parameter with itself.
 using Residuals = Eigen::Matrix<double, 11, 1>;
@@ -99,7 +98,7 @@ double shaking_s(const Rdk10Parameters& parameters) {
   return Rdk10Envelope(parameters).arias_time_s(last_arias_fraction) + ramp_s;
 }
 
-/// Half a cosine up over the lead-in, and down over the ramp that ends where the rest begins.
+/// Half-cosine tapers over the lead-in and over the final ramp.
 double quietness(double time_s, double end_s) {
   const auto ramp = [](double x) {
     return 0.5 * (1.0 - std::cos(std::numbers::pi * std::clamp(x, 0.0, 1.0)));

@@ -2,8 +2,7 @@
 #pragma once
 
 // Gulerce & Abrahamson (2011), Earthquake Spectra 27(4):1023-1047, coefficients of the V/H model as
-// pygmm carries them (../shared/ground-motion-model/ga11_coeffs.csv, copied by program). Period 0
-// is PGA.
+// in pygmm, copied by program. Period 0 is PGA.
 
 namespace glissade {
 

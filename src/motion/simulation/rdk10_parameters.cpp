@@ -11,9 +11,8 @@
 namespace glissade {
 namespace {
 
-// ../shared/ground-motion-model/README.md, section 2, whose sources are SCEC BBP's rzz2015_gmpe.py
-// and J. Du (2023). The first row has the four decimals of rzz2015_gmpe.py, which the test vector
-// was made with; the page shows three.
+// Coefficients of RDK10 as in rzz2015_gmpe.py of the SCEC Broadband Platform and in J. Du's Python
+// code (2023): the first row with four decimals, as in rzz2015_gmpe.py, the others with three.
 struct Predictor {
   double constant, reverse, magnitude, distance, vs30;  // of the mean score
   double between_events, within_event;                  // standard deviations
@@ -44,7 +43,8 @@ double frequency_slope_quantile(double probability) {
   constexpr double a = 17.095, b = 6.7729, c = 4.8512, low = -2.0;
   const double below_zero = c / b * (1.0 - std::exp(b * low));
   if (probability < below_zero) return std::log(probability * b / c + std::exp(b * low)) / b;
-  // The rounded constants leave about 1e-4 of probability beyond the upper bound: it is put there.
+  // By rounding of the constants a probability of about 1e-4 is above the upper bound: it is
+  // assigned to the bound.
   const double remaining = std::max(1.0 - (probability - below_zero) * a / c, std::exp(-a * 0.5));
   return -std::log(remaining) / a;
 }

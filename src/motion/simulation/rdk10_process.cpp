@@ -19,7 +19,7 @@ double unit_quantile(double fraction, double shape) {
   return boost::math::gamma_p_inv(shape, fraction);
 }
 
-/// D5-95 over t_mid of a gamma density of this shape; falls as the shape rises.
+/// D5-95 over t_mid of a gamma density of this shape; decreases with the shape.
 double duration_ratio(double shape) {
   return (unit_quantile(0.95, shape) - unit_quantile(0.05, shape)) / unit_quantile(0.45, shape);
 }
@@ -111,7 +111,7 @@ std::vector<double> rdk10_process_g(const Rdk10Parameters& parameters, double dt
 }
 
 void high_pass(std::span<double> acceleration, double dt_s, double corner_hz) {
-  // s^2 / (s + w)^2: two equal first-order sections in a row.
+  // s^2 / (s + w)^2: two equal first-order sections in series.
   const double c = std::numbers::pi * corner_hz * dt_s;
   for (int section = 0; section < 2; ++section) {
     double input_before = 0.0, output = 0.0;

@@ -56,7 +56,7 @@ const std::array<std::array<Scenario, 7>, 5> scenarios = {{
 
 constexpr std::size_t candidates_per_scenario = 30;
 
-/// Four significant digits, so that the recipe's text tells the numbers exactly.
+/// Four significant digits, so that the text of the recipe has the exact numbers.
 double rounded(double value) {
   const double power = std::pow(10.0, 3.0 - std::floor(std::log10(value)));
   return std::round(value * power) / power;
@@ -103,7 +103,7 @@ void set_gain(SyntheticRecipe& recipe, const std::vector<SyntheticMotion>& candi
   for (const double value : gain.vertical.values) recipe.vertical_gain.push_back(rounded(value));
 }
 
-/// A candidate's SRSS spectrum over the MCE spectrum, brought as close to one as a factor can.
+/// SRSS spectrum of a candidate over the MCE spectrum, scaled as close to one as possible.
 struct SpectralFit {
   double scale;             ///< that factor
   Eigen::ArrayXd ratio;     ///< per period, scaled
@@ -124,8 +124,8 @@ SpectralFit fit_to_target(const Motion& motion, const TargetSpectrum& target,
 
 using Choice = std::array<std::size_t, 7>;  ///< a candidate for each scenario
 
-/// Mean square of ln(Sa / MCE) over the seven motions and all periods, after the common factor that
-/// lifts their average to the MCE spectrum everywhere.
+/// Mean square of ln(Sa / MCE) over the seven motions and all periods, after the common factor for
+/// which their average is nowhere below the MCE spectrum.
 double misfit(const std::vector<SpectralFit>& fits, const Choice& choice) {
   Eigen::ArrayXd average = Eigen::ArrayXd::Zero(fits.front().ratio.size());
   double log_square = 0.0;
@@ -137,9 +137,9 @@ double misfit(const std::vector<SpectralFit>& fits, const Choice& choice) {
   return log_square + log_lift * log_lift;
 }
 
-/// The choice of least misfit that no exchange of one candidate can better, from the candidates
-/// that leave room for the lift below the scale limit. Begins with the nearest candidate of each
-/// scenario.
+/// The choice of least misfit that no exchange of one candidate improves, from the candidates whose
+/// factors can be increased by the common factor within the scale limit. Starts from the nearest
+/// candidate of each scenario.
 Choice choose(const std::vector<SpectralFit>& fits, double max_scale) {
   const auto allowed = [&](std::size_t k) { return fits[k].scale <= 0.7 * max_scale; };
   Choice choice;
@@ -178,7 +178,7 @@ void set_scales(SyntheticRecipe& recipe, const TargetSpectrum& target,
 }  // namespace
 
 const std::array<Scenario, 7>& level_scenarios(int level) {
-  walters_level(level);  // refuses what is no level
+  walters_level(level);  // InputError if there is no such level
   return scenarios[static_cast<std::size_t>(level)];
 }
 

@@ -13,12 +13,12 @@
 namespace glissade {
 namespace {
 
-struct Range {
+struct AxisRange {
   double low = 0.0, high = 1.0;
 };
 
 /// What y has to hold, with some room.
-Range y_range(const LinePlot& plot) {
+AxisRange y_range(const LinePlot& plot) {
   double low = std::numeric_limits<double>::infinity(), high = 0.0;
   const auto take = [&](double y) {
     if (!std::isfinite(y)) return;
@@ -96,7 +96,7 @@ std::string marks_of(const LinePlot& plot) {
 }  // namespace
 
 void draw_lines(Figure& figure, const std::string& below, const LinePlot& plot) {
-  const Range range = y_range(plot);
+  const AxisRange range = y_range(plot);
   const auto [first, last] = std::minmax_element(plot.x.begin(), plot.x.end());
   const double room = 0.05 * std::max(*last - *first, 1e-9);
   figure.body = title_of(figure, below) + axis("x", plot.x_label) +

@@ -36,19 +36,27 @@ struct Include {
   std::string file, module, header;
 };
 
+std::vector<fs::path> sources_below(const fs::path& folder) {
+  std::vector<fs::path> found;
+  if (!fs::exists(folder)) return found;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    if (entry.path().extension() == ".cpp" || entry.path().extension() == ".hpp")
+      found.push_back(entry.path());
+  }
+  return found;
+}
+
 std::vector<Include> includes() {
   std::vector<Include> found;
   const std::regex line_form(R"re(^\s*#\s*include\s*[<"]([^>"]+)[>"])re");
   for (const auto& [module, allowed] : may_include) {
     for (const fs::path& folder : {root / "src" / module, root / "include" / "glissade" / module}) {
-      if (!fs::exists(folder)) continue;
-      for (const auto& entry : fs::recursive_directory_iterator(folder)) {
-        if (entry.path().extension() != ".cpp" && entry.path().extension() != ".hpp") continue;
-        std::ifstream in(entry.path());
+      for (const fs::path& file : sources_below(folder)) {
+        std::ifstream in(file);
         for (std::string line; std::getline(in, line);) {
           std::smatch match;
           if (std::regex_search(line, match, line_form))
-            found.push_back({entry.path().string(), module, match[1]});
+            found.push_back({file.string(), module, match[1]});
         }
       }
     }
@@ -81,6 +89,61 @@ TEST(architecture, mpi_hdf5_and_toml_stay_in_their_rooms) {
     only_in("toml++", "io");
     only_in("CLI/", "cli");
   }
+}
+
+/// "1.2" and "Two axes" of a heading "## 1.2 Two axes".
+std::set<std::string> theory_sections() {
+  std::set<std::string> sections;
+  std::ifstream in(root / "src" / "theory.md");
+  const std::regex heading(R"re(^#+ (?:(\d+(?:\.\d+)?)\.? )?(.*)$)re");
+  for (std::string line; std::getline(in, line);) {
+    std::smatch match;
+    if (!std::regex_match(line, match, heading)) continue;
+    sections.insert(match[1]);
+    sections.insert('"' + match[2].str() + '"');
+  }
+  return sections;
+}
+
+TEST(architecture, citations_of_theory_name_sections_that_exist) {
+  const std::set<std::string> sections = theory_sections();
+  const std::regex citation(R"re(theory\.md(?: section|,) (\d+(?:\.\d+)?|"[^"]*"))re");
+  int checked = 0;
+  for (const char* folder : {"src", "include", "tests"}) {
+    for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
+      const fs::path extension = entry.path().extension();
+      if (extension != ".cpp" && extension != ".hpp" && extension != ".md") continue;
+      std::ifstream in(entry.path());
+      for (std::string line; std::getline(in, line);) {
+        for (std::sregex_iterator at(line.begin(), line.end(), citation), end; at != end; ++at) {
+          ++checked;
+          EXPECT_TRUE(sections.contains((*at)[1])) << entry.path() << ": " << at->str();
+        }
+      }
+    }
+  }
+  EXPECT_GT(checked, 10);
+}
+
+// Two classes of one qualified name break the one-definition rule without a word from the linker,
+// and differ in layout when it matters. Classes of namespaces begin a line (clang-format sees to
+// it).
+TEST(architecture, no_two_classes_have_one_name) {
+  const std::regex definition(
+      R"re(^(?:class|struct|union|enum|enum class) (?:alignas\(\w+\) )?(\w+)(?: final)?(?: : [^;]*)?(?: \{.*)?$)re");
+  std::map<std::string, std::string> file_of;
+  for (const char* folder : {"src", "include"}) {
+    for (const fs::path& file : sources_below(root / folder)) {
+      std::ifstream in(file);
+      for (std::string line; std::getline(in, line);) {
+        std::smatch match;
+        if (!std::regex_match(line, match, definition)) continue;
+        const auto [other, is_new] = file_of.emplace(match[1], file.string());
+        EXPECT_TRUE(is_new) << match[1] << " is defined in " << other->second << " and in " << file;
+      }
+    }
+  }
+  EXPECT_GT(file_of.size(), 300u);
 }
 
 TEST(architecture, top_level_holds_the_agreed_folders_only) {

@@ -11,7 +11,7 @@
 #include "unit/block/solvers.hpp"
 
 // How an answer must change, or not, when the question is changed: true of the equations, so that
-// no expected number is needed (theory.md, "Similitude"). For every solver of solvers.hpp.
+// no expected number is needed (theory.md, 1.7). For every solver of solvers.hpp.
 namespace glissade::test {
 
 /// A motion that begins at zero, so that zeros in front of it change nothing.

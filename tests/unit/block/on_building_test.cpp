@@ -141,7 +141,7 @@ TEST(slide_on_building, mirrors_exactly) {
   EXPECT_EQ(other.peak_base_shear, one.peak_base_shear);
 }
 
-// theory.md, "Similitude": the whole acceleration field, and the clock with the building's periods.
+// theory.md, 1.7: the whole acceleration field, and the clock with the building's periods.
 TEST(slide_on_building, scales_exactly_with_all_accelerations_and_with_the_clock) {
   for (const double yield_mps2 : {std::numeric_limits<double>::infinity(), 3.0}) {
     for (const double across : {0.3, 0.2}) {

@@ -112,7 +112,7 @@ TEST(slide, stays_put_when_the_peak_is_below_yield) {
   EXPECT_GT(slide({0.01, b}, {.friction = 0.3}).peak_displacement_m, 0.0);
 }
 
-// theory.md, "Similitude": scaling a, w and g by lambda scales slip by lambda; exact for a power of
+// theory.md, 1.7: scaling a, w and g by lambda scales slip by lambda; exact for a power of
 // two.
 TEST(slide, scales_exactly_with_the_whole_acceleration_field) {
   const auto a = made_up_record(900, 5, 5.0), w = made_up_record(900, 6, 2.0);

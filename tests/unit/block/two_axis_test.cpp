@@ -109,7 +109,7 @@ TEST(slide_two_axis, mirrors_exactly) {
   EXPECT_EQ(other.path_length_m, one.path_length_m);
 }
 
-// theory.md, "Similitude".
+// theory.md, 1.7.
 TEST(slide_two_axis, scales_exactly_with_the_whole_acceleration_field_and_with_the_clock) {
   for (const double across : {0.3, 0.2}) {
     Scene scene;

@@ -63,6 +63,33 @@ TEST(write_text_file, follows_links_and_replaces_what_they_lead_to) {
   EXPECT_EQ(read_text_file(file), "new");
 }
 
+// Who may write to the folder could put a link in the way, to have another file written over.
+TEST(write_text_file, does_not_follow_a_link_in_the_place_of_its_partial_file) {
+  const fs::path folder = fs::path(testing::TempDir()) / "glissade_partial";
+  fs::remove_all(folder);
+  const fs::path file = folder / "out.txt", other = folder / "other.txt";
+  write_text_file(other, "not to be touched");
+  const fs::path link = file.string() + ".partial." + std::to_string(::getpid());
+  fs::create_symlink(other, link);
+  write_text_file(file, "text");
+  EXPECT_EQ(read_text_file(other), "not to be touched");
+  EXPECT_EQ(read_text_file(file), "text");
+  EXPECT_FALSE(fs::is_symlink(file));
+  EXPECT_TRUE(fs::is_symlink(link));
+}
+
+// A process that was killed, with the same id in another container, leaves its partial file.
+TEST(write_text_file, leaves_a_partial_file_of_another_process_alone) {
+  const fs::path folder = fs::path(testing::TempDir()) / "glissade_partial_left";
+  fs::remove_all(folder);
+  const fs::path file = folder / "out.txt";
+  const fs::path left = file.string() + ".partial." + std::to_string(::getpid());
+  write_text_file(left, "of another");
+  write_text_file(file, "text");
+  EXPECT_EQ(read_text_file(left), "of another");
+  EXPECT_EQ(read_text_file(file), "text");
+}
+
 TEST(read_text_file, tells_of_a_file_that_is_not_there) {
   EXPECT_THROW(read_text_file(fs::path(testing::TempDir()) / "glissade_no_such_file"), InputError);
 }

@@ -12,7 +12,7 @@
 namespace glissade {
 namespace {
 
-// The simulation of statistics.md: ln capacity = a(record) + e(record, sample), median 1,
+// The simulation of theory.md, 6.3: ln capacity = a(record) + e(record, sample), median 1,
 // deviations 0.35 and 0.20, 50 samples, 8 stripes from 0.4 to 2.5 medians.
 constexpr double between = 0.35, within = 0.20;
 const double total_log_std = std::hypot(between, within);

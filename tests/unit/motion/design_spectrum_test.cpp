@@ -26,7 +26,7 @@ DesignTarget target(AsceEdition edition, double ss_g, double s1_g,
           .tl_s = 8.0};
 }
 
-// The check of shared/standards.md: S_s 1, S_1 0.4, class C, T_L 8 s (ASCE 7-16: F_a 1.2, F_v 1.5).
+// By hand: S_s 1, S_1 0.4, class C, T_L 8 s (ASCE 7-16: F_a 1.2, F_v 1.5).
 TEST(target_spectrum, has_the_check_values_of_class_c) {
   const TargetSpectrum spectrum(target(asce7_16, 1.0, 0.4, {c}));
   EXPECT_NEAR(spectrum.design_sa_g(0.0), 0.32, 1e-15);
@@ -56,7 +56,7 @@ TEST(site_coefficients, are_linear_between_columns_and_clamped_beyond) {
   EXPECT_NEAR(site_coefficient_fv(asce7_16, c, 0.55), 1.45, 1e-14);
 }
 
-// The columns of ASCE 7 in shared/standards.md, read back at a column each.
+// The tables of ASCE 7, at one column each.
 TEST(site_coefficients, differ_between_the_editions_as_the_tables_do) {
   EXPECT_EQ(site_coefficient_fa(asce7_10, b, 0.5), 1.0);
   EXPECT_EQ(site_coefficient_fa(asce7_16, b, 0.5), 0.9);

@@ -192,14 +192,14 @@ Chapter first_paper_checks(const Folders& folders) {
       "8.1 The first paper: physical checks",
       R"(Rodriguez-Nikl, Cedano, Martinez & Ojeda (2019), section "Physical checks": four limits of the
 model, with the paper's numbers, for three solvers: `slide()`, the kernel `peak_slip()` (with its
-event search and looking into every interval) and the published scheme at the paper's P = 64. The
-paper's record is not to be had; where a motion is needed, the first one of suite level 4 stands
-in, scaled as the paper's to a peak plane acceleration of 1.0 g, without its vertical. The paper's
-position along the plane is given in plan here, times cos. It does not say which acceleration
-loosened its block, nor after which time it compared positions. At exactly the critical friction
-required and available friction are equal, and the scheme sticks only where the first is smaller:
-rounding decides whether it rests there, as the paper found, or creeps as far as its first substep
-without friction lets it.)",
+event search and with every interval) and the published scheme at the paper's P = 64. The record
+of the paper is not available; if a motion is required, the first one of suite level 4 is used
+instead, scaled as in the paper to a peak plane acceleration of 1.0 g, without its vertical. The
+position along the plane of the paper is given in plan here, times cos. The paper does not state
+the acceleration that started its block, nor the time at which it compared positions. At exactly the
+critical friction required and available friction are equal, and the scheme sticks only if the first
+is smaller: rounding decides whether it rests, as in the paper, or moves by its first substep
+without friction.)",
       {}};
   for (const std::vector<Case>& cases :
        {holds_until_knocked_loose(), slides_down_a_still_slope(), differs_by_the_slopes_sign(suite),

@@ -118,39 +118,39 @@ Chapter first_paper_link(const Folders& folders) {
   return {
       "8.2 The first paper: its comparison with SAP 2000",
       R"(Rodriguez-Nikl et al. (2019) compare their scheme with SAP 2000: residual deflection (RRD) on the
-flat roof off by 6.78 % at worst and 1.69 % in the mean, SAP as the baseline, at friction 0.02, 0.05,
-0.1, 0.15, 0.2 and on to 0.7; on 4 degrees at 0.1 to 0.6. Whose error is that? Here the same cases
-are solved exactly by `slide()`, by the published scheme at P = 64, and by a model of SAP's link as
-the paper describes it (tests/elastic_link): weight 1 N, springs of 100 N/mm along the roof and
+flat roof different by 6.78 % at most and 1.69 % in the mean, SAP as the baseline, at friction 0.02, 0.05,
+0.1, 0.15, 0.2 and up to 0.7; on 4 degrees at 0.1 to 0.6. Which of the two has this error? The same cases
+are solved exactly by `slide()`, by the published scheme at P = 64, and by a model of the link element
+of SAP as described in the paper (tests/elastic_link): weight 1 N, springs of 100 N/mm along the roof and
 normal to it, no damping, explicit Newmark steps (gamma 1/2, beta 0) of 1 ms with one iteration.
 
-The paper's record is not to be had, and it tells the peak plane acceleration of 1.0 g for its
-figures only. The first horizontal components of the seven motions of suite level 4 stand in, each
-scaled to 1.0 g, without verticals. They are sampled at 5 ms, the paper's at 10 ms, so P = 32 has the
-paper's substep. After the record a link without damping rings on for ever: its slip is its slider's,
-without the spring's deflection. Its friction is elastic-plastic, and it opens in tension; CSI's
-Analysis Reference Manual has Wen's rounded knee for the friction, which is tried beside it. SAP 2000
+The record of the paper is not available, and the paper gives the peak plane acceleration of 1.0 g for
+its figures only. The first horizontal components of the seven motions of suite level 4 are used instead,
+each scaled to 1.0 g, without verticals. They are sampled at 5 ms, the paper's at 10 ms, so P = 32 has the
+paper's substep. After the record a link without damping vibrates without end: its slip is that of its
+slider, without the deflection of the spring. Its friction is elastic-plastic, and it opens in tension; the
+CSI Analysis Reference Manual has the rounded knee of Wen for the friction, which is also computed. SAP 2000
 itself was not run.
 
-**What makes the difference.** The link can ring, the block cannot. When a link stops sliding it
-swings about the force that holds it, so it begins to slide again sooner and with a velocity of up
-to 2 mu g / omega, 10 mm/s at mu 0.5 and 100 N/mm, and stays off by that much for as long as it
-slides. So it is the stiffness that counts: the error falls with its square root, from 100 to 10,000
-N/mm by ten, towards the exact solution. A smaller substep alone brings little, so that two substeps
-which agree do not show the error. The paper found 1,000 N/mm similar, without the substep it took
-there: at 1 ms it is beyond the explicit scheme's stability (omega dt = 3.13 > 2), and fails below.
+**Cause of the difference.** The link can vibrate, the block cannot. When a link stops sliding it
+vibrates about the static force, so it starts to slide again earlier and with a velocity of up
+to 2 mu g / omega, 10 mm/s at mu 0.5 and 100 N/mm, and keeps this error as long as it
+slides. So the stiffness governs: the error decreases with its square root, from 100 to 10,000
+N/mm by ten, toward the exact solution. A smaller substep alone changes little, so agreement of two
+substeps does not show the error. The paper found 1,000 N/mm similar, and does not state the substep
+used there: at 1 ms the explicit scheme is not stable (omega dt = 3.13 > 2), and fails below.
 
-**Whose error it is.** With the first motion, scheme and link differ by as much as the paper's scheme
-and SAP did. Put the exact solution in the scheme's place and the difference stays: on the flat roof
-it is the link's. At the paper's substep, P = 32, the scheme's own error is smaller than the link's
-over the seven motions; for the first it is about as large in per cent of RRD, through the millimetre
-or two of residual at friction 0.6 and 0.7. On 4 degrees both are below a per cent in the mean. The
-residual is a difference of larger slips to either side: an error that is small beside the peak is
-large beside a residual that is itself small.
+**Source of the error.** With the first motion, scheme and link differ by as much as the paper's scheme
+and SAP. With the exact solution instead of the scheme the difference remains: on the flat roof
+it is the error of the link. At the paper's substep, P = 32, the error of the scheme is smaller than that
+of the link over the seven motions; for the first it is about as large in per cent of RRD, due to the
+residual of one or two millimetres at friction 0.6 and 0.7. On 4 degrees both are below one per cent in
+the mean. The residual is a difference of larger slips in both directions: an error that is small relative
+to the peak is large relative to a small residual.
 
-**On 4 degrees** the paper found SAP's link out of static equilibrium, and off at low friction. That is
-not the method's: a link that begins in equilibrium agrees at mu 0.1 as well as at others. With the
-rounded knee, which gives a little at any force, the ringing link creeps down the slope.)",
+**On 4 degrees** the link of the paper's SAP model was not in static equilibrium, and had errors at low
+friction. This is not due to the method: a link that begins in equilibrium agrees at mu 0.1 as well as at
+others. With the rounded knee, which is flexible at any force, the vibrating link creeps down the slope.)",
       cases(runs),
       "![Flat roof: peak and residual slip over friction](figures/first_paper_flat.svg)\n"
       "![Slope of 4 degrees: peak and residual slip over friction](figures/first_paper_4deg.svg)\n",

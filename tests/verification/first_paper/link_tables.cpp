@@ -87,9 +87,8 @@ std::string difference_table(const std::vector<LinkRun>& runs) {
       "part.\n\n"
       "| | RRD, flat: mean | worst | RRD, 4 deg: mean | worst | PRD, flat: mean | worst | PRD, 4 "
       "deg: mean | worst |\n|---|---|---|---|---|---|---|---|---|\n"
-      "| the paper: its scheme - SAP 2000, its motion | 1.69 % | 6.78 % | not told | not told | "
-      "not "
-      "told | not told | not told | not told |\n";
+      "| the paper: its scheme - SAP 2000, its motion | 1.69 % | 6.78 % | not given | not given | "
+      "not given | not given | not given | not given |\n";
   const struct {
     const char* name;
     std::size_t count;

@@ -129,13 +129,13 @@ Chapter first_paper_parametric_study(const Folders& folders) {
   return {
       "8.4 The first paper: the parametric study",
       R"(Study 06: 29 slopes x 15 frictions x 16 peak accelerations of one motion on a rigid roof, the
-larger of each slope and its mirror image kept, as in the paper. Slip need not grow at every step:
-a motion scaled up may push back later what it moved before. The readings below are at a peak roof
-acceleration of 1.5 g, from the paper's Fig. 12 and from ours; for all 22 motions of the suite, one
-of which the first is; and from study 08, the same grid for what the paper names as future work:
-those motions in every orientation with their verticals on buildings of 0 to 2 s, where the
-intensity is that of the ground. On the 22 recorded motions of FEMA P-695, study 07 tells where the
-paper's one record stands among many.)",
+larger of each slope and its mirror image kept, as in the paper. Slip may decrease with intensity:
+a motion with a larger factor may move the block back by more. The readings below are at a peak roof
+acceleration of 1.5 g, from the paper's Fig. 12 and from ours; for all 22 motions of the suite,
+which include the first; and from study 08, the same grid for the future work of the paper:
+these motions in every orientation with their verticals on buildings of 0 to 2 s, with the
+intensity of the ground motion. Study 07 compares the record of the paper with the 22 recorded
+motions of FEMA P-695.)",
       {all_equal({"29 slopes x 15 frictions x 16 intensities", "runs", paper + "6960"},
                  {plan.histories() == 6960 ? 0 : 1, 1}),
        all_equal({"envelope of both slopes", "results", paper + "3600"},

@@ -200,14 +200,14 @@ std::vector<Case> batch(const std::vector<CoupledScene>& scenes) {
 Chapter second_paper_coupled() {
   const std::vector<CoupledScene> scenes = coupled_scenes(200, 3);
   Chapter chapter{
-      "9.1 The second paper: a building that feels the array",
-      R"(Walters et al. (2012) put the array's mass, 5 to 10 % of the building's, on a building of one
-degree of freedom. `slide_coupled()` takes its phases of rest and of sliding as linear oscillators
-in closed form; `coupled_slip()` does many at once. Without mass, on a rigid building and with an
-array that never slides they must become what is known without them; in between stand the forced
+      "9.1 The second paper: coupled building and array",
+      R"(Walters et al. (2012) put the mass of the array, 5 to 10 % of that of the building, on a building of
+one degree of freedom. `slide_coupled()` solves phases of sticking and of sliding as linear oscillators
+in closed form; `coupled_slip()` solves many histories at once. Without mass, on a rigid building and with
+an array that never slides the known limits must result; between these limits are the forced
 oscillator with dry friction (Den Hartog 1931), 50 digits, and the balance of energy. The steady
-states are of motions given in samples, 1,000 a cycle, which alone leaves up to 1e-8 of the driving
-amplitude of 0.05 m.)",
+states are those of sampled motions, 1,000 samples a cycle, which causes an error of up to 1e-8 of the
+driving amplitude of 0.05 m.)",
       {without_mass(), vanishing_mass(scenes), rigid_building(scenes), held_array(),
        fifty_digits()}};
   for (const std::vector<Case>& cases :

@@ -165,10 +165,10 @@ std::vector<Case> on_building() {
 Chapter second_paper_crossings(const Folders& folders) {
   const Suite suite = load_suite(folders.suites / "synthetic_level2.toml");
   Chapter chapter{
-      "9.5 The second paper: reaching a parapet",
-      R"(Walters et al. (2012) cannot judge a parapet, for lack of the array's speed on reaching it. Each
-kernel tells when and how fast the block first gets a given distance. Just short of a stop the
-speed goes as the root of the way that is left, and so do the differences.)",
+      "9.5 The second paper: impact",
+      R"(Walters et al. (2012) cannot assess a parapet because the speed of the array at impact is not known. Each
+kernel gives time and speed at which the block first reaches a given distance. Close to a stop the
+speed, and its error, is proportional to the square root of the remaining distance.)",
       constant_push()};
   for (const std::vector<Case>& cases :
        {std::vector<Case>{at_the_peak()}, tabulated(suite), coupled_batch(), on_building()})

@@ -87,7 +87,7 @@ Case metastable_slope() {
   const SlipResult rests = slide_coupled({0.01, still}, {}, rigid, block).slip,
                    loose = slide_coupled({0.01, nudge}, {}, rigid, block).slip;
   return all_equal({"slope of tan 0.25 between mu 0.2 and mu_static 0.3",
-                    "rests; once shaken, slides freely", "no phase of sliding; free sliding"},
+                    "rests; once moved, slides freely", "no phase of sliding; free sliding"},
                    {(rests.slip_phases == 0 ? 0 : 1) + (loose.free_sliding ? 0 : 1), 2});
 }
 
@@ -149,9 +149,9 @@ std::vector<Case> pushed_past_speeds() {
 Chapter second_paper_friction() {
   Chapter chapter{
       "9.4 The second paper: friction laws",
-      R"(Walters et al. (2012) tell static ("breakaway") friction from that of sliding. At rest the block
-holds up to `static_ratio` times mu; sliding, mu may depend on speed by Constantinou, Mokha &
-Reinhorn (1990), J. Struct. Eng. 116(2):455-474. `slide_coupled()` takes the first exactly,
+      R"(Walters et al. (2012) distinguish static ("breakaway") friction and sliding friction. At rest friction
+is up to `static_ratio` times mu; in sliding, mu may depend on speed by Constantinou, Mokha &
+Reinhorn (1990), J. Struct. Eng. 116(2):455-474. `slide_coupled()` solves the first exactly,
 `slide_on_building()` both, here to 1e-9.)",
       constant_push()};
   for (const std::vector<Case>& cases :

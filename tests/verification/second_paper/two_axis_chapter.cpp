@@ -169,16 +169,16 @@ Chapter second_paper_two_axes(const Folders& folders) {
   const Convergence convergence = two_axis_convergence(folders);
   Chapter chapter{
       "9.3 The second paper: two axes",
-      R"(Walters et al. (2012) shake their building along both axes and upward at once. Where the block
-slides both ways its path bends, and there is no closed form but in limits: `slide_two_axis()` on a
-given roof and `slide_on_building()` on a building that may feel the array integrate with error
-control. They are compared with one axis, with the closed forms there are, with themselves turned
-round, and with another method on small steps.
+      R"(Walters et al. (2012) apply motion along both axes and the vertical at once. If the block
+slides along both axes its path is curved, and there is a closed form in limits only: `slide_two_axis()` on
+a given roof and `slide_on_building()` on a building with or without coupling integrate with error
+control. They are compared with one axis, with the available closed forms, with rotated versions of
+themselves, and with another method with small steps.
 
-The tolerance is the error a step may make in the velocity, relative to the largest speed. The
-table has the error of the longest displacement vector that is left: two motions of suite level 2
+The tolerance is the permitted error of the velocity in a step, relative to the largest speed. The
+table has the resulting error of the longest displacement vector: two motions of suite level 2
 on a rigid building and on one of 0.4 and 0.7 s with m/M 0 and 0.1, flat and on 4 degrees at an
-azimuth of 0.4 rad, mu 0.3 on a circle and 0.3 by 0.2 on an ellipse, 24 scenes; the truth is the
+azimuth of 0.4 rad, mu 0.3 on a circle and 0.3 by 0.2 on an ellipse, 24 scenes; the reference is the
 same with 1e-9.)",
       {one_axis(), coupled_one_axis(), rigid_building(), round_scene(), turned_scene(),
        srss_of_maxima()}};

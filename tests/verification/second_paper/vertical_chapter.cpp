@@ -154,10 +154,10 @@ Chapter second_paper_vertical(const Folders& folders) {
   const Suite suite = load_suite(folders.suites / "synthetic_level2.toml");
   Chapter chapter{
       "9.6 The second paper: the vertical through the building",
-      R"(Walters et al. (2012) take the building rigid upward and ask what a vertical period of 0.1 to
-0.5 s would change. The vertical may go through an oscillator of its own. Below, a case in closed
-form, in which the block slides from the first moment; and the three ways to solve a block without
-mass against each other.)",
+      R"(Walters et al. (2012) assume a building rigid in the vertical direction and recommend a study of vertical
+periods of 0.1 to 0.5 s. The vertical may have its own oscillator. Below are a case in closed
+form, in which the block slides from the start; and a comparison of the three solvers for a block without
+mass.)",
       lifted_roof()};
   for (const Case& c : three_ways(suite)) chapter.cases.push_back(c);
   chapter.cases.push_back(rigid_vertical(suite));

@@ -228,11 +228,11 @@ Case batch(const std::vector<CoupledScene>& scenes) {
 Chapter second_paper_yielding() {
   const std::vector<CoupledScene> scenes = yielding_scenes(150, 5);
   Chapter chapter{
-      "9.2 The second paper: a building that yields",
-      R"(Walters et al. (2012) ask what a building that yields does to the slip. The spring is bilinear,
-with the strength its elastic demand over R. By itself it has closed forms; with the block on it
-there are 50 digits and the balance of energy, to which its loops now belong; and at R = 1 it must
-be the linear building.)",
+      "9.2 The second paper: yielding building",
+      R"(Walters et al. (2012) study the effect of a yielding building on the slip. The spring is bilinear,
+with a strength of elastic demand over R. For the building alone there are closed forms; with the block
+there are 50 digits and the balance of energy, including hysteresis; and R = 1 must give
+the linear building.)",
       suddenly_applied()};
   for (const std::vector<Case>& cases :
        {std::vector<Case>{growing_pulse(), textbook_loop(), fifty_digits()}, balance(scenes),

@@ -10,7 +10,7 @@
 
 namespace glissade {
 
-/// Names the random numbers of one simulated motion.
+/// Key of the random numbers of one simulated motion.
 struct RealizationKey {
   std::uint64_t seed = 0;
   std::uint64_t realization = 0;
@@ -20,13 +20,13 @@ struct RealizationKey {
 struct ComponentParameters {
   Rdk10Parameters major, intermediate, vertical;
   double rotation_rad = 0.0;        ///< of the principal axes, uniform over the circle
-  SuiteGain short_period_residual;  ///< of this one motion; ours, see components.cpp
+  SuiteGain short_period_residual;  ///< of this motion; not published, see components.cpp
 };
 
 /// Draws them. The horizontal axes are principal: independent noise, correlated parameters
 /// (Rezaeian & Der Kiureghian 2012, EESD 41:335-357, the principle; correlations and the Arias
 /// ratio of the axes from Dabaghi & Der Kiureghian 2018). The construction for any distance, and
-/// the vertical's parameters, are ours.
+/// the parameters of the vertical, are not published.
 ComponentParameters draw_component_parameters(const Scenario& scenario, RealizationKey key);
 
 /// Two rotated horizontals and the vertical, m/s2, equal lengths: before gain and high-pass.
@@ -36,8 +36,8 @@ struct RawMotion {
 };
 RawMotion simulate_raw_motion(const Scenario& scenario, RealizationKey key, double dt_s);
 
-/// Gain, quiet ends, and the high-pass (0.1 Hz) last: final velocity and displacement are zero but
-/// for what is left of the oscillator's decay over the 15 s after the shaking.
+/// Gain, tapered ends, and then the high-pass filter (0.1 Hz): final velocity and displacement are
+/// zero except for the remainder of the filter's decay over the 15 s after the motion.
 RawMotion shape_motion(const RawMotion& raw, const SuiteGain& gain);
 
 }  // namespace glissade

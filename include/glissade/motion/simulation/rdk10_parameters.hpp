@@ -12,7 +12,7 @@ namespace glissade {
 struct Rdk10Parameters {
   double arias_g2s = 0.0;               ///< J, the integral of a^2 in g^2 s
   double significant_duration_s = 0.0;  ///< D5-95: from 5 % to 95 % of J
-  double middle_time_s = 0.0;           ///< when 45 % of J is reached
+  double middle_time_s = 0.0;           ///< time at which 45 % of J is reached
   double middle_frequency_hz = 0.0;     ///< of the filter, at the middle time
   double frequency_slope_hzps = 0.0;    ///< its rate of change
   double damping_ratio = 0.0;           ///< of the filter

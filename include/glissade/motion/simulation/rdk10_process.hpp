@@ -16,7 +16,7 @@ class Rdk10Envelope {
   explicit Rdk10Envelope(const Rdk10Parameters& parameters);
   double operator()(double time_s) const;  ///< time >= 0
   double arias_time_s(
-      double fraction) const;  ///< when that fraction (in (0, 1)) of the Arias intensity is reached
+      double fraction) const;  ///< time at which this fraction (in (0, 1)) of J is reached
   double a1() const { return a1_; }
   double a2() const { return 0.5 * (shape_ + 1.0); }
   double a3() const { return 0.5 / scale_s_; }
@@ -26,16 +26,16 @@ class Rdk10Envelope {
 };
 
 /// q(t) x(t) in g before the high-pass: white noise (standard normal, one number per sample)
-/// through the filter with changing frequency, brought to unit variance, modulated by the envelope.
+/// through the filter with changing frequency, scaled to unit variance, modulated by the envelope.
 /// The first value is zero. Impulse responses end when they have decayed by exp(-11.5); the
-/// filter's frequency is at least 0.3 Hz, and constant outside 1 % to 99 % of the Arias intensity.
-/// Cost: samples times the impulse response's length.
+/// frequency of the filter is at least 0.3 Hz, and constant outside 1 % to 99 % of the Arias
+/// intensity. Cost: samples times the length of the impulse response.
 std::vector<double> rdk10_process_g(const Rdk10Parameters& parameters, double dt_s,
                                     std::span<const double> noise);
 
-/// The model's high-pass: acceleration of the critically damped oscillator z'' + 2 w z' + w^2 z =
-/// x, a = z'' (bilinear, that is, exact for the trapezoidal velocity and displacement; both return
-/// to zero after the motion).
+/// High-pass filter of the model: acceleration of the critically damped oscillator z'' + 2 w z' +
+/// w^2 z = x, a = z'' (bilinear, that is, exact for the trapezoidal velocity and displacement; both
+/// return to zero after the motion).
 void high_pass(std::span<double> acceleration, double dt_s, double corner_hz);
 
 }  // namespace glissade

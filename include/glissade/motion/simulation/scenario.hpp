@@ -5,8 +5,8 @@ namespace glissade {
 
 enum class FaultMechanism { strike_slip, reverse };
 
-/// The earthquake and site that a motion is simulated for. The one distance stands for R_rup in the
-/// simulation and for R_JB in BSSA14: a vertical fault that reaches the surface.
+/// Earthquake and site of a simulated motion. The distance is R_rup in the simulation and R_JB in
+/// BSSA14: a vertical fault that reaches the surface.
 struct Scenario {
   double magnitude = 0.0;    ///< moment magnitude
   double distance_km = 0.0;  ///< > 0

@@ -7,7 +7,7 @@
 namespace glissade {
 
 /// A zero-phase amplitude gain over frequency: ln-ln linear between its points, constant outside.
-/// Ours, not published.
+/// Not published.
 struct SpectralGain {
   std::vector<double> frequencies_hz;  ///< increasing, > 0
   std::vector<double> values;          ///< > 0, one per frequency
@@ -20,9 +20,9 @@ struct SuiteGain {
   SpectralGain horizontal, vertical;
 };
 
-/// Multiplies the signal's Fourier transform by the gain. At least 20 s of zeros stand in for what
-/// lies before and after it, so that a gain that is smooth above 0.25 Hz does not wrap round; what
-/// leaks beyond its ends is cut.
+/// Multiplies the Fourier transform of the signal by the gain. The signal is padded with at least
+/// 20 s of zeros, so that a gain that is smooth above 0.25 Hz has no circular convolution error;
+/// the part outside the original duration is cut.
 std::vector<double> apply_gain(std::span<const double> signal, double dt_s,
                                const SpectralGain& gain);
 

@@ -11,8 +11,8 @@
 
 namespace glissade {
 
-/// One simulated motion of a recipe. `realization` names its random numbers; the same recipe gives
-/// the same motion.
+/// One simulated motion of a recipe. `realization` is the key of its random numbers; the same
+/// recipe gives the same motion.
 struct SyntheticMotion {
   std::string id;
   double magnitude = 0.0, distance_km = 0.0, vs30_mps = 0.0;
@@ -21,7 +21,7 @@ struct SyntheticMotion {
   double scale = 1.0;
 };
 
-/// Everything a built-in suite is made from (suites/synthetic_*.toml).
+/// Recipe of a built-in suite (suites/synthetic_*.toml).
 struct SyntheticRecipe {
   std::string name, description;
   std::uint64_t seed = 0;
@@ -30,8 +30,8 @@ struct SyntheticRecipe {
   DesignTarget target;
   std::vector<double> gain_frequencies_hz;  ///< increasing; the suite gain is ln-ln linear between,
                                             ///< constant outside
-  std::vector<double> horizontal_gain;  ///< zero-phase amplitude gain towards the BSSA14 median:
-                                        ///< ours, not published
+  std::vector<double> horizontal_gain;      ///< zero-phase amplitude gain toward the BSSA14 median:
+                                            ///< not published
   std::vector<double> vertical_gain;
   std::vector<SyntheticMotion> motions;
 };
@@ -39,7 +39,7 @@ struct SyntheticRecipe {
 Scenario scenario_of(const SyntheticMotion& motion);
 SuiteGain gain_of(const SyntheticRecipe& recipe);
 
-/// Simulates one motion (of the recipe, or a candidate for it); its scale is told, not applied.
+/// Simulates one motion (of the recipe, or a candidate for it); its scale is copied, not applied.
 Motion simulate_motion(const SyntheticRecipe& recipe, const SyntheticMotion& source);
 
 /// Simulates the recipe's motions. Deterministic: noise and parameters are keyed by (seed,

@@ -14,7 +14,7 @@ struct Vector {
   double period_s, expected;
 };
 
-// OpenQuake's BSSA_2014_MEAN.csv (strike-slip), g, by ../shared/ground-motion-model/check.csv.
+// OpenQuake's BSSA_2014_MEAN.csv (strike-slip), g.
 constexpr Vector openquake[] = {
     {{6.0, 20.0, 400.0}, 0, 0.135537},    {{6.0, 20.0, 400.0}, 0.1, 0.255775},
     {{6.0, 20.0, 400.0}, 0.2, 0.357161},  {{6.0, 20.0, 400.0}, 0.5, 0.186971},

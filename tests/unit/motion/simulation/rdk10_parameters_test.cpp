@@ -12,8 +12,8 @@ namespace {
 
 constexpr Scenario page_scenario{7.0, 20.0, 760.0, FaultMechanism::strike_slip};
 
-// The test vector of ../shared/ground-motion-model/README.md, section 2, with the digits it is
-// given in.
+// A test vector computed from the coefficients of rzz2015_gmpe.py (SCEC Broadband Platform), with
+// its digits.
 TEST(rdk10_parameters, reproduce_the_test_vector_of_the_page) {
   const Rdk10Scores scores = rdk10_mean_scores(page_scenario);
   constexpr Rdk10Scores expected = {.9470, .2422, -.2821, .2864, -.1111, .7360};
