@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include "commands.hpp"
+#include "glissade/core/error.hpp"
+#include "glissade/io/study_grammar.hpp"
+
+namespace glissade::cli {
+
+void add_explain(CLI::App& program) {
+  struct Options {
+    std::string key;
+    bool markdown = false;
+  };
+  auto o = std::make_shared<Options>();
+  CLI::App* command = program.add_subcommand("explain", "Explain the keys of a study file");
+  command->add_option("key", o->key, "a table or a key: building, building.period_s [all]");
+  command->add_flag("--markdown", o->markdown, "print the page studies/GRAMMAR.md");
+  command->callback([o] {
+    if (o->markdown) {
+      fmt::print("{}", grammar_page());
+      return;
+    }
+    const std::string text = grammar_text(o->key);
+    if (text.empty()) {
+      throw InputError({"", "there is no table or key " + o->key,
+                        "`glissade explain` lists all of them", ""});
+    }
+    fmt::print("{}", text);
+  });
+}
+
+}  // namespace glissade::cli
