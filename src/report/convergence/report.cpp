@@ -136,17 +136,17 @@ std::string uplift_warning(const ConvergenceResults& r) {
 
 std::string html_page(const ConvergenceResults& results, const std::vector<std::string>& sentences,
                       const std::vector<Table>& tables, const DrawnFigure& drawn) {
-  std::string html = page_head({results.study_name, "convergence"});
+  Html html = page_head({results.study_name, "convergence"});
   if (!results.study_description.empty()) html += paragraph(results.study_description);
   html += "<div class=\"answer\">\n";
   for (const std::string& sentence : sentences) html += paragraph(sentence);
   html += "</div>\n" + figure_html(drawn, 1);
   for (const Table& table : tables) html += wide_table(table);
   html += heading("How it was done") + list(how_it_was_done(results));
-  html += heading("The study") + "<pre>" + escape_html(results.study_text) + "</pre>\n";
+  html += heading("The study") + study_file(results.study_text);
   html += paragraph(fmt::format("glissade {}, plan {}; suite {}: {}.", results.program_version,
                                 results.plan_hash, results.suite_name, results.suite_description));
-  return html + page_foot();
+  return (html + page_foot()).str();
 }
 
 }  // namespace
