@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 #include "glissade/report/format.hpp"
 
@@ -17,12 +18,11 @@ struct Range {
 };
 
 template <class T>
-Range<T> range_of(const std::vector<SamplePoint>& samples, T SamplePoint::*member) {
-  if (samples.empty()) return {};
-  Range<T> range{samples.front().*member, samples.front().*member};
-  for (const SamplePoint& sample : samples) {
-    range.min = std::min(range.min, sample.*member);
-    range.max = std::max(range.max, sample.*member);
+Range<T> range_of(const std::vector<Case>& cases, T Case::*member) {
+  Range<T> range{cases.front().*member, cases.front().*member};
+  for (const Case& c : cases) {
+    range.min = std::min(range.min, c.*member);
+    range.max = std::max(range.max, c.*member);
   }
   return range;
 }
@@ -33,53 +33,52 @@ std::string range_text(const Range<double>& range, const std::string& unit) {
 }
 
 std::string building_text(const Results& results) {
-  const std::vector<SamplePoint>& samples = results.samples;
-  const Range<double> period = range_of(samples, &SamplePoint::period_s);
+  const std::vector<Case>& cases = results.cases.cases;
+  const Range<double> period = range_of(cases, &Case::period_s);
   if (period.max == 0.0) return "Rigid: the roof moves as the ground does.";
   const bool yields = !results.model.building.empty();
-  const Range<double> mass = range_of(samples, &SamplePoint::mass_ratio);
+  const Range<double> mass = range_of(cases, &Case::mass_ratio);
   return fmt::format(
-      "A {}single-degree-of-freedom oscillator{} ({}no higher modes) with {}"
+      "A {}single-degree-of-freedom oscillator{} ({}no higher modes) with "
       "periods of {} and damping ratios of {}. {}{}",
       yields ? "" : "linear ", slides_on_two_axes(results) ? " along each horizontal axis" : "",
-      yields ? "" : "no yielding, ", results.chart ? "" : "sampled ", range_text(period, " s"),
-      range_text(range_of(samples, &SamplePoint::damping), ""), results.model.building,
+      yields ? "" : "no yielding, ", range_text(period, " s"),
+      range_text(range_of(cases, &Case::damping), ""), results.model.building,
       mass.max == 0.0
           ? "The array's mass is neglected: it does not change the building's motion."
           : fmt::format("The array's mass acts back on it: array over building mass {}.",
                         range_text(mass, "")));
 }
 
-std::string drawn_or_fixed(const Range<int>& sign) {
-  return sign.is_one_value() ? fmt::format("always {}", sign.min > 0 ? "positive" : "negative")
-                             : "drawn for each sample";
+/// The different values that a function of the orientation takes over the cases.
+template <class Value>
+std::size_t different(const std::vector<Case>& cases, Value value) {
+  std::set<int> values;
+  for (const Case& c : cases) {
+    if (c.orientation.is_quarter_turn()) values.insert(value(c.orientation));
+  }
+  return values.size();
 }
 
-std::string two_axis_orientation_text(const Results& results) {
-  const std::vector<SamplePoint>& samples = results.samples;
-  const Range<int> component = range_of(samples, &SamplePoint::component);
-  return fmt::format(
-      "Both horizontal components act at once. The one along the building's first axis is {}; its "
-      "sign is {}, that of the other {}. The roof falls {} degrees from that axis.",
-      component.is_one_value() ? (component.min == 0 ? "the record's first" : "the record's second")
-                               : "drawn for each sample",
-      drawn_or_fixed(range_of(samples, &SamplePoint::sign)),
-      drawn_or_fixed(range_of(samples, &SamplePoint::second_sign)),
-      range_text(range_of(samples, &SamplePoint::azimuth_deg), ""));
-}
-
-std::string orientation_text(const std::vector<SamplePoint>& samples) {
-  const Range<int> component = range_of(samples, &SamplePoint::component);
-  const Range<int> sign = range_of(samples, &SamplePoint::sign);
-  return fmt::format(
-      "One horizontal component acts along the slope; motion across the slope is not combined with "
-      "it. {} {}",
-      component.is_one_value() ? fmt::format("It is always the {} component of the record.",
-                                             component.min == 0 ? "first" : "second")
-                               : "Which of the two components it is, is drawn for each sample.",
-      sign.is_one_value()
-          ? fmt::format("Its sign is always {}.", sign.min > 0 ? "positive" : "negative")
-          : "Its sign (which way is downslope) is drawn for each sample.");
+std::string orientation_text(const Results& results) {
+  const CaseSet& set = results.cases;
+  const bool two_axes = slides_on_two_axes(results);
+  const std::string acts =
+      two_axes ? "Both horizontal components act at once. "
+               : "One horizontal component acts along the slope; motion across the slope is not "
+                 "combined with it. ";
+  if (set.orientations > 1) {
+    return acts + fmt::format("Every record is run in {} orientations: {} ...", set.orientations,
+                              to_string(set.cases[0].orientation));
+  }
+  const auto along = [](const Orientation& o) { return along_axis(o, 0).component; };
+  const auto sign = [](const Orientation& o) { return along_axis(o, 0).sign; };
+  const auto text = [](std::size_t values) {
+    return values > 1 ? "drawn for each sample" : "the same throughout";
+  };
+  return acts + fmt::format("Which component acts along the {} is {}; its sign is {}.",
+                            two_axes ? "building's first axis" : "slope",
+                            text(different(set.cases, along)), text(different(set.cases, sign)));
 }
 
 std::string vertical_text(const std::vector<RecordSummary>& records) {
@@ -91,24 +90,6 @@ std::string vertical_text(const std::vector<RecordSummary>& records) {
       "the normal force would fall below zero the history is flagged as uplift, which is outside "
       "the model.",
       with, records.size());
-}
-
-std::string chart_orientation_text(const Results& results) {
-  const Range<int> component = range_of(results.samples, &SamplePoint::component);
-  const bool both_ways = !range_of(results.samples, &SamplePoint::sign).is_one_value() ||
-                         range_of(results.samples, &SamplePoint::slope_deg).min < 0.0;
-  return fmt::format(
-      "{} Each record counts once, with the largest slip of its orientations: {}, {} along the "
-      "slope.",
-      slides_on_two_axes(results)
-          ? "Both horizontal components act at once, along and across the slope."
-          : "One horizontal component acts along the slope; motion across the slope is not "
-            "combined "
-            "with it.",
-      component.is_one_value()
-          ? fmt::format("its {} component", component.min == 0 ? "first" : "second")
-          : "both components in turn",
-      both_ways ? "either way" : "one way");
 }
 
 /// What a reader takes from the numbers: fragilities, or a chart.
@@ -133,10 +114,8 @@ std::vector<Assumption> reading_assumptions(const Results& results) {
 }
 
 std::string roof_text(const Results& results) {
-  if (results.chart) return "A plane; its slope is an axis of the chart.";
   return "A plane with a slope of " +
-         range_text(range_of(results.samples, &SamplePoint::slope_deg), " degrees") +
-         " in the samples.";
+         range_text(range_of(results.cases.cases, &Case::slope_deg), " degrees") + ".";
 }
 
 }  // namespace
@@ -158,9 +137,10 @@ std::vector<Assumption> assumptions_of(const Results& results) {
                        : results.model.friction + "It does not depend on pressure or wear."},
       {"Roof", roof_text(results)},
       {"Building", building_text(results)},
-      {"Orientation", results.chart                 ? chart_orientation_text(results)
-                      : slides_on_two_axes(results) ? two_axis_orientation_text(results)
-                                                    : orientation_text(results.samples)},
+      {"Orientation",
+       orientation_text(results) +
+           (results.chart ? " In the chart each record counts once, with the largest of them."
+                          : "")},
       {"Vertical motion", vertical_text(results.records)},
       {"End of the record",
        "After its last sample the acceleration goes linearly to zero over one more interval and "

@@ -51,13 +51,14 @@ std::string inches_beside(const std::string& which, double largest_m, const std:
 }
 
 std::string at_intensity(const Results& results, double value) {
-  std::string name = results.intensity_label;
-  if (name.ends_with(" (g)")) name.resize(name.size() - 4);
-  return name + " = " + format_number(value) + " g";
+  const std::string unit = results.measure.unit();
+  const std::string name =
+      results.intensity_label.substr(0, results.intensity_label.rfind(" ("));
+  return name + " = " + format_number(value) + (unit == "-" ? "" : " " + unit);
 }
 
 std::string counts_of(const Results& results) {
-  return fmt::format("{} records x {} samples", results.records.size(), results.samples.size());
+  return fmt::format("{} records x {} samples", results.records.size(), results.cases.samples);
 }
 
 std::string friction_of(const RunResults& run) {
@@ -86,12 +87,13 @@ int point_symbol(std::size_t index) {
   return symbols[index % symbols.size()];
 }
 
-std::vector<double> histories_at(const Array3<double>& slip_m, std::size_t first, std::size_t last,
-                                 std::size_t level) {
+std::vector<double> histories_at(const HistoryTable& histories, CaseSlice cases,
+                                 std::size_t first, std::size_t last, std::size_t level) {
   std::vector<double> values;
-  for (std::size_t i = first; i < last; ++i) {
-    for (std::size_t j = 0; j < slip_m.columns; ++j) {
-      if (!std::isnan(slip_m(i, j, level))) values.push_back(slip_m(i, j, level));
+  for (std::size_t record = first; record < last; ++record) {
+    for (std::size_t i = 0; i < cases.count; ++i) {
+      const double slip_m = histories.displacement_m(record, cases.first + i, level);
+      if (!std::isnan(slip_m)) values.push_back(slip_m);
     }
   }
   return values;

@@ -34,8 +34,8 @@ std::vector<double> some_levels(const std::vector<double>& levels, std::size_t c
 int point_symbol(std::size_t index);
 
 /// The finite slips of records first <= i < last at a level, over all samples.
-std::vector<double> histories_at(const Array3<double>& slip_m, std::size_t first, std::size_t last,
-                                 std::size_t level);
+std::vector<double> histories_at(const HistoryTable& histories, CaseSlice cases,
+                                 std::size_t first, std::size_t last, std::size_t level);
 /// Linear between order statistics (Hyndman & Fan 1996, type 7); NaN without values.
 double percentile(std::vector<double> values, double share);
 

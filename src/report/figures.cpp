@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "chart/report.hpp"
+#include "glissade/report/clearance_report.hpp"
 #include "figure_text.hpp"
 #include "glissade/report/format.hpp"
 #include "gnuplot.hpp"
@@ -109,7 +110,7 @@ Figure fragility_figure(const Results& results, const RunResults& run) {
 }
 
 Figure ida_figure(const Results& results, const RunResults& run) {
-  const Array3<double>& slip = run.peak_displacement_m;
+  const HistoryTable& slip = results.histories;
   Figure figure;
   figure.name = "ida";
   figure.title = "Incremental dynamic analysis: slip as the shaking grows";
@@ -123,8 +124,8 @@ Figure ida_figure(const Results& results, const RunResults& run) {
   gnuplot::DataBlocks data;
   data.begin("fractiles", "intensity_g p16_m p50_m p84_m");
   double widest_m = results.thresholds_m.empty() ? 0.0 : results.thresholds_m.front();
-  for (std::size_t l = 0; l < slip.depth; ++l) {
-    const std::vector<double> all = histories_at(slip, 0, slip.rows, l);
+  for (std::size_t l = 0; l < slip.levels; ++l) {
+    const std::vector<double> all = histories_at(slip, slice_of(run), 0, slip.records, l);
     data.row({results.levels.at(l), percentile(all, 0.16), percentile(all, 0.50),
               percentile(all, 0.84)});
     for (const double share : {0.50, 0.84}) {
@@ -133,9 +134,9 @@ Figure ida_figure(const Results& results, const RunResults& run) {
     }
   }
   data.begin("records", "record_median_m intensity_g");
-  for (std::size_t i = 0; i < slip.rows; ++i) {
-    for (std::size_t l = 0; l < slip.depth; ++l) {
-      data.row({percentile(histories_at(slip, i, i + 1, l), 0.5), results.levels.at(l)});
+  for (std::size_t i = 0; i < slip.records; ++i) {
+    for (std::size_t l = 0; l < slip.levels; ++l) {
+      data.row({percentile(histories_at(slip, slice_of(run), i, i + 1, l), 0.5), results.levels.at(l)});
     }
     data.break_line();
   }
@@ -175,7 +176,7 @@ Figure ida_figure(const Results& results, const RunResults& run) {
 }
 
 Figure spectra_figure(const Results& results) {
-  const SuiteSpectra& spectra = results.spectra;
+  const SuiteSpectra& spectra = results.suites.front().spectra;
   const std::string scaled =
       spectra.reference_level > 0.0
           ? "scaled to S_DS = " + format_number(spectra.reference_level) + " g"
@@ -188,7 +189,7 @@ Figure spectra_figure(const Results& results) {
       "two horizontal components of each "
       "record (grey), their average" +
       std::string(spectra.target_g.empty() ? "" : ", and the target spectrum") +
-      ". Suite: " + results.suite_name + ", " + scaled + ".";
+      ". Suite: " + results.suites.front().name + ", " + scaled + ".";
   gnuplot::DataBlocks data;
   data.begin("suite",
              spectra.target_g.empty() ? "period_s average_g" : "period_s average_g target_g");
@@ -207,7 +208,7 @@ Figure spectra_figure(const Results& results) {
   const std::string file = quoted_file(figure.name);
   figure.body =
       title_of(figure,
-               fmt::format("suite {}; {} records", results.suite_name, results.records.size())) +
+               fmt::format("suite {}; {} records", results.suites.front().name, results.records.size())) +
       axis("x", "Period (s)") + axis("y", "Spectral acceleration, 5 % damped, SRSS (g)") +
       fmt::format("set xrange [0:{}]\nset yrange [0:{}]\n", spectra.periods_s.back(), 2.0 * top_g) +
       fmt::format(
@@ -228,8 +229,12 @@ Figure spectra_figure(const Results& results) {
 }
 
 std::vector<Figure> make_figures(const Results& results) {
-  if (results.chart) return chart_figures(results);
   std::vector<Figure> figures;
+  if (results.chart) figures = chart_figures(results);
+  if (results.clearance) {
+    for (Figure& figure : clearance_figures(clearance_results(results)))
+      figures.push_back(std::move(figure));
+  }
   if (!results.runs.empty() && !results.levels.empty()) {
     for (const RunResults& run : results.runs) {
       if (!run.fragilities.empty()) figures.push_back(fragility_figure(results, run));
@@ -238,14 +243,15 @@ std::vector<Figure> make_figures(const Results& results) {
     if (!main_run.slip.empty() && results.measure == IntensityMeasure::sds_g) {
       figures.push_back(slip_vs_sds_figure(results, main_run));
     }
-    if (!main_run.peak_displacement_m.data.empty())
-      figures.push_back(ida_figure(results, main_run));
+    figures.push_back(ida_figure(results, main_run));
     if (!main_run.impact.empty()) {
       Figure impact = impact_figure(results, main_run);
       if (!impact.data.empty()) figures.push_back(std::move(impact));
     }
   }
-  if (!results.spectra.periods_s.empty()) figures.push_back(spectra_figure(results));
+  const bool has_spectra = std::ranges::any_of(
+      figures, [](const Figure& figure) { return figure.name == FileName("spectra"); });
+  if (!has_spectra) figures.push_back(spectra_figure(results));
   return figures;
 }
 

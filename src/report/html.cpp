@@ -8,6 +8,7 @@
 #include "assumptions.hpp"
 #include "chart/report.hpp"
 #include "chart/view.hpp"
+#include "glissade/report/clearance_report.hpp"
 #include "glissade/report/format.hpp"
 #include "glissade/report/summary.hpp"
 #include "glissade/report/tables.hpp"
@@ -77,34 +78,46 @@ Html impact_html(const Results& results) {
          paragraph("Every run, clearance and level: tables/impact.csv.");
 }
 
-Html fragility_html(const Results& results, const std::vector<DrawnFigure>& figures) {
-  return heading("Results") + wide_table(fragility_summary_table(results)) + figures_html(figures) +
+Html fragility_html(const Results& results) {
+  return heading("Fragility") + wide_table(fragility_summary_table(results)) +
          standards_html(results, standards_table(results)) + impact_html(results) +
          heading("Slip by level") + wide_table(slip_table(results)) + heading("Fits in full") +
          wide_table(fragility_table(results).without("interval_method"));
 }
 
-Html chart_html(const Results& results, const std::vector<DrawnFigure>& figures) {
+Html chart_html(const Results& results) {
   constexpr std::size_t most = 16;
-  Html html = heading("Results");
+  Html html = heading("Design chart");
   if (!results.chart->readings.empty()) html += wide_table(chart_answers_table(results));
-  return html + figures_html(figures) + standards_html(results, chart_standards_table(results)) +
+  return html + standards_html(results, chart_standards_table(results)) +
          heading("The chart in numbers") + wide_table(chart_matrix_table(results, most)) +
          paragraph(
              "Every level, slope and coefficient of friction, to interpolate in: "
              "tables/chart.csv.");
 }
 
-std::string what_was_run(const Results& results) {
-  if (results.chart) {
-    return "Design chart of an unattached rooftop solar array: " + chart_size(results) + ". " +
-           how_counted(results);
+/// Longer tables are files only.
+Html clearance_html(const ClearanceResults& results) {
+  constexpr std::size_t most_rows = 60;
+  Html html = heading("Required clearance");
+  for (const Table& table : clearance_tables(results)) {
+    html += table.rows.size() <= most_rows
+                ? wide_table(table)
+                : paragraph(fmt::format("{}: {} rows in tables/{}.csv.", table.title,
+                                        table.rows.size(), table.name.text()));
   }
-  return fmt::format(
-      "Slip fragility of an unattached rooftop solar array: {} records x {} samples x {} levels of "
-      "{}. Every displacement is in plan.",
-      results.records.size(), results.samples.size(), results.levels.size(),
-      results.intensity_label);
+  return html + list(clearance_explained(results));
+}
+
+std::string what_was_run(const Results& results) {
+  const CaseSet& set = results.cases;
+  std::string text = fmt::format(
+      "{} records x {} combinations x {} samples x {} orientations x {} levels of {}. Every "
+      "displacement is in plan.",
+      results.records.size(), set.combinations(), set.samples, set.orientations,
+      results.levels.size(), results.intensity_label);
+  if (results.chart) text += " Chart: " + chart_size(results) + ". " + how_counted(results);
+  return text;
 }
 
 Html assumptions_html(const Results& results) {
@@ -125,13 +138,20 @@ Html skips_and_notes_html(const Results& results, const std::vector<Skip>& skips
   return html;
 }
 
+Html suites_html(const Results& results) {
+  Html html;
+  for (const SuiteSummary& suite : results.suites)
+    html += paragraph("Suite: " + suite.name + ". " + suite.description);
+  return html;
+}
+
 Html inputs_html(const Results& results) {
   std::string runs;
   for (const RunResults& run : results.runs)
     runs += run.label + " (" + run.friction_description + ") ";
   return heading("Inputs") +
-         paragraph("Suite: " + results.suite_name + ". " + results.suite_description) +
-         (results.chart ? Html() : paragraph("Friction runs: " + runs)) +
+         suites_html(results) +
+         (results.runs.empty() ? Html() : paragraph("Friction: " + runs)) +
          wide_table(records_table(results)) + "<h3>Study file</h3>\n" +
          study_file(results.study_text);
 }
@@ -141,9 +161,12 @@ Html inputs_html(const Results& results) {
 std::string html_report(const Results& results, const std::vector<DrawnFigure>& figures,
                         const std::vector<Skip>& skips) {
   const Html page =
-      page_head({results.study_name, results.chart ? "design chart" : "slip fragility"}) +
-      paragraph(what_was_run(results)) + answer_html(results) +
-      (results.chart ? chart_html(results, figures) : fragility_html(results, figures)) +
+      page_head({results.study_name, "sliding of an unattached solar array"}) +
+      (results.study_description.empty() ? Html() : paragraph(results.study_description)) +
+      paragraph(what_was_run(results)) + answer_html(results) + figures_html(figures) +
+      (results.clearance ? clearance_html(clearance_results(results)) : Html()) +
+      (results.runs.empty() ? Html() : fragility_html(results)) +
+      (results.chart ? chart_html(results) : Html()) +
       assumptions_html(results) + skips_and_notes_html(results, skips) + inputs_html(results) +
       paragraph(fmt::format("Made by glissade {}; plan {}, seed {}. The same study, suite and seed "
                             "give the same numbers. Tables "

@@ -24,8 +24,8 @@ struct SpeedPoint {
 /// Over the thresholds that enough records reach at this level.
 std::vector<SpeedPoint> points_at(const Results& results, const RunResults& run,
                                   std::size_t level) {
-  const std::size_t records = results.records.size(), samples = results.samples.size(),
-                    levels = results.levels.size(), thresholds = results.thresholds_m.size();
+  const std::size_t records = results.records.size(), samples = run.cases,
+                    thresholds = results.thresholds_m.size();
   std::vector<SpeedPoint> points;
   for (std::size_t t = 0; t < thresholds; ++t) {
     std::vector<double> speeds;
@@ -34,7 +34,10 @@ std::vector<SpeedPoint> points_at(const Results& results, const RunResults& run,
       const std::size_t before = speeds.size();
       for (std::size_t j = 0; j < samples; ++j) {
         const double speed =
-            run.crossing_speed_mps[((i * samples + j) * levels + level) * thresholds + t];
+            results.histories.fields
+                .crossing_speed_mps[results.histories.at(i, run.first_case + j, level) *
+                                        thresholds +
+                                    t];
         if (!std::isnan(speed)) speeds.push_back(speed);
       }
       reaching += speeds.size() > before ? 1 : 0;

@@ -8,6 +8,7 @@
 
 #include "chart/report.hpp"
 #include "figure_text.hpp"
+#include "glissade/report/clearance_report.hpp"
 #include "glissade/report/format.hpp"
 #include "glissade/report/tables.hpp"
 #include "impact.hpp"
@@ -123,7 +124,7 @@ Table brief_standards_table(const Results& results, const RunResults& run) {
 std::string fragility_summary(const Results& results) {
   std::string text =
       fmt::format("{}: {} records x {} samples x {} levels, displacements in plan\nModel: {}\n\n",
-                  results.study_name, results.records.size(), results.samples.size(),
+                  results.study_name, results.records.size(), results.cases.samples,
                   results.levels.size(), results.model.kernel);
   text += to_text(fragility_summary_table(results));
   if (!results.runs.empty() && !results.runs.front().standards.empty()) {
@@ -136,9 +137,13 @@ std::string fragility_summary(const Results& results) {
 }  // namespace
 
 std::vector<std::string> answer_sentences(const Results& results) {
-  if (results.chart) return chart_sentences(results);
   std::vector<std::string> sentences;
-  if (results.runs.empty() || results.levels.empty()) return sentences;
+  if (results.clearance) sentences = clearance_sentences(clearance_results(results));
+  if (results.chart) {
+    for (std::string& sentence : chart_sentences(results))
+      sentences.push_back(std::move(sentence));
+  }
+  if (results.runs.empty()) return sentences;
   const RunResults& run = results.runs.front();
   for (const ThresholdFragility& fragility : run.fragilities) {
     sentences.push_back(threshold_sentence(results, fragility));
@@ -159,7 +164,11 @@ std::vector<std::string> answer_sentences(const Results& results) {
 }
 
 std::string summary_text(const Results& results, const std::vector<Skip>& skips) {
-  std::string text = results.chart ? chart_summary(results) : fragility_summary(results);
+  std::string text;
+  if (!results.runs.empty()) text += fragility_summary(results);
+  if (results.chart) text += (text.empty() ? "" : "\n") + chart_summary(results);
+  if (results.clearance)
+    text += (text.empty() ? "" : "\n") + clearance_summary(clearance_results(results));
   if (!skips.empty()) text += "\nNot computed, because not needed\n";
   for (const Skip& skip : skips) text += "  " + format_skip(skip) + "\n";
   if (!results.notes.empty()) text += "\nNotes\n";

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "chart/report.hpp"
+#include "glissade/report/clearance_report.hpp"
 #include "glissade/report/format.hpp"
 
 namespace glissade {
@@ -58,8 +59,8 @@ std::string fit_label(const FitSummary& fit, double highest_level) {
   return to_string(fit.status) + (beyond ? ", extrapolated beyond the levels" : "");
 }
 
-double histories_per_level(const RunResults& run) {
-  return static_cast<double>(run.peak_displacement_m.rows * run.peak_displacement_m.columns);
+double histories_per_level(const Results& results, const RunResults& run) {
+  return static_cast<double>(results.records.size() * run.cases);
 }
 
 const SlipStatistics* slip_at(const RunResults& run, double level) {
@@ -195,7 +196,7 @@ Table stripes_table(const Results& results) {
        {"share", "", "Share [95 %]", ColumnKind::share, true}},
       {}};
   for (const RunResults& run : results.runs) {
-    const double histories = histories_per_level(run);
+    const double histories = histories_per_level(results, run);
     for (const ThresholdFragility& fragility : run.fragilities) {
       for (std::size_t l = 0; l < fragility.probability.size(); ++l) {
         const Interval interval = l < fragility.probability_interval.size()
@@ -210,9 +211,15 @@ Table stripes_table(const Results& results) {
   return table;
 }
 
+std::string suite_names(const Results& results) {
+  std::string names;
+  for (const SuiteSummary& suite : results.suites) names += (names.empty() ? "" : ", ") + suite.name;
+  return names;
+}
+
 Table records_table(const Results& results) {
   Table table{"records",
-              "Ground motions of suite " + results.suite_name +
+              "Ground motions of suite " + suite_names(results) +
                   ". pga and pgv are geometric means of the horizontals as recorded; factor at "
                   "unit level is what "
                   "the record is multiplied by at intensity 1 g (0: depends on the sample); 0 in "
@@ -244,7 +251,7 @@ Table records_table(const Results& results) {
 }
 
 Table spectra_table(const Results& results) {
-  const SuiteSpectra& spectra = results.spectra;
+  const SuiteSpectra& spectra = results.suites.front().spectra;
   Table table{"spectra",
               "5 % damped SRSS spectra of the horizontals, " +
                   (spectra.reference_level > 0.0 ? "scaled to " + results.intensity_label + " = " +
@@ -270,41 +277,45 @@ Table spectra_table(const Results& results) {
 }
 
 Table samples_table(const Results& results) {
-  Table table{"samples",
-              std::string("Sampled parameters. Friction is that of the sampled run; component 0 or "
-                          "1 is the horizontal "
-                          "that acts along the slope (of two axes: along the building's first), "
-                          "with the given sign. ") +
-                  in_plan,
-              {{"sample", "", "Sample", ColumnKind::count},
-               {"friction", "", "Friction", ColumnKind::number},
-               {"slope", "deg", "Slope, deg", ColumnKind::number},
-               {"period", "s", "Period, s", ColumnKind::number},
-               {"damping_ratio", "", "Damping ratio", ColumnKind::number},
-               {"component", "", "Component", ColumnKind::count},
-               {"sign", "", "Sign", ColumnKind::count},
-               {"mass_ratio", "", "Mass ratio", ColumnKind::number},
-               {"friction_across", "", "Friction across", ColumnKind::number},
-               {"azimuth", "deg", "Azimuth, deg", ColumnKind::number},
-               {"second_sign", "", "Sign of the other component", ColumnKind::count}},
-              {}};
-  for (std::size_t j = 0; j < results.samples.size(); ++j) {
-    const SamplePoint& s = results.samples[j];
-    table.add({static_cast<double>(j), s.friction, s.slope_deg, s.period_s, s.damping,
-               static_cast<double>(s.component), static_cast<double>(s.sign), s.mass_ratio,
-               s.friction_across, s.azimuth_deg, static_cast<double>(s.second_sign)});
+  Table table{"samples", std::string("The samples of the first combination. ") + in_plan,
+              {{"sample", "", "Sample", ColumnKind::count}}, {}};
+  std::vector<const Parameter*> shown;
+  for (const Parameter& p : parameters()) {
+    if (p.axes == Parameter::Axes::two && !slides_on_two_axes(results)) continue;
+    shown.push_back(&p);
+    const std::string unit = p.unit == std::string("-") ? "" : p.unit;
+    table.columns.push_back({std::string(p.table) + "_" + p.key, "",
+                             std::string(p.key) + (unit.empty() ? "" : ", " + unit),
+                             ColumnKind::number});
   }
-  if (slides_on_two_axes(results)) return table;
-  return table.without("friction_across").without("azimuth").without("second_sign");
+  table.columns.push_back({"ground_azimuth_deg", "", "Ground azimuth, deg", ColumnKind::number});
+  table.columns.push_back({"across_sign", "", "Sign across", ColumnKind::count});
+  for (std::size_t j = 0; j < results.cases.samples; ++j) {
+    const Case& c = results.cases.cases[results.cases.index(0, j, 0)];
+    std::vector<Cell> row{static_cast<double>(j)};
+    for (const Parameter* p : shown) row.emplace_back(value_of(*p, c));
+    row.emplace_back(c.orientation.ground_azimuth_deg);
+    row.emplace_back(static_cast<double>(c.orientation.across_sign));
+    table.add(std::move(row));
+  }
+  return table;
 }
 
 std::vector<Table> csv_tables(const Results& results) {
-  if (results.chart) return chart_csv_tables(results);
-  std::vector<Table> tables = {fragility_table(results), slip_table(results),
-                               stripes_table(results),   records_table(results),
-                               spectra_table(results),   samples_table(results)};
+  std::vector<Table> tables = {records_table(results), spectra_table(results)};
+  const auto add = [&](std::vector<Table> more) {
+    for (Table& table : more) {
+      const auto same = [&](const Table& t) { return t.name == table.name; };
+      if (std::ranges::none_of(tables, same)) tables.push_back(std::move(table));
+    }
+  };
+  if (results.chart) add(chart_csv_tables(results));
+  if (results.clearance) add(clearance_file_tables(clearance_results(results)));
+  if (results.runs.empty()) return tables;
+  add({fragility_table(results), slip_table(results), stripes_table(results),
+       samples_table(results)});
   Table standards = standards_table(results);
-  if (!standards.rows.empty()) tables.insert(tables.begin() + 2, std::move(standards));
+  if (!standards.rows.empty()) add({std::move(standards)});
   Table impact = impact_table(results);
   if (!impact.rows.empty()) tables.push_back(std::move(impact));
   return tables;

@@ -21,8 +21,6 @@ Table clearance_periods_table(const ClearanceResults& results);
 Table clearance_orientations_table(const ClearanceResults& results);
 /// Base shear over the bare building's weight, by period and support.
 Table clearance_base_shear_table(const ClearanceResults& results);
-/// What the paper states, and what came out here.
-Table clearance_statements_table(const ClearanceResults& results);
 /// Every history that was run.
 Table clearance_histories_table(const ClearanceResults& results);
 
@@ -31,13 +29,15 @@ std::vector<Figure> clearance_figures(const ClearanceResults& results);
 
 /// What came out on a topic; "" where the grid cannot tell.
 std::string clearance_reading(const ClearanceResults& results, ClearanceTopic topic);
-/// What was run, and the readings but those that stand beside a statement of the paper.
+/// What was run, and the readings.
 std::vector<std::string> clearance_sentences(const ClearanceResults& results);
 /// For the terminal, in plain ASCII.
 std::string clearance_summary(const ClearanceResults& results);
 
-/// Writes out_dir/report.html, out_dir/tables/*.csv and out_dir/figures/*.{svg,pdf,gp,dat}, as
-/// write_report() does.
-void write_clearance_report(const ClearanceResults& results, const std::filesystem::path& out_dir);
+/// The tables of a page, and those that are files only.
+std::vector<Table> clearance_tables(const ClearanceResults& results);
+std::vector<Table> clearance_file_tables(const ClearanceResults& results);
+/// How a required clearance is found, in sentences.
+std::vector<std::string> clearance_explained(const ClearanceResults& results);
 
 }  // namespace glissade

@@ -28,6 +28,20 @@ struct ClearanceHistory {
 /// SRSS of the peaks along both axes, as displacements are taken.
 double base_shear(const ClearanceHistory& history);
 
+/// What of a study a figure or table shows.
+enum class ClearanceTopic {
+  spectra,
+  period,
+  level,
+  yielding,
+  base_shear,
+  slope,
+  mce,
+  vertical,
+  mass,
+  orientation,
+};
+
 /// The histories of a study as the clearance is read from them.
 struct ClearanceResults {
   std::string study_name, study_description, program_version, plan_hash, study_text;

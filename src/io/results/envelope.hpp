@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <functional>
 #include <string>
 
+#include "glissade/core/file_name.hpp"
 #include "hdf5_file.hpp"
 
 namespace glissade {
@@ -37,12 +36,8 @@ inline void expect_fit(bool fits, const char* part, const char* whole) {
 
 /// Names from a file that become names of files, or stand in scripts.
 inline void expect_file_name(const std::string& name) {
-  const auto is_plain = [](unsigned char c) {
-    return std::isalnum(c) || c == '_' || c == '.' || c == '-' || c == '+';
-  };
-  const bool fits = !name.empty() && name.size() <= 200 && name.front() != '.' &&
-                    std::all_of(name.begin(), name.end(), is_plain);
-  if (!fits) throw Hdf5Error("take a name that is not made of letters, digits, _ . + and -");
+  if (!FileName::accepts(name))
+    throw Hdf5Error("take a name that is not of a to z, 0 to 9, _ and - only");
 }
 
 }  // namespace glissade

@@ -255,7 +255,7 @@ std::vector<Figure> chart_figures(const Results& results) {
     figures.push_back(chart_slope_levels_figure(results));
   }
   if (results.chart->period_s.size() > 1) figures.push_back(chart_period_figure(results));
-  if (!results.spectra.periods_s.empty()) figures.push_back(spectra_figure(results));
+  if (!results.suites.front().spectra.periods_s.empty()) figures.push_back(spectra_figure(results));
   return figures;
 }
 

@@ -247,7 +247,7 @@ std::vector<Table> chart_csv_tables(const Results& results) {
   if (!chart.readings.empty()) tables.push_back(chart_readings_table(results));
   if (!chart.standards.empty()) tables.push_back(chart_standards_table(results));
   tables.push_back(records_table(results));
-  if (!results.spectra.periods_s.empty()) tables.push_back(spectra_table(results));
+  if (!results.suites.front().spectra.periods_s.empty()) tables.push_back(spectra_table(results));
   return tables;
 }
 

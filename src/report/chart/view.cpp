@@ -74,7 +74,7 @@ std::string chart_size(const Results& results) {
   };
   const Chart& chart = *results.chart;
   const std::size_t histories =
-      results.records.size() * results.samples.size() * results.levels.size();
+      results.records.size() * results.cases.size() * results.levels.size();
   return fmt::format("{} x {} x {} x {} of {}: {} points from {} histories",
                      many(chart.slope_deg.size(), "slope", "slopes"),
                      many(chart.mu.size(), "coefficient", "coefficients") + " of friction",

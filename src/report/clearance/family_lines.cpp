@@ -94,15 +94,6 @@ Figure with_lines(const ClearanceResults& results, Figure figure, std::vector<Cl
   return figure;
 }
 
-void mark_statements(const ClearanceResults& results, ClearanceTopic topic, LinePlot& plot) {
-  for (const PaperStatement& s : results.statements) {
-    if (s.about != topic || std::isnan(s.displacement_m) || std::isnan(s.period_s)) continue;
-    plot.marks.push_back(
-        {s.period_s, s.displacement_m,
-         fmt::format("the paper, {}: {}", s.where, format_length(s.displacement_m))});
-  }
-}
-
 Places places_of(const ClearanceGrid& grid, ClearanceAxis slow, ClearanceAxis fast) {
   Places places;
   for (const ClearancePosition& at : along(grid, slow)) {

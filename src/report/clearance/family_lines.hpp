@@ -28,8 +28,6 @@ LinePlot over_periods(const ClearanceResults& results, const ClearanceQuestion& 
 
 /// Leaves the bands that can be told apart, and says in the key what they are.
 void tell_bands(const ClearanceResults& results, LinePlot& plot);
-/// What the paper states of displacements at a period, where a figure over periods can show it.
-void mark_statements(const ClearanceResults& results, ClearanceTopic topic, LinePlot& plot);
 
 /// The figure drawn with these lines. Below its title stand the suite and every condition that is
 /// the same all over: those of `shown`, the building's period and the support vary.

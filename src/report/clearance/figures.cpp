@@ -14,7 +14,7 @@ namespace {
 
 /// Walters et al. (2012), Fig. 8.
 Figure spectra_figure(const ClearanceResults& results) {
-  const ClearanceSuite& suite = results.suites.front();
+  const SuiteSummary& suite = results.suites.front();
   const SuiteSpectra& spectra = suite.spectra;
   const bool has_target = !spectra.target_g.empty();
   Figure figure;

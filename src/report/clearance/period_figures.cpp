@@ -31,7 +31,7 @@ Figure period_figure(const ClearanceResults& results) {
   low.title = "dashed: least and most if each record could lie its own way (first line)";
   low.style = high.style = "lines lw 1.8 dt 2 lc rgb '#555555'";
   for (const ClearancePosition& at : along(grid, ClearanceAxis::period)) {
-    const OwnWayBounds bounds = own_way_bounds(results, question, at, Periods::one);
+    const PerRecordBounds bounds = per_record_bounds(results, question, at, Periods::one);
     low.y.push_back(bounds.lowest);
     high.y.push_back(bounds.highest);
   }
@@ -42,7 +42,6 @@ Figure period_figure(const ClearanceResults& results) {
                          fmt::format("clearance, {:g} x the largest median: {}",
                                      results.clearance_factor, format_length(clearance)),
                          "#0072b2"});
-  mark_statements(results, ClearanceTopic::period, plot);
   Figure figure;
   figure.name = "period";
   figure.title = "Displacement over the building's period, and the clearance";
@@ -76,7 +75,6 @@ Figure each_orientation_figure(const ClearanceResults& results) {
       line.y.push_back(suite_mean(results, {}, distinct[i], at));
     plot.lines.push_back(line);
   }
-  mark_statements(results, ClearanceTopic::period, plot);
   Figure figure;
   figure.name = "orientations";
   figure.title = "How the records lie to the roof: each choice by itself";

@@ -90,8 +90,8 @@ std::string downhill_reading(const ClearanceResults& r) {
 
 std::string orientation_reading(const ClearanceResults& r) {
   const ClearanceQuestion question;
-  const OwnWayBounds own = own_way_bounds(r, question, {}, Periods::largest);
-  const std::vector<double> means = own_way_means(r, question, {}, Periods::largest);
+  const PerRecordBounds own = per_record_bounds(r, question, {}, Periods::largest);
+  const std::vector<double> means = per_record_means(r, question, {}, Periods::largest);
   std::string text = fmt::format(
       "If each record could lie its own way, the largest mean over the periods would be anywhere "
       "from {} to {}; of 10,000 random choices 90 % give {} to {}.",

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "clearance/statements.hpp"
 #include "clearance/view.hpp"
 #include "glissade/report/clearance_report.hpp"
 
@@ -120,7 +119,7 @@ Table clearance_table(const ClearanceResults& results) {
     for (const ClearancePosition& at : all_but(results.grid, ClearanceAxis::period)) {
       if (!slides(results.grid, at)) continue;
       const OrientationRange range = over_orientations(results, question, at, Periods::largest);
-      const OwnWayBounds own = own_way_bounds(results, question, at, Periods::largest);
+      const PerRecordBounds own = per_record_bounds(results, question, at, Periods::largest);
       std::vector<Cell> row = conditions.cells(suite, at);
       row.insert(
           row.end(),
@@ -153,7 +152,7 @@ Table clearance_periods_table(const ClearanceResults& results) {
       const ClearancePosition at = results.grid.position(i);
       if (!slides(results.grid, at)) continue;
       const OrientationRange range = over_orientations(results, question, at, Periods::one);
-      const OwnWayBounds own = own_way_bounds(results, question, at, Periods::one);
+      const PerRecordBounds own = per_record_bounds(results, question, at, Periods::one);
       std::vector<Cell> row = conditions.cells(suite, at);
       row.insert(row.end(), {results.grid.period_s[at[ClearanceAxis::period]], range.lowest,
                              Estimate{range.median, range.interval, {}}, range.highest, own.lowest,
@@ -220,19 +219,6 @@ Table clearance_base_shear_table(const ClearanceResults& results) {
   return table;
 }
 
-Table clearance_statements_table(const ClearanceResults& results) {
-  Table table{"statements",
-              "What the paper states, and what came out here",
-              {{"where", "", "Where", ColumnKind::text},
-               {"paper", "", "The paper", ColumnKind::text},
-               {"here", "", "Here", ColumnKind::text}},
-              {},
-              {}};
-  for (const PaperStatement& s : results.statements)
-    table.add({s.where, s.says, answer_to(results, s)});
-  return table;
-}
-
 Table clearance_histories_table(const ClearanceResults& results) {
   const ConditionColumns conditions(results, {});
   Table table{"histories",
@@ -260,7 +246,7 @@ Table clearance_histories_table(const ClearanceResults& results) {
         std::vector<Cell> row{results.records[record].id, to_string(results.orientations[o])};
         for (Cell& cell : conditions.cells(results.records[record].suite, results.grid.position(i)))
           row.push_back(std::move(cell));
-        row.insert(row.end(), {displacement_m(h, results.displacement), h.peak_m, h.peak_along_m,
+        row.insert(row.end(), {h.displacement_m, h.peak_m, h.peak_along_m,
                                h.peak_across_m, h.residual_along_m, h.residual_across_m,
                                h.shear_along, h.shear_across, static_cast<double>(h.uplift)});
         table.add(std::move(row));

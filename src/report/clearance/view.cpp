@@ -62,7 +62,7 @@ std::string label_of(const ClearanceGrid& grid, ClearanceAxis axis, std::size_t 
     case ClearanceAxis::vertical:
       return vertical_text(grid.vertical[place]);
     case ClearanceAxis::response_modification:
-      return grid.response_modification[place] == 1.0
+      return grid.response_modification[place] == 0.0
                  ? "elastic building"
                  : fmt::format("R {:g}", grid.response_modification[place]);
     case ClearanceAxis::mass:

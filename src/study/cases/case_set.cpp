@@ -161,6 +161,11 @@ std::string CaseSet::label(std::size_t combination) const {
                                               axis.values[place[i]])
                                 : axis.names[place[i]];
   }
+  constexpr std::size_t longest = 60;
+  if (label.size() > longest) return fmt::format("combination_{}", combination + 1);
+  // Of what stands in a file's name.
+  std::ranges::replace_if(
+      label, [](char c) { return c == '.' || c == '+'; }, '_');
   return label.empty() ? "sampled" : label;
 }
 
