@@ -100,11 +100,20 @@ void exchange_fits(const Archive& archive, Fragilities& rows, Fit fit) {
       archive, "status", {"-", "how the fit came out"}, rows,
       fit_status_names(), [&](auto& f) -> auto& { return fit(f).status; });
   column(
-      archive, "median", {"g", "median of the lognormal fragility"},
+      archive, "floor", {"-", "share that exceeds without shaking"},
+      rows, [&](auto& f) -> auto& { return fit(f).curve.floor; });
+  column(
+      archive, "median", {"g", "median of the lognormal fragility of the rest"},
       rows, [&](auto& f) -> auto& { return fit(f).curve.median; });
   column(
-      archive, "log_std", {"-", "logarithmic standard deviation"},
+      archive, "log_std", {"-", "logarithmic standard deviation of the rest"},
       rows, [&](auto& f) -> auto& { return fit(f).curve.log_std; });
+  interval_column(
+      archive, "floor", {"-", "95 % interval of the floor; nan: none"},
+      rows, [&](auto& f) -> auto& { return fit(f).floor_interval; });
+  interval_column(
+      archive, "p50", {"g", "95 % interval of the intensity at which half of all exceed"},
+      rows, [&](auto& f) -> auto& { return fit(f).p50_interval; });
   interval_column(
       archive, "median", {"g", "95 % interval of the median"},
       rows, [&](auto& f) -> auto& { return fit(f).median_interval; });

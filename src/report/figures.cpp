@@ -15,8 +15,11 @@ namespace glissade {
 namespace {
 
 std::string symbol_of_fit(const FitSummary& fit) {
+  if (fit.status == FitStatus::always_exceeds) return "every history slides freely";
   if (fit.converged()) {
-    return fmt::format("median {} g [{}], log std {}", format_number(fit.curve.median),
+    const std::string free =
+        fit.curve.floor > 0 ? format_share(fit.curve.floor) + " slide freely; the others: " : "";
+    return fmt::format("{}median {} g [{}], log std {}", free, format_number(fit.curve.median),
                        format_interval(fit.median_interval), format_number(fit.curve.log_std));
   }
   if (fit.status == FitStatus::upper_bound) {
@@ -30,6 +33,11 @@ std::string symbol_of_fit(const FitSummary& fit) {
   return "no curve could be fitted";
 }
 
+bool has_curve(const ThresholdFragility& fragility) {
+  return fragility.capacities.converged() ||
+         fragility.capacities.status == FitStatus::always_exceeds;
+}
+
 void add_fragility_data(gnuplot::DataBlocks& data, const Results& results, const RunResults& run,
                         std::size_t threshold, double largest_intensity) {
   const ThresholdFragility& fragility = run.fragilities[threshold];
@@ -39,7 +47,7 @@ void add_fragility_data(gnuplot::DataBlocks& data, const Results& results, const
         l < fragility.probability_interval.size() ? fragility.probability_interval[l] : Interval{};
     data.row({results.levels.at(l), fragility.probability[l], interval.low, interval.high});
   }
-  if (!fragility.capacities.converged()) return;
+  if (!has_curve(fragility)) return;
   data.begin(fmt::format("curve {}", threshold), "intensity_g probability");
   constexpr int points = 200;
   for (int i = 0; i <= points; ++i) {
@@ -66,7 +74,9 @@ Figure fragility_figure(const Results& results, const RunResults& run) {
       run.friction_description +
       ". Lines: lognormal curves fitted to the lowest intensity at which each history reaches the "
       "clearance (histories that never reach "
-      "it are treated as censored). Points: share of histories that exceed it at each level. "
+      "it are treated as censored; the share that slides freely, without shaking, is in the curve "
+      "at "
+      "every intensity). Points: share of histories that exceed it at each level. "
       "Shaded: 95 % interval from "
       "resampling whole records, because histories of one record are not independent.";
   const double largest = results.levels.back();
@@ -78,12 +88,12 @@ Figure fragility_figure(const Results& results, const RunResults& run) {
     add_fragility_data(data, results, run, t, largest);
     const std::string colour = gnuplot::ramp_colour(t, run.fragilities.size());
     const int symbol = point_symbol(t);
-    const bool has_curve = fragility.capacities.converged();
-    if (has_curve && !fragility.band.empty()) {
+    const bool drawn = has_curve(fragility);
+    if (drawn && !fragility.band.empty()) {
       bands += fmt::format("  {} index 'band {}' using 1:2:3 with filledcurves fc rgb '{}', \\\n",
                            file, t, colour);
     }
-    if (has_curve) {
+    if (drawn) {
       curves += fmt::format("  {} index 'curve {}' using 1:2 with lines lw 2.5 lc rgb '{}', \\\n",
                             file, t, colour);
     }
@@ -91,7 +101,7 @@ Figure fragility_figure(const Results& results, const RunResults& run) {
         fmt::format("  {} index 'observed {}' using 1:2 with points pt {} ps 0.8 lc rgb '{}', \\\n",
                     file, t, symbol, colour);
     key += fmt::format("  keyentry with {} lw 2.5 pt {} ps 0.8 lc rgb '{}' title {}, \\\n",
-                       has_curve ? "linespoints" : "points", symbol, colour,
+                       drawn ? "linespoints" : "points", symbol, colour,
                        gnuplot::quoted(format_length(fragility.threshold_m) + ": " +
                                        symbol_of_fit(fragility.capacities)));
   }

@@ -99,21 +99,24 @@ ThresholdFragility fit_threshold(const Plan& plan, const RunResults& run, std::s
 
   std::vector<RecordStripes> stripes(records);
   std::vector<RecordCapacities> capacities(records);
+  // Of all histories, by record and level. Those that slide freely are no part of the stripes.
+  std::vector<std::vector<double>> exceeding(records, std::vector<double>(levels.size()));
   double reached = 0.0, recrossed = 0.0, censored = 0.0, free = 0.0;
   for (std::size_t record = 0; record < records; ++record) {
     stripes[record].exceedances.assign(levels.size(), 0.0);
-    stripes[record].trials.assign(levels.size(), static_cast<double>(samples));
     double record_recrossed = 0.0;
     for (std::size_t sample = 0; sample < samples; ++sample) {
-      for (std::size_t level = 0; level < levels.size(); ++level) {
-        if (run.peak_displacement_m(record, sample, level) >= fragility.threshold_m)
-          stripes[record].exceedances[level] += 1.0;
-      }
       const double capacity = run.capacity(record, sample, threshold);
+      for (std::size_t level = 0; level < levels.size(); ++level) {
+        if (run.peak_displacement_m(record, sample, level) < fragility.threshold_m) continue;
+        exceeding[record][level] += 1.0;
+        if (capacity != 0.0) stripes[record].exceedances[level] += 1.0;
+      }
       if (std::isinf(capacity)) {
         capacities[record].censored += 1.0;
         ++censored;
       } else if (capacity == 0.0) {
+        capacities[record].free += 1.0;
         ++free;
       } else {
         capacities[record].capacities.push_back(capacity);
@@ -125,6 +128,9 @@ ThresholdFragility fit_threshold(const Plan& plan, const RunResults& run, std::s
       }
     }
     fragility.record_recross.push_back(record_recrossed);
+    stripes[record].free = capacities[record].free;
+    stripes[record].trials.assign(levels.size(),
+                                  static_cast<double>(samples) - stripes[record].free);
   }
   const double histories = static_cast<double>(records * samples);
   fragility.recross_share = reached > 0.0 ? recrossed / reached : 0.0;
@@ -133,15 +139,9 @@ ThresholdFragility fit_threshold(const Plan& plan, const RunResults& run, std::s
   fragility.stripes = fit_stripes_by_record(levels, stripes, options);
   fragility.capacities = fit_capacities_by_record(capacities, levels.back(), options,
                                                   run.band_intensities, &fragility.band);
-  if (free > 0.0) {
-    std::string& note = fragility.capacities.note;
-    note +=
-        std::string(note.empty() ? "" : "; ") +
-        "histories that slide without any shaking have no capacity and are left out of this fit";
-  }
   for (std::size_t level = 0; level < levels.size(); ++level) {
     double share = 0.0;
-    for (const RecordStripes& record : stripes) share += record.exceedances[level];
+    for (const std::vector<double>& record : exceeding) share += record[level];
     fragility.probability.push_back(share / histories);
     if (share == 0.0 || share == histories) {  // resampling tells nothing of what was never seen
       fragility.probability_interval.push_back({});
@@ -152,7 +152,7 @@ ThresholdFragility fit_threshold(const Plan& plan, const RunResults& run, std::s
         [&](const std::vector<double>& weights) {
           double count = 0.0;
           for (std::size_t record = 0; record < records; ++record)
-            count += weights[record] * stripes[record].exceedances[level];
+            count += weights[record] * exceeding[record][level];
           return count / histories;
         },
         options));
@@ -228,10 +228,10 @@ RunResults reduce_run(const Plan& plan, const std::vector<const UnitResult*>& un
     run.slip.push_back(statistics_of(pooled.back(), run, level, levels[level], options));
   }
   if (plan.config.impact) {
-    run.impact = impact_statistics(
-        {run.capacity.rows, run.capacity.columns, levels, plan.config.thresholds_m,
-         run.crossing_time_s, run.crossing_speed_mps},
-        options);
+    run.impact =
+        impact_statistics({run.capacity.rows, run.capacity.columns, levels,
+                           plan.config.thresholds_m, run.crossing_time_s, run.crossing_speed_mps},
+                          options);
   }
   for (const Standard standard : plan.config.standards.compare) {
     for (std::size_t level = 0; level < levels.size(); ++level) {
