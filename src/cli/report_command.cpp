@@ -6,10 +6,8 @@
 
 #include "commands.hpp"
 #include "glissade/io/clearance_file.hpp"
-#include "glissade/io/convergence_file.hpp"
 #include "glissade/io/results_file.hpp"
 #include "glissade/report/clearance_report.hpp"
-#include "glissade/report/convergence_report.hpp"
 #include "glissade/report/summary.hpp"
 #include "glissade/report/write_report.hpp"
 #include "run_record.hpp"
@@ -22,12 +20,6 @@ namespace fs = std::filesystem;
 /// The report of any kind of results; its summary.
 std::string report_again(const fs::path& file, const fs::path& out) {
   const fs::path run_json = file.parent_path() / "run.json";
-  if (is_convergence_results(file)) {
-    const ConvergenceResults results = read_convergence(file);
-    const std::optional<ConvergenceTimes> times = times_in(run_json, results);
-    write_convergence_report(results, times, out);
-    return convergence_summary(results, times);
-  }
   if (is_clearance_results(file)) {
     const ClearanceResults results = read_clearance(file);
     write_clearance_report(results, out);

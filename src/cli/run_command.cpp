@@ -6,7 +6,6 @@
 #include "commands.hpp"
 #include "glissade/core/file.hpp"
 #include "glissade/io/clearance_file.hpp"
-#include "glissade/io/convergence_file.hpp"
 #include "glissade/io/results_file.hpp"
 #include "glissade/io/study_file.hpp"
 #include "glissade/io/suite_file.hpp"
@@ -19,7 +18,6 @@
 #include "output_folder.hpp"
 #include "progress.hpp"
 #include "run_clearance.hpp"
-#include "run_convergence.hpp"
 #include "run_folder.hpp"
 #include "run_record.hpp"
 
@@ -116,16 +114,13 @@ void run_fragility(const RunOptions& options, const fs::path& out, const Communi
 void run(const RunOptions& options, const Communicator& world) {
   const fs::path out = options.out.empty() ? fs::path("results") / fs::path(options.study).stem()
                                            : fs::path(options.out);
-  enum Kind : char { fragility, convergence, clearance };
+  enum Kind : char { fragility, clearance };
   std::vector<char> kind(1, fragility);
   on_root(world, [&] {
-    if (is_convergence_study(options.study)) kind[0] = convergence;
     if (is_clearance_study(options.study)) kind[0] = clearance;
   });
   world.broadcast(kind);
   switch (kind[0]) {
-    case convergence:
-      return run_convergence({options.study, out, options.dry_run}, world);
     case clearance:
       return run_clearance({options.study, out, options.dry_run}, world);
     default:

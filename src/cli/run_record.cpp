@@ -49,14 +49,6 @@ void add_phases(Json& json, const PhaseClock& clock) {
   for (const auto& [phase, seconds] : clock.phases()) json["seconds"][phase] = seconds;
 }
 
-Json to_json(const TimeSummary& times) {
-  return {{"longest", times.longest_s}, {"median", times.median_s}};
-}
-
-TimeSummary time_summary_from(const nlohmann::json& json) {
-  return {json.at("longest").get<double>(), json.at("median").get<double>()};
-}
-
 }  // namespace
 
 std::string started_json(const std::string& study_name, const std::string& plan_hash) {
@@ -82,23 +74,6 @@ std::string run_json(const Results& results, const std::vector<Skip>& skips,
   return json.dump(2) + "\n";
 }
 
-std::string run_json(const ConvergenceResults& results, const ConvergenceTimes& times,
-                     const PhaseClock& clock, int ranks) {
-  Json json = finished({results.study_name, results.plan_hash, results.program_version}, ranks);
-  json["histories_integrated"] = results.residual_m.data.size() + 2 * results.exact.size();
-  add_phases(json, clock);
-  Json& history = json["history_seconds"];
-  for (std::size_t i = 0; i < results.substeps.size(); ++i) {
-    Json of_step = to_json(times.published[i]);
-    of_step["substeps"] = results.substeps[i];
-    history["published"].push_back(of_step);
-  }
-  history["exact"] = to_json(times.exact);
-  history["kernel"] = to_json(times.kernel);
-  history["kernel_table"] = to_json(times.table);
-  return json.dump(2) + "\n";
-}
-
 std::string run_json(const ClearanceResults& results, std::uint64_t histories,
                      const PhaseClock& clock, int ranks) {
   Json json = finished({results.study_name, results.plan_hash, results.program_version}, ranks);
@@ -117,26 +92,6 @@ std::vector<Skip> skips_in(const std::filesystem::path& run_json_file) {
         {skip.value("what", ""), skip.value("why", ""), skip.value("count", std::uint64_t{0})});
   }
   return skips;
-}
-
-std::optional<ConvergenceTimes> times_in(const std::filesystem::path& run_json_file,
-                                         const ConvergenceResults& results) {
-  std::ifstream in(run_json_file);
-  const auto json = nlohmann::json::parse(in, nullptr, /*allow_exceptions=*/false);
-  try {
-    if (json.at("plan_hash") != results.plan_hash) return std::nullopt;
-    const auto& history = json.at("history_seconds");
-    ConvergenceTimes times{{},
-                           time_summary_from(history.at("exact")),
-                           time_summary_from(history.at("kernel")),
-                           time_summary_from(history.at("kernel_table"))};
-    for (const auto& of_step : history.at("published"))
-      times.published.push_back(time_summary_from(of_step));
-    if (times.published.size() != results.substeps.size()) return std::nullopt;
-    return times;
-  } catch (const nlohmann::json::exception&) {
-    return std::nullopt;  // no run.json, or of another kind of run
-  }
 }
 
 }  // namespace glissade::cli

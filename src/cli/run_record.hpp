@@ -3,13 +3,11 @@
 
 #include <chrono>
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "glissade/study/clearance_study.hpp"
-#include "glissade/study/convergence_error.hpp"
 #include "glissade/study/results.hpp"
 #include "glissade/study/skip.hpp"
 #include "glissade/study/work_count.hpp"
@@ -36,20 +34,11 @@ std::string started_json(const std::string& study_name, const std::string& plan_
 std::string run_json(const Results& results, const std::vector<Skip>& skips,
                      const PhaseClock& clock, int ranks, const WorkCount& count);
 
-/// The same of a convergence study, with how long its histories took.
-std::string run_json(const ConvergenceResults& results, const ConvergenceTimes& times,
-                     const PhaseClock& clock, int ranks);
-
 /// The same of a clearance study.
 std::string run_json(const ClearanceResults& results, std::uint64_t histories,
                      const PhaseClock& clock, int ranks);
 
 /// The skips a run.json tells; none where there is no such file.
 std::vector<Skip> skips_in(const std::filesystem::path& run_json_file);
-
-/// How long the histories of these results took, as the run.json of their run tells; nothing where
-/// there is no such file.
-std::optional<ConvergenceTimes> times_in(const std::filesystem::path& run_json_file,
-                                         const ConvergenceResults& results);
 
 }  // namespace glissade::cli

@@ -236,11 +236,21 @@ void read_grid(const TomlTable& root, StudyConfig& study) {
   study.standards = read_standards(root.table("standards"), study.intensity.measure);
 }
 
+/// The convergence of the published scheme is no study: throws.
+void refuse_convergence(TomlDocument& document, const TomlTable& root) {
+  root.report("convergence", "convergence is not a known table",
+              "the convergence of the published scheme is computed by "
+              "build/dev/tests/convergence/convergence");
+  root.ignore_unknown();
+  document.finish();
+}
+
 }  // namespace
 
 StudyConfig read_study(const std::filesystem::path& file) {
   TomlDocument document(file);
   const TomlTable root = document.root();
+  if (root.has("convergence")) refuse_convergence(document, root);
   const TomlTable head = root.required_table("study"), suite = root.required_table("suite");
   StudyConfig study;
   study.file = file;
