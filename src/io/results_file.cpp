@@ -2,6 +2,7 @@
 #include "glissade/io/results_file.hpp"
 
 #include "glissade/core/contract.hpp"
+#include "glissade/core/file_name.hpp"
 #include "results_envelope.hpp"
 #include "results_schema.hpp"
 
@@ -13,7 +14,7 @@ constexpr ResultsKind kind{"glissade results", results_format_version, "glissade
 bool labels_are_distinct_names(const Results& results) {
   for (std::size_t i = 0; i < results.runs.size(); ++i) {
     const std::string& label = results.runs[i].label;
-    if (label.empty() || label == "label" || label.find('/') != std::string::npos) return false;
+    if (!FileName::accepts(label) || label == "label") return false;
     for (std::size_t j = 0; j < i; ++j) {
       if (results.runs[j].label == label) return false;
     }

@@ -3,6 +3,7 @@
 
 #include "chart_schema.hpp"
 #include "enum_names.hpp"
+#include "glissade/core/file_name.hpp"
 #include "impact_schema.hpp"
 #include "results_archive.hpp"
 #include "shared_schema.hpp"
@@ -254,6 +255,10 @@ void exchange_runs(const Archive& archive, Runs& runs) {
   column(
       archive, "label", {"-", "the runs, in order; each is a group"}, runs,
       [](auto& run) -> auto& { return run.label; });
+  for (const auto& run : runs) {
+    if (!FileName::accepts(run.label))
+      throw Hdf5Error("take the label of a run: it is not of a to z, 0 to 9, _ and - only");
+  }
   for (auto& run : runs) exchange_run(archive.group(run.label), run);
 }
 

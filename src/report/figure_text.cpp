@@ -14,7 +14,7 @@
 
 namespace glissade {
 
-std::string quoted_file(const std::string& name) { return "'" + name + ".dat'"; }
+std::string quoted_file(const FileName& name) { return "'" + name.text() + ".dat'"; }
 
 std::string title_of(const Figure& figure, const std::string& below) {
   // Double quotes would read \n but also backslash escapes; a single-quoted string with a real line

@@ -11,7 +11,7 @@
 namespace glissade {
 
 /// `'NAME.dat'`
-std::string quoted_file(const std::string& name);
+std::string quoted_file(const FileName& name);
 /// Title in bold with a smaller line below.
 std::string title_of(const Figure& figure, const std::string& below);
 /// `set xlabel '...'`

@@ -83,7 +83,8 @@ std::string enhanced(std::string_view plain) {
 }
 
 std::string quoted_markup(std::string_view markup) {
-  std::string text = "'";
+  // A doubled quote just after the opening one would end the string.
+  std::string text = markup.starts_with('\'') ? "'{}" : "'";
   for (const char c : markup) text += c == '\'' ? std::string("''") : std::string(1, c);
   return text + "'";
 }

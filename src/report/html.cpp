@@ -34,8 +34,8 @@ std::vector<std::string> provisions(const Results& results, Provenance provenanc
 
 /// What is prescribed and on what basis; what is recalled must be verified before anyone relies on
 /// it.
-std::string provisions_html(const Results& results) {
-  std::string html;
+Html provisions_html(const Results& results) {
+  Html html;
   const std::vector<std::string> checked = provisions(results, Provenance::checked);
   const std::vector<std::string> recalled = provisions(results, Provenance::recalled);
   if (!checked.empty()) html += paragraph("Checked against a source:") + list(checked);
@@ -49,26 +49,26 @@ std::string provisions_html(const Results& results) {
   return html;
 }
 
-std::string answer_html(const Results& results) {
+Html answer_html(const Results& results) {
   return "<div class=\"answer\">\n" + list(answer_sentences(results)) + "</div>\n";
 }
 
-std::string figures_html(const std::vector<DrawnFigure>& figures) {
-  std::string html;
+Html figures_html(const std::vector<DrawnFigure>& figures) {
+  Html html;
   for (std::size_t i = 0; i < figures.size(); ++i) html += figure_html(figures[i], i + 1);
   return html;
 }
 
 /// Nothing without standards.
-std::string standards_html(const Results& results, const Table& standards) {
-  if (standards.rows.empty()) return "";
+Html standards_html(const Results& results, const Table& standards) {
+  if (standards.rows.empty()) return {};
   return heading("Standards beside the results") + provisions_html(results) +
          wide_table(standards.without("basis"));
 }
 
 /// Nothing where the study does not ask for it.
-std::string impact_html(const Results& results) {
-  if (!tells_impact(results)) return "";
+Html impact_html(const Results& results) {
+  if (!tells_impact(results)) return {};
   const Table table = brief_impact_table(results);
   return heading("Speed on reaching a parapet, given that it gets there") +
          paragraph(impact_explained()) +
@@ -77,16 +77,16 @@ std::string impact_html(const Results& results) {
          paragraph("Every run, clearance and level: tables/impact.csv.");
 }
 
-std::string fragility_html(const Results& results, const std::vector<DrawnFigure>& figures) {
+Html fragility_html(const Results& results, const std::vector<DrawnFigure>& figures) {
   return heading("Results") + wide_table(fragility_summary_table(results)) + figures_html(figures) +
          standards_html(results, standards_table(results)) + impact_html(results) +
          heading("Slip by level") + wide_table(slip_table(results)) + heading("Fits in full") +
          wide_table(fragility_table(results).without("interval_method"));
 }
 
-std::string chart_html(const Results& results, const std::vector<DrawnFigure>& figures) {
+Html chart_html(const Results& results, const std::vector<DrawnFigure>& figures) {
   constexpr std::size_t most = 16;
-  std::string html = heading("Results");
+  Html html = heading("Results");
   if (!results.chart->readings.empty()) html += wide_table(chart_answers_table(results));
   return html + figures_html(figures) + standards_html(results, chart_standards_table(results)) +
          heading("The chart in numbers") + wide_table(chart_matrix_table(results, most)) +
@@ -107,49 +107,50 @@ std::string what_was_run(const Results& results) {
       results.intensity_label);
 }
 
-std::string assumptions_html(const Results& results) {
-  std::string html = heading("What is assumed") + "<dl>\n";
+Html assumptions_html(const Results& results) {
+  Html html = heading("What is assumed") + "<dl>\n";
   for (const Assumption& assumption : assumptions_of(results)) {
-    html += "<dt>" + escape_html(assumption.about) + "</dt><dd>" + escape_html(assumption.text) +
-            "</dd>\n";
+    html +=
+        enclosed("<dt>", assumption.about, "</dt>") + enclosed("<dd>", assumption.text, "</dd>\n");
   }
   return html + "</dl>\n";
 }
 
-std::string skips_and_notes_html(const Results& results, const std::vector<Skip>& skips) {
+Html skips_and_notes_html(const Results& results, const std::vector<Skip>& skips) {
   std::vector<std::string> skipped;
   for (const Skip& skip : skips) skipped.push_back(format_skip(skip));
-  std::string html = heading("What was skipped, and why");
+  Html html = heading("What was skipped, and why");
   html += skipped.empty() ? paragraph("See run.json beside the results file.") : list(skipped);
   if (!results.notes.empty()) html += heading("Notes") + list(results.notes);
   return html;
 }
 
-std::string inputs_html(const Results& results) {
+Html inputs_html(const Results& results) {
   std::string runs;
   for (const RunResults& run : results.runs)
     runs += run.label + " (" + run.friction_description + ") ";
   return heading("Inputs") +
          paragraph("Suite: " + results.suite_name + ". " + results.suite_description) +
-         (results.chart ? "" : paragraph("Friction runs: " + runs)) +
-         wide_table(records_table(results)) + "<h3>Study file</h3>\n<pre>" +
-         escape_html(results.study_text) + "</pre>\n";
+         (results.chart ? Html() : paragraph("Friction runs: " + runs)) +
+         wide_table(records_table(results)) + "<h3>Study file</h3>\n" +
+         study_file(results.study_text);
 }
 
 }  // namespace
 
 std::string html_report(const Results& results, const std::vector<DrawnFigure>& figures,
                         const std::vector<Skip>& skips) {
-  return page_head({results.study_name, results.chart ? "design chart" : "slip fragility"}) +
-         paragraph(what_was_run(results)) + answer_html(results) +
-         (results.chart ? chart_html(results, figures) : fragility_html(results, figures)) +
-         assumptions_html(results) + skips_and_notes_html(results, skips) + inputs_html(results) +
-         paragraph(
-             fmt::format("Made by glissade {}; plan {}, seed {}. The same study, suite and seed "
-                         "give the same numbers. Tables "
-                         "with all digits are in tables/, figures as PDF and SVG in figures/.",
-                         results.program_version, results.plan_hash, results.seed)) +
-         page_foot();
+  const Html page =
+      page_head({results.study_name, results.chart ? "design chart" : "slip fragility"}) +
+      paragraph(what_was_run(results)) + answer_html(results) +
+      (results.chart ? chart_html(results, figures) : fragility_html(results, figures)) +
+      assumptions_html(results) + skips_and_notes_html(results, skips) + inputs_html(results) +
+      paragraph(fmt::format("Made by glissade {}; plan {}, seed {}. The same study, suite and seed "
+                            "give the same numbers. Tables "
+                            "with all digits are in tables/, figures as PDF and SVG in figures/.",
+                            results.program_version, results.plan_hash, results.seed)) +
+      page_foot();
+  return page.str();
 }
 
 }  // namespace glissade

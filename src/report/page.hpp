@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "glissade/report/html.hpp"
+#include "glissade/report/html_text.hpp"
 #include "glissade/report/table.hpp"
 
 // The pieces reports are made of. Text is escaped here: callers pass it as people read it.
@@ -16,15 +17,17 @@ struct PageTitle {
 };
 
 /// All up to and with the <h1>, styles inline.
-std::string page_head(const PageTitle& title);
-std::string page_foot();
+Html page_head(const PageTitle& title);
+Html page_foot();
 
-std::string paragraph(const std::string& text);
-std::string heading(const std::string& text);
-std::string list(const std::vector<std::string>& items);
+Html paragraph(const std::string& text);
+Html heading(const std::string& text);
+Html list(const std::vector<std::string>& items);
+/// As it was given, line by line.
+Html study_file(const std::string& text);
 /// Scrolls sideways where it is wider than the page.
-std::string wide_table(const Table& table);
+Html wide_table(const Table& table);
 /// The drawing inline with its number, title and caption.
-std::string figure_html(const DrawnFigure& drawn, std::size_t number);
+Html figure_html(const DrawnFigure& drawn, std::size_t number);
 
 }  // namespace glissade

@@ -36,7 +36,7 @@ std::string script_of(const Figure& figure) {
       "'Arial,9.5'\n"
       "set output '{2}.pdf'\n"
       "replot\n",
-      width_px, height_px, figure.name, gnuplot::enhanced(figure.title), figure.body,
+      width_px, height_px, figure.name.text(), gnuplot::enhanced(figure.title), figure.body,
       width_px / px_per_inch, height_px / px_per_inch);
 }
 
@@ -80,9 +80,9 @@ void render_figure(const Figure& figure, const std::filesystem::path& folder) {
   const std::filesystem::path svg_path = folder / (figure.name + ".svg");
   std::string svg = whole_drawing(svg_path, "</svg>");
   // Names unique to the figure, so that several drawings can stand in one page.
-  replace_all(svg, "id='gp", "id='" + figure.name + "_gp");
-  replace_all(svg, "'#gp", "'#" + figure.name + "_gp");
-  replace_all(svg, "id=\"gnuplot_canvas\"", "id=\"" + figure.name + "_canvas\"");
+  replace_all(svg, "id='gp", "id='" + figure.name.text() + "_gp");
+  replace_all(svg, "'#gp", "'#" + figure.name.text() + "_gp");
+  replace_all(svg, "id=\"gnuplot_canvas\"", "id=\"" + figure.name.text() + "_canvas\"");
   write_text_file(svg_path, svg);
 
   const std::filesystem::path pdf_path = folder / (figure.name + ".pdf");

@@ -13,7 +13,7 @@
 namespace glissade {
 namespace {
 
-std::string number_text(ColumnKind kind, double value) {
+std::string number_text(ColumnKind kind, double value, int decimals = -1) {
   if (!std::isfinite(value)) return "-";
   switch (kind) {
     case ColumnKind::count:
@@ -26,7 +26,7 @@ std::string number_text(ColumnKind kind, double value) {
     case ColumnKind::number:
       break;
   }
-  return format_number(value);
+  return decimals < 0 ? format_number(value) : fmt::format("{:.{}f}", value, decimals);
 }
 
 std::string estimate_text(ColumnKind kind, const Estimate& estimate) {
@@ -105,7 +105,8 @@ Table Table::without(const std::string& stem) const {
 
 std::string cell_text(const Column& column, const Cell& cell) {
   if (const auto* text = std::get_if<std::string>(&cell)) return *text;
-  if (const auto* number = std::get_if<double>(&cell)) return number_text(column.kind, *number);
+  if (const auto* number = std::get_if<double>(&cell))
+    return number_text(column.kind, *number, column.decimals);
   return estimate_text(column.kind, std::get<Estimate>(cell));
 }
 
@@ -148,24 +149,23 @@ std::string to_text(const Table& table) {
   return text;
 }
 
-std::string to_html(const Table& table) {
-  const auto cell_class = [&](std::size_t c) {
-    return table.columns[c].kind == ColumnKind::text ? "" : " class=\"number\"";
+Html to_html(const Table& table) {
+  const auto cell = [&](Markup text, Markup number, std::size_t c, const std::string& content,
+                        Markup end) {
+    return enclosed(table.columns[c].kind == ColumnKind::text ? text : number, content, end);
   };
-  std::string html = "<table>\n<caption>" + escape_html(table.title);
-  for (const std::string& note : table.notes) html += "<br>" + escape_html(note);
+  Html html = enclosed("<table>\n<caption>", table.title, "");
+  for (const std::string& note : table.notes) html += enclosed("<br>", note, "");
   html += "</caption>\n<thead><tr>";
-  for (std::size_t c = 0; c < table.columns.size(); ++c) {
-    html += fmt::format("<th scope=\"col\"{}>{}</th>", cell_class(c),
-                        escape_html(table.columns[c].heading));
-  }
+  for (std::size_t c = 0; c < table.columns.size(); ++c)
+    html += cell("<th scope=\"col\">", "<th scope=\"col\" class=\"number\">", c,
+                 table.columns[c].heading, "</th>");
   html += "</tr></thead>\n<tbody>\n";
   for (const std::vector<Cell>& row : table.rows) {
     html += "<tr>";
-    for (std::size_t c = 0; c < row.size(); ++c) {
-      html += fmt::format("<td{}>{}</td>", cell_class(c),
-                          escape_html(cell_text(table.columns[c], row[c])));
-    }
+    for (std::size_t c = 0; c < row.size(); ++c)
+      html +=
+          cell("<td>", "<td class=\"number\">", c, cell_text(table.columns[c], row[c]), "</td>");
     html += "</tr>\n";
   }
   return html + "</tbody>\n</table>\n";

@@ -5,18 +5,19 @@
 #include <string>
 #include <vector>
 
+#include "glissade/core/file_name.hpp"
 #include "glissade/study/results.hpp"
 
 namespace glissade {
 
 /// A figure as gnuplot needs it, and as a reader does.
 struct Figure {
-  std::string name;     ///< the files' name: "fragility"
-  std::string title;    ///< one line: what is shown
-  std::string caption;  ///< what to read from it and how it was made
-  std::string body;     ///< gnuplot commands after the terminal and title, ending in one `plot`
-  std::string data;     ///< blocks the body reads by name from NAME.dat
-  int key_rows = 0;     ///< lines of the key below the plot: the drawing grows by them
+  FileName name = "figure";  ///< of its files: "fragility"
+  std::string title;         ///< one line: what is shown
+  std::string caption;       ///< what to read from it and how it was made
+  std::string body;  ///< gnuplot commands after the terminal and title, ending in one `plot`
+  std::string data;  ///< blocks the body reads by name from NAME.dat
+  int key_rows = 0;  ///< lines of the key below the plot: the drawing grows by them
 };
 
 /// Share of histories exceeding each threshold over intensity, for one run: observed points, the

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <string>
-#include <string_view>
 
 #include "glissade/fragility/fit.hpp"
 #include "glissade/standards/prescriptive.hpp"
@@ -34,8 +33,5 @@ std::string format_skip(const Skip& skip);
 
 /// A paragraph for the terminal, indented, broken between words.
 std::string wrapped(const std::string& text);
-
-/// & < > " ' as entities: safe as text and inside quoted attributes.
-std::string escape_html(std::string_view text);
 
 }  // namespace glissade

@@ -5,7 +5,9 @@
 #include <variant>
 #include <vector>
 
+#include "glissade/core/file_name.hpp"
 #include "glissade/fragility/fit.hpp"
+#include "glissade/report/html_text.hpp"
 
 namespace glissade {
 
@@ -24,7 +26,8 @@ struct Column {
   std::string heading;  ///< for people, unit included: "Mean slip, m (in)"
   ColumnKind kind = ColumnKind::number;
   bool with_interval =
-      false;  ///< cells are Estimates; CSV gets three columns: value, _low95, _high95
+      false;          ///< cells are Estimates; CSV gets three columns: value, _low95, _high95
+  int decimals = -1;  ///< of numbers for people; below 0: three significant digits
 };
 
 struct Estimate {
@@ -37,8 +40,8 @@ using Cell = std::variant<double, std::string, Estimate>;
 
 /// A small table: made once, shown as CSV, on a terminal and in HTML.
 struct Table {
-  std::string name;   ///< the file's name without .csv
-  std::string title;  ///< one line: what it is
+  FileName name = "table";  ///< of its file, without .csv
+  std::string title;        ///< one line: what it is
   std::vector<Column> columns;
   std::vector<std::vector<Cell>> rows;
   std::vector<std::string> notes;  ///< how to read it: a line each, below the title
@@ -59,6 +62,6 @@ std::string to_csv(const Table& table);
 /// Title and aligned columns, numbers to the right.
 std::string to_text(const Table& table);
 /// A <table> with a caption, everything escaped.
-std::string to_html(const Table& table);
+Html to_html(const Table& table);
 
 }  // namespace glissade

@@ -85,7 +85,7 @@ class ContourPlot {
   }
   int key_rows() const { return static_cast<int>(key_.size()); }
 
-  std::string body(const std::string& name) const {
+  std::string body(const FileName& name) const {
     std::string plot = "  NaN";  // axes, even where nothing can be drawn
     for (const std::string& element : elements_)
       plot += ", \\\n  " + quoted_file(name) + " " + element;

@@ -42,7 +42,7 @@ std::vector<std::string> how_it_was_done(const ClearanceResults& r) {
 
 std::string html_page(const ClearanceResults& results, const std::vector<Table>& tables,
                       const std::vector<DrawnFigure>& figures) {
-  std::string html = page_head({results.study_name, "clearance study"});
+  Html html = page_head({results.study_name, "clearance study"});
   if (!results.study_description.empty()) html += paragraph(results.study_description);
   html += "<div class=\"answer\">\n";
   for (const std::string& sentence : clearance_sentences(results)) html += paragraph(sentence);
@@ -56,16 +56,16 @@ std::string html_page(const ClearanceResults& results, const std::vector<Table>&
     html += table.rows.size() <= most_rows_shown
                 ? wide_table(table)
                 : paragraph(fmt::format("{}: {} rows in tables/{}.csv.", table.title,
-                                        table.rows.size(), table.name));
+                                        table.rows.size(), table.name.text()));
   }
   html += heading("How it was done") + list(how_it_was_done(results));
-  html += heading("The study") + "<pre>" + escape_html(results.study_text) + "</pre>\n";
+  html += heading("The study") + study_file(results.study_text);
   std::string suites;
   for (const ClearanceSuite& suite : results.suites)
     suites += fmt::format("; suite {}: {}", suite.name, suite.description);
   html += paragraph(
       fmt::format("glissade {}, plan {}{}.", results.program_version, results.plan_hash, suites));
-  return html + page_foot();
+  return (html + page_foot()).str();
 }
 
 }  // namespace

@@ -341,6 +341,44 @@ TEST(results_file, parts_that_do_not_fit_each_other_are_refused) {
               does_not_fit("target_g", "periods"));
 }
 
+/// A good file in which the run "design" is called otherwise.
+std::filesystem::path file_with_label(const TemporaryFolder& folder, const std::string& label) {
+  const auto path = folder.path() / "edited.h5";
+  write_results(path, make_results());
+  const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
+  const hid_t runs = H5Gopen2(file, "runs", H5P_DEFAULT);
+  EXPECT_GE(H5Ldelete(runs, "label", H5P_DEFAULT), 0);
+  const std::size_t longest = std::max(label.size(), std::size_t{7});
+  const hid_t type = H5Tcopy(H5T_C_S1);
+  H5Tset_size(type, longest);
+  H5Tset_cset(type, H5T_CSET_UTF8);
+  H5Tset_strpad(type, H5T_STR_NULLPAD);
+  const hsize_t two = 2;
+  const hid_t space = H5Screate_simple(1, &two, nullptr);
+  const hid_t set = H5Dcreate2(runs, "label", type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
+  std::string packed = "sampled" + std::string(longest - 7, '\0') + label;
+  packed.resize(2 * longest, '\0');
+  EXPECT_GE(H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, packed.data()), 0);
+  H5Lmove(runs, "design", runs, label.c_str(), H5P_DEFAULT, H5P_DEFAULT);
+  H5Dclose(set);
+  H5Sclose(space);
+  H5Tclose(type);
+  H5Gclose(runs);
+  EXPECT_GE(H5Fclose(file), 0);
+  return path;
+}
+
+TEST(results_file, labels_of_runs_that_could_act_in_a_script_or_page_are_refused) {
+  const TemporaryFolder folder;
+  EXPECT_EQ(read_results(file_with_label(folder, "nominal")).runs.at(1).label, "nominal");
+  for (const char* label : {"`touch pwned`", "'; system('x'); '", "a\"b", "a\nb", "$(x)",
+                            "<script>", "../design", "./design", "de sign"}) {
+    EXPECT_THAT(message_of([&] { read_results(file_with_label(folder, label)); }),
+                HasSubstr("cannot take the label of a run"))
+        << label;
+  }
+}
+
 std::size_t files_in(const std::filesystem::path& folder) {
   return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(folder), {}));
 }

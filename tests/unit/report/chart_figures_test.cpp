@@ -216,10 +216,10 @@ TEST(chart_figures, are_drawn_by_gnuplot_even_where_everything_slides_freely) {
         fs::path(testing::TempDir()) / ("glissade_chart_" + std::to_string(chart++));
     fs::remove_all(folder);
     for (const Figure& figure : make_figures(results)) {
-      ASSERT_NO_THROW(render_figure(figure, folder)) << figure.name;
+      ASSERT_NO_THROW(render_figure(figure, folder)) << figure.name.text();
       EXPECT_THAT(read_text_file(folder / (figure.name + ".svg")),
                   HasSubstr(figure.title.substr(0, 12)))
-          << figure.name;
+          << figure.name.text();
     }
   }
 }

@@ -83,7 +83,7 @@ TEST(chart_tables, say_how_to_interpolate_and_have_whole_rows_with_units) {
       if (table.name == "records" || table.name == "chart_standards") continue;  // quoted commas
       const auto found = static_cast<std::size_t>(std::count(line.begin(), line.end(), ','));
       if (rows++ == 0) commas = found;
-      EXPECT_EQ(found, commas) << table.name << ": " << line;
+      EXPECT_EQ(found, commas) << table.name.text() << ": " << line;
     }
   }
   const std::string csv = to_csv(table_named(made_up_chart_results(), "chart"));

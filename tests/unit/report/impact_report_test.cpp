@@ -22,8 +22,8 @@ using testing::Not;
 TEST(impact_report, is_absent_where_the_study_does_not_ask_for_it) {
   const Results results = made_up_results();
   EXPECT_TRUE(impact_table(results).rows.empty());
-  for (const Table& table : csv_tables(results)) EXPECT_NE(table.name, "impact");
-  for (const Figure& figure : make_figures(results)) EXPECT_NE(figure.name, "impact");
+  for (const Table& table : csv_tables(results)) EXPECT_NE(table.name.text(), "impact");
+  for (const Figure& figure : make_figures(results)) EXPECT_NE(figure.name.text(), "impact");
   EXPECT_THAT(html_report(results, {}), Not(HasSubstr("on reaching a parapet")));
 }
 
@@ -83,7 +83,7 @@ TEST(impact_report, draws_only_what_enough_records_reach) {
   EXPECT_THAT(impact_figure(results, run).data, HasSubstr("# level 0"));
   forget_all_but(2);
   EXPECT_EQ(impact_figure(results, run).data, "");
-  for (const Figure& figure : make_figures(results)) EXPECT_NE(figure.name, "impact");
+  for (const Figure& figure : make_figures(results)) EXPECT_NE(figure.name.text(), "impact");
 }
 
 }  // namespace

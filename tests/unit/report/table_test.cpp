@@ -42,7 +42,7 @@ TEST(table, becomes_aligned_text_with_inches_and_dashes) {
 }
 
 TEST(table, becomes_escaped_html) {
-  const std::string html = to_html(small_table());
+  const std::string html = to_html(small_table()).str();
   EXPECT_THAT(html, HasSubstr("<td>&lt;c&gt;</td>"));
   EXPECT_THAT(html, HasSubstr("<caption>Two\nrows</caption>"));
 }
@@ -74,21 +74,21 @@ TEST(tables, have_as_many_fields_in_every_row_as_in_the_header_and_say_in_plan) 
     std::istringstream lines(to_csv(table));
     std::string line;
     std::getline(lines, line);
-    EXPECT_THAT(line, HasSubstr("isplacements are in plan")) << table.name;
+    EXPECT_THAT(line, HasSubstr("isplacements are in plan")) << table.name.text();
     std::getline(lines, line);
     const std::size_t expected = fields(line);
     std::size_t rows = 0;
     for (; std::getline(lines, line); ++rows)
-      EXPECT_EQ(fields(line), expected) << table.name << ": " << line;
+      EXPECT_EQ(fields(line), expected) << table.name.text() << ": " << line;
     EXPECT_EQ(rows, table.rows.size());
-    EXPECT_GT(rows, 0u) << table.name;
+    EXPECT_GT(rows, 0u) << table.name.text();
   }
 }
 
 TEST(tables, leave_out_standards_when_there_are_none) {
   Results results = made_up_results();
   for (RunResults& run : results.runs) run.standards.clear();
-  for (const Table& table : csv_tables(results)) EXPECT_NE(table.name, "standards");
+  for (const Table& table : csv_tables(results)) EXPECT_NE(table.name.text(), "standards");
 }
 
 TEST(stripes_table, counts_what_the_histories_show) {

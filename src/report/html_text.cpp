@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glissade/report/html_text.hpp"
+
+#include <algorithm>
+
+namespace glissade {
+
+Html Html::text(std::string_view plain) {
+  Html html;
+  html.page_.reserve(plain.size());
+  for (const char c : plain) {
+    const char* entity = c == '&'    ? "&amp;"
+                         : c == '<'  ? "&lt;"
+                         : c == '>'  ? "&gt;"
+                         : c == '"'  ? "&quot;"
+                         : c == '\'' ? "&#39;"
+                                     : nullptr;
+    entity ? html.page_ += entity : html.page_ += c;
+  }
+  return html;
+}
+
+Html Html::drawing(std::string svg, std::string_view label) {
+  Html html;
+  html.page_ = svg.substr(std::min(svg.find("<svg"), svg.size()));
+  // gnuplot's title, which browsers show as a tooltip.
+  const std::string_view title = "<title>Gnuplot</title>";
+  const std::size_t at = html.page_.find(title);
+  if (at != std::string::npos) html.page_.erase(at, title.size());
+  if (html.page_.starts_with("<svg"))
+    html.page_.insert(4, " role=\"img\" aria-label=\"" + text(label).page_ + "\"");
+  return html;
+}
+
+Html enclosed(Markup before, std::string_view text, Markup after) {
+  return Html(before) + Html::text(text) + Html(after);
+}
+
+}  // namespace glissade
