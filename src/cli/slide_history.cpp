@@ -9,7 +9,7 @@
 #include "glissade/block/tipping.hpp"
 #include "glissade/core/error.hpp"
 #include "glissade/core/file.hpp"
-#include "glissade/io/csv.hpp"
+#include "glissade/report/table.hpp"
 #include "glissade/study/scene.hpp"
 
 namespace glissade::cli {
@@ -36,22 +36,20 @@ class HistoryFile {
   explicit HistoryFile(const std::string& file) : file_(file) {}
   void add(double time_s, double roof_acceleration_mps2, double displacement_m,
            double velocity_mps) {
-    table_.cell(time_s)
-        .cell(roof_acceleration_mps2)
-        .cell(displacement_m)
-        .cell(velocity_mps)
-        .end_row();
+    table_.add({time_s, roof_acceleration_mps2, displacement_m, velocity_mps});
   }
-  void write() const {
-    write_text_file(file_,
-                    "# displacement and velocity of the block relative to the roof, in plan, "
-                    "downslope positive (flat roof: +x)\n" +
-                        table_.text());
-  }
+  void write() const { write_text_file(file_, to_csv(table_)); }
 
  private:
   std::string file_;
-  CsvTable table_{{"time_s", "roof_acceleration_mps2", "displacement_m", "velocity_mps"}};
+  Table table_{"history",
+               "displacement and velocity of the block relative to the roof, in plan, downslope "
+               "positive (flat roof: +x)",
+               {{"time", "s", "Time, s"},
+                {"roof_acceleration", "mps2", "Roof acceleration, m/s2"},
+                {"displacement", "m", "Displacement, m"},
+                {"velocity", "mps", "Velocity, m/s"}},
+               {}};
 };
 
 void write_history(const std::string& file, const RoofAcceleration& roof,

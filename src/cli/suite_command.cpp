@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -9,13 +8,13 @@
 #include "glissade/core/error.hpp"
 #include "glissade/core/file.hpp"
 #include "glissade/core/units.hpp"
-#include "glissade/io/csv.hpp"
 #include "glissade/io/recipe_writer.hpp"
 #include "glissade/io/suite_file.hpp"
 #include "glissade/motion/intensity.hpp"
 #include "glissade/motion/simulation/suite_design.hpp"
 #include "glissade/motion/suite_scaling.hpp"
 #include "glissade/motion/walters_level.hpp"
+#include "glissade/report/table.hpp"
 
 namespace glissade::cli {
 namespace {
@@ -46,6 +45,35 @@ const DesignTarget& target_of(const Suite& suite, const std::string& file) {
   return *suite.target;
 }
 
+Table motions_table(const Suite& suite) {
+  Table table{"motions",
+              "Motions without the suite's scale; PGV is the geometric mean of the horizontals",
+              {{"id", "", "id", ColumnKind::text},
+               {"event", "", "event", ColumnKind::text},
+               {"station", "", "station", ColumnKind::text},
+               {"magnitude", "", "M", ColumnKind::number, false, 1},
+               {"distance", "km", "R, km", ColumnKind::number, false, 1},
+               {"vs30", "mps", "Vs30, m/s", ColumnKind::number, false, 0},
+               {"dt", "s", "dt, s", ColumnKind::number, false, 4},
+               {"samples", "", "samples", ColumnKind::count},
+               {"pga_first", "g", "H1, g", ColumnKind::number, false, 3},
+               {"pga_second", "g", "H2, g", ColumnKind::number, false, 3},
+               {"pga_vertical", "g", "V, g", ColumnKind::number, false, 3},
+               {"pgv", "mps", "PGV, m/s", ColumnKind::number, false, 3},
+               {"scale", "", "scale", ColumnKind::number, false, 2}},
+              {}};
+  const auto pga_g = [](const std::vector<double>& a) {
+    return a.empty() ? std::nan("") : in_g(peak_ground_acceleration_mps2(a));
+  };
+  for (const Motion& m : suite.motions) {
+    table.add({m.id, m.event, m.station, m.magnitude, m.distance_km, m.vs30_mps, m.dt_s,
+               static_cast<double>(m.horizontal_mps2[0].size()), pga_g(m.horizontal_mps2[0]),
+               pga_g(m.horizontal_mps2[1]), pga_g(m.vertical_mps2),
+               horizontal_pgv_mps(m, HorizontalCombination::geometric_mean), m.scale});
+  }
+  return table;
+}
+
 void show(const SuiteOptions& o) {
   const Suite suite = load_suite(o.suite);
   fmt::print("{}: {}\n", suite.name, suite.description);
@@ -57,38 +85,24 @@ void show(const SuiteOptions& o) {
         to_string(suite.target->edition), suite.target->ss_g, suite.target->s1_g, target.sds_g(),
         target.sd1_g(), level ? std::to_string(*level) : "above 4");
   }
-  std::size_t id_width = 2, event_width = 5, station_width = 7;
-  for (const Motion& m : suite.motions) {
-    id_width = std::max(id_width, m.id.size());
-    event_width = std::max(event_width, m.event.size());
-    station_width = std::max(station_width, m.station.size());
-  }
-  fmt::print("{:<{}}  {:<{}}  {:<{}} {:>4} {:>6} {:>5} {:>7} {:>7} {:>6} {:>6} {:>6} {:>6} {:>5}\n",
-             "id", id_width, "event", event_width, "station", station_width, "M", "R km", "Vs30",
-             "dt s", "samples", "H1 g", "H2 g", "V g", "PGV", "scale");
-  const auto pga = [](const std::vector<double>& a) {
-    return a.empty() ? std::string("-")
-                     : fmt::format("{:.3f}", in_g(peak_ground_acceleration_mps2(a)));
-  };
-  for (const Motion& m : suite.motions) {
-    fmt::print(
-        "{:<{}}  {:<{}}  {:<{}} {:>4.1f} {:>6.1f} {:>5.0f} {:>7.4f} {:>7} {:>6} {:>6} {:>6} "
-        "{:>6.3f} {:>5.2f}\n",
-        m.id, id_width, m.event, event_width, m.station, station_width, m.magnitude, m.distance_km,
-        m.vs30_mps, m.dt_s, m.horizontal_mps2[0].size(), pga(m.horizontal_mps2[0]),
-        pga(m.horizontal_mps2[1]), pga(m.vertical_mps2),
-        horizontal_pgv_mps(m, HorizontalCombination::geometric_mean), m.scale);
-  }
-  fmt::print(
-      "PGV: m/s, geometric mean of the horizontals. Nothing here has the suite's scale applied.\n");
+  fmt::print("{}", to_text(motions_table(suite)));
 }
 
 void spectra(const SuiteOptions& o) {
   const Suite suite = load_suite(o.suite);
   std::vector<double> periods{0.0};
   for (int i = 0; i < 100; ++i) periods.push_back(0.02 * std::pow(200.0, i / 99.0));
-  std::vector<std::string> header{"period_s"};
-  std::vector<std::vector<double>> columns;
+  Table table{
+      "spectra",
+      fmt::format("pseudo-spectral acceleration, damping {:g}, the suite's scale factors applied",
+                  o.damping),
+      {{"period", "s", "Period, s"}},
+      {}};
+  for (const double period : periods) table.rows.push_back({period});
+  const auto add = [&](const std::string& stem, const std::vector<double>& values) {
+    table.columns.push_back({stem, "g", stem + ", g"});
+    for (std::size_t i = 0; i < values.size(); ++i) table.rows[i].emplace_back(values[i]);
+  };
   std::vector<double> average(periods.size(), 0.0);
   for (const Motion& m : suite.motions) {
     for (const auto combination :
@@ -99,29 +113,17 @@ void spectra(const SuiteOptions& o) {
         sa[i] = in_g(m.scale * sa[i]);
         if (srss) average[i] += sa[i] / static_cast<double>(suite.motions.size());
       }
-      header.push_back(m.id + (srss ? "_srss_g" : "_geometric_mean_g"));
-      columns.push_back(std::move(sa));
+      add(m.id + (srss ? "_srss" : "_geometric_mean"), sa);
     }
   }
-  header.push_back("average_srss_g");
-  columns.push_back(average);
+  add("average_srss", average);
   if (suite.target) {
     const TargetSpectrum target(*suite.target);
-    header.push_back("target_mce_g");
-    columns.emplace_back();
-    for (const double period : periods) columns.back().push_back(target.mce_sa_g(period));
+    std::vector<double> mce_g;
+    for (const double period : periods) mce_g.push_back(target.mce_sa_g(period));
+    add("target_mce", mce_g);
   }
-  CsvTable table(header);
-  for (std::size_t i = 0; i < periods.size(); ++i) {
-    table.cell(periods[i]);
-    for (const auto& column : columns) table.cell(column[i]);
-    table.end_row();
-  }
-  deliver(o,
-          fmt::format(
-              "# pseudo-spectral acceleration, damping {:g}, the suite's scale factors applied\n",
-              o.damping) +
-              table.text());
+  deliver(o, to_csv(table));
 }
 
 void scale(const SuiteOptions& o) {
@@ -134,15 +136,17 @@ void scale(const SuiteOptions& o) {
   };
   const SuiteScaling scaling =
       scale_suite_to_target(suite, wanted, walters_periods_s(), o.max_factor);
-  fmt::print(
-      "# one factor per record for its three components: average SRSS spectrum nowhere below the "
-      "{} target from 0 to 2 s\n",
-      o.target);
-  fmt::print("# (Walters et al. 2012); touches it at {:g} s; largest factor {:.3f}\n",
-             scaling.controlling_period_s, scaling.largest_factor);
-  fmt::print("id,scale\n");
-  for (std::size_t i = 0; i < suite.motions.size(); ++i)
-    fmt::print("{},{:.4f}\n", suite.motions[i].id, scaling.factors[i]);
+  Table table{"scale",
+              fmt::format("one factor per record for its three components: average SRSS spectrum "
+                          "nowhere below the {} target from 0 to 2 s",
+                          o.target),
+              {{"id", "", "id", ColumnKind::text}, {"scale", "", "scale"}},
+              {},
+              {fmt::format("(Walters et al. 2012); touches it at {:g} s; largest factor {:.3f}",
+                           scaling.controlling_period_s, scaling.largest_factor)}};
+  for (std::size_t i = 0; i < suite.motions.size(); ++i)  // as suite files keep them
+    table.add({suite.motions[i].id, std::round(1e4 * scaling.factors[i]) / 1e4});
+  fmt::print("{}", to_csv(table));
 }
 
 void design(const SuiteOptions& o) {

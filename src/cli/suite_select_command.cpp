@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <map>
@@ -15,6 +15,7 @@
 #include "glissade/io/suite_writer.hpp"
 #include "glissade/motion/record_selection.hpp"
 #include "glissade/motion/suite_scaling.hpp"
+#include "glissade/report/table.hpp"
 
 namespace glissade::cli {
 namespace {
@@ -145,9 +146,24 @@ std::string shortfall_line(const RecordSelection& s, double max_scale) {
       max_scale, max_scale / s.lowest.ratio);
 }
 
-/// 0 where not told.
-std::string told(double value, int decimals) {
-  return value > 0.0 ? fmt::format("{:.{}f}", value, decimals) : "-";
+Table records_table(const Suite& library, const RecordSelection& s) {
+  Table table{"records",
+              "Selected records",
+              {{"id", "", "record", ColumnKind::text},
+               {"event", "", "event", ColumnKind::text},
+               {"magnitude", "", "M", ColumnKind::number, false, 2},
+               {"distance", "km", "R, km", ColumnKind::number, false, 1},
+               {"vs30", "mps", "Vs30, m/s", ColumnKind::number, false, 0},
+               {"scale", "", "factor", ColumnKind::number, false, 4},
+               {"misfit", "", "misfit", ColumnKind::number, false, 3}},
+              {}};
+  const auto given = [](double value) { return value > 0.0 ? value : std::nan(""); };
+  for (const SelectedRecord& r : s.records) {
+    const Motion& m = library.motions[r.record];
+    table.add({m.id, m.event, given(m.magnitude), given(m.distance_km), given(m.vs30_mps), r.scale,
+               r.misfit});
+  }
+  return table;
 }
 
 void print(const Suite& library, const Task& task, const RecordSelection& s) {
@@ -155,19 +171,7 @@ void print(const Suite& library, const Task& task, const RecordSelection& s) {
   const auto level = intensity_level({task.target.ss_g, task.target.s1_g});
   fmt::print("; Intensity Level {}\n", level ? std::to_string(*level) : "above 4");
   fmt::print("{} candidates of {} records\n\n", s.candidates, library.motions.size());
-  std::size_t id_width = 6, event_width = 5;
-  for (const SelectedRecord& r : s.records) {
-    id_width = std::max(id_width, library.motions[r.record].id.size());
-    event_width = std::max(event_width, library.motions[r.record].event.size());
-  }
-  fmt::print("{:<{}}  {:<{}}  {:>4} {:>6} {:>6} {:>7} {:>7}\n", "record", id_width, "event",
-             event_width, "M", "R km", "Vs30", "factor", "misfit");
-  for (const SelectedRecord& r : s.records) {
-    const Motion& m = library.motions[r.record];
-    fmt::print("{:<{}}  {:<{}}  {:>4} {:>6} {:>6} {:>7.4f} {:>7.3f}\n", m.id, id_width, m.event,
-               event_width, told(m.magnitude, 2), told(m.distance_km, 1), told(m.vs30_mps, 0),
-               r.scale, r.misfit);
-  }
+  fmt::print("{}", to_text(records_table(library, s)));
   fmt::print("\naverage of the SRSS spectra: {}\n", average_line(s));
   if (!s.reaches_target()) fmt::print("note  {}\n", shortfall_line(s, task.criteria.max_scale));
   if (s.left_out.empty()) return;

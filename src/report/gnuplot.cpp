@@ -83,9 +83,9 @@ std::string enhanced(std::string_view plain) {
 }
 
 std::string quoted_markup(std::string_view markup) {
-  // A doubled quote just after the opening one would end the string.
-  std::string text = markup.starts_with('\'') ? "'{}" : "'";
-  for (const char c : markup) text += c == '\'' ? std::string("''") : std::string(1, c);
+  // gnuplot does not take every doubled quote as one: an apostrophe is set instead.
+  std::string text = "'";
+  for (const char c : markup) text += c == '\'' ? std::string("\u2019") : std::string(1, c);
   return text + "'";
 }
 

@@ -72,7 +72,7 @@ TEST(friction_figure, is_drawn_whatever_directions_are_called) {
   std::filesystem::remove_all(folder);
   write_friction_report(tests, summarise(tests, {}), folder);
   const std::string svg = read_text_file(folder / "figures" / "friction.svg");
-  EXPECT_THAT(svg, HasSubstr("E_W's {"));
+  EXPECT_THAT(svg, HasSubstr("E_W\u2019s {"));
   EXPECT_THAT(svg, HasSubstr("@ #1, \"x\": mean of sliding friction"));
   for (const char* file : {"figures/friction.pdf", "tables/friction.csv", "tables/pull_tests.csv"})
     EXPECT_TRUE(std::filesystem::exists(folder / file)) << file;
