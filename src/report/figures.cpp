@@ -8,6 +8,7 @@
 
 #include "chart/report.hpp"
 #include "figure_text.hpp"
+#include "glissade/core/quantile.hpp"
 #include "glissade/report/format.hpp"
 #include "gnuplot.hpp"
 
@@ -135,17 +136,17 @@ Figure ida_figure(const Results& results, const RunResults& run) {
   double widest_m = results.thresholds_m.empty() ? 0.0 : results.thresholds_m.front();
   for (std::size_t l = 0; l < slip.depth; ++l) {
     const std::vector<double> all = histories_at(slip, 0, slip.rows, l);
-    data.row({results.levels.at(l), percentile(all, 0.16), percentile(all, 0.50),
-              percentile(all, 0.84)});
+    data.row({results.levels.at(l), quantile_of(all, 0.16), quantile_of(all, 0.50),
+              quantile_of(all, 0.84)});
     for (const double share : {0.50, 0.84}) {
-      const double slip_m = percentile(all, share);
+      const double slip_m = quantile_of(all, share);
       if (std::isfinite(slip_m)) widest_m = std::max(widest_m, slip_m);  // infinite: not run
     }
   }
   data.begin("records", "record_median_m intensity_g");
   for (std::size_t i = 0; i < slip.rows; ++i) {
     for (std::size_t l = 0; l < slip.depth; ++l) {
-      data.row({percentile(histories_at(slip, i, i + 1, l), 0.5), results.levels.at(l)});
+      data.row({quantile_of(histories_at(slip, i, i + 1, l), 0.5), results.levels.at(l)});
     }
     data.break_line();
   }
