@@ -3,9 +3,9 @@
 
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "glissade/core/contract.hpp"
+#include "glissade/core/normal.hpp"
 #include "records.hpp"
 #include "resampling.hpp"
 
@@ -22,6 +22,7 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 /// likelihood.
 struct ClusterFit {
   PointFit point;
+  double floor = 0.0;
   Eigen::Matrix2d covariance = Eigen::Matrix2d::Constant(nan);
 
   bool has_line() const {
@@ -34,19 +35,24 @@ struct ClusterFit {
     return std::sqrt(gradient.dot(covariance * gradient));
   }
 
-  /// ln median - center; infinite where none or all exceeded.
-  EstimateWithError log_median() const {
+  /// ln x - center where the line is z, of the median where z = 0; infinite where none or all
+  /// exceeded.
+  EstimateWithError log_intensity_at(double z) const {
     if (is_bound()) return {point.status == FitStatus::lower_bound ? infinity : -infinity, nan};
     const double b0 = point.line[0], b1 = point.line[1];
-    return has_line() ? EstimateWithError{-b0 / b1, error_of(-1 / b1, b0 / (b1 * b1))}
+    return has_line() ? EstimateWithError{(z - b0) / b1, error_of(-1 / b1, (b0 - z) / (b1 * b1))}
                       : EstimateWithError{nan, nan};
+  }
+  /// ... where half of all exceed, at a given floor below one half.
+  EstimateWithError log_p50(double known_floor) const {
+    return log_intensity_at(normal_quantile((0.5 - known_floor) / (1 - known_floor)));
   }
   /// ln log_std
   EstimateWithError log_log_std() const {
     return has_line() ? EstimateWithError{-std::log(point.line[1]), error_of(0, -1 / point.line[1])}
                       : EstimateWithError{nan, nan};
   }
-  /// Phi^-1 of the probability of exceedance at y.
+  /// Phi^-1 of the probability of exceedance at y, of those that need shaking.
   EstimateWithError probit_at(double y) const {
     if (is_bound()) return {point.status == FitStatus::lower_bound ? -infinity : infinity, nan};
     return has_line() ? EstimateWithError{point.line[0] + point.line[1] * y, error_of(1, y)}
@@ -56,7 +62,9 @@ struct ClusterFit {
 
 ClusterFit fit_weighted(const Records& records, const Eigen::VectorXd& weights,
                         const ProbitLine& start) {
-  ClusterFit fit{records.fit(weights, start)};
+  ClusterFit fit{{}, records.floor(weights)};
+  if (fit.floor == 1) return {{FitStatus::always_exceeds}, 1};
+  fit.point = records.fit(weights, start);
   if (fit.point.status != FitStatus::maximum_likelihood) return fit;
   const Eigen::Matrix2d inverse = records.information(weights, fit.point.line).inverse();
   const Records::Scores scores = records.scores(fit.point.line);
@@ -71,6 +79,7 @@ class Resamples {
  public:
   Resamples(const Records& records, const ClusterFit& pooled, const BootstrapOptions& options)
       : records_(static_cast<std::size_t>(records.count())),
+        floor_varies_(records.floor_varies()),
         pooled_(pooled),
         level_(options.level) {
     for (int r = 0; r < options.replicates; ++r) {
@@ -88,15 +97,39 @@ class Resamples {
            100 * without_maximum_ <= replicates_.size();
   }
   Interval log_median() const {
-    return symmetric([](const ClusterFit& fit) { return fit.log_median(); });
+    return symmetric([](const ClusterFit& fit) { return fit.log_intensity_at(0); });
+  }
+  /// Where half of all exceed; NaN where the floor is one half or more in all resamples.
+  Interval log_p50() const {
+    if (floor_varies_) {
+      return percentile([](const ClusterFit& fit) {
+        return fit.floor < 0.5 ? fit.log_p50(fit.floor) : EstimateWithError{-infinity, nan};
+      });
+    }
+    if (pooled_.floor >= 0.5) return {};
+    return symmetric([&](const ClusterFit& fit) { return fit.log_p50(pooled_.floor); });
+  }
+  Interval floor() const {
+    if (!floor_varies_) return {};
+    return percentile([](const ClusterFit& fit) { return EstimateWithError{fit.floor, nan}; });
   }
   Interval log_log_std() const {
     const auto quantity = [](const ClusterFit& fit) { return fit.log_log_std(); };
     if (!studentised()) return percentile(quantity);
     return log_std_interval(quantity(pooled_), estimates(quantity), records_, level_);
   }
-  Interval probit_at(double y) const {
-    return symmetric([y](const ClusterFit& fit) { return fit.probit_at(y); });
+  Interval probability_at(double y) const {
+    const auto mixed = [](double floor, double probit) {
+      return floor + (1 - floor) * normal_cdf(probit);
+    };
+    if (floor_varies_) {
+      return percentile([&](const ClusterFit& fit) {
+        return EstimateWithError{fit.floor == 1 ? 1 : mixed(fit.floor, fit.probit_at(y).value),
+                                 nan};
+      });
+    }
+    const Interval probit = symmetric([y](const ClusterFit& fit) { return fit.probit_at(y); });
+    return {mixed(pooled_.floor, probit.low), mixed(pooled_.floor, probit.high)};
   }
 
   std::string method() const {
@@ -128,18 +161,12 @@ class Resamples {
   }
 
   std::size_t records_;
+  bool floor_varies_;
   ClusterFit pooled_;
   double level_;
   std::vector<ClusterFit> replicates_;
   std::size_t without_maximum_ = 0;
 };
-
-double normal_cdf(double z) { return 0.5 * std::erfc(-z / std::numbers::sqrt2); }
-
-void add_sentence(std::string& note, const std::string& sentence) {
-  if (!note.empty() && !sentence.empty()) note += "; ";
-  note += sentence;
-}
 
 FitSummary fit_by_record(const Records& records, const BootstrapOptions& options,
                          const std::vector<double>& band_intensities, std::vector<Interval>* band) {
@@ -148,16 +175,19 @@ FitSummary fit_by_record(const Records& records, const BootstrapOptions& options
   if (band != nullptr) band->assign(band_intensities.size(), Interval{});
   const ClusterFit pooled =
       fit_weighted(records, Eigen::VectorXd::Ones(records.count()), records.first_guess());
-  if (pooled.is_bound()) {
-    FitSummary summary = records.bound();
-    add_sentence(summary.note, "each record counts as one trial");
-    return summary;
-  }
   FitSummary summary;
-  summary.status = pooled.point.status;
-  summary.note = pooled.point.note;
+  if (pooled.floor == 1) return summarise_always();
+  if (pooled.is_bound()) {
+    summary = records.bound();
+    add_sentence(summary.note, "each record counts as one trial");
+  } else {
+    summary.status = pooled.point.status;
+    summary.note = pooled.point.note;
+  }
+  if (pooled.has_line()) summary.curve = to_curve(pooled.point.line, records.center());
+  summary.curve.floor = pooled.floor;
+  if (pooled.floor > 0) add_sentence(summary.note, note_on_floor);
   if (!pooled.has_line()) return summary;
-  summary.curve = to_curve(pooled.point.line, records.center());
   summary.log_likelihood = records.log_likelihood(summary.curve);
   summary.method = records.method() +
                    (summary.status == FitStatus::maximum_likelihood ? "" : ", Jeffreys penalised") +
@@ -171,12 +201,15 @@ FitSummary fit_by_record(const Records& records, const BootstrapOptions& options
   summary.median_interval = {std::exp(records.center() + log_median.low),
                              std::exp(records.center() + log_median.high)};
   summary.log_std_interval = {std::exp(log_log_std.low), std::exp(log_log_std.high)};
+  const Interval log_p50 = resamples.log_p50();
+  summary.p50_interval = {std::exp(records.center() + log_p50.low),
+                          std::exp(records.center() + log_p50.high)};
+  summary.floor_interval = resamples.floor();
   summary.interval_method = resamples.method();
   add_sentence(summary.note, resamples.note());
   if (band != nullptr) {
     for (std::size_t i = 0; i < band_intensities.size(); ++i) {
-      const Interval probit = resamples.probit_at(std::log(band_intensities[i]) - records.center());
-      (*band)[i] = {normal_cdf(probit.low), normal_cdf(probit.high)};
+      (*band)[i] = resamples.probability_at(std::log(band_intensities[i]) - records.center());
     }
   }
   return summary;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <boost/math/distributions/binomial.hpp>
 #include <boost/math/distributions/chi_squared.hpp>
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
@@ -15,7 +16,7 @@ namespace {
 using namespace fragility;
 
 /// Student t for ln median, chi-square for log_std: exact for a lognormal sample of n.
-ProfileIntervals sample_intervals(const LognormalCurve& curve, double n) {
+ProfileIntervals sample_intervals(const FragilityCurve& curve, double n) {
   const double t = quantile(boost::math::students_t(n - 1), 0.975);
   const double factor = std::exp(t * curve.log_std / std::sqrt(n));
   const boost::math::chi_squared chi_squared(n - 1);
@@ -24,9 +25,35 @@ ProfileIntervals sample_intervals(const LognormalCurve& curve, double n) {
            curve.log_std * std::sqrt((n - 1) / quantile(chi_squared, 0.025))}};
 }
 
+/// The fit of those that need shaking.
+FitSummary fit_shaken(const CapacitySample& sample) {
+  const CapacityData data = to_data(sample, mean_log(sample.capacities));
+  const PointFit fit = fit_point(data, first_guess(data));
+  if (fit.is_bound()) return summarise_bound(to_data({{sample.censored_at, sample.censored, 0.0}}));
+  FitSummary summary;
+  summary.status = fit.status;
+  summary.note = fit.note;
+  if (!summary.converged()) return summary;
+  summary.curve = to_curve(fit.line, data.center);
+  const auto log_likelihood = [&](const ProbitLine& line) {
+    return capacity_likelihood(data, line).value;
+  };
+  const bool complete = sample.censored == 0;
+  const ProfileIntervals intervals = complete
+                                         ? sample_intervals(summary.curve, data.count)
+                                         : profile_intervals(log_likelihood, fit.line, data.center);
+  summary.median_interval = summary.p50_interval = intervals.median;
+  summary.log_std_interval = intervals.log_std;
+  summary.log_likelihood = capacity_log_likelihood(sample, summary.curve);
+  summary.method = complete ? "lognormal sample of capacities (n - 1)"
+                            : "lognormal maximum likelihood on right-censored capacities";
+  summary.interval_method = complete ? "Student t and chi-square" : "profile likelihood";
+  return summary;
+}
+
 }  // namespace
 
-double capacity_log_likelihood(const CapacitySample& sample, const LognormalCurve& curve) {
+double capacity_log_likelihood(const CapacitySample& sample, const FragilityCurve& curve) {
   check(sample, "capacities");
   const double center = mean_log(sample.capacities),
                n = static_cast<double>(sample.capacities.size());
@@ -36,29 +63,17 @@ double capacity_log_likelihood(const CapacitySample& sample, const LognormalCurv
 
 FitSummary fit_capacities(const CapacitySample& sample) {
   check(sample, "capacities");
-  const CapacityData data = to_data(sample, mean_log(sample.capacities));
-  const PointFit fit = fit_point(data, first_guess(data));
-  if (fit.is_bound()) {
-    return summarise_bound(to_data({{sample.censored_at, sample.censored, 0.0}}));
-  }
-  FitSummary summary;
-  summary.status = fit.status;
-  summary.note = fit.note;
-  if (fit.status == FitStatus::failed) return summary;
-  summary.curve = to_curve(fit.line, data.center);
-  const auto log_likelihood = [&](const ProbitLine& line) {
-    return capacity_likelihood(data, line).value;
-  };
-  const bool complete = sample.censored == 0;
-  const ProfileIntervals intervals = complete
-                                         ? sample_intervals(summary.curve, data.count)
-                                         : profile_intervals(log_likelihood, fit.line, data.center);
-  summary.median_interval = intervals.median;
-  summary.log_std_interval = intervals.log_std;
-  summary.log_likelihood = capacity_log_likelihood(sample, summary.curve);
-  summary.method = complete ? "lognormal sample of capacities (n - 1)"
-                            : "lognormal maximum likelihood on right-censored capacities";
-  summary.interval_method = complete ? "Student t and chi-square" : "profile likelihood";
+  if (sample.free == 0) return fit_shaken(sample);
+  const double rest = static_cast<double>(sample.capacities.size()) + sample.censored;
+  FitSummary summary = rest > 0 ? fit_shaken(sample) : summarise_always();
+  const double all = rest + sample.free;
+  summary.curve.floor = sample.free / all;
+  summary.p50_interval = {};
+  using Binomial = boost::math::binomial;
+  summary.floor_interval = {Binomial::find_lower_bound_on_p(all, sample.free, 0.025),
+                            Binomial::find_upper_bound_on_p(all, sample.free, 0.025)};
+  add_sentence(summary.interval_method, "Clopper-Pearson for the floor");
+  if (rest > 0) add_sentence(summary.note, note_on_floor);
   return summary;
 }
 

@@ -18,14 +18,14 @@ FitSummary summarise(const std::vector<Stripe>& stripes, const StripeData& data,
   FitSummary summary;
   summary.status = fit.status;
   summary.note = fit.note;
-  if (fit.status == FitStatus::failed) return summary;
+  if (!summary.converged()) return summary;
   const bool penalised = fit.status == FitStatus::jeffreys_penalised;
   const auto log_likelihood = [&](const ProbitLine& line) {
     return (penalised ? stripe_jeffreys(data, line) : stripe_likelihood(data, line)).value;
   };
   summary.curve = to_curve(fit.line, data.center);
   const ProfileIntervals intervals = profile_intervals(log_likelihood, fit.line, data.center);
-  summary.median_interval = intervals.median;
+  summary.median_interval = summary.p50_interval = intervals.median;
   summary.log_std_interval = intervals.log_std;
   summary.log_likelihood = stripe_log_likelihood(stripes, summary.curve);
   summary.method = penalised ? "Jeffreys penalised probit likelihood on stripes"
@@ -52,11 +52,15 @@ std::string to_string(FitStatus status) {
       return "lower bound";
     case FitStatus::upper_bound:
       return "upper bound";
+    case FitStatus::no_trend:
+      return "no rise with intensity";
+    case FitStatus::always_exceeds:
+      return "exceeds at any intensity";
   }
   return "failed";
 }
 
-double stripe_log_likelihood(const std::vector<Stripe>& stripes, const LognormalCurve& curve) {
+double stripe_log_likelihood(const std::vector<Stripe>& stripes, const FragilityCurve& curve) {
   check(stripes, "stripes");
   const StripeData data = to_data(stripes);
   double sum = stripe_likelihood(data, to_line(curve, data.center)).value;

@@ -25,11 +25,11 @@ LogPhi log_phi(double z) {
 
 }  // namespace
 
-ProbitLine to_line(const LognormalCurve& curve, double center) {
+ProbitLine to_line(const FragilityCurve& curve, double center) {
   return {(center - std::log(curve.median)) / curve.log_std, 1 / curve.log_std};
 }
 
-LognormalCurve to_curve(const ProbitLine& line, double center) {
+FragilityCurve to_curve(const ProbitLine& line, double center) {
   return {std::exp(center - line[0] / line[1]), 1 / line[1]};
 }
 
@@ -99,6 +99,20 @@ Evaluation stripe_jeffreys(const StripeData& data, const ProbitLine& line) {
   return sum;
 }
 
+namespace {
+
+/// The likelihood is concave: its slope at the best line without one has the sign of b1 at the
+/// maximum. There every level has the pooled share, and the slope is phi / (Phi (1 - Phi)) times
+/// the sum below.
+bool rises(const StripeData& data) {
+  const double share = data.exceedances.sum() / data.trials.sum();
+  const double slope = ((data.exceedances - share * data.trials) * data.y).sum();
+  const double rounding = 1e-12 * (data.trials * data.y.abs()).sum();
+  return slope > rounding;
+}
+
+}  // namespace
+
 StripeShape shape_of(const StripeData& data) {
   double first_exceeded = infinity, last_exceeded = -infinity, first_held = infinity,
          last_held = -infinity;
@@ -118,8 +132,7 @@ StripeShape shape_of(const StripeData& data) {
   if (std::min(first_exceeded, first_held) == std::max(last_exceeded, last_held))
     return StripeShape::single_level;
   if (first_exceeded >= last_held) return StripeShape::separated;
-  if (first_held >= last_exceeded) return StripeShape::decreasing;
-  return StripeShape::overlapping;
+  return rises(data) ? StripeShape::overlapping : StripeShape::not_rising;
 }
 
 Evaluation capacity_likelihood(const CapacityData& data, const ProbitLine& line) {

@@ -14,8 +14,8 @@ namespace glissade::fragility {
 
 using ProbitLine = Eigen::Vector2d;  ///< (b0, b1)
 
-ProbitLine to_line(const LognormalCurve& curve, double center);
-LognormalCurve to_curve(const ProbitLine& line, double center);  ///< b1 > 0
+ProbitLine to_line(const FragilityCurve& curve, double center);
+FragilityCurve to_curve(const ProbitLine& line, double center);  ///< b1 > 0
 
 /// An objective at a line, its gradient, and a positive definite matrix for the Newton step.
 struct Evaluation {
@@ -43,13 +43,13 @@ Evaluation stripe_likelihood(const StripeData& data, const ProbitLine& line);
 Evaluation stripe_jeffreys(const StripeData& data, const ProbitLine& line);
 
 /// What stripes allow (Silvapulle 1981, JRSS B 43(3):310-313: a maximum exists if and only if they
-/// overlap).
+/// overlap). Not rising: the slope of the probit line would not be above 0.
 enum class StripeShape {
   overlapping,
   separated,
   none_exceeded,
   all_exceeded,
-  decreasing,
+  not_rising,
   single_level,
   empty
 };

@@ -16,10 +16,18 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 /// Of one-sided bounds: a usual dispersion of sliding capacities.
 constexpr double assumed_log_std = 0.4;
 
-PointFit of_line(FitStatus status, const std::optional<ProbitLine>& line) {
-  if (line && (*line)[1] > 0) return {status, *line, ""};
-  return {FitStatus::failed, ProbitLine::Zero(),
-          "exceedance does not become more frequent with intensity"};
+const PointFit no_trend{FitStatus::no_trend, ProbitLine::Zero(),
+                        "the share of exceedances does not rise with intensity"};
+
+PointFit of_line(FitStatus status, const std::optional<ProbitLine>& line, double center) {
+  if (!line) return {FitStatus::failed, ProbitLine::Zero(), "no greatest likelihood was found"};
+  if (!((*line)[1] > 0)) return no_trend;
+  const double median = to_curve(*line, center).median;
+  if (!std::isnormal(median)) {
+    return {FitStatus::no_trend, ProbitLine::Zero(),
+            "the share of exceedances rises so little with intensity that it has no median"};
+  }
+  return {status, *line, ""};
 }
 
 bool positive_and_finite(double x) { return x > 0 && std::isfinite(x); }
@@ -27,16 +35,11 @@ bool positive_and_finite(double x) { return x > 0 && std::isfinite(x); }
 }  // namespace
 
 PointFit fit_point(const StripeData& data, const ProbitLine& start) {
-  switch (shape_of(data)) {
-    case StripeShape::overlapping:
-      return of_line(
-          FitStatus::maximum_likelihood,
-          maximise([&](const ProbitLine& line) { return stripe_likelihood(data, line); }, start));
-    case StripeShape::decreasing:
-      return of_line(FitStatus::failed, std::nullopt);
-    default:
-      return fit_point_jeffreys(data, start);
-  }
+  if (shape_of(data) != StripeShape::overlapping) return fit_point_jeffreys(data, start);
+  return of_line(
+      FitStatus::maximum_likelihood,
+      maximise([&](const ProbitLine& line) { return stripe_likelihood(data, line); }, start),
+      data.center);
 }
 
 PointFit fit_point_jeffreys(const StripeData& data, const ProbitLine& start) {
@@ -51,10 +54,13 @@ PointFit fit_point_jeffreys(const StripeData& data, const ProbitLine& start) {
       return {FitStatus::lower_bound, none, ""};
     case StripeShape::all_exceeded:
       return {FitStatus::upper_bound, none, ""};
+    case StripeShape::not_rising:
+      return no_trend;
     default:
       return of_line(
           FitStatus::jeffreys_penalised,
-          maximise([&](const ProbitLine& line) { return stripe_jeffreys(data, line); }, start));
+          maximise([&](const ProbitLine& line) { return stripe_jeffreys(data, line); }, start),
+          data.center);
   }
 }
 
@@ -121,9 +127,12 @@ void check(const CapacitySample& sample, const std::string& where) {
                     "count it as censored, or censor higher", ""});
     }
   }
-  if (!(sample.censored >= 0 && std::isfinite(sample.censored))) {
-    problems.add(
-        {where, "censored = " + std::to_string(sample.censored) + " is not a count", "", ""});
+  for (const auto& [name, count] :
+       {std::pair("censored", sample.censored), std::pair("free", sample.free)}) {
+    if (!(count >= 0 && std::isfinite(count))) {
+      problems.add(
+          {where, std::string(name) + " = " + std::to_string(count) + " is not a count", "", ""});
+    }
   }
   if (sample.censored > 0 && !positive_and_finite(sample.censored_at)) {
     problems.add(
@@ -176,12 +185,26 @@ FitSummary summarise_bound(const StripeData& data) {
   summary.status = none ? FitStatus::lower_bound : FitStatus::upper_bound;
   summary.curve = {bound, assumed_log_std};
   summary.median_interval = none ? Interval{bound, infinity} : Interval{0.0, bound};
+  summary.p50_interval = summary.median_interval;
   summary.log_likelihood = log_probability(to_line(summary.curve, data.center));
   summary.method = "one-sided 95 % bound of the median for an assumed log_std";
   summary.interval_method = "one-sided bound";
   summary.note = none ? "no exceedance at all: the median is a lower bound"
                       : "every trial exceeded: the median is an upper bound";
   summary.note += " at 95 % for an assumed log_std of 0.4";
+  return summary;
+}
+
+void add_sentence(std::string& note, const std::string& sentence) {
+  if (!note.empty() && !sentence.empty()) note += "; ";
+  note += sentence;
+}
+
+FitSummary summarise_always() {
+  FitSummary summary;
+  summary.status = FitStatus::always_exceeds;
+  summary.curve.floor = 1.0;
+  summary.note = "every history exceeds without any shaking: the probability is 1";
   return summary;
 }
 

@@ -38,5 +38,11 @@ double mean_log(const std::vector<double>& values);  ///< 0 if there are none
 
 /// The summary of stripes none or all of whose trials exceeded (all of one kind).
 FitSummary summarise_bound(const StripeData& data);
+inline constexpr auto note_on_floor =
+    "a share (the floor) exceeds without any shaking; median and log_std are those of the rest";
+void add_sentence(std::string& note, const std::string& sentence);
+
+/// The summary where every history exceeds without shaking.
+FitSummary summarise_always();
 
 }  // namespace glissade::fragility

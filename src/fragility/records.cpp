@@ -33,6 +33,10 @@ void check_records(const std::vector<double>& intensities,
                     "give both per intensity", ""});
       continue;
     }
+    if (!(records[i].free >= 0 && std::isfinite(records[i].free))) {
+      problems.add({record_name(i), "free = " + std::to_string(records[i].free) + " is not a count",
+                    "", ""});
+    }
     try {
       check(stripes_of(intensities, records[i]), record_name(i));
     } catch (const InputError& error) {
@@ -47,8 +51,9 @@ void check_records(const std::vector<RecordCapacities>& records, double censored
   if (records.empty()) problems.add({"records", "there are none", "give at least one record", ""});
   for (std::size_t i = 0; i < records.size(); ++i) {
     try {
-      check(CapacitySample{records[i].capacities, records[i].censored, censored_at},
-            record_name(i));
+      check(
+          CapacitySample{records[i].capacities, records[i].censored, censored_at, records[i].free},
+          record_name(i));
     } catch (const InputError& error) {
       problems.add(error);
     }
@@ -57,6 +62,26 @@ void check_records(const std::vector<RecordCapacities>& records, double censored
 }
 
 }  // namespace
+
+void Records::add_record(double free, double rest) {
+  free_.push_back(free);
+  histories_.push_back(free + rest);
+}
+
+double Records::floor(const Eigen::VectorXd& weights) const {
+  const auto sum = [&](const std::vector<double>& values) {
+    return weights.dot(Eigen::Map<const Eigen::VectorXd>(values.data(), weights.size()));
+  };
+  const double free = sum(free_);
+  return free > 0 ? free / sum(histories_) : 0.0;
+}
+
+bool Records::floor_varies() const {
+  for (std::size_t i = 1; i < free_.size(); ++i) {
+    if (free_[i] * histories_[0] != free_[0] * histories_[i]) return true;
+  }
+  return false;
+}
 
 StripeRecords::StripeRecords(const std::vector<double>& intensities,
                              const std::vector<RecordStripes>& records) {
@@ -69,6 +94,7 @@ StripeRecords::StripeRecords(const std::vector<double>& intensities,
     const RecordStripes& record = records[static_cast<std::size_t>(i)];
     exceedances_.row(i) = Eigen::Map<const Eigen::RowVectorXd>(record.exceedances.data(), columns);
     trials_.row(i) = Eigen::Map<const Eigen::RowVectorXd>(record.trials.data(), columns);
+    add_record(record.free, columns > 0 ? trials_.row(i).maxCoeff() : 0.0);
   }
   levels_ = to_data(stripes_of(intensities, {std::vector<double>(intensities.size()),
                                              std::vector<double>(intensities.size())}));
@@ -104,7 +130,7 @@ Eigen::Matrix2d StripeRecords::information(const Eigen::VectorXd& weights,
   return stripe_likelihood(pooled(weights), line).information;
 }
 
-double StripeRecords::log_likelihood(const LognormalCurve& curve) const {
+double StripeRecords::log_likelihood(const FragilityCurve& curve) const {
   std::vector<Stripe> stripes;
   for (Eigen::Index j = 0; j < levels_.y.size(); ++j) {
     stripes.push_back(
@@ -133,6 +159,7 @@ CapacityRecords::CapacityRecords(const std::vector<RecordCapacities>& records, d
   pooled_ = to_data(sample_, center);
   for (const RecordCapacities& record : records) {
     records_.push_back(to_data({record.capacities, record.censored, censored_at}, center));
+    add_record(record.free, static_cast<double>(record.capacities.size()) + record.censored);
   }
 }
 
@@ -166,7 +193,7 @@ Eigen::Matrix2d CapacityRecords::information(const Eigen::VectorXd& weights,
   return capacity_likelihood(pooled(weights), line).information;
 }
 
-double CapacityRecords::log_likelihood(const LognormalCurve& curve) const {
+double CapacityRecords::log_likelihood(const FragilityCurve& curve) const {
   return capacity_log_likelihood(sample_, curve);
 }
 

@@ -25,9 +25,19 @@ class Records {
   virtual Scores scores(const ProbitLine& line) const = 0;
   virtual Eigen::Matrix2d information(const Eigen::VectorXd& weights,
                                       const ProbitLine& line) const = 0;
-  virtual double log_likelihood(const LognormalCurve& curve) const = 0;  ///< with all constants
+  virtual double log_likelihood(const FragilityCurve& curve) const = 0;  ///< with all constants
   virtual FitSummary bound() const = 0;  ///< with one trial per record
   virtual std::string method() const = 0;
+
+  /// Share of all histories that exceed without shaking.
+  double floor(const Eigen::VectorXd& weights) const;
+  bool floor_varies() const;  ///< from record to record
+
+ protected:
+  void add_record(double free, double rest);
+
+ private:
+  std::vector<double> free_, histories_;  // per record
 };
 
 class StripeRecords final : public Records {
@@ -40,7 +50,7 @@ class StripeRecords final : public Records {
   Scores scores(const ProbitLine& line) const override;
   Eigen::Matrix2d information(const Eigen::VectorXd& weights,
                               const ProbitLine& line) const override;
-  double log_likelihood(const LognormalCurve& curve) const override;
+  double log_likelihood(const FragilityCurve& curve) const override;
   FitSummary bound() const override;
   std::string method() const override { return "probit maximum likelihood on stripes"; }
 
@@ -61,7 +71,7 @@ class CapacityRecords final : public Records {
   Scores scores(const ProbitLine& line) const override;
   Eigen::Matrix2d information(const Eigen::VectorXd& weights,
                               const ProbitLine& line) const override;
-  double log_likelihood(const LognormalCurve& curve) const override;
+  double log_likelihood(const FragilityCurve& curve) const override;
   FitSummary bound() const override;
   std::string method() const override {
     return sample_.censored > 0 ? "lognormal maximum likelihood on right-censored capacities"

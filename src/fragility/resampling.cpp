@@ -3,12 +3,12 @@
 
 #include <algorithm>
 #include <boost/math/distributions/chi_squared.hpp>
-#include <boost/math/distributions/normal.hpp>
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <limits>
 
 #include "glissade/core/contract.hpp"
+#include "glissade/core/normal.hpp"
 #include "glissade/core/random.hpp"
 
 namespace glissade {
@@ -24,7 +24,7 @@ double t_of(EstimateWithError replicate, EstimateWithError center) {
 
 double widened_tail(std::size_t records, double quantile) {
   const double n = static_cast<double>(records);
-  return cdf(boost::math::normal(), -std::sqrt(n / (n - 1)) * quantile);
+  return normal_cdf(-std::sqrt(n / (n - 1)) * quantile);
 }
 
 }  // namespace
@@ -71,7 +71,7 @@ Interval log_std_interval(EstimateWithError log_log_std,
   const auto [value, error] = log_log_std;
   std::vector<double> t;
   for (const EstimateWithError& replicate : replicates) t.push_back(t_of(replicate, log_log_std));
-  const double z = quantile(boost::math::normal(), 0.5 + 0.5 * level);
+  const double z = normal_quantile(0.5 + 0.5 * level);
   const Interval range = percentile_interval(t, widened_tail(records, z));
   const double freedom = std::min(0.5 / (error * error), static_cast<double>(records) - 1);
   const boost::math::chi_squared chi_squared(freedom);

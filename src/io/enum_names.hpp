@@ -79,7 +79,9 @@ inline EnumNames<FitStatus> fit_status_names() {
       {"maximum_likelihood", FitStatus::maximum_likelihood},
       {"jeffreys_penalised", FitStatus::jeffreys_penalised},
       {"lower_bound", FitStatus::lower_bound},
-      {"upper_bound", FitStatus::upper_bound}};
+      {"upper_bound", FitStatus::upper_bound},
+      {"no_trend", FitStatus::no_trend},
+      {"always_exceeds", FitStatus::always_exceeds}};
   return names;
 }
 

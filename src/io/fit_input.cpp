@@ -102,7 +102,7 @@ std::vector<Stripe> read_counts(const std::filesystem::path& file) {
 std::vector<double> read_capacities(const std::filesystem::path& file) {
   std::vector<double> capacities;
   read_table(file, {"im_cap"}, [&](const std::vector<double>& values, std::size_t) -> std::string {
-    if (!(values[0] > 0.0)) return "im_cap is not above 0";
+    if (!(values[0] >= 0.0)) return "im_cap is below 0";
     capacities.push_back(values[0]);
     return "";
   });

@@ -99,15 +99,4 @@ std::vector<double> histories_at(const HistoryTable& histories, CaseSlice cases,
   return values;
 }
 
-double percentile(std::vector<double> values, double share) {
-  if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
-  std::sort(values.begin(), values.end());
-  const double position = share * static_cast<double>(values.size() - 1);
-  const auto below = static_cast<std::size_t>(position);
-  const std::size_t above = std::min(below + 1, values.size() - 1);
-  const double between = position - static_cast<double>(below);
-  if (between == 0.0 || std::isinf(values[below])) return values[below];
-  return values[below] + between * (values[above] - values[below]);
-}
-
 }  // namespace glissade

@@ -7,7 +7,7 @@
 #include "glissade/report/figures.hpp"
 #include "glissade/study/results.hpp"
 
-// What the figures share: titles, axes, counts, percentiles.
+// What the figures share: titles, axes, counts.
 namespace glissade {
 
 /// `'NAME.dat'`
@@ -36,7 +36,5 @@ int point_symbol(std::size_t index);
 /// The finite slips of records first <= i < last at a level, over all samples.
 std::vector<double> histories_at(const HistoryTable& histories, CaseSlice cases,
                                  std::size_t first, std::size_t last, std::size_t level);
-/// Linear between order statistics (Hyndman & Fan 1996, type 7); NaN without values.
-double percentile(std::vector<double> values, double share);
 
 }  // namespace glissade

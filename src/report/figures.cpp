@@ -9,6 +9,7 @@
 #include "chart/report.hpp"
 #include "glissade/report/clearance_report.hpp"
 #include "figure_text.hpp"
+#include "glissade/core/quantile.hpp"
 #include "glissade/report/format.hpp"
 #include "gnuplot.hpp"
 
@@ -16,8 +17,11 @@ namespace glissade {
 namespace {
 
 std::string symbol_of_fit(const FitSummary& fit) {
+  if (fit.status == FitStatus::always_exceeds) return "every history slides freely";
   if (fit.converged()) {
-    return fmt::format("median {} g [{}], log std {}", format_number(fit.curve.median),
+    const std::string free =
+        fit.curve.floor > 0 ? format_share(fit.curve.floor) + " slide freely; the others: " : "";
+    return fmt::format("{}median {} g [{}], log std {}", free, format_number(fit.curve.median),
                        format_interval(fit.median_interval), format_number(fit.curve.log_std));
   }
   if (fit.status == FitStatus::upper_bound) {
@@ -31,6 +35,11 @@ std::string symbol_of_fit(const FitSummary& fit) {
   return "no curve could be fitted";
 }
 
+bool has_curve(const ThresholdFragility& fragility) {
+  return fragility.capacities.converged() ||
+         fragility.capacities.status == FitStatus::always_exceeds;
+}
+
 void add_fragility_data(gnuplot::DataBlocks& data, const Results& results, const RunResults& run,
                         std::size_t threshold, double largest_intensity) {
   const ThresholdFragility& fragility = run.fragilities[threshold];
@@ -40,7 +49,7 @@ void add_fragility_data(gnuplot::DataBlocks& data, const Results& results, const
         l < fragility.probability_interval.size() ? fragility.probability_interval[l] : Interval{};
     data.row({results.levels.at(l), fragility.probability[l], interval.low, interval.high});
   }
-  if (!fragility.capacities.converged()) return;
+  if (!has_curve(fragility)) return;
   data.begin(fmt::format("curve {}", threshold), "intensity_g probability");
   constexpr int points = 200;
   for (int i = 0; i <= points; ++i) {
@@ -67,7 +76,9 @@ Figure fragility_figure(const Results& results, const RunResults& run) {
       run.friction_description +
       ". Lines: lognormal curves fitted to the lowest intensity at which each history reaches the "
       "clearance (histories that never reach "
-      "it are treated as censored). Points: share of histories that exceed it at each level. "
+      "it are treated as censored; the share that slides freely, without shaking, is in the curve "
+      "at "
+      "every intensity). Points: share of histories that exceed it at each level. "
       "Shaded: 95 % interval from "
       "resampling whole records, because histories of one record are not independent.";
   const double largest = results.levels.back();
@@ -79,12 +90,12 @@ Figure fragility_figure(const Results& results, const RunResults& run) {
     add_fragility_data(data, results, run, t, largest);
     const std::string colour = gnuplot::ramp_colour(t, run.fragilities.size());
     const int symbol = point_symbol(t);
-    const bool has_curve = fragility.capacities.converged();
-    if (has_curve && !fragility.band.empty()) {
+    const bool drawn = has_curve(fragility);
+    if (drawn && !fragility.band.empty()) {
       bands += fmt::format("  {} index 'band {}' using 1:2:3 with filledcurves fc rgb '{}', \\\n",
                            file, t, colour);
     }
-    if (has_curve) {
+    if (drawn) {
       curves += fmt::format("  {} index 'curve {}' using 1:2 with lines lw 2.5 lc rgb '{}', \\\n",
                             file, t, colour);
     }
@@ -92,7 +103,7 @@ Figure fragility_figure(const Results& results, const RunResults& run) {
         fmt::format("  {} index 'observed {}' using 1:2 with points pt {} ps 0.8 lc rgb '{}', \\\n",
                     file, t, symbol, colour);
     key += fmt::format("  keyentry with {} lw 2.5 pt {} ps 0.8 lc rgb '{}' title {}, \\\n",
-                       has_curve ? "linespoints" : "points", symbol, colour,
+                       drawn ? "linespoints" : "points", symbol, colour,
                        gnuplot::quoted(format_length(fragility.threshold_m) + ": " +
                                        symbol_of_fit(fragility.capacities)));
   }
@@ -126,17 +137,17 @@ Figure ida_figure(const Results& results, const RunResults& run) {
   double widest_m = results.thresholds_m.empty() ? 0.0 : results.thresholds_m.front();
   for (std::size_t l = 0; l < slip.levels; ++l) {
     const std::vector<double> all = histories_at(slip, slice_of(run), 0, slip.records, l);
-    data.row({results.levels.at(l), percentile(all, 0.16), percentile(all, 0.50),
-              percentile(all, 0.84)});
+    data.row({results.levels.at(l), quantile_of(all, 0.16), quantile_of(all, 0.50),
+              quantile_of(all, 0.84)});
     for (const double share : {0.50, 0.84}) {
-      const double slip_m = percentile(all, share);
+      const double slip_m = quantile_of(all, share);
       if (std::isfinite(slip_m)) widest_m = std::max(widest_m, slip_m);  // infinite: not run
     }
   }
   data.begin("records", "record_median_m intensity_g");
   for (std::size_t i = 0; i < slip.records; ++i) {
     for (std::size_t l = 0; l < slip.levels; ++l) {
-      data.row({percentile(histories_at(slip, slice_of(run), i, i + 1, l), 0.5), results.levels.at(l)});
+      data.row({quantile_of(histories_at(slip, slice_of(run), i, i + 1, l), 0.5), results.levels.at(l)});
     }
     data.break_line();
   }

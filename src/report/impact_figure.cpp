@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "figure_text.hpp"
+#include "glissade/core/quantile.hpp"
 #include "glissade/report/figures.hpp"
 #include "glissade/report/format.hpp"
 #include "gnuplot.hpp"
@@ -43,8 +44,8 @@ std::vector<SpeedPoint> points_at(const Results& results, const RunResults& run,
       reaching += speeds.size() > before ? 1 : 0;
     }
     if (reaching < fewest_records) continue;
-    points.push_back({results.thresholds_m[t], percentile(speeds, 0.16), percentile(speeds, 0.5),
-                      percentile(speeds, 0.84)});
+    points.push_back({results.thresholds_m[t], quantile_of(speeds, 0.16), quantile_of(speeds, 0.5),
+                      quantile_of(speeds, 0.84)});
   }
   return points;
 }

@@ -16,15 +16,20 @@
 namespace glissade {
 namespace {
 
-std::string threshold_sentence(const Results& results, const ThresholdFragility& fragility) {
-  const FitSummary& fit = preferred_fit(fragility);
-  const std::string clearance = format_length(fragility.threshold_m);
+/// What the histories do that need shaking.
+std::string fit_sentence(const Results& results, const FitSummary& fit,
+                         const std::string& clearance) {
+  const std::string others = fit.curve.floor > 0 ? " by the others" : "";
   if (fit.converged()) {
-    const bool beyond = fit.curve.median > results.levels.back();
+    const double p50 = fit.curve.intensity_at(0.5);
+    if (p50 == 0)
+      return fmt::format(
+          "A clearance of {} has a chance of 50 % or more of being exceeded at any intensity.",
+          clearance);
     return fmt::format(
         "A clearance of {} has a 50 % chance of being exceeded at {} (95 % interval {} g){}.",
-        clearance, at_intensity(results, fit.curve.median), format_interval(fit.median_interval),
-        beyond ? ", which extrapolates beyond the highest level studied" : "");
+        clearance, at_intensity(results, p50), format_interval(fit.p50_interval),
+        p50 > results.levels.back() ? ", which extrapolates beyond the highest level studied" : "");
   }
   if (fit.status == FitStatus::upper_bound) {
     return fmt::format(
@@ -34,11 +39,31 @@ std::string threshold_sentence(const Results& results, const ThresholdFragility&
   }
   if (fit.status == FitStatus::lower_bound) {
     return fmt::format(
-        "A clearance of {} was never exceeded; its median lies above {} (95 % confidence).",
-        clearance, at_intensity(results, fit.curve.median));
+        "A clearance of {} was never exceeded{}; {} median lies above {} (95 % confidence).",
+        clearance, others, others.empty() ? "its" : "their",
+        at_intensity(results, fit.curve.median));
   }
   return fmt::format("For a clearance of {} no fragility could be fitted{}.", clearance,
                      fit.note.empty() ? "" : " (" + fit.note + ")");
+}
+
+std::string threshold_sentence(const Results& results, const ThresholdFragility& fragility) {
+  const FitSummary& fit = preferred_fit(fragility);
+  const std::string clearance = format_length(fragility.threshold_m);
+  if (fit.status == FitStatus::always_exceeds) {
+    return fmt::format(
+        "Every history slides freely and exceeds a clearance of {} at any intensity, even without "
+        "shaking.",
+        clearance);
+  }
+  const std::string free =
+      fit.curve.floor > 0
+          ? fmt::format(
+                " {} of the histories slide freely: they exceed it at any intensity and are "
+                "counted.",
+                format_share(fit.curve.floor))
+          : "";
+  return fit_sentence(results, fit, clearance) + free;
 }
 
 /// The slip statistics at the level nearest to 1 g.
@@ -85,7 +110,8 @@ std::string design_sentence(const RunResults& design) {
     const FitSummary& fit = preferred_fit(fragility);
     if (!fit.converged()) continue;
     medians += fmt::format("{}{} g for {}", medians.empty() ? "" : ", ",
-                           format_number(fit.curve.median), format_length(fragility.threshold_m));
+                           format_number(fit.curve.intensity_at(0.5)),
+                           format_length(fragility.threshold_m));
   }
   if (medians.empty()) return "";
   return fmt::format("With the design friction ({}) the 50 % intensities are {}.",

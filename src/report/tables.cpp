@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glissade/report/tables.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -25,17 +26,19 @@ std::string measured_by(const Results& results) {
 }
 
 Estimate median_of(const FitSummary& fit) {
-  if (fit.status == FitStatus::failed) return {nan, {}, ""};
   const char* sign = fit.status == FitStatus::lower_bound   ? "> "
                      : fit.status == FitStatus::upper_bound ? "< "
                                                             : "";
   return {fit.curve.median, fit.median_interval, sign};
 }
 
-Estimate log_std_of(const FitSummary& fit) {
-  if (fit.status == FitStatus::failed) return {nan, {}, ""};
-  return {fit.curve.log_std, fit.log_std_interval, ""};
+Estimate log_std_of(const FitSummary& fit) { return {fit.curve.log_std, fit.log_std_interval, ""}; }
+
+Estimate p50_of(const FitSummary& fit) {
+  return {fit.curve.intensity_at(0.5), fit.p50_interval, median_of(fit).sign};
 }
+
+Estimate floor_of(const FitSummary& fit) { return {fit.curve.floor, fit.floor_interval, ""}; }
 
 /// Share of records of which any sample falls below the threshold again at a higher level.
 double record_recross_share(const ThresholdFragility& fragility) {
@@ -49,8 +52,7 @@ void add_fragility_row(Table& table, const RunResults& run, const ThresholdFragi
                        const std::string& method, const FitSummary& fit) {
   table.add({run.label, fragility.threshold_m, method, median_of(fit), log_std_of(fit),
              to_string(fit.status), fragility.recross_share, record_recross_share(fragility),
-             fragility.censored_share, fragility.free_sliding_share, fit.interval_method,
-             fit.note});
+             fragility.censored_share, floor_of(fit), p50_of(fit), fit.interval_method, fit.note});
 }
 
 /// How the median came about, for people.
@@ -78,22 +80,25 @@ const FitSummary& preferred_fit(const ThresholdFragility& fragility) {
 }
 
 Table fragility_table(const Results& results) {
-  Table table{"fragility",
-              "Lognormal fragilities by clearance threshold." + measured_by(results) +
-                  "log_std and shares are dimensionless. " + in_plan,
-              {text_column("run", "Friction run"),
-               {"threshold", "m", "Clearance, m (in)", ColumnKind::length},
-               text_column("method", "Fitted on"),
-               {"median", "g", "Median, g [95 %]", ColumnKind::number, true},
-               {"log_std", "", "Log std [95 %]", ColumnKind::number, true},
-               text_column("status", "Fit"),
-               {"recross_share", "", "Histories that recross", ColumnKind::share},
-               {"record_recross_share", "", "Records that recross", ColumnKind::share},
-               {"censored_share", "", "Never reached", ColumnKind::share},
-               {"free_sliding_share", "", "Slides unshaken", ColumnKind::share},
-               text_column("interval_method", "Intervals by"),
-               text_column("note", "Note")},
-              {}};
+  Table table{
+      "fragility",
+      "Fragilities by clearance threshold: P = p0 + (1 - p0) Phi(ln(x / median) / log_std), "
+      "p0 the share that slides freely, without shaking; half of all exceed at p50." +
+          measured_by(results) + "log_std and shares are dimensionless. " + in_plan,
+      {text_column("run", "Friction run"),
+       {"threshold", "m", "Clearance, m (in)", ColumnKind::length},
+       text_column("method", "Fitted on"),
+       {"median", "g", "Median, g [95 %]", ColumnKind::number, true},
+       {"log_std", "", "Log std [95 %]", ColumnKind::number, true},
+       text_column("status", "Fit"),
+       {"recross_share", "", "Histories that recross", ColumnKind::share},
+       {"record_recross_share", "", "Records that recross", ColumnKind::share},
+       {"censored_share", "", "Never reached", ColumnKind::share},
+       {"free_sliding_share", "", "Slides freely, p0 [95 %]", ColumnKind::share, true},
+       {"p50", "g", "p50, g [95 %]", ColumnKind::number, true},
+       text_column("interval_method", "Intervals by"),
+       text_column("note", "Note")},
+      {}};
   for (const RunResults& run : results.runs) {
     for (const ThresholdFragility& fragility : run.fragilities) {
       add_fragility_row(table, run, fragility, "stripes", fragility.stripes);
@@ -104,24 +109,38 @@ Table fragility_table(const Results& results) {
 }
 
 Table fragility_summary_table(const Results& results) {
-  Table table{
-      "fragility_summary",
-      "Fragility by clearance: intensity with a 50 % chance of exceedance, fitted on capacities." +
-          measured_by(results) + in_plan,
-      {text_column("run", "Friction run"),
-       {"threshold", "m", "Clearance, m (in)", ColumnKind::length},
-       {"median", "g", "Median, g [95 %]", ColumnKind::number, true},
-       {"log_std", "", "Log std [95 %]", ColumnKind::number, true},
-       {"censored_share", "", "Never reached", ColumnKind::share},
-       text_column("status", "Fit")},
-      {}};
+  Table table{"fragility_summary",
+              "Fragility by clearance: intensity with a 50 % chance of exceedance." +
+                  measured_by(results) + in_plan,
+              {text_column("run", "Friction run"),
+               {"threshold", "m", "Clearance, m (in)", ColumnKind::length},
+               {"median", "g", "Median, g [95 %]", ColumnKind::number, true},
+               {"log_std", "", "Log std [95 %]", ColumnKind::number, true},
+               {"free_sliding_share", "", "Slides freely, p0", ColumnKind::share},
+               {"p50", "g", "50 % of all at, g [95 %]", ColumnKind::number, true},
+               {"censored_share", "", "Never reached", ColumnKind::share},
+               text_column("method", "Fitted on"),
+               text_column("status", "Fit")},
+              {}};
+  double least_floor = 1.0, largest_floor = 0.0;
   for (const RunResults& run : results.runs) {
     for (const ThresholdFragility& fragility : run.fragilities) {
       const FitSummary& fit = preferred_fit(fragility);
-      table.add({run.label, fragility.threshold_m, median_of(fit), log_std_of(fit),
-                 fragility.censored_share, fit_label(fit, results.levels.back())});
+      least_floor = std::min(least_floor, fit.curve.floor);
+      largest_floor = std::max(largest_floor, fit.curve.floor);
+      table.add({run.label, fragility.threshold_m, median_of(fit), log_std_of(fit), fit.curve.floor,
+                 p50_of(fit), fragility.censored_share,
+                 &fit == &fragility.stripes ? "stripes" : "capacities",
+                 fit_label(fit, results.levels.back())});
     }
   }
+  if (largest_floor == 0.0) return table.without("free_sliding_share").without("p50");
+  table.notes.push_back(
+      least_floor == 1.0
+          ? "Every history slides freely: it exceeds at any intensity, without shaking."
+          : "Some histories slide freely: they exceed at any intensity. Median and log std are "
+            "those of "
+            "the others: P = p0 + (1 - p0) Phi(ln(x / median) / log std).");
   return table;
 }
 

@@ -10,6 +10,7 @@
 
 #include "glissade/core/contract.hpp"
 #include "glissade/core/error.hpp"
+#include "glissade/core/normal.hpp"
 #include "glissade/sampling/tolerance.hpp"
 
 namespace glissade {
@@ -17,7 +18,7 @@ namespace {
 
 constexpr double confidence = 0.95;
 /// The share above mean - 2 std of a normal population, Phi(2).
-const double coverage = 0.5 * std::erfc(-std::numbers::sqrt2);
+const double coverage = normal_cdf(2.0);
 constexpr double refused_at = 0.05;    // level of the normality test
 constexpr std::size_t few_tests = 10;  // fewer hardly identify a distribution
 constexpr double uneven_pull = 0.05;   // of sliding mu

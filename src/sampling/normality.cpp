@@ -10,6 +10,7 @@
 #include <numeric>
 
 #include "glissade/core/contract.hpp"
+#include "glissade/core/normal.hpp"
 
 namespace glissade {
 namespace {
@@ -75,7 +76,7 @@ double variance_off_the_line(const std::vector<double>& sorted) {
   return std::max(0.0, 1.0 - along * along / (all * length));
 }
 
-double upper_tail(double z) { return 0.5 * std::erfc(z / std::numbers::sqrt2); }
+double upper_tail(double z) { return normal_cdf(-z); }
 
 double p_value(double one_minus_w, double n) {
   if (n == 3) {

@@ -8,6 +8,7 @@
 #include <map>
 #include <numeric>
 
+#include "glissade/core/quantile.hpp"
 #include "glissade/core/units.hpp"
 #include "glissade/fragility/bootstrap.hpp"
 #include "pooled_level.hpp"

@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "glissade/core/contract.hpp"
+#include "glissade/core/quantile.hpp"
 #include "glissade/core/random.hpp"
 
 namespace glissade {
@@ -77,12 +78,6 @@ class Values {
   Array3<double> values_;
 };
 
-double median_of(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  const std::size_t n = values.size();
-  return 0.5 * (values[(n - 1) / 2] + values[n / 2]);
-}
-
 std::vector<double> weighted_means(const Values& values, const std::vector<double>& weights) {
   std::vector<double> means;
   for (std::size_t o = 0; o < values.orientations().size(); ++o)
@@ -148,9 +143,9 @@ OrientationRange over_orientations(const ClearanceResults& results,
   const std::vector<double> means = weighted_means(values, std::vector<double>(records, 1.0));
   const auto [low, high] = std::minmax_element(means.begin(), means.end());
   const auto median = [&](const std::vector<double>& weights) {
-    return median_of(weighted_means(values, weights));
+    return quantile_of(weighted_means(values, weights), 0.5);
   };
-  return {*low, median_of(means), *high,
+  return {*low, quantile_of(means, 0.5), *high,
           bootstrap_interval(records, median, {.seed = results.seed})};
 }
 
@@ -159,8 +154,9 @@ std::size_t governing_period(const ClearanceResults& results, const ClearanceQue
   std::size_t governing = 0;
   double largest = -1.0;
   for (std::size_t p = 0; p < results.grid.period_s.size(); ++p) {
-    const double median = median_of(
-        means_by_orientation(results, question, at.with(ClearanceAxis::period, p), Periods::one));
+    const double median = quantile_of(
+        means_by_orientation(results, question, at.with(ClearanceAxis::period, p), Periods::one),
+        0.5);
     if (median > largest) {
       largest = median;
       governing = p;

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "glissade/core/contract.hpp"
+#include "glissade/core/quantile.hpp"
 #include "pooled_level.hpp"
 
 namespace glissade {
@@ -44,11 +45,6 @@ std::vector<double> sorted_together(const std::vector<std::vector<double>>& by_r
   return all;
 }
 
-double quantile(const std::vector<double>& sorted, double probability) {
-  return sorted.empty() ? std::numeric_limits<double>::quiet_NaN()
-                        : quantile_of_sorted(sorted, probability);
-}
-
 /// Of the share of histories that get there.
 Interval share_interval(const Happened& happened, std::size_t samples,
                         const BootstrapOptions& options) {
@@ -70,13 +66,13 @@ ImpactStatistics statistics_of(const Happened& happened, std::size_t samples,
   const std::size_t histories = happened.time_s.size() * samples;
   ImpactStatistics s;
   s.reached_share = static_cast<double>(times.size()) / static_cast<double>(histories);
-  s.speed_median_mps = quantile(speeds, 0.5);
-  s.speed_p84_mps = quantile(speeds, 0.84);
-  s.speed_p95_mps = quantile(speeds, 0.95);
-  s.speed_largest_mps = quantile(speeds, 1.0);
-  s.time_median_s = quantile(times, 0.5);
-  s.time_p16_s = quantile(times, 0.16);
-  s.time_p84_s = quantile(times, 0.84);
+  s.speed_median_mps = quantile_of_sorted(speeds, 0.5);
+  s.speed_p84_mps = quantile_of_sorted(speeds, 0.84);
+  s.speed_p95_mps = quantile_of_sorted(speeds, 0.95);
+  s.speed_largest_mps = quantile_of_sorted(speeds, 1.0);
+  s.time_median_s = quantile_of_sorted(times, 0.5);
+  s.time_p16_s = quantile_of_sorted(times, 0.16);
+  s.time_p84_s = quantile_of_sorted(times, 0.84);
   if (happened.records() < fewest_records) return s;
   // Where every history gets there resampling tells nothing of the share.
   if (times.size() < histories) s.reached_interval = share_interval(happened, samples, options);

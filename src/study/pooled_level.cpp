@@ -6,6 +6,8 @@
 #include <limits>
 #include <numeric>
 
+#include "glissade/core/quantile.hpp"
+
 namespace glissade {
 namespace {
 
@@ -22,14 +24,6 @@ double mean_of(const std::vector<double>& values) {
 }
 
 }  // namespace
-
-double quantile_of_sorted(const std::vector<double>& sorted, double probability) {
-  const double position = probability * static_cast<double>(sorted.size() - 1);
-  const std::size_t below = static_cast<std::size_t>(position);
-  const std::size_t above = std::min(below + 1, sorted.size() - 1);
-  const double share = position - static_cast<double>(below);
-  return infinite(finite(sorted[below]) + share * (finite(sorted[above]) - finite(sorted[below])));
-}
 
 PooledLevel::PooledLevel(const std::vector<std::vector<double>>& slips_m) : by_record_(slips_m) {
   for (std::vector<double>& slips : by_record_) {

@@ -8,9 +8,6 @@
 
 namespace glissade {
 
-/// Hyndman & Fan (1996) type 7. @param sorted one value or more, +inf among them or not
-double quantile_of_sorted(const std::vector<double>& sorted, double probability);
-
 /// The slips of all records and samples at one level. Records are the independent unit: intervals
 /// resample them whole.
 class PooledLevel {

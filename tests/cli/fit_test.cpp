@@ -95,6 +95,29 @@ TEST_F(Fit, separated_counts_are_fitted_by_the_labelled_penalty) {
   EXPECT_THAT(std::string(fit["method"]), testing::ContainsRegex("Jeffreys|penali"));
 }
 
+TEST_F(Fit, flat_counts_have_no_curve) {
+  for (const char* rows : {"0.5,20,10\n1,20,10\n2,20,10\n", "0.2,20,7\n0.4,20,7\n0.8,20,7\n"}) {
+    const Json fit = fit_json(
+        {"--counts", folder_.write("counts.csv", "im,num_gms,num_exceed\n" + std::string(rows))});
+    EXPECT_EQ(fit["converged"], false);
+    EXPECT_EQ(fit["status"], "no rise with intensity");
+    EXPECT_TRUE(fit["median"].is_null());
+  }
+}
+
+TEST_F(Fit, capacities_of_zero_are_the_floor) {
+  const Json fit = fit_json({"--capacities", folder_.write("c.csv", "im_cap\n0\n0\n0.5\n1\n2\n")});
+  EXPECT_NEAR(fit["floor"], 0.4, 1e-12);
+  EXPECT_NEAR(fit["median"], 1.0, 1e-12);
+  // 0.4 + 0.6 Phi(z) = 0.5 with z = Phi^-1(1/6) = -0.967421566 (tables), log_std = ln 2
+  EXPECT_NEAR(fit["p50"], std::exp(-0.967421566 * std::log(2.0)), 1e-8);
+  EXPECT_LT(fit["floor_interval_95"][0], 0.4);
+  EXPECT_GT(fit["floor_interval_95"][1], 0.4);
+  const Json all = fit_json({"--capacities", folder_.write("all.csv", "im_cap\n0\n0\n")});
+  EXPECT_EQ(all["status"], "exceeds at any intensity");
+  EXPECT_EQ(all["floor"], 1.0);
+}
+
 TEST_F(Fit, text_shows_the_same) {
   const Finished child =
       run_program({"fit", "--capacities", folder_.write("c.csv", "im_cap\n1\n2\n4\n")});

@@ -6,7 +6,6 @@
 
 #include "check.hpp"
 #include "glissade/io/clearance_file.hpp"
-#include "glissade/io/convergence_file.hpp"
 #include "glissade/io/study_file.hpp"
 
 namespace {
@@ -53,15 +52,6 @@ void check_chart(const glissade::StudyConfig& study) {
   }
 }
 
-void check_convergence(const glissade::ConvergenceConfig& study) {
-  check(increases(study.slope_deg) && increases(study.mu) && increases(study.ppa_g),
-        "axes increase");
-  check(study.ppa_g.back() > 0.0, "something shakes");
-  check(study.substeps.size() > 1 && study.substeps.front() >= 1 &&
-            std::is_sorted(study.substeps.begin(), study.substeps.end(), std::less_equal<>()),
-        "substeps increase");
-}
-
 void check_clearance(const glissade::ClearanceConfig& study) {
   const glissade::ClearanceGrid& grid = study.grid;
   for (const glissade::ClearanceAxis axis : glissade::clearance_axes)
@@ -81,10 +71,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   static const auto suite = glissade::fuzz::folder().write("suite.toml", "");
   const auto file = glissade::fuzz::input_file(data, size, "study.toml");
   glissade::fuzz::may_refuse([&] {
-    if (glissade::is_convergence_study(file)) {
-      check_convergence(glissade::read_convergence_study(file));
-      return;
-    }
     if (glissade::is_clearance_study(file)) {
       check_clearance(glissade::read_clearance_study(file));
       return;

@@ -5,7 +5,6 @@
 
 #include "cli/child.hpp"
 #include "cli/small_clearance.hpp"
-#include "cli/small_convergence.hpp"
 #include "cli/small_study.hpp"
 
 namespace glissade::test {
@@ -98,14 +97,6 @@ TEST_F(Mpi, more_ranks_than_units_of_work_give_the_same_bytes) {
   const std::string alone = results_on(0, study);
   ASSERT_FALSE(alone.empty());
   for (const int ranks : {2, 7})
-    EXPECT_TRUE(results_on(ranks, study) == alone) << ranks << " ranks";
-}
-
-TEST_F(Mpi, a_convergence_study_gives_the_same_bytes_on_any_number_of_ranks) {
-  const std::string study = folder_.write("study.toml", small_convergence());
-  const std::string alone = results_on(0, study);
-  ASSERT_FALSE(alone.empty());
-  for (const int ranks : {2, 5})  // fewer and more than its three records
     EXPECT_TRUE(results_on(ranks, study) == alone) << ranks << " ranks";
 }
 

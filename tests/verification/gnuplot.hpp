@@ -6,7 +6,8 @@
 
 namespace glissade::verification {
 
-/// Draws a figure with gnuplot. Throws std::runtime_error where gnuplot fails.
-void gnuplot_svg(const std::filesystem::path& file, const std::string& script);
+/// Draws a figure of `size` pixels with gnuplot. Throws std::runtime_error where gnuplot fails.
+void gnuplot_svg(const std::filesystem::path& file, const std::string& script,
+                 const std::string& size = "760,480");
 
 }  // namespace glissade::verification

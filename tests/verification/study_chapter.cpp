@@ -135,7 +135,7 @@ std::vector<Case> friction_comes_back(const Suite& suite) {
   Suite one = one_motion(suite);
   one.motions.front().horizontal_mps2[1].clear();
   const Results results = run(make_plan(config, one));
-  const LognormalCurve curve = results.runs[0].fragilities[0].capacities.curve;
+  const FragilityCurve curve = results.runs[0].fragilities[0].capacities.curve;
   const std::string
       name =
           "one motion on a flat rigid roof, lognormal friction, clearance 1e-12 m, 1,024 samples",

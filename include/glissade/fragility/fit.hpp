@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "glissade/fragility/lognormal.hpp"
+#include "glissade/fragility/curve.hpp"
 
 namespace glissade {
 
@@ -23,11 +23,13 @@ struct Stripe {
 };
 
 /// Capacities, the lowest intensity at which each history reached the threshold. Histories that
-/// never reached it by `censored_at` are counted in `censored`, never filled in.
+/// never reached it by `censored_at` are counted in `censored`, never filled in; histories that
+/// reach it without shaking (capacity 0: an array that slides freely) are counted in `free`.
 struct CapacitySample {
   std::vector<double> capacities;  ///< > 0
   double censored = 0.0;
   double censored_at = std::numeric_limits<double>::infinity();
+  double free = 0.0;
 };
 
 enum class FitStatus {
@@ -38,16 +40,20 @@ enum class FitStatus {
   lower_bound,         ///< no exceedance at all: median is a lower bound at 95 % for an assumed
                        ///< log_std of 0.4, and median_interval reaches to infinity
   upper_bound,         ///< every trial exceeded: an upper bound, median_interval begins at 0
+  no_trend,            ///< the share of exceedances does not rise with intensity: no curve
+  always_exceeds,      ///< every history exceeds without shaking: floor 1, no median, no log_std
 };
 std::string to_string(FitStatus status);
 
 /// Starts as failure; says what came out and how.
 struct FitSummary {
   FitStatus status = FitStatus::failed;
-  LognormalCurve curve;
+  FragilityCurve curve;
   Interval median_interval;  ///< 95 %, method in interval_method; an open side is 0 or infinite
   Interval log_std_interval;
-  double log_likelihood = std::numeric_limits<double>::quiet_NaN();
+  Interval floor_interval;  ///< NaN: floor 0, or the same in all records
+  Interval p50_interval;    ///< of curve.intensity_at(0.5); median_interval where floor is 0
+  double log_likelihood = std::numeric_limits<double>::quiet_NaN();  ///< without those of `floor`
   std::string method;  ///< "probit maximum likelihood on stripes", ...
   std::string
       interval_method;  ///< "profile likelihood", "bootstrap over records (bootstrap-t)", ...
@@ -62,12 +68,13 @@ struct FitSummary {
 
 /// ln C(n,k) + k ln Phi(z) + (n-k) ln Phi(-z) summed over stripes (Baker 2015, Earthquake Spectra
 /// 31(1), eq 11).
-double stripe_log_likelihood(const std::vector<Stripe>& stripes, const LognormalCurve& curve);
+double stripe_log_likelihood(const std::vector<Stripe>& stripes, const FragilityCurve& curve);
 
 /// Maximum likelihood on stripes with independent trials; 95 % intervals by profile likelihood.
 /// Separated data: Jeffreys penalised fit. No exceedance, or all exceeded: one-sided bound, trials
-/// taken as independent. Failed, saying why: no trials, a single level, exceedance that does not
-/// grow with intensity. Accuracy of the maximum about 1e-12.
+/// taken as independent. Share that does not rise with intensity, or by so little that no finite
+/// median has a share of one half: no_trend. Failed, saying why: no trials, a single level.
+/// Accuracy of the maximum about 1e-12.
 FitSummary fit_stripes(const std::vector<Stripe>& stripes);
 
 /// The Jeffreys (Firth 1993) penalised fit, separated or not: the log likelihood plus half the log
@@ -76,12 +83,14 @@ FitSummary fit_stripes(const std::vector<Stripe>& stripes);
 FitSummary fit_stripes_jeffreys(const std::vector<Stripe>& stripes);
 
 /// Sum of ln density at the capacities plus censored x ln Phi(-z) at censored_at.
-double capacity_log_likelihood(const CapacitySample& sample, const LognormalCurve& curve);
+double capacity_log_likelihood(const CapacitySample& sample, const FragilityCurve& curve);
 
 /// Lognormal maximum likelihood on capacities, right-censored at `censored_at`. Without censoring
 /// log_std has n - 1 below the line (statistics as in FEMA P-58 and Baker 2015). 95 % intervals:
 /// Student t for ln median and chi-square for log_std without censoring, else profile likelihood.
 /// None reached: one-sided bound. Fewer than two different capacities without censoring: failed.
+/// `free` histories are the curve's floor, their share of all, with its Clopper-Pearson interval;
+/// there is then no p50_interval.
 FitSummary fit_capacities(const CapacitySample& sample);
 
 }  // namespace glissade

@@ -167,14 +167,23 @@ void exchange_fits(const Archive& archive, const IntensityScale& scale, Fragilit
       archive, "status", {"-", "how the fit came out"}, rows,
       fit_status_names(), [&](auto& f) -> auto& { return fit(f).status; });
   column(
-      archive, "median", {scale.unit, "median of the lognormal fragility"},
+      archive, "floor", {"-", "share that exceeds without shaking"},
+      rows, [&](auto& f) -> auto& { return fit(f).curve.floor; });
+  column(
+      archive, "median", {scale.unit, "median of the lognormal fragility of the rest"},
       rows, [&](auto& f) -> auto& { return fit(f).curve.median; });
   column(
-      archive, "log_std", {"-", "logarithmic standard deviation"},
+      archive, "log_std", {"-", "logarithmic standard deviation of the rest"},
       rows, [&](auto& f) -> auto& { return fit(f).curve.log_std; });
   interval_column(
       archive, "median", {scale.unit, "95 % interval of the median"},
       rows, [&](auto& f) -> auto& { return fit(f).median_interval; });
+  interval_column(
+      archive, "floor", {"-", "95 % interval of the floor; nan: none"},
+      rows, [&](auto& f) -> auto& { return fit(f).floor_interval; });
+  interval_column(
+      archive, "p50", {scale.unit, "95 % interval of the intensity at which half of all exceed"},
+      rows, [&](auto& f) -> auto& { return fit(f).p50_interval; });
   interval_column(
       archive, "log_std", {"-", "95 % interval of log_std"},
       rows, [&](auto& f) -> auto& { return fit(f).log_std_interval; });

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "glissade/core/contract.hpp"
+#include "glissade/core/quantile.hpp"
 #include "glissade/motion/response_spectrum.hpp"
 
 namespace glissade {
@@ -27,11 +28,10 @@ std::vector<double> rotd50_spectrum(double dt_s, std::span<const double> first,
   }
   std::vector<double> median(periods_s.size());
   for (std::size_t p = 0; p < periods_s.size(); ++p) {
-    std::array<double, orientations> values;
+    std::vector<double> values(orientations);
     std::transform(spectra.begin(), spectra.end(), values.begin(),
                    [&](const auto& spectrum) { return spectrum[p]; });
-    std::sort(values.begin(), values.end());
-    median[p] = 0.5 * (values[orientations / 2 - 1] + values[orientations / 2]);
+    median[p] = quantile_of(std::move(values), 0.5);
   }
   return median;
 }

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "figure_text.hpp"
+#include "glissade/core/quantile.hpp"
 #include "gnuplot.hpp"
 
 namespace glissade {
@@ -22,7 +23,7 @@ double curves_top_m(const CurvePlot& plot) {
                  [](double slip_m) { return std::isfinite(slip_m) && slip_m > 0.0; });
   if (slips.empty()) return 1.0;
   const double largest = *std::max_element(slips.begin(), slips.end());
-  return std::min(largest, 1.5 * percentile(slips, plot.share_within));
+  return std::min(largest, 1.5 * quantile_of(slips, plot.share_within));
 }
 
 /// That, and the prescribed values where they do not press the curves flat.

@@ -7,6 +7,7 @@
 #include "clearance/family_lines.hpp"
 #include "clearance/view.hpp"
 #include "figure_text.hpp"
+#include "glissade/core/quantile.hpp"
 #include "glissade/core/units.hpp"
 #include "glissade/report/format.hpp"
 #include "gnuplot.hpp"
@@ -64,7 +65,7 @@ Figure yielding_figure(const ClearanceResults& results) {
     for (const ClearancePosition& at :
          along(grid, ClearanceAxis::response_modification, family[i])) {
       const std::vector<double> ratios = ratios_by_orientation(results, {}, at, family[i]);
-      line.y.push_back(percentile(ratios, 0.5));
+      line.y.push_back(quantile_of(ratios, 0.5));
       line.low.push_back(ratios.empty() ? std::nan("") : ratios.front());
       line.high.push_back(ratios.empty() ? std::nan("") : ratios.back());
     }

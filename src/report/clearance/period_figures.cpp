@@ -8,6 +8,7 @@
 #include "clearance/family_lines.hpp"
 #include "clearance/view.hpp"
 #include "figure_text.hpp"
+#include "glissade/core/quantile.hpp"
 #include "glissade/report/format.hpp"
 #include "gnuplot.hpp"
 
@@ -210,7 +211,7 @@ Figure base_shear_ratio_figure(const ClearanceResults& results) {
       const std::vector<double> ratios = ratios_by_orientation(
           results, {.number = HistoryNumber::base_shear}, at.with(ClearanceAxis::support, *place),
           at.with(ClearanceAxis::support, bare));
-      line.y.push_back(percentile(ratios, 0.5));
+      line.y.push_back(quantile_of(ratios, 0.5));
       line.low.push_back(ratios.front());
       line.high.push_back(ratios.back());
     }

@@ -7,6 +7,7 @@
 
 #include "clearance/view.hpp"
 #include "figure_text.hpp"
+#include "glissade/core/quantile.hpp"
 #include "glissade/report/clearance_report.hpp"
 #include "glissade/report/format.hpp"
 
@@ -18,7 +19,7 @@ std::string one_ratio(double ratio) { return ratio < 1e-3 ? "below 0.001" : form
 
 std::string ratio_text(const std::vector<double>& ratios) {
   if (ratios.empty()) return "-";
-  const double median = percentile(ratios, 0.5);
+  const double median = quantile_of(ratios, 0.5);
   if (ratios.back() < 1e-3 || ratios.front() == ratios.back()) return one_ratio(median);
   return fmt::format("{} ({} to {})", one_ratio(median), one_ratio(ratios.front()),
                      one_ratio(ratios.back()));
@@ -95,8 +96,8 @@ std::string orientation_reading(const ClearanceResults& r) {
   std::string text = fmt::format(
       "If each record could lie its own way, the largest mean over the periods would be anywhere "
       "from {} to {}; of 10,000 random choices 90 % give {} to {}.",
-      format_length(own.lowest), format_length(own.highest), format_length(percentile(means, 0.05)),
-      format_length(percentile(means, 0.95)));
+      format_length(own.lowest), format_length(own.highest),
+      format_length(quantile_of(means, 0.05)), format_length(quantile_of(means, 0.95)));
   const StrongerAlong stronger = stronger_along(r, question, {}, Periods::largest);
   if (std::isfinite(stronger.as_recorded) && std::isfinite(stronger.turned_round)) {
     text += fmt::format(
@@ -169,9 +170,9 @@ std::string base_shear_reading(const ClearanceResults& r) {
     double low = INFINITY, high = 0.0;
     for (const ClearancePosition& at : along(r.grid, ClearanceAxis::period)) {
       const double ratio =
-          percentile(ratios_by_orientation(r, question, at.with(ClearanceAxis::support, *isolated),
-                                           at.with(ClearanceAxis::support, *place)),
-                     0.5);
+          quantile_of(ratios_by_orientation(r, question, at.with(ClearanceAxis::support, *isolated),
+                                            at.with(ClearanceAxis::support, *place)),
+                      0.5);
       below += ratio < 1.0;
       low = std::min(low, ratio);
       high = std::max(high, ratio);

@@ -29,59 +29,58 @@ bool recrosses(const HistoryTable& histories, std::size_t record, std::size_t c,
 ThresholdFragility fit_threshold(const Results& results, const RunResults& run,
                                  std::size_t threshold, const BootstrapOptions& options) {
   const std::vector<double>& levels = results.levels;
-  const HistoryTable& histories_of_all = results.histories;
-  const std::size_t records = histories_of_all.records, samples = run.cases;
+  const HistoryTable& table = results.histories;
+  const std::size_t records = table.records;
   ThresholdFragility fragility;
   fragility.threshold_m = results.thresholds_m[threshold];
 
   std::vector<RecordStripes> stripes(records);
   std::vector<RecordCapacities> capacities(records);
+  // Of all histories, by record and level. Those that slide freely are no part of the stripes.
+  std::vector<std::vector<double>> exceeding(records, std::vector<double>(levels.size()));
   double reached = 0.0, recrossed = 0.0, censored = 0.0, free = 0.0;
   for (std::size_t record = 0; record < records; ++record) {
     stripes[record].exceedances.assign(levels.size(), 0.0);
-    stripes[record].trials.assign(levels.size(), static_cast<double>(samples));
     double record_recrossed = 0.0;
-    for (std::size_t sample = 0; sample < samples; ++sample) {
+    for (std::size_t i = run.first_case; i < run.first_case + run.cases; ++i) {
+      const double capacity = table.capacity(record, i, threshold);
       for (std::size_t level = 0; level < levels.size(); ++level) {
-        if (histories_of_all.displacement_m(record, run.first_case + sample, level) >=
-            fragility.threshold_m)
-          stripes[record].exceedances[level] += 1.0;
+        if (table.displacement_m(record, i, level) < fragility.threshold_m) continue;
+        exceeding[record][level] += 1.0;
+        if (capacity != 0.0) stripes[record].exceedances[level] += 1.0;
       }
-      const double capacity = histories_of_all.capacity(record, run.first_case + sample, threshold);
       if (std::isinf(capacity)) {
         capacities[record].censored += 1.0;
         ++censored;
       } else if (capacity == 0.0) {
+        capacities[record].free += 1.0;
         ++free;
       } else {
         capacities[record].capacities.push_back(capacity);
       }
       if (!std::isinf(capacity)) ++reached;
-      if (recrosses(histories_of_all, record, run.first_case + sample, fragility.threshold_m)) {
+      if (recrosses(table, record, i, fragility.threshold_m)) {
         ++recrossed;
         record_recrossed = 1.0;
       }
     }
+    stripes[record].free = capacities[record].free;
+    stripes[record].trials.assign(levels.size(),
+                                  static_cast<double>(run.cases) - stripes[record].free);
     fragility.record_recross.push_back(record_recrossed);
   }
-  const double histories = static_cast<double>(records * samples);
+  const double histories = static_cast<double>(records * run.cases);
   fragility.recross_share = reached > 0.0 ? recrossed / reached : 0.0;
   fragility.censored_share = censored / histories;
   fragility.free_sliding_share = free / histories;
   fragility.stripes = fit_stripes_by_record(levels, stripes, options);
   fragility.capacities = fit_capacities_by_record(capacities, levels.back(), options,
                                                   run.band_intensities, &fragility.band);
-  if (free > 0.0) {
-    std::string& note = fragility.capacities.note;
-    note +=
-        std::string(note.empty() ? "" : "; ") +
-        "histories that slide without any shaking have no capacity and are left out of this fit";
-  }
   for (std::size_t level = 0; level < levels.size(); ++level) {
     double share = 0.0;
-    for (const RecordStripes& record : stripes) share += record.exceedances[level];
+    for (const std::vector<double>& record : exceeding) share += record[level];
     fragility.probability.push_back(share / histories);
-    if (share == 0.0 || share == histories) {  // resampling tells nothing of what was never seen
+    if (share == 0.0 || share == histories) {  // resampling shows nothing of what was never seen
       fragility.probability_interval.push_back({});
       continue;
     }
@@ -90,7 +89,7 @@ ThresholdFragility fit_threshold(const Results& results, const RunResults& run,
         [&](const std::vector<double>& weights) {
           double count = 0.0;
           for (std::size_t record = 0; record < records; ++record)
-            count += weights[record] * stripes[record].exceedances[level];
+            count += weights[record] * exceeding[record][level];
           return count / histories;
         },
         options));

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 #include "glissade/core/error.hpp"
 #include "glissade/core/random.hpp"
@@ -101,10 +102,48 @@ TEST(fit_capacities, fails_with_a_reason_where_no_curve_can_be_told) {
   }
 }
 
+// Two of five have capacity 0. Clopper-Pearson of 2 in 5 at 95 %: 0.05274495 to 0.85336720 (closed
+// form: beta quantiles (2, 4) and (3, 3), here from the binomial sums that define them).
+TEST(fit_capacities, has_the_share_that_slides_freely_as_its_floor) {
+  const FitSummary fit =
+      fit_capacities({{0.5, 1.0, 2.0}, 0.0, std::numeric_limits<double>::infinity(), 2.0});
+  const FitSummary rest = fit_capacities({{0.5, 1.0, 2.0}});
+  EXPECT_EQ(fit.status, FitStatus::maximum_likelihood);
+  EXPECT_DOUBLE_EQ(fit.curve.floor, 0.4);
+  EXPECT_EQ(fit.curve.median, rest.curve.median);
+  EXPECT_EQ(fit.curve.log_std, rest.curve.log_std);
+  const auto at_least_two = [](double p) {
+    return 1 - std::pow(1 - p, 5) - 5 * p * std::pow(1 - p, 4);
+  };
+  const auto at_most_two = [](double p) {
+    const double q = 1 - p;
+    return std::pow(q, 5) + 5 * p * std::pow(q, 4) + 10 * p * p * std::pow(q, 3);
+  };
+  EXPECT_NEAR(at_least_two(fit.floor_interval.low), 0.025, 1e-12);
+  EXPECT_NEAR(at_most_two(fit.floor_interval.high), 0.025, 1e-12);
+  EXPECT_GT(fit.curve.probability(0.1), 0.4);
+}
+
+TEST(fit_capacities, always_exceeds_where_every_history_slides_freely) {
+  const FitSummary fit = fit_capacities({{}, 0.0, std::numeric_limits<double>::infinity(), 7.0});
+  EXPECT_EQ(fit.status, FitStatus::always_exceeds);
+  EXPECT_FALSE(fit.converged());
+  EXPECT_EQ(fit.curve.floor, 1.0);
+  EXPECT_EQ(fit.curve.probability(0.01), 1.0);
+}
+
+TEST(fit_capacities, keeps_the_floor_where_the_others_never_reach_it) {
+  const FitSummary fit = fit_capacities({{}, 30.0, 0.5, 10.0});
+  EXPECT_EQ(fit.status, FitStatus::lower_bound);
+  EXPECT_DOUBLE_EQ(fit.curve.floor, 0.25);
+  EXPECT_EQ(fit.curve.median, fit_capacities({{}, 30.0, 0.5}).curve.median);
+}
+
 TEST(fit_capacities, refuses_capacities_that_contradict_the_censoring) {
   EXPECT_THROW(fit_capacities({{0.5, 1.2}, 1.0, 1.0}), InputError);
   EXPECT_THROW(fit_capacities({{0.5, -1.2}, 0.0}), InputError);
   EXPECT_THROW(fit_capacities({{0.5, 0.6}, 1.0}), InputError);  // censored, but where?
+  EXPECT_THROW(fit_capacities({{0.5}, 0.0, 1.0, -1.0}), InputError);
 }
 
 }  // namespace

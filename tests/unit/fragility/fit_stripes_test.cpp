@@ -116,7 +116,7 @@ TEST(fit_stripes, bounds_the_median_from_below_without_exceedance) {
   EXPECT_EQ(fit.status, FitStatus::lower_bound);
   EXPECT_FALSE(fit.converged());
   EXPECT_EQ(fit.curve.log_std, 0.4);
-  const LognormalCurve unit{1.0, 1.0};
+  const FragilityCurve unit{1.0, 1.0};
   EXPECT_NEAR(fit.curve.median, 0.5 * std::pow(unit.intensity_at(std::pow(0.05, 1 / 40.0)), 0.4),
               1e-12);
   EXPECT_EQ(fit.median_interval.low, fit.curve.median);
@@ -141,11 +141,9 @@ TEST(fit_stripes, bounds_the_median_from_above_when_all_exceeded) {
 
 TEST(fit_stripes, fails_with_a_reason_where_no_curve_can_be_told) {
   const std::vector<std::vector<Stripe>> hopeless = {
-      {},                                           // nothing
-      {{0.5, 0, 0}, {1.0, 0, 0}},                   // no trials
-      {{0.5, 10, 4}},                               // one level
-      {{0.5, 10, 10}, {1.0, 10, 5}, {2.0, 10, 0}},  // decreasing, separated
-      {{0.5, 10, 6}, {1.0, 10, 5}, {2.0, 10, 4}},   // decreasing
+      {},                          // nothing
+      {{0.5, 0, 0}, {1.0, 0, 0}},  // no trials
+      {{0.5, 10, 4}},              // one level
   };
   for (const auto& stripes : hopeless) {
     const FitSummary fit = fit_stripes(stripes);
@@ -153,6 +151,34 @@ TEST(fit_stripes, fails_with_a_reason_where_no_curve_can_be_told) {
     EXPECT_NE(fit.note, "");
     EXPECT_TRUE(std::isnan(fit.median_interval.low));
   }
+}
+
+TEST(fit_stripes, has_no_curve_where_the_share_does_not_rise) {
+  const std::vector<std::vector<Stripe>> without_trend = {
+      {{0.5, 20, 10}, {1.0, 20, 10}, {2.0, 20, 10}},  // flat at one half
+      {{0.2, 20, 7}, {0.4, 20, 7}, {0.8, 20, 7}},     // flat
+      {{0.3, 10, 3}, {0.7, 30, 9}, {1.1, 20, 6}},     // flat, other numbers of trials
+      {{0.5, 20, 10}, {1.0, 20, 3}, {2.0, 20, 10}},   // as much down as up
+      {{0.5, 10, 10}, {1.0, 10, 5}, {2.0, 10, 0}},    // decreasing, separated
+      {{0.5, 10, 6}, {1.0, 10, 5}, {2.0, 10, 4}},     // decreasing
+      {{0.5, 1e6, 300000.0}, {1.0, 1e6, 300100.0}},   // median at 1e1000
+  };
+  for (const auto& stripes : without_trend) {
+    for (const FitSummary& fit : {fit_stripes(stripes), fit_stripes_jeffreys(stripes)}) {
+      EXPECT_EQ(fit.status, FitStatus::no_trend);
+      EXPECT_FALSE(fit.converged());
+      EXPECT_TRUE(std::isnan(fit.curve.median));
+      EXPECT_TRUE(std::isnan(fit.median_interval.low));
+    }
+  }
+}
+
+// One trial more at the highest level: the maximum exists, and is the curve through the shares.
+TEST(fit_stripes, has_a_curve_where_the_share_rises_by_one_trial) {
+  const FitSummary fit = fit_stripes({{0.5, 20, 10}, {2.0, 20, 11}});
+  EXPECT_EQ(fit.status, FitStatus::maximum_likelihood);
+  EXPECT_NEAR(fit.curve.probability(0.5), 10 / 20.0, 1e-9);
+  EXPECT_NEAR(fit.curve.probability(2.0), 11 / 20.0, 1e-9);
 }
 
 // So little of a trend that a constant probability is not rejected: log_std has no upper limit.

@@ -56,7 +56,7 @@ TEST(capacities_file, is_one_column_of_positive_numbers) {
   EXPECT_THAT(read_capacities(folder.write("c.csv", "# c\nim_cap\n0.5\n1.25\n0.5\n")),
               ElementsAre(0.5, 1.25, 0.5));
   EXPECT_THAT(capacities_error("im_cap\n0.5\n-1\ninf\n"),
-              AllOf(HasSubstr("capacities.csv:3: im_cap is not above 0"),
+              AllOf(HasSubstr("capacities.csv:3: im_cap is below 0"),
                     HasSubstr("capacities.csv:4: 'inf'")));
   EXPECT_THAT(capacities_error("0.5\n"), HasSubstr("is not the header im_cap"));
 }

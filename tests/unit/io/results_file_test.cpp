@@ -26,14 +26,17 @@ ThresholdFragility make_fragility(double threshold_m, std::size_t band) {
   ThresholdFragility f;
   f.threshold_m = threshold_m;
   f.stripes = {FitStatus::jeffreys_penalised,
-               {0.7, 0.4},
+               {0.7, 0.4, 0.125},
                {0.6, nan_value},
                {0.3, 0.5},
+               {0.1, 0.15},
+               {0.55, 0.65},
                -12.5,
                "probit",
                "profile",
                "separated"};
-  f.capacities = {FitStatus::lower_bound, {1.5, 0.2}, {1.5, infinity}, {}, nan_value, "", "", ""};
+  f.capacities = {
+      FitStatus::lower_bound, {1.5, 0.2}, {1.5, infinity}, {}, {}, {}, nan_value, "", "", ""};
   f.probability = {0.0, 0.25, 1.0 / 3};
   f.probability_interval = {{0.0, 0.1}, {0.1, 0.4}, {0.2, nan_value}};
   f.band.assign(band, {0.125, 0.5});
@@ -184,6 +187,9 @@ TEST(results_file, runs_come_back_in_order_with_ragged_bands) {
   EXPECT_EQ(f.stripes.status, FitStatus::jeffreys_penalised);
   EXPECT_EQ(f.stripes.curve.median, 0.7);
   EXPECT_EQ(f.stripes.curve.log_std, 0.4);
+  EXPECT_EQ(f.stripes.curve.floor, 0.125);
+  EXPECT_EQ(f.stripes.floor_interval.high, 0.15);
+  EXPECT_EQ(f.stripes.p50_interval.low, 0.55);
   EXPECT_EQ(f.stripes.median_interval.low, 0.6);
   EXPECT_TRUE(same_bits(f.stripes.median_interval.high, nan_value));
   EXPECT_EQ(f.stripes.log_std_interval.high, 0.5);

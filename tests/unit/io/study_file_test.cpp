@@ -340,6 +340,17 @@ TEST_F(StudyFile, contradictions_and_values_out_of_range_have_one_clear_message_
   }
 }
 
+TEST_F(StudyFile, a_convergence_study_gets_one_error_that_names_the_program_for_it) {
+  try {
+    read(study_part + suite_part + "[convergence]\nmu = [0, 0.1]\nsubsteps = [1, 2]\n");
+    ADD_FAILURE() << "accepted";
+  } catch (const InputError& error) {
+    ASSERT_EQ(error.problems().size(), 1u) << error.what();
+    EXPECT_THAT(error.problems()[0].where, HasSubstr("study.toml:6"));
+    EXPECT_THAT(error.problems()[0].suggestion, HasSubstr("tests/convergence/convergence"));
+  }
+}
+
 TEST_F(StudyFile, a_tail_of_one_in_a_million_may_lie_outside_the_range) {
   const StudyConfig lognormal = read(
       needed +

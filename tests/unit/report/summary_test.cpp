@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "glissade/report/format.hpp"
 #include "made_up_results.hpp"
 
 namespace glissade {
@@ -38,6 +39,25 @@ TEST(answer, says_that_a_clearance_was_never_exceeded) {
   fragility.capacities.curve = {2.5, 0.4};
   EXPECT_THAT(answer_sentences(results)[3], HasSubstr("never exceeded"));
   EXPECT_THAT(answer_sentences(results)[3], HasSubstr("S_DS = 2.50 g"));
+}
+
+// 60 % slide freely: more than one half exceed at any intensity.
+TEST(answer, contains_the_share_that_slides_freely) {
+  Results results = made_up_results();
+  std::vector<ThresholdFragility>& f = results.runs[0].fragilities;
+  f[0].capacities.curve.floor = 0.2;
+  f[1].capacities.curve.floor = 0.6;
+  f[2].capacities = FitSummary{};
+  f[2].capacities.status = FitStatus::always_exceeds;
+  f[2].capacities.curve.floor = 1.0;
+  f[2].stripes = f[2].capacities;
+  const auto sentences = answer_sentences(results);
+  const std::string half =
+      "S_DS = " + format_number(f[0].capacities.curve.intensity_at(0.5)) + " g";
+  EXPECT_THAT(sentences[0], testing::AllOf(HasSubstr(half), HasSubstr("20 %")));
+  EXPECT_THAT(sentences[1], testing::AllOf(HasSubstr("at any intensity"), HasSubstr("60 %")));
+  EXPECT_THAT(sentences[2], HasSubstr("slides freely"));
+  EXPECT_THAT(summary_text(results), HasSubstr("20 %"));
 }
 
 TEST(answer, quotes_seaoc_at_1_g) {

@@ -106,6 +106,13 @@ TEST(stripes_table, counts_what_the_histories_show) {
   EXPECT_EQ(std::get<double>(row[4]), above);
 }
 
+Cell cell_of(const Table& table, std::size_t row, const std::string& stem) {
+  for (std::size_t c = 0; c < table.columns.size(); ++c)
+    if (table.columns[c].stem == stem) return table.rows.at(row)[c];
+  ADD_FAILURE() << "no column " << stem;
+  return 0.0;
+}
+
 TEST(fragility_table, leaves_failed_fits_empty_and_the_summary_uses_the_fit_that_converged) {
   Results results = made_up_results();
   FitSummary& fit = results.runs[0].fragilities[0].capacities;
@@ -117,6 +124,23 @@ TEST(fragility_table, leaves_failed_fits_empty_and_the_summary_uses_the_fit_that
   const Table summary = fragility_summary_table(results);
   EXPECT_EQ(std::get<Estimate>(summary.rows[0][2]).value,
             results.runs[0].fragilities[0].stripes.curve.median);
+  EXPECT_EQ(std::get<std::string>(cell_of(summary, 0, "method")), "stripes");
+  EXPECT_EQ(std::get<std::string>(cell_of(summary, 1, "method")), "capacities");
+}
+
+TEST(fragility_tables, show_the_share_that_slides_freely_and_where_half_of_all_exceed) {
+  Results results = made_up_results();
+  for (const Column& column : fragility_summary_table(results).columns)
+    EXPECT_NE(column.stem, "free_sliding_share");  // none does
+  FitSummary& fit = results.runs[0].fragilities[0].capacities;
+  fit.curve.floor = 0.125;
+  for (const Table& table : {fragility_summary_table(results), fragility_table(results)}) {
+    const std::size_t row = table.name == "fragility" ? 1 : 0;
+    const Cell share = cell_of(table, row, "free_sliding_share");
+    EXPECT_EQ(table.name == "fragility" ? std::get<Estimate>(share).value : std::get<double>(share),
+              0.125);
+    EXPECT_EQ(std::get<Estimate>(cell_of(table, row, "p50")).value, fit.curve.intensity_at(0.5));
+  }
 }
 
 }  // namespace

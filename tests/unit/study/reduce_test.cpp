@@ -135,8 +135,10 @@ TEST_F(reduce_of_a_small_study, shows_the_suite_against_its_design_spectrum) {
   }
 }
 
-// Recrossing, by hand: a threshold reached at one level and not at the next.
-TEST(reduce, counts_histories_that_fall_below_the_threshold_again) {
+/// Four samples of three records at 1, 2 and 3 g, with peaks and capacities made up by
+/// `fill(record, sample, unit's run)`; threshold 0.1 m.
+template <class Fill>
+Results reduce_made_up(Fill fill) {
   StudyConfig config = small_config();
   config.intensity.levels = {1.0, 2.0, 3.0};
   config.sampling.samples = 4;
@@ -149,19 +151,57 @@ TEST(reduce, counts_histories_that_fall_below_the_threshold_again) {
     unit.unit = u;
     unit.runs.resize(1);
     for (int sample = 0; sample < 4; ++sample) {
-      const bool recrosses = u == 0 && sample == 0;
-      const std::vector<double> peaks =
-          recrosses ? std::vector<double>{0.0, 0.2, 0.05} : std::vector<double>{0.0, 0.2, 0.3};
-      unit.runs[0].peak_displacement_m.insert(unit.runs[0].peak_displacement_m.end(), peaks.begin(),
-                                              peaks.end());
+      fill(u, sample, unit.runs[0]);
       unit.runs[0].uplift.insert(unit.runs[0].uplift.end(), 3, 0);
-      unit.runs[0].capacity.push_back(1.5 + 0.01 * sample + 0.1 * static_cast<double>(u));
     }
     units.push_back(unit);
   }
-  const Results results = reduce(plan, units);
+  return reduce(plan, units);
+}
+
+void add(UnitResult::Run& run, const std::vector<double>& peaks_m, double capacity) {
+  run.peak_displacement_m.insert(run.peak_displacement_m.end(), peaks_m.begin(), peaks_m.end());
+  run.capacity.push_back(capacity);
+}
+
+// Recrossing, by hand: a threshold reached at one level and not at the next.
+TEST(reduce, counts_histories_that_fall_below_the_threshold_again) {
+  const Results results = reduce_made_up([](std::size_t u, int sample, UnitResult::Run& run) {
+    const bool recrosses = u == 0 && sample == 0;
+    add(run, recrosses ? std::vector<double>{0.0, 0.2, 0.05} : std::vector<double>{0.0, 0.2, 0.3},
+        1.5 + 0.01 * sample + 0.1 * static_cast<double>(u));
+  });
   EXPECT_DOUBLE_EQ(results.runs[0].fragilities[0].recross_share, 1.0 / 12);
   EXPECT_EQ(results.runs[0].fragilities[0].record_recross, (std::vector<double>{1, 0, 0}));
+}
+
+// One sample of four slides freely on every record: it exceeds at 1 g, where no other does.
+TEST(reduce, has_histories_that_slide_freely_in_the_observed_shares_the_curves_and_the_band) {
+  const Results results = reduce_made_up([](std::size_t u, int sample, UnitResult::Run& run) {
+    if (sample == 0) return add(run, {5.0, 5.1, 5.2}, 0.0);
+    add(run, {0.0, sample == 1 ? 0.2 : 0.0, 0.3},
+        (sample == 1 ? 1.8 : 2.2) + 0.1 * static_cast<double>(u));
+  });
+  const ThresholdFragility& f = results.runs[0].fragilities[0];
+  EXPECT_EQ(f.probability, (std::vector<double>{0.25, 0.5, 1.0}));
+  EXPECT_EQ(f.free_sliding_share, 0.25);
+  for (const FitSummary& fit : {f.capacities, f.stripes}) {
+    EXPECT_TRUE(fit.converged());
+    EXPECT_EQ(fit.curve.floor, 0.25);
+    EXPECT_NEAR(fit.curve.probability(1.0), 0.25, 0.01);
+    EXPECT_LT(fit.curve.intensity_at(0.5), fit.curve.median);
+  }
+  for (const Interval& interval : f.band) EXPECT_GE(interval.low, 0.25);
+}
+
+TEST(reduce, says_that_every_history_slides_freely) {
+  const Results results = reduce_made_up([](std::size_t, int, UnitResult::Run& run) {
+    add(run, {5.0, 5.1, 5.2}, 0.0);
+  });
+  const ThresholdFragility& f = results.runs[0].fragilities[0];
+  EXPECT_EQ(f.stripes.status, FitStatus::always_exceeds);
+  EXPECT_EQ(f.capacities.status, FitStatus::always_exceeds);
+  EXPECT_EQ(f.probability, (std::vector<double>{1, 1, 1}));
 }
 
 }  // namespace

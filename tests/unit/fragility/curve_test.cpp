@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "glissade/fragility/lognormal.hpp"
+#include "glissade/fragility/curve.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,22 +10,46 @@ namespace {
 
 // Closed form: half of the trials exceed at the median; Phi(1) = 0.8413447460685429 (Abramowitz &
 // Stegun table 26.1).
-TEST(lognormal_curve, is_a_half_at_the_median_and_phi_of_one_a_log_std_above) {
-  const LognormalCurve curve{0.5, 0.4};
+TEST(fragility_curve, is_a_half_at_the_median_and_phi_of_one_a_log_std_above) {
+  const FragilityCurve curve{0.5, 0.4};
   EXPECT_DOUBLE_EQ(curve.probability(0.5), 0.5);
   EXPECT_NEAR(curve.probability(0.5 * std::exp(0.4)), 0.8413447460685429, 1e-15);
 }
 
-TEST(lognormal_curve, is_zero_without_shaking) {
-  EXPECT_EQ((LognormalCurve{0.5, 0.4}.probability(0.0)), 0.0);
-  EXPECT_EQ((LognormalCurve{0.5, 0.4}.probability(-1.0)), 0.0);
+TEST(fragility_curve, is_zero_without_shaking) {
+  EXPECT_EQ((FragilityCurve{0.5, 0.4}.probability(0.0)), 0.0);
+  EXPECT_EQ((FragilityCurve{0.5, 0.4}.probability(-1.0)), 0.0);
 }
 
-TEST(lognormal_curve, inverse_undoes_the_probability) {
-  const LognormalCurve curve{0.7, 0.3};
+TEST(fragility_curve, inverse_undoes_the_probability) {
+  const FragilityCurve curve{0.7, 0.3};
   for (double p : {1e-12, 1e-3, 0.2, 0.5, 0.9, 0.999}) {
     EXPECT_NEAR(curve.probability(curve.intensity_at(p)) / p, 1.0, 1e-12) << p;
   }
+}
+
+TEST(fragility_curve, contains_its_floor_at_every_intensity) {
+  const FragilityCurve curve{0.5, 0.4, 0.125}, rest{0.5, 0.4};
+  EXPECT_EQ(curve.probability(0.0), 0.125);
+  EXPECT_NEAR(curve.probability(0.5), 0.125 + 0.875 * 0.5, 1e-15);
+  for (double x : {1e-3, 0.1, 0.4, 2.0, 1e3})
+    EXPECT_NEAR(curve.probability(x), 0.125 + 0.875 * rest.probability(x), 1e-15) << x;
+}
+
+TEST(fragility_curve, inverse_undoes_the_probability_above_the_floor_and_is_zero_up_to_it) {
+  const FragilityCurve curve{0.7, 0.3, 0.2};
+  for (double p : {0.2 + 1e-9, 0.25, 0.5, 0.9, 0.999})
+    EXPECT_NEAR(curve.probability(curve.intensity_at(p)), p, 1e-15) << p;
+  EXPECT_EQ(curve.intensity_at(0.2), 0.0);
+  EXPECT_EQ(curve.intensity_at(0.1), 0.0);
+}
+
+TEST(fragility_curve, is_one_everywhere_where_all_slide_freely) {
+  FragilityCurve curve;
+  curve.floor = 1.0;
+  EXPECT_EQ(curve.probability(0.0), 1.0);
+  EXPECT_EQ(curve.probability(3.0), 1.0);
+  EXPECT_EQ(curve.intensity_at(0.99), 0.0);
 }
 
 // Mills' ratio expansion, Phi(-x) = phi(x)/x (1 - 1/x^2 + 3/x^4 - 15/x^6 + ...) (Abramowitz &
