@@ -90,12 +90,17 @@ void check_model(const SlideOptions& o, ProblemList& problems) {
 KernelChoice kernel_for(const SlideOptions& o) {
   StudyConfig config;
   if (o.two_axes()) config.model.axes = SlidingAxes::two;
-  config.friction.law = o.law;
-  config.building.period_s = Fixed{o.period_s};
-  config.building.mass_ratio = Fixed{o.mass_ratio};
-  if (o.yield_coefficient) config.building.strength.emplace();
-  config.vertical.use = o.vertical.empty() ? VerticalChoice::none : VerticalChoice::required;
-  config.vertical.period_s = o.vertical_period_s;
+  const auto set = [&](const char* table, const char* key, double value) {
+    config.quantities.at(table, key) = {{value}, {}};
+  };
+  set("friction", "static_over_sliding", o.law.static_ratio);
+  set("friction", "fast_over_slow", o.law.fast_ratio);
+  set("friction", "rate_s_per_m", o.law.rate_spm);
+  set("building", "period_s", o.period_s);
+  set("building", "mass_ratio", o.mass_ratio);
+  set("building", "yield_coefficient", o.yield_coefficient.value_or(0.0));
+  set("vertical", "period_s", o.vertical_period_s);
+  config.vertical = {o.vertical.empty() ? VerticalChoice::none : VerticalChoice::required};
   return cheapest_exact_kernel(config);
 }
 
