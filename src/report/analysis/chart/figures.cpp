@@ -272,9 +272,11 @@ Figure chart_period_figure(const Results& results) {
 
 std::vector<Figure> chart_figures(const Results& results) {
   std::vector<Figure> figures;
-  // Of slopes below 0 and 0 alone, one is left.
-  if (results.chart->slope_deg.size() > 1) figures.push_back(chart_contours_figure(results));
-  figures.push_back(chart_friction_figure(results));
+  // Friction that is drawn is one column of the chart.
+  if (results.chart->mu.size() > 1) {
+    figures.push_back(chart_contours_figure(results));
+    figures.push_back(chart_friction_figure(results));
+  }
   figures.push_back(chart_slope_figure(results));
   if (results.levels.size() > 1) {
     figures.push_back(chart_intensity_figure(results));
