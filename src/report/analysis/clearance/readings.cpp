@@ -33,7 +33,7 @@ std::string spectra_reading(const ClearanceResults& r) {
   const SuiteSpectra& spectra = r.suites.front().spectra;
   if (spectra.target_g.empty()) return "";
   std::size_t low = 0, high = 0;
-  for (std::size_t p = 1; p < spectra.periods_s.size(); ++p) {
+  for (std::size_t p = 1; p < spectra.periods_s.size() && spectra.periods_s[p] <= 2.0; ++p) {
     if (at_period(spectra, p) < at_period(spectra, low)) low = p;
     if (at_period(spectra, p) > at_period(spectra, high)) high = p;
   }
@@ -42,7 +42,7 @@ std::string spectra_reading(const ClearanceResults& r) {
   };
   std::string text = fmt::format(
       "From 0 to 2 s the suite's average SRSS spectrum is {} (at {:.2g} s) to {} times (at {:.2g} "
-      "s) the target MCE spectrum",
+      "s) the target spectrum",
       format_number(at_period(spectra, low)), spectra.periods_s[low],
       format_number(at_period(spectra, high)), spectra.periods_s[high]);
   if (spectra.periods_s.size() == 201) {
@@ -204,7 +204,7 @@ std::string slope_reading(const ClearanceResults& r) {
 
 std::string mce_reading(const ClearanceResults& r) {
   const ClearanceGrid& grid = r.grid;
-  const std::size_t last = grid.fraction_of_mce.size() - 1;
+  const std::size_t last = grid.level.size() - 1;
   ClearancePosition high;
   high[ClearanceAxis::level] = last;
   const std::size_t governing = governing_period(r, {}, {});
