@@ -60,6 +60,11 @@ const std::array rows = {
         [](const IntensityConfig& c, const Motion& m) {
           return standard_gravity_mps2 / average_sa_mps2(m, c.avg_sa_periods_s);
         }},
+    Row{"pgv_mps", "m/s", nullptr, "peak ground velocity",
+        [](const IntensityConfig&) -> std::string { return "peak ground velocity"; },
+        [](const IntensityConfig&, const Motion& m) {
+          return 1.0 / horizontal_pgv_mps(m, HorizontalCombination::geometric_mean);
+        }},
 };
 
 const Row& row_of(std::size_t row) { return rows.at(row); }
