@@ -7,7 +7,7 @@
 #include "glissade/io/clearance_file.hpp"
 #include "glissade/io/suite_file.hpp"
 #include "glissade/report/clearance_report.hpp"
-#include "output_folder.hpp"
+#include "output_rule.hpp"
 #include "progress.hpp"
 #include "run_folder.hpp"
 #include "run_record.hpp"
@@ -60,7 +60,7 @@ void run_clearance(const ClearanceRun& run, const Communicator& world) {
   std::vector<Suite> suites;
   on_root(world, [&] {
     const ClearanceConfig config = read_clearance_study(run.study);
-    if (!run.dry_run) check_output_folder(run.out);
+    if (!run.dry_run) check_output_folder(run.out, run.overwrite);
     suites = load_suites(config.suite_files);
   });
   share_all(suites, world);
@@ -72,9 +72,10 @@ void run_clearance(const ClearanceRun& run, const Communicator& world) {
       const std::size_t histories =
           plan.records.size() * plan.orientations.size() * plan.config.grid.count();
       take_results_folder(run.out, static_cast<double>(histories * sizeof(ClearanceHistory)),
-                          started_json(plan.config.name, plan.hash));
+                          started_json(plan.config.name, plan.hash), run.overwrite);
     }
   });
+  const ResultsFolderGuard guard(run.dry_run ? std::filesystem::path() : run.out, world);
   if (!world.is_root()) plan = make_plan(read_clearance_study(run.study), suites);
   check_same_plan(plan.hash, world);
   clock.end_phase("plan");
@@ -87,7 +88,7 @@ void run_clearance(const ClearanceRun& run, const Communicator& world) {
   clock.end_phase("histories");
   on_root(world, [&] {
     const ClearanceResults results = reduce(plan, units);
-    write_or_leave_folder(run.out, [&] { write_clearance(run.out / "results.h5", results); });
+    write_clearance(run.out / "results.h5", results);
     clock.end_phase("results file");
     write_beside_results(run.out, [&] { write_clearance_report(results, run.out); });
     clock.end_phase("report");

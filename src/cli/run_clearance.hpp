@@ -9,7 +9,7 @@ namespace glissade::cli {
 
 struct ClearanceRun {
   std::filesystem::path study, out;
-  bool dry_run = false;
+  bool dry_run = false, overwrite = false;
 };
 
 /// Runs a clearance study: its histories, one record in one orientation at a time on each rank, its

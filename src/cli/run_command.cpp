@@ -15,7 +15,7 @@
 #include "glissade/study/execute.hpp"
 #include "glissade/study/plan.hpp"
 #include "glissade/study/reduce.hpp"
-#include "output_folder.hpp"
+#include "output_rule.hpp"
 #include "progress.hpp"
 #include "run_clearance.hpp"
 #include "run_folder.hpp"
@@ -31,6 +31,7 @@ struct RunOptions {
   std::string out;
   bool dry_run = false;
   bool no_skip = false;
+  bool overwrite = false;
 };
 
 /// What results.h5 will hold.
@@ -66,7 +67,7 @@ void run_fragility(const RunOptions& options, const fs::path& out, const Communi
   Suite suite;
   on_root(world, [&] {
     const StudyConfig config = read_study(options.study);
-    if (!options.dry_run) check_output_folder(out);
+    if (!options.dry_run) check_output_folder(out, options.overwrite);
     suite = load_suite(config.suite_file);
   });
   share(suite, world);
@@ -75,9 +76,11 @@ void run_fragility(const RunOptions& options, const fs::path& out, const Communi
   on_root(world, [&] {
     plan = make_plan(read_study(options.study), suite);
     if (!options.dry_run) {
-      take_results_folder(out, bytes_needed(plan), started_json(plan.config.name, plan.hash));
+      take_results_folder(out, bytes_needed(plan), started_json(plan.config.name, plan.hash),
+                          options.overwrite);
     }
   });
+  const ResultsFolderGuard guard(options.dry_run ? fs::path() : out, world);
   if (!world.is_root()) plan = make_plan(read_study(options.study), suite);
   check_same_plan(plan.hash, world);
   clock.end_phase("plan");
@@ -94,7 +97,7 @@ void run_fragility(const RunOptions& options, const fs::path& out, const Communi
     const WorkCount count = total_count(units);
     const std::vector<Skip> skips = skipped(plan, count);
     clock.end_phase("fragilities");
-    write_or_leave_folder(out, [&] { write_results(out / "results.h5", results); });
+    write_results(out / "results.h5", results);
     clock.end_phase("results file");
     write_beside_results(out, [&] { write_report(results, out, skips); });
     clock.end_phase("report");
@@ -122,7 +125,7 @@ void run(const RunOptions& options, const Communicator& world) {
   world.broadcast(kind);
   switch (kind[0]) {
     case clearance:
-      return run_clearance({options.study, out, options.dry_run}, world);
+      return run_clearance({options.study, out, options.dry_run, options.overwrite}, world);
     default:
       return run_fragility(options, out, world);
   }
@@ -137,6 +140,7 @@ void add_run(CLI::App& program, const Communicator& world) {
   command->add_option("study", options->study, "study file (TOML); see studies/")->required();
   command->add_option("--out", options->out,
                       "results folder, new or empty [results/NAME OF THE STUDY FILE]");
+  add_overwrite(*command, options->overwrite);
   command->add_flag("--dry-run", options->dry_run, "print the plan and stop");
   command->add_flag("--no-skip", options->no_skip,
                     "compute also what the study does not need: much slower, the same results to "
