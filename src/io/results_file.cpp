@@ -33,6 +33,8 @@ void check_shapes(const Results& results) {
   for (const RunResults& run : results.runs) {
     expect_fit(is_cube(run.peak_displacement_m, levels), "peak_displacement_m",
                "records, samples and levels");
+    expect_fit(run.peak_vector_m.data.empty() || is_cube(run.peak_vector_m, levels),
+               "peak_vector_m", "records, samples and levels");
     expect_fit(is_cube(run.uplift, levels), "uplift", "records, samples and levels");
     expect_fit(run.tips.data.empty() || is_cube(run.tips, levels), "tips",
                "records, samples and levels");
