@@ -160,6 +160,10 @@ TEST(results_file, everything_comes_back_to_the_last_bit) {
   EXPECT_EQ(read.spectra.average_srss_g, written.spectra.average_srss_g);
   EXPECT_TRUE(read.spectra.target_g.empty());
   EXPECT_EQ(read.spectra.reference_level, 1.3);
+  EXPECT_EQ(read.spectra.to_target.lowest.ratio, 0.9);
+  EXPECT_EQ(read.spectra.to_target.lowest.period_s, 0.082);
+  EXPECT_EQ(read.spectra.to_target.highest.ratio, 2.5);
+  EXPECT_EQ(read.spectra.to_target.highest.period_s, 0.1);
 }
 
 TEST(results_file, runs_come_back_in_order_with_ragged_bands) {
