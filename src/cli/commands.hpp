@@ -17,7 +17,6 @@ void add_suite_select(CLI::App& suite);  // called by add_suite
 void add_standards(CLI::App& program);
 void add_report(CLI::App& program);
 void add_explain(CLI::App& program);
-void add_explain(CLI::App& program);
 
 /// An error that root has already told; every rank leaves with this status.
 struct ExitStatus {
