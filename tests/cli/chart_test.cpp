@@ -56,18 +56,20 @@ TEST_F(ChartRun, is_made_again_from_its_results_file) {
 TEST_F(ChartRun, a_chart_axis_of_one_value_is_refused_and_leaves_nothing) {
   const ScratchFolder folder;
   const std::string study = folder.write(
-      "chart.toml", replaced(small_chart(), "mu = [0.1, 0.2, 0.3, 0.5]", "mu = [0.3]"));
+      "chart.toml", replaced(small_chart(), "slope_deg = [0, 2, 6]", "slope_deg = 2"));
   const Finished child = run_program({"run", study, "--out", folder.path("out").string()});
   EXPECT_EQ(child.status, 2);
-  EXPECT_THAT(child.err, HasSubstr("chart.mu has one value"));
+  EXPECT_THAT(child.err, HasSubstr("two slopes"));
   EXPECT_EQ(folder.contents(), std::vector<std::string>{"chart.toml"});
 }
 
 TEST_F(ChartRun, prints_its_grid_when_asked_for_the_plan) {
   const Finished child = run_program({"run", study_, "--dry-run"});
   EXPECT_EQ(child.status, 0) << child.err;
-  // 2 periods x 2 components x (1 flat slope + 2 slopes under both signs) x 4 frictions.
-  EXPECT_THAT(child.out, HasSubstr("samples     80, the chart's grid"));
+  // 2 periods x 3 slopes x 4 frictions, each under both signs of both components; of the flat roof
+  // the signs do not differ.
+  EXPECT_THAT(child.out,
+              HasSubstr("24 combinations x 1 samples x 4 orientations, of which 80 differ"));
 }
 
 TEST_F(ChartRun, says_that_one_component_acts) {
@@ -76,8 +78,8 @@ TEST_F(ChartRun, says_that_one_component_acts) {
 
 /// The small chart without what one axis alone has.
 std::string small_chart_on_two_axes() {
-  const std::string text = small_chart().substr(0, small_chart().find("[array]"));
-  return replaced(text, "[chart]", "[model]\naxes = 2\n[building]\nmass_ratio = 0.05\n[chart]");
+  const std::string text = small_chart().substr(0, small_chart().find("[tipping]"));
+  return replaced(text, "[building]", "[model]\naxes = 2\n[building]\nmass_ratio = 0.05");
 }
 using ChartOnTwoAxes = OneRun<small_chart_on_two_axes>;
 

@@ -64,7 +64,7 @@ TEST_F(Run, run_json_tells_when_where_and_how_long) {
 
 TEST_F(Run, results_tell_what_they_are_at_the_root) {
   EXPECT_EQ(root_attribute("file_type"), "\"glissade results\"");
-  EXPECT_EQ(root_attribute("format_version"), "3");
+  EXPECT_EQ(root_attribute("format_version"), "4");
   EXPECT_EQ(root_attribute("seed"), "7");
   EXPECT_THAT(run_program({"--version"}).out,
               HasSubstr(root_attribute("program_version").substr(1, 3)));
@@ -86,10 +86,10 @@ TEST_F(Run, every_dataset_has_a_unit_and_a_description) {
   EXPECT_GT(datasets, 20u);
 }
 
-TEST_F(Run, peaks_are_by_record_sample_and_level) {
-  const std::string header = h5dump({"-H", "-d", "/runs/sampled/peak_displacement_m"});
-  EXPECT_THAT(header, HasSubstr("( 7, 8, 3 )"));
-  EXPECT_THAT(h5dump({"-H", "-d", "/runs/sampled/capacity_g"}), HasSubstr("( 7, 8, 2 )"));
+TEST_F(Run, peaks_are_by_record_case_and_level) {
+  const std::string header = h5dump({"-H", "-d", "/histories/peak_displacement_m"});
+  EXPECT_THAT(header, HasSubstr("( 7, 16, 3 )"));
+  EXPECT_THAT(h5dump({"-H", "-d", "/histories/capacity_g"}), HasSubstr("( 7, 16, 2 )"));
 }
 
 TEST_F(Run, the_stripes_table_counts_what_the_results_hold) {
@@ -136,7 +136,7 @@ TEST_F(Run, stops_at_the_largest_threshold_where_nothing_beyond_is_asked) {
   EXPECT_EQ(refused.status, 2);
   EXPECT_THAT(refused.err, HasSubstr("stop_at_largest"));
   const std::string study = folder_->write(
-      "stops.toml", replaced(asked, "compare = [\"seaoc_pv1_2012\"]", "compare = []"));
+      "stops.toml", replaced(asked, "[standards]\ncompare = [\"seaoc_pv1_2012\"]\n", ""));
   const fs::path stopped = folder_->path("stopped");
   const Finished child = run_program({"run", study, "--out", stopped.string()});
   ASSERT_EQ(child.status, 0) << child.err;
@@ -176,7 +176,7 @@ TEST_F(Run, dry_run_prints_the_plan_and_writes_nothing) {
   const Finished child =
       run_shell("cd '" + folder.path("").string() + "' && \"$0\" run small.toml --dry-run");
   EXPECT_EQ(child.status, 0) << child.err;
-  for (const char* part : {"small", "7 motions", "8 (scrambled Sobol)", "336 histories"})
+  for (const char* part : {"small", "7 motions", "2 combinations x 8 samples", "scrambled Sobol", "336 histories"})
     EXPECT_THAT(child.out, HasSubstr(part));  // 7 x 8 x 3, twice
   EXPECT_EQ(folder.contents(), std::vector<std::string>{"small.toml"});
 }
@@ -200,7 +200,7 @@ TEST_F(Run, runs_one_history_of_one_record_without_standards_or_samples) {
                    "[study]\nname = \"one\"\n[suite]\nfile = \"suite.toml\"\n[intensity]\nmeasure "
                    "= \"pga_g\"\nlevels = [1.0]\n"
                    "[friction]\nmu = 0.3\n[orientation]\ncomponent = "
-                   "\"first\"\n[sampling]\nsamples = 1\n[clearance]\nthresholds_m = [0.1]\n");
+                   "\"first\"\n[sampling]\nsamples = 1\n[fragility]\nthresholds_m = [0.1]\n");
   const Finished child = run_program({"run", study, "--out", folder.path("out").string()});
   EXPECT_EQ(child.status, 0) << child.err;
   EXPECT_TRUE(fs::exists(folder.path("out/report.html")));

@@ -5,7 +5,7 @@
 
 namespace glissade::test {
 
-/// A clearance study of a second: three built-in motions, two periods.
+/// A required clearance of a second: three built-in motions, two periods.
 inline std::string small_clearance() {
   return R"([study]
 name = "small clearance"
@@ -14,18 +14,30 @@ name = "small clearance"
 file = ")" GLISSADE_SOURCE_DIR R"(/suites/synthetic_level2.toml"
 records = ["level2_1", "level2_2", "level2_3"]
 
-[clearance_study]
-period_s = [0.2, 0.7]
-mass_ratio = [0.05]
-rise_in_12 = [0.25]
-mu = 0.47
-vertical = ["none"]
+[intensity]
+measure = "mce_fraction"
+levels = [0.6666666666666666]
 
-[[paper]]
-about = "period"
-where = "Fig. 13"
-says = "10.21 inches"
-displacement_in = 10.21
+[model]
+axes = 2
+
+[building]
+period_s = [0.2, 0.7]
+mass_ratio = 0.05
+
+[roof]
+rise_in_12 = 0.25
+
+[friction]
+mu = 0.47
+
+[vertical]
+use = "none"
+
+[orientation]
+slope_axis = ["e_w", "n_s"]
+
+[clearance]
 )";
 }
 

@@ -23,14 +23,14 @@ levels = [0.5, 1.0, 2.0]
 period_s = { distribution = "uniform", min = 0.2, max = 1.0 }
 
 [friction]
-mean = 0.3
-std = 0.03
+mu = { mean = 0.3, std = 0.03 }
+value = ["sampled", "design"]
 
 [sampling]
 samples = 8
 bootstrap_replicates = 100
 
-[clearance]
+[fragility]
 thresholds_m = [0.05, 0.2]
 
 [standards]
@@ -38,7 +38,7 @@ compare = ["seaoc_pv1_2012"]
 )";
 }
 
-/// A chart of a second on the same motions: slopes to one that friction does not hold, and a tall
+/// A chart of a second on the same motions: slopes to one on which the array slides freely, and a tall
 /// body.
 inline std::string small_chart() {
   return R"([study]
@@ -51,10 +51,14 @@ file = ")" GLISSADE_SOURCE_DIR R"(/suites/synthetic_level0.toml"
 measure = "sds_g"
 levels = [0, 1.5]
 
-[chart]
-slope_deg = [0, 2, 6]
-mu = [0.1, 0.2, 0.3, 0.5]
+[building]
 period_s = [0, 0.5]
+
+[roof]
+slope_deg = [0, 2, 6]
+
+[friction]
+mu = [0.1, 0.2, 0.3, 0.5]
 
 [[chart.read]]
 slope_deg = 1
@@ -67,7 +71,7 @@ displacement_m = 0.1
 [standards]
 compare = ["seaoc_pv1_2012"]
 
-[array]
+[tipping]
 centre_of_mass_height_m = 1.0
 base_width_m = 0.8
 )";

@@ -60,7 +60,7 @@ TEST_F(Mpi, a_chart_has_the_same_bytes_on_any_number_of_ranks) {
 }
 
 TEST_F(Mpi, every_model_has_the_same_bytes_on_any_number_of_ranks) {
-  const std::string impact = replaced(small_study(), "[0.05, 0.2]", "[0.05, 0.2]\nimpact = true");
+  const std::string impact = replaced(small_study(), "[0.05, 0.2]", "[0.05, 0.2]\n[impact]");
   for (const char* building :
        {"[building]\nmass_ratio = 0.1",
         "[building]\nmass_ratio = 0.1\nyield_coefficient = 0.2\nhardening_ratio = 0.05",
@@ -90,8 +90,8 @@ TEST_F(Mpi, more_ranks_than_units_of_work_give_the_same_bytes) {
       folder_.write("study.toml",
                     "[study]\nname = \"one\"\n[suite]\nfile = \"suite.toml\"\n[intensity]\nmeasure "
                     "= \"pga_g\"\nlevels = [0.4, 0.8]\n"
-                    "[friction]\nmean = 0.3\nstd = 0.03\n[sampling]\nsamples = "
-                    "2\n[clearance]\nthresholds_m = [0.05]\n");
+                    "[friction]\nmu = { mean = 0.3, std = 0.03 }\n[sampling]\nsamples = "
+                    "2\n[fragility]\nthresholds_m = [0.05]\n");
   ASSERT_THAT(run_program({"run", study, "--dry-run"}).out,
               testing::HasSubstr("in 1 units"));  // fewer than ranks
   const std::string alone = results_on(0, study);
@@ -115,7 +115,7 @@ TEST_F(Mpi, an_input_error_is_told_once_by_three_ranks) {
       folder_.write("study.toml", replaced(small_study(), "[0.05, 0.2]", "[-0.05]"));
   const std::string out = folder_.path("out").string();
   expect_refused_once(run_on(3, {"run", study, "--out", out}),
-                      "study.toml:24: clearance.thresholds_m = -0.05 is not above 0");
+                      "study.toml:24: fragility.thresholds_m = -0.05 is not above 0");
   EXPECT_EQ(folder_.contents(), std::vector<std::string>{"study.toml"});
 }
 
@@ -129,7 +129,7 @@ TEST_F(Mpi, a_results_folder_in_use_is_told_once_by_three_ranks) {
   std::filesystem::create_directory(folder_.path("out"));
   folder_.write("out/results.h5", "an earlier run");
   expect_refused_once(run_on(3, {"run", study, "--out", folder_.path("out").string()}),
-                      "already holds a run");
+                      "holds a run");
 }
 
 TEST_F(Mpi, the_other_commands_answer_once_on_three_ranks) {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "glissade/report/figures.hpp"
+#include "glissade/report/figure.hpp"
 #include "glissade/report/table.hpp"
 #include "glissade/study/clearance_reading.hpp"
 

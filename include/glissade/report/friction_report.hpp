@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "glissade/report/figures.hpp"
+#include "glissade/report/figure.hpp"
 #include "glissade/report/table.hpp"
 #include "glissade/sampling/friction_statistics.hpp"
 

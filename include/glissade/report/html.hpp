@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "glissade/report/figures.hpp"
+#include "glissade/report/figure.hpp"
 #include "glissade/study/results.hpp"
 #include "glissade/study/skip.hpp"
 

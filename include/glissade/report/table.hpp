@@ -30,6 +30,9 @@ struct Column {
   int decimals = -1;  ///< of numbers for people; below 0: three significant digits
 };
 
+/// A column of text.
+Column text_column(std::string stem, std::string heading);
+
 struct Estimate {
   double value = 0.0;
   Interval interval;

@@ -317,6 +317,8 @@ TEST(results_file, parts_that_do_not_fit_each_other_are_refused) {
               does_not_fit("peak_displacement_m", "records, samples and levels"));
   EXPECT_THAT(refusal([](Results& r) { r.runs[1].uplift = Array3<std::uint8_t>(2, 3, 4); }),
               does_not_fit("uplift", "records, samples and levels"));
+  EXPECT_THAT(refusal([](Results& r) { r.runs[0].peak_vector_m = Array3<double>(2, 3, 4); }),
+              does_not_fit("peak_vector_m", "records, samples and levels"));
   EXPECT_THAT(refusal([](Results& r) { r.thresholds_m.push_back(1.0); }),
               does_not_fit("capacity_g", "records, samples and thresholds"));
   EXPECT_THAT(refusal([](Results& r) { r.runs[0].slip.pop_back(); }),

@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+#include "figure_facts.hpp"
+
 namespace glissade {
 namespace {
 
@@ -167,8 +169,24 @@ TEST(clearance_report, the_paper_is_marked_in_the_figure_over_periods) {
   ClearanceResults r = made_up();
   r.statements = {{ClearanceTopic::period, "Fig. 13", "so much", 5 * inch, 0.2}};
   const Figure figure = clearance_figures(r)[1];
-  EXPECT_THAT(figure.body, HasSubstr("the paper, Fig. 13: 0.127 m (5.00 in)"));
-  EXPECT_THAT(figure.body, HasSubstr("at first 0.2,first 0.127"));
+  const Series stated = series_named(figure, "stated");
+  EXPECT_EQ(stated.x, std::vector<double>{0.2});
+  EXPECT_EQ(stated.y, std::vector<double>{5 * inch});
+  EXPECT_THAT(stated.label, HasSubstr("0.127 m (5.00 in)"));
+}
+
+TEST(clearance_report, the_figure_over_periods_has_median_range_bounds_and_clearance) {
+  const Figure figure = clearance_figures(made_up())[1];
+  const Panel& panel = figure.panels.at(0);
+  // Means of 2, 4, 6, 8 inches at 0.2 s and twice that at 1 s.
+  const Series median = curves_of(figure).at(0);
+  EXPECT_DOUBLE_EQ(median.y[0], 5 * inch);
+  EXPECT_DOUBLE_EQ(median.y[1], 10 * inch);
+  EXPECT_DOUBLE_EQ(panel.series[0].low[0], 2 * inch);
+  EXPECT_DOUBLE_EQ(panel.series[0].high[1], 16 * inch);
+  ASSERT_EQ(panel.rules.size(), 1u);
+  EXPECT_DOUBLE_EQ(panel.rules[0].at, 11 * inch);
+  EXPECT_GE(panel.y.high, 16 * inch);
 }
 
 TEST(clearance_report, histories_are_told_once_each) {

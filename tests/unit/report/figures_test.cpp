@@ -4,8 +4,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdlib>
+#include <limits>
 
+#include "figure_facts.hpp"
 #include "glissade/core/error.hpp"
 #include "glissade/core/file.hpp"
 #include "made_up_results.hpp"
@@ -15,18 +18,11 @@ namespace {
 
 namespace fs = std::filesystem;
 using testing::HasSubstr;
-using testing::Not;
 
 fs::path fresh_folder(const std::string& name) {
   const fs::path folder = fs::path(testing::TempDir()) / ("glissade_report_" + name);
   fs::remove_all(folder);
   return folder;
-}
-
-std::vector<std::string> names(const std::vector<Figure>& figures) {
-  std::vector<std::string> list;
-  for (const Figure& figure : figures) list.push_back(figure.name);
-  return list;
 }
 
 TEST(figures, are_those_the_results_can_fill) {
@@ -56,8 +52,10 @@ TEST(figures, draw_without_the_fits_that_failed) {
   Results results = made_up_results();
   results.runs[0].fragilities[0].capacities = FitSummary{};
   const Figure figure = fragility_figure(results, results.runs[0]);
-  EXPECT_THAT(figure.body, HasSubstr("no curve could be fitted"));
-  EXPECT_THAT(figure.body, Not(HasSubstr("'curve 0'")));
+  EXPECT_EQ(numbers_in(series_named(figure, "curve 0")), 0u);
+  EXPECT_EQ(numbers_in(series_named(figure, "band 0")), 0u);
+  EXPECT_GT(numbers_in(series_named(figure, "observed 0")), 0u);
+  EXPECT_GT(numbers_in(series_named(figure, "curve 1")), 0u);
   EXPECT_NO_THROW(render_figure(figure, fresh_folder("failed_fit")));
 }
 
@@ -85,14 +83,42 @@ TEST(figures, tell_what_to_do_when_gnuplot_is_missing) {
 }
 
 TEST(figures, pass_on_what_gnuplot_complains_about) {
-  Figure figure = make_figures(made_up_results()).front();
-  figure.body = "set nonsense\n";
+  const fs::path folder = fresh_folder("complaint");
+  const Figure figure = make_figures(made_up_results()).front();
+  fs::create_directories(folder / "fragility.svg");  // in the drawing's place
   try {
-    render_figure(figure, fresh_folder("nonsense"));
+    render_figure(figure, folder);
     FAIL() << "nothing thrown";
   } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("nonsense"));
+    EXPECT_THAT(error.what(), HasSubstr("fragility.svg"));
   }
+}
+
+TEST(figures, of_the_fragility_hold_the_shares_and_the_fitted_curve) {
+  const Results results = made_up_results();
+  const RunResults& run = results.runs[0];
+  const Figure figure = fragility_figure(results, run);
+  const Series observed = series_named(figure, "observed 1"),
+               curve = series_named(figure, "curve 1");
+  EXPECT_EQ(observed.x, results.levels);
+  EXPECT_EQ(observed.y, run.fragilities[1].probability);
+  ASSERT_EQ(curve.x.size(), 201u);
+  EXPECT_EQ(curve.y[100], run.fragilities[1].capacities.curve.probability(curve.x[100]));
+  EXPECT_EQ(key_of(figure).size(), run.fragilities.size() + 1);
+}
+
+TEST(figures, are_drawn_whatever_their_numbers_are) {
+  const double infinity = std::numeric_limits<double>::infinity();
+  Figure figure{"odd", "Odd numbers", "", ""};
+  figure.panels.resize(3);
+  figure.panels[0].series = {
+      {Series::Kind::line, look(Role::mean), "none", "no numbers"},
+      {Series::Kind::line, look(Role::mean), "nan", "gap", {infinity, 1.0}, {1.0, std::nan("")}}};
+  figure.panels[1].x = {"no extent", 1.0, 1.0};
+  figure.panels[1].y = {"none", 0.0, std::nan("")};
+  figure.panels[1].rules = {{Rule::Kind::vertical, infinity, look(Role::bound), "far"}};
+  figure.panels[2].notes = {{std::nan(""), 0.0, "nowhere", {}}};
+  EXPECT_NO_THROW(render_figure(figure, fresh_folder("odd")));
 }
 
 }  // namespace

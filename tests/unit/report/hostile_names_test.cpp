@@ -9,6 +9,7 @@
 #include "glissade/report/html_text.hpp"
 #include "glissade/report/write_report.hpp"
 #include "made_up_results.hpp"
+#include "plot/script.hpp"
 
 // Names from a results file must stay text wherever they go: in a script of gnuplot, which can run
 // commands, and in a page, which can run scripts.
@@ -30,6 +31,41 @@ const std::vector<std::string> hostile = {"`touch pwned`",
                                           "@touch {/:Bold x} ^2 _3 ~a{b}",
                                           "<script>alert(1)</script>",
                                           "../../pwned"};
+
+// What may be part of a script, by type.
+static_assert(!gnuplot::Scriptable<std::string>);
+static_assert(!gnuplot::Scriptable<std::string_view>);
+static_assert(gnuplot::Scriptable<gnuplot::Quoted> && gnuplot::Scriptable<FileName>);
+
+TEST(gnuplot_script, quotes_what_could_end_or_act_in_a_string) {
+  using gnuplot::Quoted;
+  EXPECT_EQ(Quoted("it's").str(), "'it\u2019s'");
+  EXPECT_EQ(Quoted("a\nb\rc\td").str(), "'a b c d'");
+  EXPECT_EQ(Quoted("{x}_1^2@&~\\").str(), "'\\{x\\}\\_1\\^2\\@\\&\\~\\\\'");
+  EXPECT_EQ(Quoted("S_DS (g)").str(), "'S_{DS}\u00a0(g)'");
+  EXPECT_EQ(Quoted("b", Quoted::Weight::bold).str(), "'{/:Bold b}'");
+}
+
+TEST(gnuplot_script, has_no_line_that_a_name_began) {
+  std::string all;
+  for (const std::string& name : hostile) all += name;
+  for (const std::string& name : {all, "'" + all}) {
+    Figure figure{"figure", name, name, name};
+    Panel panel{name, {name}, {name}};
+    panel.series = {{Series::Kind::line, look(Role::mean), name, name, {0.0, 1.0}, {0.0, 1.0}}};
+    panel.rules = {{Rule::Kind::vertical, 0.5, look(Role::mean), name}};
+    panel.notes = {{0.5, 0.5, name, {}}};
+    figure.panels = {panel, panel};
+    const std::string script = gnuplot::script_of(figure);
+    EXPECT_THAT(script, Not(HasSubstr("\nsystem"))) << name;
+    EXPECT_THAT(script, Not(HasSubstr("\r"))) << name;
+    const fs::path folder = fs::path(testing::TempDir()) / "glissade_report_hostile_script";
+    fs::remove_all(folder);
+    render_figure(figure, folder);
+    EXPECT_FALSE(fs::exists(folder / "pwned")) << name;
+    EXPECT_THAT(read_text_file(folder / "figure.svg"), Not(HasSubstr("<script"))) << name;
+  }
+}
 
 TEST(html_text, leaves_nothing_that_acts_as_markup) {
   EXPECT_EQ(Html::text("a<b> & \"c\" 'd'").str(), "a&lt;b&gt; &amp; &quot;c&quot; &#39;d&#39;");

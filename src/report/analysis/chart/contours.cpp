@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "analysis/chart/report.hpp"
+#include "analysis/chart/view.hpp"
+#include "glissade/core/units.hpp"
+#include "glissade/report/format.hpp"
+#include "plot/contour_lines.hpp"
+#include "text/study_text.hpp"
+
+namespace glissade {
+namespace {
+
+constexpr std::array<double, 9> round_values_m = {0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0};
+
+/// Where text stands, as shares of the plot's width and height.
+struct TextBox {
+  PlanePoint centre;
+  double width = 0.0, height = 0.0;
+};
+
+TextBox text_box(const std::string& text) {
+  constexpr double character = 0.0108, margin = 0.015, line = 0.055;
+  return {{}, character * static_cast<double>(text.size()) + margin, line};
+}
+
+bool overlap(const TextBox& a, const TextBox& b) {
+  return std::abs(a.centre.x - b.centre.x) < 0.5 * (a.width + b.width) &&
+         std::abs(a.centre.y - b.centre.y) < 0.5 * (a.height + b.height);
+}
+
+bool inside(const TextBox& box) {
+  return std::abs(box.centre.x - 0.5) + 0.5 * box.width < 0.5 &&
+         std::abs(box.centre.y - 0.5) + 0.5 * box.height < 0.5;
+}
+
+void append(Series& series, const Polyline& line) {
+  for (const PlanePoint& point : line) {
+    series.x.push_back(point.x);
+    series.y.push_back(point.y);
+  }
+}
+
+/// What is drawn: the panel grows by lines and labels that keep clear of each other.
+class ContourPlot {
+ public:
+  explicit ContourPlot(GridValues grid) : grid_(std::move(grid)) {
+    panel_.x = {"Coefficient of friction", grid_.x.front(), grid_.x.back()};
+    panel_.y = {"Roof slope (degrees)", grid_.y.front(), grid_.y.back()};
+  }
+
+  /// Lines at a value with their label, and whether there are any.
+  bool add(const std::string& name, double value_m, const std::string& text, const Look& look) {
+    const std::vector<Polyline> lines = contour_lines(grid_, value_m);
+    if (lines.empty()) return false;
+    Series series{Series::Kind::line, look, name};
+    for (const Polyline& line : lines) {
+      append(series, line);
+      end_line(series);
+    }
+    panel_.series.push_back(std::move(series));
+    if (const auto place = place_of_label(lines, text))
+      panel_.notes.push_back({place->x, place->y, text, look.colour});
+    return true;
+  }
+
+  /// A line or an area of the reader's map that is no contour, told in the key.
+  void add_outline(Series series, const Polyline& points) {
+    append(series, points);
+    panel_.series.push_back(std::move(series));
+  }
+
+  const Panel& panel() const { return panel_; }
+
+ private:
+  PlanePoint share(const PlanePoint& p) const {
+    return {(p.x - grid_.x.front()) / (grid_.x.back() - grid_.x.front()),
+            (p.y - grid_.y.front()) / (grid_.y.back() - grid_.y.front())};
+  }
+
+  /// On the longest line, clear of other text, as near as can be to the falling diagonal, which all
+  /// lines cross: slip grows with slope and falls with friction.
+  std::optional<PlanePoint> place_of_label(const std::vector<Polyline>& lines,
+                                           const std::string& text) {
+    TextBox box = text_box(text);
+    std::optional<PlanePoint> best;
+    double least = 2.0;
+    const Polyline& longest = *std::ranges::max_element(lines, {}, &Polyline::size);
+    for (const PlanePoint& point : longest) {
+      box.centre = share(point);
+      const double off = std::abs(box.centre.x + box.centre.y - 1.0);
+      const bool clear = inside(box) && std::ranges::none_of(taken_, [&](const TextBox& other) {
+                           return overlap(box, other);
+                         });
+      if (!clear || off >= least) continue;
+      least = off;
+      best = point;
+    }
+    if (best) {
+      box.centre = share(*best);
+      taken_.push_back(box);
+    }
+    return best;
+  }
+
+  GridValues grid_;
+  Panel panel_;
+  std::vector<TextBox> taken_;
+};
+
+GridValues slip_grid(const Results& results, std::size_t level) {
+  const Chart& chart = *results.chart;
+  const ChartStatistic design = design_statistic(results);
+  GridValues grid{chart.mu, chart.slope_deg, {}};
+  for (std::size_t s = 0; s < chart.slope_deg.size(); ++s) {
+    for (std::size_t m = 0; m < chart.mu.size(); ++m)
+      grid.z.push_back(design.slip_m(chart.at(level, s, m)));
+  }
+  return grid;
+}
+
+/// The region where friction cannot hold the array: mu <= tan(slope).
+void add_gravity_region(const Chart& chart, ContourPlot& plot) {
+  const double least_mu = chart.mu.front(), steepest_deg = chart.slope_deg.back();
+  if (std::tan(steepest_deg * rad_per_deg) <= least_mu) return;
+  constexpr int steps = 50;
+  Polyline edge = {{least_mu, steepest_deg}};
+  for (int i = steps; i >= 0; --i) {
+    const double slope_deg = steepest_deg * i / steps;
+    edge.push_back({std::max(least_mu, std::tan(slope_deg * rad_per_deg)), slope_deg});
+  }
+  plot.add_outline({Series::Kind::area, look(Role::largest), "slides freely",
+                    "slides freely: friction cannot stop the array, tan(slope) >= mu"},
+                   edge);
+}
+
+/// SEAOC PV1-2012's limits, as far as they lie on the chart.
+void add_seaoc_limits(const Chart& chart, ContourPlot& plot) {
+  const double right = chart.mu.back(), left = std::max(seaoc_mu_limit, chart.mu.front());
+  const double top = std::min(seaoc_slope_limit_deg, chart.slope_deg.back());
+  if (left >= right) return;
+  plot.add_outline({Series::Kind::line, look(Role::bound), "SEAOC limits",
+                    "SEAOC PV1-2012 is for slopes below and friction right of this line"},
+                   {{left, chart.slope_deg.front()}, {left, top}, {right, top}});
+}
+
+/// Where no line of a prescribed value crosses the chart.
+std::string everywhere(const GridValues& grid, const PrescribedLine& line) {
+  return fmt::format(" {} is {} wherever the array does not slide freely.", line.label(),
+                     largest(grid.z) < line.value_m ? "more than the chart requires"
+                                                    : "less than the chart requires");
+}
+
+}  // namespace
+
+Figure chart_contours_figure(const Results& results) {
+  const Chart& chart = *results.chart;
+  const std::size_t level = nearest(results.levels, chart.shown_level);
+  const bool one_record = is_one_record(results);
+  Figure figure{
+      "chart_contours",
+      one_record ? "Peak slip over friction and roof slope"
+                 : "Clearance to provide, over friction and roof slope",
+      at_intensity(results, results.levels[level]),
+      std::string(one_record ? "Lines of equal peak slip"
+                             : "Lines of equal clearance, 1.1 x the mean over the records (Walters "
+                               "et al. 2012)") +
+          "; what linear interpolation in tables/chart.csv gives. Find the coefficient of friction "
+          "below and the slope at the left: the line through that point is the " +
+          (one_record ? "slip" : "clearance") +
+          "; or follow a line to the friction that a slope needs. Grey: friction cannot stop the "
+          "array. " +
+          how_counted(results)};
+  const GridValues grid = slip_grid(results, level);
+  ContourPlot plot(grid);
+  add_gravity_region(chart, plot);
+  if (std::ranges::count(standards_of(chart), Standard::seaoc_pv1_2012) > 0)
+    add_seaoc_limits(chart, plot);
+  for (const PrescribedLine& line : prescribed_at(chart, results.levels[level])) {
+    Look thick = look(Role::prescribed);
+    thick.dash = 1;
+    thick.width = 4.0;
+    const bool crosses = plot.add("prescribed " + line.names(), line.value_m,
+                                  line.names() + ": " + format_number(line.value_m) + " m", thick);
+    figure.caption +=
+        crosses ? " Thick: where the chart requires what is prescribed, " + line.label() + "."
+                : everywhere(grid, line);
+  }
+  bool any = false;
+  for (std::size_t i = 0; i < round_values_m.size(); ++i) {
+    const double value_m = round_values_m[i];
+    Look line = family_look(i, round_values_m.size());
+    line.width = 2.0;
+    any |=
+        plot.add(fmt::format("contour {} m", value_m), value_m, fmt::format("{} m", value_m), line);
+  }
+  if (!any) {
+    figure.caption += fmt::format(" No line from {} to {} m crosses the chart: see chart.csv.",
+                                  round_values_m.front(), round_values_m.back());
+  }
+  figure.panels = {plot.panel()};
+  return figure;
+}
+
+}  // namespace glissade

@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glissade/report/tables.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "analysis/chart/report.hpp"
+#include "analysis/chart/view.hpp"
+#include "glissade/report/format.hpp"
+#include "text/study_text.hpp"
+
+namespace glissade {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+constexpr auto gravity_note =
+    "inf: friction cannot stop the array (tan(slope) >= mu), no clearance is enough.";
+
+Column level_column(const Results& results) { return intensity_column(results, "level", "Level"); }
+const Column slope_column = {"slope", "deg", "Slope, degrees", ColumnKind::number};
+const Column mu_column = {"mu", "", "Friction", ColumnKind::number};
+
+Column length_column(const ChartStatistic& statistic) {
+  return {statistic.stem, "m", statistic.heading + ", m (in)", ColumnKind::length,
+          statistic.stem == "mean_slip"};
+}
+
+Cell slip_cell(const ChartStatistic& statistic, const ChartPoint& point) {
+  const double slip_m = statistic.slip_m(point);
+  if (statistic.stem == "mean_slip") return Estimate{slip_m, point.mean_interval};
+  return slip_m;
+}
+
+bool any_tip_share(const Chart& chart) {
+  return std::any_of(chart.points.begin(), chart.points.end(),
+                     [](const ChartPoint& p) { return !std::isnan(p.tip_share); });
+}
+
+/// "seaoc_pv1_2012": a standard's name as a column's stem.
+std::string stem_of(Standard standard) {
+  return standard == Standard::seaoc_pv1_2012 ? "seaoc_pv1_2012" : "asce7_16";
+}
+
+std::vector<std::string> reading_notes(const Results& results) {
+  std::vector<std::string> notes = {
+      how_counted(results),
+      "Between rows: interpolate linearly in slope and mu at one level. On the safe side: take the "
+      "next larger slope and the next smaller mu.",
+      gravity_note};
+  if (!is_one_record(results)) {
+    notes.push_back(
+        "clearance is 1.1 x the mean over the records (Walters et al. 2012); p84, p95 and "
+        "envelope (the largest record) are each the largest over the building periods.");
+  }
+  return notes;
+}
+
+std::string title_of_levels(const std::string& what, const Results& results) {
+  return what + " Levels are " + results.intensity_label +
+         ". Displacements are in plan (horizontal).";
+}
+
+}  // namespace
+
+Table chart_table(const Results& results) {
+  const Chart& chart = *results.chart;
+  const std::vector<ChartStatistic> statistics = chart_statistics(results);
+  const std::vector<Standard> standards = standards_of(chart);
+  const bool with_tips = any_tip_share(chart);
+  Table table{"chart",
+              title_of_levels("Design chart: slip over slope and friction.", results),
+              {level_column(results), slope_column, mu_column},
+              {},
+              reading_notes(results)};
+  for (const ChartStatistic& s : statistics) table.columns.push_back(length_column(s));
+  table.columns.push_back({"governing_period", "s", "Governing period, s", ColumnKind::number});
+  table.columns.push_back({"free_sliding", "", "Slides unshaken", ColumnKind::count});
+  table.columns.push_back({"uplift_share", "", "Uplift", ColumnKind::share});
+  if (with_tips) table.columns.push_back({"tip_share", "", "Begins to rock", ColumnKind::share});
+  for (const Standard standard : standards) {
+    table.columns.push_back(
+        {stem_of(standard), "m", standard_name(standard) + ", m (in)", ColumnKind::length});
+    if (standard == Standard::seaoc_pv1_2012) {
+      table.notes.push_back("SEAOC PV1-2012 is for " + seaoc_limits() + ": empty elsewhere.");
+    }
+  }
+  for (const ChartPoint& p : chart.points) {
+    std::vector<Cell> row = {p.level, p.slope_deg, p.mu};
+    for (const ChartStatistic& s : statistics) row.push_back(slip_cell(s, p));
+    row.insert(row.end(), {p.governing_period_s, p.free_sliding ? 1.0 : 0.0, p.uplift_share});
+    if (with_tips) row.emplace_back(p.tip_share);
+    for (const Standard standard : standards) {
+      row.emplace_back(applies_at(standard, p.slope_deg, p.mu)
+                           ? prescribed_m(chart, standard, p.level).value_or(nan)
+                           : nan);
+    }
+    table.add(std::move(row));
+  }
+  return table;
+}
+
+Table chart_by_period_table(const Results& results) {
+  const Chart& chart = *results.chart;
+  Table table{
+      "chart_by_period",
+      title_of_levels("Design chart by building period.", results),
+      {level_column(results), slope_column, mu_column, {"period", "s", "Period, s", ColumnKind::number}},
+      {},
+      {how_counted(results), gravity_note}};
+  if (is_one_record(results)) {
+    table.columns.push_back({"peak_slip", "m", "Peak slip, m (in)", ColumnKind::length});
+  } else {
+    table.columns.push_back({"mean_slip", "m", "Mean, m (in)", ColumnKind::length});
+    table.columns.push_back({"p84_slip", "m", "84th percentile, m (in)", ColumnKind::length});
+    table.columns.push_back({"p95_slip", "m", "95th percentile, m (in)", ColumnKind::length});
+    table.columns.push_back({"envelope", "m", "Largest record, m (in)", ColumnKind::length});
+  }
+  for (const ChartPoint& p : chart.points) {
+    for (std::size_t t = 0; t < p.by_period.size(); ++t) {
+      const ChartSlip& slip = p.by_period[t];
+      std::vector<Cell> row = {p.level, p.slope_deg, p.mu, chart.period_s.at(t)};
+      if (!is_one_record(results)) row.insert(row.end(), {slip.mean_m, slip.p84_m, slip.p95_m});
+      row.emplace_back(slip.envelope_m);
+      table.add(std::move(row));
+    }
+  }
+  return table;
+}
+
+Table chart_readings_table(const Results& results) {
+  Table table{"chart_readings",
+              title_of_levels("Read off the chart, linear in slope and friction.", results),
+              {level_column(results),
+               slope_column,
+               {"read_off", "", "Read off", ColumnKind::text},
+               {"statistic", "", "Of", ColumnKind::text},
+               mu_column,
+               {"displacement", "m", "Displacement, m (in)", ColumnKind::length}},
+              {},
+              {how_counted(results),
+               "displacement is read off at a given mu, friction (the least mu needed) at a given "
+               "displacement. mu inf: more than the chart's largest. displacement inf: "
+               "friction cannot stop the array. mu at the chart's least: that or less."}};
+  for (const ChartReading& reading : results.chart->readings) {
+    const ChartQuestion& q = reading.question;
+    for (const ChartStatistic& s : chart_statistics(results)) {
+      const double answer = reading.*s.reading;
+      if (q.mu) {
+        table.add({q.level, q.slope_deg, std::string("displacement"), s.stem, *q.mu, answer});
+      } else {
+        table.add({q.level, q.slope_deg, std::string("friction"), s.stem, answer,
+                   q.displacement_m.value_or(nan)});
+      }
+    }
+  }
+  return table;
+}
+
+Table chart_answers_table(const Results& results) {
+  Table table{"chart_answers",
+              title_of_levels("Read off the chart.", results),
+              {{"question", "", "Question", ColumnKind::text}},
+              {},
+              {}};
+  for (const ChartStatistic& s : chart_statistics(results))
+    table.columns.push_back({s.stem, "", s.heading, ColumnKind::text});
+  for (const ChartReading& reading : results.chart->readings) {
+    std::vector<Cell> row = {question_text(results, reading.question)};
+    for (const ChartStatistic& s : chart_statistics(results))
+      row.emplace_back(answer_text(*results.chart, reading.question, reading.*s.reading));
+    table.add(std::move(row));
+  }
+  return table;
+}
+
+Table chart_standards_table(const Results& results) {
+  const Chart& chart = *results.chart;
+  const ChartStatistic design = design_statistic(results);
+  Table table{
+      "chart_standards",
+      title_of_levels(fmt::format("Displacements prescribed by standards beside the chart at {}.",
+                                  at_slope_and_friction(chart.shown_slope_deg, chart.shown_mu)),
+                      results),
+      {{"standard", "", "Standard", ColumnKind::text},
+       {"sds", "g", "S_DS, g", ColumnKind::number},
+       {"prescribed", "m", "Prescribed, m (in)", ColumnKind::length},
+       length_column(design),
+       {"above_share", "", "Points where more is needed", ColumnKind::share},
+       {"provenance", "", "Provision", ColumnKind::text},
+       {"basis", "", "Basis", ColumnKind::text}},
+      {},
+      {"above_share: of the chart's points at this level to which the standard applies, "
+       "those that need more than it prescribes."}};
+  for (const ChartPrescription& p : chart.standards) {
+    double points = 0.0, above = 0.0;
+    for (const ChartPoint& point : chart.points) {
+      if (point.level != p.sds_g || !applies_at(p.standard, point.slope_deg, point.mu)) continue;
+      ++points;
+      if (design.slip_m(point) > p.prescribed.value_m) ++above;
+    }
+    const ChartPoint& shown =
+        chart.at(nearest(results.levels, p.sds_g), nearest(chart.slope_deg, chart.shown_slope_deg),
+                 nearest(chart.mu, chart.shown_mu));
+    table.add({standard_name(p.standard), p.sds_g, p.prescribed.value_m, design.slip_m(shown),
+               points > 0.0 ? above / points : nan, provenance_label(p.prescribed.provenance),
+               p.prescribed.basis});
+  }
+  return table;
+}
+
+Table chart_matrix_table(const Results& results, std::size_t most) {
+  const Chart& chart = *results.chart;
+  const ChartStatistic design = design_statistic(results);
+  Table table{"chart_matrix",
+              fmt::format("{}, m, at {}: slope (down) and coefficient of friction (across)",
+                          design.heading, at_intensity(results, chart.shown_level)),
+              {{"slope", "deg", "Slope, degrees", ColumnKind::text}},
+              {},
+              {}};
+  const std::vector<std::size_t> frictions = spread(chart.mu.size(), most);
+  for (const std::size_t m : frictions)
+    table.columns.push_back({"mu_" + brief(chart.mu[m]), "m", brief(chart.mu[m])});
+  const std::size_t level = nearest(results.levels, chart.shown_level);
+  for (const std::size_t s : spread(chart.slope_deg.size(), most)) {
+    std::vector<Cell> row = {brief(chart.slope_deg[s])};
+    for (const std::size_t m : frictions) {
+      const ChartPoint& p = chart.at(level, s, m);
+      const double slip_m = design.slip_m(p);
+      row.emplace_back(p.free_sliding                    ? std::string("slides")
+                       : slip_m > 0.0 && slip_m < 0.0005 ? std::string("< 0.001")
+                       : std::isfinite(slip_m)           ? fmt::format("{:.3f}", slip_m)
+                                                         : std::string("-"));
+    }
+    table.add(std::move(row));
+  }
+  return table;
+}
+
+std::vector<Table> chart_csv_tables(const Results& results) {
+  const Chart& chart = *results.chart;
+  std::vector<Table> tables = {chart_table(results)};
+  if (chart.period_s.size() > 1) tables.push_back(chart_by_period_table(results));
+  if (!chart.readings.empty()) tables.push_back(chart_readings_table(results));
+  if (!chart.standards.empty()) tables.push_back(chart_standards_table(results));
+  tables.push_back(records_table(results));
+  if (!results.suites.front().spectra.periods_s.empty()) tables.push_back(spectra_table(results));
+  return tables;
+}
+
+}  // namespace glissade

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/chart/view.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "glissade/report/format.hpp"
+
+namespace glissade {
+
+bool is_one_record(const Results& results) { return results.records.size() == 1; }
+
+ChartStatistic design_statistic(const Results& results) { return chart_statistics(results)[0]; }
+
+std::vector<ChartStatistic> chart_statistics(const Results& results) {
+  const ChartStatistic largest = {"envelope", "Largest record", "largest record",
+                                  [](const ChartPoint& p) { return p.largest.envelope_m; },
+                                  &ChartReading::envelope};
+  if (is_one_record(results)) {
+    ChartStatistic peak = largest;
+    peak.stem = "peak_slip";
+    peak.heading = "Peak slip of the record";
+    return {peak};
+  }
+  return {{"clearance", "Clearance (1.1 x mean)", "clearance",
+           [](const ChartPoint& p) { return p.clearance_m; }, &ChartReading::clearance},
+          {"mean_slip", "Mean over records", "mean",
+           [](const ChartPoint& p) { return p.largest.mean_m; }, &ChartReading::mean},
+          {"p84_slip", "84th percentile", "84th percentile",
+           [](const ChartPoint& p) { return p.largest.p84_m; }, &ChartReading::p84},
+          {"p95_slip", "95th percentile", "95th percentile",
+           [](const ChartPoint& p) { return p.largest.p95_m; }, &ChartReading::p95},
+          largest};
+}
+
+std::size_t nearest(const std::vector<double>& axis, double value) {
+  const auto found = std::min_element(axis.begin(), axis.end(), [&](double a, double b) {
+    return std::abs(a - value) < std::abs(b - value);
+  });
+  return static_cast<std::size_t>(found - axis.begin());
+}
+
+const ChartPoint& shown_point(const Results& results) {
+  const Chart& chart = *results.chart;
+  return chart.at(nearest(results.levels, chart.shown_level),
+                  nearest(chart.slope_deg, chart.shown_slope_deg),
+                  nearest(chart.mu, chart.shown_mu));
+}
+
+std::vector<std::size_t> spread(std::size_t size, std::size_t count) {
+  std::vector<std::size_t> chosen;
+  const std::size_t step = std::max<std::size_t>(1, (size + count - 3) / (count - 1));
+  for (std::size_t i = 0; i + 1 < size; i += step) chosen.push_back(i);
+  chosen.push_back(size - 1);
+  return chosen;
+}
+
+std::string brief(double value) { return fmt::format("{:.4g}", value); }
+
+std::string degrees(double slope_deg) {
+  return brief(slope_deg) + (slope_deg == 1.0 ? " degree" : " degrees");
+}
+
+std::string at_slope_and_friction(double slope_deg, double mu) {
+  return fmt::format("a slope of {} and a coefficient of friction of {}", degrees(slope_deg),
+                     brief(mu));
+}
+
+std::string chart_size(const Results& results) {
+  const auto many = [](std::size_t count, const std::string& one, const std::string& more) {
+    return fmt::format("{} {}", count, count == 1 ? one : more);
+  };
+  const Chart& chart = *results.chart;
+  const std::size_t histories =
+      results.records.size() * results.cases.size() * results.levels.size();
+  return fmt::format("{} x {} x {} x {} of {}: {} points from {} histories",
+                     many(chart.slope_deg.size(), "slope", "slopes"),
+                     many(chart.mu.size(), "coefficient", "coefficients") + " of friction",
+                     many(chart.period_s.size(), "building period", "building periods"),
+                     many(results.levels.size(), "level", "levels"), results.intensity_label,
+                     chart.points.size(), histories);
+}
+
+std::string how_counted(const Results& results) {
+  const std::vector<double>& periods = results.chart->period_s;
+  const std::string building =
+      periods.size() > 1
+          ? fmt::format("the largest over {} building periods from {} to {} s", periods.size(),
+                        brief(periods.front()), brief(periods.back()))
+      : periods.front() == 0.0 ? "on a rigid building"
+                               : fmt::format("for a building period of {} s", brief(periods[0]));
+  return is_one_record(results)
+             ? fmt::format(
+                   "The peak slip of the one record {}, in the orientation that slides "
+                   "farthest, {}; in plan.",
+                   results.records.front().id, building)
+             : fmt::format(
+                   "{} records, each counted with the orientation that slides farthest; {}; "
+                   "{}; in plan.",
+                   results.records.size(), building,
+                   slides_on_two_axes(results)
+                       ? "both horizontal components, along and across the slope"
+                       : "one horizontal component along the slope");
+}
+
+std::string seaoc_limits() {
+  return fmt::format("slopes under {} degrees and friction above {}", seaoc_slope_limit_deg,
+                     seaoc_mu_limit);
+}
+
+std::string limits_of(Standard standard) {
+  return standard == Standard::seaoc_pv1_2012
+             ? seaoc_limits()
+             : fmt::format("slopes up to {:.2f} degrees, 1 in 20 (recalled: verify)",
+                           asce7_16_slope_limit_deg);
+}
+
+bool applies_at(Standard standard, double slope_deg, double mu) {
+  return standard == Standard::seaoc_pv1_2012
+             ? slope_deg < seaoc_slope_limit_deg && mu > seaoc_mu_limit
+             : slope_deg <= asce7_16_slope_limit_deg;
+}
+
+double PrescribedLine::slope_limit_deg() const {
+  return only(Standard::asce7_16) ? asce7_16_slope_limit_deg : seaoc_slope_limit_deg;
+}
+
+double PrescribedLine::mu_limit() const {
+  return only(Standard::seaoc_pv1_2012) ? seaoc_mu_limit : 0.0;
+}
+
+std::string PrescribedLine::names() const {
+  std::string names;
+  for (const Standard standard : standards)
+    names += (names.empty() ? "" : " and ") + standard_name(standard);
+  return names;
+}
+
+std::string PrescribedLine::label() const {
+  return names() + ": " + format_length(value_m) +
+         (provenance == Provenance::recalled ? " (recalled: verify)" : "");
+}
+
+std::vector<PrescribedLine> prescribed_at(const Chart& chart, double level) {
+  std::vector<PrescribedLine> lines;
+  for (const ChartPrescription& p : chart.standards) {
+    if (p.sds_g != level) continue;
+    const auto same = std::find_if(lines.begin(), lines.end(), [&](const PrescribedLine& line) {
+      return std::abs(line.value_m - p.prescribed.value_m) < 1e-9;  // inches and feet round apart
+    });
+    PrescribedLine& line =
+        same != lines.end() ? *same : lines.emplace_back(PrescribedLine{p.prescribed.value_m});
+    line.standards.push_back(p.standard);
+    if (p.prescribed.provenance == Provenance::recalled) line.provenance = Provenance::recalled;
+  }
+  return lines;
+}
+
+std::optional<double> prescribed_m(const Chart& chart, Standard standard, double level) {
+  for (const ChartPrescription& p : chart.standards) {
+    if (p.standard == standard && p.sds_g == level) return p.prescribed.value_m;
+  }
+  return std::nullopt;
+}
+
+std::vector<Standard> standards_of(const Chart& chart) {
+  std::vector<Standard> found;
+  for (const ChartPrescription& p : chart.standards) {
+    if (std::count(found.begin(), found.end(), p.standard) == 0) found.push_back(p.standard);
+  }
+  return found;
+}
+
+}  // namespace glissade

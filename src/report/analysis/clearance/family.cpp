@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/clearance/family.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "analysis/clearance/view.hpp"
+#include "glissade/core/quantile.hpp"
+#include "glissade/report/format.hpp"
+#include "text/study_text.hpp"
+
+namespace glissade {
+
+Places places_of(const ClearanceGrid& grid, ClearanceAxis slow, ClearanceAxis fast) {
+  Places places;
+  for (const ClearancePosition& at : along(grid, slow)) {
+    for (const ClearancePosition& place : along(grid, fast, at)) places.push_back(place);
+  }
+  return places;
+}
+
+Family::Family(const ClearanceResults& results, const std::string& x_label, std::vector<double> x,
+               Spread spread)
+    : results_(results),
+      x_(std::move(x)),
+      spread_(results.orientations.size() > 1 ? spread : Spread::none) {
+  const auto [first, last] = std::ranges::minmax(x_);
+  const double room = 0.05 * std::max(last - first, 1e-9);
+  panel_.x = {x_label, first - room, last + room};
+}
+
+void Family::add_range(const std::string& label, Look look, const std::vector<double>& lowest,
+                       const std::vector<double>& median, const std::vector<double>& highest) {
+  panel_.series.push_back({Series::Kind::line_and_points, look, label, label, x_, median});
+  if (spread_ == Spread::none) return;
+  const auto kind = spread_ == Spread::bars ? Series::Kind::bars : Series::Kind::band;
+  spreads_.push_back({kind, look, label + ": lowest and highest", "", x_, {}, lowest, highest});
+}
+
+void Family::add(const std::string& label, Look look, const Places& places,
+                 const ClearanceQuestion& question, Periods periods) {
+  std::vector<double> lowest, median, highest;
+  for (const ClearancePosition& at : places) {
+    const OrientationRange range = over_orientations(results_, question, at, periods);
+    lowest.push_back(range.lowest);
+    median.push_back(range.median);
+    highest.push_back(range.highest);
+  }
+  add_range(label, look, lowest, median, highest);
+}
+
+void Family::add_numbers(const std::string& label, Look look,
+                         const std::vector<std::vector<double>>& numbers) {
+  std::vector<double> lowest, median, highest;
+  for (const std::vector<double>& sorted : numbers) {
+    lowest.push_back(sorted.empty() ? std::nan("") : sorted.front());
+    median.push_back(quantile_of(sorted, 0.5));
+    highest.push_back(sorted.empty() ? std::nan("") : sorted.back());
+  }
+  add_range(label, look, lowest, median, highest);
+}
+
+void Family::add_line(const std::string& label, Look look, std::vector<double> y) {
+  const auto kind = look.symbol == 0 ? Series::Kind::line : Series::Kind::line_and_points;
+  panel_.series.push_back({kind, look, label, label, x_, std::move(y)});
+}
+
+void Family::add_level(double y, const std::string& label, Look look) {
+  panel_.rules.push_back({Rule::Kind::horizontal, y, look, label});
+}
+
+void Family::name_ticks(const std::vector<std::string>& labels) {
+  for (std::size_t i = 0; i < labels.size(); ++i) panel_.x.ticks.push_back({x_.at(i), labels[i]});
+}
+
+double Family::largest_y() const {
+  double found = 0.0;
+  for (const Series& series : panel_.series) found = std::max(found, largest(series.y));
+  for (const Series& series : spreads_) found = std::max(found, largest(series.high));
+  for (const Rule& rule : panel_.rules) found = std::max(found, rule.at);
+  return found > 0.0 ? 1.12 * found : 1.0;
+}
+
+double Family::smallest_y() const {
+  double found = largest_y();
+  for (const Series& series : panel_.series)
+    for (const double y : series.y) found = std::fmin(found, y);
+  for (const Series& series : spreads_)
+    for (const double y : series.low) found = std::fmin(found, y);
+  return found;
+}
+
+std::vector<Panel> Family::displacements(const std::string& label) {
+  panel_.y = length_axis(label, largest_y());
+  auto panels = ratios(panel_.y.label);
+  panels[0].y = panel_.y;
+  return panels;
+}
+
+std::vector<Panel> Family::ratios(const std::string& label, From from) {
+  Panel panel = panel_;
+  panel.y = {label, from == From::zero ? 0.0 : 0.97 * smallest_y(), largest_y()};
+  if (from == From::lowest) panel.y.high *= 1.03 / 1.12;
+  if (spreads_.empty()) return {panel};
+  // More than a few bands over one another cannot be distinguished: then the first alone has one.
+  const bool bars = spread_ == Spread::bars, all = bars || spreads_.size() <= 3;
+  panel.series.insert(panel.series.begin(), spreads_.begin(),
+                      all ? spreads_.end() : spreads_.begin() + 1);
+  panel.series.push_back({bars ? Series::Kind::bars : Series::Kind::band, look(Role::largest), "",
+                          fmt::format("{}{}: lowest to highest of the {}; lines: their median",
+                                      bars ? "bars" : "shaded", all ? "" : " (first line only)",
+                                      orientations_text(results_))});
+  return {panel};
+}
+
+std::string below_text(const ClearanceResults& results, std::vector<ClearanceAxis> shown) {
+  shown.insert(shown.end(), {ClearanceAxis::period, ClearanceAxis::support});
+  return results.suites.front().name + "; " + conditions_text(results, {}, shown);
+}
+
+std::string what_is_averaged(const ClearanceResults& results) {
+  return results.displacement == DisplacementMeasure::srss
+             ? "Mean over the suite of each history's SRSS of the separate maxima along the roof's "
+               "two axes, in plan, relative to the roof"
+             : "Mean over the suite of each history's largest displacement, in plan, relative to "
+               "the roof";
+}
+
+}  // namespace glissade

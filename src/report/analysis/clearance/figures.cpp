@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "analysis/clearance/family.hpp"
+#include "analysis/clearance/orientation_figures.hpp"
+#include "analysis/clearance/view.hpp"
+#include "analysis/suite/spectra_figure.hpp"
+#include "glissade/core/units.hpp"
+#include "glissade/report/clearance_report.hpp"
+#include "glissade/report/format.hpp"
+
+namespace glissade {
+namespace {
+
+using enum ClearanceAxis;
+constexpr auto period_label = "Period of the building (s)";
+
+/// Walters et al. (2012), Fig. 8.
+Figure suite_figure(const ClearanceResults& results) {
+  const SuiteSpectra& spectra = results.suites.front().spectra;
+  const std::string as_scaled =
+      spectra.reference_level > 0.0
+          ? results.grid.level_symbol + " = " + format_number(spectra.reference_level)
+          : "scaled to MCE";
+  return spectra_figure(results.suites.front().spectra,
+                        {results.suites.front().name, as_scaled,
+                         "target spectrum, envelope over the site classes"});
+}
+
+std::string after_walters(const ClearanceResults& results, int figure, const char* more = "") {
+  return fmt::format("After Walters et al. (2012), Fig. {}. {}{}.", figure,
+                     what_is_averaged(results), more);
+}
+
+/// Fig. 13: displacement over the building's period, by m/M and vertical.
+Figure period_figure(const ClearanceResults& results) {
+  const ClearanceGrid& grid = results.grid;
+  constexpr std::size_t most_lines = 4;
+  Places members = places_of(grid, vertical, mass);
+  if (members.size() > most_lines) members = along(grid, mass);
+  Family family(results, period_label, grid.period_s);
+  for (std::size_t i = 0; i < members.size(); ++i) {
+    const std::string label =
+        distinguished(grid, members[i], {slope, level, response_modification, support, period});
+    family.add(label.empty() ? "median of the orientations" : label, family_look(i, members.size()),
+               along(grid, period, members[i]));
+  }
+  if (results.orientations.size() > 1) {
+    std::vector<double> low, high;
+    for (const ClearancePosition& at : along(grid, period)) {
+      const PerRecordBounds bounds = per_record_bounds(results, {}, at, Periods::one);
+      low.push_back(bounds.lowest);
+      high.push_back(bounds.highest);
+    }
+    family.add_line("bounds with the orientation chosen record by record (first line)",
+                    look(Role::bound), low);
+    family.add_line("", look(Role::bound), high);
+  }
+  const double clearance_m =
+      results.clearance_factor * over_orientations(results, {}, {}, Periods::largest).median;
+  Look rule = look(Role::clearance);
+  rule.width = 2.5;
+  rule.dash = 2;
+  family.add_level(clearance_m,
+                   fmt::format("clearance, {:g} x the largest median: {}", results.clearance_factor,
+                               format_length(clearance_m)),
+                   rule);
+  return {"period", "Displacement over the building's period, and the clearance",
+          below_text(results, {mass, vertical}),
+          after_walters(results, 13,
+                        ". All records have the same orientation, in each of the orientations in "
+                        "turn. Star: what the paper states"),
+          family.displacements()};
+}
+
+/// A line for each building period over the places of another axis.
+void add_buildings(const ClearanceResults& results, ClearanceAxis axis, Family& family) {
+  const Places buildings = along(results.grid, period);
+  for (std::size_t i = 0; i < buildings.size(); ++i) {
+    family.add("building of " + label_of(results.grid, period, i), family_look(i, buildings.size()),
+               along(results.grid, axis, buildings[i]));
+  }
+}
+
+/// Fig. 14: displacement over the suites.
+Figure level_figure(const ClearanceResults& results) {
+  std::vector<double> x;
+  std::vector<std::string> names;
+  for (const SuiteSummary& suite : results.suites) {
+    x.push_back(static_cast<double>(x.size()));
+    names.push_back(suite.name);
+  }
+  Family family(results, "Suite", x);
+  family.name_ticks(names);
+  const Places buildings = along(results.grid, period);
+  for (std::size_t i = 0; i < buildings.size(); ++i) {
+    std::vector<std::vector<double>> by_suite;
+    for (std::size_t suite = 0; suite < results.suites.size(); ++suite) {
+      by_suite.push_back(
+          means_by_orientation(results, {.suite = suite}, buildings[i], Periods::one));
+      std::ranges::sort(by_suite.back());
+    }
+    family.add_numbers("building of " + label_of(results.grid, period, i),
+                       family_look(i, buildings.size()), by_suite);
+  }
+  return {"level", "Displacement over the seismic level",
+          conditions_text(results, {}, {period, support}), after_walters(results, 14),
+          family.displacements()};
+}
+
+/// Fig. 15: displacement over R, relative to the elastic building's.
+Figure yielding_figure(const ClearanceResults& results) {
+  const ClearanceGrid& grid = results.grid;
+  Family family(results, "Response modification R (1: elastic)", grid.response_modification);
+  const Places buildings = along(grid, period);
+  for (std::size_t i = 0; i < buildings.size(); ++i) {
+    std::vector<std::vector<double>> ratios;
+    for (const ClearancePosition& at : along(grid, response_modification, buildings[i]))
+      ratios.push_back(ratios_by_orientation(results, {}, at, buildings[i]));
+    family.add_numbers("building of " + label_of(grid, period, i), family_look(i, buildings.size()),
+                       ratios);
+  }
+  family.add_level(1.0, "elastic building", look(Role::reference));
+  return {"yielding", "Effect of a yielding building on the displacement",
+          below_text(results, {response_modification}),
+          after_walters(results, 15,
+                        ", over the same on a building that stays elastic. At R the building "
+                        "yields where the design spectrum requires an elastic force R times as "
+                        "large; 0 is elastic"),
+          family.ratios("Displacement over that on an elastic building")};
+}
+
+/// Fig. 16: base shear over the period by support.
+Figure base_shear_figure(const ClearanceResults& results) {
+  Family family(results, period_label, results.grid.period_s);
+  const Places supports = along(results.grid, support);
+  for (std::size_t i = 0; i < supports.size(); ++i) {
+    family.add(label_of(results.grid, support, i), family_look(i, supports.size()),
+               along(results.grid, period, supports[i]), {.number = HistoryNumber::base_shear});
+  }
+  return {"base_shear", "Base shear of the building: array isolated, anchored, none",
+          below_text(results),
+          "After Walters et al. (2012), Fig. 16. Mean over the suite of each history's SRSS of the "
+          "peak base shears along both axes, over the weight of the building without the array.",
+          family.ratios("Base shear over the bare building's weight")};
+}
+
+/// The same over that without an array, which must be among the supports.
+Figure base_shear_ratio_figure(const ClearanceResults& results) {
+  const ClearanceGrid& grid = results.grid;
+  const std::size_t bare = *place_of(grid, ArraySupport::no_array);
+  Family family(results, period_label, grid.period_s);
+  std::size_t drawn = 0;
+  for (const ArraySupport kind : {ArraySupport::isolated, ArraySupport::anchored}) {
+    const auto place = place_of(grid, kind);
+    if (!place) continue;
+    std::vector<std::vector<double>> ratios;
+    for (const ClearancePosition& at : along(grid, period))
+      ratios.push_back(ratios_by_orientation(results, {.number = HistoryNumber::base_shear},
+                                             at.with(support, *place), at.with(support, bare)));
+    family.add_numbers(label_of(grid, support, *place), family_look(drawn++, 3), ratios);
+  }
+  family.add_level(1.0, "no array", look(Role::reference));
+  return {"base_shear_ratio", "Effect of the array on the base shear of its building",
+          below_text(results),
+          "The same relative to the building without an array: below 1 the array reduces the base "
+          "shear. An anchored array adds its mass.",
+          family.ratios("Base shear over that without an array", Family::From::lowest)};
+}
+
+/// Fig. 17: displacement over slope by period.
+Figure slope_figure(const ClearanceResults& results) {
+  const ClearanceGrid& grid = results.grid;
+  std::vector<double> x;
+  std::vector<std::string> ticks;
+  for (const double slope_deg : grid.slope_deg) {
+    const std::string text = slope_text(slope_deg);
+    x.push_back(12.0 * std::tan(slope_deg * rad_per_deg));
+    ticks.push_back(text.substr(0, text.find(" (")));
+  }
+  Family family(results, "Roof slope (rise in 12)", x);
+  family.name_ticks(ticks);
+  Look thick = look(Role::median);
+  thick.width = 3.5;
+  family.add("largest over the periods", thick, along(grid, slope), {}, Periods::largest);
+  if (has_several(grid, period)) add_buildings(results, slope, family);
+  return {"slope", "Displacement over the roof's slope", below_text(results, {slope}),
+          after_walters(results, 17), family.displacements()};
+}
+
+/// Fig. 18: displacement over the period by level.
+Figure mce_figure(const ClearanceResults& results) {
+  const ClearanceGrid& grid = results.grid;
+  Family family(results, period_label, grid.period_s);
+  const Places levels = along(grid, level);
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    family.add(label_of(grid, level, i), family_look(i, levels.size()),
+               along(grid, period, levels[i]));
+  }
+  const OrientationRange weak = over_orientations(results, {}, {}, Periods::largest);
+  Look rule = family_look(0, levels.size());
+  rule.dash = 2;
+  family.add_level(weak.median,
+                   "largest at " + label_of(grid, level, 0) + ": " + format_length(weak.median),
+                   rule);
+  return {"mce", "Displacement at several levels of shaking", below_text(results, {level}),
+          after_walters(results, 18), family.displacements()};
+}
+
+/// Displacement over the roof's vertical period by the building's.
+Figure vertical_figure(const ClearanceResults& results) {
+  std::vector<double> x;
+  std::vector<std::string> ticks;
+  for (const VerticalCondition& condition : results.grid.vertical) {
+    x.push_back(static_cast<double>(x.size()));
+    ticks.push_back(condition.use == VerticalChoice::none ? "none"
+                    : condition.period_s == 0.0           ? "rigid"
+                                                : fmt::format("{:g} s", condition.period_s));
+  }
+  Family family(results, "Vertical motion of the roof", x, Spread::bars);
+  family.name_ticks(ticks);
+  add_buildings(results, vertical, family);
+  return {"vertical", "Effect of the roof's vertical motion on the displacement",
+          below_text(results, {vertical}),
+          "None: no vertical motion. Rigid: the roof moves up and down with the ground, as Walters "
+          "et al. (2012) assume. Else: with its own vertical period, damped as the study says. " +
+              what_is_averaged(results) + ".",
+          family.displacements()};
+}
+
+}  // namespace
+
+std::vector<Figure> clearance_figures(const ClearanceResults& results) {
+  std::vector<Figure> figures;
+  const auto add = [&](ClearanceTopic topic, Figure (*draw)(const ClearanceResults&)) {
+    if (can_tell(results, topic)) figures.push_back(draw(results));
+  };
+  add(ClearanceTopic::spectra, suite_figure);
+  add(ClearanceTopic::period, period_figure);
+  if (can_tell(results, ClearanceTopic::orientation)) {
+    if (const auto figure = orientation_figure(results)) figures.push_back(*figure);
+  }
+  add(ClearanceTopic::level, level_figure);
+  add(ClearanceTopic::yielding, yielding_figure);
+  add(ClearanceTopic::base_shear, base_shear_figure);
+  if (place_of(results.grid, ArraySupport::no_array))
+    add(ClearanceTopic::base_shear, base_shear_ratio_figure);
+  add(ClearanceTopic::slope, slope_figure);
+  add(ClearanceTopic::mce, mce_figure);
+  add(ClearanceTopic::vertical, vertical_figure);
+  return figures;
+}
+
+}  // namespace glissade

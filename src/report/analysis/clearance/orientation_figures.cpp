@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/clearance/orientation_figures.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "analysis/clearance/family.hpp"
+#include "analysis/clearance/view.hpp"
+
+namespace glissade {
+namespace {
+
+/// The distinct orientations, a line each over the period.
+Figure each_orientation_figure(const ClearanceResults& results,
+                               const std::vector<std::size_t>& distinct) {
+  Family family(results, "Period of the building (s)", results.grid.period_s, Spread::none);
+  for (std::size_t i = 0; i < distinct.size(); ++i) {
+    const auto alike = std::ranges::count(results.same_as, distinct[i]);
+    std::vector<double> means;
+    for (const ClearancePosition& at : along(results.grid, ClearanceAxis::period))
+      means.push_back(suite_mean(results, {}, distinct[i], at));
+    family.add_line(
+        to_string(results.orientations[distinct[i]]) +
+            (alike > 1 ? fmt::format(" (and {} more that give the same)", alike - 1) : ""),
+        family_look(i, distinct.size()), means);
+  }
+  return {"orientations", "Orientation of the records to the roof: each choice by itself",
+          below_text(results),
+          what_is_averaged(results) +
+              ". +: a component as recorded; -: with its sign changed. A change of sign across the "
+              "slope mirrors the history and changes no peak; where friction is the same in both "
+              "directions of the array it does not matter along which of them the roof falls.",
+          family.displacements()};
+}
+
+/// Clearance for each slope along either axis, by m/M.
+Figure permutations_figure(const ClearanceResults& results) {
+  const ClearanceGrid& grid = results.grid;
+  const double factor = results.clearance_factor;
+  std::vector<std::pair<std::size_t, SlopeAxis>> permutations;
+  std::vector<std::string> ticks;
+  for (std::size_t slope = 0; slope < grid.slope_deg.size(); ++slope) {
+    for (const SlopeAxis axis : {SlopeAxis::e_w, SlopeAxis::n_s}) {
+      if (orientations_of(results, {.slope_axis = axis}).empty()) continue;
+      permutations.emplace_back(slope, axis);
+      const std::string text = slope_text(grid.slope_deg[slope]);
+      ticks.push_back(text.substr(0, text.find(" (")) + " " + to_string(axis));
+    }
+  }
+  Panel panel{"", {"Roof slope and the axis it falls along"}};
+  panel.x.low = -0.5;
+  panel.x.high = static_cast<double>(permutations.size()) - 0.5;
+  for (std::size_t i = 0; i < ticks.size(); ++i)
+    panel.x.ticks.push_back({static_cast<double>(i), ticks[i]});
+  const std::size_t masses = grid.mass_ratio.size();
+  double top_m = 0.0;
+  for (std::size_t m = 0; m < masses; ++m) {
+    const std::string label = label_of(grid, ClearanceAxis::mass, m);
+    Look look = family_look(m, masses);
+    look.symbol_size = 1.6;
+    Series points{Series::Kind::points, look, label, label};
+    Series bars{Series::Kind::bars, look, label + ": lowest and highest"};
+    for (std::size_t i = 0; i < permutations.size(); ++i) {
+      ClearancePosition at;
+      at[ClearanceAxis::slope] = permutations[i].first;
+      at[ClearanceAxis::mass] = m;
+      const OrientationRange range =
+          over_orientations(results, {.slope_axis = permutations[i].second}, at, Periods::largest);
+      // Side by side, so that bars do not hide one another.
+      const double aside = 0.16 * (static_cast<double>(m) - 0.5 * static_cast<double>(masses - 1));
+      points.x.push_back(static_cast<double>(i) + aside);
+      points.y.push_back(factor * range.median);
+      bars.low.push_back(factor * range.lowest);
+      bars.high.push_back(factor * range.highest);
+      top_m = std::max(top_m, bars.high.back());
+    }
+    bars.x = points.x;
+    panel.series.push_back(std::move(bars));
+    panel.series.push_back(std::move(points));
+  }
+  panel.series.push_back({Series::Kind::bars, look(Role::largest), "",
+                          "points: median over the orientations; bars: lowest to highest"});
+  panel.y = length_axis(fmt::format("Clearance, {:g} x the largest mean", factor),
+                        top_m > 0.0 ? 1.12 * top_m : 1.0);
+  return {"permutations",
+          "Clearance by slope and the axis it falls along",
+          below_text(results, {ClearanceAxis::slope, ClearanceAxis::mass}),
+          what_is_averaged(results) +
+              fmt::format(", the largest over the building periods, times {:g}. The slope "
+                          "permutations of Walters et al. (2012), with friction {}.",
+                          factor, friction_text(results)),
+          {panel}};
+}
+
+}  // namespace
+
+std::optional<Figure> orientation_figure(const ClearanceResults& results) {
+  if (results.friction[0] != results.friction[1]) return permutations_figure(results);
+  constexpr std::size_t most_lines = 8;
+  std::vector<std::size_t> distinct;
+  for (std::size_t o = 0; o < results.orientations.size(); ++o) {
+    if (results.same_as[o] == o) distinct.push_back(o);
+  }
+  if (distinct.size() > most_lines || !has_several(results.grid, ClearanceAxis::period))
+    return std::nullopt;
+  return each_orientation_figure(results, distinct);
+}
+
+}  // namespace glissade

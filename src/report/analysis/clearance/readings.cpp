@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "analysis/clearance/view.hpp"
+#include "glissade/core/quantile.hpp"
+#include "glissade/report/clearance_report.hpp"
+#include "glissade/report/format.hpp"
+#include "text/study_text.hpp"
+
+namespace glissade {
+namespace {
+
+/// Below a thousandth nothing is told of a ratio but that.
+std::string one_ratio(double ratio) { return ratio < 1e-3 ? "below 0.001" : format_number(ratio); }
+
+std::string ratio_text(const std::vector<double>& ratios) {
+  if (ratios.empty()) return "-";
+  const double median = quantile_of(ratios, 0.5);
+  if (ratios.back() < 1e-3 || ratios.front() == ratios.back()) return one_ratio(median);
+  return fmt::format("{} ({} to {})", one_ratio(median), one_ratio(ratios.front()),
+                     one_ratio(ratios.back()));
+}
+
+double at_period(const SuiteSpectra& spectra, std::size_t p) {
+  return spectra.average_srss_g[p] / spectra.target_g[p];
+}
+
+std::string spectra_reading(const ClearanceResults& r) {
+  const SuiteSpectra& spectra = r.suites.front().spectra;
+  if (spectra.target_g.empty()) return "";
+  std::size_t low = 0, high = 0;
+  for (std::size_t p = 1; p < spectra.periods_s.size() && spectra.periods_s[p] <= 2.0; ++p) {
+    if (at_period(spectra, p) < at_period(spectra, low)) low = p;
+    if (at_period(spectra, p) > at_period(spectra, high)) high = p;
+  }
+  const auto near = [&](double period) {
+    return static_cast<std::size_t>(std::lround(period / 2.0 * 200.0));
+  };
+  std::string text = fmt::format(
+      "From 0 to 2 s the suite's average SRSS spectrum is {} (at {:.2g} s) to {} times (at {:.2g} "
+      "s) the target spectrum",
+      format_number(at_period(spectra, low)), spectra.periods_s[low],
+      format_number(at_period(spectra, high)), spectra.periods_s[high]);
+  if (spectra.periods_s.size() == 201) {
+    text += fmt::format(
+        "; {} at 0.1 s, {} at 0.2 s, {} at 0.7 s, {} at 1 s",
+        format_number(at_period(spectra, near(0.1))), format_number(at_period(spectra, near(0.2))),
+        format_number(at_period(spectra, near(0.7))), format_number(at_period(spectra, near(1.0))));
+  }
+  return text + ".";
+}
+
+std::string period_reading(const ClearanceResults& r) {
+  const ClearanceQuestion question;
+  const OrientationRange largest = over_orientations(r, question, {}, Periods::largest);
+  const std::size_t period = governing_period(r, question, {});
+  std::string text = fmt::format(
+      "The suite's mean is largest at T = {:g} s. The largest over the periods is {}; times {:g}: "
+      "a "
+      "clearance of {}",
+      r.grid.period_s[period], range_text(r, largest), r.clearance_factor,
+      format_length(r.clearance_factor * largest.median));
+  if (r.orientations.size() > 1)
+    text += fmt::format(", {} where the records lie worst",
+                        format_length(r.clearance_factor * largest.highest));
+  text += fmt::format(". 95 % interval of the mean from resampling records: {} to {} m.",
+                      format_number(largest.interval.low), format_number(largest.interval.high));
+  return text;
+}
+
+/// Which of two frictions acts down the slope.
+std::string downhill_reading(const ClearanceResults& r) {
+  if (r.friction[0] == r.friction[1]) return "";
+  std::string text;
+  for (const SlopeAxis axis : {SlopeAxis::e_w, SlopeAxis::n_s}) {
+    const ClearanceQuestion question{.slope_axis = axis};
+    if (orientations_of(r, question).empty()) continue;
+    const OrientationRange range = over_orientations(r, question, {}, Periods::largest);
+    text += fmt::format(
+        " Where the roof falls {}, with a friction of {:g} downhill, the largest mean over the "
+        "periods is {}, from {} to {} over the orientations.",
+        axis == SlopeAxis::e_w ? "E-W" : "N-S", r.friction[axis == SlopeAxis::e_w ? 0 : 1],
+        format_length(range.median), format_length(range.lowest), format_length(range.highest));
+  }
+  return text;
+}
+
+std::string orientation_reading(const ClearanceResults& r) {
+  const ClearanceQuestion question;
+  const PerRecordBounds own = per_record_bounds(r, question, {}, Periods::largest);
+  const std::vector<double> means = per_record_means(r, question, {}, Periods::largest);
+  std::string text = fmt::format(
+      "If each record could lie its own way, the largest mean over the periods would be anywhere "
+      "from {} to {}; of 10,000 random choices 90 % give {} to {}.",
+      format_length(own.lowest), format_length(own.highest),
+      format_length(quantile_of(means, 0.05)), format_length(quantile_of(means, 0.95)));
+  const StrongerAlong stronger = stronger_along(r, question, {}, Periods::largest);
+  if (std::isfinite(stronger.as_recorded) && std::isfinite(stronger.turned_round)) {
+    text += fmt::format(
+        " With every record's stronger component along the slope it is {}, and {} with that "
+        "component turned round.",
+        format_length(stronger.as_recorded), format_length(stronger.turned_round));
+  }
+  text += downhill_reading(r);
+  if (r.displacement == DisplacementMeasure::srss) {
+    const OrientationRange farthest =
+        over_orientations(r, {.number = HistoryNumber::vector_peak}, {}, Periods::largest);
+    text += fmt::format(
+        " By the farthest the array gets in place of the SRSS of its separate maxima: {}.",
+        range_text(r, farthest));
+  }
+  const auto distinct = std::ranges::count_if(
+      r.same_as, [i = std::uint64_t{0}](std::uint64_t same) mutable { return same == i++; });
+  if (static_cast<std::size_t>(distinct) < r.orientations.size()) {
+    text += fmt::format(
+        " Of the {} only {} differ: turning round what acts across the slope mirrors a history{}.",
+        orientations_text(r), distinct,
+        r.friction[0] == r.friction[1]
+            ? ", and with one friction in both directions it does not matter along which of them "
+              "the roof falls"
+            : "");
+  }
+  return text;
+}
+
+std::string level_reading(const ClearanceResults& r) {
+  std::vector<std::string> parts;
+  for (std::size_t suite = 0; suite < r.suites.size(); ++suite) {
+    const OrientationRange range = over_orientations(r, {.suite = suite}, {}, Periods::one);
+    parts.push_back(fmt::format("{} {}", r.suites[suite].name, range_text(r, range)));
+  }
+  return fmt::format("On a building of {}: {}.", label_of(r.grid, ClearanceAxis::period, 0),
+                     fmt::join(parts, "; "));
+}
+
+std::string yielding_reading(const ClearanceResults& r) {
+  std::vector<std::string> buildings;
+  for (const ClearancePosition& elastic : along(r.grid, ClearanceAxis::period)) {
+    std::vector<std::string> parts;
+    for (const ClearancePosition& at :
+         along(r.grid, ClearanceAxis::response_modification, elastic)) {
+      if (at[ClearanceAxis::response_modification] == 0) continue;
+      parts.push_back(
+          fmt::format("{} at R {:g}", ratio_text(ratios_by_orientation(r, {}, at, elastic)),
+                      r.grid.response_modification[at[ClearanceAxis::response_modification]]));
+    }
+    buildings.push_back(fmt::format(
+        "{}: {}", label_of(r.grid, ClearanceAxis::period, elastic[ClearanceAxis::period]),
+        fmt::join(parts, ", ")));
+  }
+  return fmt::format(
+      "Displacement over that on an elastic building (median over the orientations and their "
+      "range). {}.",
+      fmt::join(buildings, "; "));
+}
+
+std::string base_shear_reading(const ClearanceResults& r) {
+  const auto isolated = place_of(r.grid, ArraySupport::isolated);
+  if (!isolated) return "";
+  const ClearanceQuestion question{.number = HistoryNumber::base_shear};
+  std::vector<std::string> parts;
+  for (const ArraySupport other : {ArraySupport::anchored, ArraySupport::no_array}) {
+    const auto place = place_of(r.grid, other);
+    if (!place) continue;
+    std::size_t below = 0;
+    double low = INFINITY, high = 0.0;
+    for (const ClearancePosition& at : along(r.grid, ClearanceAxis::period)) {
+      const double ratio =
+          quantile_of(ratios_by_orientation(r, question, at.with(ClearanceAxis::support, *isolated),
+                                            at.with(ClearanceAxis::support, *place)),
+                      0.5);
+      below += ratio < 1.0;
+      low = std::min(low, ratio);
+      high = std::max(high, ratio);
+    }
+    parts.push_back(fmt::format(
+        "{} to {} of that {}, below it at {} of {} periods", format_number(low),
+        format_number(high),
+        other == ArraySupport::anchored ? "with the array anchored" : "without an array", below,
+        r.grid.period_s.size()));
+  }
+  return fmt::format("With the array isolated the base shear is {}.", fmt::join(parts, "; and "));
+}
+
+std::string slope_reading(const ClearanceResults& r) {
+  std::vector<std::string> parts;
+  double flattest = 0.0, steepest = 0.0;
+  for (const ClearancePosition& at : along(r.grid, ClearanceAxis::slope)) {
+    const OrientationRange range = over_orientations(r, {}, at, Periods::largest);
+    if (at[ClearanceAxis::slope] == 0) flattest = range.median;
+    steepest = range.median;
+    parts.push_back(fmt::format("{} on {}", format_length(range.median),
+                                slope_text(r.grid.slope_deg[at[ClearanceAxis::slope]])));
+  }
+  return fmt::format(
+      "Largest mean over the periods: {}; {} times as much on the steepest as on the "
+      "flattest.",
+      fmt::join(parts, ", "), format_number(steepest / flattest));
+}
+
+std::string mce_reading(const ClearanceResults& r) {
+  const ClearanceGrid& grid = r.grid;
+  const std::size_t last = grid.level.size() - 1;
+  ClearancePosition high;
+  high[ClearanceAxis::level] = last;
+  const std::size_t governing = governing_period(r, {}, {});
+  const OrientationRange weak = over_orientations(r, {}, {}, Periods::largest),
+                         strong = over_orientations(r, {}, high, Periods::one),
+                         strongest = over_orientations(r, {}, high, Periods::largest);
+  const std::string low_name = label_of(grid, ClearanceAxis::level, 0),
+                    high_name = label_of(grid, ClearanceAxis::level, last);
+  return fmt::format(
+      "{} is largest at T = {:g} s: {}. {} at T = {:g} s: {}, {} times that; largest over the "
+      "periods {}.",
+      low_name, grid.period_s[governing], format_length(weak.median), high_name,
+      grid.period_s.front(), format_length(strong.median),
+      format_number(strong.median / weak.median), format_length(strongest.median));
+}
+
+/// The largest mean over the periods for each place on an axis.
+std::string axis_reading(const ClearanceResults& r, ClearanceAxis axis) {
+  std::vector<std::string> parts;
+  for (const ClearancePosition& at : along(r.grid, axis)) {
+    const OrientationRange range = over_orientations(r, {}, at, Periods::largest);
+    parts.push_back(fmt::format("{}: {} at T = {:g} s", label_of(r.grid, axis, at[axis]),
+                                range_text(r, range),
+                                r.grid.period_s[governing_period(r, {}, at)]));
+  }
+  return fmt::format("Largest mean over the periods. {}.", fmt::join(parts, "; "));
+}
+
+}  // namespace
+
+std::string clearance_reading(const ClearanceResults& results, ClearanceTopic topic) {
+  if (!can_tell(results, topic)) return "";
+  switch (topic) {
+    case ClearanceTopic::spectra:
+      return spectra_reading(results);
+    case ClearanceTopic::period:
+      return period_reading(results);
+    case ClearanceTopic::level:
+      return level_reading(results);
+    case ClearanceTopic::yielding:
+      return yielding_reading(results);
+    case ClearanceTopic::base_shear:
+      return base_shear_reading(results);
+    case ClearanceTopic::slope:
+      return slope_reading(results);
+    case ClearanceTopic::mce:
+      return mce_reading(results);
+    case ClearanceTopic::vertical:
+      return axis_reading(results, ClearanceAxis::vertical);
+    case ClearanceTopic::mass:
+      return axis_reading(results, ClearanceAxis::mass);
+    case ClearanceTopic::orientation:
+      return orientation_reading(results);
+  }
+  return "";
+}
+
+}  // namespace glissade

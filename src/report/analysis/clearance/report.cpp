@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include "analysis/clearance/view.hpp"
+#include "glissade/report/clearance_report.hpp"
+
+namespace glissade {
+
+std::vector<std::string> clearance_explained(const ClearanceResults& r) {
+  return {
+      "After Walters et al. (2012): the building is one oscillator along each of two axes, of the "
+      "same period along both unless the study says otherwise; the array is a mass on it with "
+      "Coulomb friction; it slides along both axes at once and acts back on the building.",
+      r.displacement == DisplacementMeasure::srss
+          ? "The displacement of a history is the SRSS of the separate maxima along the roof's two "
+            "axes, as the paper takes it. The vector's own peak, which is never larger, is in "
+            "tables/histories.csv."
+          : "The displacement of a history is the vector's own peak. The paper takes the SRSS of "
+            "the separate maxima, which is never smaller.",
+      "A suite's displacement is the mean over its records, all in the same orientation; the range "
+      "over the orientations is given, and the bounds with the orientation chosen record by "
+      "record.",
+      "At R a building yields where the design spectrum (2/3 of MCE) requires an elastic force R "
+      "times as large, along each axis by itself, whatever the level of shaking; 0 is a building "
+      "that stays elastic.",
+      fmt::format("Required clearance: {:g} times the largest mean over the building periods.",
+                  r.clearance_factor)};
+}
+
+std::vector<Table> clearance_tables(const ClearanceResults& results) {
+  std::vector<Table> tables{clearance_table(results), clearance_periods_table(results)};
+  if (results.orientations.size() > 1) tables.push_back(clearance_orientations_table(results));
+  if (can_tell(results, ClearanceTopic::base_shear))
+    tables.push_back(clearance_base_shear_table(results));
+  return tables;
+}
+
+std::vector<Table> clearance_file_tables(const ClearanceResults& results) {
+  std::vector<Table> tables = clearance_tables(results);
+  tables.push_back(clearance_histories_table(results));
+  return tables;
+}
+
+}  // namespace glissade

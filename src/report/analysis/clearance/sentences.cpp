@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "analysis/clearance/view.hpp"
+#include "glissade/report/clearance_report.hpp"
+#include "glissade/report/format.hpp"
+
+namespace glissade {
+namespace {
+
+std::string what_was_run(const ClearanceResults& r) {
+  std::vector<std::string> suites;
+  for (const SuiteSummary& suite : r.suites) suites.push_back(suite.name);
+  const auto without = std::ranges::count_if(
+      r.records, [](const RecordSummary& record) { return !record.has_vertical; });
+  std::string text = fmt::format("{} conditions, {} records of {}", r.grid.count(),
+                                 r.records.size(), fmt::join(suites, ", "));
+  if (r.orientations.size() > 1) text += fmt::format(", {}", orientations_text(r));
+  text += fmt::format(". Shown, where nothing else is said: {}.", conditions_text(r, {}));
+  if (without > 0) text += fmt::format(" {} of the records have no vertical component.", without);
+  const double uplift = uplift_share(r);
+  if (uplift > 0.0)
+    text += fmt::format(" In {} of the histories the array lifts off, which is outside the model.",
+                        format_share(uplift));
+  return text;
+}
+
+}  // namespace
+
+std::vector<std::string> clearance_sentences(const ClearanceResults& results) {
+  std::vector<std::string> sentences{what_was_run(results)};
+  for (const ClearanceTopic topic :
+       {ClearanceTopic::period, ClearanceTopic::orientation, ClearanceTopic::mass,
+        ClearanceTopic::level, ClearanceTopic::yielding, ClearanceTopic::base_shear,
+        ClearanceTopic::slope, ClearanceTopic::mce, ClearanceTopic::vertical,
+        ClearanceTopic::spectra}) {
+    const std::string reading = clearance_reading(results, topic);
+    if (!reading.empty()) sentences.push_back(reading);
+  }
+  return sentences;
+}
+
+std::string clearance_summary(const ClearanceResults& results) {
+  std::string text = results.study_name + "\n\n";
+  for (const std::string& sentence : clearance_sentences(results)) text += wrapped(sentence);
+  return text;
+}
+
+}  // namespace glissade

@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "analysis/clearance/view.hpp"
+#include "glissade/report/clearance_report.hpp"
+
+namespace glissade {
+namespace {
+
+/// The columns that tell a condition: only those whose axis has several values.
+class ConditionColumns {
+ public:
+  ConditionColumns(const ClearanceResults& results, std::vector<ClearanceAxis> without)
+      : results_(results) {
+    for (const ClearanceAxis axis : clearance_axes) {
+      if (has_several(results.grid, axis) && std::ranges::find(without, axis) == without.end())
+        axes_.push_back(axis);
+    }
+  }
+
+  std::vector<Column> columns() const {
+    std::vector<Column> columns;
+    if (results_.suites.size() > 1) columns.push_back({"suite", "", "Suite", ColumnKind::text});
+    for (const ClearanceAxis axis : axes_) columns.push_back(column(axis));
+    return columns;
+  }
+  std::vector<Cell> cells(std::size_t suite, const ClearancePosition& at) const {
+    std::vector<Cell> cells;
+    if (results_.suites.size() > 1) cells.emplace_back(results_.suites[suite].name);
+    for (const ClearanceAxis axis : axes_) cells.push_back(cell(axis, at[axis]));
+    return cells;
+  }
+
+ private:
+  Column level_column() const {
+    const ClearanceGrid& grid = results_.grid;
+    if (grid.level_symbol.empty()) return {"fraction_of_mce", "", "Of MCE"};
+    const std::string suffix = unit_suffix(grid.level_unit);
+    return {"level", suffix.empty() ? "" : suffix.substr(1), grid.level_symbol};
+  }
+
+  Column column(ClearanceAxis axis) const {
+    switch (axis) {
+      case ClearanceAxis::support:
+        return {"support", "", "Array", ColumnKind::text};
+      case ClearanceAxis::vertical:
+        return {"vertical", "", "Vertical", ColumnKind::text};
+      case ClearanceAxis::response_modification:
+        return {"response_modification", "", "R"};
+      case ClearanceAxis::mass:
+        return {"mass_ratio", "", "m/M"};
+      case ClearanceAxis::slope:
+        return {"slope", "deg", "Slope, deg"};
+      case ClearanceAxis::level:
+        return level_column();
+      case ClearanceAxis::period:
+        return {"period", "s", "T, s"};
+    }
+    return {};
+  }
+  Cell cell(ClearanceAxis axis, std::size_t place) const {
+    const ClearanceGrid& grid = results_.grid;
+    switch (axis) {
+      case ClearanceAxis::response_modification:
+        return grid.response_modification[place];
+      case ClearanceAxis::mass:
+        return grid.mass_ratio[place];
+      case ClearanceAxis::slope:
+        return grid.slope_deg[place];
+      case ClearanceAxis::level:
+        return grid.level[place];
+      case ClearanceAxis::period:
+        return grid.period_s[place];
+      default:
+        return label_of(grid, axis, place);
+    }
+  }
+
+  const ClearanceResults& results_;
+  std::vector<ClearanceAxis> axes_;
+};
+
+void append(std::vector<Column>& columns, std::initializer_list<Column> more) {
+  columns.insert(columns.end(), more);
+}
+
+/// Conditions in which the array may slide.
+bool slides(const ClearanceGrid& grid, const ClearancePosition& at) {
+  return grid.support[at[ClearanceAxis::support]] == ArraySupport::isolated;
+}
+
+Column range_column(const char* stem, const char* heading, ColumnKind kind = ColumnKind::length) {
+  return {stem, kind == ColumnKind::length ? "m" : "", heading, kind};
+}
+
+Column median_column(const char* heading, ColumnKind kind = ColumnKind::length) {
+  Column column = range_column("median", heading, kind);
+  column.with_interval = true;
+  return column;
+}
+
+}  // namespace
+
+Table clearance_table(const ClearanceResults& results) {
+  const ConditionColumns conditions(results, {ClearanceAxis::period, ClearanceAxis::support});
+  Table table{"clearances",
+              "The suite's mean displacement, the largest over the building periods, over the "
+              "orientations; and the clearance",
+              conditions.columns(),
+              {},
+              {"[ ]: 95 % interval of the median, from resampling records",
+               "own way: the bounds if each record could lie its own way"}};
+  append(table.columns, {{"governing_period", "s", "At T, s"},
+                         range_column("lowest", "Lowest, m (in)"),
+                         median_column("Median, m (in)"),
+                         range_column("highest", "Highest, m (in)"),
+                         range_column("own_way_lowest", "Own way: least, m (in)"),
+                         range_column("own_way_highest", "Own way: most, m (in)"),
+                         range_column("clearance_median", "Clearance, median, m (in)"),
+                         range_column("clearance_highest", "Clearance, highest, m (in)")});
+  for (std::size_t suite = 0; suite < results.suites.size(); ++suite) {
+    const ClearanceQuestion question{.suite = suite};
+    for (const ClearancePosition& at : all_but(results.grid, ClearanceAxis::period)) {
+      if (!slides(results.grid, at)) continue;
+      const OrientationRange range = over_orientations(results, question, at, Periods::largest);
+      const PerRecordBounds own = per_record_bounds(results, question, at, Periods::largest);
+      std::vector<Cell> row = conditions.cells(suite, at);
+      row.insert(
+          row.end(),
+          {results.grid.period_s[governing_period(results, question, at)], range.lowest,
+           Estimate{range.median, range.interval, {}}, range.highest, own.lowest, own.highest,
+           results.clearance_factor * range.median, results.clearance_factor * range.highest});
+      table.add(std::move(row));
+    }
+  }
+  return table;
+}
+
+Table clearance_periods_table(const ClearanceResults& results) {
+  const ConditionColumns conditions(results, {ClearanceAxis::support, ClearanceAxis::period});
+  Table table{"by_period",
+              "The suite's mean displacement by building period, over the orientations",
+              conditions.columns(),
+              {},
+              {"[ ]: 95 % interval of the median, from resampling records",
+               "own way: the bounds if each record could lie its own way"}};
+  append(table.columns, {{"period", "s", "T, s"},
+                         range_column("lowest", "Lowest, m (in)"),
+                         median_column("Median, m (in)"),
+                         range_column("highest", "Highest, m (in)"),
+                         range_column("own_way_lowest", "Own way: least, m (in)"),
+                         range_column("own_way_highest", "Own way: most, m (in)")});
+  for (std::size_t suite = 0; suite < results.suites.size(); ++suite) {
+    const ClearanceQuestion question{.suite = suite};
+    for (std::size_t i = 0; i < results.grid.count(); ++i) {
+      const ClearancePosition at = results.grid.position(i);
+      if (!slides(results.grid, at)) continue;
+      const OrientationRange range = over_orientations(results, question, at, Periods::one);
+      const PerRecordBounds own = per_record_bounds(results, question, at, Periods::one);
+      std::vector<Cell> row = conditions.cells(suite, at);
+      row.insert(row.end(), {results.grid.period_s[at[ClearanceAxis::period]], range.lowest,
+                             Estimate{range.median, range.interval, {}}, range.highest, own.lowest,
+                             own.highest});
+      table.add(std::move(row));
+    }
+  }
+  return table;
+}
+
+Table clearance_orientations_table(const ClearanceResults& results) {
+  Table table{"orientations",
+              "The suite's mean displacement in each orientation of all records, by building "
+              "period; " +
+                  results.suites.front().name + ", " +
+                  conditions_text(results, {}, {ClearanceAxis::period, ClearanceAxis::support}),
+              {{"orientation", "", "Orientation", ColumnKind::text},
+               {"same_as", "", "Gives the same as", ColumnKind::count}},
+              {},
+              {}};
+  for (const double period : results.grid.period_s) {
+    table.columns.push_back({fmt::format("t_{:g}s", period), "m",
+                             fmt::format("T {:g} s, m (in)", period), ColumnKind::length});
+  }
+  append(table.columns, {range_column("largest", "Largest, m (in)"),
+                         range_column("clearance", "Clearance, m (in)")});
+  for (std::size_t o = 0; o < results.orientations.size(); ++o) {
+    std::vector<Cell> row{fmt::format("{}: {}", o + 1, to_string(results.orientations[o])),
+                          static_cast<double>(results.same_as[o] + 1)};
+    double largest = 0.0;
+    for (const ClearancePosition& at : along(results.grid, ClearanceAxis::period)) {
+      const double mean = suite_mean(results, {}, o, at);
+      largest = std::max(largest, mean);
+      row.emplace_back(mean);
+    }
+    row.insert(row.end(), {largest, results.clearance_factor * largest});
+    table.add(std::move(row));
+  }
+  return table;
+}
+
+Table clearance_base_shear_table(const ClearanceResults& results) {
+  const ConditionColumns conditions(results, {});
+  Table table{"base_shear",
+              "Base shear over the bare building's weight: the suite's mean of the SRSS of the "
+              "peaks along both axes, over the orientations",
+              conditions.columns(),
+              {},
+              {}};
+  append(table.columns, {range_column("lowest", "Lowest", ColumnKind::number),
+                         median_column("Median", ColumnKind::number),
+                         range_column("highest", "Highest", ColumnKind::number)});
+  for (std::size_t suite = 0; suite < results.suites.size(); ++suite) {
+    const ClearanceQuestion question{.suite = suite, .number = HistoryNumber::base_shear};
+    for (std::size_t i = 0; i < results.grid.count(); ++i) {
+      const ClearancePosition at = results.grid.position(i);
+      const OrientationRange range = over_orientations(results, question, at, Periods::one);
+      std::vector<Cell> row = conditions.cells(suite, at);
+      row.insert(row.end(),
+                 {range.lowest, Estimate{range.median, range.interval, {}}, range.highest});
+      table.add(std::move(row));
+    }
+  }
+  return table;
+}
+
+Table clearance_histories_table(const ClearanceResults& results) {
+  const ConditionColumns conditions(results, {});
+  Table table{"histories",
+              "Every history that was run, in plan, by the roof's axes: along the slope (positive "
+              "where it falls) and across it; base shear over the bare building's weight",
+              {{"record", "", "Record", ColumnKind::text},
+               {"orientation", "", "Orientation", ColumnKind::text}},
+              {},
+              {}};
+  for (Column& column : conditions.columns()) table.columns.push_back(std::move(column));
+  append(table.columns, {range_column("displacement", "Displacement"),
+                         range_column("vector_peak", "Vector peak"),
+                         range_column("peak_along", "Peak along"),
+                         range_column("peak_across", "Peak across"),
+                         range_column("residual_along", "Residual along"),
+                         range_column("residual_across", "Residual across"),
+                         {"shear_along", "", "Base shear along"},
+                         {"shear_across", "", "Base shear across"},
+                         {"uplift", "", "Uplift", ColumnKind::count}});
+  for (std::size_t record = 0; record < results.records.size(); ++record) {
+    for (std::size_t o = 0; o < results.orientations.size(); ++o) {
+      if (results.same_as[o] != o) continue;
+      for (std::size_t i = 0; i < results.grid.count(); ++i) {
+        const ClearanceHistory& h = results.at(record, o, i);
+        std::vector<Cell> row{results.records[record].id, to_string(results.orientations[o])};
+        for (Cell& cell : conditions.cells(results.records[record].suite, results.grid.position(i)))
+          row.push_back(std::move(cell));
+        row.insert(row.end(), {h.displacement_m, h.peak_m, h.peak_along_m,
+                               h.peak_across_m, h.residual_along_m, h.residual_across_m,
+                               h.shear_along, h.shear_across, static_cast<double>(h.uplift)});
+        table.add(std::move(row));
+      }
+    }
+  }
+  return table;
+}
+
+}  // namespace glissade

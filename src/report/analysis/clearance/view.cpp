@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/clearance/view.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "glissade/core/units.hpp"
+#include "glissade/report/format.hpp"
+
+namespace glissade {
+namespace {
+
+std::string level_text(const ClearanceGrid& grid, double fraction) {
+  if (!grid.level_symbol.empty()) {
+    return fmt::format("{} = {}{}", grid.level_symbol, format_number(fraction),
+                       grid.level_unit == "-" ? "" : " " + grid.level_unit);
+  }
+  if (std::abs(fraction - 2.0 / 3) < 1e-3) return "DBE";
+  if (fraction == 1.0) return "MCE";
+  return fmt::format("{:.3g} MCE", fraction);
+}
+
+std::string value_text(double value) {
+  return std::isnan(value) ? "drawn" : fmt::format("{:g}", value);
+}
+
+std::string vertical_text(const VerticalCondition& condition) {
+  if (condition.use == VerticalChoice::none) return "no vertical";
+  if (condition.period_s == 0.0) return "verticals, rigid";
+  return fmt::format("verticals, T_v {:g} s", condition.period_s);
+}
+
+std::string support_text(ArraySupport support) {
+  switch (support) {
+    case ArraySupport::isolated:
+      return "isolated array";
+    case ArraySupport::anchored:
+      return "anchored array";
+    case ArraySupport::no_array:
+      return "no array";
+  }
+  return {};
+}
+
+std::string number_in_words(std::size_t n) {
+  if (n == 2) return "both";
+  return n == 16 ? "sixteen" : fmt::format("{}", n);
+}
+
+}  // namespace
+
+std::string slope_text(double slope_deg) {
+  if (std::isnan(slope_deg)) return "drawn";
+  const double quarters = 48.0 * std::tan(slope_deg * rad_per_deg);
+  const double whole = std::round(quarters);
+  if (std::abs(quarters - whole) > 1e-6 || whole == 0.0)
+    return fmt::format("{:.3g} deg", slope_deg);
+  const std::string rise = whole == 1.0   ? "1/4"
+                           : whole == 2.0 ? "1/2"
+                           : whole == 3.0 ? "3/4"
+                                          : fmt::format("{:g}", whole / 4.0);
+  return fmt::format("{}:12 ({:.3g} deg)", rise, slope_deg);
+}
+
+std::string label_of(const ClearanceGrid& grid, ClearanceAxis axis, std::size_t place) {
+  switch (axis) {
+    case ClearanceAxis::support:
+      return support_text(grid.support[place]);
+    case ClearanceAxis::vertical:
+      return vertical_text(grid.vertical[place]);
+    case ClearanceAxis::response_modification:
+      return grid.response_modification[place] == 0.0
+                 ? "elastic building"
+                 : "R " + value_text(grid.response_modification[place]);
+    case ClearanceAxis::mass:
+      return "m/M " + value_text(grid.mass_ratio[place]);
+    case ClearanceAxis::slope:
+      return "slope " + slope_text(grid.slope_deg[place]);
+    case ClearanceAxis::level:
+      return level_text(grid, grid.level[place]);
+    case ClearanceAxis::period:
+      return std::isnan(grid.period_s[place]) ? "T drawn"
+                                              : fmt::format("T {:g} s", grid.period_s[place]);
+  }
+  return {};
+}
+
+namespace {
+
+std::string joined(const ClearanceGrid& grid, const ClearancePosition& at,
+                   const std::vector<ClearanceAxis>& without, std::size_t least) {
+  std::string text;
+  for (const ClearanceAxis axis : {ClearanceAxis::level, ClearanceAxis::slope, ClearanceAxis::mass,
+                                   ClearanceAxis::response_modification, ClearanceAxis::vertical,
+                                   ClearanceAxis::support, ClearanceAxis::period}) {
+    if (grid.size(axis) < least || std::ranges::find(without, axis) != without.end()) continue;
+    text += (text.empty() ? "" : ", ") + label_of(grid, axis, at[axis]);
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string distinguished(const ClearanceGrid& grid, const ClearancePosition& at,
+                          const std::vector<ClearanceAxis>& without) {
+  return joined(grid, at, without, 2);
+}
+
+std::string friction_text(const ClearanceResults& results) {
+  const double e_w = results.friction[0], n_s = results.friction[1];
+  if (e_w == n_s) return fmt::format("{:.3g}", e_w);
+  return fmt::format("E-W {:.3g}, N-S {:.3g}", e_w, n_s);
+}
+
+std::string conditions_text(const ClearanceResults& results, const ClearancePosition& at,
+                            const std::vector<ClearanceAxis>& without) {
+  std::vector<ClearanceAxis> left_out = without;
+  if (!has_several(results.grid, ClearanceAxis::support))
+    left_out.push_back(ClearanceAxis::support);
+  return joined(results.grid, at, left_out, 1) + ", friction " + friction_text(results);
+}
+
+bool has_several(const ClearanceGrid& grid, ClearanceAxis axis) { return grid.size(axis) > 1; }
+
+std::optional<std::size_t> place_of(const ClearanceGrid& grid, ArraySupport support) {
+  const auto found = std::ranges::find(grid.support, support);
+  if (found == grid.support.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - grid.support.begin());
+}
+
+bool can_tell(const ClearanceResults& results, ClearanceTopic topic) {
+  const ClearanceGrid& grid = results.grid;
+  if (results.suites.size() > 1) return topic == ClearanceTopic::level;
+  switch (topic) {
+    case ClearanceTopic::spectra:
+      return true;
+    case ClearanceTopic::period:
+      return has_several(grid, ClearanceAxis::period);
+    case ClearanceTopic::level:
+      return false;
+    case ClearanceTopic::yielding:
+      return has_several(grid, ClearanceAxis::response_modification) &&
+             grid.response_modification.front() == 1.0;
+    case ClearanceTopic::base_shear:
+      return has_several(grid, ClearanceAxis::support);
+    case ClearanceTopic::slope:
+      return has_several(grid, ClearanceAxis::slope);
+    case ClearanceTopic::mce:
+      return has_several(grid, ClearanceAxis::level);
+    case ClearanceTopic::vertical:
+      return has_several(grid, ClearanceAxis::vertical);
+    case ClearanceTopic::mass:
+      return has_several(grid, ClearanceAxis::mass);
+    case ClearanceTopic::orientation:
+      return results.orientations.size() > 1;
+  }
+  return false;
+}
+
+std::string orientations_text(const ClearanceResults& results) {
+  const std::size_t n = results.orientations.size();
+  return n == 1 ? "" : number_in_words(n) + " orientations";
+}
+
+std::string range_text(const ClearanceResults& results, const OrientationRange& range) {
+  std::string text = format_length(range.median);
+  if (results.orientations.size() > 1) {
+    text += fmt::format(", from {} to {} over the {}", format_length(range.lowest),
+                        format_length(range.highest), orientations_text(results));
+  }
+  return text;
+}
+
+std::vector<double> ratios_by_orientation(const ClearanceResults& results,
+                                          const ClearanceQuestion& question,
+                                          const ClearancePosition& at,
+                                          const ClearancePosition& of) {
+  const auto above = means_by_orientation(results, question, at, Periods::one);
+  const auto below = means_by_orientation(results, question, of, Periods::one);
+  std::vector<double> ratios;
+  for (std::size_t i = 0; i < above.size(); ++i) {
+    if (below[i] > 0.0) ratios.push_back(above[i] / below[i]);
+  }
+  std::sort(ratios.begin(), ratios.end());
+  return ratios;
+}
+
+}  // namespace glissade

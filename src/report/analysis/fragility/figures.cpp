@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glissade/report/figures.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "glissade/core/quantile.hpp"
+#include "glissade/report/format.hpp"
+#include "text/study_text.hpp"
+
+namespace glissade {
+namespace {
+
+std::string fit_text(const Results& results, const FitSummary& fit) {
+  if (fit.status == FitStatus::always_exceeds) return "every history slides freely";
+  if (fit.converged()) {
+    const std::string free =
+        fit.curve.floor > 0 ? format_share(fit.curve.floor) + " slide freely; the others: " : "";
+    return fmt::format("{}median {} [{}], log std {}", free,
+                       with_unit(results, format_number(fit.curve.median)),
+                       format_interval(fit.median_interval), format_number(fit.curve.log_std));
+  }
+  if (fit.status == FitStatus::upper_bound) {
+    return fmt::format("median below {} (95 % bound; all exceed)",
+                       with_unit(results, format_number(fit.curve.median)));
+  }
+  if (fit.status == FitStatus::lower_bound) {
+    return fmt::format("median above {} (95 % bound; no exceedance)",
+                       with_unit(results, format_number(fit.curve.median)));
+  }
+  return "no curve could be fitted";
+}
+
+bool has_curve(const ThresholdFragility& fragility) {
+  return fragility.capacities.converged() ||
+         fragility.capacities.status == FitStatus::always_exceeds;
+}
+
+/// Band, curve and observed shares of one clearance. The points' key entry stands for all.
+void add_threshold(Panel& panel, const Results& results, const RunResults& run, std::size_t t) {
+  const ThresholdFragility& fragility = run.fragilities[t];
+  const Look colour = family_look(t, run.fragilities.size());
+  Series observed{Series::Kind::points, colour, fmt::format("observed {}", t)};
+  observed.x = results.levels;
+  observed.y = fragility.probability;
+  observed.x.resize(observed.y.size());
+  Series curve{Series::Kind::line, colour, fmt::format("curve {}", t)};
+  Series band{Series::Kind::band, colour, fmt::format("band {}", t)};
+  if (has_curve(fragility)) {
+    constexpr int points = 200;
+    for (int i = 0; i <= points; ++i) {
+      curve.x.push_back(results.levels.back() * i / points);
+      curve.y.push_back(fragility.capacities.curve.probability(curve.x.back()));
+    }
+    for (std::size_t i = 0; i < fragility.band.size(); ++i) {
+      band.x.push_back(run.band_intensities.at(i));
+      band.low.push_back(fragility.band[i].low);
+      band.high.push_back(fragility.band[i].high);
+    }
+  }
+  Series key{curve.x.empty() ? Series::Kind::points : Series::Kind::line_and_points, colour};
+  key.label = format_length(fragility.threshold_m) + ": " + fit_text(results, fragility.capacities);
+  panel.series.insert(panel.series.begin(), std::move(band));
+  for (Series* series : {&curve, &observed, &key}) panel.series.push_back(std::move(*series));
+}
+
+}  // namespace
+
+Figure fragility_figure(const Results& results, const RunResults& run) {
+  const bool main_run = run.label == results.runs.front().label;
+  Figure figure{
+      main_run ? "fragility" : "fragility_" + run.label,
+      "Probability that the array slips more than a clearance (" + run.label + " friction)",
+      counts_of(results) + "; " + friction_of(run),
+      "Probability that the peak slip in plan exceeds each clearance at a given intensity, with "
+      "friction " +
+          run.friction_description +
+          ". Lines: lognormal curves fitted to the lowest intensity at which each history reaches "
+          "the clearance (histories that never reach it are treated as censored; the share that "
+          "slides freely, without shaking, is in the curve at every intensity). Points: share of "
+          "histories that exceed it at each level. Shaded: 95 % interval from resampling whole "
+          "records, because histories of one record are not independent."};
+  Panel panel{"",
+              {results.intensity_label, 0.0, results.levels.back()},
+              {"Probability that slip in plan exceeds the clearance", 0.0, 1.0}};
+  for (std::size_t t = 0; t < run.fragilities.size(); ++t) add_threshold(panel, results, run, t);
+  panel.series.push_back({Series::Kind::band, look(Role::largest), "",
+                          "shaded and [ ]: 95 % interval from resampling whole records; points: "
+                          "observed shares"});
+  figure.panels = {std::move(panel)};
+  return figure;
+}
+
+Figure ida_figure(const Results& results, const RunResults& run) {
+  const HistoryTable& slip = results.histories;
+  Figure figure{"ida", "Incremental dynamic analysis: slip at increasing intensity",
+                counts_of(results) + "; " + friction_of(run),
+                "Intensity (vertical) over peak slip in plan (horizontal), as is the convention of "
+                "incremental dynamic analysis. Grey: each record's median over the samples. "
+                "Coloured: 16th, 50th and 84th percentile over all histories (records and samples "
+                "together) at each level. Dotted: the clearances. Friction " +
+                    run.friction_description + "."};
+  Series records{Series::Kind::line, look(Role::record), "records",
+                 "each record, median over its samples"};
+  for (std::size_t i = 0; i < slip.records; ++i) {
+    for (std::size_t l = 0; l < slip.levels; ++l) {
+      records.x.push_back(quantile_of(histories_at(slip, slice_of(run), i, i + 1, l), 0.5));
+      records.y.push_back(results.levels.at(l));
+    }
+    end_line(records);
+  }
+  Panel panel{"", {}, {results.intensity_label, 0.0, results.levels.back()}, {records}};
+  double widest_m = results.thresholds_m.empty() ? 0.0 : results.thresholds_m.front();
+  struct Part {
+    double share;
+    Role role;
+    const char* label;
+  };
+  for (const Part& part : {Part{0.16, Role::p16, "16th percentile of all histories"},
+                           Part{0.50, Role::median, "50th percentile (median)"},
+                           Part{0.84, Role::p84, "84th percentile"}}) {
+    Series series{Series::Kind::line_and_points, look(part.role), part.label, part.label};
+    series.y = results.levels;
+    for (std::size_t l = 0; l < slip.levels; ++l) {
+      series.x.push_back(quantile_of(histories_at(slip, slice_of(run), 0, slip.records, l), part.share));
+      // Infinite: not run.
+      if (std::isfinite(series.x.back()) && part.share >= 0.5)
+        widest_m = std::max(widest_m, series.x.back());
+    }
+    panel.series.push_back(std::move(series));
+  }
+  panel.x = length_axis("Peak slip in plan", 1.25 * (widest_m > 0.0 ? widest_m : 1.0));
+  for (const double threshold_m : results.thresholds_m)
+    panel.rules.push_back({Rule::Kind::vertical, threshold_m, look(Role::reference)});
+  if (!panel.rules.empty())
+    panel.rules.front().label = "clearances: " + list_of_lengths(results.thresholds_m);
+  figure.panels = {std::move(panel)};
+  return figure;
+}
+
+}  // namespace glissade

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glissade/report/summary.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "analysis/chart/report.hpp"
+#include "analysis/impact/impact.hpp"
+#include "glissade/report/clearance_report.hpp"
+#include "glissade/report/format.hpp"
+#include "glissade/report/tables.hpp"
+#include "text/study_text.hpp"
+
+namespace glissade {
+namespace {
+
+/// What the histories do that need shaking.
+std::string fit_sentence(const Results& results, const FitSummary& fit,
+                         const std::string& clearance) {
+  const std::string others = fit.curve.floor > 0 ? " by the others" : "";
+  if (fit.converged()) {
+    const double p50 = fit.curve.intensity_at(0.5);
+    if (p50 == 0)
+      return fmt::format(
+          "A clearance of {} has a chance of 50 % or more of being exceeded at any intensity.",
+          clearance);
+    return fmt::format(
+        "A clearance of {} has a 50 % chance of being exceeded at {} (95 % interval {}){}.",
+        clearance, at_intensity(results, p50),
+        with_unit(results, format_interval(fit.p50_interval)),
+        p50 > results.levels.back() ? ", which extrapolates beyond the highest level studied" : "");
+  }
+  if (fit.status == FitStatus::upper_bound) {
+    return fmt::format(
+        "A clearance of {} was exceeded by every history at every level; its median lies below {} "
+        "(95 % confidence).",
+        clearance, at_intensity(results, fit.curve.median));
+  }
+  if (fit.status == FitStatus::lower_bound) {
+    return fmt::format(
+        "A clearance of {} was never exceeded{}; {} median lies above {} (95 % confidence).",
+        clearance, others, others.empty() ? "its" : "their",
+        at_intensity(results, fit.curve.median));
+  }
+  return fmt::format("For a clearance of {} no fragility could be fitted{}.", clearance,
+                     fit.note.empty() ? "" : " (" + fit.note + ")");
+}
+
+std::string threshold_sentence(const Results& results, const ThresholdFragility& fragility) {
+  const FitSummary& fit = preferred_fit(fragility);
+  const std::string clearance = format_length(fragility.threshold_m);
+  if (fit.status == FitStatus::always_exceeds) {
+    return fmt::format(
+        "Every history slides freely and exceeds a clearance of {} at any intensity, even without "
+        "shaking.",
+        clearance);
+  }
+  const std::string free =
+      fit.curve.floor > 0
+          ? fmt::format(
+                " {} of the histories slide freely: they exceed it at any intensity and are "
+                "counted.",
+                format_share(fit.curve.floor))
+          : "";
+  return fit_sentence(results, fit, clearance) + free;
+}
+
+/// The slip statistics at the level nearest to 1 g.
+const SlipStatistics* slip_near_1g(const RunResults& run) {
+  const auto nearest =
+      std::min_element(run.slip.begin(), run.slip.end(), [](const auto& a, const auto& b) {
+        return std::abs(a.level - 1.0) < std::abs(b.level - 1.0);
+      });
+  return nearest == run.slip.end() ? nullptr : &*nearest;
+}
+
+std::string slip_sentence(const Results& results, const SlipStatistics& slip) {
+  // Infinite: beyond the largest clearance, and not run.
+  const auto length = [&](double slip_m) {
+    return std::isinf(slip_m) ? "more than " + format_length(results.thresholds_m.back())
+                              : format_length(slip_m);
+  };
+  const std::string mean =
+      std::isinf(slip.mean_m) ? "" : ", and " + format_length(slip.mean_m) + " on average";
+  return fmt::format(
+      "At {} the slip is {} in the median, {} at the 84th and {} at the 95th percentile{}.",
+      at_intensity(results, slip.level), length(slip.median_m), length(slip.p84_m),
+      length(slip.p95_m), mean);
+}
+
+std::string standard_sentence(const StandardComparison& comparison) {
+  const Interval& interval = comparison.exceedance_interval;
+  const std::string range = std::isnan(interval.low) ? ""
+                                                     : fmt::format(" (95 % interval {} to {})",
+                                                                   format_share(interval.low),
+                                                                   format_share(interval.high));
+  return fmt::format("{} prescribes {} there{}; {} of the histories slip more{}.",
+                     standard_name(comparison.standard),
+                     format_length(comparison.prescribed.value_m),
+                     comparison.prescribed.provenance == Provenance::recalled
+                         ? " (recalled: verify against the standard)"
+                         : "",
+                     format_share(comparison.exceedance_probability), range);
+}
+
+std::string design_sentence(const Results& results, const RunResults& design) {
+  std::string medians;
+  for (const ThresholdFragility& fragility : design.fragilities) {
+    const FitSummary& fit = preferred_fit(fragility);
+    if (!fit.converged()) continue;
+    medians += fmt::format("{}{} for {}", medians.empty() ? "" : ", ",
+                           with_unit(results, format_number(fit.curve.intensity_at(0.5))),
+                           format_length(fragility.threshold_m));
+  }
+  if (medians.empty()) return "";
+  return fmt::format("With the design friction ({}) the 50 % intensities are {}.",
+                     design.friction_description, medians);
+}
+
+/// The standards table at a handful of levels, narrow enough for a terminal: the rest is in
+/// standards.csv.
+Table brief_standards_table(const Results& results, const RunResults& run) {
+  Table table{
+      "standards_brief",
+      "Standards beside the slip that came out (" + run.label + " friction; displacements in plan)",
+      {{"standard", "", "Standard", ColumnKind::text},
+       {"sds", "g", "S_DS, g", ColumnKind::number},
+       {"prescribed", "m", "Prescribed, m (in)", ColumnKind::length},
+       {"median_slip", "m", "Median, m (in)", ColumnKind::length},
+       {"p95_slip", "m", "95th, m (in)", ColumnKind::length},
+       {"exceedance_share", "", "Slip > prescribed", ColumnKind::share, true},
+       {"provenance", "", "Provision", ColumnKind::text}},
+      {}};
+  const std::vector<double> chosen = some_levels(results.levels, 5);
+  for (const StandardComparison& comparison : run.standards) {
+    const auto slip = std::find_if(run.slip.begin(), run.slip.end(),
+                                   [&](const auto& s) { return s.level == comparison.sds_g; });
+    if (slip == run.slip.end() || std::count(chosen.begin(), chosen.end(), comparison.sds_g) == 0)
+      continue;
+    table.add(
+        {standard_name(comparison.standard), comparison.sds_g, comparison.prescribed.value_m,
+         slip->median_m, slip->p95_m,
+         Estimate{comparison.exceedance_probability, comparison.exceedance_interval},
+         comparison.prescribed.provenance == Provenance::checked ? "checked" : "recalled (*)"});
+  }
+  return table;
+}
+
+std::string fragility_summary(const Results& results) {
+  std::string text =
+      fmt::format("{}: {} records x {} samples x {} levels, displacements in plan\nModel: {}\n\n",
+                  results.study_name, results.records.size(), results.cases.samples,
+                  results.levels.size(), results.model.kernel);
+  text += to_text(fragility_summary_table(results));
+  if (!results.runs.empty() && !results.runs.front().standards.empty()) {
+    text += "\n" + to_text(brief_standards_table(results, results.runs.front()));
+    text += "  (*) from memory of the standard: verify against the standard\n";
+  }
+  return text;
+}
+
+}  // namespace
+
+std::vector<std::string> answer_sentences(const Results& results) {
+  std::vector<std::string> sentences;
+  if (results.clearance) sentences = clearance_sentences(clearance_results(results));
+  if (results.chart) {
+    for (std::string& sentence : chart_sentences(results))
+      sentences.push_back(std::move(sentence));
+  }
+  if (results.runs.empty()) return sentences;
+  const RunResults& run = results.runs.front();
+  for (const ThresholdFragility& fragility : run.fragilities) {
+    sentences.push_back(threshold_sentence(results, fragility));
+  }
+  if (const SlipStatistics* slip = slip_near_1g(run)) {
+    sentences.push_back(slip_sentence(results, *slip));
+    for (const StandardComparison& comparison : run.standards) {
+      if (comparison.sds_g == slip->level) sentences.push_back(standard_sentence(comparison));
+    }
+    const std::string impact = impact_sentence(results, *slip);
+    if (!impact.empty()) sentences.push_back(impact);
+  }
+  for (std::size_t r = 1; r < results.runs.size(); ++r) {
+    const std::string sentence = design_sentence(results, results.runs[r]);
+    if (!sentence.empty()) sentences.push_back(sentence);
+  }
+  return sentences;
+}
+
+std::string summary_text(const Results& results, const std::vector<Skip>& skips) {
+  std::string text;
+  if (!results.runs.empty()) text += fragility_summary(results);
+  if (results.chart) text += (text.empty() ? "" : "\n") + chart_summary(results);
+  if (results.clearance)
+    text += (text.empty() ? "" : "\n") + clearance_summary(clearance_results(results));
+  if (!skips.empty()) text += "\nNot computed, because not needed\n";
+  for (const Skip& skip : skips) text += "  " + format_skip(skip) + "\n";
+  if (!results.notes.empty()) text += "\nNotes\n";
+  for (const std::string& note : results.notes) text += "  " + note + "\n";
+  return text;
+}
+
+}  // namespace glissade

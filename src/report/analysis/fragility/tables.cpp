@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glissade/report/tables.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "glissade/report/format.hpp"
+#include "text/study_text.hpp"
+
+namespace glissade {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+/// The title's opening: what the levels are.
+std::string measured_by(const Results& results) {
+  return " Intensity measure: " + results.intensity_label + ". ";
+}
+
+Estimate median_of(const FitSummary& fit) {
+  const char* sign = fit.status == FitStatus::lower_bound   ? "> "
+                     : fit.status == FitStatus::upper_bound ? "< "
+                                                            : "";
+  return {fit.curve.median, fit.median_interval, sign};
+}
+
+Estimate log_std_of(const FitSummary& fit) { return {fit.curve.log_std, fit.log_std_interval, ""}; }
+
+Estimate p50_of(const FitSummary& fit) {
+  return {fit.curve.intensity_at(0.5), fit.p50_interval, median_of(fit).sign};
+}
+
+Estimate floor_of(const FitSummary& fit) { return {fit.curve.floor, fit.floor_interval, ""}; }
+
+/// Share of records of which any sample falls below the threshold again at a higher level.
+double record_recross_share(const ThresholdFragility& fragility) {
+  const std::vector<double>& recross = fragility.record_recross;
+  return recross.empty() ? nan
+                         : std::accumulate(recross.begin(), recross.end(), 0.0) /
+                               static_cast<double>(recross.size());
+}
+
+void add_fragility_row(Table& table, const RunResults& run, const ThresholdFragility& fragility,
+                       const std::string& method, const FitSummary& fit) {
+  table.add({run.label, fragility.threshold_m, method, median_of(fit), log_std_of(fit),
+             to_string(fit.status), fragility.recross_share, record_recross_share(fragility),
+             fragility.censored_share, floor_of(fit), p50_of(fit), fit.interval_method, fit.note});
+}
+
+/// How the median came about, for people.
+std::string fit_label(const FitSummary& fit, double highest_level) {
+  const bool beyond = fit.converged() && fit.curve.median > highest_level;
+  return to_string(fit.status) + (beyond ? ", extrapolated beyond the levels" : "");
+}
+
+double histories_per_level(const Results& results, const RunResults& run) {
+  return static_cast<double>(results.records.size() * run.cases);
+}
+
+}  // namespace
+
+const FitSummary& preferred_fit(const ThresholdFragility& fragility) {
+  return !fragility.capacities.converged() && fragility.stripes.converged() ? fragility.stripes
+                                                                            : fragility.capacities;
+}
+
+Table fragility_table(const Results& results) {
+  Table table{
+      "fragility",
+      "Fragilities by clearance threshold: P = p0 + (1 - p0) Phi(ln(x / median) / log_std), "
+      "p0 the share that slides freely, without shaking; half of all exceed at p50." +
+          measured_by(results) + "log_std and shares are dimensionless. " + in_plan,
+      {text_column("run", "Friction run"),
+       {"threshold", "m", "Clearance, m (in)", ColumnKind::length},
+       text_column("method", "Fitted on"),
+       intensity_column(results, "median", "Median", true),
+       {"log_std", "", "Log std [95 %]", ColumnKind::number, true},
+       text_column("status", "Fit"),
+       {"recross_share", "", "Histories that recross", ColumnKind::share},
+       {"record_recross_share", "", "Records that recross", ColumnKind::share},
+       {"censored_share", "", "Never reached", ColumnKind::share},
+       {"free_sliding_share", "", "Slides freely, p0 [95 %]", ColumnKind::share, true},
+       intensity_column(results, "p50", "p50", true),
+       text_column("interval_method", "Intervals by"),
+       text_column("note", "Note")},
+      {}};
+  for (const RunResults& run : results.runs) {
+    for (const ThresholdFragility& fragility : run.fragilities) {
+      add_fragility_row(table, run, fragility, "stripes", fragility.stripes);
+      add_fragility_row(table, run, fragility, "capacities", fragility.capacities);
+    }
+  }
+  return table;
+}
+
+Table fragility_summary_table(const Results& results) {
+  Table table{"fragility_summary",
+              "Fragility by clearance: intensity with a 50 % chance of exceedance." +
+                  measured_by(results) + in_plan,
+              {text_column("run", "Friction run"),
+               {"threshold", "m", "Clearance, m (in)", ColumnKind::length},
+               intensity_column(results, "median", "Median", true),
+               {"log_std", "", "Log std [95 %]", ColumnKind::number, true},
+               {"free_sliding_share", "", "Slides freely, p0", ColumnKind::share},
+               intensity_column(results, "p50", "50 % of all at", true),
+               {"censored_share", "", "Never reached", ColumnKind::share},
+               text_column("method", "Fitted on"),
+               text_column("status", "Fit")},
+              {}};
+  double least_floor = 1.0, largest_floor = 0.0;
+  for (const RunResults& run : results.runs) {
+    for (const ThresholdFragility& fragility : run.fragilities) {
+      const FitSummary& fit = preferred_fit(fragility);
+      least_floor = std::min(least_floor, fit.curve.floor);
+      largest_floor = std::max(largest_floor, fit.curve.floor);
+      table.add({run.label, fragility.threshold_m, median_of(fit), log_std_of(fit), fit.curve.floor,
+                 p50_of(fit), fragility.censored_share,
+                 &fit == &fragility.stripes ? "stripes" : "capacities",
+                 fit_label(fit, results.levels.back())});
+    }
+  }
+  if (largest_floor == 0.0) return table.without("free_sliding_share").without("p50");
+  table.notes.push_back(
+      least_floor == 1.0
+          ? "Every history slides freely: it exceeds at any intensity, without shaking."
+          : "Some histories slide freely: they exceed at any intensity. Median and log std are "
+            "those of "
+            "the others: P = p0 + (1 - p0) Phi(ln(x / median) / log std).");
+  return table;
+}
+
+Table slip_table(const Results& results) {
+  Table table{"slip",
+              "Peak slip over records and samples, by level." + measured_by(results) + in_plan,
+              {text_column("run", "Friction run"),
+               intensity_column(results, "level", "Level"),
+               {"median_slip", "m", "Median, m (in) [95 %, m]", ColumnKind::length, true},
+               {"p84_slip", "m", "84th percentile, m (in) [95 %, m]", ColumnKind::length, true},
+               {"p95_slip", "m", "95th percentile, m (in)", ColumnKind::length},
+               {"mean_slip", "m", "Mean, m (in) [95 %, m]", ColumnKind::length, true},
+               {"mean_vector", "m", "Mean longest vector, m (in)", ColumnKind::length},
+               {"uplift_share", "", "Uplift", ColumnKind::share},
+               {"tip_share", "", "Begins to tip", ColumnKind::share}},
+              {}};
+  bool tipping = false, two_axes = false;  // asked for
+  for (const RunResults& run : results.runs) {
+    for (const SlipStatistics& slip : run.slip) {
+      tipping = tipping || !std::isnan(slip.tip_share);
+      two_axes = two_axes || !std::isnan(slip.mean_vector_m);
+      table.add({run.label, slip.level, Estimate{slip.median_m, slip.median_interval},
+                 Estimate{slip.p84_m, slip.p84_interval}, slip.p95_m,
+                 Estimate{slip.mean_m, slip.mean_interval}, slip.mean_vector_m, slip.uplift_share,
+                 slip.tip_share});
+    }
+  }
+  if (!tipping) table = table.without("tip_share");
+  return two_axes ? table : table.without("mean_vector");
+}
+
+Table stripes_table(const Results& results) {
+  Table table{
+      "stripes",
+      "Histories whose slip exceeds the threshold, by level: what the fit on stripes rests on." +
+          measured_by(results) + in_plan,
+      {text_column("run", "Friction run"),
+       {"threshold", "m", "Clearance, m (in)", ColumnKind::length},
+       intensity_column(results, "level", "Level"),
+       {"histories", "", "Histories", ColumnKind::count},
+       {"exceedances", "", "Exceedances", ColumnKind::count},
+       {"share", "", "Share [95 %]", ColumnKind::share, true}},
+      {}};
+  for (const RunResults& run : results.runs) {
+    const double histories = histories_per_level(results, run);
+    for (const ThresholdFragility& fragility : run.fragilities) {
+      for (std::size_t l = 0; l < fragility.probability.size(); ++l) {
+        const Interval interval = l < fragility.probability_interval.size()
+                                      ? fragility.probability_interval[l]
+                                      : Interval{};
+        table.add({run.label, fragility.threshold_m, results.levels.at(l), histories,
+                   std::round(fragility.probability[l] * histories),
+                   Estimate{fragility.probability[l], interval}});
+      }
+    }
+  }
+  return table;
+}
+
+}  // namespace glissade

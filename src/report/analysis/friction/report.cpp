@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+#include <limits>
+
+#include "glissade/report/friction_report.hpp"
+#include "page/page.hpp"
+
+namespace glissade {
+namespace {
+
+void add_row(Table& table, const std::string& direction, const char* which, const MuStatistics& s) {
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  table.add({direction, std::string(which), static_cast<double>(s.tests), s.mean, s.std,
+             s.mean_minus_2_std, s.lower_bound_95, s.normality ? s.normality->w : none,
+             s.normality ? s.normality->p_value : none});
+}
+
+}  // namespace
+
+Table pull_tests_table(const PullTestSummary& summary) {
+  Table table{"pull_tests",
+              "Each pull: force over normal force, largest before it slips and over its sliding "
+              "part",
+              {{"test", "", "Test", ColumnKind::text},
+               {"direction", "", "Direction", ColumnKind::text},
+               {"breakaway_mu", "", "Breakaway", ColumnKind::number},
+               {"sliding_mu", "", "Sliding, mean", ColumnKind::number},
+               {"sliding_std", "", "Std", ColumnKind::number},
+               {"min_mu", "", "Least", ColumnKind::number},
+               {"max_mu", "", "Largest", ColumnKind::number},
+               {"mu_by_displacement", "", "Mean over displacement", ColumnKind::number},
+               {"travel", "m", "Travel, m (in)", ColumnKind::length}},
+              {}};
+  for (const TraceFriction& t : summary.tests) {
+    table.add({t.test, t.direction, t.breakaway_mu, t.sliding_mu, t.sliding_std, t.min_mu, t.max_mu,
+               t.mu_by_displacement, t.travel_m});
+  }
+  return table;
+}
+
+Table friction_table(const PullTestSummary& summary) {
+  Table table{"friction",
+              "Friction over the tests of a direction, each test one value",
+              {{"direction", "", "Direction", ColumnKind::text},
+               {"friction", "", "Friction", ColumnKind::text},
+               {"tests", "", "Tests", ColumnKind::count},
+               {"mean", "", "Mean", ColumnKind::number},
+               {"std", "", "Std", ColumnKind::number},
+               {"mean_minus_2_std", "", "Mean - 2 std", ColumnKind::number},
+               {"lower_bound_95", "", "95 % lower bound", ColumnKind::number},
+               {"shapiro_wilk_w", "", "Shapiro-Wilk W", ColumnKind::number},
+               {"shapiro_wilk_p", "", "p", ColumnKind::number}},
+              {}};
+  for (const DirectionFriction& d : summary.directions) {
+    add_row(table, d.direction, "sliding", d.sliding);
+    add_row(table, d.direction, "breakaway", d.breakaway);
+  }
+  return table;
+}
+
+void write_friction_report(const std::vector<PullTest>& tests, const PullTestSummary& summary,
+                           const std::filesystem::path& out_dir) {
+  write_tables({friction_table(summary), pull_tests_table(summary)}, out_dir);
+  render_figure(friction_figure(tests, summary), out_dir / "figures");
+}
+
+}  // namespace glissade

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/impact/impact.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "glissade/report/format.hpp"
+#include "glissade/report/tables.hpp"
+#include "text/study_text.hpp"
+
+namespace glissade {
+
+bool tells_impact(const Results& results) {
+  return std::ranges::any_of(results.runs,
+                             [](const RunResults& run) { return !run.impact.empty(); });
+}
+
+std::string impact_explained() {
+  return "Each number is given that the array gets there: histories that stay short of the "
+         "clearance are left out, and the share that gets there is told beside it. The speed is "
+         "that of the array relative to the roof, in plan, as it first gets that far from where it "
+         "lay; its kinetic energy is v^2/2 for each kilogram that moves together. The histories "
+         "slide on as if nothing stood there: a parapet that stops the array changes what follows.";
+}
+
+Table impact_table(const Results& results) {
+  Table table{"impact",
+              "Speed and time at which the array first gets a clearance's distance from where it "
+              "lay. " +
+                  impact_explained() + " Intensity measure: " + results.intensity_label + ".",
+              {{"run", "", "Friction run", ColumnKind::text},
+               {"threshold", "m", "Clearance, m (in)", ColumnKind::length},
+               intensity_column(results, "level", "Level"),
+               {"reached_share", "", "Gets there [95 %]", ColumnKind::share, true},
+               {"median_speed", "mps", "Median speed, m/s [95 %]", ColumnKind::number, true},
+               {"p84_speed", "mps", "84th percentile, m/s [95 %]", ColumnKind::number, true},
+               {"p95_speed", "mps", "95th percentile, m/s", ColumnKind::number},
+               {"largest_speed", "mps", "Largest, m/s", ColumnKind::number},
+               {"median_energy", "Jpkg", "Energy at the median, J/kg", ColumnKind::number},
+               {"p84_energy", "Jpkg", "Energy at the 84th percentile, J/kg", ColumnKind::number},
+               {"p16_time", "s", "16th percentile of time, s", ColumnKind::number},
+               {"median_time", "s", "Median time, s", ColumnKind::number},
+               {"p84_time", "s", "84th percentile of time, s", ColumnKind::number}},
+              {}};
+  for (const RunResults& run : results.runs) {
+    for (const ImpactStatistics& s : run.impact) {
+      table.add({run.label, s.threshold_m, s.level, Estimate{s.reached_share, s.reached_interval},
+                 Estimate{s.speed_median_mps, s.speed_median_interval},
+                 Estimate{s.speed_p84_mps, s.speed_p84_interval}, s.speed_p95_mps,
+                 s.speed_largest_mps, energy_jpkg(s.speed_median_mps), energy_jpkg(s.speed_p84_mps),
+                 s.time_p16_s, s.time_median_s, s.time_p84_s});
+    }
+  }
+  return table;
+}
+
+Table brief_impact_table(const Results& results) {
+  const RunResults& run = results.runs.front();
+  Table table{"impact_brief",
+              "Speed on first reaching a clearance, given that the array gets there (" + run.label +
+                  " friction). Intensity measure: " + results.intensity_label + ".",
+              {{"threshold", "m", "Clearance, m (in)", ColumnKind::length},
+               intensity_column(results, "level", "Level"),
+               {"reached_share", "", "Gets there", ColumnKind::share},
+               {"median_speed", "mps", "Median speed, m/s [95 %]", ColumnKind::number, true},
+               {"p84_speed", "mps", "84th percentile, m/s [95 %]", ColumnKind::number, true},
+               {"p84_energy", "Jpkg", "Energy at the 84th, J/kg", ColumnKind::number},
+               {"median_time", "s", "Median time, s", ColumnKind::number}},
+              {}};
+  const std::vector<double> chosen = some_levels(results.levels, 5);
+  for (const ImpactStatistics& s : run.impact) {
+    if (s.reached_share == 0.0 || !std::ranges::count(chosen, s.level)) continue;
+    table.add({s.threshold_m, s.level, s.reached_share,
+               Estimate{s.speed_median_mps, s.speed_median_interval},
+               Estimate{s.speed_p84_mps, s.speed_p84_interval}, energy_jpkg(s.speed_p84_mps),
+               s.time_median_s});
+  }
+  return table;
+}
+
+std::string impact_sentence(const Results& results, const SlipStatistics& slip) {
+  std::string speeds;
+  for (const ImpactStatistics& s : results.runs.front().impact) {
+    if (s.level != slip.level || s.reached_share == 0.0) continue;
+    speeds += fmt::format("{}{} and {} m/s at {} ({} of the histories)", speeds.empty() ? "" : "; ",
+                          format_number(s.speed_median_mps), format_number(s.speed_p84_mps),
+                          format_length(s.threshold_m), format_share(s.reached_share));
+  }
+  if (speeds.empty()) return "";
+  return fmt::format(
+      "Given that the array gets to a clearance at {}, it gets there with these speeds (median and "
+      "84th percentile): {}.",
+      at_intensity(results, slip.level), speeds);
+}
+
+}  // namespace glissade

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+
+#include "glissade/report/figures.hpp"
+#include "glissade/report/format.hpp"
+#include "text/study_text.hpp"
+
+namespace glissade {
+namespace {
+
+/// What one standard prescribes: a line, points where it was checked, hollow where it was recalled.
+void add_standard(Panel& panel, const RunResults& run, Standard standard, Look style,
+                  int hollow_symbol) {
+  const std::string name = standard_name(standard);
+  Series all{Series::Kind::line, style, name};
+  for (const StandardComparison& c : run.standards) {
+    if (c.standard != standard) continue;
+    all.x.push_back(c.sds_g);
+    all.y.push_back(c.prescribed.value_m);
+  }
+  if (all.x.empty()) return;
+  panel.series.push_back(all);
+  for (const Provenance provenance : {Provenance::checked, Provenance::recalled}) {
+    const bool recalled = provenance == Provenance::recalled;
+    Look look = style;
+    if (recalled) look.symbol = hollow_symbol;
+    Series points{Series::Kind::points, look, name + (recalled ? ", recalled" : ", checked")};
+    for (const StandardComparison& c : run.standards) {
+      if (c.standard != standard || c.prescribed.provenance != provenance) continue;
+      points.x.push_back(c.sds_g);
+      points.y.push_back(c.prescribed.value_m);
+    }
+    if (points.x.empty()) continue;
+    panel.series.push_back(points);
+    panel.series.push_back(
+        {Series::Kind::line_and_points, look, "",
+         name + ", prescribed" +
+             (recalled ? " (hollow: recalled, verify against the standard)" : "")});
+  }
+}
+
+struct Statistic {
+  Role role;
+  const char* label;
+  double SlipStatistics::*value_m;
+  Interval SlipStatistics::*interval;
+};
+
+/// The band of a statistic's interval below all, its line above. A band whose upper end is infinite
+/// leaves the figure at the top.
+void add_statistic(Panel& panel, const RunResults& run, const Statistic& statistic, double top_m) {
+  Series line{Series::Kind::line, look(statistic.role), statistic.label, statistic.label};
+  Series band{Series::Kind::band, line.look, std::string(statistic.label) + ": band"};
+  const auto shown = [&](double limit_m) { return std::isinf(limit_m) ? 10.0 * top_m : limit_m; };
+  for (const SlipStatistics& s : run.slip) {
+    line.x.push_back(s.level);
+    line.y.push_back(s.*statistic.value_m);
+    if (!statistic.interval) continue;
+    const Interval& interval = s.*statistic.interval;
+    band.x.push_back(s.level);
+    band.low.push_back(shown(interval.low));
+    band.high.push_back(shown(interval.high));
+  }
+  panel.series.insert(panel.series.begin(), std::move(band));
+  panel.series.push_back(std::move(line));
+}
+
+}  // namespace
+
+Figure slip_vs_sds_figure(const Results& results, const RunResults& run) {
+  const bool has_standards = !run.standards.empty();
+  Figure figure{"slip_vs_sds",
+                std::string("Slip at increasing design intensity") +
+                    (has_standards ? ", and what the standards prescribe" : ""),
+                counts_of(results) + "; " + friction_of(run),
+                "Peak slip in plan over all histories at each S_DS: median, 84th and 95th "
+                "percentile and mean; shaded: 95 % intervals of the median and of the 84th "
+                "percentile from resampling whole records. Friction " +
+                    run.friction_description + "."};
+  if (has_standards) {
+    figure.caption +=
+        " With points: displacements prescribed by the standards; hollow points rest on provisions "
+        "recalled from memory and must be verified against the standard. Where they leave the "
+        "figure at the top, tables/standards.csv has them.";
+  }
+  double top_m = 0.0, prescribed_m = 0.0;
+  for (const SlipStatistics& s : run.slip) {
+    for (const double slip_m : {s.median_m, s.p84_m, s.p95_m, s.mean_m})
+      if (std::isfinite(slip_m)) top_m = std::max(top_m, slip_m);  // infinite: not run
+  }
+  for (const StandardComparison& c : run.standards)
+    prescribed_m = std::max(prescribed_m, c.prescribed.value_m);
+  // The prescribed values may leave the figure at the top: slip must stay readable.
+  top_m = std::max(top_m, std::min(prescribed_m, 1.8 * top_m));
+  Panel panel{"",
+              {results.intensity_label, 0.0, results.levels.back()},
+              length_axis("Peak slip in plan", top_m > 0.0 ? 1.05 * top_m : 1.0)};
+  for (const Statistic& statistic :
+       {Statistic{Role::p95, "95th percentile of slip", &SlipStatistics::p95_m, nullptr},
+        Statistic{Role::p84, "84th percentile (shaded: 95 % interval)", &SlipStatistics::p84_m,
+                  &SlipStatistics::p84_interval},
+        Statistic{Role::mean, "mean", &SlipStatistics::mean_m, nullptr},
+        Statistic{Role::median, "median (shaded: 95 % interval)", &SlipStatistics::median_m,
+                  &SlipStatistics::median_interval}})
+    add_statistic(panel, run, statistic, top_m);
+  // The two standards agree over a wide range: the wide line lies below the narrow one.
+  add_standard(panel, run, Standard::asce7_16, {{0x999999}, 5.0, 1, 5, 1.5}, 4);
+  add_standard(panel, run, Standard::seaoc_pv1_2012, {{0x5e3c99}, 1.5, 5, 7, 0.8}, 6);
+  figure.panels = {std::move(panel)};
+  return figure;
+}
+
+}  // namespace glissade

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <limits>
+
+#include "glissade/report/format.hpp"
+#include "glissade/report/tables.hpp"
+#include "text/study_text.hpp"
+
+namespace glissade {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+const SlipStatistics* slip_at(const RunResults& run, double level) {
+  for (const SlipStatistics& slip : run.slip) {
+    if (slip.level == level) return &slip;
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+Table standards_table(const Results& results) {
+  Table table{"standards",
+              std::string("Displacements prescribed by standards beside the slip that came out. ") +
+                  in_plan,
+              {text_column("run", "Friction run"),
+               text_column("standard", "Standard"),
+               {"sds", "g", "S_DS, g", ColumnKind::number},
+               {"prescribed", "m", "Prescribed, m (in)", ColumnKind::length},
+               {"median_slip", "m", "Median, m (in)", ColumnKind::length},
+               {"p84_slip", "m", "84th, m (in)", ColumnKind::length},
+               {"p95_slip", "m", "95th, m (in)", ColumnKind::length},
+               {"mean_slip", "m", "Mean, m (in)", ColumnKind::length},
+               {"exceedance_share", "", "Slip > prescribed [95 %]", ColumnKind::share, true},
+               text_column("provenance", "Provision"),
+               text_column("basis", "Basis")},
+              {}};
+  for (const RunResults& run : results.runs) {
+    for (const StandardComparison& comparison : run.standards) {
+      const SlipStatistics* found = slip_at(run, comparison.sds_g);
+      const SlipStatistics slip =
+          found ? *found : SlipStatistics{0.0, nan, nan, nan, nan, {}, {}, {}, nan};
+      table.add({run.label, standard_name(comparison.standard), comparison.sds_g,
+                 comparison.prescribed.value_m, slip.median_m, slip.p84_m, slip.p95_m, slip.mean_m,
+                 Estimate{comparison.exceedance_probability, comparison.exceedance_interval},
+                 provenance_label(comparison.prescribed.provenance), comparison.prescribed.basis});
+    }
+  }
+  return table;
+}
+
+}  // namespace glissade

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glissade/report/tables.hpp"
+
+#include "glissade/report/format.hpp"
+#include "text/study_text.hpp"
+
+namespace glissade {
+
+Table records_table(const Results& results) {
+  Table table{"records",
+              "Ground motions of suite " + results.suites.front().name +
+                  ". pga and pgv are geometric means of the horizontals as recorded; factor at "
+                  "unit level is what "
+                  "the record is multiplied by at level 1 (0: depends on the roof); 0 in "
+                  "magnitude, distance "
+                  "and vs30 means not told. " +
+                  in_plan,
+              {text_column("id", "Record"),
+               text_column("event", "Event"),
+               text_column("station", "Station"),
+               {"magnitude", "", "M", ColumnKind::number},
+               {"distance", "km", "Distance, km", ColumnKind::number},
+               {"vs30", "mps", "Vs30, m/s", ColumnKind::number},
+               {"suite_scale", "", "Suite factor", ColumnKind::number},
+               {"factor_at_unit_level", "", "Factor at level 1", ColumnKind::number},
+               {"pga", "g", "PGA, g", ColumnKind::number},
+               {"pgv", "mps", "PGV, m/s", ColumnKind::number},
+               {"dt", "s", "Step, s", ColumnKind::number},
+               {"samples", "", "Samples", ColumnKind::count},
+               text_column("has_second", "2nd horizontal"),
+               text_column("has_vertical", "Vertical")},
+              {}};
+  const auto yes_no = [](bool value) -> std::string { return value ? "yes" : "no"; };
+  for (const RecordSummary& r : results.records) {
+    table.add({r.id, r.event, r.station, r.magnitude, r.distance_km, r.vs30_mps, r.suite_scale,
+               r.factor_at_unit_level, r.pga_g, r.pgv_mps, r.dt_s, static_cast<double>(r.samples),
+               yes_no(r.has_second), yes_no(r.has_vertical)});
+  }
+  return table;
+}
+
+Table spectra_table(const Results& results) {
+  const SuiteSpectra& spectra = results.suites.front().spectra;
+  Table table{"spectra",
+              "5 % damped SRSS spectra of the horizontals, " +
+                  (spectra.reference_level > 0.0 ? "scaled to " + results.intensity_label + " = " +
+                                                       format_number(spectra.reference_level)
+                                                 : std::string("by the suite's own factors")) +
+                  ". " + in_plan,
+              {{"period", "s", "Period, s", ColumnKind::number},
+               {"average_srss", "g", "Average, g", ColumnKind::number}},
+              {}};
+  if (!spectra.target_g.empty())
+    table.columns.push_back({"target", "g", "Target, g", ColumnKind::number});
+  for (std::size_t r = 0; r < spectra.srss_g.size(); ++r) {
+    const std::string id = r < results.records.size() ? results.records[r].id : std::to_string(r);
+    table.columns.push_back({"srss_" + id, "g", id + ", g", ColumnKind::number});
+  }
+  for (std::size_t p = 0; p < spectra.periods_s.size(); ++p) {
+    std::vector<Cell> row = {spectra.periods_s[p], spectra.average_srss_g.at(p)};
+    if (!spectra.target_g.empty()) row.emplace_back(spectra.target_g.at(p));
+    for (const std::vector<double>& record : spectra.srss_g) row.emplace_back(record.at(p));
+    table.add(std::move(row));
+  }
+  return table;
+}
+
+Table samples_table(const Results& results) {
+  Table table{"samples", std::string("The samples of the first combination. ") + in_plan,
+              {{"sample", "", "Sample", ColumnKind::count}}, {}};
+  std::vector<const Parameter*> shown;
+  for (const Parameter& p : parameters()) {
+    if (p.axes == Parameter::Axes::two && !slides_on_two_axes(results)) continue;
+    shown.push_back(&p);
+    const std::string unit = p.unit == std::string("-") ? "" : p.unit;
+    table.columns.push_back({std::string(p.table) + "_" + p.key, "",
+                             std::string(p.key) + (unit.empty() ? "" : ", " + unit),
+                             ColumnKind::number});
+  }
+  table.columns.push_back({"ground_azimuth_deg", "", "Ground azimuth, deg", ColumnKind::number});
+  table.columns.push_back({"across_sign", "", "Sign across", ColumnKind::count});
+  for (std::size_t j = 0; j < results.cases.samples; ++j) {
+    const Case& c = results.cases.cases[results.cases.index(0, j, 0)];
+    std::vector<Cell> row{static_cast<double>(j)};
+    for (const Parameter* p : shown) row.emplace_back(value_of(*p, c));
+    row.emplace_back(c.orientation.ground_azimuth_deg);
+    row.emplace_back(static_cast<double>(c.orientation.across_sign));
+    table.add(std::move(row));
+  }
+  return table;
+}
+
+}  // namespace glissade

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "page/page.hpp"
+
+#include <fmt/format.h>
+
+#include "glissade/core/file.hpp"
+
+namespace glissade {
+namespace {
+
+constexpr Markup style = R"(
+body { font: 16px/1.5 Arial, Helvetica, sans-serif; color: #222; max-width: 68em; margin: 2em auto; padding: 0 1em; }
+h1 { margin-bottom: 0; } h2 { margin-top: 2em; border-bottom: 1px solid #ccc; }
+.answer { background: #eef4fa; border-left: 4px solid #0072b2; padding: .6em 1em; }
+.answer p { margin: .4em 0; }
+.warning { background: #fff4e0; border-left: 4px solid #e69f00; padding: .4em 1em; }
+figure { margin: 1.5em auto; max-width: 60em; } figure svg { width: 100%; height: auto; }
+figcaption, caption { color: #444; font-size: .9em; text-align: left; padding: .3em 0; }
+.wide { overflow-x: auto; }
+table { border-collapse: collapse; font-size: .85em; margin: 1em 0; }
+th, td { border-bottom: 1px solid #ddd; padding: .2em .6em; text-align: left; vertical-align: top; }
+th { background: #f4f4f4; vertical-align: bottom; } .number { text-align: right; white-space: nowrap; }
+td:not(.number) { min-width: 7em; }
+dt { font-weight: bold; } dd { margin: 0 0 .5em 1.5em; }
+pre { background: #f7f7f7; border: 1px solid #ddd; padding: .8em; white-space: pre-wrap; overflow-wrap: anywhere; font-size: .85em; }
+@media print {
+  body { max-width: none; margin: 0; font-size: 10pt; } h2, figcaption { break-after: avoid; }
+  figure { max-width: 14cm; } figure, tr { break-inside: avoid; } .wide { overflow: visible; } table { font-size: 7pt; }
+}
+)";
+
+}  // namespace
+
+Html page_head(const PageTitle& title) {
+  return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n" +
+         enclosed("<title>", title.name + " - " + title.kind, "</title>\n<style>") + style +
+         enclosed("</style>\n</head>\n<body>\n<h1>", title.name, "</h1>\n");
+}
+
+Html page_foot() { return Html("</body>\n</html>\n"); }
+
+Html paragraph(const std::string& text) { return enclosed("<p>", text, "</p>\n"); }
+
+Html heading(const std::string& text) { return enclosed("<h2>", text, "</h2>\n"); }
+
+Html wide_table(const Table& table) { return "<div class=\"wide\">" + to_html(table) + "</div>\n"; }
+
+Html list(const std::vector<std::string>& items) {
+  Html html("<ul>\n");
+  for (const std::string& item : items) html += enclosed("<li>", item, "</li>\n");
+  return html + "</ul>\n";
+}
+
+Html study_file(const std::string& text) { return enclosed("<pre>", text, "</pre>\n"); }
+
+Html figure_html(const DrawnFigure& drawn, std::size_t number) {
+  const Figure& figure = drawn.figure;
+  return enclosed("<figure id=\"figure_", figure.name.text(), "\">\n") +
+         Html::drawing(drawn.svg, figure.title) +
+         enclosed("\n<figcaption><strong>", fmt::format("Figure {}. {}.", number, figure.title),
+                  "</strong> ") +
+         enclosed("", figure.caption, "</figcaption>\n</figure>\n");
+}
+
+Html figures_html(const std::vector<DrawnFigure>& figures) {
+  Html html;
+  for (std::size_t i = 0; i < figures.size(); ++i) html += figure_html(figures[i], i + 1);
+  return html;
+}
+
+void write_tables(const std::vector<Table>& tables, const std::filesystem::path& out_dir) {
+  for (const Table& table : tables)
+    write_text_file(out_dir / "tables" / (table.name + ".csv"), to_csv(table));
+}
+
+std::vector<DrawnFigure> draw(std::vector<Figure> figures, const std::filesystem::path& out_dir) {
+  std::vector<DrawnFigure> drawn;
+  for (Figure& figure : figures) {
+    render_figure(figure, out_dir / "figures");
+    std::string svg = read_text_file(out_dir / "figures" / (figure.name + ".svg"));
+    drawn.push_back({std::move(figure), std::move(svg)});
+  }
+  return drawn;
+}
+
+}  // namespace glissade

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "glissade/report/html.hpp"
+#include "glissade/report/html_text.hpp"
+#include "glissade/report/table.hpp"
+
+// The pieces reports are made of. Text is escaped here: callers pass it as people read it.
+namespace glissade {
+
+struct PageTitle {
+  std::string name;  ///< heading of the page
+  std::string kind;  ///< after it in the browser's title: "slip fragility"
+};
+
+/// All up to and with the <h1>, styles inline.
+Html page_head(const PageTitle& title);
+Html page_foot();
+
+Html paragraph(const std::string& text);
+Html heading(const std::string& text);
+Html list(const std::vector<std::string>& items);
+/// As it was given, line by line.
+Html study_file(const std::string& text);
+/// Scrolls sideways where it is wider than the page.
+Html wide_table(const Table& table);
+/// Writes out_dir/tables/NAME.csv of each.
+void write_tables(const std::vector<Table>& tables, const std::filesystem::path& out_dir);
+/// Draws into out_dir/figures.
+std::vector<DrawnFigure> draw(std::vector<Figure> figures, const std::filesystem::path& out_dir);
+/// Drawings in order, each with its number, title and caption.
+Html figures_html(const std::vector<DrawnFigure>& figures);
+/// The drawing inline with its number, title and caption.
+Html figure_html(const DrawnFigure& drawn, std::size_t number);
+
+}  // namespace glissade

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glissade/report/write_report.hpp"
+
+#include "glissade/core/file.hpp"
+#include "glissade/report/figures.hpp"
+#include "glissade/report/html.hpp"
+#include "glissade/report/tables.hpp"
+#include "page/page.hpp"
+
+namespace glissade {
+
+void write_report(const Results& results, const std::filesystem::path& out_dir,
+                  const std::vector<Skip>& skips) {
+  write_tables(csv_tables(results), out_dir);
+  const std::vector<DrawnFigure> figures = draw(make_figures(results), out_dir);
+  write_text_file(out_dir / "report.html", html_report(results, figures, skips));
+}
+
+}  // namespace glissade

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "glissade/core/units.hpp"
+#include "glissade/report/figure.hpp"
+
+namespace glissade {
+
+Look look(Role role) {
+  constexpr Colour blue{0x0072b2}, orange{0xd55e00}, green{0x009e73}, pink{0xcc79a7}, black{0},
+      grey{0x777777};
+  switch (role) {
+    case Role::clearance:
+      return {blue, 4.0, 1, 7, 0.5};
+    case Role::median:
+      return {black, 3.0, 1, 7, 0.6};
+    case Role::mean:
+      return {blue, 2.0, 3, 5, 0.6};
+    case Role::p16:
+      return {green, 2.0, 2, 9, 0.6};
+    case Role::p84:
+      return {orange, 2.5, 1, 5, 0.6};
+    case Role::p95:
+      return {pink, 2.0, 2, 9, 0.6};
+    case Role::largest:
+      return {grey, 2.0, 4, 13, 0.7};
+    case Role::record:
+      return {{0xb0b0b0}, 1.0, 1, 0, 0.0};
+    case Role::bound:
+      return {{0x555555}, 1.8, 2, 0, 0.0};
+    case Role::target:
+      return {orange, 2.5, 2, 0, 0.0};
+    case Role::prescribed:
+      return {orange, 2.5, 5, 4, 1.2};
+    case Role::reference:
+      return {{0x555555}, 1.5, 3, 0, 0.0};
+    case Role::stated:
+      return {orange, 2.5, 1, 3, 2.0};
+  }
+  return {};
+}
+
+Look family_look(std::size_t index, std::size_t count) {
+  constexpr std::array<std::array<double, 3>, 5> stops = {{{0x44, 0x01, 0x54},
+                                                           {0x3b, 0x52, 0x8b},
+                                                           {0x21, 0x91, 0x8c},
+                                                           {0x3f, 0xb0, 0x6e},
+                                                           {0x8f, 0xc3, 0x2f}}};
+  constexpr std::array<int, 5> symbols = {7, 5, 9, 13, 11};  // disc, square, triangle, diamond ...
+  const double position =
+      count < 2 ? 1.0
+                : static_cast<double>(index) / static_cast<double>(count - 1) * (stops.size() - 1);
+  const auto lower = std::min<std::size_t>(static_cast<std::size_t>(position), stops.size() - 2);
+  const double share = position - static_cast<double>(lower);
+  Look family{.width = 2.5, .symbol = symbols[index % symbols.size()]};
+  for (std::size_t channel = 0; channel < 3; ++channel) {
+    const double mixed = (1.0 - share) * stops[lower][channel] + share * stops[lower + 1][channel];
+    family.colour.rgb = 256 * family.colour.rgb + static_cast<std::uint32_t>(std::lround(mixed));
+  }
+  return family;
+}
+
+Look distinct_look(std::size_t index) {
+  constexpr std::array<std::uint32_t, 6> colours = {0x0072b2, 0xd55e00, 0x009e73,
+                                                    0xcc79a7, 0xe69f00, 0x56b4e9};
+  return {.colour = {colours[index % colours.size()]}, .width = 3.0};
+}
+
+double round_step(double range, double count) {
+  const double wanted = range / count, power = std::pow(10.0, std::floor(std::log10(wanted)));
+  const double leading = wanted / power;
+  return power * (leading < 1.5 ? 1.0 : leading < 3.5 ? 2.0 : leading < 7.5 ? 5.0 : 10.0);
+}
+
+Axis length_axis(const std::string& label, double high_m) {
+  Axis axis{label + " (m)", 0.0, high_m, {}, label + " (in)", {}};
+  const double step_in = round_step(high_m / inch_m, 6.0);
+  for (int i = 0; i * step_in * inch_m <= high_m; ++i)
+    axis.opposite_ticks.push_back({i * step_in * inch_m, fmt::format("{:g}", i * step_in)});
+  return axis;
+}
+
+}  // namespace glissade

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cctype>
+
+#include "glissade/core/error.hpp"
+#include "glissade/core/file.hpp"
+#include "glissade/report/figure.hpp"
+#include "plot/script.hpp"
+
+namespace glissade {
+namespace {
+
+void replace_all(std::string& text, const std::string& from, const std::string& to) {
+  for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size()) {
+    text.replace(at, from.size(), to);
+  }
+}
+
+/// Reads what gnuplot wrote and sees that it is whole: gnuplot itself does not notice a full disk.
+std::string whole_drawing(const std::filesystem::path& path, const std::string& last_word) {
+  std::string drawing = read_text_file(path);
+  const std::size_t at = drawing.rfind(last_word);
+  if (at == std::string::npos || drawing.size() - at > last_word.size() + 2) {
+    throw InputError(
+        {path.string(), "is not whole after gnuplot drew it", "see whether the disk is full", ""});
+  }
+  return drawing;
+}
+
+/// Cairo writes the time of day as (D:YYYYMMDDhhmmssZ) and heeds no SOURCE_DATE_EPOCH; the digits
+/// are set to 1970 in place, so that no offset in the file moves.
+void remove_creation_date(std::string& pdf) {
+  const std::string key = "/CreationDate (D:";
+  const std::size_t at = pdf.find(key);
+  if (at == std::string::npos) return;
+  static constexpr std::string_view epoch = "19700101000000";
+  for (std::size_t i = 0; i < epoch.size(); ++i) {
+    char& digit = pdf[at + key.size() + i];
+    if (std::isdigit(static_cast<unsigned char>(digit))) digit = epoch[i];
+  }
+}
+
+}  // namespace
+
+void render_figure(const Figure& figure, const std::filesystem::path& folder) {
+  write_text_file(folder / (figure.name + ".dat"), gnuplot::data_of(figure));
+  write_text_file(folder / (figure.name + ".gp"), gnuplot::script_of(figure));
+  gnuplot::run(folder, figure.name + ".gp");
+
+  const std::filesystem::path svg_path = folder / (figure.name + ".svg");
+  std::string svg = whole_drawing(svg_path, "</svg>");
+  // Names unique to the figure, so that several drawings can stand in one page.
+  replace_all(svg, "id='gp", "id='" + figure.name.text() + "_gp");
+  replace_all(svg, "'#gp", "'#" + figure.name.text() + "_gp");
+  replace_all(svg, "id=\"gnuplot_canvas\"", "id=\"" + figure.name.text() + "_canvas\"");
+  write_text_file(svg_path, svg);
+
+  const std::filesystem::path pdf_path = folder / (figure.name + ".pdf");
+  std::string pdf = whole_drawing(pdf_path, "%%EOF");
+  remove_creation_date(pdf);
+  write_text_file(pdf_path, pdf);
+}
+
+}  // namespace glissade

@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "plot/script.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "glissade/report/format.hpp"
+
+namespace glissade::gnuplot {
+namespace {
+
+constexpr double px_per_inch = 120.0;
+
+bool has_numbers(const Series& series) { return !series.x.empty(); }
+
+/// As gnuplot takes it for sure: an axis has an extent.
+Axis drawable(Axis axis) {
+  if (std::isfinite(axis.low) && std::isfinite(axis.high) && axis.low < axis.high) return axis;
+  axis.low = 0.0;
+  axis.high = 1.0;
+  return axis;
+}
+
+int key_entries(const Panel& panel) {
+  const auto labelled = [](const auto& part) { return !part.label.empty(); };
+  return static_cast<int>(std::ranges::count_if(panel.series, labelled) +
+                          std::ranges::count_if(panel.rules, labelled));
+}
+
+void add_ticks(Script& script, const std::vector<Tick>& ticks) {
+  script.add("(");
+  for (std::size_t i = 0; i < ticks.size(); ++i) {
+    if (i > 0) script.add(", ");
+    script.add("{} {}", Quoted(ticks[i].label), ticks[i].at);
+  }
+  script.add(")\n");
+}
+
+void add_axis(Script& script, Word which, const Axis& axis) {
+  const std::string_view name = which.text;
+  // An empty second line below the x axis keeps the key away from it.
+  script.add("set {}label {}{}\n", which, Quoted(axis.label),
+             name == "x" ? Word(".\"\\n \"") : Word(""));
+  script.add("set {}range [{}:{}]\n", which, axis.low, axis.high);
+  script.add("set {}tics out nomirror ", which);
+  if (axis.ticks.empty()) {
+    script.add("autofreq norotate\n");
+  } else {
+    const bool turned = name == "x" && axis.ticks.size() > 7;  // else they touch
+    script.add("{}", turned ? Word("rotate by 30 right ") : Word(""));
+    add_ticks(script, axis.ticks);
+  }
+  if (axis.opposite_ticks.empty()) {
+    script.add("unset {0}2tics\nunset {0}2label\n", which);
+    return;
+  }
+  script.add("set {}2label {}\n", which, Quoted(axis.opposite_label));
+  script.add("set {}2range [{}:{}]\n", which, axis.low, axis.high);
+  script.add("set {}2tics out nomirror ", which);
+  add_ticks(script, axis.opposite_ticks);
+}
+
+/// Lines across and text; the key of a rule is a key entry.
+void add_rules_and_notes(Script& script, const Panel& panel) {
+  script.add("unset arrow\nunset label\n");
+  for (const Rule& rule : panel.rules) {
+    const bool level = rule.kind == Rule::Kind::horizontal;
+    const Axis& along = level ? panel.x : panel.y;
+    const bool part = rule.from < rule.to;
+    const double from = part ? rule.from : along.low, to = part ? rule.to : along.high;
+    const Axis& across = level ? panel.y : panel.x;
+    if (!(rule.at >= across.low && rule.at <= across.high)) continue;
+    if (level)
+      script.add("set arrow from {0},{2} to {1},{2}", from, to, rule.at);
+    else
+      script.add("set arrow from {2},{0} to {2},{1}", from, to, rule.at);
+    script.add(" nohead dt {} lw {} lc rgb {} back\n", rule.look.dash, rule.look.width,
+               rule.look.colour);
+  }
+  for (const Note& note : panel.notes) {
+    if (!std::isfinite(note.x) || !std::isfinite(note.y)) continue;
+    const Word align = note.align == Note::Align::left    ? Word("left")
+                       : note.align == Note::Align::right ? Word("right")
+                                                          : Word("center");
+    script.add("set label {} at {},{} {} front boxed textcolor rgb {}\n", Quoted(note.text), note.x,
+               note.y, align, note.colour);
+  }
+}
+
+/// `with ...` of a series, or of its entry in the key.
+void add_style(Script& script, Series::Kind kind, const Look& look, bool key) {
+  switch (kind) {
+    case Series::Kind::line:
+      script.add("with lines lw {} dt {} lc rgb {}", look.width, look.dash, look.colour);
+      return;
+    case Series::Kind::points:
+      script.add("with points pt {} ps {} lw 2 lc rgb {}", look.symbol, look.symbol_size,
+                 look.colour);
+      return;
+    case Series::Kind::line_and_points:
+      script.add("with linespoints lw {} dt {} pt {} ps {} lc rgb {}", look.width, look.dash,
+                 look.symbol, look.symbol_size, look.colour);
+      return;
+    case Series::Kind::bars:
+      script.add("with {} lw 1.5 lc rgb {}", key ? Word("lines") : Word("vectors nohead"),
+                 look.colour);
+      return;
+    case Series::Kind::band:
+      script.add("with filledcurves fc rgb {}", look.colour);
+      return;
+    case Series::Kind::area:
+      script.add("with filledcurves {}fs solid 0.35 fc rgb {}", key ? Word("") : Word("closed "),
+                 look.colour);
+      return;
+  }
+}
+
+void add_key_entry(Script& script, Series::Kind kind, const Look& look, const std::string& label) {
+  script.add(", \\\n  keyentry ");
+  add_style(script, kind, look, true);
+  script.add(" title {}", Quoted(label));
+}
+
+/// All series, lowest first; `index` counts the blocks of the data file.
+void add_plot(Script& script, const FileName& name, const Panel& panel, int& index) {
+  script.add("plot \\\n  NaN notitle");  // axes, even where there is nothing to draw
+  for (const Series& series : panel.series) {
+    if (!has_numbers(series)) continue;
+    const bool bars = series.kind == Series::Kind::bars, band = series.kind == Series::Kind::band;
+    script.add(", \\\n  '{}.dat' index {} using {} ", name, index++,
+               band   ? Word("1:2:3")
+               : bars ? Word("1:2:(0):($3-$2)")
+                      : Word("1:2"));
+    add_style(script, series.kind, series.look, false);
+  }
+  for (const Series& series : panel.series) {
+    if (!series.label.empty()) add_key_entry(script, series.kind, series.look, series.label);
+  }
+  for (const Rule& rule : panel.rules) {
+    if (!rule.label.empty()) add_key_entry(script, Series::Kind::line, rule.look, rule.label);
+  }
+  script.add("\n");
+}
+
+void add_panels(Script& script, const Figure& figure) {
+  const bool several = figure.panels.size() > 1;
+  if (several)
+    script.add("set multiplot layout 1,{} title ", figure.panels.size());
+  else
+    script.add("set title ");
+  script.add("{}.\"\\n\".{}\n", Quoted(figure.title, Quoted::Weight::bold),
+             Quoted(figure.below, Quoted::Weight::small));
+  int index = 0;
+  for (Panel panel : figure.panels) {
+    panel.x = drawable(panel.x);
+    panel.y = drawable(panel.y);
+    if (several) script.add("set title {}\n", Quoted(panel.title, Quoted::Weight::bold));
+    const bool top = !panel.x.opposite_ticks.empty(), right = !panel.y.opposite_ticks.empty();
+    script.add("set border {} lc rgb '#444444'\n", 3 + (top ? 4 : 0) + (right ? 8 : 0));
+    add_axis(script, "x", panel.x);
+    add_axis(script, "y", panel.y);
+    add_rules_and_notes(script, panel);
+    add_plot(script, figure.name, panel, index);
+  }
+  if (several) script.add("unset multiplot\n");
+}
+
+}  // namespace
+
+Quoted::Quoted(std::string_view plain, Weight weight) {
+  quoted_ = weight == Weight::bold ? "'{/:Bold " : weight == Weight::small ? "'{/*0.9 " : "'";
+  for (std::size_t i = 0; i < plain.size(); ++i) {
+    const char c = plain[i];
+    if (plain.substr(i).starts_with("S_DS")) {
+      quoted_ += "S_{DS}";
+      i += 3;
+      if (plain.substr(i + 1).starts_with(' ')) {
+        quoted_ += "\u00a0";  // SVG readers drop a plain space at the end of a subscript
+        ++i;
+      }
+    } else if (c == '\'') {
+      quoted_ += "\u2019";  // gnuplot does not take every doubled quote as one
+    } else if (std::string_view("_^{}@&~\\").find(c) != std::string_view::npos) {
+      quoted_ += std::string("\\") + c;
+    } else {
+      quoted_ += static_cast<unsigned char>(c) < 0x20 || c == 0x7f ? ' ' : c;
+    }
+  }
+  quoted_ += weight == Weight::plain ? "'" : "}'";
+}
+
+std::string script_of(const Figure& figure) {
+  int entries = 0;
+  for (const Panel& panel : figure.panels) entries = std::max(entries, key_entries(panel));
+  const int rows = (entries + figure.key_columns - 1) / figure.key_columns;
+  const int width_px = std::max(900, 480 * static_cast<int>(figure.panels.size()));
+  const int height_px = 640 + 25 * rows;
+  Script script;
+  script.add(
+      "# Draw again with: gnuplot {}.gp\n"
+      "set encoding utf8\n"
+      "set grid lc rgb '#dddddd' lt 1 lw 0.7\n"
+      "set key bmargin left {} maxcols {} Left reverse noautotitle samplen 3 spacing 1.2\n"
+      "set style fill transparent solid 0.16 noborder\n"
+      "set style textbox opaque noborder margins 0.4,0.2\n",
+      figure.name, figure.key_columns > 1 ? Word("horizontal") : Word("vertical"),
+      figure.key_columns);
+  script.add(
+      "set terminal svg enhanced dynamic size {1},{2} background rgb 'white' font 'Arial,16' "
+      "name '{0}'\n"
+      "set output '{0}.svg'\n",
+      figure.name, width_px, height_px);
+  add_panels(script, figure);
+  script.add(
+      "set terminal pdfcairo enhanced color size {1:.3f},{2:.3f} background rgb 'white' "
+      "font 'Arial,9.5'\n"
+      "set output '{0}.pdf'\n",
+      figure.name, width_px / px_per_inch, height_px / px_per_inch);
+  if (figure.panels.size() == 1)
+    script.add("replot\n");
+  else
+    add_panels(script, figure);
+  return script.str();
+}
+
+std::string data_of(const Figure& figure) {
+  std::string data;
+  const auto one_line = [](std::string text) {
+    std::ranges::replace_if(
+        text, [](char c) { return static_cast<unsigned char>(c) < 0x20; }, ' ');
+    return text;
+  };
+  for (const Panel& panel : figure.panels) {
+    for (const Series& series : panel.series) {
+      if (!has_numbers(series)) continue;
+      if (!data.empty()) data += "\n\n";
+      const bool spread = !series.low.empty();
+      data += "# " + one_line(series.name) +
+              (spread ? "\n# columns: x low high\n" : "\n# columns: x y\n");
+      for (std::size_t i = 0; i < series.x.size(); ++i) {
+        const auto column = [](double v) { return std::isfinite(v) ? format_exact(v) : "nan"; };
+        if (!std::isfinite(series.x[i])) {
+          data += "\n";  // the line ends; the next row starts another
+          continue;
+        }
+        data += column(series.x[i]) + " " + column(spread ? series.low.at(i) : series.y.at(i));
+        data += (spread ? " " + column(series.high.at(i)) : "") + "\n";
+      }
+    }
+  }
+  return data;
+}
+
+}  // namespace glissade::gnuplot

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "glissade/report/figure.hpp"
+#include "glissade/report/table.hpp"
+#include "glissade/study/results.hpp"
+
+// What tables, figures and sentences of a study share: texts and levels.
+namespace glissade {
+
+/// In the notes of every table with displacements.
+constexpr auto in_plan = "Displacements are in plan (horizontal).";
+/// "1.2 g": a value of the intensity measure.
+std::string with_unit(const Results& results, const std::string& value);
+/// A column of intensities, its unit in name and heading.
+Column intensity_column(const Results& results, const std::string& stem,
+                        const std::string& heading, bool with_interval = false);
+/// "S_DS = 0.840 g" from the axis label "S_DS (g)".
+std::string at_intensity(const Results& results, double value);
+/// "22 records x 1024 samples"
+std::string counts_of(const Results& results);
+/// "friction mu normal, mean 0.55, std 0.04" where a line has room for it, else "sampled friction":
+/// captions have it in full.
+std::string friction_of(const RunResults& run);
+/// "0.15 m (5.91 in), 0.30 m (11.8 in)"
+std::string list_of_lengths(const std::vector<double>& lengths_m);
+/// Up to `count` of the levels, spread evenly, the highest included.
+std::vector<double> some_levels(const std::vector<double>& levels, std::size_t count);
+
+/// The finite slips of records first <= i < last at a level, over all samples.
+std::vector<double> histories_at(const HistoryTable& histories, CaseSlice cases,
+                                 std::size_t first, std::size_t last, std::size_t level);
+/// The largest finite number, at least 0.
+double largest(const std::vector<double>& values);
+/// The next point begins another line of the series.
+void end_line(Series& series);
+
+}  // namespace glissade
