@@ -69,11 +69,7 @@ Case rigid_building(const std::vector<CoupledScene>& scenes) {
                                                   s.block)));
   }
   return limit({fmt::format("rigid building, m/M = 0.3, {} made-up scenes", scenes.size()), "slip",
-<<<<<<< HEAD
-                "slide(): a rigid building is not affected by the array"},
-=======
-                "slide(): what is rigid does not feel the array", ReferenceFrom::this_code},
->>>>>>> t-cli
+                "slide(): a rigid building is not affected by the array", ReferenceFrom::this_code},
                {relative_to_slip, worst, 1e-12});
 }
 
