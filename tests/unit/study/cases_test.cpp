@@ -48,8 +48,9 @@ TEST(cases, are_combinations_by_samples_by_orientations) {
         EXPECT_EQ(static_cast<double>(c.friction_value), set.axes[0].values[places[0]]);
         EXPECT_EQ(c.period_s, set.axes[1].values[places[1]]);
         EXPECT_EQ(c.slope_deg, set.axes[2].values[places[2]]);
-        if (sample == 3 && c.friction_value == FrictionValue::as_drawn)
+        if (sample == 3 && c.friction_value == FrictionValue::as_drawn) {
           EXPECT_EQ(c.friction, first.friction);  // a sample is the same in every combination
+        }
         EXPECT_EQ(c.orientation, set.cases[o].orientation);
       }
     }
