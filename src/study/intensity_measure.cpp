@@ -16,7 +16,7 @@ namespace glissade {
 namespace {
 
 /// The intensity is that of each record, geometric mean of its horizontals where there are two.
-struct Row {
+struct MeasureRow {
   const char *key, *unit, *own_key, *meaning;
   std::string (*symbol)(const IntensityConfig&);
   /// Of one record at level 1; null: see factors_at_unit_level().
@@ -46,29 +46,29 @@ double arias_intensity_mps(const Motion& motion) {
 }
 
 const std::array rows = {
-    Row{"sds_g", "g", "target",
+    MeasureRow{"sds_g", "g", "target",
         "design spectral acceleration S_DS: each suite is scaled as a whole until its average SRSS "
         "spectrum is nowhere below the design spectrum, 0 to 2 s",
         [](const IntensityConfig&) -> std::string { return "S_DS"; }, nullptr},
-    Row{"ppa_g", "g", nullptr,
+    MeasureRow{"ppa_g", "g", nullptr,
         "peak roof acceleration along the slope's plan direction (depends on the building)",
         [](const IntensityConfig&) -> std::string { return "peak roof acceleration"; }, nullptr},
-    Row{"mce_fraction", "-", nullptr,
+    MeasureRow{"mce_fraction", "-", nullptr,
         "factor on the suite as its file scales it, to MCE; 2/3 is the design earthquake",
         [](const IntensityConfig&) -> std::string { return "fraction of MCE"; },
         [](const IntensityConfig&, const Motion& m) { return m.scale; }},
-    Row{"pga_g", "g", nullptr, "peak ground acceleration",
+    MeasureRow{"pga_g", "g", nullptr, "peak ground acceleration",
         [](const IntensityConfig&) -> std::string { return "peak ground acceleration"; },
         [](const IntensityConfig&, const Motion& m) {
           return standard_gravity_mps2 /
                  horizontal_pga_mps2(m, HorizontalCombination::geometric_mean);
         }},
-    Row{"sa_g", "g", "sa_period_s", "5 % damped spectral acceleration at sa_period_s",
+    MeasureRow{"sa_g", "g", "sa_period_s", "5 % damped spectral acceleration at sa_period_s",
         [](const IntensityConfig& c) { return fmt::format("Sa({:g} s)", c.sa_period_s); },
         [](const IntensityConfig& c, const Motion& m) {
           return standard_gravity_mps2 / geometric_mean_sa_mps2(m, c.sa_period_s);
         }},
-    Row{"avg_sa_g", "g", "avg_sa_periods_s",
+    MeasureRow{"avg_sa_g", "g", "avg_sa_periods_s",
         "geometric mean of the 5 % damped spectral accelerations at avg_sa_periods_s",
         [](const IntensityConfig& c) {
           return fmt::format("average Sa, {:g} to {:g} s", c.avg_sa_periods_s.front(),
@@ -77,12 +77,12 @@ const std::array rows = {
         [](const IntensityConfig& c, const Motion& m) {
           return standard_gravity_mps2 / average_sa_mps2(m, c.avg_sa_periods_s);
         }},
-    Row{"pgv_mps", "m/s", nullptr, "peak ground velocity",
+    MeasureRow{"pgv_mps", "m/s", nullptr, "peak ground velocity",
         [](const IntensityConfig&) -> std::string { return "peak ground velocity"; },
         [](const IntensityConfig&, const Motion& m) {
           return 1.0 / horizontal_pgv_mps(m, HorizontalCombination::geometric_mean);
         }},
-    Row{"arias_mps", "m/s", nullptr, "Arias intensity",
+    MeasureRow{"arias_mps", "m/s", nullptr, "Arias intensity",
         [](const IntensityConfig&) -> std::string { return "Arias intensity"; },
         [](const IntensityConfig&, const Motion& m) {
           return 1.0 / std::sqrt(arias_intensity_mps(m));
@@ -90,7 +90,7 @@ const std::array rows = {
         2.0},
 };
 
-const Row& row_of(std::size_t row) { return rows.at(row); }
+const MeasureRow& row_of(std::size_t row) { return rows.at(row); }
 
 /// Walters's rule, on the suite as its file scales its records.
 std::vector<double> factors_at_unit_sds(const IntensityConfig& intensity, const Suite& suite) {

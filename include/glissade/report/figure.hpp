@@ -48,7 +48,7 @@ Look family_look(std::size_t index, std::size_t count);
 /// One of a few that have no order (Okabe & Ito 2008).
 Look distinct_look(std::size_t index);
 
-struct Series {
+struct DataSeries {
   enum class Kind {
     line,
     points,
@@ -105,7 +105,7 @@ double round_step(double range, double count);
 struct Panel {
   std::string title;  ///< of one of several
   Axis x, y;
-  std::vector<Series> series;  ///< the first lies lowest
+  std::vector<DataSeries> series;  ///< the first lies lowest
   std::vector<Rule> rules;
   std::vector<Note> notes;
 };

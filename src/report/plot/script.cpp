@@ -11,7 +11,7 @@ namespace {
 
 constexpr double px_per_inch = 120.0;
 
-bool has_numbers(const Series& series) { return !series.x.empty(); }
+bool has_numbers(const DataSeries& series) { return !series.x.empty(); }
 
 /// As gnuplot takes it for sure: an axis has an extent.
 Axis drawable(Axis axis) {
@@ -88,34 +88,34 @@ void add_rules_and_notes(Script& script, const Panel& panel) {
 }
 
 /// `with ...` of a series, or of its entry in the key.
-void add_style(Script& script, Series::Kind kind, const Look& look, bool key) {
+void add_style(Script& script, DataSeries::Kind kind, const Look& look, bool key) {
   switch (kind) {
-    case Series::Kind::line:
+    case DataSeries::Kind::line:
       script.add("with lines lw {} dt {} lc rgb {}", look.width, look.dash, look.colour);
       return;
-    case Series::Kind::points:
+    case DataSeries::Kind::points:
       script.add("with points pt {} ps {} lw 2 lc rgb {}", look.symbol, look.symbol_size,
                  look.colour);
       return;
-    case Series::Kind::line_and_points:
+    case DataSeries::Kind::line_and_points:
       script.add("with linespoints lw {} dt {} pt {} ps {} lc rgb {}", look.width, look.dash,
                  look.symbol, look.symbol_size, look.colour);
       return;
-    case Series::Kind::bars:
+    case DataSeries::Kind::bars:
       script.add("with {} lw 1.5 lc rgb {}", key ? Word("lines") : Word("vectors nohead"),
                  look.colour);
       return;
-    case Series::Kind::band:
+    case DataSeries::Kind::band:
       script.add("with filledcurves fc rgb {}", look.colour);
       return;
-    case Series::Kind::area:
+    case DataSeries::Kind::area:
       script.add("with filledcurves {}fs solid 0.35 fc rgb {}", key ? Word("") : Word("closed "),
                  look.colour);
       return;
   }
 }
 
-void add_key_entry(Script& script, Series::Kind kind, const Look& look, const std::string& label) {
+void add_key_entry(Script& script, DataSeries::Kind kind, const Look& look, const std::string& label) {
   script.add(", \\\n  keyentry ");
   add_style(script, kind, look, true);
   script.add(" title {}", Quoted(label));
@@ -124,20 +124,20 @@ void add_key_entry(Script& script, Series::Kind kind, const Look& look, const st
 /// All series, lowest first; `index` counts the blocks of the data file.
 void add_plot(Script& script, const FileName& name, const Panel& panel, int& index) {
   script.add("plot \\\n  NaN notitle");  // axes, even where there is nothing to draw
-  for (const Series& series : panel.series) {
+  for (const DataSeries& series : panel.series) {
     if (!has_numbers(series)) continue;
-    const bool bars = series.kind == Series::Kind::bars, band = series.kind == Series::Kind::band;
+    const bool bars = series.kind == DataSeries::Kind::bars, band = series.kind == DataSeries::Kind::band;
     script.add(", \\\n  '{}.dat' index {} using {} ", name, index++,
                band   ? Word("1:2:3")
                : bars ? Word("1:2:(0):($3-$2)")
                       : Word("1:2"));
     add_style(script, series.kind, series.look, false);
   }
-  for (const Series& series : panel.series) {
+  for (const DataSeries& series : panel.series) {
     if (!series.label.empty()) add_key_entry(script, series.kind, series.look, series.label);
   }
   for (const Rule& rule : panel.rules) {
-    if (!rule.label.empty()) add_key_entry(script, Series::Kind::line, rule.look, rule.label);
+    if (!rule.label.empty()) add_key_entry(script, DataSeries::Kind::line, rule.look, rule.label);
   }
   script.add("\n");
 }
@@ -231,7 +231,7 @@ std::string data_of(const Figure& figure) {
     return text;
   };
   for (const Panel& panel : figure.panels) {
-    for (const Series& series : panel.series) {
+    for (const DataSeries& series : panel.series) {
       if (!has_numbers(series)) continue;
       if (!data.empty()) data += "\n\n";
       const bool spread = !series.low.empty();

@@ -36,6 +36,6 @@ std::vector<double> histories_at(const HistoryTable& histories, CaseSlice cases,
 /// The largest finite number, at least 0.
 double largest(const std::vector<double>& values);
 /// The next point begins another line of the series.
-void end_line(Series& series);
+void end_line(DataSeries& series);
 
 }  // namespace glissade

@@ -57,7 +57,7 @@ TEST(chart_figures, are_those_the_chart_can_fill) {
 TEST(chart_contours, lie_where_linear_interpolation_puts_them) {
   // From 0.3 m at mu = 0.4 to 0.1 m at 0.8 on both slopes: 0.2 m half way.
   const Figure figure = figure_named(two_by_two({0.3, 0.1, 0.3, 0.1}), "chart_contours");
-  const Series line = series_named(figure, "contour 0.2 m");
+  const DataSeries line = series_named(figure, "contour 0.2 m");
   ASSERT_GE(numbers_in(line), 2u);
   double least_deg = 9.0, largest_deg = -9.0;
   for (std::size_t i = 0; i < line.x.size(); ++i) {
@@ -78,7 +78,7 @@ TEST(chart_contours, follow_the_surface_of_the_made_up_chart) {
   // On the sides of cells they are exact for the table's numbers; between them the true slip bends
   // below its chords, by less than 8 % at friction 0.05 apart from 0.3 on.
   const Results results = made_up_chart_results();
-  const Series line = series_named(figure_named(results, "chart_contours"), "contour 0.2 m");
+  const DataSeries line = series_named(figure_named(results, "chart_contours"), "contour 0.2 m");
   ASSERT_GT(numbers_in(line), 14u);
   for (std::size_t i = 0; i < line.x.size(); ++i) {
     if (!std::isfinite(line.x[i])) continue;
@@ -97,7 +97,7 @@ TEST(chart_contours, stay_out_of_cells_that_slide_freely) {
 }
 
 TEST(chart_contours, shade_where_gravity_alone_moves_the_array) {
-  const Series edge =
+  const DataSeries edge =
       series_named(figure_named(made_up_chart_results(), "chart_contours"), "slides freely");
   ASSERT_GT(edge.x.size(), 2u);
   for (std::size_t i = 0; i < edge.x.size(); ++i)
@@ -128,7 +128,7 @@ Rule rule_of(const Figure& figure, const std::string& standard) {
 
 TEST(chart_friction, has_the_clearance_of_the_table_and_a_gap_where_the_array_slides_freely) {
   const Figure figure = figure_named(made_up_chart_results(), "chart_friction");
-  const std::vector<Series> curves = curves_of(figure);
+  const std::vector<DataSeries> curves = curves_of(figure);
   ASSERT_EQ(curves.at(0).x.size(), 15u);
   EXPECT_DOUBLE_EQ(curves[0].x[8], 0.5);
   EXPECT_NEAR(curves[0].y[8], 0.1375, 1e-12);       // 1.1 x 0.125 m on a flat roof
@@ -171,7 +171,7 @@ TEST(chart_slope, has_one_line_for_one_record) {
 TEST(chart_intensity, has_a_curve_for_eight_frictions_from_no_shaking_on) {
   const auto curves = curves_of(figure_named(made_up_one_record_chart(), "chart_intensity"));
   ASSERT_EQ(curves.size(), 8u);  // mu = 0.1, 0.2 ... 0.8
-  for (const Series& curve : curves) {
+  for (const DataSeries& curve : curves) {
     ASSERT_EQ(curve.x.size(), 16u);
     EXPECT_EQ(curve.x[0], 0.0);
     EXPECT_EQ(curve.y[0], 0.0);

@@ -124,10 +124,10 @@ TEST(clearance_report, figures_are_of_the_axes_with_several_values) {
             (std::vector<std::string>{"spectra", "period", "permutations", "slope"}));
   r.friction[1] = r.friction[0];
   r.grid.slope_deg = {1.2};
-  r.grid.fraction_of_mce = {2.0 / 3, 1.0};
+  r.grid.level = {2.0 / 3, 1.0};
   EXPECT_EQ(figure_names(r),
             (std::vector<std::string>{"spectra", "period", "orientations", "mce"}));
-  r.grid.fraction_of_mce = {1.0};
+  r.grid.level = {1.0};
   r.grid.response_modification = {0.0, 2.0};
   EXPECT_EQ(figure_names(r),
             (std::vector<std::string>{"spectra", "period", "orientations", "yielding"}));
@@ -152,7 +152,7 @@ TEST(clearance_report, the_figure_over_periods_has_median_range_bounds_and_clear
   const Figure figure = clearance_figures(made_up())[1];
   const Panel& panel = figure.panels.at(0);
   // Means of 2, 4, 6, 8 inches at 0.2 s and twice that at 1 s.
-  const Series median = curves_of(figure).at(0);
+  const DataSeries median = curves_of(figure).at(0);
   EXPECT_DOUBLE_EQ(median.y[0], 5 * inch);
   EXPECT_DOUBLE_EQ(median.y[1], 10 * inch);
   EXPECT_DOUBLE_EQ(panel.series[0].low[0], 2 * inch);

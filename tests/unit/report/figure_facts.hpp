@@ -26,19 +26,19 @@ inline Figure figure_named(const std::vector<Figure>& figures, const std::string
 }
 
 /// The series of that name in any panel; without numbers where there is none.
-inline Series series_named(const Figure& figure, const std::string& name) {
+inline DataSeries series_named(const Figure& figure, const std::string& name) {
   for (const Panel& panel : figure.panels) {
-    for (const Series& series : panel.series)
+    for (const DataSeries& series : panel.series)
       if (series.name == name) return series;
   }
   return {};
 }
 
 /// The series that have numbers and an entry in the key.
-inline std::vector<Series> curves_of(const Figure& figure) {
-  std::vector<Series> curves;
+inline std::vector<DataSeries> curves_of(const Figure& figure) {
+  std::vector<DataSeries> curves;
   for (const Panel& panel : figure.panels) {
-    for (const Series& series : panel.series)
+    for (const DataSeries& series : panel.series)
       if (!series.label.empty() && !series.x.empty()) curves.push_back(series);
   }
   return curves;
@@ -48,7 +48,7 @@ inline std::vector<Series> curves_of(const Figure& figure) {
 inline std::vector<std::string> key_of(const Figure& figure) {
   std::vector<std::string> key;
   for (const Panel& panel : figure.panels) {
-    for (const Series& series : panel.series)
+    for (const DataSeries& series : panel.series)
       if (!series.label.empty()) key.push_back(series.label);
     for (const Rule& rule : panel.rules)
       if (!rule.label.empty()) key.push_back(rule.label);
@@ -56,7 +56,7 @@ inline std::vector<std::string> key_of(const Figure& figure) {
   return key;
 }
 
-inline std::size_t numbers_in(const Series& series) {
+inline std::size_t numbers_in(const DataSeries& series) {
   std::size_t count = 0;
   for (const double x : series.x) count += std::isfinite(x) ? 1 : 0;
   return count;

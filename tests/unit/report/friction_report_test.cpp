@@ -74,7 +74,7 @@ TEST(friction_figure, keeps_the_peaks_of_a_long_trace_and_little_else) {
     pull.normal_n.push_back(1000.0);
   }
   const Figure figure = friction_figure({pull}, summarise({pull}, {}));
-  const Series& trace = figure.panels.at(0).series.at(0);
+  const DataSeries& trace = figure.panels.at(0).series.at(0);
   EXPECT_EQ(std::ranges::count(trace.y, 0.9), 1);
   EXPECT_EQ(std::ranges::count(trace.y, 0.1), 1);
   EXPECT_LE(trace.x.size(), 1001u);

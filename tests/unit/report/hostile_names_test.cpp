@@ -52,7 +52,7 @@ TEST(gnuplot_script, has_no_line_that_a_name_began) {
   for (const std::string& name : {all, "'" + all}) {
     Figure figure{"figure", name, name, name};
     Panel panel{name, {name}, {name}};
-    panel.series = {{Series::Kind::line, look(Role::mean), name, name, {0.0, 1.0}, {0.0, 1.0}}};
+    panel.series = {{DataSeries::Kind::line, look(Role::mean), name, name, {0.0, 1.0}, {0.0, 1.0}}};
     panel.rules = {{Rule::Kind::vertical, 0.5, look(Role::mean), name}};
     panel.notes = {{0.5, 0.5, name, {}}};
     figure.panels = {panel, panel};

@@ -39,7 +39,7 @@ bool inside(const TextBox& box) {
          std::abs(box.centre.y - 0.5) + 0.5 * box.height < 0.5;
 }
 
-void append(Series& series, const Polyline& line) {
+void append(DataSeries& series, const Polyline& line) {
   for (const PlanePoint& point : line) {
     series.x.push_back(point.x);
     series.y.push_back(point.y);
@@ -58,7 +58,7 @@ class ContourPlot {
   bool add(const std::string& name, double value_m, const std::string& text, const Look& look) {
     const std::vector<Polyline> lines = contour_lines(grid_, value_m);
     if (lines.empty()) return false;
-    Series series{Series::Kind::line, look, name};
+    DataSeries series{DataSeries::Kind::line, look, name};
     for (const Polyline& line : lines) {
       append(series, line);
       end_line(series);
@@ -70,7 +70,7 @@ class ContourPlot {
   }
 
   /// A line or an area of the reader's map that is no contour, told in the key.
-  void add_outline(Series series, const Polyline& points) {
+  void add_outline(DataSeries series, const Polyline& points) {
     append(series, points);
     panel_.series.push_back(std::move(series));
   }
@@ -134,7 +134,7 @@ void add_gravity_region(const Chart& chart, ContourPlot& plot) {
     const double slope_deg = steepest_deg * i / steps;
     edge.push_back({std::max(least_mu, std::tan(slope_deg * rad_per_deg)), slope_deg});
   }
-  plot.add_outline({Series::Kind::area, look(Role::largest), "slides freely",
+  plot.add_outline({DataSeries::Kind::area, look(Role::largest), "slides freely",
                     "slides freely: friction cannot stop the array, tan(slope) >= mu"},
                    edge);
 }
@@ -144,7 +144,7 @@ void add_seaoc_limits(const Chart& chart, ContourPlot& plot) {
   const double right = chart.mu.back(), left = std::max(seaoc_mu_limit, chart.mu.front());
   const double top = std::min(seaoc_slope_limit_deg, chart.slope_deg.back());
   if (left >= right) return;
-  plot.add_outline({Series::Kind::line, look(Role::bound), "SEAOC limits",
+  plot.add_outline({DataSeries::Kind::line, look(Role::bound), "SEAOC limits",
                     "SEAOC PV1-2012 is for slopes below and friction right of this line"},
                    {{left, chart.slope_deg.front()}, {left, top}, {right, top}});
 }

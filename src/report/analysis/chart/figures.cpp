@@ -57,10 +57,10 @@ struct CurvePlot {
   std::string x_label;
   std::vector<double> x;
   double share_within = 1.0;  ///< of the slips the figure must hold; 1: all
-  std::vector<Series> curves = {};
+  std::vector<DataSeries> curves = {};
   std::vector<std::pair<PrescribedLine, Stretch>> prescribed = {};
 
-  void add(const std::string& label, Look look, Series::Kind kind, std::vector<double> y_m) {
+  void add(const std::string& label, Look look, DataSeries::Kind kind, std::vector<double> y_m) {
     curves.push_back({kind, look, label, label, x, std::move(y_m)});
   }
 };
@@ -69,7 +69,7 @@ struct CurvePlot {
 /// prescribed values where they do not.
 double top_m(const CurvePlot& plot) {
   std::vector<double> slips;
-  for (const Series& curve : plot.curves)
+  for (const DataSeries& curve : plot.curves)
     std::ranges::copy_if(curve.y, std::back_inserter(slips),
                          [](double slip_m) { return std::isfinite(slip_m) && slip_m > 0.0; });
   const double curves_m =
@@ -111,7 +111,7 @@ Look small_family_look(std::size_t index, std::size_t count) {
   return look;
 }
 
-constexpr auto with_points = Series::Kind::line_and_points;
+constexpr auto with_points = DataSeries::Kind::line_and_points;
 
 Figure chart_slope_figure(const Results& results) {
   const Chart& chart = *results.chart;
@@ -126,7 +126,7 @@ Figure chart_slope_figure(const Results& results) {
       y_m.push_back(statistic.slip_m(chart.at(shown.level, s, shown.friction)));
     const Role role = roles[plot.curves.size()];
     plot.add(statistic.heading, look(role),
-             role == Role::clearance ? with_points : Series::Kind::line, std::move(y_m));
+             role == Role::clearance ? with_points : DataSeries::Kind::line, std::move(y_m));
   }
   std::string out_of_range;
   for (const PrescribedLine& line : prescribed_at(chart, level)) {
@@ -249,7 +249,7 @@ Figure chart_period_figure(const Results& results) {
   }
   const ChartStatistic design = design_statistic(results);
   plot.add(one_record ? "Largest over periods" : design.heading, look(Role::clearance),
-           Series::Kind::line, std::vector<double>(chart.period_s.size(), design.slip_m(point)));
+           DataSeries::Kind::line, std::vector<double>(chart.period_s.size(), design.slip_m(point)));
   for (const PrescribedLine& line : prescribed_at(chart, point.level)) {
     const bool applies = std::ranges::any_of(line.standards, [&](Standard standard) {
       return applies_at(standard, point.slope_deg, point.mu);

@@ -33,9 +33,9 @@ Family::Family(const ClearanceResults& results, const std::string& x_label, std:
 
 void Family::add_range(const std::string& label, Look look, const std::vector<double>& lowest,
                        const std::vector<double>& median, const std::vector<double>& highest) {
-  panel_.series.push_back({Series::Kind::line_and_points, look, label, label, x_, median});
+  panel_.series.push_back({DataSeries::Kind::line_and_points, look, label, label, x_, median});
   if (spread_ == Spread::none) return;
-  const auto kind = spread_ == Spread::bars ? Series::Kind::bars : Series::Kind::band;
+  const auto kind = spread_ == Spread::bars ? DataSeries::Kind::bars : DataSeries::Kind::band;
   spreads_.push_back({kind, look, label + ": lowest and highest", "", x_, {}, lowest, highest});
 }
 
@@ -63,7 +63,7 @@ void Family::add_numbers(const std::string& label, Look look,
 }
 
 void Family::add_line(const std::string& label, Look look, std::vector<double> y) {
-  const auto kind = look.symbol == 0 ? Series::Kind::line : Series::Kind::line_and_points;
+  const auto kind = look.symbol == 0 ? DataSeries::Kind::line : DataSeries::Kind::line_and_points;
   panel_.series.push_back({kind, look, label, label, x_, std::move(y)});
 }
 
@@ -77,17 +77,17 @@ void Family::name_ticks(const std::vector<std::string>& labels) {
 
 double Family::largest_y() const {
   double found = 0.0;
-  for (const Series& series : panel_.series) found = std::max(found, largest(series.y));
-  for (const Series& series : spreads_) found = std::max(found, largest(series.high));
+  for (const DataSeries& series : panel_.series) found = std::max(found, largest(series.y));
+  for (const DataSeries& series : spreads_) found = std::max(found, largest(series.high));
   for (const Rule& rule : panel_.rules) found = std::max(found, rule.at);
   return found > 0.0 ? 1.12 * found : 1.0;
 }
 
 double Family::smallest_y() const {
   double found = largest_y();
-  for (const Series& series : panel_.series)
+  for (const DataSeries& series : panel_.series)
     for (const double y : series.y) found = std::fmin(found, y);
-  for (const Series& series : spreads_)
+  for (const DataSeries& series : spreads_)
     for (const double y : series.low) found = std::fmin(found, y);
   return found;
 }
@@ -108,7 +108,7 @@ std::vector<Panel> Family::ratios(const std::string& label, From from) {
   const bool bars = spread_ == Spread::bars, all = bars || spreads_.size() <= 3;
   panel.series.insert(panel.series.begin(), spreads_.begin(),
                       all ? spreads_.end() : spreads_.begin() + 1);
-  panel.series.push_back({bars ? Series::Kind::bars : Series::Kind::band, look(Role::largest), "",
+  panel.series.push_back({bars ? DataSeries::Kind::bars : DataSeries::Kind::band, look(Role::largest), "",
                           fmt::format("{}{}: lowest to highest of the {}; lines: their median",
                                       bars ? "bars" : "shaded", all ? "" : " (first line only)",
                                       orientations_text(results_))});

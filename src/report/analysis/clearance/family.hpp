@@ -50,7 +50,7 @@ class Family {
   std::vector<double> x_;
   Spread spread_;
   Panel panel_;
-  std::vector<Series> spreads_;
+  std::vector<DataSeries> spreads_;
 };
 
 /// Suite, and every condition that is the same all over: those of `shown`, the building's period

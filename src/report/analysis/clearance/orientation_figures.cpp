@@ -59,8 +59,8 @@ Figure permutations_figure(const ClearanceResults& results) {
     const std::string label = label_of(grid, ClearanceAxis::mass, m);
     Look look = family_look(m, masses);
     look.symbol_size = 1.6;
-    Series points{Series::Kind::points, look, label, label};
-    Series bars{Series::Kind::bars, look, label + ": lowest and highest"};
+    DataSeries points{DataSeries::Kind::points, look, label, label};
+    DataSeries bars{DataSeries::Kind::bars, look, label + ": lowest and highest"};
     for (std::size_t i = 0; i < permutations.size(); ++i) {
       ClearancePosition at;
       at[ClearanceAxis::slope] = permutations[i].first;
@@ -79,7 +79,7 @@ Figure permutations_figure(const ClearanceResults& results) {
     panel.series.push_back(std::move(bars));
     panel.series.push_back(std::move(points));
   }
-  panel.series.push_back({Series::Kind::bars, look(Role::largest), "",
+  panel.series.push_back({DataSeries::Kind::bars, look(Role::largest), "",
                           "points: median over the orientations; bars: lowest to highest"});
   panel.y = length_axis(fmt::format("Clearance, {:g} x the largest mean", factor),
                         top_m > 0.0 ? 1.12 * top_m : 1.0);

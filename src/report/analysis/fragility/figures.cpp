@@ -42,12 +42,12 @@ bool has_curve(const ThresholdFragility& fragility) {
 void add_threshold(Panel& panel, const Results& results, const RunResults& run, std::size_t t) {
   const ThresholdFragility& fragility = run.fragilities[t];
   const Look colour = family_look(t, run.fragilities.size());
-  Series observed{Series::Kind::points, colour, fmt::format("observed {}", t)};
+  DataSeries observed{DataSeries::Kind::points, colour, fmt::format("observed {}", t)};
   observed.x = results.levels;
   observed.y = fragility.probability;
   observed.x.resize(observed.y.size());
-  Series curve{Series::Kind::line, colour, fmt::format("curve {}", t)};
-  Series band{Series::Kind::band, colour, fmt::format("band {}", t)};
+  DataSeries curve{DataSeries::Kind::line, colour, fmt::format("curve {}", t)};
+  DataSeries band{DataSeries::Kind::band, colour, fmt::format("band {}", t)};
   if (has_curve(fragility)) {
     constexpr int points = 200;
     for (int i = 0; i <= points; ++i) {
@@ -60,10 +60,10 @@ void add_threshold(Panel& panel, const Results& results, const RunResults& run, 
       band.high.push_back(fragility.band[i].high);
     }
   }
-  Series key{curve.x.empty() ? Series::Kind::points : Series::Kind::line_and_points, colour};
+  DataSeries key{curve.x.empty() ? DataSeries::Kind::points : DataSeries::Kind::line_and_points, colour};
   key.label = format_length(fragility.threshold_m) + ": " + fit_text(results, fragility.capacities);
   panel.series.insert(panel.series.begin(), std::move(band));
-  for (Series* series : {&curve, &observed, &key}) panel.series.push_back(std::move(*series));
+  for (DataSeries* series : {&curve, &observed, &key}) panel.series.push_back(std::move(*series));
 }
 
 }  // namespace
@@ -86,7 +86,7 @@ Figure fragility_figure(const Results& results, const RunResults& run) {
               {results.intensity_label, 0.0, results.levels.back()},
               {"Probability that slip in plan exceeds the clearance", 0.0, 1.0}};
   for (std::size_t t = 0; t < run.fragilities.size(); ++t) add_threshold(panel, results, run, t);
-  panel.series.push_back({Series::Kind::band, look(Role::largest), "",
+  panel.series.push_back({DataSeries::Kind::band, look(Role::largest), "",
                           "shaded and [ ]: 95 % interval from resampling whole records; points: "
                           "observed shares"});
   figure.panels = {std::move(panel)};
@@ -102,7 +102,7 @@ Figure ida_figure(const Results& results, const RunResults& run) {
                 "Coloured: 16th, 50th and 84th percentile over all histories (records and samples "
                 "together) at each level. Dotted: the clearances. Friction " +
                     run.friction_description + "."};
-  Series records{Series::Kind::line, look(Role::record), "records",
+  DataSeries records{DataSeries::Kind::line, look(Role::record), "records",
                  "each record, median over its samples"};
   for (std::size_t i = 0; i < slip.records; ++i) {
     for (std::size_t l = 0; l < slip.levels; ++l) {
@@ -121,7 +121,7 @@ Figure ida_figure(const Results& results, const RunResults& run) {
   for (const Part& part : {Part{0.16, Role::p16, "16th percentile of all histories"},
                            Part{0.50, Role::median, "50th percentile (median)"},
                            Part{0.84, Role::p84, "84th percentile"}}) {
-    Series series{Series::Kind::line_and_points, look(part.role), part.label, part.label};
+    DataSeries series{DataSeries::Kind::line_and_points, look(part.role), part.label, part.label};
     series.y = results.levels;
     for (std::size_t l = 0; l < slip.levels; ++l) {
       series.x.push_back(quantile_of(histories_at(slip, slice_of(run), 0, slip.records, l), part.share));

@@ -38,17 +38,17 @@ std::vector<std::size_t> drawn_samples(const PullTest& test, std::size_t begin, 
   return drawn;
 }
 
-enum class Part { whole, sliding };
+enum class PanelPart { whole, sliding };
 
 /// The traces of one direction, or their sliding parts.
-Series traces(const std::vector<PullTest>& tests, const PullTestSummary& summary,
-              const std::string& direction, Part part, Look look) {
-  Series series{Series::Kind::line, look, part == Part::whole ? "traces" : "sliding parts"};
+DataSeries traces(const std::vector<PullTest>& tests, const PullTestSummary& summary,
+              const std::string& direction, PanelPart part, Look look) {
+  DataSeries series{DataSeries::Kind::line, look, part == PanelPart::whole ? "traces" : "sliding parts"};
   for (std::size_t t = 0; t < tests.size(); ++t) {
     const TraceFriction& result = summary.tests[t];
     if (result.direction != direction) continue;
-    const std::size_t begin = part == Part::whole ? 0 : result.sliding_begin;
-    const std::size_t end = part == Part::whole ? tests[t].force_n.size() : result.sliding_end;
+    const std::size_t begin = part == PanelPart::whole ? 0 : result.sliding_begin;
+    const std::size_t end = part == PanelPart::whole ? tests[t].force_n.size() : result.sliding_end;
     for (const std::size_t i : drawn_samples(tests[t], begin, end)) {
       series.x.push_back(slip_at(tests[t], i));
       series.y.push_back(friction_at(tests[t], i));
@@ -89,8 +89,8 @@ Figure friction_figure(const std::vector<PullTest>& tests, const PullTestSummary
     for (int i = 0; width_m > 0.0 && i * round_step(width_m, 4.0) <= width_m; ++i)
       panel.x.ticks.push_back(
           {i * round_step(width_m, 4.0), fmt::format("{:g}", i * round_step(width_m, 4.0))});
-    panel.series = {traces(tests, summary, direction.direction, Part::whole, look(Role::record)),
-                    traces(tests, summary, direction.direction, Part::sliding, thin)};
+    panel.series = {traces(tests, summary, direction.direction, PanelPart::whole, look(Role::record)),
+                    traces(tests, summary, direction.direction, PanelPart::sliding, thin)};
     panel.rules = {{Rule::Kind::horizontal, s.mean, distinct_look(d),
                     fmt::format("mean of sliding friction {} ({} {})", format_number(s.mean),
                                 s.tests, s.tests == 1 ? "test" : "tests")}};

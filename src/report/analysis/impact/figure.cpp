@@ -18,11 +18,11 @@ constexpr std::size_t most_levels = 3;
 
 /// Speeds over the thresholds that enough records reach at a level: the median, and 16th to 84th
 /// percentile. Moved aside, so that bars of different levels do not hide each other.
-Series speeds_at(const Results& results, const RunResults& run, std::size_t level) {
+DataSeries speeds_at(const Results& results, const RunResults& run, std::size_t level) {
   const std::size_t records = results.records.size(), samples = run.cases,
                     thresholds = results.thresholds_m.size();
   const HistoryTable& table = results.histories;
-  Series points{Series::Kind::line_and_points};
+  DataSeries points{DataSeries::Kind::line_and_points};
   for (std::size_t t = 0; t < thresholds; ++t) {
     std::vector<double> speeds;
     std::size_t reaching = 0;
@@ -83,14 +83,14 @@ Figure impact_figure(const Results& results, const RunResults& run) {
   double top_mps = 0.0;
   for (std::size_t k = 0; k < levels.size(); ++k) {
     const auto level = std::ranges::find(results.levels, levels[k]) - results.levels.begin();
-    Series median = speeds_at(results, run, static_cast<std::size_t>(level));
+    DataSeries median = speeds_at(results, run, static_cast<std::size_t>(level));
     median.look = family_look(k, levels.size());
     median.name = fmt::format("level {}", k);
     median.label = "median at " + at_intensity(results, levels[k]);
     for (double& x : median.x) x += 0.006 * right_m * (static_cast<double>(k) - 1.0);
     top_mps = std::max(top_mps, *std::ranges::max_element(median.high));
-    Series bars = median;
-    bars.kind = Series::Kind::bars;
+    DataSeries bars = median;
+    bars.kind = DataSeries::Kind::bars;
     bars.name += ": 16th to 84th percentile";
     bars.label.clear();
     median.low.clear();
@@ -98,7 +98,7 @@ Figure impact_figure(const Results& results, const RunResults& run) {
     panel.series.insert(panel.series.begin(), std::move(bars));
     panel.series.push_back(std::move(median));
   }
-  panel.series.push_back({Series::Kind::bars, look(Role::largest), "",
+  panel.series.push_back({DataSeries::Kind::bars, look(Role::largest), "",
                           "bars: 16th to 84th percentile of the histories that reach it"});
   const double shown_mps = top_mps > 0.0 ? 1.08 * top_mps : 1.0;
   panel.y = {"Speed in plan, relative to the roof (m/s)",

@@ -13,7 +13,7 @@ namespace {
 void add_standard(Panel& panel, const RunResults& run, Standard standard, Look style,
                   int hollow_symbol) {
   const std::string name = standard_name(standard);
-  Series all{Series::Kind::line, style, name};
+  DataSeries all{DataSeries::Kind::line, style, name};
   for (const StandardComparison& c : run.standards) {
     if (c.standard != standard) continue;
     all.x.push_back(c.sds_g);
@@ -25,7 +25,7 @@ void add_standard(Panel& panel, const RunResults& run, Standard standard, Look s
     const bool recalled = provenance == Provenance::recalled;
     Look look = style;
     if (recalled) look.symbol = hollow_symbol;
-    Series points{Series::Kind::points, look, name + (recalled ? ", recalled" : ", checked")};
+    DataSeries points{DataSeries::Kind::points, look, name + (recalled ? ", recalled" : ", checked")};
     for (const StandardComparison& c : run.standards) {
       if (c.standard != standard || c.prescribed.provenance != provenance) continue;
       points.x.push_back(c.sds_g);
@@ -34,7 +34,7 @@ void add_standard(Panel& panel, const RunResults& run, Standard standard, Look s
     if (points.x.empty()) continue;
     panel.series.push_back(points);
     panel.series.push_back(
-        {Series::Kind::line_and_points, look, "",
+        {DataSeries::Kind::line_and_points, look, "",
          name + ", prescribed" +
              (recalled ? " (hollow: recalled, verify against the standard)" : "")});
   }
@@ -50,8 +50,8 @@ struct Statistic {
 /// The band of a statistic's interval below all, its line above. A band whose upper end is infinite
 /// leaves the figure at the top.
 void add_statistic(Panel& panel, const RunResults& run, const Statistic& statistic, double top_m) {
-  Series line{Series::Kind::line, look(statistic.role), statistic.label, statistic.label};
-  Series band{Series::Kind::band, line.look, std::string(statistic.label) + ": band"};
+  DataSeries line{DataSeries::Kind::line, look(statistic.role), statistic.label, statistic.label};
+  DataSeries band{DataSeries::Kind::band, line.look, std::string(statistic.label) + ": band"};
   const auto shown = [&](double limit_m) { return std::isinf(limit_m) ? 10.0 * top_m : limit_m; };
   for (const SlipStatistics& s : run.slip) {
     line.x.push_back(s.level);

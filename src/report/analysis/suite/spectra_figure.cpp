@@ -18,7 +18,7 @@ Figure spectra_figure(const SuiteSpectra& spectra, const SpectraTexts& texts) {
                 "(SRSS) of the two horizontal components of each record (grey), their average" +
                     std::string(spectra.target_g.empty() ? "" : ", and the target spectrum") +
                     ". Suite: " + texts.suite + ", " + texts.scaled + "."};
-  Series records{Series::Kind::line, look(Role::record), "records",
+  DataSeries records{DataSeries::Kind::line, look(Role::record), "records",
                  "each record, SRSS of its horizontal components"};
   for (const std::vector<double>& record : spectra.srss_g) {
     for (std::size_t p = 0; p < record.size(); ++p) {
@@ -34,10 +34,10 @@ Figure spectra_figure(const SuiteSpectra& spectra, const SpectraTexts& texts) {
               {"Period (s)", 0.0, spectra.periods_s.empty() ? 1.0 : spectra.periods_s.back()},
               {"Spectral acceleration, 5 % damped, SRSS (g)"},
               {records,
-               {Series::Kind::line, average, "average", "average of the records", spectra.periods_s,
+               {DataSeries::Kind::line, average, "average", "average of the records", spectra.periods_s,
                 spectra.average_srss_g}}};
   if (!spectra.target_g.empty())
-    panel.series.push_back({Series::Kind::line, look(Role::target), "target", texts.target,
+    panel.series.push_back({DataSeries::Kind::line, look(Role::target), "target", texts.target,
                             spectra.periods_s, spectra.target_g});
   panel.y.high = 2.0 * std::max(largest(spectra.average_srss_g), largest(spectra.target_g));
   figure.panels = {std::move(panel)};
