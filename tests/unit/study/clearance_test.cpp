@@ -121,7 +121,7 @@ TEST(clearance, orientations_that_are_not_run_would_have_given_the_same) {
   for (auto& cases : plan.cases_on) cases.clear();
   for (const std::size_t i : plan.order) plan.cases_on[plan.building[i]].push_back(i);
   std::ranges::stable_sort(plan.order, {}, [&](std::size_t i) { return plan.building[i]; });
-  plan.units = {{0, 0, plan.order.size()}};
+  plan.units.assign(1, {0, 0, plan.order.size()});
   const ClearanceResults all = run(plan);
   for (std::size_t o = 0; o < all.orientations.size(); ++o) {
     const ClearanceHistory &a = skipped.at(0, o, 0), &b = all.at(0, o, 0);

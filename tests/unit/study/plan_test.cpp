@@ -41,7 +41,7 @@ TEST(plan, units_cover_every_record_and_case_that_differs_once) {
   EXPECT_EQ(plan.histories(), (3 * plan.cases.size() - repeated) * 8);
 }
 
-// As studies/14: 768 cases on two axes, of which 384 differ, on 14 records.
+// As studies/14: 384 cases on two axes, of which 96 differ, on 14 records.
 TEST(plan, units_are_hundreds_and_even_in_predicted_cost) {
   StudyConfig config = small_config();
   config.model.axes = SlidingAxes::two;
