@@ -34,7 +34,8 @@ ClearanceResults made_up() {
                 {{1.0, 2.0, 1.0}, {3.0, 4.0, 1.0}},
                 {2.0, 3.0, 1.0},
                 {1.0, 2.0, 0.8},
-                0.0}}};
+                0.0,
+                {{0.99, 0.082}, {2.5, 0.004}}}}};  // between the periods above
   r.records = {{.id = "a", .has_vertical = true}, {.id = "b"}};
   r.friction = {0.47, 0.47};
   for (int record = 0; record < 2; ++record) {
@@ -88,7 +89,8 @@ TEST(clearance_report, readings_are_of_what_the_grid_varies) {
                 "0.102 m (4.00 in) to 0.406 m (16.0 in)"));
   EXPECT_THAT(clearance_reading(r, ClearanceTopic::base_shear),
               HasSubstr("0.900 to 0.900 of that with the array anchored, below it at 2 of 2"));
-  EXPECT_THAT(clearance_reading(r, ClearanceTopic::spectra), HasSubstr("1.25 (at 2 s) to 2.00"));
+  EXPECT_THAT(clearance_reading(r, ClearanceTopic::spectra),
+              HasSubstr("0.990 (at 0.082 s) to 2.50 times (at 0.004 s)"));
   for (const ClearanceTopic topic :
        {ClearanceTopic::level, ClearanceTopic::yielding, ClearanceTopic::slope, ClearanceTopic::mce,
         ClearanceTopic::vertical, ClearanceTopic::mass})
