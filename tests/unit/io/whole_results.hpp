@@ -71,7 +71,7 @@ inline Results whole_results(bool two_axes = false) {
   r.plan_hash = "0123456789abcdef";
   r.study_text = "[study]\nname = \"σχέδιο\"\n";
   r.seed = 0xfedcba9876543210u;
-  r.measure = IntensityMeasure::avg_sa_g;
+  r.measure = *IntensityMeasure::named("avg_sa_g");
   r.intensity_label = "Sa,avg (g)";
   r.model = {"tables", "elastic", "Coulomb", "vector"};
   r.axes = two_axes ? SlidingAxes::two : SlidingAxes::one;

@@ -29,7 +29,7 @@ TEST(figures, are_those_the_results_can_fill) {
   Results results = made_up_results();
   EXPECT_THAT(names(make_figures(results)), testing::ElementsAre("fragility", "fragility_design",
                                                                  "slip_vs_sds", "ida", "spectra"));
-  results.measure = IntensityMeasure::pga_g;
+  results.measure = *IntensityMeasure::named("pga_g");
   results.suites[0].spectra = {};
   EXPECT_THAT(names(make_figures(results)),
               testing::ElementsAre("fragility", "fragility_design", "ida"));
