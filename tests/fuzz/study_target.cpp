@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Study files of every kind. A suite named "suite.toml" is there; a study does not read it.
+// Study files. A suite named "suite.toml" is there; a study does not read it.
 #include <algorithm>
 #include <cmath>
 #include <functional>
 
 #include "check.hpp"
-#include "glissade/io/clearance_file.hpp"
 #include "glissade/io/study_file.hpp"
 
 namespace {
 
-using glissade::fuzz::check;
+using namespace glissade;
+using fuzz::check;
 
 bool increases(const std::vector<double>& values) {
   return !values.empty() && std::isfinite(values.front()) && std::isfinite(values.back()) &&
@@ -21,64 +21,57 @@ bool is_on(const std::vector<double>& axis, double value) {
   return std::find(axis.begin(), axis.end(), value) != axis.end();
 }
 
-void check_samples(const glissade::StudyConfig& study) {
-  check(increases(study.intensity.levels) && study.intensity.levels.front() > 0.0,
-        "levels increase");
-  check(increases(study.thresholds_m) && study.thresholds_m.front() > 0.0, "thresholds increase");
-  check(study.sampling.samples > 0, "there is a sample");
-}
-
-void check_chart(const glissade::StudyConfig& study) {
-  const glissade::ChartConfig& chart = *study.chart;
-  check(increases(study.intensity.levels) && study.intensity.levels.front() >= 0.0 &&
-            study.intensity.levels.back() > 0.0,
-        "levels increase");
-  check(increases(chart.slope_deg) && chart.slope_deg.size() > 1 && chart.slope_deg.back() > 0.0,
-        "slopes increase");
-  check(increases(chart.mu) && chart.mu.size() > 1 && chart.mu.front() >= 0.0,
-        "frictions increase");
-  check(increases(chart.period_s) && chart.period_s.front() >= 0.0, "periods increase");
-  check(is_on(chart.slope_deg, chart.shown_slope_deg) && chart.shown_slope_deg >= 0.0 &&
-            is_on(chart.mu, chart.shown_mu) && is_on(study.intensity.levels, chart.shown_level),
-        "figures cut through the chart at its values");
-  for (const double slope : chart.slope_deg)
-    check(slope >= 0.0 || is_on(chart.slope_deg, -slope), "a negative slope has its mirror image");
-  for (const glissade::ChartQuestion& q : chart.questions) {
-    check(is_on(study.intensity.levels, q.level), "a question is asked at a level");
-    check(q.slope_deg >= 0.0 && q.slope_deg <= chart.slope_deg.back(), "and within the slopes");
-    check(q.mu.has_value() != q.displacement_m.has_value(), "it asks for one thing");
-    check(!q.mu || (*q.mu >= chart.mu.front() && *q.mu <= chart.mu.back()),
-          "and within the frictions");
+void check_quantities(const StudyConfig& study) {
+  for (std::size_t i = 0; i < parameters().size(); ++i) {
+    const Quantity& quantity = study.quantities[i];
+    const ParameterRange range = parameters()[i].range;
+    check(quantity.is_drawn() ? quantity.values.empty() : increases(quantity.values),
+          "a quantity is a list that increases, or a distribution");
+    for (const double value : quantity.values)
+      check(value >= range.min && value <= range.max, "a value lies in its parameter's range");
   }
 }
 
-void check_clearance(const glissade::ClearanceConfig& study) {
-  const glissade::ClearanceGrid& grid = study.grid;
-  for (const glissade::ClearanceAxis axis : glissade::clearance_axes)
-    check(grid.size(axis) > 0, "no axis is empty");
-  for (const auto* axis : {&grid.response_modification, &grid.mass_ratio, &grid.slope_deg,
-                           &grid.fraction_of_mce, &grid.period_s})
-    check(increases(*axis), "axes increase");
-  check(grid.mass_ratio.front() >= 0.0 && grid.mass_ratio.back() <= 1.0, "m/M from 0 to 1");
-  for (const glissade::TestedFriction& friction : study.friction)
-    check(friction.design() > 0.0, "there is friction");
-  check(!study.slope_axes.empty() && !study.suite_files.empty(), "there is a suite and a slope");
+void check_chart(const StudyConfig& study) {
+  const ChartConfig& chart = *study.chart;
+  const Quantity& mu = study.quantities.at("friction", "mu");
+  const std::vector<double>& slopes = study.quantities.at("roof", "slope_deg").values;
+  const std::vector<double>& levels = study.intensity.levels;
+  check(slopes.size() > 1 && slopes.back() > 0.0, "a chart has slopes");
+  for (const double slope : slopes)
+    check(slope >= 0.0 || is_on(slopes, -slope), "a negative slope has its mirror image");
+  check(is_on(slopes, chart.shown_slope_deg) && chart.shown_slope_deg >= 0.0 &&
+            (mu.is_drawn() || is_on(mu.values, chart.shown_mu)) && is_on(levels, chart.shown_level),
+        "figures cut through the chart at its values");
+  for (const ChartQuestion& q : chart.questions) {
+    check(is_on(levels, q.level), "a question is asked at a level");
+    check(q.slope_deg >= 0.0 && q.slope_deg <= slopes.back(), "and within the slopes");
+    check(q.mu.has_value() != q.displacement_m.has_value(), "it asks for one thing");
+    check(!q.mu || mu.is_drawn() || (*q.mu >= mu.values.front() && *q.mu <= mu.values.back()),
+          "and within the frictions");
+  }
 }
 
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  static const auto suite = glissade::fuzz::folder().write("suite.toml", "");
-  const auto file = glissade::fuzz::input_file(data, size, "study.toml");
-  glissade::fuzz::may_refuse([&] {
-    if (glissade::is_clearance_study(file)) {
-      check_clearance(glissade::read_clearance_study(file));
-      return;
-    }
-    const glissade::StudyConfig study = glissade::read_study(file);
+  static const auto suite = fuzz::folder().write("suite.toml", "");
+  const auto file = fuzz::input_file(data, size, "study.toml");
+  fuzz::may_refuse([&] {
+    const StudyConfig study = read_study(file);
     check(!study.name.empty(), "a study has a name");
     check(study.source_text.size() == size, "the text is kept whole");
-    study.chart ? check_chart(study) : check_samples(study);
+    check(!study.suite_files.empty() && study.sampling.samples > 0,
+          "there is a suite and a sample");
+    check(study.fragility || study.chart || study.clearance || study.base_shear,
+          "there is an analysis");
+    check(increases(study.intensity.levels) && study.intensity.levels.front() >= 0.0 &&
+              study.intensity.levels.back() > 0.0,
+          "levels increase");
+    check(!study.fragility || (increases(study.thresholds_m()) && study.thresholds_m()[0] > 0.0),
+          "thresholds increase");
+    check_quantities(study);
+    if (study.chart) check_chart(study);
   });
   return 0;
 }
