@@ -27,8 +27,8 @@ ClearanceResults by_hand() {
   for (const double x : {1., 2., 3., 4., 5., 6., 7., 0.,  //
                          1., 0., 1., 0., 1., 0., 1., 8.,  //
                          9., 9., 9., 9., 9., 9., 9., 9.}) {
-    // An SRSS of x from 3-4-5 triangles; the vector's peak is smaller.
-    r.histories.push_back({.peak_m = 0.9 * x,
+    r.histories.push_back({.displacement_m = x,
+                           .peak_m = 0.9 * x,
                            .peak_along_m = 0.6 * x,
                            .peak_across_m = 0.8 * x,
                            .shear_along = 0.3 * x,
@@ -50,12 +50,6 @@ TEST(clearance_reading, means_are_of_the_suites_records_in_one_orientation) {
   EXPECT_DOUBLE_EQ(suite_mean(r, {.suite = 1}, 0, at_period(0)), 9.0);
   EXPECT_DOUBLE_EQ(suite_mean(r, {.number = HistoryNumber::base_shear}, 2, at_period(0)), 1.5);
   EXPECT_DOUBLE_EQ(suite_mean(r, {.number = HistoryNumber::vector_peak}, 2, at_period(0)), 2.7);
-}
-
-TEST(clearance_reading, the_measure_is_the_studys) {
-  ClearanceResults r = by_hand();
-  r.displacement = DisplacementMeasure::vector;
-  EXPECT_DOUBLE_EQ(suite_mean(r, {}, 2, at_period(0)), 2.7);
 }
 
 TEST(clearance_reading, the_range_is_over_orientations_with_the_median_between_the_middle_two) {
@@ -80,19 +74,19 @@ TEST(clearance_reading, the_interval_is_from_resampling_records) {
 TEST(clearance_reading, the_governing_period_is_of_the_median) {
   EXPECT_EQ(governing_period(by_hand(), {}, {}), 0u);  // 2.5 against (1 + 2)/2 + ...: 1, 2, 3, 4
   ClearanceResults r = by_hand();
-  for (std::size_t i = 1; i < r.histories.size(); i += 2) r.histories[i].peak_along_m += 100.0;
+  for (std::size_t i = 1; i < r.histories.size(); i += 2) r.histories[i].displacement_m += 100.0;
   EXPECT_EQ(governing_period(r, {}, {}), 1u);
 }
 
-TEST(clearance_reading, no_way_for_each_record_leaves_the_bounds) {
+TEST(clearance_reading, no_orientation_by_record_leaves_the_bounds) {
   const ClearanceResults r = by_hand();
-  const OwnWayBounds bounds = own_way_bounds(r, {}, at_period(1), Periods::one);
+  const PerRecordBounds bounds = per_record_bounds(r, {}, at_period(1), Periods::one);
   EXPECT_DOUBLE_EQ(bounds.lowest, 0.0);
   EXPECT_DOUBLE_EQ(bounds.highest, 7.0);  // a 6, b 8
-  const OwnWayBounds largest = own_way_bounds(r, {}, {}, Periods::largest);
+  const PerRecordBounds largest = per_record_bounds(r, {}, {}, Periods::largest);
   EXPECT_DOUBLE_EQ(largest.lowest, 1.0);
   EXPECT_DOUBLE_EQ(largest.highest, 7.0);
-  const std::vector<double> means = own_way_means(r, {}, at_period(1), Periods::one);
+  const std::vector<double> means = per_record_means(r, {}, at_period(1), Periods::one);
   ASSERT_EQ(means.size(), 10000u);
   EXPECT_DOUBLE_EQ(means.front(), 0.0);
   EXPECT_DOUBLE_EQ(means.back(), 7.0);
@@ -113,7 +107,7 @@ TEST(clearance_reading, each_records_stronger_component_falls_with_the_roof) {
   EXPECT_DOUBLE_EQ(strong.as_recorded, 1.0);   // a 2, b 0
   EXPECT_DOUBLE_EQ(strong.turned_round, 6.0);  // a 4, b 8
   ClearanceResults r = by_hand();
-  r.orientations[3].azimuth_deg = 22.5;
+  r.orientations[3].ground_azimuth_deg = 22.5;
   EXPECT_TRUE(std::isnan(stronger_along(r, {}, {}, Periods::one).turned_round));
 }
 

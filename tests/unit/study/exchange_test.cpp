@@ -8,37 +8,51 @@
 namespace glissade {
 namespace {
 
-TEST(exchange, brings_a_suite_over_to_the_last_bit) {
-  const Suite suite = test::small_suite();
-  const Suite copy = unpack_suite(pack(suite));
+using test::small_config;
+using test::small_plan;
+using test::small_suite;
+
+TEST(exchange, brings_suites_over_to_the_last_bit) {
+  std::vector<Suite> suites{small_suite(), small_suite()};
+  suites[1].name = "other";
+  suites[1].target.reset();
+  const std::vector<Suite> copy = unpack_suites(pack(suites));
+  ASSERT_EQ(copy.size(), 2u);
   // The plan's hash covers every sample, scale and id.
-  EXPECT_EQ(make_plan(test::small_config(), copy).hash,
-            make_plan(test::small_config(), suite).hash);
-  EXPECT_EQ(copy.name, suite.name);
-  EXPECT_EQ(copy.target->s1_g, suite.target->s1_g);
-  EXPECT_EQ(copy.target->site_classes, suite.target->site_classes);
+  EXPECT_EQ(make_plan(small_config(), {copy[0]}).hash, small_plan(small_config()).hash);
+  EXPECT_EQ(copy[0].name, "small");
+  EXPECT_EQ(copy[0].target->s1_g, suites[0].target->s1_g);
+  EXPECT_EQ(copy[0].target->site_classes, suites[0].target->site_classes);
+  EXPECT_EQ(copy[1].name, "other");
+  EXPECT_FALSE(copy[1].target.has_value());
 }
 
-TEST(exchange, brings_unit_results_over_to_the_last_bit) {
-  const Plan plan = make_plan(test::small_config(), test::small_suite());
-  const std::vector<UnitResult> units{execute(plan, 2), execute(plan, 0)};
+TEST(exchange, brings_every_field_of_unit_results_over_to_the_last_bit) {
+  StudyConfig config = small_config();
+  config.model.axes = SlidingAxes::two;
+  config.sampling.samples = 2;
+  config.intensity.levels = {1.0, 2.0};
+  config.clearance = ClearanceConfig{};
+  config.impact = config.base_shear = true;
+  const Plan plan = small_plan(config);
+  std::vector<UnitResult> units{execute(plan, 2), execute(plan, 0)};
+  units[0].fields.tips = {1, 0};  // in no study on two axes
   const std::vector<UnitResult> copy = unpack_unit_results(pack(units));
   ASSERT_EQ(copy.size(), 2u);
   for (std::size_t i = 0; i < 2; ++i) {
     EXPECT_EQ(copy[i].unit, units[i].unit);
     EXPECT_EQ(copy[i].count, units[i].count);
-    for (std::size_t r = 0; r < 2; ++r) {
-      EXPECT_EQ(copy[i].runs[r].peak_displacement_m, units[i].runs[r].peak_displacement_m);
-      EXPECT_EQ(copy[i].runs[r].uplift, units[i].runs[r].uplift);
-      EXPECT_EQ(copy[i].runs[r].capacity, units[i].runs[r].capacity);
-    }
+    EXPECT_EQ(test::bits_of({.fields = copy[i].fields}), test::bits_of({.fields = units[i].fields}));
   }
+  for_each_history_field([&](auto field) {
+    EXPECT_FALSE((copy[0].fields.*field.of).empty()) << field.name;
+  });
 }
 
 TEST(exchange, does_not_read_beyond_a_short_message) {
-  std::vector<char> bytes = pack(test::small_suite());
+  std::vector<char> bytes = pack(std::vector{small_suite()});
   bytes.resize(bytes.size() / 2);
-  EXPECT_THROW(unpack_suite(bytes), std::logic_error);
+  EXPECT_THROW(unpack_suites(bytes), std::logic_error);
 }
 
 }  // namespace

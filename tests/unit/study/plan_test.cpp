@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "glissade/core/error.hpp"
 #include "glissade/core/units.hpp"
 #include "glissade/motion/intensity.hpp"
@@ -11,33 +13,83 @@
 namespace glissade {
 namespace {
 
+using test::fixed;
+using test::listed;
 using test::small_config;
+using test::small_plan;
 using test::small_suite;
 constexpr double g = standard_gravity_mps2;
 
-TEST(plan, covers_every_record_and_sample_once) {
-  const Plan plan = make_plan(small_config(), small_suite());
-  std::vector<std::vector<int>> seen(3, std::vector<int>(40, 0));
+TEST(plan, units_cover_every_record_and_case_that_differs_once) {
+  StudyConfig config = small_config();
+  config.quantities.at("building", "period_s") = listed({0.0, 0.3});
+  config.orientation.choice = OrientationChoice::all_permutations;
+  const Plan plan = small_plan(config);
+  ASSERT_EQ(plan.cases.size(), 2u * 2u * 40u * 4u);  // frictions, periods, samples, orientations
+  std::vector<std::vector<int>> seen(3, std::vector<int>(plan.cases.size(), 0));
   for (const WorkUnit& unit : plan.units) {
-    for (std::uint64_t i = 0; i < unit.sample_count; ++i)
-      ++seen[unit.record][unit.first_sample + i];
+    for (std::size_t i = 0; i < unit.count; ++i) ++seen[unit.record][plan.order[unit.first + i]];
   }
+  std::size_t repeated = 0;
   for (const auto& record : seen) {
-    for (const int times : record) EXPECT_EQ(times, 1);
+    for (std::size_t c = 0; c < record.size(); ++c) {
+      EXPECT_EQ(record[c], plan.same_as[c] == c ? 1 : 0);
+      repeated += plan.same_as[c] != c;
+    }
   }
-  EXPECT_EQ(plan.histories(), 3u * 40u * 8u * 2u);
+  EXPECT_GT(repeated, 0u);  // a third of the roofs are flat: either sign is the same
+  EXPECT_EQ(plan.histories(), (3 * plan.cases.size() - repeated) * 8);
+}
+
+// As studies/14: 768 cases on two axes, of which 384 differ, on 14 records.
+TEST(plan, units_are_hundreds_and_even_in_predicted_cost) {
+  StudyConfig config = small_config();
+  config.model.axes = SlidingAxes::two;
+  config.intensity.measure = IntensityMeasure::mce_fraction;
+  config.intensity.levels = {2.0 / 3.0};
+  config.fragility.reset();
+  config.standards.compare.clear();
+  config.quantities = Quantities();
+  config.quantities.at("building", "period_s") = listed({0.2, 0.4, 0.7, 1.0, 1.5, 2.0});
+  config.quantities.at("building", "mass_ratio") = listed({0.05, 0.10});
+  config.vertical = {VerticalChoice::if_available, VerticalChoice::none};
+  config.orientation.choice = OrientationChoice::all_permutations;
+  config.orientation.slope_axis = {SlopeAxis::e_w, SlopeAxis::n_s};
+  Suite suite = small_suite();
+  suite.motions.clear();
+  for (unsigned i = 0; i < 14; ++i) {
+    Motion m = small_suite().motions[i % 3];
+    m.id += std::to_string(i);
+    for (auto& component : m.horizontal_mps2) component.resize(600 + 400 * i, 0.1);
+    m.vertical_mps2.resize(600 + 400 * i, 0.1);
+    suite.motions.push_back(m);
+  }
+  const Plan plan = make_plan(config, {suite});
+  EXPECT_EQ(plan.cases.size(), 6u * 2u * 2u * 16u);
+  EXPECT_EQ(plan.order.size(), 6u * 2u * 2u * 4u);  // one friction: slopes along either axis agree
+  EXPECT_GT(plan.units.size(), 200u);
+  EXPECT_LT(plan.units.size(), 1000u);
+  const auto cost = [&](const WorkUnit& unit) {
+    return static_cast<double>(unit.count * plan.motion(unit.record).horizontal_mps2[0].size());
+  };
+  double sum = 0.0, largest = 0.0;
+  for (const WorkUnit& unit : plan.units) {
+    sum += cost(unit);
+    largest = std::max(largest, cost(unit));
+  }
+  EXPECT_LT(largest, 2.0 * sum / static_cast<double>(plan.units.size()));
 }
 
 TEST(plan, gives_a_sample_its_numbers_whatever_else_is_sampled) {
   StudyConfig config = small_config();
-  const Plan plan = make_plan(config, small_suite());
+  const Plan plan = small_plan(config);
   config.sampling.samples = 64;
-  config.building.period_s = Fixed{0.3};
-  const Plan other = make_plan(config, small_suite());
+  config.quantities.at("building", "period_s") = fixed(0.3);
+  const Plan other = small_plan(config);
   for (std::size_t i = 0; i < 40; ++i) {
-    EXPECT_EQ(plan.samples[i].friction, other.samples[i].friction);
-    EXPECT_EQ(plan.samples[i].slope_deg, other.samples[i].slope_deg);
-    EXPECT_EQ(plan.samples[i].sign, other.samples[i].sign);
+    EXPECT_EQ(plan.cases.cases[i].friction, other.cases.cases[i].friction);
+    EXPECT_EQ(plan.cases.cases[i].slope_deg, other.cases.cases[i].slope_deg);
+    EXPECT_EQ(plan.cases.cases[i].orientation, other.cases.cases[i].orientation);
   }
 }
 
@@ -47,23 +99,23 @@ TEST(plan, scales_each_record_to_the_intensity_measure) {
   const Suite suite = small_suite();
   const auto combined = HorizontalCombination::geometric_mean;
 
-  config.intensity.measure = IntensityMeasure::pga_g;
-  Plan plan = make_plan(config, suite);
+  config.intensity.measure = *IntensityMeasure::named("pga_g");
+  Plan plan = make_plan(config, {suite});
   for (std::size_t i = 0; i < 3; ++i) {
     EXPECT_NEAR(plan.factor_at_unit_level[i] * horizontal_pga_mps2(suite.motions[i], combined), g,
                 1e-12 * g);
   }
-  config.intensity.measure = IntensityMeasure::sa_g;
+  config.intensity.measure = *IntensityMeasure::named("sa_g");
   config.intensity.sa_period_s = 0.3;
-  plan = make_plan(config, suite);
+  plan = make_plan(config, {suite});
   for (std::size_t i = 0; i < 3; ++i) {
     const double sa =
         horizontal_spectrum_mps2(suite.motions[i], std::vector<double>{0.3}, combined).front();
     EXPECT_NEAR(plan.factor_at_unit_level[i] * sa, g, 1e-12 * g);
   }
-  config.intensity.measure = IntensityMeasure::avg_sa_g;
+  config.intensity.measure = *IntensityMeasure::named("avg_sa_g");
   config.intensity.avg_sa_periods_s = {0.2, 0.5, 1.0};
-  plan = make_plan(config, suite);
+  plan = make_plan(config, {suite});
   for (std::size_t i = 0; i < 3; ++i) {
     EXPECT_NEAR(plan.factor_at_unit_level[i] *
                     average_sa_mps2(suite.motions[i], config.intensity.avg_sa_periods_s),
@@ -75,7 +127,7 @@ TEST(plan, scales_each_record_to_the_intensity_measure) {
 // touches it.
 TEST(plan, scales_the_suite_as_one_to_the_design_spectrum_of_each_sds) {
   const Suite suite = small_suite();
-  const Plan plan = make_plan(small_config(), suite);
+  const Plan plan = make_plan(small_config(), {suite});
   EXPECT_NEAR(plan.factor_at_unit_level[2] / plan.factor_at_unit_level[0],
               suite.motions[2].scale / suite.motions[0].scale, 1e-12);
   const TargetSpectrum target(*suite.target);
@@ -95,30 +147,25 @@ TEST(plan, scales_the_suite_as_one_to_the_design_spectrum_of_each_sds) {
 }
 
 TEST(plan, has_another_hash_when_the_motions_or_the_study_change_and_the_same_when_not) {
-  const Plan plan = make_plan(small_config(), small_suite());
-  EXPECT_EQ(plan.hash, make_plan(small_config(), small_suite()).hash);
+  const Plan plan = small_plan(small_config());
+  EXPECT_EQ(plan.hash, small_plan(small_config()).hash);
   Suite changed = small_suite();
   changed.motions[1].vertical_mps2[17] += 1e-12;
-  EXPECT_NE(plan.hash, make_plan(small_config(), changed).hash);
+  EXPECT_NE(plan.hash, make_plan(small_config(), {changed}).hash);
+  changed = small_suite();
+  changed.target->s1_g += 0.1;
+  EXPECT_NE(plan.hash, make_plan(small_config(), {changed}).hash);
+  changed = small_suite();
+  changed.motions[2].scale = 1.01;
+  EXPECT_NE(plan.hash, make_plan(small_config(), {changed}).hash);
   StudyConfig config = small_config();
   config.source_text += " ";
-  EXPECT_NE(plan.hash, make_plan(config, small_suite()).hash);
+  EXPECT_NE(plan.hash, small_plan(config).hash);
 }
 
-TEST(plan, runs_the_design_friction_beside_unless_friction_is_one_number) {
+TEST(plan, reports_everything_in_which_study_and_suite_do_not_fit) {
   StudyConfig config = small_config();
-  Plan plan = make_plan(config, small_suite());
-  ASSERT_EQ(plan.runs.size(), 2u);
-  EXPECT_DOUBLE_EQ(plan.runs[1].friction.front(), 0.3);  // 0.4 - 2 * 0.05 (Walters 2012)
-  config.friction.mu = Fixed{0.4};
-  plan = make_plan(config, small_suite());
-  EXPECT_EQ(plan.runs.size(), 1u);
-  EXPECT_FALSE(plan.skips.empty());
-}
-
-TEST(plan, tells_everything_in_which_study_and_suite_do_not_fit) {
-  StudyConfig config = small_config();
-  config.vertical.use = VerticalChoice::required;
+  config.vertical = {VerticalChoice::required};
   config.orientation.component = ComponentChoice::second;
   Suite suite = small_suite();
   suite.target.reset();
@@ -127,7 +174,7 @@ TEST(plan, tells_everything_in_which_study_and_suite_do_not_fit) {
   suite.motions[2].horizontal_mps2[0].assign(600, 0.0);
   suite.motions[2].horizontal_mps2[1].assign(600, 0.0);
   try {
-    make_plan(config, suite);
+    make_plan(config, {suite});
     FAIL() << "accepted";
   } catch (const InputError& error) {
     EXPECT_EQ(error.problems().size(), 4u) << error.what();
@@ -140,16 +187,42 @@ TEST(plan, notes_records_that_lack_a_component) {
   suite.motions[1].horizontal_mps2[1].clear();
   StudyConfig config = small_config();
   config.standards.compare.clear();
-  EXPECT_EQ(make_plan(config, suite).notes.size(), 2u);
+  EXPECT_EQ(make_plan(config, {suite}).notes.size(), 2u);
 }
 
-TEST(plan, notes_samples_outside_the_range_of_the_prescriptive_value) {
+TEST(plan, notes_cases_outside_the_range_of_the_prescriptive_value) {
   // Slope 4 degrees in a third of the samples, mu at or below 0.4 in half of them.
-  EXPECT_EQ(make_plan(small_config(), small_suite()).notes.size(), 2u);  // both runs
+  EXPECT_EQ(small_plan(small_config()).notes.size(), 1u);
   StudyConfig config = small_config();
-  config.roof.slope_deg = Fixed{1.19};
-  config.friction.mu = Fixed{0.45};
-  EXPECT_TRUE(make_plan(config, small_suite()).notes.empty());
+  config.quantities.at("roof", "slope_deg") = fixed(1.19);
+  config.quantities.at("friction", "mu") = fixed(0.45);
+  EXPECT_TRUE(small_plan(config).notes.empty());
+}
+
+TEST(plan, runs_the_records_a_study_names) {
+  StudyConfig config = small_config();
+  config.records = {"motion2", "motion0"};
+  const Plan plan = small_plan(config);
+  ASSERT_EQ(plan.records.size(), 2u);
+  EXPECT_EQ(plan.motion(0).id, "motion0");
+  EXPECT_EQ(plan.motion(1).id, "motion2");
+  config.records = {"motoin1"};
+  EXPECT_THROW(small_plan(config), InputError);
+}
+
+TEST(plan, has_the_records_of_every_suite) {
+  StudyConfig config = small_config();
+  config.suite_files = {"a.toml", "b.toml"};
+  Suite second = small_suite();
+  second.motions.resize(1);
+  second.target->ss_g = 3.0;
+  const Plan plan = make_plan(config, {small_suite(), second});
+  ASSERT_EQ(plan.records.size(), 4u);
+  EXPECT_EQ(plan.records[3].suite, 1u);
+  EXPECT_EQ(plan.motion(3).id, "motion0");
+  EXPECT_EQ(plan.target(3)->ss_g, 3.0);
+  EXPECT_EQ(plan.target(0)->ss_g, 1.5);
+  EXPECT_EQ(plan.factor_at_unit_level.size(), 4u);
 }
 
 }  // namespace

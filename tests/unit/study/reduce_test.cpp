@@ -5,26 +5,24 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "unit/study/small_study.hpp"
 
 namespace glissade {
 namespace {
 
+using test::fixed;
 using test::small_config;
-using test::small_suite;
+using test::small_plan;
 
-std::vector<UnitResult> executed(const Plan& plan) {
-  std::vector<UnitResult> units;
-  for (std::size_t u = 0; u < plan.units.size(); ++u) units.push_back(execute(plan, u));
-  return units;
-}
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
 class reduce_of_a_small_study : public testing::Test {
  protected:
   static void SetUpTestSuite() {
-    plan = new Plan(make_plan(small_config(), small_suite()));
-    units = new std::vector<UnitResult>(executed(*plan));
+    plan = new Plan(small_plan(small_config()));
+    units = new std::vector<UnitResult>(test::execute_all(*plan));
     results = new Results(reduce(*plan, *units));
   }
   static void TearDownTestSuite() {
@@ -40,9 +38,9 @@ class reduce_of_a_small_study : public testing::Test {
 TEST_F(reduce_of_a_small_study, does_not_depend_on_the_order_in_which_units_came) {
   std::vector<UnitResult> shuffled(units->rbegin(), units->rend());
   const Results again = reduce(*plan, shuffled);
+  EXPECT_EQ(test::bits_of(again.histories), test::bits_of(results->histories));
+  ASSERT_EQ(again.runs.size(), 2u);
   for (std::size_t r = 0; r < 2; ++r) {
-    EXPECT_EQ(again.runs[r].peak_displacement_m.data, results->runs[r].peak_displacement_m.data);
-    EXPECT_EQ(again.runs[r].capacity.data, results->runs[r].capacity.data);
     for (std::size_t t = 0; t < 3; ++t) {
       EXPECT_EQ(again.runs[r].fragilities[t].capacities.curve.median,
                 results->runs[r].fragilities[t].capacities.curve.median);
@@ -62,7 +60,8 @@ TEST_F(reduce_of_a_small_study, counts_shares_and_percentiles_as_a_plain_count_d
     for (std::size_t j = 0; j < results->levels.size(); ++j) {
       std::vector<double> slips;
       for (std::size_t r = 0; r < 3; ++r) {
-        for (std::size_t s = 0; s < 40; ++s) slips.push_back(run.peak_displacement_m(r, s, j));
+        for (std::size_t s = 0; s < 40; ++s)
+          slips.push_back(results->histories.displacement_m(r, run.first_case + s, j));
       }
       std::sort(slips.begin(), slips.end());
       double sum = 0;
@@ -85,14 +84,14 @@ TEST_F(reduce_of_a_small_study, counts_shares_and_percentiles_as_a_plain_count_d
 }
 
 TEST_F(reduce_of_a_small_study, has_capacities_in_the_bracket_that_the_peaks_show) {
-  const RunResults& run = results->runs[0];
+  const HistoryTable& table = results->histories;
+  ASSERT_EQ(table.cases, 80u);  // 40 samples, as drawn and at the design friction
   for (std::size_t r = 0; r < 3; ++r) {
-    for (std::size_t s = 0; s < 40; ++s) {
+    for (std::size_t c = 0; c < table.cases; ++c) {
       for (std::size_t t = 0; t < 3; ++t) {
         std::size_t first = 0;
-        while (first < 8 && run.peak_displacement_m(r, s, first) < results->thresholds_m[t])
-          ++first;
-        const double capacity = run.capacity(r, s, t);
+        while (first < 8 && table.displacement_m(r, c, first) < results->thresholds_m[t]) ++first;
+        const double capacity = table.capacity(r, c, t);
         if (first == 8) {
           EXPECT_TRUE(std::isinf(capacity));
         } else {
@@ -120,68 +119,74 @@ TEST_F(reduce_of_a_small_study, compares_each_level_with_both_standards) {
   std::size_t above = 0;
   for (std::size_t r = 0; r < 3; ++r) {
     for (std::size_t s = 0; s < 40; ++s)
-      above += run.peak_displacement_m(r, s, 3) > run.standards[3].prescribed.value_m ? 1 : 0;
+      above += results->histories.displacement_m(r, s, 3) > run.standards[3].prescribed.value_m ? 1 : 0;
   }
   EXPECT_NEAR(run.standards[3].exceedance_probability, static_cast<double>(above) / 120, 1e-14);
 }
 
 TEST_F(reduce_of_a_small_study, shows_the_suite_against_its_design_spectrum) {
-  EXPECT_EQ(results->spectra.reference_level, 1.0);
-  ASSERT_EQ(results->spectra.average_srss_g.size(), results->spectra.target_g.size());
-  for (std::size_t p = 0; p < results->spectra.periods_s.size(); ++p) {
-    if (results->spectra.periods_s[p] > 2.0) continue;
-    EXPECT_GE(results->spectra.average_srss_g[p],
-              0.97 * results->spectra.target_g[p]);  // between the rule's own periods
+  ASSERT_EQ(results->suites.size(), 1u);
+  const SuiteSpectra& spectra = results->suites[0].spectra;
+  EXPECT_EQ(spectra.reference_level, 1.0);
+  ASSERT_EQ(spectra.average_srss_g.size(), spectra.target_g.size());
+  for (std::size_t p = 0; p < spectra.periods_s.size(); ++p) {
+    if (spectra.periods_s[p] > 2.0) continue;
+    EXPECT_GE(spectra.average_srss_g[p], 0.97 * spectra.target_g[p]);  // between the rule's periods
   }
 }
 
 /// Four samples of three records at 1, 2 and 3 g, with peaks and capacities made up by
-/// `fill(record, sample, unit's run)`; threshold 0.1 m.
+/// `fill(record, sample, fields)`; threshold 0.1 m.
 template <class Fill>
 Results reduce_made_up(Fill fill) {
   StudyConfig config = small_config();
   config.intensity.levels = {1.0, 2.0, 3.0};
   config.sampling.samples = 4;
-  config.friction.mu = Fixed{0.4};
-  config.thresholds_m = {0.1};
-  const Plan plan = make_plan(config, small_suite());
+  config.quantities.at("friction", "mu") = fixed(0.4);
+  config.fragility = FragilityConfig{.thresholds_m = {0.1}};
+  const Plan plan = small_plan(config);
   std::vector<UnitResult> units;
   for (std::size_t u = 0; u < plan.units.size(); ++u) {
+    const WorkUnit& work = plan.units[u];
     UnitResult unit;
     unit.unit = u;
-    unit.runs.resize(1);
-    for (int sample = 0; sample < 4; ++sample) {
-      fill(u, sample, unit.runs[0]);
-      unit.runs[0].uplift.insert(unit.runs[0].uplift.end(), 3, 0);
+    for (std::size_t i = 0; i < work.count; ++i) {
+      fill(work.record, plan.order[work.first + i], unit.fields);
+      unit.fields.uplift.insert(unit.fields.uplift.end(), 3, 0);
+      unit.fields.failed.resize(unit.fields.uplift.size(), 0);
     }
     units.push_back(unit);
   }
   return reduce(plan, units);
 }
 
-void add(UnitResult::Run& run, const std::vector<double>& peaks_m, double capacity) {
-  run.peak_displacement_m.insert(run.peak_displacement_m.end(), peaks_m.begin(), peaks_m.end());
-  run.capacity.push_back(capacity);
+void add(HistoryFields& fields, const std::vector<double>& peaks_m, double capacity) {
+  fields.peak_displacement_m.insert(fields.peak_displacement_m.end(), peaks_m.begin(),
+                                    peaks_m.end());
+  fields.capacity.push_back(capacity);
 }
 
 // Recrossing, by hand: a threshold reached at one level and not at the next.
 TEST(reduce, counts_histories_that_fall_below_the_threshold_again) {
-  const Results results = reduce_made_up([](std::size_t u, int sample, UnitResult::Run& run) {
-    const bool recrosses = u == 0 && sample == 0;
-    add(run, recrosses ? std::vector<double>{0.0, 0.2, 0.05} : std::vector<double>{0.0, 0.2, 0.3},
-        1.5 + 0.01 * sample + 0.1 * static_cast<double>(u));
-  });
+  const Results results =
+      reduce_made_up([](std::size_t record, std::size_t sample, HistoryFields& fields) {
+        const bool recrosses = record == 0 && sample == 0;
+        add(fields,
+            recrosses ? std::vector<double>{0.0, 0.2, 0.05} : std::vector<double>{0.0, 0.2, 0.3},
+            1.5 + 0.01 * static_cast<double>(sample) + 0.1 * static_cast<double>(record));
+      });
   EXPECT_DOUBLE_EQ(results.runs[0].fragilities[0].recross_share, 1.0 / 12);
   EXPECT_EQ(results.runs[0].fragilities[0].record_recross, (std::vector<double>{1, 0, 0}));
 }
 
 // One sample of four slides freely on every record: it exceeds at 1 g, where no other does.
 TEST(reduce, has_histories_that_slide_freely_in_the_observed_shares_the_curves_and_the_band) {
-  const Results results = reduce_made_up([](std::size_t u, int sample, UnitResult::Run& run) {
-    if (sample == 0) return add(run, {5.0, 5.1, 5.2}, 0.0);
-    add(run, {0.0, sample == 1 ? 0.2 : 0.0, 0.3},
-        (sample == 1 ? 1.8 : 2.2) + 0.1 * static_cast<double>(u));
-  });
+  const Results results =
+      reduce_made_up([](std::size_t record, std::size_t sample, HistoryFields& fields) {
+        if (sample == 0) return add(fields, {5.0, 5.1, 5.2}, 0.0);
+        add(fields, {0.0, sample == 1 ? 0.2 : 0.0, 0.3},
+            (sample == 1 ? 1.8 : 2.2) + 0.1 * static_cast<double>(record));
+      });
   const ThresholdFragility& f = results.runs[0].fragilities[0];
   EXPECT_EQ(f.probability, (std::vector<double>{0.25, 0.5, 1.0}));
   EXPECT_EQ(f.free_sliding_share, 0.25);
@@ -194,14 +199,41 @@ TEST(reduce, has_histories_that_slide_freely_in_the_observed_shares_the_curves_a
   for (const Interval& interval : f.band) EXPECT_GE(interval.low, 0.25);
 }
 
-TEST(reduce, says_that_every_history_slides_freely) {
-  const Results results = reduce_made_up([](std::size_t, int, UnitResult::Run& run) {
-    add(run, {5.0, 5.1, 5.2}, 0.0);
+TEST(reduce, reports_that_every_history_slides_freely) {
+  const Results results = reduce_made_up([](std::size_t, std::size_t, HistoryFields& fields) {
+    add(fields, {5.0, 5.1, 5.2}, 0.0);
   });
   const ThresholdFragility& f = results.runs[0].fragilities[0];
   EXPECT_EQ(f.stripes.status, FitStatus::always_exceeds);
   EXPECT_EQ(f.capacities.status, FitStatus::always_exceeds);
   EXPECT_EQ(f.probability, (std::vector<double>{1, 1, 1}));
+}
+
+// One history of record 1 does not converge at 2 g: its slip is unknown there, and counts as above
+// every clearance.
+TEST(reduce, counts_a_history_that_does_not_converge_as_above_every_threshold_and_names_its_record) {
+  const auto made_up = [](bool fails) {
+    return reduce_made_up([=](std::size_t record, std::size_t sample, HistoryFields& fields) {
+      const bool failed = fails && record == 1 && sample == 2;
+      add(fields, {0.0, failed ? infinity : 0.05, 0.3},
+          (failed ? 1.5 : 2.5) + 0.1 * static_cast<double>(record + sample));
+      fields.failed.insert(fields.failed.end(), {0, failed ? std::uint8_t{1} : std::uint8_t{0}, 0});
+    });
+  };
+  const Results results = made_up(true), without = made_up(false);
+  const HistoryTable& table = results.histories;
+  EXPECT_EQ(std::ranges::count(table.fields.failed, 1), 1);
+  EXPECT_EQ(table.fields.failed[table.at(1, 2, 1)], 1);
+  EXPECT_DOUBLE_EQ(results.runs[0].fragilities[0].probability[1], 1.0 / 12);
+  EXPECT_EQ(results.runs[0].slip[1].mean_m, infinity);
+  EXPECT_EQ(results.runs[0].slip[1].median_m, 0.05);
+  ASSERT_EQ(results.notes.size(), without.notes.size() + 1);
+  const auto names_it = [](const std::string& note) {
+    return note.find("1 of 36") != note.npos && note.find("motion1") != note.npos &&
+           note.find("motion0") == note.npos;
+  };
+  EXPECT_EQ(std::ranges::count_if(results.notes, names_it), 1);
+  EXPECT_EQ(std::ranges::count_if(without.notes, names_it), 0);
 }
 
 }  // namespace

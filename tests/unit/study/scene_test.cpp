@@ -89,22 +89,21 @@ TEST(scene, samples_a_building_s_roof_finely_enough_for_three_parts_in_a_thousan
   RecordProperty("mean", std::to_string(sum / count));
 }
 
-TEST(scene, leaves_the_sampled_run_untouched_by_the_design_run_beside_it) {
+TEST(scene, leaves_the_samples_untouched_by_the_design_friction_beside_them) {
   StudyConfig config = test::small_config();
-  config.friction.mu = TruncatedNormal{
-      0.2, 0.09, 0.0, INFINITY};  // design friction 0.02: slides freely on 4 degrees
-  const Plan both = make_plan(config, test::small_suite());
-  config.friction.design_run = false;
-  const Plan one = make_plan(config, test::small_suite());
+  // Design friction 0.02: slides freely on 4 degrees.
+  config.quantities.at("friction", "mu") = test::drawn(TruncatedNormal{0.2, 0.09, 0.0, INFINITY});
+  const Results both = test::run(test::small_plan(config));
+  config.friction.values = {FrictionValue::as_drawn};
+  const Results one = test::run(test::small_plan(config));
+  ASSERT_EQ(both.cases.size(), 2 * one.cases.size());
   double worst = 0;
-  for (std::size_t u = 0; u < both.units.size(); ++u) {
-    const auto with = execute(both, u).runs[0].peak_displacement_m;
-    const auto without = execute(one, u).runs[0].peak_displacement_m;
-    for (std::size_t i = 0; i < with.size(); ++i) {
-      worst = std::max(worst, std::abs(with[i] - without[i]) / std::max(without[i], 1e-3));
-    }
-  }
-  EXPECT_LT(worst, 1e-4);  // the weaker friction only asks for a longer ring-down
+  test::for_each_history(one.histories, [&](std::size_t record, std::size_t c, std::size_t level) {
+    const double with = both.histories.displacement_m(record, c, level),
+                 without = one.histories.displacement_m(record, c, level);
+    worst = std::max(worst, std::abs(with - without) / std::max(without, 1e-3));
+  });
+  EXPECT_LT(worst, 1e-4);  // the weaker friction only needs a longer ring-down
 }
 
 }  // namespace

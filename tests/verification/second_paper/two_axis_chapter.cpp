@@ -40,7 +40,7 @@ Case one_axis() {
               worst = worse(worst, std::abs(d) / size);
           }
   return limit(
-      {"slide_two_axis(), roof that moves along the slope, 96 made-up scenes", "slip", "slide()"},
+      {"slide_two_axis(), roof that moves along the slope, 96 made-up scenes", "slip", "slide()", ReferenceFrom::this_code},
       {relative_to_slip, worst, 1e-12});
 }
 
@@ -69,7 +69,7 @@ Case coupled_one_axis() {
   }
   return limit({"slide_on_building() to 1e-7, ground that moves along the slope, 40 made-up scenes "
                 "with m/M up to 0.5",
-                "slip", "slide_coupled()"},
+                "slip", "slide_coupled()", ReferenceFrom::this_code},
                {relative_to_slip, worst, 3e-6});
 }
 
@@ -88,7 +88,7 @@ Case rigid_building() {
   }
   return limit(
       {"slide_on_building() to 1e-8, rigid building, circle and ellipse, 30 made-up scenes",
-       "displacement vector", "slide_two_axis() to 1e-9"},
+       "displacement vector", "slide_two_axis() to 1e-9", ReferenceFrom::this_code},
       {relative_to_slip, worst, 3e-7});
 }
 
