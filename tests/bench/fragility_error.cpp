@@ -25,17 +25,19 @@ StudyConfig study(SamplingMethod method, std::uint64_t seed, int log2_samples) {
   StudyConfig config;
   config.name = "run time against error";
   config.seed = seed;
-  config.intensity.measure = IntensityMeasure::pga_g;
+  config.intensity.measure = *IntensityMeasure::named("pga_g");
   config.intensity.levels = {0.4, 0.8, 1.2, 1.6, 2.0};
-  config.building.period_s = Uniform{0.2, 2.0};
-  config.roof.slope_deg = Uniform{0.0, 5.0};
-  config.friction.mu = TruncatedNormal{0.55, 0.04, 0.0, std::numeric_limits<double>::infinity()};
-  config.friction.design_run = false;
-  config.vertical.use = VerticalChoice::none;
+  config.suite_files = {"synthetic_level2.toml"};
+  config.quantities.at("building", "period_s") = {{}, Uniform{0.2, 2.0}};
+  config.quantities.at("roof", "slope_deg") = {{}, Uniform{0.0, 5.0}};
+  config.quantities.at("friction", "mu") = {
+      {}, TruncatedNormal{0.55, 0.04, 0.0, std::numeric_limits<double>::infinity()}};
+  config.friction.values = {FrictionValue::as_drawn};
+  config.vertical = {VerticalChoice::none};
   config.sampling = {.method = method,
                      .samples = std::uint64_t{1} << log2_samples,
                      .bootstrap_replicates = 100};  // the fewest; its intervals are not looked at
-  config.thresholds_m = {0.3};
+  config.fragility = FragilityConfig{.thresholds_m = {0.3}};
   return config;
 }
 
@@ -46,35 +48,20 @@ struct Outcome {
   double median = 0.0, log_std = 0.0;
 };
 
-/// The studies of 2^least, ..., 2^most samples by one seed. A sample's numbers do not depend on how
-/// many there are, so the units of the largest study are those of the smaller ones too: they are
-/// run once, each with its time.
+/// The studies of 2^least, ..., 2^most samples by one seed.
 std::vector<Outcome> replicate(const Suite& suite, SamplingMethod method, std::uint64_t seed,
                                const FragilityErrorOptions& options) {
-  const Plan largest = make_plan(study(method, seed, options.most_log2), suite);
-  std::vector<UnitResult> units;
-  std::vector<double> seconds;
-  for (std::size_t unit = 0; unit < largest.units.size(); ++unit) {
-    const auto start = core_seconds();
-    units.push_back(execute(largest, unit));
-    seconds.push_back(core_seconds() - start);
-  }
-
   std::vector<Outcome> outcomes;
   for (int log2_samples = options.least_log2; log2_samples <= options.most_log2; ++log2_samples) {
     Outcome outcome;
     auto start = core_seconds();
-    const Plan plan = make_plan(study(method, seed, log2_samples), suite);
+    const Plan plan = make_plan(study(method, seed, log2_samples), {suite});
+    std::vector<UnitResult> units;
+    for (std::size_t unit = 0; unit < plan.units.size(); ++unit)
+      units.push_back(execute(plan, unit));
     outcome.histories_s = core_seconds() - start;
-    std::vector<UnitResult> own;
-    for (std::size_t unit = 0; unit < units.size(); ++unit) {
-      if (largest.units[unit].first_sample >= plan.samples.size()) continue;
-      own.push_back(units[unit]);
-      own.back().unit = own.size() - 1;  // both plans go by record, then by sample
-      outcome.histories_s += seconds[unit];
-    }
     start = core_seconds();
-    const Results results = reduce(plan, own);
+    const Results results = reduce(plan, units);
     outcome.fit_s = core_seconds() - start;
     const FitSummary& fit = results.runs[0].fragilities[0].capacities;
     outcome.converged = fit.converged();

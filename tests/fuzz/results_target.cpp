@@ -30,6 +30,8 @@ void check_whole(const Results& results) {
     check(size == 0 || size == table.records * table.cases * table.depth(field.depth),
           "a field has a value for each history");
   });
+  check(results.cases.combinations() * results.cases.per_combination() == results.cases.size(),
+        "cases are every combination");
   for (const RunResults& run : results.runs) {
     check(run.first_case + run.cases <= results.cases.size(), "a run's cases are there");
     check(run.slip.size() == results.levels.size(), "slip at each level");

@@ -21,8 +21,8 @@ std::string section(const Chapter& chapter) {
   std::string text = fmt::format("\n## {}\n\n{}\n\n", chapter.title, chapter.text);
   if (!chapter.cases.empty())
     text +=
-      "| case | quantity | reference | metric | tolerance | result | pass "
-      "|\n|---|---|---|---|---|---|---|\n";
+        "| case | quantity | reference | metric | tolerance | result | pass "
+        "|\n|---|---|---|---|---|---|---|\n";
   for (const Case& c : chapter.cases) text += row(c);
   if (!chapter.measured.empty())
     text += fmt::format("\n{}\n{}\n{}\n", measured_begins, chapter.measured, measured_ends);
@@ -47,11 +47,12 @@ Tally tally(const std::vector<Chapter>& chapters, ReferenceFrom from) {
 }  // namespace
 
 Chapter consistency(std::vector<Chapter>& chapters) {
-  Chapter own{"10. Consistency",
-              R"(The reference of these cases is another part of glissade: the readable scheme beside a fast kernel, the
+  Chapter own{
+      "10. Consistency",
+      R"(The reference of these cases is another part of glissade: the readable scheme beside a fast kernel, the
 full model beside a simpler one, a run beside an interpolation. They show that two parts agree, not that
 either is right; what they agree with is verified in the chapters above. Each case begins with the number of its chapter.)",
-              {}};
+      {}};
   for (Chapter& chapter : chapters) {
     const std::string number = chapter.title.substr(0, chapter.title.find(' '));
     for (Case& c : chapter.cases) {
@@ -59,8 +60,7 @@ either is right; what they agree with is verified in the chapters above. Each ca
       own.cases.push_back(c);
       own.cases.back().name = number + (number.ends_with('.') ? " " : ": ") + c.name;
     }
-    std::erase_if(chapter.cases,
-                  [](const Case& c) { return c.from == ReferenceFrom::this_code; });
+    std::erase_if(chapter.cases, [](const Case& c) { return c.from == ReferenceFrom::this_code; });
   }
   return own;
 }

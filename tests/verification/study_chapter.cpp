@@ -44,7 +44,8 @@ Suite one_motion(const Suite& suite) {
 }
 
 Case fixed_everything(const Suite& suite) {
-  const Plan plan = make_plan(fixed_study(2.39, 0.4, VerticalChoice::required), {one_motion(suite)});
+  const Plan plan =
+      make_plan(fixed_study(2.39, 0.4, VerticalChoice::required), {one_motion(suite)});
   const Results results = run(plan);
   const Motion& m = plan.motion(0);
   const double pga = horizontal_pga_mps2(m, HorizontalCombination::geometric_mean);
@@ -53,17 +54,19 @@ Case fixed_everything(const Suite& suite) {
     const double factor = results.levels[j] * (standard_gravity_mps2 / pga);
     const SlipResult direct = slide({m.dt_s, m.horizontal_mps2[0], m.vertical_mps2, factor, factor},
                                     {.friction = 0.4, .slope_rad = 2.39 * rad_per_deg});
-    worst = worse(
-        worst, std::abs(results.histories.displacement_m(0, 0, j) - direct.peak_displacement_m) /
-                   (direct.peak_displacement_m + 1e-6));
+    worst = worse(worst,
+                  std::abs(results.histories.displacement_m(0, 0, j) - direct.peak_displacement_m) /
+                      (direct.peak_displacement_m + 1e-6));
   }
   return limit({"one motion, rigid building, everything fixed, 16 levels", "peak slip",
-                "slide() on the scaled motion: the scalar reference beside the kernel", ReferenceFrom::this_code},
+                "slide() on the scaled motion: the scalar reference beside the kernel",
+                ReferenceFrom::this_code},
                {"largest difference, relative to the slip and 1 um", worst, 1e-11});
 }
 
 Case capacity_gives_clearance(const Suite& suite) {
-  const Plan plan = make_plan(fixed_study(2.39, 0.4, VerticalChoice::required), {one_motion(suite)});
+  const Plan plan =
+      make_plan(fixed_study(2.39, 0.4, VerticalChoice::required), {one_motion(suite)});
   const Results results = run(plan);
   const Motion& m = plan.motion(0);
   double worst = 0.0;

@@ -9,58 +9,50 @@
 #include "glissade/block/slide.hpp"
 #include "glissade/block/tipping.hpp"
 #include "glissade/building/roof_motion.hpp"
-#include "glissade/core/error.hpp"
-#include "glissade/study/execute.hpp"
-#include "glissade/study/reduce.hpp"
+#include "glissade/core/units.hpp"
+#include "glissade/study/clearance_study.hpp"
 #include "unit/study/small_study.hpp"
 
 namespace glissade {
 namespace {
 
+using test::drawn;
+using test::fixed;
+using test::listed;
+using test::run;
 using test::small_config;
-using test::small_suite;
+using test::small_plan;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 StudyConfig chart_config() {
   StudyConfig config = small_config();
-  config.thresholds_m.clear();
+  config.fragility.reset();
   config.standards.compare = {Standard::seaoc_pv1_2012};
-  config.friction.design_run = false;
-  config.building = {};
   config.intensity.levels = {0.0, 0.5, 2.0};
-  config.orientation = {ComponentChoice::both, SignChoice::both};
-  config.chart = ChartConfig{.slope_deg = {0.0, 2.0, 10.0},
-                             .mu = {0.15, 0.3, 0.5},
-                             .period_s = {0.0, 0.3},
-                             .shown_slope_deg = 2.0,
-                             .shown_mu = 0.3,
-                             .shown_level = 2.0};
+  config.orientation.choice = OrientationChoice::all_permutations;
+  config.quantities.at("roof", "slope_deg") = listed({0.0, 2.0, 10.0});
+  config.quantities.at("friction", "mu") = listed({0.15, 0.3, 0.5});
+  config.quantities.at("building", "period_s") = listed({0.0, 0.3});
+  config.chart = ChartConfig{.shown_slope_deg = 2.0, .shown_mu = 0.3, .shown_level = 2.0};
   return config;
 }
 
-Results run(const Plan& plan, Skipping skipping = Skipping::all) {
-  std::vector<UnitResult> units;
-  for (std::size_t u = 0; u < plan.units.size(); ++u) units.push_back(execute(plan, u, skipping));
-  return reduce(plan, units);
-}
-
-Results run(const StudyConfig& config) { return run(make_plan(config, small_suite())); }
+Results run(const StudyConfig& config) { return run(small_plan(config)); }
 
 /// A history by itself, in the readable scheme, the ring-down followed to silence.
-double slip_by_hand(const Plan& plan, std::size_t record, const SamplePoint& p, double level) {
-  const Motion& m = plan.suite.motions[record];
-  const RoofMotion roof = roof_motion(
-      {m.dt_s, m.horizontal_mps2[static_cast<std::size_t>(p.component)], m.vertical_mps2},
-      {{p.period_s, p.damping}, {}}, {.quiet_horizontal_mps2 = 1e-4});
-  const double factor = level * plan.factor_at_unit_level[record];
-  return slide({roof.dt_s, roof.horizontal_mps2, roof.vertical_mps2, p.sign * factor, factor},
-               {.friction = p.friction, .slope_rad = p.slope_deg * rad_per_deg})
+double slip_by_hand(const Plan& plan, std::size_t record, const Case& c, double level) {
+  const test::CaseGround ground = test::ground_of(plan, record, c, level);
+  const RoofMotion roof = roof_motion(ground.motion, {{c.period_s, c.damping}, {}},
+                                      {.quiet_horizontal_mps2 = 1e-4});
+  return slide({roof.dt_s, roof.horizontal_mps2, roof.vertical_mps2, ground.factors.horizontal,
+                ground.factors.vertical},
+               {.friction = c.friction, .slope_rad = c.slope_deg * rad_per_deg})
       .peak_displacement_m;
 }
 
-TEST(chart, tells_the_mean_over_records_of_each_records_largest_orientation) {
-  const Plan plan = make_plan(chart_config(), small_suite());
+TEST(chart, has_the_mean_over_records_of_each_records_largest_orientation) {
+  const Plan plan = small_plan(chart_config());
   const Chart chart = *run(plan).chart;
   int slid = 0;
   for (std::size_t level = 0; level < 3; ++level) {
@@ -71,13 +63,15 @@ TEST(chart, tells_the_mean_over_records_of_each_records_largest_orientation) {
           double sum = 0.0, largest = 0.0;
           for (std::size_t record = 0; record < 3; ++record) {
             double of_record = 0.0;
-            for (const int component : {0, 1})
-              for (const int sign : {1, -1})
-                of_record = std::max(of_record,
-                                     slip_by_hand(plan, record,
-                                                  {chart.mu[mu], chart.slope_deg[slope],
-                                                   chart.period_s[period], 0.05, component, sign},
-                                                  plan.config.intensity.levels[level]));
+            for (const double azimuth : {0.0, 90.0, 180.0, 270.0}) {
+              Case c;
+              c.friction = chart.mu[mu];
+              c.slope_deg = chart.slope_deg[slope];
+              c.period_s = chart.period_s[period];
+              c.orientation.ground_azimuth_deg = azimuth;
+              of_record = std::max(
+                  of_record, slip_by_hand(plan, record, c, plan.config.intensity.levels[level]));
+            }
             sum += of_record;
             largest = std::max(largest, of_record);
           }
@@ -98,24 +92,24 @@ TEST(chart, tells_the_mean_over_records_of_each_records_largest_orientation) {
 TEST(chart, has_the_6960_runs_of_the_paper) {
   // Rodriguez-Nikl et al. (2019): 29 slopes x 15 frictions x 16 intensities.
   StudyConfig config = chart_config();
-  config.orientation = {ComponentChoice::first, SignChoice::positive};
-  ChartConfig& chart = *config.chart;
-  chart.slope_deg.clear();
-  chart.mu.clear();
-  for (int i = -14; i <= 14; ++i) chart.slope_deg.push_back(0.5 * i);
-  for (int i = 0; i < 15; ++i) chart.mu.push_back(0.1 + 0.05 * i);
-  chart.period_s = {0.0};
-  EXPECT_EQ(chart_samples(config).size() * 16, 6960u);
-  // The same grid told as slopes under both signs of the motion.
-  chart.slope_deg.erase(chart.slope_deg.begin(), chart.slope_deg.begin() + 14);
-  config.orientation.sign = SignChoice::both;
-  EXPECT_EQ(chart_samples(config).size() * 16, 6960u);
+  config.orientation.choice = OrientationChoice::as_recorded;
+  std::vector<double> slopes, frictions;
+  for (int i = -14; i <= 14; ++i) slopes.push_back(0.5 * i);
+  for (int i = 0; i < 15; ++i) frictions.push_back(0.1 + 0.05 * i);
+  config.quantities.at("roof", "slope_deg") = listed(slopes);
+  config.quantities.at("friction", "mu") = listed(frictions);
+  config.quantities.at("building", "period_s") = fixed(0.0);
+  EXPECT_EQ(small_plan(config).order.size() * 16, 6960u);
+  // The same grid as slopes under both signs of the motion: a flat roof needs one.
+  slopes.erase(slopes.begin(), slopes.begin() + 14);
+  config.quantities.at("roof", "slope_deg") = listed(slopes);
+  config.orientation.choice = OrientationChoice::all_permutations;
+  EXPECT_EQ(small_plan(config).order.size() * 16, 2 * 6960u);  // with both components
 }
 
 TEST(chart, takes_negative_slopes_for_the_mirror_image_of_the_motion) {
   StudyConfig both_signs = chart_config(), both_slopes = chart_config();
-  both_slopes.orientation.sign = SignChoice::positive;
-  both_slopes.chart->slope_deg = {-10.0, -2.0, 0.0, 2.0, 10.0};
+  both_slopes.quantities.at("roof", "slope_deg") = listed({-10.0, -2.0, 0.0, 2.0, 10.0});
   const Chart a = *run(both_signs).chart, b = *run(both_slopes).chart;
   EXPECT_EQ(a.slope_deg, b.slope_deg);
   for (std::size_t i = 0; i < a.points.size(); ++i) {
@@ -124,7 +118,7 @@ TEST(chart, takes_negative_slopes_for_the_mirror_image_of_the_motion) {
   }
 }
 
-TEST(chart, tells_where_friction_cannot_stop_the_array) {
+TEST(chart, shows_where_friction_cannot_stop_the_array) {
   const Results results = run(chart_config());
   const Chart& chart = *results.chart;
   // tan(10 deg) = 0.176: more than 0.15 and less than 0.3. With no shaking too.
@@ -137,21 +131,22 @@ TEST(chart, tells_where_friction_cannot_stop_the_array) {
   }
   EXPECT_EQ(chart.at(0, 2, 1).clearance_m, 0.0);  // no shaking
   // What it slid by the record's end is kept with the histories.
-  EXPECT_GT(results.runs[0].peak_displacement_m(0, results.samples.size() - 3, 0), 1.0);
+  const CaseSet& set = results.cases;
+  std::vector<std::size_t> at(set.axes.size(), 0);
+  at[set.axis("roof.slope_deg")] = 2;
+  EXPECT_GT(results.histories.displacement_m(0, set.index(set.combination(at), 0, 0), 0), 1.0);
 }
 
 TEST(chart, gives_the_same_bits_when_nothing_is_skipped) {
   StudyConfig config = chart_config();
-  config.base = RigidBase{0.4, 0.3};
-  const Plan plan = make_plan(config, small_suite());
-  const Results skipping = run(plan), thorough = run(plan, Skipping::none);
-  EXPECT_EQ(skipping.runs[0].peak_displacement_m.data, thorough.runs[0].peak_displacement_m.data);
-  EXPECT_EQ(skipping.runs[0].uplift.data, thorough.runs[0].uplift.data);
-  EXPECT_EQ(skipping.runs[0].tips.data, thorough.runs[0].tips.data);
+  config.tipping = RigidBase{0.4, 0.3};
+  const Plan plan = small_plan(config);
+  EXPECT_EQ(test::bits_of(run(plan).histories),
+            test::bits_of(run(plan, Skipping::none).histories));
 }
 
 TEST(chart, makes_each_roof_of_a_record_once) {
-  const Plan plan = make_plan(chart_config(), small_suite());
+  const Plan plan = small_plan(chart_config());
   RoofStore roofs(plan, Skipping::all);
   for (std::size_t u = 0; u < plan.units.size(); ++u) execute(plan, u, roofs);
   EXPECT_EQ(roofs.roofs_made(), 3u * 2u * 2u);  // records x components x periods
@@ -159,29 +154,26 @@ TEST(chart, makes_each_roof_of_a_record_once) {
 
 TEST(chart, flags_histories_in_which_the_body_begins_to_tip) {
   StudyConfig config = chart_config();
-  config.base = RigidBase{.centre_of_mass_height_m = 1.0, .width_m = 0.5};  // from 0.25 of N on
-  config.vertical.use = VerticalChoice::none;
-  const Plan plan = make_plan(config, small_suite());
+  config.tipping = RigidBase{.centre_of_mass_height_m = 1.0, .width_m = 0.5};  // from 0.25 of N on
+  config.vertical = {VerticalChoice::none};
+  const Plan plan = small_plan(config);
   const Results results = run(plan);
-  const Array3<std::uint8_t>& tips = results.runs[0].tips;
   int tipped = 0, stood = 0;
-  for (std::size_t i = 0; i < plan.samples.size(); ++i) {
-    const SamplePoint& p = plan.samples[i];
-    if (p.period_s != 0.0 || p.slope_deg != 0.0) continue;
-    for (std::size_t record = 0; record < 3; ++record) {
-      double peak = 0.0;
-      for (const double a :
-           plan.suite.motions[record].horizontal_mps2[static_cast<std::size_t>(p.component)])
-        peak = std::max(peak, std::abs(a));
-      for (std::size_t level = 0; level < 3; ++level) {
-        const double a =
-            plan.config.intensity.levels[level] * plan.factor_at_unit_level[record] * peak;
-        const bool tipping = p.friction > 0.25 && a > 0.25 * standard_gravity_mps2;
-        EXPECT_EQ(tips(record, i, level), tipping ? 1 : 0);
+  test::for_each_history(
+      results.histories, [&](std::size_t record, std::size_t i, std::size_t level) {
+        const Case& c = plan.cases.cases[i];
+        if (c.period_s != 0.0 || c.slope_deg != 0.0) return;
+        double peak = 0.0;
+        for (const double a :
+             test::ground_of(plan, record, c, plan.config.intensity.levels[level])
+                 .motion.horizontal_mps2)
+          peak = std::max(peak, std::abs(a));
+        const double a = plan.factor(record, plan.config.intensity.levels[level]) * peak;
+        const bool tipping = c.friction > 0.25 && a > 0.25 * standard_gravity_mps2;
+        EXPECT_EQ(results.histories.fields.tips[results.histories.at(record, i, level)],
+                  tipping ? 1 : 0);
         (tipping ? tipped : stood) += 1;
-      }
-    }
-  }
+      });
   EXPECT_GT(tipped, 10);
   EXPECT_GT(stood, 10);
   // 10 deg alone (tan 0.176) does not tip it; with friction 0.15 it slides first.
@@ -189,7 +181,7 @@ TEST(chart, flags_histories_in_which_the_body_begins_to_tip) {
   EXPECT_GT(results.chart->at(2, 0, 2).tip_share, 0.0);
 }
 
-TEST(chart, says_nothing_of_tipping_where_it_is_not_asked) {
+TEST(chart, has_no_tip_share_without_the_tipping_check) {
   EXPECT_TRUE(std::isnan(run(chart_config()).chart->points.front().tip_share));
 }
 
@@ -209,18 +201,67 @@ TEST(chart, puts_what_is_prescribed_beside_each_level) {
   EXPECT_NEAR(chart.standards[2].prescribed.value_m, 60.0 * 1.6 * 1.6 * 0.0254, 1e-12);
 }
 
-TEST(chart, runs_the_records_a_study_names) {
+TEST(chart, counts_every_record_and_sample_of_friction_that_is_drawn) {
   StudyConfig config = chart_config();
-  config.records = {"motion2", "motion0"};
-  const Plan plan = make_plan(config, small_suite());
-  ASSERT_EQ(plan.suite.motions.size(), 2u);
-  EXPECT_EQ(plan.suite.motions[0].id, "motion0");
-  config.records = {"motoin1"};
-  try {
-    make_plan(config, small_suite());
-    FAIL() << "an unknown record was taken";
-  } catch (const InputError& error) {
-    EXPECT_NE(std::string(error.what()).find("did you mean motion1"), std::string::npos);
+  config.quantities.at("friction", "mu") = drawn(Normal{0.4, 0.05});
+  config.quantities.at("roof", "slope_deg") = listed({2.0});
+  config.sampling.samples = 5;
+  const Results results = run(config);
+  const Chart& chart = *results.chart;
+  EXPECT_EQ(chart.mu, std::vector{0.4});
+  ASSERT_EQ(chart.points.size(), 3u);
+  const CaseSet& set = results.cases;
+  ASSERT_EQ(set.combinations(), 4u);  // sampled and design friction, two periods
+  for (const std::size_t period : {0u, 1u}) {
+    double sum = 0.0, largest = 0.0;
+    for (std::size_t record = 0; record < 3; ++record) {
+      for (std::size_t sample = 0; sample < 5; ++sample) {
+        double of_sample = 0.0;
+        for (std::size_t o = 0; o < set.orientations; ++o)
+          of_sample = std::max(of_sample, results.histories.displacement_m(
+                                              record, set.index(period, sample, o), 2));
+        sum += of_sample;
+        largest = std::max(largest, of_sample);
+      }
+    }
+    EXPECT_GT(sum, 0.0);
+    EXPECT_NEAR(chart.at(2, 0, 0).by_period[period].mean_m, sum / 15, 1e-14);
+    EXPECT_EQ(chart.at(2, 0, 0).by_period[period].envelope_m, largest);
+  }
+}
+
+TEST(chart, of_one_study_with_fragility_and_clearance_agrees_with_them) {
+  StudyConfig config = chart_config();
+  config.model.axes = SlidingAxes::two;
+  config.intensity.measure = IntensityMeasure::mce_fraction;
+  config.intensity.levels = {1.0, 3.0};
+  config.standards.compare.clear();
+  config.orientation.choice = OrientationChoice::as_recorded;
+  config.quantities.at("roof", "slope_deg") = listed({2.0});
+  config.quantities.at("building", "period_s") = listed({0.2, 0.5});
+  config.quantities.at("friction", "mu") = drawn(Normal{0.3, 0.05});
+  config.sampling.samples = 3;
+  config.fragility = FragilityConfig{.thresholds_m = {0.05}};
+  config.chart->shown_level = 3.0;
+  config.clearance = ClearanceConfig{};
+  const Results results = run(config);
+  ASSERT_EQ(results.runs.size(), 4u);
+  EXPECT_EQ(results.runs[1].label, "sampled_period_s_0_5");
+  EXPECT_EQ(results.runs[2].label, "design_period_s_0_2");
+  const ClearanceResults clearance = clearance_results(results);
+  EXPECT_NEAR(clearance.friction[0], 0.2, 1e-15);
+  ASSERT_EQ(clearance.grid.count(), 4u);  // levels, periods
+  for (std::size_t level = 0; level < 2; ++level) {
+    for (std::size_t period = 0; period < 2; ++period) {
+      // Chart and fragility: over records and samples. Clearance: at the design friction.
+      EXPECT_NEAR(results.chart->at(level, 0, 0).by_period[period].mean_m,
+                  results.runs[period].slip[level].mean_m, 1e-14);
+      double sum = 0.0;
+      for (std::size_t record = 0; record < 3; ++record)
+        sum += clearance.at(record, 0, 2 * level + period).displacement_m;
+      EXPECT_NEAR(sum / 3, results.runs[2 + period].slip[level].mean_m, 1e-14);
+      EXPECT_GT(sum / 3, results.runs[period].slip[level].mean_m);
+    }
   }
 }
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <gmock/gmock.h>
+#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <set>
+#include <numeric>
 
 #include "glissade/block/two_axis.hpp"
 #include "glissade/building/motion_table.hpp"
@@ -11,37 +11,49 @@
 #include "glissade/core/units.hpp"
 #include "glissade/study/clearance_reading.hpp"
 #include "unit/study/clearance_motions.hpp"
+#include "unit/study/small_study.hpp"
 
 namespace glissade {
 namespace {
 
+using test::fixed;
+using test::listed;
 using test::shaking;
 using test::suite_of;
-using testing::HasSubstr;
 using Axis = ClearanceAxis;
 
-ClearanceConfig config() {
-  ClearanceConfig c;
+StudyConfig config() {
+  StudyConfig c;
   c.name = "clearance";
   c.file = "study.toml";
   c.suite_files = {"suite.toml"};
-  c.grid.slope_deg = {1.2};
-  c.grid.period_s = {0.3};
-  c.grid.fraction_of_mce = {1.0};
-  c.friction = {TestedFriction{0.3, 0.0}, TestedFriction{0.3, 0.0}};
-  c.slope_axes = {SlopeAxis::e_w, SlopeAxis::n_s};
+  c.intensity.measure = IntensityMeasure::mce_fraction;
+  c.intensity.levels = {1.0};
+  c.model.axes = SlidingAxes::two;
+  c.quantities.at("building", "period_s") = fixed(0.3);
+  c.quantities.at("building", "mass_ratio") = fixed(0.05);
+  c.quantities.at("roof", "slope_deg") = fixed(1.2);
+  c.quantities.at("friction", "mu") = fixed(0.3);
+  c.orientation = {OrientationChoice::all_permutations, {SlopeAxis::e_w, SlopeAxis::n_s}};
+  c.clearance = ClearanceConfig{};
+  c.base_shear = true;
   return c;
 }
 
-ClearanceResults run(const ClearancePlan& plan) {
-  std::vector<ClearanceUnit> units;
-  for (std::size_t i = plan.units(); i > 0; --i)
-    units.push_back(execute(plan, i - 1));  // any order
-  return reduce(plan, units);
+StudyConfig as_recorded_config() {
+  StudyConfig c = config();
+  c.orientation = {OrientationChoice::as_recorded, {SlopeAxis::e_w}};
+  return c;
 }
 
-ClearanceResults run(const ClearanceConfig& c, std::vector<Motion> motions) {
-  return run(make_plan(c, {suite_of(std::move(motions))}));
+Plan plan_of(const StudyConfig& c, std::vector<Motion> motions) {
+  return make_plan(c, {suite_of(std::move(motions))});
+}
+
+ClearanceResults run(const Plan& plan) { return clearance_results(test::run(plan)); }
+
+ClearanceResults run(const StudyConfig& c, std::vector<Motion> motions) {
+  return run(plan_of(c, std::move(motions)));
 }
 
 TEST(clearance_grid, index_and_position_are_each_others_inverse) {
@@ -57,25 +69,13 @@ TEST(clearance_grid, index_and_position_are_each_others_inverse) {
   EXPECT_EQ(all_but(grid, Axis::period).size(), 12u);
 }
 
-TEST(clearance_grid, sixteen_orientations_are_sixteen_different_ones) {
-  const auto all = orientations(OrientationChoice::sixteen, {SlopeAxis::e_w, SlopeAxis::n_s});
-  std::set<std::string> names;
-  for (const GroundOrientation& o : all) names.insert(to_string(o));
-  EXPECT_EQ(all.size(), 16u);
-  EXPECT_EQ(names.size(), 16u);
-  EXPECT_EQ(orientations(OrientationChoice::azimuths, {SlopeAxis::e_w}).size(), 16u);
-  EXPECT_EQ(to_string(GroundOrientation{SlopeAxis::e_w, 90.0, 1}),
-            "slope E-W, along it +second, across -first");
-  EXPECT_EQ(to_string(GroundOrientation{SlopeAxis::n_s, 180.0, -1}),
-            "slope N-S, along it -first, across +second");
-  EXPECT_EQ(to_string(GroundOrientation{SlopeAxis::n_s, 22.5, 1}), "slope N-S, azimuth 22.5 deg");
-}
-
 TEST(clearance, a_rigid_building_is_the_block_on_the_ground_in_every_orientation) {
-  ClearanceConfig c = config();
-  c.grid.period_s = {0.0};
-  c.grid.mass_ratio = {0.0};
-  c.friction[1] = {0.4, 0.02};  // mean - 2 std: 0.36 along N-S
+  StudyConfig c = config();
+  c.quantities.at("building", "period_s") = fixed(0.0);
+  c.quantities.at("building", "mass_ratio") = fixed(0.0);
+  c.friction.across_is_given = true;
+  c.friction.values = {FrictionValue::design};  // mean - 2 std: 0.36 along N-S
+  c.quantities.at("friction", "across_mu") = test::drawn(Normal{0.4, 0.02});
   const Motion motion = shaking("a", 6.0, 0.4);
   const ClearanceResults results = run(c, {motion});
   const double mu[] = {0.3, 0.36};
@@ -103,7 +103,7 @@ TEST(clearance, a_rigid_building_is_the_block_on_the_ground_in_every_orientation
     // The kernel's tolerance is 1e-6 a step; noise of many phases may take thirty of it.
     const double within = 3e-5 * direct.peak_displacement_m;
     EXPECT_NEAR(h.peak_m, direct.peak_displacement_m, within) << words;
-    EXPECT_NEAR(displacement_m(h, DisplacementMeasure::srss), srss_of_maxima_m(direct),
+    EXPECT_NEAR(h.displacement_m, srss_of_maxima_m(direct),
                 within)
         << words;
     EXPECT_NEAR(h.residual_along_m, direct.residual.along_m, within) << words;
@@ -112,14 +112,18 @@ TEST(clearance, a_rigid_building_is_the_block_on_the_ground_in_every_orientation
 }
 
 TEST(clearance, orientations_that_are_not_run_would_have_given_the_same) {
-  const ClearanceConfig c = config();
-  ClearancePlan plan = make_plan(c, {suite_of({shaking("a", 6.0, 0.4)})});
-  EXPECT_EQ(plan.run.size(), 4u);
+  Plan plan = plan_of(config(), {shaking("a", 6.0, 0.4)});
+  EXPECT_EQ(plan.order.size(), 4u);
   const ClearanceResults skipped = run(plan);
-  for (std::size_t o = 0; o < plan.same_as.size(); ++o) plan.same_as[o] = o;
-  plan.run = plan.same_as;
+  ASSERT_EQ(skipped.orientations.size(), 16u);
+  std::iota(plan.same_as.begin(), plan.same_as.end(), 0u);
+  plan.order = plan.same_as;
+  for (auto& cases : plan.cases_on) cases.clear();
+  for (const std::size_t i : plan.order) plan.cases_on[plan.building[i]].push_back(i);
+  std::ranges::stable_sort(plan.order, {}, [&](std::size_t i) { return plan.building[i]; });
+  plan.units = {{0, 0, plan.order.size()}};
   const ClearanceResults all = run(plan);
-  for (std::size_t o = 0; o < plan.run.size(); ++o) {
+  for (std::size_t o = 0; o < all.orientations.size(); ++o) {
     const ClearanceHistory &a = skipped.at(0, o, 0), &b = all.at(0, o, 0);
     EXPECT_NEAR(a.peak_along_m, b.peak_along_m, 1e-5 * b.peak_m);
     EXPECT_NEAR(a.peak_across_m, b.peak_across_m, 1e-5 * b.peak_m);
@@ -128,10 +132,17 @@ TEST(clearance, orientations_that_are_not_run_would_have_given_the_same) {
   }
 }
 
-TEST(clearance, two_frictions_make_eight_orientations_differ) {
-  ClearanceConfig c = config();
-  c.friction[1] = {0.4, 0.0};
-  EXPECT_EQ(make_plan(c, {suite_of({shaking("a", 6.0, 0.4)})}).run.size(), 8u);
+TEST(clearance, friction_that_is_drawn_counts_at_its_design_value) {
+  StudyConfig c = as_recorded_config();
+  const double fixed_m = run(c, {shaking("a", 6.0, 0.4)}).at(0, 0, 0).displacement_m;
+  c.quantities.at("friction", "mu") = test::drawn(Normal{0.375, 0.0375});  // design: 0.3
+  c.sampling.samples = 3;
+  const Plan plan = plan_of(c, {shaking("a", 6.0, 0.4)});
+  EXPECT_EQ(plan.cases.size(), 6u);  // three samples, as drawn and at the design value
+  const ClearanceResults results = run(plan);
+  EXPECT_DOUBLE_EQ(results.friction[0], 0.3);
+  EXPECT_EQ(results.grid.count(), 1u);
+  EXPECT_NEAR(results.at(0, 0, 0).displacement_m, fixed_m, 1e-6 * fixed_m);
 }
 
 /// max |a| of an oscillator's roof, by its own exact steps.
@@ -144,11 +155,9 @@ double roof_peak_mps2(const Motion& motion, std::size_t component, const Oscilla
 }
 
 TEST(clearance, an_anchored_array_adds_its_mass_and_nothing_else) {
-  ClearanceConfig c = config();
-  c.orientation = OrientationChoice::stated;
-  c.slope_axes = {SlopeAxis::e_w};
-  c.grid.support = {ArraySupport::isolated, ArraySupport::anchored, ArraySupport::no_array};
-  c.grid.mass_ratio = {0.1};
+  StudyConfig c = as_recorded_config();
+  c.support = {ArraySupport::isolated, ArraySupport::anchored, ArraySupport::no_array};
+  c.quantities.at("building", "mass_ratio") = fixed(0.1);
   const Motion motion = shaking("a", 6.0, 0.4);
   const ClearanceResults results = run(c, {motion});
   const double longer = std::sqrt(1.1);  // period and 1 / damping ratio of the heavier mass
@@ -165,12 +174,10 @@ TEST(clearance, an_anchored_array_adds_its_mass_and_nothing_else) {
 }
 
 TEST(clearance, a_building_yields_at_its_elastic_demand_over_r) {
-  ClearanceConfig c = config();
-  c.orientation = OrientationChoice::stated;
-  c.slope_axes = {SlopeAxis::e_w};
-  c.damping = 0.0;  // then base shear is the spring's alone
-  c.grid.support = {ArraySupport::isolated, ArraySupport::no_array};
-  c.grid.response_modification = {1.0, 3.0, 6.0};
+  StudyConfig c = as_recorded_config();
+  c.quantities.at("building", "damping") = fixed(0.0);  // then base shear is the spring's alone
+  c.support = {ArraySupport::isolated, ArraySupport::no_array};
+  c.quantities.at("building", "response_modification") = listed({0.0, 3.0, 6.0});
   const ClearanceResults results = run(c, {shaking("a", 8.0, 0.4)});
   // Class D, S_s 1.95 g: S_DS = 2/3 x 1.0 x 1.95 g on the plateau, where 0.3 s lies.
   const double demand = 1.3;
@@ -189,10 +196,8 @@ TEST(clearance, a_building_yields_at_its_elastic_demand_over_r) {
 }
 
 TEST(clearance, the_level_is_a_factor_on_the_suites_own_scale) {
-  ClearanceConfig c = config();
-  c.grid.fraction_of_mce = {0.5, 1.0};
-  c.orientation = OrientationChoice::stated;
-  c.slope_axes = {SlopeAxis::e_w};
+  StudyConfig c = as_recorded_config();
+  c.intensity.levels = {0.5, 1.0};
   Motion once = shaking("a", 6.0, 0.4), scaled = shaking("a", 6.0, 0.4);
   scaled.scale = 2.0;
   const ClearanceResults a = run(c, {once}), b = run(c, {scaled});
@@ -203,15 +208,13 @@ TEST(clearance, the_level_is_a_factor_on_the_suites_own_scale) {
 }
 
 TEST(clearance, a_record_without_a_vertical_is_run_without) {
-  ClearanceConfig c = config();
-  c.orientation = OrientationChoice::stated;
-  c.slope_axes = {SlopeAxis::e_w};
-  c.grid.vertical = {{VerticalChoice::none, 0.0},
-                     {VerticalChoice::if_available, 0.0},
-                     {VerticalChoice::if_available, 0.2}};
+  StudyConfig c = as_recorded_config();
+  c.vertical = {VerticalChoice::none, VerticalChoice::if_available};
+  c.quantities.at("vertical", "period_s") = listed({0.0, 0.2});
   Motion without = shaking("b", 6.0, 1.4);
   without.vertical_mps2.clear();
   const ClearanceResults results = run(c, {shaking("a", 6.0, 0.4), without});
+  ASSERT_EQ(results.grid.count(), 3u);  // with no vertical its period has no part
   EXPECT_TRUE(results.records[0].has_vertical);
   EXPECT_FALSE(results.records[1].has_vertical);
   EXPECT_NE(results.at(0, 0, 0).peak_m, results.at(0, 0, 1).peak_m);
@@ -222,50 +225,23 @@ TEST(clearance, a_record_without_a_vertical_is_run_without) {
   }
 }
 
-TEST(clearance, units_go_from_rank_to_rank_whole) {
-  const ClearancePlan plan = make_plan(config(), {suite_of({shaking("a", 6.0, 0.4)})});
-  const std::vector<ClearanceUnit> sent{execute(plan, 0), execute(plan, 3)};
-  const std::vector<ClearanceUnit> received = unpack_clearance_units(pack(sent));
-  ASSERT_EQ(received.size(), 2u);
-  EXPECT_EQ(received[1].unit, 3u);
-  EXPECT_EQ(received[1].histories[0].peak_m, sent[1].histories[0].peak_m);
-}
-
-std::string problems_of(const ClearanceConfig& c, Suite suite) {
-  try {
-    make_plan(c, {std::move(suite)});
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return {};
-}
-
 TEST(clearance, suites_that_do_not_fit_are_refused_with_all_that_is_wrong) {
-  ClearanceConfig c = config();
-  c.grid.response_modification = {1.0, 2.0};
-  c.grid.vertical = {{VerticalChoice::required, 0.0}};
+  StudyConfig c = config();
+  c.quantities.at("building", "response_modification") = listed({0.0, 2.0});
+  c.vertical = {VerticalChoice::required};
   Motion lame = shaking("lame", 6.0, 0.4), quiet = shaking("quiet", 0.0, 0.4);
   lame.horizontal_mps2[1].clear();
   lame.vertical_mps2.clear();
   Suite suite = suite_of({lame, quiet});
   suite.target.reset();
-  const std::string told = problems_of(c, suite);
-  for (const char* part : {"suite.toml: has no [target]", "record lame has no second horizontal",
-                           "record lame has no vertical", "record quiet is zero throughout"})
-    EXPECT_THAT(told, HasSubstr(part));
-  c.records = {"lamb"};
-  EXPECT_THAT(problems_of(c, suite), HasSubstr("did you mean lame?"));
-}
-
-TEST(clearance, the_plan_changes_with_every_motion_and_scale) {
-  const ClearanceConfig c = config();
-  const std::string hash = make_plan(c, {suite_of({shaking("a", 6.0, 0.4)})}).hash;
-  Motion louder = shaking("a", 6.0, 0.4);
-  louder.vertical_mps2[300] += 1e-9;
-  EXPECT_NE(make_plan(c, {suite_of({louder})}).hash, hash);
-  louder = shaking("a", 6.0, 0.4);
-  louder.scale = 1.5;
-  EXPECT_NE(make_plan(c, {suite_of({louder})}).hash, hash);
+  try {
+    make_plan(c, {suite});
+    FAIL() << "accepted";
+  } catch (const InputError& error) {
+    // No target, no second horizontal, no vertical, and zero throughout.
+    ASSERT_EQ(error.problems().size(), 4u) << error.what();
+    for (const auto& problem : error.problems()) EXPECT_EQ(problem.where, "suite.toml");
+  }
 }
 
 }  // namespace

@@ -63,7 +63,9 @@ TEST(execute, finds_capacities_at_which_slip_equals_the_clearance) {
         // Slip grows about as (x - x_yield)^2: 1e-4 of intensity is well below 1 % of slip here.
         const double slip = by_hand(plan, record, plan.cases.cases[c], capacity).peak_displacement_m;
         EXPECT_NEAR(slip, thresholds[t], 0.01 * thresholds[t]);
-        if (t > 0) EXPECT_GE(capacity, table.capacity(record, c, t - 1));
+        if (t > 0) {
+          EXPECT_GE(capacity, table.capacity(record, c, t - 1));
+        }
       }
     }
   }
@@ -168,7 +170,9 @@ TEST(execute, runs_no_level_above_the_largest_threshold_where_the_study_stops_th
   EXPECT_EQ(with.fields.capacity, without.fields.capacity);
   for (std::size_t i = 0; i < with.fields.peak_displacement_m.size(); ++i) {
     const double slip = with.fields.peak_displacement_m[i];
-    if (std::isfinite(slip)) EXPECT_EQ(slip, without.fields.peak_displacement_m[i]);
+    if (std::isfinite(slip)) {
+      EXPECT_EQ(slip, without.fields.peak_displacement_m[i]);
+    }
   }
 }
 

@@ -86,11 +86,14 @@ Chapter first_paper_charts(const Folders& folders) {
         results.levels[0], 1e3 * read.clearance, read.clearance / inch_m, 1e3 * read.p84);
     const std::vector<double> ratios = interpolated_over_run(config, results);
     const std::string name = "study 11, halfway between all its slopes and frictions";
-    cases.push_back(within({name, "clearance read off / clearance run there", "the run itself", ReferenceFrom::this_code},
+    cases.push_back(within({name, "clearance read off / clearance run there", "the run itself",
+                            ReferenceFrom::this_code},
                            {"smallest", ratios.front(), 0.98, INFINITY}));
-    cases.push_back(within({name, "clearance read off / clearance run there", "the run itself", ReferenceFrom::this_code},
+    cases.push_back(within({name, "clearance read off / clearance run there", "the run itself",
+                            ReferenceFrom::this_code},
                            {"median", ratios[ratios.size() / 2], 0.98, 1.02}));
-    cases.push_back(within({name, "clearance read off / clearance run there", "the run itself", ReferenceFrom::this_code},
+    cases.push_back(within({name, "clearance read off / clearance run there", "the run itself",
+                            ReferenceFrom::this_code},
                            {"largest", ratios.back(), 0.98, 1.10}));
   }
   return {

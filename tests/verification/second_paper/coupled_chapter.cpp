@@ -190,9 +190,10 @@ std::vector<Case> batch(const std::vector<CoupledScene>& scenes) {
   }
   const std::string name = fmt::format("coupled_slip(), {} made-up scenes at once", scenes.size()),
                     reference = "slide_coupled(), the readable scheme";
-  return {limit({name, "slip", reference, ReferenceFrom::this_code}, {relative_to_slip, slip, 1e-11}),
-          limit({name, "base shear, roof displacement", reference, ReferenceFrom::this_code},
-                {"largest relative difference", building, 1e-11})};
+  return {
+      limit({name, "slip", reference, ReferenceFrom::this_code}, {relative_to_slip, slip, 1e-11}),
+      limit({name, "base shear, roof displacement", reference, ReferenceFrom::this_code},
+            {"largest relative difference", building, 1e-11})};
 }
 
 }  // namespace

@@ -39,9 +39,9 @@ Case one_axis() {
                   two.peak_downslope_m - one.peak_downslope_m, two.residual.across_m})
               worst = worse(worst, std::abs(d) / size);
           }
-  return limit(
-      {"slide_two_axis(), roof that moves along the slope, 96 made-up scenes", "slip", "slide()", ReferenceFrom::this_code},
-      {relative_to_slip, worst, 1e-12});
+  return limit({"slide_two_axis(), roof that moves along the slope, 96 made-up scenes", "slip",
+                "slide()", ReferenceFrom::this_code},
+               {relative_to_slip, worst, 1e-12});
 }
 
 /// The roofs of every other scene fall toward the motion's minus side.
