@@ -1,85 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Results files: a small good one, edited as the input says (results_edit.hpp). What is then still
-// taken must be whole and writable, to a file that reads as the same bytes.
+// Results files: small good ones, of a fragility and of every analysis on two axes, edited as the
+// input says (results_edit.hpp). What is then still read must be whole and writable, to a file that
+// reads as the same bytes, and a report can be made of it.
+#include <algorithm>
+#include <array>
+#include <optional>
+
 #include "check.hpp"
-#include "glissade/core/file.hpp"
-#include "glissade/io/results_file.hpp"
-#include "glissade/study/clearance_study.hpp"
+#include "glissade/report/figures.hpp"
+#include "glissade/report/html.hpp"
+#include "glissade/report/summary.hpp"
+#include "glissade/report/tables.hpp"
 #include "results_edit.hpp"
+#include "unit/io/whole_results.hpp"
 
 namespace {
 
 using namespace glissade;
 using fuzz::check;
-
-constexpr std::size_t records = 2, samples = 3, cases = 6, levels = 4, thresholds = 1;
-
-RunResults small_run(const std::string& label, std::uint64_t first_case) {
-  RunResults run;
-  run.label = label;
-  run.first_case = first_case;
-  run.cases = samples;
-  run.band_intensities = {0.5, 1.0};
-  run.fragilities.resize(thresholds);
-  for (ThresholdFragility& f : run.fragilities) {
-    f.probability.assign(levels, 0.5);
-    f.probability_interval.resize(levels);
-    f.band.resize(run.band_intensities.size());
-    f.record_recross.assign(records, 0.0);
-  }
-  run.slip.resize(levels);
-  run.standards.resize(1);
-  run.impact.resize(levels * thresholds);
-  return run;
-}
-
-void fill_histories(HistoryTable& table) {
-  table = {records, cases, levels, thresholds, {}};
-  for_each_history_field([&](auto field) {
-    (table.fields.*field.of).assign(records * cases * table.depth(field.depth), 1);
-  });
-}
-
-Chart small_chart() {
-  Chart chart;
-  chart.slope_deg = {0.0, 2.0};
-  chart.mu = {0.5};
-  chart.period_s = {0.0};
-  chart.points.resize(levels * chart.slope_deg.size());
-  for (ChartPoint& point : chart.points) point.by_period.resize(1);
-  chart.readings.resize(1);
-  chart.standards.resize(1);
-  return chart;
-}
-
-Results small_results() {
-  Results results;
-  results.study_name = "small";
-  results.levels = {0.5, 1.0, 1.5, 2.0};
-  results.thresholds_m = {0.15};
-  results.axes = SlidingAxes::two;
-  results.cases.axes = {{"friction.value", "-", {0.0, 1.0}, {"sampled", "design"}}};
-  results.cases.samples = samples;
-  results.cases.cases.resize(cases);
-  results.records.resize(records);
-  results.suites = {
-      {"suite", "", {{0.0, 1.0}, {{0.4, 0.2}, {0.4, 0.2}}, {0.4, 0.2}, {0.4, 0.2}, 1.0}}};
-  fill_histories(results.histories);
-  results.runs = {small_run("sampled", 0), small_run("design", samples)};
-  results.chart = small_chart();
-  results.clearance = ClearanceConfig{};
-  results.notes = {"a note"};
-  return results;
-}
-
-const std::string& good_file() {
-  static const std::string bytes = [] {
-    const auto file = fuzz::folder().path() / "good.h5";
-    write_results(file, small_results());
-    return read_text_file(file);
-  }();
-  return bytes;
-}
 
 void check_whole(const Results& results) {
   const HistoryTable& table = results.histories;
@@ -88,20 +26,14 @@ void check_whole(const Results& results) {
             table.thresholds == results.thresholds_m.size(),
         "histories fit the records, cases, levels and thresholds");
   for_each_history_field([&](auto field) {
-    const auto& values = table.fields.*field.of;
-    check(values.empty() || values.size() == table.records * table.cases * table.depth(field.depth),
-          "a field is whole or absent");
+    const std::size_t size = (table.fields.*field.of).size();
+    check(size == 0 || size == table.records * table.cases * table.depth(field.depth),
+          "a field has a value for each history");
   });
   check(results.cases.combinations() * results.cases.per_combination() == results.cases.size(),
         "cases are every combination");
-  if (results.clearance) {
-    const ClearanceResults clearance = clearance_results(results);
-    check(clearance.histories.size() ==
-              clearance.records.size() * clearance.orientations.size() * clearance.grid.count(),
-          "a clearance has all its histories");
-  }
   for (const RunResults& run : results.runs) {
-    check(run.first_case + run.cases <= results.cases.size(), "a run is of the cases");
+    check(run.first_case + run.cases <= results.cases.size(), "a run's cases are there");
     check(run.slip.size() == results.levels.size(), "slip at each level");
     check(run.fragilities.size() == results.thresholds_m.size(), "a fragility for each threshold");
     for (const ThresholdFragility& f : run.fragilities) {
@@ -112,25 +44,40 @@ void check_whole(const Results& results) {
   }
 }
 
-}  // namespace
+/// All of a report but the drawing of its figures.
+void report(const Results& results) {
+  for (const Table& table : csv_tables(results))
+    check(!to_csv(table).empty(), "tables are written");
+  std::vector<DrawnFigure> figures;
+  for (Figure& figure : make_figures(results)) figures.push_back({std::move(figure), "<svg/>"});
+  check(!html_report(results, figures).empty(), "a page is made");
+  check(!summary_text(results).empty(), "a summary is made");
+}
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  static const bool silent = H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr) >= 0;
-  check(silent && !good_file().empty(), "there is a file to edit");
-  const auto file = fuzz::folder().write("results.h5", good_file());
+void edit_and_read(const std::string& good, const std::uint8_t* data, std::size_t size) {
+  const auto file = fuzz::folder().write("results.h5", good);
   {
     fuzz::ResultsEditor editor(file);
     fuzz::Bytes bytes(data, std::min<std::size_t>(size, 4096));
     while (bytes.left() > 0) editor.edit(bytes);
   }
-  fuzz::may_refuse([&] {
-    const Results results = read_results(file);
-    check_whole(results);
-    const auto copy = fuzz::folder().path() / "copy.h5",
-               second = fuzz::folder().path() / "second.h5";
-    write_results(copy, results);
-    write_results(second, read_results(copy));
-    check(read_text_file(copy) == read_text_file(second), "results survive their file");
-  });
+  std::optional<Results> results;
+  fuzz::may_refuse([&] { results = read_results(file); });
+  if (!results) return;
+  check_whole(*results);
+  const std::string copy = bytes_of(*results, fuzz::folder(), "copy.h5");
+  const Results read = read_results(fuzz::folder().path() / "copy.h5");
+  check(copy == bytes_of(read, fuzz::folder(), "second.h5"), "results survive their file");
+  report(*results);
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  static const bool silent = H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr) >= 0;
+  check(silent, "HDF5 prints nothing");
+  static const std::array good = {bytes_of(with_fragility(), fuzz::folder(), "good.h5"),
+                                  bytes_of(with_all(), fuzz::folder(), "good.h5")};
+  for (const std::string& bytes : good) edit_and_read(bytes, data, size);
   return 0;
 }

@@ -114,7 +114,7 @@ Figure level_figure(const ClearanceResults& results) {
 /// Fig. 15: displacement over R, relative to the elastic building's.
 Figure yielding_figure(const ClearanceResults& results) {
   const ClearanceGrid& grid = results.grid;
-  Family family(results, "Response modification R (1: elastic)", grid.response_modification);
+  Family family(results, "Response modification R (0: elastic)", grid.response_modification);
   const Places buildings = along(grid, period);
   for (std::size_t i = 0; i < buildings.size(); ++i) {
     std::vector<std::vector<double>> ratios;

@@ -142,7 +142,7 @@ bool can_tell(const ClearanceResults& results, ClearanceTopic topic) {
       return false;
     case ClearanceTopic::yielding:
       return has_several(grid, ClearanceAxis::response_modification) &&
-             grid.response_modification.front() == 1.0;
+             grid.response_modification.front() == 0.0;
     case ClearanceTopic::base_shear:
       return has_several(grid, ClearanceAxis::support);
     case ClearanceTopic::slope:
