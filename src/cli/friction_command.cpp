@@ -8,7 +8,7 @@
 #include "glissade/core/error.hpp"
 #include "glissade/io/pull_test_file.hpp"
 #include "glissade/report/friction_report.hpp"
-#include "output_folder.hpp"
+#include "output_rule.hpp"
 
 namespace glissade::cli {
 namespace {
@@ -18,7 +18,7 @@ using Json = nlohmann::ordered_json;
 struct FrictionOptions {
   std::string tests, out;
   SlidingRule rule;
-  bool json = false;
+  bool json = false, overwrite = false;
 };
 
 /// The options' names for the rule's.
@@ -83,7 +83,7 @@ void print(const PullTestSummary& summary) {
 
 void run(const FrictionOptions& o) {
   check(o.rule);
-  if (!o.out.empty()) check_output_folder(o.out);
+  if (!o.out.empty()) check_output_folder(o.out, o.overwrite);
   const std::vector<PullTest> tests = read_pull_tests(o.tests);
   const PullTestSummary summary = summarise(tests, o.rule);
   if (!o.out.empty()) write_friction_report(tests, summary, o.out);
@@ -106,6 +106,7 @@ void add_friction(CLI::App& program) {
   command->add_option("--sliding-from-m", o->rule.sliding_from_m,
                       "displacement from which the array counts as sliding");
   command->add_option("--out", o->out, "new folder for tables and figure [none are written]");
+  add_overwrite(*command, o->overwrite);
   command->add_flag("--json", o->json, "print one JSON object");
   command->callback([o] { run(*o); });
 }

@@ -48,6 +48,7 @@ int run_program(int argc, char** argv, const glissade::Communicator& world) {
   glissade::cli::add_suite(program);
   glissade::cli::add_standards(program);
   glissade::cli::add_report(program);
+  glissade::cli::add_explain(program);
   try {
     program.parse(argc, argv);
     flush_standard_output();

@@ -14,7 +14,7 @@
 #include "glissade/study/execute.hpp"
 #include "glissade/study/plan.hpp"
 #include "glissade/study/reduce.hpp"
-#include "output_folder.hpp"
+#include "output_rule.hpp"
 #include "progress.hpp"
 #include "run_folder.hpp"
 #include "run_record.hpp"
@@ -29,6 +29,7 @@ struct RunOptions {
   std::string out;
   bool dry_run = false;
   bool no_skip = false;
+  bool overwrite = false;
 };
 
 std::vector<UnitResult> execute_all(const Plan& plan, const Communicator& world,
@@ -69,12 +70,9 @@ void write_all(const Plan& plan, const std::vector<UnitResult>& units, const fs:
                PhaseClock& clock, int ranks) {
   const WorkCount count = total_count(units);
   const std::vector<Skip> skips = skipped(plan, count);
-  Results results;
-  write_or_leave_folder(out, [&] {
-    results = reduce(plan, units);
-    clock.end_phase("analyses");
-    write_results(out / "results.h5", results);
-  });
+  const Results results = reduce(plan, units);
+  clock.end_phase("analyses");
+  write_results(out / "results.h5", results);
   clock.end_phase("results file");
   write_beside_results(out, [&] { write_report(results, out, skips); });
   clock.end_phase("report");
@@ -98,7 +96,7 @@ void run(const RunOptions& options, const Communicator& world) {
   std::vector<Suite> suites;
   on_root(world, [&] {
     const StudyConfig config = read_study(options.study);
-    if (!options.dry_run) check_output_folder(out);
+    if (!options.dry_run) check_output_folder(out, options.overwrite);
     suites = load_suites(config.suite_files);
   });
   share(suites, world);
@@ -108,9 +106,10 @@ void run(const RunOptions& options, const Communicator& world) {
     plan = make_plan(read_study(options.study), suites);
     if (!options.dry_run) {
       take_results_folder(out, bytes_of(plan.config, plan.records.size(), plan.cases.size()),
-                          started_json(plan.config.name, plan.hash));
+                          started_json(plan.config.name, plan.hash), options.overwrite);
     }
   });
+  const ResultsFolderGuard guard(options.dry_run ? fs::path() : out, world);
   if (!world.is_root()) plan = make_plan(read_study(options.study), suites);
   check_same_plan(plan.hash, world);
   clock.end_phase("plan");
@@ -134,6 +133,7 @@ void add_run(CLI::App& program, const Communicator& world) {
   command->add_option("study", options->study, "study file (TOML); see studies/")->required();
   command->add_option("--out", options->out,
                       "results folder, new or empty [results/NAME OF THE STUDY FILE]");
+  add_overwrite(*command, options->overwrite);
   command->add_flag("--dry-run", options->dry_run, "print the plan and stop");
   command->add_flag("--no-skip", options->no_skip,
                     "compute also what the study does not need: much slower, the same results to "

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run_folder.hpp"
 
-#include <stdexcept>
-
 #include "glissade/core/file.hpp"
 #include "glissade/study/exchange.hpp"
+#include "output_rule.hpp"
 
 namespace glissade::cli {
 
@@ -17,13 +16,16 @@ void share(std::vector<Suite>& suites, const Communicator& world) {
 }
 
 void check_same_plan(const std::string& hash, const Communicator& world) {
-  std::vector<char> of_root(hash.begin(), hash.end());
-  world.broadcast(of_root);
-  if (hash != std::string(of_root.begin(), of_root.end())) {
-    throw std::runtime_error(
-        "the ranks make different plans of one study: run them on one kind of machine, and leave "
-        "the study file alone meanwhile");
-  }
+  const auto hashes = world.gather({hash.begin(), hash.end()});
+  on_root(world, [&] {
+    for (const std::vector<char>& other : hashes) {
+      if (hash == std::string(other.begin(), other.end())) continue;
+      throw InputError({"", "the ranks make different plans of one study",
+                        "run them on one kind of machine, and do not change the study file while "
+                        "they start",
+                        ""});
+    }
+  });
 }
 
 namespace {
@@ -47,8 +49,9 @@ void check_room(const fs::path& folder, double bytes_of_results) {
 }  // namespace
 
 void take_results_folder(const fs::path& folder, double bytes_of_results,
-                         const std::string& run_json) {
+                         const std::string& run_json, bool overwrite) {
   check_room(folder, bytes_of_results);
+  if (overwrite) remove_run(folder);
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) {
@@ -58,10 +61,33 @@ void take_results_folder(const fs::path& folder, double bytes_of_results,
   create_text_file(folder / "run.json", run_json);
 }
 
-void leave_results_folder(const fs::path& folder) {
-  std::error_code ignored;
-  fs::remove(folder / "run.json", ignored);
-  fs::remove(folder, ignored);  // if empty
+namespace {
+
+void give_back(const fs::path& folder) noexcept {
+  try {
+    const fs::path run_json = folder / "run.json", results = folder / "results.h5";
+    if (!is_started(run_json)) return;
+    std::error_code ignored;
+    if (fs::exists(results, ignored)) {
+      write_text_file(run_json, unreported_json(run_json, results));
+    } else {
+      fs::remove(run_json, ignored);
+      fs::remove(folder, ignored);  // if empty
+    }
+  } catch (const std::exception&) {  // run.json stays as it is, which says "started"
+  }
+}
+
+}  // namespace
+
+ResultsFolderGuard::ResultsFolderGuard(fs::path folder, const Communicator& world)
+    : folder_(std::move(folder)), world_(world) {
+  if (!folder_.empty()) world_.before_abort([this] { give_back(folder_); });
+}
+
+ResultsFolderGuard::~ResultsFolderGuard() {
+  world_.before_abort({});
+  if (!folder_.empty() && std::uncaught_exceptions() > exceptions_) give_back(folder_);
 }
 
 void print_seconds(const PhaseClock& clock, int ranks) {

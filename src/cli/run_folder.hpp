@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <exception>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -40,23 +41,27 @@ void share(std::vector<Suite>& suites, const Communicator& world);
 void check_same_plan(const std::string& hash, const Communicator& world);
 
 /// Before hours of work: the folder is there, has room for the results, and nobody else may take
-/// it.
+/// it. With `overwrite` an earlier run in it is removed.
 void take_results_folder(const std::filesystem::path& folder, double bytes_of_results,
-                         const std::string& run_json);
+                         const std::string& run_json, bool overwrite);
 
-/// Takes back take_results_folder, as far as the folder holds nothing else.
-void leave_results_folder(const std::filesystem::path& folder);
+/// Made on every rank once the results folder is taken. Where an exception of any kind ends the
+/// run, on any rank, it gives the folder back: without results.h5 the run.json of
+/// take_results_folder goes, and the folder if it is then empty, so that it can be taken again;
+/// with results.h5 run.json says that the results are whole and how the report is made.
+class ResultsFolderGuard {
+ public:
+  /// @param folder empty: none was taken
+  ResultsFolderGuard(std::filesystem::path folder, const Communicator& world);
+  ~ResultsFolderGuard();
+  ResultsFolderGuard(const ResultsFolderGuard&) = delete;
+  ResultsFolderGuard& operator=(const ResultsFolderGuard&) = delete;
 
-/// The results, or nothing: not even their folder.
-template <class Write>
-void write_or_leave_folder(const std::filesystem::path& folder, Write write) {
-  try {
-    write();
-  } catch (const InputError&) {
-    leave_results_folder(folder);
-    throw;
-  }
-}
+ private:
+  std::filesystem::path folder_;
+  Communicator world_;
+  int exceptions_ = std::uncaught_exceptions();
+};
 
 /// What is made from the results can be made again: the error says how.
 template <class Write>
@@ -67,7 +72,8 @@ void write_beside_results(const std::filesystem::path& folder, Write write) {
     const std::string results = (folder / "results.h5").string();
     ProblemList problems;
     problems.add(error);
-    problems.add({results, "is whole", "make the rest again with: glissade report " + results, ""});
+    problems.add({results, "is whole",
+                  "make the rest again with: glissade report --overwrite " + results, ""});
     problems.throw_if_any();
   }
 }

@@ -8,6 +8,9 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "glissade/core/error.hpp"
+#include "glissade/core/file.hpp"
+
 namespace glissade::cli {
 
 void PhaseClock::end_phase(const std::string& name) {
@@ -49,6 +52,13 @@ void add_phases(Json& json, const PhaseClock& clock) {
   for (const auto& [phase, seconds] : clock.phases()) json["seconds"][phase] = seconds;
 }
 
+/// Null where the file is not there or is not JSON.
+Json parsed(const std::filesystem::path& run_json_file) {
+  std::ifstream in(run_json_file);
+  Json json = Json::parse(in, nullptr, /*allow_exceptions=*/false);
+  return json.is_discarded() ? Json() : json;
+}
+
 }  // namespace
 
 std::string started_json(const std::string& study_name, const std::string& plan_hash) {
@@ -75,14 +85,33 @@ std::string run_json(const Results& results, const std::vector<Skip>& skips,
   return json.dump(2) + "\n";
 }
 
+bool is_started(const std::filesystem::path& run_json_file) {
+  const Json json = parsed(run_json_file);
+  return json.is_object() && json.value("status", Json()) == "started";
+}
+
+std::string unreported_json(const std::filesystem::path& run_json_file,
+                            const std::filesystem::path& results_file) {
+  Json json = parsed(run_json_file);
+  json["status"] = "results written, report failed";
+  json["what_to_do"] = "glissade report --overwrite " + results_file.string();
+  return json.dump(2) + "\n";
+}
+
 std::vector<Skip> skips_in(const std::filesystem::path& run_json_file) {
+  std::error_code ignored;
+  if (!std::filesystem::exists(run_json_file, ignored)) return {};
   std::vector<Skip> skips;
-  std::ifstream in(run_json_file);
-  const auto json = nlohmann::json::parse(in, nullptr, /*allow_exceptions=*/false);
-  if (!json.is_object() || !json.contains("skipped")) return skips;
-  for (const auto& skip : json["skipped"]) {
-    skips.push_back(
-        {skip.value("what", ""), skip.value("why", ""), skip.value("count", std::uint64_t{0})});
+  try {
+    const auto json = Json::parse(read_text_file(run_json_file));
+    for (const auto& skip : json.value("skipped", Json::array())) {
+      skips.push_back({skip.at("what").get<std::string>(), skip.at("why").get<std::string>(),
+                       skip.at("count").get<std::uint64_t>()});
+    }
+  } catch (const nlohmann::json::exception& error) {
+    throw InputError({run_json_file.string(),
+                      std::string("is not as glissade run writes it: ") + error.what(),
+                      "remove it; the report then does not list what was skipped", ""});
   }
   return skips;
 }

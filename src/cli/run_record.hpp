@@ -28,12 +28,20 @@ class PhaseClock {
 /// run.json while a run is under way, or was killed: its folder is taken.
 std::string started_json(const std::string& study_name, const std::string& plan_hash);
 
+/// Whether a run.json is what started_json wrote.
+bool is_started(const std::filesystem::path& run_json_file);
+
+/// A started run.json as it is of a run that wrote its results and then failed.
+std::string unreported_json(const std::filesystem::path& run_json_file,
+                            const std::filesystem::path& results_file);
+
 /// run.json: when, where, on how many ranks, how long, and what was skipped: all that results.h5
 /// must not hold.
 std::string run_json(const Results& results, const std::vector<Skip>& skips,
                      const PhaseClock& clock, int ranks, const WorkCount& count);
 
-/// The skips a run.json tells; none where there is no such file.
+/// The skips a run.json tells; none where there is no such file. Throws InputError where the file
+/// is not one that a run wrote.
 std::vector<Skip> skips_in(const std::filesystem::path& run_json_file);
 
 }  // namespace glissade::cli

@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "glissade/core/error.hpp"
+#include "output_rule.hpp"
 
 namespace glissade::cli {
 namespace {
@@ -139,9 +140,10 @@ void check(const SlideOptions& o) {
   if (o.history == "/dev/stdout") {
     problems.add({"--history", "/dev/stdout is where the result is printed", "give a file", ""});
   }
-  if (std::filesystem::is_regular_file(o.history)) {
-    problems.add({"--history", o.history + " is there already and is not written over",
-                  "give a new file", ""});
+  try {
+    check_output_file(o.history, "--history", o.overwrite);
+  } catch (const InputError& error) {
+    problems.add(error);
   }
   check_model(o, problems);
   problems.throw_if_any();
@@ -202,6 +204,7 @@ void add_options(CLI::App& command, SlideOptions& o) {
                      "time step of files that do not tell it; overrides an AT2 header");
   command.add_option("--units", o.units, "units of text files: g, m/s2, cm/s2 [g]");
   command.add_option("--history", o.history, "write the slip history to this CSV file (one axis)");
+  add_overwrite(command, o.overwrite);
   command.add_flag("--json", o.json, "print one JSON object");
 }
 

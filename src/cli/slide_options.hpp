@@ -15,7 +15,7 @@ struct SlideOptions {
   double mu = 0.0, slope_deg = 0.0, period_s = 0.0, damping = 0.05, mass_ratio = 0.0;
   std::optional<double> scale, pga_g, dt_s, cm_height_m, base_width_m, clearance_m;
   int substeps = 64;
-  bool one_way = false, json = false;
+  bool one_way = false, json = false, overwrite = false;
   // The model's extensions.
   std::optional<double> mu_across, yield_coefficient;
   double azimuth_deg = 0.0, period_ratio = 1.0, hardening_ratio = 0.0;

@@ -15,6 +15,7 @@
 #include "glissade/motion/suite_scaling.hpp"
 #include "glissade/motion/walters_level.hpp"
 #include "glissade/report/table.hpp"
+#include "output_rule.hpp"
 
 namespace glissade::cli {
 namespace {
@@ -25,6 +26,7 @@ struct SuiteOptions {
   double damping = 0.05, max_factor = 4.0;
   int level = 2;
   std::uint64_t seed = 20260101;
+  bool overwrite = false;
 };
 
 /// To the file named by --out, else to standard output.
@@ -32,6 +34,7 @@ void deliver(const SuiteOptions& o, const std::string& text) {
   if (o.out.empty()) {
     fmt::print("{}", text);
   } else {
+    check_output_file(o.out, "--out", o.overwrite);
     write_text_file(o.out, text);
   }
 }
@@ -175,6 +178,7 @@ void add_suite(CLI::App& program) {
   takes_suite(spectra_verb);
   spectra_verb->add_option("--damping", o->damping, "damping ratio")->check(CLI::Range(0.0, 0.99));
   spectra_verb->add_option("--out", o->out, "file [standard output]");
+  add_overwrite(*spectra_verb, o->overwrite);
   CLI::App* scale_verb =
       verb("scale", "Scale factors to the suite's target spectrum, by Walters's rule", scale);
   takes_suite(scale_verb);
@@ -187,6 +191,7 @@ void add_suite(CLI::App& program) {
       ->required();
   design_verb->add_option("--seed", o->seed, "seed of the simulation");
   design_verb->add_option("--out", o->out, "file [standard output]");
+  add_overwrite(*design_verb, o->overwrite);
   add_suite_select(*command);
 }
 

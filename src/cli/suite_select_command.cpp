@@ -16,6 +16,7 @@
 #include "glissade/motion/record_selection.hpp"
 #include "glissade/motion/suite_scaling.hpp"
 #include "glissade/report/table.hpp"
+#include "output_rule.hpp"
 
 namespace glissade::cli {
 namespace {
@@ -28,7 +29,7 @@ struct SelectOptions {
   std::optional<int> level;
   std::optional<double> ss_g, s1_g, max_scale;
   SelectionCriteria criteria;  ///< count, per_event and the limits that were given
-  bool keep_untold = false, json = false;
+  bool keep_untold = false, json = false, overwrite = false;
 };
 
 /// The design spectrum asked for, and what is looked for to match it.
@@ -241,12 +242,10 @@ std::string suite_text(const SelectOptions& o, const Suite& library, const Task&
 
 void run(const SelectOptions& o) {
   const Task task = task_of(o);
-  if (!o.out.empty() && std::filesystem::exists(o.out))
-    throw InputError({o.out, "is there already, and nothing is written over",
-                      "give another --out, or remove it", ""});
+  check_output_file(o.out, "--out", o.overwrite);
   const Suite library = load_suite(o.library);
   const RecordSelection selection = select(library, task);
-  if (!o.out.empty()) create_text_file(o.out, suite_text(o, library, task, selection));
+  if (!o.out.empty()) write_text_file(o.out, suite_text(o, library, task, selection));
   if (o.json) {
     fmt::print("{}\n", to_json(library, task, selection).dump(2));
     return;
@@ -284,6 +283,7 @@ void add_suite_select(CLI::App& suite) {
   command->add_flag("--keep-untold", o->keep_untold,
                     "keep records that do not tell what a limit is on");
   command->add_option("--out", o->out, "new suite file [none is written]");
+  add_overwrite(*command, o->overwrite);
   command->add_flag("--json", o->json, "print one JSON object");
   command->callback([o] { run(*o); });
 }

@@ -61,6 +61,63 @@ double suite_average_factor(const Suite& suite, const std::function<double(doubl
   return 1.0 / lowest_ratio(own_scales, spectra, target_g).ratio;
 }
 
+namespace {
+
+using RatiosAt = std::function<std::vector<double>(const std::vector<double>&)>;
+
+/// The least of `ratios_at` between two periods that enclose a minimum.
+SpectralRatio refined_minimum(const RatiosAt& ratios_at, double from_s, double to_s) {
+  constexpr int parts = 20, rounds = 3;
+  SpectralRatio least{std::numeric_limits<double>::infinity(), from_s};
+  for (int round = 0; round < rounds; ++round) {
+    std::vector<double> periods_s;
+    for (int i = 0; i <= parts; ++i)
+      periods_s.push_back(std::lerp(from_s, to_s, static_cast<double>(i) / parts));
+    const std::vector<double> ratios = ratios_at(periods_s);
+    const auto at = static_cast<std::size_t>(std::ranges::min_element(ratios) - ratios.begin());
+    if (ratios[at] < least.ratio) least = {ratios[at], periods_s[at]};
+    from_s = periods_s[at == 0 ? 0 : at - 1];
+    to_s = periods_s[std::min<std::size_t>(at + 1, parts)];
+  }
+  return least;
+}
+
+SpectralRatio least_ratio(const RatiosAt& ratios_at, const std::vector<double>& periods_s,
+                          const std::vector<double>& ratios) {
+  const double lowest = std::ranges::min(ratios), near = lowest + 0.01 * std::abs(lowest);
+  SpectralRatio least{std::numeric_limits<double>::infinity(), 0.0};
+  for (std::size_t i = 0; i < ratios.size(); ++i) {
+    const std::size_t before = i == 0 ? 0 : i - 1, after = std::min(i + 1, ratios.size() - 1);
+    if (ratios[i] > near || ratios[i] > ratios[before] || ratios[i] > ratios[after]) continue;
+    const SpectralRatio here = refined_minimum(ratios_at, periods_s[before], periods_s[after]);
+    if (here.ratio < least.ratio) least = here;
+  }
+  return least;
+}
+
+}  // namespace
+
+SpectralRatios ratios_to_target(const Suite& suite, const std::vector<double>& factors,
+                                const std::function<double(double)>& target_sa_g) {
+  GLISSADE_EXPECTS(factors.size() == suite.motions.size() && !factors.empty());
+  const auto ratios_at = [&](const std::vector<double>& periods_s) {
+    const std::vector<std::vector<double>> rows = srss_spectra_g(suite, periods_s);
+    return average_ratios(factors, Spectra(rows.begin(), rows.end()),
+                          target_at(target_sa_g, periods_s));
+  };
+  const auto negated_at = [&](const std::vector<double>& periods_s) {
+    std::vector<double> ratios = ratios_at(periods_s);
+    for (double& ratio : ratios) ratio = -ratio;
+    return ratios;
+  };
+  const std::vector<double> periods_s = walters_periods_s();
+  std::vector<double> ratios = ratios_at(periods_s);
+  const SpectralRatio lowest = least_ratio(ratios_at, periods_s, ratios);
+  for (double& ratio : ratios) ratio = -ratio;
+  const SpectralRatio highest = least_ratio(negated_at, periods_s, ratios);
+  return {lowest, {-highest.ratio, highest.period_s}};
+}
+
 SuiteScaling scale_suite_to_target(const Suite& suite,
                                    const std::function<double(double)>& target_sa_g,
                                    const std::vector<double>& periods_s, double max_factor) {

@@ -15,6 +15,7 @@ namespace glissade {
 struct Communicator::State {
   MPI_Comm group = MPI_COMM_NULL;
   int rank = 0, size = 1;
+  std::function<void()> before_abort;
 };
 
 Communicator::Communicator(std::shared_ptr<State> state) : state_(std::move(state)) {}
@@ -67,7 +68,12 @@ std::vector<std::vector<char>> Communicator::gather(const std::vector<char>& byt
   return all;
 }
 
+void Communicator::before_abort(std::function<void()> clean_up) const {
+  state_->before_abort = std::move(clean_up);
+}
+
 void Communicator::abort(int exit_status) const {
+  if (state_->before_abort) state_->before_abort();
   if (size() > 1) MPI_Abort(state_->group, exit_status);
   std::exit(exit_status);
 }

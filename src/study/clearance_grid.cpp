@@ -24,7 +24,7 @@ std::size_t ClearanceGrid::size(ClearanceAxis axis) const {
     case ClearanceAxis::slope:
       return slope_deg.size();
     case ClearanceAxis::level:
-      return fraction_of_mce.size();
+      return level.size();
     case ClearanceAxis::period:
       return period_s.size();
   }

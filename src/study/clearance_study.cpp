@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "glissade/core/contract.hpp"
 
@@ -28,6 +29,15 @@ struct GridAxes {
 
 std::vector<double> values_on(const CaseSet& set, std::size_t axis, double otherwise) {
   return axis < set.axes.size() ? set.axes[axis].values : std::vector{otherwise};
+}
+
+/// The value of every sample; NaN where they differ.
+double only_value(const CaseSet& set, double Case::*member) {
+  for (std::size_t sample = 1; sample < set.samples; ++sample) {
+    if (set.cases[set.index(0, sample, 0)].*member != set.cases.front().*member)
+      return std::numeric_limits<double>::quiet_NaN();
+  }
+  return set.cases.front().*member;
 }
 
 /// The roof's vertical and its period; with no vertical the period has no part.
@@ -55,11 +65,14 @@ ClearanceGrid grid_of(const Results& results, const GridAxes& axes) {
     grid.support.push_back(static_cast<ArraySupport>(static_cast<int>(support)));
   grid.vertical = verticals_of(set, axes);
   grid.response_modification =
-      values_on(set, axes.response_modification, c.response_modification);
-  grid.mass_ratio = values_on(set, axes.mass, c.mass_ratio);
-  grid.slope_deg = values_on(set, axes.slope, c.slope_deg);
-  grid.fraction_of_mce = results.levels;
-  grid.period_s = values_on(set, axes.period, c.period_s);
+      values_on(set, axes.response_modification, only_value(set, &Case::response_modification));
+  grid.mass_ratio = values_on(set, axes.mass, only_value(set, &Case::mass_ratio));
+  grid.slope_deg = values_on(set, axes.slope, only_value(set, &Case::slope_deg));
+  grid.level = results.levels;
+  if (results.measure != IntensityMeasure::mce_fraction)
+    grid.level_symbol = results.intensity_label.substr(0, results.intensity_label.rfind(" ("));
+  grid.level_unit = results.measure.unit();
+  grid.period_s = values_on(set, axes.period, only_value(set, &Case::period_s));
   return grid;
 }
 

@@ -138,12 +138,14 @@ SuiteSpectra spectra_of(const Plan& plan, std::size_t suite) {
   spectra.reference_level = reference_level(plan.config);
   spectra.average_srss_g.assign(spectra.periods_s.size(), 0.0);
   const double motions = static_cast<double>(plan.suites[suite].motions.size());
+  std::vector<double> factors;
   std::size_t first = 0;
   while (plan.records[first].suite != suite) ++first;
   for (std::size_t record = first; record < first + plan.suites[suite].motions.size(); ++record) {
     const Motion& motion = plan.motion(record);
     const double factor =
         by_sds ? spectra.reference_level * plan.factor_at_unit_level[record] : motion.scale;
+    factors.push_back(factor);
     std::vector<double> srss =
         horizontal_spectrum_mps2(motion, spectra.periods_s, HorizontalCombination::srss);
     for (std::size_t p = 0; p < srss.size(); ++p) {
@@ -155,11 +157,13 @@ SuiteSpectra spectra_of(const Plan& plan, std::size_t suite) {
   const DesignTarget* target = plan.target(first);
   if (target == nullptr) return spectra;
   const TargetSpectrum shape(*target);
-  for (const double period : spectra.periods_s) {
-    spectra.target_g.push_back(by_sds ? spectra.reference_level * shape.design_sa_g(period) /
-                                            shape.sds_g()
-                                      : shape.mce_sa_g(period));
-  }
+  const auto target_sa_g = [&](double period) {
+    return by_sds ? spectra.reference_level * shape.design_sa_g(period) / shape.sds_g()
+                  : shape.mce_sa_g(period);
+  };
+  for (const double period : spectra.periods_s) spectra.target_g.push_back(target_sa_g(period));
+  if (!by_sds || spectra.reference_level > 0.0)
+    spectra.to_target = ratios_to_target(plan.suites[suite], factors, target_sa_g);
   return spectra;
 }
 

@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace glissade {
@@ -107,17 +108,13 @@ void note_failed(const Results& results, std::vector<std::string>& notes) {
 /// Where the suite's average touches the design spectrum, and how far above it lies elsewhere.
 void note_suite(const SuiteSummary& suite, std::vector<std::string>& notes) {
   const SuiteSpectra& spectra = suite.spectra;
-  double least = std::numeric_limits<double>::infinity(), most = 0.0, at_least = 0.0, at_most = 0.0;
-  for (std::size_t p = 0; p < spectra.periods_s.size() && spectra.periods_s[p] <= 2.0; ++p) {
-    const double ratio = spectra.average_srss_g[p] / spectra.target_g[p];
-    if (ratio < least) least = ratio, at_least = spectra.periods_s[p];
-    if (ratio > most) most = ratio, at_most = spectra.periods_s[p];
-  }
+  if (std::isnan(spectra.to_target.lowest.ratio)) return;  // no shaking at the level shown
+  const auto& [lowest, highest] = spectra.to_target;
   notes.push_back(fmt::format(
-      "The suite {} is scaled so that its average SRSS spectrum is nowhere below the design "
-      "spectrum from 0 to 2 s: it touches it near {:.2g} s and lies up to {:.2g} times above it, "
-      "at {:.2g} s",
-      suite.name, at_least, most, at_most));
+      "The suite {} is scaled so that its average SRSS spectrum is not below the design spectrum at "
+      "any of the 201 periods from 0 to 2 s: it is between {:.3g} times it, at {:.3g} s, and {:.3g} "
+      "times, at {:.3g} s",
+      suite.name, lowest.ratio, lowest.period_s, highest.ratio, highest.period_s));
 }
 
 }  // namespace

@@ -62,7 +62,7 @@ TEST_F(Clearance, a_dry_run_tells_the_plan_and_writes_nothing) {
 }
 
 TEST_F(Clearance, never_writes_into_a_folder_in_use) {
-  expect_refused(run_program({"run", study_, "--out", out().string()}), {"already holds a run"});
+  expect_refused(run_program({"run", study_, "--out", out().string()}), {"holds a run"});
 }
 
 TEST_F(Clearance, input_that_is_wrong_is_told_with_its_line_and_leaves_nothing) {

@@ -46,7 +46,7 @@ TEST_F(DiskFull, an_older_history_is_not_written_over) {
   folder_.write("push.txt", "0.5\n");
   const std::string history = folder_.write("history.csv", "an older one");
   expect_refused(run_shell(slide_ + "--history '" + history + "'"),
-                 {"history.csv", "not written over"});
+                 {"--history", "history.csv", "--overwrite"});
   EXPECT_EQ(read_file(history), "an older one");
 }
 
@@ -57,6 +57,25 @@ TEST_F(DiskFull, a_run_whose_results_do_not_fit_leaves_nothing) {
                            folder_.path("out").string() + "'"),
                  {"results.h5", "File too large"});
   EXPECT_EQ(folder_.contents(), before);
+}
+
+// A limit on the address space stands for the full memory. Where it is met depends on the limit: in
+// the histories, in what is made of them, in the report.
+TEST_F(DiskFull, a_run_out_of_memory_leaves_its_folder_free_or_says_what_is_whole) {
+  const std::string study =
+      folder_.write("study.toml", replaced(small_study(), "samples = 8", "samples = 2048"));
+  const fs::path out = folder_.path("out");
+  for (int limit_kb = 40000; limit_kb <= 64000; limit_kb += 4000) {
+    const Finished child = run_shell("ulimit -v " + std::to_string(limit_kb) + "; \"$0\" run '" +
+                                     study + "' --out '" + out.string() + "'");
+    if (child.status == 0) break;
+    if (fs::exists(out / "results.h5")) {
+      EXPECT_THAT(read_file(out / "run.json"), testing::HasSubstr("glissade report --overwrite"));
+    } else {
+      EXPECT_FALSE(fs::exists(out)) << limit_kb << child.err;
+    }
+    fs::remove_all(out);
+  }
 }
 
 TEST_F(DiskFull, results_that_fit_are_kept_when_the_report_does_not) {

@@ -100,7 +100,7 @@ TEST_F(Friction, leaves_tables_and_figure_in_a_new_folder_only) {
             "shapiro_wilk_p");
   const std::vector<std::string> before = folder_.contents();
   expect_refused(run_program({"friction", file, "--out", out.string()}),
-                 {out.string(), "never written over"});
+                 {out.string(), "--overwrite"});
   expect_refused(run_program({"friction", file, "--out", file}), {"two.csv", "is not a folder"});
   EXPECT_EQ(folder_.contents(), before);
 }

@@ -124,7 +124,7 @@ TEST_F(RunInput, a_folder_that_holds_a_run_is_never_written_into) {
   fs::create_directory(out);
   folder_.write("out/results.h5", "an earlier run");
   const std::vector<std::string> before = folder_.contents();
-  expect_refused(run_program({"run", study, "--out", out}), {out, "already holds a run", "--out"});
+  expect_refused(run_program({"run", study, "--out", out}), {out, "holds a run", "--out"});
   EXPECT_EQ(folder_.contents(), before);
   EXPECT_EQ(read_file(folder_.path("out/results.h5")), "an earlier run");
 }

@@ -4,6 +4,7 @@
 #include "check.hpp"
 #include "glissade/core/file.hpp"
 #include "glissade/io/results_file.hpp"
+#include "glissade/study/clearance_study.hpp"
 #include "results_edit.hpp"
 
 namespace {
@@ -11,14 +12,13 @@ namespace {
 using namespace glissade;
 using fuzz::check;
 
-constexpr std::size_t records = 2, samples = 3, levels = 4, thresholds = 1;
+constexpr std::size_t records = 2, samples = 3, cases = 6, levels = 4, thresholds = 1;
 
-RunResults small_run(const std::string& label) {
+RunResults small_run(const std::string& label, std::uint64_t first_case) {
   RunResults run;
   run.label = label;
-  run.peak_displacement_m = Array3<double>(records, samples, levels, 0.1);
-  run.uplift = Array3<std::uint8_t>(records, samples, levels);
-  run.capacity = Array3<double>(records, samples, thresholds, 1.0);
+  run.first_case = first_case;
+  run.cases = samples;
   run.band_intensities = {0.5, 1.0};
   run.fragilities.resize(thresholds);
   for (ThresholdFragility& f : run.fragilities) {
@@ -29,7 +29,27 @@ RunResults small_run(const std::string& label) {
   }
   run.slip.resize(levels);
   run.standards.resize(1);
+  run.impact.resize(levels * thresholds);
   return run;
+}
+
+void fill_histories(HistoryTable& table) {
+  table = {records, cases, levels, thresholds, {}};
+  for_each_history_field([&](auto field) {
+    (table.fields.*field.of).assign(records * cases * table.depth(field.depth), 1);
+  });
+}
+
+Chart small_chart() {
+  Chart chart;
+  chart.slope_deg = {0.0, 2.0};
+  chart.mu = {0.5};
+  chart.period_s = {0.0};
+  chart.points.resize(levels * chart.slope_deg.size());
+  for (ChartPoint& point : chart.points) point.by_period.resize(1);
+  chart.readings.resize(1);
+  chart.standards.resize(1);
+  return chart;
 }
 
 Results small_results() {
@@ -37,12 +57,17 @@ Results small_results() {
   results.study_name = "small";
   results.levels = {0.5, 1.0, 1.5, 2.0};
   results.thresholds_m = {0.15};
-  results.samples.resize(samples);
+  results.axes = SlidingAxes::two;
+  results.cases.axes = {{"friction.value", "-", {0.0, 1.0}, {"sampled", "design"}}};
+  results.cases.samples = samples;
+  results.cases.cases.resize(cases);
   results.records.resize(records);
-  results.spectra.periods_s = {0.0, 1.0};
-  results.spectra.srss_g.assign(records, {0.4, 0.2});
-  results.spectra.average_srss_g = {0.4, 0.2};
-  results.runs = {small_run("sampled"), small_run("design")};
+  results.suites = {
+      {"suite", "", {{0.0, 1.0}, {{0.4, 0.2}, {0.4, 0.2}}, {0.4, 0.2}, {0.4, 0.2}, 1.0}}};
+  fill_histories(results.histories);
+  results.runs = {small_run("sampled", 0), small_run("design", samples)};
+  results.chart = small_chart();
+  results.clearance = ClearanceConfig{};
   results.notes = {"a note"};
   return results;
 }
@@ -57,15 +82,26 @@ const std::string& good_file() {
 }
 
 void check_whole(const Results& results) {
-  const auto is_cube = [&](const auto& cube, std::size_t depth) {
-    return cube.rows == results.records.size() && cube.columns == results.samples.size() &&
-           cube.depth == depth && cube.data.size() == cube.rows * cube.columns * cube.depth;
-  };
+  const HistoryTable& table = results.histories;
+  check(table.records == results.records.size() && table.cases == results.cases.size() &&
+            table.levels == results.levels.size() &&
+            table.thresholds == results.thresholds_m.size(),
+        "histories fit the records, cases, levels and thresholds");
+  for_each_history_field([&](auto field) {
+    const auto& values = table.fields.*field.of;
+    check(values.empty() || values.size() == table.records * table.cases * table.depth(field.depth),
+          "a field is whole or absent");
+  });
+  check(results.cases.combinations() * results.cases.per_combination() == results.cases.size(),
+        "cases are every combination");
+  if (results.clearance) {
+    const ClearanceResults clearance = clearance_results(results);
+    check(clearance.histories.size() ==
+              clearance.records.size() * clearance.orientations.size() * clearance.grid.count(),
+          "a clearance has all its histories");
+  }
   for (const RunResults& run : results.runs) {
-    check(is_cube(run.peak_displacement_m, results.levels.size()) &&
-              is_cube(run.uplift, results.levels.size()) &&
-              is_cube(run.capacity, results.thresholds_m.size()),
-          "cubes fit the records, samples, levels and thresholds");
+    check(run.first_case + run.cases <= results.cases.size(), "a run is of the cases");
     check(run.slip.size() == results.levels.size(), "slip at each level");
     check(run.fragilities.size() == results.thresholds_m.size(), "a fragility for each threshold");
     for (const ThresholdFragility& f : run.fragilities) {

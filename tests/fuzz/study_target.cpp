@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Study files of every kind. A suite named "suite.toml" is there; a study does not read it.
+// Study files. A suite named "suite.toml" is there, which a study does not read, and pull tests.
 #include <algorithm>
 #include <cmath>
 #include <functional>
 
 #include "check.hpp"
-#include "glissade/io/clearance_file.hpp"
 #include "glissade/io/study_file.hpp"
 
 namespace {
@@ -21,64 +20,74 @@ bool is_on(const std::vector<double>& axis, double value) {
   return std::find(axis.begin(), axis.end(), value) != axis.end();
 }
 
-void check_samples(const glissade::StudyConfig& study) {
-  check(increases(study.intensity.levels) && study.intensity.levels.front() > 0.0,
-        "levels increase");
-  check(increases(study.thresholds_m) && study.thresholds_m.front() > 0.0, "thresholds increase");
+void check_quantities(const glissade::StudyConfig& study) {
+  for (std::size_t i = 0; i < glissade::parameters().size(); ++i) {
+    const glissade::Quantity& quantity = study.quantities[i];
+    const glissade::ParameterRange& range = glissade::parameters()[i].range;
+    if (quantity.is_drawn()) continue;
+    check(increases(quantity.values), "a list increases");
+    check(quantity.values.front() >= range.min && quantity.values.back() <= range.max,
+          "a value is in its range");
+  }
+  check(!study.support.empty() && !study.vertical.empty() && !study.friction.values.empty() &&
+            !study.orientation.slope_axis.empty() && !study.suite_files.empty(),
+        "no list is empty");
+  check(study.support.front() == glissade::ArraySupport::isolated, "the array slides");
   check(study.sampling.samples > 0, "there is a sample");
 }
 
 void check_chart(const glissade::StudyConfig& study) {
   const glissade::ChartConfig& chart = *study.chart;
-  check(increases(study.intensity.levels) && study.intensity.levels.front() >= 0.0 &&
-            study.intensity.levels.back() > 0.0,
-        "levels increase");
-  check(increases(chart.slope_deg) && chart.slope_deg.size() > 1 && chart.slope_deg.back() > 0.0,
-        "slopes increase");
-  check(increases(chart.mu) && chart.mu.size() > 1 && chart.mu.front() >= 0.0,
-        "frictions increase");
-  check(increases(chart.period_s) && chart.period_s.front() >= 0.0, "periods increase");
-  check(is_on(chart.slope_deg, chart.shown_slope_deg) && chart.shown_slope_deg >= 0.0 &&
-            is_on(chart.mu, chart.shown_mu) && is_on(study.intensity.levels, chart.shown_level),
+  const std::vector<double>& slopes = study.quantities.at("roof", "slope_deg").values;
+  const std::vector<double>& mu = study.quantities.at("friction", "mu").values;
+  const std::vector<double>& levels = study.intensity.levels;
+  check(slopes.size() > 1 && slopes.back() > 0.0, "there are slopes");
+  check(is_on(slopes, chart.shown_slope_deg) && chart.shown_slope_deg >= 0.0 &&
+            (mu.empty() || is_on(mu, chart.shown_mu)) && is_on(levels, chart.shown_level),
         "figures cut through the chart at its values");
-  for (const double slope : chart.slope_deg)
-    check(slope >= 0.0 || is_on(chart.slope_deg, -slope), "a negative slope has its mirror image");
+  for (const double slope : slopes)
+    check(slope >= 0.0 || is_on(slopes, -slope), "a negative slope has its mirror image");
   for (const glissade::ChartQuestion& q : chart.questions) {
-    check(is_on(study.intensity.levels, q.level), "a question is asked at a level");
-    check(q.slope_deg >= 0.0 && q.slope_deg <= chart.slope_deg.back(), "and within the slopes");
-    check(q.mu.has_value() != q.displacement_m.has_value(), "it asks for one thing");
-    check(!q.mu || (*q.mu >= chart.mu.front() && *q.mu <= chart.mu.back()),
+    check(is_on(levels, q.level), "a question is of a level");
+    check(q.slope_deg >= 0.0 && q.slope_deg <= slopes.back(), "and within the slopes");
+    check(q.mu.has_value() != q.displacement_m.has_value(), "it is for one thing");
+    check(!q.mu || mu.size() < 2 || (*q.mu >= mu.front() && *q.mu <= mu.back()),
           "and within the frictions");
   }
 }
 
-void check_clearance(const glissade::ClearanceConfig& study) {
-  const glissade::ClearanceGrid& grid = study.grid;
-  for (const glissade::ClearanceAxis axis : glissade::clearance_axes)
-    check(grid.size(axis) > 0, "no axis is empty");
-  for (const auto* axis : {&grid.response_modification, &grid.mass_ratio, &grid.slope_deg,
-                           &grid.fraction_of_mce, &grid.period_s})
-    check(increases(*axis), "axes increase");
-  check(grid.mass_ratio.front() >= 0.0 && grid.mass_ratio.back() <= 1.0, "m/M from 0 to 1");
-  for (const glissade::TestedFriction& friction : study.friction)
-    check(friction.design() > 0.0, "there is friction");
-  check(!study.slope_axes.empty() && !study.suite_files.empty(), "there is a suite and a slope");
+void check_analyses(const glissade::StudyConfig& study) {
+  check(study.fragility || study.chart || study.clearance || study.base_shear,
+        "there is an analysis");
+  const std::vector<double>& levels = study.intensity.levels;
+  check(increases(levels) && levels.front() >= 0.0 && levels.back() > 0.0, "levels increase");
+  if (study.fragility) {
+    check(levels.front() > 0.0, "levels of a fragility are above 0");
+    check(increases(study.thresholds_m()) && study.thresholds_m().front() > 0.0,
+          "thresholds increase");
+  }
+  if (study.chart) check_chart(study);
+  if (study.clearance) check(study.clearance->factor >= 1.0, "the factor is 1 or more");
 }
 
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static const auto suite = glissade::fuzz::folder().write("suite.toml", "");
+  static const auto tests = glissade::fuzz::folder().write(
+      "tests.csv",
+      "test,direction,displacement_m,force_n,normal_n\n"
+      "1,along,0,500,1000\n1,along,0.05,500,1000\n1,along,0.1,500,1000\n"
+      "2,along,0,600,1000\n2,along,0.05,600,1000\n2,along,0.1,600,1000\n"
+      "3,across,0,700,1000\n3,across,0.05,700,1000\n3,across,0.1,700,1000\n"
+      "4,across,0,800,1000\n4,across,0.05,800,1000\n4,across,0.1,800,1000\n");
   const auto file = glissade::fuzz::input_file(data, size, "study.toml");
   glissade::fuzz::may_refuse([&] {
-    if (glissade::is_clearance_study(file)) {
-      check_clearance(glissade::read_clearance_study(file));
-      return;
-    }
     const glissade::StudyConfig study = glissade::read_study(file);
     check(!study.name.empty(), "a study has a name");
     check(study.source_text.size() == size, "the text is kept whole");
-    study.chart ? check_chart(study) : check_samples(study);
+    check_quantities(study);
+    check_analyses(study);
   });
   return 0;
 }

@@ -18,7 +18,8 @@ Case compare(const Subject& subject, const Comparison& c) {
           fmt::format("{:g}", c.tolerance),
           difference == 0.0 ? fmt::format("{:.8g} (equal)", c.value)
                             : fmt::format("{:.8g} (off by {:.1e})", c.value, difference),
-          difference <= c.tolerance};
+          difference <= c.tolerance,
+          subject.from};
 }
 
 Case limit(const Subject& subject, const Bound& bound) {
@@ -28,7 +29,8 @@ Case limit(const Subject& subject, const Bound& bound) {
           bound.metric,
           fmt::format("{:g}", bound.at_most),
           fmt::format("{:.2g}", bound.value),
-          bound.value <= bound.at_most};
+          bound.value <= bound.at_most,
+          subject.from};
 }
 
 Case within(const Subject& subject, const Range& range) {
@@ -41,7 +43,8 @@ Case within(const Subject& subject, const Range& range) {
           range.metric,
           tolerance,
           fmt::format("{:.5g}", range.value),
-          range.value >= range.low && range.value <= range.high};
+          range.value >= range.low && range.value <= range.high,
+          subject.from};
 }
 
 Case all_equal(const Subject& subject, const Mismatches& m) {
@@ -51,7 +54,8 @@ Case all_equal(const Subject& subject, const Mismatches& m) {
           fmt::format("differing, of {}", m.of),
           "0",
           fmt::format("{}", m.differing),
-          m.differing == 0};
+          m.differing == 0,
+          subject.from};
 }
 
 double worse(double a, double b) { return std::isnan(a) || b <= a ? a : b; }

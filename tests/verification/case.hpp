@@ -7,11 +7,16 @@
 
 namespace glissade::verification {
 
+/// What the reference of a case rests on. What rests on this code alone shows that two of its parts
+/// agree, not that either is right: such cases are in a chapter of their own.
+enum class ReferenceFrom { outside, this_code };
+
 /// What a case is about, in words.
 struct Subject {
   std::string name;      ///< "trapezoidal pulse on a flat roof"
   std::string quantity;  ///< "peak slip, m"
   std::string source;    ///< where the reference comes from
+  ReferenceFrom from = ReferenceFrom::outside;
 };
 
 /// One row of the manual.
@@ -19,6 +24,7 @@ struct Case {
   std::string name, quantity, reference, metric, tolerance;
   std::string result;  ///< the only column in which two machines may differ
   bool pass = false;
+  ReferenceFrom from = ReferenceFrom::outside;
 };
 
 enum class Metric { absolute, relative };

@@ -27,5 +27,6 @@ Chapter second_paper_two_axes(const Folders& folders);
 Chapter second_paper_friction();
 Chapter second_paper_crossings(const Folders& folders);  ///< when and how fast a parapet is reached
 Chapter second_paper_vertical(const Folders& folders);   ///< through its own oscillator
+Chapter second_paper_statements(const Folders& folders);  ///< what they say beside what we find
 
 }  // namespace glissade::verification

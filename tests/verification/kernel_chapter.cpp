@@ -94,7 +94,7 @@ Case every_interval(const Suite& suite) {
     }
   }
   return all_equal({"the same and a building of 0.3 s, with vertical", "both peaks, phases",
-                    "the kernel looking into every interval"},
+                    "the kernel looking into every interval", ReferenceFrom::this_code},
                    {differing, cases});
 }
 

@@ -8,6 +8,10 @@
 
 namespace glissade::verification {
 
+/// Takes the cases whose reference is another part of this code out of their chapters, into one of
+/// their own.
+Chapter consistency(std::vector<Chapter>& chapters);
+
 /// The manual in Markdown.
 std::string page(const std::vector<Chapter>& chapters);
 

@@ -18,7 +18,7 @@ using namespace glissade::verification;
 bool report_failures(const std::vector<Chapter>& chapters) {
   bool good = true;
   for (const Chapter& chapter : chapters)
-    for (const Case& c : chapter.cases)
+    for (const auto& c : chapter.cases)
       if (!c.pass) {
         good = false;
         std::cerr << fmt::format("FAILS: {}: {}, {}: {} (tolerance {})\n", chapter.title, c.name,
@@ -51,27 +51,29 @@ int main(int argc, char** argv) try {
                         .simulation = GLISSADE_SIMULATED_SPECTRA,
                         .figures = folder / "figures"};
   std::filesystem::create_directories(folders.figures);
-  const std::vector<Chapter> chapters = {sliding_block(folders),
-                                         published_scheme(folders),
-                                         closed_form_solutions(),
-                                         event_kernel(folders),
-                                         buildings(folders),
-                                         fragility(),
-                                         sampling(),
-                                         standards(),
-                                         simulated_motions(folders),
-                                         end_to_end(folders),
-                                         first_paper_checks(folders),
-                                         first_paper_link(folders),
-                                         first_paper_convergence(folders),
-                                         first_paper_parametric_study(folders),
-                                         first_paper_charts(folders),
-                                         second_paper_coupled(),
-                                         second_paper_yielding(),
-                                         second_paper_two_axes(folders),
-                                         second_paper_friction(),
-                                         second_paper_crossings(folders),
-                                         second_paper_vertical(folders)};
+  std::vector<Chapter> chapters = {sliding_block(folders),
+                                   published_scheme(folders),
+                                   closed_form_solutions(),
+                                   event_kernel(folders),
+                                   buildings(folders),
+                                   fragility(),
+                                   sampling(),
+                                   standards(),
+                                   simulated_motions(folders),
+                                   end_to_end(folders),
+                                   first_paper_checks(folders),
+                                   first_paper_link(folders),
+                                   first_paper_convergence(folders),
+                                   first_paper_parametric_study(folders),
+                                   first_paper_charts(folders),
+                                   second_paper_coupled(),
+                                   second_paper_yielding(),
+                                   second_paper_two_axes(folders),
+                                   second_paper_friction(),
+                                   second_paper_crossings(folders),
+                                   second_paper_vertical(folders),
+                                   second_paper_statements(folders)};
+  chapters.push_back(consistency(chapters));
   const std::string text = page(chapters);
   write_text_file(folder / "README.md", text);
   const bool good = report_failures(chapters);

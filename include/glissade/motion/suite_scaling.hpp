@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <vector>
 
 #include "glissade/motion/motion.hpp"
@@ -20,6 +21,23 @@ std::vector<double> walters_periods_s();
 /// with one that is zero throughout.
 double suite_average_factor(const Suite& suite, const std::function<double(double)>& target_sa_g,
                             const std::vector<double>& periods_s);
+
+/// An average spectrum over its target, at a period.
+struct SpectralRatio {
+  double ratio = std::numeric_limits<double>::quiet_NaN();
+  double period_s = std::numeric_limits<double>::quiet_NaN();
+};
+
+/// Where the average over motions of factor x SRSS spectrum (5 %) is lowest and highest relative to
+/// the target. NaN without a target.
+struct SpectralRatios {
+  SpectralRatio lowest, highest;
+};
+
+/// From 0 to 2 s: at walters_periods_s(), and between them where they come within 1 % of the
+/// extreme, to a thousandth of their step. `factors`: one per motion, in place of Motion::scale.
+SpectralRatios ratios_to_target(const Suite& suite, const std::vector<double>& factors,
+                                const std::function<double(double)>& target_sa_g);
 
 struct SuiteScaling {
   std::vector<double> factors;  ///< per motion, on all its components

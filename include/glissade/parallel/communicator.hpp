@@ -22,8 +22,10 @@ class Communicator {
   void broadcast(std::vector<char>& bytes) const;
   /// Collects the bytes of all ranks on rank 0, by rank; empty on the others.
   std::vector<std::vector<char>> gather(const std::vector<char>& bytes) const;
-  /// Ends all ranks at once (after an error on one of them).
+  /// Ends every rank at once (an error on one of them), after `clean_up` on this one.
   [[noreturn]] void abort(int exit_status) const;
+  /// What abort() does first; in place of what was set before. It must not throw.
+  void before_abort(std::function<void()> clean_up) const;
 
   /// Self-scheduling: gives 0, 1, 2, ... once each over all ranks. Construction and destruction are
   /// collective.

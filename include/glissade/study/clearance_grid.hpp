@@ -39,7 +39,7 @@ class ClearancePosition {
   std::array<std::size_t, clearance_axis_count> at_{};
 };
 
-/// Every combination of these is run.
+/// Every combination of these is run. NaN: drawn, and not listed.
 struct ClearanceGrid {
   std::vector<ArraySupport> support = {ArraySupport::isolated};
   std::vector<VerticalCondition> vertical = {{}};
@@ -48,7 +48,9 @@ struct ClearanceGrid {
   std::vector<double> response_modification = {0.0};
   std::vector<double> mass_ratio = {0.05};          ///< m/M, [0, 1]
   std::vector<double> slope_deg;                    ///< [0, 45]
-  std::vector<double> fraction_of_mce = {2.0 / 3};  ///< the study's levels
+  std::vector<double> level = {2.0 / 3};
+  std::string level_symbol;  ///< "S_DS"; empty: levels are fractions of the suite scaled to MCE
+  std::string level_unit = "-";
   std::vector<double> period_s;                     ///< of the building, along both axes; 0: rigid
 
   std::size_t size(ClearanceAxis axis) const;

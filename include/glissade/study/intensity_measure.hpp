@@ -18,7 +18,8 @@ struct IntensityConfig;
 /// that intensity.
 class IntensityMeasure {
  public:
-  static const IntensityMeasure sds_g, ppa_g, mce_fraction;
+  /// Those that the code names; all are found by key.
+  static const IntensityMeasure sds_g, ppa_g, mce_fraction, pga_g, sa_g, avg_sa_g;
   static std::size_t count();
   static IntensityMeasure number(std::size_t row) { return IntensityMeasure(row); }
   static std::optional<IntensityMeasure> named(const std::string& key);
@@ -46,6 +47,9 @@ class IntensityMeasure {
 inline constexpr IntensityMeasure IntensityMeasure::sds_g{0};
 inline constexpr IntensityMeasure IntensityMeasure::ppa_g{1};
 inline constexpr IntensityMeasure IntensityMeasure::mce_fraction{2};
+inline constexpr IntensityMeasure IntensityMeasure::pga_g{3};
+inline constexpr IntensityMeasure IntensityMeasure::sa_g{4};
+inline constexpr IntensityMeasure IntensityMeasure::avg_sa_g{5};
 
 /// "_g", "_mps", "": what the name of a column or dataset in this unit ends with.
 std::string unit_suffix(const std::string& unit);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "glissade/fragility/bootstrap.hpp"
+#include "glissade/motion/suite_scaling.hpp"
 #include "glissade/study/cases/case_set.hpp"
 #include "glissade/study/config.hpp"
 #include "glissade/study/history_table.hpp"
@@ -161,6 +162,7 @@ struct SuiteSpectra {
   std::vector<double> average_srss_g;       ///< [period]
   std::vector<double> target_g;             ///< [period]; empty without a target
   double reference_level = 0.0;             ///< 0: as scaled in the suite file
+  SpectralRatios to_target;                 ///< of the average, 0 to 2 s; NaN without a target
 };
 
 /// What moved and what resisted, in sentences for a reader. Empty where there is nothing to tell.

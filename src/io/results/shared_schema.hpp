@@ -62,6 +62,11 @@ void exchange_curves(const Archive& archive, Spectra& spectra, const SpectraLabe
       [](auto& row) -> auto& { return row; });
   list(archive, "average_srss_g", {"g", "average over the records"}, spectra.average_srss_g);
   list(archive, "target_g", {"g", labels.target}, spectra.target_g);
+  // The average over the target from 0 to 2 s, between the periods above too; nan without a target.
+  archive.attribute("lowest_ratio_to_target", spectra.to_target.lowest.ratio);
+  archive.attribute("lowest_ratio_at_period_s", spectra.to_target.lowest.period_s);
+  archive.attribute("highest_ratio_to_target", spectra.to_target.highest.ratio);
+  archive.attribute("highest_ratio_at_period_s", spectra.to_target.highest.period_s);
 }
 
 }  // namespace glissade

@@ -11,10 +11,22 @@
 
 namespace glissade {
 
+std::string with_unit(const Results& results, const std::string& value) {
+  const std::string unit = results.measure.unit();
+  return unit == "-" ? value : value + " " + unit;
+}
+
 std::string at_intensity(const Results& results, double value) {
-  std::string name = results.intensity_label;
-  if (name.ends_with(" (g)")) name.resize(name.size() - 4);
-  return name + " = " + format_number(value) + " g";
+  return results.intensity_label.substr(0, results.intensity_label.rfind(" (")) + " = " +
+         with_unit(results, format_number(value));
+}
+
+Column intensity_column(const Results& results, const std::string& stem,
+                        const std::string& heading, bool with_interval) {
+  const std::string unit = results.measure.unit(), suffix = unit_suffix(unit);
+  return {stem, suffix.empty() ? "" : suffix.substr(1),
+          heading + (unit == "-" ? "" : ", " + unit) + (with_interval ? " [95 %]" : ""),
+          ColumnKind::number, with_interval};
 }
 
 std::string counts_of(const Results& results) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "glissade/report/figure.hpp"
+#include "glissade/report/table.hpp"
 #include "glissade/study/results.hpp"
 
 // What tables, figures and sentences of a study share: texts and levels.
@@ -12,6 +13,11 @@ namespace glissade {
 
 /// In the notes of every table with displacements.
 constexpr auto in_plan = "Displacements are in plan (horizontal).";
+/// "1.2 g": a value of the intensity measure.
+std::string with_unit(const Results& results, const std::string& value);
+/// A column of intensities, its unit in name and heading.
+Column intensity_column(const Results& results, const std::string& stem,
+                        const std::string& heading, bool with_interval = false);
 /// "S_DS = 0.840 g" from the axis label "S_DS (g)".
 std::string at_intensity(const Results& results, double value);
 /// "22 records x 1024 samples"

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr ParameterRange coefficient{0.0, 10.0, "0 to 10"};
-constexpr ParameterRange damping_ratio{0.0, 0.999, "a ratio, 0 or more and below 1"};
+constexpr ParameterRange damping_ratio{0.0, 0.999, "a ratio, 0 to 0.999"};
 
 /// In the order in which lists vary, the first slowest.
 const std::array table = {
@@ -27,7 +27,7 @@ const std::array table = {
               "yield force over the building's weight; 0: it stays elastic",
               [](Case& c) -> double& { return c.yield_coefficient; }},
     Parameter{"building", "hardening_ratio", "-",
-              {0.0, 0.999, "0 or more and below 1"},
+              {0.0, 0.999, "0 to 0.999"},
               13,
               "stiffness after yielding over that before",
               [](Case& c) -> double& { return c.hardening_ratio; }},
@@ -52,12 +52,12 @@ const std::array table = {
     Parameter{"vertical", "damping", "-", damping_ratio, 15, "damping ratio of that oscillator",
               [](Case& c) -> double& { return c.vertical_damping; }},
     Parameter{"friction", "static_over_sliding", "-",
-              {1.0, 100.0, "1 or more: static friction is not below sliding friction"},
+              {1.0, 100.0, "1 to 100: static friction is not below sliding friction"},
               16,
               "friction at rest over friction while sliding",
               [](Case& c) -> double& { return c.law.static_ratio; }},
     Parameter{"friction", "fast_over_slow", "-",
-              {1e-3, 1e3, "above 0"},
+              {1e-3, 1e3, "0.001 to 1000"},
               17,
               "friction of fast sliding over that of slow sliding",
               [](Case& c) -> double& { return c.law.fast_ratio; }},

@@ -159,8 +159,11 @@ class StudyWithPullTests : public testing::Test {
     return read_study(folder_.write("study.toml",
                                     "[study]\nname = \"s\"\n[suite]\nfile = \"suite.toml\"\n"
                                     "[intensity]\nmeasure = \"sds_g\"\nlevels = [1.0]\n"
-                                    "[clearance]\nthresholds_m = [0.1]\n[friction]\n" +
+                                    "[fragility]\nthresholds_m = [0.1]\n[friction]\n" +
                                         friction));
+  }
+  static double mean_mu(const StudyConfig& study, const char* key) {
+    return mean(*study.quantities.at("friction", key).drawn);
   }
   std::string error(const std::string& friction) const {
     return message_of([&] { read(friction); });
@@ -170,13 +173,13 @@ class StudyWithPullTests : public testing::Test {
 
 TEST_F(StudyWithPullTests, takes_mean_and_deviation_over_the_tests) {
   const StudyConfig study = read("file = \"tests.csv\"\n");
-  const auto mu = std::get<TruncatedNormal>(study.friction.mu);
+  const Distribution& friction = *study.quantities.at("friction", "mu").drawn;
+  const auto mu = std::get<TruncatedNormal>(friction);
   EXPECT_NEAR(mu.mean, 0.55, 1e-12);
   EXPECT_NEAR(mu.std, 0.05, 1e-12);
   EXPECT_EQ(mu.min, 0.0);
   EXPECT_TRUE(std::isinf(mu.max));
-  EXPECT_NEAR(design_friction(study.friction.mu), 0.45, 1e-12);
-  EXPECT_TRUE(study.friction.design_run);
+  EXPECT_NEAR(design_friction(friction), 0.45, 1e-12);
   EXPECT_THAT(study.friction.note,
               AllOf(HasSubstr("3 pull tests"), HasSubstr("along"), HasSubstr("tests.csv"),
                     HasSubstr("0.55"), HasSubstr("95 % confidence")));
@@ -184,7 +187,7 @@ TEST_F(StudyWithPullTests, takes_mean_and_deviation_over_the_tests) {
 
 TEST_F(StudyWithPullTests, takes_the_direction_it_names) {
   folder_.write("tests.csv", traces("along", {0.5, 0.6}) + rows("across", {0.7, 0.8}));
-  EXPECT_NEAR(mean(read("file = \"tests.csv\"\ndirection = \"across\"\n").friction.mu), 0.75, 1e-6);
+  EXPECT_NEAR(mean_mu(read("file = \"tests.csv\"\ndirection = \"across\"\n"), "mu"), 0.75, 1e-6);
   EXPECT_THAT(error("file = \"tests.csv\"\n"),
               AllOf(HasSubstr("study.toml:"), HasSubstr("tests in 2 directions"),
                     HasSubstr("\"along\", \"across\"")));
@@ -197,9 +200,9 @@ TEST_F(StudyWithPullTests, takes_a_direction_for_each_of_two_axes) {
   const std::string along = "file = \"tests.csv\"\ndirection = \"along\"\n";
   const std::string both = along + "across_direction = \"across\"\n";
   const StudyConfig study = read(both + "[model]\naxes = 2\n");
-  EXPECT_NEAR(mean(study.friction.mu), 0.55, 1e-6);
-  ASSERT_TRUE(study.friction.across);
-  EXPECT_NEAR(mean(*study.friction.across), 0.75, 1e-6);
+  EXPECT_NEAR(mean_mu(study, "mu"), 0.55, 1e-6);
+  EXPECT_TRUE(study.friction.across_is_given);
+  EXPECT_NEAR(mean_mu(study, "across_mu"), 0.75, 1e-6);
   EXPECT_THAT(study.friction.note, HasSubstr("direction across"));
   EXPECT_THAT(error(both), HasSubstr("goes with [model] axes = 2 only"));
   EXPECT_THAT(error(along + "across_direction = \"up\"\n[model]\naxes = 2\n"),
@@ -208,7 +211,7 @@ TEST_F(StudyWithPullTests, takes_a_direction_for_each_of_two_axes) {
 
 TEST_F(StudyWithPullTests, takes_equal_tests_as_one_number) {
   folder_.write("tests.csv", traces("along", {0.5, 0.5}));
-  EXPECT_EQ(std::get<Fixed>(read("file = \"tests.csv\"\n").friction.mu).value, 0.5);
+  EXPECT_TRUE(read("file = \"tests.csv\"\n").quantities.at("friction", "mu").is_always(0.5));
 }
 
 TEST_F(StudyWithPullTests, needs_two_tests) {
@@ -217,8 +220,8 @@ TEST_F(StudyWithPullTests, needs_two_tests) {
 }
 
 TEST_F(StudyWithPullTests, refuses_friction_given_twice_and_nothing_else) {
-  const std::string text = error("file = \"tests.csv\"\nmean = 0.5\n");
-  EXPECT_THAT(text, HasSubstr("friction.file and friction.mean are both given"));
+  const std::string text = error("file = \"tests.csv\"\nmu = 0.5\n");
+  EXPECT_THAT(text, HasSubstr("friction.file and friction.mu are both given"));
   EXPECT_THAT(text, Not(HasSubstr("not a known key")));
 }
 

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "glissade/io/results_file.hpp"
-
 #include <gmock/gmock.h>
 #include <hdf5.h>
 #include <signal.h>
@@ -10,8 +8,7 @@
 #include <cmath>
 #include <limits>
 
-#include "glissade/core/file.hpp"
-#include "temporary_folder.hpp"
+#include "whole_results.hpp"
 
 namespace glissade {
 namespace {
@@ -20,87 +17,6 @@ using testing::AllOf;
 using testing::HasSubstr;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-const double nan_value = std::nan("");
-
-ThresholdFragility make_fragility(double threshold_m, std::size_t band) {
-  ThresholdFragility f;
-  f.threshold_m = threshold_m;
-  f.stripes = {FitStatus::jeffreys_penalised,
-               {0.7, 0.4, 0.125},
-               {0.6, nan_value},
-               {0.3, 0.5},
-               {0.1, 0.15},
-               {0.55, 0.65},
-               -12.5,
-               "probit",
-               "profile",
-               "separated"};
-  f.capacities = {
-      FitStatus::lower_bound, {1.5, 0.2}, {1.5, infinity}, {}, {}, {}, nan_value, "", "", ""};
-  f.probability = {0.0, 0.25, 1.0 / 3};
-  f.probability_interval = {{0.0, 0.1}, {0.1, 0.4}, {0.2, nan_value}};
-  f.band.assign(band, {0.125, 0.5});
-  f.recross_share = 0.01;
-  f.record_recross = {0.0, 1.0};
-  f.censored_share = 0.5;
-  f.free_sliding_share = 0.02;
-  return f;
-}
-
-RunResults make_run(const std::string& label) {
-  RunResults run;
-  run.label = label;
-  run.friction_description = "normal, mean 0.55, std 0.04";
-  run.peak_displacement_m = Array3<double>(2, 4, 3, 0.1);
-  for (std::size_t i = 0; i < run.peak_displacement_m.data.size(); ++i)
-    run.peak_displacement_m.data[i] = std::sqrt(static_cast<double>(i));
-  run.uplift = Array3<std::uint8_t>(2, 4, 3);
-  run.uplift(1, 2, 0) = 1;
-  run.capacity = Array3<double>(2, 4, 2, infinity);
-  run.capacity(0, 3, 1) = 0.0;
-  run.fragilities = {make_fragility(0.15, 2), make_fragility(0.3, 0)};  // the second has no band
-  run.band_intensities = {0.5, 1.0};
-  run.slip = {{0.5, 0.1, 0.2, 0.3, 0.15, {0.1, 0.2}, {0.05, 0.15}, {0.15, 0.25}, 0.0},
-              {1.0, 1, 2, 3, 4, {5, 6}, {7, 8}, {9, 10}, 0.5},
-              {}};
-  run.standards = {{Standard::asce7_16,
-                    1.0,
-                    {0.55, Provenance::recalled, "5 I_e (S_DS - 0.4)^2 ft"},
-                    0.1,
-                    {0.05, 0.2}}};
-  return run;
-}
-
-Results make_results() {
-  Results r;
-  r.study_name = "σχέδιο";  // UTF-8
-  r.program_version = "0.1.0";
-  r.plan_hash = "0123456789abcdef";
-  r.study_text = "[study]\nname = \"σχέδιο\"\n";
-  r.seed = 0xfedcba9876543210u;
-  r.measure = IntensityMeasure::avg_sa_g;
-  r.intensity_label = "Sa,avg (g)";
-  r.suite_name = "suite";
-  r.levels = {0.5, 1.0, 1.5};
-  r.thresholds_m = {0.15, 0.3};
-  r.samples = {
-      {0.5, 2.0, 0.7, 0.05, 1, -1}, {0.6, 1.0, 0.0, 0.0, 0, 1}, {}, {0.1, 0.2, 0.3, 0.4, 1, 1}};
-  r.records = {
-      {"a", "event", "station", 6.9, 8.5, 380.0, 2.5, 1.7, 0.5, 0.4, 0.005, 7671, true, false},
-      {"b", "", "", 0, 0, 0, 1, 0, 0, 0, 0.01, 1, false, true}};
-  r.spectra = {{0.0, 0.5}, {{0.4, 0.9}, {0.3, 1.1}}, {0.35, 1.0}, {}, 1.3};
-  r.runs = {make_run("sampled"), make_run("design")};
-  r.runs[1].standards.clear();
-  r.notes = {"5 of 22 records have no vertical", ""};
-  return r;
-}
-
-/// Every double the same bits, nan included: the writer's bytes are a function of the content.
-std::string bytes_of(const Results& results, const TemporaryFolder& folder,
-                     const std::string& name) {
-  write_results(folder.path() / name, results);
-  return read_text_file(folder.path() / name);
-}
 
 bool same_bits(double a, double b) {
   return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
@@ -108,39 +24,85 @@ bool same_bits(double a, double b) {
 
 TEST(results_file, two_writes_give_the_same_bytes) {
   const TemporaryFolder folder;
-  const std::string first = bytes_of(make_results(), folder, "a.h5");
+  const std::string first = bytes_of(with_fragility(), folder, "a.h5");
   ::sleep(1);  // a time stamp has whole seconds
-  EXPECT_EQ(first, bytes_of(make_results(), folder, "b.h5"));
+  EXPECT_EQ(first, bytes_of(with_fragility(), folder, "b.h5"));
 }
 
-TEST(results_file, everything_comes_back_to_the_last_bit) {
-  const TemporaryFolder folder;
-  const Results written = make_results();
-  const std::string bytes = bytes_of(written, folder, "a.h5");
-  const Results read = read_results(folder.path() / "a.h5");
-  EXPECT_EQ(bytes,
-            bytes_of(read, folder,
-                     "b.h5"));  // whatever is written is read; what follows checks what is written
+void expect_same_cases(const CaseSet& a, const CaseSet& b) {
+  EXPECT_EQ(a.axes, b.axes);
+  EXPECT_EQ(a.samples, b.samples);
+  EXPECT_EQ(a.orientations, b.orientations);
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const Case &x = a.cases[i], &y = b.cases[i];
+    for (const Parameter& p : parameters()) EXPECT_EQ(value_of(p, x), value_of(p, y)) << p.key;
+    EXPECT_EQ(x.support, y.support);
+    EXPECT_EQ(x.vertical, y.vertical);
+    EXPECT_EQ(x.friction_value, y.friction_value);
+    EXPECT_EQ(x.orientation, y.orientation);
+  }
+}
 
+void expect_same_histories(const HistoryTable& a, const HistoryTable& b) {
+  EXPECT_EQ(a.records, b.records);
+  EXPECT_EQ(a.cases, b.cases);
+  EXPECT_EQ(a.levels, b.levels);
+  EXPECT_EQ(a.thresholds, b.thresholds);
+  for_each_history_field([&](auto field) {
+    const auto &x = a.fields.*field.of, &y = b.fields.*field.of;
+    ASSERT_EQ(x.size(), y.size()) << field.name;
+    for (std::size_t i = 0; i < x.size(); ++i)
+      EXPECT_TRUE(same_bits(static_cast<double>(x[i]), static_cast<double>(y[i]))) << field.name;
+  });
+}
+
+TEST(results_file, of_every_analysis_comes_back_to_the_last_bit) {
+  const TemporaryFolder folder;
+  Results chart = whole_results(), clearance = whole_results(true);
+  chart.thresholds_m.clear();
+  chart.histories.thresholds = 0;
+  fill_histories(chart.histories, false);
+  add_chart(chart);
+  clearance.clearance = ClearanceConfig{1.3};
+  clearance.runs.clear();
+  for (const Results& written : {with_fragility(), chart, clearance, with_all()}) {
+    const std::string bytes = bytes_of(written, folder, "a.h5");
+    const Results read = read_results(folder.path() / "a.h5");
+    // Whatever is written is read; what follows checks what is written.
+    EXPECT_EQ(bytes, bytes_of(read, folder, "b.h5"));
+    expect_same_cases(read.cases, written.cases);
+    expect_same_histories(read.histories, written.histories);
+    EXPECT_EQ(read.axes, written.axes);
+    EXPECT_EQ(read.runs.size(), written.runs.size());
+    EXPECT_EQ(read.chart.has_value(), written.chart.has_value());
+    ASSERT_EQ(read.clearance.has_value(), written.clearance.has_value());
+    if (read.clearance) EXPECT_EQ(read.clearance->factor, written.clearance->factor);
+  }
+}
+
+TEST(results_file, head_suites_and_records_come_back) {
+  const TemporaryFolder folder;
+  Results written = with_fragility();
+  written.suites.push_back({"other", "of one", {{1.0}, {{0.5}}, {0.5}, {0.4}, 0.0}});
+  written.records[1].suite = 1;
+  written.suites[0].spectra.srss_g.pop_back();
+  write_results(folder.path() / "a.h5", written);
+  const Results read = read_results(folder.path() / "a.h5");
   EXPECT_EQ(read.study_name, written.study_name);
+  EXPECT_EQ(read.study_description, written.study_description);
   EXPECT_EQ(read.study_text, written.study_text);
   EXPECT_EQ(read.program_version, written.program_version);
   EXPECT_EQ(read.plan_hash, written.plan_hash);
   EXPECT_EQ(read.seed, written.seed);
   EXPECT_EQ(read.measure, written.measure);
   EXPECT_EQ(read.intensity_label, written.intensity_label);
-  EXPECT_EQ(read.suite_name, written.suite_name);
-  EXPECT_EQ(read.suite_description, written.suite_description);
+  EXPECT_EQ(read.displacement, written.displacement);
+  EXPECT_EQ(read.model.kernel + read.model.building + read.model.friction + read.model.displacement,
+            "tableselasticCoulombvector");
   EXPECT_EQ(read.levels, written.levels);
   EXPECT_EQ(read.thresholds_m, written.thresholds_m);
   EXPECT_EQ(read.notes, written.notes);
-  ASSERT_EQ(read.samples.size(), 4u);
-  EXPECT_EQ(read.samples[0].friction, 0.5);
-  EXPECT_EQ(read.samples[0].slope_deg, 2.0);
-  EXPECT_EQ(read.samples[0].period_s, 0.7);
-  EXPECT_EQ(read.samples[0].damping, 0.05);
-  EXPECT_EQ(read.samples[0].component, 1);
-  EXPECT_EQ(read.samples[0].sign, -1);
   ASSERT_EQ(read.records.size(), 2u);
   const RecordSummary& record = read.records[0];
   EXPECT_EQ(record.id + record.event + record.station, "aeventstation");
@@ -155,16 +117,24 @@ TEST(results_file, everything_comes_back_to_the_last_bit) {
   EXPECT_EQ(record.samples, 7671u);
   EXPECT_TRUE(record.has_second);
   EXPECT_FALSE(record.has_vertical);
-  EXPECT_EQ(read.spectra.periods_s, written.spectra.periods_s);
-  EXPECT_EQ(read.spectra.srss_g, written.spectra.srss_g);
-  EXPECT_EQ(read.spectra.average_srss_g, written.spectra.average_srss_g);
-  EXPECT_TRUE(read.spectra.target_g.empty());
-  EXPECT_EQ(read.spectra.reference_level, 1.3);
+  EXPECT_EQ(record.stronger, 1u);
+  EXPECT_EQ(read.records[1].suite, 1u);
+  ASSERT_EQ(read.suites.size(), 2u);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(read.suites[i].name, written.suites[i].name);
+    EXPECT_EQ(read.suites[i].description, written.suites[i].description);
+    const SuiteSpectra &a = read.suites[i].spectra, &b = written.suites[i].spectra;
+    EXPECT_EQ(a.periods_s, b.periods_s);
+    EXPECT_EQ(a.srss_g, b.srss_g);
+    EXPECT_EQ(a.average_srss_g, b.average_srss_g);
+    EXPECT_EQ(a.target_g, b.target_g);
+    EXPECT_EQ(a.reference_level, b.reference_level);
+  }
 }
 
 TEST(results_file, runs_come_back_in_order_with_ragged_bands) {
   const TemporaryFolder folder;
-  const Results written = make_results();
+  const Results written = with_fragility();
   write_results(folder.path() / "a.h5", written);
   const Results read = read_results(folder.path() / "a.h5");
   ASSERT_EQ(read.runs.size(), 2u);
@@ -174,12 +144,8 @@ TEST(results_file, runs_come_back_in_order_with_ragged_bands) {
   const RunResults& b = written.runs[0];
   EXPECT_EQ(a.label, "sampled");
   EXPECT_EQ(a.friction_description, b.friction_description);
-  EXPECT_EQ(a.peak_displacement_m.rows, 2u);
-  EXPECT_EQ(a.peak_displacement_m.columns, 4u);
-  EXPECT_EQ(a.peak_displacement_m.depth, 3u);
-  EXPECT_EQ(a.peak_displacement_m.data, b.peak_displacement_m.data);
-  EXPECT_EQ(a.uplift.data, b.uplift.data);
-  EXPECT_EQ(a.capacity.data, b.capacity.data);
+  EXPECT_EQ(read.runs[1].first_case, 4u);
+  EXPECT_EQ(read.runs[1].cases, 4u);
   EXPECT_EQ(a.band_intensities, b.band_intensities);
   ASSERT_EQ(a.fragilities.size(), 2u);
   const ThresholdFragility& f = a.fragilities[0];
@@ -191,7 +157,7 @@ TEST(results_file, runs_come_back_in_order_with_ragged_bands) {
   EXPECT_EQ(f.stripes.floor_interval.high, 0.15);
   EXPECT_EQ(f.stripes.p50_interval.low, 0.55);
   EXPECT_EQ(f.stripes.median_interval.low, 0.6);
-  EXPECT_TRUE(same_bits(f.stripes.median_interval.high, nan_value));
+  EXPECT_TRUE(std::isnan(f.stripes.median_interval.high));
   EXPECT_EQ(f.stripes.log_std_interval.high, 0.5);
   EXPECT_EQ(f.stripes.log_likelihood, -12.5);
   EXPECT_EQ(f.stripes.method + f.stripes.interval_method + f.stripes.note,
@@ -214,6 +180,8 @@ TEST(results_file, runs_come_back_in_order_with_ragged_bands) {
                            s.mean_interval.high, s.median_interval.low, s.median_interval.high,
                            s.p84_interval.low, s.p84_interval.high, s.uplift_share}),
       testing::ElementsAre(1.0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 0.5));
+  EXPECT_EQ(s.tip_share, 0.25);
+  EXPECT_EQ(s.mean_vector_m, 11.0);
   ASSERT_EQ(a.standards.size(), 1u);
   EXPECT_EQ(a.standards[0].standard, Standard::asce7_16);
   EXPECT_EQ(a.standards[0].sds_g, 1.0);
@@ -224,15 +192,12 @@ TEST(results_file, runs_come_back_in_order_with_ragged_bands) {
   EXPECT_EQ(a.standards[0].exceedance_interval.high, 0.2);
 }
 
-TEST(results_file, holds_empty_results_and_study_files_of_any_length) {
+TEST(results_file, holds_study_files_of_any_length) {
   const TemporaryFolder folder;
-  Results results;
+  Results results = whole_results();
   results.study_text = std::string(300000, 'x') + "end";
   write_results(folder.path() / "a.h5", results);
-  const Results read = read_results(folder.path() / "a.h5");
-  EXPECT_EQ(read.study_text, results.study_text);
-  EXPECT_TRUE(read.runs.empty());
-  EXPECT_TRUE(read.records.empty());
+  EXPECT_EQ(read_results(folder.path() / "a.h5").study_text, results.study_text);
 }
 
 TEST(results_file, cut_damaged_and_foreign_files_are_refused) {
@@ -241,7 +206,7 @@ TEST(results_file, cut_damaged_and_foreign_files_are_refused) {
     const auto file = folder.write("x.h5", content);
     return message_of([&] { read_results(file); });
   };
-  const std::string whole = bytes_of(make_results(), folder, "a.h5");
+  const std::string whole = bytes_of(with_fragility(), folder, "a.h5");
   for (const std::size_t length :
        {std::size_t{0}, std::size_t{100}, whole.size() / 2, whole.size() - 1}) {
     EXPECT_THAT(refusal(whole.substr(0, length)), HasSubstr("is not a whole glissade results file"))
@@ -264,7 +229,7 @@ TEST(results_file, cut_damaged_and_foreign_files_are_refused) {
 std::filesystem::path file_with(const TemporaryFolder& folder, const char* dataset,
                                 const std::vector<hsize_t>& sides) {
   const auto path = folder.path() / "edited.h5";
-  write_results(path, make_results());
+  write_results(path, with_fragility());
   const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
   const hid_t space = H5Screate_simple(static_cast<int>(sides.size()), sides.data(), nullptr);
   EXPECT_GE(H5Ldelete(file, dataset, H5P_DEFAULT), 0) << dataset;
@@ -285,16 +250,17 @@ TEST(results_file, datasets_that_claim_more_than_the_file_can_hold_are_refused) 
   };
   const auto is_too_large = HasSubstr("larger than the file");
   EXPECT_THAT(refusal("level_g", {huge}), is_too_large);
-  EXPECT_THAT(refusal("spectra/srss_g", {huge, 0}), is_too_large);     // rows of nothing
-  EXPECT_THAT(refusal("spectra/srss_g", {huge, huge}), is_too_large);  // 2^80 wraps round to 0
-  EXPECT_THAT(refusal("runs/design/capacity_g", {1 << 16, 1 << 16, huge}), is_too_large);
-  EXPECT_THAT(refusal("runs/design/uplift", {huge, 0, huge}), is_too_large);
+  EXPECT_THAT(refusal("suites/spectra_0/srss_g", {huge, 0}), is_too_large);  // rows of nothing
+  EXPECT_THAT(refusal("suites/spectra_0/srss_g", {huge, huge}),
+              is_too_large);  // 2^80 wraps round to 0
+  EXPECT_THAT(refusal("histories/capacity_g", {1 << 16, 1 << 16, huge}), is_too_large);
+  EXPECT_THAT(refusal("histories/uplift", {huge, 0, huge}), is_too_large);
 }
 
 TEST(results_file, an_empty_first_column_is_not_filled_up_by_the_next) {
   const TemporaryFolder folder;
   for (const char* dataset :
-       {"samples/friction", "runs/sampled/slip/level_g", "runs/sampled/fragility/threshold_m"}) {
+       {"cases/friction.mu", "runs/sampled/slip/level_g", "runs/sampled/fragility/threshold_m"}) {
     EXPECT_THAT(message_of([&] { read_results(file_with(folder, dataset, {0})); }),
                 HasSubstr("to the other columns"))
         << dataset;
@@ -302,49 +268,106 @@ TEST(results_file, an_empty_first_column_is_not_filled_up_by_the_next) {
 }
 
 TEST(results_file, parts_that_do_not_fit_each_other_are_refused) {
-  const TemporaryFolder folder;
-  const auto refusal = [&](void (*spoil)(Results&)) {
-    Results results = make_results();
+  const auto refusal = [](void (*spoil)(Results&)) {
+    Results results = with_all();
     spoil(results);
-    write_results(folder.path() / "a.h5", results);
-    return message_of([&] { read_results(folder.path() / "a.h5"); });
+    return refusal_of(results);
   };
-  const auto does_not_fit = [](const std::string& part, const std::string& whole) {
-    return HasSubstr("cannot fit " + part + " to the " + whole);
-  };
+  const auto of = [](const std::string& part) { return HasSubstr("cannot fit " + part + " to"); };
   EXPECT_EQ(refusal([](Results&) {}), "");
-  EXPECT_THAT(refusal([](Results& r) { r.levels.pop_back(); }),
-              does_not_fit("peak_displacement_m", "records, samples and levels"));
-  EXPECT_THAT(refusal([](Results& r) { r.runs[1].uplift = Array3<std::uint8_t>(2, 3, 4); }),
-              does_not_fit("uplift", "records, samples and levels"));
-  EXPECT_THAT(refusal([](Results& r) { r.thresholds_m.push_back(1.0); }),
-              does_not_fit("capacity_g", "records, samples and thresholds"));
-  EXPECT_THAT(refusal([](Results& r) { r.runs[0].slip.pop_back(); }),
-              does_not_fit("slip", "levels"));
-  EXPECT_THAT(refusal([](Results& r) { r.runs[0].fragilities.pop_back(); }),
-              does_not_fit("fragility", "thresholds"));
+  // Cases.
+  EXPECT_THAT(refusal([](Results& r) { r.cases.samples = 0; }), of("samples"));
+  EXPECT_THAT(refusal([](Results& r) { r.cases.samples = 3; }), of("axes"));
+  EXPECT_THAT(refusal([](Results& r) { r.cases.samples = std::size_t{1} << 63; }), of("axes"));
+  EXPECT_THAT(refusal([](Results& r) { r.cases.orientations = 0; }), of("samples"));
+  EXPECT_THAT(refusal([](Results& r) { r.cases.orientations = 2; }), of("axes"));
+  EXPECT_THAT(refusal([](Results& r) { r.cases.axes.clear(); }), of("axes"));
+  EXPECT_THAT(refusal([](Results& r) { r.cases.axes[0].values.clear(); }), of("axes"));
+  EXPECT_THAT(refusal([](Results& r) { r.cases.axes[0].values[1] = 7.0; }), of("values"));
+  EXPECT_THAT(refusal([](Results& r) { r.cases.axes[0].names.pop_back(); }), of("names"));
+  EXPECT_THAT(refusal([](Results& r) { r.cases.axes[0].key = "building.damping"; }), of("axes"));
+  EXPECT_THAT(refusal([](Results& r) { r.cases.cases[7].orientation.ground_azimuth_deg = 360.0; }),
+              of("ground_azimuth_deg"));
+  EXPECT_THAT(
+      refusal([](Results& r) { r.cases.cases[0].orientation.ground_azimuth_deg = std::nan(""); }),
+      of("ground_azimuth_deg"));
+  EXPECT_THAT(refusal([](Results& r) { r.cases.cases[3].orientation.across_sign = 0; }),
+              of("across_sign"));
+  // Histories.
+  const auto histories = [](Results& r, std::size_t HistoryTable::*side, std::size_t size) {
+    r.histories.*side = size;
+    fill_histories(r.histories, true);
+  };
+  for (const auto side : {&HistoryTable::records, &HistoryTable::cases, &HistoryTable::levels,
+                          &HistoryTable::thresholds}) {
+    for (const std::size_t size : {1u, 9u}) {
+      Results results = with_all();
+      histories(results, side, size);
+      EXPECT_THAT(refusal_of(results), HasSubstr("to records, cases, levels and thresholds"));
+    }
+  }
+  EXPECT_THAT(refusal([](Results& r) { r.histories.fields.peak_displacement_m.clear(); }),
+              of("peak_displacement_m"));
+  EXPECT_THAT(refusal([](Results& r) { r.histories.fields.peak_vector_m.clear(); }),
+              of("peak_vector_m"));
+  EXPECT_THAT(refusal([](Results& r) { r.axes = SlidingAxes::one; }), of("peak_vector_m"));
+  EXPECT_THAT(refusal([](Results& r) { r.histories.fields.residual_across_m.clear(); }),
+              of("peak_along_m"));
+  EXPECT_THAT(refusal([](Results& r) { r.histories.fields.shear_across.clear(); }),
+              of("shear_along"));
+  EXPECT_THAT(refusal([](Results& r) { r.histories.fields.uplift.clear(); }), of("uplift"));
+  EXPECT_THAT(refusal([](Results& r) { r.histories.fields.failed.clear(); }), of("uplift"));
+  EXPECT_THAT(refusal([](Results& r) { r.histories.fields.capacity.clear(); }), of("capacity"));
+  EXPECT_THAT(refusal([](Results& r) { r.histories.fields.crossing_time_s.clear(); }),
+              of("crossing_time_s"));
+  // Records and suites.
+  EXPECT_THAT(refusal([](Results& r) { r.records[1].suite = 7; }), of("records"));
+  EXPECT_THAT(refusal([](Results& r) { r.records[0].suite = 1; }), of("records"));
+  EXPECT_THAT(refusal([](Results& r) { r.records[1].stronger = 2; }), of("stronger"));
+  EXPECT_THAT(refusal([](Results& r) { r.suites.push_back(r.suites[0]); }), of("records"));
+  EXPECT_THAT(refusal([](Results& r) { r.suites.clear(); }), of("records"));
+  EXPECT_THAT(refusal([](Results& r) { r.measure = IntensityMeasure::sds_g; }), of("target_g"));
+  EXPECT_THAT(refusal([](Results& r) { r.suites[0].spectra.srss_g.pop_back(); }), of("srss_g"));
+  EXPECT_THAT(refusal([](Results& r) { r.suites[0].spectra.srss_g[1].pop_back(); }), of("spectra"));
+  EXPECT_THAT(refusal([](Results& r) { r.suites[0].spectra.average_srss_g.pop_back(); }),
+              of("spectra"));
+  EXPECT_THAT(refusal([](Results& r) { r.suites[0].spectra.target_g = {1.0}; }), of("spectra"));
+  // Runs.
+  EXPECT_THAT(refusal([](Results& r) { r.runs[1].cases = 0; }), of("first_case"));
+  EXPECT_THAT(refusal([](Results& r) { r.runs[1].cases = 9; }), of("first_case"));
+  EXPECT_THAT(refusal([](Results& r) { r.runs[1].first_case = 5; }), of("first_case"));
+  EXPECT_THAT(refusal([](Results& r) { r.runs[1].first_case = ~std::uint64_t{0}; }),
+              of("first_case"));
+  EXPECT_THAT(refusal([](Results& r) { r.runs[0].slip.pop_back(); }), of("slip"));
+  EXPECT_THAT(refusal([](Results& r) { r.runs[0].fragilities.pop_back(); }), of("fragility"));
   EXPECT_THAT(refusal([](Results& r) { r.runs[0].fragilities[1].probability.clear(); }),
-              does_not_fit("probability", "levels"));
+              of("probability"));
   EXPECT_THAT(refusal([](Results& r) { r.runs[0].fragilities[1].probability_interval.clear(); }),
-              does_not_fit("probability_low", "levels"));
+              of("probability_low"));
   EXPECT_THAT(refusal([](Results& r) { r.runs[0].fragilities[1].record_recross.pop_back(); }),
-              does_not_fit("record_recross", "records"));
+              of("record_recross"));
   EXPECT_THAT(refusal([](Results& r) { r.runs[0].fragilities[0].band.pop_back(); }),
-              does_not_fit("band_low", "band's intensities"));
-  EXPECT_THAT(refusal([](Results& r) { r.spectra.srss_g.pop_back(); }),
-              does_not_fit("srss_g", "records"));
-  EXPECT_THAT(refusal([](Results& r) { r.spectra.srss_g[1].pop_back(); }),
-              does_not_fit("srss_g", "periods"));
-  EXPECT_THAT(refusal([](Results& r) { r.spectra.average_srss_g.pop_back(); }),
-              does_not_fit("average_srss_g", "periods"));
-  EXPECT_THAT(refusal([](Results& r) { r.spectra.target_g = {1.0}; }),
-              does_not_fit("target_g", "periods"));
+              of("band_low"));
+  EXPECT_THAT(refusal([](Results& r) { r.runs[0].impact.pop_back(); }), of("impact"));
+  EXPECT_THAT(refusal([](Results& r) {
+                r.histories.fields.crossing_time_s.clear();
+                r.histories.fields.crossing_speed_mps.clear();
+              }),
+              of("impact"));
+}
+
+TEST(results_file, names_of_what_is_listed_that_could_act_in_a_script_or_page_are_refused) {
+  for (const char* name : {"`touch pwned`", "'; system('x'); '", "a\nb", "<script>", "../design"}) {
+    Results results = with_fragility();
+    results.cases.axes[0].names[1] = name;
+    EXPECT_THAT(refusal_of(results), HasSubstr("cannot take a name")) << name;
+  }
 }
 
 /// A good file in which the run "design" is called otherwise.
 std::filesystem::path file_with_label(const TemporaryFolder& folder, const std::string& label) {
   const auto path = folder.path() / "edited.h5";
-  write_results(path, make_results());
+  write_results(path, with_fragility());
   const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
   const hid_t runs = H5Gopen2(file, "runs", H5P_DEFAULT);
   EXPECT_GE(H5Ldelete(runs, "label", H5P_DEFAULT), 0);
@@ -374,7 +397,7 @@ TEST(results_file, labels_of_runs_that_could_act_in_a_script_or_page_are_refused
   for (const char* label : {"`touch pwned`", "'; system('x'); '", "a\"b", "a\nb", "$(x)",
                             "<script>", "../design", "./design", "de sign"}) {
     EXPECT_THAT(message_of([&] { read_results(file_with_label(folder, label)); }),
-                HasSubstr("cannot take the label of a run"))
+                HasSubstr("cannot take a name"))
         << label;
   }
 }
@@ -392,13 +415,13 @@ TEST(results_file, a_write_that_fails_leaves_the_old_file_and_nothing_else) {
   rlimit small = before;
   small.rlim_cur = 4096;
   ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &small), 0);
-  const std::string message = message_of([&] { write_results(file, make_results()); });
+  const std::string message = message_of([&] { write_results(file, with_fragility()); });
   ::setrlimit(RLIMIT_FSIZE, &before);
   ::signal(SIGXFSZ, handler);
   EXPECT_THAT(message, AllOf(HasSubstr("a.h5"), HasSubstr("too large")));
   EXPECT_EQ(read_text_file(file), "old");
   EXPECT_EQ(files_in(folder.path()), 1u);
-  EXPECT_THAT(message_of([&] { write_results("/dev/full", make_results()); }),
+  EXPECT_THAT(message_of([&] { write_results("/dev/full", with_fragility()); }),
               HasSubstr("No space left"));
 }
 

@@ -58,6 +58,26 @@ std::vector<double> average_over_target(const Suite& suite, const std::vector<do
   return ratios;
 }
 
+// The least of a fine grid round the period found is no lower, and the grid of the rule is above
+// it.
+TEST(ratios_to_target, are_extremes_between_the_periods_of_the_rule_too) {
+  const Suite suite = made_up_suite();
+  const std::vector<double> factors{1.0, 2.0, 0.5};
+  const SpectralRatios found = ratios_to_target(suite, factors, target_sa_g);
+  const std::vector<double> rule = average_over_target(suite, factors, walters_periods_s());
+  EXPECT_LT(found.lowest.ratio, std::ranges::min(rule));
+  EXPECT_GE(found.highest.ratio, std::ranges::max(rule));
+  const auto around = [&](double period_s) {
+    std::vector<double> periods_s;
+    for (int i = -200; i <= 200; ++i) periods_s.push_back(std::max(period_s + 5e-6 * i, 0.0));
+    return average_over_target(suite, factors, periods_s);
+  };
+  EXPECT_GE(std::ranges::min(around(found.lowest.period_s)), found.lowest.ratio * (1 - 1e-6));
+  EXPECT_LE(std::ranges::max(around(found.highest.period_s)), found.highest.ratio * (1 + 1e-6));
+  EXPECT_DOUBLE_EQ(average_over_target(suite, factors, {found.lowest.period_s})[0],
+                   found.lowest.ratio);
+}
+
 TEST(walters_periods, run_from_zero_to_two_seconds_and_rise) {
   const std::vector<double> periods_s = walters_periods_s();
   EXPECT_EQ(periods_s.front(), 0.0);

@@ -30,7 +30,7 @@ TEST(figures, are_those_the_results_can_fill) {
   EXPECT_THAT(names(make_figures(results)), testing::ElementsAre("fragility", "fragility_design",
                                                                  "slip_vs_sds", "ida", "spectra"));
   results.measure = IntensityMeasure::pga_g;
-  results.spectra = {};
+  results.suites[0].spectra = {};
   EXPECT_THAT(names(make_figures(results)),
               testing::ElementsAre("fragility", "fragility_design", "ida"));
   EXPECT_TRUE(make_figures(Results{}).empty());
@@ -61,7 +61,7 @@ TEST(figures, draw_without_the_fits_that_failed) {
 
 TEST(figures, take_any_text_of_the_user_as_text) {
   Results results = made_up_results();
-  results.suite_name = "it's {a} \"_suite^\" `date` \\n $x";
+  results.suites[0].name = "it's {a} \"_suite^\" `date` \\n $x";
   const fs::path folder = fresh_folder("text");
   render_figure(spectra_figure(results), folder);
   const std::string svg = read_text_file(folder / "spectra.svg");

@@ -87,7 +87,7 @@ TEST(hostile_names, are_text_in_scripts_and_pages) {
   for (const std::string& name : {all, "'" + all}) {
     fs::remove_all(folder);
     Results results = made_up_results();
-    results.study_name = results.suite_name = results.suite_description = name;
+    results.study_name = results.suites[0].name = results.suites[0].description = name;
     results.intensity_label = name + " (g)";
     results.runs[0].label = name;  // the main run's figures are not named by it
     results.runs.resize(1);

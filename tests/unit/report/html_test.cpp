@@ -39,7 +39,7 @@ TEST(html_report, states_what_is_assumed_and_what_must_be_verified) {
 
 TEST(html_report, says_rigid_where_the_samples_have_no_period) {
   Results results = made_up_results();
-  for (SamplePoint& sample : results.samples) sample.period_s = 0.0;
+  for (Case& c : results.cases.cases) c.period_s = 0.0;
   const std::string html = html_report(results, {});
   EXPECT_THAT(html, HasSubstr("Rigid: the roof moves as the ground does"));
   EXPECT_THAT(html, Not(HasSubstr("mass is neglected")));

@@ -73,11 +73,12 @@ TEST(impact_report, answers_at_the_level_nearest_1_g_with_the_share_that_gets_th
 // 1.2 m is reached by few: where no three records get there the figure shows no point.
 TEST(impact_report, draws_only_what_enough_records_reach) {
   Results results = made_up_impact_results();
-  RunResults& run = results.runs[0];
-  const std::size_t of_record = run.crossing_speed_mps.size() / results.records.size();
+  const RunResults& run = results.runs[0];
+  std::vector<double>& speed_mps = results.histories.fields.crossing_speed_mps;
+  const std::size_t of_record = speed_mps.size() / results.records.size();
   const auto forget_all_but = [&](std::size_t records) {
-    for (std::size_t i = records * of_record; i < run.crossing_speed_mps.size(); ++i)
-      run.crossing_speed_mps[i] = std::nan("");
+    for (std::size_t i = records * of_record; i < speed_mps.size(); ++i)
+      speed_mps[i] = std::nan("");
   };
   EXPECT_THAT(key_of(impact_figure(results, run)), testing::Contains(HasSubstr("= 2.00 g")));
   forget_all_but(3);

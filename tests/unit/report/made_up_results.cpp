@@ -6,7 +6,6 @@
 #include <limits>
 #include <string>
 
-#include "glissade/core/contract.hpp"
 #include "glissade/core/random.hpp"
 #include "glissade/core/units.hpp"
 #include "glissade/standards/prescriptive.hpp"
@@ -37,6 +36,12 @@ Interval around(double value, double log_half_width) {
   return {value * std::exp(-log_half_width), value * std::exp(log_half_width)};
 }
 
+/// Peak displacement of a record and one of the run's samples.
+double slip_m(const Results& results, const RunResults& run, std::size_t i, std::size_t j,
+              std::size_t level) {
+  return results.histories.displacement_m(i, run.first_case + j, level);
+}
+
 ThresholdFragility fragility_of(const Results& results, const RunResults& run, double median_g,
                                 std::size_t t) {
   ThresholdFragility fragility;
@@ -60,7 +65,7 @@ ThresholdFragility fragility_of(const Results& results, const RunResults& run, d
   double censored = 0.0;
   for (std::size_t i = 0; i < records; ++i) {
     for (std::size_t j = 0; j < samples; ++j)
-      censored += std::isinf(run.capacity(i, j, t)) ? 1.0 : 0.0;
+      censored += std::isinf(results.histories.capacity(i, run.first_case + j, t)) ? 1.0 : 0.0;
   }
   fragility.censored_share = censored / (records * samples);
   fragility.recross_share = 0.012;
@@ -69,7 +74,7 @@ ThresholdFragility fragility_of(const Results& results, const RunResults& run, d
     double exceed = 0.0;
     for (std::size_t i = 0; i < records; ++i) {
       for (std::size_t j = 0; j < samples; ++j) {
-        exceed += run.peak_displacement_m(i, j, l) >= fragility.threshold_m ? 1.0 : 0.0;
+        exceed += slip_m(results, run, i, j, l) >= fragility.threshold_m ? 1.0 : 0.0;
       }
     }
     const double share = exceed / (records * samples);
@@ -86,29 +91,36 @@ ThresholdFragility fragility_of(const Results& results, const RunResults& run, d
   return fragility;
 }
 
-RunResults run_of(const Results& results, const std::string& label, const std::string& friction,
-                  double median_g) {
-  RunResults run;
-  run.label = label;
-  run.friction_description = friction;
-  run.peak_displacement_m = Array3<double>(records, samples, results.levels.size());
-  run.uplift = Array3<std::uint8_t>(records, samples, results.levels.size());
-  run.capacity = Array3<double>(records, samples, results.thresholds_m.size(),
-                                std::numeric_limits<double>::infinity());
+/// The histories of the run's cases, where the fields have their size.
+void fill_histories(Results& results, const RunResults& run, double median_g) {
+  HistoryTable& table = results.histories;
   for (std::size_t i = 0; i < records; ++i) {
     for (std::size_t j = 0; j < samples; ++j) {
+      const std::size_t c = run.first_case + j;
       const double capacity = capacity_at_reference(median_g, i, j);
       for (std::size_t l = 0; l < results.levels.size(); ++l) {
         const double x = results.levels[l];
-        run.peak_displacement_m(i, j, l) =
+        table.fields.peak_displacement_m[table.at(i, c, l)] =
             x < 0.25 * capacity ? 0.0 : slip_at_capacity_m * std::pow(x / capacity, exponent);
       }
       for (std::size_t t = 0; t < results.thresholds_m.size(); ++t) {
         const double reached = capacity * std::sqrt(results.thresholds_m[t] / slip_at_capacity_m);
-        if (reached <= results.levels.back()) run.capacity(i, j, t) = reached;
+        if (reached <= results.levels.back())
+          table.fields.capacity[(i * table.cases + c) * table.thresholds + t] = reached;
       }
     }
   }
+}
+
+/// Adds a run of the next cases.
+void add_run(Results& results, const std::string& label, const std::string& friction,
+             double median_g) {
+  RunResults run;
+  run.label = label;
+  run.friction_description = friction;
+  run.first_case = results.runs.size() * samples;
+  run.cases = samples;
+  fill_histories(results, run, median_g);
   for (int i = 1; i <= 60; ++i) run.band_intensities.push_back(results.levels.back() * i / 60.0);
   for (std::size_t t = 0; t < results.thresholds_m.size(); ++t) {
     run.fragilities.push_back(fragility_of(results, run, median_g, t));
@@ -118,7 +130,7 @@ RunResults run_of(const Results& results, const std::string& label, const std::s
     double sum = 0.0;
     for (std::size_t i = 0; i < records; ++i) {
       for (std::size_t j = 0; j < samples; ++j) {
-        all.push_back(run.peak_displacement_m(i, j, l));
+        all.push_back(slip_m(results, run, i, j, l));
         sum += all.back();
       }
     }
@@ -151,7 +163,22 @@ RunResults run_of(const Results& results, const std::string& label, const std::s
   }
   std::stable_sort(run.standards.begin(), run.standards.end(),
                    [](const auto& a, const auto& b) { return a.standard < b.standard; });
-  return run;
+  results.runs.push_back(run);
+}
+
+/// A table of zeros for the results' records, cases, levels and thresholds.
+void size_histories(Results& results) {
+  HistoryTable& table = results.histories;
+  table = {results.records.size(),
+           results.cases.size(),
+           results.levels.size(),
+           results.thresholds_m.size(),
+           {}};
+  const std::size_t size = table.records * table.cases;
+  table.fields.peak_displacement_m.assign(size * table.levels, 0.0);
+  table.fields.uplift.assign(size * table.levels, 0);
+  table.fields.failed.assign(size * table.levels, 0);
+  table.fields.capacity.assign(size * table.thresholds, std::numeric_limits<double>::infinity());
 }
 
 /// A code-like shape with a corner at 0.6 s, in units of S_DS.
@@ -180,6 +207,24 @@ SuiteSpectra spectra_of(std::size_t record_count) {
 }
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// Every combination of the chart's slopes, frictions and periods, run once.
+void list_chart_cases(Results& results) {
+  const Chart& chart = *results.chart;
+  results.cases = {};
+  results.cases.axes = {{"building.period_s", "s", chart.period_s, {}},
+                        {"roof.slope_deg", "deg", chart.slope_deg, {}},
+                        {"friction.mu", "-", chart.mu, {}}};
+  std::erase_if(results.cases.axes, [](const CaseAxis& axis) { return axis.size() < 2; });
+  for (const double period_s : chart.period_s) {
+    for (const double slope_deg : chart.slope_deg) {
+      for (const double mu : chart.mu)
+        results.cases.cases.push_back(
+            {.friction = mu, .friction_across = mu, .slope_deg = slope_deg, .period_s = period_s});
+    }
+  }
+  size_histories(results);
+}
 
 std::vector<double> steps(int first, int last, double step) {
   std::vector<double> axis;
@@ -236,12 +281,10 @@ Results made_up_chart_results() {
   Results results = made_up_results();
   results.study_name = "made_up_chart";
   results.records.resize(10);
-  results.spectra = spectra_of(10);
+  results.suites[0].spectra = spectra_of(10);
   results.levels = {0.5, 1.0, 1.5};
   results.thresholds_m.clear();
-  results.runs.resize(1);
-  results.runs[0] = RunResults{};
-  results.runs[0].label = "chart";
+  results.runs.clear();
   results.notes.clear();
   Chart& chart = results.chart.emplace();
   chart.slope_deg = steps(0, 14, 0.5);
@@ -251,6 +294,7 @@ Results made_up_chart_results() {
   chart.shown_mu = 0.5;
   chart.shown_level = 1.0;
   fill_chart(results, {0.7, 1.0, 0.4}, {}, 0.5);
+  list_chart_cases(results);
   ChartReading displacement;  // as if read off: the report shows what it is given
   displacement.question.level = 1.0;
   displacement.question.slope_deg = 2.0;
@@ -280,7 +324,7 @@ Results made_up_one_record_chart() {
   Results results = made_up_chart_results();
   results.study_name = "made_up_one_record";
   results.records.resize(1);
-  results.spectra = {};
+  results.suites[0].spectra = {};
   results.levels = steps(0, 15, 0.1);
   results.measure = IntensityMeasure::ppa_g;
   results.intensity_label = "PPA (g)";
@@ -291,33 +335,31 @@ Results made_up_one_record_chart() {
   chart.shown_slope_deg = 1.0;
   chart.shown_level = results.levels.back();
   fill_chart(results, {1.0}, {1.0, 1.0, 1.0, 1.0}, 0.0);
+  list_chart_cases(results);
   return results;
 }
 
 Results made_up_impact_results() {
   Results results = made_up_results();
-  const std::size_t levels = results.levels.size(), thresholds = results.thresholds_m.size();
-  for (RunResults& run : results.runs) {
-    for (std::size_t i = 0; i < records; ++i) {
-      for (std::size_t j = 0; j < samples; ++j) {
-        for (std::size_t l = 0; l < levels; ++l) {
-          for (const double threshold_m : results.thresholds_m) {
-            // As if what is left of the slip were lost at 0.5 m/s2.
-            const double left_m = run.peak_displacement_m(i, j, l) - threshold_m;
-            const double time_s = 5.0 + static_cast<double>(i) + threshold_m / results.levels[l];
-            const double nowhere = std::numeric_limits<double>::quiet_NaN();
-            run.crossing_time_s.push_back(left_m >= 0.0 ? time_s : nowhere);
-            run.crossing_speed_mps.push_back(left_m >= 0.0 ? std::sqrt(2.0 * 0.5 * left_m)
-                                                           : nowhere);
-          }
+  HistoryTable& table = results.histories;
+  for (std::size_t i = 0; i < table.records; ++i) {
+    for (std::size_t c = 0; c < table.cases; ++c) {
+      for (std::size_t l = 0; l < table.levels; ++l) {
+        for (const double threshold_m : results.thresholds_m) {
+          // As if what is left of the slip were lost at 0.5 m/s2.
+          const double left_m = table.displacement_m(i, c, l) - threshold_m;
+          const double time_s = 5.0 + static_cast<double>(i) + threshold_m / results.levels[l];
+          const double nowhere = std::numeric_limits<double>::quiet_NaN();
+          table.fields.crossing_time_s.push_back(left_m >= 0.0 ? time_s : nowhere);
+          table.fields.crossing_speed_mps.push_back(left_m >= 0.0 ? std::sqrt(2.0 * 0.5 * left_m)
+                                                                  : nowhere);
         }
       }
     }
-    run.impact = impact_statistics({records, samples, results.levels, results.thresholds_m,
-                                    run.crossing_time_s, run.crossing_speed_mps},
-                                   {.seed = 1, .replicates = 100});
-    GLISSADE_EXPECTS(run.impact.size() == levels * thresholds);
   }
+  for (RunResults& run : results.runs)
+    run.impact = impact_statistics(table, slice_of(run), results.levels, results.thresholds_m,
+                                   {.seed = 1, .replicates = 100});
   return results;
 }
 
@@ -330,14 +372,22 @@ Results made_up_results() {
   results.seed = 20260101;
   results.measure = IntensityMeasure::sds_g;
   results.intensity_label = "S_DS (g)";
-  results.suite_name = "made_up_suite";
-  results.suite_description = "Twelve records that never were.";
   for (int l = 1; l <= 20; ++l) results.levels.push_back(l / 10.0);
   results.thresholds_m = {0.15, 0.3, 0.6, 1.2};
-  for (std::size_t j = 0; j < samples; ++j) {
-    const double u = (static_cast<double>(j) + 0.5) / samples;
-    results.samples.push_back({0.55 + 0.04 * normal(j, 3), j % 2 == 0 ? 1.19 : 2.39, 0.2 + 1.8 * u,
-                               0.05, static_cast<int>(j % 2), j % 4 < 2 ? 1 : -1});
+  results.cases.axes = {{"friction.value", "-", {0.0, 1.0}, {"sampled", "design"}}};
+  results.cases.samples = samples;
+  for (const FrictionValue value : {FrictionValue::as_drawn, FrictionValue::design}) {
+    for (std::size_t j = 0; j < samples; ++j) {
+      const double u = (static_cast<double>(j) + 0.5) / samples;
+      Case c;
+      c.friction_value = value;
+      c.friction = value == FrictionValue::design ? 0.47 : 0.55 + 0.04 * normal(j, 3);
+      c.friction_across = c.friction;
+      c.slope_deg = j % 2 == 0 ? 1.19 : 2.39;
+      c.period_s = 0.2 + 1.8 * u;
+      c.orientation = quarter_turn({static_cast<int>(j % 2), j % 4 < 2 ? 1 : -1}, 1);
+      results.cases.cases.push_back(c);
+    }
   }
   for (std::size_t i = 0; i < records; ++i) {
     RecordSummary record;
@@ -357,9 +407,10 @@ Results made_up_results() {
     record.has_vertical = i != 3;
     results.records.push_back(record);
   }
-  results.spectra = spectra_of(records);
-  results.runs.push_back(run_of(results, "sampled", "normal, mean 0.55, std 0.04", 0.9));
-  results.runs.push_back(run_of(results, "design", "mean - 2 std = 0.47", 0.72));
+  results.suites = {{"made_up_suite", "Twelve records that never were.", spectra_of(records)}};
+  size_histories(results);
+  add_run(results, "sampled", "normal, mean 0.55, std 0.04", 0.9);
+  add_run(results, "design", "mean - 2 std = 0.47", 0.72);
   results.notes = {"1 of 12 records has no vertical: run with horizontals only"};
   return results;
 }

@@ -95,14 +95,15 @@ TEST(stripes_table, counts_what_the_histories_show) {
   const Results results = made_up_results();
   const RunResults& run = results.runs[0];
   // The last level of the first threshold, counted directly.
-  const auto& slip = run.peak_displacement_m;
+  const HistoryTable& histories = results.histories;
+  const std::size_t last = histories.levels - 1;
   double above = 0.0;
-  for (std::size_t i = 0; i < slip.rows; ++i) {
-    for (std::size_t j = 0; j < slip.columns; ++j)
-      above += slip(i, j, slip.depth - 1) >= results.thresholds_m[0] ? 1 : 0;
+  for (std::size_t i = 0; i < histories.records; ++i) {
+    for (std::size_t c = run.first_case; c < run.first_case + run.cases; ++c)
+      above += histories.displacement_m(i, c, last) >= results.thresholds_m[0] ? 1 : 0;
   }
-  const std::vector<Cell>& row = stripes_table(results).rows[slip.depth - 1];
-  EXPECT_EQ(std::get<double>(row[3]), static_cast<double>(slip.rows * slip.columns));
+  const std::vector<Cell>& row = stripes_table(results).rows[last];
+  EXPECT_EQ(std::get<double>(row[3]), static_cast<double>(histories.records * run.cases));
   EXPECT_EQ(std::get<double>(row[4]), above);
 }
 
@@ -111,6 +112,20 @@ Cell cell_of(const Table& table, std::size_t row, const std::string& stem) {
     if (table.columns[c].stem == stem) return table.rows.at(row)[c];
   ADD_FAILURE() << "no column " << stem;
   return 0.0;
+}
+
+TEST(samples_table, has_a_row_for_each_sample_and_a_column_for_each_parameter) {
+  const Results results = made_up_results();
+  const Table table = samples_table(results);
+  ASSERT_EQ(table.rows.size(), 16u);
+  for (const Parameter& p : parameters()) {
+    if (p.axes == Parameter::Axes::two) continue;  // one axis
+    for (std::size_t j = 0; j < 16; ++j)
+      EXPECT_EQ(std::get<double>(cell_of(table, j, std::string(p.table) + "_" + p.key)),
+                value_of(p, results.cases.cases[j]));
+  }
+  EXPECT_EQ(std::get<double>(cell_of(table, 3, "ground_azimuth_deg")),
+            results.cases.cases[3].orientation.ground_azimuth_deg);
 }
 
 TEST(fragility_table, leaves_failed_fits_empty_and_the_summary_uses_the_fit_that_converged) {

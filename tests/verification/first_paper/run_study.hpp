@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <utility>
+
 #include "glissade/io/suite_file.hpp"
 #include "glissade/study/execute.hpp"
 #include "glissade/study/reduce.hpp"
@@ -8,7 +10,9 @@
 namespace glissade::verification {
 
 inline Plan plan_of(const StudyConfig& config) {
-  return make_plan(config, load_suite(config.suite_file));
+  std::vector<Suite> suites;
+  for (const std::filesystem::path& file : config.suite_files) suites.push_back(load_suite(file));
+  return make_plan(config, std::move(suites));
 }
 
 inline Results run_study(const Plan& plan) {

@@ -54,7 +54,7 @@ Case vanishing_mass(const std::vector<CoupledScene>& scenes) {
     worst = worse(worst, slip_difference(slip(little), slip(none)));
   }
   return limit({fmt::format("m/M = 1e-13, {} made-up scenes with a vertical", scenes.size()),
-                "slip", "the same with m/M = 0"},
+                "slip", "the same with m/M = 0", ReferenceFrom::this_code},
                {relative_to_slip, worst, 1e-10});
 }
 
@@ -69,7 +69,7 @@ Case rigid_building(const std::vector<CoupledScene>& scenes) {
                                                   s.block)));
   }
   return limit({fmt::format("rigid building, m/M = 0.3, {} made-up scenes", scenes.size()), "slip",
-                "slide(): what is rigid does not feel the array"},
+                "slide(): a rigid building is not affected by the array", ReferenceFrom::this_code},
                {relative_to_slip, worst, 1e-12});
 }
 
@@ -190,9 +190,10 @@ std::vector<Case> batch(const std::vector<CoupledScene>& scenes) {
   }
   const std::string name = fmt::format("coupled_slip(), {} made-up scenes at once", scenes.size()),
                     reference = "slide_coupled(), the readable scheme";
-  return {limit({name, "slip", reference}, {relative_to_slip, slip, 1e-11}),
-          limit({name, "base shear, roof displacement", reference},
-                {"largest relative difference", building, 1e-11})};
+  return {
+      limit({name, "slip", reference, ReferenceFrom::this_code}, {relative_to_slip, slip, 1e-11}),
+      limit({name, "base shear, roof displacement", reference, ReferenceFrom::this_code},
+            {"largest relative difference", building, 1e-11})};
 }
 
 }  // namespace

@@ -32,12 +32,15 @@ struct Difference {
   }
 };
 
+/// Against another scheme of this code.
 std::vector<Case> rows(const std::string& name, const std::string& reference, const Difference& d,
                        double close) {
-  return {all_equal({name, "thresholds that are reached", reference}, {d.mismatches, d.crossed}),
-          limit({name, "time of first crossing", reference},
+  return {all_equal({name, "thresholds that are reached", reference, ReferenceFrom::this_code},
+                    {d.mismatches, d.crossed}),
+          limit({name, "time of first crossing", reference, ReferenceFrom::this_code},
                 {"largest difference, s", d.time_s, close}),
-          limit({name, "speed there", reference}, {"largest difference, m/s", d.speed_mps, close})};
+          limit({name, "speed there", reference, ReferenceFrom::this_code},
+                {"largest difference, m/s", d.speed_mps, close})};
 }
 
 // -- constant push

@@ -39,9 +39,9 @@ Case one_axis() {
                   two.peak_downslope_m - one.peak_downslope_m, two.residual.across_m})
               worst = worse(worst, std::abs(d) / size);
           }
-  return limit(
-      {"slide_two_axis(), roof that moves along the slope, 96 made-up scenes", "slip", "slide()"},
-      {relative_to_slip, worst, 1e-12});
+  return limit({"slide_two_axis(), roof that moves along the slope, 96 made-up scenes", "slip",
+                "slide()", ReferenceFrom::this_code},
+               {relative_to_slip, worst, 1e-12});
 }
 
 /// The roofs of every other scene fall toward the motion's minus side.
@@ -69,7 +69,7 @@ Case coupled_one_axis() {
   }
   return limit({"slide_on_building() to 1e-7, ground that moves along the slope, 40 made-up scenes "
                 "with m/M up to 0.5",
-                "slip", "slide_coupled()"},
+                "slip", "slide_coupled()", ReferenceFrom::this_code},
                {relative_to_slip, worst, 3e-6});
 }
 
@@ -88,7 +88,7 @@ Case rigid_building() {
   }
   return limit(
       {"slide_on_building() to 1e-8, rigid building, circle and ellipse, 30 made-up scenes",
-       "displacement vector", "slide_two_axis() to 1e-9"},
+       "displacement vector", "slide_two_axis() to 1e-9", ReferenceFrom::this_code},
       {relative_to_slip, worst, 3e-7});
 }
 

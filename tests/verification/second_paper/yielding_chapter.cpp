@@ -219,7 +219,7 @@ Case batch(const std::vector<CoupledScene>& scenes) {
     worst = worse(worst, relative(peaks[k].ductility, r.ductility));
   }
   return limit({"coupled_slip(), the same scenes at once", "slip, ductility",
-                "slide_coupled(), the readable scheme"},
+                "slide_coupled(), the readable scheme", ReferenceFrom::this_code},
                {"largest difference, relative to the slip and 0.1 mm", worst, 1e-11});
 }
 

@@ -210,7 +210,7 @@ Figure chart_slope_levels_figure(const Results& results) {
   CurvePlot plot{y_label(results), slope_label, chart.slope_deg};
   const std::vector<std::size_t> levels = spread(results.levels.size(), most_curves);
   for (std::size_t i = 0; i < levels.size(); ++i) {
-    plot.add(brief(results.levels[levels[i]]) + " g", small_family_look(i, levels.size()),
+    plot.add(with_unit(results, brief(results.levels[levels[i]])), small_family_look(i, levels.size()),
              with_points,
              design_curve(
                  results, chart.slope_deg.size(), [&](std::size_t s) -> auto& {

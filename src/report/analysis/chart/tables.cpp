@@ -20,7 +20,7 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr auto gravity_note =
     "inf: friction cannot stop the array (tan(slope) >= mu), no clearance is enough.";
 
-const Column level_column = {"level", "g", "Level, g", ColumnKind::number};
+Column level_column(const Results& results) { return intensity_column(results, "level", "Level"); }
 const Column slope_column = {"slope", "deg", "Slope, degrees", ColumnKind::number};
 const Column mu_column = {"mu", "", "Friction", ColumnKind::number};
 
@@ -73,7 +73,7 @@ Table chart_table(const Results& results) {
   const bool with_tips = any_tip_share(chart);
   Table table{"chart",
               title_of_levels("Design chart: slip over slope and friction.", results),
-              {level_column, slope_column, mu_column},
+              {level_column(results), slope_column, mu_column},
               {},
               reading_notes(results)};
   for (const ChartStatistic& s : statistics) table.columns.push_back(length_column(s));
@@ -108,7 +108,7 @@ Table chart_by_period_table(const Results& results) {
   Table table{
       "chart_by_period",
       title_of_levels("Design chart by building period.", results),
-      {level_column, slope_column, mu_column, {"period", "s", "Period, s", ColumnKind::number}},
+      {level_column(results), slope_column, mu_column, {"period", "s", "Period, s", ColumnKind::number}},
       {},
       {how_counted(results), gravity_note}};
   if (is_one_record(results)) {
@@ -134,7 +134,7 @@ Table chart_by_period_table(const Results& results) {
 Table chart_readings_table(const Results& results) {
   Table table{"chart_readings",
               title_of_levels("Read off the chart, linear in slope and friction.", results),
-              {level_column,
+              {level_column(results),
                slope_column,
                {"read_off", "", "Read off", ColumnKind::text},
                {"statistic", "", "Of", ColumnKind::text},

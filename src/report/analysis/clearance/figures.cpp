@@ -20,9 +20,14 @@ constexpr auto period_label = "Period of the building (s)";
 
 /// Walters et al. (2012), Fig. 8.
 Figure suite_figure(const ClearanceResults& results) {
+  const SuiteSpectra& spectra = results.suites.front().spectra;
+  const std::string as_scaled =
+      spectra.reference_level > 0.0
+          ? results.grid.level_symbol + " = " + format_number(spectra.reference_level)
+          : "scaled to MCE";
   return spectra_figure(results.suites.front().spectra,
-                        {results.suites.front().name, "scaled to MCE",
-                         "target MCE spectrum, envelope over the site classes"});
+                        {results.suites.front().name, as_scaled,
+                         "target spectrum, envelope over the site classes"});
 }
 
 std::string after_walters(const ClearanceResults& results, int figure, const char* more = "") {

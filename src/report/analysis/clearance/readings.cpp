@@ -32,19 +32,14 @@ double at_period(const SuiteSpectra& spectra, std::size_t p) {
 std::string spectra_reading(const ClearanceResults& r) {
   const SuiteSpectra& spectra = r.suites.front().spectra;
   if (spectra.target_g.empty()) return "";
-  std::size_t low = 0, high = 0;
-  for (std::size_t p = 1; p < spectra.periods_s.size(); ++p) {
-    if (at_period(spectra, p) < at_period(spectra, low)) low = p;
-    if (at_period(spectra, p) > at_period(spectra, high)) high = p;
-  }
+  const auto& [lowest, highest] = spectra.to_target;
   const auto near = [&](double period) {
     return static_cast<std::size_t>(std::lround(period / 2.0 * 200.0));
   };
   std::string text = fmt::format(
-      "From 0 to 2 s the suite's average SRSS spectrum is {} (at {:.2g} s) to {} times (at {:.2g} "
-      "s) the target MCE spectrum",
-      format_number(at_period(spectra, low)), spectra.periods_s[low],
-      format_number(at_period(spectra, high)), spectra.periods_s[high]);
+      "From 0 to 2 s the suite's average SRSS spectrum is {} (at {:.3g} s) to {} times (at {:.3g} "
+      "s) the target spectrum",
+      format_number(lowest.ratio), lowest.period_s, format_number(highest.ratio), highest.period_s);
   if (spectra.periods_s.size() == 201) {
     text += fmt::format(
         "; {} at 0.1 s, {} at 0.2 s, {} at 0.7 s, {} at 1 s",
@@ -204,7 +199,7 @@ std::string slope_reading(const ClearanceResults& r) {
 
 std::string mce_reading(const ClearanceResults& r) {
   const ClearanceGrid& grid = r.grid;
-  const std::size_t last = grid.fraction_of_mce.size() - 1;
+  const std::size_t last = grid.level.size() - 1;
   ClearancePosition high;
   high[ClearanceAxis::level] = last;
   const std::size_t governing = governing_period(r, {}, {});

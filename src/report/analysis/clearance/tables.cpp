@@ -35,7 +35,14 @@ class ConditionColumns {
   }
 
  private:
-  static Column column(ClearanceAxis axis) {
+  Column level_column() const {
+    const ClearanceGrid& grid = results_.grid;
+    if (grid.level_symbol.empty()) return {"fraction_of_mce", "", "Of MCE"};
+    const std::string suffix = unit_suffix(grid.level_unit);
+    return {"level", suffix.empty() ? "" : suffix.substr(1), grid.level_symbol};
+  }
+
+  Column column(ClearanceAxis axis) const {
     switch (axis) {
       case ClearanceAxis::support:
         return {"support", "", "Array", ColumnKind::text};
@@ -48,7 +55,7 @@ class ConditionColumns {
       case ClearanceAxis::slope:
         return {"slope", "deg", "Slope, deg"};
       case ClearanceAxis::level:
-        return {"fraction_of_mce", "", "Of MCE"};
+        return level_column();
       case ClearanceAxis::period:
         return {"period", "s", "T, s"};
     }
@@ -64,7 +71,7 @@ class ConditionColumns {
       case ClearanceAxis::slope:
         return grid.slope_deg[place];
       case ClearanceAxis::level:
-        return grid.fraction_of_mce[place];
+        return grid.level[place];
       case ClearanceAxis::period:
         return grid.period_s[place];
       default:

@@ -12,10 +12,18 @@
 namespace glissade {
 namespace {
 
-std::string level_text(double fraction) {
+std::string level_text(const ClearanceGrid& grid, double fraction) {
+  if (!grid.level_symbol.empty()) {
+    return fmt::format("{} = {}{}", grid.level_symbol, format_number(fraction),
+                       grid.level_unit == "-" ? "" : " " + grid.level_unit);
+  }
   if (std::abs(fraction - 2.0 / 3) < 1e-3) return "DBE";
   if (fraction == 1.0) return "MCE";
   return fmt::format("{:.3g} MCE", fraction);
+}
+
+std::string value_text(double value) {
+  return std::isnan(value) ? "drawn" : fmt::format("{:g}", value);
 }
 
 std::string vertical_text(const VerticalCondition& condition) {
@@ -44,6 +52,7 @@ std::string number_in_words(std::size_t n) {
 }  // namespace
 
 std::string slope_text(double slope_deg) {
+  if (std::isnan(slope_deg)) return "drawn";
   const double quarters = 48.0 * std::tan(slope_deg * rad_per_deg);
   const double whole = std::round(quarters);
   if (std::abs(quarters - whole) > 1e-6 || whole == 0.0)
@@ -64,15 +73,16 @@ std::string label_of(const ClearanceGrid& grid, ClearanceAxis axis, std::size_t 
     case ClearanceAxis::response_modification:
       return grid.response_modification[place] == 0.0
                  ? "elastic building"
-                 : fmt::format("R {:g}", grid.response_modification[place]);
+                 : "R " + value_text(grid.response_modification[place]);
     case ClearanceAxis::mass:
-      return fmt::format("m/M {:g}", grid.mass_ratio[place]);
+      return "m/M " + value_text(grid.mass_ratio[place]);
     case ClearanceAxis::slope:
       return "slope " + slope_text(grid.slope_deg[place]);
     case ClearanceAxis::level:
-      return level_text(grid.fraction_of_mce[place]);
+      return level_text(grid, grid.level[place]);
     case ClearanceAxis::period:
-      return fmt::format("T {:g} s", grid.period_s[place]);
+      return std::isnan(grid.period_s[place]) ? "T drawn"
+                                              : fmt::format("T {:g} s", grid.period_s[place]);
   }
   return {};
 }

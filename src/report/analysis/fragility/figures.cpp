@@ -13,21 +13,22 @@
 namespace glissade {
 namespace {
 
-std::string fit_text(const FitSummary& fit) {
+std::string fit_text(const Results& results, const FitSummary& fit) {
   if (fit.status == FitStatus::always_exceeds) return "every history slides freely";
   if (fit.converged()) {
     const std::string free =
         fit.curve.floor > 0 ? format_share(fit.curve.floor) + " slide freely; the others: " : "";
-    return fmt::format("{}median {} g [{}], log std {}", free, format_number(fit.curve.median),
+    return fmt::format("{}median {} [{}], log std {}", free,
+                       with_unit(results, format_number(fit.curve.median)),
                        format_interval(fit.median_interval), format_number(fit.curve.log_std));
   }
   if (fit.status == FitStatus::upper_bound) {
-    return fmt::format("median below {} g (95 % bound; all exceed)",
-                       format_number(fit.curve.median));
+    return fmt::format("median below {} (95 % bound; all exceed)",
+                       with_unit(results, format_number(fit.curve.median)));
   }
   if (fit.status == FitStatus::lower_bound) {
-    return fmt::format("median above {} g (95 % bound; no exceedance)",
-                       format_number(fit.curve.median));
+    return fmt::format("median above {} (95 % bound; no exceedance)",
+                       with_unit(results, format_number(fit.curve.median)));
   }
   return "no curve could be fitted";
 }
@@ -60,7 +61,7 @@ void add_threshold(Panel& panel, const Results& results, const RunResults& run, 
     }
   }
   Series key{curve.x.empty() ? Series::Kind::points : Series::Kind::line_and_points, colour};
-  key.label = format_length(fragility.threshold_m) + ": " + fit_text(fragility.capacities);
+  key.label = format_length(fragility.threshold_m) + ": " + fit_text(results, fragility.capacities);
   panel.series.insert(panel.series.begin(), std::move(band));
   for (Series* series : {&curve, &observed, &key}) panel.series.push_back(std::move(*series));
 }

@@ -27,8 +27,9 @@ std::string fit_sentence(const Results& results, const FitSummary& fit,
           "A clearance of {} has a chance of 50 % or more of being exceeded at any intensity.",
           clearance);
     return fmt::format(
-        "A clearance of {} has a 50 % chance of being exceeded at {} (95 % interval {} g){}.",
-        clearance, at_intensity(results, p50), format_interval(fit.p50_interval),
+        "A clearance of {} has a 50 % chance of being exceeded at {} (95 % interval {}){}.",
+        clearance, at_intensity(results, p50),
+        with_unit(results, format_interval(fit.p50_interval)),
         p50 > results.levels.back() ? ", which extrapolates beyond the highest level studied" : "");
   }
   if (fit.status == FitStatus::upper_bound) {
@@ -104,13 +105,13 @@ std::string standard_sentence(const StandardComparison& comparison) {
                      format_share(comparison.exceedance_probability), range);
 }
 
-std::string design_sentence(const RunResults& design) {
+std::string design_sentence(const Results& results, const RunResults& design) {
   std::string medians;
   for (const ThresholdFragility& fragility : design.fragilities) {
     const FitSummary& fit = preferred_fit(fragility);
     if (!fit.converged()) continue;
-    medians += fmt::format("{}{} g for {}", medians.empty() ? "" : ", ",
-                           format_number(fit.curve.intensity_at(0.5)),
+    medians += fmt::format("{}{} for {}", medians.empty() ? "" : ", ",
+                           with_unit(results, format_number(fit.curve.intensity_at(0.5))),
                            format_length(fragility.threshold_m));
   }
   if (medians.empty()) return "";
@@ -183,7 +184,7 @@ std::vector<std::string> answer_sentences(const Results& results) {
     if (!impact.empty()) sentences.push_back(impact);
   }
   for (std::size_t r = 1; r < results.runs.size(); ++r) {
-    const std::string sentence = design_sentence(results.runs[r]);
+    const std::string sentence = design_sentence(results, results.runs[r]);
     if (!sentence.empty()) sentences.push_back(sentence);
   }
   return sentences;

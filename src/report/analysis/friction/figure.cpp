@@ -86,6 +86,9 @@ Figure friction_figure(const std::vector<PullTest>& tests, const PullTestSummary
                 length_axis("Displacement", width_m),
                 {"Pull / normal force", 0.0, 1.1 * top_mu}};
     panel.x.opposite_ticks.clear();
+    for (int i = 0; width_m > 0.0 && i * round_step(width_m, 4.0) <= width_m; ++i)
+      panel.x.ticks.push_back(
+          {i * round_step(width_m, 4.0), fmt::format("{:g}", i * round_step(width_m, 4.0))});
     panel.series = {traces(tests, summary, direction.direction, Part::whole, look(Role::record)),
                     traces(tests, summary, direction.direction, Part::sliding, thin)};
     panel.rules = {{Rule::Kind::horizontal, s.mean, distinct_look(d),

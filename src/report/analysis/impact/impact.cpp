@@ -32,7 +32,7 @@ Table impact_table(const Results& results) {
                   impact_explained() + " Intensity measure: " + results.intensity_label + ".",
               {{"run", "", "Friction run", ColumnKind::text},
                {"threshold", "m", "Clearance, m (in)", ColumnKind::length},
-               {"level", "g", "Level, g", ColumnKind::number},
+               intensity_column(results, "level", "Level"),
                {"reached_share", "", "Gets there [95 %]", ColumnKind::share, true},
                {"median_speed", "mps", "Median speed, m/s [95 %]", ColumnKind::number, true},
                {"p84_speed", "mps", "84th percentile, m/s [95 %]", ColumnKind::number, true},
@@ -62,7 +62,7 @@ Table brief_impact_table(const Results& results) {
               "Speed on first reaching a clearance, given that the array gets there (" + run.label +
                   " friction). Intensity measure: " + results.intensity_label + ".",
               {{"threshold", "m", "Clearance, m (in)", ColumnKind::length},
-               {"level", "g", "Level, g", ColumnKind::number},
+               intensity_column(results, "level", "Level"),
                {"reached_share", "", "Gets there", ColumnKind::share},
                {"median_speed", "mps", "Median speed, m/s [95 %]", ColumnKind::number, true},
                {"p84_speed", "mps", "84th percentile, m/s [95 %]", ColumnKind::number, true},

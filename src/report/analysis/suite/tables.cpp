@@ -11,7 +11,7 @@ Table records_table(const Results& results) {
               "Ground motions of suite " + results.suites.front().name +
                   ". pga and pgv are geometric means of the horizontals as recorded; factor at "
                   "unit level is what "
-                  "the record is multiplied by at intensity 1 g (0: depends on the sample); 0 in "
+                  "the record is multiplied by at level 1 (0: depends on the roof); 0 in "
                   "magnitude, distance "
                   "and vs30 means not told. " +
                   in_plan,
@@ -22,7 +22,7 @@ Table records_table(const Results& results) {
                {"distance", "km", "Distance, km", ColumnKind::number},
                {"vs30", "mps", "Vs30, m/s", ColumnKind::number},
                {"suite_scale", "", "Suite factor", ColumnKind::number},
-               {"factor_at_unit_level", "per_g", "Factor at 1 g", ColumnKind::number},
+               {"factor_at_unit_level", "", "Factor at level 1", ColumnKind::number},
                {"pga", "g", "PGA, g", ColumnKind::number},
                {"pgv", "mps", "PGV, m/s", ColumnKind::number},
                {"dt", "s", "Step, s", ColumnKind::number},

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "output_rule.hpp"
+
+#include <algorithm>
+#include <vector>
+
+#include "glissade/core/error.hpp"
+
+namespace glissade::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What a report is made of: a page, and folders of files with these extensions.
+constexpr const char* page = "report.html";
+struct ReportFolder {
+  const char* name;
+  std::vector<std::string> extensions;
+};
+const std::vector<ReportFolder>& report_folders() {
+  static const std::vector<ReportFolder> folders{{"tables", {".csv"}},
+                                                 {"figures", {".svg", ".pdf", ".gp", ".dat"}}};
+  return folders;
+}
+
+std::vector<fs::path> files_of_report(const fs::path& folder) {
+  std::vector<fs::path> files;
+  std::error_code ignored;
+  if (fs::exists(folder / page, ignored)) files.push_back(folder / page);
+  for (const ReportFolder& part : report_folders()) {
+    for (const auto& entry : fs::directory_iterator(folder / part.name, ignored)) {
+      if (std::ranges::find(part.extensions, entry.path().extension().string()) !=
+          part.extensions.end())
+        files.push_back(entry.path());
+    }
+  }
+  return files;
+}
+
+[[noreturn]] void refuse(const std::string& option, const fs::path& path, const char* why) {
+  throw InputError({option, path.string() + ' ' + why + ", and nothing is written over",
+                    "give another " + option + ", or --overwrite", ""});
+}
+
+void check_folder(const fs::path& folder) {
+  std::error_code ignored;
+  if (fs::exists(folder, ignored) && !fs::is_directory(folder, ignored))
+    throw InputError({"--out", folder.string() + " is not a folder", "give another --out", ""});
+}
+
+}  // namespace
+
+void add_overwrite(CLI::App& command, bool& overwrite) {
+  command.add_flag("--overwrite", overwrite, "write over files that are there already");
+}
+
+void check_output_file(const fs::path& file, const std::string& option, bool overwrite) {
+  std::error_code ignored;
+  if (!overwrite && fs::is_regular_file(file, ignored)) refuse(option, file, "is there already");
+}
+
+void check_output_folder(const fs::path& folder, bool overwrite) {
+  check_folder(folder);
+  std::error_code error;
+  if (overwrite || !fs::exists(folder, error)) return;
+  if (!fs::is_empty(folder, error) || error) refuse("--out", folder, "holds a run or other files");
+}
+
+void check_report_folder(const fs::path& folder, bool overwrite) {
+  check_folder(folder);
+  if (!overwrite && !files_of_report(folder).empty()) refuse("--out", folder, "holds a report");
+}
+
+void remove_report(const fs::path& folder) {
+  std::error_code ignored;
+  for (const fs::path& file : files_of_report(folder)) fs::remove(file, ignored);
+}
+
+void remove_run(const fs::path& folder) {
+  remove_report(folder);
+  std::error_code ignored;
+  for (const char* name : {"results.h5", "run.json"}) fs::remove(folder / name, ignored);
+}
+
+}  // namespace glissade::cli

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <string>
+
+// The rule of all commands on what is there already: it is not written over, unless the user gives
+// --overwrite.
+namespace glissade::cli {
+
+/// Adds the option --overwrite.
+void add_overwrite(CLI::App& command, bool& overwrite);
+
+/// Throws InputError, naming the option that gave the path, where `file` is a regular file. Devices
+/// and pipes are written to.
+void check_output_file(const std::filesystem::path& file, const std::string& option,
+                       bool overwrite);
+
+/// Throws InputError where the folder holds anything, or is no folder. It need not exist.
+void check_output_folder(const std::filesystem::path& folder, bool overwrite);
+
+/// Throws InputError where the folder, which may hold other files, holds a report.
+void check_report_folder(const std::filesystem::path& folder, bool overwrite);
+
+/// Removes what an earlier run or report wrote into a folder that is to be written over: what the
+/// next one does not write would else stay among it. Other files are left alone.
+void remove_report(const std::filesystem::path& folder);
+void remove_run(const std::filesystem::path& folder);
+
+}  // namespace glissade::cli

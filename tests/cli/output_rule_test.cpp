@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gmock/gmock.h>
+
+#include <functional>
+
+#include "cli/child.hpp"
+#include "cli/one_run.hpp"
+#include "cli/small_study.hpp"
+
+namespace glissade::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::string built_in_suite = GLISSADE_SOURCE_DIR "/suites/synthetic_level0.toml";
+
+/// The command is refused where `out` holds `old`, which stays; with --overwrite it is replaced.
+void expect_rule(const std::vector<std::string>& command, const std::string& option,
+                 const std::string& out) {
+  const std::string old = read_file(out);
+  expect_refused(run_program(command), {option, out, "--overwrite"});
+  EXPECT_EQ(read_file(out), old);
+  std::vector<std::string> over = command;
+  over.push_back("--overwrite");
+  const Finished child = run_program(over);
+  EXPECT_EQ(child.status, 0) << child.err;
+  EXPECT_NE(read_file(out), old);
+}
+
+TEST(OutputRule, a_file_is_written_over_with_overwrite_only) {
+  const ScratchFolder folder;
+  const std::string out = folder.write("out", "mine");
+  expect_rule({"suite", "spectra", built_in_suite, "--out", out}, "--out", out);
+  folder.write("out", "mine");
+  expect_rule({"suite", "design", "--level", "0", "--out", out}, "--out", out);
+  folder.write("out", "mine");
+  const std::string record = folder.write("push.txt", "0.5\n0.5\n0.5\n");
+  expect_rule({"slide", record, "--dt-s", "0.01", "--mu", "0.1", "--history", out}, "--history",
+              out);
+}
+
+class OutputRuleOfAFolder : public OneRun<small_study> {};
+
+TEST_F(OutputRuleOfAFolder, a_report_is_made_again_in_its_folder_with_overwrite_only) {
+  const std::string results = (out() / "results.h5").string(),
+                    run_json = read_file(out() / "run.json");
+  const std::string page = read_file(out() / "report.html");
+  folder_->write("out/tables/of_another_study.csv", "old");
+  folder_->write("out/tables/notes.txt", "mine");
+  expect_refused(run_program({"report", results}), {"--out", out().string(), "--overwrite"});
+  EXPECT_TRUE(fs::exists(out() / "tables/of_another_study.csv"));
+
+  const Finished child = run_program({"report", results, "--overwrite"});
+  ASSERT_EQ(child.status, 0) << child.err;
+  EXPECT_EQ(read_file(out() / "report.html"), page);
+  EXPECT_EQ(read_file(out() / "run.json"), run_json);
+  EXPECT_FALSE(fs::exists(out() / "tables/of_another_study.csv"));
+  EXPECT_EQ(read_file(out() / "tables/notes.txt"), "mine");
+}
+
+TEST_F(OutputRuleOfAFolder, a_run_takes_the_place_of_another_with_overwrite_only) {
+  const std::string study =
+      folder_->write("other.toml", replaced(small_study(), "seed = 7", "seed = 8"));
+  const std::string old = read_file(out() / "results.h5");
+  expect_refused(run_program({"run", study, "--out", out().string()}),
+                 {"--out", out().string(), "--overwrite"});
+  EXPECT_TRUE(read_file(out() / "results.h5") == old);
+  const Finished child = run_program({"run", study, "--out", out().string(), "--overwrite"});
+  ASSERT_EQ(child.status, 0) << child.err;
+  EXPECT_FALSE(read_file(out() / "results.h5") == old);
+}
+
+TEST_F(OutputRuleOfAFolder, a_run_json_of_another_form_is_refused_by_report) {
+  const std::string results = folder_->path("apart/results.h5").string(),
+                    again = folder_->path("again").string();
+  fs::create_directory(folder_->path("apart"));
+  fs::copy_file(out() / "results.h5", results);
+  for (const char* text : {"{\"skipped\": 3}", "{\"skipped\": [1]}", "[]", "\"text\"", "{", "",
+                           "{\"skipped\": [{\"what\": 1, \"why\": [], \"count\": \"many\"}]}"}) {
+    folder_->write("apart/run.json", text);
+    expect_refused(run_program({"report", results, "--out", again}), {"run.json", "remove it"});
+  }
+  fs::remove(folder_->path("apart/run.json"));
+  EXPECT_EQ(run_program({"report", results, "--out", again}).status, 0);
+}
+
+}  // namespace
+}  // namespace glissade::test

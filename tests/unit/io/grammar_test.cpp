@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "../../../src/io/study/grammar.hpp"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <map>
+#include <regex>
+#include <set>
+#include <sstream>
+
+#include "glissade/core/file.hpp"
+#include "glissade/io/study_file.hpp"
+#include "glissade/io/study_grammar.hpp"
+#include "temporary_folder.hpp"
+
+namespace glissade {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+using testing::Not;
+
+const fs::path source = GLISSADE_SOURCE_DIR;
+
+std::set<std::string> names(bool tables) {
+  std::set<std::string> all;
+  for (const GrammarKey& key : grammar()) all.insert(tables ? key.table : key.name());
+  return all;
+}
+
+class Grammar : public testing::Test {
+ protected:
+  Grammar() {
+    folder_.write("suite.toml", "");
+    fs::copy_file(source / "studies/data/pull_tests.csv", folder_.path() / "tests.csv");
+  }
+  std::string error(const std::string& text) const {
+    return message_of([&] { read_study(folder_.write("study.toml", text)); });
+  }
+  TemporaryFolder folder_;
+};
+
+/// "building.period_s" of each line of a study's tables, and "impact." of one with no keys.
+std::set<std::string> keys_of(const std::string& text) {
+  std::set<std::string> keys;
+  std::istringstream lines(text);
+  std::string table;
+  for (std::string line; std::getline(lines, line);) {
+    std::smatch match;
+    if (std::regex_match(line, match, std::regex(R"(\[(\w+)\].*)"))) {
+      table = match[1];
+      keys.insert(table + ".");
+    } else if (std::regex_match(line, match, std::regex(R"(\[+(\w+\.\w+)\]+.*)"))) {
+      keys.insert(match[1]);
+      table = "";
+    } else if (!table.empty() && std::regex_match(line, match, std::regex(R"((\w+) *=.*)"))) {
+      keys.insert(table + "." + match[1].str());
+    }
+  }
+  return keys;
+}
+
+TEST_F(Grammar, has_an_example_of_every_key_that_is_accepted) {
+  std::set<std::string> used;
+  for (const char* name :
+       {"all_keys", "avg_sa", "chart", "clearance", "pga_normal", "ppa", "pull_tests", "sa"}) {
+    const std::string text =
+        read_text_file(source / "tests/fuzz/corpus/study" / (std::string(name) + ".toml"));
+    EXPECT_EQ(error(text), "") << name;
+    used.merge(keys_of(text));
+  }
+  const std::set<std::string> known = names(false);
+  for (const std::string& name : known) EXPECT_TRUE(used.contains(name)) << name;
+  for (const std::string& name : used)
+    EXPECT_TRUE(name.ends_with(".") || known.contains(name)) << name;
+}
+
+/// Every word that stands in quotes in the reader's sources: its keys are among them.
+std::set<std::string> words_of_the_reader() {
+  std::vector<fs::path> files = {source / "src/study/cases/parameters.cpp",
+                                 source / "src/study/intensity_measure.cpp"};
+  for (const auto& entry : fs::directory_iterator(source / "src/io/study"))
+    files.push_back(entry.path());
+  std::set<std::string> words;
+  const std::regex word(R"re("([a-z][a-z0-9_]*)")re");
+  for (const fs::path& file : files) {
+    if (file.filename() == "grammar.cpp") continue;
+    const std::string text = read_text_file(file);
+    for (auto at = std::sregex_iterator(text.begin(), text.end(), word);
+         at != std::sregex_iterator(); ++at)
+      words.insert((*at)[1]);
+  }
+  return words;
+}
+
+TEST_F(Grammar, has_every_key_that_the_reader_knows) {
+  const std::map<std::string, std::string> needed = {
+      {"study", "name = \"s\"\n"},
+      {"suite", "file = \"suite.toml\"\n"},
+      {"intensity", "measure = \"sds_g\"\nlevels = [1]\n"},
+      {"friction", "mu = 0.5\n"},
+      {"fragility", "thresholds_m = [0.3]\n"}};
+  const std::set<std::string> tables = names(true), keys = names(false),
+                              words = words_of_the_reader();
+  ASSERT_TRUE(words.contains("stop_at_largest") && words.contains("avg_sa_periods_s"));
+  const auto is_unknown = [&](const std::string& table, const std::string& word) {
+    std::string text = table.empty() ? word + " = 0\n" : "";
+    for (const auto& [name, lines] : needed) {
+      if (name != word || !table.empty())
+        text += "[" + name + "]\n" + lines + (name == table ? word + " = 0\n" : "");
+    }
+    if (!table.empty() && !needed.contains(table)) text += "[" + table + "]\n" + word + " = 0\n";
+    const std::string name = table.empty() ? word : table + "." + word;
+    return error(text).find(" " + name + " is not a known key") != std::string::npos;
+  };
+  std::size_t known = 0;
+  for (const std::string& word : words) {
+    EXPECT_TRUE(is_unknown("", word) || tables.contains(word)) << word;
+    for (const std::string& table : tables) {
+      if (is_unknown(table, word)) continue;
+      EXPECT_TRUE(keys.contains(table + "." + word)) << table + "." + word;
+      ++known;
+    }
+  }
+  EXPECT_GT(known, 60u);
+}
+
+TEST_F(Grammar, names_the_new_key_where_a_key_was_renamed) {
+  const std::set<std::string> tables = names(true), keys = names(false);
+  for (const RenamedKey& old : renamed_keys()) {
+    const std::size_t dot = old.name.find('.');
+    const std::string line = dot == std::string::npos ? "[" + old.name + "]\n"
+                                                      : "[" + old.name.substr(0, dot) + "]\n" +
+                                                            old.name.substr(dot + 1) + " = 1\n";
+    const std::string message = error("[study]\nname = \"s\"\n" + line);
+    EXPECT_THAT(message, HasSubstr(old.name + " is not a known key")) << message;
+    EXPECT_THAT(message, HasSubstr(old.now));
+    EXPECT_FALSE(keys.contains(old.name) || tables.contains(old.name)) << old.name;
+    const auto names_one = [&](const std::set<std::string>& all, const std::string& before,
+                               const std::string& after) {
+      return std::ranges::any_of(all, [&](const std::string& name) {
+        return old.now.find(before + name + after) != std::string::npos;
+      });
+    };
+    EXPECT_TRUE(names_one(keys, "", "") || names_one(tables, "[", "]") ||
+                old.now.find("tests") != std::string::npos)
+        << old.now;
+  }
+}
+
+TEST_F(Grammar, page_is_the_one_in_the_studies_folder) {
+  EXPECT_EQ(read_text_file(source / "studies/GRAMMAR.md"), grammar_page())
+      << "glissade explain --markdown > studies/GRAMMAR.md";
+}
+
+TEST(grammar_text, of_a_table_or_a_key_is_that_alone) {
+  EXPECT_THAT(grammar_text("building"), HasSubstr("period_ratio"));
+  EXPECT_THAT(grammar_text("building"), Not(HasSubstr("[friction]")));
+  EXPECT_THAT(grammar_text("building.damping"), Not(HasSubstr("period_ratio")));
+  EXPECT_EQ(grammar_text("bulding"), "");
+  for (const GrammarKey& key : grammar()) {
+    EXPECT_THAT(grammar_text(""), HasSubstr("[" + key.table + "]"));
+    EXPECT_THAT(grammar_text(key.name()), HasSubstr(key.value));
+  }
+}
+
+}  // namespace
+}  // namespace glissade

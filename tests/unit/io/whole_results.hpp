@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "glissade/core/file.hpp"
+#include "glissade/io/results_file.hpp"
+#include "temporary_folder.hpp"
+
+// Results of each analysis in which every field has a value of its own, and whose parts fit.
+namespace glissade {
+
+/// Every field that a study on so many axes keeps, of the size that the table has.
+inline void fill_histories(HistoryTable& table, bool two_axes) {
+  double x = 0.0;
+  for_each_history_field([&](auto field) {
+    auto& values = table.fields.*field.of;
+    const std::string name = field.name;
+    const bool across = name == "peak_vector_m" || name.find("_along") != std::string::npos ||
+                        name.find("_across") != std::string::npos;
+    values.clear();
+    if (across && !two_axes) return;
+    using T = std::remove_cvref_t<decltype(values.front())>;
+    for (std::size_t i = 0; i < table.records * table.cases * table.depth(field.depth); ++i)
+      values.push_back(std::is_same_v<T, double> ? static_cast<T>(std::sqrt(x += 1.0))
+                                                 : static_cast<T>(i % 3 == 0));
+  });
+  if (table.thresholds == 0) return;
+  table.fields.capacity[0] = std::numeric_limits<double>::infinity();
+  table.fields.crossing_time_s[1] = table.fields.crossing_speed_mps[1] = std::nan("");
+}
+
+inline ThresholdFragility whole_fragility(double threshold_m, std::size_t levels,
+                                          std::size_t records, std::size_t band) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const double nan_value = std::nan("");
+  ThresholdFragility f;
+  f.threshold_m = threshold_m;
+  f.stripes = {FitStatus::jeffreys_penalised,
+               {0.7, 0.4, 0.125},
+               {0.6, nan_value},
+               {0.3, 0.5},
+               {0.1, 0.15},
+               {0.55, 0.65},
+               -12.5,
+               "probit",
+               "profile",
+               "separated"};
+  f.capacities = {
+      FitStatus::lower_bound, {1.5, 0.2}, {1.5, infinity}, {}, {}, {}, nan_value, "", "", ""};
+  for (std::size_t i = 0; i < levels; ++i) {
+    f.probability.push_back(static_cast<double>(i) / 3);
+    f.probability_interval.push_back({0.1, i == 2 ? nan_value : 0.4});
+  }
+  f.band.assign(band, {0.125, 0.5});
+  f.recross_share = 0.01;
+  f.record_recross.assign(records, 1.0);
+  f.censored_share = 0.5;
+  f.free_sliding_share = 0.02;
+  return f;
+}
+
+/// Two records of a suite, three levels, two thresholds; sampled and design friction, four samples.
+inline Results whole_results(bool two_axes = false) {
+  Results r;
+  r.study_name = "σχέδιο";  // UTF-8
+  r.study_description = "every field";
+  r.program_version = "0.1.0";
+  r.plan_hash = "0123456789abcdef";
+  r.study_text = "[study]\nname = \"σχέδιο\"\n";
+  r.seed = 0xfedcba9876543210u;
+  r.measure = IntensityMeasure::avg_sa_g;
+  r.intensity_label = "Sa,avg (g)";
+  r.model = {"tables", "elastic", "Coulomb", "vector"};
+  r.axes = two_axes ? SlidingAxes::two : SlidingAxes::one;
+  r.displacement = DisplacementMeasure::vector;
+  r.levels = {0.5, 1.0, 1.5};
+  r.thresholds_m = {0.15, 0.3};
+  r.suites = {{"suite", "of two", {{0.0, 0.5}, {{0.4, 0.9}, {0.3, 1.1}}, {0.35, 1.0}, {}, 1.3}}};
+  r.records = {{0, "a", "event", "station", 6.9, 8.5, 380.0, 2.5, 1.7, 0.5, 0.4, 0.005, 7671, true,
+                false, 1},
+               {0, "b", "", "", 0, 0, 0, 1, 0, 0, 0, 0.01, 1, false, true, 0}};
+  r.cases.axes = {{"friction.value", "-", {0.0, 1.0}, {"sampled", "design"}}};
+  r.cases.samples = 4;
+  r.cases.cases.resize(8);
+  double x = 0.0;
+  for (Case& c : r.cases.cases) {
+    for (const Parameter& p : parameters()) p.of(c) = std::cbrt(x += 1.0);
+    c.support = x < 50 ? ArraySupport::isolated : ArraySupport::no_array;
+    c.vertical = VerticalChoice::required;
+    c.friction_value = x < 70 ? FrictionValue::as_drawn : FrictionValue::design;
+    c.orientation = {SlopeAxis::n_s, 22.5, -1};
+  }
+  r.histories.records = 2;
+  r.histories.cases = 8;
+  r.histories.levels = 3;
+  r.histories.thresholds = 2;
+  fill_histories(r.histories, two_axes);
+  r.notes = {"5 of 22 records have no vertical", ""};
+  return r;
+}
+
+inline void add_fragility(Results& r) {
+  for (const char* label : {"sampled", "design"}) {
+    RunResults run;
+    run.label = label;
+    run.friction_description = "normal, mean 0.55, std 0.04";
+    run.first_case = r.runs.empty() ? 0 : 4;
+    run.cases = 4;
+    run.fragilities = {whole_fragility(0.15, 3, 2, 2),
+                       whole_fragility(0.3, 3, 2, 0)};  // the second has no band
+    run.band_intensities = {0.5, 1.0};
+    run.slip = {{0.5, 0.1, 0.2, 0.3, 0.15, {0.1, 0.2}, {0.05, 0.15}, {0.15, 0.25}, 0.0},
+                {1.0, 1, 2, 3, 4, {5, 6}, {7, 8}, {9, 10}, 0.5, 0.25, 11},
+                {}};
+    if (r.runs.empty())
+      run.standards = {{Standard::asce7_16,
+                        1.0,
+                        {0.55, Provenance::recalled, "5 I_e (S_DS - 0.4)^2 ft"},
+                        0.1,
+                        {0.05, 0.2}}};
+    r.runs.push_back(run);
+  }
+}
+
+inline void add_impact(Results& r) {
+  for (RunResults& run : r.runs) {
+    run.impact.resize(r.levels.size() * r.thresholds_m.size());
+    run.impact[0] = {0.5, 0.15, 0.25, {0.1, 0.4}, 1, 2, 3, 4, {5, 6}, {7, 8}, 9, 10, 11};
+    run.impact[1].speed_median_mps = std::nan("");
+  }
+}
+
+/// Two slopes, two frictions, two periods.
+inline void add_chart(Results& r) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  Chart& chart = r.chart.emplace();
+  chart.slope_deg = {0.0, 2.0};
+  chart.mu = {0.3, 0.5};
+  chart.period_s = {0.2, 1.0};
+  chart.shown_slope_deg = 2.0;
+  chart.shown_mu = 0.5;
+  chart.shown_level = r.levels.back();
+  for (std::size_t i = 0; i < 4 * r.levels.size(); ++i) {
+    const double x = std::sqrt(1.0 + static_cast<double>(i));
+    chart.points.push_back({.level = r.levels[i / 4],
+                            .slope_deg = chart.slope_deg[i / 2 % 2],
+                            .mu = chart.mu[i % 2],
+                            .free_sliding = i == 3,
+                            .largest = {x, 2 * x, 3 * x, i == 3 ? infinity : 4 * x},
+                            .mean_interval = {x / 2, i == 3 ? std::nan("") : x * 2},
+                            .governing_period_s = chart.period_s[i % 2],
+                            .clearance_m = 1.1 * x,
+                            .uplift_share = x / 10,
+                            .tip_share = i == 5 ? std::nan("") : x / 20,
+                            .by_period = {{x, x, x, x}, {0.1, 0.2, 0.3, infinity}}});
+  }
+  chart.readings = {{{1.5, 1.19, 0.47, std::nullopt}, 1.0, 1.1, 2.0, 3.0, 4.0},
+                    {{1.5, 1.19, std::nullopt, 0.6}, 0.4, 0.5, 0.6, 0.7, infinity}};
+  chart.standards = {{Standard::seaoc_pv1_2012, 1.5, {1.23, Provenance::checked, "60 (...)"}}};
+}
+
+inline Results with_fragility() {
+  Results r = whole_results();
+  add_fragility(r);
+  return r;
+}
+
+/// Every analysis of one study.
+inline Results with_all() {
+  Results r = whole_results(true);
+  add_fragility(r);
+  add_impact(r);
+  add_chart(r);
+  r.clearance = ClearanceConfig{1.2};
+  return r;
+}
+
+/// What a file of these results is refused with; "" where it is read.
+inline std::string refusal_of(const Results& results) {
+  const TemporaryFolder folder;
+  write_results(folder.path() / "a.h5", results);
+  return message_of([&] { read_results(folder.path() / "a.h5"); });
+}
+
+/// Every double the same bits, nan included: the writer's bytes are a function of the content.
+inline std::string bytes_of(const Results& results, const TemporaryFolder& folder,
+                            const std::string& name) {
+  write_results(folder.path() / name, results);
+  return read_text_file(folder.path() / name);
+}
+
+}  // namespace glissade

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "glissade/io/study_file.hpp"
+#include "glissade/report/clearance_report.hpp"
+#include "verification/chapters.hpp"
+#include "verification/first_paper/run_study.hpp"
+
+namespace glissade::verification {
+namespace {
+
+/// What Walters et al. (2012) say on a topic that one of the studies is about.
+struct Statement {
+  ClearanceTopic topic;
+  const char* where;
+  const char* says;
+};
+
+struct StatedStudy {
+  const char* file;
+  std::vector<Statement> statements;
+  bool recorded = false;  ///< runs on recorded motions
+};
+
+const std::vector<StatedStudy>& stated_studies() {
+  using enum ClearanceTopic;
+  static const std::vector<StatedStudy> studies = {
+      {"14_walters_example.toml",
+       {{period, "Fig. 13",
+         "10.21 in, at a period of 1.0 s, is the largest over the periods; clearance 1.1 x 10.21 = "
+         "11.23 in"},
+        {spectra, "Fig. 8",
+         "significantly larger than the MCE on average at some periods (e.g., 0.2 s); 0.1 s and "
+         "0.7 s were controlling periods"},
+        {orientation, "Rooftop conditions",
+         "it is conservative to orient the stronger component in the direction with the downhill "
+         "roof slope"},
+        {vertical, "Ground motion",
+         "the effect of including the vertical ground motion is significant"}},
+       true},
+      {"15_walters_level_threshold.toml",
+       {{level, "Fig. 14",
+         "significant movement is not expected at Seismic Intensity Levels below Level 2"}}},
+      {"16_walters_yielding.toml",
+       {{yielding, "Fig. 15",
+         "except for R = 2, yielding significantly reduces the sliding response of the array"}}},
+      {"17_walters_base_shear.toml",
+       {{base_shear, "Fig. 16",
+         "the isolated array results in lower base shear than the fixed array, and even lower than "
+         "the building without the array"}}},
+      {"18_walters_slope.toml",
+       {{slope, "Fig. 17",
+         "maximum array displacement increases rapidly as slope increases; 1:12 to 1.5:12 should "
+         "be regarded as a maximum"}}},
+      {"19_walters_mce.toml",
+       {{mce, "Fig. 18",
+         "the peak DBE response (at T = 0.70 s) is close to the MCE response at 0.20 s"}}},
+      {"20_walters_permutations.toml",
+       {{orientation, "Rooftop conditions",
+         "it is conservative to assume that the lower of the two effective friction coefficients "
+         "is oriented in the downhill direction"},
+        {mass, "Seismic mass of array",
+         "at or between 5 % and 10 % of the building seismic mass"}}},
+      {"21_walters_vertical.toml",
+       {{vertical, "Building type and modal behavior",
+         "it is important to study the sensitivity of the displacement to possible variations in "
+         "vertical structure period"}}}};
+  return studies;
+}
+
+ClearanceResults results_of(const Folders& folders, const char* file) {
+  return clearance_results(run_study(plan_of(read_study(folders.studies / file))));
+}
+
+bool has_recorded_motions(const Folders& folders) {
+  const char* named = std::getenv("GLISSADE_RECORDS");
+  return std::filesystem::exists(
+      (named != nullptr ? std::filesystem::path(named) : folders.suites / "../../shared/records") /
+      "walters2012_table3");
+}
+
+/// By the number of the study.
+using AllResults = std::map<std::string, ClearanceResults>;
+
+std::string number_of(const StatedStudy& study) { return std::string(study.file, 2); }
+
+AllResults run_all(const Folders& folders) {
+  AllResults results;
+  for (const StatedStudy& study : stated_studies())
+    if (!study.recorded || has_recorded_motions(folders))
+      results[number_of(study)] = results_of(folders, study.file);
+  return results;
+}
+
+std::string rows(const AllResults& all, const StatedStudy& study) {
+  const std::string number = number_of(study);
+  if (!all.contains(number))
+    return fmt::format("| {} | | | not run: the recorded motions are absent |\n", number);
+  const ClearanceResults& results = all.at(number);
+  std::string text;
+  for (const Statement& s : study.statements)
+    text += fmt::format("| {} | {} | {} | {} |\n", number, s.where, s.says,
+                        clearance_reading(results, s.topic));
+  return text;
+}
+
+double median_m(const ClearanceResults& r, const ClearancePosition& at, Periods periods) {
+  return over_orientations(r, {}, at, periods).median;
+}
+
+ClearancePosition last(const ClearanceResults& r, ClearanceAxis axis) {
+  ClearancePosition at;
+  at[axis] = r.grid.size(axis) - 1;
+  return at;
+}
+
+const std::string paper = "Walters et al. 2012, ";
+
+/// The largest over the periods, isolated over another support.
+double largest_base_shear_ratio(const ClearanceResults& r, ArraySupport other) {
+  const auto place = [&](ArraySupport support) {
+    return static_cast<std::size_t>(std::ranges::find(r.grid.support, support) -
+                                    r.grid.support.begin());
+  };
+  const auto shear = [&](const ClearancePosition& at, ArraySupport support) {
+    return over_orientations(r, {.number = HistoryNumber::base_shear},
+                             at.with(ClearanceAxis::support, place(support)), Periods::one)
+        .median;
+  };
+  double largest = 0.0;
+  for (const ClearancePosition& at : along(r.grid, ClearanceAxis::period))
+    largest = worse(largest, shear(at, ArraySupport::isolated) / shear(at, other));
+  return largest;
+}
+
+std::vector<Case> base_shear_cases(const ClearanceResults& r) {
+  const std::string name = "study 17, six periods, array isolated";
+  return {limit({name, "base shear over that with the array anchored", paper + "Fig. 16: lower"},
+                {"largest ratio", largest_base_shear_ratio(r, ArraySupport::anchored), 1.0}),
+          limit({name, "base shear over that without an array", paper + "Fig. 16: lower"},
+                {"largest ratio", largest_base_shear_ratio(r, ArraySupport::no_array), 1.0})};
+}
+
+Case slope_case(const ClearanceResults& r) {
+  int falling = 0, pairs = 0;
+  double before = 0.0;
+  for (const ClearancePosition& at : along(r.grid, ClearanceAxis::slope)) {
+    const double now = median_m(r, at, Periods::largest);
+    falling += now > before ? 0 : 1;
+    ++pairs;
+    before = now;
+  }
+  return all_equal({"study 18, slopes of 0.25 to 1.5 in 12", "displacement grows with the slope",
+                    paper + "Fig. 17"},
+                   {falling, pairs});
+}
+
+Case level_case(const ClearanceResults& r) {
+  const auto mean = [&](std::size_t suite) {
+    return over_orientations(r, {.suite = suite}, {}, Periods::largest).median;
+  };
+  return within({"study 15, largest mean over the periods", "Level 2 over Level 1",
+                 paper + "Fig. 14: no significant movement below Level 2"},
+                {"ratio", mean(2) / mean(1), 5.0, INFINITY});
+}
+
+Case mce_case(const ClearanceResults& r) {
+  return within(
+      {"study 19", "MCE displacement at T = 0.2 s over the largest at DBE",
+       paper + "Fig. 18: close"},
+      {"ratio",
+       median_m(r, last(r, ClearanceAxis::level), Periods::one) / median_m(r, {}, Periods::largest),
+       0.5, 2.0});
+}
+
+}  // namespace
+
+Chapter second_paper_statements(const Folders& folders) {
+  const AllResults all = run_all(folders);
+  Chapter chapter{
+      "9.7 The second paper: what it says",
+      R"(Studies 14 to 21 repeat the examples of Walters et al. (2012). The cases are statements that can be
+checked on built-in suites. The table has each statement beside our numbers. The suites of the paper
+are not published except that of Level 2 (study 14; it needs the recorded motions), so numbers may
+differ; statements about trends should not.)",
+      base_shear_cases(all.at("17"))};
+  for (const Case& c : {slope_case(all.at("18")), level_case(all.at("15")), mce_case(all.at("19"))})
+    chapter.cases.push_back(c);
+  chapter.measured = "\n| study | where | Walters et al. (2012) | ours |\n|---|---|---|---|\n";
+  for (const StatedStudy& study : stated_studies()) chapter.measured += rows(all, study);
+  return chapter;
+}
+
+}  // namespace glissade::verification
