@@ -14,15 +14,16 @@ namespace glissade {
 namespace {
 
 /// An axis, and how a value of it is put into a case.
-struct Axis {
+struct VariedAxis {
   CaseAxis axis;
   std::function<void(Case&, std::size_t)> put;
 };
 
 template <class E>
-void add_choices(std::vector<Axis>& axes, const char* key, const std::vector<E>& choices,
+void add_choices(std::vector<VariedAxis>& axes, const char* key, const std::vector<E>& choices,
                  const std::vector<std::string>& names, E Case::*member) {
-  Axis axis{{key, "-", {}, {}}, [choices, member](Case& c, std::size_t i) { c.*member = choices[i]; }};
+  VariedAxis axis{{key, "-", {}, {}},
+                  [choices, member](Case& c, std::size_t i) { c.*member = choices[i]; }};
   for (const E choice : choices) {
     axis.axis.values.push_back(static_cast<double>(choice));
     axis.axis.names.push_back(names[static_cast<std::size_t>(choice)]);
@@ -37,8 +38,8 @@ bool friction_is_drawn(const StudyConfig& config) {
 }
 
 /// Every quantity with its values, also those that have one.
-std::vector<Axis> axes_of(const StudyConfig& config) {
-  std::vector<Axis> axes;
+std::vector<VariedAxis> axes_of(const StudyConfig& config) {
+  std::vector<VariedAxis> axes;
   std::vector<FrictionValue> friction{FrictionValue::as_drawn};
   if (friction_is_drawn(config)) friction = config.friction.values;
   add_choices(axes, "friction.value", friction, {"sampled", "design"}, &Case::friction_value);
@@ -184,11 +185,11 @@ std::string CaseSet::describe(std::size_t combination) const {
 }
 
 CaseSet make_cases(const StudyConfig& config) {
-  const std::vector<Axis> axes = axes_of(config);
+  const std::vector<VariedAxis> axes = axes_of(config);
   CaseSet set;
-  std::vector<const Axis*> varied;
+  std::vector<const VariedAxis*> varied;
   Case usual;
-  for (const Axis& axis : axes) {
+  for (const VariedAxis& axis : axes) {
     axis.put(usual, 0);
     if (axis.axis.size() < 2) continue;
     varied.push_back(&axis);
