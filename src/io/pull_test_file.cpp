@@ -17,7 +17,7 @@ namespace {
 
 using enum PullTestColumn;
 
-struct Row {
+struct PullTestRow {
   std::string test, direction;
   std::optional<double> time_s;
   double displacement_m = 0.0, force_n = 0.0, normal_n = 0.0;
@@ -59,7 +59,7 @@ class Troubles {
 };
 
 /// A row's numbers and names; nothing, with the trouble, where a cell is none.
-std::optional<Row> read_row(const PullTestHeader& header, std::string_view line, Trouble& trouble) {
+std::optional<PullTestRow> read_row(const PullTestHeader& header, std::string_view line, Trouble& trouble) {
   const std::vector<std::string_view> cells = csv_cells(line);
   if (cells.size() != header.width) {
     trouble = {"columns",
@@ -76,7 +76,7 @@ std::optional<Row> read_row(const PullTestHeader& header, std::string_view line,
       trouble = {"number", in_quotes(cell) + " is not a finite number", ""};
     return si;
   };
-  Row row;
+  PullTestRow row;
   row.test = cells[header[test]->index];
   row.direction = cells[header[direction]->index];
   if (row.test.empty() || row.direction.empty())
@@ -100,7 +100,7 @@ class TestBuilder {
  public:
   explicit TestBuilder(const std::filesystem::path& file) : file_(file) {}
 
-  Trouble take(const Row& row, std::size_t line) {
+  Trouble take(const PullTestRow& row, std::size_t line) {
     if (!(row.normal_n > 0.0)) {
       return {"normal",
               "the normal force of test " + row.test + " " + row.direction + ", " +

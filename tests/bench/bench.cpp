@@ -45,7 +45,8 @@ bool show(const Table& table, const std::filesystem::path& out) {
   write_text_file(out / (table.name + ".csv"), to_csv(table));
   std::cout << to_text(has_column(table, "worst_scene") ? table.without("worst_scene") : table)
             << '\n';
-  if (!is_complete(table)) std::cerr << "bench: a number is missing in " << table.name.text() << '\n';
+  if (!is_complete(table))
+    std::cerr << "bench: a number is missing in " << table.name.text() << '\n';
   return is_complete(table);
 }
 

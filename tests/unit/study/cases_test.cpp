@@ -14,7 +14,8 @@ using test::fixed;
 using test::listed;
 using test::small_config;
 
-/// Two periods and three slopes are listed, friction is drawn five times, each on four orientations.
+/// Two periods and three slopes are listed, friction is drawn five times, each on four
+/// orientations.
 StudyConfig mixed_config() {
   StudyConfig config = small_config();
   config.quantities.at("building", "period_s") = listed({0.25, 0.5});
@@ -192,9 +193,9 @@ TEST(orientation, what_acts_along_the_axes_is_the_ground_turned_by_its_azimuth) 
 
 TEST(orientation, all_of_a_choice_are_different) {
   const std::vector<SlopeAxis> both{SlopeAxis::e_w, SlopeAxis::n_s};
-  for (const auto& [choice, count] :
-       {std::pair{OrientationChoice::all_permutations, 16u},
-        std::pair{OrientationChoice::azimuths, 32u}, std::pair{OrientationChoice::as_recorded, 2u}}) {
+  for (const auto& [choice, count] : {std::pair{OrientationChoice::all_permutations, 16u},
+                                      std::pair{OrientationChoice::azimuths, 32u},
+                                      std::pair{OrientationChoice::as_recorded, 2u}}) {
     std::set<std::string> names;
     for (const Orientation& o : orientations(choice, both)) names.insert(to_string(o));
     EXPECT_EQ(names.size(), count);

@@ -43,8 +43,8 @@ Results run(const StudyConfig& config) { return run(small_plan(config)); }
 /// A history by itself, in the readable scheme, the ring-down followed to silence.
 double slip_by_hand(const Plan& plan, std::size_t record, const Case& c, double level) {
   const test::CaseGround ground = test::ground_of(plan, record, c, level);
-  const RoofMotion roof = roof_motion(ground.motion, {{c.period_s, c.damping}, {}},
-                                      {.quiet_horizontal_mps2 = 1e-4});
+  const RoofMotion roof =
+      roof_motion(ground.motion, {{c.period_s, c.damping}, {}}, {.quiet_horizontal_mps2 = 1e-4});
   return slide({roof.dt_s, roof.horizontal_mps2, roof.vertical_mps2, ground.factors.horizontal,
                 ground.factors.vertical},
                {.friction = c.friction, .slope_rad = c.slope_deg * rad_per_deg})
@@ -141,8 +141,7 @@ TEST(chart, gives_the_same_bits_when_nothing_is_skipped) {
   StudyConfig config = chart_config();
   config.tipping = RigidBase{0.4, 0.3};
   const Plan plan = small_plan(config);
-  EXPECT_EQ(test::bits_of(run(plan).histories),
-            test::bits_of(run(plan, Skipping::none).histories));
+  EXPECT_EQ(test::bits_of(run(plan).histories), test::bits_of(run(plan, Skipping::none).histories));
 }
 
 TEST(chart, makes_each_roof_of_a_record_once) {
@@ -164,9 +163,8 @@ TEST(chart, flags_histories_in_which_the_body_begins_to_tip) {
         const Case& c = plan.cases.cases[i];
         if (c.period_s != 0.0 || c.slope_deg != 0.0) return;
         double peak = 0.0;
-        for (const double a :
-             test::ground_of(plan, record, c, plan.config.intensity.levels[level])
-                 .motion.horizontal_mps2)
+        for (const double a : test::ground_of(plan, record, c, plan.config.intensity.levels[level])
+                                  .motion.horizontal_mps2)
           peak = std::max(peak, std::abs(a));
         const double a = plan.factor(record, plan.config.intensity.levels[level]) * peak;
         const bool tipping = c.friction > 0.25 && a > 0.25 * standard_gravity_mps2;
@@ -218,8 +216,8 @@ TEST(chart, counts_every_record_and_sample_of_friction_that_is_drawn) {
       for (std::size_t sample = 0; sample < 5; ++sample) {
         double of_sample = 0.0;
         for (std::size_t o = 0; o < set.orientations; ++o)
-          of_sample = std::max(of_sample, results.histories.displacement_m(
-                                              record, set.index(period, sample, o), 2));
+          of_sample = std::max(
+              of_sample, results.histories.displacement_m(record, set.index(period, sample, o), 2));
         sum += of_sample;
         largest = std::max(largest, of_sample);
       }

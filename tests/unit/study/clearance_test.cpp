@@ -103,9 +103,7 @@ TEST(clearance, a_rigid_building_is_the_block_on_the_ground_in_every_orientation
     // The kernel's tolerance is 1e-6 a step; noise of many phases may take thirty of it.
     const double within = 3e-5 * direct.peak_displacement_m;
     EXPECT_NEAR(h.peak_m, direct.peak_displacement_m, within) << words;
-    EXPECT_NEAR(h.displacement_m, srss_of_maxima_m(direct),
-                within)
-        << words;
+    EXPECT_NEAR(h.displacement_m, srss_of_maxima_m(direct), within) << words;
     EXPECT_NEAR(h.residual_along_m, direct.residual.along_m, within) << words;
     EXPECT_NEAR(h.residual_across_m, direct.residual.across_m, within) << words;
   }

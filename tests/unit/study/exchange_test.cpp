@@ -42,11 +42,11 @@ TEST(exchange, brings_every_field_of_unit_results_over_to_the_last_bit) {
   for (std::size_t i = 0; i < 2; ++i) {
     EXPECT_EQ(copy[i].unit, units[i].unit);
     EXPECT_EQ(copy[i].count, units[i].count);
-    EXPECT_EQ(test::bits_of({.fields = copy[i].fields}), test::bits_of({.fields = units[i].fields}));
+    EXPECT_EQ(test::bits_of({.fields = copy[i].fields}),
+              test::bits_of({.fields = units[i].fields}));
   }
-  for_each_history_field([&](auto field) {
-    EXPECT_FALSE((copy[0].fields.*field.of).empty()) << field.name;
-  });
+  for_each_history_field(
+      [&](auto field) { EXPECT_FALSE((copy[0].fields.*field.of).empty()) << field.name; });
 }
 
 TEST(exchange, does_not_read_beyond_a_short_message) {

@@ -20,8 +20,8 @@ using test::small_plan;
 /// A history by itself: the building, then the block, with the ring-down followed to silence.
 SlipResult by_hand(const Plan& plan, std::size_t record, const Case& c, double level) {
   const test::CaseGround ground = test::ground_of(plan, record, c, level);
-  const RoofMotion roof = roof_motion(ground.motion, {{c.period_s, c.damping}, {}},
-                                      {.quiet_horizontal_mps2 = 1e-4});
+  const RoofMotion roof =
+      roof_motion(ground.motion, {{c.period_s, c.damping}, {}}, {.quiet_horizontal_mps2 = 1e-4});
   return slide({roof.dt_s, roof.horizontal_mps2, roof.vertical_mps2, ground.factors.horizontal,
                 ground.factors.vertical},
                {.friction = c.friction, .slope_rad = c.slope_deg * rad_per_deg});
@@ -61,7 +61,8 @@ TEST(execute, finds_capacities_at_which_slip_equals_the_clearance) {
         }
         ++reached;
         // Slip grows about as (x - x_yield)^2: 1e-4 of intensity is well below 1 % of slip here.
-        const double slip = by_hand(plan, record, plan.cases.cases[c], capacity).peak_displacement_m;
+        const double slip =
+            by_hand(plan, record, plan.cases.cases[c], capacity).peak_displacement_m;
         EXPECT_NEAR(slip, thresholds[t], 0.01 * thresholds[t]);
         if (t > 0) {
           EXPECT_GE(capacity, table.capacity(record, c, t - 1));

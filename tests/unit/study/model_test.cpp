@@ -167,7 +167,8 @@ TEST(execute_two_axes, gives_the_slip_of_the_full_model_by_the_study_s_measure) 
   for_each_history(srss, [&](std::size_t record, std::size_t i, std::size_t level) {
     const Case& c = plan.cases.cases[i];
     Motion m = plan.motion(record);
-    const SignedComponent along = along_axis(c.orientation, 0), across = along_axis(c.orientation, 1);
+    const SignedComponent along = along_axis(c.orientation, 0),
+                          across = along_axis(c.orientation, 1);
     ASSERT_NE(along.component, across.component);
     if (along.component == 1) std::swap(m.horizontal_mps2[0], m.horizontal_mps2[1]);
     const double factor = plan.factor(record, config.intensity.levels[level]);

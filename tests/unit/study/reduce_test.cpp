@@ -119,7 +119,8 @@ TEST_F(reduce_of_a_small_study, compares_each_level_with_both_standards) {
   std::size_t above = 0;
   for (std::size_t r = 0; r < 3; ++r) {
     for (std::size_t s = 0; s < 40; ++s)
-      above += results->histories.displacement_m(r, s, 3) > run.standards[3].prescribed.value_m ? 1 : 0;
+      above +=
+          results->histories.displacement_m(r, s, 3) > run.standards[3].prescribed.value_m ? 1 : 0;
   }
   EXPECT_NEAR(run.standards[3].exceedance_probability, static_cast<double>(above) / 120, 1e-14);
 }
@@ -211,7 +212,8 @@ TEST(reduce, reports_that_every_history_slides_freely) {
 
 // One history of record 1 does not converge at 2 g: its slip is unknown there, and counts as above
 // every clearance.
-TEST(reduce, counts_a_history_that_does_not_converge_as_above_every_threshold_and_names_its_record) {
+TEST(reduce,
+     counts_a_history_that_does_not_converge_as_above_every_threshold_and_names_its_record) {
   const auto made_up = [](bool fails) {
     return reduce_made_up([=](std::size_t record, std::size_t sample, HistoryFields& fields) {
       const bool failed = fails && record == 1 && sample == 2;
