@@ -17,8 +17,6 @@ namespace glissade {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double walters_factor = 1.1;  // Walters et al. (2012): on the mean over the suite
-
 /// The values along an axis of the chart: what the study lists, or, where it draws, the mean alone.
 std::vector<double> chart_axis(const Quantity& quantity) {
   if (quantity.is_drawn()) return {mean(*quantity.drawn)};
@@ -108,7 +106,8 @@ double share_of(const HistoryTable& table, const std::vector<std::uint8_t>& flag
 
 /// One point of the chart.
 ChartPoint make_point(const Chart& chart, const Results& results, const PointCases& cases,
-                      std::size_t level, ChartPoint point, const BootstrapOptions& options) {
+                      std::size_t level, ChartPoint point, double factor,
+                      const BootstrapOptions& options) {
   const HistoryTable& table = results.histories;
   point.uplift_share = share_of(table, table.fields.uplift, cases, level);
   point.tip_share = share_of(table, table.fields.tips, cases, level);
@@ -139,7 +138,7 @@ ChartPoint make_point(const Chart& chart, const Results& results, const PointCas
   point.governing_period_s =
       chart.period_s[static_cast<std::size_t>(governing - point.by_period.begin())];
   point.mean_interval = interval_of_largest_mean(means_m, options);
-  point.clearance_m = walters_factor * point.largest.mean_m;
+  point.clearance_m = factor * point.largest.mean_m;
   return point;
 }
 
@@ -202,7 +201,7 @@ Chart make_chart(const StudyConfig& config, const Results& results) {
         for (const double period : chart.period_s) cases.push_back(points.at({slope, mu, period}));
         chart.points.push_back(make_point(chart, results, cases, level,
                                           {.level = levels[level], .slope_deg = slope, .mu = mu},
-                                          options));
+                                          chart_config.clearance_factor, options));
       }
     }
   }

@@ -46,7 +46,9 @@ struct Quantity {
   std::optional<Distribution> drawn;  ///< never Fixed
 
   bool is_drawn() const { return drawn.has_value(); }
-  bool is_always(double value) const { return values.size() == 1 && values.front() == value; }
+  bool is_always(double value) const {
+    return !drawn && values.size() == 1 && values.front() == value;
+  }
   /// No value is above this.
   double largest() const { return drawn ? support(*drawn).max : values.back(); }
 };
@@ -109,6 +111,7 @@ struct ChartQuestion {
 struct ChartConfig {
   double shown_slope_deg = 0.0, shown_mu = 0.0, shown_level = 0.0;  ///< where figures cut through
   std::vector<ChartQuestion> questions;
+  double clearance_factor = 1.1;  ///< on the mean over the suite (Walters et al. 2012), >= 1
 };
 
 /// The clearance that Walters et al. (2012) recommend: a factor on the suite's mean displacement,

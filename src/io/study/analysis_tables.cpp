@@ -84,9 +84,13 @@ ChartQuestion read_question(const TomlTable& table, const std::vector<double>& m
   return question;
 }
 
+constexpr NumberRule factor_rule{"1 or more", [](double x) { return x >= 1.0; }};
+
 void read_chart(const TomlTable& root, StudyConfig& study) {
   const TomlTable table = root.table("chart");
   ChartConfig chart;
+  chart.clearance_factor =
+      root.table("clearance").number("factor", factor_rule).value_or(chart.clearance_factor);
   mirror_exactly(root, study);
   const std::vector<double>& levels = study.intensity.levels;
   const std::vector<double>& mu = study.quantities.at("friction", "mu").values;
@@ -111,7 +115,6 @@ void read_chart(const TomlTable& root, StudyConfig& study) {
 }
 
 void read_clearance(const TomlTable& root, StudyConfig& study) {
-  constexpr NumberRule factor_rule{"1 or more", [](double x) { return x >= 1.0; }};
   const TomlTable table = root.table("clearance");
   ClearanceConfig clearance;
   clearance.factor = table.number("factor", factor_rule).value_or(clearance.factor);

@@ -133,7 +133,7 @@ void add_analyses(std::vector<GrammarKey>& keys) {
         "a displacement, or the friction required for one, read off the chart"},
        {"clearance", "factor", "number", "1.1",
         "required clearance: this factor on the suite's mean displacement, the largest over the "
-        "periods (Walters et al. 2012)"},
+        "periods (Walters et al. 2012); also of a [chart]"},
        {"base_shear", "", "an empty table", "absent", "two axes: peak base shear is kept"},
        {"tipping", "centre_of_mass_height_m", "number", "required",
         "of the array above the roof, m: where the body begins to tip is checked"},

@@ -151,14 +151,26 @@ std::size_t CaseSet::axis(const std::string& key) const {
       std::ranges::find(axes, key, &CaseAxis::key) - axes.begin());
 }
 
+namespace {
+
+/// Six digits, or as many as tell the value from the others.
+std::string short_text(const std::vector<double>& values, std::size_t i) {
+  const std::string text = fmt::format("{:g}", values[i]);
+  const auto alike = std::ranges::count_if(
+      values, [&](double value) { return fmt::format("{:g}", value) == text; });
+  return alike == 1 ? text : fmt::format("{}", values[i]);
+}
+
+}  // namespace
+
 std::string CaseSet::label(std::size_t combination) const {
   std::string label;
   const std::vector<std::size_t> place = places(combination);
   for (std::size_t i = 0; i < axes.size(); ++i) {
     const CaseAxis& axis = axes[i];
     if (!label.empty()) label += "_";
-    label += axis.names.empty() ? fmt::format("{}_{:g}", axis.key.substr(axis.key.find('.') + 1),
-                                              axis.values[place[i]])
+    label += axis.names.empty() ? axis.key.substr(axis.key.find('.') + 1) + "_" +
+                                      short_text(axis.values, place[i])
                                 : axis.names[place[i]];
   }
   constexpr std::size_t longest = 60;
