@@ -124,10 +124,10 @@ TEST(clearance_report, figures_are_of_the_axes_with_several_values) {
             (std::vector<std::string>{"spectra", "period", "permutations", "slope"}));
   r.friction[1] = r.friction[0];
   r.grid.slope_deg = {1.2};
-  r.grid.fraction_of_mce = {2.0 / 3, 1.0};
+  r.grid.level = {2.0 / 3, 1.0};
   EXPECT_EQ(figure_names(r),
             (std::vector<std::string>{"spectra", "period", "orientations", "mce"}));
-  r.grid.fraction_of_mce = {1.0};
+  r.grid.level = {1.0};
   r.grid.response_modification = {0.0, 2.0};
   EXPECT_EQ(figure_names(r),
             (std::vector<std::string>{"spectra", "period", "orientations", "yielding"}));
