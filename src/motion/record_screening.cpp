@@ -109,7 +109,7 @@ void check_count(const Suite& library, const Screening& screening,
   if (!screening.left_out.empty()) what += "; left out: " + told(screening.left_out);
   std::string advice = "widen the limits, or ask for fewer records";
   if (any_untold(screening.left_out))
-    advice += "; or add what the library does not tell, or keep such records (--keep-untold)";
+    advice += "; or add the values that the library does not give, or keep such records (--keep-untold)";
   throw InputError({library.name, what, advice, ""});
 }
 
@@ -137,13 +137,13 @@ const char* to_string(LeftOutFor reason) {
     case LeftOutFor::vs30:
       return "Vs30 outside the limits";
     case LeftOutFor::magnitude_untold:
-      return "no magnitude told";
+      return "no magnitude given";
     case LeftOutFor::distance_untold:
-      return "no distance told";
+      return "no distance given";
     case LeftOutFor::vs30_untold:
-      return "no Vs30 told";
+      return "no Vs30 given";
     case LeftOutFor::event_untold:
-      return "no event told";
+      return "no event given";
     case LeftOutFor::no_second_horizontal:
       return "no second horizontal";
     case LeftOutFor::no_motion:

@@ -82,7 +82,7 @@ TEST_F(SuiteSelect, json_tells_the_same_and_respects_limits) {
   EXPECT_EQ(result["average"]["reaches_target"], true);
   ASSERT_EQ(result["left_out"].size(), 3u);
   EXPECT_EQ(result["left_out"][0]["reasons"], json({"magnitude outside the limits"}));
-  EXPECT_EQ(result["left_out"][2]["reasons"], json({"no Vs30 told"}));
+  EXPECT_EQ(result["left_out"][2]["reasons"], json({"no Vs30 given"}));
 }
 
 TEST_F(SuiteSelect, writes_a_suite_file_elsewhere_that_scales_to_the_same_factors) {
@@ -114,7 +114,7 @@ TEST_F(SuiteSelect, a_level_brings_its_limits_which_can_be_widened) {
   // Level 2, class E: V_S30 115 to 285 m/s, which none has.
   expect_refused(
       select({"--level", "2", "--site-class", "E", "--count", "1"}),
-      {"candidates left: 0 of 5", "4 with Vs30 outside the limits", "1 with no Vs30 told"});
+      {"candidates left: 0 of 5", "4 with Vs30 outside the limits", "1 with no Vs30 given"});
   const Finished child = select({"--level", "2", "--site-class", "E", "--count", "1",
                                  "--max-vs30-mps", "500", "--max-scale", "40", "--json"});
   EXPECT_EQ(child.status, 0) << child.err;

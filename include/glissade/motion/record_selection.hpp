@@ -48,7 +48,7 @@ enum class LeftOutFor {
   no_second_horizontal,
   no_motion
 };
-/// "magnitude outside the limits", "no magnitude told" ...
+/// "magnitude outside the limits", "no magnitude given" ...
 const char* to_string(LeftOutFor reason);
 
 /// A record of the library that is not a candidate, with all reasons.

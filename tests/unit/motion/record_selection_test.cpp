@@ -335,7 +335,7 @@ TEST(select_records, refuses_more_records_than_are_left_and_tells_which_limits_l
   EXPECT_THAT(refusal(library, criteria),
               testing::AllOf(HasSubstr("3 records are asked for, candidates left: 2 of 5"),
                              HasSubstr("2 with magnitude outside the limits"),
-                             HasSubstr("1 with no Vs30 told")));
+                             HasSubstr("1 with no Vs30 given")));
   criteria.magnitude.min = 9.0;
   EXPECT_THAT(refusal(library, criteria), HasSubstr("candidates left: 0 of 5"));
   EXPECT_THAT(refusal({}, any(1)), HasSubstr("candidates left: 0 of 0"));

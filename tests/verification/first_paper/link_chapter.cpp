@@ -79,7 +79,7 @@ std::vector<Case> cases(const std::vector<LinkRun>& runs) {
   for (const Model model : {soft, paper_link, fine_step, stiff, stiffest})
     all.push_back(
         limit({link_models()[model].name, "residual slip",
-               "slide(); 2 mu g / omega, the velocity a ringing link can be off by, "
+               "slide(); 2 mu g / omega, the velocity error of a vibrating link, "
                "times the time of sliding"},
               {"largest share of that bound, of 112", largest_share_of_bound(runs, model), 1.0}));
   const std::string series = "elastic link from 100 to 10,000 N/mm, ";

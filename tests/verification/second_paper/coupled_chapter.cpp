@@ -69,7 +69,7 @@ Case rigid_building(const std::vector<CoupledScene>& scenes) {
                                                   s.block)));
   }
   return limit({fmt::format("rigid building, m/M = 0.3, {} made-up scenes", scenes.size()), "slip",
-                "slide(): what is rigid does not feel the array"},
+                "slide(): a rigid building is not affected by the array"},
                {relative_to_slip, worst, 1e-12});
 }
 
