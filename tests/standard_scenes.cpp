@@ -10,7 +10,7 @@
 
 #include "glissade/io/suite_file.hpp"
 #include "glissade/motion/intensity.hpp"
-#include "glissade/study/scene.hpp"
+#include "glissade/study/run/scene.hpp"
 
 namespace glissade::test {
 namespace {

@@ -2,7 +2,7 @@
 #include "run_folder.hpp"
 
 #include "glissade/core/file.hpp"
-#include "glissade/study/exchange.hpp"
+#include "glissade/study/run/exchange.hpp"
 #include "output_rule.hpp"
 
 namespace glissade::cli {

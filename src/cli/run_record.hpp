@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "glissade/study/results.hpp"
-#include "glissade/study/skip.hpp"
-#include "glissade/study/work_count.hpp"
+#include "glissade/study/plan/skip.hpp"
+#include "glissade/study/run/work_count.hpp"
 
 namespace glissade::cli {
 

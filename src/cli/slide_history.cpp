@@ -10,7 +10,7 @@
 #include "glissade/core/error.hpp"
 #include "glissade/core/file.hpp"
 #include "glissade/report/table.hpp"
-#include "glissade/study/scene.hpp"
+#include "glissade/study/run/scene.hpp"
 
 namespace glissade::cli {
 namespace {

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "glissade/study/kernel.hpp"
+#include "glissade/study/plan/kernel.hpp"
 
 namespace glissade::cli {
 

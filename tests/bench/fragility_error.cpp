@@ -9,9 +9,9 @@
 #include <thread>
 
 #include "glissade/io/suite_file.hpp"
-#include "glissade/study/execute.hpp"
-#include "glissade/study/plan.hpp"
-#include "glissade/study/reduce.hpp"
+#include "glissade/study/run/execute.hpp"
+#include "glissade/study/plan/plan.hpp"
+#include "glissade/study/run/reduce.hpp"
 #include "timing.hpp"
 
 namespace glissade::bench {

@@ -11,7 +11,7 @@
 #include "glissade/block/coupled.hpp"
 #include "glissade/block/on_building.hpp"
 #include "glissade/block/slide.hpp"
-#include "glissade/study/scene.hpp"
+#include "glissade/study/run/scene.hpp"
 
 namespace glissade::test {
 namespace {

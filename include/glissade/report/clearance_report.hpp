@@ -7,7 +7,7 @@
 
 #include "glissade/report/figure.hpp"
 #include "glissade/report/table.hpp"
-#include "glissade/study/clearance_reading.hpp"
+#include "glissade/study/analysis/clearance_reading.hpp"
 
 namespace glissade {
 

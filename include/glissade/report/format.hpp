@@ -6,7 +6,7 @@
 #include "glissade/fragility/fit.hpp"
 #include "glissade/standards/prescriptive.hpp"
 #include "glissade/study/config.hpp"
-#include "glissade/study/skip.hpp"
+#include "glissade/study/plan/skip.hpp"
 
 namespace glissade {
 

@@ -6,7 +6,7 @@
 
 #include "glissade/report/figure.hpp"
 #include "glissade/study/results.hpp"
-#include "glissade/study/skip.hpp"
+#include "glissade/study/plan/skip.hpp"
 
 namespace glissade {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "glissade/study/results.hpp"
-#include "glissade/study/skip.hpp"
+#include "glissade/study/plan/skip.hpp"
 
 namespace glissade {
 

@@ -11,7 +11,7 @@
 #include "glissade/motion/suite_scaling.hpp"
 #include "glissade/study/cases/case_set.hpp"
 #include "glissade/study/config.hpp"
-#include "glissade/study/history_table.hpp"
+#include "glissade/study/run/history_table.hpp"
 
 namespace glissade {
 

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "glissade/study/results.hpp"
-#include "hdf5_file.hpp"
-#include "../toml_table.hpp"
+#include "results/hdf5_file.hpp"
+#include "toml_table.hpp"
 
 namespace glissade {
 

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <limits>
 
-#include "../enum_names.hpp"
-#include "archive.hpp"
-#include "shared_schema.hpp"
+#include "enum_names.hpp"
+#include "results/archive.hpp"
+#include "results/shared_schema.hpp"
 
 namespace glissade {
 

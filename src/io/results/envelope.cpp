@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "envelope.hpp"
+#include "results/envelope.hpp"
 
 #include <new>
 

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "glissade/core/file_name.hpp"
-#include "hdf5_file.hpp"
+#include "results/hdf5_file.hpp"
 
 namespace glissade {
 

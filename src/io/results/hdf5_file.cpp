@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "hdf5_file.hpp"
+#include "results/hdf5_file.hpp"
 
 #include <algorithm>
 #include <cstring>

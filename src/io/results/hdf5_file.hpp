@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "hdf5_handle.hpp"
+#include "results/hdf5_handle.hpp"
 
 namespace glissade {
 

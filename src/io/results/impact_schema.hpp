@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "archive.hpp"
-#include "shared_schema.hpp"
+#include "results/archive.hpp"
+#include "results/shared_schema.hpp"
 
 namespace glissade {
 

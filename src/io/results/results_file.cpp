@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "glissade/core/contract.hpp"
-#include "glissade/study/clearance_study.hpp"
-#include "envelope.hpp"
-#include "schema.hpp"
+#include "glissade/study/analysis/clearance.hpp"
+#include "results/envelope.hpp"
+#include "results/schema.hpp"
 
 namespace glissade {
 namespace {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "schema.hpp"
+#include "results/schema.hpp"
 
-#include "chart_schema.hpp"
-#include "../enum_names.hpp"
-#include "impact_schema.hpp"
-#include "archive.hpp"
-#include "envelope.hpp"
-#include "shared_schema.hpp"
+#include "results/chart_schema.hpp"
+#include "enum_names.hpp"
+#include "results/impact_schema.hpp"
+#include "results/archive.hpp"
+#include "results/envelope.hpp"
+#include "results/shared_schema.hpp"
 
 namespace glissade {
 namespace {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "glissade/study/results.hpp"
-#include "hdf5_file.hpp"
+#include "results/hdf5_file.hpp"
 
 namespace glissade {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "archive.hpp"
+#include "results/archive.hpp"
 
 // What results files of every kind hold alike.
 namespace glissade {

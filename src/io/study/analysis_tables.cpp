@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "analysis_tables.hpp"
+#include "study/analysis_tables.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "../enum_names.hpp"
+#include "enum_names.hpp"
 #include "glissade/core/units.hpp"
 #include "glissade/io/csv.hpp"
-#include "glissade/study/clearance_study.hpp"
-#include "number_list.hpp"
+#include "glissade/study/analysis/clearance.hpp"
+#include "study/number_list.hpp"
 
 namespace glissade {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "../toml_table.hpp"
+#include "toml_table.hpp"
 #include "glissade/study/config.hpp"
 
 namespace glissade {

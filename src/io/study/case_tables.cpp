@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "case_tables.hpp"
+#include "study/case_tables.hpp"
 
 #include <algorithm>
 #include <bit>
 #include <limits>
 
-#include "../enum_names.hpp"
-#include "quantity_table.hpp"
-#include "tested_friction.hpp"
+#include "enum_names.hpp"
+#include "study/quantity_table.hpp"
+#include "study/tested_friction.hpp"
 
 namespace glissade {
 namespace {

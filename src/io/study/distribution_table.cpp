@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "distribution_table.hpp"
+#include "study/distribution_table.hpp"
 
 #include <cmath>
 #include <limits>

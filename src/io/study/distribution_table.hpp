@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "glissade/sampling/distribution.hpp"
-#include "../toml_table.hpp"
+#include "toml_table.hpp"
 
 namespace glissade {
 

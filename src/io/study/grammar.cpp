@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "grammar.hpp"
+#include "study/grammar.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "../enum_names.hpp"
+#include "enum_names.hpp"
 #include "glissade/io/study_grammar.hpp"
 #include "glissade/study/config.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "number_list.hpp"
+#include "study/number_list.hpp"
 
 #include <fmt/format.h>
 

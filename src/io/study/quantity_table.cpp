@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "quantity_table.hpp"
+#include "study/quantity_table.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "distribution_table.hpp"
+#include "study/distribution_table.hpp"
 #include "glissade/core/units.hpp"
 #include "glissade/io/csv.hpp"
-#include "number_list.hpp"
+#include "study/number_list.hpp"
 
 namespace glissade {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "../toml_table.hpp"
+#include "toml_table.hpp"
 #include "glissade/study/config.hpp"
 
 namespace glissade {

@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <limits>
 
-#include "../enum_names.hpp"
-#include "analysis_tables.hpp"
-#include "case_tables.hpp"
-#include "grammar.hpp"
-#include "number_list.hpp"
-#include "target_table.hpp"
+#include "enum_names.hpp"
+#include "study/analysis_tables.hpp"
+#include "study/case_tables.hpp"
+#include "study/grammar.hpp"
+#include "study/number_list.hpp"
+#include "study/target_table.hpp"
 
 namespace glissade {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "target_table.hpp"
+#include "study/target_table.hpp"
 
 namespace glissade {
 

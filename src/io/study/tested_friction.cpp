@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tested_friction.hpp"
+#include "study/tested_friction.hpp"
 
 #include <fmt/format.h>
 

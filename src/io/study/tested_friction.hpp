@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "glissade/study/config.hpp"
-#include "../toml_table.hpp"
+#include "toml_table.hpp"
 
 namespace glissade {
 

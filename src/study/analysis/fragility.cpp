@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "fragility.hpp"
+#include "analysis/fragility.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "../pooled_level.hpp"
-#include "glissade/study/impact.hpp"
+#include "analysis/pooled_level.hpp"
+#include "glissade/study/analysis/impact.hpp"
 
 namespace glissade {
 namespace {

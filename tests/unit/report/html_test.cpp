@@ -31,7 +31,7 @@ TEST(html_report, needs_nothing_from_outside) {
 TEST(html_report, states_what_is_assumed_and_what_must_be_verified) {
   const std::string html = html_report(made_up_results(), {});
   for (const char* part : {"In plan", "Coulomb", "single-degree-of-freedom", "mass is neglected",
-                           "goes linearly to zero", "Which of the two components",
+                           "goes linearly to zero", "Which component acts along the slope",
                            "11 of 12 records have a vertical", "Verify against the standard"}) {
     EXPECT_THAT(html, HasSubstr(part));
   }

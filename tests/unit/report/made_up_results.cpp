@@ -9,7 +9,7 @@
 #include "glissade/core/random.hpp"
 #include "glissade/core/units.hpp"
 #include "glissade/standards/prescriptive.hpp"
-#include "glissade/study/impact.hpp"
+#include "glissade/study/analysis/impact.hpp"
 
 namespace glissade {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "glissade/study/chart.hpp"
+#include "glissade/study/analysis/chart.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include "glissade/block/tipping.hpp"
 #include "glissade/building/roof_motion.hpp"
 #include "glissade/core/units.hpp"
-#include "glissade/study/clearance_study.hpp"
+#include "glissade/study/analysis/clearance.hpp"
 #include "unit/study/small_study.hpp"
 
 namespace glissade {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "glissade/study/clearance_reading.hpp"
+#include "glissade/study/analysis/clearance_reading.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "glissade/study/exchange.hpp"
+#include "glissade/study/run/exchange.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "glissade/study/execute.hpp"
+#include "glissade/study/run/execute.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "glissade/study/impact.hpp"
+#include "glissade/study/analysis/impact.hpp"
 
 #include <gtest/gtest.h>
 

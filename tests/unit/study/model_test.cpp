@@ -9,9 +9,9 @@
 #include "glissade/block/on_building.hpp"
 #include "glissade/core/error.hpp"
 #include "glissade/motion/design_spectrum.hpp"
-#include "glissade/study/execute.hpp"
-#include "glissade/study/reduce.hpp"
-#include "glissade/study/scene.hpp"
+#include "glissade/study/run/execute.hpp"
+#include "glissade/study/run/reduce.hpp"
+#include "glissade/study/run/scene.hpp"
 #include "unit/study/small_study.hpp"
 
 namespace glissade {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "glissade/study/plan.hpp"
+#include "glissade/study/plan/plan.hpp"
 
 #include <gtest/gtest.h>
 

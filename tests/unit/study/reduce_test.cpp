@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "glissade/study/reduce.hpp"
+#include "glissade/study/run/reduce.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "glissade/study/scene.hpp"
+#include "glissade/study/run/scene.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "glissade/study/execute.hpp"
+#include "glissade/study/run/execute.hpp"
 #include "unit/study/small_study.hpp"
 
 namespace glissade {

@@ -4,9 +4,9 @@
 #include <bit>
 #include <cmath>
 
-#include "glissade/study/execute.hpp"
-#include "glissade/study/plan.hpp"
-#include "glissade/study/reduce.hpp"
+#include "glissade/study/run/execute.hpp"
+#include "glissade/study/plan/plan.hpp"
+#include "glissade/study/run/reduce.hpp"
 #include "unit/block/reference.hpp"
 
 namespace glissade::test {

@@ -6,7 +6,7 @@
 #include <span>
 
 #include "glissade/io/study_file.hpp"
-#include "glissade/study/chart.hpp"
+#include "glissade/study/analysis/chart.hpp"
 #include "run_study.hpp"
 #include "verification/chapters.hpp"
 

@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "glissade/io/suite_file.hpp"
-#include "glissade/study/execute.hpp"
-#include "glissade/study/reduce.hpp"
+#include "glissade/study/run/execute.hpp"
+#include "glissade/study/run/reduce.hpp"
 
 namespace glissade::verification {
 

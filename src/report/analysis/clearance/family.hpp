@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "glissade/report/figure.hpp"
-#include "glissade/study/clearance_reading.hpp"
+#include "glissade/study/analysis/clearance_reading.hpp"
 
 // What the figures that show suite means as lines share.
 namespace glissade {

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "glissade/report/figure.hpp"
-#include "glissade/study/clearance_reading.hpp"
+#include "glissade/study/analysis/clearance_reading.hpp"
 
 namespace glissade {
 

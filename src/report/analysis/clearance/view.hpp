@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "glissade/study/clearance_reading.hpp"
+#include "glissade/study/analysis/clearance_reading.hpp"
 
 // What tables, figures and sentences of a clearance study share. Where an axis is not the one
 // shown, its first value is.

@@ -196,6 +196,11 @@ std::string summary_text(const Results& results, const std::vector<Skip>& skips)
   if (results.chart) text += (text.empty() ? "" : "\n") + chart_summary(results);
   if (results.clearance)
     text += (text.empty() ? "" : "\n") + clearance_summary(clearance_results(results));
+  if (text.empty()) {
+    text = fmt::format("{}: {} records x {} cases x {} levels, displacements in plan\n",
+                       results.study_name, results.records.size(), results.cases.size(),
+                       results.levels.size());
+  }
   if (!skips.empty()) text += "\nNot computed, because not needed\n";
   for (const Skip& skip : skips) text += "  " + format_skip(skip) + "\n";
   if (!results.notes.empty()) text += "\nNotes\n";

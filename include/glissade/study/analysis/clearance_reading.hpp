@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "glissade/fragility/bootstrap.hpp"
+#include "glissade/study/analysis/clearance.hpp"
+
+// What is read from the histories of a clearance study: means over a suite, what is largest over
+// the building periods, and what the orientations make of it. Records are the independent unit.
+namespace glissade {
+
+enum class HistoryNumber {
+  displacement,  ///< m, by the study's DisplacementMeasure
+  vector_peak,   ///< m, the farthest the array gets, whatever the measure
+  base_shear,    ///< over the bare building's weight
+};
+
+/// Of which histories.
+struct ClearanceQuestion {
+  std::size_t suite = 0;
+  HistoryNumber number = HistoryNumber::displacement;
+  std::optional<SlopeAxis> slope_axis;  ///< nothing: both
+};
+
+double number_of(HistoryNumber number, const ClearanceHistory& history);
+
+/// Positions in ClearanceResults of the suite's records and of the orientations asked for.
+std::vector<std::size_t> records_of(const ClearanceResults& results, std::size_t suite);
+std::vector<std::size_t> orientations_of(const ClearanceResults& results,
+                                         const ClearanceQuestion& question);
+
+/// The suite's mean at one condition, all records in one orientation.
+double suite_mean(const ClearanceResults& results, const ClearanceQuestion& question,
+                  std::size_t orientation, const ClearancePosition& at);
+
+/// One building period, or the largest suite mean over all of them.
+enum class Periods { one, largest };
+
+/// The suite's mean, in each orientation of all records alike: one number by orientation, in the
+/// order of orientations_of().
+std::vector<double> means_by_orientation(const ClearanceResults& results,
+                                         const ClearanceQuestion& question,
+                                         const ClearancePosition& at, Periods periods);
+
+struct OrientationRange {
+  double lowest = 0.0, median = 0.0, highest = 0.0;
+  Interval interval;  ///< 95 % of the median, bootstrap over records; NaN for a single record
+};
+/// Those, summed up.
+OrientationRange over_orientations(const ClearanceResults& results,
+                                   const ClearanceQuestion& question, const ClearancePosition& at,
+                                   Periods periods);
+
+/// Where on the period axis the median over orientations of the suite's mean is largest.
+std::size_t governing_period(const ClearanceResults& results, const ClearanceQuestion& question,
+                             const ClearancePosition& at);
+
+/// The suite's mean with the orientation chosen record by record: no choice gives less or more.
+struct PerRecordBounds {
+  double lowest = 0.0, highest = 0.0;
+};
+PerRecordBounds per_record_bounds(const ClearanceResults& results, const ClearanceQuestion& question,
+                            const ClearancePosition& at, Periods periods);
+
+/// Suite means of 10,000 draws in which each record has any of its orientations, equally likely (and
+/// the roof falls along either axis), in rising order: what to compare a published number with whose
+/// orientations are not stated.
+std::vector<double> per_record_means(const ClearanceResults& results,
+                                  const ClearanceQuestion& question, const ClearancePosition& at,
+                                  Periods periods);
+
+/// Of sorted values: the share below a value, ties counting half.
+double share_below(const std::vector<double>& sorted, double value);
+
+/// The suite's mean with each record's stronger component (the larger integral of a^2) along the
+/// slope, by its sign: as recorded, and turned round. Walters et al. (2012) call that conservative.
+/// NaN where the study did not run these orientations.
+struct StrongerAlong {
+  double as_recorded = 0.0, turned_round = 0.0;
+};
+StrongerAlong stronger_along(const ClearanceResults& results, const ClearanceQuestion& question,
+                             const ClearancePosition& at, Periods periods);
+
+/// Shares of the study's isolated histories, all conditions: in which the array lifts off.
+double uplift_share(const ClearanceResults& results);
+
+}  // namespace glissade

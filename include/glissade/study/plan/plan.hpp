@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "glissade/motion/motion.hpp"
+#include "glissade/study/cases/case_set.hpp"
+#include "glissade/study/config.hpp"
+#include "glissade/study/plan/kernel.hpp"
+#include "glissade/study/plan/skip.hpp"
+
+namespace glissade {
+
+/// A record of a plan.
+struct PlannedRecord {
+  std::size_t suite = 0, motion = 0;
+};
+
+/// One slice of a plan: some cases of one record, all levels, all thresholds.
+struct WorkUnit {
+  std::size_t record = 0;
+  std::size_t first = 0, count = 0;  ///< in Plan::order
+};
+
+/// A study worked out: what would be computed, in which slices, and nothing computed yet. Immutable
+/// once made; the same study and motions make the same plan on every rank.
+struct Plan {
+  StudyConfig config;
+  std::vector<Suite> suites;           ///< with the records that are run
+  std::vector<PlannedRecord> records;  ///< of all suites, in their order
+  KernelChoice kernel;
+  CaseSet cases;
+  std::vector<std::size_t> same_as;  ///< by case: the first with the same histories
+  /// The cases that are run, those on one building together.
+  std::vector<std::size_t> order;
+  /// By case: which of the distinct roofs of a record it is on.
+  std::vector<std::size_t> building;
+  std::vector<std::vector<std::size_t>> cases_on;  ///< by building, of those that are run
+  bool roofs_are_kept = false;    ///< so few of them that a record's are all kept
+  bool frictions_repeat = false;  ///< half of the frictions or fewer are different
+  std::vector<double> factor_at_unit_level;  ///< by record: factor on the motion at level 1; 0
+                                             ///< where it depends on the roof
+  std::vector<WorkUnit> units;
+  std::vector<std::string> notes;  ///< what a reader of the results must know
+  std::vector<Skip> skips;         ///< what the study does not need and is not run
+  std::string hash;                ///< of everything that decides the results
+
+  const Suite& suite_of(std::size_t record) const { return suites[records[record].suite]; }
+  const Motion& motion(std::size_t record) const {
+    return suite_of(record).motions[records[record].motion];
+  }
+  /// The design spectrum that strengths rest on; null: none.
+  const DesignTarget* target(std::size_t record) const;
+  /// Factor on a record at a level. Precondition: it does not depend on the roof.
+  double factor(std::size_t record, double level) const;
+  /// Records x cases x levels that are run; searches for capacities come on top.
+  std::uint64_t histories() const;
+  /// Predicted seconds of one core.
+  double predicted_seconds() const;
+};
+
+/// Draws the samples, scales the suites, cuts the work. Throws InputError where study and suites do
+/// not fit (no second component, no vertical although required, no target for sds_g ...).
+Plan make_plan(const StudyConfig& config, std::vector<Suite> suites);
+
+/// A page of text: what the plan would run (for --dry-run).
+std::string to_string(const Plan& plan);
+
+}  // namespace glissade

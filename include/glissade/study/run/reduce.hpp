@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "glissade/study/run/execute.hpp"
+#include "glissade/study/results.hpp"
+
+namespace glissade {
+
+/// Puts the units' results together in plan order, fits the fragilities, compares with the
+/// standards. `units` may come in any order; each unit of the plan must be there once.
+Results reduce(const Plan& plan, const std::vector<UnitResult>& units);
+
+WorkCount total_count(const std::vector<UnitResult>& units);
+
+/// What the plan left out, and what the units did not need to do.
+std::vector<Skip> skipped(const Plan& plan, const WorkCount& count);
+
+}  // namespace glissade

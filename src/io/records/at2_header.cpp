@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "records/at2_header.hpp"
+
+#include <charconv>
+
+#include "scan.hpp"
+
+namespace glissade {
+namespace {
+
+constexpr std::size_t longest_header = 100;        // lines
+constexpr std::size_t longest_header_line = 1000;  // characters
+
+/// The first word at or after `begin`, without the `=` before it and the punctuation around it.
+std::string_view word_at(std::string_view line, std::size_t begin) {
+  constexpr std::string_view separators = " \t=,;:()";
+  begin = line.find_first_not_of(separators, begin);
+  if (begin == std::string_view::npos) return {};
+  const std::size_t end = line.find_first_of(separators, begin);
+  return line.substr(begin, end == std::string_view::npos ? end : end - begin);
+}
+
+std::optional<std::uint64_t> parse_count(std::string_view text) {
+  std::uint64_t value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+/// Where the word DT stands (not as a part of another word).
+std::size_t find_dt(const std::string& lower) {
+  for (std::size_t at = lower.find("dt"); at != std::string::npos; at = lower.find("dt", at + 1)) {
+    const auto is_letter = [&](std::size_t i) {
+      return i < lower.size() && lower[i] >= 'a' && lower[i] <= 'z';
+    };
+    if ((at == 0 || !is_letter(at - 1)) && !is_letter(at + 2)) return at;
+  }
+  return std::string::npos;
+}
+
+void read_counts(std::string_view line, const std::string& lower, std::size_t npts_at,
+                 At2Header& header) {
+  const std::string_view first = word_at(line, 0);
+  std::string_view npts, dt;
+  if (npts_at > 0 && parse_number(first)) {  // 7997 0.0050 NPTS, DT
+    npts = first;
+    const auto rest = static_cast<std::size_t>(first.data() - line.data()) + first.size();
+    dt = word_at(line.substr(0, npts_at), rest);
+  } else {
+    npts = word_at(line, npts_at + 4);
+    const std::size_t dt_at = find_dt(lower);
+    if (dt_at != std::string::npos) dt = word_at(line, dt_at + 2);
+  }
+  header.npts = parse_count(npts);
+  header.dt_text = dt;
+  header.dt_s = parse_number(dt);
+}
+
+}  // namespace
+
+std::string units_in_header_line(std::string_view line) {
+  const std::string lower = lower_case(line.substr(0, longest_header_line));
+  const auto after = [&](std::string_view phrase) -> std::string {
+    const std::size_t at = lower.find(phrase);
+    if (at == std::string::npos) return {};
+    std::string unit(word_at(lower, at + phrase.size()));
+    while (unit.ends_with('.')) unit.pop_back();
+    return unit;
+  };
+  for (const std::string_view phrase :
+       {"units of ", "units are ", "units: ", "units = ", "units="}) {
+    if (std::string unit = after(phrase); !unit.empty()) return unit;
+  }
+  for (const std::string_view quantity : {"acceleration", "velocity", "displacement"}) {
+    if (lower.find(quantity) != std::string::npos) return after(" in ");
+  }
+  return {};
+}
+
+std::optional<At2Header> find_at2_header(std::string_view text) {
+  At2Header header;
+  LineReader reader(text);
+  while (reader.next() && reader.number() <= longest_header) {
+    const std::string_view line = reader.line().substr(0, longest_header_line);
+    const std::string lower = lower_case(line);
+    if (std::string units = units_in_header_line(line); !units.empty()) {
+      header.units = units;
+      header.units_line = reader.number();
+    }
+    const std::size_t npts_at = lower.find("npts");
+    if (npts_at == std::string::npos || trimmed(line).starts_with('#')) continue;
+    header.lines = reader.number();
+    read_counts(line, lower, npts_at, header);
+    return header;
+  }
+  return std::nullopt;
+}
+
+}  // namespace glissade

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "records/record_finder.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <sstream>
+#include <system_error>
+
+#include "glissade/core/error.hpp"
+
+namespace glissade {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_there(const fs::path& file) {
+  std::error_code ignored;
+  return fs::exists(file, ignored) && !fs::is_directory(file, ignored);
+}
+
+bool ends_with(const fs::path& path, const fs::path& tail) {
+  const std::vector<fs::path> a(path.begin(), path.end()), b(tail.begin(), tail.end());
+  return b.size() <= a.size() && std::equal(b.rbegin(), b.rend(), a.rbegin());
+}
+
+std::vector<fs::path> folders_of_environment() {
+  const char* value = std::getenv("GLISSADE_RECORDS");
+  std::vector<fs::path> folders;
+  std::istringstream list(value == nullptr ? "" : value);
+  for (std::string folder; std::getline(list, folder, ':');) {
+    if (!folder.empty()) folders.emplace_back(folder);
+  }
+  return folders;
+}
+
+}  // namespace
+
+RecordFinder::RecordFinder(fs::path suite_folder)
+    : suite_folder_(std::move(suite_folder)), folders_(folders_of_environment()) {}
+
+const std::vector<fs::path>& RecordFinder::files_named(const std::string& file_name) {
+  if (!is_indexed_) {
+    is_indexed_ = true;
+    for (const fs::path& folder : folders_) {
+      std::error_code error;
+      fs::recursive_directory_iterator entry(folder, fs::directory_options::skip_permission_denied,
+                                             error);
+      for (; !error && entry != fs::recursive_directory_iterator(); entry.increment(error)) {
+        if (is_there(entry->path()))
+          by_name_[entry->path().filename().string()].push_back(entry->path());
+      }
+    }
+    for (auto& [name, files] :
+         by_name_) {  // folders are listed in any order, and may be given twice
+      std::sort(files.begin(), files.end());
+      files.erase(std::unique(files.begin(), files.end()), files.end());
+    }
+  }
+  return by_name_[file_name];
+}
+
+std::optional<fs::path> RecordFinder::find(const fs::path& name) {
+  if (const fs::path file = suite_folder_ / name; is_there(file)) return file;
+  if (name.is_absolute()) return std::nullopt;
+  for (const fs::path& folder : folders_) {
+    if (const fs::path file = folder / name; is_there(file)) return file;
+  }
+  std::vector<fs::path> candidates = files_named(name.filename().string());
+  if (candidates.empty()) return std::nullopt;
+  if (candidates.size() > 1) {
+    std::vector<fs::path> closer;
+    std::copy_if(candidates.begin(), candidates.end(), std::back_inserter(closer),
+                 [&](const fs::path& file) { return ends_with(file, name); });
+    if (!closer.empty()) candidates = closer;
+  }
+  if (candidates.size() == 1) return candidates.front();
+  throw InputError(
+      {"", name.string() + " fits " + candidates[0].string() + " and " + candidates[1].string(),
+       "give more of the path, or set GLISSADE_RECORDS to the folder that holds the right one",
+       ""});
+}
+
+}  // namespace glissade

@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glissade/io/suite_file.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <set>
+
+#include "glissade/core/error.hpp"
+#include "glissade/io/record_file.hpp"
+#include "records/record_entry.hpp"
+#include "records/record_finder.hpp"
+#include "study/target_table.hpp"
+#include "toml_table.hpp"
+
+namespace glissade {
+namespace {
+
+constexpr std::uint64_t largest_toml_integer = std::numeric_limits<std::int64_t>::max();
+
+std::optional<DesignTarget> read_optional_target(const TomlTable& root) {
+  const TomlTable table = root.table("target");
+  if (!table.exists()) return std::nullopt;
+  return read_target(table);
+}
+
+/// Ids name motions in results: each once.
+void check_ids(const std::vector<TomlTable>& tables) {
+  std::set<std::string> seen;
+  for (const TomlTable& table : tables) {
+    const auto id = table.text("id");
+    if (id && !seen.insert(*id).second)
+      table.report("id", "id \"" + *id + "\" is used twice", "give each its own id");
+  }
+}
+
+/// Reads the motions of a recorded suite, collecting what is missing to tell it together.
+class RecordedSuiteReader {
+ public:
+  explicit RecordedSuiteReader(const std::filesystem::path& suite_file)
+      : suite_file_(suite_file), finder_(suite_file.parent_path()) {}
+
+  void read(const TomlTable& record, Suite& suite) {
+    const std::size_t problems_before = record.problem_count();
+    Motion metadata = read_metadata(record);
+    if (!record.has("first"))
+      record.report_missing("first", "name the file of the first horizontal component");
+    const auto first = load(record, "first");
+    const auto second = load(record, "second");
+    const auto vertical = load(record, "vertical");
+    if (!first || record.problem_count() > problems_before) return;
+    try {
+      suite.motions.push_back(assemble_motion(std::move(metadata), *first, second, vertical));
+    } catch (const InputError& error) {
+      record.report("", error);
+    }
+  }
+
+  void report_missing(TomlDocument& document) const {
+    if (missing_.empty()) return;
+    std::string list;
+    for (const std::string& name : missing_) list += (list.empty() ? "  " : "\n  ") + name;
+    document.add({suite_file_.string(),
+                  std::to_string(missing_.size()) + " record file(s) not found",
+                  "set GLISSADE_RECORDS to the folders that hold them, separated by colons: "
+                  "recorded motions are "
+                  "licensed by their sources and do not come with glissade",
+                  list});
+  }
+
+ private:
+  std::optional<TimedRecord> load(const TomlTable& record, const char* key) {
+    const std::size_t problems_before = record.problem_count();
+    const auto entry = read_component_entry(record, key);
+    if (!entry || record.problem_count() > problems_before) return std::nullopt;
+    try {
+      if (const auto path = finder_.find(entry->file))
+        return TimedRecord{read_record(*path, entry->options), entry->start_s};
+      missing_.push_back(entry->file);
+    } catch (const InputError& error) {
+      record.report(key, error);
+    }
+    return std::nullopt;
+  }
+
+  std::filesystem::path suite_file_;
+  RecordFinder finder_;
+  std::vector<std::string> missing_;
+};
+
+Suite read_recorded_suite(const std::filesystem::path& file, TomlDocument& document) {
+  const TomlTable root = document.root();
+  const TomlTable head = root.required_table("suite");
+  Suite suite;
+  suite.name = head.required_text("name");
+  suite.description = head.text("description").value_or("");
+  suite.target = read_optional_target(root);
+  const std::vector<TomlTable> records = root.tables("record");
+  if (records.empty())
+    root.report_missing("record", "give [[record]] entries, or [simulation] and [[motion]]");
+  RecordedSuiteReader reader(file);
+  for (const TomlTable& record : records) reader.read(record, suite);
+  check_ids(records);
+  reader.report_missing(document);
+  document.finish();
+  return suite;
+}
+
+// The ranges of a recipe: wide, and such that every motion is finite and made in reasonable time.
+constexpr NumberRule magnitude_rule{
+    "from 3 to 8.5", [](double x) { return x >= 3.0 && x <= 8.5; },
+    "moment magnitudes of BSSA14, whose median spectra simulations are brought to"};
+constexpr NumberRule distance_rule{"from 0.1 to 400",
+                                   [](double x) { return x >= 0.1 && x <= 400.0; },
+                                   "BSSA14 ends at 400 km, and nearer than 0.1 km is no distance"};
+constexpr NumberRule vs30_rule{"from 100 to 2000",
+                               [](double x) { return x >= 100.0 && x <= 2000.0; },
+                               "soft soil to hard rock, in m/s"};
+constexpr NumberRule step_rule{
+    "from 0.001 to 0.05", [](double x) { return x >= 0.001 && x <= 0.05; },
+    "the time to simulate grows with the square of the samples, and above 0.05 s frequencies that "
+    "matter are lost"};
+constexpr NumberRule factor_rule{"from 0.001 to 1000",
+                                 [](double x) { return x >= 0.001 && x <= 1000.0; },
+                                 "a factor beyond is a slip"};
+constexpr NumberRule gain_frequency_rule{"from 0.001 to 1000",
+                                         [](double x) { return x >= 0.001 && x <= 1000.0; },
+                                         "no motion has such frequencies, in Hz"};
+
+void read_gain(const TomlTable& gain, SyntheticRecipe& recipe) {
+  recipe.gain_frequencies_hz =
+      gain.numbers("frequency_hz", gain_frequency_rule).value_or(std::vector<double>{});
+  recipe.horizontal_gain = gain.numbers("horizontal", factor_rule).value_or(std::vector<double>{});
+  recipe.vertical_gain = gain.numbers("vertical", factor_rule).value_or(std::vector<double>{});
+  const auto& f = recipe.gain_frequencies_hz;
+  if (std::adjacent_find(f.begin(), f.end(), std::greater_equal<>()) != f.end()) {
+    gain.report("frequency_hz", "simulation.gain.frequency_hz is not increasing");
+  }
+  if (f.empty()) {
+    gain.report("frequency_hz", "simulation.gain.frequency_hz tells no frequency",
+                "give one at least; [1.0] with gains of [1.0] leaves motions as they are");
+  }
+  if (recipe.horizontal_gain.size() != f.size() || recipe.vertical_gain.size() != f.size()) {
+    gain.report("frequency_hz", "frequency_hz, horizontal and vertical differ in length",
+                "give one gain per frequency");
+  }
+}
+
+SyntheticMotion read_synthetic_motion(const TomlTable& table) {
+  SyntheticMotion motion;
+  motion.id = table.required_text("id");
+  motion.magnitude = table.required_number("magnitude", magnitude_rule);
+  motion.distance_km = table.required_number("distance_km", distance_rule);
+  motion.vs30_mps = table.required_number("vs30_mps", vs30_rule);
+  motion.mechanism =
+      table
+          .choice<FaultMechanism>("mechanism", {{"strike_slip", FaultMechanism::strike_slip},
+                                                {"reverse", FaultMechanism::reverse}})
+          .value_or(motion.mechanism);
+  motion.realization = table.whole("realization", 0, largest_toml_integer).value_or(0);
+  motion.scale = table.number("scale", factor_rule).value_or(1.0);
+  for (const char* key : {"mechanism", "realization"}) {
+    if (!table.has(key)) table.report_missing(key);
+  }
+  return motion;
+}
+
+SyntheticRecipe read_recipe(TomlDocument& document) {
+  const TomlTable root = document.root();
+  const TomlTable head = root.required_table("suite");
+  SyntheticRecipe recipe;
+  recipe.name = head.required_text("name");
+  recipe.description = head.text("description").value_or("");
+  recipe.target = read_target(root.required_table("target"));
+
+  enum class Model { rezaeian_der_kiureghian_2010 };
+  const TomlTable simulation = root.required_table("simulation");
+  if (!simulation.has("model"))
+    simulation.report_missing("model", "known is rezaeian_der_kiureghian_2010");
+  simulation.choice<Model>("model",
+                           {{"rezaeian_der_kiureghian_2010", Model::rezaeian_der_kiureghian_2010}});
+  if (!simulation.has("seed")) simulation.report_missing("seed");
+  recipe.seed = simulation.whole("seed", 0, largest_toml_integer).value_or(0);
+  recipe.dt_s = simulation.number("dt_s", step_rule).value_or(recipe.dt_s);
+  recipe.max_scale = simulation.number("max_scale", factor_rule).value_or(recipe.max_scale);
+  if (const TomlTable gain = simulation.required_table("gain"); gain.exists())
+    read_gain(gain, recipe);
+
+  const std::vector<TomlTable> motions = root.tables("motion");
+  if (motions.empty()) root.report_missing("motion", "give [[motion]] entries");
+  for (const TomlTable& motion : motions) recipe.motions.push_back(read_synthetic_motion(motion));
+  check_ids(motions);
+  document.finish();
+  return recipe;
+}
+
+}  // namespace
+
+SyntheticRecipe read_recipe(const std::filesystem::path& file) {
+  TomlDocument document(file);
+  return read_recipe(document);
+}
+
+Suite load_suite(const std::filesystem::path& file) {
+  TomlDocument document(file);
+  if (document.root().has("simulation")) return simulate_suite(read_recipe(document));
+  return read_recorded_suite(file, document);
+}
+
+}  // namespace glissade

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glissade/io/suite_writer.hpp"
+
+#include <fmt/format.h>
+
+#include <map>
+
+#include "glissade/core/error.hpp"
+#include "records/record_entry.hpp"
+#include "toml_text.hpp"
+
+namespace glissade {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct RecordEntry {
+  Motion metadata;
+  std::map<std::string, ComponentEntry> components;  ///< by key
+};
+
+std::map<std::string, RecordEntry> read_entries(const fs::path& library) {
+  TomlDocument document(library);
+  document.root().ignore_unknown();
+  std::map<std::string, RecordEntry> entries;
+  for (const TomlTable& record : document.root().tables("record")) {
+    RecordEntry entry{read_metadata(record), {}};
+    for (const char* key : {"first", "second", "vertical"}) {
+      if (auto component = read_component_entry(record, key))
+        entry.components[key] = std::move(*component);
+    }
+    const std::string id = entry.metadata.id;
+    entries[id] = std::move(entry);
+  }
+  document.finish();
+  return entries;
+}
+
+/// How a file of the library is named in a suite file in `folder`.
+std::string renamed(const std::string& name, const fs::path& library, const fs::path& folder) {
+  std::error_code error;
+  const fs::path beside = library.parent_path() / name;
+  if (fs::path(name).is_absolute() || !fs::exists(beside, error)) return name;
+  const fs::path relative =
+      fs::proximate(fs::weakly_canonical(beside), fs::weakly_canonical(folder), error);
+  return error ? fs::weakly_canonical(beside).string() : relative.string();
+}
+
+std::string component_toml(const ComponentEntry& component, const std::string& file) {
+  std::string more;
+  if (component.options.dt_s) more += fmt::format(", dt_s = {}", *component.options.dt_s);
+  if (component.start_s > 0.0) more += fmt::format(", start_s = {}", component.start_s);
+  if (component.options.units)
+    more += fmt::format(", units = {}", quoted(to_string(*component.options.units)));
+  return more.empty() ? quoted(file) : fmt::format("{{ file = {}{} }}", quoted(file), more);
+}
+
+/// The line of a key, if it is told.
+std::string line(const char* key, const std::string& text) {
+  return text.empty() ? "" : fmt::format("{} = {}\n", key, quoted(text));
+}
+std::string line(const char* key, double value) {
+  return value > 0.0 ? fmt::format("{} = {}\n", key, value) : "";
+}
+
+}  // namespace
+
+std::string suite_of_records_toml(const fs::path& library, const SuiteHead& head,
+                                  const std::vector<ScaledRecord>& records,
+                                  const fs::path& folder) {
+  const std::map<std::string, RecordEntry> entries = read_entries(library);
+  std::string text;
+  for (const std::string& comment : head.comments) text += "# " + comment + "\n";
+  text += fmt::format("\n[suite]\nname = {}\ndescription = {}\n\n{}", quoted(head.name),
+                      quoted(head.description), target_toml(head.target));
+  for (const ScaledRecord& record : records) {
+    const auto found = entries.find(record.id);
+    if (found == entries.end()) {
+      throw InputError({library.string(), "has no [[record]] \"" + record.id + "\"",
+                        "only recorded motions are selected into a suite file", ""});
+    }
+    const Motion& m = found->second.metadata;
+    text += "\n[[record]]\n" + line("id", m.id) + line("event", m.event) +
+            line("station", m.station) + line("magnitude", m.magnitude) +
+            line("distance_km", m.distance_km) + line("vs30_mps", m.vs30_mps) +
+            line("scale", record.scale);
+    for (const auto& [key, component] : found->second.components)  // first, second, vertical
+      text += fmt::format("{} = {}\n", key,
+                          component_toml(component, renamed(component.file, library, folder)));
+  }
+  return text;
+}
+
+}  // namespace glissade

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glissade/study/analysis/chart.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numeric>
+
+#include "glissade/core/quantile.hpp"
+#include "glissade/core/units.hpp"
+#include "glissade/fragility/bootstrap.hpp"
+#include "analysis/pooled_level.hpp"
+
+namespace glissade {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+/// The values along an axis of the chart: what the study lists, or, where it draws, the mean alone.
+std::vector<double> chart_axis(const Quantity& quantity) {
+  if (quantity.is_drawn()) return {mean(*quantity.drawn)};
+  return quantity.values;
+}
+
+/// The cases at one point of the chart: by period, then sample, those over which the largest slip
+/// of a record is taken.
+using PointCases = std::vector<std::vector<std::vector<std::size_t>>>;
+
+double slip_m(const Results& results, std::size_t record, std::size_t i, std::size_t level) {
+  const Case& c = results.cases.cases[i];
+  if (std::tan(std::abs(c.slope_deg) * rad_per_deg) >= c.friction) return infinity;
+  return results.histories.displacement_m(record, i, level);
+}
+
+/// By record, then sample: the largest of the orientations.
+std::vector<std::vector<double>> slips_of(const Results& results,
+                                          const std::vector<std::vector<std::size_t>>& cases,
+                                          std::size_t level) {
+  std::vector<std::vector<double>> slips(results.records.size());
+  for (std::size_t record = 0; record < slips.size(); ++record) {
+    for (const std::vector<std::size_t>& of_sample : cases) {
+      double largest = 0.0;
+      for (const std::size_t i : of_sample)
+        largest = std::max(largest, slip_m(results, record, i, level));
+      slips[record].push_back(largest);
+    }
+  }
+  return slips;
+}
+
+double mean_of(const std::vector<double>& values) {
+  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+std::vector<double> means_by_record(const std::vector<std::vector<double>>& slips) {
+  std::vector<double> means;
+  for (const std::vector<double>& of_record : slips) means.push_back(mean_of(of_record));
+  return means;
+}
+
+ChartSlip statistics_of(const std::vector<std::vector<double>>& slips) {
+  std::vector<double> all;
+  for (const std::vector<double>& of_record : slips)
+    all.insert(all.end(), of_record.begin(), of_record.end());
+  std::sort(all.begin(), all.end());
+  return {mean_of(means_by_record(slips)), quantile_of_sorted(all, 0.84),
+          quantile_of_sorted(all, 0.95), all.back()};
+}
+
+/// 95 % interval of the largest mean over periods. @param means_m by period, then record
+Interval interval_of_largest_mean(const std::vector<std::vector<double>>& means_m,
+                                  const BootstrapOptions& options) {
+  const std::size_t records = means_m.front().size();
+  return bootstrap_interval(
+      records,
+      [&](const std::vector<double>& weights) {
+        double largest = 0.0;
+        for (const std::vector<double>& means : means_m) {
+          largest = std::max(
+              largest, std::inner_product(weights.begin(), weights.end(), means.begin(), 0.0) /
+                           static_cast<double>(records));
+        }
+        return largest;
+      },
+      options);
+}
+
+/// Share of the histories at a point for which a flag is set; NaN where it is not kept.
+double share_of(const HistoryTable& table, const std::vector<std::uint8_t>& flag,
+                const PointCases& cases, std::size_t level) {
+  if (flag.empty()) return std::numeric_limits<double>::quiet_NaN();
+  double set = 0.0, all = 0.0;
+  for (std::size_t record = 0; record < table.records; ++record) {
+    for (const auto& of_period : cases) {
+      for (const auto& of_sample : of_period) {
+        for (const std::size_t i : of_sample) {
+          set += flag[table.at(record, i, level)];
+          ++all;
+        }
+      }
+    }
+  }
+  return set / all;
+}
+
+/// One point of the chart.
+ChartPoint make_point(const Chart& chart, const Results& results, const PointCases& cases,
+                      std::size_t level, ChartPoint point, double factor,
+                      const BootstrapOptions& options) {
+  const HistoryTable& table = results.histories;
+  point.uplift_share = share_of(table, table.fields.uplift, cases, level);
+  point.tip_share = share_of(table, table.fields.tips, cases, level);
+  point.free_sliding = std::tan(point.slope_deg * rad_per_deg) >= point.mu;
+  if (point.free_sliding) {
+    point.largest = {infinity, infinity, infinity, infinity};
+    point.clearance_m = infinity;
+    point.governing_period_s = chart.period_s.front();
+    point.by_period.assign(cases.size(), point.largest);
+    return point;
+  }
+  std::vector<std::vector<double>> means_m;
+  for (const auto& of_period : cases) {
+    const std::vector<std::vector<double>> slips = slips_of(results, of_period, level);
+    means_m.push_back(means_by_record(slips));
+    point.by_period.push_back(statistics_of(slips));
+  }
+  const auto largest = [&](double ChartSlip::*which) {
+    return *std::max_element(
+        point.by_period.begin(), point.by_period.end(),
+        [&](const ChartSlip& a, const ChartSlip& b) { return a.*which < b.*which; });
+  };
+  point.largest = {largest(&ChartSlip::mean_m).mean_m, largest(&ChartSlip::p84_m).p84_m,
+                   largest(&ChartSlip::p95_m).p95_m, largest(&ChartSlip::envelope_m).envelope_m};
+  const auto governing =
+      std::find_if(point.by_period.begin(), point.by_period.end(),
+                   [&](const ChartSlip& s) { return s.mean_m == point.largest.mean_m; });
+  point.governing_period_s =
+      chart.period_s[static_cast<std::size_t>(governing - point.by_period.begin())];
+  point.mean_interval = interval_of_largest_mean(means_m, options);
+  point.clearance_m = factor * point.largest.mean_m;
+  return point;
+}
+
+std::vector<ChartPrescription> prescriptions(const StandardsConfig& standards,
+                                             const std::vector<double>& levels) {
+  std::vector<ChartPrescription> all;
+  for (const Standard standard : standards.compare) {
+    for (const double level : levels)
+      all.push_back({standard, level, prescribed_displacement(standard, level, standards)});
+  }
+  return all;
+}
+
+/// The cases at each (slope, friction, period) of the chart. A negative slope counts for its mirror
+/// image; of friction that is drawn the samples count, not the design value.
+std::map<std::array<double, 3>, std::vector<std::vector<std::size_t>>> cases_of_points(
+    const StudyConfig& config, const Results& results) {
+  const auto& quantities = config.quantities;
+  const auto value = [&](const char* table, const char* key, double of_case) {
+    const Quantity& quantity = quantities.at(table, key);
+    return quantity.is_drawn() ? mean(*quantity.drawn) : of_case;
+  };
+  const bool across_lies_along = std::ranges::find(config.orientation.slope_axis, SlopeAxis::n_s) !=
+                                 config.orientation.slope_axis.end();
+  std::map<std::array<double, 3>, std::vector<std::vector<std::size_t>>> points;
+  const CaseSet& set = results.cases;
+  for (std::size_t i = 0; i < set.size(); ++i) {
+    const Case& c = set.cases[i];
+    if (c.friction_value == FrictionValue::design || c.support != ArraySupport::isolated) continue;
+    const bool swapped = across_lies_along && c.orientation.slope_axis == SlopeAxis::n_s;
+    auto& of_samples = points[{std::abs(value("roof", "slope_deg", c.slope_deg)),
+                               value("friction", "mu", swapped ? c.friction_across : c.friction),
+                               value("building", "period_s", c.period_s)}];
+    of_samples.resize(set.samples);
+    of_samples[i / set.orientations % set.samples].push_back(i);
+  }
+  return points;
+}
+
+}  // namespace
+
+Chart make_chart(const StudyConfig& config, const Results& results) {
+  const ChartConfig& chart_config = *config.chart;
+  const std::vector<double>& levels = results.levels;
+  const BootstrapOptions options{.seed = config.seed,
+                                 .replicates = config.sampling.bootstrap_replicates};
+  Chart chart{.mu = chart_axis(config.quantities.at("friction", "mu")),
+              .period_s = chart_axis(config.quantities.at("building", "period_s")),
+              .shown_slope_deg = chart_config.shown_slope_deg,
+              .shown_mu = chart_config.shown_mu,
+              .shown_level = chart_config.shown_level};
+  for (const double slope : chart_axis(config.quantities.at("roof", "slope_deg"))) {
+    if (slope >= 0.0) chart.slope_deg.push_back(slope);
+  }
+  const auto points = cases_of_points(config, results);
+  for (std::size_t level = 0; level < levels.size(); ++level) {
+    for (const double slope : chart.slope_deg) {
+      for (const double mu : chart.mu) {
+        PointCases cases;
+        for (const double period : chart.period_s) cases.push_back(points.at({slope, mu, period}));
+        chart.points.push_back(make_point(chart, results, cases, level,
+                                          {.level = levels[level], .slope_deg = slope, .mu = mu},
+                                          chart_config.clearance_factor, options));
+      }
+    }
+  }
+  for (const ChartQuestion& question : chart_config.questions)
+    chart.readings.push_back(read_off(chart, levels, question));
+  chart.standards = prescriptions(config.standards, levels);
+  return chart;
+}
+
+}  // namespace glissade

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glissade/study/analysis/impact.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "glissade/core/contract.hpp"
+#include "glissade/core/quantile.hpp"
+#include "analysis/pooled_level.hpp"
+
+namespace glissade {
+namespace {
+
+/// Fewer records that get there say nothing of how records differ.
+constexpr std::ptrdiff_t fewest_records = 3;
+
+/// The crossings of one threshold at one level that happen, by record.
+struct Happened {
+  std::vector<std::vector<double>> time_s, speed_mps;
+
+  Happened(const HistoryTable& all, CaseSlice cases, std::size_t level, std::size_t threshold)
+      : time_s(all.records), speed_mps(all.records) {
+    for (std::size_t record = 0; record < all.records; ++record) {
+      for (std::size_t i = 0; i < cases.count; ++i) {
+        const std::size_t at =
+            all.at(record, cases.first + i, level) * all.thresholds + threshold;
+        if (std::isnan(all.fields.crossing_time_s[at])) continue;
+        time_s[record].push_back(all.fields.crossing_time_s[at]);
+        speed_mps[record].push_back(all.fields.crossing_speed_mps[at]);
+      }
+    }
+  }
+
+  std::ptrdiff_t records() const {
+    return std::ranges::count_if(time_s, [](const auto& times) { return !times.empty(); });
+  }
+};
+
+std::vector<double> sorted_together(const std::vector<std::vector<double>>& by_record) {
+  std::vector<double> all;
+  for (const std::vector<double>& values : by_record)
+    all.insert(all.end(), values.begin(), values.end());
+  std::ranges::sort(all);
+  return all;
+}
+
+/// Of the share of histories that get there.
+Interval share_interval(const Happened& happened, std::size_t samples,
+                        const BootstrapOptions& options) {
+  return bootstrap_interval(
+      happened.time_s.size(),
+      [&](const std::vector<double>& weights) {
+        double count = 0.0;
+        for (std::size_t record = 0; record < weights.size(); ++record)
+          count += weights[record] * static_cast<double>(happened.time_s[record].size());
+        return count / static_cast<double>(weights.size() * samples);
+      },
+      options);
+}
+
+ImpactStatistics statistics_of(const Happened& happened, std::size_t samples,
+                               const BootstrapOptions& options) {
+  const std::vector<double> times = sorted_together(happened.time_s),
+                            speeds = sorted_together(happened.speed_mps);
+  const std::size_t histories = happened.time_s.size() * samples;
+  ImpactStatistics s;
+  s.reached_share = static_cast<double>(times.size()) / static_cast<double>(histories);
+  s.speed_median_mps = quantile_of_sorted(speeds, 0.5);
+  s.speed_p84_mps = quantile_of_sorted(speeds, 0.84);
+  s.speed_p95_mps = quantile_of_sorted(speeds, 0.95);
+  s.speed_largest_mps = quantile_of_sorted(speeds, 1.0);
+  s.time_median_s = quantile_of_sorted(times, 0.5);
+  s.time_p16_s = quantile_of_sorted(times, 0.16);
+  s.time_p84_s = quantile_of_sorted(times, 0.84);
+  if (happened.records() < fewest_records) return s;
+  // Where every history gets there resampling tells nothing of the share.
+  if (times.size() < histories) s.reached_interval = share_interval(happened, samples, options);
+  const PooledLevel pooled(happened.speed_mps);
+  s.speed_median_interval = pooled.quantile_interval(0.5, options);
+  s.speed_p84_interval = pooled.quantile_interval(0.84, options);
+  return s;
+}
+
+}  // namespace
+
+std::vector<ImpactStatistics> impact_statistics(const HistoryTable& histories, CaseSlice cases,
+                                                std::span<const double> levels,
+                                                std::span<const double> thresholds_m,
+                                                const BootstrapOptions& options) {
+  GLISSADE_EXPECTS(histories.records > 0 && cases.count > 0);
+  std::vector<ImpactStatistics> all;
+  for (std::size_t t = 0; t < thresholds_m.size(); ++t) {
+    for (std::size_t l = 0; l < levels.size(); ++l) {
+      all.push_back(statistics_of(Happened(histories, cases, l, t), cases.count, options));
+      all.back().level = levels[l];
+      all.back().threshold_m = thresholds_m[t];
+    }
+  }
+  return all;
+}
+
+}  // namespace glissade

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/pooled_level.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "glissade/core/quantile.hpp"
+
+namespace glissade {
+namespace {
+
+constexpr std::size_t bins = 512;
+
+// An infinite slip (beyond the largest threshold, not run) has its place among the others, but
+// differences of two have none: resampling takes a number above all that happens for it.
+constexpr double infinity = std::numeric_limits<double>::infinity(), stand_in = 1e100;
+double finite(double value) { return std::isinf(value) ? stand_in : value; }
+double infinite(double value) { return value > 1e-3 * stand_in ? infinity : value; }
+
+double mean_of(const std::vector<double>& values) {
+  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+}  // namespace
+
+PooledLevel::PooledLevel(const std::vector<std::vector<double>>& slips_m) : by_record_(slips_m) {
+  for (std::vector<double>& slips : by_record_) {
+    record_means_.push_back(mean_of(slips));
+    std::sort(slips.begin(), slips.end());
+    sorted_.insert(sorted_.end(), slips.begin(), slips.end());
+  }
+  std::sort(sorted_.begin(), sorted_.end());
+  for (std::size_t bin = 1; bin <= bins; ++bin)
+    bin_edges_.push_back(sorted_[(sorted_.size() * bin - 1) / bins]);
+  for (const std::vector<double>& slips : by_record_) {
+    std::vector<double> cumulative;
+    for (const double edge : bin_edges_) {
+      cumulative.push_back(
+          static_cast<double>(std::upper_bound(slips.begin(), slips.end(), edge) - slips.begin()));
+    }
+    record_cumulative_.push_back(std::move(cumulative));
+  }
+}
+
+double PooledLevel::quantile_m(double probability) const {
+  return quantile_of_sorted(sorted_, probability);
+}
+
+double PooledLevel::mean_m() const { return mean_of(record_means_); }
+
+double PooledLevel::share_above(double slip_m) const {
+  const auto above = sorted_.end() - std::upper_bound(sorted_.begin(), sorted_.end(), slip_m);
+  return static_cast<double>(above) / static_cast<double>(sorted_.size());
+}
+
+Interval PooledLevel::quantile_interval(double probability, const BootstrapOptions& options) const {
+  Interval interval = bootstrap_interval(
+      by_record_.size(),
+      [&](const std::vector<double>& weights) {
+        const auto count_up_to = [&](std::size_t bin) {
+          double count = 0.0;
+          for (std::size_t record = 0; record < weights.size(); ++record) {
+            count += weights[record] * record_cumulative_[record][bin];
+          }
+          return count;
+        };
+        const double drawn = count_up_to(bins - 1), wanted = probability * drawn;
+        if (drawn == 0.0) return std::numeric_limits<double>::quiet_NaN();
+        std::size_t low = 0, high = bins - 1;  // the first bin that holds the wanted count
+        while (low < high) {
+          const std::size_t middle = (low + high) / 2;
+          if (count_up_to(middle) >= wanted) {
+            high = middle;
+          } else {
+            low = middle + 1;
+          }
+        }
+        return finite(bin_edges_[low]);
+      },
+      options);
+  // The bins' quantile may lie a rank beside the estimate.
+  interval.low = std::min(infinite(interval.low), quantile_m(probability));
+  interval.high = std::max(infinite(interval.high), quantile_m(probability));
+  return interval;
+}
+
+Interval PooledLevel::mean_interval(const BootstrapOptions& options) const {
+  if (std::isinf(mean_m())) return {};  // none can be told
+  return bootstrap_interval(
+      record_means_.size(),
+      [&](const std::vector<double>& weights) {
+        return std::inner_product(weights.begin(), weights.end(), record_means_.begin(), 0.0) /
+               static_cast<double>(weights.size());
+      },
+      options);
+}
+
+Interval PooledLevel::share_interval(double slip_m, const BootstrapOptions& options) const {
+  std::vector<double> shares;
+  for (const std::vector<double>& slips : by_record_) {
+    const auto above = slips.end() - std::upper_bound(slips.begin(), slips.end(), slip_m);
+    shares.push_back(static_cast<double>(above) / static_cast<double>(slips.size()));
+  }
+  // Where no history exceeds, or every one does, resampling the records tells nothing of the rest:
+  // no interval.
+  const double all = share_above(slip_m);
+  if (all == 0.0 || all == 1.0) return {};
+  return bootstrap_interval(
+      shares.size(),
+      [&](const std::vector<double>& weights) {
+        return std::inner_product(weights.begin(), weights.end(), shares.begin(), 0.0) /
+               static_cast<double>(weights.size());
+      },
+      options);
+}
+
+}  // namespace glissade

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "plan/model_text.hpp"
+
+#include <fmt/format.h>
+
+namespace glissade {
+namespace {
+
+std::string building_text(const Quantities& q) {
+  const Quantity& r = q.at("building", "response_modification");
+  const Quantity& coefficient = q.at("building", "yield_coefficient");
+  std::string at;
+  if (!r.is_always(0.0)) {
+    at = fmt::format(
+        "the design spectrum's elastic demand at its period over R ({}; 0: it stays elastic)",
+        describe(r));
+  } else if (!coefficient.is_always(0.0)) {
+    at = fmt::format("this part of its weight: {}", describe(coefficient));
+  } else {
+    return "";
+  }
+  return fmt::format(
+      "It yields at {}, bilinear with kinematic hardening, with {} of its stiffness from there on. ",
+      at, describe(q.at("building", "hardening_ratio")));
+}
+
+std::string friction_text(const Quantities& q) {
+  const Quantity& at_rest = q.at("friction", "static_over_sliding");
+  const Quantity& fast = q.at("friction", "fast_over_slow");
+  const Quantity& rate = q.at("friction", "rate_s_per_m");
+  std::string text;
+  if (!at_rest.is_always(1.0)) {
+    text += fmt::format("Static friction is {} times sliding friction. ", describe(at_rest));
+  }
+  if (!fast.is_always(1.0) && !rate.is_always(0.0)) {
+    text += fmt::format(
+        "The coefficients are those of slow sliding; with the sliding velocity v they go to r "
+        "times that, as r - (r - 1) exp(-a v), r = {}, a = {} s/m. ",
+        describe(fast), describe(rate));
+  }
+  return text;
+}
+
+std::string displacement_text(const ModelConfig& model) {
+  if (model.axes == SlidingAxes::one) return "";
+  if (model.displacement == DisplacementMeasure::vector)
+    return "The longest displacement vector in plan. ";
+  return "The SRSS of the separate maxima along and across the slope (Walters et al. 2012), which "
+         "is not less than the longest displacement vector. ";
+}
+
+}  // namespace
+
+ModelText model_text(const Plan& plan) {
+  const Quantities& q = plan.config.quantities;
+  return {describe(plan.kernel.kernel) + "; because " + plan.kernel.reason, building_text(q),
+          friction_text(q), displacement_text(plan.config.model)};
+}
+
+}  // namespace glissade

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "glissade/study/plan/plan.hpp"
+#include "glissade/study/results.hpp"
+
+namespace glissade {
+
+ModelText model_text(const Plan& plan);
+
+}  // namespace glissade

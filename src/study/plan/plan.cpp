@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glissade/study/plan/plan.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <set>
+#include <tuple>
+
+#include "glissade/core/contract.hpp"
+#include "glissade/core/hash.hpp"
+#include "plan/keep_records.hpp"
+#include "plan/plan_check.hpp"
+#include "plan/plan_notes.hpp"
+
+namespace glissade {
+namespace {
+
+/// Numbers the distinct roofs in the order in which they come. A record's are kept where that saves
+/// roofs and takes no more memory than a hundred tables.
+void number_buildings(Plan& plan) {
+  constexpr std::size_t most_kept = 128;
+  std::map<std::tuple<double, int, int, double, double, double, double, double, double, int>,
+           std::size_t>
+      numbers;
+  for (const Case& c : plan.cases.cases) {
+    const bool mixed = !c.orientation.is_quarter_turn();
+    plan.building.push_back(
+        numbers
+            .try_emplace({mixed ? c.orientation.ground_azimuth_deg : -1.0,
+                          mixed ? 0 : along_axis(c.orientation, 0).component,
+                          static_cast<int>(c.vertical), c.vertical_period_s, c.vertical_damping,
+                          c.period_s, c.period_ratio, c.damping, c.mass_ratio,
+                          static_cast<int>(c.support)},
+                         numbers.size())
+            .first->second);
+  }
+  plan.cases_on.resize(numbers.size());
+  for (std::size_t i = 0; i < plan.cases.size(); ++i) {
+    if (plan.same_as[i] == i) plan.cases_on[plan.building[i]].push_back(i);
+  }
+  for (const std::vector<std::size_t>& on_one : plan.cases_on)
+    plan.order.insert(plan.order.end(), on_one.begin(), on_one.end());
+  plan.roofs_are_kept = numbers.size() <= most_kept &&
+                        (numbers.size() <= 2 || 2 * numbers.size() <= plan.order.size());
+  std::set<double> frictions;
+  for (const std::size_t i : plan.order) frictions.insert(plan.cases.cases[i].friction);
+  plan.frictions_repeat = 2 * frictions.size() <= plan.order.size();
+}
+
+/// Microseconds of a history of 8,000 samples, from `bench`: what units are cut by.
+double history_us(Kernel kernel) {
+  switch (kernel) {
+    case Kernel::tables:
+      return 7.0;
+    case Kernel::coupled:
+      return 100.0;
+    case Kernel::events:
+      return 1000.0;
+    case Kernel::full:
+      return 2000.0;
+  }
+  return 0.0;
+}
+
+double record_us(const Plan& plan, std::size_t record) {
+  const double samples = static_cast<double>(plan.motion(record).horizontal_mps2[0].size());
+  return history_us(plan.kernel.kernel) * samples / 8000.0 *
+         static_cast<double>(plan.config.intensity.levels.size());
+}
+
+/// Units of even predicted cost: some hundreds where the study has that many cases, so that many
+/// ranks share even a small one, and none so small that its message and its roofs cost more.
+void cut_units(Plan& plan) {
+  constexpr double least_us = 2000.0, units_wanted = 512.0;
+  constexpr std::size_t roofs_at_once = 16;
+  const bool makes_roofs = plan.kernel.kernel == Kernel::tables && !plan.roofs_are_kept;
+  const double unit_us = std::max(least_us, plan.predicted_seconds() * 1e6 / units_wanted);
+  for (std::size_t record = 0; record < plan.records.size(); ++record) {
+    const double cases = std::max(1.0, std::round(unit_us / record_us(plan, record)));
+    std::size_t count = static_cast<std::size_t>(
+        std::min(cases, static_cast<double>(std::max<std::size_t>(1, plan.order.size()))));
+    if (makes_roofs) count = (count + roofs_at_once - 1) / roofs_at_once * roofs_at_once;
+    for (std::size_t first = 0; first < plan.order.size(); first += count)
+      plan.units.push_back({record, first, std::min(count, plan.order.size() - first)});
+  }
+}
+
+void hash_target(Hasher& hasher, const std::optional<DesignTarget>& target) {
+  if (!target) return;
+  hasher.text("target").number(static_cast<double>(target->edition)).number(target->ss_g);
+  hasher.number(target->s1_g).number(target->tl_s);
+  for (const auto site_class : target->site_classes) hasher.number(static_cast<double>(site_class));
+}
+
+std::string hash_of(const Plan& plan) {
+  Hasher hasher;
+  hasher.text("glissade plan 5").text(plan.config.source_text).numbers(plan.factor_at_unit_level);
+  for (const Suite& suite : plan.suites) {
+    hash_target(hasher, suite.target);
+    for (const Motion& motion : suite.motions) {
+      hasher.text(motion.id).number(motion.scale).number(motion.dt_s);
+      for (const auto& component : motion.horizontal_mps2) hasher.numbers(component);
+      hasher.numbers(motion.vertical_mps2);
+    }
+  }
+  for (const Case& c : plan.cases.cases) {
+    for (const Parameter& p : parameters()) hasher.number(value_of(p, c));
+    hasher.number(static_cast<double>(c.support)).number(static_cast<double>(c.vertical));
+    hasher.number(c.orientation.ground_azimuth_deg);
+    hasher.number(static_cast<double>(c.orientation.across_sign));
+  }
+  return to_hex(hasher.value());
+}
+
+}  // namespace
+
+const DesignTarget* Plan::target(std::size_t record) const {
+  const auto& own = config.intensity.target;
+  if (own) return &*own;
+  const auto& suites_own = suite_of(record).target;
+  return suites_own ? &*suites_own : nullptr;
+}
+
+double Plan::factor(std::size_t record, double level) const {
+  GLISSADE_EXPECTS(factor_at_unit_level[record] > 0.0);
+  return config.intensity.measure.factor_of_level(level) * factor_at_unit_level[record];
+}
+
+std::uint64_t Plan::histories() const {
+  return records.size() * order.size() * config.intensity.levels.size();
+}
+
+double Plan::predicted_seconds() const {
+  double us = 0.0;
+  for (std::size_t record = 0; record < records.size(); ++record)
+    us += record_us(*this, record) * static_cast<double>(order.size());
+  return 1e-6 * us;
+}
+
+Plan make_plan(const StudyConfig& config, std::vector<Suite> suites) {
+  GLISSADE_EXPECTS(suites.size() == config.suite_files.size() && !suites.empty());
+  Plan plan;
+  plan.config = config;
+  plan.suites = std::move(suites);
+  for (std::size_t s = 0; s < plan.suites.size(); ++s) {
+    keep_records({config.file, config.suite_files[s], config.records}, plan.suites[s]);
+    for (std::size_t m = 0; m < plan.suites[s].motions.size(); ++m) plan.records.push_back({s, m});
+  }
+  check_fit(config, plan.suites);
+  for (const Suite& suite : plan.suites) {
+    const std::vector<double> factors =
+        config.intensity.measure.factors_at_unit_level(config.intensity, suite);
+    plan.factor_at_unit_level.insert(plan.factor_at_unit_level.end(), factors.begin(),
+                                     factors.end());
+  }
+  plan.kernel = cheapest_exact_kernel(config);
+  plan.cases = make_cases(config);
+  check_cases(plan);
+  plan.same_as = same_as(plan.cases, config.two_axes());
+  number_buildings(plan);
+  plan.notes = notes_on(plan);
+  plan.skips = skips_of(plan);
+  plan.hash = hash_of(plan);
+  cut_units(plan);
+  return plan;
+}
+
+}  // namespace glissade

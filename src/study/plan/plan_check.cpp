@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "plan/plan_check.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "glissade/block/coupled.hpp"
+#include "glissade/core/error.hpp"
+#include "glissade/core/units.hpp"
+#include "glissade/motion/intensity.hpp"
+#include "cases/case_scene.hpp"
+
+namespace glissade {
+namespace {
+
+/// What the parts of a model require of each other.
+void check_model(const StudyConfig& config, const std::vector<Suite>& suites,
+                 ProblemList& problems) {
+  const std::string file = config.file.string();
+  const KernelChoice choice = cheapest_exact_kernel(config);
+  if (choice.kernel != Kernel::tables && config.tipping) {
+    problems.add({file,
+                  "the tipping check of [tipping] holds where the array does not move its "
+                  "building: " +
+                      choice.reason,
+                  "leave out [tipping], or the model's extension", ""});
+  }
+  if (choice.kernel != Kernel::tables && config.intensity.measure == IntensityMeasure::ppa_g) {
+    problems.add({file,
+                  "measure = \"ppa_g\" scales by the peak of a roof that the array does not move: " +
+                      choice.reason,
+                  "measure by sds_g, pga_g, sa_g or avg_sa_g", ""});
+  }
+  if (config.intensity.target) return;
+  const bool by_r = config.quantities.at("building", "response_modification").largest() > 0.0;
+  const bool by_sds = config.intensity.measure == IntensityMeasure::sds_g;
+  for (std::size_t i = 0; i < suites.size(); ++i) {
+    if (suites[i].target || !(by_r || by_sds)) continue;
+    problems.add({config.suite_files[i].string(),
+                  by_sds ? "has no [target], and measure = \"sds_g\" needs the shape of a design "
+                           "spectrum"
+                         : "has no [target], and building.response_modification divides the "
+                           "elastic demand of a design spectrum",
+                  "give the suite a [target], or add target = { edition = \"asce7_16\", ss_g = "
+                  "..., s1_g = ..., site_class = \"D\" } to [intensity]",
+                  ""});
+  }
+}
+
+void check_motion(const StudyConfig& config, const Motion& motion, const std::string& where,
+                  ProblemList& problems) {
+  const bool has_second = !motion.horizontal_mps2[1].empty();
+  const auto uses = [&](VerticalChoice use) {
+    return std::ranges::find(config.vertical, use) != config.vertical.end();
+  };
+  if (config.two_axes() && !has_second) {
+    problems.add({where,
+                  "record " + motion.id +
+                      " has no second horizontal component, which [model] axes = 2 needs",
+                  "leave the record out ([suite] records), or set axes = 1", ""});
+  } else if (config.orientation.choice == OrientationChoice::random &&
+             config.orientation.component == ComponentChoice::second && !has_second) {
+    problems.add({where, "record " + motion.id + " has no second horizontal component",
+                  "set component = \"first\" or \"random\" in [orientation]", ""});
+  } else if (config.orientation.choice == OrientationChoice::azimuths && !has_second) {
+    problems.add({where,
+                  "record " + motion.id +
+                      " has no second horizontal component to turn ([orientation] choice = "
+                      "\"azimuths\")",
+                  "leave the record out, or set choice = \"all_permutations\"", ""});
+  }
+  if (uses(VerticalChoice::required) && motion.vertical_mps2.empty()) {
+    problems.add({where,
+                  "record " + motion.id +
+                      " has no vertical component although [vertical] use = \"required\"",
+                  "set use = \"if_available\", or leave the record out", ""});
+  }
+  if (horizontal_pga_mps2(motion, HorizontalCombination::srss) == 0.0) {
+    problems.add(
+        {where, "record " + motion.id + " is zero throughout", "leave it out of the suite", ""});
+  }
+}
+
+bool is_regular(const Plan& plan, const Case& c) {
+  if (plan.kernel.kernel == Kernel::full) {
+    Case elastic = c;
+    elastic.response_modification = elastic.yield_coefficient = 0.0;
+    return coupling_is_regular(two_axis_block(c), biaxial_building(elastic, nullptr));
+  }
+  return coupling_is_regular(block_of(c), c.mass_ratio);
+}
+
+std::optional<std::string> problem_of(const Plan& plan, const Case& c) {
+  constexpr double shortest_s = 0.01;
+  const bool two_axes = plan.config.two_axes();
+  const double shorter_s = c.period_s * (two_axes ? std::min(1.0, c.period_ratio) : 1.0);
+  if (c.yields() && shorter_s < shortest_s) {
+    return fmt::format("a rigid building does not yield, and a building period is {:g} s: give "
+                       "periods of {:g} s or more, or leave out the building's strength",
+                       c.period_s, shortest_s);
+  }
+  if (two_axes && !(c.friction > 0.0 && c.friction_across > 0.0)) {
+    return fmt::format("an axis of the friction ellipse is zero (mu {:g} along the slope, {:g} "
+                       "across): give friction above zero in both directions",
+                       c.friction, c.friction_across);
+  }
+  if (plan.kernel.kernel != Kernel::tables && !is_regular(plan, c)) {
+    return fmt::format("with mu = {:.3g}, a slope of {:.3g} degrees and a mass ratio of {:.3g} "
+                       "friction locks the array against the roof it moves, and the coupled "
+                       "equations have no solution: take a smaller mass ratio, friction or slope",
+                       c.friction, c.slope_deg, c.mass_ratio);
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+void check_fit(const StudyConfig& config, const std::vector<Suite>& suites) {
+  ProblemList problems;
+  check_model(config, suites, problems);
+  for (std::size_t i = 0; i < suites.size(); ++i) {
+    const std::string where = config.suite_files[i].string();
+    if (suites[i].motions.empty())
+      problems.add({where, "the suite has no motions", "add at least one record", ""});
+    for (const Motion& motion : suites[i].motions) check_motion(config, motion, where, problems);
+  }
+  problems.throw_if_any();
+}
+
+void check_cases(const Plan& plan) {
+  for (const Case& c : plan.cases.cases) {
+    if (const auto problem = problem_of(plan, c))
+      throw InputError({plan.config.file.string(), *problem, "", ""});
+  }
+}
+
+}  // namespace glissade

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "plan/plan_notes.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace glissade {
+namespace {
+
+template <class Lacks>
+std::size_t count_records(const Plan& plan, Lacks lacks) {
+  std::size_t count = 0;
+  for (std::size_t record = 0; record < plan.records.size(); ++record)
+    count += lacks(plan.motion(record)) ? 1 : 0;
+  return count;
+}
+
+bool has_use(const StudyConfig& config, VerticalChoice use) {
+  return std::ranges::find(config.vertical, use) != config.vertical.end();
+}
+
+std::vector<std::string> notes_on_records(const Plan& plan) {
+  const std::size_t records = plan.records.size();
+  std::vector<std::string> notes;
+  const std::size_t flat =
+      count_records(plan, [](const Motion& m) { return m.vertical_mps2.empty(); });
+  if (has_use(plan.config, VerticalChoice::if_available) && flat > 0) {
+    notes.push_back(fmt::format(
+        "{} of {} records have no vertical component: run with the horizontal alone", flat,
+        records));
+  }
+  const std::size_t single =
+      count_records(plan, [](const Motion& m) { return m.horizontal_mps2[1].empty(); });
+  if (single > 0) {
+    notes.push_back(fmt::format(
+        "{} of {} records have one horizontal component: it is used throughout", single, records));
+  }
+  if (records == 1) notes.push_back("one record: nothing is known of how records differ");
+  return notes;
+}
+
+/// Cases that SEAOC PV1-2012 does not prescribe for.
+std::vector<std::string> notes_on_standards(const Plan& plan) {
+  const auto& compare = plan.config.standards.compare;
+  if (std::ranges::find(compare, Standard::seaoc_pv1_2012) == compare.end()) return {};
+  const auto outside = std::ranges::count_if(plan.cases.cases, [](const Case& c) {
+    return std::abs(c.slope_deg) >= seaoc_slope_limit_deg || c.friction <= seaoc_mu_limit;
+  });
+  if (outside == 0) return {};
+  return {fmt::format(
+      "{:.0f} % of the cases are outside the range of SEAOC PV1's prescriptive value (slope under "
+      "3 degrees and mu above 0.4); they are compared with it all the same",
+      100.0 * static_cast<double>(outside) / static_cast<double>(plan.cases.size()))};
+}
+
+}  // namespace
+
+std::vector<std::string> notes_on(const Plan& plan) {
+  const StudyConfig& config = plan.config;
+  std::vector<std::string> notes = notes_on_records(plan);
+  if (!config.friction.note.empty()) notes.push_back(config.friction.note);
+  if (config.fragility && config.fragility->stop_at_largest) {
+    notes.push_back(fmt::format(
+        "[fragility] stop_at_largest: a history is not run above the level that takes it past {:g} "
+        "m; its slip there is reported as infinite, and a recrossing there would not be seen",
+        config.fragility->thresholds_m.back()));
+  }
+  for (std::string& note : notes_on_standards(plan)) notes.push_back(std::move(note));
+  return notes;
+}
+
+std::vector<Skip> skips_of(const Plan& plan) {
+  const StudyConfig& config = plan.config;
+  std::vector<Skip> skips;
+  const std::uint64_t pairs = plan.records.size() * plan.cases.size();
+  if (config.vertical == std::vector{VerticalChoice::none})
+    skips.push_back({"vertical ground motion", "[vertical] use = \"none\"", pairs});
+  if (std::ranges::all_of(plan.cases.cases, [](const Case& c) { return c.period_s == 0.0; }))
+    skips.push_back({"roof motions filtered by a building", "the building is rigid", pairs});
+  if (plan.order.size() < plan.cases.size()) {
+    skips.push_back({"cases that mirror another, or are the same",
+                     "their histories are those of that case",
+                     plan.records.size() * (plan.cases.size() - plan.order.size())});
+  }
+  if (config.standards.compare.empty())
+    skips.push_back({"comparison with standards", "the study has no [standards]", 0});
+  return skips;
+}
+
+}  // namespace glissade

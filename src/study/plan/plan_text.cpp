@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "glissade/study/plan/plan.hpp"
+
+namespace glissade {
+namespace {
+
+std::string suites_text(const Plan& plan) {
+  std::vector<std::string> texts;
+  for (const Suite& suite : plan.suites)
+    texts.push_back(fmt::format("{}: {} motions", suite.name, suite.motions.size()));
+  return fmt::format("{}", fmt::join(texts, "; "));
+}
+
+/// What is listed and what is drawn; what is as a default case has it is left out.
+std::string cases_text(const Plan& plan) {
+  const StudyConfig& c = plan.config;
+  std::string text;
+  const Quantities usual;
+  for (std::size_t i = 0; i < parameters().size(); ++i) {
+    const Parameter& p = parameters()[i];
+    const Quantity& quantity = c.quantities[i];
+    if (!quantity.is_drawn() && quantity.values == usual[i].values) continue;
+    text += fmt::format("{:<12}{}.{} {}{}\n", "", p.table, p.key, describe(quantity),
+                        p.unit == std::string("-") ? "" : std::string(" ") + p.unit);
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string to_string(const Plan& plan) {
+  const StudyConfig& c = plan.config;
+  const std::vector<double>& levels = c.intensity.levels;
+  std::string text = fmt::format(
+      "study       {} (plan {})\n"
+      "suite       {}\n"
+      "intensity   {}: {} levels, {:g} to {:g}\n"
+      "model       {}; because {}\n"
+      "cases       {} combinations x {} samples x {} orientations, of which {} differ\n{}",
+      c.name, plan.hash, suites_text(plan), intensity_label(c.intensity), levels.size(),
+      levels.front(), levels.back(), describe(plan.kernel.kernel), plan.kernel.reason,
+      plan.cases.combinations(), plan.cases.samples, plan.cases.orientations, plan.order.size(),
+      cases_text(plan));
+  if (c.draws()) {
+    text += fmt::format(
+        "samples     {}, seed {}\n",
+        c.sampling.method == SamplingMethod::sobol ? "scrambled Sobol" : "Monte Carlo", c.seed);
+  }
+  if (c.fragility) text += fmt::format("thresholds  {:g} m\n", fmt::join(c.thresholds_m(), ", "));
+  text += fmt::format("work        {} histories in {} units{}\n", plan.histories(),
+                      plan.units.size(),
+                      c.fragility ? ", and the search for capacities on top" : "");
+  for (const Skip& skip : plan.skips)
+    text += fmt::format("not run     {}: {}\n", skip.what, skip.why);
+  for (const std::string& note : plan.notes) text += fmt::format("note        {}\n", note);
+  return text;
+}
+
+}  // namespace glissade

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glissade/study/run/exchange.hpp"
+
+#include "glissade/core/bytes.hpp"
+
+namespace glissade {
+
+namespace {
+
+/// The fields of a motion and of a target, each named once for both directions.
+template <class M, class Visit>
+void for_each_part(M& m, Visit visit) {
+  visit(m.id), visit(m.event), visit(m.station);
+  visit(m.magnitude), visit(m.distance_km), visit(m.vs30_mps), visit(m.scale), visit(m.dt_s);
+  visit(m.horizontal_mps2[0]), visit(m.horizontal_mps2[1]), visit(m.vertical_mps2);
+}
+template <class T, class Visit>
+void for_each_target_part(T& t, Visit visit) {
+  visit(t.edition), visit(t.ss_g), visit(t.s1_g), visit(t.site_classes), visit(t.tl_s);
+}
+
+}  // namespace
+
+std::vector<char> pack(const std::vector<Suite>& suites) {
+  ByteWriter out;
+  const auto put = [&](const auto& part) { out.put(part); };
+  out.put(suites.size());
+  for (const Suite& suite : suites) {
+    out.put(suite.name).put(suite.description).put(suite.motions.size());
+    for (const Motion& m : suite.motions) for_each_part(m, put);
+    out.put(suite.target.has_value());
+    if (suite.target) for_each_target_part(*suite.target, put);
+  }
+  return out.take();
+}
+
+std::vector<Suite> unpack_suites(const std::vector<char>& bytes) {
+  ByteReader in(bytes);
+  const auto get = [&](auto& part) { in.get(part); };
+  std::size_t suites = 0, motions = 0;
+  in.get(suites);
+  std::vector<Suite> all(suites);
+  for (Suite& suite : all) {
+    in.get(suite.name).get(suite.description).get(motions);
+    suite.motions.resize(motions);
+    for (Motion& m : suite.motions) for_each_part(m, get);
+    bool has_target = false;
+    in.get(has_target);
+    if (has_target) for_each_target_part(suite.target.emplace(), get);
+  }
+  return all;
+}
+
+std::vector<char> pack(const std::vector<UnitResult>& results) {
+  ByteWriter out;
+  out.put(results.size());
+  for (const UnitResult& result : results) {
+    out.put(result.unit).put(result.count);
+    for_each_history_field([&](auto field) { out.put(result.fields.*field.of); });
+  }
+  return out.take();
+}
+
+std::vector<UnitResult> unpack_unit_results(const std::vector<char>& bytes) {
+  ByteReader in(bytes);
+  std::size_t count = 0;
+  in.get(count);
+  std::vector<UnitResult> results(count);
+  for (UnitResult& result : results) {
+    in.get(result.unit).get(result.count);
+    for_each_history_field([&](auto field) { in.get(result.fields.*field.of); });
+  }
+  return results;
+}
+
+}  // namespace glissade

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glissade/study/run/execute.hpp"
+
+#include <algorithm>
+#include <boost/math/tools/toms748_solve.hpp>
+#include <cmath>
+#include <functional>
+#include <limits>
+
+#include "glissade/core/not_converged.hpp"
+#include "run/histories.hpp"
+
+namespace glissade {
+namespace {
+
+constexpr double capacity_tolerance =
+    1e-4;  // of the capacity: far below the spread between records
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// The lowest level at which the peak displacement reaches the threshold: bracketed on the study's
+/// levels, then solved in the square root of slip, which is nearly linear in intensity (TOMS 748:
+/// Alefeld, Potra & Shi 1995).
+template <class PeakAt>
+double first_crossing(const std::vector<double>& levels, const double* peaks, double threshold_m,
+                      PeakAt peak_at) {
+  const auto excess = [&](double peak) { return std::sqrt(peak) - std::sqrt(threshold_m); };
+  const std::size_t n = levels.size();
+  const std::size_t first = static_cast<std::size_t>(
+      std::find_if(peaks, peaks + n, [&](double p) { return p >= threshold_m; }) - peaks);
+  if (first == n) return infinity;
+
+  double high = levels[first], low = first > 0 ? levels[first - 1] : 0.0;
+  double at_high = excess(peaks[first]),
+         at_low = excess(first > 0 ? peaks[first - 1] : peak_at(0.0));
+  if (at_low >= 0.0) return 0.0;  // it gets there with no shaking at all
+  if (at_high == 0.0) return high;
+  std::uintmax_t evaluations = 60;
+  const auto bracket = boost::math::tools::toms748_solve(
+      [&](double level) { return excess(peak_at(level)); }, low, high, at_low, at_high,
+      [](double a, double b) { return b - a <= capacity_tolerance * b; }, evaluations);
+  return 0.5 * (bracket.first + bracket.second);
+}
+
+/// A history that does not converge is counted and reported, and the run goes on: the displacement
+/// is unknown, so no clearance is enough.
+History run_history(Histories& histories, double level, std::span<Crossing> crossings,
+                    WorkCount& count) {
+  try {
+    return histories.at(level, crossings, count);
+  } catch (const NotConverged&) {
+    ++count.failed;
+    return {.peak_displacement_m = infinity, .peak_vector_m = infinity, .failed = true};
+  }
+}
+
+void keep(const History& history, const KeptFields& kept, HistoryFields& fields) {
+  fields.peak_displacement_m.push_back(history.peak_displacement_m);
+  fields.uplift.push_back(history.uplift ? 1 : 0);
+  fields.failed.push_back(history.failed ? 1 : 0);
+  if (kept.vector) fields.peak_vector_m.push_back(history.peak_vector_m);
+  if (kept.by_axis) {
+    fields.peak_along_m.push_back(history.peak_by_axis_m[0]);
+    fields.peak_across_m.push_back(history.peak_by_axis_m[1]);
+    fields.residual_along_m.push_back(history.residual_m[0]);
+    fields.residual_across_m.push_back(history.residual_m[1]);
+  }
+  if (kept.base_shear) {
+    fields.shear_along.push_back(history.base_shear[0]);
+    fields.shear_across.push_back(history.base_shear[1]);
+  }
+}
+
+/// All levels of one case.
+void run_levels(const Plan& plan, Histories& histories, Skipping skipping, HistoryFields& fields,
+                WorkCount& count) {
+  const StudyConfig& config = plan.config;
+  const KeptFields kept(config);
+  const bool stops = config.fragility && config.fragility->stop_at_largest;
+  bool beyond = false;  // the largest threshold is reached, and nothing above it is needed
+  for (const double level : config.intensity.levels) {
+    History history;
+    std::vector<Crossing> crossings(kept.crossings ? config.thresholds_m().size() : 0);
+    if (beyond) {
+      if (skipping == Skipping::all) {
+        ++count.beyond;
+      } else {
+        run_history(histories, level, crossings, count);
+      }
+      history.peak_displacement_m = history.peak_vector_m = infinity;
+    } else if (histories.does_not_slide(level)) {
+      ++count.below_yield;
+    } else {
+      history = run_history(histories, level, crossings, count);
+      beyond = stops && history.peak_displacement_m >= config.thresholds_m().back();
+    }
+    keep(history, kept, fields);
+    for (const Crossing& crossing : crossings) {
+      fields.crossing_time_s.push_back(crossing.time_s);
+      fields.crossing_speed_mps.push_back(crossing.speed_mps);
+    }
+  }
+  if (!kept.tips) return;
+  const double tipping = histories.tipping_level(*config.tipping);
+  for (const double level : config.intensity.levels)
+    fields.tips.push_back(config.intensity.measure.factor_of_level(level) > tipping ? 1 : 0);
+}
+
+/// The capacities of one case, whose levels are run.
+void find_capacities(const Plan& plan, Histories& histories, HistoryFields& fields,
+                     WorkCount& count) {
+  const std::vector<double>& levels = plan.config.intensity.levels;
+  const double* peaks = fields.peak_displacement_m.data() + fields.peak_displacement_m.size() -
+                        levels.size();
+  for (const double threshold : plan.config.thresholds_m()) {
+    WorkCount search;
+    fields.capacity.push_back(first_crossing(levels, peaks, threshold, [&](double level) {
+      return histories.does_not_slide(level)
+                 ? 0.0
+                 : run_history(histories, level, {}, search).peak_displacement_m;
+    }));
+    count.searched += search.integrated;
+    count.failed += search.failed;
+    if (search.integrated == 0) ++count.decided;
+  }
+}
+
+/// The buildings of the next cases of a unit, as many as are made at once. @return the end of these
+/// cases in Plan::order
+std::size_t next_buildings(const Plan& plan, std::size_t first, std::size_t end,
+                           std::size_t at_once, std::vector<std::size_t>& buildings) {
+  buildings.clear();
+  for (; first < end; ++first) {
+    const std::size_t building = plan.building[plan.order[first]];
+    if (!buildings.empty() && buildings.back() == building) continue;
+    if (buildings.size() == at_once) break;
+    buildings.push_back(building);
+  }
+  return first;
+}
+
+}  // namespace
+
+UnitResult execute(const Plan& plan, std::size_t unit_index, RoofStore& roofs) {
+  const WorkUnit& unit = plan.units[unit_index];
+  UnitResult result;
+  result.unit = unit_index;
+  const std::uint64_t roofs_before = roofs.roofs_made();
+  const bool skips = roofs.skipping() == Skipping::all;
+  const std::size_t at_once = skips ? RoofStore::most_at_once : 1;
+  const std::size_t end = unit.first + unit.count;
+  std::vector<std::size_t> buildings;
+  for (std::size_t first = unit.first; first < end;) {
+    const std::size_t next = next_buildings(plan, first, end, at_once, buildings);
+    const auto under = roofs.under(unit.record, buildings);
+    const std::function<void()> remake =
+        skips ? std::function<void()>() : [&] { roofs.under(unit.record, buildings); };
+    for (std::size_t roof = 0; first < next; ++first) {
+      const std::size_t number = plan.order[first];
+      if (plan.building[number] != buildings[roof]) ++roof;
+      const auto histories =
+          histories_of(plan, roofs, unit.record, number, under[roof], remake);
+      run_levels(plan, *histories, roofs.skipping(), result.fields, result.count);
+      find_capacities(plan, *histories, result.fields, result.count);
+    }
+  }
+  result.count.roofs = roofs.roofs_made() - roofs_before;
+  return result;
+}
+
+UnitResult execute(const Plan& plan, std::size_t unit, Skipping skipping) {
+  RoofStore roofs(plan, skipping);
+  return execute(plan, unit, roofs);
+}
+
+}  // namespace glissade

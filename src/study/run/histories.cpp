@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "run/histories.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "glissade/block/coupled_slip.hpp"
+#include "glissade/block/tipping.hpp"
+#include "glissade/core/contract.hpp"
+#include "glissade/core/units.hpp"
+#include "cases/case_scene.hpp"
+
+namespace glissade {
+namespace {
+
+/// A case under a record, as every kernel needs it.
+struct Scene {
+  const Plan& plan;
+  const Case& c;
+  std::size_t record;
+  const CaseRoof& roof;
+  bool skips;
+  Block block = block_of(c);
+
+  double factor(double level) const {
+    return plan.config.intensity.measure.factor_of_level(level) * roof.factor_at_unit_level;
+  }
+  /// On the motion along an axis.
+  double axis_factor(int axis, double level) const {
+    return axis_motion(c.orientation, axis).sign * factor(level);
+  }
+  std::span<const double> thresholds_m() const { return plan.config.thresholds_m(); }
+};
+
+/// A smaller friction than either direction has, under the longer of both axes' peaks together: on
+/// a circle the worst direction is straight up the slope.
+bool is_below_yield(const Scene& scene, double friction, double level) {
+  const RoofTable &first = scene.roof.table, &second = scene.roof.second;
+  const bool may_skip = scene.skips && !scene.c.yields() && !scene.plan.config.base_shear;
+  if (!may_skip || !first.horizontal) return false;
+  Block block = scene.block;
+  block.friction = friction;
+  const double peak = second.horizontal ? std::hypot(first.horizontal->acceleration_bound_mps2,
+                                                     second.horizontal->acceleration_bound_mps2)
+                                        : first.horizontal->acceleration_bound_mps2;
+  const MotionTable* up = first.vertical.get();
+  return cannot_slip(block, scene.factor(level) * peak,
+                     up != nullptr ? scene.factor(level) * up->acceleration_bound_mps2 : 0.0);
+}
+
+class TableHistories : public Histories {
+ public:
+  TableHistories(const Scene& scene, SlipCurve* curve, std::function<void()> remake)
+      : scene_(scene), curve_(curve), remake_(std::move(remake)) {}
+
+  bool does_not_slide(double level) const override {
+    return is_below_yield(scene_, scene_.block.friction, level);
+  }
+
+  double tipping_level(const RigidBase& base) const override {
+    return tipping_onset_factor(scene_.roof.table, scene_.block, base,
+                                {sign_, 1.0}) /
+           scene_.roof.factor_at_unit_level;
+  }
+
+  History at(double level, std::span<Crossing> crossings, WorkCount& count) override {
+    const double factor = scene_.factor(level);
+    if (curve_ == nullptr || factor == 0.0 || !crossings.empty())
+      return integrate(factor, crossings, count);
+    // lambda F(mu / lambda): the motion as it is, under gravity over lambda.
+    Block at_unit_factor = scene_.block;
+    at_unit_factor.gravity_mps2 = scene_.block.gravity_mps2 / factor;
+    const auto key =
+        std::bit_cast<std::uint64_t>(at_unit_factor.gravity_mps2 * scene_.block.friction);
+    auto point = curve_->find(key);
+    if (point != curve_->end()) {
+      ++count.from_curve;
+    } else {
+      ++count.integrated;
+      point = curve_->emplace(key, peak_slip(scene_.roof.table, at_unit_factor)).first;
+    }
+    return {.peak_displacement_m = factor * point->second.peak_displacement_m,
+            .uplift = point->second.uplift};
+  }
+
+ private:
+  History integrate(double factor, std::span<Crossing> crossings, WorkCount& count) const {
+    ++count.integrated;
+    if (!scene_.skips) remake_();
+    const EventSearch search = scene_.skips ? EventSearch::bounds : EventSearch::every_interval;
+    const MotionFactors factors{sign_ * factor, factor};
+    const PeakSlip slip = crossings.empty()
+                              ? peak_slip(scene_.roof.table, scene_.block, factors, search)
+                              : peak_slip(scene_.roof.table, scene_.block, factors,
+                                          scene_.thresholds_m(), crossings, search);
+    return {.peak_displacement_m = slip.peak_displacement_m, .uplift = slip.uplift};
+  }
+
+  Scene scene_;
+  double sign_ = axis_motion(scene_.c.orientation, 0).sign;
+  SlipCurve* curve_;
+  std::function<void()> remake_;
+};
+
+class NoTipping : public Histories {
+ public:
+  double tipping_level(const RigidBase&) const override {
+    throw std::logic_error("tipping_level: not in a plan with this kernel");
+  }
+};
+
+/// One axis on a building that feels the array, and may yield.
+class CoupledHistories : public NoTipping {
+ public:
+  CoupledHistories(const Scene& scene, const GroundMotion& ground)
+      : scene_(scene),
+        ground_(ground),
+        building_{{scene.c.period_s, scene.c.damping},
+                  scene.c.mass_ratio,
+                  strength_of(scene.c, scene.c.period_s, scene.plan.target(scene.record))} {}
+
+  bool does_not_slide(double level) const override {
+    return is_below_yield(scene_, scene_.block.friction, level);
+  }
+
+  History at(double level, std::span<Crossing> crossings, WorkCount& count) override {
+    ++count.integrated;
+    const std::vector<double>& levels = scene_.plan.config.intensity.levels;
+    const auto known = std::find(levels.begin(), levels.end(), level);
+    if (known == levels.end()) return run({&level, 1}, crossings).front();
+    if (at_levels_.empty()) run_levels();
+    const std::size_t i = static_cast<std::size_t>(known - levels.begin());
+    const std::size_t n = crossings.size();
+    std::copy_n(crossings_.begin() + static_cast<std::ptrdiff_t>(i * n), n, crossings.begin());
+    return at_levels_[i];
+  }
+
+ private:
+  /// The levels go side by side.
+  void run_levels() {
+    const std::vector<double>& levels = scene_.plan.config.intensity.levels;
+    std::vector<double> moving;
+    for (const double level : levels)
+      if (!does_not_slide(level)) moving.push_back(level);
+    const std::size_t thresholds = scene_.plan.config.impact ? scene_.thresholds_m().size() : 0;
+    std::vector<Crossing> crossings(moving.size() * thresholds);
+    const std::vector<History> found = run(moving, crossings);
+    at_levels_.resize(levels.size());
+    crossings_.resize(levels.size() * thresholds);
+    for (std::size_t i = 0, k = 0; i < levels.size(); ++i) {
+      if (k == moving.size() || levels[i] != moving[k]) continue;
+      at_levels_[i] = found[k];
+      std::copy_n(crossings.begin() + static_cast<std::ptrdiff_t>(k * thresholds), thresholds,
+                  crossings_.begin() + static_cast<std::ptrdiff_t>(i * thresholds));
+      ++k;
+    }
+  }
+
+  std::vector<History> run(std::span<const double> levels, std::span<Crossing> crossings) const {
+    std::vector<CoupledScene> scenes;
+    for (const double level : levels) {
+      scenes.push_back({building_, scene_.block, {scene_.axis_factor(0, level), scene_.factor(level)}});
+    }
+    std::vector<CoupledPeak> peaks(levels.size());
+    if (crossings.empty()) {
+      coupled_slip(ground_, scenes, peaks);
+    } else {
+      coupled_slip(ground_, scenes, peaks, scene_.thresholds_m(), crossings);
+    }
+    std::vector<History> found;
+    for (const CoupledPeak& peak : peaks)
+      found.push_back({.peak_displacement_m = peak.slip.peak_displacement_m,
+                       .uplift = peak.slip.uplift});
+    return found;
+  }
+
+  Scene scene_;
+  GroundMotion ground_;
+  CoupledBuilding building_;
+  std::vector<History> at_levels_;   // as soon as one of them is needed
+  std::vector<Crossing> crossings_;  // by level, then threshold
+};
+
+/// The full model.
+class FullHistories : public NoTipping {
+ public:
+  FullHistories(const Scene& scene, BuildingGround ground)
+      : scene_(scene),
+        ground_(std::move(ground)),
+        building_(biaxial_building(scene.c, scene.plan.target(scene.record))),
+        block_(two_axis_block(scene.c)) {
+    if (scene.c.support == ArraySupport::isolated) return;
+    ground_.vertical = nullptr;
+    block_ = anchored_block();
+  }
+
+  bool does_not_slide(double level) const override {
+    return is_below_yield(scene_, std::min(block_.friction.along, block_.friction.across), level);
+  }
+
+  History at(double level, std::span<Crossing> crossings, WorkCount& count) override {
+    ++count.integrated;
+    const BuildingFactors factors{{scene_.axis_factor(0, level), scene_.axis_factor(1, level)},
+                                  scene_.factor(level)};
+    const BuildingSlip on_building =
+        slide_on_building(ground_, factors, building_, block_,
+                          crossings.empty() ? std::span<const double>() : scene_.thresholds_m(),
+                          crossings);
+    const TwoAxisResult& slip = on_building.slip;
+    const bool srss = scene_.plan.config.model.displacement == DisplacementMeasure::srss;
+    return {.peak_displacement_m = srss ? srss_of_maxima_m(slip) : slip.peak_displacement_m,
+            .peak_vector_m = slip.peak_displacement_m,
+            .peak_by_axis_m = {slip.peak_by_axis.along_m, slip.peak_by_axis.across_m},
+            .residual_m = {slip.residual.along_m, slip.residual.across_m},
+            .base_shear = on_building.peak_base_shear,
+            .uplift = slip.uplift};
+  }
+
+ private:
+  Scene scene_;
+  BuildingGround ground_;
+  BiaxialBuilding building_;
+  TwoAxisBlock block_;
+};
+
+}  // namespace
+
+std::unique_ptr<Histories> histories_of(const Plan& plan, RoofStore& roofs, std::size_t record,
+                                        std::size_t case_number, const CaseRoof& roof,
+                                        const std::function<void()>& remake) {
+  const Case& c = plan.cases.cases[case_number];
+  const Scene scene{plan, c, record, roof, roofs.skipping() == Skipping::all};
+  switch (plan.kernel.kernel) {
+    case Kernel::tables:
+      return std::make_unique<TableHistories>(scene, roofs.curve(case_number), remake);
+    case Kernel::coupled:
+    case Kernel::events: {
+      GroundMotion ground{plan.motion(record).dt_s,
+                          roofs.ground_motion(axis_motion(c.orientation, 0))};
+      ground.vertical_mps2 = roofs.vertical_motion(c);
+      return std::make_unique<CoupledHistories>(scene, ground);
+    }
+    case Kernel::full:
+      break;
+  }
+  return std::make_unique<FullHistories>(scene, roofs.ground_under(c));
+}
+
+}  // namespace glissade

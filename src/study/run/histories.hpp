@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <functional>
+#include <memory>
+#include <span>
+
+#include "glissade/block/crossing.hpp"
+#include "glissade/study/plan/plan.hpp"
+#include "glissade/study/run/roof_store.hpp"
+#include "glissade/study/run/work_count.hpp"
+
+namespace glissade {
+
+/// What a study keeps of a history, in plan.
+struct History {
+  double peak_displacement_m = 0.0;  ///< by the study's measure
+  double peak_vector_m = 0.0;        ///< two axes: the longest displacement vector
+  // Two axes, along the slope and across it:
+  std::array<double, 2> peak_by_axis_m{}, residual_m{}, base_shear{};
+  bool uplift = false;
+  /// The scheme did not converge: the displacement is unknown, and reported as infinite.
+  bool failed = false;
+};
+
+/// The histories of one case under one record, at any level of the study.
+class Histories {
+ public:
+  virtual ~Histories() = default;
+
+  /// The array does not slide at this level, and that is known without a history.
+  virtual bool does_not_slide(double level) const = 0;
+  /// @param crossings as many as the study's thresholds, or none
+  virtual History at(double level, std::span<Crossing> crossings, WorkCount& count) = 0;
+  /// The level above which the body begins to rock on its base (Kernel::tables only).
+  virtual double tipping_level(const RigidBase& base) const = 0;
+};
+
+/// By the plan's kernel. Valid as long as `roof` and the store's record.
+/// @param curve see RoofStore::curve
+/// @param remake makes the roof anew: called before every history where nothing is skipped
+std::unique_ptr<Histories> histories_of(const Plan& plan, RoofStore& roofs, std::size_t record,
+                                        std::size_t case_number, const CaseRoof& roof,
+                                        const std::function<void()>& remake);
+
+}  // namespace glissade

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "run/results_notes.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace glissade {
+namespace {
+
+std::string percent(double share) {
+  return share < 5e-4 ? "fewer than 0.1 %" : fmt::format("{:.1f} %", 100.0 * share);
+}
+
+/// Where a flag of the histories is set.
+struct Flagged {
+  std::vector<std::string> records;
+  std::size_t first_level = std::numeric_limits<std::size_t>::max();
+  double share_at_highest_level = 0.0;
+
+  Flagged(const Results& results, const std::vector<std::uint8_t>& flag) {
+    const HistoryTable& table = results.histories;
+    if (flag.empty()) return;
+    double highest = 0.0;
+    for (std::size_t record = 0; record < table.records; ++record) {
+      bool any = false;
+      for (std::size_t i = 0; i < table.cases; ++i) {
+        for (std::size_t level = 0; level < table.levels; ++level) {
+          if (flag[table.at(record, i, level)] == 0) continue;
+          any = true;
+          first_level = std::min(first_level, level);
+          if (level + 1 == table.levels) ++highest;
+        }
+      }
+      if (any) records.push_back(results.records[record].id);
+    }
+    share_at_highest_level = highest / static_cast<double>(table.records * table.cases);
+  }
+
+  std::string names() const {
+    constexpr std::size_t most = 8;
+    const std::size_t shown = std::min(most, records.size());
+    return fmt::format("{}{}", fmt::join(records.begin(),
+                                         records.begin() + static_cast<std::ptrdiff_t>(shown), ", "),
+                       records.size() > most ? ", ..." : "");
+  }
+};
+
+std::string level_text(const Results& results, const StudyConfig& config, std::size_t level) {
+  const std::string unit = results.measure.unit();
+  return fmt::format("{} = {:.3g}{}", results.measure.symbol(config.intensity),
+                     results.levels[level], unit == "-" ? "" : " " + unit);
+}
+
+/// Uplift is outside the model: which records, from which level, and how much of the study.
+void note_uplift(const Results& results, const StudyConfig& config,
+                 std::vector<std::string>& notes) {
+  const Flagged lifts(results, results.histories.fields.uplift);
+  if (lifts.records.empty()) return;
+  notes.push_back(fmt::format(
+      "UPLIFT: {} of {} records ({}) lift the array off its roof in some histories, from {} on; at "
+      "the highest level in {} of all. Uplift is outside the model: slip there is that of a block "
+      "without friction while lifted (shares: tables)",
+      lifts.records.size(), results.records.size(), lifts.names(),
+      level_text(results, config, lifts.first_level), percent(lifts.share_at_highest_level)));
+}
+
+/// Tipping is outside the model too.
+void note_tipping(const Results& results, const StudyConfig& config,
+                  std::vector<std::string>& notes) {
+  if (!config.tipping) return;
+  const RigidBase& base = *config.tipping;
+  const std::string body =
+      fmt::format("a body {:g} m wide with its centre of mass {:g} m above the roof", base.width_m,
+                  base.centre_of_mass_height_m);
+  const double largest = std::ranges::max_element(results.cases.cases, {}, &Case::friction)->friction;
+  const double rocking_friction = rocking_block({}, base).friction;
+  const Flagged tips(results, results.histories.fields.tips);
+  if (largest <= rocking_friction) {
+    notes.push_back(
+        fmt::format("Tipping: {} cannot tip: no friction is above {:.3g}, its width over twice "
+                    "that height, so it slides first",
+                    body, rocking_friction));
+  } else if (tips.records.empty()) {
+    notes.push_back("Tipping: " + body + " does not begin to tip in any history");
+  } else {
+    notes.push_back(fmt::format(
+        "TIPPING: {} begins to tip in some histories, from {} on; at the highest level in {} of "
+        "all. Tipping is outside the model: slip there is that of a body that does not tip",
+        body, level_text(results, config, tips.first_level),
+        percent(tips.share_at_highest_level)));
+  }
+}
+
+void note_failed(const Results& results, std::vector<std::string>& notes) {
+  const auto& failed = results.histories.fields.failed;
+  const auto count = std::ranges::count(failed, 1);
+  if (count == 0) return;
+  notes.push_back(fmt::format(
+      "NOT CONVERGED: {} of {} histories, of the records {}. Their slip is unknown and counted as "
+      "above every clearance; please report the study",
+      count, failed.size(), Flagged(results, failed).names()));
+}
+
+/// Where the suite's average touches the design spectrum, and how far above it lies elsewhere.
+void note_suite(const SuiteSummary& suite, std::vector<std::string>& notes) {
+  const SuiteSpectra& spectra = suite.spectra;
+  if (std::isnan(spectra.to_target.lowest.ratio)) return;  // no shaking at the level shown
+  const auto& [lowest, highest] = spectra.to_target;
+  notes.push_back(fmt::format(
+      "The suite {} is scaled so that its average SRSS spectrum is not below the design spectrum at "
+      "any of the 201 periods from 0 to 2 s: it is between {:.3g} times it, at {:.3g} s, and {:.3g} "
+      "times, at {:.3g} s",
+      suite.name, lowest.ratio, lowest.period_s, highest.ratio, highest.period_s));
+}
+
+}  // namespace
+
+std::vector<std::string> notes_on(const Results& results, const StudyConfig& config) {
+  std::vector<std::string> notes;
+  note_uplift(results, config, notes);
+  note_tipping(results, config, notes);
+  note_failed(results, notes);
+  if (results.measure == IntensityMeasure::sds_g) {
+    for (const SuiteSummary& suite : results.suites) note_suite(suite, notes);
+  }
+  return notes;
+}
+
+}  // namespace glissade

@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glissade/study/run/roof_store.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "cases/case_scene.hpp"
+#include "glissade/block/tipping.hpp"
+#include "glissade/core/contract.hpp"
+#include "glissade/motion/intensity.hpp"
+#include "glissade/study/run/scene.hpp"
+
+namespace glissade {
+namespace {
+
+/// The oscillator that moves the roof along one of the building's axes while the block stays where
+/// it is: with the array's mass on it where the kernel counts that.
+Oscillator loaded_roof(const Plan& plan, const Case& c, int axis) {
+  const double period_s = axis == 0 ? c.period_s : c.period_ratio * c.period_s;
+  const bool counts = plan.kernel.kernel != Kernel::tables && c.support != ArraySupport::no_array;
+  const double mass = counts ? 1.0 + c.mass_ratio : 1.0;
+  return {period_s * std::sqrt(mass), c.damping / std::sqrt(mass)};
+}
+
+std::vector<double> mix(const Motion& motion, const AxisMotion& axis) {
+  const auto& [first, second] = motion.horizontal_mps2;
+  const Direction d = ground_direction({.ground_azimuth_deg = axis.azimuth_deg});
+  std::vector<double> mixed(first.size());
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    mixed[i] = axis.component == 0 ? d.cosine * first[i] + d.sine * second[i]
+                                   : d.cosine * second[i] - d.sine * first[i];
+  }
+  return mixed;
+}
+
+}  // namespace
+
+RoofStore::RoofStore(const Plan& plan, Skipping skipping) : plan_(plan), skipping_(skipping) {}
+
+const Case& RoofStore::case_on(std::size_t building) const {
+  return plan_.cases.cases[plan_.cases_on[building].front()];
+}
+
+std::span<const CaseRoof> RoofStore::under(std::size_t record,
+                                           std::span<const std::size_t> buildings) {
+  GLISSADE_EXPECTS(buildings.size() <= most_at_once);
+  if (record != record_ || skipping_ == Skipping::none) turn_to(record);
+  roofs_.assign(buildings.size(), {});
+  const auto yields = [&](std::size_t number) { return plan_.cases.cases[number].yields(); };
+  const bool all_yield = std::ranges::all_of(buildings, [&](std::size_t building) {
+    return std::ranges::all_of(plan_.cases_on[building], yields);
+  });
+  if (all_yield) {
+    for (CaseRoof& roof : roofs_) roof.factor_at_unit_level = plan_.factor_at_unit_level[record];
+  } else if (plan_.roofs_are_kept) {
+    for (std::size_t i = 0; i < buildings.size(); ++i) roofs_[i] = kept(buildings[i]);
+  } else {
+    make(buildings, roofs_);
+  }
+  return roofs_;
+}
+
+SlipCurve* RoofStore::curve(std::size_t case_number) {
+  const Case& c = plan_.cases.cases[case_number];
+  const bool holds = plan_.roofs_are_kept && plan_.frictions_repeat &&
+                     skipping_ == Skipping::all && c.slope_deg == 0.0 &&
+                     vertical_motion(c).empty();
+  return holds ? &curve_[plan_.building[case_number]] : nullptr;
+}
+
+void RoofStore::turn_to(std::size_t record) {
+  record_ = record;
+  mixed_.clear();
+  ground_.clear();
+  vertical_.clear();
+  kept_.clear();
+  curve_.clear();
+}
+
+std::span<const double> RoofStore::ground_motion(const AxisMotion& axis) {
+  const Motion& motion = plan_.motion(record_);
+  const auto& horizontal = motion.horizontal_mps2;
+  if (axis.azimuth_deg < 0.0)
+    return horizontal[horizontal[1].empty() ? 0 : static_cast<std::size_t>(axis.component)];
+  std::vector<double>& mixed = mixed_[{axis.component, axis.azimuth_deg}];
+  if (mixed.empty()) mixed = mix(motion, axis);
+  return mixed;
+}
+
+std::span<const double> RoofStore::vertical_motion(const Case& c) const {
+  if (c.vertical == VerticalChoice::none) return {};
+  return plan_.motion(record_).vertical_mps2;
+}
+
+std::shared_ptr<GroundTable> RoofStore::ground(const AxisMotion& axis, int parts) {
+  std::shared_ptr<GroundTable>& table = ground_[{{axis.component, axis.azimuth_deg}, parts}];
+  if (!table)
+    table = std::make_shared<GroundTable>(plan_.motion(record_).dt_s, ground_motion(axis), parts);
+  return table;
+}
+
+std::shared_ptr<MotionTable> RoofStore::vertical(const Case& c, int parts) {
+  const Motion& motion = plan_.motion(record_);
+  const std::span<const double> recorded = vertical_motion(c);
+  if (recorded.empty() && skipping_ == Skipping::all) return nullptr;
+  // Not skipping, an absent vertical is one that stays at zero.
+  const Oscillator oscillator =
+      recorded.empty() ? Oscillator{} : Oscillator{c.vertical_period_s, c.vertical_damping};
+  std::shared_ptr<MotionTable>& table =
+      vertical_[{recorded.empty() ? -1.0 : oscillator.period_s, oscillator.damping_ratio, parts}];
+  if (table) return table;
+  static const std::vector<double> zero{0.0};
+  const auto up = std::make_shared<GroundTable>(
+      motion.dt_s, recorded.empty() ? std::span<const double>(zero) : recorded, parts);
+  if (parts_needed(oscillator, motion.dt_s) == 0) {
+    table = std::make_shared<MotionTable>(tabulate_rigid(up));
+  } else {
+    // By ppa_g the factor is each roof's own: one that a roof of a fiftieth of the ground's peak
+    // has, which only follows the vertical longer.
+    const double pga = horizontal_pga_mps2(motion, HorizontalCombination::geometric_mean);
+    const double factor = plan_.config.intensity.measure == IntensityMeasure::ppa_g
+                              ? 50.0 * standard_gravity_mps2 / pga
+                              : plan_.factor_at_unit_level[record_];
+    const RoofMotionOptions options = for_vertical(follow(plan_.order, factor));
+    table = std::make_shared<MotionTable>();
+    tabulate_responses(up, {&oscillator, 1}, {&options, 1}, {table.get(), 1});
+  }
+  return table;
+}
+
+/// How far a roof under these cases must be followed. @param factor on the motion at level 1
+RoofMotionOptions RoofStore::follow(std::span<const std::size_t> cases, double factor) const {
+  std::vector<Block> blocks;
+  const bool two_axes = plan_.config.two_axes();
+  for (const std::size_t i : cases) {
+    const Case& c = plan_.cases.cases[i];
+    Block block{.friction = two_axes ? std::min(c.friction, c.friction_across) : c.friction,
+                .slope_rad = c.slope_deg * rad_per_deg};
+    blocks.push_back(block);
+    if (!plan_.config.tipping) continue;
+    const Block rocking = rocking_block(block, *plan_.config.tipping);
+    if (rocking.friction < block.friction) blocks.push_back(rocking);
+  }
+  // Of two axes each leaves room for the other: together they are below the limit.
+  const double both = two_axes ? std::numbers::sqrt2 : 1.0;
+  const IntensityConfig& intensity = plan_.config.intensity;
+  return follow_roof(blocks,
+                     both * intensity.measure.factor_of_level(intensity.levels.back()) * factor);
+}
+
+CaseRoof& RoofStore::kept(std::size_t building) {
+  CaseRoof& roof = kept_[building];
+  if (!roof.table.horizontal) make({&building, 1}, {&roof, 1});
+  return roof;
+}
+
+void RoofStore::make(std::span<const std::size_t> buildings, std::span<CaseRoof> roofs) {
+  const bool by_peak = plan_.config.intensity.measure == IntensityMeasure::ppa_g;
+  std::vector<RoofMotionOptions> options(roofs.size());
+  if (by_peak) {
+    // The factor needs the roof's peak, and the ring-down needs the factor: a first roof motion
+    // gives the peak.
+    make(buildings, options, roofs);
+    for (CaseRoof& roof : roofs)
+      roof.factor_at_unit_level =
+          standard_gravity_mps2 / peak_acceleration_mps2(*roof.table.horizontal);
+  } else {
+    for (CaseRoof& roof : roofs) roof.factor_at_unit_level = plan_.factor_at_unit_level[record_];
+  }
+  for (std::size_t i = 0; i < roofs.size(); ++i)
+    options[i] = follow(plan_.cases_on[buildings[i]], roofs[i].factor_at_unit_level);
+  make(buildings, options, roofs);
+}
+
+/// Into how many parts the vertical's oscillator requires a sample interval to be cut.
+int RoofStore::vertical_parts(const Case& c) const {
+  if (vertical_motion(c).empty()) return 1;
+  return std::max(
+      1, parts_needed({c.vertical_period_s, c.vertical_damping}, plan_.motion(record_).dt_s));
+}
+
+BuildingGround RoofStore::ground_under(const Case& c) {
+  const int parts = vertical_parts(c);
+  BuildingGround result{{ground(axis_motion(c.orientation, 0), parts), nullptr}, nullptr};
+  if (!vertical_motion(c).empty()) result.vertical = vertical(c, parts);
+  if (plan_.config.two_axes())
+    result.horizontal[1] = ground(axis_motion(c.orientation, 1), parts);
+  return result;
+}
+
+/// Roofs over one ground and step go through the oscillators' bank together.
+void RoofStore::make(std::span<const std::size_t> buildings,
+                     std::span<const RoofMotionOptions> follow, std::span<CaseRoof> roofs) {
+  const double dt = plan_.motion(record_).dt_s;
+  const int axes = plan_.config.two_axes() ? 2 : 1;
+  while (pool_.size() < roofs.size() * 2) pool_.push_back(nullptr);
+
+  struct Member {
+    std::size_t roof;
+    int axis;
+  };
+  struct Group {
+    std::shared_ptr<GroundTable> ground;
+    std::vector<Member> members;
+    std::vector<Oscillator> oscillators;
+    std::vector<RoofMotionOptions> follow;
+  };
+  const auto table_of = [&](Member m) -> RoofTable& {
+    return m.axis == 0 ? roofs[m.roof].table : roofs[m.roof].second;
+  };
+  const auto pooled = [&](Member m) -> std::shared_ptr<MotionTable>& {
+    return pool_[2 * m.roof + static_cast<std::size_t>(m.axis)];
+  };
+  const auto stand = [&](Member m, std::shared_ptr<MotionTable> table, int parts) {
+    table_of(m) = stand_on(std::move(table), vertical(case_on(buildings[m.roof]), parts));
+  };
+  std::map<std::pair<AxisKey, int>, Group> groups;  // by ground and parts
+  for (std::size_t i = 0; i < roofs.size(); ++i) {
+    const Case& c = case_on(buildings[i]);
+    for (int axis = 0; axis < axes; ++axis) {
+      const Oscillator oscillator = loaded_roof(plan_, c, axis);
+      const AxisMotion motion = axis_motion(c.orientation, axis);
+      const int parts = parts_needed(oscillator, dt);
+      const int used = std::max({1, parts, vertical_parts(c)});
+      ++roofs_made_;
+      if (parts == 0) {
+        stand({i, axis}, std::make_shared<MotionTable>(tabulate_rigid(ground(motion, used))), used);
+        continue;
+      }
+      Group& group = groups[{{motion.component, motion.azimuth_deg}, used}];
+      group.ground = ground(motion, used);
+      group.members.push_back({i, axis});
+      group.oscillators.push_back(oscillator);
+      group.follow.push_back(follow[i]);
+    }
+  }
+  for (const auto& [key, group] : groups) {
+    std::vector<MotionTable> tables(group.members.size());
+    for (std::size_t k = 0; k < tables.size(); ++k) {
+      std::shared_ptr<MotionTable>& table = pooled(group.members[k]);
+      if (table && table.use_count() == 1) tables[k] = std::move(*table);  // its memory
+    }
+    tabulate_responses(group.ground, group.oscillators, group.follow, tables);
+    for (std::size_t k = 0; k < tables.size(); ++k) {
+      auto table = std::make_shared<MotionTable>(std::move(tables[k]));
+      stand(group.members[k], table, key.second);
+      pooled(group.members[k]) = std::move(table);
+    }
+  }
+}
+
+RoofTable RoofStore::stand_on(std::shared_ptr<MotionTable> horizontal,
+                              const std::shared_ptr<MotionTable>& up) {
+  if (up) {
+    extend(*horizontal, up->end + 1);
+    extend(*up, horizontal->end + 1);
+    extend(*up, horizontal->ground->last_sample() + 1);
+  }
+  return {std::move(horizontal), up};
+}
+
+}  // namespace glissade
