@@ -79,7 +79,7 @@ double round_step(double range, double count) {
 Axis length_axis(const std::string& label, double high_m) {
   Axis axis{label + " (m)", 0.0, high_m, {}, label + " (in)", {}};
   const double step_in = round_step(high_m / inch_m, 6.0);
-  for (int i = 0; i * step_in * inch_m <= high_m; ++i)
+  for (int i = 0; step_in > 0.0 && i * step_in * inch_m <= high_m; ++i)
     axis.opposite_ticks.push_back({i * step_in * inch_m, fmt::format("{:g}", i * step_in)});
   return axis;
 }
