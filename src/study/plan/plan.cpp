@@ -140,15 +140,20 @@ double Plan::predicted_seconds() const {
 }
 
 Plan make_plan(const StudyConfig& config, std::vector<Suite> suites) {
-  GLISSADE_EXPECTS(suites.size() == config.suite_files.size() && !suites.empty());
+  GLISSADE_EXPECTS(!suites.empty());
+  GLISSADE_EXPECTS(config.suite_files.empty() || config.suite_files.size() == suites.size());
   Plan plan;
   plan.config = config;
+  // Suites that come from no file are called by their names in messages.
+  if (config.suite_files.empty()) {
+    for (const Suite& suite : suites) plan.config.suite_files.emplace_back(suite.name);
+  }
   plan.suites = std::move(suites);
   for (std::size_t s = 0; s < plan.suites.size(); ++s) {
-    keep_records({config.file, config.suite_files[s], config.records}, plan.suites[s]);
+    keep_records({config.file, plan.config.suite_files[s], config.records}, plan.suites[s]);
     for (std::size_t m = 0; m < plan.suites[s].motions.size(); ++m) plan.records.push_back({s, m});
   }
-  check_fit(config, plan.suites);
+  check_fit(plan.config, plan.suites);
   for (const Suite& suite : plan.suites) {
     const std::vector<double> factors =
         config.intensity.measure.factors_at_unit_level(config.intensity, suite);
