@@ -34,7 +34,8 @@ std::vector<Figure> make_figures(const Results& results) {
   if (results.clearance) append(figures, clearance_figures(clearance_results(results)));
   append(figures, fragility_figures(results));
   if (results.chart) append(figures, chart_figures(results));
-  if (!results.suites.empty()) append(figures, {spectra_figure(results)});
+  if (!results.suites.empty() && !results.suites.front().spectra.periods_s.empty())
+    append(figures, {spectra_figure(results)});
   std::erase_if(figures, [](const Figure& figure) { return figure.panels.empty(); });
   return figures;
 }

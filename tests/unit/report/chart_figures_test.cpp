@@ -51,7 +51,7 @@ TEST(chart_figures, are_those_the_chart_can_fill) {
               ElementsAre("chart_contours", "chart_friction", "chart_slope", "chart_intensity",
                           "chart_slope_levels", "chart_period", "spectra"));
   EXPECT_THAT(names(make_figures(two_by_two({1, 1, 1, 1}))),
-              ElementsAre("chart_contours", "chart_friction", "chart_slope", "spectra"));
+              ElementsAre("chart_contours", "chart_friction", "chart_slope"));
 }
 
 TEST(chart_contours, lie_where_linear_interpolation_puts_them) {
