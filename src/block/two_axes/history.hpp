@@ -9,6 +9,8 @@
 
 namespace glissade::block_detail::two_axes {
 
+class RoofAtRest;
+
 /// One history: all of it but its smooth sliding, which the lanes do.
 class History {
  public:
@@ -32,7 +34,7 @@ class History {
   Next rest(Spot& spot);
   Next rest_from_node(Spot& spot);
   double release(const RoofPiece& piece) const;
-  bool holds(double a_1, double a_2, double w) const;
+  bool starts_after(std::size_t node, const RoofAtRest& roof, Spot& spot);
   Spot resting_at(std::int64_t node, const std::array<AxisState, 2>& state) const;
   void start(Spot& spot, bool smoothly);
   void start_smoothly(Spot& spot);  // history_start.cpp

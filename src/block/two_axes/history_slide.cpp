@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "../two_axis_extremes.hpp"
-#include "../two_axis_step.hpp"
-#include "../two_axis_stop.hpp"
+#include "block/two_axis_extremes.hpp"
+#include "block/two_axis_step.hpp"
+#include "block/two_axis_stop.hpp"
 #include "history.hpp"
 
 namespace glissade::block_detail::two_axes {
@@ -13,7 +13,8 @@ namespace {
 
 Vector velocity(const Spot& spot) { return {spot.motion.v_s, spot.motion.v_y}; }
 
-/// Coulomb friction on a circle and a roof that may give way: V' from V = known + own V'.
+/// Coulomb friction on a circle and a roof that may give way: V' from V = known
+/// + own V'.
 Vector stage(const Constants<double>& c, Vector known, double own, const Load& load, Vector guess) {
   const double per_kappa = c.per_kappa_y;
   const bool even = c.gives == 0.0;
@@ -87,7 +88,7 @@ History::Next History::slide(Spot& spot, bool from_lane) {
     const Vector v = velocity(spot);
     RoofPiece rest_of_interval = piece(spot, push_of(v));
     const Load load = rest_of_interval.load(0.0);
-    if (!(load.normal > 0.06 * constants_.gravity)) return Next::leaves;
+    if (!(load.normal > 1.2 * least_weight * constants_.gravity)) return Next::leaves;
     const double speed = length(v);
     if (speed > 0.0 && stop(spot, rest_of_interval)) return rest(spot);
     if (!first && constants_.mu * load.normal * rest_of_interval.length_s() <= stiffest * speed)
@@ -97,7 +98,8 @@ History::Next History::slide(Spot& spot, bool from_lane) {
   }
 }
 
-/// In closed form, where it comes before the piece's end under a load that hardly changes.
+/// In closed form, where it comes before the piece's end under a load that
+/// hardly changes.
 bool History::stop(Spot& spot, const RoofPiece& piece) {
   const Constants<double>& c = constants_;
   Motion<double>& m = spot.motion;
@@ -110,7 +112,8 @@ bool History::stop(Spot& spot, const RoofPiece& piece) {
   const Load now = felt(0.0);
   const Stop guess = stop_under_constant_load(v, now.drive, now.normal);
   if (!(guess.time_s < length_s)) return false;
-  // The load a third of the way gives the way of a straight path to the second order of its change.
+  // The load a third of the way gives the way of a straight path to the second
+  // order of its change.
   const double t = guess.time_s;
   const Load third = felt(t / length_s / 3.0), end = felt(1.0);
   const Stop stop = stop_under_constant_load(v, third.drive, third.normal);
@@ -122,7 +125,7 @@ bool History::stop(Spot& spot, const RoofPiece& piece) {
   const double jerk = std::max(change(now, end) / length_s, change(now, third) * 3.0 / t);
   const double uneven =
       now.normal * c.per_kappa_y * (std::abs(1.0 / c.per_kappa_y - c.kappa) + c.mu * c.gives);
-  const double allowed = 1e-3 * c.tolerance * m.path;
+  const double allowed = stop_share * c.tolerance * m.path;
   if (!(t * t * (jerk * t / 12.0 + 0.5 * uneven) <= allowed)) return false;
   const Vector to_plan{c.cosine2, c.cosine}, at{m.at_s, m.at_y}, out = scaled(at, to_plan);
   const bool passes_no_peak = v.s * third.drive.s >= 0.0 && v.y * third.drive.y >= 0.0 &&

@@ -10,9 +10,9 @@ namespace {
 
 constexpr int terms = 5;
 
-/// v = y^2 (W_0 + W_1 y + ...) of a block that leaves rest with p = n e: friction turns it with the
-/// load, since it is stiff where |v| is small. The series is asymptotic: good as long as its terms
-/// fall.
+/// v = y^2 (W_0 + W_1 y + ...) of a block that leaves rest with p = n e:
+/// friction turns it with the load, since it is stiff where |v| is small. The
+/// series is asymptotic: good as long as its terms fall.
 struct StartSeries {
   Vector w[terms];
   double speed[terms] = {};  ///< of |W|
@@ -42,7 +42,8 @@ StartSeries expand(const Vector (&p)[terms + 1], const double (&n)[terms + 1]) {
 
 }  // namespace
 
-/// As far as the series goes within the tolerance. Leaves the spot as it is where that is nothing.
+/// As far as the series goes within the tolerance. Leaves the spot as it is
+/// where that is nothing.
 void History::start_smoothly(Spot& spot) {
   const Constants<double>& c = constants_;
   Motion<double>& m = spot.motion;

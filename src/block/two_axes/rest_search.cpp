@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Compiled once per SIMD target (Highway chooses at run time); every operation is elementwise and
-// unfused, so all targets give the same bits.
+// Compiled once per SIMD target (Highway chooses at run time); every operation
+// is elementwise and unfused, so all targets give the same bits.
 #include "rest_search.hpp"
 
 #undef HWY_TARGET_INCLUDE
@@ -14,18 +14,17 @@ namespace glissade::block_detail::two_axes::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-std::size_t FirstLoose(const RestMotion& motion, const Constants<double>& c, std::size_t from,
-                       double needed) {
+std::size_t FirstLoose(const RestMotion& motion, const Constants<double>& c, double needed) {
   const HWY_CAPPED(double, 8) d;
   const auto number = [d](double value) { return hn::Set(d, value); };
   for (std::size_t k = 0; k < 8; k += hn::Lanes(d)) {
     const auto roof = [&](const RestMotion::Axis& axis) {
       const auto free = hn::LoadU(d, axis.x_part + k) * number(axis.x) +
                         hn::LoadU(d, axis.y_part + k) * number(axis.y);
-      return number(axis.factor) * hn::LoadU(d, axis.a + from + k) + free;
+      return number(axis.factor) * hn::LoadU(d, axis.a + k) + free;
     };
     const auto a_1 = roof(motion.axis[0]), a_2 = roof(motion.axis[1]);
-    const auto fall = number(c.gravity) + number(c.factor_w) * hn::LoadU(d, motion.w + from + k);
+    const auto fall = number(c.gravity) + number(c.factor_w) * hn::LoadU(d, motion.w + k);
     const auto along = number(c.c) * a_1 + number(c.s) * a_2;
     const auto p_s = fall * number(c.tangent) - along;
     const auto p_y = number(c.s_across) * a_1 - number(c.c_across) * a_2;
@@ -46,8 +45,8 @@ namespace glissade::block_detail::two_axes {
 HWY_EXPORT(FirstLoose);
 
 std::size_t first_loose(const RestMotion& motion, const Constants<double>& constants,
-                        std::size_t from, double needed) {
-  return HWY_DYNAMIC_DISPATCH(FirstLoose)(motion, constants, from, needed);
+                        double needed) {
+  return HWY_DYNAMIC_DISPATCH(FirstLoose)(motion, constants, needed);
 }
 
 }  // namespace glissade::block_detail::two_axes

@@ -3,23 +3,26 @@
 
 #include <array>
 
-#include "../two_axis_contact.hpp"
+#include "block/two_axis_contact.hpp"
 #include "lane_bank.hpp"
 #include "tables.hpp"
 
 namespace glissade::block_detail::two_axes {
 
-/// A history between lanes: where it is, before the begin of which interval's rest.
+/// A history between lanes: where it is, before the begin of which interval's
+/// rest.
 struct Spot {
   Motion<double> motion{};
   std::int64_t node = 0;
 };
 
-/// What acts on the block over the rest of a sample interval, y in [0, 1] its share: power series
-/// of the roof's acceleration, as far as the block's own has no part in it, and the vertical.
+/// What acts on the block over the rest of a sample interval, y in [0, 1] its
+/// share: power series of the roof's acceleration, as far as the block's own
+/// has no part in it, and the vertical.
 class RoofPiece {
  public:
-  /// The block's velocity in plan by the building's axes: begin + rise y + curve y^2.
+  /// The block's velocity in plan by the building's axes: begin + rise y +
+  /// curve y^2.
   struct Push {
     std::array<double, 2> begin{}, rise{}, curve{};
   };
@@ -30,7 +33,8 @@ class RoofPiece {
   Load load(double y) const;
   /// The load's coefficient of y^k.
   Load term(int k) const;
-  /// By how much friction may hold the block less than on the chord between its ends.
+  /// By how much friction may hold the block less than on the chord between its
+  /// ends.
   double sag() const;
   /// Takes the ground and the building to a share of the piece.
   void move(Spot& spot, double y) const;

@@ -15,11 +15,12 @@ constexpr std::size_t block_nodes = 64;
 /// A ground motion at its nodes, for all histories under it.
 struct GroundNodes {
   double dt_s = 0.0;
-  std::size_t quiet = 0;                  ///< the first node from which on it stays at zero
-  std::vector<double> nodes;              ///< LaneGround::nodes
-  std::array<std::vector<double>, 2> a;   ///< by axis; zeros follow
-  std::vector<double> w;                  ///< the same
-  std::vector<double> block_w, coming_w;  ///< largest |w|: of a block, of it and all after it
+  std::size_t quiet = 0;                 ///< the first node from which on it stays at zero
+  std::vector<double> nodes;             ///< LaneGround::nodes
+  std::array<std::vector<double>, 2> a;  ///< by axis; zeros follow
+  std::vector<double> w;                 ///< the same
+  std::vector<double> block_w,
+      coming_w;  ///< largest |w|: of a block, of it and all after it
 
   explicit GroundNodes(const BuildingGround& ground);
   double ground(std::size_t axis, std::size_t node) const {
@@ -33,7 +34,8 @@ struct AxisState {
   double x = 0.0, y = 0.0;
 };
 
-/// The free vibration of one axis with the block at rest on it, over whole steps.
+/// The free vibration of one axis with the block at rest on it, over whole
+/// steps.
 class FreeVibration {
  public:
   FreeVibration(double omega_radps, double twice_zeta, double per_mass, double dt_s,
@@ -47,7 +49,8 @@ class FreeVibration {
   /// Of the bound, over 64 steps.
   double decay_64() const { return decay_64_; }
   double acceleration(const AxisState& s) const { return -(twice_zeta_ * s.y + s.x) * per_mass_; }
-  /// How far an acceleration of this amplitude leaves its chord over a step, at most.
+  /// How far an acceleration of this amplitude leaves its chord over a step, at
+  /// most.
   double sag() const { return sag_; }
 
  private:
@@ -60,15 +63,17 @@ class FreeVibration {
   std::array<double, 8> x_part_{}, y_part_{};
 };
 
-/// The roof while the block rests on it from the begin on, for all histories on one building: by
-/// axis, at the ground's nodes, with the ground's own factor 1.
+/// The roof while the block rests on it from the begin on, for all histories on
+/// one building: by axis, at the ground's nodes, with the ground's own
+/// factor 1.
 struct RestTable {
-  std::array<std::vector<double>, 2> x, y;           ///< empty: rigid
-  std::array<std::vector<double>, 2> own_a;          ///< empty: rigid
-  std::array<const double*, 2> a{};                  ///< acceleration; zeros follow
-  std::array<std::vector<double>, 2> block, coming;  ///< largest |a|: of a block, of all to come
-  std::array<std::vector<double>, 2> sag;            ///< how far it leaves its chord, by block
-  std::vector<FreeVibration> free;                   ///< by axis; empty: rigid
+  std::array<std::vector<double>, 2> x, y;   ///< empty: rigid
+  std::array<std::vector<double>, 2> own_a;  ///< empty: rigid
+  std::array<const double*, 2> a{};          ///< acceleration; zeros follow
+  std::array<std::vector<double>, 2> block,
+      coming;                              ///< largest |a|: of a block, of all to come
+  std::array<std::vector<double>, 2> sag;  ///< how far it leaves its chord, by block
+  std::vector<FreeVibration> free;         ///< by axis; empty: rigid
 
   RestTable(const GroundNodes& ground, const Constants<double>& constants, Roof roof);
   AxisState state(std::size_t axis, std::size_t node) const {

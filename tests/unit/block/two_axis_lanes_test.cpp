@@ -170,6 +170,25 @@ TEST(slide_two_axes, what_does_not_fit_the_lanes_is_the_reference) {
   expect_reference(ringing, made_up_scenes(Kind::uncoupled, 4, 11));
 }
 
+// The building rings on after the record, and the block goes on sliding with it.
+TEST(slide_two_axes, follows_the_building_after_the_record) {
+  OnBuilding made(1, 900, 6.0);
+  made.dt_s = 0.01;
+  for (const std::size_t samples : {100u, 150u}) {
+    for (auto* component : {&made.first, &made.second, &made.up}) component->resize(samples);
+    const BuildingGround ground = made.ground();
+    auto scenes = made_up_scenes(Kind::uncoupled, 16, 23);
+    for (TwoAxisScene& s : scenes) {
+      s.factors = {{2.0, 2.0}, 2.0};
+      s.block.friction = {0.12, 0.12};
+      s.block.slope_rad = 0.03;
+    }
+    const std::vector<double> found = errors(ground, scenes, 1e-6);
+    ASSERT_FALSE(found.empty());
+    EXPECT_LT(found.back(), 3e-5);
+  }
+}
+
 TEST(slide_two_axes, zero_motion_moves_nothing) {
   const auto rest = std::make_shared<GroundTable>(0.01, std::vector<double>(100, 0.0));
   for (const Kind kind : {Kind::rigid, Kind::uncoupled, Kind::coupled})
