@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "coupled_body.hpp"
-#include "glissade/core/not_converged.hpp"
 
 #include <algorithm>
+
+#include "glissade/core/not_converged.hpp"
 
 namespace glissade::block_detail {
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "on_building_body.hpp"
-#include "glissade/core/not_converged.hpp"
 
 #include <utility>
+
+#include "glissade/core/not_converged.hpp"
 
 namespace glissade::block_detail {
 OnBuildingBody::OnBuildingBody(const BuildingContact& contact,

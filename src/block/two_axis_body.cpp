@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "two_axis_body.hpp"
-#include "glissade/core/not_converged.hpp"
 
+#include "glissade/core/not_converged.hpp"
 
 namespace glissade::block_detail {
 

@@ -23,8 +23,8 @@ void add_explain(CLI::App& program) {
     }
     const std::string text = grammar_text(o->key);
     if (text.empty()) {
-      throw InputError({"", "there is no table or key " + o->key,
-                        "`glissade explain` lists all of them", ""});
+      throw InputError(
+          {"", "there is no table or key " + o->key, "`glissade explain` lists all of them", ""});
     }
     fmt::print("{}", text);
   });

@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "glissade/study/results.hpp"
 #include "glissade/study/plan/skip.hpp"
+#include "glissade/study/results.hpp"
 #include "glissade/study/run/work_count.hpp"
 
 namespace glissade::cli {

@@ -10,17 +10,14 @@ namespace glissade {
 // The names enumerations have in study files and in results files.
 
 inline EnumNames<ArraySupport> support_names() {
-  static constexpr EnumNames<ArraySupport> names = {
-      {"isolated", ArraySupport::isolated},
-      {"anchored", ArraySupport::anchored},
-      {"no_array", ArraySupport::no_array}};
+  static constexpr EnumNames<ArraySupport> names = {{"isolated", ArraySupport::isolated},
+                                                    {"anchored", ArraySupport::anchored},
+                                                    {"no_array", ArraySupport::no_array}};
   return names;
 }
 
 inline EnumNames<SlopeAxis> slope_axis_names() {
-  static constexpr EnumNames<SlopeAxis> names = {
-      {"e_w", SlopeAxis::e_w},
-      {"n_s", SlopeAxis::n_s}};
+  static constexpr EnumNames<SlopeAxis> names = {{"e_w", SlopeAxis::e_w}, {"n_s", SlopeAxis::n_s}};
   return names;
 }
 
@@ -42,9 +39,8 @@ inline EnumNames<OrientationChoice> orientation_names() {
 }
 
 inline EnumNames<DisplacementMeasure> displacement_names() {
-  static constexpr EnumNames<DisplacementMeasure> names = {
-      {"srss", DisplacementMeasure::srss},
-      {"vector", DisplacementMeasure::vector}};
+  static constexpr EnumNames<DisplacementMeasure> names = {{"srss", DisplacementMeasure::srss},
+                                                           {"vector", DisplacementMeasure::vector}};
   return names;
 }
 
@@ -55,9 +51,8 @@ inline EnumNames<SlidingAxes> axes_names() {
 }
 
 inline EnumNames<FrictionValue> friction_value_names() {
-  static constexpr EnumNames<FrictionValue> names = {
-      {"sampled", FrictionValue::as_drawn},
-      {"design", FrictionValue::design}};
+  static constexpr EnumNames<FrictionValue> names = {{"sampled", FrictionValue::as_drawn},
+                                                     {"design", FrictionValue::design}};
   return names;
 }
 

@@ -59,7 +59,8 @@ class Troubles {
 };
 
 /// A row's numbers and names; nothing, with the trouble, where a cell is none.
-std::optional<PullTestRow> read_row(const PullTestHeader& header, std::string_view line, Trouble& trouble) {
+std::optional<PullTestRow> read_row(const PullTestHeader& header, std::string_view line,
+                                    Trouble& trouble) {
   const std::vector<std::string_view> cells = csv_cells(line);
   if (cells.size() != header.width) {
     trouble = {"columns",

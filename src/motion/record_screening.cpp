@@ -109,7 +109,8 @@ void check_count(const Suite& library, const Screening& screening,
   if (!screening.left_out.empty()) what += "; left out: " + told(screening.left_out);
   std::string advice = "widen the limits, or ask for fewer records";
   if (any_untold(screening.left_out))
-    advice += "; or add the values that the library does not give, or keep such records (--keep-untold)";
+    advice +=
+        "; or add the values that the library does not give, or keep such records (--keep-untold)";
   throw InputError({library.name, what, advice, ""});
 }
 

@@ -24,8 +24,8 @@ bool StudyConfig::draws() const {
   const bool samples_friction =
       std::ranges::find(friction.values, FrictionValue::as_drawn) != friction.values.end();
   for (std::size_t i = 0; i < parameters().size(); ++i) {
-    const bool is_mu = i == parameter_index("friction", "mu") ||
-                       i == parameter_index("friction", "across_mu");
+    const bool is_mu =
+        i == parameter_index("friction", "mu") || i == parameter_index("friction", "across_mu");
     if (quantities[i].is_drawn() && (samples_friction || !is_mu)) return true;
   }
   return false;

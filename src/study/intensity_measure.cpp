@@ -29,8 +29,8 @@ double geometric_mean_sa_mps2(const Motion& motion, double period_s) {
       .front();
 }
 
-/// pi/(2 g) times the integral of a^2 (Arias 1970), exact for a piecewise-linear record with its last
-/// interval to zero. Geometric mean of the horizontals, m/s.
+/// pi/(2 g) times the integral of a^2 (Arias 1970), exact for a piecewise-linear record with its
+/// last interval to zero. Geometric mean of the horizontals, m/s.
 double arias_intensity_mps(const Motion& motion) {
   const auto of = [&](const std::vector<double>& a) {
     double integral = 0.0;
@@ -46,48 +46,50 @@ double arias_intensity_mps(const Motion& motion) {
 }
 
 const std::array rows = {
-    MeasureRow{"sds_g", "g", "target",
+    MeasureRow{
+        "sds_g", "g", "target",
         "design spectral acceleration S_DS: each suite is scaled as a whole until its average SRSS "
         "spectrum is nowhere below the design spectrum, 0 to 2 s",
         [](const IntensityConfig&) -> std::string { return "S_DS"; }, nullptr},
     MeasureRow{"ppa_g", "g", nullptr,
-        "peak roof acceleration along the slope's plan direction (depends on the building)",
-        [](const IntensityConfig&) -> std::string { return "peak roof acceleration"; }, nullptr},
+               "peak roof acceleration along the slope's plan direction (depends on the building)",
+               [](const IntensityConfig&) -> std::string { return "peak roof acceleration"; },
+               nullptr},
     MeasureRow{"mce_fraction", "-", nullptr,
-        "factor on the suite as its file scales it, to MCE; 2/3 is the design earthquake",
-        [](const IntensityConfig&) -> std::string { return "fraction of MCE"; },
-        [](const IntensityConfig&, const Motion& m) { return m.scale; }},
+               "factor on the suite as its file scales it, to MCE; 2/3 is the design earthquake",
+               [](const IntensityConfig&) -> std::string { return "fraction of MCE"; },
+               [](const IntensityConfig&, const Motion& m) { return m.scale; }},
     MeasureRow{"pga_g", "g", nullptr, "peak ground acceleration",
-        [](const IntensityConfig&) -> std::string { return "peak ground acceleration"; },
-        [](const IntensityConfig&, const Motion& m) {
-          return standard_gravity_mps2 /
-                 horizontal_pga_mps2(m, HorizontalCombination::geometric_mean);
-        }},
+               [](const IntensityConfig&) -> std::string { return "peak ground acceleration"; },
+               [](const IntensityConfig&, const Motion& m) {
+                 return standard_gravity_mps2 /
+                        horizontal_pga_mps2(m, HorizontalCombination::geometric_mean);
+               }},
     MeasureRow{"sa_g", "g", "sa_period_s", "5 % damped spectral acceleration at sa_period_s",
-        [](const IntensityConfig& c) { return fmt::format("Sa({:g} s)", c.sa_period_s); },
-        [](const IntensityConfig& c, const Motion& m) {
-          return standard_gravity_mps2 / geometric_mean_sa_mps2(m, c.sa_period_s);
-        }},
+               [](const IntensityConfig& c) { return fmt::format("Sa({:g} s)", c.sa_period_s); },
+               [](const IntensityConfig& c, const Motion& m) {
+                 return standard_gravity_mps2 / geometric_mean_sa_mps2(m, c.sa_period_s);
+               }},
     MeasureRow{"avg_sa_g", "g", "avg_sa_periods_s",
-        "geometric mean of the 5 % damped spectral accelerations at avg_sa_periods_s",
-        [](const IntensityConfig& c) {
-          return fmt::format("average Sa, {:g} to {:g} s", c.avg_sa_periods_s.front(),
-                             c.avg_sa_periods_s.back());
-        },
-        [](const IntensityConfig& c, const Motion& m) {
-          return standard_gravity_mps2 / average_sa_mps2(m, c.avg_sa_periods_s);
-        }},
+               "geometric mean of the 5 % damped spectral accelerations at avg_sa_periods_s",
+               [](const IntensityConfig& c) {
+                 return fmt::format("average Sa, {:g} to {:g} s", c.avg_sa_periods_s.front(),
+                                    c.avg_sa_periods_s.back());
+               },
+               [](const IntensityConfig& c, const Motion& m) {
+                 return standard_gravity_mps2 / average_sa_mps2(m, c.avg_sa_periods_s);
+               }},
     MeasureRow{"pgv_mps", "m/s", nullptr, "peak ground velocity",
-        [](const IntensityConfig&) -> std::string { return "peak ground velocity"; },
-        [](const IntensityConfig&, const Motion& m) {
-          return 1.0 / horizontal_pgv_mps(m, HorizontalCombination::geometric_mean);
-        }},
+               [](const IntensityConfig&) -> std::string { return "peak ground velocity"; },
+               [](const IntensityConfig&, const Motion& m) {
+                 return 1.0 / horizontal_pgv_mps(m, HorizontalCombination::geometric_mean);
+               }},
     MeasureRow{"arias_mps", "m/s", nullptr, "Arias intensity",
-        [](const IntensityConfig&) -> std::string { return "Arias intensity"; },
-        [](const IntensityConfig&, const Motion& m) {
-          return 1.0 / std::sqrt(arias_intensity_mps(m));
-        },
-        2.0},
+               [](const IntensityConfig&) -> std::string { return "Arias intensity"; },
+               [](const IntensityConfig&, const Motion& m) {
+                 return 1.0 / std::sqrt(arias_intensity_mps(m));
+               },
+               2.0},
 };
 
 const MeasureRow& row_of(std::size_t row) { return rows.at(row); }

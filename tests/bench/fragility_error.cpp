@@ -9,8 +9,8 @@
 #include <thread>
 
 #include "glissade/io/suite_file.hpp"
-#include "glissade/study/run/execute.hpp"
 #include "glissade/study/plan/plan.hpp"
+#include "glissade/study/run/execute.hpp"
 #include "glissade/study/run/reduce.hpp"
 #include "timing.hpp"
 

@@ -55,8 +55,8 @@ TEST_F(ChartRun, is_made_again_from_its_results_file) {
 
 TEST_F(ChartRun, a_chart_axis_of_one_value_is_refused_and_leaves_nothing) {
   const ScratchFolder folder;
-  const std::string study = folder.write(
-      "chart.toml", replaced(small_chart(), "slope_deg = [0, 2, 6]", "slope_deg = 2"));
+  const std::string study =
+      folder.write("chart.toml", replaced(small_chart(), "slope_deg = [0, 2, 6]", "slope_deg = 2"));
   const Finished child = run_program({"run", study, "--out", folder.path("out").string()});
   EXPECT_EQ(child.status, 2);
   EXPECT_THAT(child.err, HasSubstr("two slopes"));

@@ -19,8 +19,8 @@ using Clearance = OneRun<small_clearance>;
 TEST_F(Clearance, leaves_results_report_tables_figures_and_its_record) {
   for (const char* name :
        {"results.h5", "run.json", "report.html", "tables/clearances.csv", "tables/by_period.csv",
-        "tables/orientations.csv", "tables/histories.csv",
-        "figures/spectra.svg", "figures/period.svg", "figures/orientations.svg"}) {
+        "tables/orientations.csv", "tables/histories.csv", "figures/spectra.svg",
+        "figures/period.svg", "figures/orientations.svg"}) {
     EXPECT_GT(fs::exists(out() / name) ? fs::file_size(out() / name) : 0, 0u) << name;
   }
   for (const std::string& name : folder_->contents())

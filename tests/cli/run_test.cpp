@@ -176,7 +176,8 @@ TEST_F(Run, dry_run_prints_the_plan_and_writes_nothing) {
   const Finished child =
       run_shell("cd '" + folder.path("").string() + "' && \"$0\" run small.toml --dry-run");
   EXPECT_EQ(child.status, 0) << child.err;
-  for (const char* part : {"small", "7 motions", "2 combinations x 8 samples", "scrambled Sobol", "336 histories"})
+  for (const char* part :
+       {"small", "7 motions", "2 combinations x 8 samples", "scrambled Sobol", "336 histories"})
     EXPECT_THAT(child.out, HasSubstr(part));  // 7 x 8 x 3, twice
   EXPECT_EQ(folder.contents(), std::vector<std::string>{"small.toml"});
 }

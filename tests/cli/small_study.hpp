@@ -38,8 +38,8 @@ compare = ["seaoc_pv1_2012"]
 )";
 }
 
-/// A chart of a second on the same motions: slopes to one on which the array slides freely, and a tall
-/// body.
+/// A chart of a second on the same motions: slopes to one on which the array slides freely, and a
+/// tall body.
 inline std::string small_chart() {
   return R"([study]
 name = "small chart"

@@ -7,8 +7,8 @@
 #include "glissade/io/suite_file.hpp"
 #include "glissade/motion/intensity.hpp"
 #include "glissade/motion/suite_scaling.hpp"
-#include "glissade/study/run/execute.hpp"
 #include "glissade/study/plan/plan.hpp"
+#include "glissade/study/run/execute.hpp"
 #include "glissade/study/run/reduce.hpp"
 
 namespace glissade::verification {

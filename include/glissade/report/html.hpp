@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "glissade/report/figure.hpp"
-#include "glissade/study/results.hpp"
 #include "glissade/study/plan/skip.hpp"
+#include "glissade/study/results.hpp"
 
 namespace glissade {
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "glissade/study/results.hpp"
 #include "glissade/study/plan/skip.hpp"
+#include "glissade/study/results.hpp"
 
 namespace glissade {
 

@@ -20,7 +20,8 @@ namespace glissade {
 struct IntensityConfig {
   IntensityMeasure measure = IntensityMeasure::sds_g;
   std::vector<double> levels;  ///< > 0, strictly increasing
-  std::optional<DesignTarget> target;  ///< sds_g: shape of the design spectrum; else the suite's own
+  std::optional<DesignTarget>
+      target;                ///< sds_g: shape of the design spectrum; else the suite's own
   double sa_period_s = 0.0;  ///< sa_g only, >= 0
   std::vector<double> avg_sa_periods_s;  ///< avg_sa_g only
 };
@@ -39,8 +40,8 @@ struct ModelConfig {
   DisplacementMeasure displacement = DisplacementMeasure::srss;  ///< of two axes
 };
 
-/// A physical quantity of a study: a list (one value, or several that are all run) or a distribution
-/// (a value is drawn for each sample).
+/// A physical quantity of a study: a list (one value, or several that are all run) or a
+/// distribution (a value is drawn for each sample).
 struct Quantity {
   std::vector<double> values;         ///< strictly increasing; empty where it is drawn
   std::optional<Distribution> drawn;  ///< never Fixed

@@ -82,8 +82,8 @@ struct StandardComparison {
 
 /// The fragility of one combination of what the study lists, over records x samples x levels.
 struct RunResults {
-  std::string label;                  ///< "sampled", "design", "design_period_s_0.5": a file's name
-  std::string friction_description;   ///< "normal, mean 0.55, std 0.04", "mean - 2 std = 0.47"
+  std::string label;                 ///< "sampled", "design", "design_period_s_0.5": a file's name
+  std::string friction_description;  ///< "normal, mean 0.55, std 0.04", "mean - 2 std = 0.47"
   std::uint64_t first_case = 0, cases = 0;      ///< of the histories
   std::vector<ThresholdFragility> fragilities;  ///< by threshold
   std::vector<double> band_intensities;
@@ -195,7 +195,7 @@ struct Results {
   std::vector<RunResults> runs;        ///< of a study with [fragility]: by combination of the cases
   std::optional<Chart> chart;          ///< of a study with [chart]
   std::optional<ClearanceConfig> clearance;  ///< of a study with [clearance]
-  std::vector<std::string> notes;      ///< what a reader must know
+  std::vector<std::string> notes;            ///< what a reader must know
 };
 
 /// The histories of some cases in a row.

@@ -6,13 +6,13 @@
 #include <cmath>
 #include <utility>
 
-#include "records/at2_header.hpp"
 #include "glissade/core/error.hpp"
 #include "glissade/core/file.hpp"
 #include "glissade/core/units.hpp"
 #include "glissade/io/csv.hpp"
-#include "scan.hpp"
+#include "records/at2_header.hpp"
 #include "records/time_column.hpp"
+#include "scan.hpp"
 
 namespace glissade {
 namespace {

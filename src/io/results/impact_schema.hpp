@@ -14,7 +14,8 @@ void exchange_impact_statistics(const Archive& archive, const IntensityScale& sc
       archive, "threshold_m", {"m", "clearance threshold"}, rows,
       [](auto& s) -> auto& { return s.threshold_m; });
   column(
-      archive, scale.level, {scale.unit, "intensity level"}, rows, [](auto& s) -> auto& { return s.level; });
+      archive, scale.level, {scale.unit, "intensity level"}, rows,
+      [](auto& s) -> auto& { return s.level; });
   column(
       archive, "reached_share", {"-", "share of histories that get there"}, rows,
       [](auto& s) -> auto& { return s.reached_share; });

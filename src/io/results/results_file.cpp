@@ -80,7 +80,9 @@ void check_histories(const Results& results) {
   const HistoryTable& table = results.histories;
   const HistoryFields& f = table.fields;
   const std::size_t size = table.records * table.cases * table.levels;
-  const auto whole_or_none = [&](const auto& field) { return field.empty() || field.size() == size; };
+  const auto whole_or_none = [&](const auto& field) {
+    return field.empty() || field.size() == size;
+  };
   expect_fit(size > 0 && f.peak_displacement_m.size() == size, "peak_displacement_m",
              "records, cases and levels");
   expect_fit(f.uplift.size() == size && f.failed.size() == size, "uplift",

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "results/schema.hpp"
 
-#include "results/chart_schema.hpp"
 #include "enum_names.hpp"
-#include "results/impact_schema.hpp"
 #include "results/archive.hpp"
+#include "results/chart_schema.hpp"
 #include "results/envelope.hpp"
+#include "results/impact_schema.hpp"
 #include "results/shared_schema.hpp"
 
 namespace glissade {
@@ -29,8 +29,8 @@ void exchange_case_columns(const Archive& archive, Cases& cases) {
       archive, "vertical.use", {"-", "whether the vertical ground motion acts"}, cases,
       vertical_names(), [](auto& c) -> auto& { return c.vertical; });
   name_column<FrictionValue>(
-      archive, "friction.value", {"-", "as drawn, or mean - 2 std"}, cases,
-      friction_value_names(), [](auto& c) -> auto& { return c.friction_value; });
+      archive, "friction.value", {"-", "as drawn, or mean - 2 std"}, cases, friction_value_names(),
+      [](auto& c) -> auto& { return c.friction_value; });
   name_column<SlopeAxis>(
       archive, "slope_axis", {"-", "the array's axis along the slope"}, cases, slope_axis_names(),
       [](auto& c) -> auto& { return c.orientation.slope_axis; });
@@ -162,7 +162,8 @@ void exchange_suites(const Archive& archive, const IntensityScale& scale, Suites
 
 /// One of the two fits of every threshold.
 template <class Archive, class Fragilities, class Fit>
-void exchange_fits(const Archive& archive, const IntensityScale& scale, Fragilities& rows, Fit fit) {
+void exchange_fits(const Archive& archive, const IntensityScale& scale, Fragilities& rows,
+                   Fit fit) {
   name_column<FitStatus>(
       archive, "status", {"-", "how the fit came out"}, rows,
       fit_status_names(), [&](auto& f) -> auto& { return fit(f).status; });
@@ -241,7 +242,8 @@ template <class Archive, class Slip>
 void exchange_slip(const Archive& archive, const IntensityScale& scale, Slip& rows) {
   make_rows(archive, scale.level, rows);
   column(
-      archive, scale.level, {scale.unit, "intensity level"}, rows, [](auto& s) -> auto& { return s.level; });
+      archive, scale.level, {scale.unit, "intensity level"}, rows,
+      [](auto& s) -> auto& { return s.level; });
   column(
       archive, "median_m", {"m", "median peak displacement in plan"}, rows,
       [](auto& s) -> auto& { return s.median_m; });

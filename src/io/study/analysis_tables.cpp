@@ -132,8 +132,8 @@ void read_fragility(const TomlTable& root, StudyConfig& study) {
   FragilityConfig fragility;
   fragility.thresholds_m = read_increasing(table, "thresholds_m", above_zero);
   fragility.stop_at_largest = table.flag("stop_at_largest").value_or(false);
-  const bool others = root.has("standards") || root.has("impact") || root.has("chart") ||
-                      root.has("clearance");
+  const bool others =
+      root.has("standards") || root.has("impact") || root.has("chart") || root.has("clearance");
   if (fragility.stop_at_largest && others) {
     table.report("stop_at_largest",
                  "fragility.stop_at_largest = true leaves slip beyond the largest threshold "
@@ -171,7 +171,8 @@ StandardsConfig read_standards(const TomlTable& table, IntensityMeasure measure)
 /// An analysis that needs another one, or a model.
 void needs(const TomlTable& root, const char* table, bool met, const char* what) {
   if (!root.has(table) || met) return;
-  root.report(table, std::string("[") + table + "] needs " + what, std::string("give it, or leave out [") + table + "]");
+  root.report(table, std::string("[") + table + "] needs " + what,
+              std::string("give it, or leave out [") + table + "]");
 }
 
 std::optional<RigidBase> read_tipping(const TomlTable& table) {

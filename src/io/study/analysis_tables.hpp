@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "toml_table.hpp"
 #include "glissade/study/config.hpp"
+#include "toml_table.hpp"
 
 namespace glissade {
 

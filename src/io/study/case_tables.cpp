@@ -73,8 +73,7 @@ void check_strength(const TomlTable& table, const StudyConfig& study) {
 void check_law(const TomlTable& table) {
   if (table.has("fast_over_slow") == table.has("rate_s_per_m")) return;
   const char* there = table.has("fast_over_slow") ? "fast_over_slow" : "rate_s_per_m";
-  table.report(there,
-               table.name_of(there) + " is one half of how friction depends on speed",
+  table.report(there, table.name_of(there) + " is one half of how friction depends on speed",
                "give fast_over_slow (mu of fast over slow sliding) and rate_s_per_m");
 }
 
@@ -83,10 +82,8 @@ void check_law(const TomlTable& table) {
 ModelConfig read_model(const TomlTable& table) {
   ModelConfig model;
   if (table.whole("axes", 1, 2).value_or(1) == 2) model.axes = SlidingAxes::two;
-  model.displacement =
-      table
-          .choice<DisplacementMeasure>("displacement", displacement_names())
-          .value_or(model.displacement);
+  model.displacement = table.choice<DisplacementMeasure>("displacement", displacement_names())
+                           .value_or(model.displacement);
   if (model.axes == SlidingAxes::one && table.has("displacement")) {
     table.report("displacement", "model.displacement goes with axes = 2 only", "leave it out");
   }

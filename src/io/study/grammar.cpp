@@ -44,13 +44,15 @@ void add_head(std::vector<GrammarKey>& keys) {
        {"intensity", "measure", "name", "required", measures()},
        {"intensity", "levels", "list or { from, to, count, spacing }", "required",
         "the levels, increasing, in the measure's unit; spacing \"linear\" or \"log\""},
-       {"intensity", "sa_period_s", "number", "required with sa_g", "period of the spectral "
-                                                                    "acceleration, s"},
+       {"intensity", "sa_period_s", "number", "required with sa_g",
+        "period of the spectral "
+        "acceleration, s"},
        {"intensity", "avg_sa_periods_s", "list or { from, to, count }", "required with avg_sa_g",
         "periods of the average spectral acceleration, s"},
        {"intensity", "target", "{ edition, ss_g, s1_g, site_class or site_classes, tl_s }",
-        "that of the suite", "the design spectrum: shape for sds_g, demand for "
-                             "building.response_modification"},
+        "that of the suite",
+        "the design spectrum: shape for sds_g, demand for "
+        "building.response_modification"},
        {"model", "axes", "1 or 2", "1", "along how many horizontal axes the array may slide"},
        {"model", "displacement", one_of(displacement_names()), "\"srss\"",
         "two axes: SRSS of the separate maxima (Walters et al. 2012), or the longest vector"}});
@@ -63,13 +65,13 @@ void add_quantities(std::vector<GrammarKey>& keys) {
     const bool mu = p.table == std::string("friction") && p.key == std::string("mu");
     const bool across = p.key == std::string("across_mu");
     const std::string axes = p.axes == Parameter::Axes::two ? "two axes: " : "";
-    keys.push_back({p.table, p.key, quantity_value,
-                    mu       ? "required (or file)"
-                    : across ? "friction.mu"
-                             : describe(usual[i]),
-                    fmt::format("{}{}{}; range: {}", axes, p.meaning,
-                                p.unit == std::string("-") ? "" : std::string(", ") + p.unit,
-                                p.range.text)});
+    keys.push_back(
+        {p.table, p.key, quantity_value,
+         mu       ? "required (or file)"
+         : across ? "friction.mu"
+                  : describe(usual[i]),
+         fmt::format("{}{}{}; range: {}", axes, p.meaning,
+                     p.unit == std::string("-") ? "" : std::string(", ") + p.unit, p.range.text)});
   }
   keys.push_back({"roof", "rise_in_12", "number, list or discrete distribution", "slope_deg",
                   "the slope as a rise in 12"});
@@ -164,9 +166,10 @@ std::vector<RenamedKey> renamed_keys() {
   const char* across = "write friction.across_mu = { mean = ..., std = ... }";
   const char* thresholds = "it is in [fragility] now";
   const char* tipping = "[array] is [tipping] for this key now";
-  const char* grid = "[clearance_study] is gone: its quantities are in [building], [roof], "
-                     "[friction], [vertical] and [orientation], each a number, a list or a "
-                     "distribution; give [clearance], and [model] axes = 2";
+  const char* grid =
+      "[clearance_study] is gone: its quantities are in [building], [roof], "
+      "[friction], [vertical] and [orientation], each a number, a list or a "
+      "distribution; give [clearance], and [model] axes = 2";
   return {{"friction.mean", moments},
           {"friction.std", moments},
           {"friction.across_mean", across},
@@ -210,8 +213,8 @@ std::string grammar_page() {
   std::string table;
   for (const GrammarKey& key : grammar()) {
     if (key.table != table)
-      page += fmt::format("\n## [{}]\n\n| key | value | where absent | meaning |\n|---|---|---|---|\n",
-                          key.table);
+      page += fmt::format(
+          "\n## [{}]\n\n| key | value | where absent | meaning |\n|---|---|---|---|\n", key.table);
     table = key.table;
     page += fmt::format("| {} | {} | {} | {} |\n", key.key.empty() ? "" : "`" + key.key + "`",
                         key.value, key.usual, key.meaning);

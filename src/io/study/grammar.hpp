@@ -8,8 +8,9 @@
 
 namespace glissade {
 
-/// A key of a study file. The rows of grammar() are all keys there are: the error messages, `glissade
-/// explain` and studies/GRAMMAR.md are made from them, and a test holds the reader to them.
+/// A key of a study file. The rows of grammar() are all keys there are: the error messages,
+/// `glissade explain` and studies/GRAMMAR.md are made from them, and a test holds the reader to
+/// them.
 struct GrammarKey {
   std::string table, key;
   std::string value;    ///< what may be given

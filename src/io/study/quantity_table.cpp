@@ -5,9 +5,9 @@
 #include <cmath>
 #include <limits>
 
-#include "study/distribution_table.hpp"
 #include "glissade/core/units.hpp"
 #include "glissade/io/csv.hpp"
+#include "study/distribution_table.hpp"
 #include "study/number_list.hpp"
 
 namespace glissade {
@@ -20,8 +20,7 @@ std::optional<Quantity> read_list(const TomlTable& table, const char* key,
   if (table.problem_count() > problems || values.empty()) return std::nullopt;
   for (const double value : values) {
     if (value >= range.min && value <= range.max) continue;
-    table.report(key,
-                 table.name_of(key) + ": " + shortest_decimal(value) + " is outside its range",
+    table.report(key, table.name_of(key) + ": " + shortest_decimal(value) + " is outside its range",
                  std::string("it must be ") + range.text);
     return std::nullopt;
   }
@@ -43,14 +42,14 @@ std::optional<Quantity> read_moments(const TomlTable& table, const char* key,
   const double std = moments.number("std", not_negative).value_or(0.0);
   if (table.problem_count() > problems) return std::nullopt;
   if (mean < range.min || mean > range.max) {
-    moments.report("mean", moments.name_of("mean") + " = " + shortest_decimal(mean) +
-                               " is outside its range",
-                   std::string("it must be ") + range.text);
+    moments.report(
+        "mean", moments.name_of("mean") + " = " + shortest_decimal(mean) + " is outside its range",
+        std::string("it must be ") + range.text);
     return std::nullopt;
   }
   if (std == 0.0) return Quantity{{mean}, {}};
-  return Quantity{
-      {}, TruncatedNormal{mean, std, range.min, std::numeric_limits<double>::infinity()}};
+  return Quantity{{},
+                  TruncatedNormal{mean, std, range.min, std::numeric_limits<double>::infinity()}};
 }
 
 double slope_of_rise_deg(double rise) { return std::atan(rise / 12.0) / rad_per_deg; }

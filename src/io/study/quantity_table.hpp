@@ -3,13 +3,13 @@
 
 #include <optional>
 
-#include "toml_table.hpp"
 #include "glissade/study/config.hpp"
+#include "toml_table.hpp"
 
 namespace glissade {
 
-/// A quantity of a study: a number, a list, { from, to, count }, a distribution, or { mean, std } of
-/// a normal one that is cut at the ends of the range. Nothing where the key is absent or wrong.
+/// A quantity of a study: a number, a list, { from, to, count }, a distribution, or { mean, std }
+/// of a normal one that is cut at the ends of the range. Nothing where the key is absent or wrong.
 std::optional<Quantity> read_quantity(const TomlTable& table, const char* key,
                                       const ParameterRange& range);
 

@@ -22,8 +22,7 @@ void refuse_other_keys(const TomlTable& table, IntensityMeasure measure) {
     if (key == nullptr || owner == measure || !table.has(key)) continue;
     // A target also says what strength a building has.
     if (key == std::string("target")) continue;
-    table.report(key,
-                 table.name_of(key) + " goes with measure = \"" + owner.key() + "\" only",
+    table.report(key, table.name_of(key) + " goes with measure = \"" + owner.key() + "\" only",
                  std::string("leave it out, or measure by ") + owner.key());
   }
 }
@@ -61,8 +60,9 @@ IntensityConfig read_intensity(const TomlTable& table, const NumberRule& level_r
 void read_suites(const TomlTable& table, StudyConfig& study) {
   std::vector<std::string> names;
   if (table.has("files")) {
-    if (table.has("file")) table.report("files", "suite.file and suite.files are both given",
-                                        "name one suite by file, or several by files");
+    if (table.has("file"))
+      table.report("files", "suite.file and suite.files are both given",
+                   "name one suite by file, or several by files");
     names = table.texts("files").value_or(names);
     if (names.empty()) table.report("files", "suite.files is empty", "name at least one suite");
   } else {

@@ -143,8 +143,7 @@ Html inputs_html(const Results& results) {
   std::string runs;
   for (const RunResults& run : results.runs)
     runs += run.label + " (" + run.friction_description + ") ";
-  return heading("Inputs") +
-         suites_html(results) +
+  return heading("Inputs") + suites_html(results) +
          (results.runs.empty() ? Html() : paragraph("Friction: " + runs)) +
          wide_table(records_table(results)) + "<h3>Study file</h3>\n" +
          study_file(results.study_text);
@@ -160,8 +159,8 @@ std::string html_report(const Results& results, const std::vector<DrawnFigure>& 
       paragraph(what_was_run(results)) + answer_html(results) + figures_html(figures) +
       (results.clearance ? clearance_html(clearance_results(results)) : Html()) +
       (results.runs.empty() ? Html() : fragility_html(results)) +
-      (results.chart ? chart_html(results) : Html()) +
-      assumptions_html(results) + skips_and_notes_html(results, skips) + inputs_html(results) +
+      (results.chart ? chart_html(results) : Html()) + assumptions_html(results) +
+      skips_and_notes_html(results, skips) + inputs_html(results) +
       paragraph(fmt::format("Made by glissade {}; plan {}, seed {}. The same study, suite and seed "
                             "give the same numbers. Tables "
                             "with all digits are in tables/, figures as PDF and SVG in figures/.",

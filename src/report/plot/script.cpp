@@ -115,7 +115,8 @@ void add_style(Script& script, DataSeries::Kind kind, const Look& look, bool key
   }
 }
 
-void add_key_entry(Script& script, DataSeries::Kind kind, const Look& look, const std::string& label) {
+void add_key_entry(Script& script, DataSeries::Kind kind, const Look& look,
+                   const std::string& label) {
   script.add(", \\\n  keyentry ");
   add_style(script, kind, look, true);
   script.add(" title {}", Quoted(label));
@@ -126,7 +127,8 @@ void add_plot(Script& script, const FileName& name, const Panel& panel, int& ind
   script.add("plot \\\n  NaN notitle");  // axes, even where there is nothing to draw
   for (const DataSeries& series : panel.series) {
     if (!has_numbers(series)) continue;
-    const bool bars = series.kind == DataSeries::Kind::bars, band = series.kind == DataSeries::Kind::band;
+    const bool bars = series.kind == DataSeries::Kind::bars,
+               band = series.kind == DataSeries::Kind::band;
     script.add(", \\\n  '{}.dat' index {} using {} ", name, index++,
                band   ? Word("1:2:3")
                : bars ? Word("1:2:(0):($3-$2)")

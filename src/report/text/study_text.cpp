@@ -21,8 +21,8 @@ std::string at_intensity(const Results& results, double value) {
          with_unit(results, format_number(value));
 }
 
-Column intensity_column(const Results& results, const std::string& stem,
-                        const std::string& heading, bool with_interval) {
+Column intensity_column(const Results& results, const std::string& stem, const std::string& heading,
+                        bool with_interval) {
   const std::string unit = results.measure.unit(), suffix = unit_suffix(unit);
   return {stem, suffix.empty() ? "" : suffix.substr(1),
           heading + (unit == "-" ? "" : ", " + unit) + (with_interval ? " [95 %]" : ""),
@@ -53,8 +53,8 @@ std::vector<double> some_levels(const std::vector<double>& levels, std::size_t c
   return chosen;
 }
 
-std::vector<double> histories_at(const HistoryTable& histories, CaseSlice cases,
-                                 std::size_t first, std::size_t last, std::size_t level) {
+std::vector<double> histories_at(const HistoryTable& histories, CaseSlice cases, std::size_t first,
+                                 std::size_t last, std::size_t level) {
   std::vector<double> values;
   for (std::size_t record = first; record < last; ++record) {
     for (std::size_t i = 0; i < cases.count; ++i) {

@@ -16,8 +16,8 @@ constexpr auto in_plan = "Displacements are in plan (horizontal).";
 /// "1.2 g": a value of the intensity measure.
 std::string with_unit(const Results& results, const std::string& value);
 /// A column of intensities, its unit in name and heading.
-Column intensity_column(const Results& results, const std::string& stem,
-                        const std::string& heading, bool with_interval = false);
+Column intensity_column(const Results& results, const std::string& stem, const std::string& heading,
+                        bool with_interval = false);
 /// "S_DS = 0.840 g" from the axis label "S_DS (g)".
 std::string at_intensity(const Results& results, double value);
 /// "22 records x 1024 samples"
@@ -31,8 +31,8 @@ std::string list_of_lengths(const std::vector<double>& lengths_m);
 std::vector<double> some_levels(const std::vector<double>& levels, std::size_t count);
 
 /// The finite slips of records first <= i < last at a level, over all samples.
-std::vector<double> histories_at(const HistoryTable& histories, CaseSlice cases,
-                                 std::size_t first, std::size_t last, std::size_t level);
+std::vector<double> histories_at(const HistoryTable& histories, CaseSlice cases, std::size_t first,
+                                 std::size_t last, std::size_t level);
 /// The largest finite number, at least 0.
 double largest(const std::vector<double>& values);
 /// The next point begins another line of the series.

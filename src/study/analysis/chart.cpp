@@ -8,10 +8,10 @@
 #include <map>
 #include <numeric>
 
+#include "analysis/pooled_level.hpp"
 #include "glissade/core/quantile.hpp"
 #include "glissade/core/units.hpp"
 #include "glissade/fragility/bootstrap.hpp"
-#include "analysis/pooled_level.hpp"
 
 namespace glissade {
 namespace {

@@ -36,8 +36,10 @@ std::vector<double> over_friction(const Chart& chart, std::size_t level, double 
   const Place slope = place_on(chart.slope_deg, slope_deg);
   std::vector<double> row;
   for (std::size_t m = 0; m < chart.mu.size(); ++m) {
-    row.push_back(between(slip(chart.at(level, slope.cell, m)),
-                          slip(chart.at(level, std::min(slope.cell + 1, chart.slope_deg.size() - 1), m)), slope.share));
+    row.push_back(
+        between(slip(chart.at(level, slope.cell, m)),
+                slip(chart.at(level, std::min(slope.cell + 1, chart.slope_deg.size() - 1), m)),
+                slope.share));
   }
   return row;
 }

@@ -47,8 +47,7 @@ std::vector<VerticalCondition> verticals_of(const CaseSet& set, const GridAxes& 
   for (const double use : values_on(set, axes.vertical, static_cast<double>(c.vertical))) {
     for (const double period_s : values_on(set, axes.vertical_period, c.vertical_period_s)) {
       const auto choice = static_cast<VerticalChoice>(static_cast<int>(use));
-      const VerticalCondition condition{choice,
-                                        choice == VerticalChoice::none ? 0.0 : period_s};
+      const VerticalCondition condition{choice, choice == VerticalChoice::none ? 0.0 : period_s};
       if (std::ranges::find(conditions, condition) == conditions.end())
         conditions.push_back(condition);
     }
@@ -114,15 +113,15 @@ ClearanceHistory history_of(const Results& results, std::size_t record, std::siz
     return sum / static_cast<double>(set.samples);
   };
   const HistoryFields& f = table.fields;
-  ClearanceHistory history{.displacement_m = mean(f.peak_displacement_m),
-                           .peak_m = mean(f.peak_vector_m.empty() ? f.peak_displacement_m
-                                                                  : f.peak_vector_m),
-                           .peak_along_m = mean(f.peak_along_m),
-                           .peak_across_m = mean(f.peak_across_m),
-                           .residual_along_m = mean(f.residual_along_m),
-                           .residual_across_m = mean(f.residual_across_m),
-                           .shear_along = mean(f.shear_along),
-                           .shear_across = mean(f.shear_across)};
+  ClearanceHistory history{
+      .displacement_m = mean(f.peak_displacement_m),
+      .peak_m = mean(f.peak_vector_m.empty() ? f.peak_displacement_m : f.peak_vector_m),
+      .peak_along_m = mean(f.peak_along_m),
+      .peak_across_m = mean(f.peak_across_m),
+      .residual_along_m = mean(f.residual_along_m),
+      .residual_across_m = mean(f.residual_across_m),
+      .shear_along = mean(f.shear_along),
+      .shear_across = mean(f.shear_across)};
   for (std::size_t sample = 0; sample < set.samples; ++sample) {
     const std::size_t at = table.at(record, set.index(combination, sample, orientation), level);
     history.uplift = std::max(history.uplift, f.uplift[at]);
@@ -189,9 +188,9 @@ ClearanceResults clearance_results(const Results& results) {
     for (std::size_t o = 0; o < set.orientations; ++o) {
       for (std::size_t i = 0; i < clearance.grid.count(); ++i) {
         const ClearancePosition at = clearance.grid.position(i);
-        clearance.histories.push_back(
-            history_of(results, record, combination_at(set, axes, clearance.grid, at), o,
-                       at[ClearanceAxis::level]));
+        clearance.histories.push_back(history_of(results, record,
+                                                 combination_at(set, axes, clearance.grid, at), o,
+                                                 at[ClearanceAxis::level]));
       }
     }
   }

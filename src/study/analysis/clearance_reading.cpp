@@ -28,7 +28,8 @@ class Values {
       const std::size_t condition = results.grid.index(places[p]);
       for (std::size_t o = 0; o < orientations_.size(); ++o) {
         for (std::size_t r = 0; r < records_.size(); ++r) {
-          values_(p, o, r) = number_of(question.number, results.at(records_[r], orientations_[o], condition));
+          values_(p, o, r) =
+              number_of(question.number, results.at(records_[r], orientations_[o], condition));
         }
       }
     }
@@ -122,8 +123,7 @@ double suite_mean(const ClearanceResults& results, const ClearanceQuestion& ques
   const std::vector<std::size_t> records = records_of(results, question.suite);
   double sum = 0.0;
   for (const std::size_t record : records) {
-    sum += number_of(question.number,
-                     results.at(record, orientation, results.grid.index(at)));
+    sum += number_of(question.number, results.at(record, orientation, results.grid.index(at)));
   }
   return sum / static_cast<double>(records.size());
 }
@@ -165,8 +165,9 @@ std::size_t governing_period(const ClearanceResults& results, const ClearanceQue
   return governing;
 }
 
-PerRecordBounds per_record_bounds(const ClearanceResults& results, const ClearanceQuestion& question,
-                            const ClearancePosition& at, Periods periods) {
+PerRecordBounds per_record_bounds(const ClearanceResults& results,
+                                  const ClearanceQuestion& question, const ClearancePosition& at,
+                                  Periods periods) {
   const Values values(results, question, at, periods);
   const auto bound = [&](const double& (*pick)(const double&, const double&)) {
     return values.largest_mean(
@@ -176,8 +177,8 @@ PerRecordBounds per_record_bounds(const ClearanceResults& results, const Clearan
 }
 
 std::vector<double> per_record_means(const ClearanceResults& results,
-                                  const ClearanceQuestion& question, const ClearancePosition& at,
-                                  Periods periods) {
+                                     const ClearanceQuestion& question, const ClearancePosition& at,
+                                     Periods periods) {
   constexpr std::uint64_t draws = 10000;
   const Values values(results, question, at, periods);
   const std::vector<std::size_t>& run = values.orientations();

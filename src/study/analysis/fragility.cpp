@@ -187,8 +187,8 @@ RunResults fragility_of(const StudyConfig& config, const Results& results,
     run.slip.push_back(statistics_of(pooled.back(), results, run, level, options));
   }
   if (config.impact)
-    run.impact = impact_statistics(results.histories, slice_of(run), levels, results.thresholds_m,
-                                   options);
+    run.impact =
+        impact_statistics(results.histories, slice_of(run), levels, results.thresholds_m, options);
   for (const Standard standard : config.standards.compare) {
     for (std::size_t level = 0; level < levels.size(); ++level) {
       run.standards.push_back(

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <limits>
 
+#include "analysis/pooled_level.hpp"
 #include "glissade/core/contract.hpp"
 #include "glissade/core/quantile.hpp"
-#include "analysis/pooled_level.hpp"
 
 namespace glissade {
 namespace {
@@ -23,8 +23,7 @@ struct Happened {
       : time_s(all.records), speed_mps(all.records) {
     for (std::size_t record = 0; record < all.records; ++record) {
       for (std::size_t i = 0; i < cases.count; ++i) {
-        const std::size_t at =
-            all.at(record, cases.first + i, level) * all.thresholds + threshold;
+        const std::size_t at = all.at(record, cases.first + i, level) * all.thresholds + threshold;
         if (std::isnan(all.fields.crossing_time_s[at])) continue;
         time_s[record].push_back(all.fields.crossing_time_s[at]);
         speed_mps[record].push_back(all.fields.crossing_speed_mps[at]);

@@ -22,7 +22,8 @@ struct ListedQuantity {
 template <class E>
 void add_choices(std::vector<ListedQuantity>& axes, const char* key, const std::vector<E>& choices,
                  const std::vector<std::string>& names, E Case::*member) {
-  ListedQuantity axis{{key, "-", {}, {}}, [choices, member](Case& c, std::size_t i) { c.*member = choices[i]; }};
+  ListedQuantity axis{{key, "-", {}, {}},
+                      [choices, member](Case& c, std::size_t i) { c.*member = choices[i]; }};
   for (const E choice : choices) {
     axis.axis.values.push_back(static_cast<double>(choice));
     axis.axis.names.push_back(names[static_cast<std::size_t>(choice)]);
@@ -142,13 +143,13 @@ std::vector<std::size_t> CaseSet::places(std::size_t combination) const {
 std::size_t CaseSet::combination(const std::vector<std::size_t>& places) const {
   GLISSADE_EXPECTS(places.size() == axes.size());
   std::size_t combination = 0;
-  for (std::size_t i = 0; i < axes.size(); ++i) combination = combination * axes[i].size() + places[i];
+  for (std::size_t i = 0; i < axes.size(); ++i)
+    combination = combination * axes[i].size() + places[i];
   return combination;
 }
 
 std::size_t CaseSet::axis(const std::string& key) const {
-  return static_cast<std::size_t>(
-      std::ranges::find(axes, key, &CaseAxis::key) - axes.begin());
+  return static_cast<std::size_t>(std::ranges::find(axes, key, &CaseAxis::key) - axes.begin());
 }
 
 namespace {
@@ -169,9 +170,9 @@ std::string CaseSet::label(std::size_t combination) const {
   for (std::size_t i = 0; i < axes.size(); ++i) {
     const CaseAxis& axis = axes[i];
     if (!label.empty()) label += "_";
-    label += axis.names.empty() ? axis.key.substr(axis.key.find('.') + 1) + "_" +
-                                      short_text(axis.values, place[i])
-                                : axis.names[place[i]];
+    label += axis.names.empty()
+                 ? axis.key.substr(axis.key.find('.') + 1) + "_" + short_text(axis.values, place[i])
+                 : axis.names[place[i]];
   }
   constexpr std::size_t longest = 60;
   if (label.size() > longest) return fmt::format("combination_{}", combination + 1);
@@ -187,10 +188,9 @@ std::string CaseSet::describe(std::size_t combination) const {
   for (std::size_t i = 0; i < axes.size(); ++i) {
     const CaseAxis& axis = axes[i];
     if (!text.empty()) text += ", ";
-    text += axis.names.empty()
-                ? fmt::format("{} = {:g}{}", axis.key, axis.values[place[i]],
-                              axis.unit == "-" ? "" : " " + axis.unit)
-                : fmt::format("{} = {}", axis.key, axis.names[place[i]]);
+    text += axis.names.empty() ? fmt::format("{} = {:g}{}", axis.key, axis.values[place[i]],
+                                             axis.unit == "-" ? "" : " " + axis.unit)
+                               : fmt::format("{} = {}", axis.key, axis.names[place[i]]);
   }
   return text;
 }
@@ -237,8 +237,9 @@ std::vector<std::size_t> same_as(const CaseSet& set, bool two_axes) {
   const auto key_of = [two_axes](const Case& c) {
     std::vector<double> key;
     for (const Parameter& p : parameters()) {
-      const bool counts = (two_axes || p.axes == Parameter::Axes::any) &&
-                          (c.vertical != VerticalChoice::none || p.table != std::string("vertical"));
+      const bool counts =
+          (two_axes || p.axes == Parameter::Axes::any) &&
+          (c.vertical != VerticalChoice::none || p.table != std::string("vertical"));
       key.push_back(counts ? value_of(p, c) : 0.0);
     }
     key.push_back(static_cast<double>(c.support));

@@ -20,7 +20,8 @@ std::string building_text(const Quantities& q) {
     return "";
   }
   return fmt::format(
-      "It yields at {}, bilinear with kinematic hardening, with {} of its stiffness from there on. ",
+      "It yields at {}, bilinear with kinematic hardening, with {} of its stiffness from there "
+      "on. ",
       at, describe(q.at("building", "hardening_ratio")));
 }
 

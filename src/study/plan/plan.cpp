@@ -26,15 +26,14 @@ void number_buildings(Plan& plan) {
       numbers;
   for (const Case& c : plan.cases.cases) {
     const bool mixed = !c.orientation.is_quarter_turn();
-    plan.building.push_back(
-        numbers
-            .try_emplace({mixed ? c.orientation.ground_azimuth_deg : -1.0,
-                          mixed ? 0 : along_axis(c.orientation, 0).component,
-                          static_cast<int>(c.vertical), c.vertical_period_s, c.vertical_damping,
-                          c.period_s, c.period_ratio, c.damping, c.mass_ratio,
-                          static_cast<int>(c.support)},
-                         numbers.size())
-            .first->second);
+    plan.building.push_back(numbers
+                                .try_emplace({mixed ? c.orientation.ground_azimuth_deg : -1.0,
+                                              mixed ? 0 : along_axis(c.orientation, 0).component,
+                                              static_cast<int>(c.vertical), c.vertical_period_s,
+                                              c.vertical_damping, c.period_s, c.period_ratio,
+                                              c.damping, c.mass_ratio, static_cast<int>(c.support)},
+                                             numbers.size())
+                                .first->second);
   }
   plan.cases_on.resize(numbers.size());
   for (std::size_t i = 0; i < plan.cases.size(); ++i) {

@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <optional>
 
+#include "cases/case_scene.hpp"
 #include "glissade/block/coupled.hpp"
 #include "glissade/core/error.hpp"
 #include "glissade/core/units.hpp"
 #include "glissade/motion/intensity.hpp"
-#include "cases/case_scene.hpp"
 
 namespace glissade {
 namespace {
@@ -28,10 +28,11 @@ void check_model(const StudyConfig& config, const std::vector<Suite>& suites,
                   "leave out [tipping], or the model's extension", ""});
   }
   if (choice.kernel != Kernel::tables && config.intensity.measure == IntensityMeasure::ppa_g) {
-    problems.add({file,
-                  "measure = \"ppa_g\" scales by the peak of a roof that the array does not move: " +
-                      choice.reason,
-                  "measure by sds_g, pga_g, sa_g or avg_sa_g", ""});
+    problems.add(
+        {file,
+         "measure = \"ppa_g\" scales by the peak of a roof that the array does not move: " +
+             choice.reason,
+         "measure by sds_g, pga_g, sa_g or avg_sa_g", ""});
   }
   if (config.intensity.target) return;
   const bool by_r = config.quantities.at("building", "response_modification").largest() > 0.0;
@@ -97,20 +98,23 @@ std::optional<std::string> problem_of(const Plan& plan, const Case& c) {
   const bool two_axes = plan.config.two_axes();
   const double shorter_s = c.period_s * (two_axes ? std::min(1.0, c.period_ratio) : 1.0);
   if (c.yields() && shorter_s < shortest_s) {
-    return fmt::format("a rigid building does not yield, and a building period is {:g} s: give "
-                       "periods of {:g} s or more, or leave out the building's strength",
-                       c.period_s, shortest_s);
+    return fmt::format(
+        "a rigid building does not yield, and a building period is {:g} s: give "
+        "periods of {:g} s or more, or leave out the building's strength",
+        c.period_s, shortest_s);
   }
   if (two_axes && !(c.friction > 0.0 && c.friction_across > 0.0)) {
-    return fmt::format("an axis of the friction ellipse is zero (mu {:g} along the slope, {:g} "
-                       "across): give friction above zero in both directions",
-                       c.friction, c.friction_across);
+    return fmt::format(
+        "an axis of the friction ellipse is zero (mu {:g} along the slope, {:g} "
+        "across): give friction above zero in both directions",
+        c.friction, c.friction_across);
   }
   if (plan.kernel.kernel != Kernel::tables && !is_regular(plan, c)) {
-    return fmt::format("with mu = {:.3g}, a slope of {:.3g} degrees and a mass ratio of {:.3g} "
-                       "friction locks the array against the roof it moves, and the coupled "
-                       "equations have no solution: take a smaller mass ratio, friction or slope",
-                       c.friction, c.slope_deg, c.mass_ratio);
+    return fmt::format(
+        "with mu = {:.3g}, a slope of {:.3g} degrees and a mass ratio of {:.3g} "
+        "friction locks the array against the roof it moves, and the coupled "
+        "equations have no solution: take a smaller mass ratio, friction or slope",
+        c.friction, c.slope_deg, c.mass_ratio);
   }
   return std::nullopt;
 }

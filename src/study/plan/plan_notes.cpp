@@ -27,9 +27,9 @@ std::vector<std::string> notes_on_records(const Plan& plan) {
   const std::size_t flat =
       count_records(plan, [](const Motion& m) { return m.vertical_mps2.empty(); });
   if (has_use(plan.config, VerticalChoice::if_available) && flat > 0) {
-    notes.push_back(fmt::format(
-        "{} of {} records have no vertical component: run with the horizontal alone", flat,
-        records));
+    notes.push_back(
+        fmt::format("{} of {} records have no vertical component: run with the horizontal alone",
+                    flat, records));
   }
   const std::size_t single =
       count_records(plan, [](const Motion& m) { return m.horizontal_mps2[1].empty(); });

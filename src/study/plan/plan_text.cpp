@@ -50,9 +50,9 @@ std::string to_string(const Plan& plan) {
         c.sampling.method == SamplingMethod::sobol ? "scrambled Sobol" : "Monte Carlo", c.seed);
   }
   if (c.fragility) text += fmt::format("thresholds  {:g} m\n", fmt::join(c.thresholds_m(), ", "));
-  text += fmt::format("work        {} histories in {} units{}\n", plan.histories(),
-                      plan.units.size(),
-                      c.fragility ? ", and the search for capacities on top" : "");
+  text +=
+      fmt::format("work        {} histories in {} units{}\n", plan.histories(), plan.units.size(),
+                  c.fragility ? ", and the search for capacities on top" : "");
   for (const Skip& skip : plan.skips)
     text += fmt::format("not run     {}: {}\n", skip.what, skip.why);
   for (const std::string& note : plan.notes) text += fmt::format("note        {}\n", note);

@@ -109,8 +109,8 @@ void run_levels(const Plan& plan, Histories& histories, Skipping skipping, Histo
 void find_capacities(const Plan& plan, Histories& histories, HistoryFields& fields,
                      WorkCount& count) {
   const std::vector<double>& levels = plan.config.intensity.levels;
-  const double* peaks = fields.peak_displacement_m.data() + fields.peak_displacement_m.size() -
-                        levels.size();
+  const double* peaks =
+      fields.peak_displacement_m.data() + fields.peak_displacement_m.size() - levels.size();
   for (const double threshold : plan.config.thresholds_m()) {
     WorkCount search;
     fields.capacity.push_back(first_crossing(levels, peaks, threshold, [&](double level) {
@@ -157,8 +157,7 @@ UnitResult execute(const Plan& plan, std::size_t unit_index, RoofStore& roofs) {
     for (std::size_t roof = 0; first < next; ++first) {
       const std::size_t number = plan.order[first];
       if (plan.building[number] != buildings[roof]) ++roof;
-      const auto histories =
-          histories_of(plan, roofs, unit.record, number, under[roof], remake);
+      const auto histories = histories_of(plan, roofs, unit.record, number, under[roof], remake);
       run_levels(plan, *histories, roofs.skipping(), result.fields, result.count);
       find_capacities(plan, *histories, result.fields, result.count);
     }

@@ -5,11 +5,11 @@
 #include <bit>
 #include <cmath>
 
+#include "cases/case_scene.hpp"
 #include "glissade/block/coupled_slip.hpp"
 #include "glissade/block/tipping.hpp"
 #include "glissade/core/contract.hpp"
 #include "glissade/core/units.hpp"
-#include "cases/case_scene.hpp"
 
 namespace glissade {
 namespace {
@@ -59,8 +59,7 @@ class TableHistories : public Histories {
   }
 
   double tipping_level(const RigidBase& base) const override {
-    return tipping_onset_factor(scene_.roof.table, scene_.block, base,
-                                {sign_, 1.0}) /
+    return tipping_onset_factor(scene_.roof.table, scene_.block, base, {sign_, 1.0}) /
            scene_.roof.factor_at_unit_level;
   }
 
@@ -160,7 +159,8 @@ class CoupledHistories : public NoTipping {
   std::vector<History> run(std::span<const double> levels, std::span<Crossing> crossings) const {
     std::vector<CoupledScene> scenes;
     for (const double level : levels) {
-      scenes.push_back({building_, scene_.block, {scene_.axis_factor(0, level), scene_.factor(level)}});
+      scenes.push_back(
+          {building_, scene_.block, {scene_.axis_factor(0, level), scene_.factor(level)}});
     }
     std::vector<CoupledPeak> peaks(levels.size());
     if (crossings.empty()) {
@@ -170,8 +170,8 @@ class CoupledHistories : public NoTipping {
     }
     std::vector<History> found;
     for (const CoupledPeak& peak : peaks)
-      found.push_back({.peak_displacement_m = peak.slip.peak_displacement_m,
-                       .uplift = peak.slip.uplift});
+      found.push_back(
+          {.peak_displacement_m = peak.slip.peak_displacement_m, .uplift = peak.slip.uplift});
     return found;
   }
 
@@ -203,10 +203,9 @@ class FullHistories : public NoTipping {
     ++count.integrated;
     const BuildingFactors factors{{scene_.axis_factor(0, level), scene_.axis_factor(1, level)},
                                   scene_.factor(level)};
-    const BuildingSlip on_building =
-        slide_on_building(ground_, factors, building_, block_,
-                          crossings.empty() ? std::span<const double>() : scene_.thresholds_m(),
-                          crossings);
+    const BuildingSlip on_building = slide_on_building(
+        ground_, factors, building_, block_,
+        crossings.empty() ? std::span<const double>() : scene_.thresholds_m(), crossings);
     const TwoAxisResult& slip = on_building.slip;
     const bool srss = scene_.plan.config.model.displacement == DisplacementMeasure::srss;
     return {.peak_displacement_m = srss ? srss_of_maxima_m(slip) : slip.peak_displacement_m,

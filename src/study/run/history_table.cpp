@@ -19,8 +19,8 @@ double bytes_of(const StudyConfig& config, std::size_t records, std::size_t case
   const double numbers = 1.0 + kept.vector + 4.0 * kept.by_axis + 2.0 * kept.base_shear;
   const double flags = 2.0 + kept.tips;
   const double crossings = kept.crossings ? 2.0 * levels * thresholds : 0.0;
-  const double bytes = levels * (numbers * sizeof(double) + flags) +
-                       (thresholds + crossings) * sizeof(double);
+  const double bytes =
+      levels * (numbers * sizeof(double) + flags) + (thresholds + crossings) * sizeof(double);
   return bytes * static_cast<double>(records) * static_cast<double>(cases);
 }
 

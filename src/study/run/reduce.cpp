@@ -47,8 +47,11 @@ void mirror_residuals(const Plan& plan, HistoryTable& table) {
 }
 
 HistoryTable assemble(const Plan& plan, const std::vector<UnitResult>& units) {
-  HistoryTable table{plan.records.size(), plan.cases.size(), plan.config.intensity.levels.size(),
-                     plan.config.thresholds_m().size(), {}};
+  HistoryTable table{plan.records.size(),
+                     plan.cases.size(),
+                     plan.config.intensity.levels.size(),
+                     plan.config.thresholds_m().size(),
+                     {}};
   // By (record, case that is run): its unit and its place there.
   struct Place {
     const UnitResult* unit = nullptr;

@@ -43,9 +43,10 @@ struct Flagged {
   std::string names() const {
     constexpr std::size_t most = 8;
     const std::size_t shown = std::min(most, records.size());
-    return fmt::format("{}{}", fmt::join(records.begin(),
-                                         records.begin() + static_cast<std::ptrdiff_t>(shown), ", "),
-                       records.size() > most ? ", ..." : "");
+    return fmt::format(
+        "{}{}",
+        fmt::join(records.begin(), records.begin() + static_cast<std::ptrdiff_t>(shown), ", "),
+        records.size() > most ? ", ..." : "");
   }
 };
 
@@ -76,7 +77,8 @@ void note_tipping(const Results& results, const StudyConfig& config,
   const std::string body =
       fmt::format("a body {:g} m wide with its centre of mass {:g} m above the roof", base.width_m,
                   base.centre_of_mass_height_m);
-  const double largest = std::ranges::max_element(results.cases.cases, {}, &Case::friction)->friction;
+  const double largest =
+      std::ranges::max_element(results.cases.cases, {}, &Case::friction)->friction;
   const double rocking_friction = rocking_block({}, base).friction;
   const Flagged tips(results, results.histories.fields.tips);
   if (largest <= rocking_friction) {
@@ -90,8 +92,7 @@ void note_tipping(const Results& results, const StudyConfig& config,
     notes.push_back(fmt::format(
         "TIPPING: {} begins to tip in some histories, from {} on; at the highest level in {} of "
         "all. Tipping is outside the model: slip there is that of a body that does not tip",
-        body, level_text(results, config, tips.first_level),
-        percent(tips.share_at_highest_level)));
+        body, level_text(results, config, tips.first_level), percent(tips.share_at_highest_level)));
   }
 }
 
@@ -110,11 +111,13 @@ void note_suite(const SuiteSummary& suite, std::vector<std::string>& notes) {
   const SuiteSpectra& spectra = suite.spectra;
   if (std::isnan(spectra.to_target.lowest.ratio)) return;  // no shaking at the level shown
   const auto& [lowest, highest] = spectra.to_target;
-  notes.push_back(fmt::format(
-      "The suite {} is scaled so that its average SRSS spectrum is not below the design spectrum at "
-      "any of the 201 periods from 0 to 2 s: it is between {:.3g} times it, at {:.3g} s, and {:.3g} "
-      "times, at {:.3g} s",
-      suite.name, lowest.ratio, lowest.period_s, highest.ratio, highest.period_s));
+  notes.push_back(
+      fmt::format("The suite {} is scaled so that its average SRSS spectrum is not below the "
+                  "design spectrum at "
+                  "any of the 201 periods from 0 to 2 s: it is between {:.3g} times it, at {:.3g} "
+                  "s, and {:.3g} "
+                  "times, at {:.3g} s",
+                  suite.name, lowest.ratio, lowest.period_s, highest.ratio, highest.period_s));
 }
 
 }  // namespace

@@ -63,9 +63,8 @@ std::span<const CaseRoof> RoofStore::under(std::size_t record,
 
 SlipCurve* RoofStore::curve(std::size_t case_number) {
   const Case& c = plan_.cases.cases[case_number];
-  const bool holds = plan_.roofs_are_kept && plan_.frictions_repeat &&
-                     skipping_ == Skipping::all && c.slope_deg == 0.0 &&
-                     vertical_motion(c).empty();
+  const bool holds = plan_.roofs_are_kept && plan_.frictions_repeat && skipping_ == Skipping::all &&
+                     c.slope_deg == 0.0 && vertical_motion(c).empty();
   return holds ? &curve_[plan_.building[case_number]] : nullptr;
 }
 
@@ -184,8 +183,7 @@ BuildingGround RoofStore::ground_under(const Case& c) {
   const int parts = vertical_parts(c);
   BuildingGround result{{ground(axis_motion(c.orientation, 0), parts), nullptr}, nullptr};
   if (!vertical_motion(c).empty()) result.vertical = vertical(c, parts);
-  if (plan_.config.two_axes())
-    result.horizontal[1] = ground(axis_motion(c.orientation, 1), parts);
+  if (plan_.config.two_axes()) result.horizontal[1] = ground(axis_motion(c.orientation, 1), parts);
   return result;
 }
 

@@ -86,9 +86,9 @@ TEST(chart_summary, of_a_shown_point_that_slides_freely_says_so) {
 TEST(chart_page, tells_chart_readings_standards_and_assumptions) {
   const std::string html = html_report(made_up_chart_results(), {});
   for (const char* part :
-       {"<title>made_up_chart", "15 slopes x 15 coefficients of friction",
-        "more than 0.8", "Verify against the standard", "Standards beside the results",
-        "tables/chart.csv", "a recommendation, not a bound", "Linear in slope and friction"}) {
+       {"<title>made_up_chart", "15 slopes x 15 coefficients of friction", "more than 0.8",
+        "Verify against the standard", "Standards beside the results", "tables/chart.csv",
+        "a recommendation, not a bound", "Linear in slope and friction"}) {
     EXPECT_THAT(html, HasSubstr(part));
   }
   for (const char* part : {"Fits in full", "first reaches the clearance", "drawn for each sample"})

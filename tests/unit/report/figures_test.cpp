@@ -99,7 +99,7 @@ TEST(figures, of_the_fragility_hold_the_shares_and_the_fitted_curve) {
   const RunResults& run = results.runs[0];
   const Figure figure = fragility_figure(results, run);
   const DataSeries observed = series_named(figure, "observed 1"),
-               curve = series_named(figure, "curve 1");
+                   curve = series_named(figure, "curve 1");
   EXPECT_EQ(observed.x, results.levels);
   EXPECT_EQ(observed.y, run.fragilities[1].probability);
   ASSERT_EQ(curve.x.size(), 201u);
@@ -111,9 +111,13 @@ TEST(figures, are_drawn_whatever_their_numbers_are) {
   const double infinity = std::numeric_limits<double>::infinity();
   Figure figure{"odd", "Odd numbers", "", ""};
   figure.panels.resize(3);
-  figure.panels[0].series = {
-      {DataSeries::Kind::line, look(Role::mean), "none", "no numbers"},
-      {DataSeries::Kind::line, look(Role::mean), "nan", "gap", {infinity, 1.0}, {1.0, std::nan("")}}};
+  figure.panels[0].series = {{DataSeries::Kind::line, look(Role::mean), "none", "no numbers"},
+                             {DataSeries::Kind::line,
+                              look(Role::mean),
+                              "nan",
+                              "gap",
+                              {infinity, 1.0},
+                              {1.0, std::nan("")}}};
   figure.panels[1].x = {"no extent", 1.0, 1.0};
   figure.panels[1].y = {"none", 0.0, std::nan("")};
   figure.panels[1].rules = {{Rule::Kind::vertical, infinity, look(Role::bound), "far"}};

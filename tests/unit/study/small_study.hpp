@@ -4,8 +4,8 @@
 #include <bit>
 #include <cmath>
 
-#include "glissade/study/run/execute.hpp"
 #include "glissade/study/plan/plan.hpp"
+#include "glissade/study/run/execute.hpp"
 #include "glissade/study/run/reduce.hpp"
 #include "unit/block/reference.hpp"
 

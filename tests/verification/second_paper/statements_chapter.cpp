@@ -90,8 +90,10 @@ AllResults run_all(const Folders& folders) {
 }
 
 std::string rows(const AllResults& all, const StatedStudy& study) {
-  // The page is the same on every machine: what rests on recorded motions stands in the studies' page.
-  const std::string elsewhere = "recorded motions: [studies](../../studies/README.md#the-second-paper)";
+  // The page is the same on every machine: what rests on recorded motions stands in the studies'
+  // page.
+  const std::string elsewhere =
+      "recorded motions: [studies](../../studies/README.md#the-second-paper)";
   const std::string number = number_of(study);
   std::string text;
   for (const Statement& s : study.statements)

@@ -46,12 +46,12 @@ struct ClearanceGrid {
   /// R: the building yields at its elastic demand under the design spectrum over R; 0: it stays
   /// elastic.
   std::vector<double> response_modification = {0.0};
-  std::vector<double> mass_ratio = {0.05};          ///< m/M, [0, 1]
-  std::vector<double> slope_deg;                    ///< [0, 45]
+  std::vector<double> mass_ratio = {0.05};  ///< m/M, [0, 1]
+  std::vector<double> slope_deg;            ///< [0, 45]
   std::vector<double> level = {2.0 / 3};
   std::string level_symbol;  ///< "S_DS"; empty: levels are fractions of the suite scaled to MCE
   std::string level_unit = "-";
-  std::vector<double> period_s;                     ///< of the building, along both axes; 0: rigid
+  std::vector<double> period_s;  ///< of the building, along both axes; 0: rigid
 
   std::size_t size(ClearanceAxis axis) const;
   std::size_t count() const;  ///< of all combinations

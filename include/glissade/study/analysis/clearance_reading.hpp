@@ -62,15 +62,16 @@ std::size_t governing_period(const ClearanceResults& results, const ClearanceQue
 struct PerRecordBounds {
   double lowest = 0.0, highest = 0.0;
 };
-PerRecordBounds per_record_bounds(const ClearanceResults& results, const ClearanceQuestion& question,
-                            const ClearancePosition& at, Periods periods);
-
-/// Suite means of 10,000 draws in which each record has any of its orientations, equally likely (and
-/// the roof falls along either axis), in rising order: what to compare a published number with whose
-/// orientations are not stated.
-std::vector<double> per_record_means(const ClearanceResults& results,
+PerRecordBounds per_record_bounds(const ClearanceResults& results,
                                   const ClearanceQuestion& question, const ClearancePosition& at,
                                   Periods periods);
+
+/// Suite means of 10,000 draws in which each record has any of its orientations, equally likely
+/// (and the roof falls along either axis), in rising order: what to compare a published number with
+/// whose orientations are not stated.
+std::vector<double> per_record_means(const ClearanceResults& results,
+                                     const ClearanceQuestion& question, const ClearancePosition& at,
+                                     Periods periods);
 
 /// Of sorted values: the share below a value, ties counting half.
 double share_below(const std::vector<double>& sorted, double value);

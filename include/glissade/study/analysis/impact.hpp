@@ -10,9 +10,9 @@
 
 namespace glissade {
 
-/// First crossings of some cases, by (threshold, level). Records are the independent unit: intervals
-/// resample them whole, and percentiles of speed are of what the drawn records' histories that get
-/// there bring.
+/// First crossings of some cases, by (threshold, level). Records are the independent unit:
+/// intervals resample them whole, and percentiles of speed are of what the drawn records' histories
+/// that get there bring.
 std::vector<ImpactStatistics> impact_statistics(const HistoryTable& histories, CaseSlice cases,
                                                 std::span<const double> levels,
                                                 std::span<const double> thresholds_m,

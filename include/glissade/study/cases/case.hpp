@@ -26,15 +26,15 @@ struct Case {
   double friction = 0.5;         ///< along the slope
   double friction_across = 0.5;  ///< across it; counts on two axes only
   FrictionLaw law;
-  double slope_deg = 0.0;    ///< falls toward the building's first axis; < 0: the other way
-  double azimuth_deg = 0.0;  ///< two axes: from the building's first axis to where the roof falls
-  double period_s = 0.0;     ///< of the bare building along its first axis; 0: rigid
+  double slope_deg = 0.0;     ///< falls toward the building's first axis; < 0: the other way
+  double azimuth_deg = 0.0;   ///< two axes: from the building's first axis to where the roof falls
+  double period_s = 0.0;      ///< of the bare building along its first axis; 0: rigid
   double period_ratio = 1.0;  ///< two axes: period along the second axis over that along the first
   double damping = 0.05;
   double mass_ratio = 0.0;             ///< array over building
-  double response_modification = 0.0;  ///< R: yields at the design spectrum's elastic demand over R;
-                                       ///< 0: it stays elastic
-  double yield_coefficient = 0.0;      ///< yields at this part of its weight; 0: it stays elastic
+  double response_modification = 0.0;  ///< R: yields at the design spectrum's elastic demand over
+                                       ///< R; 0: it stays elastic
+  double yield_coefficient = 0.0;  ///< yields at this part of its weight; 0: it stays elastic
   double hardening_ratio = 0.0;
   double vertical_period_s = 0.0;  ///< of the roof's vertical oscillator; 0: moves as the ground
   double vertical_damping = 0.05;

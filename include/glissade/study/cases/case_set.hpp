@@ -16,7 +16,8 @@ struct CaseAxis {
   std::string key;   ///< "building.period_s"
   std::string unit;  ///< "s"; "-" where `names` say what the values are
   std::vector<double> values;
-  std::vector<std::string> names;  ///< of values that are choices: "sampled", "anchored"; else empty
+  std::vector<std::string>
+      names;  ///< of values that are choices: "sampled", "anchored"; else empty
 
   std::size_t size() const { return values.size(); }
   bool operator==(const CaseAxis&) const = default;

@@ -9,10 +9,10 @@ namespace glissade {
 
 /// What computes the histories of a study.
 enum class Kernel {
-  tables,    ///< peak_slip(): the roof's motion is known before the block moves, one axis
-  coupled,   ///< coupled_slip(): the array's mass is felt by a linear building, one axis
-  events,    ///< slide_coupled(): the building yields, or friction is stronger at rest, one axis
-  full       ///< slide_on_building(): two axes, any friction law, and all that the others have
+  tables,   ///< peak_slip(): the roof's motion is known before the block moves, one axis
+  coupled,  ///< coupled_slip(): the array's mass is felt by a linear building, one axis
+  events,   ///< slide_coupled(): the building yields, or friction is stronger at rest, one axis
+  full      ///< slide_on_building(): two axes, any friction law, and all that the others have
 };
 
 /// A kernel and why a study needs no cheaper one.

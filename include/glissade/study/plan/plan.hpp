@@ -38,8 +38,8 @@ struct Plan {
   /// By case: which of the distinct roofs of a record it is on.
   std::vector<std::size_t> building;
   std::vector<std::vector<std::size_t>> cases_on;  ///< by building, of those that are run
-  bool roofs_are_kept = false;    ///< so few of them that a record's are all kept
-  bool frictions_repeat = false;  ///< half of the frictions or fewer are different
+  bool roofs_are_kept = false;                     ///< so few of them that a record's are all kept
+  bool frictions_repeat = false;                   ///< half of the frictions or fewer are different
   std::vector<double> factor_at_unit_level;  ///< by record: factor on the motion at level 1; 0
                                              ///< where it depends on the roof
   std::vector<WorkUnit> units;

@@ -3,8 +3,8 @@
 
 #include <cstdint>
 
-#include "glissade/study/run/history_table.hpp"
 #include "glissade/study/plan/plan.hpp"
+#include "glissade/study/run/history_table.hpp"
 #include "glissade/study/run/roof_store.hpp"
 #include "glissade/study/run/work_count.hpp"
 

@@ -40,21 +40,39 @@ template <class Visit>
 void for_each_history_field(Visit visit) {
   using Number = HistoryField<double>;
   using Flag = HistoryField<std::uint8_t>;
-  visit(Number{"peak_displacement_m", "m", "peak displacement in plan; inf: beyond the largest threshold and not run "
-        "(stop_at_largest), or not converged", Depth::levels, &HistoryFields::peak_displacement_m});
-  visit(Number{"peak_vector_m", "m", "two axes: longest displacement vector in plan", Depth::levels, &HistoryFields::peak_vector_m});
-  visit(Number{"peak_along_m", "m", "two axes: largest |displacement| along the slope", Depth::levels, &HistoryFields::peak_along_m});
-  visit(Number{"peak_across_m", "m", "two axes: largest |displacement| across the slope", Depth::levels, &HistoryFields::peak_across_m});
-  visit(Number{"residual_along_m", "m", "two axes: where it comes to rest, positive down the slope", Depth::levels, &HistoryFields::residual_along_m});
-  visit(Number{"residual_across_m", "m", "two axes: the same across the slope", Depth::levels, &HistoryFields::residual_across_m});
-  visit(Number{"shear_along", "-", "peak base shear along the building's first axis, over the bare building's weight", Depth::levels, &HistoryFields::shear_along});
-  visit(Number{"shear_across", "-", "the same along its second axis", Depth::levels, &HistoryFields::shear_across});
+  visit(Number{"peak_displacement_m", "m",
+               "peak displacement in plan; inf: beyond the largest threshold and not run "
+               "(stop_at_largest), or not converged",
+               Depth::levels, &HistoryFields::peak_displacement_m});
+  visit(Number{"peak_vector_m", "m", "two axes: longest displacement vector in plan", Depth::levels,
+               &HistoryFields::peak_vector_m});
+  visit(Number{"peak_along_m", "m", "two axes: largest |displacement| along the slope",
+               Depth::levels, &HistoryFields::peak_along_m});
+  visit(Number{"peak_across_m", "m", "two axes: largest |displacement| across the slope",
+               Depth::levels, &HistoryFields::peak_across_m});
+  visit(Number{"residual_along_m", "m", "two axes: where it comes to rest, positive down the slope",
+               Depth::levels, &HistoryFields::residual_along_m});
+  visit(Number{"residual_across_m", "m", "two axes: the same across the slope", Depth::levels,
+               &HistoryFields::residual_across_m});
+  visit(Number{"shear_along", "-",
+               "peak base shear along the building's first axis, over the bare building's weight",
+               Depth::levels, &HistoryFields::shear_along});
+  visit(Number{"shear_across", "-", "the same along its second axis", Depth::levels,
+               &HistoryFields::shear_across});
   visit(Flag{"uplift", "-", "1 where the array lifts off", Depth::levels, &HistoryFields::uplift});
   visit(Flag{"tips", "-", "1 where the body begins to tip", Depth::levels, &HistoryFields::tips});
-  visit(Flag{"failed", "-", "1 where the history did not converge", Depth::levels, &HistoryFields::failed});
-  visit(Number{"capacity", "", "lowest intensity that reaches the threshold; inf: not reached; 0: slides freely", Depth::thresholds, &HistoryFields::capacity});
-  visit(Number{"crossing_time_s", "s", "time of the first crossing of the threshold from the record's begin; nan: not reached", Depth::levels_and_thresholds, &HistoryFields::crossing_time_s});
-  visit(Number{"crossing_speed_mps", "m/s", "speed then, in plan and relative to the roof; nan: not reached", Depth::levels_and_thresholds, &HistoryFields::crossing_speed_mps});
+  visit(Flag{"failed", "-", "1 where the history did not converge", Depth::levels,
+             &HistoryFields::failed});
+  visit(Number{"capacity", "",
+               "lowest intensity that reaches the threshold; inf: not reached; 0: slides freely",
+               Depth::thresholds, &HistoryFields::capacity});
+  visit(Number{
+      "crossing_time_s", "s",
+      "time of the first crossing of the threshold from the record's begin; nan: not reached",
+      Depth::levels_and_thresholds, &HistoryFields::crossing_time_s});
+  visit(Number{"crossing_speed_mps", "m/s",
+               "speed then, in plan and relative to the roof; nan: not reached",
+               Depth::levels_and_thresholds, &HistoryFields::crossing_speed_mps});
 }
 
 /// Histories by (record, case).

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "glissade/study/run/execute.hpp"
 #include "glissade/study/results.hpp"
+#include "glissade/study/run/execute.hpp"
 
 namespace glissade {
 

@@ -90,7 +90,7 @@ class RoofStore {
   std::uint64_t roofs_made_ = 0;
 
   std::size_t record_ = static_cast<std::size_t>(-1);
-  std::map<AxisKey, std::vector<double>> mixed_;                      ///< of both components
+  std::map<AxisKey, std::vector<double>> mixed_;                            ///< of both components
   std::map<std::pair<AxisKey, int>, std::shared_ptr<GroundTable>> ground_;  ///< and parts
   std::map<VerticalKey, std::shared_ptr<MotionTable>> vertical_;
   std::map<std::size_t, CaseRoof> kept_;            ///< by building

@@ -210,8 +210,8 @@ Figure chart_slope_levels_figure(const Results& results) {
   CurvePlot plot{y_label(results), slope_label, chart.slope_deg};
   const std::vector<std::size_t> levels = spread(results.levels.size(), most_curves);
   for (std::size_t i = 0; i < levels.size(); ++i) {
-    plot.add(with_unit(results, brief(results.levels[levels[i]])), small_family_look(i, levels.size()),
-             with_points,
+    plot.add(with_unit(results, brief(results.levels[levels[i]])),
+             small_family_look(i, levels.size()), with_points,
              design_curve(
                  results, chart.slope_deg.size(), [&](std::size_t s) -> auto& {
                    return chart.at(levels[i], s, shown.friction);
@@ -249,7 +249,8 @@ Figure chart_period_figure(const Results& results) {
   }
   const ChartStatistic design = design_statistic(results);
   plot.add(one_record ? "Largest over periods" : design.heading, look(Role::clearance),
-           DataSeries::Kind::line, std::vector<double>(chart.period_s.size(), design.slip_m(point)));
+           DataSeries::Kind::line,
+           std::vector<double>(chart.period_s.size(), design.slip_m(point)));
   for (const PrescribedLine& line : prescribed_at(chart, point.level)) {
     const bool applies = std::ranges::any_of(line.standards, [&](Standard standard) {
       return applies_at(standard, point.slope_deg, point.mu);

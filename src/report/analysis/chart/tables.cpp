@@ -105,12 +105,14 @@ Table chart_table(const Results& results) {
 
 Table chart_by_period_table(const Results& results) {
   const Chart& chart = *results.chart;
-  Table table{
-      "chart_by_period",
-      title_of_levels("Design chart by building period.", results),
-      {level_column(results), slope_column, mu_column, {"period", "s", "Period, s", ColumnKind::number}},
-      {},
-      {how_counted(results), gravity_note}};
+  Table table{"chart_by_period",
+              title_of_levels("Design chart by building period.", results),
+              {level_column(results),
+               slope_column,
+               mu_column,
+               {"period", "s", "Period, s", ColumnKind::number}},
+              {},
+              {how_counted(results), gravity_note}};
   if (is_one_record(results)) {
     table.columns.push_back({"peak_slip", "m", "Peak slip, m (in)", ColumnKind::length});
   } else {

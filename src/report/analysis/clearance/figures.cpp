@@ -25,9 +25,9 @@ Figure suite_figure(const ClearanceResults& results) {
       spectra.reference_level > 0.0
           ? results.grid.level_symbol + " = " + format_number(spectra.reference_level)
           : "scaled to MCE";
-  return spectra_figure(results.suites.front().spectra,
-                        {results.suites.front().name, as_scaled,
-                         "target spectrum, envelope over the site classes"});
+  return spectra_figure(
+      results.suites.front().spectra,
+      {results.suites.front().name, as_scaled, "target spectrum, envelope over the site classes"});
 }
 
 std::string after_walters(const ClearanceResults& results, int figure, const char* more = "") {

@@ -253,9 +253,9 @@ Table clearance_histories_table(const ClearanceResults& results) {
         std::vector<Cell> row{results.records[record].id, to_string(results.orientations[o])};
         for (Cell& cell : conditions.cells(results.records[record].suite, results.grid.position(i)))
           row.push_back(std::move(cell));
-        row.insert(row.end(), {h.displacement_m, h.peak_m, h.peak_along_m,
-                               h.peak_across_m, h.residual_along_m, h.residual_across_m,
-                               h.shear_along, h.shear_across, static_cast<double>(h.uplift)});
+        row.insert(row.end(), {h.displacement_m, h.peak_m, h.peak_along_m, h.peak_across_m,
+                               h.residual_along_m, h.residual_across_m, h.shear_along,
+                               h.shear_across, static_cast<double>(h.uplift)});
         table.add(std::move(row));
       }
     }

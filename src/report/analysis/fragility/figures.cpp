@@ -60,7 +60,8 @@ void add_threshold(Panel& panel, const Results& results, const RunResults& run, 
       band.high.push_back(fragility.band[i].high);
     }
   }
-  DataSeries key{curve.x.empty() ? DataSeries::Kind::points : DataSeries::Kind::line_and_points, colour};
+  DataSeries key{curve.x.empty() ? DataSeries::Kind::points : DataSeries::Kind::line_and_points,
+                 colour};
   key.label = format_length(fragility.threshold_m) + ": " + fit_text(results, fragility.capacities);
   panel.series.insert(panel.series.begin(), std::move(band));
   for (DataSeries* series : {&curve, &observed, &key}) panel.series.push_back(std::move(*series));
@@ -103,7 +104,7 @@ Figure ida_figure(const Results& results, const RunResults& run) {
                 "together) at each level. Dotted: the clearances. Friction " +
                     run.friction_description + "."};
   DataSeries records{DataSeries::Kind::line, look(Role::record), "records",
-                 "each record, median over its samples"};
+                     "each record, median over its samples"};
   for (std::size_t i = 0; i < slip.records; ++i) {
     for (std::size_t l = 0; l < slip.levels; ++l) {
       records.x.push_back(quantile_of(histories_at(slip, slice_of(run), i, i + 1, l), 0.5));
@@ -124,7 +125,8 @@ Figure ida_figure(const Results& results, const RunResults& run) {
     DataSeries series{DataSeries::Kind::line_and_points, look(part.role), part.label, part.label};
     series.y = results.levels;
     for (std::size_t l = 0; l < slip.levels; ++l) {
-      series.x.push_back(quantile_of(histories_at(slip, slice_of(run), 0, slip.records, l), part.share));
+      series.x.push_back(
+          quantile_of(histories_at(slip, slice_of(run), 0, slip.records, l), part.share));
       // Infinite: not run.
       if (std::isfinite(series.x.back()) && part.share >= 0.5)
         widest_m = std::max(widest_m, series.x.back());

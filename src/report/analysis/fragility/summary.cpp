@@ -167,8 +167,7 @@ std::vector<std::string> answer_sentences(const Results& results) {
   std::vector<std::string> sentences;
   if (results.clearance) sentences = clearance_sentences(clearance_results(results));
   if (results.chart) {
-    for (std::string& sentence : chart_sentences(results))
-      sentences.push_back(std::move(sentence));
+    for (std::string& sentence : chart_sentences(results)) sentences.push_back(std::move(sentence));
   }
   if (results.runs.empty()) return sentences;
   const RunResults& run = results.runs.front();

@@ -42,8 +42,9 @@ enum class PanelPart { whole, sliding };
 
 /// The traces of one direction, or their sliding parts.
 DataSeries traces(const std::vector<PullTest>& tests, const PullTestSummary& summary,
-              const std::string& direction, PanelPart part, Look look) {
-  DataSeries series{DataSeries::Kind::line, look, part == PanelPart::whole ? "traces" : "sliding parts"};
+                  const std::string& direction, PanelPart part, Look look) {
+  DataSeries series{DataSeries::Kind::line, look,
+                    part == PanelPart::whole ? "traces" : "sliding parts"};
   for (std::size_t t = 0; t < tests.size(); ++t) {
     const TraceFriction& result = summary.tests[t];
     if (result.direction != direction) continue;
@@ -89,8 +90,9 @@ Figure friction_figure(const std::vector<PullTest>& tests, const PullTestSummary
     for (int i = 0; width_m > 0.0 && i * round_step(width_m, 4.0) <= width_m; ++i)
       panel.x.ticks.push_back(
           {i * round_step(width_m, 4.0), fmt::format("{:g}", i * round_step(width_m, 4.0))});
-    panel.series = {traces(tests, summary, direction.direction, PanelPart::whole, look(Role::record)),
-                    traces(tests, summary, direction.direction, PanelPart::sliding, thin)};
+    panel.series = {
+        traces(tests, summary, direction.direction, PanelPart::whole, look(Role::record)),
+        traces(tests, summary, direction.direction, PanelPart::sliding, thin)};
     panel.rules = {{Rule::Kind::horizontal, s.mean, distinct_look(d),
                     fmt::format("mean of sliding friction {} ({} {})", format_number(s.mean),
                                 s.tests, s.tests == 1 ? "test" : "tests")}};

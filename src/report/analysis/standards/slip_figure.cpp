@@ -25,7 +25,8 @@ void add_standard(Panel& panel, const RunResults& run, Standard standard, Look s
     const bool recalled = provenance == Provenance::recalled;
     Look look = style;
     if (recalled) look.symbol = hollow_symbol;
-    DataSeries points{DataSeries::Kind::points, look, name + (recalled ? ", recalled" : ", checked")};
+    DataSeries points{DataSeries::Kind::points, look,
+                      name + (recalled ? ", recalled" : ", checked")};
     for (const StandardComparison& c : run.standards) {
       if (c.standard != standard || c.prescribed.provenance != provenance) continue;
       points.x.push_back(c.sds_g);

@@ -19,7 +19,7 @@ Figure spectra_figure(const SuiteSpectra& spectra, const SpectraTexts& texts) {
                     std::string(spectra.target_g.empty() ? "" : ", and the target spectrum") +
                     ". Suite: " + texts.suite + ", " + texts.scaled + "."};
   DataSeries records{DataSeries::Kind::line, look(Role::record), "records",
-                 "each record, SRSS of its horizontal components"};
+                     "each record, SRSS of its horizontal components"};
   for (const std::vector<double>& record : spectra.srss_g) {
     for (std::size_t p = 0; p < record.size(); ++p) {
       records.x.push_back(spectra.periods_s.at(p));
@@ -34,8 +34,8 @@ Figure spectra_figure(const SuiteSpectra& spectra, const SpectraTexts& texts) {
               {"Period (s)", 0.0, spectra.periods_s.empty() ? 1.0 : spectra.periods_s.back()},
               {"Spectral acceleration, 5 % damped, SRSS (g)"},
               {records,
-               {DataSeries::Kind::line, average, "average", "average of the records", spectra.periods_s,
-                spectra.average_srss_g}}};
+               {DataSeries::Kind::line, average, "average", "average of the records",
+                spectra.periods_s, spectra.average_srss_g}}};
   if (!spectra.target_g.empty())
     panel.series.push_back({DataSeries::Kind::line, look(Role::target), "target", texts.target,
                             spectra.periods_s, spectra.target_g});

@@ -66,8 +66,10 @@ Table spectra_table(const Results& results) {
 }
 
 Table samples_table(const Results& results) {
-  Table table{"samples", std::string("The samples of the first combination. ") + in_plan,
-              {{"sample", "", "Sample", ColumnKind::count}}, {}};
+  Table table{"samples",
+              std::string("The samples of the first combination. ") + in_plan,
+              {{"sample", "", "Sample", ColumnKind::count}},
+              {}};
   std::vector<const Parameter*> shown;
   for (const Parameter& p : parameters()) {
     if (p.axes == Parameter::Axes::two && !slides_on_two_axes(results)) continue;
