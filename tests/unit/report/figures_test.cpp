@@ -59,6 +59,11 @@ TEST(figures, draw_without_the_fits_that_failed) {
   EXPECT_NO_THROW(render_figure(figure, fresh_folder("failed_fit")));
 }
 
+TEST(figures, an_axis_of_no_length_has_no_steps_and_ends) {
+  for (const double high_m : {0.0, std::numeric_limits<double>::infinity()})
+    EXPECT_LT(length_axis("Slip", high_m).opposite_ticks.size(), 1000u);
+}
+
 TEST(figures, take_any_text_of_the_user_as_text) {
   Results results = made_up_results();
   results.suites[0].name = "it's {a} \"_suite^\" `date` \\n $x";
