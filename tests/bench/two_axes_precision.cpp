@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "glissade/block/on_building.hpp"
+#include "glissade/block/two_axis_lanes.hpp"
 #include "two_axis_link.hpp"
 
 namespace glissade::bench {
@@ -14,7 +14,7 @@ namespace {
 
 using test::Component;
 
-constexpr std::size_t batch_size = 4;
+constexpr std::size_t batch_size = 16;
 constexpr double truth_tolerance = 1e-9;
 
 /// What the array lies on.
@@ -25,11 +25,7 @@ struct Kind {
   double across = 1.0;  ///< of the friction along the slope
 };
 
-struct Scene {
-  BiaxialBuilding building;
-  TwoAxisBlock block;
-  BuildingFactors factors;
-};
+using Scene = TwoAxisScene;
 
 struct Batch {
   SampledGround sampled;
@@ -136,6 +132,19 @@ struct Trial {
         });
   }
 
+  /// All scenes of a batch at once.
+  BatchScheme lanes(int digits) const {
+    return {fmt::format("slide_two_axes, {}", kind.name), fmt::format("tolerance = 1e-{}", digits),
+            [this, tolerance = std::pow(10.0, -digits)](std::size_t b) {
+              const Batch& batch = batches[b];
+              std::vector<TwoAxisPeak> peaks(batch.scenes.size());
+              slide_two_axes(batch.ground, batch.scenes, peaks, tolerance);
+              std::vector<double> peaks_m;
+              for (const TwoAxisPeak& peak : peaks) peaks_m.push_back(peak.peak_displacement_m);
+              return peaks_m;
+            }};
+  }
+
   BatchScheme two_axis(int digits) const {
     return one_by_one("slide_two_axis", fmt::format("tolerance = 1e-{}", digits),
                       [tolerance = std::pow(10.0, -digits)](const Batch& batch, const Scene& s) {
@@ -191,6 +200,8 @@ std::vector<SchemeResult> two_axes_precision(const test::StandardScenes& all, st
       for (const int digits : tolerances) schemes.push_back(trial.two_axis(digits));
     }
     for (const int digits : tolerances) schemes.push_back(trial.on_building(digits));
+    for (const int digits : tolerances)
+      if (kind.across == 1.0) schemes.push_back(trial.lanes(digits));
     for (int substeps = 1; stepped && substeps <= (quick ? 4 : 64); substeps *= 4)
       schemes.push_back(trial.link(substeps));
     for (const SchemeResult& result : run_trial(trial.judged, schemes, quick ? 1 : 2))

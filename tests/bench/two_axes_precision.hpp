@@ -13,7 +13,7 @@ namespace glissade::bench {
 /// with the vertical. On a rigid roof; on buildings of 0.2, 0.5 and 1 s (5 %; the second axis 0.8
 /// times that) with m/M 0 and 0.05; and those with friction across the slope 0.8 times that along
 /// it. Truth is slide_on_building() at tolerance 1e-9.
-/// @param histories about so many of each kind, four to a motion
+/// @param histories about so many of each kind, sixteen to a motion
 std::vector<SchemeResult> two_axes_precision(const test::StandardScenes& all, std::size_t histories,
                                              bool quick);
 

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+
+#include "glissade/block/on_building.hpp"
+
+namespace glissade {
+
+/// One history of a batch.
+struct TwoAxisScene {
+  BiaxialBuilding building;
+  TwoAxisBlock block;
+  BuildingFactors factors;
+};
+
+/// TwoAxisResult without path, speed and duration.
+struct TwoAxisPeak {
+  double peak_displacement_m = 0.0;
+  PlanVector peak_by_axis;
+  double peak_downslope_m = 0.0;
+  double peak_upslope_m = 0.0;
+  PlanVector residual;
+  std::size_t slip_phases = 0;
+  bool uplift = false;
+  bool free_sliding = false;
+};
+
+double srss_of_maxima_m(const TwoAxisPeak& peak);
+
+/// slide_on_building() for many histories under one ground motion, side by side in SIMD lanes: a
+/// history that slides is in a lane, each lane at its own time. A step is the Taylor series of the
+/// block's velocity, of order 6, over the rest of a sample interval or as much of it as the
+/// tolerance allows; a building that feels the block is a series beside it. Where the block is at
+/// rest the next interval in which it may slide is looked for over bounds on the roof's motion,
+/// which is tabulated for each building. How a block starts is a series of its own, how it stops is
+/// known in closed form (two_axis.hpp); between the two, steps too stiff for the lanes are SDIRK4.
+///
+/// The same bits on every SIMD target, in any order and whatever else is in the batch; but scenes
+/// on one building share its table, so give the levels and blocks of a building together.
+///
+/// Other friction than Coulomb's on a circle, friction below 1.02 tan(slope), yielding, one rigid
+/// axis beside one that is not, damping outside [0.001, 0.5], periods below 7.4 sample intervals,
+/// an oscillating vertical or one above 0.9 g, and histories whose normal force falls below 6 % of
+/// the weight go through slide_on_building().
+///
+/// @param peaks as many as scenes
+/// @param tolerance as slide_on_building()'s, in [1e-9, 1e-2]
+void slide_two_axes(const BuildingGround& ground, std::span<const TwoAxisScene> scenes,
+                    std::span<TwoAxisPeak> peaks, double tolerance = 1e-6);
+
+}  // namespace glissade

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A history while the block rests.
+#include <algorithm>
+#include <cmath>
+
+#include "history.hpp"
+#include "roof_at_rest.hpp"
+
+namespace glissade::block_detail::two_axes {
+namespace {
+
+/// The root of a function, almost a line, that rises from at most zero at `low`
+/// to above zero at `high`: the secant rule, kept within the bracket.
+template <class Function>
+double rise_between(const Function& f, double low, double high, double f_low, double f_high) {
+  double x0 = low, f0 = f_low, x1 = high, f1 = f_high;
+  for (int i = 0; i < 60; ++i) {
+    double x = x1 - f1 * (x1 - x0) / (f1 - f0);
+    if (!(x >= low && x <= high)) x = 0.5 * (low + high);
+    const double value = f(x);
+    (value > 0.0 ? high : low) = x;
+    const double moved = std::abs(x - x1);
+    x0 = x1;
+    f0 = f1;
+    x1 = x;
+    f1 = value;
+    if (moved < 1e-9 || value == 0.0 || high - low < 1e-13) break;
+  }
+  return x1;
+}
+
+}  // namespace
+
+LaneHistory::LaneHistory(const Constants<double>& constants, RoofKind roof,
+                         const GroundNodes& ground, std::shared_ptr<const RestTable> table)
+    : constants_(constants), roof_(roof), ground_(ground), table_(std::move(table)) {}
+
+LaneHistory::Next LaneHistory::begin(Spot& spot) {
+  spot = resting_at(0, {});
+  const RoofPiece first = piece(spot, {});
+  if (release(first) == 0.0) {
+    start(spot, false);
+    return slide(spot, false);
+  }
+  return rest_from_node(spot);
+}
+
+Spot LaneHistory::resting_at(std::int64_t node, const std::array<AxisState, 2>& state) const {
+  const auto i = static_cast<std::size_t>(node);
+  Spot s;
+  s.node = node;
+  s.motion.left = 1.0;
+  s.motion.ground_1 = constants_.factor_1 * ground_.ground(0, i);
+  s.motion.ground_2 = constants_.factor_2 * ground_.ground(1, i);
+  s.motion.w = constants_.factor_w * ground_.vertical(i);
+  s.motion.x_1 = state[0].x;
+  s.motion.y_1 = state[0].y;
+  s.motion.x_2 = state[1].x;
+  s.motion.y_2 = state[1].y;
+  return s;
+}
+
+void LaneHistory::start(Spot& spot, bool smoothly) {
+  LaneMotion<double>& m = spot.motion;
+  m.v_s = m.v_y = 0.0;
+  m.fastest = std::max(m.fastest, 1e-9 * ground_.dt_s * constants_.gravity);
+  step_s_ = never;
+  ++phases_;
+  if (smoothly) start_smoothly(spot);
+}
+
+/// The share of a piece after which friction holds the block no longer, or
+/// never.
+double LaneHistory::release(const RoofPiece& piece) const {
+  const double mu = constants_.mu;
+  const auto excess = [&](double y) { return -grip_left(piece.load(y), mu); };
+  const double begin = excess(0.0), end = excess(1.0);
+  if (begin > 1e-13 * constants_.gravity) return 0.0;
+  if (end > 0.0) return rise_between(excess, 0.0, 1.0, std::min(begin, 0.0), end);
+  const double sag = piece.sag();
+  if (sag == 0.0 || -std::max(begin, end) > sag) return never;
+  constexpr int parts = 16;
+  double before = std::min(begin, 0.0);
+  for (int i = 1; i < parts; ++i) {
+    const double y = static_cast<double>(i) / parts, value = excess(y);
+    if (value > 0.0) return rise_between(excess, y - 1.0 / parts, y, before, value);
+    before = value;
+  }
+  return never;
+}
+
+LaneHistory::Next LaneHistory::rest(Spot& spot) {
+  const RoofPiece rest_of_interval = piece(spot, {});
+  const double share = release(rest_of_interval);
+  if (share < 1.0) {
+    rest_of_interval.move(spot, share);
+    start(spot, share > 0.0);
+    return slide(spot, false);
+  }
+  rest_of_interval.move(spot, 1.0);
+  return rest_from_node(spot);
+}
+
+/// Moves the spot to where the block starts to slide in the interval after a
+/// node. Returns false where it does not.
+bool LaneHistory::starts_after(std::size_t node, const RoofAtRest& roof, Spot& spot) {
+  Spot at = resting_at(static_cast<std::int64_t>(node), roof.state(node));
+  const RoofPiece interval = piece(at, {});
+  const double share = release(interval);
+  if (!(share < 1.0)) return false;
+  interval.move(at, share);
+  LaneMotion<double>& m = spot.motion;
+  m.left = at.motion.left;
+  m.ground_1 = at.motion.ground_1;
+  m.ground_2 = at.motion.ground_2;
+  m.w = at.motion.w;
+  m.x_1 = at.motion.x_1;
+  m.y_1 = at.motion.y_1;
+  m.x_2 = at.motion.x_2;
+  m.y_2 = at.motion.y_2;
+  spot.node = at.node;
+  start(spot, true);
+  return true;
+}
+
+LaneHistory::Next LaneHistory::rest_from_node(Spot& spot) {
+  RoofAtRest roof(constants_, roof_, ground_, *table_, spot);
+  const auto begin = static_cast<std::size_t>(spot.node);
+  const std::size_t quiet = ground_.quiet;
+  const std::size_t longest =
+      quiet + static_cast<std::size_t>(RoofMotionOptions{}.longest_ring_down_s / ground_.dt_s);
+  std::size_t next_interval = begin;  // the first not looked into
+  const auto starts_in = [&](std::size_t interval) {
+    if (interval < next_interval) return false;
+    next_interval = interval + 1;
+    return starts_after(interval, roof, spot);
+  };
+  for (std::size_t i = begin;;) {
+    if (!roof.after_record() && i >= quiet) roof.end_record();
+    if (roof.holds_from(i) || i >= longest) return Next::over;
+    const std::size_t end = roof.block_end(i);
+    if (!roof.holds_in_block(i)) {
+      for (i = roof.first_loose(i, end); i <= end; i = roof.first_loose(i + 1, end)) {
+        const bool within = roof.after_record() || i < quiet;
+        if ((i > roof.base() && starts_in(i - 1)) || (within && starts_in(i)))
+          return slide(spot, false);
+      }
+    }
+    i = end;
+    roof.renew(i);
+  }
+}
+
+}  // namespace glissade::block_detail::two_axes

@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A history while the block slides too stiffly for the lanes, and how it stops.
+#include <algorithm>
+#include <cmath>
+
+#include "block/two_axis_extremes.hpp"
+#include "block/two_axis_step.hpp"
+#include "block/two_axis_stop.hpp"
+#include "history.hpp"
+
+namespace glissade::block_detail::two_axes {
+namespace {
+
+Vector velocity(const Spot& spot) { return {spot.motion.v_s, spot.motion.v_y}; }
+
+/// Coulomb friction on a circle and a roof that may give way: V' from V = known
+/// + own V'.
+Vector stage(const Constants<double>& c, Vector known, double own, const Load& load, Vector guess) {
+  const double per_kappa = c.per_kappa_y;
+  const bool even = c.gives == 0.0;
+  Vector a = guess;
+  for (int i = 0; i < 6; ++i) {
+    // What is not the same in both directions is taken from the last iterate.
+    const double normal = load.normal - c.gives * a.s;
+    const double lambda = c.mu * std::max(normal, 0.0) * per_kappa;
+    const Vector drive =
+        per_kappa * Vector{load.drive.s + (1.0 / per_kappa - c.kappa) * a.s, load.drive.y};
+    const Vector p = known + own * drive;
+    const double size = length(p);
+    const Vector next = size > own * lambda ? drive - (lambda / size) * p : (-1.0 / own) * known;
+    const double change = length(next - a);
+    a = next;
+    if (even || change <= 1e-13 * lambda) break;
+  }
+  return a;
+}
+
+/// SDIRK4 (two_axis_step.hpp) over a share of a piece.
+SlidingStep sdirk4(const Constants<double>& c, Vector v, const RoofPiece& piece, double share) {
+  constexpr int stages = 5;
+  constexpr double gamma = 0.25;
+  constexpr double at[stages] = {1.0 / 4, 3.0 / 4, 11.0 / 20, 1.0 / 2, 1.0};
+  constexpr double a[stages][stages - 1] = {{},
+                                            {1.0 / 2},
+                                            {17.0 / 50, -1.0 / 25},
+                                            {371.0 / 1360, -137.0 / 2720, 15.0 / 544},
+                                            {25.0 / 24, -49.0 / 48, 125.0 / 16, -85.0 / 12}};
+  constexpr double difference[stages] = {-3.0 / 16, -27.0 / 32, 25.0 / 32, 0.0, 1.0 / 4};
+  const double length_s = share * piece.length_s(), own = gamma * length_s;
+  Vector k[stages], stage_v, error;
+  Load load;
+#pragma GCC unroll 5
+  for (int i = 0; i < stages; ++i) {
+    Vector known{};
+#pragma GCC unroll 5
+    for (int j = 0; j < i; ++j) known = known + a[i][j] * k[j];
+    known = v + length_s * known;
+    load = piece.load(share * at[i]);
+    k[i] = stage(c, known, own, load, i > 0 ? k[i - 1] : Vector{});
+    stage_v = known + own * k[i];
+    error = error + difference[i] * k[i];
+  }
+  load.normal *= c.per_kappa_y;
+  return {{stage_v, k[stages - 1]},
+          length_s * length(damped(error, stage_v, own, load, FrictionEllipse({c.mu, c.mu})))};
+}
+
+}  // namespace
+
+RoofPiece::Push LaneHistory::push_of(Vector v) const {
+  const double along = constants_.cosine2 * v.s, across = constants_.cosine * v.y;
+  return {
+      {constants_.c * along - constants_.s * across, constants_.s * along + constants_.c * across},
+      {}};
+}
+
+LaneHistory::Next LaneHistory::event(Spot& spot) {
+  step_s_ = never;
+  return slide(spot, true);
+}
+
+LaneHistory::Next LaneHistory::slide(Spot& spot, bool from_lane) {
+  for (bool first = from_lane;; first = false) {
+    const LaneMotion<double>& m = spot.motion;
+    const auto longest =
+        static_cast<double>(ground_.quiet) * ground_.dt_s + RoofMotionOptions{}.longest_ring_down_s;
+    if (static_cast<double>(spot.node) * ground_.dt_s >= longest) return Next::leaves;
+    const Vector v = velocity(spot);
+    RoofPiece rest_of_interval = piece(spot, push_of(v));
+    const Load load = rest_of_interval.load(0.0);
+    if (!(load.normal > 1.2 * least_weight * constants_.gravity)) return Next::leaves;
+    const double speed = length(v);
+    if (speed > 0.0 && stop(spot, rest_of_interval)) return rest(spot);
+    if (!first && constants_.mu * load.normal * rest_of_interval.length_s() <= stiffest * speed)
+      return Next::slides;
+    stiff_step(spot);
+    if (m.v_s == 0.0 && m.v_y == 0.0) return rest(spot);
+  }
+}
+
+/// In closed form, where it comes before the piece's end under a load that
+/// hardly changes.
+bool LaneHistory::stop(Spot& spot, const RoofPiece& piece) {
+  const Constants<double>& c = constants_;
+  LaneMotion<double>& m = spot.motion;
+  const Vector v = velocity(spot);
+  const auto felt = [&](double y) {
+    const Load load = piece.load(y);
+    return Load{c.per_kappa_y * load.drive, c.mu * c.per_kappa_y * load.normal};
+  };
+  const double length_s = piece.length_s();
+  const Load now = felt(0.0);
+  const Stop guess = stop_under_constant_load(v, now.drive, now.normal);
+  if (!(guess.time_s < length_s)) return false;
+  // The load a third of the way gives the way of a straight path to the second
+  // order of its change.
+  const double t = guess.time_s;
+  const Load third = felt(t / length_s / 3.0), end = felt(1.0);
+  const Stop stop = stop_under_constant_load(v, third.drive, third.normal);
+  if (!(stop.time_s < length_s)) return false;
+  step_s_ = std::min(step_s_, 0.6 * t);
+  const auto change = [](const Load& a, const Load& b) {
+    return length(b.drive - a.drive) + std::abs(b.normal - a.normal);
+  };
+  const double jerk = std::max(change(now, end) / length_s, change(now, third) * 3.0 / t);
+  const double uneven =
+      now.normal * c.per_kappa_y * (std::abs(1.0 / c.per_kappa_y - c.kappa) + c.mu * c.gives);
+  const double allowed = stop_share * c.tolerance * m.path;
+  if (!(t * t * (jerk * t / 12.0 + 0.5 * uneven) <= allowed)) return false;
+  const Vector to_plan{c.cosine2, c.cosine}, at{m.at_s, m.at_y}, out = scaled(at, to_plan);
+  const bool passes_no_peak = v.s * third.drive.s >= 0.0 && v.y * third.drive.y >= 0.0 &&
+                              dot(out, v) * dot(out, third.drive) >= 0.0;
+  if (!passes_no_peak && stop.path > 50.0 * allowed) return false;
+
+  piece.move(spot, stop.time_s / length_s);
+  const Vector way = scaled(stop.displacement, to_plan);
+  if (roof_ == RoofKind::coupled) {
+    // The push under way in place of that of the velocity it began with.
+    const RoofPiece::Push begin = push_of(v);
+    const double way_1 = c.c * way.s - c.s * way.y, way_2 = c.s * way.s + c.c * way.y;
+    const double less_1 = way_1 - begin.begin[0] * stop.time_s,
+                 less_2 = way_2 - begin.begin[1] * stop.time_s;
+    m.x_1 -= c.omega_1 * c.omega_rho_1 * less_1;
+    m.x_2 -= c.omega_2 * c.omega_rho_2 * less_2;
+    m.y_1 += c.omega_1 * c.omega_rho_1 * c.twice_zeta_1 * c.per_mass * less_1;
+    m.y_2 += c.omega_2 * c.omega_rho_2 * c.twice_zeta_2 * c.per_mass * less_2;
+  }
+  m.v_s = m.v_y = 0.0;
+  m.path += stop.path;
+  move_way(spot, way);
+  return true;
+}
+
+void LaneHistory::move_way(Spot& spot, Vector way) const {
+  LaneMotion<double>& m = spot.motion;
+  m.at_s += way.s;
+  m.at_y += way.y;
+  m.farthest2 = std::max(m.farthest2, m.at_s * m.at_s + m.at_y * m.at_y);
+  m.ahead_s = std::max(m.ahead_s, m.at_s);
+  m.back_s = std::max(m.back_s, -m.at_s);
+  m.ahead_y = std::max(m.ahead_y, m.at_y);
+  m.back_y = std::max(m.back_y, -m.at_y);
+}
+
+void LaneHistory::stiff_step(Spot& spot) {
+  const Constants<double>& c = constants_;
+  LaneMotion<double>& m = spot.motion;
+  const Vector v = velocity(spot);
+  RoofPiece::Push push = push_of(v);
+  RoofPiece rest_of_interval = piece(spot, push);
+  const double left_s = rest_of_interval.length_s();
+  const Load now = rest_of_interval.load(0.0);
+  const double rounding = 16.0 * std::numeric_limits<double>::epsilon() *
+                          (std::abs(now.drive.s) + std::abs(now.drive.y) + std::abs(now.normal));
+  constexpr double shortest = 1e-9;  // of what is left
+  double length_s = std::min(step_s_, left_s);
+  const double speed = length(v), friction = c.mu * now.normal;
+  if (step_s_ == never && speed > 0.0) length_s = std::min(length_s, speed / friction);
+  // A stage of what comes after a reversal would not see what came before.
+  if (dot(now.drive, v) < friction * speed && speed > c.tolerance * m.fastest) {
+    const double fastest_stop = c.per_kappa_y * (length(now.drive) + friction);
+    length_s = std::min(length_s, 0.6 * speed / fastest_stop);
+  }
+  if (length_s < left_s && length_s > 0.5 * left_s) length_s = 0.5 * left_s;
+  SlidingStep trial;
+  for (;;) {
+    const double share = length_s == left_s ? 1.0 : length_s / left_s;
+    trial = sdirk4(c, v, rest_of_interval, share);
+    if (roof_ == RoofKind::coupled) {  // once more, with the push it has
+      const RoofPiece::Push end = push_of(trial.end.v);
+      for (std::size_t n = 0; n < 2; ++n) push.rise[n] = (end.begin[n] - push.begin[n]) / share;
+      rest_of_interval = piece(spot, push);
+      trial = sdirk4(c, v, rest_of_interval, share);
+    }
+    const double allowed =
+        c.tolerance * std::max(m.fastest, length(trial.end.v)) + length_s * rounding;
+    const double ratio = trial.error > 0.0 ? allowed / trial.error : 1e4;
+    step_s_ = length_s * std::clamp(0.9 * std::sqrt(std::sqrt(ratio)), 0.2, 5.0);
+    if (ratio >= 1.0 || length_s <= shortest * left_s) break;
+    length_s = step_s_;
+    if (length_s < left_s && length_s > 0.5 * left_s) length_s = 0.5 * left_s;
+  }
+  // Its way: the cubic through both ends' velocities and accelerations.
+  const Vector to_plan{c.cosine2, c.cosine}, from{m.at_s, m.at_y};
+  const Vector a0 = speed > 0.0 ? stage(c, v, 1e-9 * length_s, now, {}) : Vector{};
+  const Path path(length_s, from, scaled(v, to_plan), scaled(a0, to_plan),
+                  scaled(trial.end.v, to_plan), scaled(trial.end.a, to_plan));
+  if (dot(path.v[0], path.v[3]) < 0.0 || dot(from, path.v[0]) * dot(path.end, path.v[3]) < 0.0 ||
+      path.v[0].s * path.v[3].s < 0.0 || path.v[0].y * path.v[3].y < 0.0) {
+    Extremes extremes;
+    extremes.along(path);
+    m.farthest2 = std::max(m.farthest2, extremes.displacement() * extremes.displacement());
+    m.ahead_s = std::max(m.ahead_s, extremes.ahead().s);
+    m.back_s = std::max(m.back_s, extremes.back().s);
+    m.ahead_y = std::max(m.ahead_y, extremes.ahead().y);
+    m.back_y = std::max(m.back_y, extremes.back().y);
+  }
+  rest_of_interval.move(spot, length_s == left_s ? 1.0 : length_s / left_s);
+  m.v_s = trial.end.v.s;
+  m.v_y = trial.end.v.y;
+  m.fastest = std::max(m.fastest, length(trial.end.v));
+  m.path += 0.5 * length_s * (speed + length(trial.end.v));
+  move_way(spot, path.end - from);
+}
+
+TwoAxisPeak LaneHistory::result(const Spot& spot) const {
+  const LaneMotion<double>& m = spot.motion;
+  TwoAxisPeak peak;
+  peak.peak_displacement_m = std::sqrt(m.farthest2);
+  peak.peak_by_axis = {std::max(m.ahead_s, m.back_s), std::max(m.ahead_y, m.back_y)};
+  peak.peak_downslope_m = m.ahead_s;
+  peak.peak_upslope_m = m.back_s;
+  peak.residual = {m.at_s, m.at_y};
+  peak.slip_phases = phases_;
+  return peak;
+}
+
+}  // namespace glissade::block_detail::two_axes

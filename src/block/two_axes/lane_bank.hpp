@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+
+namespace glissade::block_detail::two_axes {
+
+/// What the block lies on: ground, a building that does not feel the block, one
+/// that does.
+enum class RoofKind { rigid, building, coupled };
+
+/// A block that slides, at an instant. Velocity per cos(slope), displacement in
+/// plan, both in the axes of the slope. A building by its own axes, scaled
+/// (core/oscillator.hpp): x, and Y = y + omega rho b with b the block's
+/// velocity in plan and rho = r / (1 + r), which leaves no rate of b in the
+/// equations.
+template <class Number>
+struct LaneMotion {
+  Number left;  ///< share of the sample interval that is still to come, (0, 1]
+  Number v_s, v_y;
+  Number at_s, at_y;
+  Number ground_1, ground_2, w;  ///< mps2, now
+  Number x_1, y_1, x_2, y_2;
+  Number fastest, path;  ///< so far: |v|, and its integral
+  Number farthest2;      ///< so far: displacement squared
+  Number ahead_s, back_s, ahead_y,
+      back_y;  ///< so far: by axis and direction, >= 0
+};
+
+/// What does not change in a history.
+template <class Number>
+struct Constants {
+  Number factor_1, factor_2, factor_w;
+  Number gravity, mu, tangent, cosine,
+      cosine2;                ///< of the slope; cosine2 its square
+  Number c, s;                ///< cosine and sine of the azimuth
+  Number c_across, s_across;  ///< the same over the slope's cosine
+  Number tolerance;
+  Number omega_1, omega_2, twice_zeta_1, twice_zeta_2,
+      per_mass;  ///< per_mass = 1 / (1 + r)
+  Number omega_rho_1, omega_rho_2;
+  Number kappa, gives,
+      per_kappa_y;  ///< 1 - rho cos^2, rho sin cos, 1 / (1 - rho)
+};
+
+/// Histories that slide, side by side.
+struct LaneBank {
+  static constexpr std::size_t lanes = 32;
+  using Lanes = double[lanes];
+
+  alignas(64) LaneMotion<Lanes> motion = {};
+  alignas(64) Constants<Lanes> constants = {};
+  alignas(64) std::int64_t node[lanes] = {};  ///< before which sample interval's begin
+  std::uint64_t active = 0;                   ///< lanes, as bits
+
+  template <template <class> class Fields>
+  static void store(Fields<Lanes>& rows, std::size_t lane, const Fields<double>& column) {
+    for (std::size_t k = 0; k < sizeof(column) / sizeof(double); ++k)
+      std::memcpy(reinterpret_cast<char*>(&rows) + (k * lanes + lane) * sizeof(double),
+                  reinterpret_cast<const char*>(&column) + k * sizeof(double), sizeof(double));
+  }
+  template <template <class> class Fields>
+  static void load(const Fields<Lanes>& rows, std::size_t lane, Fields<double>& column) {
+    for (std::size_t k = 0; k < sizeof(column) / sizeof(double); ++k)
+      std::memcpy(reinterpret_cast<char*>(&column) + k * sizeof(double),
+                  reinterpret_cast<const char*>(&rows) + (k * lanes + lane) * sizeof(double),
+                  sizeof(double));
+  }
+};
+
+/// Ground at the nodes, four numbers each: both axes, the vertical, nothing.
+/// The last is zero.
+struct GroundRows {
+  const double* nodes;
+  std::int64_t last;
+  std::int64_t limit;  ///< the lanes do not go on from here
+  double dt_s;
+  bool vertical;  ///< whether there is one
+};
+
+/// The largest n h / |v| of a lane: beyond it, where |v| is small, its steps
+/// would be too short.
+constexpr double stiffest = 1000.0;
+/// What a stop's closed form may be off by, as a share of tolerance times path:
+/// what one stop leaves nothing later corrects, and stops are many.
+constexpr double stop_share = 1e-3;
+/// The least normal force in a lane, as a share of the weight; the scalar
+/// scheme of the events asks for a little more.
+constexpr double least_weight = 0.05;
+
+/// One step of every active lane. Returns those that did not make it, as bits:
+/// they are as before.
+std::uint64_t step(LaneBank& bank, const GroundRows& ground, RoofKind roof);
+
+}  // namespace glissade::block_detail::two_axes

@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The block's motion over the rest of a sample interval as power series, in
+// SIMD lanes. Included once per SIMD target.
+#if defined(GLISSADE_TWO_AXES_LANE_SERIES_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef GLISSADE_TWO_AXES_LANE_SERIES_INL
+#undef GLISSADE_TWO_AXES_LANE_SERIES_INL
+#else
+#define GLISSADE_TWO_AXES_LANE_SERIES_INL
+#endif
+
+#include <hwy/highway.h>
+
+#include <type_traits>
+
+#include "lane_bank.hpp"
+
+#ifndef GLISSADE_INLINE_LAMBDA
+#define GLISSADE_INLINE_LAMBDA __attribute__((always_inline))
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace glissade::block_detail::two_axes::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+using Doubles = HWY_CAPPED(double, 8);
+using Indices = hn::RebindToSigned<Doubles>;
+using V = hn::Vec<Doubles>;
+using Mask = hn::Mask<Doubles>;
+
+constexpr int order = 6;        // of the velocity
+constexpr int roof_order = 10;  // of the building
+
+inline V Number(double value) { return hn::Set(Doubles(), value); }
+
+/// Loops over orders are unrolled: each order is a constant, and its series
+/// stay in registers.
+template <int k>
+using Order = std::integral_constant<int, k>;
+template <int begin, int end, class What>
+HWY_INLINE void ForOrders(const What& what) {
+  if constexpr (begin < end) {
+    what(Order<begin>());
+    ForOrders<begin + 1, end>(what);
+  }
+}
+
+template <int k = 0, int n>
+HWY_INLINE V Polynomial(const V (&c)[n], V t) {
+  if constexpr (k + 1 == n)
+    return c[k];
+  else
+    return Polynomial<k + 1>(c, t) * t + c[k];
+}
+
+constexpr double inverse[] = {0.0,     1.0,     1.0 / 2, 1.0 / 3, 1.0 / 4, 1.0 / 5,
+                              1.0 / 6, 1.0 / 7, 1.0 / 8, 1.0 / 9, 1.0 / 10};
+
+/// A quantity linear over the rest of the interval.
+struct Ramped {
+  V begin, rise;
+};
+
+/// StepSeries in tau, the share of the rest of the interval that has passed; h is
+/// its length. With the load p, the friction n, e = v / |v| and the rate d of
+/// v, all times h:
+///   e_k = (v_k - sum of |v|_j e_k-j, j > 0) / |v|_0,   d = p - n e,   v_k+1 =
+///   d_k / (k + 1), |v|_k+1 = (e . d)_k / (k + 1)
+/// On a roof that the block accelerates n and d depend on each other (kappa,
+/// gives in Constants). In every sum the newest term is added last: the lanes
+/// wait for it.
+template <RoofKind roof>
+class StepSeries {
+ public:
+  V v_s[order + 1], v_y[order + 1];
+  V x_1[roof_order + 1], y_1[roof_order + 1], x_2[roof_order + 1], y_2[roof_order + 1];
+  V speed[order];            // |v|
+  V p_s[order], p_y[order];  // load
+  V weight[order];           // n on a roof that the block does not accelerate
+
+  HWY_INLINE StepSeries(const Constants<V>& constants, const LaneMotion<V>& m, const Ramped& first,
+                        const Ramped& second, const Ramped& vertical, V length)
+      : c(constants), ground_1(first), ground_2(second), up(vertical), h(length) {
+    v_s[0] = m.v_s;
+    v_y[0] = m.v_y;
+    speed[0] = hn::Sqrt(m.v_s * m.v_s + m.v_y * m.v_y);
+    per_speed = hn::Div(Number(1.0), speed[0]);
+    if constexpr (roof != RoofKind::rigid) {
+      phase_1 = c.omega_1 * h;
+      phase_2 = c.omega_2 * h;
+      x_1[0] = m.x_1;
+      y_1[0] = m.y_1;
+      x_2[0] = m.x_2;
+      y_2[0] = m.y_2;
+    }
+    ForOrders<0, order>([&](auto k) GLISSADE_INLINE_LAMBDA {
+      if constexpr (roof != RoofKind::rigid) Respond<k>();
+      Load<k>();
+      Direction<k>();
+      Rate<k>();
+      Speed<k>();
+    });
+    if constexpr (roof != RoofKind::rigid)
+      ForOrders<order, roof_order>([&](auto k) GLISSADE_INLINE_LAMBDA { Respond<k>(); });
+  }
+
+ private:
+  const Constants<V>& c;
+  const Ramped &ground_1, &ground_2, &up;
+  V h, per_speed, phase_1, phase_2, per_kappa;
+  V e_s[order], e_y[order], d_s[order], d_y[order], n[order];
+  V a_1[roof_order], a_2[roof_order];
+
+  /// One axis of the building, and its acceleration as far as the block's own
+  /// has no part in it.
+  template <int k>
+  HWY_INLINE void Respond(V* x, V* y, V* a, V phase, V twice_zeta, V push, const Ramped& ground) {
+    V rate = y[k];
+    if constexpr (roof == RoofKind::coupled && k <= order) rate = rate - push;
+    a[k] = hn::Zero(Doubles()) - (twice_zeta * rate + x[k]);
+    if constexpr (roof == RoofKind::coupled) a[k] = a[k] * c.per_mass;
+    const V share = phase * Number(inverse[k + 1]);
+    x[k + 1] = share * rate;
+    V rise = a[k];
+    if constexpr (k == 0) rise = rise - ground.begin;
+    if constexpr (k == 1) rise = rise - ground.rise;
+    y[k + 1] = share * rise;
+  }
+
+  template <int k>
+  HWY_INLINE void Respond() {
+    V push_1 = hn::Zero(Doubles()), push_2 = push_1;
+    if constexpr (roof == RoofKind::coupled && k <= order) {
+      const V along = c.cosine2 * v_s[k], across = c.cosine * v_y[k];
+      push_1 = c.omega_rho_1 * (c.c * along - c.s * across);
+      push_2 = c.omega_rho_2 * (c.s * along + c.c * across);
+    }
+    Respond<k>(x_1, y_1, a_1, phase_1, c.twice_zeta_1, push_1, ground_1);
+    Respond<k>(x_2, y_2, a_2, phase_2, c.twice_zeta_2, push_2, ground_2);
+  }
+
+  template <int k>
+  HWY_INLINE void Load() {
+    if constexpr (roof == RoofKind::rigid && k < 2) {
+      a_1[k] = k == 0 ? ground_1.begin : ground_1.rise;
+      a_2[k] = k == 0 ? ground_2.begin : ground_2.rise;
+    }
+    p_s[k] = p_y[k] = weight[k] = hn::Zero(Doubles());
+    if constexpr (roof == RoofKind::rigid && k > 1) return;
+    const V along = c.c * a_1[k] + c.s * a_2[k];
+    V s = p_s[k] - along, normal = c.tangent * along;
+    if constexpr (k < 2) {
+      const V fall = k == 0 ? c.gravity + up.begin : up.rise;
+      s = s + fall * c.tangent;
+      normal = normal + fall;
+    }
+    p_s[k] = h * s;
+    p_y[k] = h * (c.s_across * a_1[k] - c.c_across * a_2[k]);
+    weight[k] = (h * c.mu) * normal;
+  }
+
+  template <int k>
+  HWY_INLINE void Direction() {
+    if constexpr (k == 0) {
+      e_s[0] = v_s[0] * per_speed;
+      e_y[0] = v_y[0] * per_speed;
+    } else {
+      V s = hn::Zero(Doubles()), y = s;
+      ForOrders<2, k>([&](auto j) GLISSADE_INLINE_LAMBDA {
+        s = s + speed[j] * e_s[k - j];
+        y = y + speed[j] * e_y[k - j];
+      });
+      if constexpr (k > 1) {
+        s = s + speed[1] * e_s[k - 1];
+        y = y + speed[1] * e_y[k - 1];
+      }
+      e_s[k] = ((v_s[k] - speed[k] * e_s[0]) - s) * per_speed;
+      e_y[k] = ((v_y[k] - speed[k] * e_y[0]) - y) * per_speed;
+    }
+  }
+
+  template <int k>
+  HWY_INLINE void Rate() {
+    V s = p_s[k], y = p_y[k];
+    if constexpr (roof == RoofKind::coupled) {
+      const V gives = c.mu * c.gives;
+      if constexpr (k == 0) per_kappa = hn::Div(Number(1.0), c.kappa - gives * e_s[0]);
+      ForOrders<1, k + 1>([&](auto j) GLISSADE_INLINE_LAMBDA {
+        s = s - n[k - j] * e_s[j];
+        y = y - n[k - j] * e_y[j];
+      });
+      d_s[k] = (s - weight[k] * e_s[0]) * per_kappa;
+      n[k] = weight[k] - gives * d_s[k];
+      d_y[k] = (y - n[k] * e_y[0]) * c.per_kappa_y;
+    } else {
+      constexpr int first = roof == RoofKind::rigid && k > 1 ? k - 1 : 0;
+      ForOrders<first, k + 1>([&](auto j) GLISSADE_INLINE_LAMBDA {
+        s = s - weight[k - j] * e_s[j];
+        y = y - weight[k - j] * e_y[j];
+      });
+      d_s[k] = s;
+      d_y[k] = y;
+    }
+    v_s[k + 1] = d_s[k] * Number(inverse[k + 1]);
+    v_y[k + 1] = d_y[k] * Number(inverse[k + 1]);
+  }
+
+  template <int k>
+  HWY_INLINE void Speed() {
+    if constexpr (k + 1 < order) {
+      V sum = hn::Zero(Doubles());
+      ForOrders<1, k>([&](auto j) GLISSADE_INLINE_LAMBDA {
+        sum = sum + (e_s[j] * d_s[k - j] + e_y[j] * d_y[k - j]);
+      });
+      if constexpr (k > 0) sum = sum + (e_s[k] * d_s[0] + e_y[k] * d_y[0]);
+      sum = sum + (e_s[0] * d_s[k] + e_y[0] * d_y[k]);
+      speed[k + 1] = sum * Number(inverse[k + 1]);
+    }
+  }
+};
+
+/// How far a step may go, as a share of what is left of the interval.
+template <RoofKind roof>
+HWY_INLINE V StepShare(const StepSeries<roof>& z, V allowed) {
+  const V one = Number(1.0), half = Number(0.5);
+  const V error = hn::Abs(z.v_s[order]) + hn::Abs(z.v_y[order]);
+  V f = hn::Min(one, hn::Div(Number(3.0) * z.speed[0], z.weight[0]));
+  const Mask slows = hn::Lt(z.speed[1], hn::Zero(Doubles()));
+  const V to_stop = hn::Div(Number(-0.6) * z.speed[0], hn::IfThenElse(slows, z.speed[1], one));
+  f = hn::IfThenElse(slows, hn::Min(f, to_stop), f);
+  const Mask rough = hn::Gt(error, allowed);
+  if (!hn::AllFalse(Doubles(), rough)) {
+    // x^(1/6) to 1 %, by a sixth of its exponent.
+    const hn::Rebind<float, Doubles> df;
+    const hn::RebindToSigned<decltype(df)> di;
+    constexpr float one_bits = 1065353216.0F;
+    const auto ratio = hn::DemoteTo(df, hn::Max(hn::Div(allowed, error), Number(1e-30)));
+    const auto bits = hn::ConvertTo(df, hn::BitCast(di, ratio));
+    const auto sixth = hn::Add(hn::Mul(hn::Sub(bits, hn::Set(df, one_bits)), hn::Set(df, 1.0F / 6)),
+                               hn::Set(df, one_bits));
+    const V x = Number(0.9) * hn::PromoteTo(Doubles(), hn::BitCast(df, hn::ConvertTo(di, sixth)));
+    f = hn::IfThenElse(rough, hn::Min(f, x), f);
+  }
+  return hn::IfThenElse(hn::And(hn::Lt(f, one), hn::Gt(f, half)), half, f);
+}
+
+}  // namespace glissade::block_detail::two_axes::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif  // GLISSADE_TWO_AXES_LANE_SERIES_INL

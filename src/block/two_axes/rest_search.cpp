@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Compiled once per SIMD target (Highway chooses at run time); every operation
+// is elementwise and unfused, so all targets give the same bits.
+#include "rest_search.hpp"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "block/two_axes/rest_search.cpp"
+#include <hwy/foreach_target.h>  // before highway.h
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace glissade::block_detail::two_axes::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+std::size_t FirstLoose(const RestMotion& motion, const Constants<double>& c, double needed) {
+  const HWY_CAPPED(double, 8) d;
+  const auto number = [d](double value) { return hn::Set(d, value); };
+  for (std::size_t k = 0; k < 8; k += hn::Lanes(d)) {
+    const auto roof = [&](const RestMotion::Axis& axis) {
+      const auto free = hn::LoadU(d, axis.x_part + k) * number(axis.x) +
+                        hn::LoadU(d, axis.y_part + k) * number(axis.y);
+      return number(axis.factor) * hn::LoadU(d, axis.a + k) + free;
+    };
+    const auto a_1 = roof(motion.axis[0]), a_2 = roof(motion.axis[1]);
+    const auto fall = number(c.gravity) + number(c.factor_w) * hn::LoadU(d, motion.w + k);
+    const auto along = number(c.c) * a_1 + number(c.s) * a_2;
+    const auto p_s = fall * number(c.tangent) - along;
+    const auto p_y = number(c.s_across) * a_1 - number(c.c_across) * a_2;
+    const auto holds = number(c.mu) * (fall + number(c.tangent) * along) - number(needed);
+    const auto rests =
+        hn::And(hn::Ge(holds, hn::Zero(d)), hn::Le(p_s * p_s + p_y * p_y, holds * holds));
+    const auto loose = hn::FindFirstTrue(d, hn::Not(rests));
+    if (loose >= 0) return k + static_cast<std::size_t>(loose);
+  }
+  return 8;
+}
+
+}  // namespace glissade::block_detail::two_axes::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace glissade::block_detail::two_axes {
+HWY_EXPORT(FirstLoose);
+
+std::size_t first_loose(const RestMotion& motion, const Constants<double>& constants,
+                        double needed) {
+  return HWY_DYNAMIC_DISPATCH(FirstLoose)(motion, constants, needed);
+}
+
+}  // namespace glissade::block_detail::two_axes
+#endif

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "roof_at_rest.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace glissade::block_detail::two_axes {
+namespace {
+
+constexpr double zeros[8] = {};
+/// How far the roof's acceleration between nodes may exceed its largest at a
+/// node.
+constexpr double between_nodes = 1.2;
+
+}  // namespace
+
+RoofAtRest::RoofAtRest(const Constants<double>& constants, RoofKind roof, const GroundNodes& ground,
+                       const RestTable& table, const Spot& spot)
+    : constants_(constants),
+      roof_(roof),
+      ground_(ground),
+      table_(table),
+      after_record_(static_cast<std::size_t>(spot.node) >= ground.quiet),
+      base_(static_cast<std::size_t>(spot.node)) {
+  if (rigid()) return;
+  const LaneMotion<double>& m = spot.motion;
+  std::array<AxisState, 2> beside{{{m.x_1, m.y_1}, {m.x_2, m.y_2}}};
+  for (std::size_t n = 0; n < 2 && !after_record_; ++n) {
+    const AxisState own = table_.state(n, base_);
+    beside[n].x -= factor(n) * own.x;
+    beside[n].y -= factor(n) * own.y;
+  }
+  if (roof_ == RoofKind::building && !after_record_) beside = {};  // rounding
+  set_free(base_, beside);
+}
+
+void RoofAtRest::set_free(std::size_t node, const std::array<AxisState, 2>& state) {
+  base_ = node;
+  free_ = state;
+  for (std::size_t n = 0; n < 2; ++n) free_bound_[n] = table_.free[n].bound(free_[n]);
+}
+
+std::array<AxisState, 2> RoofAtRest::state(std::size_t node) const {
+  std::array<AxisState, 2> state{};
+  for (std::size_t n = 0; n < 2 && !rigid(); ++n) {
+    state[n] = table_.free[n].after(node - base_, free_[n]);
+    if (after_record_) continue;
+    const AxisState own = table_.state(n, node);
+    state[n].x += factor(n) * own.x;
+    state[n].y += factor(n) * own.y;
+  }
+  return state;
+}
+
+void RoofAtRest::end_record() {
+  const std::array<AxisState, 2> all = state(ground_.quiet);
+  after_record_ = true;
+  if (!rigid()) set_free(ground_.quiet, all);
+}
+
+void RoofAtRest::renew(std::size_t node) {
+  if (rigid()) return;
+  if (after_record_) return set_free(node, state(node));
+  for (std::size_t n = 0; n < 2; ++n)
+    free_bound_[n] = table_.free[n].bound(table_.free[n].after(node - base_, free_[n]));
+}
+
+bool RoofAtRest::holds(const std::array<double, 2>& a, double w) const {
+  const Constants<double>& c = constants_;
+  const double most = std::sqrt(a[0] * a[0] + a[1] * a[1]) * (1.0 + 1e-12);
+  return (c.gravity + w) * c.tangent + most / c.cosine <=
+         c.mu * (c.gravity - w - c.tangent * most) * (1.0 - 1e-12);
+}
+
+bool RoofAtRest::holds_from(std::size_t node) const {
+  const std::size_t k = node / block_nodes;
+  std::array<double, 2> a = free_bound_;
+  if (after_record_) return holds(a, 0.0);
+  for (std::size_t n = 0; n < 2; ++n) {
+    a[n] += std::abs(factor(n)) * table_.coming[n][k];
+    if (!rigid()) a[n] *= between_nodes;
+  }
+  return holds(a, std::abs(constants_.factor_w) * ground_.coming_w[k]);
+}
+
+double RoofAtRest::sag(std::size_t axis, std::size_t block) const {
+  if (rigid()) return 0.0;
+  const double free = free_bound_[axis] * table_.free[axis].sag();
+  return after_record_ ? free : free + std::abs(factor(axis)) * table_.sag[axis][block];
+}
+
+bool RoofAtRest::holds_in_block(std::size_t node) const {
+  if (after_record_) return false;
+  const std::size_t k = node / block_nodes;
+  std::array<double, 2> a;
+  for (std::size_t n = 0; n < 2; ++n)
+    a[n] = free_bound_[n] + std::abs(factor(n)) * table_.block[n][k] + sag(n, k);
+  return holds(a, std::abs(constants_.factor_w) * ground_.block_w[k]);
+}
+
+std::size_t RoofAtRest::block_end(std::size_t node) const {
+  return after_record_ ? node + block_nodes - 1
+                       : std::min((node / block_nodes + 1) * block_nodes, ground_.quiet);
+}
+
+std::size_t RoofAtRest::first_loose(std::size_t from, std::size_t end) const {
+  const Constants<double>& c = constants_;
+  const std::size_t k = from / block_nodes;
+  const double rounding = 1e-12 * c.gravity;
+  const double needed = (sag(0, k) + sag(1, k)) * (1.0 / c.cosine + c.mu * c.tangent) + rounding;
+  for (std::size_t i = from; i <= end; i += 8) {
+    RestMotion motion;
+    for (std::size_t n = 0; n < 2; ++n) {
+      const AxisState now = rigid() ? AxisState{} : table_.free[n].after(i - base_, free_[n]);
+      motion.axis[n] = {after_record_ ? zeros : table_.a[n] + i,
+                        factor(n),
+                        rigid() ? zeros : table_.free[n].x_part().data(),
+                        rigid() ? zeros : table_.free[n].y_part().data(),
+                        now.x,
+                        now.y};
+    }
+    motion.w = after_record_ ? zeros : ground_.w.data() + i;
+    const std::size_t loose = two_axes::first_loose(motion, c, needed);
+    if (loose < 8) return std::min(i + loose, end + 1);
+  }
+  return end + 1;
+}
+
+}  // namespace glissade::block_detail::two_axes

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+
+#include "rest_search.hpp"
+#include "roof_piece.hpp"
+#include "tables.hpp"
+
+namespace glissade::block_detail::two_axes {
+
+/// The roof under a block at rest, from a node on: what the building's table
+/// gives, and a free vibration beside it. After the last sample that is not
+/// zero, the free vibration alone.
+class RoofAtRest {
+ public:
+  RoofAtRest(const Constants<double>& constants, RoofKind roof, const GroundNodes& ground,
+             const RestTable& table, const Spot& spot);
+
+  std::array<AxisState, 2> state(std::size_t node) const;
+  /// Nothing is known of the roof before this node.
+  std::size_t base() const { return base_; }
+  bool after_record() const { return after_record_; }
+  /// At node `quiet` of the ground, where only the free vibration is left.
+  void end_record();
+  /// The bounds from this node on; after the record, the state too.
+  void renew(std::size_t node);
+
+  /// Friction holds the block from this node on, whatever is still to come.
+  bool holds_from(std::size_t node) const;
+  /// Friction holds the block from this node to `block_end`.
+  bool holds_in_block(std::size_t node) const;
+  std::size_t block_end(std::size_t node) const;
+  /// The first node, up to and including `end`, where friction might not hold
+  /// the block in the interval before or after it; or end + 1.
+  std::size_t first_loose(std::size_t from, std::size_t end) const;
+
+ private:
+  bool rigid() const { return roof_ == RoofKind::rigid; }
+  /// Friction holds the block whatever the roof does within these bounds.
+  bool holds(const std::array<double, 2>& a, double w) const;
+  double factor(std::size_t axis) const {
+    return axis == 0 ? constants_.factor_1 : constants_.factor_2;
+  }
+  void set_free(std::size_t node, const std::array<AxisState, 2>& state);
+  double sag(std::size_t axis, std::size_t block) const;
+
+  const Constants<double>& constants_;
+  RoofKind roof_;
+  const GroundNodes& ground_;
+  const RestTable& table_;
+  bool after_record_;
+  std::size_t base_;  // node of free_
+  std::array<AxisState, 2> free_{};
+  std::array<double, 2> free_bound_{};  // of its acceleration
+};
+
+}  // namespace glissade::block_detail::two_axes

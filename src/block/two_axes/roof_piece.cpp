@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "roof_piece.hpp"
+
+#include <algorithm>
+
+namespace glissade::block_detail::two_axes {
+
+RoofPiece::RoofPiece(const Spot& spot, const GroundNodes& ground, const Constants<double>& c,
+                     RoofKind roof, const Push& push)
+    : constants_(&c), roof_(roof), length_s_(ground.dt_s * spot.motion.left) {
+  const LaneMotion<double>& m = spot.motion;
+  const auto next = static_cast<std::size_t>(spot.node + 1);
+  ground_ = {m.ground_1, m.ground_2};
+  ground_end_ = {c.factor_1 * ground.ground(0, next), c.factor_2 * ground.ground(1, next)};
+  w_ = m.w;
+  w_end_ = c.factor_w * ground.vertical(next);
+  if (roof == RoofKind::rigid) {
+    for (std::size_t n = 0; n < 2; ++n) {
+      a_[n][0] = ground_[n];
+      a_[n][1] = ground_end_[n] - ground_[n];
+    }
+    return;
+  }
+  const double longest = std::max(c.omega_1, c.omega_2) * length_s_;
+  terms_ = longest < 0.02 ? 6 : longest < 0.1 ? 8 : longest < 0.3 ? 10 : most_terms;  // 1e-12
+  const double omega[] = {c.omega_1, c.omega_2}, damping[] = {c.twice_zeta_1, c.twice_zeta_2};
+  const double omega_rho[] = {c.omega_rho_1, c.omega_rho_2};
+  constexpr double inverse[] = {0.0,     1.0,     1.0 / 2, 1.0 / 3, 1.0 / 4,  1.0 / 5,
+                                1.0 / 6, 1.0 / 7, 1.0 / 8, 1.0 / 9, 1.0 / 10, 1.0 / 11};
+  for (std::size_t n = 0; n < 2; ++n) {
+    const double phase = omega[n] * length_s_;
+    const double forcing[] = {ground_[n], ground_end_[n] - ground_[n]};
+    const double b[] = {omega_rho[n] * push.begin[n], omega_rho[n] * push.rise[n],
+                        omega_rho[n] * push.curve[n]};
+    Terms &x = x_[n], &y = y_[n], &a = a_[n];
+    x[0] = n == 0 ? m.x_1 : m.x_2;
+    y[0] = n == 0 ? m.y_1 : m.y_2;
+    for (std::size_t k = 0; k < static_cast<std::size_t>(terms_); ++k) {
+      const double rate = k < 3 ? y[k] - b[k] : y[k];
+      a[k] = -(damping[n] * rate + x[k]) * c.per_mass;
+      if (k + 1 == static_cast<std::size_t>(terms_)) break;
+      const double share = phase * inverse[k + 1];
+      x[k + 1] = share * rate;
+      y[k + 1] = share * (k < 2 ? a[k] - forcing[k] : a[k]);
+    }
+  }
+}
+
+Load RoofPiece::load(double y) const {
+  const Constants<double>& c = *constants_;
+  const double a_1 = sum(a_[0], terms_, y), a_2 = sum(a_[1], terms_, y);
+  const double fall = c.gravity + (w_ + y * (w_end_ - w_)), along = c.c * a_1 + c.s * a_2;
+  return {{fall * c.tangent - along, c.s_across * a_1 - c.c_across * a_2},
+          fall + c.tangent * along};
+}
+
+Load RoofPiece::term(int k) const {
+  if (k >= terms_) return {};
+  const Constants<double>& c = *constants_;
+  const auto i = static_cast<std::size_t>(k);
+  const double along = c.c * a_[0][i] + c.s * a_[1][i];
+  const double fall = k == 0 ? c.gravity + w_ : k == 1 ? w_end_ - w_ : 0.0;
+  return {{fall * c.tangent - along, c.s_across * a_[0][i] - c.c_across * a_[1][i]},
+          fall + c.tangent * along};
+}
+
+double RoofPiece::sag() const {
+  double total = 0.0;
+  for (std::size_t k = 2; k < static_cast<std::size_t>(terms_); ++k)
+    total += std::abs(a_[0][k]) + std::abs(a_[1][k]);
+  return total * (1.0 / constants_->cosine + constants_->mu * constants_->tangent);
+}
+
+void RoofPiece::move(Spot& spot, double y) const {
+  LaneMotion<double>& m = spot.motion;
+  const bool whole = y >= 1.0;
+  m.ground_1 = whole ? ground_end_[0] : ground_[0] + y * (ground_end_[0] - ground_[0]);
+  m.ground_2 = whole ? ground_end_[1] : ground_[1] + y * (ground_end_[1] - ground_[1]);
+  m.w = whole ? w_end_ : w_ + y * (w_end_ - w_);
+  if (roof_ != RoofKind::rigid) {
+    m.x_1 = sum(x_[0], terms_, y);
+    m.y_1 = sum(y_[0], terms_, y);
+    m.x_2 = sum(x_[1], terms_, y);
+    m.y_2 = sum(y_[1], terms_, y);
+  }
+  m.left = whole ? 1.0 : m.left * (1.0 - y);
+  if (whole) ++spot.node;
+}
+
+}  // namespace glissade::block_detail::two_axes

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+
+#include "block/two_axis_contact.hpp"
+#include "lane_bank.hpp"
+#include "tables.hpp"
+
+namespace glissade::block_detail::two_axes {
+
+/// A history between lanes: where it is, before the begin of which interval's
+/// rest.
+struct Spot {
+  LaneMotion<double> motion{};
+  std::int64_t node = 0;
+};
+
+/// What acts on the block over the rest of a sample interval, y in [0, 1] its
+/// share: power series of the roof's acceleration, as far as the block's own
+/// has no part in it, and the vertical.
+class RoofPiece {
+ public:
+  /// The block's velocity in plan by the building's axes: begin + rise y +
+  /// curve y^2.
+  struct Push {
+    std::array<double, 2> begin{}, rise{}, curve{};
+  };
+  RoofPiece(const Spot& spot, const GroundNodes& ground, const Constants<double>& constants,
+            RoofKind roof, const Push& push);
+
+  double length_s() const { return length_s_; }
+  Load load(double y) const;
+  /// The load's coefficient of y^k.
+  Load term(int k) const;
+  /// By how much friction may hold the block less than on the chord between its
+  /// ends.
+  double sag() const;
+  /// Takes the ground and the building to a share of the piece.
+  void move(Spot& spot, double y) const;
+
+ private:
+  static constexpr int most_terms = 12;
+  using Terms = std::array<double, most_terms>;
+  static double sum(const Terms& c, int terms, double y) {
+    double total = c[static_cast<std::size_t>(terms) - 1];
+    for (int k = terms - 1; k-- > 0;) total = total * y + c[static_cast<std::size_t>(k)];
+    return total;
+  }
+
+  const Constants<double>* constants_;
+  RoofKind roof_;
+  double length_s_;
+  int terms_ = 2;
+  std::array<Terms, 2> a_, x_, y_;
+  std::array<double, 2> ground_, ground_end_;
+  double w_, w_end_;
+};
+
+/// Of a load: how much more friction could hold.
+inline double grip_left(const Load& load, double mu) {
+  return mu * load.normal - length(load.drive);
+}
+
+}  // namespace glissade::block_detail::two_axes

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "scene.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace glissade::block_detail::two_axes {
+namespace {
+
+constexpr double longest_phase = 0.85;  // over a sample interval: an eighth of a period
+constexpr double least_damping = 1e-3, most_damping = 0.5;
+
+double omega_of(const Oscillator& oscillator) {
+  return oscillator.period_s > 0.0 ? 2.0 * std::numbers::pi / oscillator.period_s : 0.0;
+}
+
+bool fits_lanes(const Oscillator& oscillator, double dt_s) {
+  return omega_of(oscillator) * dt_s <= longest_phase &&
+         oscillator.damping_ratio >= least_damping && oscillator.damping_ratio <= most_damping;
+}
+
+}  // namespace
+
+RoofKind roof_of(const TwoAxisScene& scene) {
+  if (scene.building.horizontal[0].period_s == 0.0) return RoofKind::rigid;
+  return scene.building.mass_ratio > 0.0 ? RoofKind::coupled : RoofKind::building;
+}
+
+bool fits_lanes(const TwoAxisScene& scene, const BuildingGround& ground) {
+  const TwoAxisBlock& block = scene.block;
+  const auto& [first, second] = scene.building.horizontal;
+  if (block.friction.along != block.friction.across || !block.law.is_coulomb()) return false;
+  // Friction that exceeds the slope by little stops the block too late.
+  if (!(block.friction.along > 1.02 * std::tan(block.slope_rad) && block.friction.along < 2.0))
+    return false;
+  if ((first.period_s == 0.0) != (second.period_s == 0.0)) return false;
+  const double dt_s = ground.horizontal[0]->step_s();
+  if (first.period_s > 0.0 && !(fits_lanes(first, dt_s) && fits_lanes(second, dt_s))) return false;
+  for (const Yielding& spring : scene.building.yielding)
+    if (spring.yields()) return false;
+  if (ground.vertical == nullptr) return true;
+  return ground.vertical->rigid() &&
+         std::abs(scene.factors.vertical) * ground.vertical->ground->peak_acceleration_mps2() <
+             0.9 * block.gravity_mps2;
+}
+
+Constants<double> constants_of(const TwoAxisScene& scene, double tolerance) {
+  const TwoAxisBlock& block = scene.block;
+  const RoofKind roof = roof_of(scene);
+  const double r = roof == RoofKind::coupled ? scene.building.mass_ratio : 0.0, rho = r / (1.0 + r);
+  Constants<double> c{};
+  c.factor_1 = scene.factors.horizontal[0];
+  c.factor_2 = scene.factors.horizontal[1];
+  c.factor_w = scene.factors.vertical;
+  c.gravity = block.gravity_mps2;
+  c.mu = block.friction.along;
+  c.tangent = std::tan(block.slope_rad);
+  c.cosine = std::cos(block.slope_rad);
+  c.cosine2 = c.cosine * c.cosine;
+  c.c = std::cos(block.azimuth_rad);
+  c.s = std::sin(block.azimuth_rad);
+  c.c_across = c.c / c.cosine;
+  c.s_across = c.s / c.cosine;
+  c.tolerance = tolerance;
+  const auto& axes = scene.building.horizontal;
+  c.omega_1 = omega_of(axes[0]);
+  c.omega_2 = omega_of(axes[1]);
+  c.twice_zeta_1 = 2.0 * axes[0].damping_ratio;
+  c.twice_zeta_2 = 2.0 * axes[1].damping_ratio;
+  c.per_mass = 1.0 / (1.0 + r);
+  c.omega_rho_1 = rho * c.omega_1;
+  c.omega_rho_2 = rho * c.omega_2;
+  c.kappa = 1.0 - rho * c.cosine2;
+  c.gives = rho * std::sin(block.slope_rad) * c.cosine;
+  c.per_kappa_y = 1.0 + r;
+  return c;
+}
+
+}  // namespace glissade::block_detail::two_axes

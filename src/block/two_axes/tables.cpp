@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tables.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "glissade/core/oscillator.hpp"
+
+namespace glissade::block_detail::two_axes {
+namespace {
+
+/// Nodes after the last, of zeros, that a search may read.
+constexpr std::size_t padding = 2 * block_nodes;
+
+std::size_t blocks_of(std::size_t quiet) { return quiet / block_nodes + 1; }
+
+/// Largest |value| by block; the node at a block's end counts for it too.
+std::vector<double> block_maxima(const double* values, std::size_t quiet) {
+  std::vector<double> largest(blocks_of(quiet), 0.0);
+  for (std::size_t k = 0; k < largest.size(); ++k) {
+    double most = 0.0;
+    for (std::size_t i = k * block_nodes; i <= (k + 1) * block_nodes; ++i)
+      most = std::max(most, std::abs(values[i]));
+    largest[k] = most;
+  }
+  return largest;
+}
+
+std::vector<double> suffix_maxima(std::vector<double> values, double after) {
+  for (std::size_t k = values.size(); k-- > 0;) values[k] = after = std::max(values[k], after);
+  return values;
+}
+
+}  // namespace
+
+GroundNodes::GroundNodes(const BuildingGround& ground) : dt_s(ground.horizontal[0]->step_s()) {
+  const GroundTable* up = ground.vertical != nullptr ? ground.vertical->ground.get() : nullptr;
+  const GroundTable* tables[] = {ground.horizontal[0].get(), ground.horizontal[1].get(), up};
+  for (const GroundTable* table : tables)
+    if (table != nullptr) quiet = std::max(quiet, table->quiet_from());
+  nodes.assign(4 * (quiet + 1), 0.0);
+  std::vector<double>* rows[] = {&a[0], &a[1], &w};
+  for (std::size_t n = 0; n < 3; ++n) {
+    rows[n]->assign(quiet + 1 + padding, 0.0);
+    if (tables[n] == nullptr) continue;
+    const auto values = tables[n]->acceleration_mps2();
+    const std::size_t count = std::min(values.size(), tables[n]->quiet_from());
+    for (std::size_t i = 0; i < count; ++i) nodes[4 * i + n] = (*rows[n])[i] = values[i];
+  }
+  block_w = block_maxima(w.data(), quiet);
+  coming_w = suffix_maxima(block_w, 0.0);
+}
+
+FreeVibration::FreeVibration(double omega_radps, double twice_zeta, double per_mass, double dt_s,
+                             std::size_t steps)
+    : omega_(omega_radps),
+      twice_zeta_(twice_zeta),
+      per_mass_(per_mass),
+      root_mass_(1.0 / std::sqrt(per_mass)) {
+  const double phase = omega_ * dt_s / root_mass_, zeta = 0.5 * twice_zeta_ / root_mass_;
+  const OscillatorStep s = oscillator_step(phase, zeta);
+  const auto times = [](const Matrix& a, const Matrix& b) {
+    return Matrix{a.xx * b.xx + a.xy * b.yx, a.xx * b.xy + a.xy * b.yy, a.yx * b.xx + a.yy * b.yx,
+                  a.yx * b.xy + a.yy * b.yy};
+  };
+  const Matrix one{s.xx, s.xy * root_mass_, -s.xy / root_mass_, s.yy};
+  for (std::size_t k = 1; k < block_nodes; ++k) near_[k] = times(one, near_[k - 1]);
+  const Matrix block = times(one, near_[block_nodes - 1]);
+  far_.resize(steps / block_nodes + 2);
+  for (std::size_t k = 1; k < far_.size(); ++k) far_[k] = times(block, far_[k - 1]);
+  for (std::size_t k = 0; k < 8; ++k) {
+    x_part_[k] = -(twice_zeta_ * near_[k].yx + near_[k].xx) * per_mass_;
+    y_part_[k] = -(twice_zeta_ * near_[k].yy + near_[k].xy) * per_mass_;
+  }
+  decay_64_ = std::exp(-zeta * phase * static_cast<double>(block_nodes));
+  sag_ = 0.125 * phase * phase * (1.0 + 4.0 * zeta) * (1.0 + 4.0 * zeta) * 1.2;
+}
+
+AxisState FreeVibration::after(std::size_t steps, const AxisState& from) const {
+  const Matrix &f = far_[steps / block_nodes], &n = near_[steps % block_nodes];
+  const double x = f.xx * from.x + f.xy * from.y, y = f.yx * from.x + f.yy * from.y;
+  return {n.xx * x + n.xy * y, n.yx * x + n.yy * y};
+}
+
+double FreeVibration::bound(const AxisState& s) const {
+  const double zeta = 0.5 * twice_zeta_ / root_mass_;
+  const Envelope envelope = free_vibration_envelope(s.x * per_mass_, s.y / root_mass_, zeta);
+  return (1.0 + 2.0 * zeta) * envelope.amplitude;
+}
+
+RestTable::RestTable(const GroundNodes& ground, const Constants<double>& c, RoofKind roof) {
+  const std::size_t quiet = ground.quiet;
+  for (std::size_t n = 0; n < 2; ++n) {
+    a[n] = ground.a[n].data();
+    sag[n].assign(blocks_of(quiet), 0.0);
+    double after = 0.0;
+    if (roof != RoofKind::rigid) {
+      const double omega = n == 0 ? c.omega_1 : c.omega_2;
+      const double twice_zeta = n == 0 ? c.twice_zeta_1 : c.twice_zeta_2;
+      free.emplace_back(omega, twice_zeta, c.per_mass, ground.dt_s, quiet);
+      const double root = 1.0 / std::sqrt(c.per_mass), mass = 1.0 / c.per_mass;
+      const OscillatorStep s = oscillator_step(omega * ground.dt_s / root, 0.5 * twice_zeta / root);
+      const double xy = s.xy * root, yx = s.xy / root;
+      const double x0 = mass * s.x_start, x1 = mass * s.x_end, y0 = root * s.y_start,
+                   y1 = root * s.y_end;
+      x[n].assign(quiet + 1, 0.0);
+      y[n].assign(quiet + 1, 0.0);
+      own_a[n].assign(quiet + 1 + padding, 0.0);
+      // From rest at the first sample, whatever its acceleration.
+      AxisState now;
+      const double* g = ground.a[n].data();
+      const double phase = omega * ground.dt_s;
+      double most_sag = 0.0;
+      for (std::size_t i = 0; i < quiet; ++i) {
+        const AxisState next{s.xx * now.x + xy * now.y - (x0 * g[i] + x1 * g[i + 1]),
+                             s.yy * now.y - yx * now.x - (y0 * g[i] + y1 * g[i + 1])};
+        // on_building_rest.cpp: what the motion can leave its chord by.
+        const double rise = std::abs(g[i + 1] - g[i]), y_now = std::abs(now.y);
+        const double z_now = std::abs(own_a[n][i] - g[i]);
+        const double per_left = 1.0 / (1.0 - (phase + twice_zeta) * phase * c.per_mass);
+        const double z = (z_now + phase * y_now * c.per_mass + rise) * per_left;
+        const double z_rate = phase * (y_now + (phase + twice_zeta) * z) * c.per_mass + rise;
+        const double leaves = 0.125 * phase * (phase * z + twice_zeta * z_rate) * c.per_mass;
+        most_sag = std::max(most_sag, leaves);
+        if (i % block_nodes == block_nodes - 1 || i + 1 == quiet) {
+          sag[n][i / block_nodes] = most_sag;
+          most_sag = 0.0;
+        }
+        now = next;
+        x[n][i + 1] = now.x;
+        y[n][i + 1] = now.y;
+        own_a[n][i + 1] = free[n].acceleration(now);
+      }
+      // A block's first node ends the interval before.
+      for (std::size_t k = sag[n].size(); k-- > 1;) sag[n][k] = std::max(sag[n][k], sag[n][k - 1]);
+      a[n] = own_a[n].data();
+      after = free[n].bound(now);
+    }
+    block[n] = block_maxima(a[n], quiet);
+    coming[n] = suffix_maxima(block[n], after);
+  }
+}
+
+}  // namespace glissade::block_detail::two_axes

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "glissade/block/on_building.hpp"
+#include "lane_bank.hpp"
+
+namespace glissade::block_detail::two_axes {
+
+/// Bounds cover this many nodes.
+constexpr std::size_t block_nodes = 64;
+
+/// A ground motion at its nodes, for all histories under it.
+struct GroundNodes {
+  double dt_s = 0.0;
+  std::size_t quiet = 0;                 ///< the first node from which on it stays at zero
+  std::vector<double> nodes;             ///< GroundRows::nodes
+  std::array<std::vector<double>, 2> a;  ///< by axis; zeros follow
+  std::vector<double> w;                 ///< the same
+  std::vector<double> block_w,
+      coming_w;  ///< largest |w|: of a block, of it and all after it
+
+  explicit GroundNodes(const BuildingGround& ground);
+  double ground(std::size_t axis, std::size_t node) const {
+    return node < quiet ? nodes[4 * node + axis] : 0.0;
+  }
+  double vertical(std::size_t node) const { return node < quiet ? nodes[4 * node + 2] : 0.0; }
+};
+
+/// Scaled state of one axis of a building.
+struct AxisState {
+  double x = 0.0, y = 0.0;
+};
+
+/// The free vibration of one axis with the block at rest on it, over whole
+/// steps.
+class FreeVibration {
+ public:
+  FreeVibration(double omega_radps, double twice_zeta, double per_mass, double dt_s,
+                std::size_t steps);
+  AxisState after(std::size_t steps, const AxisState& from) const;
+  /// The roof's acceleration after 0 ... 7 steps: x[k] from.x + y[k] from.y.
+  const std::array<double, 8>& x_part() const { return x_part_; }
+  const std::array<double, 8>& y_part() const { return y_part_; }
+  /// No |acceleration| to come is larger.
+  double bound(const AxisState& state) const;
+  /// Of the bound, over 64 steps.
+  double decay_64() const { return decay_64_; }
+  double acceleration(const AxisState& s) const { return -(twice_zeta_ * s.y + s.x) * per_mass_; }
+  /// How far an acceleration of this amplitude leaves its chord over a step, at
+  /// most.
+  double sag() const { return sag_; }
+
+ private:
+  struct Matrix {
+    double xx = 1.0, xy = 0.0, yx = 0.0, yy = 1.0;
+  };
+  double omega_, twice_zeta_, per_mass_, root_mass_, decay_64_, sag_;
+  std::array<Matrix, block_nodes> near_;
+  std::vector<Matrix> far_;  // block_nodes steps each
+  std::array<double, 8> x_part_{}, y_part_{};
+};
+
+/// The roof while the block rests on it from the begin on, for all histories on
+/// one building: by axis, at the ground's nodes, with the ground's own
+/// factor 1.
+struct RestTable {
+  std::array<std::vector<double>, 2> x, y;   ///< empty: rigid
+  std::array<std::vector<double>, 2> own_a;  ///< empty: rigid
+  std::array<const double*, 2> a{};          ///< acceleration; zeros follow
+  std::array<std::vector<double>, 2> block,
+      coming;                              ///< largest |a|: of a block, of all to come
+  std::array<std::vector<double>, 2> sag;  ///< how far it leaves its chord, by block
+  std::vector<FreeVibration> free;         ///< by axis; empty: rigid
+
+  RestTable(const GroundNodes& ground, const Constants<double>& constants, RoofKind roof);
+  AxisState state(std::size_t axis, std::size_t node) const {
+    return {x[axis][node], y[axis][node]};
+  }
+};
+
+}  // namespace glissade::block_detail::two_axes

@@ -1,0 +1,280 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The two-axis kernel in lanes against its readable reference.
+#include "glissade/block/two_axis_lanes.hpp"
+
+#include <gtest/gtest.h>
+#include <hwy/targets.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "glissade/block/slide.hpp"
+#include "unit/block/on_building_scene.hpp"
+
+namespace glissade {
+namespace {
+
+using test::OnBuilding;
+using test::uniform;
+
+enum class Kind { rigid, uncoupled, coupled };
+
+BuildingGround ground_of(unsigned seed, bool vertical = true) {
+  OnBuilding scene(seed, 900, 6.0);
+  scene.dt_s = 0.01;
+  if (!vertical) scene.up.clear();
+  return scene.ground();
+}
+
+std::vector<TwoAxisScene> made_up_scenes(Kind kind, std::size_t count, unsigned seed) {
+  std::mt19937 random(seed);
+  std::vector<TwoAxisScene> scenes(count);
+  for (std::size_t k = 0; k < count; ++k) {
+    TwoAxisScene& s = scenes[k];
+    if (kind != Kind::rigid)
+      for (Oscillator& o : s.building.horizontal)
+        o = {0.2 + 0.3 * static_cast<double>(k / 4 % 4), 0.05};  // four on each building
+    if (kind == Kind::coupled) s.building.mass_ratio = 0.02 + 0.04 * static_cast<double>(k / 4 % 3);
+    const double mu = uniform(random, 0.05, 0.6);
+    s.block.friction = {mu, mu};
+    s.block.slope_rad = uniform(random, 0.0, 0.9) * std::min(std::atan(mu), 0.2);
+    s.block.azimuth_rad = uniform(random, -3.0, 3.0);
+    const double factor = std::exp(uniform(random, std::log(0.2), std::log(2.0)));
+    s.factors = {{random() % 2 == 0 ? factor : -factor, factor}, factor};
+  }
+  return scenes;
+}
+
+std::vector<TwoAxisPeak> solve(const BuildingGround& ground, std::span<const TwoAxisScene> scenes,
+                               double tolerance = 1e-6) {
+  std::vector<TwoAxisPeak> peaks(scenes.size());
+  slide_two_axes(ground, scenes, peaks, tolerance);
+  return peaks;
+}
+
+TwoAxisResult reference(const BuildingGround& ground, const TwoAxisScene& s,
+                        double tolerance = 1e-9) {
+  return slide_on_building(ground, s.factors, s.building, s.block, tolerance).slip;
+}
+
+double error(const TwoAxisPeak& p, const TwoAxisResult& r) {
+  return std::max({std::abs(p.peak_displacement_m - r.peak_displacement_m),
+                   std::abs(p.peak_by_axis.along_m - r.peak_by_axis.along_m),
+                   std::abs(p.peak_by_axis.across_m - r.peak_by_axis.across_m),
+                   std::abs(p.peak_downslope_m - r.peak_downslope_m),
+                   std::abs(p.peak_upslope_m - r.peak_upslope_m),
+                   std::abs(p.residual.along_m - r.residual.along_m),
+                   std::abs(p.residual.across_m - r.residual.across_m)}) /
+         r.peak_displacement_m;
+}
+
+std::vector<double> numbers(std::span<const TwoAxisPeak> peaks) {
+  std::vector<double> all;
+  for (const TwoAxisPeak& p : peaks)
+    all.insert(all.end(),
+               {p.peak_displacement_m, p.peak_by_axis.along_m, p.peak_by_axis.across_m,
+                p.peak_downslope_m, p.peak_upslope_m, p.residual.along_m, p.residual.across_m,
+                static_cast<double>(p.slip_phases), p.uplift ? 1.0 : 0.0});
+  return all;
+}
+
+/// Errors of those that slide more than 0.1 mm, in order.
+std::vector<double> errors(const BuildingGround& ground, std::span<const TwoAxisScene> scenes,
+                           double tolerance) {
+  const std::vector<TwoAxisPeak> peaks = solve(ground, scenes, tolerance);
+  std::vector<double> found;
+  for (std::size_t k = 0; k < scenes.size(); ++k) {
+    const TwoAxisResult r = reference(ground, scenes[k]);
+    EXPECT_EQ(peaks[k].uplift, r.uplift) << k;
+    EXPECT_EQ(peaks[k].free_sliding, r.free_sliding) << k;
+    EXPECT_EQ(peaks[k].peak_displacement_m > 0.0, r.peak_displacement_m > 0.0) << k;
+    if (r.peak_displacement_m > 1e-4) found.push_back(error(peaks[k], r));
+  }
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+TEST(slide_two_axes, agrees_with_the_reference) {
+  for (const Kind kind : {Kind::rigid, Kind::uncoupled, Kind::coupled}) {
+    SCOPED_TRACE(static_cast<int>(kind));
+    const std::vector<double> found = errors(ground_of(1), made_up_scenes(kind, 60, 2), 1e-6);
+    ASSERT_GT(found.size(), 30u);
+    EXPECT_LT(found[found.size() / 2], 1e-6);
+    EXPECT_LT(found.back(), 3e-5);
+  }
+}
+
+TEST(slide_two_axes, converges_with_its_tolerance) {
+  for (const Kind kind : {Kind::rigid, Kind::uncoupled, Kind::coupled}) {
+    SCOPED_TRACE(static_cast<int>(kind));
+    for (const double tolerance : {1e-4, 1e-5, 1e-7}) {
+      const std::vector<double> found =
+          errors(ground_of(3), made_up_scenes(kind, 30, 4), tolerance);
+      EXPECT_LT(found[found.size() / 2], 2.0 * tolerance);
+      EXPECT_LT(found.back(), 30.0 * tolerance);
+    }
+  }
+}
+
+TEST(slide_two_axes, along_one_axis_is_slide) {
+  const auto a = test::made_up_record(900, 5, 8.0);
+  const BuildingGround ground{{std::make_shared<GroundTable>(0.01, a), nullptr}, nullptr};
+  int slid = 0;
+  for (const double slope_deg : {0.0, 3.0}) {
+    const Block block{.friction = 0.25, .slope_rad = slope_deg * rad_per_deg};
+    const SlipResult r = slide({0.01, a}, block);
+    const TwoAxisScene scene{
+        {}, {{block.friction, block.friction}, block.slope_rad, 0.0}, {{1.0, 1.0}, 1.0}};
+    const TwoAxisPeak p = solve(ground, {&scene, 1}).front();
+    EXPECT_NEAR(p.peak_downslope_m, r.peak_downslope_m, 2e-6 * r.peak_displacement_m);
+    EXPECT_NEAR(p.peak_upslope_m, r.peak_upslope_m, 2e-6 * r.peak_displacement_m);
+    EXPECT_NEAR(p.residual.along_m, r.residual_displacement_m, 2e-6 * r.peak_displacement_m);
+    EXPECT_EQ(p.peak_by_axis.across_m, 0.0);
+    slid += r.peak_displacement_m > 1e-3 ? 1 : 0;
+  }
+  EXPECT_EQ(slid, 2);
+}
+
+TEST(slide_two_axes, what_does_not_fit_the_lanes_is_the_reference) {
+  OnBuilding made(9, 400, 7.0);
+  made.dt_s = 0.01;
+  const BuildingGround plain = made.ground();
+  made.vertical = {0.1, 0.02};
+  const BuildingGround ringing = made.ground();
+  std::vector<TwoAxisScene> scenes = made_up_scenes(Kind::coupled, 8, 10);
+  for (TwoAxisScene& s : scenes) s.block.friction = {0.2, 0.2};
+  scenes[0].block.friction.across = 0.15;
+  scenes[1].block.law.static_ratio = 1.2;
+  scenes[2].block.law = {1.0, 1.5, 20.0};
+  scenes[3].building.yielding[1] = {2.0, 0.05};
+  scenes[4].building.horizontal[1].period_s = 0.0;
+  scenes[5].building.horizontal[0].period_s = 0.05;
+  scenes[6].factors.vertical = 4.0;
+  scenes[7].block.slope_rad = 0.3;
+  const auto expect_reference = [](const BuildingGround& ground,
+                                   std::span<const TwoAxisScene> all) {
+    const std::vector<TwoAxisPeak> peaks = solve(ground, all);
+    for (std::size_t k = 0; k < all.size(); ++k) {
+      const TwoAxisResult r = reference(ground, all[k], 1e-6);
+      EXPECT_EQ(error(peaks[k], r), 0.0) << k;
+      EXPECT_EQ(peaks[k].slip_phases, r.slip_phases) << k;
+      EXPECT_EQ(peaks[k].uplift, r.uplift) << k;
+      EXPECT_EQ(peaks[k].free_sliding, r.free_sliding) << k;
+    }
+  };
+  expect_reference(plain, scenes);
+  EXPECT_TRUE(solve(plain, scenes)[6].uplift);
+  EXPECT_TRUE(solve(plain, scenes)[7].free_sliding);
+  expect_reference(ringing, made_up_scenes(Kind::uncoupled, 4, 11));
+}
+
+// The building rings on after the record, and the block goes on sliding with it.
+TEST(slide_two_axes, follows_the_building_after_the_record) {
+  OnBuilding made(1, 900, 6.0);
+  made.dt_s = 0.01;
+  for (const std::size_t samples : {100u, 150u}) {
+    for (auto* component : {&made.first, &made.second, &made.up}) component->resize(samples);
+    const BuildingGround ground = made.ground();
+    auto scenes = made_up_scenes(Kind::uncoupled, 16, 23);
+    for (TwoAxisScene& s : scenes) {
+      s.factors = {{2.0, 2.0}, 2.0};
+      s.block.friction = {0.12, 0.12};
+      s.block.slope_rad = 0.03;
+    }
+    const std::vector<double> found = errors(ground, scenes, 1e-6);
+    ASSERT_FALSE(found.empty());
+    EXPECT_LT(found.back(), 3e-5);
+  }
+}
+
+TEST(slide_two_axes, zero_motion_moves_nothing) {
+  const auto rest = std::make_shared<GroundTable>(0.01, std::vector<double>(100, 0.0));
+  for (const Kind kind : {Kind::rigid, Kind::uncoupled, Kind::coupled})
+    for (const double number :
+         numbers(solve({{rest, rest}, nullptr}, made_up_scenes(kind, 40, 12))))
+      EXPECT_EQ(number, 0.0);
+}
+
+TEST(slide_two_axes, zeros_after_the_record_change_not_a_bit) {
+  OnBuilding made(13, 500, 8.0);
+  made.dt_s = 0.01;
+  OnBuilding padded = made;
+  for (auto* samples : {&padded.first, &padded.second, &padded.up})
+    samples->insert(samples->end(), 300, 0.0);
+  for (const Kind kind : {Kind::rigid, Kind::uncoupled, Kind::coupled}) {
+    const auto scenes = made_up_scenes(kind, 40, 14);
+    EXPECT_EQ(numbers(solve(padded.ground(), scenes)), numbers(solve(made.ground(), scenes)));
+  }
+}
+
+TEST(slide_two_axes, the_mirror_image_across_the_slope_is_the_same_to_the_bit) {
+  for (const Kind kind : {Kind::rigid, Kind::uncoupled, Kind::coupled}) {
+    const auto scenes = made_up_scenes(kind, 40, 15);
+    auto mirrored = scenes;
+    for (TwoAxisScene& s : mirrored) {
+      s.block.azimuth_rad = -s.block.azimuth_rad;
+      s.factors.horizontal[1] = -s.factors.horizontal[1];
+    }
+    const auto peaks = solve(ground_of(16), scenes);
+    auto images = solve(ground_of(16), mirrored);
+    for (TwoAxisPeak& p : images) p.residual.across_m = -p.residual.across_m;
+    EXPECT_EQ(numbers(images), numbers(peaks));
+  }
+}
+
+TEST(slide_two_axes, slip_scales_with_the_whole_acceleration_field_to_the_bit) {
+  for (const Kind kind : {Kind::rigid, Kind::uncoupled, Kind::coupled}) {
+    const auto scenes = made_up_scenes(kind, 40, 17);
+    auto stronger = scenes;
+    for (TwoAxisScene& s : stronger) {
+      s.block.gravity_mps2 *= 4.0;
+      for (double& factor : s.factors.horizontal) factor *= 4.0;
+      s.factors.vertical *= 4.0;
+    }
+    const auto peaks = solve(ground_of(18), scenes), more = solve(ground_of(18), stronger);
+    for (std::size_t k = 0; k < peaks.size(); ++k) {
+      EXPECT_EQ(more[k].peak_displacement_m, 4.0 * peaks[k].peak_displacement_m) << k;
+      EXPECT_EQ(more[k].residual.along_m, 4.0 * peaks[k].residual.along_m) << k;
+      EXPECT_EQ(more[k].residual.across_m, 4.0 * peaks[k].residual.across_m) << k;
+      EXPECT_EQ(more[k].slip_phases, peaks[k].slip_phases) << k;
+    }
+  }
+}
+
+TEST(slide_two_axes, a_history_has_the_same_bits_in_any_company) {
+  const BuildingGround ground = ground_of(19);
+  for (const Kind kind : {Kind::rigid, Kind::uncoupled, Kind::coupled}) {
+    auto scenes = made_up_scenes(kind, 70, 20);
+    const auto together = solve(ground, scenes);
+    for (std::size_t k = 0; k < scenes.size(); ++k)
+      EXPECT_EQ(numbers(solve(ground, {&scenes[k], 1})), numbers({&together[k], 1})) << k;
+    std::reverse(scenes.begin(), scenes.end());
+    auto reversed = solve(ground, scenes);
+    std::reverse(reversed.begin(), reversed.end());
+    EXPECT_EQ(numbers(reversed), numbers(together));
+  }
+}
+
+void use_targets(std::int64_t targets) {
+  hwy::SetSupportedTargetsForTest(targets);
+  hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+}
+
+TEST(slide_two_axes, all_simd_targets_give_the_same_bits) {
+  const BuildingGround ground = ground_of(21);
+  for (const Kind kind : {Kind::rigid, Kind::uncoupled, Kind::coupled}) {
+    const auto scenes = made_up_scenes(kind, 70, 22);
+    const auto best = numbers(solve(ground, scenes));
+    for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
+      use_targets(target);
+      ASSERT_EQ(hwy::SupportedTargets(), target);
+      EXPECT_EQ(numbers(solve(ground, scenes)), best) << hwy::TargetName(target);
+    }
+    use_targets(0);
+  }
+}
+
+}  // namespace
+}  // namespace glissade
