@@ -158,19 +158,18 @@ void CoupledBody::happen_to_spring(const NextEvent& next) {
 void CoupledBody::happen(const NextEvent& next) {
   if (breaks_away_ && next.share > 0.0) stopped_direction_ = 0;
   if (next.of_spring()) return happen_to_spring(next);
-  const auto start = [&](int direction) {
+  const auto starts = [&](int direction) {
     // Held until now, or only just stopped: its drive is not positive yet, unless it breaks away.
     at_threshold_ = next.share > 0.0 ? lifted_ || !breaks_away_ : stopped_direction_ == direction;
-    direction_ = direction;
     stopped_direction_ = 0;
-    ++result_.slip.slip_phases;
+    start(direction);
   };
   just_lifted_or_landed_ = next.event == Event::lifts_or_lands;
   switch (next.event) {
     case Event::starts_down:
-      return start(+1);
+      return starts(+1);
     case Event::starts_up:
-      return start(-1);
+      return starts(-1);
     case Event::stops:
       refused_ = (at_threshold_ || breaks_away_) && next.share == 0.0;
       stopped_direction_ = direction_;
@@ -185,7 +184,6 @@ void CoupledBody::happen(const NextEvent& next) {
   if (next.event == Event::stops) stop();
 }
 
-/// Slip is monotone inside a phase, so its peaks are at phase ends.
 void CoupledBody::stop() {
   direction_ = 0;
   speed_ = 0.0;

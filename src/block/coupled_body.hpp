@@ -40,17 +40,22 @@ class CoupledBody {
     slip_ += direction_ * distance_m;
     result_.slip.slip_duration_s += duration_s;
   }
+  void start(int direction) {
+    direction_ = direction;
+    ++result_.slip.slip_phases;
+  }
+  /// Slip is monotone inside a phase, so its peaks are at phase ends.
+  void stop();
   /// Largest |E| and |x| so far.
   struct Peaks {
     double elastic_mps2 = 0.0, x_mps2 = 0.0;
   };
-  Peaks& peaks() { return peaks_; }
 
   const RoofState& roof() const { return roof_; }
   double speed() const { return speed_; }
   int direction() const { return direction_; }
   double slip() const { return slip_; }
-  bool lifted() const { return lifted_; }
+  bool has_lifted() const { return lifted_ || result_.slip.uplift; }
   bool slides_at_rest() const { return at_rest_.slides_at_rest(); }
   bool sliding() const { return direction_ != 0; }
   /// While the block stays where it is and the ground is quiet.
@@ -91,7 +96,6 @@ class CoupledBody {
             const NextEvent& next);
   void happen(const NextEvent& next);
   void happen_to_spring(const NextEvent& next);
-  void stop();
   Envelope free_vibration() const;
   void record(const GroundPiece& ground) const;
 

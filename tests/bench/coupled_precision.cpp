@@ -14,14 +14,15 @@ namespace {
 
 using test::Component;
 
-/// As many as go side by side.
-constexpr std::size_t batch_size = 16;
+/// Levels of PGA of one building, 0.1 g apart, which share tables.
+constexpr int levels = 20;
+constexpr double level_g = 0.1;
 
 /// Yields in most of the scenes.
 constexpr double yield_coefficient = 0.2, hardening_ratio = 0.05;
 
 struct Batch {
-  GroundMotion ground;
+  CoupledGround ground;
   std::vector<CoupledScene> scenes;
 };
 
@@ -29,19 +30,17 @@ CoupledResult solve(const GroundMotion& ground, const CoupledScene& scene) {
   return slide_coupled(ground, scene.factors, scene.building, scene.block);
 }
 
-std::vector<CoupledScene> scenes_of(const Component& component, bool vertical) {
+/// At no level yet.
+std::vector<CoupledScene> buildings(const std::vector<double>& mass_ratios) {
   std::vector<CoupledScene> scenes;
-  for (const double mass_ratio : {0.05, 0.1, 0.3})
+  for (const double mass_ratio : mass_ratios)
     for (const double period_s : {0.2, 0.5, 1.0})
-      for (const double pga_g : {0.2, 0.5, 1.0, 1.5})
-        for (const double friction : {0.1, 0.3, 0.5, 0.7})
-          for (const double slope_deg : {0.0, 1.19, -1.19, 4.0, -4.0, 7.0, -7.0}) {
-            const double factor = pga_g * standard_gravity_mps2 / component.pga_mps2;
-            const Block block{.friction = friction, .slope_rad = slope_deg * rad_per_deg};
-            if (resting_deceleration_mps2(block) > 0.0)
-              scenes.push_back(
-                  {{{period_s, 0.05}, mass_ratio, {}}, block, {factor, vertical ? factor : 0.0}});
-          }
+      for (const double friction : {0.1, 0.3, 0.5, 0.7})
+        for (const double slope_deg : {0.0, 1.19, -1.19, 4.0, -4.0, 7.0, -7.0}) {
+          const Block block{.friction = friction, .slope_rad = slope_deg * rad_per_deg};
+          if (resting_deceleration_mps2(block) > 0.0)
+            scenes.push_back({{{period_s, 0.05}, mass_ratio, {}}, block, {}});
+        }
   return scenes;
 }
 
@@ -57,20 +56,19 @@ struct Trial {
   std::vector<Batch> batches;
   std::vector<TrialBatch> judged;
 
-  void add(const Component& component, bool vertical, const Yielding& yielding, std::size_t start) {
-    Batch batch{{component.dt_s, component.horizontal_mps2, {}}, {}};
-    if (vertical) batch.ground.vertical_mps2 = component.vertical_mps2;
+  void add(const Component& component, bool vertical, CoupledScene scene) {
+    GroundMotion motion{component.dt_s, component.horizontal_mps2, {}};
+    if (vertical) motion.vertical_mps2 = component.vertical_mps2;
+    Batch batch{CoupledGround(motion), {}};
     TrialBatch truth{component.horizontal_mps2, {}, {}};
-    const std::vector<CoupledScene> candidates = scenes_of(component, vertical);
-    for (const std::size_t i : scattered(candidates.size(), start)) {
-      CoupledScene scene = candidates[i];
-      scene.building.yielding = yielding;
-      const SlipResult slip = solve(batch.ground, scene).slip;
+    for (int level = 1; level <= levels; ++level) {
+      const double factor = level * level_g * standard_gravity_mps2 / component.pga_mps2;
+      scene.factors = {factor, vertical ? factor : 0.0};
+      const SlipResult slip = solve(motion, scene).slip;
       if (!is_for_trial(slip.peak_displacement_m, slip.uplift)) continue;
       batch.scenes.push_back(scene);
       truth.truth_m.push_back(slip.peak_displacement_m);
       truth.scenes.push_back(describe(component, scene));
-      if (batch.scenes.size() == batch_size) break;
     }
     if (batch.scenes.empty()) return;
     batches.push_back(batch);
@@ -81,7 +79,7 @@ struct Trial {
     return {family, label, [this, peak_m](std::size_t b) {
               std::vector<double> peaks_m;
               for (const CoupledScene& scene : batches[b].scenes)
-                peaks_m.push_back(peak_m(batches[b].ground, scene));
+                peaks_m.push_back(peak_m(batches[b].ground.motion(), scene));
               return peaks_m;
             }};
   }
@@ -97,9 +95,10 @@ struct Trial {
   }
 
   BatchScheme kernel(const std::string& family) const {
-    return {family, "batches of 16", [this](std::size_t b) {
+    return {family, "20 levels", [this](std::size_t b) {
               std::vector<CoupledPeak> peaks(batches[b].scenes.size());
-              coupled_slip(batches[b].ground, batches[b].scenes, peaks);
+              CoupledGround ground = batches[b].ground;  // without tables
+              coupled_slip(ground, batches[b].scenes, peaks);
               std::vector<double> peaks_m;
               for (const CoupledPeak& peak : peaks)
                 peaks_m.push_back(peak.slip.peak_displacement_m);
@@ -119,15 +118,18 @@ struct Trial {
 enum class Shaking { horizontal, vertical_too };
 
 Trial trial_of(const test::StandardScenes& all, std::size_t histories, Shaking shaking,
-               const Yielding& yielding) {
+               const std::vector<double>& mass_ratios, const Yielding& yielding = {}) {
   Trial trial;
   const std::size_t count = all.components.size();
-  const std::size_t stride = std::max<std::size_t>(count * batch_size / histories, 1);
+  const std::size_t stride = std::max<std::size_t>(count * levels / histories, 1);
   const bool vertical = shaking == Shaking::vertical_too;
+  const std::vector<CoupledScene> candidates = buildings(mass_ratios);
+  const std::vector<std::size_t> order = scattered(candidates.size(), 0);
   for (std::size_t i = 0; i < count; i += stride) {
     const Component& component = all.components[i];
-    if (!vertical || !component.vertical_mps2.empty())
-      trial.add(component, vertical, yielding, 37 * i);
+    CoupledScene scene = candidates[order[i % order.size()]];
+    scene.building.yielding = yielding;
+    if (!vertical || !component.vertical_mps2.empty()) trial.add(component, vertical, scene);
   }
   return trial;
 }
@@ -142,16 +144,19 @@ std::vector<SchemeResult> coupled_precision(const test::StandardScenes& all, std
     for (const SchemeResult& result : run_trial(trial.judged, schemes, rounds))
       results.push_back(result);
   };
-  const Trial linear = trial_of(all, histories, Shaking::horizontal, {});
+  const std::vector<double> masses{0.05, 0.1, 0.3};
+  const Trial linear = trial_of(all, histories, Shaking::horizontal, masses);
   std::vector<BatchScheme> schemes{one_pass(linear.judged), linear.kernel("coupled_slip"),
                                    linear.events("slide_coupled")};
   for (int substeps = 1; substeps <= (quick ? 4 : 64); substeps *= 4)
     schemes.push_back(linear.link(substeps));
   run(linear, schemes);
 
-  const Trial lifted = trial_of(all, histories, Shaking::vertical_too, {});
+  const Trial massless = trial_of(all, histories, Shaking::horizontal, {0.0});
+  run(massless, {massless.kernel("coupled_slip, m/M 0"), massless.events("slide_coupled, m/M 0")});
+  const Trial lifted = trial_of(all, histories, Shaking::vertical_too, masses);
   run(lifted, {lifted.kernel("coupled_slip, vertical"), lifted.events("slide_coupled, vertical")});
-  const Trial yields = trial_of(all, histories, Shaking::horizontal,
+  const Trial yields = trial_of(all, histories, Shaking::horizontal, masses,
                                 yielding_for(YieldCoefficient{yield_coefficient}, hardening_ratio));
   run(yields, {yields.kernel("coupled_slip, yielding"), yields.events("slide_coupled, yielding")});
   return results;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <memory>
 #include <span>
 
 #include "glissade/block/coupled.hpp"
@@ -14,26 +15,46 @@ struct CoupledScene {
   MotionFactors factors;
 };
 
-/// CoupledResult without what only a walk through every sample can tell.
 struct CoupledPeak {
   PeakSlip slip;
-  double peak_base_shear = 0.0;               ///< see CoupledResult
-  double peak_roof_displacement_m = 0.0;      ///< see CoupledResult
-  double ductility = 0.0;                     ///< see CoupledResult
-  double residual_roof_displacement_m = 0.0;  ///< see CoupledResult
+  bool by_events = false;  ///< found by slide_coupled()
 };
 
-/// slide_coupled() for many histories under one ground motion: sixteen at a time go side by side
-/// through its samples in SIMD lanes, each by the exact step of the oscillator it is at the time.
-/// An interval in which a lane may have an event, or a new peak between samples, is left to the
-/// scalar scheme; what tells is a bound on how far the motion can leave its chord, so nothing is
-/// missed. Within 1e-11 of slide_coupled (tests/unit/block/coupled_slip_test.cpp). The same bits
-/// on every SIMD target, and whatever else is in the batch.
+/// A ground motion and what histories under it share: its integrals, and the tables of the last
+/// building, block and ratio of factors, so that the intensities of one building cost one table.
+/// Not for two threads at once; a copy shares the integrals, and has no tables yet.
+class CoupledGround {
+ public:
+  /// @param motion whose samples outlive this
+  explicit CoupledGround(const GroundMotion& motion);
+  ~CoupledGround();
+  CoupledGround(const CoupledGround& other);
+  CoupledGround& operator=(const CoupledGround&) = delete;
+
+  struct Tables;
+  Tables& tables() { return *tables_; }
+  const GroundMotion& motion() const { return motion_; }
+
+ private:
+  GroundMotion motion_;
+  std::unique_ptr<Tables> tables_;
+};
+
+/// slide_coupled() for many histories under one ground motion. While its regime of contact lasts,
+/// the building is linear: intensity times its response to the motion from rest, which is tabulated
+/// once, plus the free vibration that the last event left, in closed form. So a history goes from
+/// event to event; the tables are searched for the next interval in which one is possible, by
+/// bounds that miss none. Within 1e-10 of slide_coupled for slips above 1 um
+/// (tests/unit/block/coupled_slip_test.cpp). The same bits on every SIMD target, in any company.
 ///
-/// Rigid buildings, SlipDirections::downslope_only, static friction, blocks at critical friction or
-/// with mu tan(slope) >= 1, and verticals that may take the gravity away go through
-/// slide_coupled(). So do buildings that yield, after the lanes have told which do.
-/// @param peaks as many as scenes
+/// Left to slide_coupled(): rigid buildings, more than 1 rad or less than 1 mrad of their
+/// vibration in a sample interval, damping near or beyond critical; springs that may yield;
+/// SlipDirections::downslope_only; static friction; critical friction; mu tan(slope) >= 1; and
+/// where the block may lift off.
+/// @param peaks as many as scenes; those of one building, block and ratio of factors best side by
+/// side
+void coupled_slip(CoupledGround& ground, std::span<const CoupledScene> scenes,
+                  std::span<CoupledPeak> peaks);
 void coupled_slip(const GroundMotion& ground, std::span<const CoupledScene> scenes,
                   std::span<CoupledPeak> peaks);
 
@@ -41,6 +62,9 @@ void coupled_slip(const GroundMotion& ground, std::span<const CoupledScene> scen
 /// the phase of sliding in which that is the case is gone through again, scalar.
 /// @param thresholds_m > 0, increasing
 /// @param crossings as many for each scene, scene after scene
+void coupled_slip(CoupledGround& ground, std::span<const CoupledScene> scenes,
+                  std::span<CoupledPeak> peaks, std::span<const double> thresholds_m,
+                  std::span<Crossing> crossings);
 void coupled_slip(const GroundMotion& ground, std::span<const CoupledScene> scenes,
                   std::span<CoupledPeak> peaks, std::span<const double> thresholds_m,
                   std::span<Crossing> crossings);

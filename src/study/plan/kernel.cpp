@@ -46,7 +46,7 @@ std::string describe(Kernel kernel) {
     case Kernel::tables:
       return "one axis over tables of the roof's motion: exact events (peak_slip)";
     case Kernel::coupled:
-      return "one axis, coupled with a linear building: exact events, histories side by side "
+      return "one axis, coupled with a linear building: exact events over tables "
              "(coupled_slip)";
     case Kernel::events:
       return "one axis, coupled with a building that may yield, friction that may be stronger at "

@@ -46,8 +46,7 @@ std::vector<double> numbers(std::span<const CoupledPeak> peaks) {
   for (const CoupledPeak& p : peaks) {
     all.insert(all.end(), {p.slip.peak_displacement_m, p.slip.residual_displacement_m,
                            p.slip.peak_downslope_m, p.slip.peak_upslope_m, p.slip.slip_duration_s,
-                           static_cast<double>(p.slip.slip_phases), p.peak_base_shear,
-                           p.peak_roof_displacement_m});
+                           static_cast<double>(p.slip.slip_phases)});
   }
   return all;
 }
@@ -62,8 +61,8 @@ int expect_reference(const GroundMotion& ground, std::span<const CoupledScene> s
                  std::to_string(s.building.horizontal.period_s));
     const CoupledResult r = slide_coupled(ground, s.factors, s.building, s.block);
     const CoupledPeak& p = peaks[k];
-    // Where nothing but rounding is slid, nothing but rounding can be held against it.
-    const double close = 1e-11 * r.slip.peak_displacement_m + 1e-15;
+    // 1e-10 of the peak above 1 um.
+    const double close = 1e-10 * std::max(r.slip.peak_displacement_m, 1e-6);
     EXPECT_NEAR(p.slip.peak_displacement_m, r.slip.peak_displacement_m, close);
     EXPECT_NEAR(p.slip.residual_displacement_m, r.slip.residual_displacement_m, close);
     EXPECT_NEAR(p.slip.peak_downslope_m, r.slip.peak_downslope_m, close);
@@ -72,9 +71,6 @@ int expect_reference(const GroundMotion& ground, std::span<const CoupledScene> s
     EXPECT_EQ(p.slip.slip_phases, r.slip.slip_phases);
     EXPECT_EQ(p.slip.uplift, r.slip.uplift);
     EXPECT_EQ(p.slip.free_sliding, r.slip.free_sliding);
-    EXPECT_NEAR(p.peak_base_shear, r.peak_base_shear, 1e-11 * r.peak_base_shear);
-    EXPECT_NEAR(p.peak_roof_displacement_m, r.peak_roof_displacement_m,
-                1e-11 * r.peak_roof_displacement_m);
     slid += r.slip.slip_phases > 0 ? 1 : 0;
   }
   return slid;
@@ -117,7 +113,6 @@ TEST(coupled_slip, zero_motion_moves_nothing) {
   const std::vector<double> rest(100, 0.0);
   for (const CoupledPeak& p : solve({0.01, rest}, made_up_scenes(20, 10, 0.0))) {
     EXPECT_EQ(p.slip.peak_displacement_m, 0.0);
-    EXPECT_EQ(p.peak_base_shear, 0.0);
   }
 }
 
