@@ -27,6 +27,14 @@ struct DriveLine {
   double at(Roof r) const { return a * r.a + w * r.w + constant; }
 };
 
+/// tan(slope) - mu, which decides on free sliding (theory.md, 1.5): exactly zero at critical
+/// friction, where both agree to 1e-12. Friction that exceeds the slope by rounding alone stops
+/// nothing within the length of any record. All models take this rule.
+inline double beyond_friction(double tan_slope, double friction) {
+  const double surplus = tan_slope - friction;
+  return std::abs(surplus) <= 1e-12 * friction ? 0.0 : surplus;
+}
+
 /// The equations of motion of a block on a slope >= 0.
 class Contact {
  public:
@@ -34,9 +42,7 @@ class Contact {
       : g_(block.gravity_mps2),
         sin_(std::sin(slope)),
         cos_(std::cos(slope)),
-        // tan(slope) - mu decides on free sliding (theory.md, 1.5): exactly zero if mu =
-        // std::tan(slope).
-        gravity_down_(cos_ * (std::tan(slope) - block.friction)),
+        gravity_down_(cos_ * beyond_friction(std::tan(slope), block.friction)),
         gravity_up_(-cos_ * (std::tan(slope) + block.friction)),
         inertia_down_(cos_ + block.friction * sin_),
         inertia_up_(cos_ - block.friction * sin_) {}

@@ -7,6 +7,7 @@
 
 #include "coupled_walk.hpp"
 #include "glissade/core/contract.hpp"
+#include "glissade/core/finite.hpp"
 
 namespace glissade {
 namespace {
@@ -62,9 +63,8 @@ void walk_interval(CoupledBody& body, const Ground& ground, std::size_t i, int p
 /// acceleration within one period.
 void ring_down(CoupledBody& body, const Ground& ground, std::size_t quiet, const Cut& cut,
                const CoupledBuilding& building, const Block& block) {
-  const bool rigid = cut.frame.rigid();
-  const double period_s =
-      rigid ? 0.0 : building.horizontal.period_s * std::sqrt(1.0 + building.mass_ratio);
+  if (cut.frame.rigid()) return body.coast();
+  const double period_s = building.horizontal.period_s * std::sqrt(1.0 + building.mass_ratio);
   const std::size_t last = quiet + block_detail::longest_ring_down(ground.dt_s());
   double at_rest_s = 0.0;
   const auto settled = [&] { return !body.sliding() && !body.may_yield(); };
@@ -72,7 +72,7 @@ void ring_down(CoupledBody& body, const Ground& ground, std::size_t quiet, const
     if (settled() && at_rest_s >= period_s &&
         cannot_slip(block, body.largest_acceleration_to_come_mps2(), 0.0))
       return;
-    if (!rigid && i == last) return body.coast();
+    if (i == last) return body.coast();
     walk_interval(body, ground, ++i, cut.pieces);
     at_rest_s = settled() ? at_rest_s + ground.dt_s() : 0.0;
   }
@@ -80,9 +80,23 @@ void ring_down(CoupledBody& body, const Ground& ground, std::size_t quiet, const
 
 }  // namespace
 
+void block_detail::require_finite_scene(const CoupledBuilding& building, const Block& block,
+                                        const MotionFactors& factors) {
+  require_finite({building.horizontal.period_s, building.horizontal.damping_ratio,
+                  building.mass_ratio, building.yielding.hardening_ratio},
+                 "period, damping, mass ratio, hardening");
+  require_finite({block.friction, block.slope_rad, block.gravity_mps2, block.law.static_ratio},
+                 "friction, slope, gravity");
+  require_finite({factors.horizontal, factors.vertical}, "factors");
+}
+
 CoupledResult block_detail::walk_coupled(const GroundMotion& motion, const MotionFactors& factors,
                                          const CoupledBuilding& building, const Block& block,
                                          const CoupledWatch& watch) {
+  require_finite(motion.horizontal_mps2, "the ground acceleration");
+  require_finite(motion.vertical_mps2, "the vertical ground acceleration");
+  require_finite({motion.dt_s}, "the step");
+  require_finite_scene(building, block, factors);
   GLISSADE_EXPECTS(motion.dt_s > 0.0 && !motion.horizontal_mps2.empty());
   GLISSADE_EXPECTS(motion.vertical_mps2.empty() ||
                    motion.vertical_mps2.size() == motion.horizontal_mps2.size());

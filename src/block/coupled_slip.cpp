@@ -94,6 +94,7 @@ namespace {
 
 CoupledPeak solve(CoupledGround& ground, const CoupledScene& scene,
                   std::span<const double> thresholds_m, std::span<Crossing> crossings) {
+  block_detail::require_finite_scene(scene.building, scene.block, scene.factors);
   GLISSADE_EXPECTS(coupling_is_regular(scene.block, scene.building.mass_ratio));
   const GroundMotion& motion = ground.motion();
   const CoupledNodes& nodes = *ground.tables().nodes;

@@ -16,6 +16,10 @@ struct CoupledWatch {
   CoupledBody::History history = {};
 };
 
+/// @throw std::invalid_argument
+void require_finite_scene(const CoupledBuilding& building, const Block& block,
+                          const MotionFactors& factors);
+
 /// slide_coupled() with or without the outputs that take longest.
 CoupledResult walk_coupled(const GroundMotion& motion, const MotionFactors& factors,
                            const CoupledBuilding& building, const Block& block,

@@ -10,6 +10,7 @@
 #include "event_bounds.hpp"
 #include "glissade/block/peak_slip.hpp"
 #include "glissade/core/contract.hpp"
+#include "glissade/core/finite.hpp"
 #include "linear_piece.hpp"
 #include "quartic_piece.hpp"
 #include "scaled_block.hpp"
@@ -276,6 +277,8 @@ std::size_t EventKernel<Piece, History>::lifted(std::size_t i) {
 template <class History>
 PeakSlip walk_events(const RoofTable& roof, const Block& block, const MotionFactors& factors,
                      EventSearch search, const History& history) {
+  require_finite({block.friction, block.slope_rad, block.gravity_mps2}, "friction, slope, gravity");
+  require_finite({factors.horizontal, factors.vertical}, "factors");
   GLISSADE_EXPECTS(block.friction >= 0.0 && std::abs(block.slope_rad) < std::numbers::pi / 2);
   const Scaled scene(block, factors);
   const bool linear = roof.horizontal->rigid() && (!roof.vertical || roof.vertical->rigid());

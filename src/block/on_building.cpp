@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "glissade/core/contract.hpp"
+#include "glissade/core/finite.hpp"
 #include "on_building_body.hpp"
 
 namespace glissade {
@@ -53,6 +54,11 @@ void check([[maybe_unused]] const BuildingGround& ground,
            [[maybe_unused]] const BiaxialBuilding& building,
            [[maybe_unused]] const TwoAxisBlock& block) {
   [[maybe_unused]] const EllipticFriction& mu = block.friction;
+  require_finite({mu.along, mu.across, block.slope_rad, block.gravity_mps2, building.mass_ratio},
+                 "friction, slope, gravity, mass ratio");
+  for (std::size_t n : {0u, 1u})
+    require_finite({building.horizontal[n].period_s, building.horizontal[n].damping_ratio},
+                   "period, damping");
   GLISSADE_EXPECTS(ground.horizontal[0] != nullptr);
   [[maybe_unused]] const double step_s = ground.horizontal[0]->step_s();
   GLISSADE_EXPECTS(ground.horizontal[1] == nullptr || ground.horizontal[1]->step_s() == step_s);
@@ -122,7 +128,8 @@ BuildingSlip slide_on_building(const BuildingGround& ground, const BuildingFacto
 
   // Padding changes nothing, to the last bit; free sliders end with the record.
   const bool slides_at_rest =
-      contact.friction_at_rest().excess(contact.loading().at(0.0, 0.0, 0.0)) > 0.0;
+      block_detail::beyond_friction(contact.loading().tan_slope(),
+                                    contact.friction_at_rest().along()) > 0.0;
   const std::size_t n = slides_at_rest ? shaken.last_sample() : shaken.quiet_from();
   for (std::size_t i = 0; i < n;) {
     if (body.at_rest() && cut == 1) i = body.rest_through(shaken, i, n);

@@ -95,11 +95,8 @@ void OnBuildingBody::coast(double step_s) {
 
 bool OnBuildingBody::will_stop() const {
   if (!sliding_) return true;
-  const Load resting = contact_.loading().at(0.0, 0.0, 0.0);
-  // Friction that exceeds the slope by rounding alone stops nothing within any record's length.
   const double mu = contact_.least_factor(now_.v) * contact_.friction().along();
-  const double slope = resting.drive.s / resting.normal;
-  return mu * mu - slope * slope > 1e-12 * mu * mu;
+  return beyond_friction(contact_.loading().tan_slope(), mu) < 0.0;
 }
 
 bool OnBuildingBody::is_settled() const {

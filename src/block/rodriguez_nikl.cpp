@@ -6,6 +6,7 @@
 
 #include "contact.hpp"
 #include "glissade/core/contract.hpp"
+#include "glissade/core/finite.hpp"
 
 namespace glissade {
 namespace {
@@ -105,6 +106,8 @@ class SteppedBlock {
 }  // namespace
 
 SlipResult slide_rodriguez_nikl(const RoofAcceleration& roof, const Block& block, int substeps) {
+  require_finite(roof.horizontal_mps2, "the horizontal roof acceleration");
+  require_finite(roof.vertical_mps2, "the vertical roof acceleration");
   GLISSADE_EXPECTS(substeps >= 1);
   const double mirror = block.slope_rad < 0.0 ? -1.0 : 1.0;
   const double slope = std::abs(block.slope_rad);
@@ -114,7 +117,7 @@ SlipResult slide_rodriguez_nikl(const RoofAcceleration& roof, const Block& block
         mirror * roof.horizontal_factor * roof.horizontal_mps2[i],
         roof.vertical_mps2.empty() ? 0.0 : roof.vertical_factor * roof.vertical_mps2[i]};
   };
-  const bool slides_at_rest = std::tan(slope) > block.friction;
+  const bool slides_at_rest = block_detail::beyond_friction(std::tan(slope), block.friction) > 0.0;
   // The end of the record, as in slide(): free sliding ends at the last sample, all others after
   // one more interval to zero.
   const std::size_t intervals =

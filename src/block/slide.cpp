@@ -8,6 +8,7 @@
 
 #include "crossing_watch.hpp"
 #include "glissade/core/contract.hpp"
+#include "glissade/core/finite.hpp"
 #include "sliding_block.hpp"
 
 namespace glissade {
@@ -38,6 +39,10 @@ class Points : public NoHistory {
 
 template <class History>
 SlipResult slide_with(const RoofAcceleration& roof, const Block& block, History history) {
+  require_finite(roof.horizontal_mps2, "the horizontal roof acceleration");
+  require_finite(roof.vertical_mps2, "the vertical roof acceleration");
+  require_finite({roof.dt_s, roof.horizontal_factor, roof.vertical_factor}, "step and factors");
+  require_finite({block.friction, block.slope_rad, block.gravity_mps2}, "friction, slope, gravity");
   GLISSADE_EXPECTS(roof.dt_s > 0.0 && !roof.horizontal_mps2.empty());
   GLISSADE_EXPECTS(roof.vertical_mps2.empty() ||
                    roof.vertical_mps2.size() == roof.horizontal_mps2.size());
@@ -126,12 +131,11 @@ double resting_deceleration_mps2(const Block& block) {
 }
 
 double yield_acceleration_mps2(const Block& block) {
-  const double slope = std::abs(block.slope_rad), phi = std::atan(block.friction);
-  if (slope >= phi) return 0.0;
-  const double down = block.gravity_mps2 * std::tan(phi - slope);
-  const double up = slope + phi < std::numbers::pi / 2 ? block.gravity_mps2 * std::tan(slope + phi)
-                                                       : std::numeric_limits<double>::infinity();
-  return std::min(down, up);
+  const Contact contact(block, std::abs(block.slope_rad));
+  if (!contact.stops_at_rest()) return 0.0;
+  const auto down = contact.down(), up = contact.up();
+  return std::min(down.constant / down.a,
+                  up.a > 0.0 ? -up.constant / up.a : std::numeric_limits<double>::infinity());
 }
 
 }  // namespace glissade

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "glissade/core/contract.hpp"
+#include "glissade/core/finite.hpp"
 #include "two_axis_body.hpp"
 
 namespace glissade {
@@ -50,7 +51,12 @@ class Samples {
 
 TwoAxisResult slide_with(const TwoAxisAcceleration& roof, const TwoAxisBlock& block,
                          double tolerance, std::vector<TwoAxisPoint>* history) {
-  [[maybe_unused]] const EllipticFriction& mu = block.friction;
+  const EllipticFriction& mu = block.friction;
+  for (const auto& horizontal : roof.horizontal_mps2)
+    require_finite(horizontal, "the horizontal roof acceleration");
+  require_finite(roof.vertical_mps2, "the vertical roof acceleration");
+  require_finite({roof.dt_s, mu.along, mu.across, block.slope_rad, block.gravity_mps2},
+                 "step, friction, slope, gravity");
   GLISSADE_EXPECTS(roof.dt_s > 0.0 && !roof.horizontal_mps2[0].empty());
   GLISSADE_EXPECTS(is_whole(roof.horizontal_mps2[1], roof.horizontal_mps2[0].size()) &&
                    is_whole(roof.vertical_mps2, roof.horizontal_mps2[0].size()));
@@ -63,10 +69,8 @@ TwoAxisResult slide_with(const TwoAxisAcceleration& roof, const TwoAxisBlock& bl
   const FrictionEllipse friction(block.friction);
   const Samples samples(roof, loading);
   const Load resting = loading.at(0.0, 0.0, 0.0);
-  const bool slides_at_rest = friction.excess(resting) > 0.0;
-  // Friction that exceeds the slope by rounding alone stops nothing within any record's length.
-  const double surplus = -friction.excess(resting) / (resting.normal * resting.normal);
-  const bool stops_at_rest = surplus > 1e-12 * block.friction.along * block.friction.along;
+  const double beyond = block_detail::beyond_friction(loading.tan_slope(), mu.along);
+  const bool slides_at_rest = beyond > 0.0, stops_at_rest = beyond < 0.0;
   // Padding changes nothing, to the last bit; free sliders end with the record.
   const std::size_t n = slides_at_rest ? samples.size() : samples.size_without_trailing_zeros();
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "glissade/core/contract.hpp"
+#include "glissade/core/finite.hpp"
 
 namespace glissade {
 namespace {
@@ -27,6 +28,8 @@ std::size_t without_trailing_zeros(std::span<const double> samples) {
 
 GroundTable::GroundTable(double dt_s, std::span<const double> acceleration_mps2, int parts)
     : step_s_(dt_s / parts) {
+  require_finite(acceleration_mps2, "the ground acceleration");
+  require_finite({dt_s}, "the step");
   GLISSADE_EXPECTS(dt_s > 0.0 && parts >= 1 && !acceleration_mps2.empty());
   const std::size_t samples = without_trailing_zeros(acceleration_mps2);
   const auto pieces = static_cast<std::size_t>(parts);

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "glissade/core/contract.hpp"
+#include "glissade/core/finite.hpp"
 #include "glissade/core/oscillator.hpp"
 #include "ring_down.hpp"
 
@@ -95,6 +96,9 @@ double peak(const std::vector<double>& values) {
 
 RoofMotion roof_motion(const GroundMotion& ground, const Building& building,
                        const RoofMotionOptions& options) {
+  require_finite(ground.horizontal_mps2, "the ground acceleration");
+  require_finite(ground.vertical_mps2, "the vertical ground acceleration");
+  require_finite({ground.dt_s}, "the step");
   GLISSADE_EXPECTS(ground.dt_s > 0.0 && !ground.horizontal_mps2.empty());
   GLISSADE_EXPECTS(ground.vertical_mps2.empty() ||
                    ground.vertical_mps2.size() == ground.horizontal_mps2.size());

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Rules that all models of the block share: critical friction, and which input is refused.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <vector>
+
+#include "glissade/block/coupled_slip.hpp"
+#include "glissade/block/on_building.hpp"
+#include "glissade/block/peak_slip.hpp"
+#include "glissade/block/rodriguez_nikl.hpp"
+#include "glissade/block/slide.hpp"
+#include "glissade/block/two_axis.hpp"
+#include "unit/block/reference.hpp"
+
+namespace glissade {
+namespace {
+
+using test::made_up_record;
+
+const auto record = made_up_record(400, 3, 6.0);
+const double slope_rad = 5 * rad_per_deg;
+
+Block block_with(double friction) { return {.friction = friction, .slope_rad = slope_rad}; }
+
+TwoAxisResult on_two_axes(const Block& block) {
+  TwoAxisBlock two{.friction = {block.friction, block.friction}, .slope_rad = block.slope_rad};
+  return slide_two_axis({0.01, {record, {}}, {}}, two);
+}
+
+TEST(critical_friction, is_one_rule_for_all_models) {
+  const double tan_slope = std::tan(slope_rad);
+  for (const double mu : {tan_slope, std::nextafter(tan_slope, 1.0), std::nextafter(tan_slope, 0.0),
+                          tan_slope * (1.0 + 1e-13)}) {
+    const Block block = block_with(mu);
+    const SlipResult exact = slide({0.01, record}, block);
+    EXPECT_TRUE(exact.free_sliding) << mu;
+    EXPECT_LT(exact.peak_displacement_m, 100.0);
+    const PeakSlip table = peak_slip(RoofTable(0.01, record), block);
+    EXPECT_TRUE(table.free_sliding);
+    EXPECT_NEAR(table.peak_displacement_m, exact.peak_displacement_m, 1e-9);
+    const TwoAxisResult two = on_two_axes(block);
+    EXPECT_TRUE(two.free_sliding);
+    EXPECT_NEAR(two.peak_by_axis.along_m, exact.peak_displacement_m,
+                1e-5 * exact.peak_displacement_m);
+    EXPECT_TRUE(slide_coupled({0.01, record}, {}, {}, block).slip.free_sliding);
+    EXPECT_EQ(yield_acceleration_mps2(block), 0.0);
+    EXPECT_EQ(resting_deceleration_mps2(block), 0.0);
+  }
+  const Block stops = block_with(tan_slope * (1.0 + 1e-9));
+  EXPECT_FALSE(slide({0.01, record}, stops).free_sliding);
+  EXPECT_FALSE(peak_slip(RoofTable(0.01, record), stops).free_sliding);
+  EXPECT_FALSE(on_two_axes(stops).free_sliding);
+  EXPECT_GT(yield_acceleration_mps2(stops), 0.0);
+}
+
+TEST(critical_friction, yields_where_a_block_at_rest_decelerates) {
+  for (double degrees = 0.5; degrees < 60.0; degrees += 0.5) {
+    const double slope = degrees * rad_per_deg;
+    for (double mu = std::tan(slope), k = 0; k < 6; ++k, mu *= 1.0 + 1e-12) {
+      const Block block{.friction = mu, .slope_rad = slope};
+      EXPECT_EQ(yield_acceleration_mps2(block) > 0.0, resting_deceleration_mps2(block) > 0.0);
+    }
+  }
+}
+
+// Walked sample by sample, the second would take hours.
+TEST(slide_coupled_on_a_rigid_building, takes_the_way_to_rest_in_closed_form) {
+  for (const double surplus : {1e-6, 1e-9}) {
+    Block block = block_with(std::tan(slope_rad) * (1.0 + surplus));
+    const SlipResult exact = slide({0.01, record}, block);
+    const SlipResult coupled = slide_coupled({0.01, record}, {}, {{0.0, 0.05}, 0.1}, block).slip;
+    EXPECT_FALSE(coupled.free_sliding);
+    EXPECT_NEAR(coupled.peak_displacement_m, exact.peak_displacement_m,
+                1e-6 * exact.peak_displacement_m);
+    EXPECT_NEAR(coupled.slip_duration_s, exact.slip_duration_s, 1e-6 * exact.slip_duration_s);
+    block.law.static_ratio = 1.2;
+    const SlipResult loose = slide_coupled({0.01, record}, {}, {{0.0, 0.05}, 0.1}, block).slip;
+    EXPECT_FALSE(loose.free_sliding);
+    EXPECT_GT(loose.peak_displacement_m, 1.0);
+  }
+}
+
+TEST(input_that_is_not_finite, is_refused_by_every_model) {
+  for (const double bad : {std::nan(""), std::numeric_limits<double>::infinity()}) {
+    std::vector<double> broken = record;
+    broken[200] = bad;
+    const Block block = block_with(0.2);
+    const CoupledBuilding building{{0.5, 0.05}, 0.1};
+    const auto coupled = [&](const GroundMotion& ground, const Block& of) {
+      std::vector<CoupledScene> scenes{{building, of, {}}};
+      std::vector<CoupledPeak> peaks(1);
+      coupled_slip(ground, scenes, peaks);
+    };
+    EXPECT_THROW(slide({0.01, broken}, block), std::invalid_argument);
+    EXPECT_THROW(slide({0.01, record, broken}, block), std::invalid_argument);
+    EXPECT_THROW(slide({0.01, record}, block_with(bad)), std::invalid_argument);
+    EXPECT_THROW(slide({bad, record}, block), std::invalid_argument);
+    EXPECT_THROW(RoofTable(0.01, broken), std::invalid_argument);
+    EXPECT_THROW(peak_slip(RoofTable(0.01, record), block_with(bad)), std::invalid_argument);
+    EXPECT_THROW(peak_slip(RoofTable(0.01, record), block, {bad, 0.0}), std::invalid_argument);
+    EXPECT_THROW(roof_motion({0.01, broken}, {}, {}), std::invalid_argument);
+    EXPECT_THROW(slide_rodriguez_nikl({0.01, broken}, block, 4), std::invalid_argument);
+    EXPECT_THROW(slide_coupled({0.01, broken}, {}, building, block), std::invalid_argument);
+    EXPECT_THROW(slide_coupled({0.01, record, broken}, {}, building, block), std::invalid_argument);
+    EXPECT_THROW(slide_coupled({0.01, record}, {}, {{bad, 0.05}, 0.1}, block),
+                 std::invalid_argument);
+    EXPECT_THROW(coupled({0.01, broken}, block), std::invalid_argument);
+    EXPECT_THROW(coupled({0.01, record}, block_with(bad)), std::invalid_argument);
+    EXPECT_THROW(slide_two_axis({0.01, {broken, {}}, {}}, {.friction = {0.2, 0.2}}),
+                 std::invalid_argument);
+    EXPECT_THROW(slide_two_axis({0.01, {record, {}}, {}}, {.friction = {bad, bad}}),
+                 std::invalid_argument);
+    EXPECT_THROW(slide_on_building({std::make_shared<GroundTable>(0.01, record), nullptr, nullptr},
+                                   {}, {}, {.friction = {bad, bad}}),
+                 std::invalid_argument);
+  }
+}
+
+}  // namespace
+}  // namespace glissade
