@@ -217,8 +217,8 @@ Case batch(const std::vector<CoupledScene>& scenes) {
         slide_coupled(ground.motion(), scenes[k].factors, scenes[k].building, scenes[k].block);
     worst = worse(worst, slip_difference(peaks[k].slip, r.slip));
   }
-  return limit({"coupled_slip(), the same scenes at once", "slip", "slide_coupled(), the readable scheme",
-                ReferenceFrom::this_code},
+  return limit({"coupled_slip(), the same scenes at once", "slip",
+                "slide_coupled(), the readable scheme", ReferenceFrom::this_code},
                {"largest difference, relative to the slip and 0.1 mm", worst, 1e-11});
 }
 
