@@ -18,7 +18,7 @@ void add_standards(CLI::App& program);
 void add_report(CLI::App& program);
 void add_explain(CLI::App& program);
 
-/// An error that root has already told; every rank leaves with this status.
+/// An error that root has already reported; every rank leaves with this status.
 struct ExitStatus {
   int status = 0;
 };

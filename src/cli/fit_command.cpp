@@ -45,7 +45,7 @@ FitSummary fit(const FitOptions& o) {
   if (o.censor_at &&
       (o.capacities.empty() || !(*o.censor_at > 0.0) || !std::isfinite(*o.censor_at))) {
     throw InputError({"--censor-at",
-                      fmt::format("{:g} must be > 0 and goes with --capacities", *o.censor_at), "",
+                      fmt::format("{:g} must be > 0 and needs --capacities", *o.censor_at), "",
                       ""});
   }
   return o.counts.empty() ? fit_capacities(censored(read_capacities(o.capacities), o.censor_at))

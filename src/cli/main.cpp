@@ -22,7 +22,7 @@ void flush_standard_output() {
                               "make room on the disk or write elsewhere", ""});
 }
 
-/// What CLI11 says, but for a misspelt command, which it does not name.
+/// The message of CLI11, except for a misspelt command, which it does not name.
 std::string message(const CLI::App& program, const CLI::ParseError& error) {
   const CLI::App* reached = &program;
   while (!reached->get_subcommands().empty()) reached = reached->get_subcommands().front();
@@ -54,17 +54,16 @@ int run_program(int argc, char** argv, const glissade::Communicator& world) {
     flush_standard_output();
     return 0;
   } catch (const CLI::ParseError& error) {
-    const bool asked = error.get_exit_code() == 0;  // --help, --version
-    if (!world.is_root()) return asked ? 0 : input_error_status;
-    if (asked) return program.exit(error);
+    const bool help_only = error.get_exit_code() == 0;  // --help, --version
+    if (!world.is_root()) return help_only ? 0 : input_error_status;
+    if (help_only) return program.exit(error);
     fmt::print(stderr, "glissade: {}; see glissade --help\n", message(program, error));
     return input_error_status;
   } catch (const glissade::cli::ExitStatus& exit) {
     return exit.status;
   } catch (const glissade::InputError& error) {
     fmt::print(stderr, "glissade: {}\n", error.what());
-    if (!world.is_root())
-      world.abort(input_error_status);  // the others do not know, and would wait for ever
+    if (!world.is_root()) world.abort(input_error_status);  // the other ranks would wait for ever
     return input_error_status;
   } catch (const std::bad_alloc&) {
     fmt::print(
@@ -78,7 +77,7 @@ int run_program(int argc, char** argv, const glissade::Communicator& world) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  std::signal(SIGXFSZ, SIG_IGN);  // a file-size limit becomes a write error, which is told
+  std::signal(SIGXFSZ, SIG_IGN);  // a file-size limit becomes a write error, which is reported
   try {
     const glissade::MpiSession mpi(argc, argv);
     const glissade::Communicator world = mpi.world();

@@ -24,7 +24,7 @@ void check_output_folder(const std::filesystem::path& folder, bool overwrite);
 void check_report_folder(const std::filesystem::path& folder, bool overwrite);
 
 /// Removes what an earlier run or report wrote into a folder that is to be written over: what the
-/// next one does not write would else stay among it. Other files are left alone.
+/// next one does not write would else stay there. Other files are not changed.
 void remove_report(const std::filesystem::path& folder);
 void remove_run(const std::filesystem::path& folder);
 

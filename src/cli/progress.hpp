@@ -7,8 +7,8 @@
 
 namespace glissade::cli {
 
-/// Tells on standard error how far a run is: one line that renews itself on a terminal, a line a
-/// minute in a log.
+/// Reports the progress of a run on standard error: one line that renews itself on a terminal, a
+/// line a minute in a log.
 class Progress {
  public:
   Progress(std::uint64_t total_units, std::uint64_t total_histories);

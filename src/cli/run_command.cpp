@@ -129,7 +129,7 @@ void run(const RunOptions& options, const Communicator& world) {
 void add_run(CLI::App& program, const Communicator& world) {
   auto options = std::make_shared<RunOptions>();
   CLI::App* command = program.add_subcommand(
-      "run", "Run a study: histories, the analyses it asks for, tables, figures and report");
+      "run", "Run a study: histories, its analyses, tables, figures and report");
   command->add_option("study", options->study, "study file (TOML); see studies/")->required();
   command->add_option("--out", options->out,
                       "results folder, new or empty [results/NAME OF THE STUDY FILE]");

@@ -74,7 +74,7 @@ void give_back(const fs::path& folder) noexcept {
       fs::remove(run_json, ignored);
       fs::remove(folder, ignored);  // if empty
     }
-  } catch (const std::exception&) {  // run.json stays as it is, which says "started"
+  } catch (const std::exception&) {  // run.json stays "started"
   }
 }
 

@@ -18,7 +18,7 @@
 // What a run does around its histories.
 namespace glissade::cli {
 
-/// Root prepares what may fail on the user's input; the others learn whether it did.
+/// Root prepares what may fail on the user's input, and sends the outcome to the other ranks.
 template <class Prepare>
 void on_root(const Communicator& world, Prepare prepare) {
   std::vector<char> ok(1, 1);
@@ -40,7 +40,7 @@ void share(std::vector<Suite>& suites, const Communicator& world);
 /// Every rank makes the plan itself; other processors or mathematical libraries could make another.
 void check_same_plan(const std::string& hash, const Communicator& world);
 
-/// Before hours of work: the folder is there, has room for the results, and nobody else may take
+/// Before hours of work: the folder is there, has room for the results, and no other run can take
 /// it. With `overwrite` an earlier run in it is removed.
 void take_results_folder(const std::filesystem::path& folder, double bytes_of_results,
                          const std::string& run_json, bool overwrite);
@@ -48,7 +48,7 @@ void take_results_folder(const std::filesystem::path& folder, double bytes_of_re
 /// Made on every rank once the results folder is taken. Where an exception of any kind ends the
 /// run, on any rank, it gives the folder back: without results.h5 the run.json of
 /// take_results_folder goes, and the folder if it is then empty, so that it can be taken again;
-/// with results.h5 run.json says that the results are whole and how the report is made.
+/// with results.h5 run.json states that the results are complete and how to make the report.
 class ResultsFolderGuard {
  public:
   /// @param folder empty: none was taken
@@ -63,7 +63,7 @@ class ResultsFolderGuard {
   int exceptions_ = std::uncaught_exceptions();
 };
 
-/// What is made from the results can be made again: the error says how.
+/// What is made from the results can be made again: the error states how.
 template <class Write>
 void write_beside_results(const std::filesystem::path& folder, Write write) {
   try {
@@ -72,7 +72,7 @@ void write_beside_results(const std::filesystem::path& folder, Write write) {
     const std::string results = (folder / "results.h5").string();
     ProblemList problems;
     problems.add(error);
-    problems.add({results, "is whole",
+    problems.add({results, "is complete",
                   "make the rest again with: glissade report --overwrite " + results, ""});
     problems.throw_if_any();
   }

@@ -36,11 +36,11 @@ std::string unreported_json(const std::filesystem::path& run_json_file,
                             const std::filesystem::path& results_file);
 
 /// run.json: when, where, on how many ranks, how long, and what was skipped: all that results.h5
-/// must not hold.
+/// must not contain.
 std::string run_json(const Results& results, const std::vector<Skip>& skips,
                      const PhaseClock& clock, int ranks, const WorkCount& count);
 
-/// The skips a run.json tells; none where there is no such file. Throws InputError where the file
+/// The skips in a run.json; none where there is no such file. Throws InputError where the file
 /// is not one that a run wrote.
 std::vector<Skip> skips_in(const std::filesystem::path& run_json_file);
 

@@ -94,7 +94,7 @@ std::string tipping_text(const SlideOptions& o, double tipping_scale, double sca
       fmt::format("a scale of {:.4g} (PGA {:.4g} g)", tipping_scale, pga_g / scale * tipping_scale);
   if (scale <= tipping_scale) return "  tips       not before " + onset;
   return "TIPPING: from " + onset +
-         " on the body rocks on its base; the model does not hold for this history.";
+         " on the body rocks on its base; the model is not valid for this history.";
 }
 
 void print_plane(const TwoAxisResult& plane) {
@@ -149,7 +149,7 @@ void print_text(const SlideOptions& o, const SlideHistory& h, const Motion& moti
   if (h.tips_at) fmt::print("{}\n", tipping_text(o, *h.tips_at, factor, pga_g));
   if (r.uplift)
     fmt::print(
-        "UPLIFT: the normal force falls below zero; the model does not hold for this history.\n");
+        "UPLIFT: the normal force falls below zero; the model is not valid for this history.\n");
   if (r.free_sliding)
     fmt::print(
         "FREE SLIDING: friction cannot stop the block (tan(slope) >= mu); displacements are those "

@@ -85,7 +85,7 @@ double tipping_scale(const GroundMotion& ground, const Building& building, const
   return found > scale && std::isfinite(found) ? followed_up_to(found) : found;
 }
 
-/// One axis; the roof's motion is known before the block moves.
+/// One axis; the roof's motion does not depend on the block.
 SlideHistory on_known_roof(const SlideOptions& o, const Motion& motion, double factor) {
   const Block block = block_of(o);
   const GroundMotion ground = ground_of(motion);
@@ -115,7 +115,7 @@ SlideHistory on_known_roof(const SlideOptions& o, const Motion& motion, double f
   return h;
 }
 
-/// One axis; the building feels the array, or yields.
+/// One axis; building and array are coupled, or the building yields.
 SlideHistory on_coupled_building(const SlideOptions& o, const Motion& motion, double factor) {
   const Block block = block_of(o);
   if (!coupling_is_regular(block, o.mass_ratio)) {
@@ -149,7 +149,7 @@ SlideHistory on_coupled_building(const SlideOptions& o, const Motion& motion, do
   return h;
 }
 
-/// Two axes, or a law of friction that only the full model knows.
+/// Two axes, or a law of friction that only the full model has.
 SlideHistory in_full_model(const SlideOptions& o, const Motion& motion, double factor) {
   const double turn = o.slope_deg < 0.0 ? std::numbers::pi : 0.0;
   const TwoAxisBlock block{.friction = {o.mu, o.mu_across.value_or(o.mu)},
@@ -197,7 +197,7 @@ std::string model_of(const SlideOptions& o) {
   switch (kernel_for(o).kernel) {
     case Kernel::tables:
       return o.method == "event"
-                 ? "one axis, the roof's motion known beforehand: exact events (slide)"
+                 ? "one axis, building not coupled with the array: exact events (slide)"
                  : "one axis, the published scheme (slide_rodriguez_nikl)";
     case Kernel::coupled:
     case Kernel::events:

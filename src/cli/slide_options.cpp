@@ -18,7 +18,7 @@ void require_number(ProblemList& problems, bool ok, const char* option, double v
     problems.add({option, fmt::format("{:g} {}", value, rule), "", ""});
 }
 
-/// What the model's extensions ask of themselves and each other.
+/// Conditions on the model's extensions, each and together.
 void check_model(const SlideOptions& o, ProblemList& problems) {
   const auto require = [&](bool ok, const char* option, double value, const char* rule) {
     require_number(problems, ok, option, value, rule);
@@ -27,7 +27,7 @@ void check_model(const SlideOptions& o, ProblemList& problems) {
           "is not the array's mass over the building's: it must be from 0 to 1");
   require(o.period_ratio > 0.0, "--period-ratio", o.period_ratio, "must be > 0");
   require(std::abs(o.azimuth_deg) <= 360.0, "--azimuth-deg", o.azimuth_deg,
-          "must lie from -360 to 360");
+          "must be from -360 to 360");
   if (o.mu_across) {
     require(*o.mu_across > 0.0 && *o.mu_across <= 10.0, "--mu-across", *o.mu_across,
             "is not an axis of a friction ellipse: it must be above 0, at most 10");
@@ -56,13 +56,12 @@ void check_model(const SlideOptions& o, ProblemList& problems) {
   const auto needs = [&](bool given, const char* option, bool met, const char* what) {
     if (given && !met) problems.add({option, what, "leave it out, or give the other", ""});
   };
-  needs(o.azimuth_deg != 0.0, "--azimuth-deg", o.two_axes(), "goes with --second only");
-  needs(o.period_ratio != 1.0, "--period-ratio", o.two_axes(), "goes with --second only");
-  needs(o.mu_across.has_value(), "--mu-across", o.two_axes(), "goes with --second only");
+  needs(o.azimuth_deg != 0.0, "--azimuth-deg", o.two_axes(), "needs --second");
+  needs(o.period_ratio != 1.0, "--period-ratio", o.two_axes(), "needs --second");
+  needs(o.mu_across.has_value(), "--mu-across", o.two_axes(), "needs --second");
   needs(o.hardening_ratio != 0.0, "--hardening-ratio", o.yield_coefficient.has_value(),
-        "goes with --yield-coefficient only");
-  needs(o.vertical_period_s != 0.0, "--vertical-period-s", !o.vertical.empty(),
-        "goes with --vertical only");
+        "needs --yield-coefficient");
+  needs(o.vertical_period_s != 0.0, "--vertical-period-s", !o.vertical.empty(), "needs --vertical");
   needs(o.mass_ratio != 0.0, "--mass-ratio", o.period_s > 0.0,
         "has no effect without a building: --period-s above 0");
   needs(o.yield_coefficient.has_value(), "--yield-coefficient", o.period_s > 0.0,
@@ -72,10 +71,11 @@ void check_model(const SlideOptions& o, ProblemList& problems) {
   if (kernel == Kernel::tables) return;
   const auto refuse = [&](bool given, const char* option) {
     if (given) {
-      problems.add({option,
-                    "goes with one axis, Coulomb friction and a linear building that does not feel "
-                    "the array only",
-                    "leave it out", ""});
+      problems.add(
+          {option,
+           "needs one axis, Coulomb friction and a linear building that is not coupled with "
+           "the array only",
+           "leave it out", ""});
     }
   };
   refuse(o.method != "event", "--method");
@@ -113,7 +113,7 @@ void check(const SlideOptions& o) {
   require(o.mu >= 0.0 && o.mu <= 10.0, "--mu", o.mu,
           "is not a coefficient of friction: it must be from 0 to 10");
   require(std::abs(o.slope_deg) < 90.0, "--slope-deg", o.slope_deg,
-          "is not a roof: it must lie between -90 and 90");
+          "is not a roof: it must be between -90 and 90");
   require(o.period_s >= 0.0, "--period-s", o.period_s, "must be >= 0 (0: rigid building)");
   require(o.damping >= 0.0 && o.damping < 1.0, "--damping", o.damping, "must be a ratio in [0, 1)");
   if (o.scale) require(*o.scale > 0.0, "--scale", *o.scale, "must be > 0");
@@ -171,7 +171,7 @@ void add_options(CLI::App& command, SlideOptions& o) {
   command.add_option("--period-ratio", o.period_ratio,
                      "with --second: building period along the second axis over the first [1]");
   command.add_option("--mass-ratio", o.mass_ratio,
-                     "array mass over building mass: the building feels the array [0]");
+                     "array mass over building mass: above 0 building and array are coupled [0]");
   command.add_option("--yield-coefficient", o.yield_coefficient,
                      "the building yields: yield force over its weight");
   command.add_option("--hardening-ratio", o.hardening_ratio,
@@ -191,7 +191,7 @@ void add_options(CLI::App& command, SlideOptions& o) {
   command.add_option("--rate-spm", o.law.rate_spm,
                      "rate a of mu_fast - (mu_fast - mu_slow) exp(-a speed), s/m");
   command.add_option("--clearance-m", o.clearance_m,
-                     "tells when and how fast the array first gets this far");
+                     "also report when and how fast the array first reaches this displacement");
   command.add_option("--centre-of-mass-height-m", o.cm_height_m,
                      "height of the centre of mass above the roof: checks for tipping");
   command.add_option("--base-width-m", o.base_width_m,
@@ -200,8 +200,7 @@ void add_options(CLI::App& command, SlideOptions& o) {
                      "event (exact) or rodriguez-nikl (published time stepping)");
   command.add_option("--substeps", o.substeps, "substeps P of rodriguez-nikl");
   command.add_flag("--one-way", o.one_way, "no upslope slip (classical Newmark)");
-  command.add_option("--dt-s", o.dt_s,
-                     "time step of files that do not tell it; overrides an AT2 header");
+  command.add_option("--dt-s", o.dt_s, "time step of files without one; overrides an AT2 header");
   command.add_option("--units", o.units, "units of text files: g, m/s2, cm/s2 [g]");
   command.add_option("--history", o.history, "write the slip history to this CSV file (one axis)");
   add_overwrite(command, o.overwrite);

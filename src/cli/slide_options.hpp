@@ -9,7 +9,7 @@
 
 namespace glissade::cli {
 
-/// What `glissade slide` is told.
+/// The options of `glissade slide`.
 struct SlideOptions {
   std::string record, vertical, second, units, method = "event", history;
   double mu = 0.0, slope_deg = 0.0, period_s = 0.0, damping = 0.05, mass_ratio = 0.0;
@@ -30,7 +30,7 @@ void add_options(CLI::App& command, SlideOptions& options);
 /// Throws InputError with everything in which the options break a rule or each other.
 void check(const SlideOptions& options);
 
-/// The cheapest kernel that is exact for what is asked.
+/// The cheapest kernel that is exact for the options.
 KernelChoice kernel_for(const SlideOptions& options);
 
 }  // namespace glissade::cli

@@ -32,7 +32,7 @@ void print(const char* name, const Prescription& p) {
 void run(const StandardsOptions& o) {
   if (!(o.importance >= 1.0 && o.importance <= 1.5)) {
     throw InputError({"--importance",
-                      fmt::format("{:g} is not an importance factor: it must lie between 1 and 1.5",
+                      fmt::format("{:g} is not an importance factor: it must be between 1 and 1.5",
                                   o.importance),
                       "", ""});
   }

@@ -163,7 +163,7 @@ void design(const SuiteOptions& o) {
 void add_suite(CLI::App& program) {
   auto o = std::make_shared<SuiteOptions>();
   CLI::App* command =
-      program.add_subcommand("suite", "Look at, scale, design or select a ground-motion suite");
+      program.add_subcommand("suite", "Show, scale, design or select a ground-motion suite");
   command->require_subcommand(1);
   const auto verb = [&](const char* name, const char* what, auto act) {
     CLI::App* sub = command->add_subcommand(name, what);

@@ -29,10 +29,10 @@ struct SelectOptions {
   std::optional<int> level;
   std::optional<double> ss_g, s1_g, max_scale;
   SelectionCriteria criteria;  ///< count, per_event and the limits that were given
-  bool keep_untold = false, json = false, overwrite = false;
+  bool keep_incomplete = false, json = false, overwrite = false;
 };
 
-/// The design spectrum asked for, and what is looked for to match it.
+/// The target spectrum, and the criteria for the records that match it.
 struct Task {
   DesignTarget target;
   SelectionCriteria criteria;
@@ -93,11 +93,11 @@ Task task_of(const SelectOptions& o) {
   override_with(criteria.distance_km, o.criteria.distance_km);
   override_with(criteria.vs30_mps, o.criteria.vs30_mps);
   if (o.max_scale) criteria.max_scale = *o.max_scale;
-  if (o.keep_untold) criteria.untold = UntoldMetadata::keeps;
+  if (o.keep_incomplete) criteria.untold = UntoldMetadata::keeps;
   return task;
 }
 
-/// Criteria are told by their options.
+/// Criteria are named by their options.
 RecordSelection select(const Suite& library, const Task& task) {
   static const std::map<std::string, std::string> options = {
       {"count", "--count"},
@@ -184,8 +184,8 @@ void print(const Suite& library, const Task& task, const RecordSelection& s) {
   }
 }
 
-/// 0, not told, becomes null.
-Json told(double value) { return value > 0.0 ? Json(value) : Json(); }
+/// 0, not given, becomes null.
+Json or_null(double value) { return value > 0.0 ? Json(value) : Json(); }
 
 Json to_json(const RatioAtPeriod& r) { return {{"ratio", r.ratio}, {"period_s", r.period_s}}; }
 
@@ -210,9 +210,9 @@ Json to_json(const Suite& library, const Task& task, const RecordSelection& s) {
     const Motion& m = library.motions[r.record];
     json["records"].push_back({{"id", m.id},
                                {"event", m.event},
-                               {"magnitude", told(m.magnitude)},
-                               {"distance_km", told(m.distance_km)},
-                               {"vs30_mps", told(m.vs30_mps)},
+                               {"magnitude", or_null(m.magnitude)},
+                               {"distance_km", or_null(m.distance_km)},
+                               {"vs30_mps", or_null(m.vs30_mps)},
                                {"scale", r.scale},
                                {"misfit", r.misfit}});
   }
@@ -279,9 +279,9 @@ void add_suite_select(CLI::App& suite) {
   takes_limits("vs30-mps", o->criteria.vs30_mps, "V_S30 [the level's]");
   command->add_option("--max-scale", o->max_scale,
                       "largest factor on a record [the level's, or 4]");
-  command->add_option("--per-event", o->criteria.per_event, "at most so many of one earthquake");
-  command->add_flag("--keep-untold", o->keep_untold,
-                    "keep records that do not tell what a limit is on");
+  command->add_option("--per-event", o->criteria.per_event, "most records of one earthquake");
+  command->add_flag("--keep-incomplete", o->keep_incomplete,
+                    "keep records without a value that is limited");
   command->add_option("--out", o->out, "new suite file [none is written]");
   add_overwrite(*command, o->overwrite);
   command->add_flag("--json", o->json, "print one JSON object");

@@ -12,7 +12,8 @@
 
 namespace glissade {
 
-/// Walks the lines of a text, without \n or \r\n, counting from 1. A byte order mark is skipped.
+/// Iterates over the lines of a text, without \n or \r\n, counting from 1. A byte order mark is
+/// skipped.
 class LineReader {
  public:
   explicit LineReader(std::string_view text);

@@ -20,9 +20,9 @@ struct TomlDocument::State {
   toml::table root;
   ProblemList problems;
   std::size_t problem_count = 0;
-  /// Keys asked for, by table; only tables that are being read are here. Never iterated: order
+  /// Keys that were read, by table; only tables that are being read are here. Never iterated: order
   /// plays no part.
-  std::map<const void*, std::set<std::string, std::less<>>> asked;
+  std::map<const void*, std::set<std::string, std::less<>>> read;
   std::set<const void*> not_checked;
   std::vector<RenamedKey> renamed;
 
@@ -105,8 +105,8 @@ Problem TomlDocument::State::problem(const toml::source_position& at, std::strin
 }
 
 void TomlDocument::State::find_unknown_keys(const toml::table& table, const std::string& path) {
-  const auto found = asked.find(&table);
-  if (found == asked.end() || not_checked.contains(&table)) return;
+  const auto found = read.find(&table);
+  if (found == read.end() || not_checked.contains(&table)) return;
   const std::vector<std::string> known(found->second.begin(), found->second.end());
   std::vector<std::pair<toml::source_position, std::string>> unknown;
   for (const auto& [key, node] : table) {
@@ -154,7 +154,7 @@ void TomlDocument::explain_old_keys(std::vector<RenamedKey> keys) {
 }
 
 TomlTable TomlDocument::root() {
-  state_->asked[&state_->root];
+  state_->read[&state_->root];
   return {state_.get(), &state_->root, ""};
 }
 
@@ -169,10 +169,10 @@ void TomlDocument::finish() {
 
 namespace {
 
-/// The node of a key, or null; the key counts as asked for.
+/// The node of a key, or null; the key counts as read.
 const toml::node* find(TomlDocument::State& document, const void* table, std::string_view key) {
   if (table == nullptr) return nullptr;
-  document.asked[table].emplace(key);
+  document.read[table].emplace(key);
   return as_table(table).get(key);
 }
 
@@ -233,7 +233,7 @@ TomlTable TomlTable::table(std::string_view key) const {
     node = nullptr;
   }
   const void* child = node == nullptr ? nullptr : node->as_table();
-  if (child != nullptr) document_->asked[child];
+  if (child != nullptr) document_->read[child];
   return {document_, child, name_of(key) + "."};
 }
 
@@ -254,7 +254,7 @@ std::vector<TomlTable> TomlTable::tables(std::string_view key) const {
     return result;
   }
   for (const toml::node& element : *list) {
-    document_->asked[element.as_table()];
+    document_->read[element.as_table()];
     result.push_back(TomlTable(document_, element.as_table(), name_of(key) + "."));
   }
   return result;

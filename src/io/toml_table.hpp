@@ -15,8 +15,8 @@
 
 namespace glissade {
 
-/// What a number in a file must be: `is_met`, told as `text` ("above 0"), with the reason where it
-/// does not go without saying. A nan never meets a rule.
+/// What a number in a file must be: `is_met`, stated as `text` ("above 0"), with the reason where
+/// it does not go without saying. A nan never meets a rule.
 struct NumberRule {
   const char* text;
   bool (*is_met)(double);
@@ -41,7 +41,7 @@ struct RenamedKey {
 class TomlTable;
 
 /// A TOML file that is being read. Problems are collected while its tables are read; `finish` adds
-/// a problem for every key that was never asked for and throws them all, each with file:line and
+/// a problem for every key that was never read and throws them all, each with file:line and
 /// the user's own line.
 class TomlDocument {
  public:
@@ -107,11 +107,11 @@ class TomlTable {
 
   /// Notes a problem at the value of `key` ("" or an absent key: at the table).
   void report(std::string_view key, std::string what, std::string suggestion = "") const;
-  /// Notes problems told without a place (validate(...)) at the value of `key`.
+  /// Notes problems reported without a place (validate(...)) at the value of `key`.
   void report(std::string_view key, const InputError& error) const;
   void report_missing(std::string_view key, std::string suggestion = "") const;
-  /// Whatever else the table holds is not to be told as unknown: an earlier problem kept it from
-  /// being read.
+  /// Whatever else the table contains is not to be reported as unknown: an earlier problem kept it
+  /// from being read.
   void ignore_unknown() const;
   std::string name_of(std::string_view key) const;  ///< "building.period_s"
   std::size_t problem_count() const;                ///< of the whole document so far

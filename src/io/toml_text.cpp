@@ -13,7 +13,7 @@ std::string quoted(const std::string& text) {
   for (const char c : text) {
     if (c == '"' || c == '\\') result += '\\';
     const auto code = static_cast<unsigned char>(c);
-    if (code < 0x20 || code == 0x7f)  // control characters do not stand in a string
+    if (code < 0x20 || code == 0x7f)  // control characters are not allowed in a string
       result += fmt::format("\\u{:04X}", code);
     else
       result += c;

@@ -110,7 +110,8 @@ void check_count(const Suite& library, const Screening& screening,
   std::string advice = "widen the limits, or ask for fewer records";
   if (any_untold(screening.left_out))
     advice +=
-        "; or add the values that the library does not give, or keep such records (--keep-untold)";
+        "; or add the values that the library does not give, or keep such records "
+        "(--keep-incomplete)";
   throw InputError({library.name, what, advice, ""});
 }
 

@@ -21,7 +21,7 @@ struct MeasureRow {
   std::string (*symbol)(const IntensityConfig&);
   /// Of one record at level 1; null: see factors_at_unit_level().
   double (*factor)(const IntensityConfig&, const Motion&);
-  double power = 1.0;  ///< of the motion that the intensity goes with
+  double power = 1.0;  ///< of the motion, to which the intensity is proportional
 };
 
 double geometric_mean_sa_mps2(const Motion& motion, double period_s) {

@@ -38,8 +38,8 @@ TEST_F(ChartRun, leaves_figures_report_and_readings) {
   EXPECT_FALSE(std::filesystem::exists(out() / "tables/fragility.csv"));
 }
 
-TEST_F(ChartRun, tells_free_sliding_and_tipping_as_results) {
-  // tan(6 deg) = 0.105 is more than the friction of 0.1: legal, and told.
+TEST_F(ChartRun, reports_free_sliding_and_tipping_as_results) {
+  // tan(6 deg) = 0.105 is more than the friction of 0.1: legal, and reported.
   EXPECT_THAT(read("tables/chart.csv"), HasSubstr("inf"));
   EXPECT_THAT(read("run.json"), Not(HasSubstr("error")));
   EXPECT_THAT(finished_.out, testing::ContainsRegex("[Tt]ip"));

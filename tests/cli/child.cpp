@@ -104,7 +104,7 @@ void expect_refused(const Finished& child, const std::vector<std::string>& parts
   EXPECT_EQ(child.status, 2) << child.err;
   EXPECT_EQ(child.out, "");
   EXPECT_THAT(child.err, testing::StartsWith("glissade: "));
-  EXPECT_EQ(child.err.find("glissade: ", 1), std::string::npos) << "told more than once:\n"
+  EXPECT_EQ(child.err.find("glissade: ", 1), std::string::npos) << "reported more than once:\n"
                                                                 << child.err;
   for (const std::string& part : parts) EXPECT_THAT(child.err, testing::HasSubstr(part));
 }

@@ -51,7 +51,7 @@ TEST_F(Clearance, report_makes_the_same_again) {
     EXPECT_TRUE(read_file(again / name) == read_file(out() / name)) << name;
 }
 
-TEST_F(Clearance, a_dry_run_tells_the_plan_and_writes_nothing) {
+TEST_F(Clearance, a_dry_run_reports_the_plan_and_writes_nothing) {
   const std::string out = folder_->path("dry").string();
   const Finished child = run_program({"run", study_, "--out", out, "--dry-run"});
   EXPECT_EQ(child.status, 0) << child.err;
@@ -65,16 +65,17 @@ TEST_F(Clearance, never_writes_into_a_folder_in_use) {
   expect_refused(run_program({"run", study_, "--out", out().string()}), {"holds a run"});
 }
 
-TEST_F(Clearance, input_that_is_wrong_is_told_with_its_line_and_leaves_nothing) {
+TEST_F(Clearance, input_that_is_wrong_is_reported_with_its_line_and_leaves_nothing) {
   const std::string out = folder_->path("refused").string();
-  const auto told = [&](const std::string& from, const std::string& to, const std::string& part) {
+  const auto refuses = [&](const std::string& from, const std::string& to,
+                           const std::string& part) {
     const std::string study = folder_->write("wrong.toml", replaced(small_clearance(), from, to));
     expect_refused(run_program({"run", study, "--out", out}), {part});
     EXPECT_FALSE(fs::exists(out));
   };
-  told("mass_ratio = 0.05", "mass_ratio = 1.5", "building.mass_ratio is outside its range");
-  told("mu = 0.47", "mue = 0.47", "friction.mue is not a known key");
-  told("\"level2_2\"", "\"level2_22\"", "suite.records names level2_22, which is not in");
+  refuses("mass_ratio = 0.05", "mass_ratio = 1.5", "building.mass_ratio is outside its range");
+  refuses("mu = 0.47", "mue = 0.47", "friction.mue is not a known key");
+  refuses("\"level2_2\"", "\"level2_22\"", "suite.records names level2_22, which is not in");
 }
 
 }  // namespace

@@ -19,12 +19,12 @@ class DiskFull : public testing::Test {
   std::string slide_ = "\"$0\" slide '" + record_ + "' --dt-s 0.01 --mu 0.1 --slope-deg 1 ";
 };
 
-TEST_F(DiskFull, a_history_on_a_full_disk_is_told) {
+TEST_F(DiskFull, a_history_on_a_full_disk_is_reported) {
   expect_refused(run_shell(slide_ + "--history /dev/full --json"),
                  {"/dev/full", "No space left on device", "make room"});
 }
 
-TEST_F(DiskFull, a_full_standard_output_is_told) {
+TEST_F(DiskFull, a_full_standard_output_is_reported) {
   for (const std::string& command :
        {slide_ + "--json", slide_, std::string("\"$0\" standards --sds-g 1 --json")}) {
     expect_refused(run_shell(command + " >/dev/full"),
@@ -88,7 +88,7 @@ TEST_F(DiskFull, results_that_fit_are_kept_when_the_report_does_not) {
             size + 1024);  // else the limit below would not part them
   expect_refused(run_shell("ulimit -f " + std::to_string(size / 512 + 1) + "; \"$0\" run '" +
                            study + "' --out '" + out + "'"),
-                 {"results.h5: is whole", "glissade report"});
+                 {"results.h5: is complete", "glissade report"});
   EXPECT_TRUE(read_file(out + "/results.h5") == read_file(whole / "results.h5"));
 }
 

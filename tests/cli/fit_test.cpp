@@ -138,7 +138,7 @@ TEST_F(Fit, neither_or_both_inputs_are_refused) {
                  {"--censor-at", "> 0"});
 }
 
-TEST_F(Fit, every_bad_row_is_told_at_once) {
+TEST_F(Fit, every_bad_row_is_reported_at_once) {
   const std::string file = folder_.write("n.csv",
                                          "im,num_gms,num_exceed\n0.2,40,41\n-1,40,2\n0.4,40,x\n0.5,"
                                          "40\n0.6,40,nan\n0.7,40,3\n0.7,40,4\n");

@@ -44,7 +44,7 @@ class Friction : public testing::Test {
 };
 
 // 0.5 and 0.6: mean 0.55, std sqrt(0.005).
-TEST_F(Friction, is_told_by_test_and_by_direction) {
+TEST_F(Friction, is_reported_by_test_and_by_direction) {
   const Json json = friction_json({two_pulls_file()});
   ASSERT_EQ(json["tests"].size(), 2u);
   EXPECT_EQ(json["tests"][0]["test"], "500");

@@ -43,45 +43,45 @@ TEST_F(RecordInput, a_folder_is_not_a_record) {
       {"cannot be read", "directory"});
 }
 
-TEST_F(RecordInput, npts_that_does_not_match_is_told_with_both_numbers) {
+TEST_F(RecordInput, npts_that_does_not_match_is_reported_with_both_numbers) {
   expect_text_refused("long.AT2", at2(in_g, "NPTS=   7, DT=   .0100 SEC,"),
-                      {"long.AT2:4", "NPTS tells 7", "holds 5"});
+                      {"long.AT2:4", "NPTS is 7", "contains 5"});
 }
-TEST_F(RecordInput, a_file_cut_short_is_told) {
+TEST_F(RecordInput, a_file_cut_short_is_reported) {
   expect_text_refused("cut.AT2", at2(in_g, npts_5, "0.1 0.2 0."),
-                      {"cut.AT2:4", "NPTS tells 5", "holds 3"});
+                      {"cut.AT2:4", "NPTS is 5", "contains 3"});
 }
-TEST_F(RecordInput, nan_among_the_samples_is_told_with_its_line) {
+TEST_F(RecordInput, nan_among_the_samples_is_reported_with_its_line) {
   expect_text_refused("nan.txt", "0.00 0.1\n0.01 nan\n0.02 0.1\n",
                       {"nan.txt:2", "nan", "not finite"});
 }
-TEST_F(RecordInput, infinity_among_the_samples_is_told_with_its_line) {
+TEST_F(RecordInput, infinity_among_the_samples_is_reported_with_its_line) {
   expect_text_refused("inf.AT2", at2(in_g, npts_5, "0.1 0.2 0.3\n0.2 inf\n"),
                       {"inf.AT2:6", "inf", "not finite"});
 }
-TEST_F(RecordInput, text_among_the_samples_is_told_with_its_line) {
+TEST_F(RecordInput, text_among_the_samples_is_reported_with_its_line) {
   expect_text_refused("text.AT2", at2(in_g, npts_5, "0.1 0.2 0.3\n0.2 oops\n"),
                       {"text.AT2:6", "oops", "not a number"});
 }
-TEST_F(RecordInput, fortran_overflow_stars_are_told) {
+TEST_F(RecordInput, fortran_overflow_stars_are_reported) {
   expect_text_refused("stars.txt", "0.1\n*******\n0.1\n", {"stars.txt:2", "*******"},
                       {"--dt-s", "0.01"});
 }
-TEST_F(RecordInput, a_zero_step_is_told) {
+TEST_F(RecordInput, a_zero_step_is_reported) {
   expect_text_refused("zero.AT2", at2(in_g, "NPTS= 5, DT= 0.0000 SEC,"),
                       {"zero.AT2:4", "dt", "0.0000", "--dt-s"});
 }
-TEST_F(RecordInput, a_negative_step_is_told) {
+TEST_F(RecordInput, a_negative_step_is_reported) {
   expect_text_refused("negative.AT2", at2(in_g, "NPTS= 5, DT= -.0100 SEC,"),
                       {"negative.AT2:4", "-.0100"});
 }
-TEST_F(RecordInput, a_step_option_that_is_not_positive_is_told) {
+TEST_F(RecordInput, a_step_option_that_is_not_positive_is_reported) {
   expect_text_refused("column.txt", "0.1\n0.2\n", {"--dt-s", "-0.01", "> 0"}, {"--dt-s", "-0.01"});
 }
-TEST_F(RecordInput, an_empty_file_is_told) {
+TEST_F(RecordInput, an_empty_file_is_reported) {
   expect_text_refused("empty.txt", "", {"empty.txt", "no samples"}, {"--dt-s", "0.01"});
 }
-TEST_F(RecordInput, a_header_without_samples_is_told) {
+TEST_F(RecordInput, a_header_without_samples_is_reported) {
   expect_text_refused("header.AT2", at2(in_g, "NPTS= 0, DT= .0100 SEC,", ""),
                       {"header.AT2", "no samples"});
 }
@@ -92,7 +92,7 @@ TEST_F(RecordInput, a_velocity_file_is_not_taken_for_acceleration) {
   expect_text_refused("velocity.VT2", at2("VELOCITY TIME SERIES IN UNITS OF CM/S", npts_5),
                       {"velocity.VT2:3", "velocity"});
 }
-TEST_F(RecordInput, uneven_times_are_told) {
+TEST_F(RecordInput, uneven_times_are_reported) {
   expect_text_refused("gap.txt", "0.00 0.1\n0.01 0.1\n0.04 0.1\n0.05 0.1\n0.06 0.1\n",
                       {"gap.txt", "0.01", "0.04", "evenly"});
 }
@@ -100,7 +100,7 @@ TEST_F(RecordInput, gals_taken_for_g_are_not_believed) {
   expect_text_refused("gal.txt", "12.0\n-355.0\n100\n", {"gal.txt", "355", "units"},
                       {"--dt-s", "0.01"});
 }
-TEST_F(RecordInput, unknown_units_are_told_with_the_known_ones) {
+TEST_F(RecordInput, unknown_units_are_reported_with_the_known_ones) {
   expect_text_refused("column.txt", "0.1\n0.2\n", {"furlong", "m/s2"},
                       {"--dt-s", "0.01", "--units", "furlong"});
 }
@@ -112,7 +112,7 @@ TEST_F(RecordInput, a_binary_file_is_not_a_record) {
   expect_text_refused("binary.sac", std::string("\0\1\2\3", 4), {"binary.sac", "not a text file"});
 }
 
-TEST_F(RecordInput, a_vertical_with_another_step_is_told) {
+TEST_F(RecordInput, a_vertical_with_another_step_is_reported) {
   const std::string horizontal = folder_.write("h.txt", "0.00 0.1\n0.01 0.1\n0.02 0.1\n");
   const std::string vertical = folder_.write("v.txt", "0.000 0.1\n0.007 0.1\n0.014 0.1\n");
   expect_refused(

@@ -51,7 +51,7 @@ TEST_F(Run, ends_with_the_fragilities_the_comparison_and_where_the_report_is) {
   }
 }
 
-TEST_F(Run, run_json_tells_when_where_and_how_long) {
+TEST_F(Run, run_json_reports_when_where_and_how_long) {
   const Json json = Json::parse(read_file(out() / "run.json"));
   EXPECT_EQ(json.at("ranks"), 1);
   EXPECT_THAT(std::string(json.at("finished_utc")), testing::MatchesRegex("20..-..-..T..:..:..Z"));
@@ -62,7 +62,7 @@ TEST_F(Run, run_json_tells_when_where_and_how_long) {
   EXPECT_EQ("\"" + std::string(json.at("plan_hash")) + "\"", root_attribute("plan_hash"));
 }
 
-TEST_F(Run, results_tell_what_they_are_at_the_root) {
+TEST_F(Run, results_have_their_description_at_the_root) {
   EXPECT_EQ(root_attribute("file_type"), "\"glissade results\"");
   EXPECT_EQ(root_attribute("format_version"), "4");
   EXPECT_EQ(root_attribute("seed"), "7");
@@ -128,15 +128,15 @@ TEST_F(Run, without_skipping_gives_the_same_bytes) {
   EXPECT_GT(count(again, "histories_at_levels"), count(out(), "histories_at_levels"));
 }
 
-TEST_F(Run, stops_at_the_largest_threshold_where_nothing_beyond_is_asked) {
-  const std::string asked = replaced(small_study(), "thresholds_m = [0.05, 0.2]",
-                                     "thresholds_m = [0.001, 0.01]\nstop_at_largest = true");
+TEST_F(Run, stops_at_the_largest_threshold_where_nothing_beyond_is_both) {
+  const std::string both = replaced(small_study(), "thresholds_m = [0.05, 0.2]",
+                                    "thresholds_m = [0.001, 0.01]\nstop_at_largest = true");
   const Finished refused = run_program(
-      {"run", folder_->write("asks_both.toml", asked), "--out", folder_->path("refused").string()});
+      {"run", folder_->write("asks_both.toml", both), "--out", folder_->path("refused").string()});
   EXPECT_EQ(refused.status, 2);
   EXPECT_THAT(refused.err, HasSubstr("stop_at_largest"));
   const std::string study = folder_->write(
-      "stops.toml", replaced(asked, "[standards]\ncompare = [\"seaoc_pv1_2012\"]\n", ""));
+      "stops.toml", replaced(both, "[standards]\ncompare = [\"seaoc_pv1_2012\"]\n", ""));
   const fs::path stopped = folder_->path("stopped");
   const Finished child = run_program({"run", study, "--out", stopped.string()});
   ASSERT_EQ(child.status, 0) << child.err;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// `glissade slide` beyond one axis on a roof that does not feel the array.
+// `glissade slide` beyond one axis on a building that is not coupled with the array.
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -146,23 +146,23 @@ TEST_F(SlideModel, text_names_the_model_and_both_axes) {
 TEST_F(SlideModel, each_bad_input_gets_one_clear_message) {
   expect_refused(run({"--mass-ratio", "-0.1"}), {"--mass-ratio: -0.1", "from 0 to 1"});
   expect_refused(run({"--mass-ratio", "1.5"}), {"--mass-ratio: 1.5", "from 0 to 1"});
-  expect_refused(run({"--azimuth-deg", "20"}), {"--azimuth-deg: goes with --second only"});
-  expect_refused(run({"--mu-across", "0.3"}), {"--mu-across: goes with --second only"});
+  expect_refused(run({"--azimuth-deg", "20"}), {"--azimuth-deg: needs --second"});
+  expect_refused(run({"--mu-across", "0.3"}), {"--mu-across: needs --second"});
   expect_refused(run({"--second", second_, "--mu-across", "0"}),
                  {"--mu-across: 0 is not an axis of a friction ellipse"});
   expect_refused(run({"--yield-coefficient", "0.2"}), {"needs a building"});
   expect_refused(run({"--period-s", "0.5", "--yield-coefficient", "0"}), {"must be > 0"});
   expect_refused(run({"--period-s", "0.5", "--hardening-ratio", "0.1"}),
-                 {"goes with --yield-coefficient only"});
+                 {"needs --yield-coefficient"});
   expect_refused(run({"--static-ratio", "0.5"}), {"static friction is not below"});
   expect_refused(run({"--fast-ratio", "1.5"}), {"--fast-ratio: is one half"});
   expect_refused(run({"--rate-spm", "10"}), {"--rate-spm: is one half"});
   expect_refused(run({"--mass-ratio", "0.1"}), {"--mass-ratio: has no effect without a building"});
-  expect_refused(run({"--vertical-period-s", "0.2"}), {"goes with --vertical only"});
+  expect_refused(run({"--vertical-period-s", "0.2"}), {"needs --vertical"});
   expect_refused(run({"--second", second_, "--history", folder_.path("h.csv").string()}),
-                 {"--history: goes with one axis"});
+                 {"--history: needs one axis"});
   expect_refused(run({"--period-s", "0.5", "--mass-ratio", "0.1", "--method", "rodriguez-nikl"}),
-                 {"--method: goes with one axis"});
+                 {"--method: needs one axis"});
   expect_refused(run({"--second", "nowhere.txt"}), {"nowhere.txt"});
   expect_refused(run_program({"slide", first_, "--mu", "5", "--slope-deg", "45", "--period-s",
                               "0.5", "--mass-ratio", "1"}),

@@ -148,7 +148,7 @@ TEST_F(Slide, the_vertical_changes_the_normal_force_as_in_the_library) {
   EXPECT_EQ(json["vertical"], true);
 }
 
-TEST_F(Slide, tells_uplift_instead_of_passing_it_as_a_slip) {
+TEST_F(Slide, reports_uplift_instead_of_passing_it_as_a_slip) {
   const std::string falling =
       folder_.write("falling.txt", two_columns(std::vector<double>(51, -1.5)));
   EXPECT_EQ(
@@ -248,7 +248,7 @@ TEST_F(Slide, a_body_that_slides_first_never_tips) {
 
 TEST_F(Slide, a_building_tips_a_body_in_its_ring_down_at_any_scale_asked_for) {
   // A pulse much shorter than the period: the building swings furthest after it, while the ground
-  // is quiet, and a small scale asks for no ring-down.
+  // is quiet, and a small scale needs no ring-down.
   const std::vector<double> pulse(11, 0.1);
   const std::string file = folder_.write("pulse.txt", two_columns(pulse));
   const auto scale_of = [&](const char* scale) -> double {
@@ -278,7 +278,7 @@ TEST_F(Slide, refuses_half_a_base_and_sizes_that_are_none) {
                  {"--centre-of-mass-height-m: 0 must be > 0", "--base-width-m: inf must be > 0"});
 }
 
-TEST_F(Slide, text_tells_whether_the_body_tips) {
+TEST_F(Slide, text_reports_whether_the_body_tips) {
   const std::string push = folder_.write("push.txt", two_columns(std::vector<double>(51, 0.5)));
   const auto text = [&](const char* mu, const char* scale) {
     return run_program({"slide", push, "--mu", mu, "--slope-deg", "0", "--centre-of-mass-height-m",

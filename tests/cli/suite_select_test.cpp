@@ -66,7 +66,7 @@ TEST_F(SuiteSelect, prints_the_records_how_the_average_compares_and_who_is_left_
   EXPECT_THAT(child.out, HasSubstr("r3: no second horizontal"));
 }
 
-TEST_F(SuiteSelect, json_tells_the_same_and_respects_limits) {
+TEST_F(SuiteSelect, json_reports_the_same_and_respects_limits) {
   const Finished child = select(
       with(a_site, {"--count", "2", "--min-magnitude", "6.6", "--max-vs30-mps", "450", "--json"}));
   EXPECT_EQ(child.status, 0) << child.err;
@@ -120,11 +120,11 @@ TEST_F(SuiteSelect, a_level_brings_its_limits_which_can_be_widened) {
   EXPECT_EQ(child.status, 0) << child.err;
   EXPECT_EQ(json::parse(child.out)["target"]["site_classes"], json({"E"}));
   const Finished kept =
-      select({"--level", "2", "--count", "1", "--keep-untold", "--max-scale", "40", "--json"});
-  EXPECT_EQ(json::parse(kept.out)["candidates"], 2);  // r2, and r4, which tells no V_S30
+      select({"--level", "2", "--count", "1", "--keep-incomplete", "--max-scale", "40", "--json"});
+  EXPECT_EQ(json::parse(kept.out)["candidates"], 2);  // r2, and r4, which has no V_S30
 }
 
-TEST_F(SuiteSelect, a_shortfall_is_told_and_is_no_error) {
+TEST_F(SuiteSelect, a_shortfall_is_reported_and_is_no_error) {
   const Finished child = select({"--ss-g", "3", "--s1-g", "1", "--max-scale", "0.5", "--count", "2",
                                  "--out", folder_.path("short.toml").string()});
   EXPECT_EQ(child.status, 0) << child.err;

@@ -85,7 +85,7 @@ TEST(Suite, mistakes_are_refused) {
   expect_refused(run_program({"suite"}), {"--help"});
 }
 
-TEST(Suite, records_that_cannot_be_found_are_all_told) {
+TEST(Suite, records_that_cannot_be_found_are_all_reported) {
   const ScratchFolder folder;
   const std::string suite =
       folder.write("suite.toml",

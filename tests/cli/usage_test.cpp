@@ -46,7 +46,7 @@ TEST(Usage, text_for_a_number_is_shown) {
   expect_refused(run_program({"slide", "r", "--mu", "high", "--slope-deg", "1"}), {"--mu", "high"});
 }
 
-TEST(Usage, all_impossible_numbers_are_told_together) {
+TEST(Usage, all_impossible_numbers_are_reported_together) {
   expect_refused(
       run_program({"slide", "r", "--mu", "-0.5", "--slope-deg", "95", "--scale", "0", "--period-s",
                    "-1", "--damping", "1", "--substeps", "0", "--method", "newmark"}),
@@ -76,7 +76,7 @@ TEST(Usage, a_report_of_what_is_no_results_file_is_refused) {
   expect_refused(run_program({"report", folder.path("none.h5").string()}),
                  {"none.h5", "no such file"});
   expect_refused(run_program({"report", folder.write("text.h5", "not HDF5")}),
-                 {"text.h5", "not a whole glissade results file"});
+                 {"text.h5", "not a complete glissade results file"});
   EXPECT_EQ(folder.contents(), std::vector<std::string>{"text.h5"});
 }
 

@@ -13,8 +13,8 @@ namespace glissade {
 /// Lines that begin with # are comments. Throws InputError with every wrong line.
 std::vector<Stripe> read_counts(const std::filesystem::path& file);
 
-/// Capacities: header `im_cap`, then one per line, >= 0 (0: reached without shaking, as by an array
-/// that slides freely). Lines that begin with # are comments.
+/// Capacities: header `im_cap`, then one per line, >= 0 (0: exceeded without shaking, as by an
+/// array that slides freely). Lines that begin with # are comments.
 std::vector<double> read_capacities(const std::filesystem::path& file);
 
 }  // namespace glissade

@@ -8,7 +8,7 @@
 
 namespace glissade {
 
-/// Pull tests from a CSV file (studies/README.md tells its columns): a header, then a row for each
+/// Pull tests from a CSV file (columns: studies/README.md): a header, then a row for each
 /// logged sample, those of one test together and in order of time. Lines that begin with # are
 /// comments. Throws InputError with a message for each kind of wrong row, at the first such row:
 /// numbers that are none, time that goes back, normal force not above 0 ...

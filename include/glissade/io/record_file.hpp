@@ -15,7 +15,7 @@ enum class AccelerationUnits { g, mps2, cmps2 };
 AccelerationUnits parse_acceleration_units(const std::string& text);
 std::string to_string(AccelerationUnits units);
 
-/// What a file does not tell, or tells wrongly.
+/// What a file does not state, or states wrongly.
 struct RecordFileOptions {
   /// The step. Mends one an AT2 header prints with too few decimals (`DT= .0039` is 1/256), by 2 %
   /// at most; must agree with a time column; needed for one column. > 0.

@@ -7,7 +7,7 @@
 
 namespace glissade {
 
-/// The study a TOML file describes (studies/README.md tells the keys), checked, with defaults
+/// The study a TOML file describes (keys: studies/GRAMMAR.md), checked, with defaults
 /// filled in; its suite is looked for beside it, not read. Throws InputError with everything that
 /// is wrong: unknown keys (and the nearest known one), values outside their range, settings that
 /// contradict each other.

@@ -5,9 +5,9 @@
 
 namespace glissade {
 
-/// The keys of a study file with their meaning, as text for a terminal. @param asked a table
+/// The keys of a study file with their meaning, as text for a terminal. @param wanted a table
 /// ("building") or a key ("building.period_s"); empty: all. Empty text where there is no such.
-std::string grammar_text(const std::string& asked);
+std::string grammar_text(const std::string& wanted);
 
 /// The same as a page in Markdown: studies/GRAMMAR.md.
 std::string grammar_page();

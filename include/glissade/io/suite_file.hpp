@@ -8,7 +8,7 @@
 
 namespace glissade {
 
-/// The suite a TOML file describes (suites/README.md tells the keys): recorded motions ([[record]],
+/// The suite a TOML file describes (keys: suites/README.md): recorded motions ([[record]],
 /// with the files of their components) or a recipe of simulated ones ([simulation], [[motion]]),
 /// which are then simulated. Record files are looked for relative to the suite file, else below the
 /// folders in the environment variable GLISSADE_RECORDS (colon-separated): by relative path, then

@@ -15,7 +15,7 @@ struct ScaledRecord {
   double scale = 1.0;
 };
 
-/// What a suite made from a library's records says of itself.
+/// The head of a suite made from a library's records.
 struct SuiteHead {
   std::string name, description;
   DesignTarget target;

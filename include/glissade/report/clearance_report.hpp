@@ -14,8 +14,8 @@ namespace glissade {
 /// By condition but the period: the largest suite mean over the periods, over the orientations, and
 /// the clearance.
 Table clearance_table(const ClearanceResults& results);
-/// By condition and period: the suite's mean over the orientations, and its bounds if each record
-/// could lie its own way.
+/// By condition and period: the suite's mean over the orientations, and its bounds with the
+/// orientation chosen record by record.
 Table clearance_periods_table(const ClearanceResults& results);
 /// Every orientation by itself, at the first of every other condition.
 Table clearance_orientations_table(const ClearanceResults& results);
@@ -27,7 +27,7 @@ Table clearance_histories_table(const ClearanceResults& results);
 /// One for every topic the study's grid can fill: those whose axis has two values or more.
 std::vector<Figure> clearance_figures(const ClearanceResults& results);
 
-/// What came out on a topic; "" where the grid cannot tell.
+/// The results on a topic in sentences; "" where the grid has too few values for it.
 std::string clearance_reading(const ClearanceResults& results, ClearanceTopic topic);
 /// What was run, and the readings.
 std::vector<std::string> clearance_sentences(const ClearanceResults& results);

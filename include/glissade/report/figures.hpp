@@ -24,7 +24,7 @@ Figure impact_figure(const Results& results, const RunResults& run);
 Figure spectra_figure(const Results& results);
 
 /// Every figure the results can fill: per run the fragility, then of the first run IDA and
-/// slip_vs_sds (sds_g only) and impact (where the study asks for it), spectra; of a design chart
+/// slip_vs_sds (sds_g only) and impact (where the study computes it), spectra; of a design chart
 /// chart_contours, chart_friction, chart_slope, with several levels chart_intensity and
 /// chart_slope_levels, with several building periods chart_period, spectra.
 std::vector<Figure> make_figures(const Results& results);

@@ -10,7 +10,7 @@
 
 namespace glissade {
 
-/// A row for each test: breakaway, and what the sliding part says.
+/// A row for each test: breakaway and sliding friction.
 Table pull_tests_table(const PullTestSummary& summary);
 /// A row for each direction and for sliding and breakaway: the friction over tests.
 Table friction_table(const PullTestSummary& summary);

@@ -17,7 +17,7 @@ struct DrawnFigure {
 };
 
 /// The whole report in one page that needs nothing else: styles and drawings inline, no scripts, no
-/// network. `skips` is known to a run and not kept in the results file: without it the page points
+/// network. `skips` come from a run and are not in the results file: without it the page points
 /// to run.json.
 std::string html_report(const Results& results, const std::vector<DrawnFigure>& figures,
                         const std::vector<Skip>& skips = {});

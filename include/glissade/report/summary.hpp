@@ -16,7 +16,7 @@ std::vector<std::string> answer_sentences(const Results& results);
 
 /// For the terminal, in plain ASCII: fragilities, the comparison with standards at a handful of
 /// levels (of a design chart clearances over slope and friction and the sentences above), `skips`
-/// (known to a run, not kept in the results file), notes.
+/// (of a run; not in the results file), notes.
 std::string summary_text(const Results& results, const std::vector<Skip>& skips = {});
 
 }  // namespace glissade

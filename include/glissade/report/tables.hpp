@@ -23,7 +23,7 @@ Table standards_table(const Results& results);
 /// Counts of exceedances per run, threshold and level: what the stripes fit rests on.
 Table stripes_table(const Results& results);
 /// Speed and time of first reaching each threshold per run, threshold and level, given that it is
-/// reached. Empty unless the study asks for impact.
+/// reached. Empty unless the study has [impact].
 Table impact_table(const Results& results);
 Table records_table(const Results& results);
 /// One column per record, then the average and the target where there is one.

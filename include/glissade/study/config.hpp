@@ -73,7 +73,7 @@ struct FrictionConfig {
   bool across_is_given = false;  ///< friction across the slope is a quantity of its own
   /// Of friction that is drawn: which of its values are run.
   std::vector<FrictionValue> values = {FrictionValue::as_drawn, FrictionValue::design};
-  std::string note;  ///< where it comes from, if a reader must know: pull tests
+  std::string note;  ///< where it comes from, if that must be reported: pull tests
 };
 
 /// Which components act along the slope, drawn one a sample.
@@ -103,9 +103,10 @@ struct StandardsConfig {
 
 /// A number to be read off a chart.
 struct ChartQuestion {
-  double level = 0.0, slope_deg = 0.0;   ///< within the chart's axes
-  std::optional<double> mu;              ///< asks for the displacement
-  std::optional<double> displacement_m;  ///< asks for the friction needed to keep slip within it
+  double level = 0.0, slope_deg = 0.0;  ///< within the chart's axes
+  std::optional<double> mu;             ///< given: the displacement is required
+  std::optional<double>
+      displacement_m;  ///< given: the friction that keeps the slip within it is required
 };
 
 /// A chart of displacement over the study's slopes, frictions and building periods.
@@ -128,7 +129,7 @@ struct FragilityConfig {
   bool stop_at_largest = false;
 };
 
-/// A study as its file tells it: checked, defaults filled in, nothing read or run yet.
+/// A study as its file states it: checked, defaults filled in, nothing read or run yet.
 struct StudyConfig {
   std::string name;
   std::string description;

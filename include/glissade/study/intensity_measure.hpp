@@ -27,7 +27,7 @@ class IntensityMeasure {
   const char* key() const;      ///< "pga_g": in study and results files
   const char* unit() const;     ///< "g", "m/s", "-"
   const char* meaning() const;  ///< in a sentence
-  /// The key of [intensity] that goes with this measure alone; null: none.
+  /// The key of [intensity] of this measure only; null: none.
   const char* own_key() const;
   /// For axes and texts: "S_DS", "Sa(1 s)".
   std::string symbol(const IntensityConfig& intensity) const;

@@ -52,14 +52,14 @@ struct SlipStatistics {
   double median_m = 0.0, p84_m = 0.0, p95_m = 0.0, mean_m = 0.0;
   Interval mean_interval, median_interval, p84_interval;  ///< 95 %, bootstrap over records
   double uplift_share = 0.0;
-  double tip_share = std::numeric_limits<double>::quiet_NaN();      ///< NaN: not asked for
+  double tip_share = std::numeric_limits<double>::quiet_NaN();      ///< NaN: not computed
   double mean_vector_m = std::numeric_limits<double>::quiet_NaN();  ///< mean of the longest
                                                                     ///< displacement vectors; NaN:
                                                                     ///< one axis
 };
 
 /// How the array first gets a threshold's distance from where it lay, at one level: over those
-/// records' samples that get there (percentiles by Hyndman & Fan 1996, type 7; NaN where none
+/// records' samples that reach it (percentiles by Hyndman & Fan 1996, type 7; NaN where none
 /// does). Speed is that of the array relative to the roof, in plan. Where fewer than three records
 /// have any that does there is no interval.
 struct ImpactStatistics {
@@ -109,7 +109,7 @@ struct ChartPoint {
   double governing_period_s = 0.0;  ///< where the mean is largest
   double clearance_m = 0.0;         ///< 1.1 x largest mean, as Walters et al. (2012) recommend
   double uplift_share = 0.0;        ///< of the histories at this point
-  double tip_share = std::numeric_limits<double>::quiet_NaN();  ///< likewise; NaN: not asked for
+  double tip_share = std::numeric_limits<double>::quiet_NaN();  ///< likewise; NaN: not computed
   std::vector<ChartSlip> by_period;
 };
 
@@ -165,7 +165,7 @@ struct SuiteSpectra {
   SpectralRatios to_target;                 ///< of the average, 0 to 2 s; NaN without a target
 };
 
-/// What moved and what resisted, in sentences for a reader. Empty where there is nothing to tell.
+/// The suite and the friction in sentences. Empty where there is nothing to report.
 struct ModelText {
   std::string kernel;        ///< what computed the histories
   std::string building;      ///< how it yields
@@ -195,7 +195,7 @@ struct Results {
   std::vector<RunResults> runs;        ///< of a study with [fragility]: by combination of the cases
   std::optional<Chart> chart;          ///< of a study with [chart]
   std::optional<ClearanceConfig> clearance;  ///< of a study with [clearance]
-  std::vector<std::string> notes;            ///< what a reader must know
+  std::vector<std::string> notes;            ///< remarks on the results
 };
 
 /// The histories of some cases in a row.

@@ -9,14 +9,14 @@
 
 namespace glissade {
 
-/// What the header of a PEER file tells. The text is as printed: its meaning is for the caller to
+/// What the header of a PEER file states. The text is as printed: its meaning is for the caller to
 /// judge.
 struct At2Header {
   std::size_t lines = 0;              ///< header lines, the one with NPTS included
   std::optional<std::uint64_t> npts;  ///< nothing: not a whole number that fits
   std::string dt_text;                ///< may be empty
   std::optional<double> dt_s;         ///< nothing: absent or no number
-  std::size_t units_line = 0;         ///< 0: no units told
+  std::size_t units_line = 0;         ///< 0: no units stated
   std::string units;                  ///< lower case: "g", "cm/s" ...
 };
 
@@ -24,7 +24,8 @@ struct At2Header {
 /// 0.0050 NPTS, DT`.
 std::optional<At2Header> find_at2_header(std::string_view text);
 
-/// The units a header line tells: "... IN UNITS OF CM/S", "ACCELERATION IN G", "The units are (g)";
+/// The units a header line states: "... IN UNITS OF CM/S", "ACCELERATION IN G", "The units are
+/// (g)";
 /// "" if none.
 std::string units_in_header_line(std::string_view line);
 

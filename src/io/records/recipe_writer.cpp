@@ -55,7 +55,7 @@ std::string recipe_toml(const SyntheticRecipe& recipe, const std::string& origin
       "vertical = {}\n",
       origin, quoted(recipe.name), quoted(recipe.description), target_toml(recipe.target),
       recipe.seed, recipe.dt_s,
-      // Zero where the recipe does not tell it.
+      // Zero where the recipe does not state it.
       recipe.max_scale > 0.0 ? fmt::format("max_scale = {}\n", recipe.max_scale) : "",
       numbers(recipe.gain_frequencies_hz), numbers(recipe.horizontal_gain),
       numbers(recipe.vertical_gain));

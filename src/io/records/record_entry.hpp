@@ -20,7 +20,7 @@ struct ComponentEntry {
 /// `key = "file"` or `key = { file, start_s, dt_s, units }`; nothing where the key is absent.
 std::optional<ComponentEntry> read_component_entry(const TomlTable& record, const char* key);
 
-/// What a [[record]] tells of its motion besides the samples.
+/// What a [[record]] states of its motion besides the samples.
 Motion read_metadata(const TomlTable& record);
 
 }  // namespace glissade

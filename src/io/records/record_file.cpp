@@ -21,7 +21,7 @@ constexpr const char* what_is_read =
     "give a PEER AT2 file, one column of accelerations, or two columns time and acceleration, with "
     "# before comments";
 constexpr double largest_believable_g =
-    3.0;  // few records ever went beyond; those need their units told
+    3.0;  // few records exceed it; those need their units stated
 
 enum class HeaderUnits { none, g, mps2, cmps2, velocity, displacement, unknown };
 
@@ -100,13 +100,13 @@ AccelerationUnits at2_units(const std::filesystem::path& file, const At2Header& 
   const auto refuse = [&](const std::string& what, const std::string& suggestion) {
     throw InputError({where, what, suggestion, ""});
   };
-  const auto agreed = [&](AccelerationUnits told) {
-    if (wanted && *wanted != told) {
+  const auto agreed = [&](AccelerationUnits stated) {
+    if (wanted && *wanted != stated) {
       refuse("the header says the units are " + in_quotes(header.units) + ", the option says " +
                  to_string(*wanted),
              "leave the units out, or correct the file");
     }
-    return told;
+    return stated;
   };
   switch (header_units(header.units)) {
     case HeaderUnits::none:
@@ -138,12 +138,12 @@ double at2_step(const std::filesystem::path& file, const At2Header& header,
                 const std::optional<double>& wanted) {
   if (wanted) {
     // Mends a step printed with too few decimals (.0039 for 1/256), not another step.
-    const double told = header.dt_s.value_or(*wanted);
-    if (std::abs(told - *wanted) > 0.02 * *wanted) {
+    const double stated = header.dt_s.value_or(*wanted);
+    if (std::abs(stated - *wanted) > 0.02 * *wanted) {
       throw InputError(
           {place(file, header.lines),
            "the header's DT = " + header.dt_text + " is not dt_s = " + shortest_decimal(*wanted),
-           "leave dt_s (--dt-s) out: the file tells its own step", ""});
+           "leave dt_s (--dt-s) out: the file states its step", ""});
     }
     return *wanted;
   }
@@ -169,10 +169,10 @@ Record read_at2(const std::filesystem::path& file, std::string_view text, const 
   }
   const std::size_t found = record.acceleration_mps2.size();
   if (!header.npts || *header.npts != found) {
-    const std::string told = header.npts ? std::to_string(*header.npts) : "no whole number";
+    const std::string stated = header.npts ? std::to_string(*header.npts) : "no whole number";
     throw InputError(
         {place(file, header.lines),
-         "NPTS tells " + told + ", the file holds " + std::to_string(found) + " values",
+         "NPTS is " + stated + ", the file contains " + std::to_string(found) + " values",
          "the file is cut short or its header is wrong: get it again", ""});
   }
   return record;
@@ -185,8 +185,8 @@ void check_believable(const Record& record) {
   if (peak_g <= largest_believable_g) return;
   throw InputError({record.name,
                     "a peak acceleration of " + shortest_decimal(peak_g) +
-                        " g is not believable without being told the units",
-                    "tell the units (--units): g, m/s2 or cm/s2", ""});
+                        " g is not plausible without stated units",
+                    "give the units (--units): g, m/s2 or cm/s2", ""});
 }
 
 Record read_columns(const std::filesystem::path& file, std::string_view text,
@@ -202,7 +202,7 @@ Record read_columns(const std::filesystem::path& file, std::string_view text,
     const std::size_t line = reader.number();
     if (columns == 0) {
       parse_finite(file, line, parts.front(),
-                   "the value");  // text is told as text, however many words
+                   "the value");  // text is reported as text, however many words
       columns = parts.size();
     }
     if (parts.size() > 2 || parts.size() != columns) {
@@ -223,7 +223,7 @@ Record read_columns(const std::filesystem::path& file, std::string_view text,
   } else if (options.dt_s) {
     record.dt_s = *options.dt_s;
   } else {
-    throw InputError({file.string(), "one column does not tell the time step",
+    throw InputError({file.string(), "one column does not give the time step",
                       "give it with dt_s (--dt-s)", ""});
   }
   if (!options.units) check_believable(record);

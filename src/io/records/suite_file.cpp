@@ -33,7 +33,7 @@ void check_ids(const std::vector<TomlTable>& tables) {
   }
 }
 
-/// Reads the motions of a recorded suite, collecting what is missing to tell it together.
+/// Reads the motions of a recorded suite, collecting what is missing, to report it together.
 class RecordedSuiteReader {
  public:
   explicit RecordedSuiteReader(const std::filesystem::path& suite_file)
@@ -136,7 +136,7 @@ void read_gain(const TomlTable& gain, SyntheticRecipe& recipe) {
     gain.report("frequency_hz", "simulation.gain.frequency_hz is not increasing");
   }
   if (f.empty()) {
-    gain.report("frequency_hz", "simulation.gain.frequency_hz tells no frequency",
+    gain.report("frequency_hz", "simulation.gain.frequency_hz has no frequency",
                 "give one at least; [1.0] with gains of [1.0] leaves motions as they are");
   }
   if (recipe.horizontal_gain.size() != f.size() || recipe.vertical_gain.size() != f.size()) {

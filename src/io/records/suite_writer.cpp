@@ -55,7 +55,7 @@ std::string component_toml(const ComponentEntry& component, const std::string& f
   return more.empty() ? quoted(file) : fmt::format("{{ file = {}{} }}", quoted(file), more);
 }
 
-/// The line of a key, if it is told.
+/// The line of a key, if it is given.
 std::string line(const char* key, const std::string& text) {
   return text.empty() ? "" : fmt::format("{} = {}\n", key, quoted(text));
 }

@@ -64,7 +64,7 @@ void TimeColumn::add(double time_s, std::string_view token, std::size_t line) {
       static_cast<double>(exponent_at - point_at) - (point_at < exponent_at ? 1.0 : 0.0);
   const double exponent =
       exponent_at < token.size() ? parse_number(token.substr(exponent_at + 1)).value_or(0.0) : 0.0;
-  // Zero is printed with any exponent and tells nothing about the others.
+  // Zero is printed with any exponent and does not show that of the others.
   if (time_s != 0.0) resolution_s = std::min(resolution_s, std::pow(10.0, exponent - decimals));
 }
 
@@ -73,7 +73,7 @@ double step_of(const std::filesystem::path& file, const TimeColumn& column,
   const std::vector<double>& t = column.times_s;
   if (t.size() < 2) {
     if (wanted) return *wanted;
-    throw InputError({file.string(), "one sample does not tell the time step",
+    throw InputError({file.string(), "one sample does not give the time step",
                       "give it with dt_s (--dt-s)", ""});
   }
   const auto intervals = static_cast<double>(t.size() - 1);
@@ -85,7 +85,7 @@ double step_of(const std::filesystem::path& file, const TimeColumn& column,
   check_even(file, column, dt_s);
   if (wanted && !is_as_wanted) {
     throw InputError({file.string(),
-                      "the time column has steps of " + shortest_decimal(dt_s) + " s, dt_s tells " +
+                      "the time column has steps of " + shortest_decimal(dt_s) + " s, dt_s is " +
                           shortest_decimal(*wanted) + " s",
                       "leave dt_s out, or correct the file", ""});
   }

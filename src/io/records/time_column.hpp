@@ -23,7 +23,7 @@ struct TimeColumn {
 };
 
 /// The step of evenly spaced times, (last - first) / (n - 1) to the fewest decimals that give the
-/// last time, or `wanted` where the times bear it out. InputError where they are uneven or
+/// last time, or `wanted` where the times agree with it. InputError where they are uneven or
 /// contradict it.
 double step_of(const std::filesystem::path& file, const TimeColumn& column,
                const std::optional<double>& wanted);

@@ -101,7 +101,7 @@ void interval_column(const Archive& archive, const std::string& name, const Labe
 
 /// A list in every row, as a (row, position) dataset. Where lists differ in length they are filled
 /// up with nan, and
-/// `<name>_count` tells how long each is.
+/// `<name>_count` is the length of each.
 template <class Archive, class Rows, class Field>
 void matrix(const Archive& archive, const std::string& name, const Label& label, Rows& rows,
             Field field) {
@@ -119,7 +119,7 @@ void matrix(const Archive& archive, const std::string& name, const Label& label,
   }
   Dims dims{counts.size(), width};
   archive.array(name, label, dims, values);
-  const Label count_label{"-", "how many values each row of the dataset of this name holds"};
+  const Label count_label{"-", "how many values each row of the dataset of this name has"};
   if constexpr (!Archive::reads) {
     const bool is_ragged =
         std::any_of(counts.begin(), counts.end(), [&](std::uint64_t n) { return n != width; });

@@ -74,7 +74,7 @@ void exchange_chart_points(const Archive& archive, const IntensityScale& scale, 
       [](auto& p) -> auto& { return p.uplift_share; });
   column(
       archive, "tip_share",
-      {"-", "share of histories in which the body begins to tip; nan: not asked for"}, points,
+      {"-", "share of histories in which the body begins to tip; nan: not computed"}, points,
       [](auto& p) -> auto& { return p.tip_share; });
 }
 
@@ -103,8 +103,8 @@ void exchange_chart_readings(const Archive& archive, const IntensityScale& scale
       }
     }
   };
-  given("friction", {"-", "coefficient of friction; nan: it is asked for"}, &ChartQuestion::mu);
-  given("displacement_m", {"m", "displacement to keep within; nan: displacements are asked for"},
+  given("friction", {"-", "coefficient of friction; nan: it is required"}, &ChartQuestion::mu);
+  given("displacement_m", {"m", "displacement to keep within; nan: displacements are required"},
         &ChartQuestion::displacement_m);
   const auto answer = [&](const std::string& name, double ChartReading::*which) {
     column(

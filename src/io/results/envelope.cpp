@@ -42,11 +42,10 @@ void write_results_of(const ResultsKind& kind, const std::filesystem::path& file
     }
     bytes = image.bytes();
   } catch (const Hdf5Error& error) {
-    throw InputError(
-        {file.string(),
-         std::string("the results could not be put together: cannot ") + error.what(),
-         "check that there is memory enough, or ask for less: fewer samples, levels or records",
-         ""});
+    throw InputError({file.string(),
+                      std::string("the results could not be put together: cannot ") + error.what(),
+                      "check that there is memory enough, or take fewer samples, levels or records",
+                      ""});
   }
   write_text_file(file, bytes);
 }
@@ -56,7 +55,7 @@ void read_results_of(const ResultsKind& kind, const std::filesystem::path& file,
   const Hdf5Silence silence;
   const auto fail = [&](const std::string& reason) {
     return InputError({file.string(),
-                       std::string("is not a whole ") + kind.name + ": cannot " + reason,
+                       std::string("is not a complete ") + kind.name + ": cannot " + reason,
                        "give a results file of `glissade run`, or run the study again", ""});
   };
   std::error_code ignored;

@@ -10,7 +10,7 @@
 
 namespace glissade {
 
-/// What a results file says of itself, and how it is called in messages.
+/// The kind of a results file, and its name in messages.
 struct ResultsKind {
   const char* file_type;
   int format_version;
@@ -18,7 +18,8 @@ struct ResultsKind {
 };
 
 /// Puts an HDF5 file together in memory, then writes it to a temporary name and renames it when
-/// whole: the same content gives the same bytes. Throws InputError; an older file stays as it was.
+/// complete: the same content gives the same bytes. Throws InputError; an older file stays as it
+/// was.
 void write_results_of(const ResultsKind& kind, const std::filesystem::path& file,
                       const std::function<void(const Hdf5Writer&)>& content);
 

@@ -196,7 +196,7 @@ Hdf5Handle Hdf5Reader::open_array(const std::string& name, Dims& dims, std::size
   checked(H5Sget_simple_extent_dims(space, dims.data(), nullptr), "size the dataset " + name);
   const Hdf5Handle type(H5Dget_type(dataset), H5Tclose, "read the dataset " + name);
   const std::uintmax_t most = file_size_ / std::max<std::size_t>(H5Tget_size(type), 1);
-  // A side is held against the file too: 2^40 rows of nothing would be made room for. The product
+  // A side is compared with the file too: 2^40 rows of nothing would be made room for. The product
   // is formed here, since the library's wraps round.
   count = std::ranges::find(dims, hsize_t{0}) == dims.end() ? 1 : 0;
   for (const hsize_t side : dims) {

@@ -10,7 +10,7 @@
 
 namespace glissade {
 
-/// What every dataset tells about itself.
+/// The attributes of every dataset.
 struct Label {
   const char* unit;
   const char* description;

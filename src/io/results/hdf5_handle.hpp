@@ -61,7 +61,7 @@ class Hdf5Silence {
   void* data_ = nullptr;
 };
 
-/// Numbers as they lie in memory, and as they lie in the file: little-endian on every machine.
+/// Numbers as they are in memory, and as they are in the file: little-endian on every machine.
 template <class T>
 hid_t memory_type() {
   if constexpr (std::is_same_v<T, double>)

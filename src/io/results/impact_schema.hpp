@@ -17,14 +17,14 @@ void exchange_impact_statistics(const Archive& archive, const IntensityScale& sc
       archive, scale.level, {scale.unit, "intensity level"}, rows,
       [](auto& s) -> auto& { return s.level; });
   column(
-      archive, "reached_share", {"-", "share of histories that get there"}, rows,
+      archive, "reached_share", {"-", "share of histories that reach it"}, rows,
       [](auto& s) -> auto& { return s.reached_share; });
   interval_column(
       archive, "reached_share", {"-", "95 % interval of that share"}, rows,
       [](auto& s) -> auto& { return s.reached_interval; });
   column(
       archive, "speed_median_mps",
-      {"m/s", "median speed in plan at the first crossing, of the histories that get there"}, rows,
+      {"m/s", "median speed in plan at the first crossing, of the histories that reach it"}, rows,
       [](auto& s) -> auto& { return s.speed_median_mps; });
   column(
       archive, "speed_p84_mps", {"m/s", "84th percentile of that speed"}, rows,
@@ -43,7 +43,7 @@ void exchange_impact_statistics(const Archive& archive, const IntensityScale& sc
       [](auto& s) -> auto& { return s.speed_p84_interval; });
   column(
       archive, "time_median_s",
-      {"s", "median time of the first crossing from the record's begin, of those that get there"},
+      {"s", "median time of the first crossing from the record's begin, of those that reach it"},
       rows, [](auto& s) -> auto& { return s.time_median_s; });
   column(
       archive, "time_p16_s", {"s", "16th percentile of that time"}, rows,
@@ -53,7 +53,7 @@ void exchange_impact_statistics(const Archive& archive, const IntensityScale& sc
       [](auto& s) -> auto& { return s.time_p84_s; });
 }
 
-/// Absent where the study does not ask for it.
+/// Absent where the study has no [impact].
 template <class Archive, class Run>
 void exchange_impact(const Archive& run_archive, const IntensityScale& scale, Run& run) {
   if constexpr (Archive::reads) {

@@ -154,7 +154,7 @@ Results read_results(const std::filesystem::path& file) {
     exchange(root, results);
     check_shapes(results);
     if (results.chart) check_shape(*results.chart, results.levels.size());
-    if (!labels_are_distinct_names(results)) throw Hdf5Error("tell the runs apart by their labels");
+    if (!labels_are_distinct_names(results)) throw Hdf5Error("give its runs different labels");
   });
   return results;
 }

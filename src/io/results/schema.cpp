@@ -54,7 +54,7 @@ void exchange_axes(const Archive& archive, Axes& axes) {
       archive, "unit", {"-", "unit of its values"}, axes, [](auto& a) -> auto& { return a.unit; });
   for (std::size_t i = 0; i < axes.size(); ++i) {
     const auto group = archive.group("axis_" + std::to_string(i));
-    list(group, "value", {"as unit says", "values"}, axes[i].values);
+    list(group, "value", {"as in unit", "values"}, axes[i].values);
     list(group, "name", {"-", "what the values are called; empty: numbers"}, axes[i].names);
   }
 }
@@ -198,7 +198,7 @@ void exchange_fits(const Archive& archive, const IntensityScale& scale, Fragilit
       archive, "interval_method", {"-", "how the intervals were found"},
       rows, [&](auto& f) -> auto& { return fit(f).interval_method; });
   column(
-      archive, "note", {"-", "what a reader must know"},
+      archive, "note", {"-", "remarks on the results"},
       rows, [&](auto& f) -> auto& { return fit(f).note; });
 }
 
@@ -267,7 +267,7 @@ void exchange_slip(const Archive& archive, const IntensityScale& scale, Slip& ro
       [](auto& s) -> auto& { return s.uplift_share; });
   column(
       archive, "tip_share",
-      {"-", "share of histories in which the body begins to tip; nan: not asked for"}, rows,
+      {"-", "share of histories in which the body begins to tip; nan: not computed"}, rows,
       [](auto& s) -> auto& { return s.tip_share; });
   column(
       archive, "mean_vector_m",
@@ -354,7 +354,7 @@ void exchange_all(const Archive& archive, R& results) {
   const IntensityScale scale{unit.c_str(), unit_suffix(unit)};
   list(archive, scale.level, {scale.unit, "intensity levels"}, results.levels);
   list(archive, "threshold_m", {"m", "clearance thresholds"}, results.thresholds_m);
-  list(archive, "note", {"-", "what a reader must know"}, results.notes);
+  list(archive, "note", {"-", "remarks on the results"}, results.notes);
   exchange_cases(archive.group("cases"), results.cases);
   exchange_records(archive.group("records"), results.records);
   exchange_suites(archive.group("suites"), scale, results.suites);

@@ -6,7 +6,7 @@
 
 namespace glissade {
 
-/// The tables that ask for analyses, and what they need of each other. Reads after all others.
+/// The tables of the analyses, and what they need of each other. Reads after all others.
 void read_analyses(const TomlTable& root, StudyConfig& study);
 
 }  // namespace glissade

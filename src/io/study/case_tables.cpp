@@ -14,7 +14,7 @@ namespace {
 
 void needs_two_axes(const TomlTable& table, const char* key, const StudyConfig& study) {
   if (study.two_axes() || !table.has(key)) return;
-  table.report(key, table.name_of(key) + " goes with [model] axes = 2 only",
+  table.report(key, table.name_of(key) + " needs [model] axes = 2",
                "leave it out, or let the array slide along two axes");
 }
 
@@ -43,7 +43,7 @@ std::optional<std::vector<E>> read_choices(const TomlTable& table, const char* k
 void refuse_zero(const TomlTable& table, const Quantity& mu, const char* key) {
   if (mu.largest() > 0.0) return;
   table.report(key, table.name_of(key) + " is zero",
-               "on two axes friction lies on an ellipse, and both of its axes are above zero");
+               "on two axes friction is an ellipse, and both of its axes are above zero");
 }
 
 void check_strength(const TomlTable& table, const StudyConfig& study) {
@@ -61,7 +61,7 @@ void check_strength(const TomlTable& table, const StudyConfig& study) {
   if (!r.is_always(0.0) && !coefficient.is_always(0.0)) {
     table.report("yield_coefficient",
                  "building.response_modification and building.yield_coefficient are both given",
-                 "give one of them: each says how strong the building is");
+                 "give one of them: each states the strength of the building");
   }
   if (table.has("hardening_ratio") && r.is_always(0.0) && coefficient.is_always(0.0)) {
     table.report("hardening_ratio",
@@ -85,7 +85,7 @@ ModelConfig read_model(const TomlTable& table) {
   model.displacement = table.choice<DisplacementMeasure>("displacement", displacement_names())
                            .value_or(model.displacement);
   if (model.axes == SlidingAxes::one && table.has("displacement")) {
-    table.report("displacement", "model.displacement goes with axes = 2 only", "leave it out");
+    table.report("displacement", "model.displacement needs axes = 2", "leave it out");
   }
   return model;
 }
@@ -119,7 +119,7 @@ void read_friction(const TomlTable& table, const std::vector<FrictionValue>& usu
   } else {
     for (const char* key : {"direction", "across_direction", "slip_m", "sliding_from_m"}) {
       if (table.has(key))
-        table.report(key, table.name_of(key) + " goes with friction.file only", "leave it out");
+        table.report(key, table.name_of(key) + " needs friction.file", "leave it out");
     }
     if (!table.has("mu") && table.exists()) {
       table.report_missing("mu",
@@ -178,7 +178,7 @@ void read_orientation(const TomlTable& table, bool drawn, StudyConfig& study) {
   if (o.choice == OrientationChoice::random) return;
   for (const char* key : {"component", "sign", "second_sign"}) {
     if (table.has(key))
-      table.report(key, table.name_of(key) + " goes with choice = \"random\" only",
+      table.report(key, table.name_of(key) + " needs choice = \"random\"",
                    "leave it out, or set choice = \"random\"");
   }
 }

@@ -16,7 +16,7 @@ void read_friction(const TomlTable& table, const std::vector<FrictionValue>& usu
                    StudyConfig& study);
 void read_support(const TomlTable& table, StudyConfig& study);
 void read_vertical(const TomlTable& table, StudyConfig& study);
-/// @param drawn the study draws samples where [orientation] does not say otherwise
+/// @param drawn the study draws samples where [orientation] does not state otherwise
 void read_orientation(const TomlTable& table, bool drawn, StudyConfig& study);
 SamplingConfig read_sampling(const TomlTable& table);
 

@@ -57,7 +57,7 @@ std::optional<Distribution> read_table(const TomlTable& table) {
   if (kind) return read_kind(table, *kind);
   if (!table.has("distribution")) {
     table.report_missing("distribution",
-                         "say distribution = \"uniform\" or another, or give a plain number");
+                         "give distribution = \"uniform\" or another, or give a plain number");
   }
   table.ignore_unknown();
   return std::nullopt;
@@ -83,7 +83,7 @@ std::optional<Distribution> read_distribution(const TomlTable& table, const char
     table.report(key, error);
     return std::nullopt;
   }
-  // A tail of one in a million may lie outside: it is held at the limit when drawn.
+  // A tail of one in a million may be outside: it is set to the limit when drawn.
   const Support all = support(*distribution);
   const Support range{
       std::isinf(all.min) || all.min == 0.0 ? quantile(*distribution, 1e-6) : all.min,

@@ -8,7 +8,7 @@
 
 namespace glissade {
 
-/// Where every value of a distribution must lie: [min, max], or [min, max) where `max_open`.
+/// The interval of every value of a distribution: [min, max], or [min, max) where `max_open`.
 struct Bounds {
   double min, max;
   enum class Top { closed, open } top = Top::closed;

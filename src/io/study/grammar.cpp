@@ -96,7 +96,8 @@ void add_cases(std::vector<GrammarKey>& keys) {
         "whether the vertical ground motion acts"},
        {"orientation", "choice", one_of(orientation_names()),
         "\"random\" where the study draws samples or has [fragility], else \"all_permutations\"",
-        "how the horizontal components lie to the building: drawn for each sample; either "
+        "directions of the horizontal components relative to the building: drawn for each sample; "
+        "either "
         "component along the first axis with either sign, the other with either sign; every 22.5 "
         "degrees; as recorded"},
        {"orientation", "slope_axis", one_of(slope_axis_names()) + ", or a list", "\"e_w\"",
@@ -191,10 +192,10 @@ std::vector<RenamedKey> renamed_keys() {
           {"convergence", "the convergence of the published scheme is a program under tests now"}};
 }
 
-std::string grammar_text(const std::string& asked) {
+std::string grammar_text(const std::string& wanted) {
   std::string text, table;
   for (const GrammarKey& key : grammar()) {
-    if (!asked.empty() && key.table != asked && key.name() != asked) continue;
+    if (!wanted.empty() && key.table != wanted && key.name() != wanted) continue;
     if (key.table != table) text += fmt::format("{}[{}]\n", text.empty() ? "" : "\n", key.table);
     table = key.table;
     text += fmt::format("  {:<24} {}\n{:27}usual: {}\n{:27}{}\n",

@@ -56,7 +56,7 @@ std::vector<double> read_range(const TomlTable& range, const NumberRule& rule) {
     return std::adjacent_find(values.begin(), values.end(), std::greater_equal<>()) == values.end();
   };
   if (!fill(as_written) && !fill([](double value) { return value; })) {
-    range.report("count", range.name_of("count") + " asks for more values than there are between " +
+    range.report("count", range.name_of("count") + " is more values than there are between " +
                               shortest_decimal(from) + " and " + shortest_decimal(to));
     return {};
   }

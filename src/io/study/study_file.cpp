@@ -20,9 +20,9 @@ void refuse_other_keys(const TomlTable& table, IntensityMeasure measure) {
     const IntensityMeasure owner = IntensityMeasure::number(i);
     const char* key = owner.own_key();
     if (key == nullptr || owner == measure || !table.has(key)) continue;
-    // A target also says what strength a building has.
+    // A target also gives the strength of a building.
     if (key == std::string("target")) continue;
-    table.report(key, table.name_of(key) + " goes with measure = \"" + owner.key() + "\" only",
+    table.report(key, table.name_of(key) + " needs measure = \"" + owner.key() + "\"",
                  std::string("leave it out, or measure by ") + owner.key());
   }
 }

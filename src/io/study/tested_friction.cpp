@@ -19,7 +19,7 @@ std::string list_of(const std::vector<DirectionFriction>& directions) {
   return list;
 }
 
-/// The direction that `key` asks for, or the only one; null where there is none, which is reported.
+/// The direction that `key` gives, or the only one; null where there is none, which is reported.
 const DirectionFriction* direction_of(const TomlTable& table, const char* key,
                                       const PullTestSummary& summary) {
   const auto name = table.text(key);
@@ -28,7 +28,7 @@ const DirectionFriction* direction_of(const TomlTable& table, const char* key,
   if (!name) {
     if (directions.size() == 1) return &directions.front();
     table.report("file", fmt::format("friction.file has tests in {} directions", directions.size()),
-                 "say which with direction = ...: " + list_of(directions));
+                 "give one with direction = ...: " + list_of(directions));
     return nullptr;
   }
   const auto at = std::find_if(directions.begin(), directions.end(),
@@ -49,7 +49,8 @@ std::string note_on(const DirectionFriction& d, const std::string& file) {
   return note;
 }
 
-/// How friction in a direction is distributed; nothing where too few tests tell, which is reported.
+/// How friction in a direction is distributed; nothing where the tests are too few, which is
+/// reported.
 std::optional<Distribution> distribution_in(const TomlTable& table, const DirectionFriction& d) {
   const MuStatistics& s = d.sliding;
   if (s.tests < 2) {

@@ -61,11 +61,11 @@ Html standards_html(const Results& results, const Table& standards) {
          wide_table(standards.without("basis"));
 }
 
-/// Nothing where the study does not ask for it.
+/// Nothing where the study has no [impact].
 Html impact_html(const Results& results) {
-  if (!tells_impact(results)) return {};
+  if (!has_impact(results)) return {};
   const Table table = brief_impact_table(results);
-  return heading("Speed on reaching a parapet, given that it gets there") +
+  return heading("Speed on reaching a parapet, given that it is reached") +
          paragraph(impact_explained()) +
          (table.rows.empty() ? paragraph("The array reached no clearance at these levels.")
                              : wide_table(table)) +

@@ -15,13 +15,14 @@ void replace_all(std::string& text, const std::string& from, const std::string& 
   }
 }
 
-/// Reads what gnuplot wrote and sees that it is whole: gnuplot itself does not notice a full disk.
+/// Reads what gnuplot wrote and checks that it is complete: gnuplot itself does not notice a full
+/// disk.
 std::string whole_drawing(const std::filesystem::path& path, const std::string& last_word) {
   std::string drawing = read_text_file(path);
   const std::size_t at = drawing.rfind(last_word);
   if (at == std::string::npos || drawing.size() - at > last_word.size() + 2) {
     throw InputError(
-        {path.string(), "is not whole after gnuplot drew it", "see whether the disk is full", ""});
+        {path.string(), "is incomplete after gnuplot drew it", "see whether the disk is full", ""});
   }
   return drawing;
 }
@@ -48,7 +49,7 @@ void render_figure(const Figure& figure, const std::filesystem::path& folder) {
 
   const std::filesystem::path svg_path = folder / (figure.name + ".svg");
   std::string svg = whole_drawing(svg_path, "</svg>");
-  // Names unique to the figure, so that several drawings can stand in one page.
+  // Names unique to the figure, so that one page can contain several drawings.
   replace_all(svg, "id='gp", "id='" + figure.name.text() + "_gp");
   replace_all(svg, "'#gp", "'#" + figure.name.text() + "_gp");
   replace_all(svg, "id=\"gnuplot_canvas\"", "id=\"" + figure.name.text() + "_canvas\"");

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Where a value lies on an axis: in the cell after `cell`, at `share` of it.
+/// A value's place on an axis: in the cell after `cell`, at `share` of it.
 struct Place {
   std::size_t cell;
   double share;

@@ -53,7 +53,7 @@ class Values {
     return largest_mean(
         [&](std::size_t p, std::size_t r) { return values_(p, orientation_of(r), r); });
   }
-  /// All records in one orientation, counting as often as their weight tells.
+  /// All records in one orientation, each with its weight.
   double weighted_mean(std::size_t orientation, const std::vector<double>& weights) const {
     double largest = 0.0;
     for (std::size_t p = 0; p < values_.rows; ++p) {
@@ -110,12 +110,12 @@ std::vector<std::size_t> records_of(const ClearanceResults& results, std::size_t
 
 std::vector<std::size_t> orientations_of(const ClearanceResults& results,
                                          const ClearanceQuestion& question) {
-  std::vector<std::size_t> asked;
+  std::vector<std::size_t> found;
   for (std::size_t i = 0; i < results.orientations.size(); ++i) {
     if (!question.slope_axis || results.orientations[i].slope_axis == *question.slope_axis)
-      asked.push_back(i);
+      found.push_back(i);
   }
-  return asked;
+  return found;
 }
 
 double suite_mean(const ClearanceResults& results, const ClearanceQuestion& question,

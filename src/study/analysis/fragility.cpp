@@ -146,7 +146,7 @@ std::string friction_text(const StudyConfig& config, const Case& c, const std::s
   return listed.empty() ? text : text + "; " + listed;
 }
 
-/// What a combination is beside its friction's value, which the label says.
+/// What a combination is beside its friction's value, which the label gives.
 std::string listed_text(const CaseSet& cases, std::size_t combination) {
   std::string text = cases.describe(combination);
   const std::string friction = "friction.value = ";

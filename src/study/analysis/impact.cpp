@@ -12,7 +12,7 @@
 namespace glissade {
 namespace {
 
-/// Fewer records that get there say nothing of how records differ.
+/// With fewer records that reach it the scatter between records is not estimated.
 constexpr std::ptrdiff_t fewest_records = 3;
 
 /// The crossings of one threshold at one level that happen, by record.
@@ -44,7 +44,7 @@ std::vector<double> sorted_together(const std::vector<std::vector<double>>& by_r
   return all;
 }
 
-/// Of the share of histories that get there.
+/// Of the share of histories that reach it.
 Interval share_interval(const Happened& happened, std::size_t samples,
                         const BootstrapOptions& options) {
   return bootstrap_interval(
@@ -73,7 +73,7 @@ ImpactStatistics statistics_of(const Happened& happened, std::size_t samples,
   s.time_p16_s = quantile_of_sorted(times, 0.16);
   s.time_p84_s = quantile_of_sorted(times, 0.84);
   if (happened.records() < fewest_records) return s;
-  // Where every history gets there resampling tells nothing of the share.
+  // Where every history reaches it resampling gives no interval of the share.
   if (times.size() < histories) s.reached_interval = share_interval(happened, samples, options);
   const PooledLevel pooled(happened.speed_mps);
   s.speed_median_interval = pooled.quantile_interval(0.5, options);

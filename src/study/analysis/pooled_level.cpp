@@ -80,14 +80,14 @@ Interval PooledLevel::quantile_interval(double probability, const BootstrapOptio
         return finite(bin_edges_[low]);
       },
       options);
-  // The bins' quantile may lie a rank beside the estimate.
+  // The bins' quantile may be one rank from the estimate.
   interval.low = std::min(infinite(interval.low), quantile_m(probability));
   interval.high = std::max(infinite(interval.high), quantile_m(probability));
   return interval;
 }
 
 Interval PooledLevel::mean_interval(const BootstrapOptions& options) const {
-  if (std::isinf(mean_m())) return {};  // none can be told
+  if (std::isinf(mean_m())) return {};  // no interval
   return bootstrap_interval(
       record_means_.size(),
       [&](const std::vector<double>& weights) {
@@ -103,7 +103,7 @@ Interval PooledLevel::share_interval(double slip_m, const BootstrapOptions& opti
     const auto above = slips.end() - std::upper_bound(slips.begin(), slips.end(), slip_m);
     shares.push_back(static_cast<double>(above) / static_cast<double>(slips.size()));
   }
-  // Where no history exceeds, or every one does, resampling the records tells nothing of the rest:
+  // Where no history exceeds, or every one does, resampling the records gives no interval:
   // no interval.
   const double all = share_above(slip_m);
   if (all == 0.0 || all == 1.0) return {};

@@ -154,7 +154,7 @@ std::size_t CaseSet::axis(const std::string& key) const {
 
 namespace {
 
-/// Six digits, or as many as tell the value from the others.
+/// Six digits, or as many as distinguish the value from the others.
 std::string short_text(const std::vector<double>& values, std::size_t i) {
   const std::string text = fmt::format("{:g}", values[i]);
   const auto alike = std::ranges::count_if(

@@ -57,9 +57,9 @@ const std::array table = {
     Parameter{"vertical",
               "period_s",
               "s",
-              {0.0, infinity, "0 (the roof goes up and down with the ground) or more"},
+              {0.0, infinity, "0 (the roof moves vertically with the ground) or more"},
               14,
-              "period of the roof's vertical oscillator; 0: the roof goes up and down with the "
+              "period of the roof's vertical oscillator; 0: the roof moves vertically with the "
               "ground",
               [](Case& c) -> double& { return c.vertical_period_s; }},
     Parameter{"vertical", "damping", "-", damping_ratio, 15, "damping ratio of that oscillator",

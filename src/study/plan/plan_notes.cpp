@@ -37,7 +37,7 @@ std::vector<std::string> notes_on_records(const Plan& plan) {
     notes.push_back(fmt::format(
         "{} of {} records have one horizontal component: it is used throughout", single, records));
   }
-  if (records == 1) notes.push_back("one record: nothing is known of how records differ");
+  if (records == 1) notes.push_back("one record: the scatter between records is not estimated");
   return notes;
 }
 

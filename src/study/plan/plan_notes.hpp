@@ -8,7 +8,7 @@
 
 namespace glissade {
 
-/// What a reader of the results must know, as far as the plan shows it.
+/// Remarks on the results that follow from the plan.
 std::vector<std::string> notes_on(const Plan& plan);
 
 /// What the study does not need.

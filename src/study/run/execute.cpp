@@ -32,7 +32,7 @@ double first_crossing(const std::vector<double>& levels, const double* peaks, do
   double high = levels[first], low = first > 0 ? levels[first - 1] : 0.0;
   double at_high = excess(peaks[first]),
          at_low = excess(first > 0 ? peaks[first - 1] : peak_at(0.0));
-  if (at_low >= 0.0) return 0.0;  // it gets there with no shaking at all
+  if (at_low >= 0.0) return 0.0;  // it is exceeded without shaking
   if (at_high == 0.0) return high;
   std::uintmax_t evaluations = 60;
   const auto bracket = boost::math::tools::toms748_solve(

@@ -109,7 +109,7 @@ class NoTipping : public Histories {
   }
 };
 
-/// One axis on a building that feels the array, and may yield.
+/// One axis on a coupled building, which may yield.
 class CoupledHistories : public NoTipping {
  public:
   CoupledHistories(const Scene& scene, const GroundMotion& ground)

@@ -29,7 +29,7 @@ class Histories {
  public:
   virtual ~Histories() = default;
 
-  /// The array does not slide at this level, and that is known without a history.
+  /// The array does not slide at this level, as bounds show without a history.
   virtual bool does_not_slide(double level) const = 0;
   /// @param crossings as many as the study's thresholds, or none
   virtual History at(double level, std::span<Crossing> crossings, WorkCount& count) = 0;

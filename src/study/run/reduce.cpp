@@ -170,7 +170,7 @@ SuiteSpectra spectra_of(const Plan& plan, std::size_t suite) {
   return spectra;
 }
 
-/// What the plan says of the results.
+/// The plan's part of the results.
 Results header_of(const Plan& plan) {
   const StudyConfig& c = plan.config;
   Results results;
@@ -227,11 +227,11 @@ std::vector<Skip> skipped(const Plan& plan, const WorkCount& count) {
       "one serves every intensity, friction and slope on its record, period and damping",
       integrated - std::min(count.roofs, integrated));
   add("histories on a flat roof without vertical",
-      "their point of the record's curve slip / lambda = F(mu / lambda) was known",
+      "their point of the record's curve slip / lambda = F(mu / lambda) was computed before",
       count.from_curve);
   add("histories above the level that reaches the largest threshold",
       "[fragility] stop_at_largest = true", count.beyond);
-  add("searches for a capacity", "the levels decide: not reached, or reached without shaking",
+  add("searches for a capacity", "the levels decide: not reached, or exceeded without shaking",
       count.decided);
   return skips;
 }

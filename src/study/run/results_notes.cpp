@@ -106,16 +106,18 @@ void note_failed(const Results& results, std::vector<std::string>& notes) {
       count, failed.size(), Flagged(results, failed).names()));
 }
 
-/// Where the suite's average touches the design spectrum, and how far above it lies elsewhere.
+/// Where the suite's average touches the design spectrum, and by how much it exceeds it elsewhere.
 void note_suite(const SuiteSummary& suite, std::vector<std::string>& notes) {
   const SuiteSpectra& spectra = suite.spectra;
   if (std::isnan(spectra.to_target.lowest.ratio)) return;  // no shaking at the level shown
   const auto& [lowest, highest] = spectra.to_target;
   notes.push_back(
-      fmt::format("The suite {} is scaled so that its average SRSS spectrum is not below the design spectrum at "
-      "the periods of the scaling rule, 0 to 2 s; between them it is from {:.3g} times it, at {:.3g} "
-      "s, to {:.3g} times, at {:.3g} s",
-      suite.name, lowest.ratio, lowest.period_s, highest.ratio, highest.period_s));
+      fmt::format("The suite {} is scaled so that its average SRSS spectrum is not below the "
+                  "design spectrum at "
+                  "the periods of the scaling rule, 0 to 2 s; between them it is from {:.3g} times "
+                  "it, at {:.3g} "
+                  "s, to {:.3g} times, at {:.3g} s",
+                  suite.name, lowest.ratio, lowest.period_s, highest.ratio, highest.period_s));
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 
 namespace glissade {
 
-/// What a reader must know of what came out: uplift, tipping, histories that did not converge, how
+/// Remarks on the results: uplift, tipping, histories that did not converge, how
 /// the suites meet their target.
 std::vector<std::string> notes_on(const Results& results, const StudyConfig& config);
 

@@ -31,7 +31,7 @@ TEST(counts_file, is_read_with_comments_blanks_and_either_line_end) {
   EXPECT_EQ(stripes[1].exceedances, 6.0);
 }
 
-TEST(counts_file, tells_every_wrong_row_with_its_line) {
+TEST(counts_file, reports_every_wrong_row_with_its_line) {
   EXPECT_THAT(counts_error("im,num_gms,num_exceed\n0.2,40,41\n0,40,1\n0.3,40,-1\n0.4,40,1.5\n0.5,0,"
                            "0\n0.6,40\n0.7,40,x\n0.8,9,1\n0.8,9,2\nnan,1,1\n"),
               AllOf(HasSubstr("counts.csv:2: num_exceed is larger"),

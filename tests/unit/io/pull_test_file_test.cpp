@@ -66,7 +66,7 @@ TEST(pull_test_file, with_a_normal_force_not_above_zero_is_refused_once) {
   EXPECT_THAT(error(header + "1,a,0,0,0,0\n"), HasSubstr("0 N, is not above 0"));
 }
 
-TEST(pull_test_file, tells_every_kind_of_wrong_row) {
+TEST(pull_test_file, reports_every_kind_of_wrong_row) {
   EXPECT_THAT(error(header + "1,a,0,0,x,9\n1,a,0,0,0\n1,,0,0,0,9\n1,a,0,nan,0,9\n1,a,0,0,0,-1\n"),
               AllOf(HasSubstr("tests.csv:2: 'x' is not a finite number (and so 1 more)"),
                     HasSubstr("tests.csv:3: 5 column(s) where the header has 6"),
@@ -105,7 +105,7 @@ TEST(pull_test_file, needs_rows) {
   EXPECT_THAT(message_of([] { read_pull_tests("none.csv"); }), HasSubstr("none.csv"));
 }
 
-/// The example's rule, as its comments tell it.
+/// The example's rule, as its comments state it.
 struct ExampleSample {
   double displacement_m, force_n, normal_n;
 };
@@ -204,7 +204,7 @@ TEST_F(StudyWithPullTests, takes_a_direction_for_each_of_two_axes) {
   EXPECT_TRUE(study.friction.across_is_given);
   EXPECT_NEAR(mean_mu(study, "across_mu"), 0.75, 1e-6);
   EXPECT_THAT(study.friction.note, HasSubstr("direction across"));
-  EXPECT_THAT(error(both), HasSubstr("goes with [model] axes = 2 only"));
+  EXPECT_THAT(error(both), HasSubstr("needs [model] axes = 2"));
   EXPECT_THAT(error(along + "across_direction = \"up\"\n[model]\naxes = 2\n"),
               HasSubstr("friction.across_direction = \"up\" is not in the pull tests"));
 }
@@ -232,7 +232,7 @@ TEST_F(StudyWithPullTests, follows_its_own_sliding_rule) {
   EXPECT_THAT(error("file = \"tests.csv\"\nslip_m = -1\n"), HasSubstr("friction.slip_m"));
 }
 
-TEST_F(StudyWithPullTests, tells_the_problems_of_the_tests_at_their_lines) {
+TEST_F(StudyWithPullTests, reports_the_problems_of_the_tests_at_their_lines) {
   folder_.write("tests.csv", "test,direction,displacement_m,force_n,normal_n\n1,a,0,0,-1\n");
   EXPECT_THAT(error("file = \"tests.csv\"\n"),
               AllOf(HasSubstr("study.toml:"), HasSubstr("tests.csv:2: the normal force")));

@@ -42,7 +42,7 @@ TEST_F(RecordFile, at2_with_filter_text_after_dt_is_read_in_g) {
                           DoubleEq(g), DoubleEq(-2 * g)));
 }
 
-TEST_F(RecordFile, at2_header_variants_tell_the_same) {
+TEST_F(RecordFile, at2_header_variants_give_the_same) {
   for (const std::string header :
        {"NPTS=   3, dt=  .01000", "3    0.0100    NPTS, DT ", "NPTS= 3, DT= 0.01000000 SEC",
         "NPTS=3,DT=.01 SEC", "npts = 3 , dt = 1E-2 sec"}) {
@@ -80,17 +80,17 @@ TEST_F(RecordFile, header_units_are_followed_and_checked) {
               AllOf(HasSubstr("record:3"), HasSubstr("m/s2")));
 }
 
-TEST_F(RecordFile, npts_that_differs_from_the_values_tells_both_counts) {
+TEST_F(RecordFile, npts_that_differs_from_the_values_reports_both_counts) {
   EXPECT_THAT(error(at2_head + "NPTS= 4, DT= .01 SEC\n1 2 3\n"),
               AllOf(HasSubstr("record:4"), HasSubstr("4"), HasSubstr("3 values")));
   EXPECT_THAT(error(at2_head + "NPTS= 2, DT= .01 SEC\n1 2 3\n"),
-              HasSubstr("NPTS tells 2, the file holds 3"));
+              HasSubstr("NPTS is 2, the file contains 3"));
   EXPECT_THAT(error(at2_head + "NPTS= 99999999999999999999999, DT= .01 SEC\n1\n"),
               HasSubstr("no whole number"));
   EXPECT_THAT(error(at2_head + "NPTS= 0, DT= .01 SEC\n"), HasSubstr("no samples"));
 }
 
-TEST_F(RecordFile, samples_that_are_no_finite_numbers_are_told_with_their_line) {
+TEST_F(RecordFile, samples_that_are_no_finite_numbers_are_reported_with_their_line) {
   const std::string header = at2_head + "NPTS= 3, DT= .01 SEC\n";
   EXPECT_THAT(error(header + "1 2\nNaN\n"),
               AllOf(HasSubstr("record:6"), HasSubstr("'NaN' is not finite")));
@@ -100,7 +100,7 @@ TEST_F(RecordFile, samples_that_are_no_finite_numbers_are_told_with_their_line) 
               AllOf(HasSubstr("record:5"), HasSubstr("'two' is not a number")));
 }
 
-TEST_F(RecordFile, samples_that_are_finite_in_g_alone_are_told_with_their_line) {
+TEST_F(RecordFile, samples_that_are_finite_in_g_alone_are_reported_with_their_line) {
   EXPECT_THAT(error(at2_head + "NPTS= 2, DT= .01 SEC\n1\n1e308\n"),
               AllOf(HasSubstr("record:6"), HasSubstr("'1e308' is not finite in m/s2")));
   EXPECT_THAT(error("0 1\n0.01 -1e308\n", {.dt_s = {}, .units = AccelerationUnits::g}),
@@ -123,7 +123,7 @@ TEST_F(RecordFile, one_column_takes_step_and_units_from_the_options) {
               ElementsAre(DoubleEq(1.0), DoubleEq(2.0), DoubleEq(-0.005)));
 }
 
-TEST_F(RecordFile, two_columns_tell_their_step_with_any_separator) {
+TEST_F(RecordFile, two_columns_give_their_step_with_any_separator) {
   for (const std::string separator : {" ", "\t", ",", " , ", "   "}) {
     const Record record =
         read("0.0" + separator + "1\n0.02" + separator + "2\n0.04" + separator + "3\n");
@@ -164,13 +164,13 @@ TEST_F(RecordFile, columns_beyond_two_or_of_changing_number_are_refused) {
 }
 
 TEST_F(RecordFile, text_in_gal_read_as_g_by_default_is_not_believed) {
-  EXPECT_THAT(error("0 741\n0.01 2\n"), HasSubstr("tell the units"));
+  EXPECT_THAT(error("0 741\n0.01 2\n"), HasSubstr("give the units"));
   EXPECT_DOUBLE_EQ(
       read("0 741\n0.01 2\n", {.dt_s = {}, .units = AccelerationUnits::cmps2}).acceleration_mps2[0],
       7.41);
 }
 
-TEST_F(RecordFile, missing_files_folders_empty_files_and_binary_files_are_told) {
+TEST_F(RecordFile, missing_files_folders_empty_files_and_binary_files_are_reported) {
   EXPECT_THAT(message_of([&] { read_record(folder_.path() / "none"); }), HasSubstr("none"));
   EXPECT_THAT(message_of([&] { read_record(folder_.path()); }), HasSubstr("directory"));
   EXPECT_THAT(error(""), HasSubstr("no samples"));

@@ -131,7 +131,7 @@ TEST_F(Recorded, text_files_of_one_and_two_columns_are_read) {
   EXPECT_EQ(read("formats/plain_two_column/Christchurch2011HVPS_UP.dat", mps2).dt_s, 0.005);
   EXPECT_NEAR(peak_g(read("formats/plain_two_column/CHV1-20140203E.txt", gal).acceleration_mps2),
               7.4111 / standard_gravity_mps2, 1e-4);
-  EXPECT_THAT(error("formats/plain_two_column/CHV1-20140203E.txt"), HasSubstr("tell the units"));
+  EXPECT_THAT(error("formats/plain_two_column/CHV1-20140203E.txt"), HasSubstr("give the units"));
   const RecordFileOptions slammer{.dt_s = 0.005, .units = {}};
   EXPECT_NEAR(peak_g(read("walters2012_table3/saratoga_aloha_RSN802/slammer/STG-000", slammer)
                          .acceleration_mps2),

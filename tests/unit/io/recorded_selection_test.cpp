@@ -99,13 +99,13 @@ TEST_F(RecordedSelection, of_the_far_field_set_for_level_3_is_refused_for_want_o
 TEST_F(RecordedSelection, of_walters_own_seven_gives_the_factors_of_his_table_3) {
   const Suite library = load("walters_table3.toml");  // whose `scale` is Table 3's factor
   SelectionCriteria criteria = walters_criteria(2);
-  criteria.untold = UntoldMetadata::keeps;  // Table 3 tells no V_S30
+  criteria.untold = UntoldMetadata::keeps;  // Table 3 gives no V_S30
   const TargetSpectrum target(walters_target(2));
   const RecordSelection s = select_records(
       library, [&](double period_s) { return target.mce_sa_g(period_s); }, walters_periods_s(),
       criteria);
   expect_sane(library, s, criteria);
-  // His are told to a tenth, and some records are of another processing than his.
+  // His are given to a tenth, and some records are of another processing than his.
   for (const SelectedRecord& r : s.records)
     EXPECT_NEAR(r.scale, library.motions[r.record].scale, 0.11) << library.motions[r.record].id;
 }
@@ -135,7 +135,7 @@ TEST_F(RecordedSelection, of_kallioras_for_the_spectrum_of_level_2_reaches_it) {
   EXPECT_EQ(events.size(), 7u);
 }
 
-TEST_F(RecordedSelection, of_kallioras_by_magnitude_leaves_out_those_that_do_not_tell_it) {
+TEST_F(RecordedSelection, of_kallioras_by_magnitude_leaves_out_those_without_it) {
   const Suite library = load("kallioras_2025.toml");
   SelectionCriteria criteria;
   criteria.count = 3;

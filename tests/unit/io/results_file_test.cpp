@@ -216,16 +216,17 @@ TEST(results_file, cut_damaged_and_foreign_files_are_refused) {
   const std::string whole = bytes_of(with_fragility(), folder, "a.h5");
   for (const std::size_t length :
        {std::size_t{0}, std::size_t{100}, whole.size() / 2, whole.size() - 1}) {
-    EXPECT_THAT(refusal(whole.substr(0, length)), HasSubstr("is not a whole glissade results file"))
+    EXPECT_THAT(refusal(whole.substr(0, length)),
+                HasSubstr("is not a complete glissade results file"))
         << length;
   }
   EXPECT_THAT(refusal("im,num_gms,num_exceed\n"),
-              HasSubstr("is not a whole glissade results file"));
+              HasSubstr("is not a complete glissade results file"));
   std::string other = whole;
   const std::size_t at = other.find("glissade results");
   ASSERT_NE(at, std::string::npos);
   other[at] = 'G';
-  EXPECT_THAT(refusal(other), HasSubstr("is not a whole glissade results file"));
+  EXPECT_THAT(refusal(other), HasSubstr("is not a complete glissade results file"));
   EXPECT_THAT(message_of([&] { read_results(folder.path() / "none.h5"); }),
               HasSubstr("no such file"));
   EXPECT_THAT(message_of([&] { read_results(folder.path()); }), HasSubstr("no ordinary file"));

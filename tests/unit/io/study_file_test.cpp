@@ -302,7 +302,7 @@ TEST_F(StudyFile, ranges_give_numbers_as_people_write_them) {
         .intensity.levels;
   };
   EXPECT_THAT(levels("{ from = 0.1, to = 0.4, count = 4 }"), ElementsAre(0.1, 0.2, 0.3, 0.4));
-  // Where twelve digits do not tell them apart they are kept as they are.
+  // Where twelve digits do not distinguish them they are kept as they are.
   const std::vector<double> near = levels("{ from = 1, to = 1.0000000000001, count = 3 }");
   EXPECT_LT(near[0], near[1]);
   EXPECT_LT(near[1], near[2]);
@@ -389,8 +389,8 @@ TEST_F(StudyFile, contradictions_and_values_out_of_range_have_one_clear_message_
   const std::string pga = rest + "[intensity]\nmeasure = \"pga_g\"\nlevels = [0.5]\n";
   const std::vector<Contradiction> cases = {
       {pga + "[standards]\ncompare = [\"asce7_16\"]\n", "needs intensity.measure = \"sds_g\""},
-      {pga + "sa_period_s = 1.0\n", "intensity.sa_period_s goes with measure = \"sa_g\" only"},
-      {pga + "avg_sa_periods_s = [1.0]\n", "goes with measure = \"avg_sa_g\" only"},
+      {pga + "sa_period_s = 1.0\n", "intensity.sa_period_s needs measure = \"sa_g\""},
+      {pga + "avg_sa_periods_s = [1.0]\n", "needs measure = \"avg_sa_g\""},
       {rest + "[intensity]\nmeasure = \"sa_g\"\nlevels = [0.5]\n",
        "intensity.sa_period_s is missing"},
       {pga + "target = 1\n", "intensity.target"},
@@ -416,28 +416,27 @@ TEST_F(StudyFile, contradictions_and_values_out_of_range_have_one_clear_message_
       {needed + "[building]\nresponse_modification = [0, 2]\nyield_coefficient = [0, 0.2]\n",
        "response_modification and building.yield_coefficient are both given"},
       {needed + "[building]\nhardening_ratio = 0.05\n", "building.hardening_ratio has no effect"},
-      {needed + "[building]\nperiod_ratio = 0.5\n", "goes with [model] axes = 2 only"},
-      {needed + "[roof]\nazimuth_deg = 45\n", "goes with [model] axes = 2 only"},
+      {needed + "[building]\nperiod_ratio = 0.5\n", "needs [model] axes = 2"},
+      {needed + "[roof]\nazimuth_deg = 45\n", "needs [model] axes = 2"},
       {needed + "[roof]\nslope_deg = 2\nrise_in_12 = 0.5\n",
        "roof.slope_deg and roof.rise_in_12 are both given"},
       {needed + "[roof]\nrise_in_12 = 101\n", "a rise in 12, -100 to 100"},
       {needed + "[roof]\nrise_in_12 = { mean = 1, std = 0.1 }\n", "roof.rise_in_12"},
-      {friction_last + "across_mu = 0.4\n", "goes with [model] axes = 2 only"},
-      {needed + "[orientation]\nsecond_sign = \"positive\"\n", "goes with [model] axes = 2 only"},
-      {needed + "[orientation]\nslope_axis = \"n_s\"\n", "goes with [model] axes = 2 only"},
+      {friction_last + "across_mu = 0.4\n", "needs [model] axes = 2"},
+      {needed + "[orientation]\nsecond_sign = \"positive\"\n", "needs [model] axes = 2"},
+      {needed + "[orientation]\nslope_axis = \"n_s\"\n", "needs [model] axes = 2"},
       {needed + "[orientation]\nchoice = \"azimuths\"\nsign = \"positive\"\n",
-       "orientation.sign goes with choice = \"random\" only"},
-      {needed + "[array]\nsupport = [\"isolated\", \"anchored\"]\n",
-       "goes with [model] axes = 2 only"},
+       "orientation.sign needs choice = \"random\""},
+      {needed + "[array]\nsupport = [\"isolated\", \"anchored\"]\n", "needs [model] axes = 2"},
       {needed + "[array]\nsupport = \"anchored\"\n", "leaves out \"isolated\""},
       {needed + "[vertical]\nuse = [\"none\", \"none\"]\n", "vertical.use names one twice"},
       {needed + "[vertical]\nuse = []\n", "vertical.use is empty"},
-      {needed + "[model]\ndisplacement = \"vector\"\n", "goes with axes = 2 only"},
+      {needed + "[model]\ndisplacement = \"vector\"\n", "needs axes = 2"},
       {needed + "[model]\naxes = 3\n", "model.axes = 3"},
       {friction_last + "across_mu = 0\n[model]\naxes = 2\n", "friction.across_mu is zero"},
       {friction_last + "fast_over_slow = 1.2\n", "friction.fast_over_slow is one half"},
       {friction_last + "rate_s_per_m = 3\n", "friction.rate_s_per_m is one half"},
-      {friction_last + "slip_m = 0.1\n", "friction.slip_m goes with friction.file only"},
+      {friction_last + "slip_m = 0.1\n", "friction.slip_m needs friction.file"},
       {needed + "[roof]\nslope_deg = { distribution = \"uniform\", min = 0, max = 90 }\n",
        "can take values outside"},
       {needed + "[vertical]\nuse = \"none\"\nperiod_s = 0.1\n", "vertical.period_s has no effect"},

@@ -88,7 +88,7 @@ TEST_F(SuiteFile, records_are_found_below_the_folders_of_the_environment) {
   EXPECT_EQ(load(suite).motions[0].dt_s, 0.5);  // beside the suite
 }
 
-TEST_F(SuiteFile, all_missing_files_are_told_in_one_error_that_names_the_variable) {
+TEST_F(SuiteFile, all_missing_files_are_reported_in_one_error_that_names_the_variable) {
   try {
     load(head +
          "[[record]]\nid = \"a\"\nfirst = \"a.AT2\"\nsecond = \"b.AT2\"\n[[record]]\nid = "
@@ -215,7 +215,7 @@ TEST_F(SuiteFile, a_recipe_needs_a_gain) {
   text.erase(begin, text.find("[[motion]]") - begin);
   EXPECT_THAT(error(text), HasSubstr("[simulation.gain] is missing"));
   text.insert(begin, "[simulation.gain]\n");
-  EXPECT_THAT(error(text), HasSubstr("simulation.gain.frequency_hz tells no frequency"));
+  EXPECT_THAT(error(text), HasSubstr("simulation.gain.frequency_hz has no frequency"));
 }
 
 TEST_F(SuiteFile, a_recipe_at_the_ends_of_its_ranges_is_simulated_to_finite_motions) {

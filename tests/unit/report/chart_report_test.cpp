@@ -17,7 +17,7 @@ using testing::Each;
 using testing::HasSubstr;
 using testing::Not;
 
-TEST(chart_summary, tells_the_clearance_beside_what_is_prescribed_in_ascii) {
+TEST(chart_summary, reports_the_clearance_beside_what_is_prescribed_in_ascii) {
   Results results = made_up_chart_results();
   results.chart->shown_slope_deg = 0.0;
   const auto sentences = answer_sentences(results);
@@ -57,7 +57,7 @@ TEST(chart_summary, states_what_the_largest_of_the_records_is_worth) {
               testing::Not(Contains(HasSubstr("whatever their distribution"))));
 }
 
-TEST(chart_summary, counts_free_sliding_and_tells_uplift_and_rocking_only_where_they_are) {
+TEST(chart_summary, counts_free_sliding_and_reports_uplift_and_rocking_only_where_they_are) {
   Results results = made_up_chart_results();
   // tan of 6, 6.5 and 7 degrees is above 0.1.
   EXPECT_THAT(answer_sentences(results), Contains(HasSubstr("At 3 of the chart's 225")));
@@ -83,7 +83,7 @@ TEST(chart_summary, of_a_shown_point_that_slides_freely_says_so) {
   EXPECT_THAT(summary_text(results), Not(HasSubstr("inf ")));
 }
 
-TEST(chart_page, tells_chart_readings_standards_and_assumptions) {
+TEST(chart_page, reports_chart_readings_standards_and_assumptions) {
   const std::string html = html_report(made_up_chart_results(), {});
   for (const char* part :
        {"<title>made_up_chart", "15 slopes x 15 coefficients of friction", "more than 0.8",

@@ -91,7 +91,7 @@ TEST(chart_tables, say_how_to_interpolate_and_have_whole_rows_with_units) {
   EXPECT_THAT(csv, HasSubstr("\nlevel_g,slope_deg,mu,clearance_m,mean_slip_m,mean_slip_low95_m,"));
 }
 
-TEST(chart_tables, tell_free_sliding_as_infinite) {
+TEST(chart_tables, report_free_sliding_as_infinite) {
   // tan(6 degrees) = 0.105 > 0.1.
   const Table table = table_named(made_up_chart_results(), "chart");
   const std::size_t row = row_at_1g(12, 0);

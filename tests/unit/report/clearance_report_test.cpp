@@ -97,7 +97,7 @@ TEST(clearance_report, readings_are_of_what_the_grid_varies) {
     EXPECT_EQ(clearance_reading(r, topic), "");
 }
 
-TEST(clearance_report, of_two_frictions_each_is_told_where_it_acts_downhill) {
+TEST(clearance_report, of_two_frictions_each_is_reported_where_it_acts_downhill) {
   ClearanceResults r = made_up();
   EXPECT_THAT(clearance_reading(r, ClearanceTopic::orientation), Not(HasSubstr("downhill")));
   r.friction = {0.47, 0.52};
@@ -137,7 +137,7 @@ TEST(clearance_report, figures_are_of_the_axes_with_several_values) {
             (std::vector<std::string>{"spectra", "period", "orientations", "vertical"}));
 }
 
-TEST(clearance_report, of_several_suites_only_how_they_compare_is_told) {
+TEST(clearance_report, of_several_suites_only_how_they_compare_is_reported) {
   ClearanceResults r = made_up();
   r.suites.push_back(r.suites.front());
   r.suites.back().name = "other";
@@ -162,7 +162,7 @@ TEST(clearance_report, the_figure_over_periods_has_median_range_bounds_and_clear
   EXPECT_GE(panel.y.high, 16 * inch);
 }
 
-TEST(clearance_report, histories_are_told_once_each) {
+TEST(clearance_report, histories_are_reported_once_each) {
   ClearanceResults r = made_up();
   r.same_as = {0, 1, 0, 1};
   EXPECT_EQ(clearance_histories_table(r).rows.size(), 2u * 2u * 4u);

@@ -74,7 +74,7 @@ TEST(figures, take_any_text_of_the_user_as_text) {
   EXPECT_THAT(svg, HasSubstr("{a}"));
 }
 
-TEST(figures, tell_what_to_do_when_gnuplot_is_missing) {
+TEST(figures, say_what_to_do_when_gnuplot_is_missing) {
   const std::string path = std::getenv("PATH");
   ::setenv("PATH", "/nonexistent", 1);
   try {

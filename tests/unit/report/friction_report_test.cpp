@@ -37,7 +37,7 @@ TEST(friction_tables, have_a_row_for_each_test_and_two_for_each_direction) {
   ASSERT_EQ(over.rows.size(), 4u);
   EXPECT_NEAR(std::get<double>(over.rows[0][3]), 0.55, 1e-12);
   EXPECT_NEAR(std::get<double>(over.rows[1][3]), 0.66, 1e-12);
-  // One test: empty fields where nothing is known.
+  // One test: empty fields where nothing can be computed.
   EXPECT_THAT(to_csv(over), testing::ContainsRegex(",sliding,1,0.7[0-9]*,,,,,\n"));
 }
 

@@ -34,7 +34,7 @@ TEST(impact_report, writes_table_figure_and_section) {
   write_report(made_up_impact_results(), folder);
   EXPECT_TRUE(fs::exists(folder / "figures" / "impact.pdf"));
   const std::string html = read_text_file(folder / "report.html");
-  for (const char* part : {"id=\"figure_impact\"", "given that it gets there",
+  for (const char* part : {"id=\"figure_impact\"", "given that it is reached",
                            "relative to the roof, in plan", "changes what follows"})
     EXPECT_THAT(html, HasSubstr(part));
   const std::string csv = read_text_file(folder / "tables" / "impact.csv");
@@ -63,14 +63,14 @@ TEST(impact_report, answers_at_the_level_nearest_1_g_with_the_share_that_gets_th
   s.speed_median_mps = 0.5;
   s.speed_p84_mps = 0.75;
   EXPECT_THAT(answer_sentences(results),
-              testing::Contains(HasSubstr("at S_DS = 1.00 g, it gets there with these speeds "
+              testing::Contains(HasSubstr("at S_DS = 1.00 g, it does so with these speeds "
                                           "(median and 84th percentile): 0.500 and 0.750 m/s at "
                                           "0.300 m (11.8 in) (25 % of the histories)")));
   s.reached_share = 0.0;
   EXPECT_THAT(answer_sentences(results), Not(testing::Contains(HasSubstr("these speeds"))));
 }
 
-// 1.2 m is reached by few: where no three records get there the figure shows no point.
+// 1.2 m is reached by few: where fewer than three records reach it the figure shows no point.
 TEST(impact_report, draws_only_what_enough_records_reach) {
   Results results = made_up_impact_results();
   const RunResults& run = results.runs[0];

@@ -12,7 +12,7 @@ namespace {
 
 using testing::HasSubstr;
 
-TEST(summary, tells_fragilities_standards_skips_and_notes_in_ascii) {
+TEST(summary, reports_fragilities_standards_skips_and_notes_in_ascii) {
   const std::string text = summary_text(
       made_up_results(),
       {{"histories whose roof peak stays in the stick range", "they cannot slip", 1234},

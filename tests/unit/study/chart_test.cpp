@@ -121,7 +121,7 @@ TEST(chart, takes_negative_slopes_for_the_mirror_image_of_the_motion) {
 TEST(chart, shows_where_friction_cannot_stop_the_array) {
   const Results results = run(chart_config());
   const Chart& chart = *results.chart;
-  // tan(10 deg) = 0.176: more than 0.15 and less than 0.3. With no shaking too.
+  // tan(10 deg) = 0.176: more than 0.15 and less than 0.3. Without shaking too.
   for (const std::size_t level : {0u, 2u}) {
     EXPECT_TRUE(chart.at(level, 2, 0).free_sliding);
     EXPECT_EQ(chart.at(level, 2, 0).clearance_m, infinity);

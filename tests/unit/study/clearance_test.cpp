@@ -177,7 +177,7 @@ TEST(clearance, a_building_yields_at_its_elastic_demand_over_r) {
   c.support = {ArraySupport::isolated, ArraySupport::no_array};
   c.quantities.at("building", "response_modification") = listed({0.0, 3.0, 6.0});
   const ClearanceResults results = run(c, {shaking("a", 8.0, 0.4)});
-  // Class D, S_s 1.95 g: S_DS = 2/3 x 1.0 x 1.95 g on the plateau, where 0.3 s lies.
+  // Class D, S_s 1.95 g: S_DS = 2/3 x 1.0 x 1.95 g on the plateau, at 0.3 s.
   const double demand = 1.3;
   for (const std::size_t r : {1u, 2u}) {
     for (const std::size_t support : {0u, 1u}) {
@@ -217,7 +217,7 @@ TEST(clearance, a_record_without_a_vertical_is_run_without) {
   EXPECT_FALSE(results.records[1].has_vertical);
   EXPECT_NE(results.at(0, 0, 0).peak_m, results.at(0, 0, 1).peak_m);
   EXPECT_NE(results.at(0, 0, 1).peak_m, results.at(0, 0, 2).peak_m);
-  for (const std::size_t i : {1u, 2u}) {  // on a finer step where the vertical asks for it
+  for (const std::size_t i : {1u, 2u}) {  // on a finer step where the vertical requires it
     EXPECT_NEAR(results.at(1, 0, i).peak_m, results.at(1, 0, 0).peak_m,
                 1e-5 * results.at(1, 0, 0).peak_m);
   }

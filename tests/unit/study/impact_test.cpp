@@ -174,7 +174,7 @@ TEST(impact, intervals_resample_records_with_all_they_bring) {
 
 // 400 made-up suites of 12 records x 15 samples, ln speed normal: 0.5 between records and 0.3
 // within. The share of intervals that hold the truth (median 1) has a standard error of 1.1 % at
-// 95 %; expanded percentiles are known to fall a percent or two short (fragility/bootstrap.hpp).
+// 95 %; expanded percentiles fall a percent or two short (fragility/bootstrap.hpp).
 TEST(impact, intervals_of_the_median_hold_the_truth_about_as_often_as_they_say) {
   std::mt19937 generator(11);
   const auto uniform = [&] { return (static_cast<double>(generator()) + 0.5) / 4294967296.0; };

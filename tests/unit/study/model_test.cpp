@@ -52,7 +52,8 @@ Kernel kernel_of(const StudyConfig& config) { return cheapest_exact_kernel(confi
 TEST(cheapest_exact_kernel, is_the_first_that_has_all_the_study_asks_for) {
   StudyConfig config = tiny_config();
   EXPECT_EQ(kernel_of(config), Kernel::tables);
-  config.quantities.at("vertical", "period_s") = fixed(0.2);  // tables hold any roof motion
+  config.quantities.at("vertical", "period_s") =
+      fixed(0.2);  // tables are exact for any roof motion
   EXPECT_EQ(kernel_of(config), Kernel::tables);
   config.quantities.at("building", "mass_ratio") = fixed(0.05);
   EXPECT_EQ(kernel_of(config), Kernel::full);  // the coupled kernel's vertical is the ground's

@@ -16,7 +16,7 @@ Chart make_chart(const StudyConfig& config, const Results& results);
 /// least from which on slip stays within the displacement; +inf where it does not on this chart,
 /// the chart's least friction where that does already. Next to a point that slides freely, the next
 /// friction that does not.
-/// @param levels the chart's; the question's level is one of them, slope and friction lie within
+/// @param levels the chart's; the question's level is one of them, slope and friction are within
 /// the axes
 ChartReading read_off(const Chart& chart, const std::vector<double>& levels,
                       const ChartQuestion& question);

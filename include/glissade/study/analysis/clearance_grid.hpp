@@ -10,7 +10,7 @@
 #include "glissade/study/cases/case.hpp"
 
 // What a clearance study varies (Walters et al. 2012): its conditions, and how the ground's
-// components lie to the roof.
+// components are placed on the roof.
 namespace glissade {
 
 struct VerticalCondition {

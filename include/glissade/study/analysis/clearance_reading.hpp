@@ -27,7 +27,7 @@ struct ClearanceQuestion {
 
 double number_of(HistoryNumber number, const ClearanceHistory& history);
 
-/// Positions in ClearanceResults of the suite's records and of the orientations asked for.
+/// Positions in ClearanceResults of the suite's records and of the orientations required.
 std::vector<std::size_t> records_of(const ClearanceResults& results, std::size_t suite);
 std::vector<std::size_t> orientations_of(const ClearanceResults& results,
                                          const ClearanceQuestion& question);

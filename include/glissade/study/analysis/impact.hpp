@@ -11,8 +11,8 @@
 namespace glissade {
 
 /// First crossings of some cases, by (threshold, level). Records are the independent unit:
-/// intervals resample them whole, and percentiles of speed are of what the drawn records' histories
-/// that get there bring.
+/// intervals resample them whole, and percentiles of speed are over those histories of
+/// the drawn records that reach it.
 std::vector<ImpactStatistics> impact_statistics(const HistoryTable& histories, CaseSlice cases,
                                                 std::span<const double> levels,
                                                 std::span<const double> thresholds_m,

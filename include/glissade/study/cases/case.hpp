@@ -34,7 +34,7 @@ struct Case {
   double mass_ratio = 0.0;             ///< array over building
   double response_modification = 0.0;  ///< R: yields at the design spectrum's elastic demand over
                                        ///< R; 0: it stays elastic
-  double yield_coefficient = 0.0;  ///< yields at this part of its weight; 0: it stays elastic
+  double yield_coefficient = 0.0;      ///< yields at this part of its weight; 0: it stays elastic
   double hardening_ratio = 0.0;
   double vertical_period_s = 0.0;  ///< of the roof's vertical oscillator; 0: moves as the ground
   double vertical_damping = 0.05;
@@ -52,7 +52,7 @@ struct ParameterRange {
   const char* text;  ///< "0 (rigid) or more"
 };
 
-/// A number of a case that a study may fix, list or draw. All that is to be known of it stands in
+/// A number of a case that a study may fix, list or draw. All its properties are in
 /// one row: the study's reader, the drawing of samples, the results file, the documentation and the
 /// plan's hash go through this table.
 struct Parameter {
@@ -64,7 +64,7 @@ struct Parameter {
                             ///< numbers stay as they are when another parameter becomes uncertain
   const char* meaning;
   double& (*of)(Case&);
-  enum class Axes { any, two } axes = Axes::any;  ///< two: goes with [model] axes = 2 only
+  enum class Axes { any, two } axes = Axes::any;  ///< two: allowed with [model] axes = 2 only
 };
 std::span<const Parameter> parameters();
 /// The row of a key. Precondition: there is one.

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-// How the ground's two horizontal components lie to the building and its array.
+// Directions of the ground's two horizontal components relative to the building and its array.
 namespace glissade {
 
 /// The array's axis along which the roof falls: its friction may differ along the two.
@@ -19,7 +19,7 @@ struct Orientation {
   int across_sign = 1;
 
   bool operator==(const Orientation&) const = default;
-  /// The axes lie along the components: nothing is mixed.
+  /// The axes are along the components: nothing is mixed.
   bool is_quarter_turn() const;
 };
 

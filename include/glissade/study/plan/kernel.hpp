@@ -9,7 +9,7 @@ namespace glissade {
 
 /// What computes the histories of a study.
 enum class Kernel {
-  tables,   ///< peak_slip(): the roof's motion is known before the block moves, one axis
+  tables,   ///< peak_slip(): the roof's motion does not depend on the block, one axis
   coupled,  ///< coupled_slip(): the array's mass is felt by a linear building, one axis
   events,   ///< slide_coupled(): the building yields, or friction is stronger at rest, one axis
   full      ///< slide_on_building(): two axes, any friction law, and all that the others have
@@ -21,8 +21,8 @@ struct KernelChoice {
   std::string reason;  ///< "building.mass_ratio is above 0"
 };
 
-/// The cheapest kernel whose equations are exactly those the study asks for. All that it leaves out
-/// is absent from the study, so a dearer one would give the same slip.
+/// The cheapest kernel whose equations are exactly those of the study's model. All that it leaves
+/// out is absent from the study, so a dearer one would give the same slip.
 KernelChoice cheapest_exact_kernel(const StudyConfig& config);
 
 /// What the kernel is: "one axis, coupled: ..."

@@ -6,7 +6,7 @@
 
 namespace glissade {
 
-/// Work that was not done because the study does not need it. Says nothing about the results: kept
+/// Work that was not done because the study does not need it. It does not change the results: kept
 /// in run.json, never in the results file.
 struct Skip {
   std::string what;  ///< "histories whose roof peak stays in the stick range"

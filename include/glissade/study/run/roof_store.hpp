@@ -56,7 +56,7 @@ class RoofStore {
   /// The vertical of the record last used; empty where there is none, or the case does without.
   std::span<const double> vertical_motion(const Case& c) const;
 
-  /// The curve that holds for a case under the record last used, or null where none does or its
+  /// The curve that is valid for a case under the record last used, or null where none does or its
   /// points would not be met again.
   SlipCurve* curve(std::size_t case_number);
 

@@ -15,11 +15,11 @@ namespace glissade {
 
 /// How far the roof must be followed for these blocks at any factor on the motion up to
 /// `largest_factor`: until none that rests can start, and none that slides is still on its way.
-/// Blocks that friction cannot stop (tan(slope) >= mu) end with the record and ask for nothing.
+/// Blocks that friction cannot stop (tan(slope) >= mu) end with the record and need none.
 RoofMotionOptions follow_roof(std::span<const Block> blocks, double largest_factor);
 
-/// What a block feels of the roof: all of it, or for a free slider the part up to the record's last
-/// sample, where its displacement is told.
+/// The roof motion that acts on a block: all of it, or for a free slider the part up to the
+/// record's last sample, where its displacement is reported.
 RoofAcceleration felt_by(const Block& block, const RoofMotion& roof, const MotionFactors& factors);
 
 /// What moves a building under a motion: both horizontals, and the vertical through its own

@@ -14,7 +14,7 @@ struct WorkCount {
   std::uint64_t below_yield = 0;  ///< histories not integrated: the roof's peak stays in the stick
                                   ///< range
   std::uint64_t from_curve =
-      0;                      ///< points of a record's curve F(mu/lambda) that were known already
+      0;                      ///< points of a record's curve F(mu/lambda) that were computed before
   std::uint64_t beyond = 0;   ///< levels above the one that reaches the largest threshold
   std::uint64_t decided = 0;  ///< capacities that the levels give without a search
   std::uint64_t failed = 0;   ///< histories that did not converge

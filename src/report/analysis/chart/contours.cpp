@@ -69,7 +69,7 @@ class ContourPlot {
     return true;
   }
 
-  /// A line or an area of the reader's map that is no contour, told in the key.
+  /// A line or an area of the reader's map that is no contour, named in the key.
   void add_outline(DataSeries series, const Polyline& points) {
     append(series, points);
     panel_.series.push_back(std::move(series));
@@ -139,7 +139,7 @@ void add_gravity_region(const Chart& chart, ContourPlot& plot) {
                    edge);
 }
 
-/// SEAOC PV1-2012's limits, as far as they lie on the chart.
+/// SEAOC PV1-2012's limits, as far as they are on the chart.
 void add_seaoc_limits(const Chart& chart, ContourPlot& plot) {
   const double right = chart.mu.back(), left = std::max(seaoc_mu_limit, chart.mu.front());
   const double top = std::min(seaoc_slope_limit_deg, chart.slope_deg.back());

@@ -10,10 +10,10 @@
 // What figures, tables and sentences of a design chart share. All expect results with a chart.
 namespace glissade {
 
-/// A mean or percentile of one record says nothing: its peak slip is shown instead of a clearance.
+/// Of one record its peak slip is shown: there is no mean or percentile, and no clearance.
 bool is_one_record(const Results& results);
 
-/// A number of a chart that is read off: the clearance and what lies around it.
+/// A number of a chart that is read off: the clearance and the numbers with it.
 struct ChartStatistic {
   std::string stem;     ///< "clearance", "mean_slip": the CSV name without its unit
   std::string heading;  ///< "Clearance (1.1 x mean)"

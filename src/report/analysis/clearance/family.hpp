@@ -17,7 +17,7 @@ Places places_of(const ClearanceGrid& grid, ClearanceAxis slow, ClearanceAxis fa
 
 enum class Spread { none, bands, bars };
 
-/// Lines of medians over the orientations, with what lies from the lowest to the highest of them.
+/// Lines of medians over the orientations, with the range from the lowest to the highest of them.
 class Family {
  public:
   Family(const ClearanceResults& results, const std::string& x_label, std::vector<double> x,

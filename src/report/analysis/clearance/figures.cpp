@@ -226,7 +226,7 @@ Figure vertical_figure(const ClearanceResults& results) {
   return {"vertical", "Effect of the roof's vertical motion on the displacement",
           below_text(results, {vertical}),
           "None: no vertical motion. Rigid: the roof moves up and down with the ground, as Walters "
-          "et al. (2012) assume. Else: with its own vertical period, damped as the study says. " +
+          "et al. (2012) assume. Else: with its own vertical period, with the study's damping. " +
               what_is_averaged(results) + ".",
           family.displacements()};
 }
@@ -236,11 +236,11 @@ Figure vertical_figure(const ClearanceResults& results) {
 std::vector<Figure> clearance_figures(const ClearanceResults& results) {
   std::vector<Figure> figures;
   const auto add = [&](ClearanceTopic topic, Figure (*draw)(const ClearanceResults&)) {
-    if (can_tell(results, topic)) figures.push_back(draw(results));
+    if (covers(results, topic)) figures.push_back(draw(results));
   };
   add(ClearanceTopic::spectra, suite_figure);
   add(ClearanceTopic::period, period_figure);
-  if (can_tell(results, ClearanceTopic::orientation)) {
+  if (covers(results, ClearanceTopic::orientation)) {
     if (const auto figure = orientation_figure(results)) figures.push_back(*figure);
   }
   add(ClearanceTopic::level, level_figure);

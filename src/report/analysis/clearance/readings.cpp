@@ -14,7 +14,7 @@
 namespace glissade {
 namespace {
 
-/// Below a thousandth nothing is told of a ratio but that.
+/// A ratio below a thousandth is reported as that.
 std::string one_ratio(double ratio) { return ratio < 1e-3 ? "below 0.001" : format_number(ratio); }
 
 std::string ratio_text(const std::vector<double>& ratios) {
@@ -60,7 +60,7 @@ std::string period_reading(const ClearanceResults& r) {
       r.grid.period_s[period], range_text(r, largest), r.clearance_factor,
       format_length(r.clearance_factor * largest.median));
   if (r.orientations.size() > 1)
-    text += fmt::format(", {} where the records lie worst",
+    text += fmt::format(", {} in the least favourable orientation",
                         format_length(r.clearance_factor * largest.highest));
   text += fmt::format(". 95 % interval of the mean from resampling records: {} to {} m.",
                       format_number(largest.interval.low), format_number(largest.interval.high));
@@ -89,8 +89,8 @@ std::string orientation_reading(const ClearanceResults& r) {
   const PerRecordBounds own = per_record_bounds(r, question, {}, Periods::largest);
   const std::vector<double> means = per_record_means(r, question, {}, Periods::largest);
   std::string text = fmt::format(
-      "If each record could lie its own way, the largest mean over the periods would be anywhere "
-      "from {} to {}; of 10,000 random choices 90 % give {} to {}.",
+      "With the orientation chosen record by record, the largest mean over the periods is from {} "
+      "to {};  of 10,000 random choices 90 % give {} to {}.",
       format_length(own.lowest), format_length(own.highest),
       format_length(quantile_of(means, 0.05)), format_length(quantile_of(means, 0.95)));
   const StrongerAlong stronger = stronger_along(r, question, {}, Periods::largest);
@@ -231,7 +231,7 @@ std::string axis_reading(const ClearanceResults& r, ClearanceAxis axis) {
 }  // namespace
 
 std::string clearance_reading(const ClearanceResults& results, ClearanceTopic topic) {
-  if (!can_tell(results, topic)) return "";
+  if (!covers(results, topic)) return "";
   switch (topic) {
     case ClearanceTopic::spectra:
       return spectra_reading(results);

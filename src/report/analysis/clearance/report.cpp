@@ -9,7 +9,7 @@ namespace glissade {
 std::vector<std::string> clearance_explained(const ClearanceResults& r) {
   return {
       "After Walters et al. (2012): the building is one oscillator along each of two axes, of the "
-      "same period along both unless the study says otherwise; the array is a mass on it with "
+      "same period along both unless the study states otherwise; the array is a mass on it with "
       "Coulomb friction; it slides along both axes at once and acts back on the building.",
       r.displacement == DisplacementMeasure::srss
           ? "The displacement of a history is the SRSS of the separate maxima along the roof's two "
@@ -30,7 +30,7 @@ std::vector<std::string> clearance_explained(const ClearanceResults& r) {
 std::vector<Table> clearance_tables(const ClearanceResults& results) {
   std::vector<Table> tables{clearance_table(results), clearance_periods_table(results)};
   if (results.orientations.size() > 1) tables.push_back(clearance_orientations_table(results));
-  if (can_tell(results, ClearanceTopic::base_shear))
+  if (covers(results, ClearanceTopic::base_shear))
     tables.push_back(clearance_base_shear_table(results));
   return tables;
 }

@@ -19,7 +19,7 @@ std::string what_was_run(const ClearanceResults& r) {
   std::string text = fmt::format("{} conditions, {} records of {}", r.grid.count(),
                                  r.records.size(), fmt::join(suites, ", "));
   if (r.orientations.size() > 1) text += fmt::format(", {}", orientations_text(r));
-  text += fmt::format(". Shown, where nothing else is said: {}.", conditions_text(r, {}));
+  text += fmt::format(". Shown, where nothing else is stated: {}.", conditions_text(r, {}));
   if (without > 0) text += fmt::format(" {} of the records have no vertical component.", without);
   const double uplift = uplift_share(r);
   if (uplift > 0.0)

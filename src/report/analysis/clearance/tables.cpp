@@ -10,7 +10,7 @@
 namespace glissade {
 namespace {
 
-/// The columns that tell a condition: only those whose axis has several values.
+/// The columns that name a condition: only those whose axis has several values.
 class ConditionColumns {
  public:
   ConditionColumns(const ClearanceResults& results, std::vector<ClearanceAxis> without)
@@ -112,13 +112,13 @@ Table clearance_table(const ClearanceResults& results) {
               conditions.columns(),
               {},
               {"[ ]: 95 % interval of the median, from resampling records",
-               "own way: the bounds if each record could lie its own way"}};
+               "bounds: with the orientation chosen record by record"}};
   append(table.columns, {{"governing_period", "s", "At T, s"},
                          range_column("lowest", "Lowest, m (in)"),
                          median_column("Median, m (in)"),
                          range_column("highest", "Highest, m (in)"),
-                         range_column("own_way_lowest", "Own way: least, m (in)"),
-                         range_column("own_way_highest", "Own way: most, m (in)"),
+                         range_column("bound_lowest", "Lower bound, m (in)"),
+                         range_column("bound_highest", "Upper bound, m (in)"),
                          range_column("clearance_median", "Clearance, median, m (in)"),
                          range_column("clearance_highest", "Clearance, highest, m (in)")});
   for (std::size_t suite = 0; suite < results.suites.size(); ++suite) {
@@ -146,13 +146,13 @@ Table clearance_periods_table(const ClearanceResults& results) {
               conditions.columns(),
               {},
               {"[ ]: 95 % interval of the median, from resampling records",
-               "own way: the bounds if each record could lie its own way"}};
+               "bounds: with the orientation chosen record by record"}};
   append(table.columns, {{"period", "s", "T, s"},
                          range_column("lowest", "Lowest, m (in)"),
                          median_column("Median, m (in)"),
                          range_column("highest", "Highest, m (in)"),
-                         range_column("own_way_lowest", "Own way: least, m (in)"),
-                         range_column("own_way_highest", "Own way: most, m (in)")});
+                         range_column("bound_lowest", "Lower bound, m (in)"),
+                         range_column("bound_highest", "Upper bound, m (in)")});
   for (std::size_t suite = 0; suite < results.suites.size(); ++suite) {
     const ClearanceQuestion question{.suite = suite};
     for (std::size_t i = 0; i < results.grid.count(); ++i) {

@@ -130,7 +130,7 @@ std::optional<std::size_t> place_of(const ClearanceGrid& grid, ArraySupport supp
   return static_cast<std::size_t>(found - grid.support.begin());
 }
 
-bool can_tell(const ClearanceResults& results, ClearanceTopic topic) {
+bool covers(const ClearanceResults& results, ClearanceTopic topic) {
   const ClearanceGrid& grid = results.grid;
   if (results.suites.size() > 1) return topic == ClearanceTopic::level;
   switch (topic) {

@@ -25,10 +25,11 @@ std::string conditions_text(const ClearanceResults& results, const ClearancePosi
 std::string friction_text(const ClearanceResults& results);
 
 bool has_several(const ClearanceGrid& grid, ClearanceAxis axis);
-/// Where a kind of support stands on its axis, if it was asked for.
+/// Where a kind of support stands on its axis, if it is there.
 std::optional<std::size_t> place_of(const ClearanceGrid& grid, ArraySupport support);
-/// Whether a topic's axis has two values or more. Of several suites, only how they compare is told.
-bool can_tell(const ClearanceResults& results, ClearanceTopic topic);
+/// Whether a topic's axis has two values or more. Of several suites, only their comparison is
+/// reported.
+bool covers(const ClearanceResults& results, ClearanceTopic topic);
 
 /// "sixteen orientations", "both orientations", "32 orientations"; of one: "".
 std::string orientations_text(const ClearanceResults& results);

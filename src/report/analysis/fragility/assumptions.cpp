@@ -98,7 +98,7 @@ std::vector<Assumption> reading_assumptions(const Results& results) {
     return {
         {"Clearance",
          "1.1 x the mean over the records (Walters et al. 2012): a recommendation, not a bound, "
-         "as single motions slide farther. Percentiles are over records. Each is the largest "
+         "as single motions give more slip. Percentiles are over records. Each is the largest "
          "over the building periods. Of one record there is neither: its peak slip is shown."},
         {"Interpolation",
          "Linear in slope and friction between the chart's points; none between levels, and "

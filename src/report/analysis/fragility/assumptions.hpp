@@ -13,7 +13,7 @@ struct Assumption {
   std::string text;
 };
 
-/// What the study takes for granted, told from what its samples and records show.
+/// The assumptions of the study, as its samples and records show them.
 std::vector<Assumption> assumptions_of(const Results& results);
 
 }  // namespace glissade

@@ -38,7 +38,7 @@ bool has_curve(const ThresholdFragility& fragility) {
          fragility.capacities.status == FitStatus::always_exceeds;
 }
 
-/// Band, curve and observed shares of one clearance. The points' key entry stands for all.
+/// Band, curve and observed shares of one clearance. One key entry for all points.
 void add_threshold(Panel& panel, const Results& results, const RunResults& run, std::size_t t) {
   const ThresholdFragility& fragility = run.fragilities[t];
   const Look colour = family_look(t, run.fragilities.size());

@@ -34,13 +34,13 @@ std::string fit_sentence(const Results& results, const FitSummary& fit,
   }
   if (fit.status == FitStatus::upper_bound) {
     return fmt::format(
-        "A clearance of {} was exceeded by every history at every level; its median lies below {} "
+        "A clearance of {} was exceeded by every history at every level; its median is below {} "
         "(95 % confidence).",
         clearance, at_intensity(results, fit.curve.median));
   }
   if (fit.status == FitStatus::lower_bound) {
     return fmt::format(
-        "A clearance of {} was never exceeded{}; {} median lies above {} (95 % confidence).",
+        "A clearance of {} was never exceeded{}; {} median is above {} (95 % confidence).",
         clearance, others, others.empty() ? "its" : "their",
         at_intensity(results, fit.curve.median));
   }
@@ -122,17 +122,16 @@ std::string design_sentence(const Results& results, const RunResults& design) {
 /// The standards table at a handful of levels, narrow enough for a terminal: the rest is in
 /// standards.csv.
 Table brief_standards_table(const Results& results, const RunResults& run) {
-  Table table{
-      "standards_brief",
-      "Standards beside the slip that came out (" + run.label + " friction; displacements in plan)",
-      {{"standard", "", "Standard", ColumnKind::text},
-       {"sds", "g", "S_DS, g", ColumnKind::number},
-       {"prescribed", "m", "Prescribed, m (in)", ColumnKind::length},
-       {"median_slip", "m", "Median, m (in)", ColumnKind::length},
-       {"p95_slip", "m", "95th, m (in)", ColumnKind::length},
-       {"exceedance_share", "", "Slip > prescribed", ColumnKind::share, true},
-       {"provenance", "", "Provision", ColumnKind::text}},
-      {}};
+  Table table{"standards_brief",
+              "Standards and computed slip (" + run.label + " friction; displacements in plan)",
+              {{"standard", "", "Standard", ColumnKind::text},
+               {"sds", "g", "S_DS, g", ColumnKind::number},
+               {"prescribed", "m", "Prescribed, m (in)", ColumnKind::length},
+               {"median_slip", "m", "Median, m (in)", ColumnKind::length},
+               {"p95_slip", "m", "95th, m (in)", ColumnKind::length},
+               {"exceedance_share", "", "Slip > prescribed", ColumnKind::share, true},
+               {"provenance", "", "Provision", ColumnKind::text}},
+              {}};
   const std::vector<double> chosen = some_levels(results.levels, 5);
   for (const StandardComparison& comparison : run.standards) {
     const auto slip = std::find_if(run.slip.begin(), run.slip.end(),

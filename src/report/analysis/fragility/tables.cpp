@@ -144,7 +144,7 @@ Table slip_table(const Results& results) {
                {"uplift_share", "", "Uplift", ColumnKind::share},
                {"tip_share", "", "Begins to tip", ColumnKind::share}},
               {}};
-  bool tipping = false, two_axes = false;  // asked for
+  bool tipping = false, two_axes = false;  // computed
   for (const RunResults& run : results.runs) {
     for (const SlipStatistics& slip : run.slip) {
       tipping = tipping || !std::isnan(slip.tip_share);

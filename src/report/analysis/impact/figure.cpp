@@ -45,7 +45,7 @@ DataSeries speeds_at(const Results& results, const RunResults& run, std::size_t 
   return points;
 }
 
-/// Kinetic energy by mass on the axis of speeds, in round numbers that stand apart.
+/// Kinetic energy by mass on the axis of speeds, in round numbers with space between them.
 std::vector<Tick> energy_ticks(double largest_mps) {
   std::vector<Tick> ticks{{0.0, "0"}};
   for (int power = -5; power < 5; ++power) {

@@ -12,15 +12,16 @@
 
 namespace glissade {
 
-bool tells_impact(const Results& results) {
+bool has_impact(const Results& results) {
   return std::ranges::any_of(results.runs,
                              [](const RunResults& run) { return !run.impact.empty(); });
 }
 
 std::string impact_explained() {
-  return "Each number is given that the array gets there: histories that stay short of the "
-         "clearance are left out, and the share that gets there is told beside it. The speed is "
-         "that of the array relative to the roof, in plan, as it first gets that far from where it "
+  return "Each number is conditional on impact: histories that do not reach the "
+         "clearance are left out, and the share that reaches it is given beside it.  The speed is "
+         "that of the array relative to the roof, in plan, as it first reaches that distance from "
+         "where it "
          "lay; its kinetic energy is v^2/2 for each kilogram that moves together. The histories "
          "slide on as if nothing stood there: a parapet that stops the array changes what follows.";
 }
@@ -33,7 +34,7 @@ Table impact_table(const Results& results) {
               {{"run", "", "Friction run", ColumnKind::text},
                {"threshold", "m", "Clearance, m (in)", ColumnKind::length},
                intensity_column(results, "level", "Level"),
-               {"reached_share", "", "Gets there [95 %]", ColumnKind::share, true},
+               {"reached_share", "", "Reached [95 %]", ColumnKind::share, true},
                {"median_speed", "mps", "Median speed, m/s [95 %]", ColumnKind::number, true},
                {"p84_speed", "mps", "84th percentile, m/s [95 %]", ColumnKind::number, true},
                {"p95_speed", "mps", "95th percentile, m/s", ColumnKind::number},
@@ -59,11 +60,11 @@ Table impact_table(const Results& results) {
 Table brief_impact_table(const Results& results) {
   const RunResults& run = results.runs.front();
   Table table{"impact_brief",
-              "Speed on first reaching a clearance, given that the array gets there (" + run.label +
+              "Speed on first reaching a clearance, given that it is reached (" + run.label +
                   " friction). Intensity measure: " + results.intensity_label + ".",
               {{"threshold", "m", "Clearance, m (in)", ColumnKind::length},
                intensity_column(results, "level", "Level"),
-               {"reached_share", "", "Gets there", ColumnKind::share},
+               {"reached_share", "", "Reached", ColumnKind::share},
                {"median_speed", "mps", "Median speed, m/s [95 %]", ColumnKind::number, true},
                {"p84_speed", "mps", "84th percentile, m/s [95 %]", ColumnKind::number, true},
                {"p84_energy", "Jpkg", "Energy at the 84th, J/kg", ColumnKind::number},
@@ -90,7 +91,7 @@ std::string impact_sentence(const Results& results, const SlipStatistics& slip) 
   }
   if (speeds.empty()) return "";
   return fmt::format(
-      "Given that the array gets to a clearance at {}, it gets there with these speeds (median and "
+      "Where the array reaches a clearance at {}, it does so with these speeds (median and "
       "84th percentile): {}.",
       at_intensity(results, slip.level), speeds);
 }

@@ -7,20 +7,20 @@
 #include "glissade/report/table.hpp"
 #include "glissade/study/results.hpp"
 
-// What the report tells of the array reaching a clearance: how fast, when, how often. Nothing where
-// the study does not ask for it.
+// The array reaching a clearance: how fast, when, how often. Nothing where the study has no
+// [impact].
 namespace glissade {
 
-bool tells_impact(const Results& results);
+bool has_impact(const Results& results);
 
 /// Kinetic energy of what moves at this speed, by its mass.
 inline double energy_jpkg(double speed_mps) { return 0.5 * speed_mps * speed_mps; }
 
-/// The first run at a handful of levels, where the array gets there at all: for reading.
+/// The first run at a handful of levels, where the array reaches it at all: for reading.
 Table brief_impact_table(const Results& results);
 /// How to read any of it, in plain words.
 std::string impact_explained();
-/// Speeds at the level of `slip`, one sentence; empty where it gets nowhere.
+/// Speeds at the level of `slip`, one sentence; empty where no history reaches it.
 std::string impact_sentence(const Results& results, const SlipStatistics& slip);
 
 }  // namespace glissade

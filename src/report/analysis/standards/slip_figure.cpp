@@ -105,7 +105,7 @@ Figure slip_vs_sds_figure(const Results& results, const RunResults& run) {
         Statistic{Role::median, "median (shaded: 95 % interval)", &SlipStatistics::median_m,
                   &SlipStatistics::median_interval}})
     add_statistic(panel, run, statistic, top_m);
-  // The two standards agree over a wide range: the wide line lies below the narrow one.
+  // The two standards agree over a wide range: the wide line is drawn below the narrow one.
   add_standard(panel, run, Standard::asce7_16, {{0x999999}, 5.0, 1, 5, 1.5}, 4);
   add_standard(panel, run, Standard::seaoc_pv1_2012, {{0x5e3c99}, 1.5, 5, 7, 0.8}, 6);
   figure.panels = {std::move(panel)};

@@ -13,7 +13,7 @@ Table records_table(const Results& results) {
                   "unit level is what "
                   "the record is multiplied by at level 1 (0: depends on the roof); 0 in "
                   "magnitude, distance "
-                  "and vs30 means not told. " +
+                  "and vs30 means not given. " +
                   in_plan,
               {text_column("id", "Record"),
                text_column("event", "Event"),
