@@ -125,6 +125,16 @@ void read_clearance(const TomlTable& root, StudyConfig& study) {
     table.report("", "a required clearance does not go with a list of " + key,
                  "give one value of it or a distribution, or a study for each value");
   }
+  const bool drawn = study.quantities.at("friction", "mu").is_drawn() ||
+                     study.quantities.at("friction", "across_mu").is_drawn();
+  if (drawn && std::ranges::find(study.friction.values, FrictionValue::design) ==
+                   study.friction.values.end()) {
+    root.table("friction").report(
+        "value",
+        "[clearance] is found with the design value of friction, mean - 2 std, which "
+        "friction.value leaves out",
+        "add \"design\", or leave friction.value out");
+  }
 }
 
 void read_fragility(const TomlTable& root, StudyConfig& study) {

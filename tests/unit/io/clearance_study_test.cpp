@@ -116,6 +116,7 @@ TEST_F(ClearanceStudy, what_is_wrong_is_reported_with_its_line) {
                  "does not go with a list of building.damping"},
            Fault{"mu = { mean = 0.5, std = 0.02 }", "mu = [0.4, 0.5]",
                  "does not go with a list of friction.mu"},
+           Fault{"across_mu = 0.6", "value = \"sampled\"", "friction.value leaves out"},
            Fault{"hardening_ratio", "hardening", "building.hardening is not a known key"},
            Fault{"axes = 2\ndisplacement = \"vector\"", "axes = 1", "[base_shear] needs"},
        }) {
