@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "glissade/core/contract.hpp"
-#include "glissade/study/analysis/clearance.hpp"
 #include "results/envelope.hpp"
 #include "results/schema.hpp"
 
@@ -125,10 +124,6 @@ void check_shapes(const Results& results) {
       expect_fit(f.band.empty() || f.band.size() == run.band_intensities.size(), "band_low",
                  "band's intensities");
     }
-  }
-  if (results.clearance) {
-    for (const CaseAxis& axis : results.cases.axes)
-      expect_fit(is_clearance_axis(axis.key), "axes", "required clearance");
   }
 }
 

@@ -7,7 +7,6 @@
 #include "enum_names.hpp"
 #include "glissade/core/units.hpp"
 #include "glissade/io/csv.hpp"
-#include "glissade/study/analysis/clearance.hpp"
 #include "study/number_list.hpp"
 
 namespace glissade {
@@ -119,21 +118,15 @@ void read_clearance(const TomlTable& root, StudyConfig& study) {
   ClearanceConfig clearance;
   clearance.factor = table.number("factor", factor_rule).value_or(clearance.factor);
   study.clearance = clearance;
-  for (std::size_t i = 0; i < parameters().size(); ++i) {
-    const std::string key = std::string(parameters()[i].table) + "." + parameters()[i].key;
-    if (is_clearance_axis(key) || study.quantities[i].values.size() < 2) continue;
-    table.report("", "a required clearance does not go with a list of " + key,
-                 "give one value of it or a distribution, or a study for each value");
-  }
   const bool drawn = study.quantities.at("friction", "mu").is_drawn() ||
                      study.quantities.at("friction", "across_mu").is_drawn();
   if (drawn && std::ranges::find(study.friction.values, FrictionValue::design) ==
                    study.friction.values.end()) {
-    root.table("friction").report(
-        "value",
-        "[clearance] is found with the design value of friction, mean - 2 std, which "
-        "friction.value leaves out",
-        "add \"design\", or leave friction.value out");
+    root.table("friction")
+        .report("value",
+                "[clearance] is found with the design value of friction, mean - 2 std, which "
+                "friction.value leaves out",
+                "add \"design\", or leave friction.value out");
   }
 }
 

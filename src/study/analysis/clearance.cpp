@@ -15,6 +15,8 @@ namespace {
 struct GridAxes {
   std::size_t friction_value, support, vertical, vertical_period, response_modification, mass,
       slope, period;
+  std::vector<std::size_t> others;  ///< together ClearanceAxis::listed
+  CaseSet listed;                   ///< with those axes only
 
   explicit GridAxes(const CaseSet& set)
       : friction_value(set.axis("friction.value")),
@@ -24,7 +26,15 @@ struct GridAxes {
         response_modification(set.axis("building.response_modification")),
         mass(set.axis("building.mass_ratio")),
         slope(set.axis("roof.slope_deg")),
-        period(set.axis("building.period_s")) {}
+        period(set.axis("building.period_s")) {
+    for (std::size_t i = 0; i < set.axes.size(); ++i) {
+      const std::array own{friction_value,        support, vertical, vertical_period,
+                           response_modification, mass,    slope,    period};
+      if (std::ranges::find(own, i) != own.end()) continue;
+      others.push_back(i);
+      listed.axes.push_back(set.axes[i]);
+    }
+  }
 };
 
 std::vector<double> values_on(const CaseSet& set, std::size_t axis, double otherwise) {
@@ -59,6 +69,9 @@ ClearanceGrid grid_of(const Results& results, const GridAxes& axes) {
   const CaseSet& set = results.cases;
   const Case& c = set.cases.front();
   ClearanceGrid grid;
+  grid.listed.clear();
+  for (std::size_t i = 0; i < axes.listed.combinations(); ++i)
+    grid.listed.push_back(axes.listed.describe(i));
   grid.support.clear();
   for (const double support : values_on(set, axes.support, static_cast<double>(c.support)))
     grid.support.push_back(static_cast<ArraySupport>(static_cast<int>(support)));
@@ -90,6 +103,8 @@ std::size_t combination_at(const CaseSet& set, const GridAxes& axes, const Clear
   };
   const VerticalCondition& vertical = grid.vertical[at[ClearanceAxis::vertical]];
   put_value(axes.friction_value, static_cast<double>(FrictionValue::design));
+  const std::vector<std::size_t> listed = axes.listed.places(at[ClearanceAxis::listed]);
+  for (std::size_t i = 0; i < listed.size(); ++i) put(axes.others[i], listed[i]);
   put(axes.support, at[ClearanceAxis::support]);
   put_value(axes.vertical, static_cast<double>(vertical.use));
   put_value(axes.vertical_period, vertical.period_s);
@@ -129,17 +144,18 @@ ClearanceHistory history_of(const Results& results, std::size_t record, std::siz
   return history;
 }
 
-/// Friction at its design value, for the slope along either axis of the array.
-std::vector<double> design_frictions(const CaseSet& set, const GridAxes& axes) {
-  std::size_t combination = 0;
-  if (axes.friction_value < set.axes.size()) {
-    while (set.cases[set.index(combination, 0, 0)].friction_value != FrictionValue::design &&
-           combination + 1 < set.combinations())
-      ++combination;
+/// Friction at its design value by (listed, SlopeAxis): for the slope along either axis of the
+/// array.
+std::vector<double> design_frictions(const CaseSet& set, const GridAxes& axes,
+                                     const ClearanceGrid& grid) {
+  std::vector<double> frictions;
+  for (const ClearancePosition& at : along(grid, ClearanceAxis::listed)) {
+    const Case& c = set.cases[set.index(combination_at(set, axes, grid, at), 0, 0)];
+    const bool along_e_w = c.orientation.slope_axis == SlopeAxis::e_w;
+    frictions.push_back(along_e_w ? c.friction : c.friction_across);
+    frictions.push_back(along_e_w ? c.friction_across : c.friction);
   }
-  const Case& c = set.cases[set.index(combination, 0, 0)];
-  const bool along_e_w = c.orientation.slope_axis == SlopeAxis::e_w;
-  return {along_e_w ? c.friction : c.friction_across, along_e_w ? c.friction_across : c.friction};
+  return frictions;
 }
 
 }  // namespace
@@ -148,34 +164,23 @@ double base_shear(const ClearanceHistory& history) {
   return std::hypot(history.shear_along, history.shear_across);
 }
 
-bool is_clearance_axis(const std::string& key) {
-  constexpr std::array known = {"friction.value",
-                                "array.support",
-                                "vertical.use",
-                                "vertical.period_s",
-                                "building.response_modification",
-                                "building.mass_ratio",
-                                "roof.slope_deg",
-                                "building.period_s"};
-  return std::ranges::find(known, key) != known.end();
-}
-
 ClearanceResults clearance_results(const Results& results) {
   GLISSADE_EXPECTS(results.clearance.has_value());
   const CaseSet& set = results.cases;
   const GridAxes axes(set);
+  const ClearanceGrid grid = grid_of(results, axes);
   ClearanceResults clearance{.study_name = results.study_name,
                              .study_description = results.study_description,
                              .program_version = results.program_version,
                              .plan_hash = results.plan_hash,
                              .study_text = results.study_text,
                              .seed = results.seed,
-                             .grid = grid_of(results, axes),
+                             .grid = grid,
                              .orientations = {},
                              .same_as = {},
                              .suites = results.suites,
                              .records = results.records,
-                             .friction = design_frictions(set, axes),
+                             .friction = design_frictions(set, axes, grid),
                              .displacement = results.displacement,
                              .clearance_factor = results.clearance->factor,
                              .histories = {}};

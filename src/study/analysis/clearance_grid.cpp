@@ -13,6 +13,8 @@ ClearancePosition ClearancePosition::with(ClearanceAxis axis, std::size_t place)
 
 std::size_t ClearanceGrid::size(ClearanceAxis axis) const {
   switch (axis) {
+    case ClearanceAxis::listed:
+      return listed.size();
     case ClearanceAxis::support:
       return support.size();
     case ClearanceAxis::vertical:

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "figure_facts.hpp"
+#include "glissade/report/format.hpp"
 
 namespace glissade {
 namespace {
@@ -58,6 +59,30 @@ std::vector<std::string> figure_names(const ClearanceResults& r) {
   std::vector<std::string> names;
   for (const Figure& figure : clearance_figures(r)) names.push_back(figure.name);
   return names;
+}
+
+TEST(clearance_report, gives_a_row_for_each_listed_condition_and_the_range_of_all) {
+  ClearanceResults r = made_up();
+  r.grid.listed = {"building.damping = 0.02", "building.damping = 0.05"};
+  r.friction = {0.47, 0.47, 0.47, 0.47};
+  // By (record, orientation, listed, support, period): half as much at 5 %.
+  std::vector<ClearanceHistory> both;
+  for (std::size_t at = 0; at < r.histories.size(); at += 4) {
+    for (const double factor : {1.0, 0.5}) {
+      for (std::size_t i = at; i < at + 4; ++i) {
+        both.push_back(r.histories[i]);
+        both.back().displacement_m *= factor;
+      }
+    }
+  }
+  r.histories = both;
+  const Table table = clearance_table(r);
+  ASSERT_EQ(table.rows.size(), 2u);
+  EXPECT_EQ(std::get<std::string>(table.rows[1][0]), r.grid.listed[1]);
+  EXPECT_DOUBLE_EQ(std::get<Estimate>(table.rows[1][3]).value, 5 * inch);
+  const std::string last = clearance_sentences(r).back();
+  EXPECT_THAT(last, HasSubstr(format_length(5.5 * inch) + " (building.damping = 0.05)"));
+  EXPECT_THAT(last, HasSubstr(format_length(11 * inch) + " (building.damping = 0.02)"));
 }
 
 TEST(clearance_report, the_clearance_is_a_factor_times_the_largest_mean_over_the_periods) {

@@ -69,6 +69,31 @@ TEST(clearance_grid, index_and_position_are_each_others_inverse) {
   EXPECT_EQ(all_but(grid, Axis::period).size(), 12u);
 }
 
+TEST(clearance, of_listed_friction_and_damping_is_that_of_a_study_for_each) {
+  const std::vector<double> mu = {0.25, 0.35}, damping = {0.02, 0.05};
+  StudyConfig c = as_recorded_config();
+  c.quantities.at("friction", "mu") = listed(mu);
+  c.quantities.at("building", "damping") = listed(damping);
+  const ClearanceResults together = run(c, {shaking("a", 6.0, 0.4)});
+  ASSERT_EQ(together.grid.size(Axis::listed), 4u);
+  std::vector<double> seen;
+  for (const ClearancePosition& at : along(together.grid, Axis::listed)) {
+    const std::size_t place = at[Axis::listed];
+    const std::size_t slow = place / 2, fast = place % 2;
+    const bool mu_is_slow = together.friction[0] == together.friction[2];
+    StudyConfig one = as_recorded_config();
+    one.quantities.at("friction", "mu") = fixed(mu[mu_is_slow ? slow : fast]);
+    one.quantities.at("building", "damping") = fixed(damping[mu_is_slow ? fast : slow]);
+    const ClearanceResults alone = run(one, {shaking("a", 6.0, 0.4)});
+    EXPECT_EQ(together.friction[2 * place], alone.friction[0]);
+    EXPECT_EQ(suite_mean(together, {}, 0, at), suite_mean(alone, {}, 0, {}))
+        << together.grid.listed[place];
+    seen.push_back(suite_mean(alone, {}, 0, {}));
+  }
+  std::ranges::sort(seen);
+  EXPECT_EQ(std::ranges::unique(seen).size(), 0u);  // the four differ
+}
+
 TEST(clearance, a_rigid_building_is_the_block_on_the_ground_in_every_orientation) {
   StudyConfig c = config();
   c.quantities.at("building", "period_s") = fixed(0.0);

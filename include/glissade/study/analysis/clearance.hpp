@@ -51,7 +51,7 @@ struct ClearanceResults {
   std::vector<std::uint64_t> same_as;  ///< by orientation: the first whose histories are the same
   std::vector<SuiteSummary> suites;
   std::vector<RecordSummary> records;  ///< those of one suite together
-  std::vector<double> friction;        ///< design values by SlopeAxis
+  std::vector<double> friction;        ///< design values by (ClearanceAxis::listed, SlopeAxis)
   DisplacementMeasure displacement = DisplacementMeasure::srss;
   double clearance_factor = 1.1;
   std::vector<ClearanceHistory> histories;  ///< by (record, orientation, condition)
@@ -61,9 +61,6 @@ struct ClearanceResults {
     return histories[(record * orientations.size() + orientation) * grid.count() + condition];
   }
 };
-
-/// The quantities that a study with [clearance] may list.
-bool is_clearance_axis(const std::string& key);
 
 /// Of friction that is drawn the design value counts (mean - 2 std), of anything else that is drawn
 /// the mean over the samples. Precondition: results.clearance.

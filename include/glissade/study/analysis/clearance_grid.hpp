@@ -20,12 +20,22 @@ struct VerticalCondition {
 };
 
 /// The axes of the grid of conditions, the first varying slowest.
-enum class ClearanceAxis { support, vertical, response_modification, mass, slope, level, period };
-inline constexpr std::size_t clearance_axis_count = 7;
+enum class ClearanceAxis {
+  listed,  ///< every other quantity of which the study lists several values, together
+  support,
+  vertical,
+  response_modification,
+  mass,
+  slope,
+  level,
+  period
+};
+inline constexpr std::size_t clearance_axis_count = 8;
 inline constexpr std::array<ClearanceAxis, clearance_axis_count> clearance_axes = {
-    ClearanceAxis::support, ClearanceAxis::vertical, ClearanceAxis::response_modification,
-    ClearanceAxis::mass,    ClearanceAxis::slope,    ClearanceAxis::level,
-    ClearanceAxis::period};
+    ClearanceAxis::listed,   ClearanceAxis::support,
+    ClearanceAxis::vertical, ClearanceAxis::response_modification,
+    ClearanceAxis::mass,     ClearanceAxis::slope,
+    ClearanceAxis::level,    ClearanceAxis::period};
 
 /// A place on every axis.
 class ClearancePosition {
@@ -41,6 +51,7 @@ class ClearancePosition {
 
 /// Every combination of these is run. NaN: drawn, and not listed.
 struct ClearanceGrid {
+  std::vector<std::string> listed = {""};  ///< "friction.mu = 0.4, building.damping = 0.02"
   std::vector<ArraySupport> support = {ArraySupport::isolated};
   std::vector<VerticalCondition> vertical = {{}};
   /// R: the building yields at its elastic demand under the design spectrum over R; 0: it stays

@@ -28,6 +28,26 @@ std::string what_was_run(const ClearanceResults& r) {
   return text;
 }
 
+/// The smallest and the largest clearance of all conditions in which the array may slide.
+std::string range_of_conditions(const ClearanceResults& r) {
+  std::vector<std::pair<double, std::string>> clearances;
+  for (std::size_t suite = 0; suite < r.suites.size(); ++suite) {
+    for (const ClearancePosition& at : all_but(r.grid, ClearanceAxis::period)) {
+      if (r.grid.support[at[ClearanceAxis::support]] != ArraySupport::isolated) continue;
+      const double median = over_orientations(r, {.suite = suite}, at, Periods::largest).median;
+      clearances.emplace_back(
+          r.clearance_factor * median,
+          (r.suites.size() > 1 ? r.suites[suite].name + ", " : std::string()) +
+              distinguished(r.grid, at, {ClearanceAxis::period, ClearanceAxis::support}));
+    }
+  }
+  if (clearances.size() < 2) return "";
+  const auto [least, most] = std::ranges::minmax_element(clearances);
+  return fmt::format("Over all conditions the clearance is from {} ({}) to {} ({}).",
+                     format_length(least->first), least->second, format_length(most->first),
+                     most->second);
+}
+
 }  // namespace
 
 std::vector<std::string> clearance_sentences(const ClearanceResults& results) {
@@ -40,6 +60,8 @@ std::vector<std::string> clearance_sentences(const ClearanceResults& results) {
     const std::string reading = clearance_reading(results, topic);
     if (!reading.empty()) sentences.push_back(reading);
   }
+  if (const std::string range = range_of_conditions(results); !range.empty())
+    sentences.push_back(range);
   return sentences;
 }
 

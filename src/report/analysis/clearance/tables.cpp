@@ -44,6 +44,8 @@ class ConditionColumns {
 
   Column column(ClearanceAxis axis) const {
     switch (axis) {
+      case ClearanceAxis::listed:
+        return {"condition", "", "Condition", ColumnKind::text};
       case ClearanceAxis::support:
         return {"support", "", "Array", ColumnKind::text};
       case ClearanceAxis::vertical:

@@ -66,6 +66,8 @@ std::string slope_text(double slope_deg) {
 
 std::string label_of(const ClearanceGrid& grid, ClearanceAxis axis, std::size_t place) {
   switch (axis) {
+    case ClearanceAxis::listed:
+      return grid.listed[place];
     case ClearanceAxis::support:
       return support_text(grid.support[place]);
     case ClearanceAxis::vertical:
@@ -92,9 +94,11 @@ namespace {
 std::string joined(const ClearanceGrid& grid, const ClearancePosition& at,
                    const std::vector<ClearanceAxis>& without, std::size_t least) {
   std::string text;
-  for (const ClearanceAxis axis : {ClearanceAxis::level, ClearanceAxis::slope, ClearanceAxis::mass,
-                                   ClearanceAxis::response_modification, ClearanceAxis::vertical,
-                                   ClearanceAxis::support, ClearanceAxis::period}) {
+  for (const ClearanceAxis axis :
+       {ClearanceAxis::level, ClearanceAxis::slope, ClearanceAxis::mass,
+        ClearanceAxis::response_modification, ClearanceAxis::vertical, ClearanceAxis::support,
+        ClearanceAxis::period, ClearanceAxis::listed}) {
+    if (axis == ClearanceAxis::listed && !has_several(grid, axis)) continue;
     if (grid.size(axis) < least || std::ranges::find(without, axis) != without.end()) continue;
     text += (text.empty() ? "" : ", ") + label_of(grid, axis, at[axis]);
   }
@@ -108,8 +112,9 @@ std::string distinguished(const ClearanceGrid& grid, const ClearancePosition& at
   return joined(grid, at, without, 2);
 }
 
-std::string friction_text(const ClearanceResults& results) {
-  const double e_w = results.friction[0], n_s = results.friction[1];
+std::string friction_text(const ClearanceResults& results, const ClearancePosition& at) {
+  const std::size_t first = 2 * at[ClearanceAxis::listed];
+  const double e_w = results.friction[first], n_s = results.friction[first + 1];
   if (e_w == n_s) return fmt::format("{:.3g}", e_w);
   return fmt::format("E-W {:.3g}, N-S {:.3g}", e_w, n_s);
 }
@@ -119,7 +124,7 @@ std::string conditions_text(const ClearanceResults& results, const ClearancePosi
   std::vector<ClearanceAxis> left_out = without;
   if (!has_several(results.grid, ClearanceAxis::support))
     left_out.push_back(ClearanceAxis::support);
-  return joined(results.grid, at, left_out, 1) + ", friction " + friction_text(results);
+  return joined(results.grid, at, left_out, 1) + ", friction " + friction_text(results, at);
 }
 
 bool has_several(const ClearanceGrid& grid, ClearanceAxis axis) { return grid.size(axis) > 1; }

@@ -22,7 +22,7 @@ std::string distinguished(const ClearanceGrid& grid, const ClearancePosition& at
 std::string conditions_text(const ClearanceResults& results, const ClearancePosition& at,
                             const std::vector<ClearanceAxis>& without = {});
 /// "0.47", "E-W 0.47, N-S 0.52"
-std::string friction_text(const ClearanceResults& results);
+std::string friction_text(const ClearanceResults& results, const ClearancePosition& at = {});
 
 bool has_several(const ClearanceGrid& grid, ClearanceAxis axis);
 /// Where a kind of support stands on its axis, if it is there.
