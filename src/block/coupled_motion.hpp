@@ -8,6 +8,7 @@
 #include "contact.hpp"
 #include "coupled_spring.hpp"
 #include "glissade/block/coupled.hpp"
+#include "glissade/core/not_converged.hpp"
 #include "power_series.hpp"
 
 namespace glissade::block_detail {
@@ -66,8 +67,13 @@ struct Cut {
 Cut cut(const Oscillator& oscillator, const CoupledContact& contact, double dt_s);
 
 /// Limit of the ring-down in sample intervals, reached by undamped buildings.
+/// @throw NotConverged if the step is so short that it would take minutes
 inline std::size_t longest_ring_down(double dt_s) {
-  return static_cast<std::size_t>(std::ceil(RoofMotionOptions{}.longest_ring_down_s / dt_s));
+  const double intervals = std::ceil(RoofMotionOptions{}.longest_ring_down_s / dt_s);
+  if (intervals > 0x1p24)  // some 10 s
+    throw NotConverged(
+        "a ring-down may take more than 16,777,216 steps of the record: give it a longer step");
+  return static_cast<std::size_t>(intervals);
 }
 
 /// The ground over a piece of time or over the rest of it: linear.

@@ -97,7 +97,8 @@ class EventKernel {
     int stopped = 0;
     // A drive is a quartic at most, so starts and stops in an interval are few: the bound only
     // guards against rounding.
-    for (int in_interval = 0; body_.direction() == 0 && in_interval < 16; ++in_interval) {
+    for (int in_interval = 0; body_.direction() == 0; ++in_interval) {
+      if (in_interval == 16) throw NotConverged("peak_slip: too many events inside one interval");
       if (now.interval >= last_) return last_;
       const std::size_t here = now.interval;
       if (now.y >= 1.0 || !start(now, stopped)) return here + 1;
@@ -105,7 +106,7 @@ class EventKernel {
       now = slide(now);
       if (now.interval != here) in_interval = 0;
     }
-    return body_.direction() != 0 ? now.interval : now.interval + 1;
+    return now.interval;
   }
 
   /// From rest at `now`: the block begins to slide, now or later in the interval. `stopped` is the

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "coupled_motion.hpp"
 #include "glissade/core/contract.hpp"
 #include "glissade/core/finite.hpp"
 #include "on_building_body.hpp"
@@ -35,15 +36,15 @@ int pieces(const Oscillator& oscillator, double dt_s) {
 /// Until nothing can move the block again and the building's own peaks are past.
 void ring_down(OnBuildingBody& body, const Shaken& shaken, double longest_period_s, bool rigid) {
   const double dt = shaken.dt_s();
-  const auto last =
-      static_cast<std::size_t>(std::ceil(RoofMotionOptions{}.longest_ring_down_s / dt));
+  const double last = std::ceil(RoofMotionOptions{}.longest_ring_down_s / dt);
   const double from_s = body.time_s();
   double at_rest_s = 0.0;
   Shaking quiet;
   quiet.length_s = dt;
   for (std::size_t i = 1;; ++i) {
     if (body.at_rest() && at_rest_s >= longest_period_s && body.is_settled()) return;
-    if (rigid || i > last) break;
+    if (rigid || static_cast<double>(i) > last) break;
+    if (i == 1u << 20) block_detail::longest_ring_down(dt);  // refuses a step that is too short
     body.interval(quiet, from_s + static_cast<double>(i) * dt);
     at_rest_s = body.at_rest() ? at_rest_s + dt : 0.0;
   }

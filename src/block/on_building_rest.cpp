@@ -38,6 +38,15 @@ Series excess(const FrictionEllipse& friction, const TwoAxisLoading& loading,
   return e;
 }
 
+/// Lifted or not, a block stays where it is on a flat roof that does not move sideways.
+bool drives(const TwoAxisLoading& loading, const AxisSeries (&axis)[2]) {
+  const auto moves = [](const AxisSeries& motion) {
+    const Series& e = motion.elastic;
+    return std::any_of(e.c.begin(), e.c.begin() + e.terms, [](double c) { return c != 0.0; });
+  };
+  return loading.tan_slope() != 0.0 || moves(axis[0]) || moves(axis[1]);
+}
+
 }  // namespace
 
 double OnBuildingBody::rest(const Shaking& piece) {
@@ -47,7 +56,9 @@ double OnBuildingBody::rest(const Shaking& piece) {
   const FrictionEllipse& friction = contact_.friction_at_rest();
   const Load begin = contact_.loading().at(motion[0].elastic.c[0] / mass,
                                            motion[1].elastic.c[0] / mass, piece.w(0.0));
-  const double release = friction.may_rest(begin)
+  uplift_ = uplift_ || begin.normal < 0.0;
+  const double release = !drives(contact_.loading(), motion) ? never
+                         : friction.may_rest(begin)
                              ? first_rise(excess(friction, contact_.loading(), motion, mass, piece))
                              : 0.0;
   double yield[2], share = std::min(release, 1.0);

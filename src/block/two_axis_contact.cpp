@@ -4,6 +4,10 @@
 namespace glissade::block_detail {
 
 double FrictionEllipse::release(const Load& begin, const Load& end) const {
+  if (begin.normal < 0.0 || end.normal < 0.0) {  // lifted, it stays where nothing drives it
+    const auto driven = [](const Load& load) { return load.drive.s != 0.0 || load.drive.y != 0.0; };
+    return driven(begin) || driven(end) ? 0.0 : never;
+  }
   if (!may_rest(begin)) return 0.0;
   if (may_rest(end)) return never;
   // The excess is a quadratic of the share, c <= 0 at its begin and positive at its end: the root

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glissade/core/random.hpp"
 
+#include <algorithm>
 #include <boost/math/distributions/normal.hpp>
 
 namespace glissade {
@@ -22,14 +23,17 @@ std::array<std::uint32_t, 4> philox4x32(std::array<std::uint32_t, 4> counter,
   return counter;
 }
 
+double open_uniform(std::uint64_t part) {
+  return std::min((static_cast<double>(part) + 0.5) * 0x1p-53, 1.0 - 0x1p-53);
+}
+
 double keyed_uniform(std::uint64_t seed, RandomPurpose purpose, std::uint64_t item,
                      std::uint32_t index) {
   const auto word =
       philox4x32({static_cast<std::uint32_t>(item), static_cast<std::uint32_t>(item >> 32), index,
                   static_cast<std::uint32_t>(purpose)},
                  {static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32)});
-  const std::uint64_t bits = (std::uint64_t{word[0]} << 32 | word[1]) >> 11;  // 53 bits
-  return (static_cast<double>(bits) + 0.5) * 0x1p-53;
+  return open_uniform((std::uint64_t{word[0]} << 32 | word[1]) >> 11);
 }
 
 double keyed_normal(std::uint64_t seed, RandomPurpose purpose, std::uint64_t item,

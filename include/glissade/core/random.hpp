@@ -22,6 +22,9 @@ enum class RandomPurpose : std::uint32_t {
   test = 99,
 };
 
+/// The middle of the given of 2^53 equal parts of (0, 1); the last is below 1 in rounding too.
+double open_uniform(std::uint64_t part);
+
 /// A uniform number in the open interval (0, 1), 53 bits, keyed by its purpose.
 double keyed_uniform(std::uint64_t seed, RandomPurpose purpose, std::uint64_t item,
                      std::uint32_t index);

@@ -31,6 +31,13 @@ TEST(keyed_uniform, depends_on_every_part_of_its_key) {
   EXPECT_NE(u, keyed_uniform(1, RandomPurpose::test, 2 + (std::uint64_t{1} << 32), 3));
 }
 
+// (2^53 - 1) + 0.5 rounds to 2^53.
+TEST(open_uniform, is_never_0_nor_1) {
+  EXPECT_EQ(open_uniform(0), 0x1p-54);
+  EXPECT_LT(open_uniform((std::uint64_t{1} << 53) - 1), 1.0);
+  EXPECT_LE(open_uniform((std::uint64_t{1} << 53) - 2), open_uniform((std::uint64_t{1} << 53) - 1));
+}
+
 // Mean and variance of n standard normals: limits at 99.99 % confidence (z = 3.89), fixed seed.
 TEST(keyed_normal, has_mean_zero_and_variance_one) {
   constexpr int n = 100000;

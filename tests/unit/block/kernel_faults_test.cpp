@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Faults that were found in the kernels, each by the motion that showed it.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+#include <vector>
+
+#include "glissade/block/coupled_slip.hpp"
+#include "glissade/block/on_building.hpp"
+#include "glissade/block/peak_slip.hpp"
+#include "glissade/block/slide.hpp"
+#include "glissade/block/two_axis.hpp"
+#include "glissade/core/not_converged.hpp"
+#include "unit/block/reference.hpp"
+
+namespace glissade {
+namespace {
+
+using test::made_up_record;
+
+// w = -15 m/s2 on a flat roof: no force has a direction, and nothing slides.
+TEST(lifted_without_horizontal_motion, is_uplift_but_no_phase_of_sliding) {
+  const std::vector<double> still(101, 0.0), up(101, -15.0);
+  const Block block{.friction = 0.3};
+  const TwoAxisBlock two{.friction = {0.3, 0.3}};
+  const SlipResult one = slide({0.01, still, up}, block);
+  EXPECT_EQ(one.slip_phases, 0u);
+  EXPECT_TRUE(one.uplift);
+  const TwoAxisResult on_two = slide_two_axis({0.01, {still, {}}, up}, two);
+  EXPECT_EQ(on_two.slip_phases, 0u);
+  EXPECT_TRUE(on_two.uplift);
+  const auto ground = std::make_shared<GroundTable>(0.01, still);
+  const auto vertical =
+      std::make_shared<MotionTable>(tabulate_rigid(std::make_shared<GroundTable>(0.01, up)));
+  const BuildingSlip on_building = slide_on_building({{ground, nullptr}, vertical}, {}, {}, two);
+  EXPECT_EQ(on_building.slip.slip_phases, 0u);
+  EXPECT_TRUE(on_building.slip.uplift);
+}
+
+TEST(ring_down, of_an_undamped_building_is_120_s_in_every_model) {
+  auto record = made_up_record(400, 3, 6.0);
+  record.push_back(0.0);
+  const double record_s = 4.01;
+  const Block block{.friction = 0.02};
+  const CoupledBuilding building{{0.5, 0.0}, 0.0};
+  const GroundMotion ground{0.01, record};
+  const CoupledResult events = slide_coupled(ground, {}, building, block);
+  std::vector<CoupledPeak> tables(1);
+  coupled_slip(ground, std::vector<CoupledScene>{{building, block, {}}}, tables);
+  const RoofMotionOptions follow{.quiet_horizontal_mps2 = yield_acceleration_mps2(block),
+                                 .settle_deceleration_mps2 = resting_deceleration_mps2(block)};
+  const RoofMotion roof = roof_motion(ground, {{0.5, 0.0}, {}}, follow);
+  EXPECT_NEAR(roof.dt_s * static_cast<double>(roof.horizontal_mps2.size() - 1), record_s + 120.0,
+              0.011);
+  const PeakSlip table =
+      peak_slip(tabulate_roof(ground, {{0.5, 0.0}, {}}, follow), block, {1.0, 1.0});
+  const double peak = events.slip.peak_displacement_m;
+  EXPECT_NEAR(tables[0].slip.peak_displacement_m, peak, 1e-9 * peak);
+  EXPECT_NEAR(table.slip_duration_s, events.slip.slip_duration_s, 0.1);
+}
+
+TEST(a_step_of_a_nanosecond, is_refused_on_a_building_instead_of_walked_for_minutes) {
+  const auto record = made_up_record(100, 3, 6.0);
+  const GroundMotion ground{1e-9, record};
+  std::vector<CoupledPeak> peaks(1);
+  const std::vector<CoupledScene> scenes{{{{0.5, 0.05}, 0.1}, {.friction = 0.1}, {}}};
+  EXPECT_THROW(coupled_slip(ground, scenes, peaks), NotConverged);
+  EXPECT_THROW(slide_on_building({{std::make_shared<GroundTable>(1e-9, record), nullptr}, nullptr},
+                                 {}, {{{{0.5, 0.05}, {0.5, 0.05}}}, 0.1}, {.friction = {0.1, 0.1}}),
+               NotConverged);
+}
+
+}  // namespace
+}  // namespace glissade
