@@ -200,8 +200,7 @@ std::vector<SchemeResult> two_axes_precision(const test::StandardScenes& all, st
       for (const int digits : tolerances) schemes.push_back(trial.two_axis(digits));
     }
     for (const int digits : tolerances) schemes.push_back(trial.on_building(digits));
-    for (const int digits : tolerances)
-      if (kind.across == 1.0) schemes.push_back(trial.lanes(digits));
+    for (const int digits : tolerances) schemes.push_back(trial.lanes(digits));
     for (int substeps = 1; stepped && substeps <= (quick ? 4 : 64); substeps *= 4)
       schemes.push_back(trial.link(substeps));
     for (const SchemeResult& result : run_trial(trial.judged, schemes, quick ? 1 : 2))

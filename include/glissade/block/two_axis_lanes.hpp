@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <memory>
 #include <span>
 
 #include "glissade/block/on_building.hpp"
@@ -24,6 +25,7 @@ struct TwoAxisPeak {
   std::size_t slip_phases = 0;
   bool uplift = false;
   bool free_sliding = false;
+  bool failed = false;  ///< slide_on_building() did not converge: the rest is zero
 };
 
 double srss_of_maxima_m(const TwoAxisPeak& peak);
@@ -39,13 +41,29 @@ double srss_of_maxima_m(const TwoAxisPeak& peak);
 /// The same bits on every SIMD target, in any order and whatever else is in the batch; but scenes
 /// on one building share its table, so give the levels and blocks of a building together.
 ///
-/// Other friction than Coulomb's on a circle, friction below 1.02 tan(slope), yielding, one rigid
-/// axis beside one that is not, damping outside [0.001, 0.5], periods below 7.4 sample intervals,
-/// an oscillating vertical or one above 0.9 g, and histories whose normal force falls below 6 % of
-/// the weight go through slide_on_building().
-///
-/// @param peaks as many as scenes
-/// @param tolerance as slide_on_building()'s, in [1e-9, 1e-2]
+/// Friction laws other than Coulomb's, friction below 1.02 tan(slope), yielding, one rigid axis
+/// beside one that is not, damping outside [0.001, 0.5], periods below 7.4 sample intervals, an
+/// oscillating vertical or one above 0.9 g, and histories whose normal force falls below 6 % of the
+/// weight go through slide_on_building().
+class TwoAxisLanes {
+ public:
+  /// @param ground valid as long as this; the tables of the last buildings under it are kept
+  /// @param tolerance as slide_on_building()'s, in [1e-9, 1e-2]
+  explicit TwoAxisLanes(const BuildingGround& ground, double tolerance = 1e-6);
+  ~TwoAxisLanes();
+
+  /// @param peaks as many as scenes
+  void slide(std::span<const TwoAxisScene> scenes, std::span<TwoAxisPeak> peaks);
+  /// @param crossings for each scene as many as thresholds
+  void slide(std::span<const TwoAxisScene> scenes, std::span<TwoAxisPeak> peaks,
+             std::span<const double> thresholds_m, std::span<Crossing> crossings);
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+/// All of a motion's at once.
 void slide_two_axes(const BuildingGround& ground, std::span<const TwoAxisScene> scenes,
                     std::span<TwoAxisPeak> peaks, double tolerance = 1e-6);
 

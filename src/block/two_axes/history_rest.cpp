@@ -32,8 +32,13 @@ double rise_between(const Function& f, double low, double high, double f_low, do
 }  // namespace
 
 LaneHistory::LaneHistory(const Constants<double>& constants, RoofKind roof,
-                         const GroundNodes& ground, std::shared_ptr<const RestTable> table)
-    : constants_(constants), roof_(roof), ground_(ground), table_(std::move(table)) {}
+                         const GroundNodes& ground, std::shared_ptr<const RestTable> table,
+                         const LaneCrossings& crossings)
+    : constants_(constants),
+      roof_(roof),
+      ground_(ground),
+      table_(std::move(table)),
+      crossings_(crossings) {}
 
 LaneHistory::Next LaneHistory::begin(Spot& spot) {
   spot = resting_at(0, {});
@@ -72,8 +77,7 @@ void LaneHistory::start(Spot& spot, bool smoothly) {
 /// The share of a piece after which friction holds the block no longer, or
 /// never.
 double LaneHistory::release(const RoofPiece& piece) const {
-  const double mu = constants_.mu;
-  const auto excess = [&](double y) { return -grip_left(piece.load(y), mu); };
+  const auto excess = [&](double y) { return -grip_left(piece.load(y), constants_); };
   const double begin = excess(0.0), end = excess(1.0);
   if (begin > 1e-13 * constants_.gravity) return 0.0;
   if (end > 0.0) return rise_between(excess, 0.0, 1.0, std::min(begin, 0.0), end);

@@ -6,6 +6,7 @@
 #include "block/two_axis_extremes.hpp"
 #include "block/two_axis_step.hpp"
 #include "block/two_axis_stop.hpp"
+#include "elliptic_stop.hpp"
 #include "history.hpp"
 
 namespace glissade::block_detail::two_axes {
@@ -13,21 +14,22 @@ namespace {
 
 Vector velocity(const Spot& spot) { return {spot.motion.v_s, spot.motion.v_y}; }
 
-/// Coulomb friction on a circle and a roof that may give way: V' from V = known
-/// + own V'.
-Vector stage(const Constants<double>& c, Vector known, double own, const Load& load, Vector guess) {
+/// Coulomb friction and a roof that may give way: V' from V = known + own V'.
+Vector stage(const Constants<double>& c, const FrictionEllipse& friction, Vector known, double own,
+             const Load& load, Vector guess) {
   const double per_kappa = c.per_kappa_y;
   const bool even = c.gives == 0.0;
   Vector a = guess;
   for (int i = 0; i < 6; ++i) {
     // What is not the same in both directions is taken from the last iterate.
     const double normal = load.normal - c.gives * a.s;
-    const double lambda = c.mu * std::max(normal, 0.0) * per_kappa;
+    const double felt = std::max(normal, 0.0) * per_kappa, lambda = c.mu * felt;
     const Vector drive =
         per_kappa * Vector{load.drive.s + (1.0 / per_kappa - c.kappa) * a.s, load.drive.y};
     const Vector p = known + own * drive;
-    const double size = length(p);
-    const Vector next = size > own * lambda ? drive - (lambda / size) * p : (-1.0 / own) * known;
+    const bool slides = friction.excess({p, own * felt}) > 0.0;
+    const Vector next =
+        slides ? drive - felt * friction.holding(p, own * felt) : (-1.0 / own) * known;
     const double change = length(next - a);
     a = next;
     if (even || change <= 1e-13 * lambda) break;
@@ -36,7 +38,8 @@ Vector stage(const Constants<double>& c, Vector known, double own, const Load& l
 }
 
 /// SDIRK4 (two_axis_step.hpp) over a share of a piece.
-SlidingStep sdirk4(const Constants<double>& c, Vector v, const RoofPiece& piece, double share) {
+SlidingStep sdirk4(const Constants<double>& c, const FrictionEllipse& friction, Vector v,
+                   const RoofPiece& piece, double share) {
   constexpr int stages = 5;
   constexpr double gamma = 0.25;
   constexpr double at[stages] = {1.0 / 4, 3.0 / 4, 11.0 / 20, 1.0 / 2, 1.0};
@@ -56,13 +59,12 @@ SlidingStep sdirk4(const Constants<double>& c, Vector v, const RoofPiece& piece,
     for (int j = 0; j < i; ++j) known = known + a[i][j] * k[j];
     known = v + length_s * known;
     load = piece.load(share * at[i]);
-    k[i] = stage(c, known, own, load, i > 0 ? k[i - 1] : Vector{});
+    k[i] = stage(c, friction, known, own, load, i > 0 ? k[i - 1] : Vector{});
     stage_v = known + own * k[i];
     error = error + difference[i] * k[i];
   }
   load.normal *= c.per_kappa_y;
-  return {{stage_v, k[stages - 1]},
-          length_s * length(damped(error, stage_v, own, load, FrictionEllipse({c.mu, c.mu})))};
+  return {{stage_v, k[stages - 1]}, length_s * length(damped(error, stage_v, own, load, friction))};
 }
 
 }  // namespace
@@ -98,26 +100,23 @@ LaneHistory::Next LaneHistory::slide(Spot& spot, bool from_lane) {
   }
 }
 
-/// In closed form, where it comes before the piece's end under a load that
-/// hardly changes.
+/// In closed form, where it comes before the piece's end under a load that hardly changes.
 bool LaneHistory::stop(Spot& spot, const RoofPiece& piece) {
   const Constants<double>& c = constants_;
-  LaneMotion<double>& m = spot.motion;
-  const Vector v = velocity(spot);
+  const LaneMotion<double>& m = spot.motion;
+  const Vector v = velocity(spot), to_circle{1.0, c.per_aspect};
   const auto felt = [&](double y) {
     const Load load = piece.load(y);
     return Load{c.per_kappa_y * load.drive, c.mu * c.per_kappa_y * load.normal};
   };
-  const double length_s = piece.length_s();
+  const double length_s = piece.length_s(), allowed = stop_share * c.tolerance * m.path;
   const Load now = felt(0.0);
-  const Stop guess = stop_under_constant_load(v, now.drive, now.normal);
-  if (!(guess.time_s < length_s)) return false;
-  // The load a third of the way gives the way of a straight path to the second
-  // order of its change.
-  const double t = guess.time_s;
+  const double t =
+      stop_under_constant_load(scaled(v, to_circle), scaled(now.drive, to_circle), now.normal)
+          .time_s;
+  if (!(t < length_s)) return false;
+  // The load a third of the way gives the way of a straight path to the second order of its change.
   const Load third = felt(t / length_s / 3.0), end = felt(1.0);
-  const Stop stop = stop_under_constant_load(v, third.drive, third.normal);
-  if (!(stop.time_s < length_s)) return false;
   step_s_ = std::min(step_s_, 0.6 * t);
   const auto change = [](const Load& a, const Load& b) {
     return length(b.drive - a.drive) + std::abs(b.normal - a.normal);
@@ -125,15 +124,29 @@ bool LaneHistory::stop(Spot& spot, const RoofPiece& piece) {
   const double jerk = std::max(change(now, end) / length_s, change(now, third) * 3.0 / t);
   const double uneven =
       now.normal * c.per_kappa_y * (std::abs(1.0 / c.per_kappa_y - c.kappa) + c.mu * c.gives);
-  const double allowed = stop_share * c.tolerance * m.path;
   if (!(t * t * (jerk * t / 12.0 + 0.5 * uneven) <= allowed)) return false;
-  const Vector to_plan{c.cosine2, c.cosine}, at{m.at_s, m.at_y}, out = scaled(at, to_plan);
-  const bool passes_no_peak = v.s * third.drive.s >= 0.0 && v.y * third.drive.y >= 0.0 &&
-                              dot(out, v) * dot(out, third.drive) >= 0.0;
-  if (!passes_no_peak && stop.path > 50.0 * allowed) return false;
+  const EllipticStop found =
+      c.aspect == 1.0
+          ? EllipticStop{stop_under_constant_load(v, third.drive, third.normal), third.drive}
+          : stop_on_an_ellipse(v, third.drive, third.normal, c.aspect, allowed);
+  const Stop& stop = found.stop;
+  if (!(stop.time_s < length_s)) return false;
+  const Vector out = scaled({m.at_s, m.at_y}, {c.cosine2, c.cosine}), last = found.last;
+  const bool passes_no_peak =
+      v.s * last.s >= 0.0 && v.y * last.y >= 0.0 && dot(out, v) * dot(out, last) >= 0.0;
+  const bool may_cross = crossings_.may_reach(std::sqrt(m.farthest2) + stop.path);
+  if (!(passes_no_peak && !may_cross) && stop.path > 50.0 * allowed) return false;
+  take_stop(spot, piece, stop);
+  return true;
+}
 
-  piece.move(spot, stop.time_s / length_s);
-  const Vector way = scaled(stop.displacement, to_plan);
+void LaneHistory::take_stop(Spot& spot, const RoofPiece& piece, const Stop& stop) {
+  const Constants<double>& c = constants_;
+  LaneMotion<double>& m = spot.motion;
+  const Vector v = velocity(spot), from{m.at_s, m.at_y};
+  const double begin_s = time_s(spot);
+  piece.move(spot, stop.time_s / piece.length_s());
+  const Vector way = scaled(stop.displacement, {c.cosine2, c.cosine});
   if (roof_ == RoofKind::coupled) {
     // The push under way in place of that of the velocity it began with.
     const RoofPiece::Push begin = push_of(v);
@@ -147,24 +160,18 @@ bool LaneHistory::stop(Spot& spot, const RoofPiece& piece) {
   }
   m.v_s = m.v_y = 0.0;
   m.path += stop.path;
-  move_way(spot, way);
-  return true;
-}
-
-void LaneHistory::move_way(Spot& spot, Vector way) const {
-  LaneMotion<double>& m = spot.motion;
-  m.at_s += way.s;
-  m.at_y += way.y;
-  m.farthest2 = std::max(m.farthest2, m.at_s * m.at_s + m.at_y * m.at_y);
-  m.ahead_s = std::max(m.ahead_s, m.at_s);
-  m.back_s = std::max(m.back_s, -m.at_s);
-  m.ahead_y = std::max(m.ahead_y, m.at_y);
-  m.back_y = std::max(m.back_y, -m.at_y);
+  const double speed = length(v);
+  const auto at = [&](double y) {
+    const auto [share, rate] = stop.way_share(y, speed);
+    return WayPoint{from + share * way, (rate / stop.time_s) * way};
+  };
+  move_way(spot, way, at, begin_s, stop.time_s);
 }
 
 void LaneHistory::stiff_step(Spot& spot) {
   const Constants<double>& c = constants_;
   LaneMotion<double>& m = spot.motion;
+  const FrictionEllipse ellipse({c.mu, c.mu * c.aspect});
   const Vector v = velocity(spot);
   RoofPiece::Push push = push_of(v);
   RoofPiece rest_of_interval = piece(spot, push);
@@ -174,7 +181,9 @@ void LaneHistory::stiff_step(Spot& spot) {
                           (std::abs(now.drive.s) + std::abs(now.drive.y) + std::abs(now.normal));
   constexpr double shortest = 1e-9;  // of what is left
   double length_s = std::min(step_s_, left_s);
-  const double speed = length(v), friction = c.mu * now.normal;
+  const double speed = length(v);
+  const double friction =
+      now.normal * (speed > 0.0 ? dot(ellipse.sliding(v), v) / speed : ellipse.largest());
   if (step_s_ == never && speed > 0.0) length_s = std::min(length_s, speed / friction);
   // A stage of what comes after a reversal would not see what came before.
   if (dot(now.drive, v) < friction * speed && speed > c.tolerance * m.fastest) {
@@ -185,12 +194,12 @@ void LaneHistory::stiff_step(Spot& spot) {
   SlidingStep trial;
   for (;;) {
     const double share = length_s == left_s ? 1.0 : length_s / left_s;
-    trial = sdirk4(c, v, rest_of_interval, share);
+    trial = sdirk4(c, ellipse, v, rest_of_interval, share);
     if (roof_ == RoofKind::coupled) {  // once more, with the push it has
       const RoofPiece::Push end = push_of(trial.end.v);
       for (std::size_t n = 0; n < 2; ++n) push.rise[n] = (end.begin[n] - push.begin[n]) / share;
       rest_of_interval = piece(spot, push);
-      trial = sdirk4(c, v, rest_of_interval, share);
+      trial = sdirk4(c, ellipse, v, rest_of_interval, share);
     }
     const double allowed =
         c.tolerance * std::max(m.fastest, length(trial.end.v)) + length_s * rounding;
@@ -202,25 +211,48 @@ void LaneHistory::stiff_step(Spot& spot) {
   }
   // Its way: the cubic through both ends' velocities and accelerations.
   const Vector to_plan{c.cosine2, c.cosine}, from{m.at_s, m.at_y};
-  const Vector a0 = speed > 0.0 ? stage(c, v, 1e-9 * length_s, now, {}) : Vector{};
+  const Vector a0 = speed > 0.0 ? stage(c, ellipse, v, 1e-9 * length_s, now, {}) : Vector{};
   const Path path(length_s, from, scaled(v, to_plan), scaled(a0, to_plan),
                   scaled(trial.end.v, to_plan), scaled(trial.end.a, to_plan));
   if (dot(path.v[0], path.v[3]) < 0.0 || dot(from, path.v[0]) * dot(path.end, path.v[3]) < 0.0 ||
       path.v[0].s * path.v[3].s < 0.0 || path.v[0].y * path.v[3].y < 0.0) {
-    Extremes extremes;
-    extremes.along(path);
-    m.farthest2 = std::max(m.farthest2, extremes.displacement() * extremes.displacement());
-    m.ahead_s = std::max(m.ahead_s, extremes.ahead().s);
-    m.back_s = std::max(m.back_s, extremes.back().s);
-    m.ahead_y = std::max(m.ahead_y, extremes.ahead().y);
-    m.back_y = std::max(m.back_y, extremes.back().y);
+    raise_peaks(path, m);
   }
+  const double begin_s = time_s(spot);
   rest_of_interval.move(spot, length_s == left_s ? 1.0 : length_s / left_s);
   m.v_s = trial.end.v.s;
   m.v_y = trial.end.v.y;
   m.fastest = std::max(m.fastest, length(trial.end.v));
   m.path += 0.5 * length_s * (speed + length(trial.end.v));
-  move_way(spot, path.end - from);
+  const auto at = [&](double y) { return WayPoint{path.displacement(y), path.velocity(y)}; };
+  move_way(spot, path.end - from, at, begin_s, length_s);
+}
+
+void LaneHistory::raise_peaks(const Path& path, LaneMotion<double>& m) const {
+  Extremes extremes;
+  extremes.along(path);
+  m.farthest2 = std::max(m.farthest2, extremes.displacement() * extremes.displacement());
+  m.ahead_s = std::max(m.ahead_s, extremes.ahead().s);
+  m.back_s = std::max(m.back_s, extremes.back().s);
+  m.ahead_y = std::max(m.ahead_y, extremes.ahead().y);
+  m.back_y = std::max(m.back_y, extremes.back().y);
+}
+
+void LaneHistory::crossed(const LaneBank& bank, std::size_t lane) {
+  const double* f = bank.passed.share;
+  const double h = bank.passed.length_s[lane], end = f[lane];
+  const auto at = [&](double y) {
+    const double t = y * end;
+    WayPoint point;
+    for (std::size_t k = LaneBank::way_terms; k-- > 0;) {
+      const Vector term{bank.passed.way_s[k][lane], bank.passed.way_y[k][lane]};
+      point.velocity = t * point.velocity + point.displacement;
+      point.displacement = t * point.displacement + term;
+    }
+    point.velocity = (1.0 / h) * point.velocity;
+    return point;
+  };
+  crossings_.pass(at, bank.passed.begin_s[lane], end * h, std::sqrt(bank.motion.farthest2[lane]));
 }
 
 TwoAxisPeak LaneHistory::result(const Spot& spot) const {

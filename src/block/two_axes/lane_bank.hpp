@@ -38,6 +38,7 @@ struct Constants {
   Number c, s;                ///< cosine and sine of the azimuth
   Number c_across, s_across;  ///< the same over the slope's cosine
   Number tolerance;
+  Number aspect, per_aspect;  ///< of the friction: across over along, and its inverse
   Number omega_1, omega_2, twice_zeta_1, twice_zeta_2,
       per_mass;  ///< per_mass = 1 / (1 + r)
   Number omega_rho_1, omega_rho_2;
@@ -54,6 +55,15 @@ struct LaneBank {
   alignas(64) Constants<Lanes> constants = {};
   alignas(64) std::int64_t node[lanes] = {};  ///< before which sample interval's begin
   std::uint64_t active = 0;                   ///< lanes, as bits
+  alignas(64) double next2[lanes] = {};       ///< LaneCrossings::next2
+  /// Of a lane's last step that reached it: displacement in plan as a series in the share of the
+  /// interval's rest of `length_s`, up to `share`.
+  static constexpr std::size_t way_terms = 8;
+  struct Passed {
+    double way_s[way_terms][lanes], way_y[way_terms][lanes];
+    double begin_s[lanes], length_s[lanes], share[lanes];
+  };
+  alignas(64) Passed passed = {};
 
   template <template <class> class Fields>
   static void store(Fields<Lanes>& rows, std::size_t lane, const Fields<double>& column) {
@@ -90,8 +100,13 @@ constexpr double stop_share = 1e-3;
 /// scheme of the events asks for a little more.
 constexpr double least_weight = 0.05;
 
-/// One step of every active lane. Returns those that did not make it, as bits:
-/// they are as before.
-std::uint64_t step(LaneBank& bank, const GroundRows& ground, RoofKind roof);
+/// Lanes as bits.
+struct Stepped {
+  std::uint64_t left = 0;    ///< did not make the step: they are as before
+  std::uint64_t passed = 0;  ///< reached LaneBank::next2
+};
+
+/// One step of every active lane.
+Stepped step(LaneBank& bank, const GroundRows& ground, RoofKind roof);
 
 }  // namespace glissade::block_detail::two_axes

@@ -61,20 +61,19 @@ struct Ramped {
   V begin, rise;
 };
 
-/// StepSeries in tau, the share of the rest of the interval that has passed; h is
-/// its length. With the load p, the friction n, e = v / |v| and the rate d of
-/// v, all times h:
-///   e_k = (v_k - sum of |v|_j e_k-j, j > 0) / |v|_0,   d = p - n e,   v_k+1 =
-///   d_k / (k + 1), |v|_k+1 = (e . d)_k / (k + 1)
-/// On a roof that the block accelerates n and d depend on each other (kappa,
-/// gives in Constants). In every sum the newest term is added last: the lanes
-/// wait for it.
+/// Series in tau, the share of the rest of the interval that has passed; h is its length. With the
+/// load p, the friction n along the slope, M = diag(1, aspect), the direction e = M v / |M v|, the
+/// speed u = |M v| and the rate d of v, all times h:
+///   e_k = (M v_k - sum of u_j e_k-j, j > 0) / u_0,   d = p - n M e,
+///   v_k+1 = d_k / (k + 1),   u_k+1 = (M e . d)_k / (k + 1)
+/// On a roof that the block accelerates n and d depend on each other (kappa, gives in Constants).
+/// In every sum the newest term is added last: the lanes wait for it.
 template <RoofKind roof>
 class StepSeries {
  public:
   V v_s[order + 1], v_y[order + 1];
   V x_1[roof_order + 1], y_1[roof_order + 1], x_2[roof_order + 1], y_2[roof_order + 1];
-  V speed[order];            // |v|
+  V speed[order];            // |M v|
   V p_s[order], p_y[order];  // load
   V weight[order];           // n on a roof that the block does not accelerate
 
@@ -83,7 +82,7 @@ class StepSeries {
       : c(constants), ground_1(first), ground_2(second), up(vertical), h(length) {
     v_s[0] = m.v_s;
     v_y[0] = m.v_y;
-    speed[0] = hn::Sqrt(m.v_s * m.v_s + m.v_y * m.v_y);
+    speed[0] = hn::Sqrt(m.v_s * m.v_s + (c.aspect * m.v_y) * (c.aspect * m.v_y));
     per_speed = hn::Div(Number(1.0), speed[0]);
     if constexpr (roof != RoofKind::rigid) {
       phase_1 = c.omega_1 * h;
@@ -108,7 +107,7 @@ class StepSeries {
   const Constants<V>& c;
   const Ramped &ground_1, &ground_2, &up;
   V h, per_speed, phase_1, phase_2, per_kappa;
-  V e_s[order], e_y[order], d_s[order], d_y[order], n[order];
+  V e_s[order], e_y[order], f_y[order], d_s[order], d_y[order], n[order];
   V a_1[roof_order], a_2[roof_order];
 
   /// One axis of the building, and its acceleration as far as the block's own
@@ -163,7 +162,7 @@ class StepSeries {
   HWY_INLINE void Direction() {
     if constexpr (k == 0) {
       e_s[0] = v_s[0] * per_speed;
-      e_y[0] = v_y[0] * per_speed;
+      e_y[0] = (c.aspect * v_y[0]) * per_speed;
     } else {
       V s = hn::Zero(Doubles()), y = s;
       ForOrders<2, k>([&](auto j) GLISSADE_INLINE_LAMBDA {
@@ -175,8 +174,9 @@ class StepSeries {
         y = y + speed[1] * e_y[k - 1];
       }
       e_s[k] = ((v_s[k] - speed[k] * e_s[0]) - s) * per_speed;
-      e_y[k] = ((v_y[k] - speed[k] * e_y[0]) - y) * per_speed;
+      e_y[k] = ((c.aspect * v_y[k] - speed[k] * e_y[0]) - y) * per_speed;
     }
+    f_y[k] = c.aspect * e_y[k];
   }
 
   template <int k>
@@ -187,16 +187,16 @@ class StepSeries {
       if constexpr (k == 0) per_kappa = hn::Div(Number(1.0), c.kappa - gives * e_s[0]);
       ForOrders<1, k + 1>([&](auto j) GLISSADE_INLINE_LAMBDA {
         s = s - n[k - j] * e_s[j];
-        y = y - n[k - j] * e_y[j];
+        y = y - n[k - j] * f_y[j];
       });
       d_s[k] = (s - weight[k] * e_s[0]) * per_kappa;
       n[k] = weight[k] - gives * d_s[k];
-      d_y[k] = (y - n[k] * e_y[0]) * c.per_kappa_y;
+      d_y[k] = (y - n[k] * f_y[0]) * c.per_kappa_y;
     } else {
       constexpr int first = roof == RoofKind::rigid && k > 1 ? k - 1 : 0;
       ForOrders<first, k + 1>([&](auto j) GLISSADE_INLINE_LAMBDA {
         s = s - weight[k - j] * e_s[j];
-        y = y - weight[k - j] * e_y[j];
+        y = y - weight[k - j] * f_y[j];
       });
       d_s[k] = s;
       d_y[k] = y;
@@ -210,10 +210,10 @@ class StepSeries {
     if constexpr (k + 1 < order) {
       V sum = hn::Zero(Doubles());
       ForOrders<1, k>([&](auto j) GLISSADE_INLINE_LAMBDA {
-        sum = sum + (e_s[j] * d_s[k - j] + e_y[j] * d_y[k - j]);
+        sum = sum + (e_s[j] * d_s[k - j] + f_y[j] * d_y[k - j]);
       });
-      if constexpr (k > 0) sum = sum + (e_s[k] * d_s[0] + e_y[k] * d_y[0]);
-      sum = sum + (e_s[0] * d_s[k] + e_y[0] * d_y[k]);
+      if constexpr (k > 0) sum = sum + (e_s[k] * d_s[0] + f_y[k] * d_y[0]);
+      sum = sum + (e_s[0] * d_s[k] + f_y[0] * d_y[k]);
       speed[k + 1] = sum * Number(inverse[k + 1]);
     }
   }

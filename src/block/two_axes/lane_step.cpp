@@ -77,6 +77,8 @@ HWY_INLINE Constants<V> LoadConstants(const LaneBank& bank, std::size_t first) {
           .c_across = at(c.c_across),
           .s_across = at(c.s_across),
           .tolerance = at(c.tolerance),
+          .aspect = at(c.aspect),
+          .per_aspect = at(c.per_aspect),
           .omega_1 = at(c.omega_1),
           .omega_2 = at(c.omega_2),
           .twice_zeta_1 = at(c.twice_zeta_1),
@@ -96,7 +98,7 @@ template <RoofKind roof>
 HWY_INLINE Mask CanStep(const StepSeries<roof>& z, const Constants<V>& c, const LaneMotion<V>& m,
                         V h, V v_s, V v_y) {
   const V zero = hn::Zero(Doubles());
-  V p_s = z.p_s[0], p_y = z.p_y[0], n = z.weight[0];
+  V p_s = z.p_s[0], p_y = c.per_aspect * z.p_y[0], n = z.weight[0];
   V change = hn::Abs(z.p_s[1]) + hn::Abs(z.p_y[1]) + hn::Abs(z.weight[1]);
   if constexpr (roof == RoofKind::coupled) {
     p_s = p_s * c.per_kappa_y;
@@ -105,19 +107,20 @@ HWY_INLINE Mask CanStep(const StepSeries<roof>& z, const Constants<V>& c, const 
     change = change * c.per_kappa_y;
   }
   const V margin = n * n - (p_s * p_s + p_y * p_y);
-  const V q = n * z.speed[0] + (p_s * m.v_s + p_y * m.v_y);
+  const V q = n * z.speed[0] + (p_s * m.v_s + p_y * (c.per_aspect * m.v_y));
   const V allowed = (Number(12.0 * stop_share) * c.tolerance) * m.path;
   const Mask stops =
       hn::And(hn::And(hn::Gt(margin, zero), hn::Lt(q, margin)),
               hn::Le(((change * h) * q) * (q * q), allowed * ((margin * margin) * margin)));
   const Mask stiff = hn::Gt(z.weight[0], Number(stiffest) * z.speed[0]);
-  const V turned = v_s * m.v_s + v_y * m.v_y;
+  const V turned = v_s * m.v_s + (c.aspect * v_y) * (c.aspect * m.v_y);
   const Mask straight = hn::Ge(turned, Number(0.2) * (z.speed[0] * z.speed[0]));
   const Mask stays = hn::Gt(z.weight[0], (Number(least_weight) * c.mu) * (c.gravity * h));
   return hn::AndNot(hn::Or(stops, stiff), hn::And(straight, stays));
 }
 
 /// Displacement over the step, as series in tau.
+static_assert(order + 2 == LaneBank::way_terms);
 struct Way {
   V s[order + 2], y[order + 2];
 
@@ -207,9 +210,27 @@ HWY_INLINE void Commit(LaneBank& bank, std::size_t first, Mask goes, const LaneM
   commit(to.back_y, m.back_y);
 }
 
-/// One step of neighbouring lanes; returns those that did not make it, as bits.
+HWY_INLINE std::uint64_t Bits(Mask mask) {
+  std::uint8_t bits[8] = {};
+  hn::StoreMaskBits(Doubles(), mask, bits);
+  return bits[0];
+}
+
+HWY_INLINE void KeepWay(LaneBank::Passed& to, std::size_t first, const Way& way, V begin_s,
+                        V length_s, V share) {
+  const Doubles d;
+  for (std::size_t k = 0; k < LaneBank::way_terms; ++k) {
+    hn::Store(way.s[k], d, to.way_s[k] + first);
+    hn::Store(way.y[k], d, to.way_y[k] + first);
+  }
+  hn::Store(begin_s, d, to.begin_s + first);
+  hn::Store(length_s, d, to.length_s + first);
+  hn::Store(share, d, to.share + first);
+}
+
+/// One step of neighbouring lanes; see Stepped.
 template <RoofKind roof>
-HWY_INLINE std::uint64_t StepVector(LaneBank& bank, const GroundRows& ground, std::size_t first) {
+HWY_INLINE Stepped StepVector(LaneBank& bank, const GroundRows& ground, std::size_t first) {
   const Doubles d;
   const Indices di;
   const V one = Number(1.0);
@@ -256,24 +277,31 @@ HWY_INLINE std::uint64_t StepVector(LaneBank& bank, const GroundRows& ground, st
   const auto moved = hn::RebindMask(di, hn::And(goes, whole));
   hn::Store(hn::IfThenElse(moved, next, node), di, bank.node + first);
 
-  std::uint8_t bits[8] = {};
-  hn::StoreMaskBits(d, goes, bits);
-  return static_cast<std::uint64_t>(static_cast<std::uint8_t>(~bits[0])) &
-         ((std::uint64_t{1} << hn::Lanes(d)) - 1);
+  const Mask reached = hn::And(goes, hn::Ge(to.farthest2, hn::Load(d, bank.next2 + first)));
+  Stepped stepped;
+  if (HWY_UNLIKELY(!hn::AllFalse(d, reached))) {
+    const V whole_nodes = hn::ConvertTo(d, next);
+    KeepWay(bank.passed, first, way, (whole_nodes - m.left) * Number(ground.dt_s), h, f);
+    stepped.passed = Bits(reached);
+  }
+  stepped.left = ~Bits(goes) & ((std::uint64_t{1} << hn::Lanes(d)) - 1);
+  return stepped;
 }
 
 template <RoofKind roof>
-std::uint64_t StepAll(LaneBank& bank, const GroundRows& ground) {
+Stepped StepAll(LaneBank& bank, const GroundRows& ground) {
   const std::size_t n = hn::Lanes(Doubles());
-  std::uint64_t left = 0;
+  Stepped all;
   for (std::size_t first = 0; first < LaneBank::lanes; first += n) {
     if (((bank.active >> first) & ((std::uint64_t{1} << n) - 1)) == 0) continue;
-    left |= StepVector<roof>(bank, ground, first) << first;
+    const Stepped some = StepVector<roof>(bank, ground, first);
+    all.left |= some.left << first;
+    all.passed |= some.passed << first;
   }
-  return left & bank.active;
+  return {all.left & bank.active, all.passed & bank.active};
 }
 
-std::uint64_t Step(LaneBank& bank, const GroundRows& ground, RoofKind roof) {
+Stepped Step(LaneBank& bank, const GroundRows& ground, RoofKind roof) {
   switch (roof) {
     case RoofKind::rigid:
       return StepAll<RoofKind::rigid>(bank, ground);
@@ -292,7 +320,7 @@ HWY_AFTER_NAMESPACE();
 namespace glissade::block_detail::two_axes {
 HWY_EXPORT(Step);
 
-std::uint64_t step(LaneBank& bank, const GroundRows& ground, RoofKind roof) {
+Stepped step(LaneBank& bank, const GroundRows& ground, RoofKind roof) {
   return HWY_DYNAMIC_DISPATCH(Step)(bank, ground, roof);
 }
 

@@ -27,7 +27,7 @@ std::size_t FirstLoose(const RestMotion& motion, const Constants<double>& c, dou
     const auto fall = number(c.gravity) + number(c.factor_w) * hn::LoadU(d, motion.w + k);
     const auto along = number(c.c) * a_1 + number(c.s) * a_2;
     const auto p_s = fall * number(c.tangent) - along;
-    const auto p_y = number(c.s_across) * a_1 - number(c.c_across) * a_2;
+    const auto p_y = number(c.per_aspect) * (number(c.s_across) * a_1 - number(c.c_across) * a_2);
     const auto holds = number(c.mu) * (fall + number(c.tangent) * along) - number(needed);
     const auto rests =
         hn::And(hn::Ge(holds, hn::Zero(d)), hn::Le(p_s * p_s + p_y * p_y, holds * holds));

@@ -68,7 +68,7 @@ void RoofAtRest::renew(std::size_t node) {
 bool RoofAtRest::holds(const std::array<double, 2>& a, double w) const {
   const Constants<double>& c = constants_;
   const double most = std::sqrt(a[0] * a[0] + a[1] * a[1]) * (1.0 + 1e-12);
-  return (c.gravity + w) * c.tangent + most / c.cosine <=
+  return (c.gravity + w) * c.tangent + most * std::max(1.0, c.per_aspect) / c.cosine <=
          c.mu * (c.gravity - w - c.tangent * most) * (1.0 - 1e-12);
 }
 
@@ -107,7 +107,9 @@ std::size_t RoofAtRest::first_loose(std::size_t from, std::size_t end) const {
   const Constants<double>& c = constants_;
   const std::size_t k = from / block_nodes;
   const double rounding = 1e-12 * c.gravity;
-  const double needed = (sag(0, k) + sag(1, k)) * (1.0 / c.cosine + c.mu * c.tangent) + rounding;
+  const double needed =
+      (sag(0, k) + sag(1, k)) * (std::max(1.0, c.per_aspect) / c.cosine + c.mu * c.tangent) +
+      rounding;
   for (std::size_t i = from; i <= end; i += 8) {
     RestMotion motion;
     for (std::size_t n = 0; n < 2; ++n) {

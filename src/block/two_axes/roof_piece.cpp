@@ -68,7 +68,8 @@ double RoofPiece::sag() const {
   double total = 0.0;
   for (std::size_t k = 2; k < static_cast<std::size_t>(terms_); ++k)
     total += std::abs(a_[0][k]) + std::abs(a_[1][k]);
-  return total * (1.0 / constants_->cosine + constants_->mu * constants_->tangent);
+  const Constants<double>& c = *constants_;
+  return total * (std::max(1.0, c.per_aspect) / c.cosine + c.mu * c.tangent);
 }
 
 void RoofPiece::move(Spot& spot, double y) const {

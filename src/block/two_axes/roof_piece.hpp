@@ -58,8 +58,8 @@ class RoofPiece {
 };
 
 /// Of a load: how much more friction could hold.
-inline double grip_left(const Load& load, double mu) {
-  return mu * load.normal - length(load.drive);
+inline double grip_left(const Load& load, const Constants<double>& c) {
+  return c.mu * load.normal - length({load.drive.s, c.per_aspect * load.drive.y});
 }
 
 }  // namespace glissade::block_detail::two_axes

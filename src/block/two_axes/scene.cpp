@@ -9,6 +9,7 @@ namespace glissade::block_detail::two_axes {
 namespace {
 
 constexpr double longest_phase = 0.85;  // over a sample interval: an eighth of a period
+constexpr double least_aspect = 0.5, most_aspect = 2.0;  // of the friction ellipse
 constexpr double least_damping = 1e-3, most_damping = 0.5;
 
 double omega_of(const Oscillator& oscillator) {
@@ -30,7 +31,9 @@ RoofKind roof_of(const TwoAxisScene& scene) {
 bool fits_lanes(const TwoAxisScene& scene, const BuildingGround& ground) {
   const TwoAxisBlock& block = scene.block;
   const auto& [first, second] = scene.building.horizontal;
-  if (block.friction.along != block.friction.across || !block.law.is_coulomb()) return false;
+  if (!block.law.is_coulomb()) return false;
+  const double aspect = block.friction.across / block.friction.along;
+  if (!(aspect >= least_aspect && aspect <= most_aspect)) return false;
   // Friction that exceeds the slope by little stops the block too late.
   if (!(block.friction.along > 1.02 * std::tan(block.slope_rad) && block.friction.along < 2.0))
     return false;
@@ -63,6 +66,8 @@ Constants<double> constants_of(const TwoAxisScene& scene, double tolerance) {
   c.c_across = c.c / c.cosine;
   c.s_across = c.s / c.cosine;
   c.tolerance = tolerance;
+  c.aspect = block.friction.across / block.friction.along;
+  c.per_aspect = 1.0 / c.aspect;
   const auto& axes = scene.building.horizontal;
   c.omega_1 = omega_of(axes[0]);
   c.omega_2 = omega_of(axes[1]);

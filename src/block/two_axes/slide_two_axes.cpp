@@ -5,10 +5,12 @@
 #include <memory>
 #include <optional>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "glissade/block/two_axis_lanes.hpp"
 #include "glissade/core/contract.hpp"
+#include "glissade/core/not_converged.hpp"
 #include "history.hpp"
 #include "scene.hpp"
 
@@ -19,10 +21,12 @@ using block_detail::two_axes::Constants;
 using block_detail::two_axes::GroundNodes;
 using block_detail::two_axes::GroundRows;
 using block_detail::two_axes::LaneBank;
+using block_detail::two_axes::LaneCrossings;
 using block_detail::two_axes::LaneHistory;
 using block_detail::two_axes::RestTable;
 using block_detail::two_axes::RoofKind;
 using block_detail::two_axes::Spot;
+using block_detail::two_axes::Stepped;
 
 /// What histories on one table have in common.
 using BuildingKey = std::tuple<double, double, double, double, double>;
@@ -34,38 +38,95 @@ BuildingKey key_of(const BiaxialBuilding& building) {
           building.mass_ratio};
 }
 
-TwoAxisPeak by_reference(const BuildingGround& ground, const TwoAxisScene& scene,
-                         double tolerance) {
-  const TwoAxisResult r =
-      slide_on_building(ground, scene.factors, scene.building, scene.block, tolerance).slip;
-  return {r.peak_displacement_m, r.peak_by_axis, r.peak_downslope_m, r.peak_upslope_m, r.residual,
-          r.slip_phases,         r.uplift,       r.free_sliding};
-}
+/// The tables of the last buildings. One that a history still needs lives on.
+class RestTables {
+ public:
+  std::shared_ptr<const RestTable> of(const TwoAxisScene& scene, const GroundNodes& nodes,
+                                      RoofKind roof) {
+    const BuildingKey key = key_of(scene.building);
+    for (const auto& [other, table] : kept_)
+      if (key == other) return table;
+    if (kept_.size() == most_kept) kept_.erase(kept_.begin());
+    const auto constants = block_detail::two_axes::constants_of(scene, 1.0);
+    return kept_.emplace_back(key, std::make_shared<const RestTable>(nodes, constants, roof))
+        .second;
+  }
+
+ private:
+  static constexpr std::size_t most_kept = 16;
+  std::vector<std::pair<BuildingKey, std::shared_ptr<const RestTable>>> kept_;
+};
+
+/// Scenes under one motion, and where their results go.
+struct Batch {
+  std::span<const TwoAxisScene> scenes;
+  std::span<TwoAxisPeak> peaks;
+  std::span<const double> thresholds_m;
+  std::span<Crossing> crossings;
+
+  std::span<Crossing> crossings_of(std::size_t scene) const {
+    return crossings.subspan(scene * thresholds_m.size(), thresholds_m.size());
+  }
+};
+
+}  // namespace
+
+struct TwoAxisLanes::State {
+  const BuildingGround& ground;
+  GroundNodes nodes;
+  double tolerance;
+  RestTables tables;
+
+  void by_reference(const Batch& batch, std::size_t k) const {
+    const TwoAxisScene& scene = batch.scenes[k];
+    std::ranges::fill(batch.crossings_of(k), Crossing{});
+    try {
+      const TwoAxisResult r =
+          slide_on_building(ground, scene.factors, scene.building, scene.block, batch.thresholds_m,
+                            batch.crossings_of(k), tolerance)
+              .slip;
+      batch.peaks[k] = {r.peak_displacement_m,
+                        r.peak_by_axis,
+                        r.peak_downslope_m,
+                        r.peak_upslope_m,
+                        r.residual,
+                        r.slip_phases,
+                        r.uplift,
+                        r.free_sliding,
+                        false};
+    } catch (const NotConverged&) {
+      batch.peaks[k] = {.failed = true};
+    }
+  }
+};
+
+namespace {
 
 /// The histories of one kind of roof, as many at a time as there are lanes.
+template <class State>
 class Pool {
  public:
-  Pool(const BuildingGround& ground, const GroundNodes& nodes, RoofKind roof,
-       std::span<const TwoAxisScene> scenes, std::span<TwoAxisPeak> peaks, double tolerance)
-      : ground_(ground),
-        nodes_(nodes),
-        roof_(roof),
-        scenes_(scenes),
-        peaks_(peaks),
-        tolerance_(tolerance) {}
+  Pool(State& state, RoofKind roof, const Batch& batch)
+      : state_(state), roof_(roof), batch_(batch) {}
 
   /// @param tasks those on one building are neighbours
   void run(std::span<const std::size_t> tasks) {
     tasks_ = tasks;
     for (std::size_t lane = 0; lane < LaneBank::lanes; ++lane) fill(lane);
+    const GroundNodes& nodes = state_.nodes;
     const double longest_s =
-        static_cast<double>(nodes_.quiet) * nodes_.dt_s + RoofMotionOptions{}.longest_ring_down_s;
-    const GroundRows ground{nodes_.nodes.data(), static_cast<std::int64_t>(nodes_.quiet),
-                            static_cast<std::int64_t>(longest_s / nodes_.dt_s), nodes_.dt_s,
-                            ground_.vertical != nullptr};
+        static_cast<double>(nodes.quiet) * nodes.dt_s + RoofMotionOptions{}.longest_ring_down_s;
+    const GroundRows ground{nodes.nodes.data(), static_cast<std::int64_t>(nodes.quiet),
+                            static_cast<std::int64_t>(longest_s / nodes.dt_s), nodes.dt_s,
+                            state_.ground.vertical != nullptr};
     while (bank_.active != 0) {
-      for (std::uint64_t left = block_detail::two_axes::step(bank_, ground, roof_); left != 0;
-           left &= left - 1)
+      const Stepped stepped = block_detail::two_axes::step(bank_, ground, roof_);
+      for (std::uint64_t passed = stepped.passed; passed != 0; passed &= passed - 1) {
+        const auto lane = static_cast<std::size_t>(std::countr_zero(passed));
+        histories_[lane]->crossed(bank_, lane);
+        bank_.next2[lane] = histories_[lane]->next2();
+      }
+      for (std::uint64_t left = stepped.left; left != 0; left &= left - 1)
         resolve(static_cast<std::size_t>(std::countr_zero(left)));
     }
   }
@@ -75,11 +136,13 @@ class Pool {
   void fill(std::size_t lane) {
     bank_.active &= ~(std::uint64_t{1} << lane);
     while (next_ < tasks_.size()) {
-      const std::size_t scene = tasks_[next_++];
-      scene_[lane] = scene;
-      LaneHistory& history =
-          histories_[lane].emplace(block_detail::two_axes::constants_of(scenes_[scene], tolerance_),
-                                   roof_, nodes_, table_of(scene));
+      const std::size_t k = scene_[lane] = tasks_[next_++];
+      const TwoAxisScene& scene = batch_.scenes[k];
+      std::ranges::fill(batch_.crossings_of(k), Crossing{});
+      LaneHistory& history = histories_[lane].emplace(
+          block_detail::two_axes::constants_of(scene, state_.tolerance), roof_, state_.nodes,
+          state_.tables.of(scene, state_.nodes, roof_),
+          LaneCrossings(batch_.thresholds_m, batch_.crossings_of(k)));
       Spot spot;
       if (!settle(lane, history.begin(spot), spot)) continue;
       LaneBank::store(bank_.constants, lane, history.constants());
@@ -87,17 +150,6 @@ class Pool {
       bank_.active |= std::uint64_t{1} << lane;
       return;
     }
-  }
-
-  /// Tables live as long as a history needs them.
-  std::shared_ptr<const RestTable> table_of(std::size_t scene) {
-    const BuildingKey key = key_of(scenes_[scene].building);
-    if (table_ == nullptr || key != table_key_) {
-      table_ = std::make_shared<const RestTable>(
-          nodes_, block_detail::two_axes::constants_of(scenes_[scene], tolerance_), roof_);
-      table_key_ = key;
-    }
-    return table_;
   }
 
   void resolve(std::size_t lane) {
@@ -113,26 +165,21 @@ class Pool {
   void put(std::size_t lane, const Spot& spot) {
     LaneBank::store(bank_.motion, lane, spot.motion);
     bank_.node[lane] = spot.node;
+    bank_.next2[lane] = histories_[lane]->next2();
   }
 
   /// True where it slides on.
   bool settle(std::size_t lane, LaneHistory::Next next, const Spot& spot) {
-    const std::size_t scene = scene_[lane];
-    if (next == LaneHistory::Next::over) peaks_[scene] = histories_[lane]->result(spot);
-    if (next == LaneHistory::Next::leaves)
-      peaks_[scene] = by_reference(ground_, scenes_[scene], tolerance_);
+    const std::size_t k = scene_[lane];
+    if (next == LaneHistory::Next::over) batch_.peaks[k] = histories_[lane]->result(spot);
+    if (next == LaneHistory::Next::leaves) state_.by_reference(batch_, k);
     return next == LaneHistory::Next::slides;
   }
 
-  const BuildingGround& ground_;
-  const GroundNodes& nodes_;
+  State& state_;
   RoofKind roof_;
-  std::span<const TwoAxisScene> scenes_;
-  std::span<TwoAxisPeak> peaks_;
-  double tolerance_;
+  Batch batch_;
   std::span<const std::size_t> tasks_;
-  BuildingKey table_key_;
-  std::shared_ptr<const RestTable> table_;
   std::size_t next_ = 0;
   LaneBank bank_;
   std::size_t scene_[LaneBank::lanes] = {};
@@ -147,26 +194,41 @@ double srss_of_maxima_m(const TwoAxisPeak& peak) {
   return srss_of_maxima_m(r);
 }
 
-void slide_two_axes(const BuildingGround& ground, std::span<const TwoAxisScene> scenes,
-                    std::span<TwoAxisPeak> peaks, double tolerance) {
-  GLISSADE_EXPECTS(scenes.size() == peaks.size());
+TwoAxisLanes::TwoAxisLanes(const BuildingGround& ground, double tolerance)
+    : state_(std::make_unique<State>(State{ground, GroundNodes(ground), tolerance, {}})) {
   GLISSADE_EXPECTS(tolerance >= 1e-9 && tolerance <= 1e-2);
+}
+
+TwoAxisLanes::~TwoAxisLanes() = default;
+
+void TwoAxisLanes::slide(std::span<const TwoAxisScene> scenes, std::span<TwoAxisPeak> peaks) {
+  slide(scenes, peaks, {}, {});
+}
+
+void TwoAxisLanes::slide(std::span<const TwoAxisScene> scenes, std::span<TwoAxisPeak> peaks,
+                         std::span<const double> thresholds_m, std::span<Crossing> crossings) {
+  GLISSADE_EXPECTS(scenes.size() == peaks.size());
+  GLISSADE_EXPECTS(crossings.size() == scenes.size() * thresholds_m.size());
+  const Batch batch{scenes, peaks, thresholds_m, crossings};
   std::array<std::vector<std::size_t>, 3> tasks;  // by roof
   for (std::size_t k = 0; k < scenes.size(); ++k) {
-    if (block_detail::two_axes::fits_lanes(scenes[k], ground))
+    if (block_detail::two_axes::fits_lanes(scenes[k], state_->ground))
       tasks[static_cast<std::size_t>(block_detail::two_axes::roof_of(scenes[k]))].push_back(k);
     else
-      peaks[k] = by_reference(ground, scenes[k], tolerance);
+      state_->by_reference(batch, k);
   }
-  const GroundNodes nodes(ground);
   for (const RoofKind roof : {RoofKind::rigid, RoofKind::building, RoofKind::coupled}) {
     std::vector<std::size_t>& on_roof = tasks[static_cast<std::size_t>(roof)];
     if (on_roof.empty()) continue;
-    std::stable_sort(on_roof.begin(), on_roof.end(), [&](std::size_t a, std::size_t b) {
-      return key_of(scenes[a].building) < key_of(scenes[b].building);
-    });
-    Pool(ground, nodes, roof, scenes, peaks, tolerance).run(on_roof);
+    std::ranges::stable_sort(on_roof, {},
+                             [&](std::size_t k) { return key_of(scenes[k].building); });
+    Pool(*state_, roof, batch).run(on_roof);
   }
+}
+
+void slide_two_axes(const BuildingGround& ground, std::span<const TwoAxisScene> scenes,
+                    std::span<TwoAxisPeak> peaks, double tolerance) {
+  TwoAxisLanes(ground, tolerance).slide(scenes, peaks);
 }
 
 }  // namespace glissade

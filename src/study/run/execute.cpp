@@ -105,22 +105,65 @@ void run_levels(const Plan& plan, Histories& histories, Skipping skipping, Histo
     fields.tips.push_back(config.intensity.measure.factor_of_level(level) > tipping ? 1 : 0);
 }
 
-/// The capacities of one case, whose levels are run.
-void find_capacities(const Plan& plan, Histories& histories, HistoryFields& fields,
-                     WorkCount& count) {
+using Cases = std::vector<std::unique_ptr<Histories>>;
+
+/// The levels of cases that are run together.
+void prepare_levels(const Plan& plan, const Cases& cases, TwoAxisBatch& batch) {
+  // Where a level decides whether the next is needed, each is run by itself.
+  if (plan.config.fragility && plan.config.fragility->stop_at_largest) return;
+  for (const auto& histories : cases)
+    for (const double level : plan.config.intensity.levels)
+      if (!histories->does_not_slide(level)) histories->prepare(level);
+  batch.run();
+}
+
+/// The search for one capacity. It is begun anew each time that the batch has run what it lacked.
+struct CapacitySearch {
+  Histories& histories;
+  const double* peaks;
+  double threshold_m;
+  double capacity = 0.0;
+  bool lacks = true;
+  WorkCount count = {};
+
+  void go_on(const std::vector<double>& levels) {
+    lacks = false;
+    count = {};
+    capacity = first_crossing(levels, peaks, threshold_m, [&](double level) {
+      if (histories.does_not_slide(level)) return 0.0;
+      if (lacks || !histories.is_ready(level)) {
+        if (!lacks) histories.prepare(level);
+        lacks = true;
+        return threshold_m;  // ends the search
+      }
+      return run_history(histories, level, {}, count).peak_displacement_m;
+    });
+  }
+};
+
+/// The capacities of cases whose levels are run.
+void find_capacities(const Plan& plan, const Cases& cases, TwoAxisBatch& batch,
+                     HistoryFields& fields, WorkCount& count) {
   const std::vector<double>& levels = plan.config.intensity.levels;
-  const double* peaks =
-      fields.peak_displacement_m.data() + fields.peak_displacement_m.size() - levels.size();
-  for (const double threshold : plan.config.thresholds_m()) {
-    WorkCount search;
-    fields.capacity.push_back(first_crossing(levels, peaks, threshold, [&](double level) {
-      return histories.does_not_slide(level)
-                 ? 0.0
-                 : run_history(histories, level, {}, search).peak_displacement_m;
-    }));
-    count.searched += search.integrated;
-    count.failed += search.failed;
-    if (search.integrated == 0) ++count.decided;
+  const double* peaks = fields.peak_displacement_m.data() + fields.peak_displacement_m.size() -
+                        cases.size() * levels.size();
+  std::vector<CapacitySearch> searches;
+  for (std::size_t i = 0; i < cases.size(); ++i)
+    for (const double threshold : plan.config.thresholds_m())
+      searches.push_back({*cases[i], peaks + i * levels.size(), threshold});
+  for (bool lacking = true; lacking;) {
+    lacking = false;
+    for (CapacitySearch& search : searches) {
+      if (search.lacks) search.go_on(levels);
+      lacking = lacking || search.lacks;
+    }
+    batch.run();
+  }
+  for (const CapacitySearch& search : searches) {
+    fields.capacity.push_back(search.capacity);
+    count.searched += search.count.integrated;
+    count.failed += search.count.failed;
+    if (search.count.integrated == 0) ++count.decided;
   }
 }
 
@@ -148,18 +191,28 @@ UnitResult execute(const Plan& plan, std::size_t unit_index, RoofStore& roofs) {
   const bool skips = roofs.skipping() == Skipping::all;
   const std::size_t at_once = skips ? RoofStore::most_at_once : 1;
   const std::size_t end = unit.first + unit.count;
+  // The full model fills SIMD lanes with the histories of several cases.
+  const std::size_t together = plan.kernel.kernel == Kernel::full ? 16 : 1;
+  const auto thresholds =
+      KeptFields(plan.config).crossings ? plan.config.thresholds_m() : std::span<const double>();
   std::vector<std::size_t> buildings;
   for (std::size_t first = unit.first; first < end;) {
     const std::size_t next = next_buildings(plan, first, end, at_once, buildings);
     const auto under = roofs.under(unit.record, buildings);
     const std::function<void()> remake =
         skips ? std::function<void()>() : [&] { roofs.under(unit.record, buildings); };
-    for (std::size_t roof = 0; first < next; ++first) {
-      const std::size_t number = plan.order[first];
-      if (plan.building[number] != buildings[roof]) ++roof;
-      const auto histories = histories_of(plan, roofs, unit.record, number, under[roof], remake);
-      run_levels(plan, *histories, roofs.skipping(), result.fields, result.count);
-      find_capacities(plan, *histories, result.fields, result.count);
+    for (std::size_t roof = 0; first < next;) {
+      TwoAxisBatch batch(thresholds);
+      Cases cases;
+      for (; first < next && cases.size() < together; ++first) {
+        const std::size_t number = plan.order[first];
+        if (plan.building[number] != buildings[roof]) ++roof;
+        cases.push_back(histories_of(plan, roofs, unit.record, number, under[roof], batch, remake));
+      }
+      prepare_levels(plan, cases, batch);
+      for (const auto& histories : cases)
+        run_levels(plan, *histories, roofs.skipping(), result.fields, result.count);
+      find_capacities(plan, cases, batch, result.fields, result.count);
     }
   }
   result.count.roofs = roofs.roofs_made() - roofs_before;

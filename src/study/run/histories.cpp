@@ -9,6 +9,7 @@
 #include "glissade/block/coupled_slip.hpp"
 #include "glissade/block/tipping.hpp"
 #include "glissade/core/contract.hpp"
+#include "glissade/core/not_converged.hpp"
 #include "glissade/core/units.hpp"
 
 namespace glissade {
@@ -185,11 +186,12 @@ class CoupledHistories : public NoTipping {
 /// The full model.
 class FullHistories : public NoTipping {
  public:
-  FullHistories(const Scene& scene, BuildingGround ground)
+  FullHistories(const Scene& scene, BuildingGround ground, TwoAxisBatch& batch)
       : scene_(scene),
         ground_(std::move(ground)),
         building_(biaxial_building(scene.c, scene.plan.target(scene.record))),
-        block_(two_axis_block(scene.c)) {
+        block_(two_axis_block(scene.c)),
+        batch_(batch) {
     if (scene.c.support == ArraySupport::isolated) return;
     ground_.vertical = nullptr;
     block_ = anchored_block();
@@ -199,35 +201,68 @@ class FullHistories : public NoTipping {
     return is_below_yield(scene_, std::min(block_.friction.along, block_.friction.across), level);
   }
 
+  void prepare(double level) override {
+    if (!is_ready(level)) batch_.add(ground_, {building_, block_, factors(level)}, level, known_);
+  }
+  bool is_ready(double level) const override {
+    return runs_alone() || known_.find(level) != nullptr;
+  }
+
   History at(double level, std::span<Crossing> crossings, WorkCount& count) override {
     ++count.integrated;
-    const BuildingFactors factors{{scene_.axis_factor(0, level), scene_.axis_factor(1, level)},
-                                  scene_.factor(level)};
+    if (runs_alone()) return whole_model(level, crossings);
+    if (!is_ready(level)) {
+      prepare(level);
+      batch_.run();
+    }
+    const TwoAxisKnown::Entry& known = *known_.find(level);
+    if (known.peak.failed) throw NotConverged("slide_two_axes: a history did not converge");
+    std::copy_n(known.crossings.begin(), crossings.size(), crossings.begin());
+    return history(known.peak);
+  }
+
+ private:
+  BuildingFactors factors(double level) const {
+    return {{scene_.axis_factor(0, level), scene_.axis_factor(1, level)}, scene_.factor(level)};
+  }
+
+  /// The lanes give no base shear, and gain nothing yet on an ellipse: many steps before each stop.
+  bool runs_alone() const {
+    return scene_.plan.config.base_shear || block_.friction.along != block_.friction.across;
+  }
+
+  History whole_model(double level, std::span<Crossing> crossings) const {
     const BuildingSlip on_building = slide_on_building(
-        ground_, factors, building_, block_,
+        ground_, factors(level), building_, block_,
         crossings.empty() ? std::span<const double>() : scene_.thresholds_m(), crossings);
-    const TwoAxisResult& slip = on_building.slip;
+    History found = history(on_building.slip);
+    found.base_shear = on_building.peak_base_shear;
+    return found;
+  }
+
+  template <class Slip>
+  History history(const Slip& slip) const {
     const bool srss = scene_.plan.config.model.displacement == DisplacementMeasure::srss;
     return {.peak_displacement_m = srss ? srss_of_maxima_m(slip) : slip.peak_displacement_m,
             .peak_vector_m = slip.peak_displacement_m,
             .peak_by_axis_m = {slip.peak_by_axis.along_m, slip.peak_by_axis.across_m},
             .residual_m = {slip.residual.along_m, slip.residual.across_m},
-            .base_shear = on_building.peak_base_shear,
             .uplift = slip.uplift};
   }
 
- private:
   Scene scene_;
   BuildingGround ground_;
   BiaxialBuilding building_;
   TwoAxisBlock block_;
+  TwoAxisBatch& batch_;
+  TwoAxisKnown known_;
 };
 
 }  // namespace
 
 std::unique_ptr<Histories> histories_of(const Plan& plan, RoofStore& roofs, std::size_t record,
                                         std::size_t case_number, const CaseRoof& roof,
-                                        const std::function<void()>& remake) {
+                                        TwoAxisBatch& batch, const std::function<void()>& remake) {
   const Case& c = plan.cases.cases[case_number];
   const Scene scene{plan, c, record, roof, roofs.skipping() == Skipping::all};
   switch (plan.kernel.kernel) {
@@ -243,7 +278,7 @@ std::unique_ptr<Histories> histories_of(const Plan& plan, RoofStore& roofs, std:
     case Kernel::full:
       break;
   }
-  return std::make_unique<FullHistories>(scene, roofs.ground_under(c));
+  return std::make_unique<FullHistories>(scene, roofs.ground_under(c), batch);
 }
 
 }  // namespace glissade

@@ -10,6 +10,7 @@
 #include "glissade/study/plan/plan.hpp"
 #include "glissade/study/run/roof_store.hpp"
 #include "glissade/study/run/work_count.hpp"
+#include "run/two_axis_batch.hpp"
 
 namespace glissade {
 
@@ -31,6 +32,10 @@ class Histories {
 
   /// The array does not slide at this level, as bounds show without a history.
   virtual bool does_not_slide(double level) const = 0;
+  /// at() will be needed at this level: it is run with others of the batch, at its next run.
+  virtual void prepare(double) {}
+  /// at() needs no run of the batch at this level.
+  virtual bool is_ready(double) const { return true; }
   /// @param crossings as many as the study's thresholds, or none
   virtual History at(double level, std::span<Crossing> crossings, WorkCount& count) = 0;
   /// The level above which the body begins to rock on its base (Kernel::tables only).
@@ -39,9 +44,10 @@ class Histories {
 
 /// By the plan's kernel. Valid as long as `roof` and the store's record.
 /// @param curve see RoofStore::curve
+/// @param batch runs what is prepared
 /// @param remake makes the roof anew: called before every history where nothing is skipped
 std::unique_ptr<Histories> histories_of(const Plan& plan, RoofStore& roofs, std::size_t record,
                                         std::size_t case_number, const CaseRoof& roof,
-                                        const std::function<void()>& remake);
+                                        TwoAxisBatch& batch, const std::function<void()>& remake);
 
 }  // namespace glissade

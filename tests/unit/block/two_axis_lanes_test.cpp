@@ -38,7 +38,7 @@ std::vector<TwoAxisScene> made_up_scenes(Kind kind, std::size_t count, unsigned 
         o = {0.2 + 0.3 * static_cast<double>(k / 4 % 4), 0.05};  // four on each building
     if (kind == Kind::coupled) s.building.mass_ratio = 0.02 + 0.04 * static_cast<double>(k / 4 % 3);
     const double mu = uniform(random, 0.05, 0.6);
-    s.block.friction = {mu, mu};
+    s.block.friction = {mu, k % 3 == 0 ? mu : uniform(random, 0.6, 1.6) * mu};
     s.block.slope_rad = uniform(random, 0.0, 0.9) * std::min(std::atan(mu), 0.2);
     s.block.azimuth_rad = uniform(random, -3.0, 3.0);
     const double factor = std::exp(uniform(random, std::log(0.2), std::log(2.0)));
@@ -113,7 +113,7 @@ TEST(slide_two_axes, converges_with_its_tolerance) {
       const std::vector<double> found =
           errors(ground_of(3), made_up_scenes(kind, 30, 4), tolerance);
       EXPECT_LT(found[found.size() / 2], 2.0 * tolerance);
-      EXPECT_LT(found.back(), 30.0 * tolerance);
+      EXPECT_LT(found.back(), 60.0 * tolerance);
     }
   }
 }
@@ -145,7 +145,7 @@ TEST(slide_two_axes, what_does_not_fit_the_lanes_is_the_reference) {
   const BuildingGround ringing = made.ground();
   std::vector<TwoAxisScene> scenes = made_up_scenes(Kind::coupled, 8, 10);
   for (TwoAxisScene& s : scenes) s.block.friction = {0.2, 0.2};
-  scenes[0].block.friction.across = 0.15;
+  scenes[0].block.friction.across = 0.09;
   scenes[1].block.law.static_ratio = 1.2;
   scenes[2].block.law = {1.0, 1.5, 20.0};
   scenes[3].building.yielding[1] = {2.0, 0.05};
@@ -186,6 +186,35 @@ TEST(slide_two_axes, follows_the_building_after_the_record) {
     const std::vector<double> found = errors(ground, scenes, 1e-6);
     ASSERT_FALSE(found.empty());
     EXPECT_LT(found.back(), 3e-5);
+  }
+}
+
+// Ten thresholds up to the peak: the same ones are reached, at the same time and speed.
+TEST(slide_two_axes, crossings_are_those_of_the_reference) {
+  const BuildingGround ground = ground_of(24);
+  for (const Kind kind : {Kind::rigid, Kind::uncoupled, Kind::coupled}) {
+    const auto scenes = made_up_scenes(kind, 40, 25);
+    const auto plain = solve(ground, scenes);
+    for (std::size_t k = 0; k < scenes.size(); ++k) {
+      const TwoAxisScene& s = scenes[k];
+      std::vector<double> thresholds_m;
+      for (int i = 1; i <= 10; ++i)
+        thresholds_m.push_back((i < 10 ? 0.0997 * i : 1.01) * plain[k].peak_displacement_m);
+      if (plain[k].peak_displacement_m < 1e-4) continue;
+      std::vector<Crossing> found(10), expected(10);
+      TwoAxisPeak peak;
+      TwoAxisLanes(ground).slide({&s, 1}, {&peak, 1}, thresholds_m, found);
+      slide_on_building(ground, s.factors, s.building, s.block, thresholds_m, expected, 1e-9);
+      for (std::size_t i = 0; i < 10; ++i) {
+        ASSERT_EQ(found[i].happens(), expected[i].happens()) << k << ' ' << i;
+        ASSERT_EQ(found[i].happens(), i < 9);
+        if (i == 9 || expected[i].speed_mps < 1e-3) continue;
+        const double off_m = 2e-5 * peak.peak_displacement_m;
+        EXPECT_NEAR(found[i].time_s, expected[i].time_s, 1e-5 + off_m / expected[i].speed_mps);
+        EXPECT_NEAR(found[i].speed_mps, expected[i].speed_mps,
+                    1e-3 * expected[i].speed_mps + 20.0 * off_m / expected[i].speed_mps);
+      }
+    }
   }
 }
 

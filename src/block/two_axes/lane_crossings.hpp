@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <limits>
+#include <span>
+
+#include "block/plane_vector.hpp"
+#include "glissade/block/crossing.hpp"
+
+namespace glissade::block_detail::two_axes {
+
+/// Time and speed of the first crossing of each distance, for one history.
+class LaneCrossings {
+ public:
+  LaneCrossings() = default;
+  /// @param thresholds_m increasing; @param crossings as many, none of which happened
+  LaneCrossings(std::span<const double> thresholds_m, std::span<Crossing> crossings)
+      : thresholds_m_(thresholds_m), crossings_(crossings) {}
+
+  /// A displacement of this length may reach the next threshold.
+  bool may_reach(double distance_m) const { return distance_m >= next_m(); }
+  /// Below it, squared, no threshold is reached.
+  double next2() const { return next_m() * next_m() * (1.0 - 1e-12); }
+
+  /// A piece of the way, after which the block has been `farthest_m` from where it lay.
+  /// @param at from the share of the piece in [0, 1] to displacement and velocity, in plan
+  template <class At>
+  void pass(const At& at, double begin_s, double length_s, double farthest_m) {
+    for (; may_reach(farthest_m); ++next_) {
+      const double share = first_reach(at, thresholds_m_[next_]);
+      crossings_[next_] = {begin_s + share * length_s, length(at(share).velocity)};
+    }
+  }
+
+ private:
+  double next_m() const {
+    return next_ < thresholds_m_.size() ? thresholds_m_[next_]
+                                        : std::numeric_limits<double>::infinity();
+  }
+  /// The change of sign of a function from not positive at `low` to positive at `high`.
+  template <class Function>
+  static double rise_between(const Function& f, double low, double high) {
+    for (int bisection = 0; bisection < 50; ++bisection) {
+      const double middle = 0.5 * (low + high);
+      (f(middle) > 0.0 ? high : low) = middle;
+    }
+    return high;
+  }
+  template <class At>
+  static double first_reach(const At& at, double radius_m) {
+    const auto beyond = [&](double y) { return length(at(y).displacement) - radius_m; };
+    const auto recedes = [&](double y) { return -dot(at(y).displacement, at(y).velocity); };
+    constexpr int parts = 8;
+    double from = 0.0;
+    for (int i = 1; i <= parts; ++i) {
+      const double to = static_cast<double>(i) / parts;
+      if (recedes(from) < 0.0 && recedes(to) > 0.0) {
+        const double farthest = rise_between(recedes, from, to);
+        if (beyond(farthest) >= 0.0) return rise_between(beyond, from, farthest);
+      }
+      if (beyond(to) >= 0.0) return rise_between(beyond, from, to);
+      from = to;
+    }
+    return 1.0;
+  }
+
+  std::span<const double> thresholds_m_;
+  std::span<Crossing> crossings_;
+  std::size_t next_ = 0;
+};
+
+/// Displacement and velocity, in plan.
+struct WayPoint {
+  Vector displacement, velocity;
+};
+
+}  // namespace glissade::block_detail::two_axes
