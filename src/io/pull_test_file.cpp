@@ -8,7 +8,6 @@
 
 #include "glissade/core/error.hpp"
 #include "glissade/core/file.hpp"
-#include "glissade/io/csv.hpp"
 #include "pull_test_columns.hpp"
 #include "scan.hpp"
 

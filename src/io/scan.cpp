@@ -78,6 +78,12 @@ std::optional<double> parse_number(std::string_view text) {
   return value;
 }
 
+std::string shortest_decimal(double value) {
+  char buffer[32];
+  const auto end = std::to_chars(buffer, buffer + sizeof buffer, value).ptr;
+  return {buffer, end};
+}
+
 std::string in_quotes(std::string_view text) {
   constexpr std::size_t longest = 40;
   std::string result = "'";

@@ -38,6 +38,10 @@ std::vector<std::string_view> fields(std::string_view line);
 /// May be inf or nan.
 std::optional<double> parse_number(std::string_view text);
 
+/// The shortest decimal that reads back as the same double; "nan", "inf" and "-inf" where it is
+/// none.
+std::string shortest_decimal(double value);
+
 /// For error messages: printable, at most 40 characters, in quotes.
 std::string in_quotes(std::string_view text);
 

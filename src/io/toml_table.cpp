@@ -9,7 +9,6 @@
 #include <set>
 
 #include "glissade/core/file.hpp"
-#include "glissade/io/csv.hpp"
 #include "scan.hpp"
 
 namespace glissade {

@@ -9,7 +9,6 @@
 #include "glissade/core/error.hpp"
 #include "glissade/core/file.hpp"
 #include "glissade/core/units.hpp"
-#include "glissade/io/csv.hpp"
 #include "records/at2_header.hpp"
 #include "records/time_column.hpp"
 #include "scan.hpp"

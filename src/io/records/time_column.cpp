@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "glissade/core/error.hpp"
-#include "glissade/io/csv.hpp"
 #include "scan.hpp"
 
 namespace glissade {

@@ -2,7 +2,10 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
+#include <functional>
 #include <limits>
+#include <optional>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -22,17 +25,6 @@ void list(const Archive& archive, const std::string& name, const Label& label, V
   archive.array(name, label, dims, values);
 }
 
-template <class Archive, class Cube>
-void cube(const Archive& archive, const std::string& name, const Label& label, Cube& values) {
-  Dims dims{values.rows, values.columns, values.depth};
-  archive.array(name, label, dims, values.data);
-  if constexpr (Archive::reads) {
-    values.rows = dims[0];
-    values.columns = dims[1];
-    values.depth = dims[2];
-  }
-}
-
 /// What one field is in the file: flags are bytes, the rest is as it is.
 template <class T>
 using Stored = std::conditional_t<std::is_same_v<T, bool>, std::uint8_t, T>;
@@ -43,19 +35,24 @@ void make_rows(const Archive& archive, const std::string& name, Rows& rows, std:
   if constexpr (Archive::reads) rows.resize(archive.row_count(name, rank));
 }
 
-/// One field of every row, as a 1-D dataset; `field(row)` is a reference to it.
-template <class Archive, class Rows, class Field>
-void column(const Archive& archive, const std::string& name, const Label& label, Rows& rows,
-            Field field) {
-  using T = std::remove_cvref_t<decltype(field(rows.front()))>;
-  std::vector<Stored<T>> values;
+/// Whether `values` are as many as the rows.
+template <class Rows, class Values>
+void expect_one_per_row(const std::string& name, const Rows& rows, const Values& values) {
+  if (rows.size() != values.size()) throw Hdf5Error("fit " + name + " to the other columns");
+}
+
+/// A 1-D dataset with a value of every row: `to_file(row)`, and `from_file(row, value)`.
+template <class Archive, class Rows, class ToFile, class FromFile>
+void converted(const Archive& archive, const std::string& name, const Label& label, Rows& rows,
+               ToFile to_file, FromFile from_file) {
+  std::vector<std::remove_cvref_t<decltype(to_file(rows.front()))>> values;
   if constexpr (!Archive::reads) {
-    for (auto& row : rows) values.push_back(static_cast<Stored<T>>(field(row)));
+    for (auto& row : rows) values.push_back(to_file(row));
   }
   list(archive, name, label, values);
   if constexpr (Archive::reads) {
-    if (rows.size() != values.size()) throw Hdf5Error("fit " + name + " to the other columns");
-    for (std::size_t i = 0; i < rows.size(); ++i) field(rows[i]) = static_cast<T>(values[i]);
+    expect_one_per_row(name, rows, values);
+    for (std::size_t i = 0; i < rows.size(); ++i) from_file(rows[i], values[i]);
   }
 }
 
@@ -73,30 +70,6 @@ E value_of(EnumNames<E> names, const std::string& text) {
     if (text == name) return value;
   }
   throw Hdf5Error("understand " + text);
-}
-
-/// A column of enumeration names.
-template <class E, class Archive, class Rows, class Field>
-void name_column(const Archive& archive, const std::string& name, const Label& label, Rows& rows,
-                 EnumNames<E> names, Field field) {
-  std::vector<std::string> values;
-  if constexpr (!Archive::reads) {
-    for (auto& row : rows) values.push_back(name_of<E>(names, field(row)));
-  }
-  list(archive, name, label, values);
-  if constexpr (Archive::reads) {
-    if (rows.size() != values.size()) throw Hdf5Error("fit " + name + " to the other columns");
-    for (std::size_t i = 0; i < rows.size(); ++i) field(rows[i]) = value_of<E>(names, values[i]);
-  }
-}
-
-template <class Archive, class Rows, class Field>
-void interval_column(const Archive& archive, const std::string& name, const Label& label,
-                     Rows& rows, Field field) {
-  column(
-      archive, name + "_low", label, rows, [&](auto& row) -> auto& { return field(row).low; });
-  column(
-      archive, name + "_high", label, rows, [&](auto& row) -> auto& { return field(row).high; });
 }
 
 /// A list in every row, as a (row, position) dataset. Where lists differ in length they are filled
@@ -168,5 +141,70 @@ void interval_matrix(const Archive& archive, const std::string& name, const Labe
     }
   }
 }
+
+/// A field of a field: member(&Outer::inner, &Inner::value).
+template <class Outer, class Inner>
+auto member(Outer outer, Inner inner) {
+  return [=](auto& row) -> auto& { return std::invoke(inner, std::invoke(outer, row)); };
+}
+
+template <class T>
+constexpr bool is_list = false;
+template <class T>
+constexpr bool is_list<std::vector<T>> = true;
+
+/// The columns of a group: each is named once with its unit, its description and the field of a row
+/// that it is, a member or what member() makes of two. A list in a row makes a matrix; an interval
+/// makes two datasets, NAME_low and NAME_high; an absent number is nan.
+template <class Archive, class Rows>
+class Columns {
+ public:
+  Columns(const Archive& archive, Rows& rows) : archive_(archive), rows_(rows) {}
+  /// Reading makes as many rows as the dataset `key` has.
+  Columns(const Archive& archive, Rows& rows, const std::string& key) : Columns(archive, rows) {
+    make_rows(archive, key, rows);
+  }
+
+  template <class Field>
+  void operator()(const std::string& name, const Label& label, Field field) const {
+    const auto of = [&](auto& row) -> auto& { return std::invoke(field, row); };
+    using T = std::remove_cvref_t<decltype(of(rows_.front()))>;
+    if constexpr (std::is_same_v<T, Interval>) {
+      (*this)(name + "_low", label, member(field, &Interval::low));
+      (*this)(name + "_high", label, member(field, &Interval::high));
+    } else if constexpr (std::is_same_v<T, std::vector<Interval>>) {
+      interval_matrix(archive_, name, label, rows_, of);
+    } else if constexpr (is_list<T>) {
+      matrix(archive_, name, label, rows_, of);
+    } else if constexpr (std::is_same_v<T, std::optional<double>>) {
+      converted(
+          archive_, name, label, rows_,
+          [&](auto& row) { return of(row).value_or(std::numeric_limits<double>::quiet_NaN()); },
+          [&](auto& row, double value) {
+            of(row) = std::isnan(value) ? std::nullopt : std::optional(value);
+          });
+    } else {
+      converted(
+          archive_, name, label, rows_, [&](auto& row) { return static_cast<Stored<T>>(of(row)); },
+          [&](auto& row, const Stored<T>& value) { of(row) = static_cast<T>(value); });
+    }
+  }
+
+  /// A column of an enumeration's names.
+  template <class Field, class E>
+  void operator()(const std::string& name, const Label& label, Field field,
+                  EnumNames<E> names) const {
+    converted(
+        archive_, name, label, rows_,
+        [&](auto& row) { return name_of(names, std::invoke(field, row)); },
+        [&](auto& row, const std::string& text) {
+          std::invoke(field, row) = value_of(names, text);
+        });
+  }
+
+ private:
+  const Archive& archive_;
+  Rows& rows_;
+};
 
 }  // namespace glissade

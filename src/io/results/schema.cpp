@@ -4,8 +4,7 @@
 #include "enum_names.hpp"
 #include "results/archive.hpp"
 #include "results/chart_schema.hpp"
-#include "results/envelope.hpp"
-#include "results/impact_schema.hpp"
+#include "results/fragility_schema.hpp"
 #include "results/shared_schema.hpp"
 
 namespace glissade {
@@ -15,43 +14,33 @@ namespace {
 
 template <class Archive, class Cases>
 void exchange_case_columns(const Archive& archive, Cases& cases) {
-  const auto whole = [](auto& c) -> auto& { return c; };
-  make_rows(archive, "friction.mu", cases);
+  const Columns column(archive, cases, "friction.mu");
   for (const Parameter& p : parameters()) {
     column(
-        archive, std::string(p.table) + "." + p.key, {p.unit, p.meaning},
-        cases, [&](auto& c) -> auto& { return p.of(const_cast<Case&>(whole(c))); });
+        std::string(p.table) + "." + p.key,
+        {p.unit, p.meaning}, [&](auto& c) -> auto& { return p.of(const_cast<Case&>(c)); });
   }
-  name_column<ArraySupport>(
-      archive, "array.support", {"-", "how the array stands on the building"}, cases,
-      support_names(), [](auto& c) -> auto& { return c.support; });
-  name_column<VerticalChoice>(
-      archive, "vertical.use", {"-", "whether the vertical ground motion acts"}, cases,
-      vertical_names(), [](auto& c) -> auto& { return c.vertical; });
-  name_column<FrictionValue>(
-      archive, "friction.value", {"-", "as drawn, or mean - 2 std"}, cases, friction_value_names(),
-      [](auto& c) -> auto& { return c.friction_value; });
-  name_column<SlopeAxis>(
-      archive, "slope_axis", {"-", "the array's axis along the slope"}, cases, slope_axis_names(),
-      [](auto& c) -> auto& { return c.orientation.slope_axis; });
-  column(
-      archive, "ground_azimuth_deg",
-      {"deg", "from the first component to the building's first axis, toward the second"}, cases,
-      [](auto& c) -> auto& { return c.orientation.ground_azimuth_deg; });
-  column(
-      archive, "across_sign", {"-", "-1: what acts along the second axis is mirrored"}, cases,
-      [](auto& c) -> auto& { return c.orientation.across_sign; });
+  column("array.support", {"-", "how the array stands on the building"}, &Case::support,
+         support_names());
+  column("vertical.use", {"-", "whether the vertical ground motion acts"}, &Case::vertical,
+         vertical_names());
+  column("friction.value", {"-", "as drawn, or mean - 2 std"}, &Case::friction_value,
+         friction_value_names());
+  column("slope_axis", {"-", "the array's axis along the slope"},
+         member(&Case::orientation, &Orientation::slope_axis), slope_axis_names());
+  column("ground_azimuth_deg",
+         {"deg", "from the first component to the building's first axis, toward the second"},
+         member(&Case::orientation, &Orientation::ground_azimuth_deg));
+  column("across_sign", {"-", "-1: what acts along the second axis is mirrored"},
+         member(&Case::orientation, &Orientation::across_sign));
 }
 
 /// What the study lists: a group for each axis, in order.
 template <class Archive, class Axes>
 void exchange_axes(const Archive& archive, Axes& axes) {
-  make_rows(archive, "key", axes);
-  column(
-      archive, "key", {"-", "what the study lists, the first varies slowest"}, axes,
-      [](auto& a) -> auto& { return a.key; });
-  column(
-      archive, "unit", {"-", "unit of its values"}, axes, [](auto& a) -> auto& { return a.unit; });
+  const Columns column(archive, axes, "key");
+  column("key", {"-", "what the study lists, the first varies slowest"}, &CaseAxis::key);
+  column("unit", {"-", "unit of its values"}, &CaseAxis::unit);
   for (std::size_t i = 0; i < axes.size(); ++i) {
     const auto group = archive.group("axis_" + std::to_string(i));
     list(group, "value", {"as in unit", "values"}, axes[i].values);
@@ -106,209 +95,59 @@ void exchange_histories(const Archive& archive, const IntensityScale& scale, R& 
 
 template <class Archive, class Records>
 void exchange_records(const Archive& archive, Records& records) {
-  exchange_identity(archive, records);
-  exchange_source(archive, records);
-  column(
-      archive, "suite", {"-", "position of its suite"}, records,
-      [](auto& r) -> auto& { return r.suite; });
-  column(
-      archive, "stronger", {"-", "the horizontal with the larger integral of a^2: 0 or 1"}, records,
-      [](auto& r) -> auto& { return r.stronger; });
-  column(
-      archive, "vs30_mps", {"m/s", "mean shear-wave velocity of the upper 30 m; 0 where not given"},
-      records, [](auto& r) -> auto& { return r.vs30_mps; });
-  column(
-      archive, "suite_scale", {"-", "the suite file's factor"}, records,
-      [](auto& r) -> auto& { return r.suite_scale; });
-  column(
-      archive, "factor_at_unit_level",
-      {"-", "factor on the record at intensity 1; 0 where it depends on the roof"}, records,
-      [](auto& r) -> auto& { return r.factor_at_unit_level; });
-  column(
-      archive, "pga_g",
-      {"g", "geometric mean of the horizontals' peak ground accelerations, as recorded"}, records,
-      [](auto& r) -> auto& { return r.pga_g; });
-  column(
-      archive, "pgv_mps",
-      {"m/s", "geometric mean of the horizontals' peak ground velocities, as recorded"}, records,
-      [](auto& r) -> auto& { return r.pgv_mps; });
-  column(
-      archive, "samples", {"-", "number of samples"}, records,
-      [](auto& r) -> auto& { return r.samples; });
-  column(
-      archive, "has_second", {"-", "1 where there is a second horizontal"}, records,
-      [](auto& r) -> auto& { return r.has_second; });
-  column(
-      archive, "has_vertical", {"-", "1 where there is a vertical"}, records,
-      [](auto& r) -> auto& { return r.has_vertical; });
+  const Columns column(archive, records, "id");
+  column("id", {"-", "name of the motion in its suite"}, &RecordSummary::id);
+  column("event", {"-", "earthquake"}, &RecordSummary::event);
+  column("station", {"-", "station"}, &RecordSummary::station);
+  column("dt_s", {"s", "time step"}, &RecordSummary::dt_s);
+  column("magnitude", {"-", "moment magnitude; 0 where not given"}, &RecordSummary::magnitude);
+  column("distance_km", {"km", "rupture distance; 0 where not given"}, &RecordSummary::distance_km);
+  column("suite", {"-", "position of its suite"}, &RecordSummary::suite);
+  column("stronger", {"-", "the horizontal with the larger integral of a^2: 0 or 1"},
+         &RecordSummary::stronger);
+  column("vs30_mps", {"m/s", "mean shear-wave velocity of the upper 30 m; 0 where not given"},
+         &RecordSummary::vs30_mps);
+  column("suite_scale", {"-", "the suite file's factor"}, &RecordSummary::suite_scale);
+  column("factor_at_unit_level",
+         {"-", "factor on the record at intensity 1; 0 where it depends on the roof"},
+         &RecordSummary::factor_at_unit_level);
+  column("pga_g",
+         {"g", "geometric mean of the horizontals' peak ground accelerations, as recorded"},
+         &RecordSummary::pga_g);
+  column("pgv_mps",
+         {"m/s", "geometric mean of the horizontals' peak ground velocities, as recorded"},
+         &RecordSummary::pgv_mps);
+  column("samples", {"-", "number of samples"}, &RecordSummary::samples);
+  column("has_second", {"-", "1 where there is a second horizontal"}, &RecordSummary::has_second);
+  column("has_vertical", {"-", "1 where there is a vertical"}, &RecordSummary::has_vertical);
+}
+
+template <class Archive, class Spectra>
+void exchange_spectra(const Archive& archive, Spectra& spectra) {
+  list(archive, "period_s", {"s", "periods of the spectra"}, spectra.periods_s);
+  make_rows(archive, "srss_g", spectra.srss_g, 2);
+  matrix(
+      archive, "srss_g", {"g", "5 % SRSS spectrum of each scaled record, by (record, period)"},
+      spectra.srss_g, [](auto& row) -> auto& { return row; });
+  list(archive, "average_srss_g", {"g", "average over the records"}, spectra.average_srss_g);
+  list(archive, "target_g", {"g", "target spectrum; empty without a target"}, spectra.target_g);
+  // The average over the target from 0 to 2 s, between the periods above too; nan without a target.
+  archive.attribute("lowest_ratio_to_target", spectra.to_target.lowest.ratio);
+  archive.attribute("lowest_ratio_at_period_s", spectra.to_target.lowest.period_s);
+  archive.attribute("highest_ratio_to_target", spectra.to_target.highest.ratio);
+  archive.attribute("highest_ratio_at_period_s", spectra.to_target.highest.period_s);
 }
 
 template <class Archive, class Suites>
 void exchange_suites(const Archive& archive, const IntensityScale& scale, Suites& suites) {
-  make_rows(archive, "name", suites);
-  column(
-      archive, "name", {"-", "name of the suite"}, suites, [](auto& s) -> auto& { return s.name; });
-  column(
-      archive, "description", {"-", "what it is"}, suites,
-      [](auto& s) -> auto& { return s.description; });
+  const Columns column(archive, suites, "name");
+  column("name", {"-", "name of the suite"}, &SuiteSummary::name);
+  column("description", {"-", "what it is"}, &SuiteSummary::description);
   for (std::size_t i = 0; i < suites.size(); ++i) {
     const auto group = archive.group("spectra_" + std::to_string(i));
     group.attribute("reference_level" + scale.suffix, suites[i].spectra.reference_level);
-    exchange_curves(group, suites[i].spectra,
-                    {"5 % SRSS spectrum of each scaled record, by (record, period)",
-                     "target spectrum; empty without a target"});
+    exchange_spectra(group, suites[i].spectra);
   }
-}
-
-/// One of the two fits of every threshold.
-template <class Archive, class Fragilities, class Fit>
-void exchange_fits(const Archive& archive, const IntensityScale& scale, Fragilities& rows,
-                   Fit fit) {
-  name_column<FitStatus>(
-      archive, "status", {"-", "how the fit came out"}, rows,
-      fit_status_names(), [&](auto& f) -> auto& { return fit(f).status; });
-  column(
-      archive, "floor", {"-", "share that exceeds without shaking"},
-      rows, [&](auto& f) -> auto& { return fit(f).curve.floor; });
-  column(
-      archive, "median", {scale.unit, "median of the lognormal fragility of the rest"},
-      rows, [&](auto& f) -> auto& { return fit(f).curve.median; });
-  column(
-      archive, "log_std", {"-", "logarithmic standard deviation of the rest"},
-      rows, [&](auto& f) -> auto& { return fit(f).curve.log_std; });
-  interval_column(
-      archive, "median", {scale.unit, "95 % interval of the median"},
-      rows, [&](auto& f) -> auto& { return fit(f).median_interval; });
-  interval_column(
-      archive, "floor", {"-", "95 % interval of the floor; nan: none"},
-      rows, [&](auto& f) -> auto& { return fit(f).floor_interval; });
-  interval_column(
-      archive, "p50", {scale.unit, "95 % interval of the intensity at which half of all exceed"},
-      rows, [&](auto& f) -> auto& { return fit(f).p50_interval; });
-  interval_column(
-      archive, "log_std", {"-", "95 % interval of log_std"},
-      rows, [&](auto& f) -> auto& { return fit(f).log_std_interval; });
-  column(
-      archive, "log_likelihood", {"-", "logarithm of the likelihood"},
-      rows, [&](auto& f) -> auto& { return fit(f).log_likelihood; });
-  column(
-      archive, "method", {"-", "how it was fitted"},
-      rows, [&](auto& f) -> auto& { return fit(f).method; });
-  column(
-      archive, "interval_method", {"-", "how the intervals were found"},
-      rows, [&](auto& f) -> auto& { return fit(f).interval_method; });
-  column(
-      archive, "note", {"-", "remarks on the results"},
-      rows, [&](auto& f) -> auto& { return fit(f).note; });
-}
-
-template <class Archive, class Fragilities>
-void exchange_fragilities(const Archive& archive, const IntensityScale& scale, Fragilities& rows) {
-  make_rows(archive, "threshold_m", rows);
-  column(
-      archive, "threshold_m", {"m", "clearance threshold"}, rows,
-      [](auto& f) -> auto& { return f.threshold_m; });
-  exchange_fits(
-      archive.group("stripes"), scale, rows, [](auto& f) -> auto& { return f.stripes; });
-  exchange_fits(
-      archive.group("capacities"), scale, rows, [](auto& f) -> auto& { return f.capacities; });
-  matrix(
-      archive, "probability", {"-", "observed share exceeding, by (threshold, level)"}, rows,
-      [](auto& f) -> auto& { return f.probability; });
-  interval_matrix(
-      archive, "probability", {"-", "95 % interval of the share, by (threshold, level)"}, rows,
-      [](auto& f) -> auto& { return f.probability_interval; });
-  interval_matrix(
-      archive, "band", {"-", "95 % band of the capacity fit, by (threshold, band intensity)"}, rows,
-      [](auto& f) -> auto& { return f.band; });
-  column(
-      archive, "recross_share",
-      {"-",
-       "share of histories that reach the threshold and fall below it again at a higher level"},
-      rows, [](auto& f) -> auto& { return f.recross_share; });
-  matrix(
-      archive, "record_recross",
-      {"-", "1 where any sample of the record recrosses, by (threshold, record)"}, rows,
-      [](auto& f) -> auto& { return f.record_recross; });
-  column(
-      archive, "censored_share", {"-", "share of histories that never reach the threshold"}, rows,
-      [](auto& f) -> auto& { return f.censored_share; });
-  column(
-      archive, "free_sliding_share", {"-", "share of histories that slide with no shaking"}, rows,
-      [](auto& f) -> auto& { return f.free_sliding_share; });
-}
-
-template <class Archive, class Slip>
-void exchange_slip(const Archive& archive, const IntensityScale& scale, Slip& rows) {
-  make_rows(archive, scale.level, rows);
-  column(
-      archive, scale.level, {scale.unit, "intensity level"}, rows,
-      [](auto& s) -> auto& { return s.level; });
-  column(
-      archive, "median_m", {"m", "median peak displacement in plan"}, rows,
-      [](auto& s) -> auto& { return s.median_m; });
-  column(
-      archive, "p84_m", {"m", "84th percentile"}, rows, [](auto& s) -> auto& { return s.p84_m; });
-  column(
-      archive, "p95_m", {"m", "95th percentile"}, rows, [](auto& s) -> auto& { return s.p95_m; });
-  column(
-      archive, "mean_m", {"m", "mean"}, rows, [](auto& s) -> auto& { return s.mean_m; });
-  interval_column(
-      archive, "mean_m", {"m", "95 % interval of the mean"}, rows,
-      [](auto& s) -> auto& { return s.mean_interval; });
-  interval_column(
-      archive, "median_m", {"m", "95 % interval of the median"}, rows,
-      [](auto& s) -> auto& { return s.median_interval; });
-  interval_column(
-      archive, "p84_m", {"m", "95 % interval of the 84th percentile"}, rows,
-      [](auto& s) -> auto& { return s.p84_interval; });
-  column(
-      archive, "uplift_share", {"-", "share of histories with uplift"}, rows,
-      [](auto& s) -> auto& { return s.uplift_share; });
-  column(
-      archive, "tip_share",
-      {"-", "share of histories in which the body begins to tip; nan: not computed"}, rows,
-      [](auto& s) -> auto& { return s.tip_share; });
-  column(
-      archive, "mean_vector_m",
-      {"m", "two axes: mean of the longest displacement vectors; nan: one axis"}, rows,
-      [](auto& s) -> auto& { return s.mean_vector_m; });
-}
-
-template <class Archive, class Comparisons>
-void exchange_standards(const Archive& archive, Comparisons& rows) {
-  exchange_prescriptions(archive, rows);
-  column(
-      archive, "exceedance_probability", {"-", "share of histories with slip above it"}, rows,
-      [](auto& c) -> auto& { return c.exceedance_probability; });
-  interval_column(
-      archive, "exceedance", {"-", "95 % interval of that share"}, rows,
-      [](auto& c) -> auto& { return c.exceedance_interval; });
-}
-
-template <class Archive, class Run>
-void exchange_run(const Archive& archive, const IntensityScale& scale, Run& run) {
-  archive.attribute("friction", run.friction_description);
-  archive.attribute("first_case", run.first_case);
-  archive.attribute("cases", run.cases);
-  list(archive, "band_intensity" + scale.suffix, {scale.unit, "intensities of the fragility bands"},
-       run.band_intensities);
-  exchange_fragilities(archive.group("fragility"), scale, run.fragilities);
-  exchange_slip(archive.group("slip"), scale, run.slip);
-  exchange_standards(archive.group("standards"), run.standards);
-  exchange_impact(archive, scale, run);
-}
-
-template <class Archive, class Runs>
-void exchange_runs(const Archive& archive, const IntensityScale& scale, Runs& runs) {
-  make_rows(archive, "label", runs);
-  column(
-      archive, "label", {"-", "the combinations, in order; each is a group"}, runs,
-      [](auto& run) -> auto& { return run.label; });
-  if constexpr (Archive::reads) {
-    for (const auto& run : runs) expect_file_name(run.label);
-  }
-  for (auto& run : runs) exchange_run(archive.group(run.label), scale, run);
 }
 
 template <class Archive, class R>

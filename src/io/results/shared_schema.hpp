@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "enum_names.hpp"
 #include "results/archive.hpp"
 
-// What results files of every kind hold alike.
+// What several analyses have in the results file.
 namespace glissade {
 
 /// How datasets of intensities are named, and their unit.
@@ -23,50 +24,18 @@ void name_attribute(const Archive& archive, const std::string& name, EnumNames<E
   if constexpr (Archive::reads) value = value_of<E>(names, text);
 }
 
-/// Which motion a row is of; the number of rows is the number of ids.
-template <class Archive, class Records>
-void exchange_identity(const Archive& archive, Records& records) {
-  make_rows(archive, "id", records);
-  column(
-      archive, "id", {"-", "name of the motion in its suite"}, records,
-      [](auto& r) -> auto& { return r.id; });
-  column(
-      archive, "event", {"-", "earthquake"}, records, [](auto& r) -> auto& { return r.event; });
-  column(
-      archive, "station", {"-", "station"}, records, [](auto& r) -> auto& { return r.station; });
-  column(
-      archive, "dt_s", {"s", "time step"}, records, [](auto& r) -> auto& { return r.dt_s; });
-}
-
-template <class Archive, class Records>
-void exchange_source(const Archive& archive, Records& records) {
-  column(
-      archive, "magnitude", {"-", "moment magnitude; 0 where not given"}, records,
-      [](auto& r) -> auto& { return r.magnitude; });
-  column(
-      archive, "distance_km", {"km", "rupture distance; 0 where not given"}, records,
-      [](auto& r) -> auto& { return r.distance_km; });
-}
-
-/// What the spectra of a suite are: as scaled where, and of which target.
-struct SpectraLabels {
-  const char *records, *target;
-};
-
-template <class Archive, class Spectra>
-void exchange_curves(const Archive& archive, Spectra& spectra, const SpectraLabels& labels) {
-  list(archive, "period_s", {"s", "periods of the spectra"}, spectra.periods_s);
-  make_rows(archive, "srss_g", spectra.srss_g, 2);
-  matrix(
-      archive, "srss_g", {"g", labels.records}, spectra.srss_g,
-      [](auto& row) -> auto& { return row; });
-  list(archive, "average_srss_g", {"g", "average over the records"}, spectra.average_srss_g);
-  list(archive, "target_g", {"g", labels.target}, spectra.target_g);
-  // The average over the target from 0 to 2 s, between the periods above too; nan without a target.
-  archive.attribute("lowest_ratio_to_target", spectra.to_target.lowest.ratio);
-  archive.attribute("lowest_ratio_at_period_s", spectra.to_target.lowest.period_s);
-  archive.attribute("highest_ratio_to_target", spectra.to_target.highest.ratio);
-  archive.attribute("highest_ratio_at_period_s", spectra.to_target.highest.period_s);
+/// What standards prescribe.
+template <class Archive, class Prescriptions>
+void exchange_prescriptions(const Archive& archive, Prescriptions& rows) {
+  using Row = typename Prescriptions::value_type;
+  const Columns column(archive, rows, "standard");
+  column("standard", {"-", "standard"}, &Row::standard, standard_names());
+  column("sds_g", {"g", "design spectral acceleration S_DS"}, &Row::sds_g);
+  column("prescribed_m", {"m", "prescribed displacement"},
+         member(&Row::prescribed, &Prescription::value_m));
+  column("provenance", {"-", "how well the provision is known"},
+         member(&Row::prescribed, &Prescription::provenance), provenance_names());
+  column("basis", {"-", "equation or clause"}, member(&Row::prescribed, &Prescription::basis));
 }
 
 }  // namespace glissade

@@ -6,7 +6,7 @@
 
 #include "enum_names.hpp"
 #include "glissade/core/units.hpp"
-#include "glissade/io/csv.hpp"
+#include "scan.hpp"
 #include "study/number_list.hpp"
 
 namespace glissade {

@@ -10,7 +10,7 @@
 #include <functional>
 #include <string>
 
-#include "glissade/io/csv.hpp"
+#include "scan.hpp"
 
 namespace glissade {
 namespace {

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "glissade/core/units.hpp"
-#include "glissade/io/csv.hpp"
+#include "scan.hpp"
 #include "study/distribution_table.hpp"
 #include "study/number_list.hpp"
 

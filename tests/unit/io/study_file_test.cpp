@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "glissade/io/csv.hpp"
+#include "../../../src/io/scan.hpp"
 #include "temporary_folder.hpp"
 
 namespace glissade {
