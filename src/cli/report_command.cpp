@@ -9,7 +9,7 @@
 #include "glissade/report/summary.hpp"
 #include "glissade/report/write_report.hpp"
 #include "output_rule.hpp"
-#include "run_record.hpp"
+#include "run/run_record.hpp"
 
 namespace glissade::cli {
 namespace {

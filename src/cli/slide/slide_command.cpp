@@ -10,7 +10,7 @@
 #include "glissade/core/units.hpp"
 #include "glissade/io/record_file.hpp"
 #include "glissade/motion/intensity.hpp"
-#include "slide_history.hpp"
+#include "slide/slide_history.hpp"
 
 namespace glissade::cli {
 namespace {

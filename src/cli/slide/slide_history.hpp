@@ -7,7 +7,7 @@
 #include "glissade/block/on_building.hpp"
 #include "glissade/block/slide.hpp"
 #include "glissade/motion/motion.hpp"
-#include "slide_options.hpp"
+#include "slide/slide_options.hpp"
 
 namespace glissade::cli {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "slide_options.hpp"
+#include "slide/slide_options.hpp"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "progress.hpp"
+#include "run/progress.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>

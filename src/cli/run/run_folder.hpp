@@ -13,7 +13,7 @@
 #include "glissade/core/error.hpp"
 #include "glissade/motion/motion.hpp"
 #include "glissade/parallel/communicator.hpp"
-#include "run_record.hpp"
+#include "run/run_record.hpp"
 
 // What a run does around its histories.
 namespace glissade::cli {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "slide_history.hpp"
+#include "slide/slide_history.hpp"
 
 #include <limits>
 #include <numbers>

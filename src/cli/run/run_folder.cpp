@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "run_folder.hpp"
+#include "run/run_folder.hpp"
 
 #include "glissade/core/file.hpp"
 #include "glissade/study/run/exchange.hpp"

@@ -15,9 +15,9 @@
 #include "glissade/study/run/execute.hpp"
 #include "glissade/study/run/reduce.hpp"
 #include "output_rule.hpp"
-#include "progress.hpp"
-#include "run_folder.hpp"
-#include "run_record.hpp"
+#include "run/progress.hpp"
+#include "run/run_folder.hpp"
+#include "run/run_record.hpp"
 
 namespace glissade::cli {
 namespace {
