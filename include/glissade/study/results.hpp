@@ -107,7 +107,7 @@ struct ChartPoint {
   ChartSlip largest;                ///< over the building periods, each number by itself
   Interval mean_interval;           ///< 95 % of largest.mean_m, bootstrap over records
   double governing_period_s = 0.0;  ///< where the mean is largest
-  double clearance_m = 0.0;         ///< 1.1 x largest mean, as Walters et al. (2012) recommend
+  double clearance_m = 0.0;         ///< factor x largest mean, after Walters et al. (2012)
   double uplift_share = 0.0;        ///< of the histories at this point
   double tip_share = std::numeric_limits<double>::quiet_NaN();  ///< likewise; NaN: not computed
   std::vector<ChartSlip> by_period;

@@ -122,11 +122,6 @@ const DesignTarget* Plan::target(std::size_t record) const {
   return suites_own ? &*suites_own : nullptr;
 }
 
-double Plan::factor(std::size_t record, double level) const {
-  GLISSADE_EXPECTS(factor_at_unit_level[record] > 0.0);
-  return config.intensity.measure.factor_of_level(level) * factor_at_unit_level[record];
-}
-
 std::uint64_t Plan::histories() const {
   return records.size() * order.size() * config.intensity.levels.size();
 }

@@ -166,7 +166,7 @@ TEST(chart, flags_histories_in_which_the_body_begins_to_tip) {
         for (const double a : test::ground_of(plan, record, c, plan.config.intensity.levels[level])
                                   .motion.horizontal_mps2)
           peak = std::max(peak, std::abs(a));
-        const double a = plan.factor(record, plan.config.intensity.levels[level]) * peak;
+        const double a = test::factor_of(plan, record, plan.config.intensity.levels[level]) * peak;
         const bool tipping = c.friction > 0.25 && a > 0.25 * standard_gravity_mps2;
         EXPECT_EQ(results.histories.fields.tips[results.histories.at(record, i, level)],
                   tipping ? 1 : 0);

@@ -172,7 +172,7 @@ TEST(execute_two_axes, gives_the_slip_of_the_full_model_by_the_study_s_measure) 
                           across = along_axis(c.orientation, 1);
     ASSERT_NE(along.component, across.component);
     if (along.component == 1) std::swap(m.horizontal_mps2[0], m.horizontal_mps2[1]);
-    const double factor = plan.factor(record, config.intensity.levels[level]);
+    const double factor = test::factor_of(plan, record, config.intensity.levels[level]);
     const TwoAxisResult expected =
         slide_on_building(building_ground(m, {}, {}),
                           {{along.sign * factor, across.sign * factor}, factor},

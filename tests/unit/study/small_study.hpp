@@ -68,6 +68,11 @@ inline Results run(const Plan& plan, Skipping skipping = Skipping::all) {
   return reduce(plan, execute_all(plan, skipping));
 }
 
+/// Factor on a record at a level.
+inline double factor_of(const Plan& plan, std::size_t record, double level) {
+  return plan.config.intensity.measure.factor_of_level(level) * plan.factor_at_unit_level[record];
+}
+
 /// A case's component of a record, with its sign and factor, and the vertical.
 struct CaseGround {
   GroundMotion motion;
@@ -76,7 +81,7 @@ struct CaseGround {
 inline CaseGround ground_of(const Plan& plan, std::size_t record, const Case& c, double level) {
   const Motion& m = plan.motion(record);
   const SignedComponent along = along_axis(c.orientation, 0);
-  const double factor = plan.factor(record, level);
+  const double factor = factor_of(plan, record, level);
   CaseGround ground{{m.dt_s, m.horizontal_mps2[static_cast<std::size_t>(along.component)]},
                     {along.sign * factor, factor}};
   if (c.vertical != VerticalChoice::none) ground.motion.vertical_mps2 = m.vertical_mps2;

@@ -53,8 +53,6 @@ struct Plan {
   }
   /// The design spectrum that strengths rest on; null: none.
   const DesignTarget* target(std::size_t record) const;
-  /// Factor on a record at a level. Precondition: it does not depend on the roof.
-  double factor(std::size_t record, double level) const;
   /// Records x cases x levels that are run; searches for capacities come on top.
   std::uint64_t histories() const;
   /// Predicted seconds of one core.
