@@ -39,7 +39,6 @@ enum class Role {
   target,      ///< a design spectrum
   prescribed,  ///< by a standard
   reference,   ///< to read others against
-  stated,      ///< by a publication: a star
 };
 Look look(Role role);
 /// One of an ordered family: colours that stay ordered in grey and for colour-blind readers

@@ -38,8 +38,6 @@ Look look(Role role) {
       return {orange, 2.5, 5, 4, 1.2};
     case Role::reference:
       return {{0x555555}, 1.5, 3, 0, 0.0};
-    case Role::stated:
-      return {orange, 2.5, 1, 3, 2.0};
   }
   return {};
 }

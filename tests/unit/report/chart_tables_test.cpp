@@ -111,7 +111,7 @@ TEST(chart_tables, give_standards_only_where_they_apply) {
   EXPECT_TRUE(std::isnan(number(table, row_at_1g(6, 0), "asce7_16")));     // 3
 }
 
-TEST(chart_tables, have_a_tipping_column_only_where_it_was_asked_for) {
+TEST(chart_tables, have_a_tipping_column_only_where_tipping_is_checked) {
   Results results = made_up_chart_results();
   for (const Column& column : table_named(results, "chart").columns)
     EXPECT_NE(column.stem, "tip_share");
@@ -129,7 +129,7 @@ TEST(chart_tables, give_every_period_by_itself) {
   EXPECT_EQ(number(table, row + 2, "period"), 1.0);
 }
 
-TEST(chart_tables, give_readings_with_the_asked_and_the_answered_in_their_own_columns) {
+TEST(chart_tables, give_readings_with_the_given_and_the_computed_in_their_own_columns) {
   const std::string csv = to_csv(table_named(made_up_chart_results(), "chart_readings"));
   EXPECT_THAT(csv, HasSubstr("\n1,2,displacement,clearance,0.5,0.275\n"));
   EXPECT_THAT(csv, HasSubstr("\n1,2,friction,clearance,0.45,0.5\n"));

@@ -11,6 +11,7 @@
 namespace glissade {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -108,14 +109,14 @@ TEST(clearance_report, every_orientation_has_its_row) {
 
 TEST(clearance_report, readings_are_of_what_the_grid_varies) {
   const ClearanceResults r = made_up();
+  // The governing period, median, lowest and highest; their ratio to the anchored array's.
+  EXPECT_THAT(clearance_reading(r, ClearanceTopic::period),
+              AllOf(HasSubstr("T = 1 s"), HasSubstr("0.254 m"), HasSubstr("0.102 m"),
+                    HasSubstr("0.406 m")));
+  EXPECT_THAT(clearance_reading(r, ClearanceTopic::base_shear), HasSubstr("0.900"));
   EXPECT_THAT(
-      clearance_reading(r, ClearanceTopic::period),
-      HasSubstr("largest at T = 1 s. The largest over the periods is 0.254 m (10.0 in), from "
-                "0.102 m (4.00 in) to 0.406 m (16.0 in)"));
-  EXPECT_THAT(clearance_reading(r, ClearanceTopic::base_shear),
-              HasSubstr("0.900 to 0.900 of that with the array anchored, below it at 2 of 2"));
-  EXPECT_THAT(clearance_reading(r, ClearanceTopic::spectra),
-              HasSubstr("0.990 (at 0.082 s) to 2.50 times (at 0.004 s)"));
+      clearance_reading(r, ClearanceTopic::spectra),
+      AllOf(HasSubstr("0.990"), HasSubstr("0.082 s"), HasSubstr("2.50"), HasSubstr("0.004 s")));
   for (const ClearanceTopic topic :
        {ClearanceTopic::level, ClearanceTopic::yielding, ClearanceTopic::slope, ClearanceTopic::mce,
         ClearanceTopic::vertical, ClearanceTopic::mass})
@@ -129,10 +130,8 @@ TEST(clearance_report, of_two_frictions_each_is_reported_where_it_acts_downhill)
   r.orientations[2].slope_axis = r.orientations[3].slope_axis = SlopeAxis::n_s;
   const std::string reading = clearance_reading(r, ClearanceTopic::orientation);
   // Largest over the periods: 4 and 8 inches along E-W, 12 and 16 along N-S.
-  EXPECT_THAT(reading, HasSubstr("falls E-W, with a friction of 0.47 downhill, the largest mean "
-                                 "over the periods is 0.152 m (6.00 in)"));
-  EXPECT_THAT(reading, HasSubstr("falls N-S, with a friction of 0.52 downhill, the largest mean "
-                                 "over the periods is 0.356 m (14.0 in)"));
+  EXPECT_THAT(reading, AllOf(HasSubstr("0.47"), HasSubstr("0.152 m"), HasSubstr("0.52"),
+                             HasSubstr("0.356 m")));
 }
 
 TEST(clearance_report, figures_are_of_the_axes_with_several_values) {
@@ -169,8 +168,7 @@ TEST(clearance_report, of_several_suites_only_how_they_compare_is_reported) {
   r.records[1].suite = 1;
   EXPECT_EQ(figure_names(r), std::vector<std::string>{"level"});
   EXPECT_THAT(clearance_reading(r, ClearanceTopic::level),
-              HasSubstr("suite 0.0635 m (2.50 in)"));  // a alone: 1, 2, 3, 4 inches
-  EXPECT_THAT(clearance_reading(r, ClearanceTopic::level), HasSubstr("other 0.190 m (7.50 in)"));
+              AllOf(HasSubstr("0.0635 m"), HasSubstr("0.190 m")));  // a: 1, 2, 3, 4 inches
 }
 
 TEST(clearance_report, the_figure_over_periods_has_median_range_bounds_and_clearance) {
@@ -185,6 +183,10 @@ TEST(clearance_report, the_figure_over_periods_has_median_range_bounds_and_clear
   ASSERT_EQ(panel.rules.size(), 1u);
   EXPECT_DOUBLE_EQ(panel.rules[0].at, 11 * inch);
   EXPECT_GE(panel.y.high, 16 * inch);
+  for (const Figure& drawn : clearance_figures(made_up())) {
+    for (const std::string& entry : key_of(drawn))
+      EXPECT_LE(entry.size(), 84u) << drawn.name.text() << ": " << entry;
+  }
 }
 
 TEST(clearance_report, histories_are_reported_once_each) {

@@ -17,27 +17,25 @@ TEST(summary, reports_fragilities_standards_skips_and_notes_in_ascii) {
       made_up_results(),
       {{"histories whose roof peak stays in the stick range", "they cannot slip", 1234},
        {"a", "b", 0}});
-  for (const char* part : {"12 records x 16 samples x 20 levels", "0.300 (11.8)", "SEAOC PV1-2012",
-                           "ASCE 7-16", "verify against the standard",
-                           "\n  1234 histories whose roof peak", "\n  a: b\n", "has no vertical"}) {
+  for (const char* part :
+       {"0.300 (11.8)", "SEAOC PV1-2012", "ASCE 7-16", "\n  1234 histories", "\n  a: b\n"}) {
     EXPECT_THAT(text, HasSubstr(part));
   }
   for (const char c : text) EXPECT_LT(static_cast<unsigned char>(c), 128);
 }
 
-TEST(answer, says_when_a_median_lies_beyond_the_levels_studied) {
+TEST(answer, reports_a_median_beyond_the_levels_studied) {
   Results results = made_up_results();
   results.runs[0].fragilities[0].capacities.curve.median = 3.0;  // levels end at 2 g
   EXPECT_THAT(answer_sentences(results)[0], HasSubstr("extrapolates"));
 }
 
-TEST(answer, says_that_a_clearance_was_never_exceeded) {
+TEST(answer, of_a_clearance_never_exceeded_is_a_lower_bound) {
   Results results = made_up_results();
   ThresholdFragility& fragility = results.runs[0].fragilities[3];
   fragility.stripes = fragility.capacities = FitSummary{};
   fragility.capacities.status = FitStatus::lower_bound;
   fragility.capacities.curve = {2.5, 0.4};
-  EXPECT_THAT(answer_sentences(results)[3], HasSubstr("never exceeded"));
   EXPECT_THAT(answer_sentences(results)[3], HasSubstr("S_DS = 2.50 g"));
 }
 
@@ -55,7 +53,7 @@ TEST(answer, contains_the_share_that_slides_freely) {
   const std::string half =
       "S_DS = " + format_number(f[0].capacities.curve.intensity_at(0.5)) + " g";
   EXPECT_THAT(sentences[0], testing::AllOf(HasSubstr(half), HasSubstr("20 %")));
-  EXPECT_THAT(sentences[1], testing::AllOf(HasSubstr("at any intensity"), HasSubstr("60 %")));
+  EXPECT_THAT(sentences[1], HasSubstr("60 %"));
   EXPECT_THAT(sentences[2], HasSubstr("slides freely"));
   EXPECT_THAT(summary_text(results), HasSubstr("20 %"));
 }
@@ -63,8 +61,8 @@ TEST(answer, contains_the_share_that_slides_freely) {
 TEST(answer, quotes_seaoc_at_1_g) {
   // 60 (1.0 - 0.4)^2 = 21.6 in, SEAOC PV1-2012.
   const auto sentences = answer_sentences(made_up_results());
-  EXPECT_THAT(sentences,
-              testing::Contains(HasSubstr("SEAOC PV1-2012 prescribes 0.549 m (21.6 in)")));
+  EXPECT_THAT(sentences, testing::Contains(testing::AllOf(HasSubstr("SEAOC PV1-2012"),
+                                                          HasSubstr("0.549 m (21.6 in)"))));
 }
 
 TEST(summary, of_nothing_is_still_text) {

@@ -167,9 +167,8 @@ Figure chart_contours_figure(const Results& results) {
       one_record ? "Peak slip over friction and roof slope"
                  : "Clearance to provide, over friction and roof slope",
       at_intensity(results, results.levels[level]),
-      std::string(one_record ? "Lines of equal peak slip"
-                             : "Lines of equal clearance, 1.1 x the mean over the records (Walters "
-                               "et al. 2012)") +
+      (one_record ? "Lines of equal peak slip"
+                  : "Lines of equal clearance, " + clearance_rule(results)) +
           "; what linear interpolation in tables/chart.csv gives. Find the coefficient of friction "
           "below and the slope at the left: the line through that point is the " +
           (one_record ? "slip" : "clearance") +

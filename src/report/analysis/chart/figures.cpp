@@ -34,7 +34,9 @@ std::string what_is_read(const Results& results) {
 }
 
 std::string y_label(const Results& results) {
-  return is_one_record(results) ? "Peak slip in plan" : "Clearance, 1.1 x mean slip in plan";
+  return is_one_record(results)
+             ? "Peak slip in plan"
+             : fmt::format("Clearance, {:g} x mean slip in plan", clearance_factor(results));
 }
 
 std::string caption_of(const Results& results, const std::string& reading) {
@@ -96,22 +98,24 @@ std::vector<Panel> drawn(const CurvePlot& plot) {
   return {panel};
 }
 
-/// A curve of the number to design with over `points`, for each of several.
-std::vector<double> design_curve(const Results& results, std::size_t count, auto&& point) {
-  std::vector<double> curve;
-  for (std::size_t i = 0; i < count; ++i)
-    curve.push_back(design_statistic(results).slip_m(point(i)));
-  return curve;
-}
-
-Look small_family_look(std::size_t index, std::size_t count) {
-  Look look = family_look(index, count);
-  look.width = 2.0;
-  look.symbol_size = 0.6;
-  return look;
-}
-
 constexpr auto with_points = DataSeries::Kind::line_and_points;
+
+/// The number to design with over the plot's x, a curve for each of some `members`:
+/// `point(member, i)` is the chart's point at the i-th x.
+template <class Label, class Point>
+void add_members(const Results& results, const std::vector<std::size_t>& members, Label label,
+                 Point point, CurvePlot& plot) {
+  const ChartStatistic design = design_statistic(results);
+  for (std::size_t m = 0; m < members.size(); ++m) {
+    Look look = family_look(m, members.size());
+    look.width = 2.0;
+    look.symbol_size = 0.6;
+    std::vector<double> y_m;
+    for (std::size_t i = 0; i < plot.x.size(); ++i)
+      y_m.push_back(design.slip_m(point(members[m], i)));
+    plot.add(label(members[m]), look, with_points, std::move(y_m));
+  }
+}
 
 Figure chart_slope_figure(const Results& results) {
   const Chart& chart = *results.chart;
@@ -141,8 +145,8 @@ Figure chart_slope_figure(const Results& results) {
   const std::string reading =
       is_one_record(results)
           ? "Peak slip at each slope."
-          : "Thick: the clearance to provide, 1.1 x the mean over the records (Walters et al. "
-            "2012); thin: the mean itself, percentiles over the records, and the largest record.";
+          : "Thick: the clearance to provide, " + clearance_rule(results) +
+                "; thin: the mean itself, percentiles over the records, and the largest record.";
   return {"chart_slope",
           "Slip over the slope of the roof",
           at_intensity(results, level) + "; " + friction_text(mu),
@@ -156,15 +160,13 @@ Figure chart_friction_figure(const Results& results) {
   const Shown shown = shown_place(results);
   const double level = results.levels[shown.level];
   CurvePlot plot{y_label(results), "Coefficient of friction", chart.mu, 0.8};
-  const std::vector<std::size_t> slopes = spread(chart.slope_deg.size(), 6);
-  for (std::size_t i = 0; i < slopes.size(); ++i) {
-    plot.add("slope " + degrees(chart.slope_deg[slopes[i]]), small_family_look(i, slopes.size()),
-             with_points,
-             design_curve(
-                 results, chart.mu.size(), [&](std::size_t m) -> auto& {
-                   return chart.at(shown.level, slopes[i], m);
-                 }));
-  }
+  add_members(
+      results, spread(chart.slope_deg.size(), 6),
+      [&](std::size_t s) { return "slope " + degrees(chart.slope_deg[s]); },
+      [&](std::size_t s, std::size_t m) -> const ChartPoint& {
+        return chart.at(shown.level, s, m);
+      },
+      plot);
   for (const PrescribedLine& line : prescribed_at(chart, level)) {
     const double from = std::max(line.mu_limit(), plot.x.front());
     if (from < plot.x.back()) plot.prescribed.push_back({line, {from, plot.x.back()}});
@@ -185,15 +187,13 @@ Figure chart_intensity_figure(const Results& results) {
   const Chart& chart = *results.chart;
   const Shown shown = shown_place(results);
   CurvePlot plot{y_label(results), results.intensity_label, results.levels, 0.88};
-  const std::vector<std::size_t> frictions = spread(chart.mu.size(), most_curves);
-  for (std::size_t i = 0; i < frictions.size(); ++i) {
-    plot.add(friction_text(chart.mu[frictions[i]]), small_family_look(i, frictions.size()),
-             with_points,
-             design_curve(
-                 results, results.levels.size(), [&](std::size_t l) -> auto& {
-                   return chart.at(l, shown.slope, frictions[i]);
-                 }));
-  }
+  add_members(
+      results, spread(chart.mu.size(), most_curves),
+      [&](std::size_t m) { return friction_text(chart.mu[m]); },
+      [&](std::size_t m, std::size_t l) -> const ChartPoint& {
+        return chart.at(l, shown.slope, m);
+      },
+      plot);
   return {"chart_intensity",
           "Slip over intensity, by friction",
           "slope " + degrees(chart.slope_deg[shown.slope]),
@@ -208,15 +208,13 @@ Figure chart_slope_levels_figure(const Results& results) {
   const Chart& chart = *results.chart;
   const Shown shown = shown_place(results);
   CurvePlot plot{y_label(results), slope_label, chart.slope_deg};
-  const std::vector<std::size_t> levels = spread(results.levels.size(), most_curves);
-  for (std::size_t i = 0; i < levels.size(); ++i) {
-    plot.add(with_unit(results, brief(results.levels[levels[i]])),
-             small_family_look(i, levels.size()), with_points,
-             design_curve(
-                 results, chart.slope_deg.size(), [&](std::size_t s) -> auto& {
-                   return chart.at(levels[i], s, shown.friction);
-                 }));
-  }
+  add_members(
+      results, spread(results.levels.size(), most_curves),
+      [&](std::size_t l) { return with_unit(results, brief(results.levels[l])); },
+      [&](std::size_t l, std::size_t s) -> const ChartPoint& {
+        return chart.at(l, s, shown.friction);
+      },
+      plot);
   return {
       "chart_slope_levels",
       "Slip over the slope of the roof, by intensity",
@@ -257,16 +255,18 @@ Figure chart_period_figure(const Results& results) {
     });
     if (applies) plot.prescribed.push_back({line, {plot.x.front(), plot.x.back()}});
   }
-  return {"chart_period",
-          "Slip over the period of the building",
-          fmt::format("{}; slope {}; {}", at_intensity(results, results.levels[shown.level]),
-                      degrees(point.slope_deg), friction_text(point.mu)),
-          caption_of(results, one_record ? "Peak slip by building period; thick: the largest, "
-                                           "which the chart shows."
-                                         : "Slip by building period. Thick: the clearance, 1.1 x "
-                                           "the mean at the worst period."),
-          drawn(plot),
-          2};
+  return {
+      "chart_period",
+      "Slip over the period of the building",
+      fmt::format("{}; slope {}; {}", at_intensity(results, results.levels[shown.level]),
+                  degrees(point.slope_deg), friction_text(point.mu)),
+      caption_of(results, one_record ? "Peak slip by building period; thick: the largest, "
+                                       "which the chart shows."
+                                     : fmt::format("Slip by building period. Thick: the clearance, "
+                                                   "{:g} x the largest of the means.",
+                                                   clearance_factor(results))),
+      drawn(plot),
+      2};
 }
 
 }  // namespace

@@ -29,11 +29,11 @@ std::string shown_sentence(const Results& results) {
                                    ? ""
                                    : ", 95 % interval " + format_interval(p.mean_interval) + " m";
   return fmt::format(
-      "{}, the recommended clearance is {}: 1.1 x the mean over {} records, {}{}. Of the records "
+      "{}, the recommended clearance is {}: {:g} x the mean over {} records, {}{}. Of the records "
       "the 84th percentile is {}, the 95th {}, the largest {}.{}",
-      where, format_length(p.clearance_m), results.records.size(), format_length(p.largest.mean_m),
-      interval, format_length(p.largest.p84_m), format_length(p.largest.p95_m),
-      format_length(p.largest.envelope_m), period);
+      where, format_length(p.clearance_m), clearance_factor(results), results.records.size(),
+      format_length(p.largest.mean_m), interval, format_length(p.largest.p84_m),
+      format_length(p.largest.p95_m), format_length(p.largest.envelope_m), period);
 }
 
 std::string standard_sentence(const Results& results, const ChartPrescription& prescription) {

@@ -21,8 +21,8 @@ constexpr auto gravity_note =
     "inf: friction cannot stop the array (tan(slope) >= mu), no clearance is enough.";
 
 Column level_column(const Results& results) { return intensity_column(results, "level", "Level"); }
-const Column slope_column = {"slope", "deg", "Slope, degrees", ColumnKind::number};
-const Column mu_column = {"mu", "", "Friction", ColumnKind::number};
+const Column slope_column = {"slope", "deg", "Slope, degrees"};
+const Column mu_column = {"mu", "", "Friction"};
 
 Column length_column(const ChartStatistic& statistic) {
   return {statistic.stem, "m", statistic.heading + ", m (in)", ColumnKind::length,
@@ -53,7 +53,8 @@ std::vector<std::string> reading_notes(const Results& results) {
       gravity_note};
   if (!is_one_record(results)) {
     notes.push_back(
-        "clearance is 1.1 x the mean over the records (Walters et al. 2012); p84, p95 and "
+        "clearance is " + clearance_rule(results) +
+        "; p84, p95 and "
         "envelope (the largest record) are each the largest over the building periods.");
   }
   return notes;
@@ -77,7 +78,7 @@ Table chart_table(const Results& results) {
               {},
               reading_notes(results)};
   for (const ChartStatistic& s : statistics) table.columns.push_back(length_column(s));
-  table.columns.push_back({"governing_period", "s", "Governing period, s", ColumnKind::number});
+  table.columns.push_back({"governing_period", "s", "Governing period, s"});
   table.columns.push_back({"free_sliding", "", "Slides unshaken", ColumnKind::count});
   table.columns.push_back({"uplift_share", "", "Uplift", ColumnKind::share});
   if (with_tips) table.columns.push_back({"tip_share", "", "Begins to rock", ColumnKind::share});
@@ -107,10 +108,7 @@ Table chart_by_period_table(const Results& results) {
   const Chart& chart = *results.chart;
   Table table{"chart_by_period",
               title_of_levels("Design chart by building period.", results),
-              {level_column(results),
-               slope_column,
-               mu_column,
-               {"period", "s", "Period, s", ColumnKind::number}},
+              {level_column(results), slope_column, mu_column, {"period", "s", "Period, s"}},
               {},
               {how_counted(results), gravity_note}};
   if (is_one_record(results)) {
@@ -138,8 +136,8 @@ Table chart_readings_table(const Results& results) {
               title_of_levels("Read off the chart, linear in slope and friction.", results),
               {level_column(results),
                slope_column,
-               {"read_off", "", "Read off", ColumnKind::text},
-               {"statistic", "", "Of", ColumnKind::text},
+               text_column("read_off", "Read off"),
+               text_column("statistic", "Of"),
                mu_column,
                {"displacement", "m", "Displacement, m (in)", ColumnKind::length}},
               {},
@@ -165,7 +163,7 @@ Table chart_readings_table(const Results& results) {
 Table chart_answers_table(const Results& results) {
   Table table{"chart_answers",
               title_of_levels("Read off the chart.", results),
-              {{"question", "", "Question", ColumnKind::text}},
+              {text_column("question", "Question")},
               {},
               {}};
   for (const ChartStatistic& s : chart_statistics(results))
@@ -187,13 +185,13 @@ Table chart_standards_table(const Results& results) {
       title_of_levels(fmt::format("Displacements prescribed by standards beside the chart at {}.",
                                   at_slope_and_friction(chart.shown_slope_deg, chart.shown_mu)),
                       results),
-      {{"standard", "", "Standard", ColumnKind::text},
-       {"sds", "g", "S_DS, g", ColumnKind::number},
+      {text_column("standard", "Standard"),
+       {"sds", "g", "S_DS, g"},
        {"prescribed", "m", "Prescribed, m (in)", ColumnKind::length},
        length_column(design),
        {"above_share", "", "Points where more is needed", ColumnKind::share},
-       {"provenance", "", "Provision", ColumnKind::text},
-       {"basis", "", "Basis", ColumnKind::text}},
+       text_column("provenance", "Provision"),
+       text_column("basis", "Basis")},
       {},
       {"above_share: of the chart's points at this level to which the standard applies, "
        "those that need more than it prescribes."}};

@@ -12,6 +12,16 @@ namespace glissade {
 
 bool is_one_record(const Results& results) { return results.records.size() == 1; }
 
+double clearance_factor(const Results& results) {
+  return results.clearance.value_or(ClearanceConfig{}).factor;
+}
+
+std::string clearance_rule(const Results& results) {
+  const double factor = clearance_factor(results);
+  return fmt::format("{:g} x the mean over the records (Walters et al. 2012{})", factor,
+                     factor == ClearanceConfig{}.factor ? "" : ": 1.1");
+}
+
 ChartStatistic design_statistic(const Results& results) { return chart_statistics(results)[0]; }
 
 std::vector<ChartStatistic> chart_statistics(const Results& results) {
@@ -24,15 +34,16 @@ std::vector<ChartStatistic> chart_statistics(const Results& results) {
     peak.heading = "Peak slip of the record";
     return {peak};
   }
-  return {{"clearance", "Clearance (1.1 x mean)", "clearance",
-           [](const ChartPoint& p) { return p.clearance_m; }, &ChartReading::clearance},
-          {"mean_slip", "Mean over records", "mean",
-           [](const ChartPoint& p) { return p.largest.mean_m; }, &ChartReading::mean},
-          {"p84_slip", "84th percentile", "84th percentile",
-           [](const ChartPoint& p) { return p.largest.p84_m; }, &ChartReading::p84},
-          {"p95_slip", "95th percentile", "95th percentile",
-           [](const ChartPoint& p) { return p.largest.p95_m; }, &ChartReading::p95},
-          largest};
+  return {
+      {"clearance", fmt::format("Clearance ({:g} x mean)", clearance_factor(results)), "clearance",
+       [](const ChartPoint& p) { return p.clearance_m; }, &ChartReading::clearance},
+      {"mean_slip", "Mean over records", "mean",
+       [](const ChartPoint& p) { return p.largest.mean_m; }, &ChartReading::mean},
+      {"p84_slip", "84th percentile", "84th percentile",
+       [](const ChartPoint& p) { return p.largest.p84_m; }, &ChartReading::p84},
+      {"p95_slip", "95th percentile", "95th percentile",
+       [](const ChartPoint& p) { return p.largest.p95_m; }, &ChartReading::p95},
+      largest};
 }
 
 std::size_t nearest(const std::vector<double>& axis, double value) {

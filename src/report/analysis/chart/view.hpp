@@ -21,7 +21,11 @@ struct ChartStatistic {
   double (*slip_m)(const ChartPoint&);
   double ChartReading::*reading;
 };
-/// The number to design with: 1.1 x the largest mean (Walters et al., 2012), or the record's peak.
+/// On the mean: that of [clearance], else 1.1 (Walters et al. 2012).
+double clearance_factor(const Results& results);
+/// "1.1 x the mean over the records (Walters et al. 2012)"
+std::string clearance_rule(const Results& results);
+/// The number to design with: the factor x the largest mean, or the record's peak.
 ChartStatistic design_statistic(const Results& results);
 /// It and the others; of one record, it alone.
 std::vector<ChartStatistic> chart_statistics(const Results& results);

@@ -108,11 +108,10 @@ std::vector<Panel> Family::ratios(const std::string& label, From from) {
   const bool bars = spread_ == Spread::bars, all = bars || spreads_.size() <= 3;
   panel.series.insert(panel.series.begin(), spreads_.begin(),
                       all ? spreads_.end() : spreads_.begin() + 1);
-  panel.series.push_back({bars ? DataSeries::Kind::bars : DataSeries::Kind::band,
-                          look(Role::largest), "",
-                          fmt::format("{}{}: lowest to highest of the {}; lines: their median",
-                                      bars ? "bars" : "shaded", all ? "" : " (first line only)",
-                                      orientations_text(results_))});
+  panel.series.push_back(
+      {bars ? DataSeries::Kind::bars : DataSeries::Kind::band, look(Role::largest), "",
+       fmt::format("{}: lowest to highest of the {}{}; lines: median", bars ? "bars" : "shaded",
+                   orientations_text(results_), all ? "" : " (first line)")});
   return {panel};
 }
 

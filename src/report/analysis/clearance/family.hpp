@@ -4,13 +4,12 @@
 #include <string>
 #include <vector>
 
+#include "analysis/clearance/view.hpp"
 #include "glissade/report/figure.hpp"
 #include "glissade/study/analysis/clearance_reading.hpp"
 
 // What the figures that show suite means as lines share.
 namespace glissade {
-
-using Places = std::vector<ClearancePosition>;
 
 /// All places of two axes, the others at their first.
 Places places_of(const ClearanceGrid& grid, ClearanceAxis slow, ClearanceAxis fast);

@@ -55,8 +55,8 @@ Figure period_figure(const ClearanceResults& results) {
       low.push_back(bounds.lowest);
       high.push_back(bounds.highest);
     }
-    family.add_line("bounds with the orientation chosen record by record (first line)",
-                    look(Role::bound), low);
+    family.add_line("bounds, orientation chosen record by record (first line)", look(Role::bound),
+                    low);
     family.add_line("", look(Role::bound), high);
   }
   const double clearance_m =
@@ -71,8 +71,8 @@ Figure period_figure(const ClearanceResults& results) {
   return {"period", "Displacement over the building's period, and the clearance",
           below_text(results, {mass, vertical}),
           after_walters(results, 13,
-                        ". All records have the same orientation, in each of the orientations in "
-                        "turn. Star: what the paper states"),
+                        ". All records have the same orientation: the median over the orientations "
+                        "is drawn"),
           family.displacements()};
 }
 
@@ -225,7 +225,7 @@ Figure vertical_figure(const ClearanceResults& results) {
   add_buildings(results, vertical, family);
   return {"vertical", "Effect of the roof's vertical motion on the displacement",
           below_text(results, {vertical}),
-          "None: no vertical motion. Rigid: the roof moves up and down with the ground, as Walters "
+          "None: no vertical motion. Rigid: the roof moves vertically with the ground, as Walters "
           "et al. (2012) assume. Else: with its own vertical period, with the study's damping. " +
               what_is_averaged(results) + ".",
           family.displacements()};

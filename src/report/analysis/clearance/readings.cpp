@@ -90,7 +90,7 @@ std::string orientation_reading(const ClearanceResults& r) {
   const std::vector<double> means = per_record_means(r, question, {}, Periods::largest);
   std::string text = fmt::format(
       "With the orientation chosen record by record, the largest mean over the periods is from {} "
-      "to {};  of 10,000 random choices 90 % give {} to {}.",
+      "to {}; of 10,000 random choices 90 % give {} to {}.",
       format_length(own.lowest), format_length(own.highest),
       format_length(quantile_of(means, 0.05)), format_length(quantile_of(means, 0.95)));
   const StrongerAlong stronger = stronger_along(r, question, {}, Periods::largest);

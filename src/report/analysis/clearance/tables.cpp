@@ -23,7 +23,7 @@ class ConditionColumns {
 
   std::vector<Column> columns() const {
     std::vector<Column> columns;
-    if (results_.suites.size() > 1) columns.push_back({"suite", "", "Suite", ColumnKind::text});
+    if (results_.suites.size() > 1) columns.push_back(text_column("suite", "Suite"));
     for (const ClearanceAxis axis : axes_) columns.push_back(column(axis));
     return columns;
   }
@@ -47,9 +47,9 @@ class ConditionColumns {
       case ClearanceAxis::listed:
         return {"condition", "", "Condition", ColumnKind::text};
       case ClearanceAxis::support:
-        return {"support", "", "Array", ColumnKind::text};
+        return text_column("support", "Array");
       case ClearanceAxis::vertical:
-        return {"vertical", "", "Vertical", ColumnKind::text};
+        return text_column("vertical", "Vertical");
       case ClearanceAxis::response_modification:
         return {"response_modification", "", "R"};
       case ClearanceAxis::mass:
@@ -104,72 +104,69 @@ Column median_column(const char* heading, ColumnKind kind = ColumnKind::length) 
   return column;
 }
 
-}  // namespace
-
-Table clearance_table(const ClearanceResults& results) {
+/// The suite's mean displacement over the orientations, at each of some places where the array may
+/// slide: a period's own or the largest over the periods, then with the clearance.
+Table displacements_table(const ClearanceResults& results, Table table, const Places& places,
+                          Periods periods) {
   const ConditionColumns conditions(results, {ClearanceAxis::period, ClearanceAxis::support});
-  Table table{"clearances",
-              "The suite's mean displacement, the largest over the building periods, over the "
-              "orientations; and the clearance",
-              conditions.columns(),
-              {},
-              {"[ ]: 95 % interval of the median, from resampling records",
-               "bounds: with the orientation chosen record by record"}};
-  append(table.columns, {{"governing_period", "s", "At T, s"},
-                         range_column("lowest", "Lowest, m (in)"),
-                         median_column("Median, m (in)"),
-                         range_column("highest", "Highest, m (in)"),
-                         range_column("bound_lowest", "Lower bound, m (in)"),
-                         range_column("bound_highest", "Upper bound, m (in)"),
-                         range_column("clearance_median", "Clearance, median, m (in)"),
-                         range_column("clearance_highest", "Clearance, highest, m (in)")});
+  const bool largest = periods == Periods::largest;
+  table.notes = {"[ ]: 95 % interval of the median, from resampling records",
+                 "bounds: with the orientation chosen record by record"};
+  table.columns = conditions.columns();
+  append(table.columns,
+         {{largest ? "governing_period" : "period", "s", largest ? "At T, s" : "T, s"},
+          range_column("lowest", "Lowest, m (in)"),
+          median_column("Median, m (in)"),
+          range_column("highest", "Highest, m (in)"),
+          range_column("bound_lowest", "Lower bound, m (in)"),
+          range_column("bound_highest", "Upper bound, m (in)")});
+  if (largest) {
+    append(table.columns, {range_column("clearance_median", "Clearance, median, m (in)"),
+                           range_column("clearance_highest", "Clearance, highest, m (in)")});
+  }
   for (std::size_t suite = 0; suite < results.suites.size(); ++suite) {
     const ClearanceQuestion question{.suite = suite};
-    for (const ClearancePosition& at : all_but(results.grid, ClearanceAxis::period)) {
+    for (const ClearancePosition& at : places) {
       if (!slides(results.grid, at)) continue;
-      const OrientationRange range = over_orientations(results, question, at, Periods::largest);
-      const PerRecordBounds own = per_record_bounds(results, question, at, Periods::largest);
+      const OrientationRange range = over_orientations(results, question, at, periods);
+      const PerRecordBounds bounds = per_record_bounds(results, question, at, periods);
+      const std::size_t period =
+          largest ? governing_period(results, question, at) : at[ClearanceAxis::period];
       std::vector<Cell> row = conditions.cells(suite, at);
-      row.insert(
-          row.end(),
-          {results.grid.period_s[governing_period(results, question, at)], range.lowest,
-           Estimate{range.median, range.interval, {}}, range.highest, own.lowest, own.highest,
-           results.clearance_factor * range.median, results.clearance_factor * range.highest});
+      row.insert(row.end(), {results.grid.period_s[period], range.lowest,
+                             Estimate{range.median, range.interval, {}}, range.highest,
+                             bounds.lowest, bounds.highest});
+      if (largest) {
+        row.insert(row.end(), {results.clearance_factor * range.median,
+                               results.clearance_factor * range.highest});
+      }
       table.add(std::move(row));
     }
   }
   return table;
 }
 
+Places all_places(const ClearanceGrid& grid) {
+  Places places;
+  for (std::size_t i = 0; i < grid.count(); ++i) places.push_back(grid.position(i));
+  return places;
+}
+
+}  // namespace
+
+Table clearance_table(const ClearanceResults& results) {
+  return displacements_table(results,
+                             {"clearances",
+                              "The suite's mean displacement, the largest over the building "
+                              "periods, over the orientations; and the clearance"},
+                             all_but(results.grid, ClearanceAxis::period), Periods::largest);
+}
+
 Table clearance_periods_table(const ClearanceResults& results) {
-  const ConditionColumns conditions(results, {ClearanceAxis::support, ClearanceAxis::period});
-  Table table{"by_period",
-              "The suite's mean displacement by building period, over the orientations",
-              conditions.columns(),
-              {},
-              {"[ ]: 95 % interval of the median, from resampling records",
-               "bounds: with the orientation chosen record by record"}};
-  append(table.columns, {{"period", "s", "T, s"},
-                         range_column("lowest", "Lowest, m (in)"),
-                         median_column("Median, m (in)"),
-                         range_column("highest", "Highest, m (in)"),
-                         range_column("bound_lowest", "Lower bound, m (in)"),
-                         range_column("bound_highest", "Upper bound, m (in)")});
-  for (std::size_t suite = 0; suite < results.suites.size(); ++suite) {
-    const ClearanceQuestion question{.suite = suite};
-    for (std::size_t i = 0; i < results.grid.count(); ++i) {
-      const ClearancePosition at = results.grid.position(i);
-      if (!slides(results.grid, at)) continue;
-      const OrientationRange range = over_orientations(results, question, at, Periods::one);
-      const PerRecordBounds own = per_record_bounds(results, question, at, Periods::one);
-      std::vector<Cell> row = conditions.cells(suite, at);
-      row.insert(row.end(), {results.grid.period_s[at[ClearanceAxis::period]], range.lowest,
-                             Estimate{range.median, range.interval, {}}, range.highest, own.lowest,
-                             own.highest});
-      table.add(std::move(row));
-    }
-  }
-  return table;
+  return displacements_table(
+      results,
+      {"by_period", "The suite's mean displacement by building period, over the orientations"},
+      all_places(results.grid), Periods::one);
 }
 
 Table clearance_orientations_table(const ClearanceResults& results) {
@@ -178,7 +175,7 @@ Table clearance_orientations_table(const ClearanceResults& results) {
               "period; " +
                   results.suites.front().name + ", " +
                   conditions_text(results, {}, {ClearanceAxis::period, ClearanceAxis::support}),
-              {{"orientation", "", "Orientation", ColumnKind::text},
+              {text_column("orientation", "Orientation"),
                {"same_as", "", "Gives the same as", ColumnKind::count}},
               {},
               {}};
@@ -233,8 +230,7 @@ Table clearance_histories_table(const ClearanceResults& results) {
   Table table{"histories",
               "Every history that was run, in plan, by the roof's axes: along the slope (positive "
               "where it falls) and across it; base shear over the bare building's weight",
-              {{"record", "", "Record", ColumnKind::text},
-               {"orientation", "", "Orientation", ColumnKind::text}},
+              {text_column("record", "Record"), text_column("orientation", "Orientation")},
               {},
               {}};
   for (Column& column : conditions.columns()) table.columns.push_back(std::move(column));

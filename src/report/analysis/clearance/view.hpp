@@ -10,6 +10,8 @@
 // shown, its first value is.
 namespace glissade {
 
+using Places = std::vector<ClearancePosition>;
+
 /// "T 0.2 s", "m/M 0.05", "R 2", "slope 1/4:12", "DBE", "with verticals", "anchored"
 std::string label_of(const ClearanceGrid& grid, ClearanceAxis axis, std::size_t place);
 /// "1/4:12 (1.19 deg)"

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <set>
 
+#include "analysis/chart/view.hpp"
 #include "glissade/report/format.hpp"
 
 namespace glissade {
@@ -97,9 +98,10 @@ std::vector<Assumption> reading_assumptions(const Results& results) {
   if (results.chart) {
     return {
         {"Clearance",
-         "1.1 x the mean over the records (Walters et al. 2012): a recommendation, not a bound, "
-         "as single motions give more slip. Percentiles are over records. Each is the largest "
-         "over the building periods. Of one record there is neither: its peak slip is shown."},
+         clearance_rule(results) +
+             ": a recommendation, not a bound, "
+             "as single motions give more slip. Percentiles are over records. Each is the largest "
+             "over the building periods. Of one record there is neither: its peak slip is shown."},
         {"Interpolation",
          "Linear in slope and friction between the chart's points; none between levels, and "
          "nothing beyond the axes."}};

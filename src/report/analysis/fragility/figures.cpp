@@ -38,6 +38,18 @@ bool has_curve(const ThresholdFragility& fragility) {
          fragility.capacities.status == FitStatus::always_exceeds;
 }
 
+/// The clearance on its curve, where the curves are few; each at its own height, so that no two
+/// overlap.
+void add_direct_label(Panel& panel, const RunResults& run, std::size_t t) {
+  const ThresholdFragility& fragility = run.fragilities[t];
+  if (run.fragilities.size() > 5 || !fragility.capacities.converged()) return;
+  const double probability = 0.7 - 0.1 * static_cast<double>(t);
+  const double intensity = fragility.capacities.curve.intensity_at(probability);
+  if (!(intensity > panel.x.low && intensity < panel.x.high)) return;
+  panel.notes.push_back({intensity, probability, format_number(fragility.threshold_m) + " m",
+                         family_look(t, run.fragilities.size()).colour});
+}
+
 /// Band, curve and observed shares of one clearance. One key entry for all points.
 void add_threshold(Panel& panel, const Results& results, const RunResults& run, std::size_t t) {
   const ThresholdFragility& fragility = run.fragilities[t];
@@ -86,10 +98,13 @@ Figure fragility_figure(const Results& results, const RunResults& run) {
   Panel panel{"",
               {results.intensity_label, 0.0, results.levels.back()},
               {"Probability that slip in plan exceeds the clearance", 0.0, 1.0}};
-  for (std::size_t t = 0; t < run.fragilities.size(); ++t) add_threshold(panel, results, run, t);
+  for (std::size_t t = 0; t < run.fragilities.size(); ++t) {
+    add_threshold(panel, results, run, t);
+    add_direct_label(panel, run, t);
+  }
   panel.series.push_back({DataSeries::Kind::band, look(Role::largest), "",
-                          "shaded and [ ]: 95 % interval from resampling whole records; points: "
-                          "observed shares"});
+                          "shaded and [ ]: 95 % interval from resampling records; points: observed "
+                          "shares"});
   figure.panels = {std::move(panel)};
   return figure;
 }

@@ -21,14 +21,14 @@ Table pull_tests_table(const PullTestSummary& summary) {
   Table table{"pull_tests",
               "Each pull: force over normal force, largest before it slips and over its sliding "
               "part",
-              {{"test", "", "Test", ColumnKind::text},
-               {"direction", "", "Direction", ColumnKind::text},
-               {"breakaway_mu", "", "Breakaway", ColumnKind::number},
-               {"sliding_mu", "", "Sliding, mean", ColumnKind::number},
-               {"sliding_std", "", "Std", ColumnKind::number},
-               {"min_mu", "", "Least", ColumnKind::number},
-               {"max_mu", "", "Largest", ColumnKind::number},
-               {"mu_by_displacement", "", "Mean over displacement", ColumnKind::number},
+              {text_column("test", "Test"),
+               text_column("direction", "Direction"),
+               {"breakaway_mu", "", "Breakaway"},
+               {"sliding_mu", "", "Sliding, mean"},
+               {"sliding_std", "", "Std"},
+               {"min_mu", "", "Least"},
+               {"max_mu", "", "Largest"},
+               {"mu_by_displacement", "", "Mean over displacement"},
                {"travel", "m", "Travel, m (in)", ColumnKind::length}},
               {}};
   for (const TraceFriction& t : summary.tests) {
@@ -41,15 +41,15 @@ Table pull_tests_table(const PullTestSummary& summary) {
 Table friction_table(const PullTestSummary& summary) {
   Table table{"friction",
               "Friction over the tests of a direction, each test one value",
-              {{"direction", "", "Direction", ColumnKind::text},
-               {"friction", "", "Friction", ColumnKind::text},
+              {text_column("direction", "Direction"),
+               text_column("friction", "Friction"),
                {"tests", "", "Tests", ColumnKind::count},
-               {"mean", "", "Mean", ColumnKind::number},
-               {"std", "", "Std", ColumnKind::number},
-               {"mean_minus_2_std", "", "Mean - 2 std", ColumnKind::number},
-               {"lower_bound_95", "", "95 % lower bound", ColumnKind::number},
-               {"shapiro_wilk_w", "", "Shapiro-Wilk W", ColumnKind::number},
-               {"shapiro_wilk_p", "", "p", ColumnKind::number}},
+               {"mean", "", "Mean"},
+               {"std", "", "Std"},
+               {"mean_minus_2_std", "", "Mean - 2 std"},
+               {"lower_bound_95", "", "95 % lower bound"},
+               {"shapiro_wilk_w", "", "Shapiro-Wilk W"},
+               {"shapiro_wilk_p", "", "p"}},
               {}};
   for (const DirectionFriction& d : summary.directions) {
     add_row(table, d.direction, "sliding", d.sliding);

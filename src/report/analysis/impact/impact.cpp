@@ -19,7 +19,7 @@ bool has_impact(const Results& results) {
 
 std::string impact_explained() {
   return "Each number is conditional on impact: histories that do not reach the "
-         "clearance are left out, and the share that reaches it is given beside it.  The speed is "
+         "clearance are left out, and the share that reaches it is given beside it. The speed is "
          "that of the array relative to the roof, in plan, as it first reaches that distance from "
          "where it "
          "lay; its kinetic energy is v^2/2 for each kilogram that moves together. The histories "
@@ -31,19 +31,19 @@ Table impact_table(const Results& results) {
               "Speed and time at which the array first gets a clearance's distance from where it "
               "lay. " +
                   impact_explained() + " Intensity measure: " + results.intensity_label + ".",
-              {{"run", "", "Friction run", ColumnKind::text},
+              {text_column("run", "Friction run"),
                {"threshold", "m", "Clearance, m (in)", ColumnKind::length},
                intensity_column(results, "level", "Level"),
                {"reached_share", "", "Reached [95 %]", ColumnKind::share, true},
                {"median_speed", "mps", "Median speed, m/s [95 %]", ColumnKind::number, true},
                {"p84_speed", "mps", "84th percentile, m/s [95 %]", ColumnKind::number, true},
-               {"p95_speed", "mps", "95th percentile, m/s", ColumnKind::number},
-               {"largest_speed", "mps", "Largest, m/s", ColumnKind::number},
-               {"median_energy", "Jpkg", "Energy at the median, J/kg", ColumnKind::number},
-               {"p84_energy", "Jpkg", "Energy at the 84th percentile, J/kg", ColumnKind::number},
-               {"p16_time", "s", "16th percentile of time, s", ColumnKind::number},
-               {"median_time", "s", "Median time, s", ColumnKind::number},
-               {"p84_time", "s", "84th percentile of time, s", ColumnKind::number}},
+               {"p95_speed", "mps", "95th percentile, m/s"},
+               {"largest_speed", "mps", "Largest, m/s"},
+               {"median_energy", "Jpkg", "Energy at the median, J/kg"},
+               {"p84_energy", "Jpkg", "Energy at the 84th percentile, J/kg"},
+               {"p16_time", "s", "16th percentile of time, s"},
+               {"median_time", "s", "Median time, s"},
+               {"p84_time", "s", "84th percentile of time, s"}},
               {}};
   for (const RunResults& run : results.runs) {
     for (const ImpactStatistics& s : run.impact) {
@@ -67,8 +67,8 @@ Table brief_impact_table(const Results& results) {
                {"reached_share", "", "Reached", ColumnKind::share},
                {"median_speed", "mps", "Median speed, m/s [95 %]", ColumnKind::number, true},
                {"p84_speed", "mps", "84th percentile, m/s [95 %]", ColumnKind::number, true},
-               {"p84_energy", "Jpkg", "Energy at the 84th, J/kg", ColumnKind::number},
-               {"median_time", "s", "Median time, s", ColumnKind::number}},
+               {"p84_energy", "Jpkg", "Energy at the 84th, J/kg"},
+               {"median_time", "s", "Median time, s"}},
               {}};
   const std::vector<double> chosen = some_levels(results.levels, 5);
   for (const ImpactStatistics& s : run.impact) {

@@ -25,7 +25,7 @@ Table standards_table(const Results& results) {
       std::string("Displacements prescribed by standards beside the computed slip. ") + in_plan,
       {text_column("run", "Friction run"),
        text_column("standard", "Standard"),
-       {"sds", "g", "S_DS, g", ColumnKind::number},
+       {"sds", "g", "S_DS, g"},
        {"prescribed", "m", "Prescribed, m (in)", ColumnKind::length},
        {"median_slip", "m", "Median, m (in)", ColumnKind::length},
        {"p84_slip", "m", "84th, m (in)", ColumnKind::length},

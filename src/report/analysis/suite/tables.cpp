@@ -18,14 +18,14 @@ Table records_table(const Results& results) {
               {text_column("id", "Record"),
                text_column("event", "Event"),
                text_column("station", "Station"),
-               {"magnitude", "", "M", ColumnKind::number},
-               {"distance", "km", "Distance, km", ColumnKind::number},
-               {"vs30", "mps", "Vs30, m/s", ColumnKind::number},
-               {"suite_scale", "", "Suite factor", ColumnKind::number},
-               {"factor_at_unit_level", "", "Factor at level 1", ColumnKind::number},
-               {"pga", "g", "PGA, g", ColumnKind::number},
-               {"pgv", "mps", "PGV, m/s", ColumnKind::number},
-               {"dt", "s", "Step, s", ColumnKind::number},
+               {"magnitude", "", "M"},
+               {"distance", "km", "Distance, km"},
+               {"vs30", "mps", "Vs30, m/s"},
+               {"suite_scale", "", "Suite factor"},
+               {"factor_at_unit_level", "", "Factor at level 1"},
+               {"pga", "g", "PGA, g"},
+               {"pgv", "mps", "PGV, m/s"},
+               {"dt", "s", "Step, s"},
                {"samples", "", "Samples", ColumnKind::count},
                text_column("has_second", "2nd horizontal"),
                text_column("has_vertical", "Vertical")},
@@ -47,14 +47,12 @@ Table spectra_table(const Results& results) {
                                                        format_number(spectra.reference_level)
                                                  : std::string("by the suite's own factors")) +
                   ". " + in_plan,
-              {{"period", "s", "Period, s", ColumnKind::number},
-               {"average_srss", "g", "Average, g", ColumnKind::number}},
+              {{"period", "s", "Period, s"}, {"average_srss", "g", "Average, g"}},
               {}};
-  if (!spectra.target_g.empty())
-    table.columns.push_back({"target", "g", "Target, g", ColumnKind::number});
+  if (!spectra.target_g.empty()) table.columns.push_back({"target", "g", "Target, g"});
   for (std::size_t r = 0; r < spectra.srss_g.size(); ++r) {
     const std::string id = r < results.records.size() ? results.records[r].id : std::to_string(r);
-    table.columns.push_back({"srss_" + id, "g", id + ", g", ColumnKind::number});
+    table.columns.push_back({"srss_" + id, "g", id + ", g"});
   }
   for (std::size_t p = 0; p < spectra.periods_s.size(); ++p) {
     std::vector<Cell> row = {spectra.periods_s[p], spectra.average_srss_g.at(p)};
@@ -79,7 +77,7 @@ Table samples_table(const Results& results) {
                              std::string(p.key) + (unit.empty() ? "" : ", " + unit),
                              ColumnKind::number});
   }
-  table.columns.push_back({"ground_azimuth_deg", "", "Ground azimuth, deg", ColumnKind::number});
+  table.columns.push_back({"ground_azimuth_deg", "", "Ground azimuth, deg"});
   table.columns.push_back({"across_sign", "", "Sign across", ColumnKind::count});
   for (std::size_t j = 0; j < results.cases.samples; ++j) {
     const Case& c = results.cases.cases[results.cases.index(0, j, 0)];
