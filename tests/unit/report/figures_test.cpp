@@ -64,13 +64,13 @@ TEST(figures, an_axis_of_no_length_has_no_steps_and_ends) {
     EXPECT_LT(length_axis("Slip", high_m).opposite_ticks.size(), 1000u);
 }
 
-/// At the key's font a figure of 900 px has room for some 84 characters in a row.
+/// At the key's font a figure of 900 px has room for some 86 characters in a row.
 TEST(figures, have_keys_that_end_within_the_figure) {
   for (const Results& results :
        {made_up_results(), made_up_impact_results(), made_up_chart_results()}) {
     for (const Figure& figure : make_figures(results)) {
       for (const std::string& entry : key_of(figure))
-        EXPECT_LE(entry.size(), 84u) << figure.name.text() << ": " << entry;
+        EXPECT_LE(entry.size(), 86u) << figure.name.text() << ": " << entry;
     }
   }
 }
@@ -83,7 +83,8 @@ TEST(figures, of_the_fragility_name_the_clearance_on_each_curve) {
   ASSERT_EQ(notes.size(), run.fragilities.size());
   for (std::size_t t = 0; t < notes.size(); ++t) {
     EXPECT_NEAR(run.fragilities[t].capacities.curve.probability(notes[t].x), notes[t].y, 1e-9);
-    if (t > 0) EXPECT_GE(std::abs(notes[t].y - notes[t - 1].y), 0.09);
+    if (t == 0) continue;
+    EXPECT_GE(std::abs(notes[t].y - notes[t - 1].y), 0.09);
   }
 }
 
