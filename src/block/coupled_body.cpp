@@ -151,8 +151,7 @@ void CoupledBody::happen_to_spring(const NextEvent& next) {
   refused_ = false;
   if (next.share > 0.0) at_threshold_ = just_lifted_or_landed_ = false;
   if (next.event != Event::unloads) return spring_.yield(next.event == Event::yields_up ? +1 : -1);
-  spring_.unload();
-  roof_.y = 0.0;
+  roof_.y = spring_.unload(roof_.y);
 }
 
 void CoupledBody::happen(const NextEvent& next) {

@@ -3,9 +3,9 @@
 
 namespace glissade::block_detail {
 
-// Just after unloading z = limit and y = 0 exactly: z leaves the limit in the direction of the
-// first non-zero term of y. That term has the same bits, elastic and yielding, so exactly one of
-// the two continues.
+// Just after unloading z = limit, and y is zero or leads away from it. Where y = 0, z leaves the
+// limit in the direction of the first non-zero term of y. That term has the same bits, elastic and
+// yielding, so exactly one of the two continues.
 double Spring::yield_share(const Series& x, int side) const {
   Series left;  // up to the limit
   left.terms = x.terms;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
+
 #include "glissade/building/yielding.hpp"
 #include "power_series.hpp"
 
@@ -47,7 +49,13 @@ class Spring {
   /// The share of a piece passes; @pre yields().
   void pass(const Series& x, double share);
   void yield(int side);
-  void unload() { direction_ = 0; }
+  /// @param y where it reverses: zero, but for rounding
+  /// @return y, which does not go on in the direction of yielding
+  double unload(double y) {
+    const double reversed = direction_ > 0 ? std::min(y, 0.0) : std::max(y, 0.0);
+    direction_ = 0;
+    return reversed;
+  }
 
  private:
   double plastic(double x) const { return yields() ? x - z_ : 0.0; }

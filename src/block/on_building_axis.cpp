@@ -94,8 +94,8 @@ void BuildingAxis::follow(const AxisSeries& motion, double share, double add_x, 
 
 void BuildingAxis::yield() {
   if (flow_ != 0) {
+    y_ = flow_ > 0 ? std::min(y_, 0.0) : std::max(y_, 0.0);
     flow_ = 0;
-    y_ = 0.0;
     return;
   }
   flow_ = z_ > 0.0 ? 1 : -1;

@@ -151,9 +151,9 @@ double OnBuildingBody::step(const Bare& bare, double longest) {
   bool to_yield = false;
   for (;;) {
     const BuildingStep trial = try_step(bare, length_s);
-    // The first step of all is judged by the speed it would reach, taken or not.
-    peak_speed_ = std::max(peak_speed_, length(trial.end.v));
-    const double allowed = tolerance_ * peak_speed_ + length_s * rounding;
+    // The first step of all is judged by the speed it would reach.
+    const double speed = std::max(peak_speed_, length(trial.end.v));
+    const double allowed = tolerance_ * speed + length_s * rounding;
     const double share = trial.error > 0.0 ? allowed / trial.error : 1e4;
     const double next_s = length_s * std::clamp(0.9 * std::sqrt(std::sqrt(share)), 0.2, 5.0);
     if (share < 1.0 && length_s > shortest * left_s) {
@@ -172,6 +172,7 @@ double OnBuildingBody::step(const Bare& bare, double longest) {
       }
     }
     step_s_ = next_s;
+    peak_speed_ = speed;
     take(bare, trial, length_s);
     if (to_yield) yield(yields);
     return length_s / piece.length_s;

@@ -68,12 +68,13 @@ double TwoAxisBody::step(const Load& now, const Load& end, double left_s) {
     const bool to_end = length_s == left_s;
     const SlidingStep trial = sdirk4(
         now_.v, now, to_end ? end : between(now, end, length_s / left_s), length_s, friction_);
-    // The first step of all is judged by the speed it would reach, taken or not.
-    peak_speed_ = std::max(peak_speed_, length(trial.end.v));
-    const double allowed = tolerance_ * peak_speed_ + length_s * rounding;
+    // The first step of all is judged by the speed it would reach.
+    const double speed = std::max(peak_speed_, length(trial.end.v));
+    const double allowed = tolerance_ * speed + length_s * rounding;
     const double share = trial.error > 0.0 ? allowed / trial.error : 1e4;
     step_s_ = length_s * std::clamp(0.9 * std::sqrt(std::sqrt(share)), 0.2, 5.0);
     if (share >= 1.0 || length_s <= shortest * left_s) {
+      peak_speed_ = speed;
       slide_to(trial.end, length_s);
       return length_s;
     }

@@ -4,28 +4,23 @@
 namespace glissade::block_detail {
 namespace {
 
-/// The largest value on a piece of a function with the given rate (or any multiple of it that is
-/// not negative). A maximum is where the rate falls through zero; it is looked for between four
-/// points, and its place to 1e-6 of the piece: the value is off by the square of that.
-template <class Value, class Rate>
-double largest_on_piece(const Value& value, const Rate& rate) {
-  constexpr int parts = 4;
-  double largest = std::max(value(0.0), value(1.0));
-  double from = 0.0, rate_from = rate(0.0);
-  for (int i = 1; i <= parts; ++i) {
-    const double to = static_cast<double>(i) / parts, rate_to = rate(to);
-    if (rate_from > 0.0 && rate_to < 0.0) {
-      double low = from, high = to;
-      for (int bisection = 0; bisection < 18; ++bisection) {
-        const double middle = 0.5 * (low + high);
-        (rate(middle) > 0.0 ? low : high) = middle;
-      }
-      largest = std::max(largest, value(low));
-    }
-    from = to;
-    rate_from = rate_to;
+/// Raises `largest` to the largest size(point) of a Bezier curve, to 1e-12 of it: a curve stays in
+/// the hull of its control points, and is halved where they allow more.
+/// @tparam Size convex; @param halvings after which the hull is off by less than rounding
+template <std::size_t n, class Size>
+void raise_to_largest(const std::array<Vector, n>& curve, double& largest, const Size& size,
+                      int halvings = 24) {
+  largest = std::max({largest, size(curve.front()), size(curve.back())});
+  double hull = 0.0;
+  for (const Vector& point : curve) hull = std::max(hull, size(point));
+  if (halvings == 0 || hull <= largest * (1.0 + 1e-12)) return;
+  std::array<Vector, n> left, right = curve;
+  for (std::size_t level = 0; level < n; ++level) {  // de Casteljau, in the middle
+    left[level] = right[0];
+    for (std::size_t k = 0; k + level + 1 < n; ++k) right[k] = 0.5 * (right[k] + right[k + 1]);
   }
-  return largest;
+  raise_to_largest(left, largest, size, halvings - 1);
+  raise_to_largest(right, largest, size, halvings - 1);
 }
 
 /// The largest sign * displacement along one axis, at most `reach` from the path's begin.
@@ -39,9 +34,9 @@ double largest_along(const Path& path, double Vector::*axis, double sign, double
                                                sign * (path.v[2].*axis), sign * (path.v[3].*axis)});
   if (slowest >= 0.0 || fastest <= 0.0) return largest;
   if (begin + path.length_s * fastest <= largest) return largest;
-  return std::max(largest,
-                  largest_on_piece([&](double t) { return sign * (path.displacement(t).*axis); },
-                                   [&](double t) { return sign * (path.velocity(t).*axis); }));
+  double on_path = largest;
+  raise_to_largest(path.displacement_points(), on_path, [&](Vector d) { return sign * (d.*axis); });
+  return on_path;
 }
 
 }  // namespace
@@ -57,6 +52,16 @@ Vector Path::displacement(double t) const {
   const Vector c1 = v[0], c2 = c1 + v[1], c3 = c2 + v[2], c4 = c3 + v[3];
   return begin + (0.25 * length_s) * ((4.0 * u * u * u * t) * c1 + (6.0 * u * u * t * t) * c2 +
                                       (4.0 * u * t * t * t) * c3 + (t * t * t * t) * c4);
+}
+
+std::array<Vector, 5> Path::displacement_points() const {
+  std::array<Vector, 5> points{begin, begin, begin, begin, end};
+  Vector sum;
+  for (std::size_t k = 0; k < 3; ++k) {
+    sum = sum + v[k];
+    points[k + 1] = begin + (0.25 * length_s) * sum;
+  }
+  return points;
 }
 
 double Path::path_length() const {
@@ -86,22 +91,10 @@ void Extremes::along(const Path& path) {
     ahead_.*axis = largest_along(path, axis, 1.0, reach, ahead_.*axis);
     back_.*axis = largest_along(path, axis, -1.0, reach, back_.*axis);
   }
-  if (length(path.begin) + reach > displacement_) {
-    displacement_ = std::max(
-        displacement_,
-        largest_on_piece([&](double t) { return length(path.displacement(t)); },
-                         [&](double t) { return dot(path.displacement(t), path.velocity(t)); }));
-  }
-  if (fastest > speed_) {
-    const auto acceleration = [&](double t) {
-      const double u = 1.0 - t;
-      return (u * u) * (path.v[1] - path.v[0]) + (2.0 * u * t) * (path.v[2] - path.v[1]) +
-             (t * t) * (path.v[3] - path.v[2]);
-    };
-    speed_ = std::max(
-        speed_, largest_on_piece([&](double t) { return length(path.velocity(t)); },
-                                 [&](double t) { return dot(path.velocity(t), acceleration(t)); }));
-  }
+  const auto size = [](Vector of) { return length(of); };
+  if (length(path.begin) + reach > displacement_)
+    raise_to_largest(path.displacement_points(), displacement_, size);
+  if (fastest > speed_) raise_to_largest(path.v, speed_, size);
 }
 
 }  // namespace glissade::block_detail

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 
 #include "glissade/block/two_axis.hpp"
 #include "plane_vector.hpp"
@@ -13,7 +14,7 @@ namespace glissade::block_detail {
 struct Path {
   double length_s = 0.0;
   Vector begin, end;  ///< displacement
-  Vector v[4];        ///< Bernstein coefficients of the cubic, which stays in their hull
+  std::array<Vector, 4> v;  ///< Bernstein coefficients of the cubic, which stays in their hull
 
   Path(double length, Vector from, Vector v0, Vector a0, Vector v1, Vector a1)
       : length_s(length),
@@ -23,6 +24,8 @@ struct Path {
 
   Vector velocity(double share) const;
   Vector displacement(double share) const;
+  /// Bernstein coefficients of the displacement.
+  std::array<Vector, 5> displacement_points() const;
   /// By Simpson's rule on the speed.
   double path_length() const;
 };

@@ -6,6 +6,8 @@
 #include <memory>
 #include <vector>
 
+#include "../../../src/block/coupled_spring.hpp"
+#include "../../../src/block/two_axis_extremes.hpp"
 #include "glissade/block/coupled_slip.hpp"
 #include "glissade/block/on_building.hpp"
 #include "glissade/block/peak_slip.hpp"
@@ -36,6 +38,35 @@ TEST(lifted_without_horizontal_motion, is_uplift_but_no_phase_of_sliding) {
   const BuildingSlip on_building = slide_on_building({{ground, nullptr}, vertical}, {}, {}, two);
   EXPECT_EQ(on_building.slip.slip_phases, 0u);
   EXPECT_TRUE(on_building.slip.uplift);
+}
+
+// v = k (0.05 - t)(0.2 - t)(0.3 - t) turns three times, twice of them before a quarter of the
+// piece: the displacement is largest at t = 0.05.
+TEST(extremes_on_a_path, see_two_turns_close_together) {
+  using block_detail::Extremes, block_detail::Path;
+  const double k = 1e3;
+  const auto v = [&](double t) { return k * (0.05 - t) * (0.2 - t) * (0.3 - t); };
+  const auto rate = [&](double t) {
+    return -k * ((0.2 - t) * (0.3 - t) + (0.05 - t) * (0.3 - t) + (0.05 - t) * (0.2 - t));
+  };
+  const double largest = 0.065104166666666667;  // the integral up to 0.05
+  const Path path(1.0, {}, {v(0.0), 0.0}, {rate(0.0), 0.0}, {v(1.0), 0.0}, {rate(1.0), 0.0});
+  EXPECT_NEAR(path.displacement(0.05).s, largest, 1e-12);
+  Extremes extremes;
+  extremes.along(path);
+  EXPECT_NEAR(extremes.ahead().s, largest, 1e-12);
+  EXPECT_NEAR(extremes.back().s, -path.end.s, 1e-9);
+}
+
+// Unloaded a little after it has turned, the spring keeps the speed it has by then.
+TEST(yielding_spring, keeps_a_speed_that_leads_away_from_yielding) {
+  block_detail::Spring spring({.yield_acceleration_mps2 = 1.0});
+  for (const int side : {+1, -1}) {
+    spring.yield(side);
+    EXPECT_EQ(spring.unload(-side * 1e-3), -side * 1e-3);
+    spring.yield(side);
+    EXPECT_EQ(spring.unload(side * 1e-17), 0.0);
+  }
 }
 
 TEST(ring_down, of_an_undamped_building_is_120_s_in_every_model) {
