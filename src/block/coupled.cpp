@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "coupled_walk.hpp"
+#include "glissade/building/rigid.hpp"
 #include "glissade/core/contract.hpp"
 #include "glissade/core/finite.hpp"
 
@@ -111,7 +112,7 @@ CoupledResult block_detail::walk_coupled(const GroundMotion& motion, const Motio
   const Ground ground(motion, factors, mirror);
   const Cut cut_building = block_detail::cut(building.horizontal, contact, motion.dt_s);
   const Yielding& spring = building.yielding;
-  GLISSADE_EXPECTS(!spring.yields() || !cut_building.frame.rigid());
+  require_no_rigid_spring(building.horizontal, spring, motion.dt_s);
   GLISSADE_EXPECTS(spring.yield_acceleration_mps2 > 0.0);
   GLISSADE_EXPECTS(spring.hardening_ratio >= 0.0 && spring.hardening_ratio < 1.0);
   CoupledBody body(contact, cut_building.frame, block, watch.keeps, spring);

@@ -5,16 +5,17 @@
 #include <cmath>
 #include <numbers>
 
+#include "glissade/building/rigid.hpp"
+
 namespace glissade::block_detail {
 
 namespace {
-/// A shorter period is taken as rigid: its free vibration within a sample interval is not resolved
-/// by the record.
-constexpr double most_pieces = 4096.0;
+constexpr double most_pieces = 4096.0;  // 512 for any period that is not rigid, without a block
 }  // namespace
 
+/// @throw NotConverged if the roof has so little mass left that the pieces would be too many
 Cut cut(const Oscillator& oscillator, const CoupledContact& contact, double dt_s) {
-  if (oscillator.period_s == 0.0) return {};
+  if (is_rigid(oscillator, dt_s)) return {};
   const double omega = 2.0 * std::numbers::pi / oscillator.period_s,
                zeta = oscillator.damping_ratio;
   // The fastest mode is the lightest.
@@ -24,7 +25,10 @@ Cut cut(const Oscillator& oscillator, const CoupledContact& contact, double dt_s
   const double phase = omega * dt_s / root * (1.0 + 2.0 * zeta / root);
   // A power of two, so that buildings share ground tables of equal step (coupled_slip.cpp).
   const double pieces = std::exp2(std::max(0.0, std::ceil(std::log2(phase / longest_phase))));
-  if (pieces > most_pieces) return {};
+  if (pieces > most_pieces)
+    throw NotConverged(
+        "the block's friction on its slope all but cancels the mass of the roof: give a smaller "
+        "mass ratio");
   const double piece_phase = phase / pieces;
   int terms = 3;
   for (double term = piece_phase * piece_phase * piece_phase / 6.0; term > 1e-19;)

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "coupled_motion.hpp"
+#include "glissade/building/rigid.hpp"
 #include "glissade/core/contract.hpp"
 #include "glissade/core/finite.hpp"
 #include "on_building_body.hpp"
@@ -19,18 +20,14 @@ using block_detail::Shaken;
 using block_detail::Shaking;
 using block_detail::TwoAxisTrack;
 
-/// A shorter period is taken as rigid: its free vibration within a sample interval is not resolved
-/// by the record.
-constexpr double most_pieces = 4096.0;
 constexpr double longest_piece = 0.4;  // of phase: 1/16 period
 
-/// Number of pieces into which an interval must be divided, a power of two; 0: taken as rigid.
+/// Number of pieces into which an interval must be divided, a power of two.
 int pieces(const Oscillator& oscillator, double dt_s) {
   if (oscillator.period_s == 0.0) return 1;
   const double phase = 2.0 * std::numbers::pi / oscillator.period_s * dt_s;
   const double wanted = phase * (1.0 + 2.0 * oscillator.damping_ratio) / longest_piece;
-  const double parts = std::exp2(std::max(0.0, std::ceil(std::log2(wanted))));
-  return parts > most_pieces ? 0 : static_cast<int>(parts);
+  return static_cast<int>(std::exp2(std::max(0.0, std::ceil(std::log2(wanted)))));
 }
 
 /// Until nothing can move the block again and the building's own peaks are past.
@@ -112,10 +109,11 @@ BuildingSlip slide_on_building(const BuildingGround& ground, const BuildingFacto
   std::array<Oscillator, 2> oscillators = building.horizontal;
   int cut = 1;
   double longest_period_s = 0.0;
-  for (Oscillator& oscillator : oscillators) {
-    const int parts = pieces(oscillator, dt);
-    if (parts == 0) oscillator.period_s = 0.0;
-    cut = std::max(cut, parts);
+  for (std::size_t n = 0; n < 2; ++n) {
+    Oscillator& oscillator = oscillators[n];
+    if (oscillator.period_s > 0.0) require_no_rigid_spring(oscillator, building.yielding[n], dt);
+    if (is_rigid(oscillator, dt)) oscillator.period_s = 0.0;
+    cut = std::max(cut, pieces(oscillator, dt));
     longest_period_s = std::max(longest_period_s, oscillator.period_s);
   }
   longest_period_s *= std::sqrt(1.0 + building.mass_ratio);

@@ -6,6 +6,7 @@
 
 #include "glissade/core/contract.hpp"
 #include "glissade/core/finite.hpp"
+#include "ring_down.hpp"
 
 namespace glissade {
 namespace {
@@ -33,6 +34,8 @@ GroundTable::GroundTable(double dt_s, std::span<const double> acceleration_mps2,
   GLISSADE_EXPECTS(dt_s > 0.0 && parts >= 1 && !acceleration_mps2.empty());
   const std::size_t samples = without_trailing_zeros(acceleration_mps2);
   const auto pieces = static_cast<std::size_t>(parts);
+  building_detail::require_steps(static_cast<double>(acceleration_mps2.size()) * parts, step_s_,
+                                 building_detail::most_nodes);
   last_sample_ = (acceleration_mps2.size() - 1) * pieces;
   quiet_from_ = samples * pieces;
   nodes_.reserve(quiet_from_ + 1);
@@ -48,6 +51,7 @@ GroundTable::GroundTable(double dt_s, std::span<const double> acceleration_mps2,
 }
 
 void GroundTable::extend(std::size_t count) {
+  building_detail::require_steps(static_cast<double>(count), step_s_, building_detail::most_nodes);
   while (nodes_.size() < count) append(0.0);
 }
 

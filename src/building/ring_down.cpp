@@ -4,10 +4,23 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <sstream>
 
+#include "glissade/core/error.hpp"
 #include "glissade/core/oscillator.hpp"
 
 namespace glissade::building_detail {
+
+void require_steps(double steps, double step_s, std::size_t most) {
+  if (steps <= static_cast<double>(most)) return;
+  std::ostringstream what;
+  what << "a motion of " << steps << " steps of " << step_s << " s, ring-down included; at most "
+       << most << " are followed";
+  throw InputError({"", what.str(),
+                    "give the record a longer time step, or the building a longer period or more "
+                    "damping",
+                    ""});
+}
 
 std::size_t ring_down_steps(const Oscillator& oscillator, double step_s, double x, double y,
                             double velocity_range_mps, double quiet_mps2,
@@ -30,6 +43,7 @@ std::size_t ring_down_steps(const Oscillator& oscillator, double step_s, double 
         velocity_range_mps / options.settle_deceleration_mps2 + oscillator.period_s;
     steps = std::min(steps + settle_s / step_s, steps_to(1e-4 * quiet_mps2));
   }
+  require_steps(steps, step_s, most_steps);
   return static_cast<std::size_t>(std::ceil(steps));
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "glissade/building/rigid.hpp"
 #include "glissade/core/contract.hpp"
 #include "glissade/core/finite.hpp"
 #include "glissade/core/oscillator.hpp"
@@ -13,13 +14,12 @@
 namespace glissade {
 namespace {
 
-/// A period far below the time step of the record is practically rigid: finer substeps would only
-/// resolve the straight line between samples.
+/// Bounds the length of the roof motion.
 constexpr int most_substeps = 1024;
 
 /// Number of substeps of dt for which a period has at least `steps_per_period` of them.
 int substeps(const Oscillator& oscillator, double dt_s, int steps_per_period) {
-  if (oscillator.period_s == 0.0) return 1;
+  if (is_rigid(oscillator, dt_s)) return 1;
   const double wanted = std::ceil(steps_per_period * dt_s / oscillator.period_s - 1e-9);
   return static_cast<int>(std::clamp(wanted, 1.0, static_cast<double>(most_substeps)));
 }
@@ -106,10 +106,12 @@ RoofMotion roof_motion(const GroundMotion& ground, const Building& building,
   const int parts =
       std::max(substeps(building.horizontal, ground.dt_s, options.steps_per_period),
                vertical ? substeps(building.vertical, ground.dt_s, options.steps_per_period) : 1);
+  building_detail::require_steps(static_cast<double>(ground.horizontal_mps2.size()) * parts,
+                                 ground.dt_s / parts, building_detail::most_steps);
 
   const auto response = [&](const Oscillator& oscillator, std::span<const double> input,
                             double quiet_mps2) {
-    if (oscillator.period_s == 0.0) return rigid_response(input, false, parts);
+    if (is_rigid(oscillator, ground.dt_s)) return rigid_response(input, false, parts);
     return oscillator_response(oscillator, ground.dt_s, input, parts, quiet_mps2, options);
   };
   RoofMotion roof;

@@ -94,11 +94,11 @@ struct CoupledPoint {
 /// past, or for 120 s; a block that still slides then stops as on a roof at rest. Free sliding ends
 /// with the record.
 ///
-/// This is the scalar reference. m/M = 0 is the uncoupled block; period 0 a rigid building.
+/// This is the scalar reference. m/M = 0 is the uncoupled block; is_rigid() of rigid.hpp
+/// decides what is a rigid building, which cannot yield (InputError).
 /// @param ground its vertical acceleration is that of the roof
 /// @pre coupling_is_regular(block, building.mass_ratio); friction that does not depend on speed;
-/// for a yielding spring: yield acceleration > 0, hardening ratio in [0, 1), and a period above
-/// 1/50 of the time step of the record
+/// for a yielding spring: yield acceleration > 0, hardening ratio in [0, 1)
 CoupledResult slide_coupled(const GroundMotion& ground, const MotionFactors& factors,
                             const CoupledBuilding& building, const Block& block);
 

@@ -15,7 +15,7 @@ namespace glissade {
 /// A building below the array: an oscillator along each of its two horizontal axes, coupled only
 /// through the array.
 struct BiaxialBuilding {
-  std::array<Oscillator, 2> horizontal;  ///< of the building alone; period 0: rigid along that axis
+  std::array<Oscillator, 2> horizontal;  ///< of the building alone; is_rigid(): along that axis
   std::array<Yielding, 2> yielding;      ///< of the spring of each axis
   double mass_ratio = 0.0;  ///< m/M, mass of the array over mass of the building, [0, 1]
 };

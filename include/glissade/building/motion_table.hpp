@@ -105,14 +105,14 @@ struct MotionTable {
 MotionTable tabulate_rigid(std::shared_ptr<GroundTable> ground);
 
 /// Number of parts into which a sample interval is divided for an oscillator of this period: a
-/// power of two up to 256, one except for the shortest periods. 0: rigid, or a period so short
-/// compared with the time step of the record that the roof motion is the ground motion.
+/// power of two up to 256, one except for the shortest periods. 0: is_rigid() (rigid.hpp), the roof
+/// motion is the ground motion.
 int parts_needed(const Oscillator& oscillator, double dt_s);
 
 /// Responses of oscillators (period > 0) to one ground motion, with the ring-down given by
 /// `follow`, each in its own table, whose memory is reused. Sixteen at a time are computed in SIMD
 /// lanes; run times are in tests/bench (table `roofs`).
-/// @param follow as many as oscillators
+/// @param follow as many as oscillators; @throw InputError above 2^25 nodes
 void tabulate_responses(const std::shared_ptr<GroundTable>& ground,
                         std::span<const Oscillator> oscillators,
                         std::span<const RoofMotionOptions> follow, std::span<MotionTable> tables);

@@ -64,7 +64,7 @@ inline RoofMotionOptions for_vertical(RoofMotionOptions follow) {
 }
 
 /// Roof motion of the building, exact at its samples (core/oscillator.hpp): for analyses sample by
-/// sample, and the reference for motion_table.hpp.
+/// sample, and the reference for motion_table.hpp. @throw InputError above 2^27 steps
 RoofMotion roof_motion(const GroundMotion& ground, const Building& building,
                        const RoofMotionOptions& options);
 

@@ -13,6 +13,7 @@
 #include "glissade/block/peak_slip.hpp"
 #include "glissade/block/slide.hpp"
 #include "glissade/block/two_axis.hpp"
+#include "glissade/core/error.hpp"
 #include "glissade/core/not_converged.hpp"
 #include "unit/block/reference.hpp"
 
@@ -91,6 +92,49 @@ TEST(ring_down, of_an_undamped_building_is_120_s_in_every_model) {
   EXPECT_NEAR(table.slip_duration_s, events.slip.slip_duration_s, 0.1);
 }
 
+// A roof of T = 0.0011 s under samples of 0.02 s moves with the ground: +-3 m/s2 do not move a
+// block of mu g = 3.005 in any model.
+TEST(a_period_far_below_the_time_step, is_rigid_in_every_model) {
+  std::vector<double> sawtooth;
+  for (int i = 0; i < 200; ++i) sawtooth.push_back(i % 2 == 0 ? 3.0 : -3.0);
+  const double dt_s = 0.02;
+  const Oscillator roof{0.0011, 0.05};
+  const GroundMotion ground{dt_s, sawtooth};
+  const auto table = std::make_shared<GroundTable>(dt_s, sawtooth);
+  const auto peaks = [&](double yield_mps2) {
+    const Block block{.friction = yield_mps2 / standard_gravity_mps2};
+    const RoofMotion sampled = roof_motion(ground, {roof, {}}, {});
+    std::vector<CoupledPeak> coupled(1);
+    coupled_slip(ground, std::vector<CoupledScene>{{{roof, 0.0}, block, {}}}, coupled);
+    return std::vector<double>{
+        slide({sampled.dt_s, sampled.horizontal_mps2}, block).peak_displacement_m,
+        peak_slip(tabulate_roof(ground, {roof, {}}, {}), block).peak_displacement_m,
+        slide_coupled(ground, {}, {roof, 0.0}, block).slip.peak_displacement_m,
+        coupled[0].slip.peak_displacement_m,
+        slide_on_building({{table, nullptr}, nullptr}, {}, {{roof, roof}},
+                          {.friction = {block.friction, block.friction}})
+            .slip.peak_displacement_m};
+  };
+  for (const double peak : peaks(3.005)) EXPECT_EQ(peak, 0.0);
+  const double rigid =
+      slide({dt_s, sawtooth}, {.friction = 2.5 / standard_gravity_mps2}).peak_displacement_m;
+  EXPECT_GT(rigid, 1e-6);
+  for (const double peak : peaks(2.5)) EXPECT_NEAR(peak, rigid, 2e-6 * rigid);
+}
+
+TEST(a_rigid_building, cannot_yield) {
+  const std::vector<double> record(50, 1.0);
+  const CoupledBuilding building{{0.0011, 0.05}, 0.1, {.yield_acceleration_mps2 = 1.0}};
+  const Block block{.friction = 0.3};
+  EXPECT_THROW(slide_coupled({0.02, record}, {}, building, block), InputError);
+  EXPECT_THROW(
+      slide_on_building(
+          {{std::make_shared<GroundTable>(0.02, record), nullptr}, nullptr}, {},
+          {{building.horizontal, building.horizontal}, {building.yielding, building.yielding}, 0.1},
+          {.friction = {0.3, 0.3}}),
+      InputError);
+}
+
 TEST(a_step_of_a_nanosecond, is_refused_on_a_building_instead_of_walked_for_minutes) {
   const auto record = made_up_record(100, 3, 6.0);
   const GroundMotion ground{1e-9, record};
@@ -100,6 +144,20 @@ TEST(a_step_of_a_nanosecond, is_refused_on_a_building_instead_of_walked_for_minu
   EXPECT_THROW(slide_on_building({{std::make_shared<GroundTable>(1e-9, record), nullptr}, nullptr},
                                  {}, {{{{0.5, 0.05}, {0.5, 0.05}}}, 0.1}, {.friction = {0.1, 0.1}}),
                NotConverged);
+}
+
+TEST(a_step_of_a_nanosecond, is_refused_by_the_tables_of_a_building_instead_of_filling_the_memory) {
+  const auto record = made_up_record(100, 3, 6.0);
+  const GroundMotion ground{1e-9, record};
+  const RoofMotionOptions follow{.quiet_horizontal_mps2 = 1e-12};
+  for (const double damping : {0.0, 0.05}) {
+    EXPECT_THROW(tabulate_roof(ground, {{0.5, damping}, {}}, follow), InputError);
+    EXPECT_THROW(roof_motion(ground, {{0.5, damping}, {}}, follow), InputError);
+  }
+  // Cut in 256, a record of 200,000 samples is too long before any ring-down.
+  const std::vector<double> many(200'000, 0.1);
+  EXPECT_THROW(tabulate_roof({0.02, many}, {{0.00126, 0.05}, {}}, {}), InputError);
+  EXPECT_NO_THROW(tabulate_roof({1e-9, record}, {}, {}));
 }
 
 }  // namespace
