@@ -113,7 +113,7 @@ class NoTipping : public Histories {
 /// One axis on a coupled building, which may yield.
 class CoupledHistories : public NoTipping {
  public:
-  CoupledHistories(const Scene& scene, const GroundMotion& ground)
+  CoupledHistories(const Scene& scene, CoupledGround& ground)
       : scene_(scene),
         ground_(ground),
         building_{{scene.c.period_s, scene.c.damping},
@@ -126,61 +126,18 @@ class CoupledHistories : public NoTipping {
 
   History at(double level, std::span<Crossing> crossings, WorkCount& count) override {
     ++count.integrated;
-    const std::vector<double>& levels = scene_.plan.config.intensity.levels;
-    const auto known = std::find(levels.begin(), levels.end(), level);
-    if (known == levels.end()) return run({&level, 1}, crossings).front();
-    if (at_levels_.empty()) run_levels();
-    const std::size_t i = static_cast<std::size_t>(known - levels.begin());
-    const std::size_t n = crossings.size();
-    std::copy_n(crossings_.begin() + static_cast<std::ptrdiff_t>(i * n), n, crossings.begin());
-    return at_levels_[i];
+    const CoupledScene scene{
+        building_, scene_.block, {scene_.axis_factor(0, level), scene_.factor(level)}};
+    CoupledPeak peak;
+    coupled_slip(ground_, {&scene, 1}, {&peak, 1},
+                 crossings.empty() ? std::span<const double>() : scene_.thresholds_m(), crossings);
+    return {.peak_displacement_m = peak.slip.peak_displacement_m, .uplift = peak.slip.uplift};
   }
 
  private:
-  /// The levels go side by side.
-  void run_levels() {
-    const std::vector<double>& levels = scene_.plan.config.intensity.levels;
-    std::vector<double> moving;
-    for (const double level : levels)
-      if (!does_not_slide(level)) moving.push_back(level);
-    const std::size_t thresholds = scene_.plan.config.impact ? scene_.thresholds_m().size() : 0;
-    std::vector<Crossing> crossings(moving.size() * thresholds);
-    const std::vector<History> found = run(moving, crossings);
-    at_levels_.resize(levels.size());
-    crossings_.resize(levels.size() * thresholds);
-    for (std::size_t i = 0, k = 0; i < levels.size(); ++i) {
-      if (k == moving.size() || levels[i] != moving[k]) continue;
-      at_levels_[i] = found[k];
-      std::copy_n(crossings.begin() + static_cast<std::ptrdiff_t>(k * thresholds), thresholds,
-                  crossings_.begin() + static_cast<std::ptrdiff_t>(i * thresholds));
-      ++k;
-    }
-  }
-
-  std::vector<History> run(std::span<const double> levels, std::span<Crossing> crossings) const {
-    std::vector<CoupledScene> scenes;
-    for (const double level : levels) {
-      scenes.push_back(
-          {building_, scene_.block, {scene_.axis_factor(0, level), scene_.factor(level)}});
-    }
-    std::vector<CoupledPeak> peaks(levels.size());
-    if (crossings.empty()) {
-      coupled_slip(ground_, scenes, peaks);
-    } else {
-      coupled_slip(ground_, scenes, peaks, scene_.thresholds_m(), crossings);
-    }
-    std::vector<History> found;
-    for (const CoupledPeak& peak : peaks)
-      found.push_back(
-          {.peak_displacement_m = peak.slip.peak_displacement_m, .uplift = peak.slip.uplift});
-    return found;
-  }
-
   Scene scene_;
-  GroundMotion ground_;
+  CoupledGround& ground_;
   CoupledBuilding building_;
-  std::vector<History> at_levels_;   // as soon as one of them is needed
-  std::vector<Crossing> crossings_;  // by level, then threshold
 };
 
 /// The full model.
@@ -269,12 +226,8 @@ std::unique_ptr<Histories> histories_of(const Plan& plan, RoofStore& roofs, std:
     case Kernel::tables:
       return std::make_unique<TableHistories>(scene, roofs.curve(case_number), remake);
     case Kernel::coupled:
-    case Kernel::events: {
-      GroundMotion ground{plan.motion(record).dt_s,
-                          roofs.ground_motion(axis_motion(c.orientation, 0))};
-      ground.vertical_mps2 = roofs.vertical_motion(c);
-      return std::make_unique<CoupledHistories>(scene, ground);
-    }
+    case Kernel::events:
+      return std::make_unique<CoupledHistories>(scene, roofs.coupled_ground(c));
     case Kernel::full:
       break;
   }

@@ -7,6 +7,7 @@
 
 #include "cases/case_scene.hpp"
 #include "glissade/block/tipping.hpp"
+#include "glissade/building/rigid.hpp"
 #include "glissade/core/contract.hpp"
 #include "glissade/motion/intensity.hpp"
 #include "glissade/study/run/scene.hpp"
@@ -15,9 +16,11 @@ namespace glissade {
 namespace {
 
 /// The oscillator that moves the roof along one of the building's axes while the block stays where
-/// it is: with the array's mass on it where the kernel counts that.
-Oscillator loaded_roof(const Plan& plan, const Case& c, int axis) {
+/// it is: with the array's mass on it where the kernel counts that. The building alone decides
+/// whether it is rigid.
+Oscillator loaded_roof(const Plan& plan, const Case& c, int axis, double dt_s) {
   const double period_s = axis == 0 ? c.period_s : c.period_ratio * c.period_s;
+  if (is_rigid({period_s, c.damping}, dt_s)) return {};
   const bool counts = plan.kernel.kernel != Kernel::tables && c.support != ArraySupport::no_array;
   const double mass = counts ? 1.0 + c.mass_ratio : 1.0;
   return {period_s * std::sqrt(mass), c.damping / std::sqrt(mass)};
@@ -70,6 +73,7 @@ SlipCurve* RoofStore::curve(std::size_t case_number) {
 
 void RoofStore::turn_to(std::size_t record) {
   record_ = record;
+  coupled_.clear();
   mixed_.clear();
   ground_.clear();
   vertical_.clear();
@@ -187,6 +191,14 @@ BuildingGround RoofStore::ground_under(const Case& c) {
   return result;
 }
 
+CoupledGround& RoofStore::coupled_ground(const Case& c) {
+  const AxisMotion axis = axis_motion(c.orientation, 0);
+  const GroundMotion motion{plan_.motion(record_).dt_s, ground_motion(axis), vertical_motion(c)};
+  return coupled_
+      .try_emplace({{axis.component, axis.azimuth_deg}, !motion.vertical_mps2.empty()}, motion)
+      .first->second;
+}
+
 /// Roofs over one ground and step go through the oscillators' bank together.
 void RoofStore::make(std::span<const std::size_t> buildings,
                      std::span<const RoofMotionOptions> follow, std::span<CaseRoof> roofs) {
@@ -217,7 +229,7 @@ void RoofStore::make(std::span<const std::size_t> buildings,
   for (std::size_t i = 0; i < roofs.size(); ++i) {
     const Case& c = case_on(buildings[i]);
     for (int axis = 0; axis < axes; ++axis) {
-      const Oscillator oscillator = loaded_roof(plan_, c, axis);
+      const Oscillator oscillator = loaded_roof(plan_, c, axis, dt);
       const AxisMotion motion = axis_motion(c.orientation, axis);
       const int parts = parts_needed(oscillator, dt);
       const int used = std::max({1, parts, vertical_parts(c)});

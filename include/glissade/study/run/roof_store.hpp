@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "glissade/block/coupled_slip.hpp"
 #include "glissade/block/on_building.hpp"
 #include "glissade/block/peak_slip.hpp"
 #include "glissade/building/roof_table.hpp"
@@ -49,6 +50,8 @@ class RoofStore {
 
   /// What moves the building of a case under the record last used. Valid as `under` is.
   BuildingGround ground_under(const Case& c);
+  /// The same for coupled_slip(): the levels of a case share its tables, all cases their integrals.
+  CoupledGround& coupled_ground(const Case& c);
 
   /// The motion of the ground along an axis, as recorded but for mixes of both components; its sign
   /// is not applied.
@@ -93,8 +96,9 @@ class RoofStore {
   std::map<AxisKey, std::vector<double>> mixed_;                            ///< of both components
   std::map<std::pair<AxisKey, int>, std::shared_ptr<GroundTable>> ground_;  ///< and parts
   std::map<VerticalKey, std::shared_ptr<MotionTable>> vertical_;
-  std::map<std::size_t, CaseRoof> kept_;            ///< by building
-  std::map<std::size_t, SlipCurve> curve_;          ///< by building
+  std::map<std::pair<AxisKey, bool>, CoupledGround> coupled_;  ///< and whether with the vertical
+  std::map<std::size_t, CaseRoof> kept_;                       ///< by building
+  std::map<std::size_t, SlipCurve> curve_;                     ///< by building
   std::vector<std::shared_ptr<MotionTable>> pool_;  ///< tables whose memory is used again
   std::vector<CaseRoof> roofs_;
 };
