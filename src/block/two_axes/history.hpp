@@ -51,6 +51,8 @@ class LaneHistory {
   // Slide (history_slide.cpp).
   Next slide(Spot& spot, bool from_lane);
   bool stop(Spot& spot, const RoofPiece& piece);
+  bool reverse(Spot& spot, const RoofPiece& piece);
+  double deceleration(const Load& load, Vector v) const;
   void take_stop(Spot& spot, const RoofPiece& piece, const Stop& stop);
   void raise_peaks(const Path& path, LaneMotion<double>& motion) const;
   double time_s(const Spot& spot) const {

@@ -93,6 +93,8 @@ LaneHistory::Next LaneHistory::slide(Spot& spot, bool from_lane) {
     if (!(load.normal > 1.2 * least_weight * constants_.gravity)) return Next::leaves;
     const double speed = length(v);
     if (speed > 0.0 && stop(spot, rest_of_interval)) return rest(spot);
+    if (speed > 0.0 && speed <= constants_.tolerance * m.fastest && reverse(spot, rest_of_interval))
+      continue;
     if (!first && constants_.mu * load.normal * rest_of_interval.length_s() <= stiffest * speed)
       return Next::slides;
     stiff_step(spot);
@@ -140,6 +142,28 @@ bool LaneHistory::stop(Spot& spot, const RoofPiece& piece) {
   return true;
 }
 
+/// A speed within the tolerance that falls is zero after a time: from there friction and load
+/// decide anew. A stiff step across a reversal would take one direction's friction for the other's.
+bool LaneHistory::reverse(Spot& spot, const RoofPiece& piece) {
+  const Vector v = velocity(spot);
+  const double speed = length(v), time_s = speed / deceleration(piece.load(0.0), v);
+  if (!(time_s > 0.0 && time_s < piece.length_s())) return false;
+  Stop zero;
+  zero.time_s = time_s;
+  zero.displacement = (0.5 * time_s) * v;
+  zero.path = 0.5 * time_s * speed;
+  take_stop(spot, piece, zero);
+  step_s_ = never;
+  return true;
+}
+
+/// By which the speed of v falls under a load.
+double LaneHistory::deceleration(const Load& load, Vector v) const {
+  const FrictionEllipse friction({constants_.mu, constants_.mu * constants_.aspect});
+  const double along = dot(load.normal * friction.sliding(v) - load.drive, v) / length(v);
+  return constants_.per_kappa_y * along;
+}
+
 void LaneHistory::take_stop(Spot& spot, const RoofPiece& piece, const Stop& stop) {
   const Constants<double>& c = constants_;
   LaneMotion<double>& m = spot.motion;
@@ -182,13 +206,13 @@ void LaneHistory::stiff_step(Spot& spot) {
   constexpr double shortest = 1e-9;  // of what is left
   double length_s = std::min(step_s_, left_s);
   const double speed = length(v);
-  const double friction =
-      now.normal * (speed > 0.0 ? dot(ellipse.sliding(v), v) / speed : ellipse.largest());
-  if (step_s_ == never && speed > 0.0) length_s = std::min(length_s, speed / friction);
+  if (step_s_ == never && speed > 0.0)
+    length_s = std::min(length_s, speed / (now.normal * dot(ellipse.sliding(v), v) / speed));
   // A stage of what comes after a reversal would not see what came before.
-  if (dot(now.drive, v) < friction * speed && speed > c.tolerance * m.fastest) {
-    const double fastest_stop = c.per_kappa_y * (length(now.drive) + friction);
-    length_s = std::min(length_s, 0.6 * speed / fastest_stop);
+  if (speed > c.tolerance * m.fastest) {
+    const double fastest_stop =
+        std::max(deceleration(now, v), deceleration(rest_of_interval.load(1.0), v));
+    if (fastest_stop > 0.0) length_s = std::min(length_s, 0.6 * speed / fastest_stop);
   }
   if (length_s < left_s && length_s > 0.5 * left_s) length_s = 0.5 * left_s;
   SlidingStep trial;
@@ -211,7 +235,7 @@ void LaneHistory::stiff_step(Spot& spot) {
   }
   // Its way: the cubic through both ends' velocities and accelerations.
   const Vector to_plan{c.cosine2, c.cosine}, from{m.at_s, m.at_y};
-  const Vector a0 = speed > 0.0 ? stage(c, ellipse, v, 1e-9 * length_s, now, {}) : Vector{};
+  const Vector a0 = stage(c, ellipse, v, 1e-9 * length_s, now, {});
   const Path path(length_s, from, scaled(v, to_plan), scaled(a0, to_plan),
                   scaled(trial.end.v, to_plan), scaled(trial.end.a, to_plan));
   if (dot(path.v[0], path.v[3]) < 0.0 || dot(from, path.v[0]) * dot(path.end, path.v[3]) < 0.0 ||

@@ -183,10 +183,8 @@ class FullHistories : public NoTipping {
     return {{scene_.axis_factor(0, level), scene_.axis_factor(1, level)}, scene_.factor(level)};
   }
 
-  /// The lanes give no base shear, and gain nothing yet on an ellipse: many steps before each stop.
-  bool runs_alone() const {
-    return scene_.plan.config.base_shear || block_.friction.along != block_.friction.across;
-  }
+  /// The lanes give no base shear.
+  bool runs_alone() const { return scene_.plan.config.base_shear; }
 
   History whole_model(double level, std::span<Crossing> crossings) const {
     const BuildingSlip on_building = slide_on_building(
