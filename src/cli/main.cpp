@@ -9,6 +9,7 @@
 
 #include "commands.hpp"
 #include "glissade/core/error.hpp"
+#include "glissade/core/not_converged.hpp"
 
 namespace {
 
@@ -64,6 +65,9 @@ int run_program(int argc, char** argv, const glissade::Communicator& world) {
   } catch (const glissade::InputError& error) {
     fmt::print(stderr, "glissade: {}\n", error.what());
     if (!world.is_root()) world.abort(input_error_status);  // the other ranks would wait for ever
+    return input_error_status;
+  } catch (const glissade::NotConverged& error) {  // `run` counts these
+    fmt::print(stderr, "glissade: the history did not converge: {}\n", error.what());
     return input_error_status;
   } catch (const std::bad_alloc&) {
     fmt::print(
