@@ -5,8 +5,8 @@
 #include <cmath>
 #include <memory>
 
-#include "block/two_axis_extremes.hpp"
-#include "block/two_axis_stop.hpp"
+#include "block/full_model/two_axis_stop.hpp"
+#include "block/slip_record/two_axis_extremes.hpp"
 #include "glissade/block/two_axis_lanes.hpp"
 #include "lane_crossings.hpp"
 #include "roof_piece.hpp"

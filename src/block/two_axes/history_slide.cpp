@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "block/two_axis_extremes.hpp"
-#include "block/two_axis_step.hpp"
-#include "block/two_axis_stop.hpp"
+#include "block/full_model/two_axis_step.hpp"
+#include "block/full_model/two_axis_stop.hpp"
+#include "block/slip_record/two_axis_extremes.hpp"
 #include "elliptic_stop.hpp"
 #include "history.hpp"
 

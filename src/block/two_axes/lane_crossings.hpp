@@ -4,7 +4,7 @@
 #include <limits>
 #include <span>
 
-#include "block/plane_vector.hpp"
+#include "block/contact/plane_vector.hpp"
 #include "glissade/block/crossing.hpp"
 
 namespace glissade::block_detail::two_axes {

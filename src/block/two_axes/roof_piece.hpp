@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "block/two_axis_contact.hpp"
+#include "block/contact/two_axis_contact.hpp"
 #include "lane_bank.hpp"
 #include "tables.hpp"
 

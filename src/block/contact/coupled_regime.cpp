@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "block/contact/coupled_regime.hpp"
+
+namespace glissade::block_detail {
+
+Regime::Regime(const Mode& mode_now, double gravity, const Frame& frame, double step_s)
+    : mode(mode_now),
+      gravity_mps2(gravity),
+      omega_radps(frame.omega_radps),
+      dt_s(step_s),
+      lag(2.0 * frame.damping_ratio / (frame.omega_radps * step_s)),
+      alpha_radps(frame.damping_ratio * frame.omega_radps / mode.mass),
+      beta_radps(
+          std::sqrt(frame.omega_radps * frame.omega_radps / mode.mass - alpha_radps * alpha_radps)),
+      phase(frame.omega_radps / std::sqrt(mode.mass) * step_s),
+      s{-alpha_radps, beta_radps},
+      s2(s * s),
+      s_dt(dt_s * s) {
+  for (double term = 1.0; term > 1e-17 && terms < Series::most_terms; ++terms)
+    term *= phase / (terms + 1);
+  const double size = std::exp(-alpha_radps * dt_s), angle = beta_radps * dt_s;
+  const Amplitude interval{size * std::cos(angle), size * std::sin(angle)};
+  powers[0] = {1.0, 0.0};
+  for (std::size_t n = 1; n < window; ++n) powers[n] = powers[n - 1] * interval;
+  squares[0] = powers[window - 1] * interval;
+  for (std::size_t k = 1; k < squares.size(); ++k) squares[k] = squares[k - 1] * squares[k - 1];
+  for (std::size_t n = 0; n < window; ++n) {
+    power_re[n] = static_cast<float>(powers[n].re);
+    power_im[n] = static_cast<float>(powers[n].im);
+  }
+}
+
+}  // namespace glissade::block_detail

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "block/contact/on_building_contact.hpp"
+
+namespace glissade::block_detail {
+namespace {
+
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
+
+EllipticFriction times(const EllipticFriction& mu, double factor) {
+  return {factor * mu.along, factor * mu.across};
+}
+
+}  // namespace
+
+BuildingContact::BuildingContact(const TwoAxisBlock& block)
+    : loading_(block),
+      friction_(block.friction),
+      at_rest_(times(block.friction, block.law.static_ratio)),
+      law_(block.law) {}
+
+Mobility BuildingContact::mobility(const Axes& by_axis) const {
+  const double c = loading_.cos_azimuth(), s = loading_.sin_azimuth(),
+               cosine = loading_.cos_slope();
+  Mobility m;
+  m.axis = by_axis;
+  const double differs = by_axis[1] - by_axis[0];
+  m.ss = cosine * cosine * (by_axis[0] + s * s * differs);
+  m.sy = cosine * (c * s * differs);
+  m.yy = by_axis[0] + c * c * differs;
+  m.mean = 0.5 * (m.ss + m.yy);
+  const double uneven = std::max(m.ss, m.yy) - m.mean + std::abs(m.sy);
+  const double tangent = loading_.tan_slope();
+  m.coupling = 2.0 * (uneven + tangent * (m.ss + std::abs(m.sy)) * (tangent + friction_.largest()));
+  m.isotropic = m.none() || (loading_.tan_slope() == 0.0 && differs == 0.0);
+  return m;
+}
+
+bool BuildingContact::is_regular(const Mobility& m) const {
+  const double tangent = loading_.tan_slope(), most = std::max(1.0, law_.fast_ratio);
+  const double along = m.ss * friction_.along(), across = m.sy * friction_.across();
+  return 1.0 + tangent * (tangent * m.ss - most * std::sqrt(along * along + across * across)) > 0.0;
+}
+
+double BuildingContact::strongest(const Mobility& m) const {
+  const double tangent = loading_.tan_slope();
+  const double mu = std::max(1.0, law_.fast_ratio) * friction_.largest();
+  const double reach = std::abs(m.ss) + std::abs(m.sy);
+  const double divisor = 1.0 + tangent * (tangent * m.ss - mu * reach);
+  const double most = std::max(m.ss, m.yy) + std::abs(m.sy);
+  return (most * (tangent + mu) + mu) / std::max(divisor, 1e-3);
+}
+
+/// Newton's method on the factor k, with |v| falling by lambda f.v/|v| per k.
+Vector BuildingContact::holding_by_speed(Vector p, double lambda) const {
+  const auto [low, high] = std::minmax({1.0, law_.fast_ratio});
+  double k = factor(p);
+  Vector f;
+  for (int i = 0; i < 60; ++i) {
+    f = friction_.holding(p, lambda * k);
+    const Vector v = p - (lambda * k) * f;
+    const double size = length(v), cosine = loading_.cos_slope();
+    const double decay = std::exp(-law_.rate_spm * cosine * size);
+    const double target = law_.fast_ratio - (law_.fast_ratio - 1.0) * decay;
+    const double rate = (law_.fast_ratio - 1.0) * law_.rate_spm * decay;
+    const double shortens = size > 0.0 ? lambda * dot(f, v) / size : 0.0;
+    const double next = std::clamp(k - (k - target) / (1.0 + rate * cosine * shortens), low, high);
+    const double change = std::abs(next - k);
+    k = next;
+    if (change <= 4.0 * epsilon * k) break;
+  }
+  return k * friction_.holding(p, lambda * k);
+}
+
+ContactState BuildingContact::with_friction(Vector friction, const Axes& e, double w,
+                                            const Mobility& m) const {
+  const Load bare = loading_.at(e[0], e[1], w);
+  if (bare.normal < 0.0) friction = {};
+  const Vector pull{loading_.tan_slope() - friction.s, -friction.y};
+  const Vector gives = m * pull;
+  ContactState c;
+  c.friction = friction;
+  c.normal = bare.normal / (1.0 + loading_.tan_slope() * gives.s);
+  c.a = bare.drive + c.normal * (gives - friction);
+  const Axes force = to_building(c.normal * pull);
+  c.push = {m.axis[0] * force[0], m.axis[1] * force[1]};
+  return c;
+}
+
+ContactState BuildingContact::slide(Vector known, double own, const Axes& e, double w,
+                                    const Mobility& m, Vector guess, double enough) const {
+  const Load bare = loading_.at(e[0], e[1], w);
+  Vector f;
+  if (bare.normal > 0.0) {
+    if (m.isotropic)
+      f = holding(known + own * bare.drive, own * bare.normal * (1.0 + m.mean));
+    else
+      f = iterate(known, own, bare, m, guess, enough, e, w);
+  }
+  ContactState c = with_friction(f, e, w, m);
+  c.v = known + own * c.a;
+  return c;
+}
+
+/// The normal force and what is not isotropic in R are taken from the last iterate: each changes
+/// little with f.
+Vector BuildingContact::iterate(Vector known, double own, const Load& bare, const Mobility& m,
+                                Vector guess, double enough, const Axes& e, double w) const {
+  const double tangent = loading_.tan_slope();
+  const Vector slope{tangent, 0.0};
+  Vector f = guess;
+  double share = 1.0, last = never;
+  for (int i = 0; i < 100; ++i) {
+    const Vector gives = m * (slope - f);
+    const double normal = bare.normal / (1.0 + tangent * gives.s);
+    const Vector p = known + own * (bare.drive + normal * (gives + m.mean * f));
+    const double lambda = own * normal * (1.0 + m.mean);
+    if (friction_.excess({p, lambda}) <= 0.0) {
+      const Held rests = held((-1.0 / own) * known, e, w, m);
+      if (friction_.may_rest(rests.load)) return (1.0 / rests.load.normal) * rests.load.drive;
+    }
+    const Vector next = holding(p, lambda), change = next - f;
+    const double size = length(change);
+    if (size > 0.5 * last) share = 0.5;
+    f = f + share * change;
+    last = size;
+    if (lambda * size * std::min(m.coupling, 1.0) <= enough || size <= 8.0 * epsilon * length(f))
+      break;
+  }
+  return f;
+}
+
+Vector BuildingContact::release_acceleration(const Axes& e, double w, const Mobility& m) const {
+  BuildingContact slow = *this;
+  slow.law_ = {};
+  const Held rests = held({}, e, w, m);
+  const Vector a = slow.slide({}, 1.0, e, w, m, {}, 0.0).v;
+  const double rounding = 16.0 * epsilon * length(rests.load.drive);
+  return length(a) > rounding ? a : Vector{};  // on the threshold it has no direction yet
+}
+
+BuildingContact::Held BuildingContact::held(Vector acceleration, const Axes& e, double w,
+                                            const Mobility& m) const {
+  const Axes own = to_building(acceleration);
+  Held h;
+  for (std::size_t i = 0; i < 2; ++i) h.a[i] = (e[i] - m.axis[i] * own[i]) / (1.0 + m.axis[i]);
+  h.load = loading_.at(h.a[0], h.a[1], w);
+  h.load.drive = h.load.drive - acceleration;
+  return h;
+}
+
+}  // namespace glissade::block_detail

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cmath>
+
+#include "block/contact/contact.hpp"
+#include "block/tables/event_bounds.hpp"
+#include "glissade/block/peak_slip.hpp"
+
+namespace glissade::block_detail {
+
+/// A block under the motion as it is tabulated: lengths are divided by the motion's factor, and so
+/// is gravity. The surface falls toward +x.
+struct Scaled {
+  double factor = 1.0;  ///< of the motion
+  Block block;
+  double a_sign = 1.0, w_ratio = 1.0;
+
+  Scaled(const Block& given, const MotionFactors& factors) : block(given) {
+    factor = factors.horizontal != 0.0 ? std::abs(factors.horizontal)
+             : factors.vertical != 0.0 ? std::abs(factors.vertical)
+                                       : 1.0;
+    block.gravity_mps2 = given.gravity_mps2 / factor;
+    block.slope_rad = std::abs(given.slope_rad);
+    a_sign = (given.slope_rad < 0.0 ? -1.0 : 1.0) * (factors.horizontal / factor);
+    w_ratio = factors.vertical / factor;
+  }
+
+  Lines lines(const Contact& contact) const {
+    const auto seen = [&](const DriveLine& line) {
+      return DriveLine{line.a * a_sign, line.w * w_ratio, line.constant};
+    };
+    return {{seen(contact.down()), seen(contact.up())},
+            seen(contact.lift()),
+            block.directions == SlipDirections::both ? 2 : 1};
+  }
+};
+
+inline PeakSlip in_metres(const SlipResult& r, double factor) {
+  return {.peak_displacement_m = factor * r.peak_displacement_m,
+          .residual_displacement_m = factor * r.residual_displacement_m,
+          .peak_downslope_m = factor * r.peak_downslope_m,
+          .peak_upslope_m = factor * r.peak_upslope_m,
+          .slip_duration_s = r.slip_duration_s,
+          .slip_phases = r.slip_phases,
+          .uplift = r.uplift,
+          .free_sliding = r.free_sliding};
+}
+
+}  // namespace glissade::block_detail

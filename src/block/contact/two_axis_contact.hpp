@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "block/contact/plane_vector.hpp"
+#include "block/events/sliding_block.hpp"
+#include "glissade/block/two_axis.hpp"
+
+namespace glissade::block_detail {
+
+/// Load of the block, per mass and per cos(slope): the drive, and the normal force. Divided by the
+/// cosine, a block at critical friction is exactly on its threshold: tan(slope) = mu.
+struct Load {
+  Vector drive;
+  double normal = 0.0;  ///< negative: uplift
+};
+
+inline Load between(const Load& a, const Load& b, double share) {
+  return {a.drive + share * (b.drive - a.drive), a.normal + share * (b.normal - a.normal)};
+}
+
+/// From the roof acceleration to the load of the block.
+class TwoAxisLoading {
+ public:
+  explicit TwoAxisLoading(const TwoAxisBlock& block)
+      : g_(block.gravity_mps2),
+        tan_(std::tan(block.slope_rad)),
+        cos_(std::cos(block.slope_rad)),
+        cos_azimuth_(std::cos(block.azimuth_rad)),
+        sin_azimuth_(std::sin(block.azimuth_rad)) {}
+
+  Load at(double a1, double a2, double w) const {
+    const double along = cos_azimuth_ * a1 + sin_azimuth_ * a2;
+    const double across = cos_azimuth_ * a2 - sin_azimuth_ * a1;
+    return {{(g_ + w) * tan_ - along, -across / cos_}, g_ + w + along * tan_};
+  }
+  /// Change of `at` with the roof acceleration.
+  Load change(double a1, double a2, double w) const {
+    const double along = cos_azimuth_ * a1 + sin_azimuth_ * a2;
+    const double across = cos_azimuth_ * a2 - sin_azimuth_ * a1;
+    return {{w * tan_ - along, -across / cos_}, w + along * tan_};
+  }
+  double gravity() const { return g_; }
+  double tan_slope() const { return tan_; }
+  double cos_slope() const { return cos_; }
+  double cos_azimuth() const { return cos_azimuth_; }
+  double sin_azimuth() const { return sin_azimuth_; }
+  /// From slip per cos(slope) to displacement in plan.
+  Vector to_plan() const { return {cos_ * cos_, cos_}; }
+
+ private:
+  double g_, tan_, cos_, cos_azimuth_, sin_azimuth_;
+};
+
+/// Friction on a circle or an ellipse.
+class FrictionEllipse {
+ public:
+  explicit FrictionEllipse(const EllipticFriction& mu)
+      : mu_{mu.along, mu.across}, to_circle_(mu.across == mu.along ? 1.0 : mu.along / mu.across) {}
+
+  bool is_circle() const { return mu_.s == mu_.y; }
+  double along() const { return mu_.s; }
+  double across() const { return mu_.y; }
+  double to_circle() const { return to_circle_; }  ///< a factor on transverse components
+  double smallest() const { return std::min(mu_.s, mu_.y); }
+  double largest() const { return std::max(mu_.s, mu_.y); }
+
+  /// Positive if the block cannot stick.
+  double excess(const Load& load) const {
+    const double y = to_circle_ * load.drive.y, n = mu_.s * load.normal;
+    return load.drive.s * load.drive.s + y * y - n * n;
+  }
+  bool may_rest(const Load& load) const { return load.normal >= 0.0 && excess(load) <= 0.0; }
+
+  /// The fraction between `begin` and `end` at which the block can no longer stick, or never.
+  double release(const Load& begin, const Load& end) const;
+
+  /// The friction f per normal force of the velocity v = p - lambda f: on the ellipse against v, or
+  /// p / lambda if the block then stops.
+  Vector holding(Vector p, double lambda) const {
+    if (is_circle()) {
+      const double size = length(p);
+      if (size > lambda * mu_.s) return (mu_.s / size) * p;
+    } else if (lambda > 0.0 && excess({p, lambda}) > 0.0) {
+      return on_ellipse(p, lambda);
+    }
+    return lambda > 0.0 ? (1.0 / lambda) * p : Vector{};
+  }
+
+  /// Of a block that slides with v, not zero.
+  Vector sliding(Vector v) const {
+    const Vector scaled_v = scaled(v, mu_);
+    const double size = length(scaled_v);
+    return size > 0.0 ? (1.0 / size) * scaled(scaled_v, mu_) : Vector{};
+  }
+
+  /// The acceleration with which a block at rest begins to slide: parallel to the velocity it
+  /// causes.
+  Vector release_acceleration(const Load& load) const {
+    const double normal = std::max(load.normal, 0.0);
+    const Vector a = load.drive - normal * holding(load.drive, normal);
+    const double rounding = 16.0 * std::numeric_limits<double>::epsilon() * length(load.drive);
+    return length(a) > rounding ? a : Vector{};  // on the threshold it has no direction yet
+  }
+
+ private:
+  Vector on_ellipse(Vector p, double lambda) const;
+
+  Vector mu_;
+  double to_circle_;
+};
+
+}  // namespace glissade::block_detail

@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "block/coupled_tables/coupled_history.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace glissade::block_detail {
+namespace {
+
+/// U(i) - U(from) - V(from) t: the way gone beyond that of the velocity at `from`.
+double way(const GroundTable& ground, std::size_t from, std::size_t i, double t) {
+  const GroundNode &a = ground.nodes()[from], &b = ground.nodes()[i];
+  return (b.displacement_m - a.displacement_m) + (b.displacement_low_m - a.displacement_low_m) -
+         a.velocity_mps * t;
+}
+
+Block downhill(Block block) {
+  block.slope_rad = std::abs(block.slope_rad);
+  return block;
+}
+
+}  // namespace
+
+CoupledHistory::CoupledHistory(const CoupledTable& table, const CoupledContact& contact,
+                               const Cut& cut, const CoupledScene& scene, double intensity,
+                               std::span<const double> thresholds_m, std::span<Crossing> crossings)
+    : table_(table),
+      contact_(contact),
+      cut_(cut),
+      block_(downhill(scene.block)),
+      intensity_(intensity),
+      w_factor_(scene.factors.vertical),
+      step_s_(table.nodes().a.step_s()),
+      most_a_mps2_(std::numeric_limits<double>::infinity()),
+      most_x_mps2_(scene.building.yielding.yield_acceleration_mps2),
+      body_(contact, cut.frame, block_, CoupledBody::Keeps::peaks),
+      watched_(!thresholds_m.empty()),
+      quiet_from_(table.nodes().quiet),
+      end_(contact.slides_at_rest() ? table.nodes().a.last_sample()
+                                    : quiet_from_ + longest_ring_down(step_s_)) {
+  body_.crossings() = {thresholds_m, crossings, contact_.cos_slope()};
+  const double g = contact_.gravity() - std::abs(w_factor_) * nodes().largest_w_mps2;
+  if (contact_.sin_slope() > 0.0) most_a_mps2_ = g * contact_.cos_slope() / contact_.sin_slope();
+}
+
+Roof CoupledHistory::ground(std::size_t node) const {
+  if (quiet_) return {};
+  return {intensity_ * (table_.sign() * nodes().a.acceleration_mps2()[node]),
+          nodes().vertical ? w_factor_ * nodes().w.acceleration_mps2()[node] : 0.0};
+}
+
+LinearGround CoupledHistory::ground_after(std::size_t node) const {
+  const Roof begin = ground(node), end = ground(node + 1);
+  return {begin, {end.a - begin.a, end.w - begin.w}};
+}
+
+RoofState CoupledHistory::roof(std::size_t node) const {
+  const Regime& r = regime();
+  RoofState state = r.free_state(free_ * r.power(node - from_));
+  state.x -= r.mode.weight * r.gravity_mps2;
+  if (quiet_) return state;
+  const CoupledTable::Response& response = table_.response(body_.direction());
+  return state + RoofState{intensity_ * response.x[node], intensity_ * response.y[node]};
+}
+
+/// What follows is reckoned from here.
+void CoupledHistory::be_at(std::size_t node, const RoofState& roof, double speed_mps) {
+  const Regime& r = regime();
+  const CoupledTable::Response& response = table_.response(body_.direction());
+  const double weight = r.mode.weight * r.gravity_mps2, table = quiet_ ? 0.0 : intensity_;
+  node_ = from_ = node;
+  RoofState free{roof.x + weight, roof.y};
+  if (!quiet_)
+    free = free - RoofState{intensity_ * response.x[node], intensity_ * response.y[node]};
+  free_ = r.free_amplitude(free);
+  roof_from_ = roof;
+  speed_from_ = speed_mps;
+  const double size = free_.size();
+  fits_ =
+      table * response.largest_a_mps2 + r.s2.size() * size < most_a_mps2_ &&
+      table * response.largest_x_mps2 + r.omega_radps * r.omega_radps * size + std::abs(weight) <
+          most_x_mps2_;
+}
+
+/// From the reference to a node.
+double CoupledHistory::speed(std::size_t node, const RoofState& now) const {
+  const DriveLine& line = regime().mode.drive;
+  double roof_gain = (now.y - roof_from_.y) / cut_.frame.omega_radps, fall = 0.0;
+  if (!quiet_) {
+    const auto gain = [&](const GroundTable& of) {
+      return of.velocity_mps()[node] - of.velocity_mps()[from_];
+    };
+    roof_gain += intensity_ * (table_.sign() * gain(nodes().a));
+    if (nodes().vertical) fall = w_factor_ * gain(nodes().w);
+  }
+  return speed_from_ + line.a * roof_gain + line.w * fall + line.constant * time_s(node - from_);
+}
+
+double CoupledHistory::travel(std::size_t node, const RoofState& now) const {
+  const DriveLine& line = regime().mode.drive;
+  const double t = time_s(node - from_), omega = cut_.frame.omega_radps;
+  double roof_way = (now.x - roof_from_.x) / (omega * omega) - roof_from_.y / omega * t, fall = 0.0;
+  if (!quiet_) {
+    roof_way += intensity_ * (table_.sign() * way(nodes().a, from_, node, t));
+    if (nodes().vertical) fall = w_factor_ * way(nodes().w, from_, node, t);
+  }
+  return speed_from_ * t + line.a * roof_way + line.w * fall + 0.5 * line.constant * t * t;
+}
+
+/// Reckons from the node it is at.
+void CoupledHistory::catch_up() {
+  const RoofState now = roof(node_);
+  double speed_now = 0.0;
+  if (body_.sliding()) {
+    speed_now = speed(node_, now);
+    slid(travel(node_, now), time_s(node_ - from_), node_ - 1);
+  }
+  body_.resume(now, speed_now, time_s(node_));
+  if (watched_) {
+    before_ = body_;
+    before_node_ = node_;
+  }
+  be_at(node_, now, speed_now);
+}
+
+/// From here on the tables are zero, and the free vibration is all there is.
+void CoupledHistory::enter_quiet() {
+  catch_up();
+  quiet_ = true;
+  be_at(node_, roof_from_, speed_from_);
+}
+
+bool CoupledHistory::over() const {
+  return quiet_ && !body_.sliding() && cannot_slip(block_, regime().s2.size() * free_.size(), 0.0);
+}
+
+bool CoupledHistory::run() {
+  be_at(0, {}, 0.0);
+  while (node_ < end_ && fits_) {
+    if (!quiet_ && node_ == quiet_from_) enter_quiet();
+    if (over()) break;
+    const std::size_t to =
+        std::min(end_, quiet_ ? node_ + CoupledTable::zeros - CoupledTable::block : quiet_from_);
+    node_ = young_ ? node_ : next_interval(to);
+    young_ = false;
+    if (node_ < to && !look_into(node_)) return false;
+  }
+  if (!fits_) return false;
+  catch_up();
+  if (contact_.stops_at_rest()) body_.coast();
+  return true;
+}
+
+SlipResult CoupledHistory::result() const {
+  SlipResult slip = body_.result().slip;
+  slip.free_sliding = contact_.slides_at_rest();
+  return slip;
+}
+
+/// The block slid so far since the reference; thresholds are looked for phase by phase.
+void CoupledHistory::slid(double distance_m, double duration_s, std::size_t end_interval) {
+  const double to = body_.slip() + body_.direction() * distance_m;
+  if (watched_ && body_.crossings().reached(to)) {
+    CoupledBody again = *before_;
+    again.crossings() = body_.crossings();
+    for (std::size_t i = before_node_; i <= end_interval && again.crossings().reached(to); ++i)
+      advance(again, i, ground_after(i));
+    // To rounding, it may be reached only now.
+    again.crossings().arrive(to, again.speed(), time_s(end_interval + 1));
+    body_.crossings() = again.crossings();
+  }
+  body_.slid(distance_m, duration_s);
+}
+
+void CoupledHistory::advance(CoupledBody& body, std::size_t interval,
+                             const LinearGround& ground) const {
+  for (int part = 0; part < cut_.pieces; ++part) {
+    const double y0 = static_cast<double>(part) / cut_.pieces,
+                 y1 = static_cast<double>(part + 1) / cut_.pieces;
+    body.advance({step_s_ / cut_.pieces, ground.after(y0).at, ground.after(y1).at},
+                 time_s(interval, y1));
+  }
+}
+
+/// The interval by the scalar scheme.
+void CoupledHistory::by_body(const Visit& visit) {
+  node_ = visit.interval;
+  catch_up();
+  advance(body_, visit.interval, visit.ground);
+  if (watched_) {
+    before_ = body_;
+    before_node_ = visit.interval + 1;
+  }
+  be_at(visit.interval + 1, body_.roof(), body_.speed());
+}
+
+}  // namespace glissade::block_detail

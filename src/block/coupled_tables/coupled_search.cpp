@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "block/coupled_tables/coupled_search.hpp"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "block/coupled_tables/coupled_search.cpp"
+#include <hwy/foreach_target.h>  // before highway.h
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace glissade::block_detail::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+using Floats = HWY_CAPPED(float, 16);
+using Vector = hn::Vec<Floats>;
+constexpr std::size_t block = Regime::window;
+
+/// Index of the first of count elements from `from` on, whose mask is set; or count.
+template <class MaskAt>
+std::size_t First(std::size_t from, std::size_t count, const MaskAt& mask_at) {
+  const Floats f;
+  for (std::size_t i = from; i < count; i += hn::Lanes(f)) {
+    const auto found = hn::FindFirstTrue(f, mask_at(i));
+    if (found >= 0) {
+      const std::size_t at = i + static_cast<std::size_t>(found);
+      return at < count ? at : count;
+    }
+  }
+  return count;
+}
+
+/// Re(swing exp(s t)) at the nodes after `from`, fewer than a block.
+struct Swing {
+  const float *power_re, *power_im;
+  Vector re, im;
+  std::size_t from;
+
+  Swing(const Regime& regime, const Amplitude& swing, std::size_t origin)
+      : power_re(regime.power_re.data()),
+        power_im(regime.power_im.data()),
+        re(hn::Set(Floats(), static_cast<float>(swing.re))),
+        im(hn::Set(Floats(), static_cast<float>(swing.im))),
+        from(origin) {}
+  Vector at(std::size_t i) const {
+    const Floats f;
+    return hn::Sub(hn::Mul(re, hn::LoadU(f, power_re + (i - from))),
+                   hn::Mul(im, hn::LoadU(f, power_im + (i - from))));
+  }
+};
+
+std::size_t NextStart(const RestSearch& s, std::size_t from, std::size_t to) {
+  const Floats f;
+  const Regime& r = *s.motion.regime;
+  const float sag = static_cast<float>(0.125 * r.phase * r.phase * (1.0 + 1e-6));
+  const Vector intensity = hn::Set(f, s.motion.intensity);
+  const std::size_t blocks = (to + block - 1) / block;
+  for (std::size_t i = from; i < to;) {
+    const std::size_t b = i / block, end = (b + 1) * block < to ? (b + 1) * block : to;
+    const Amplitude now = s.motion.swing * r.power(i - from);
+    const double size = now.size();
+    const float chord = sag * (s.motion.intensity * s.block_swing[b] + static_cast<float>(size));
+    const Swing swing(r, now, i);
+    const Vector lowest = hn::Set(f, static_cast<float>(s.lowest) + chord),
+                 highest = hn::Set(f, static_cast<float>(s.highest) - chord);
+    const std::size_t found = First(i, end, [&](std::size_t at) {
+      const Vector free = swing.at(at);
+      const Vector below = hn::Add(hn::Mul(intensity, hn::LoadU(f, s.below + at)), free),
+                   above = hn::Add(hn::Mul(intensity, hn::LoadU(f, s.above + at)), free);
+      return hn::Or(hn::Lt(below, lowest), hn::Gt(above, highest));
+    });
+    if (found < end) return found;
+    // The free vibration only decays: by block, it is no larger than now.
+    const float room = static_cast<float>(size) * (1.0f + sag);
+    const Vector least = hn::Set(f, static_cast<float>(s.lowest) + room),
+                 most = hn::Set(f, static_cast<float>(s.highest) - room);
+    i = block * First(b + 1, blocks, [&](std::size_t at) {
+          return hn::Or(hn::Lt(hn::Mul(intensity, hn::LoadU(f, s.block_below + at)), least),
+                        hn::Gt(hn::Mul(intensity, hn::LoadU(f, s.block_above + at)), most));
+        });
+  }
+  return to;
+}
+
+std::size_t NextStop(const SpeedSearch& s, std::size_t from, std::size_t to) {
+  const Floats f;
+  const Regime& r = *s.motion.regime;
+  const Vector gain = hn::Set(f, s.drive_a * s.motion.intensity), per_step = hn::Set(f, s.per_step);
+  const float size = s.drive_a < 0.0f ? -s.drive_a : s.drive_a;
+  Amplitude now = static_cast<double>(s.drive_a) * s.motion.swing;
+  for (std::size_t i = from; i < to;) {
+    const std::size_t b = i / block, end = (b + 1) * block < to ? (b + 1) * block : to;
+    const Swing swing(r, now, i);
+    const Vector sag = hn::Set(f, size * s.motion.intensity * s.block_sag[b] + s.sag - s.constant);
+    const std::size_t found = First(i, end, [&](std::size_t at) {
+      const Vector steps = hn::Iota(f, static_cast<float>(at - from));
+      const Vector speed = hn::Add(hn::Add(hn::Mul(gain, hn::LoadU(f, s.gain + at)), swing.at(at)),
+                                   hn::Mul(per_step, steps));
+      return hn::Le(speed, sag);
+    });
+    if (found < end) return found;
+    now = now * r.power(end - i);
+    i = end;
+  }
+  return to;
+}
+
+}  // namespace glissade::block_detail::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace glissade::block_detail {
+HWY_EXPORT(NextStart);
+HWY_EXPORT(NextStop);
+
+std::size_t next_start(const RestSearch& search, std::size_t from, std::size_t to) {
+  return HWY_DYNAMIC_DISPATCH(NextStart)(search, from, to);
+}
+
+std::size_t next_stop(const SpeedSearch& search, std::size_t from, std::size_t to) {
+  return HWY_DYNAMIC_DISPATCH(NextStop)(search, from, to);
+}
+
+}  // namespace glissade::block_detail
+#endif

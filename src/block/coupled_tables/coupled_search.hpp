@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+
+#include "block/contact/coupled_regime.hpp"
+
+namespace glissade::block_detail {
+
+// Searching a table for the next node where something can happen. In single precision, with bounds
+// on the safe side: what is found is looked at exactly, and what is passed over cannot matter.
+// Compiled once per SIMD target, chosen at run time; nodes and blocks as in CoupledTable.
+
+/// intensity table + Re(swing exp(s t)), the free vibration from node `from` on.
+struct Swinging {
+  const Regime* regime = nullptr;
+  float intensity = 0.0f;
+  Amplitude swing;
+};
+
+/// A block at rest begins to slide where this leaves [lowest, highest].
+struct RestSearch {
+  Swinging motion;
+  const float *below = nullptr, *above = nullptr;              ///< by node
+  const float *block_below = nullptr, *block_above = nullptr;  ///< by block, and between nodes
+  const float* block_swing = nullptr;
+  double lowest = 0.0, highest = 0.0;
+};
+/// The first node in [from, to) at or beside which the block may start, else to.
+std::size_t next_start(const RestSearch& search, std::size_t from, std::size_t to);
+
+/// speed = drive_a (motion) + constant + per_step n, n nodes from `from` on.
+struct SpeedSearch {
+  Swinging motion;
+  const float* gain = nullptr;       ///< by node
+  const float* block_sag = nullptr;  ///< by block
+  float drive_a = 0.0f, constant = 0.0f, per_step = 0.0f;
+  float sag = 0.0f;  ///< of the free vibration
+};
+/// The first node in [from, to) at or beside which the block may stop, else to.
+std::size_t next_stop(const SpeedSearch& search, std::size_t from, std::size_t to);
+
+}  // namespace glissade::block_detail

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glissade/block/coupled_slip.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "block/contact/scaled_block.hpp"
+#include "block/coupled_tables/coupled_history.hpp"
+#include "block/events/coupled_walk.hpp"
+#include "glissade/core/contract.hpp"
+
+namespace glissade {
+
+using block_detail::CoupledContact;
+using block_detail::CoupledHistory;
+using block_detail::CoupledNodes;
+using block_detail::CoupledTable;
+using block_detail::Cut;
+
+namespace {
+
+/// All that a table depends on but the motion.
+struct Shared {
+  Oscillator oscillator;
+  double mass_ratio, slope_rad, friction, gravity_mps2, sign, vertical_ratio;
+
+  explicit Shared(const CoupledScene& s, bool vertical)
+      : oscillator(s.building.horizontal),
+        mass_ratio(s.building.mass_ratio),
+        slope_rad(std::abs(s.block.slope_rad)),
+        friction(s.block.friction),
+        gravity_mps2(s.block.gravity_mps2),
+        sign((s.block.slope_rad < 0.0) == (s.factors.horizontal < 0.0) ? 1.0 : -1.0),
+        vertical_ratio(vertical ? s.factors.vertical / std::abs(s.factors.horizontal) : 0.0) {}
+  bool operator==(const Shared& o) const {
+    return oscillator.period_s == o.oscillator.period_s &&
+           oscillator.damping_ratio == o.oscillator.damping_ratio && mass_ratio == o.mass_ratio &&
+           slope_rad == o.slope_rad && friction == o.friction && gravity_mps2 == o.gravity_mps2 &&
+           sign == o.sign && vertical_ratio == o.vertical_ratio;
+  }
+};
+
+/// A period that its vibration shows between samples, and underdamped in every regime.
+bool can_be_tabulated(const Cut& cut, const CoupledContact& contact, double dt_s) {
+  constexpr double least_phase = 1e-3, most_damping = 0.95;
+  if (cut.frame.rigid()) return false;
+  for (const double mass :
+       {contact.stuck().mass, contact.sliding_down().mass, contact.sliding_up().mass}) {
+    const double root = std::sqrt(mass), phase = cut.frame.omega_radps / root * dt_s;
+    if (!(phase >= least_phase && phase <= block_detail::Regime::most_phase &&
+          cut.frame.damping_ratio / root <= most_damping))
+      return false;
+  }
+  return true;
+}
+
+CoupledPeak by_reference(const GroundMotion& ground, const CoupledScene& scene,
+                         std::span<const double> thresholds_m, std::span<Crossing> crossings) {
+  return {block_detail::in_metres(
+              block_detail::walk_coupled(
+                  ground, scene.factors, scene.building, scene.block,
+                  {block_detail::CoupledBody::Keeps::peaks, thresholds_m, crossings})
+                  .slip,
+              1.0),
+          true};
+}
+
+}  // namespace
+
+struct CoupledGround::Tables {
+  std::shared_ptr<const CoupledNodes> nodes;
+  std::optional<Shared> shared;  ///< what the table is of
+  std::optional<CoupledTable> table;
+
+  const CoupledTable& of(const Shared& wanted, const CoupledContact& contact, const Cut& cut) {
+    if (!(shared == wanted)) {
+      table.emplace(*nodes, contact, cut.frame, wanted.sign, wanted.vertical_ratio);
+      shared = wanted;
+    }
+    return *table;
+  }
+};
+
+CoupledGround::CoupledGround(const GroundMotion& motion)
+    : motion_(motion),
+      tables_(std::make_unique<Tables>(Tables{std::make_shared<CoupledNodes>(motion), {}, {}})) {}
+CoupledGround::CoupledGround(const CoupledGround& other)
+    : motion_(other.motion_),
+      tables_(std::make_unique<Tables>(Tables{other.tables_->nodes, {}, {}})) {}
+CoupledGround::~CoupledGround() = default;
+
+namespace {
+
+CoupledPeak solve(CoupledGround& ground, const CoupledScene& scene,
+                  std::span<const double> thresholds_m, std::span<Crossing> crossings) {
+  block_detail::require_finite_scene(scene.building, scene.block, scene.factors);
+  GLISSADE_EXPECTS(coupling_is_regular(scene.block, scene.building.mass_ratio));
+  const GroundMotion& motion = ground.motion();
+  const CoupledNodes& nodes = *ground.tables().nodes;
+  const CoupledContact contact(scene.block, std::abs(scene.block.slope_rad),
+                               scene.building.mass_ratio);
+  const Cut cut = block_detail::cut(scene.building.horizontal, contact, motion.dt_s);
+  const bool fits =
+      can_be_tabulated(cut, contact, motion.dt_s) &&
+      scene.block.directions == SlipDirections::both && scene.block.law.is_coulomb() &&
+      scene.factors.horizontal != 0.0 && (contact.slides_at_rest() || contact.stops_at_rest()) &&
+      contact.up().a > 0.0 &&
+      std::abs(scene.factors.vertical) * nodes.largest_w_mps2 < 0.99 * scene.block.gravity_mps2;
+  if (fits) {
+    const Shared shared(scene, !motion.vertical_mps2.empty());
+    CoupledHistory history(ground.tables().of(shared, contact, cut), contact, cut, scene,
+                           std::abs(scene.factors.horizontal), thresholds_m, crossings);
+    if (history.run()) return {block_detail::in_metres(history.result(), 1.0), false};
+  }
+  return by_reference(motion, scene, thresholds_m, crossings);
+}
+
+}  // namespace
+
+void coupled_slip(CoupledGround& ground, std::span<const CoupledScene> scenes,
+                  std::span<CoupledPeak> peaks, std::span<const double> thresholds_m,
+                  std::span<Crossing> crossings) {
+  GLISSADE_EXPECTS(scenes.size() == peaks.size());
+  GLISSADE_EXPECTS(crossings.size() == scenes.size() * thresholds_m.size());
+  for (std::size_t k = 0; k < scenes.size(); ++k)
+    peaks[k] = solve(ground, scenes[k], thresholds_m,
+                     crossings.subspan(k * thresholds_m.size(), thresholds_m.size()));
+}
+
+void coupled_slip(CoupledGround& ground, std::span<const CoupledScene> scenes,
+                  std::span<CoupledPeak> peaks) {
+  coupled_slip(ground, scenes, peaks, {}, {});
+}
+
+void coupled_slip(const GroundMotion& ground, std::span<const CoupledScene> scenes,
+                  std::span<CoupledPeak> peaks) {
+  coupled_slip(ground, scenes, peaks, {}, {});
+}
+
+void coupled_slip(const GroundMotion& ground, std::span<const CoupledScene> scenes,
+                  std::span<CoupledPeak> peaks, std::span<const double> thresholds_m,
+                  std::span<Crossing> crossings) {
+  CoupledGround shared(ground);
+  coupled_slip(shared, scenes, peaks, thresholds_m, crossings);
+}
+
+}  // namespace glissade

@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "block/coupled_tables/coupled_table.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "glissade/core/oscillator.hpp"
+
+namespace glissade::block_detail {
+namespace {
+
+/// SIMD loads reach no farther beyond what is asked for.
+constexpr std::size_t widest = 16;
+/// Room for rounding in single precision.
+constexpr float room = 1.0f + 0x1p-20f;
+
+std::size_t blocks_of(std::size_t nodes) { return nodes / CoupledTable::block + 1; }
+std::size_t padded(std::size_t nodes) { return blocks_of(nodes) * CoupledTable::block + widest; }
+std::vector<float> block_values(std::size_t nodes) {
+  return std::vector<float>(blocks_of(nodes) + widest);
+}
+
+std::vector<double> vertical_or_zero(const GroundMotion& motion) {
+  if (motion.vertical_mps2.empty()) return {0.0};
+  return {motion.vertical_mps2.begin(), motion.vertical_mps2.end()};
+}
+
+/// A regime's exact step from node to node.
+struct ResponseStep {
+  double xx, xy, yx, yy, x_start, x_end, y_start, y_end;  // of the scaled state and the forcing
+  double c_a, c_w;
+  double* x_out;
+  double* y_out;
+  double x = 0.0, y = 0.0, forcing = 0.0;
+
+  void to(std::size_t node, double a, double w) {
+    const double next = c_a * a + c_w * w, x0 = x;
+    x = (xx * x + xy * y) - (x_start * forcing + x_end * next);
+    y = (yy * y - yx * x0) - (y_start * forcing + y_end * next);
+    x_out[node] = x;
+    y_out[node] = y;
+    forcing = next;
+  }
+};
+
+/// Side by side, since each waits for its own last step.
+template <std::size_t count>
+void walk(std::span<const ResponseStep> given, const double* a, const double* w,
+          std::size_t nodes) {
+  std::array<ResponseStep, count> steps;
+  for (std::size_t k = 0; k < count; ++k) {
+    steps[k] = given[k];
+    steps[k].forcing = steps[k].c_a * a[0] + (w != nullptr ? steps[k].c_w * w[0] : 0.0);
+  }
+  for (std::size_t i = 1; i < nodes; ++i)
+    for (ResponseStep& step : steps) step.to(i, a[i], w != nullptr ? w[i] : 0.0);
+}
+
+}  // namespace
+
+CoupledNodes::CoupledNodes(const GroundMotion& motion)
+    : a(motion.dt_s, motion.horizontal_mps2),
+      w(motion.dt_s, vertical_or_zero(motion)),
+      vertical(!motion.vertical_mps2.empty()),
+      quiet(std::max(a.quiet_from(), vertical ? w.quiet_from() : 0)),
+      largest_w_mps2(w.peak_acceleration_mps2()) {
+  a.extend(padded(quiet + 1));
+  if (vertical) w.extend(padded(quiet + 1));
+}
+
+CoupledTable::CoupledTable(const CoupledNodes& nodes, const CoupledContact& contact,
+                           const Frame& frame, double sign, double vertical_ratio)
+    : nodes_(nodes),
+      sign_(sign),
+      vertical_ratio_(vertical_ratio),
+      lowest_per_g_(-contact.down().w / contact.down().a),
+      highest_per_g_(-contact.up().w / contact.up().a),
+      regimes_{Regime(contact.stuck(), contact.gravity(), frame, nodes.a.step_s()),
+               Regime(contact.sliding_down(), contact.gravity(), frame, nodes.a.step_s()),
+               Regime(contact.sliding_up(), contact.gravity(), frame, nodes.a.step_s())} {
+  respond(frame);
+  set_rest(frame.damping_ratio);
+  speeds_[1] = speed_of(+1);
+  speeds_[2] = vertical_ratio == 0.0 && responses_[1] == responses_[2] ? speeds_[1] : speed_of(-1);
+}
+
+GroundLine CoupledTable::accelerations(double a_factor, double w_factor) const {
+  return {nodes_.a.acceleration_mps2().data(),
+          vertical_ratio_ != 0.0 ? nodes_.w.acceleration_mps2().data() : nullptr, a_factor,
+          w_factor};
+}
+
+void CoupledTable::respond(const Frame& frame) {
+  const std::size_t count = nodes_.quiet + 1;
+  std::vector<ResponseStep> steps;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Mode& mode = regimes_[k].mode;
+    for (std::size_t other = 0; other < k; ++other)
+      if (mode.mass == regimes_[other].mode.mass &&
+          mode.weight * vertical_ratio_ == regimes_[other].mode.weight * vertical_ratio_)
+        responses_[k] = responses_[other];
+    if (responses_[k]) continue;
+    responses_[k] = std::make_shared<Response>();
+    Response& response = *responses_[k];
+    response.x.resize(padded(count));
+    response.y.resize(padded(count));
+    // The regime's own scaled state is x / mass, y / sqrt(mass).
+    const double root = std::sqrt(mode.mass);
+    const OscillatorStep s =
+        oscillator_step(frame.omega_radps * nodes_.a.step_s() / root, frame.damping_ratio / root);
+    steps.push_back({s.xx, s.xy * root, s.xy / root, s.yy, s.x_start, s.x_end, s.y_start / root,
+                     s.y_end / root, mode.mass * sign_, mode.weight * vertical_ratio_,
+                     response.x.data(), response.y.data()});
+  }
+  const GroundLine ground = accelerations(1.0, 1.0);
+  if (steps.size() == 1) walk<1>(steps, ground.a, ground.w, count);
+  if (steps.size() == 2) walk<2>(steps, ground.a, ground.w, count);
+  if (steps.size() == 3) walk<3>(steps, ground.a, ground.w, count);
+  for (std::size_t k = 0; k < 3; ++k)
+    if (responses_[k]->swing.empty()) set_bounds(*responses_[k], regimes_[k], frame.damping_ratio);
+}
+
+void CoupledTable::set_bounds(Response& response, const Regime& r, double damping_ratio) const {
+  const std::size_t count = nodes_.quiet + 1;
+  response.swing = block_values(count);
+  SwingFill fill{response.x.data(),
+                 response.y.data(),
+                 accelerations(r.mode.mass * sign_, r.mode.weight * vertical_ratio_),
+                 r.lag,
+                 1.0 / (r.omega_radps * r.dt_s),
+                 r.alpha_radps / r.beta_radps,
+                 r.omega_radps / r.beta_radps,
+                 1.0 / r.mode.mass,
+                 2.0 * damping_ratio,
+                 response.swing.data(),
+                 0.0,
+                 0.0};
+  fill_swing(fill, count);
+  const double most = *std::max_element(response.swing.begin(), response.swing.end());
+  const double w = std::abs(r.mode.weight * vertical_ratio_) * nodes_.largest_w_mps2;
+  response.largest_a_mps2 =
+      ((fill.largest_elastic + w) / r.mode.mass + 0.125 * r.phase * r.phase * most) * (1.0 + 1e-9);
+  const double step = r.omega_radps * r.dt_s;
+  response.largest_x_mps2 =
+      (fill.largest_x +
+       0.125 * step * step * (response.largest_a_mps2 + nodes_.a.peak_acceleration_mps2())) *
+      (1.0 + 1e-9);
+}
+
+void CoupledTable::set_rest(double damping_ratio) {
+  const Regime& r = regimes_[0];
+  const Response& response = *responses_[0];
+  const std::size_t count = nodes_.quiet + 1;
+  const auto fill = [&](double per_g, std::vector<float>& values) {
+    values.resize(padded(count));
+    rest_.block_below.resize(response.swing.size());
+    rest_.block_above.resize(response.swing.size());
+    const double per_mass = -1.0 / r.mode.mass;
+    fill_line({response.x.data(), response.y.data(), per_mass, 2.0 * damping_ratio * per_mass,
+               accelerations(0.0, -per_g * vertical_ratio_), values.data(),
+               rest_.block_below.data(), rest_.block_above.data()},
+              count);
+  };
+  fill(highest_per_g_, rest_.above);
+  if (vertical_ratio_ != 0.0) {
+    const std::vector<float> block_above = rest_.block_above;
+    fill(lowest_per_g_, rest_.below);
+    rest_.block_above = block_above;
+  } else {
+    rest_.below = rest_.above;
+  }
+  const float sag = static_cast<float>(0.125 * r.phase * r.phase) * room;
+  for (std::size_t b = 0; b < blocks_of(count); ++b) {
+    rest_.block_below[b] -= sag * response.swing[b];
+    rest_.block_above[b] += sag * response.swing[b];
+    rest_.largest = std::max({rest_.largest, -static_cast<double>(rest_.block_below[b]),
+                              static_cast<double>(rest_.block_above[b])});
+  }
+}
+
+std::shared_ptr<CoupledTable::Speed> CoupledTable::speed_of(int direction) const {
+  const Regime& r = regime(direction);
+  const Response& of = response(direction);
+  const std::size_t count = nodes_.quiet + 1;
+  auto speed = std::make_shared<Speed>();
+  speed->gain.resize(padded(count));
+  std::vector<float> lowest = block_values(count), highest = lowest;
+  const double c_w = r.mode.drive.w / r.mode.drive.a * vertical_ratio_;
+  GroundLine ground = accelerations(sign_, c_w);
+  speed->block_sag = block_values(count);
+  fill_change(ground, speed->block_sag.data(), count);
+  ground.a = nodes_.a.velocity_mps().data();
+  if (ground.w != nullptr) ground.w = nodes_.w.velocity_mps().data();
+  fill_line({of.x.data(), of.y.data(), 0.0, 1.0 / r.omega_radps, ground, speed->gain.data(),
+             lowest.data(), highest.data()},
+            count);
+  const float per_change = static_cast<float>(0.125 * r.dt_s) * room,
+              phase = static_cast<float>(r.phase) * room;
+  for (std::size_t b = 0; b < blocks_of(count); ++b) {
+    speed->block_sag[b] = per_change * (speed->block_sag[b] + phase * of.swing[b]);
+    speed->largest = std::max(
+        {speed->largest, -static_cast<double>(lowest[b]), static_cast<double>(highest[b])});
+  }
+  return speed;
+}
+
+}  // namespace glissade::block_detail

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "block/contact/coupled_regime.hpp"
+#include "block/coupled_tables/coupled_fill.hpp"
+#include "glissade/building/ground_table.hpp"
+
+namespace glissade::block_detail {
+
+/// Both components of a ground motion, at the same nodes.
+struct CoupledNodes {
+  explicit CoupledNodes(const GroundMotion& motion);
+
+  GroundTable a, w;  ///< w: nothing where there is no vertical
+  bool vertical;
+  std::size_t quiet;  ///< the first node from which on both are zero
+  double largest_w_mps2 = 0.0;
+};
+
+/// What the histories of a motion, building, slope and friction share, whatever the intensity: the
+/// response of each regime's oscillator to the motion at unit intensity, from rest, without the
+/// block's weight. A history's own state is intensity times this, what the weight does, and the
+/// free vibration that its last event left.
+class CoupledTable {
+ public:
+  static constexpr std::size_t block = 64;  ///< nodes
+  /// Tables of so many zeros stand for what follows the record.
+  static constexpr std::size_t zeros = 8 * block;
+
+  /// @param sign of the motion; @param vertical_ratio of the vertical's factor to that of the
+  /// horizontal without its sign
+  CoupledTable(const CoupledNodes& nodes, const CoupledContact& contact, const Frame& frame,
+               double sign, double vertical_ratio);
+
+  /// Of one oscillator.
+  struct Response {
+    std::vector<double> x, y;  ///< scaled state by node
+    std::vector<float> swing;  ///< by block: |s^2 z| from its nodes and the one before is no more
+    double largest_a_mps2 = 0.0;  ///< |a| is no more, but for what the vertical and the weight do
+    double largest_x_mps2 = 0.0;  ///< nor is |x|
+  };
+  /// For the search while the block rests: a less what the vertical does to the limit below, and
+  /// above. Without vertical the two are the same.
+  struct Rest {
+    std::vector<float> below, above;              ///< by node
+    std::vector<float> block_below, block_above;  ///< extremes, between nodes too
+    double largest = 0.0;
+  };
+  /// For the search while it slides: the speed gained since time zero over drive.a.
+  struct Speed {
+    std::vector<float> gain;       ///< by node
+    std::vector<float> block_sag;  ///< by block: how far it may leave its chord between nodes
+    double largest = 0.0;
+  };
+
+  /// Direction 0 stuck, +1 sliding down, -1 up.
+  const Regime& regime(int direction) const { return regimes_[index(direction)]; }
+  const Response& response(int direction) const { return *responses_[index(direction)]; }
+  const Rest& rest() const { return rest_; }
+  const Speed& speed(int direction) const { return *speeds_[index(direction)]; }
+  const CoupledNodes& nodes() const { return nodes_; }
+  double sign() const { return sign_; }
+  /// a at which the block begins to slide, per (g + w): it rests between these.
+  double lowest_per_g() const { return lowest_per_g_; }
+  double highest_per_g() const { return highest_per_g_; }
+
+ private:
+  static std::size_t index(int direction) { return direction == 0 ? 0 : direction > 0 ? 1 : 2; }
+  GroundLine accelerations(double a_factor, double w_factor) const;
+  void respond(const Frame& frame);
+  void set_bounds(Response& response, const Regime& regime, double damping_ratio) const;
+  void set_rest(double damping_ratio);
+  std::shared_ptr<Speed> speed_of(int direction) const;
+
+  const CoupledNodes& nodes_;
+  double sign_, vertical_ratio_;
+  double lowest_per_g_, highest_per_g_;
+  std::array<Regime, 3> regimes_;
+  std::array<std::shared_ptr<Response>, 3> responses_;  // equal regimes share one
+  Rest rest_;
+  std::array<std::shared_ptr<Speed>, 3> speeds_;  // none of a block at rest
+};
+
+}  // namespace glissade::block_detail

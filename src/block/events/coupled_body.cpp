@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "block/events/coupled_body.hpp"
+
+#include <algorithm>
+
+#include "glissade/core/not_converged.hpp"
+
+namespace glissade::block_detail {
+
+namespace {
+Block with_static_friction(Block block) {
+  block.friction *= block.law.static_ratio;
+  return block;
+}
+}  // namespace
+
+CoupledBody::CoupledBody(const CoupledContact& contact, const Frame& frame, const Block& block,
+                         Keeps keeps, const Yielding& yielding)
+    : contact_(contact),
+      at_rest_(with_static_friction(block), std::abs(block.slope_rad), contact.mass_ratio()),
+      frame_(frame),
+      block_(block),
+      keeps_(keeps),
+      breaks_away_(block.law.static_ratio > 1.0 && block.friction > 0.0),
+      energy_(frame, contact),
+      spring_(yielding) {}
+
+Mode CoupledBody::mode() const {
+  if (direction_ == 0) return contact_.stuck();
+  if (lifted_) return contact_.lifted(direction_);
+  return direction_ > 0 ? contact_.sliding_down() : contact_.sliding_up();
+}
+
+/// A phase that begins at its threshold has its drive exactly zero there, and rising.
+SlipSeries CoupledBody::slip_series(const Mode& mode, const RoofMotionSeries& roof,
+                                    double length_s) const {
+  SlipSeries slip;
+  slip.direction = direction_;
+  if (direction_ == 0) return slip;
+  Series drive = roof.line(mode.drive);
+  if (at_threshold_) {
+    drive.c[0] = 0.0;
+    drive.c[1] = std::max(drive.c[1], 0.0);
+  }
+  slip.speed = drive.integral(length_s, speed_);
+  slip.friction = lifted_ ? 0.0 : block_.friction;
+  return slip;
+}
+
+/// When the block starts from rest. Its drive is zero or less in the direction in which it has just
+/// stopped.
+double CoupledBody::start_share(const RoofMotionSeries& roof, double a_swing, int direction) const {
+  const DriveLine line = lifted_         ? contact_.frictionless(direction)
+                         : direction > 0 ? at_rest_.down()
+                                         : at_rest_.up();
+  if (roof.is_negative(line, a_swing)) return never;
+  Series drive = roof.line(line);
+  if (stopped_direction_ == direction) {
+    drive.c[0] = std::min(drive.c[0], 0.0);
+    if (refused_) drive.c[1] = std::min(drive.c[1], 0.0);
+  }
+  return first_rise(drive);
+}
+
+/// When contact is lost, or found again.
+double CoupledBody::contact_share(const RoofMotionSeries& roof, double a_swing) const {
+  if (chatters_ || (!lifted_ && roof.is_negative(contact_.lift(), a_swing))) return never;
+  Series lift = roof.line(contact_.lift());
+  if (just_lifted_or_landed_) lift.c[0] = 0.0;
+  return lifted_ ? first_fall(lift) : first_rise(lift);
+}
+
+CoupledBody::NextEvent CoupledBody::first_event(const RoofMotionSeries& roof,
+                                                const SlipSeries& slip) const {
+  NextEvent next;
+  const double a_swing = roof.swing();
+  if (direction_ == 0) {
+    next.sooner(Event::starts_down, start_share(roof, a_swing, +1));
+    if (block_.directions == SlipDirections::both)
+      next.sooner(Event::starts_up, start_share(roof, a_swing, -1));
+  } else {
+    next.sooner(Event::stops, first_fall(slip.speed));
+  }
+  next.sooner(Event::lifts_or_lands, contact_share(roof, a_swing));
+  if (spring_.yielding()) {
+    next.sooner(Event::unloads, spring_.unload_share(roof.y));
+  } else if (spring_.yields()) {
+    next.sooner(Event::yields_up, spring_.yield_share(roof.x, +1));
+    next.sooner(Event::yields_down, spring_.yield_share(roof.x, -1));
+  }
+  return next;
+}
+
+void CoupledBody::advance(GroundPiece ground, double end_time_s) {
+  piece_end_ = end_time_s;
+  stopped_direction_ = 0;
+  at_threshold_ = refused_ = just_lifted_or_landed_ = false;
+  for (int events = 0; events < 64; ++events) {
+    const Mode now = mode();
+    const RoofMotionSeries roof =
+        roof_motion_series(frame_, now, contact_.gravity(), roof_, spring_.line(roof_.x), ground);
+    const SlipSeries slip = slip_series(now, roof, ground.length_s);
+    // With no normal force a block may lift and land without end.
+    chatters_ = events > 32;
+    const NextEvent next = first_event(roof, slip);
+    pass(ground, roof, slip, next);
+    ground.cut(next.share);
+    if (next.event == Event::none) {
+      time_ = piece_end_;
+      return record(ground);
+    }
+    happen(next);
+    record(ground);
+    if (!(ground.length_s > 0.0)) return;
+  }
+  throw NotConverged("slide_coupled: too many events inside one piece of time");
+}
+
+void CoupledBody::pass(const GroundPiece& ground, const RoofMotionSeries& roof,
+                       const SlipSeries& slip, const NextEvent& next) {
+  const double share = next.share;
+  const auto raise = [share](double& peak, const Series& of) {
+    if (of.bound() > peak) peak = std::max(peak, largest(of, share));
+  };
+  raise(peaks_.elastic_mps2, roof.elastic);
+  raise(peaks_.x_mps2, roof.x);
+  if (keeps_ == Keeps::all) {
+    raise(result_.peak_roof_acceleration_mps2, roof.a);
+    energy_.add(ground, roof, slip, share);
+  }
+  result_.slip.uplift |= lifted_;
+  if (direction_ != 0) {
+    double& peak = result_.slip.peak_velocity_mps;
+    if (keeps_ == Keeps::all && slip.speed.bound() > peak)
+      peak = std::max(peak, highest(slip.speed, share));
+    const double begin = slip_;
+    slip_ += direction_ * std::max(slip.speed.integral(ground.length_s, 0.0).at(share), 0.0);
+    if (crossings_.reached(slip_))
+      crossings_.follow({direction_, begin, slip_, time_}, slip.speed, ground.length_s, share,
+                        next.event == Event::stops);
+    speed_ = std::max(slip.speed.at(share), 0.0);
+    result_.slip.slip_duration_s += share * ground.length_s;
+  }
+  if (spring_.yields()) spring_.pass(roof.x, share);
+  roof_ = {roof.x.at(share), roof.y.at(share)};
+  time_ = std::min(time_ + share * ground.length_s, piece_end_);
+}
+
+/// The forces do not jump, only their rates.
+void CoupledBody::happen_to_spring(const NextEvent& next) {
+  refused_ = false;
+  if (next.share > 0.0) at_threshold_ = just_lifted_or_landed_ = false;
+  if (next.event != Event::unloads) return spring_.yield(next.event == Event::yields_up ? +1 : -1);
+  roof_.y = spring_.unload(roof_.y);
+}
+
+void CoupledBody::happen(const NextEvent& next) {
+  if (breaks_away_ && next.share > 0.0) stopped_direction_ = 0;
+  if (next.of_spring()) return happen_to_spring(next);
+  const auto starts = [&](int direction) {
+    // Held until now, or only just stopped: its drive is not positive yet, unless it breaks away.
+    at_threshold_ = next.share > 0.0 ? lifted_ || !breaks_away_ : stopped_direction_ == direction;
+    stopped_direction_ = 0;
+    start(direction);
+  };
+  just_lifted_or_landed_ = next.event == Event::lifts_or_lands;
+  switch (next.event) {
+    case Event::starts_down:
+      return starts(+1);
+    case Event::starts_up:
+      return starts(-1);
+    case Event::stops:
+      refused_ = (at_threshold_ || breaks_away_) && next.share == 0.0;
+      stopped_direction_ = direction_;
+      break;
+    case Event::lifts_or_lands:
+      lifted_ = !lifted_;
+      break;
+    default:
+      break;
+  }
+  at_threshold_ = false;
+  if (next.event == Event::stops) stop();
+}
+
+void CoupledBody::stop() {
+  direction_ = 0;
+  speed_ = 0.0;
+  farthest_down_ = std::max(farthest_down_, slip_);
+  farthest_up_ = std::min(farthest_up_, slip_);
+}
+
+void CoupledBody::record(const GroundPiece& ground) const {
+  if (!history_) return;
+  const Mode now = mode();
+  const double elastic = -(spring_.force(roof_.x) + 2.0 * frame_.damping_ratio * roof_.y);
+  const double a = frame_.rigid()
+                       ? ground.begin.a
+                       : (elastic - now.weight * (contact_.gravity() + ground.begin.w)) / now.mass;
+  const double per_omega = frame_.rigid() ? 0.0 : 1.0 / frame_.omega_radps;
+  history_({time_, slip_ * contact_.cos_slope(), direction_ * speed_ * contact_.cos_slope(),
+            roof_.x * per_omega * per_omega, a, spring_.force(roof_.x)});
+}
+
+void CoupledBody::coast() {
+  const Drive at_rest = contact_.sliding({});
+  const double deceleration = direction_ > 0 ? -at_rest.down : -at_rest.up;
+  if (direction_ == 0 || !(deceleration > 0.0)) return;
+  const double begin = slip_;
+  slip_ += direction_ * 0.5 * speed_ * speed_ / deceleration;
+  crossings_.follow_to_rest({direction_, begin, slip_, time_}, speed_, deceleration);
+  result_.slip.slip_duration_s += speed_ / deceleration;
+  time_ += speed_ / deceleration;
+  velocity_before_coast_ = direction_ * speed_;
+  direction_ = 0;
+  speed_ = 0.0;
+}
+
+/// Of the block's mass and the building's, elastic about where the spring pulls nothing.
+Envelope CoupledBody::free_vibration() const {
+  const double mass = contact_.stuck().mass, root = std::sqrt(mass);
+  return free_vibration_envelope(spring_.force(roof_.x) / mass, roof_.y / root,
+                                 frame_.damping_ratio / root);
+}
+
+bool CoupledBody::may_yield() const {
+  return spring_.yields() &&
+         spring_.may_yield(roof_.x, contact_.stuck().mass * free_vibration().amplitude);
+}
+
+double CoupledBody::largest_acceleration_to_come_mps2() const {
+  if (frame_.rigid()) return 0.0;
+  const double zeta = frame_.damping_ratio / std::sqrt(contact_.stuck().mass);
+  return (1.0 + 2.0 * zeta) * free_vibration().amplitude;
+}
+
+CoupledResult CoupledBody::result() const {
+  CoupledResult r = result_;
+  const double cosine = contact_.cos_slope();
+  r.slip.peak_downslope_m = std::max(farthest_down_, slip_) * cosine;
+  r.slip.peak_upslope_m = -std::min(farthest_up_, slip_) * cosine + 0.0;  // no negative zero
+  r.slip.peak_displacement_m = std::max(r.slip.peak_downslope_m, r.slip.peak_upslope_m);
+  r.slip.residual_displacement_m = slip_ * cosine;
+  r.slip.peak_velocity_mps *= cosine;
+  r.peak_base_shear = peaks_.elastic_mps2 / contact_.gravity();
+  r.ductility = peaks_.x_mps2 / spring_.limit();
+  if (!frame_.rigid()) {
+    const double square = frame_.omega_radps * frame_.omega_radps;
+    r.peak_roof_displacement_m = peaks_.x_mps2 / square;
+    r.residual_roof_displacement_m = spring_.offset(roof_.x) / square;
+  }
+  r.energy = energy_.total(roof_, spring_, direction_ * speed_ + velocity_before_coast_);
+  return r;
+}
+
+}  // namespace glissade::block_detail

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <utility>
+
+#include "block/contact/coupled_spring.hpp"
+#include "block/events/coupled_motion.hpp"
+#include "block/slip_record/coupled_crossing.hpp"
+#include "block/slip_record/coupled_energy.hpp"
+#include "glissade/core/oscillator.hpp"
+
+namespace glissade::block_detail {
+
+/// Block and building together, over pieces of time in which the ground is linear and no longer
+/// than longest_phase.
+class CoupledBody {
+ public:
+  using History = std::function<void(const CoupledPoint&)>;
+
+  /// Also the energy and the peaks of slip speed and roof acceleration, or only CoupledPeak's.
+  enum class Keeps { all, peaks };
+
+  CoupledBody(const CoupledContact& contact, const Frame& frame, const Block& block, Keeps keeps,
+              const Yielding& yielding = {});
+  void keep(History history) { history_ = std::move(history); }
+  CoupledCrossings& crossings() { return crossings_; }
+
+  void advance(GroundPiece ground, double end_time_s);
+  /// The roof is at rest from now on.
+  void coast();
+
+  // A motion without events that was worked out elsewhere.
+  void resume(const RoofState& roof, double speed_mps, double time_s) {
+    roof_ = roof;
+    speed_ = speed_mps;
+    time_ = time_s;
+  }
+  void slid(double distance_m, double duration_s) {
+    slip_ += direction_ * distance_m;
+    result_.slip.slip_duration_s += duration_s;
+  }
+  void start(int direction) {
+    direction_ = direction;
+    ++result_.slip.slip_phases;
+  }
+  /// Slip is monotone inside a phase, so its peaks are at phase ends.
+  void stop();
+  /// Largest |E| and |x| so far.
+  struct Peaks {
+    double elastic_mps2 = 0.0, x_mps2 = 0.0;
+  };
+
+  const RoofState& roof() const { return roof_; }
+  double speed() const { return speed_; }
+  int direction() const { return direction_; }
+  double slip() const { return slip_; }
+  bool has_lifted() const { return lifted_ || result_.slip.uplift; }
+  bool slides_at_rest() const { return at_rest_.slides_at_rest(); }
+  bool sliding() const { return direction_ != 0; }
+  /// While the block stays where it is and the ground is quiet.
+  bool may_yield() const;
+  /// |a| never exceeds this again then, and if the spring does not yield.
+  double largest_acceleration_to_come_mps2() const;
+  CoupledResult result() const;
+
+ private:
+  /// What happens first in a piece, and when.
+  enum class Event {
+    none,
+    starts_down,
+    starts_up,
+    stops,
+    lifts_or_lands,
+    yields_up,
+    yields_down,
+    unloads
+  };
+  struct NextEvent {
+    Event event = Event::none;
+    double share = 1.0;
+    bool of_spring() const {
+      return event == Event::yields_up || event == Event::yields_down || event == Event::unloads;
+    }
+    void sooner(Event candidate, double y) {
+      if (y < share) *this = {candidate, y};
+    }
+  };
+
+  Mode mode() const;
+  SlipSeries slip_series(const Mode& mode, const RoofMotionSeries& roof, double length_s) const;
+  NextEvent first_event(const RoofMotionSeries& roof, const SlipSeries& slip) const;
+  double start_share(const RoofMotionSeries& roof, double a_swing, int direction) const;
+  double contact_share(const RoofMotionSeries& roof, double a_swing) const;
+  void pass(const GroundPiece& ground, const RoofMotionSeries& roof, const SlipSeries& slip,
+            const NextEvent& next);
+  void happen(const NextEvent& next);
+  void happen_to_spring(const NextEvent& next);
+  Envelope free_vibration() const;
+  void record(const GroundPiece& ground) const;
+
+  CoupledContact contact_, at_rest_;  // with the friction of sliding, and static friction
+  Frame frame_;
+  Block block_;
+  Keeps keeps_;
+  bool breaks_away_;  // with more than what holds it sliding
+  History history_;
+  EnergyMeter energy_;
+  CoupledCrossings crossings_;
+
+  RoofState roof_;
+  Spring spring_;
+  int direction_ = 0;  // +1 sliding down, -1 up, 0 at rest
+  bool lifted_ = false;
+  double speed_ = 0.0, slip_ = 0.0, time_ = 0.0, piece_end_ = 0.0;
+  // What the last event leaves exactly at zero where the rest of the piece begins.
+  bool at_threshold_ = false;           // the drive of a phase that has just begun
+  bool just_lifted_or_landed_ = false;  // the normal force
+  int stopped_direction_ = 0;           // the drive this way is not positive; 0: neither
+  bool refused_ = false;                // nor does it rise: the phase stopped where it started
+
+  bool chatters_ = false;  // contact is not lost or found any more in this piece
+
+  double velocity_before_coast_ = 0.0;  // the energy balance ends there
+  double farthest_down_ = 0.0, farthest_up_ = 0.0;
+  Peaks peaks_;
+  CoupledResult result_;
+};
+
+}  // namespace glissade::block_detail

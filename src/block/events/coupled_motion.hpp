@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "block/contact/contact.hpp"
+#include "block/contact/coupled_spring.hpp"
+#include "block/polynomial/power_series.hpp"
+#include "glissade/block/coupled.hpp"
+#include "glissade/core/not_converged.hpp"
+
+namespace glissade::block_detail {
+
+/// Fourteen terms and more fall below rounding on a piece of this phase.
+constexpr double longest_phase = 0.4;  // 1/16 period
+
+/// Effect of the block on the roof: mass a = E - weight (g + w), with E the elastic and damping
+/// acceleration of the building alone.
+struct Mode {
+  double mass = 1.0, weight = 0.0;
+  DriveLine drive;  ///< while sliding: the block's, in its own direction
+};
+
+/// The contact equations of a coupled roof, slope >= 0 (theory.md, 2.2).
+class CoupledContact : public Contact {
+ public:
+  CoupledContact(const Block& block, double slope, double mass_ratio)
+      : Contact(block, slope),
+        mass_ratio_(mass_ratio),
+        sin_(std::sin(slope)),
+        g_(block.gravity_mps2) {}
+
+  Mode stuck() const { return {1.0 + mass_ratio_, 0.0, {}}; }
+  Mode sliding_down() const { return contact_mode(down(), down().w); }
+  Mode sliding_up() const { return contact_mode(up(), -up().w); }
+  Mode lifted(int direction) const { return contact_mode(frictionless(direction), sin_); }
+  /// Without friction, in the direction of sliding.
+  DriveLine frictionless(int direction) const {
+    return {-direction * cos_slope(), direction * sin_, direction * sin_ * gravity()};
+  }
+  double gravity() const { return g_; }
+  double sin_slope() const { return sin_; }
+  double mass_ratio() const { return mass_ratio_; }
+
+ private:
+  /// @param q sin - sigma mu cos: the contact force pushes the roof by -m q N'/cos per N'
+  Mode contact_mode(const DriveLine& drive, double q) const {
+    return {1.0 + mass_ratio_ * sin_ * q, mass_ratio_ * cos_slope() * q, drive};
+  }
+  double mass_ratio_, sin_, g_;
+};
+
+/// The oscillator of the building without the array.
+struct Frame {
+  double omega_radps = 0.0, damping_ratio = 0.0;  ///< omega 0: rigid
+  int terms = 0;                                  ///< of a series on a piece
+  bool rigid() const { return omega_radps == 0.0; }
+};
+
+/// The oscillator, and into how many pieces of equal length a sample interval must be cut for it.
+struct Cut {
+  Frame frame;
+  int pieces = 1;
+};
+Cut cut(const Oscillator& oscillator, const CoupledContact& contact, double dt_s);
+
+/// Limit of the ring-down in sample intervals, reached by undamped buildings.
+/// @throw NotConverged if the step is so short that it would take minutes
+inline std::size_t longest_ring_down(double dt_s) {
+  const double intervals = std::ceil(RoofMotionOptions{}.longest_ring_down_s / dt_s);
+  if (intervals > 0x1p24)  // some 10 s
+    throw NotConverged(
+        "a ring-down may take more than 16,777,216 steps of the record: give it a longer step");
+  return static_cast<std::size_t>(intervals);
+}
+
+/// The ground over a piece of time or over the rest of it: linear.
+struct GroundPiece {
+  double length_s = 0.0;
+  Roof begin, end;
+  void cut(double y) {
+    begin.a += (end.a - begin.a) * y;
+    begin.w += (end.w - begin.w) * y;
+    length_s *= 1.0 - y;
+  }
+};
+
+/// Scaled state of the building alone (core/oscillator.hpp): x = omega^2 u, y = omega u'.
+struct RoofState {
+  double x = 0.0, y = 0.0;
+};
+
+/// The building over a piece, in one mode.
+struct RoofMotionSeries {
+  Series x, y;     ///< scaled state
+  Series elastic;  ///< E = -(f + 2 zeta y), f = x where the spring has not yielded
+  Series a;        ///< absolute acceleration
+  double w_begin, w_rise;
+
+  /// Bound of the change of a from its value at the start.
+  double swing() const {
+    double sum = 0.0;
+    for (int k = 1; k < a.terms; ++k) sum += std::abs(a.c[k]);
+    return sum;
+  }
+  /// From swing() alone, without the series.
+  bool is_negative(const DriveLine& line, double a_swing) const {
+    return line.at({a.c[0], w_begin}) + std::abs(line.a) * a_swing +
+               std::max(line.w * w_rise, 0.0) <
+           0.0;
+  }
+  /// A quantity that is linear in (a, w).
+  Series line(const DriveLine& of) const {
+    Series s;
+    s.terms = a.terms;
+    for (int k = 0; k < a.terms; ++k) s.c[k] = of.a * a.c[k];
+    s.c[0] += of.w * w_begin + of.constant;
+    s.c[1] += of.w * w_rise;
+    return s;
+  }
+};
+
+RoofMotionSeries roof_motion_series(const Frame& frame, const Mode& mode, double gravity_mps2,
+                                    const RoofState& from, const SpringLine& spring,
+                                    const GroundPiece& ground);
+/// With an elastic spring.
+inline RoofMotionSeries roof_motion_series(const Frame& frame, const Mode& mode,
+                                           double gravity_mps2, const RoofState& from,
+                                           const GroundPiece& ground) {
+  return roof_motion_series(frame, mode, gravity_mps2, from, {from.x, 1.0}, ground);
+}
+
+}  // namespace glissade::block_detail

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glissade/block/rodriguez_nikl.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "block/contact/contact.hpp"
+#include "glissade/core/contract.hpp"
+#include "glissade/core/finite.hpp"
+
+namespace glissade {
+namespace {
+
+double sign(double x) { return static_cast<double>((x > 0.0) - (x < 0.0)); }
+
+/// Velocities and positions of the block (x) and of the plane (p), horizontal, relative to the
+/// ground at rest.
+class SteppedBlock {
+ public:
+  SteppedBlock(const Block& block, double slope)
+      : g_(block.gravity_mps2),
+        mu_(block.friction),
+        sin_(std::sin(slope)),
+        cos_(std::cos(slope)),
+        tan_(std::tan(slope)),
+        one_way_(block.directions == SlipDirections::downslope_only) {}
+
+  /// After the roof has come to rest: under gravity and friction alone the limit of the scheme is a
+  /// parabola. False if the block never stops.
+  bool coast() {
+    const double relative = velocity_x_ - velocity_p_;
+    if (sticking_ || relative == 0.0) return true;
+    const double along = g_ * (relative > 0.0 ? mu_ * cos_ - sin_
+                                              : mu_ * cos_ + sin_);  // deceleration along the slope
+    if (!(along > 0.0)) return false;
+    const double deceleration = along * cos_;  // of plan velocity
+    position_x_ += 0.5 * relative * std::abs(relative) / deceleration;
+    duration_ += std::abs(relative) / deceleration;
+    velocity_x_ = velocity_p_;
+    note_peaks();
+    return true;
+  }
+
+  /// One substep with the roof acceleration constant at its initial value (paper, "Time-stepping
+  /// algorithm").
+  void step(const block_detail::Roof& r, double dt) {
+    const double relative = velocity_x_ - velocity_p_;  // eq 10
+    const double g = g_ + r.w;
+    const bool slow_enough = relative == 0.0 || relative * previous_relative_ < 0.0;
+    const bool held = std::abs(r.a * cos_ - g * sin_) < mu_ * std::abs(g * cos_ + r.a * sin_);
+    const bool blocked = one_way_ && relative <= 0.0 && r.a * cos_ > g * sin_;
+    sticking_ = slow_enough && (held || blocked);
+    double acceleration_x = r.a;  // eq 4
+    if (sticking_) {
+      velocity_x_ = velocity_p_;               // eq 5
+      uplift_ |= g * cos_ + r.a * sin_ < 0.0;  // eq 6
+    } else {
+      const double A = sin_ - mu_ * sign(relative) * cos_;  // eq 13
+      const double B = cos_ + mu_ * sign(relative) * sin_;  // eq 15
+      const double C = g + r.a * tan_;                      // eq 16
+      const double normal = C / (A * tan_ + B);             // eq 17, per mass
+      uplift_ |= normal < 0.0;
+      acceleration_x = normal * A;  // eq 18
+      duration_ += dt;
+      if (relative != 0.0 && sign(relative) != phase_) ++phases_;
+    }
+    phase_ = sticking_ ? 0.0 : sign(relative);
+    previous_relative_ = relative;
+    position_p_ += velocity_p_ * dt + 0.5 * r.a * dt * dt;
+    position_x_ += velocity_x_ * dt + 0.5 * acceleration_x * dt * dt;
+    velocity_p_ += r.a * dt;
+    velocity_x_ += acceleration_x * dt;
+    note_peaks();
+    peak_velocity_ = std::max(peak_velocity_, std::abs(velocity_x_ - velocity_p_));
+  }
+
+  SlipResult result() const {
+    SlipResult r;
+    r.peak_downslope_m = farthest_down_;
+    r.peak_upslope_m = -farthest_up_ + 0.0;
+    r.peak_displacement_m = std::max(farthest_down_, -farthest_up_);
+    r.residual_displacement_m = position_x_ - position_p_;
+    r.peak_velocity_mps = peak_velocity_;
+    r.slip_duration_s = duration_;
+    r.slip_phases = phases_;
+    r.uplift = uplift_;
+    return r;
+  }
+
+ private:
+  void note_peaks() {
+    const double slip = position_x_ - position_p_;
+    farthest_down_ = std::max(farthest_down_, slip);
+    farthest_up_ = std::min(farthest_up_, slip);
+  }
+
+  double g_, mu_, sin_, cos_, tan_;
+  bool one_way_;
+  double velocity_x_ = 0.0, velocity_p_ = 0.0, position_x_ = 0.0, position_p_ = 0.0;  // eq 19
+  double previous_relative_ = 0.0, phase_ = 0.0;
+  double farthest_down_ = 0.0, farthest_up_ = 0.0, peak_velocity_ = 0.0, duration_ = 0.0;
+  std::size_t phases_ = 0;
+  bool sticking_ = true, uplift_ = false;
+};
+
+}  // namespace
+
+SlipResult slide_rodriguez_nikl(const RoofAcceleration& roof, const Block& block, int substeps) {
+  require_finite(roof.horizontal_mps2, "the horizontal roof acceleration");
+  require_finite(roof.vertical_mps2, "the vertical roof acceleration");
+  GLISSADE_EXPECTS(substeps >= 1);
+  const double mirror = block.slope_rad < 0.0 ? -1.0 : 1.0;
+  const double slope = std::abs(block.slope_rad);
+  const auto sample = [&](std::size_t i) {
+    if (i >= roof.horizontal_mps2.size()) return block_detail::Roof{};
+    return block_detail::Roof{
+        mirror * roof.horizontal_factor * roof.horizontal_mps2[i],
+        roof.vertical_mps2.empty() ? 0.0 : roof.vertical_factor * roof.vertical_mps2[i]};
+  };
+  const bool slides_at_rest = block_detail::beyond_friction(std::tan(slope), block.friction) > 0.0;
+  // The end of the record, as in slide(): free sliding ends at the last sample, all others after
+  // one more interval to zero.
+  const std::size_t intervals =
+      slides_at_rest ? roof.horizontal_mps2.size() - 1 : block_detail::without_trailing_zeros(roof);
+  const double dt = roof.dt_s / substeps;
+
+  SteppedBlock body(block, slope);
+  for (std::size_t i = 0; i < intervals; ++i) {
+    const block_detail::Roof r0 = sample(i), r1 = sample(i + 1);
+    for (int j = 0; j < substeps; ++j) {
+      const double share = static_cast<double>(j) / substeps;
+      body.step({r0.a + share * (r1.a - r0.a), r0.w + share * (r1.w - r0.w)}, dt);
+    }
+  }
+  if (slides_at_rest) {
+    SlipResult result = body.result();
+    result.free_sliding = true;
+    return result;
+  }
+  const bool stopped = body.coast();
+  SlipResult result = body.result();
+  result.free_sliding = !stopped;
+  return result;
+}
+
+}  // namespace glissade

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glissade/block/on_building.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include "block/events/coupled_motion.hpp"
+#include "block/full_model/on_building_body.hpp"
+#include "glissade/building/rigid.hpp"
+#include "glissade/core/contract.hpp"
+#include "glissade/core/finite.hpp"
+
+namespace glissade {
+namespace {
+
+using block_detail::BuildingAxis;
+using block_detail::BuildingContact;
+using block_detail::OnBuildingBody;
+using block_detail::Shaken;
+using block_detail::Shaking;
+using block_detail::TwoAxisTrack;
+
+constexpr double longest_piece = 0.4;  // of phase: 1/16 period
+
+/// Number of pieces into which an interval must be divided, a power of two.
+int pieces(const Oscillator& oscillator, double dt_s) {
+  if (oscillator.period_s == 0.0) return 1;
+  const double phase = 2.0 * std::numbers::pi / oscillator.period_s * dt_s;
+  const double wanted = phase * (1.0 + 2.0 * oscillator.damping_ratio) / longest_piece;
+  return static_cast<int>(std::exp2(std::max(0.0, std::ceil(std::log2(wanted)))));
+}
+
+/// Until nothing can move the block again and the building's own peaks are past.
+void ring_down(OnBuildingBody& body, const Shaken& shaken, double longest_period_s, bool rigid) {
+  const double dt = shaken.dt_s();
+  const double last = std::ceil(RoofMotionOptions{}.longest_ring_down_s / dt);
+  const double from_s = body.time_s();
+  double at_rest_s = 0.0;
+  Shaking quiet;
+  quiet.length_s = dt;
+  for (std::size_t i = 1;; ++i) {
+    if (body.at_rest() && at_rest_s >= longest_period_s && body.is_settled()) return;
+    if (rigid || static_cast<double>(i) > last) break;
+    if (i == 1u << 20) block_detail::longest_ring_down(dt);  // refuses a step that is too short
+    body.interval(quiet, from_s + static_cast<double>(i) * dt);
+    at_rest_s = body.at_rest() ? at_rest_s + dt : 0.0;
+  }
+  if (body.will_stop()) body.coast(dt);
+}
+
+void check([[maybe_unused]] const BuildingGround& ground,
+           [[maybe_unused]] const BiaxialBuilding& building,
+           [[maybe_unused]] const TwoAxisBlock& block) {
+  [[maybe_unused]] const EllipticFriction& mu = block.friction;
+  require_finite({mu.along, mu.across, block.slope_rad, block.gravity_mps2, building.mass_ratio},
+                 "friction, slope, gravity, mass ratio");
+  for (std::size_t n : {0u, 1u})
+    require_finite({building.horizontal[n].period_s, building.horizontal[n].damping_ratio},
+                   "period, damping");
+  GLISSADE_EXPECTS(ground.horizontal[0] != nullptr);
+  [[maybe_unused]] const double step_s = ground.horizontal[0]->step_s();
+  GLISSADE_EXPECTS(ground.horizontal[1] == nullptr || ground.horizontal[1]->step_s() == step_s);
+  GLISSADE_EXPECTS(ground.vertical == nullptr || ground.vertical->step_s() == step_s);
+  GLISSADE_EXPECTS(mu.along >= 0.0 && mu.across >= 0.0 && (mu.along > 0.0) == (mu.across > 0.0));
+  GLISSADE_EXPECTS(block.slope_rad >= 0.0 && block.slope_rad < std::numbers::pi / 2);
+  GLISSADE_EXPECTS(block.law.static_ratio >= 1.0 && block.law.fast_ratio > 0.0 &&
+                   block.law.rate_spm >= 0.0);
+  for ([[maybe_unused]] std::size_t n : {0u, 1u}) {
+    GLISSADE_EXPECTS(building.horizontal[n].period_s >= 0.0 &&
+                     building.horizontal[n].damping_ratio >= 0.0);
+    GLISSADE_EXPECTS(building.yielding[n].yield_acceleration_mps2 > 0.0 &&
+                     building.yielding[n].hardening_ratio >= 0.0 &&
+                     building.yielding[n].hardening_ratio < 1.0);
+  }
+  GLISSADE_EXPECTS(coupling_is_regular(block, building));
+}
+
+block_detail::Mobility mobility(const BuildingContact& contact, const BiaxialBuilding& building) {
+  block_detail::Axes by_axis{};
+  for (std::size_t n = 0; n < 2; ++n)
+    if (building.horizontal[n].period_s > 0.0) by_axis[n] = building.mass_ratio;
+  return contact.mobility(by_axis);
+}
+
+}  // namespace
+
+bool coupling_is_regular(const TwoAxisBlock& block, const BiaxialBuilding& building) {
+  const BuildingContact contact(block);
+  return building.mass_ratio >= 0.0 && contact.is_regular(mobility(contact, building));
+}
+
+BuildingSlip slide_on_building(const BuildingGround& ground, const BuildingFactors& factors,
+                               const BiaxialBuilding& building, const TwoAxisBlock& block,
+                               double tolerance) {
+  return slide_on_building(ground, factors, building, block, {}, {}, tolerance);
+}
+
+BuildingSlip slide_on_building(const BuildingGround& ground, const BuildingFactors& factors,
+                               const BiaxialBuilding& building, const TwoAxisBlock& block,
+                               std::span<const double> thresholds_m, std::span<Crossing> crossings,
+                               double tolerance) {
+  check(ground, building, block);
+  GLISSADE_EXPECTS(crossings.size() == thresholds_m.size());
+  GLISSADE_EXPECTS(tolerance >= 1e-9 && tolerance <= 1e-2);
+  std::fill(crossings.begin(), crossings.end(), Crossing{});
+
+  const Shaken shaken(ground, factors);
+  const double dt = shaken.dt_s();
+  std::array<Oscillator, 2> oscillators = building.horizontal;
+  int cut = 1;
+  double longest_period_s = 0.0;
+  for (std::size_t n = 0; n < 2; ++n) {
+    Oscillator& oscillator = oscillators[n];
+    if (oscillator.period_s > 0.0) require_no_rigid_spring(oscillator, building.yielding[n], dt);
+    if (is_rigid(oscillator, dt)) oscillator.period_s = 0.0;
+    cut = std::max(cut, pieces(oscillator, dt));
+    longest_period_s = std::max(longest_period_s, oscillator.period_s);
+  }
+  longest_period_s *= std::sqrt(1.0 + building.mass_ratio);
+  const double r = building.mass_ratio, piece_s = dt / cut;
+  const BuildingContact contact(block);
+  OnBuildingBody body(contact,
+                      {BuildingAxis(oscillators[0], building.yielding[0], r, piece_s),
+                       BuildingAxis(oscillators[1], building.yielding[1], r, piece_s)},
+                      r, cut, tolerance,
+                      TwoAxisTrack(contact.loading().to_plan(), thresholds_m, crossings));
+
+  // Padding changes nothing, to the last bit; free sliders end with the record.
+  const bool slides_at_rest =
+      block_detail::beyond_friction(contact.loading().tan_slope(),
+                                    contact.friction_at_rest().along()) > 0.0;
+  const std::size_t n = slides_at_rest ? shaken.last_sample() : shaken.quiet_from();
+  for (std::size_t i = 0; i < n;) {
+    if (body.at_rest() && cut == 1) i = body.rest_through(shaken, i, n);
+    if (i == n) break;
+    body.interval(shaken.after(i), static_cast<double>(i + 1) * dt);
+    ++i;
+  }
+  if (!slides_at_rest && body.will_stop())
+    ring_down(body, shaken, longest_period_s, longest_period_s == 0.0);
+
+  BuildingSlip result;
+  result.slip = body.result();
+  result.slip.free_sliding = slides_at_rest || !body.at_rest();
+  for (std::size_t k = 0; k < 2; ++k) {
+    result.peak_base_shear[k] = body.peaks().elastic[k] / block.gravity_mps2;
+    if (oscillators[k].period_s == 0.0) continue;
+    const double omega = 2.0 * std::numbers::pi / oscillators[k].period_s;
+    result.peak_roof_displacement_m[k] = body.peaks().x[k] / (omega * omega);
+  }
+  return result;
+}
+
+}  // namespace glissade

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "block/full_model/on_building_body.hpp"
+
+#include <utility>
+
+#include "glissade/core/not_converged.hpp"
+
+namespace glissade::block_detail {
+OnBuildingBody::OnBuildingBody(const BuildingContact& contact,
+                               const std::array<BuildingAxis, 2>& axes, double mass_ratio,
+                               int pieces, double tolerance, TwoAxisTrack track)
+    : contact_(contact),
+      axes_(axes),
+      mass_ratio_(mass_ratio),
+      mobility_(contact.mobility(
+          {axes[0].rigid() ? 0.0 : mass_ratio, axes[1].rigid() ? 0.0 : mass_ratio})),
+      pieces_(pieces),
+      tolerance_(tolerance),
+      strongest_(contact.strongest(mobility_)),
+      track_(std::move(track)) {
+  const FrictionEllipse& friction = contact_.friction_at_rest();
+  const TwoAxisLoading& loading = contact_.loading();
+  margin_per_a_ = loading.tan_slope() +
+                  std::max(1.0 / friction.along(), 1.0 / (friction.across() * loading.cos_slope()));
+  margin_per_w_ = 1.0 + loading.tan_slope() / friction.along();
+}
+
+void OnBuildingBody::interval(const Shaking& shaking, double end_s) {
+  if (pieces_ == 1) return advance(shaking, end_s);
+  const double begin_s = time_s_;
+  for (int i = 0; i < pieces_; ++i) {
+    Shaking piece = shaking;
+    const double to = static_cast<double>(i + 1) / pieces_;
+    piece.part(static_cast<double>(i) / pieces_, to);
+    advance(piece, i + 1 == pieces_ ? end_s : begin_s + to * (end_s - begin_s));
+  }
+}
+
+void OnBuildingBody::advance(Shaking piece, double end_s) {
+  if (!sliding_ && rest_quickly(piece)) {
+    time_s_ = end_s;
+    return;
+  }
+  const double whole_s = piece.length_s;
+  // Steps shrink geometrically toward a stop, so some dozens suffice; the bound only guards against
+  // rounding.
+  for (int steps = 0; steps < 1000000; ++steps) {
+    const double share = sliding_ ? slide(piece) : rest(piece);
+    if (!((1.0 - share) * piece.length_s > 1e-14 * whole_s)) {
+      time_s_ = end_s;
+      return;
+    }
+    time_s_ = std::min(time_s_ + share * piece.length_s, end_s);
+    piece.cut(share);
+  }
+  throw NotConverged("slide_on_building: too many steps inside one sample interval");
+}
+
+void OnBuildingBody::raise_peaks(std::size_t axis, const AxisSeries& motion, double share) {
+  const auto raise = [share](double& peak, const Series& of) {
+    if (of.bound() > peak) peak = std::max(peak, largest(of, share));
+  };
+  if (motion.largest_elastic > peaks_.elastic[axis]) raise(peaks_.elastic[axis], motion.elastic);
+  if (motion.largest_x > peaks_.x[axis]) raise(peaks_.x[axis], motion.x);
+}
+
+void OnBuildingBody::start(Vector acceleration, const Shaking& piece) {
+  // What rounding alone sets in motion must not set the scale of the errors.
+  const double gravity = contact_.loading().gravity() + piece.w(0.0);
+  peak_speed_ = std::max(peak_speed_, 1e-9 * piece.length_s * std::abs(gravity));
+  sliding_ = true;
+  now_ = {{}, acceleration};
+  friction_now_ = {};
+  step_s_ = never;
+  ++phases_;
+}
+
+void OnBuildingBody::coast(double step_s) {
+  axes_ = {BuildingAxis({}, {}, 0.0, step_s), BuildingAxis({}, {}, 0.0, step_s)};
+  mass_ratio_ = 0.0;
+  mobility_ = {};
+  strongest_ = contact_.strongest(mobility_);
+  const Load load = contact_.loading().at(0.0, 0.0, 0.0);
+  const double least_brake =
+      contact_.least_factor(now_.v) * contact_.friction().along() * load.normal -
+      std::abs(load.drive.s);
+  for (int steps = 0; sliding_; ++steps) {
+    if (steps == 100000) throw NotConverged("slide_on_building: does not come to rest");
+    Shaking still;
+    // A quarter of the longest that can be left, straight down the slope.
+    still.length_s = std::max(step_s, 0.25 * length(now_.v) / least_brake);
+    advance(still, time_s_ + still.length_s);
+  }
+}
+
+bool OnBuildingBody::will_stop() const {
+  if (!sliding_) return true;
+  const double mu = contact_.least_factor(now_.v) * contact_.friction().along();
+  return beyond_friction(contact_.loading().tan_slope(), mu) < 0.0;
+}
+
+bool OnBuildingBody::is_settled() const {
+  if (sliding_) return false;
+  const double a1 = axes_[0].largest_to_come_mps2(), a2 = axes_[1].largest_to_come_mps2();
+  if (a1 == never || a2 == never) return false;
+  const TwoAxisLoading& of = contact_.loading();
+  const double c = std::abs(of.cos_azimuth()), s = std::abs(of.sin_azimuth());
+  const double along = c * a1 + s * a2, across = s * a1 + c * a2;
+  const Load worst{{of.gravity() * of.tan_slope() + along, across / of.cos_slope()},
+                   of.gravity() - along * of.tan_slope()};
+  return contact_.friction_at_rest().may_rest(worst);
+}
+
+TwoAxisResult OnBuildingBody::result() const {
+  TwoAxisResult r = track_.result();
+  r.slip_phases = phases_;
+  r.uplift = uplift_;
+  return r;
+}
+
+}  // namespace glissade::block_detail

@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Block and building while the block sticks.
+#include "block/full_model/on_building_body.hpp"
+
+namespace glissade::block_detail {
+namespace {
+
+/// Without the terms beyond the last, which are below rounding on a piece of longest_phase.
+Series product(const Series& a, const Series& b) {
+  Series s;
+  s.terms = std::min(a.terms + b.terms - 1, Series::most_terms);
+  for (int k = 0; k < s.terms; ++k) {
+    s.c[k] = 0.0;
+    for (int i = std::max(0, k - b.terms + 1); i <= k && i < a.terms; ++i)
+      s.c[k] += a.c[i] * b.c[k - i];
+  }
+  return s;
+}
+
+/// FrictionEllipse::excess over a piece.
+Series excess(const FrictionEllipse& friction, const TwoAxisLoading& loading,
+              const AxisSeries (&axis)[2], double mass, const Shaking& shaking) {
+  Series s, y, n;
+  s.terms = y.terms = n.terms =
+      std::max({axis[0].elastic.terms, axis[1].elastic.terms, shaking.vertical_terms});
+  for (int k = 0; k < s.terms; ++k) {
+    const double a1 = coefficient(axis[0].elastic, k) / mass,
+                 a2 = coefficient(axis[1].elastic, k) / mass;
+    const double w = shaking.coefficient(k);
+    const Load load = k == 0 ? loading.at(a1, a2, w) : loading.change(a1, a2, w);
+    s.c[k] = load.drive.s;
+    y.c[k] = friction.to_circle() * load.drive.y;
+    n.c[k] = friction.along() * load.normal;
+  }
+  Series e = product(s, s);
+  const Series y2 = product(y, y), n2 = product(n, n);
+  for (int k = 0; k < e.terms; ++k) e.c[k] = (e.c[k] - n2.c[k]) + y2.c[k];
+  return e;
+}
+
+/// Lifted or not, a block stays where it is on a flat roof that does not move sideways.
+bool drives(const TwoAxisLoading& loading, const AxisSeries (&axis)[2]) {
+  const auto moves = [](const AxisSeries& motion) {
+    const Series& e = motion.elastic;
+    return std::any_of(e.c.begin(), e.c.begin() + e.terms, [](double c) { return c != 0.0; });
+  };
+  return loading.tan_slope() != 0.0 || moves(axis[0]) || moves(axis[1]);
+}
+
+}  // namespace
+
+double OnBuildingBody::rest(const Shaking& piece) {
+  const double mass = 1.0 + mass_ratio_;
+  const AxisSeries motion[2] = {axes_[0].motion(piece.length_s, piece.ground[0], mass),
+                                axes_[1].motion(piece.length_s, piece.ground[1], mass)};
+  const FrictionEllipse& friction = contact_.friction_at_rest();
+  const Load begin = contact_.loading().at(motion[0].elastic.c[0] / mass,
+                                           motion[1].elastic.c[0] / mass, piece.w(0.0));
+  uplift_ = uplift_ || begin.normal < 0.0;
+  const double release = !drives(contact_.loading(), motion) ? never
+                         : friction.may_rest(begin)
+                             ? first_rise(excess(friction, contact_.loading(), motion, mass, piece))
+                             : 0.0;
+  double yield[2], share = std::min(release, 1.0);
+  for (std::size_t n = 0; n < 2; ++n) {
+    yield[n] = axes_[n].next_yield(motion[n]);
+    share = std::min(share, yield[n]);
+  }
+  for (std::size_t n = 0; n < 2; ++n) {
+    raise_peaks(n, motion[n], share);
+    axes_[n].follow(motion[n], share);
+  }
+  if (share == 1.0) return 1.0;  // what happens there begins the next piece
+  bool yielded = false;
+  for (std::size_t n = 0; n < 2; ++n) {
+    if (yield[n] != share) continue;
+    axes_[n].yield();
+    yielded = true;
+  }
+  if (yielded) return share;
+  // Released by as much as Coulomb's law holds it back, a block has no acceleration yet.
+  const bool jumps = share == 0.0 || contact_.law().static_ratio != 1.0;
+  Vector a;
+  if (jumps) {
+    Axes e;
+    for (std::size_t n = 0; n < 2; ++n)
+      e[n] = axes_[n].rigid() ? piece.ground[n].at(share) : axes_[n].elastic();
+    a = contact_.release_acceleration(e, piece.w(share), mobility_);
+  }
+  start(a, piece);
+  return share;
+}
+
+namespace {
+
+/// The two axes of the building side by side over whole pieces at rest: s the spring forces, E and
+/// sag as below. A rigid axis has no state, and E = mass a_ground.
+struct RestSteps {
+  double xx[2], xy[2], yx[2], yy[2], x_start[2], x_end[2], y_start[2], y_end[2];
+  double twice_zeta[2], phase[2], carried[2], per_left[2];
+  double per_mass;
+
+  RestSteps(const std::array<BuildingAxis, 2>& axes, double mass) : per_mass(1.0 / mass) {
+    for (std::size_t n = 0; n < 2; ++n) {
+      const BuildingAxis::RestStep& c = axes[n].rest_step();
+      xx[n] = c.xx;
+      xy[n] = c.xy;
+      yx[n] = c.yx;
+      yy[n] = c.yy;
+      x_start[n] = c.x_start;
+      x_end[n] = c.x_end;
+      y_start[n] = c.y_start;
+      y_end[n] = c.y_end;
+      twice_zeta[n] = axes[n].twice_zeta();
+      phase[n] = axes[n].phase();
+      carried[n] = axes[n].rigid() ? mass : 0.0;
+      const double left = 1.0 - (phase[n] + twice_zeta[n]) * phase[n] * per_mass;
+      per_left[n] = left > 0.0 ? 1.0 / left : never;
+    }
+  }
+};
+
+struct RestNode {
+  double s[2], y[2], ground[2], e[2];
+};
+
+RestNode next_node(const RestSteps& c, const RestNode& now, double ground_1, double ground_2) {
+  RestNode next;
+  next.ground[0] = ground_1;
+  next.ground[1] = ground_2;
+  for (std::size_t n = 0; n < 2; ++n) {
+    const double a0 = now.ground[n], a1 = next.ground[n];
+    next.s[n] = c.xx[n] * now.s[n] + c.xy[n] * now.y[n] - (c.x_start[n] * a0 + c.x_end[n] * a1);
+    next.y[n] = c.yy[n] * now.y[n] - c.yx[n] * now.s[n] - (c.y_start[n] * a0 + c.y_end[n] * a1);
+    next.e[n] = c.carried[n] * a1 - (c.twice_zeta[n] * next.y[n] + next.s[n]);
+  }
+  return next;
+}
+
+/// Largest departure of E and s from their chords over a piece: 1/8 of the largest second
+/// derivative. With z = a - a_ground, mass m, ' over the piece:
+///   s' = phase y,  y' = phase z,  z' = -phase (y + 2 zeta z) / m - a_ground',
+/// so that |z| <= (|z_0| + phase |y_0| / m + |a_ground'|) / (1 - (phase^2 + 2 zeta phase) / m).
+struct Sag {
+  double e[2], s[2];
+};
+Sag sag_after(const RestSteps& c, const RestNode& now, const RestNode& next) {
+  Sag sag;
+  for (std::size_t n = 0; n < 2; ++n) {
+    const double phase = c.phase[n], zeta2 = c.twice_zeta[n];
+    const double rise = std::abs(next.ground[n] - now.ground[n]), y0 = std::abs(now.y[n]);
+    const double z0 = std::abs(now.e[n] * c.per_mass - now.ground[n]);
+    const double z = (z0 + phase * y0 * c.per_mass + rise) * c.per_left[n];
+    const double z_rate = phase * (y0 + (phase + zeta2) * z) * c.per_mass + rise;
+    sag.s[n] = 0.125 * phase * phase * z;
+    sag.e[n] = sag.s[n] + 0.125 * phase * zeta2 * z_rate;
+  }
+  return sag;
+}
+
+}  // namespace
+
+/// Whole pieces without events, by bounds on the departure of the motion from its chord: while
+/// m = N - |M^-1 F| > 0 the block sticks, and m is concave, so that on the chord it is not less
+/// than at the ends.
+template <class Nodes>
+std::size_t OnBuildingBody::rest_over(const Nodes& nodes, std::size_t from, std::size_t to) {
+  const FrictionEllipse& friction = contact_.friction_at_rest();
+  if (axes_[0].flows() || axes_[1].flows() || friction.smallest() == 0.0) return from;
+  const TwoAxisLoading loading = contact_.loading();
+  const double mass = 1.0 + mass_ratio_, per_mass = 1.0 / mass;
+  const double per_along = 1.0 / friction.along(), per_across = 1.0 / friction.across();
+  const RestSteps steps(axes_, mass);
+  const auto margin = [&](const RestNode& node, double w) {
+    const Load load = loading.at(node.e[0] * per_mass, node.e[1] * per_mass, w);
+    return load.normal - length({per_along * load.drive.s, per_across * load.drive.y});
+  };
+  RestNode now;
+  double yield_from[2], yield_left[2];
+  for (std::size_t n = 0; n < 2; ++n) {
+    const BuildingAxis& axis = axes_[n];
+    now.s[n] = axis.rigid() ? 0.0 : axis.spring();
+    now.y[n] = axis.y();
+    now.ground[n] = nodes.ground(n, from);
+    now.e[n] = axis.rigid() ? mass * now.ground[n] : axis.elastic();
+    yield_from[n] = now.s[n];
+    yield_left[n] = axis.yield_left();
+  }
+  const auto hold = [&](const RestNode& node) {
+    for (std::size_t n = 0; n < 2; ++n)
+      if (!axes_[n].rigid()) axes_[n].rest_to(node.s[n], node.y[n]);
+  };
+  const bool yields = axes_[0].yields() || axes_[1].yields();
+  double before = margin(now, nodes.w(from));
+  std::size_t i = from;
+  for (; i < to; ++i) {
+    const RestNode next = next_node(steps, now, nodes.ground(0, i + 1), nodes.ground(1, i + 1));
+    const Sag sag = sag_after(steps, now, next);
+    const double after = margin(next, nodes.w(i + 1));
+    const double needed =
+        (sag.e[0] + sag.e[1]) * per_mass * margin_per_a_ + nodes.w_sag(i) * margin_per_w_;
+    if (!(std::min(before, after) > needed * (1.0 + 1e-9))) break;
+    if (yields) {
+      bool may_yield = false;
+      for (std::size_t n = 0; n < 2; ++n)
+        may_yield |=
+            std::max(std::abs(now.s[n] - yield_from[n]), std::abs(next.s[n] - yield_from[n])) +
+                sag.s[n] >=
+            yield_left[n];
+      if (may_yield) break;
+    }
+    for (std::size_t n = 0; n < 2; ++n) {
+      const double moved = yields ? std::abs(axes_[n].x() - yield_from[n]) : 0.0;
+      const double e = std::max(std::abs(now.e[n]), std::abs(next.e[n])) + sag.e[n],
+                   x = std::max(std::abs(now.s[n]), std::abs(next.s[n])) + sag.s[n] + moved;
+      if (!(e > peaks_.elastic[n] || x > peaks_.x[n])) continue;
+      hold(now);
+      for (std::size_t k = 0; k < 2; ++k) {
+        yield_from[k] = now.s[k];
+        yield_left[k] = axes_[k].yield_left();
+      }
+      raise_peaks(n, axes_[n].motion(nodes.dt_s(), {now.ground[n], next.ground[n]}, mass), 1.0);
+    }
+    now = next;
+    before = after;
+  }
+  if (i > from) hold(now);
+  return i;
+}
+
+std::size_t OnBuildingBody::rest_through(const Shaken& shaken, std::size_t from, std::size_t to) {
+  const std::size_t i = rest_over(shaken, from, to);
+  time_s_ = static_cast<double>(i) * shaken.dt_s();
+  return i;
+}
+
+bool OnBuildingBody::rest_quickly(const Shaking& piece) {
+  struct Ends {
+    const Shaking& piece;
+    double dt_s() const { return piece.length_s; }
+    double ground(std::size_t n, std::size_t i) const {
+      return i == 0 ? piece.ground[n].begin : piece.ground[n].end;
+    }
+    double w(std::size_t i) const { return piece.w(i == 0 ? 0.0 : 1.0); }
+    double w_sag(std::size_t) const { return piece.w_sag(); }
+  };
+  return rest_over(Ends{piece}, 0, 1) == 1;
+}
+
+}  // namespace glissade::block_detail

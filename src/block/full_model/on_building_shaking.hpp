@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+
+#include "block/full_model/on_building_axis.hpp"
+#include "block/polynomial/power_series.hpp"
+#include "glissade/block/on_building.hpp"
+
+namespace glissade::block_detail {
+
+/// Excitation of the building over a piece of time: the ground along both axes, linear, and the
+/// vertical roof acceleration, a polynomial in the elapsed fraction of the piece.
+struct Shaking {
+  double length_s = 0.0;
+  std::array<Ramp, 2> ground{};
+  std::array<double, 5> vertical{};  ///< coefficients of the powers of the fraction
+  int vertical_terms = 0;            ///< 0: none, 2: linear, 5
+
+  double w(double share) const {
+    double sum = 0.0;
+    for (int k = vertical_terms; k-- > 0;)
+      sum = sum * share + vertical[static_cast<std::size_t>(k)];
+    return sum;
+  }
+  double coefficient(int k) const {
+    return k < vertical_terms ? vertical[static_cast<std::size_t>(k)] : 0.0;
+  }
+  /// Bound of the departure of w from the line between its values at both ends.
+  double w_sag() const {
+    double sum = 0.0;
+    for (std::size_t k = 2; k < 5; ++k) sum += std::abs(vertical[k]);
+    return vertical_terms > 2 ? sum : 0.0;
+  }
+  /// No |w| is larger.
+  double largest_w() const {
+    double sum = 0.0;
+    for (int k = 0; k < vertical_terms; ++k) sum += std::abs(coefficient(k));
+    return sum;
+  }
+  /// Keeps the part after y.
+  void cut(double y) { part(y, 1.0); }
+  /// Keeps the part between two fractions.
+  void part(double from, double to) {
+    const double share = to - from;
+    for (Ramp& g : ground) g = {g.at(from), to == 1.0 ? g.end : g.at(to)};
+    // Horner's shift to `from`, then a change of scale.
+    for (int i = 0; i < vertical_terms; ++i)
+      for (int k = vertical_terms - 1; k-- > i;)
+        vertical[static_cast<std::size_t>(k)] += from * vertical[static_cast<std::size_t>(k) + 1];
+    double scale = 1.0;
+    for (double& c : vertical) {
+      c *= scale;
+      scale *= share;
+    }
+    length_s *= share;
+  }
+};
+
+/// Excitation of the building, interval by interval.
+class Shaken {
+ public:
+  Shaken(const BuildingGround& ground, const BuildingFactors& factors)
+      : ground_(ground), factors_(factors) {
+    for (std::size_t n = 0; n < 2; ++n) {
+      const GroundTable* axis = ground.horizontal[n].get();
+      if (axis == nullptr) continue;
+      acceleration_mps2_[n] = axis->acceleration_mps2().data();
+      samples_[n] = axis->quiet_from();
+      quiet_from_ = std::max(quiet_from_, axis->quiet_from());
+      last_sample_ = std::max(last_sample_, axis->last_sample());
+    }
+    if (ground.vertical == nullptr) return;
+    const MotionTable& up = *ground.vertical;
+    vertical_ = up.at_nodes();
+    vertical_end_ = up.end;
+    last_sample_ = std::max(last_sample_, up.ground->last_sample());
+    quiet_from_ = std::max(quiet_from_, vertical_end_ + (up.rigid() ? 0 : 1));
+  }
+
+  double dt_s() const { return ground_.horizontal[0]->step_s(); }
+  /// The first node from which on the excitation is zero.
+  std::size_t quiet_from() const { return quiet_from_; }
+  std::size_t last_sample() const { return last_sample_; }
+
+  /// The ground at node i, and the vertical.
+  double ground(std::size_t n, std::size_t i) const {
+    return i < samples_[n] ? factors_.horizontal[n] * acceleration_mps2_[n][i] : 0.0;
+  }
+  double w(std::size_t i) const {
+    return ground_.vertical != nullptr && i <= vertical_end_
+               ? factors_.vertical * vertical_.acceleration_mps2(i)
+               : 0.0;
+  }
+  /// Bound of the departure of w from the line between nodes i and i + 1.
+  double w_sag(std::size_t i) const {
+    return ground_.vertical == nullptr || ground_.vertical->rigid() ? 0.0 : after(i).w_sag();
+  }
+
+  /// The interval after node i.
+  Shaking after(std::size_t i) const {
+    Shaking s;
+    s.length_s = dt_s();
+    for (std::size_t n = 0; n < 2; ++n) s.ground[n] = {ground(n, i), ground(n, i + 1)};
+    if (ground_.vertical != nullptr && i <= vertical_end_) set_vertical(s, i);
+    return s;
+  }
+
+ private:
+  /// After the end of its table the vertical of an oscillator goes linearly to zero.
+  void set_vertical(Shaking& s, std::size_t i) const {
+    const double f = factors_.vertical;
+    const double begin = f * vertical_.acceleration_mps2(i);
+    if (i == vertical_end_ || vertical_.rigid()) {
+      const double end = i == vertical_end_ ? 0.0 : f * vertical_.acceleration_mps2(i + 1);
+      s.vertical = {begin, end - begin};
+      s.vertical_terms = 2;
+      return;
+    }
+    const Quartic q = vertical_.acceleration_after(i);
+    const double* b = q.b;
+    s.vertical = {f * b[0], f * 4.0 * (b[1] - b[0]), f * 6.0 * ((b[2] - b[1]) - (b[1] - b[0])),
+                  f * 4.0 * ((b[3] - b[0]) - 3.0 * (b[2] - b[1])),
+                  f * ((b[4] - b[3]) - 3.0 * (b[3] - b[2]) + 3.0 * (b[2] - b[1]) - (b[1] - b[0]))};
+    s.vertical_terms = 5;
+  }
+
+  const BuildingGround& ground_;
+  const BuildingFactors& factors_;
+  std::array<const double*, 2> acceleration_mps2_{};
+  std::array<std::size_t, 2> samples_{};
+  MotionNodes vertical_;
+  std::size_t vertical_end_ = 0, quiet_from_ = 1, last_sample_ = 0;
+};
+
+}  // namespace glissade::block_detail

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "block/contact/on_building_contact.hpp"
+#include "block/full_model/on_building_axis.hpp"
+#include "block/full_model/two_axis_step.hpp"
+
+namespace glissade::block_detail {
+
+/// Effect of the block on an axis of the building since the start of a step.
+struct Added {
+  double x = 0.0, y = 0.0;
+};
+
+/// Response of an axis to that effect.
+struct AxisResponse {
+  double omega_radps = 0.0, twice_zeta = 0.0, stiffness = 1.0, mass_ratio = 0.0;
+};
+
+struct BuildingStep {
+  ContactState end;
+  std::array<Added, 2> added{};
+  Axes added_rate{};   ///< of added.y, at the end
+  double error = 0.0;  ///< of end.v, estimated
+};
+
+/// Motion of the uncoupled roof at the stages of a step.
+struct StageLoads {
+  static constexpr std::size_t stages = 5;
+  static constexpr double at[stages] = {1.0 / 4, 3.0 / 4, 11.0 / 20, 1.0 / 2, 1.0};
+  double e[2][stages];
+  double w[stages];
+};
+
+/// SDIRK4 (two_axis_step.hpp) of block and building together. The response of the building alone is
+/// exact (`loads`); only the effect of the block is integrated, xi'' + 2 zeta omega xi' + k xi =
+/// -push. In a stage xi follows from the push in closed form, which only changes e and R:
+///   a = [e + b / (1 + beta)] - push / (1 + beta),   beta = own omega (2 zeta + k own omega)
+/// By the balance of momentum an error in xi' is m/M times that in v, so v alone is controlled.
+template <bool kFeels>
+BuildingStep building_sdirk4(Vector v, Vector guess, double length_s, double enough,
+                             const StageLoads& loads, const BuildingContact& contact,
+                             const std::array<AxisResponse, 2>& axes, const Mobility& at_once) {
+  constexpr int stages = StageLoads::stages;
+  constexpr double gamma = 0.25;
+  constexpr double a[stages][stages - 1] = {{},
+                                            {1.0 / 2},
+                                            {17.0 / 50, -1.0 / 25},
+                                            {371.0 / 1360, -137.0 / 2720, 15.0 / 544},
+                                            {25.0 / 24, -49.0 / 48, 125.0 / 16, -85.0 / 12}};
+  constexpr double difference[stages] = {-3.0 / 16, -27.0 / 32, 25.0 / 32, 0.0, 1.0 / 4};
+
+  const double own = gamma * length_s;
+  double spring[2] = {}, gives[2] = {};
+  Mobility mobility;
+  if constexpr (kFeels) {
+    for (std::size_t n = 0; n < 2; ++n) {
+      const double phase = own * axes[n].omega_radps;
+      spring[n] = axes[n].twice_zeta + axes[n].stiffness * phase;
+      gives[n] = 1.0 / (1.0 + phase * spring[n]);
+    }
+    mobility = contact.mobility({axes[0].mass_ratio * gives[0], axes[1].mass_ratio * gives[1]});
+  }
+
+  BuildingStep step;
+  Vector k[stages], error;
+  Added rate[stages][2];
+  // Unrolled, the tableau's numbers are constants and its zeros vanish.
+#pragma GCC unroll 5
+  for (int i = 0; i < stages; ++i) {
+    Vector known{};
+#pragma GCC unroll 5
+    for (int j = 0; j < i; ++j) known = known + a[i][j] * k[j];
+    known = v + length_s * known;
+    Axes e{loads.e[0][i], loads.e[1][i]};
+    if constexpr (kFeels) {
+      Added before[2];
+      Axes rest{};  // of xi's own forces
+      for (std::size_t n = 0; n < 2; ++n) {
+        for (int j = 0; j < i; ++j) {
+          before[n].x += a[i][j] * rate[j][n].x;
+          before[n].y += a[i][j] * rate[j][n].y;
+        }
+        before[n].x *= length_s;
+        before[n].y *= length_s;
+        rest[n] = -(axes[n].stiffness * before[n].x + spring[n] * before[n].y) * gives[n];
+        e[n] += rest[n];
+      }
+      step.end = contact.slide(known, own, e, loads.w[i], mobility, guess, enough);
+      for (std::size_t n = 0; n < 2; ++n) {
+        rate[i][n].y = axes[n].omega_radps * (rest[n] - step.end.push[n]);
+        step.added_rate[n] = rate[i][n].y;
+        step.added[n].y = before[n].y + own * rate[i][n].y;
+        rate[i][n].x = axes[n].omega_radps * step.added[n].y;
+        step.added[n].x = before[n].x + own * rate[i][n].x;
+      }
+      guess = step.end.friction;
+    } else {
+      step.end = contact.slide_unfelt(known, own, contact.loading().at(e[0], e[1], loads.w[i]));
+    }
+    k[i] = step.end.a;
+    error = error + difference[i] * k[i];
+  }
+  const Load turning{{}, step.end.normal * (1.0 + at_once.mean)};
+  step.error = length_s * length(damped(error, step.end.v, own, turning, contact.friction()));
+  return step;
+}
+
+}  // namespace glissade::block_detail

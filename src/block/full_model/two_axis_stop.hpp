@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "block/contact/two_axis_contact.hpp"
+
+namespace glissade::block_detail {
+
+/// Stop of a block.
+struct Stop {
+  double time_s = never;
+  Vector displacement;
+  double path = 0.0;
+  double fastest = 0.0;  ///< on the way
+
+  /// The fraction of a straight path after a fraction of the time, and its rate, from the speed at
+  /// its start: the cubic that ends at rest.
+  struct WayShare {
+    double way, rate;
+  };
+  WayShare way_share(double y, double speed) const {
+    const double begin = path > 0.0 ? speed * time_s / path : 0.0;
+    // way = begin y + b y^2 + c y^3 with way(1) = 1, way'(1) = 0
+    const double c = begin - 2.0, b = 1.0 - begin - c;
+    return {y * (begin + y * (b + y * c)), begin + y * (2.0 * b + y * 3.0 * c)};
+  }
+};
+
+/// With d and n = mu N constant on a circle (two_axis.hpp): never, where |d| >= n.
+inline Stop stop_under_constant_load(Vector v, Vector d, double n) {
+  const double margin = n * n - dot(d, d);
+  if (!(n > 0.0 && margin > 0.0)) return {};
+  const double speed = length(v), vd = dot(v, d);
+  const double beta = (2.0 * n * speed + vd) / (4.0 * n * n - dot(d, d));
+  const double gamma = (speed * speed + 3.0 * beta * vd) / (4.0 * margin);
+  const Vector displacement = beta * v + gamma * d;
+  // The speed changes by d cos(psi) - n: its integral over the path is the work balance.
+  return {(n * speed + vd) / margin, displacement, (0.5 * speed * speed + dot(d, displacement)) / n,
+          speed};
+}
+
+/// Along the line of `along`, a unit vector, under that part of the load: the quadratic of slide().
+inline Stop stop_on_a_line(double speed, Vector along, const Load& begin, const Load& end,
+                           double length_s, const FrictionEllipse& friction) {
+  const double mu = dot(along, friction.sliding(along));
+  const auto gain = [&](const Load& load) {
+    return dot(along, load.drive) - mu * std::max(load.normal, 0.0);
+  };
+  const double first = gain(begin), last = gain(end);
+  if (speed == 0.0 && !(first > 0.0)) return {};  // rounding on the threshold: it starts
+  const Line drive{first, (last - first) / length_s, last};
+  const double t = time_to_stop(speed, drive, length_s);
+  if (t == never) return {};
+  const double path = std::max(0.0, t * (speed + t * (0.5 * drive.value + drive.rate * t / 6.0)));
+  const double fastest =
+      first > 0.0 && last < first ? speed - 0.5 * first * first / drive.rate : speed;
+  return {t, path * along, path, fastest};
+}
+
+}  // namespace glissade::block_detail

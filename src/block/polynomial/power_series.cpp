@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "block/polynomial/power_series.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace glissade::block_detail {
+namespace {
+
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
+
+struct ValueAndSlope {
+  double value, slope;
+};
+ValueAndSlope at(const Series& f, double y) {
+  double value = 0.0, slope = 0.0;
+  for (int k = f.terms; k-- > 0;) {
+    slope = slope * y + value;
+    value = value * y + f.c[k];
+  }
+  return {value, slope};
+}
+
+double curvature_at(const Series& f, double y) {
+  double sum = 0.0;
+  for (int k = f.terms; k-- > 2;) sum = sum * y + Series::second[k] * f.c[k];
+  return sum;
+}
+
+struct Point {
+  double y, value;
+};
+
+/// The root of the first three terms between a and b, or else that of the chord.
+double first_guess(const Series& f, const Point& a, const Point& b) {
+  const double low = std::min(a.y, b.y), high = std::max(a.y, b.y);
+  if (f.terms > 2) {
+    const double c0 = f.c[0], c1 = f.c[1], c2 = f.c[2];
+    const double discriminant = c1 * c1 - 4.0 * c0 * c2;
+    const double q = -0.5 * (c1 + std::copysign(std::sqrt(std::max(discriminant, 0.0)), c1));
+    for (const double y : {c0 / q, q / c2})
+      if (y > low && y < high) return y;
+  }
+  return a.y + (b.y - a.y) * (a.value / (a.value - b.value));
+}
+
+/// The root of f between `above`, where f >= 0, and `below`, where f < 0 (in either order), to
+/// rounding: Newton's method kept inside the bracket. It doubles the correct digits, so the step
+/// after one of 1e-9 is below rounding.
+double root_between(const Series& f, const Point& above, const Point& below) {
+  double high = above.y, low = below.y;  // where f is so
+  double y = first_guess(f, above, below);
+  for (int i = 0; i < 100; ++i) {
+    const auto [value, slope] = at(f, y);
+    (value < 0.0 ? low : high) = y;
+    double next = y - value / slope;
+    const bool inside = next >= std::min(low, high) && next <= std::max(low, high);
+    if (!inside) next = 0.5 * (low + high);
+    if (std::abs(next - y) <= (inside ? 1e-9 : 2.0 * epsilon) * y) return next;
+    y = next;
+  }
+  return y;
+}
+
+/// Searches the first decrease below zero on shorter and shorter parts, until a part is monotone,
+/// or has curvature of one sign, or has no zero.
+class FallSearch {
+ public:
+  explicit FallSearch(const Series& f) : f_(f) {
+    for (int k = 2; k < f.terms; ++k) {
+      const double second = Series::second[k] * std::abs(f.c[k]);
+      most_curvature_ += second;
+      most_third_ += second * Series::order[k - 2];
+    }
+  }
+
+  /// f(a) >= 0.
+  double first_fall(const Point& a, const Point& b) const {
+    const double width = b.y - a.y;
+    // The chord, less the largest departure of the curve below it.
+    if (std::min(a.value, b.value) > 0.125 * most_curvature_ * width * width) return never;
+    const double middle = a.y + 0.5 * width;
+    const auto [value, slope] = at(f_, middle);
+    if (std::abs(slope) > 0.5 * most_curvature_ * width) return at_end(a, b);
+    const double bend = curvature_at(f_, middle);
+    if (std::abs(bend) > 0.5 * most_third_ * width)
+      return bend < 0.0 ? at_end(a, b) : below_minimum(a, b);
+    if (!(width > epsilon)) return b.value < 0.0 ? b.y : never;
+    const double found = first_fall(a, {middle, value});
+    return found != never ? found : first_fall({middle, value}, b);
+  }
+
+ private:
+  double at_end(const Point& a, const Point& b) const {
+    return b.value < 0.0 ? root_between(f_, a, b) : never;
+  }
+  double below_minimum(const Point& a, const Point& b) const {
+    const double slope_a = at(f_, a.y).slope, slope_b = at(f_, b.y).slope;
+    if (slope_a >= 0.0) return never;
+    if (slope_b <= 0.0) return at_end(a, b);
+    const double lowest = root_between(f_.slope(), {b.y, slope_b}, {a.y, slope_a});
+    const double value = f_.at(lowest);
+    return value < 0.0 ? root_between(f_, a, {lowest, value}) : never;
+  }
+
+  const Series& f_;
+  double most_curvature_ = 0.0, most_third_ = 0.0;
+};
+
+/// With the value at a turn before `end`: where the slope changes sign, first down, or first up.
+double at_turn(const Series& series, double end, Sign slope_sign) {
+  const double turn = first_fall(series.slope(), slope_sign);
+  return turn > 0.0 && turn < end ? series.at(turn) : series.c[0];
+}
+
+}  // namespace
+
+double first_fall(const Series& series, Sign sign) {
+  const double one = sign == Sign::plus ? 1.0 : -1.0;
+  int zeros = 0;
+  while (zeros < series.terms && series.c[zeros] == 0.0) ++zeros;
+  if (zeros == series.terms) return never;
+  const double begin = one * series.c[zeros];
+  if (begin < 0.0) return 0.0;
+  double rest = 0.0;
+  for (int k = zeros + 1; k < series.terms; ++k) rest += std::min(one * series.c[k], 0.0);
+  if (begin + rest >= 0.0) return never;
+  Series f;  // without its root at the begin
+  f.terms = series.terms - zeros;
+  for (int k = 0; k < f.terms; ++k) f.c[k] = one * series.c[k + zeros];
+  return FallSearch(f).first_fall({0.0, begin}, {1.0, f.at(1.0)});
+}
+
+double highest(const Series& series, double end) {
+  return std::max({series.c[0], series.at(end), at_turn(series, end, Sign::plus)});
+}
+
+double largest(const Series& series, double end) {
+  const double low = at_turn(series, end, Sign::minus), high = at_turn(series, end, Sign::plus);
+  return std::max({std::abs(series.c[0]), std::abs(series.at(end)), std::abs(low), std::abs(high)});
+}
+
+}  // namespace glissade::block_detail

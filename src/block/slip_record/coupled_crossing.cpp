@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "block/slip_record/coupled_crossing.hpp"
+
+#include <algorithm>
+#include <functional>
+
+#include "glissade/core/contract.hpp"
+
+namespace glissade::block_detail {
+
+CoupledCrossings::CoupledCrossings(std::span<const double> thresholds_m,
+                                   std::span<Crossing> crossings, double cos_slope)
+    : thresholds_m_(thresholds_m), crossings_(crossings), cos_slope_(cos_slope) {
+  GLISSADE_EXPECTS(thresholds_m.size() == crossings.size());
+  GLISSADE_EXPECTS(thresholds_m.empty() || thresholds_m.front() > 0.0);
+  GLISSADE_EXPECTS(std::ranges::is_sorted(thresholds_m, std::less_equal<>()) ||
+                   thresholds_m.size() < 2);
+  std::ranges::fill(crossings_, Crossing{});
+}
+
+double CoupledCrossings::ahead_m(const SlipWay& way) const {
+  return thresholds_m_[next_] / cos_slope_ - way.direction * way.begin_m;
+}
+
+void CoupledCrossings::note(double time_s, double speed_mps) {
+  crossings_[next_++] = {time_s, speed_mps * cos_slope_};
+}
+
+void CoupledCrossings::follow(const SlipWay& way, const Series& speed, double length_s,
+                              double share, bool stops) {
+  while (reached(way.end_m)) {
+    Series left = speed.integral(length_s, 0.0);
+    for (int k = 1; k < left.terms; ++k) left.c[k] = -left.c[k];
+    left.c[0] = ahead_m(way);
+    // Near a stop the root is no better than the square root of rounding.
+    const bool at_rest = stops && std::abs(way.end_m) * cos_slope_ == thresholds_m_[next_];
+    const double y = at_rest ? share : std::min(first_fall(left), share);
+    note(way.time_s + y * length_s, at_rest ? 0.0 : std::max(speed.at(y), 0.0));
+  }
+}
+
+void CoupledCrossings::follow_to_rest(const SlipWay& way, double speed_mps,
+                                      double deceleration_mps2) {
+  while (reached(way.end_m)) {
+    const double energy = speed_mps * speed_mps - 2.0 * deceleration_mps2 * ahead_m(way);
+    const double speed = std::min(std::sqrt(std::max(energy, 0.0)), speed_mps);
+    note(way.time_s + (speed_mps - speed) / deceleration_mps2, speed);
+  }
+}
+
+void CoupledCrossings::arrive(double slip_m, double speed_mps, double time_s) {
+  while (reached(slip_m)) note(time_s, speed_mps);
+}
+
+}  // namespace glissade::block_detail

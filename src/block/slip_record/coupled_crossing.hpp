@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+#include "block/polynomial/power_series.hpp"
+#include "glissade/block/crossing.hpp"
+
+namespace glissade::block_detail {
+
+/// The block on its way one way, from slip `begin` to `end` along the slope, over time from
+/// `time_s` on.
+struct SlipWay {
+  int direction = 0;  ///< +1 down, -1 up
+  double begin_m = 0.0, end_m = 0.0;
+  double time_s = 0.0;
+};
+
+/// Notes when the block first has given distances, in plan, from where it lay.
+class CoupledCrossings {
+ public:
+  CoupledCrossings() = default;
+  /// @param thresholds_m > 0, increasing
+  CoupledCrossings(std::span<const double> thresholds_m, std::span<Crossing> crossings,
+                   double cos_slope);
+
+  bool reached(double slip_m) const {
+    return next_ < thresholds_m_.size() && std::abs(slip_m) * cos_slope_ >= thresholds_m_[next_];
+  }
+  /// Over a share of a piece; at its end the block may have no speed.
+  void follow(const SlipWay& way, const Series& speed, double length_s, double share, bool stops);
+  /// Slowing down to rest.
+  void follow_to_rest(const SlipWay& way, double speed_mps, double deceleration_mps2);
+  /// What the slip has reached, it has reached now.
+  void arrive(double slip_m, double speed_mps, double time_s);
+
+ private:
+  /// How far the next threshold is along a way.
+  double ahead_m(const SlipWay& way) const;
+  void note(double time_s, double speed_mps);
+
+  std::span<const double> thresholds_m_;
+  std::span<Crossing> crossings_;
+  double cos_slope_ = 1.0;
+  std::size_t next_ = 0;
+};
+
+}  // namespace glissade::block_detail

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <ranges>
+#include <span>
+
+#include "block/events/sliding_block.hpp"
+#include "block/polynomial/linear_piece.hpp"
+#include "glissade/block/crossing.hpp"
+#include "glissade/core/contract.hpp"
+
+namespace glissade::block_detail {
+
+/// Time, not after `end`, at which a piece of sliding from speed v0 reaches a distance: the root of
+/// v0 t + travel(t), which does not decrease there. Newton's method, kept in its bracket, to
+/// rounding.
+template <class Piece>
+double share_at_distance(const Piece& piece, double v0, double distance, double end) {
+  const auto way = [&](double y) { return v0 * piece.length_s * y + piece.travel(y); };
+  if (!(distance > 0.0)) return 0.0;
+  if (!(way(end) > distance)) return end;
+  double low = 0.0, high = end, y = 0.5 * end;
+  for (int i = 0; i < 200; ++i) {
+    const double miss = way(y) - distance;
+    if (miss == 0.0) return y;
+    (miss > 0.0 ? high : low) = y;
+    const double step = miss / (piece.length_s * (v0 + piece.gain(y)));
+    if (std::abs(step) <= 0x1p-53 * y) return y;
+    const double next = y - step;
+    y = next > low && next < high ? next : 0.5 * (low + high);
+    if (y == low || y == high) return y;
+  }
+  return y;
+}
+
+/// Observes the sliding of a block, piece by piece, and records time and speed of the first
+/// crossing of each distance from the initial position. Slip is along the slope and has one
+/// direction within a piece.
+class CrossingWatch {
+ public:
+  /// @param factor of the motion that the slip is divided by (see Scaled)
+  CrossingWatch(std::span<const double> thresholds_m, std::span<Crossing> crossings,
+                double cos_slope, double factor = 1.0)
+      : thresholds_(thresholds_m), crossings_(crossings), cos_slope_(cos_slope), factor_(factor) {
+    GLISSADE_EXPECTS(thresholds_m.size() == crossings.size());
+    GLISSADE_EXPECTS(std::ranges::is_sorted(thresholds_m));
+    GLISSADE_EXPECTS(thresholds_m.empty() || thresholds_m.front() > 0.0);
+    std::ranges::fill(crossings, Crossing{});
+  }
+
+  /// The next threshold is not beyond this slip. Rounded like peak displacements, so that a
+  /// threshold is crossed exactly if the peak is at least as large, to the last bit.
+  bool passes(double slip) const {
+    return next_ < thresholds_.size() && in_plan(slip) >= thresholds_[next_];
+  }
+
+  /// A piece of sliding from `from`, up to its fraction `end`, where the block is at `to`.
+  template <class Piece>
+  void slides(const SlideState& from, const Piece& piece, double end, const SlideState& to) {
+    while (passes(to.slip)) {
+      const double target = thresholds_[next_] / (factor_ * cos_slope_);
+      const double distance = target - from.direction * from.slip;
+      const double y = share_at_distance(piece, from.speed, distance, end);
+      const bool at_end = y >= end || in_plan(to.slip) == thresholds_[next_];
+      note(at_end ? to.time : from.time + y * piece.length_s,
+           at_end ? to.speed : from.speed + piece.gain(y));
+    }
+  }
+
+  /// Several intervals of sliding without a stop: from node `first` to the fraction `end` of the
+  /// interval after node `last`, where the block is at `to`. Only those with a threshold are
+  /// searched.
+  /// @param state (node) -> SlideState; @param piece (node) -> the drive in the interval after it
+  template <class State, class PieceAt>
+  void slides(std::size_t first, std::size_t last, const State& state, const PieceAt& piece,
+              double end, const SlideState& to) {
+    while (passes(to.slip)) {
+      const auto nodes = std::views::iota(first, last);
+      const std::size_t node = *std::ranges::partition_point(
+          nodes, [&](std::size_t i) { return !passes(state(i + 1).slip); });
+      if (node < last) {
+        slides(state(node), piece(node), 1.0, state(node + 1));
+      } else {
+        slides(state(node), piece(node), end, to);
+      }
+      first = node;
+    }
+  }
+
+ private:
+  double in_plan(double slip) const { return factor_ * (std::abs(slip) * cos_slope_); }
+  void note(double time, double speed) {
+    crossings_[next_++] = {time, in_plan(std::max(speed, 0.0))};
+  }
+
+  std::span<const double> thresholds_;
+  std::span<Crossing> crossings_;
+  double cos_slope_, factor_;
+  std::size_t next_ = 0;  // thresholds before it are crossed
+};
+
+/// Passes the pieces that a SlidingBlock computes itself to a watch, if there is one.
+struct WatchHistory {
+  CrossingWatch* watch = nullptr;
+
+  void operator()(double, double, double) const {}
+  void slides(const SlideState& from, const Line& drive, double length,
+              const SlideState& to) const {
+    if (watch != nullptr)
+      watch->slides(from, LinearPiece(drive.value, drive.at(length), length), 1.0, to);
+  }
+};
+
+}  // namespace glissade::block_detail

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "block/slip_record/two_axis_track.hpp"
+
+namespace glissade::block_detail {
+namespace {
+
+/// The change of sign of a function from not positive at `low` to positive at `high`.
+template <class Function>
+double rise_between(const Function& f, double low, double high) {
+  for (int bisection = 0; bisection < 60; ++bisection) {
+    const double middle = 0.5 * (low + high);
+    (f(middle) > 0.0 ? high : low) = middle;
+  }
+  return high;
+}
+
+}  // namespace
+
+double first_reach(const Path& path, double radius) {
+  const auto beyond = [&](double t) { return length(path.displacement(t)) - radius; };
+  const auto recedes = [&](double t) { return -dot(path.displacement(t), path.velocity(t)); };
+  constexpr int parts = 8;
+  double from = 0.0;
+  for (int i = 1; i <= parts; ++i) {
+    const double to = static_cast<double>(i) / parts;
+    if (recedes(from) < 0.0 && recedes(to) > 0.0) {
+      const double farthest = rise_between(recedes, from, to);
+      if (beyond(farthest) >= 0.0) return rise_between(beyond, from, farthest);
+    }
+    if (beyond(to) >= 0.0) return rise_between(beyond, from, to);
+    from = to;
+  }
+  return never;
+}
+
+void TwoAxisTrack::slide(const Sliding& from, const Sliding& to, double length_s, double begin_s) {
+  const Path path(length_s, displacement_, scaled(from.v, to_plan_), scaled(from.a, to_plan_),
+                  scaled(to.v, to_plan_), scaled(to.a, to_plan_));
+  extremes_.along(path);
+  for (; waits_for(extremes_.displacement()); ++next_) {
+    const double share = std::min(first_reach(path, thresholds_[next_]), 1.0);
+    crossings_[next_] = {begin_s + share * length_s, length(path.velocity(share))};
+  }
+  displacement_ = path.end;
+  path_length_ += path.path_length();
+  duration_s_ += length_s;
+}
+
+void TwoAxisTrack::stop(const Stop& stop, double speed, double begin_s) {
+  const Vector way = scaled(stop.displacement, to_plan_), from = displacement_;
+  const double straight = length(stop.displacement), in_plan = length(way);
+  displacement_ = displacement_ + way;
+  extremes_.at(displacement_);
+  if (straight > 0.0) {  // its curved way is taken in plan as its chord is
+    path_length_ += stop.path * in_plan / straight;
+    extremes_.at_speed(stop.fastest * in_plan / straight);
+  }
+  duration_s_ += stop.time_s;
+  for (; waits_for(length(displacement_)); ++next_) {
+    const auto at = [&](double share) { return stop.way_share(share, speed); };
+    const auto beyond = [&](double share) {
+      return length(from + at(share).way * way) - thresholds_[next_];
+    };
+    const double share = rise_between(beyond, 0.0, 1.0);
+    crossings_[next_] = {begin_s + share * stop.time_s, at(share).rate * in_plan / stop.time_s};
+  }
+}
+
+bool TwoAxisTrack::may_cross(double way) const {
+  return waits_for(length(displacement_) + way * std::max(to_plan_.s, to_plan_.y));
+}
+
+TwoAxisResult TwoAxisTrack::result() const {
+  TwoAxisResult r;
+  r.peak_displacement_m = extremes_.displacement();
+  tell_peaks(extremes_, r);
+  r.residual = {displacement_.s, displacement_.y};
+  r.path_length_m = path_length_;
+  r.peak_velocity_mps = extremes_.speed();
+  r.slip_duration_s = duration_s_;
+  return r;
+}
+
+}  // namespace glissade::block_detail

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+
+#include "block/full_model/two_axis_step.hpp"
+#include "block/full_model/two_axis_stop.hpp"
+#include "block/slip_record/two_axis_extremes.hpp"
+#include "glissade/block/crossing.hpp"
+#include "glissade/block/two_axis.hpp"
+
+namespace glissade::block_detail {
+
+/// The fraction of a path at which it first is `radius` from the origin, or never. Its start is
+/// nearer.
+double first_reach(const Path& path, double radius);
+
+/// Path of a block, with the results of a history. Displacements are in plan.
+class TwoAxisTrack {
+ public:
+  /// @param crossings as many as thresholds, which increase
+  TwoAxisTrack(Vector to_plan, std::span<const double> thresholds_m, std::span<Crossing> crossings)
+      : to_plan_(to_plan), thresholds_(thresholds_m), crossings_(crossings) {}
+
+  Vector displacement() const { return displacement_; }
+  double path_length() const { return path_length_; }
+  double duration_s() const { return duration_s_; }
+
+  /// A step of sliding.
+  void slide(const Sliding& from, const Sliding& to, double length_s, double begin_s);
+  /// The path to the stop, straight or short enough to be taken as straight.
+  void stop(const Stop& stop, double speed, double begin_s);
+  /// Whether a path of this length may reach a threshold.
+  bool may_cross(double way) const;
+  /// In TwoAxisResult: all but phases and flags.
+  TwoAxisResult result() const;
+
+ private:
+  bool waits_for(double distance) const {
+    return next_ < thresholds_.size() && distance >= thresholds_[next_];
+  }
+
+  Vector to_plan_;
+  std::span<const double> thresholds_;
+  std::span<Crossing> crossings_;
+  std::size_t next_ = 0;  // threshold
+  Vector displacement_;
+  Extremes extremes_;
+  double path_length_ = 0.0, duration_s_ = 0.0;
+};
+
+}  // namespace glissade::block_detail
