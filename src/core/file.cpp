@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
                     suggestion, ""});
 }
 
-/// Owns an open file descriptor; `close` tells what a delayed write met.
+/// Owns an open file descriptor; `close` reports the error of a delayed write.
 class OutputFile {
  public:
   /// @param fd from ::open; @param shown the file the user named, for errors

@@ -49,7 +49,7 @@ PointFit fit_point_jeffreys(const StripeData& data, const ProbitLine& start) {
       return {FitStatus::failed, none, "there are no trials"};
     case StripeShape::single_level:
       return {FitStatus::failed, none,
-              "only one intensity level has trials: log_std cannot be told"};
+              "only one intensity level has trials: log_std cannot be determined"};
     case StripeShape::none_exceeded:
       return {FitStatus::lower_bound, none, ""};
     case StripeShape::all_exceeded:
@@ -73,12 +73,13 @@ PointFit fit_point(const CapacityData& data, const ProbitLine& start) {
         maximise([&](const ProbitLine& l) { return capacity_likelihood(data, l); }, start);
     return line ? PointFit{FitStatus::maximum_likelihood, *line, ""}
                 : PointFit{FitStatus::failed, none,
-                           "the capacities do not differ: log_std cannot be told"};
+                           "the capacities do not differ: log_std cannot be determined"};
   }
   const double mean = data.sum / data.count;
   const double variance = (data.sum_squares - mean * data.sum) / (data.count - 1);
   if (data.count < 2 || !(variance > 1e-24)) {
-    return {FitStatus::failed, none, "fewer than two different capacities: log_std cannot be told"};
+    return {FitStatus::failed, none,
+            "fewer than two different capacities: log_std cannot be determined"};
   }
   return {FitStatus::maximum_likelihood, ProbitLine(-mean, 1) / std::sqrt(variance), ""};
 }

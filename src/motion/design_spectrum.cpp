@@ -73,7 +73,7 @@ double site_coefficient(const SiteTable& table, SiteClass site, double value_g) 
   if (row.size() < columns.size() && value_g > columns[last]) {
     throw InputError(
         {"",
-         fmt::format("{} = {} is above {} for site class {}, where ASCE 7-16 asks for a "
+         fmt::format("{} = {} is above {} for site class {}, where ASCE 7-16 requires a "
                      "site-specific study",
                      table.parameter, value_g, columns[last], to_string(site)),
          "scale to a site-specific spectrum, or leave the class out", ""});

@@ -27,7 +27,7 @@ void check_limits(const Limits& limits, const char* name, ProblemList& problems)
 
 void check(const SelectionCriteria& criteria) {
   ProblemList problems;
-  if (criteria.count == 0) problems.add({"count", "no record is asked for", "give 1 or more", ""});
+  if (criteria.count == 0) problems.add({"count", "no record is required", "give 1 or more", ""});
   check_limits(criteria.magnitude, "magnitude", problems);
   check_limits(criteria.distance_km, "distance_km", problems);
   check_limits(criteria.vs30_mps, "vs30_mps", problems);
@@ -41,11 +41,11 @@ void check(const SelectionCriteria& criteria) {
 }
 
 /// Metadata of a motion are 0 if not given.
-void judge(const Limits& limits, double value, UntoldMetadata untold, LeftOutFor outside,
-           LeftOutFor not_told, std::vector<LeftOutFor>& reasons) {
-  if (!limits.are_asked()) return;
+void judge(const Limits& limits, double value, MissingMetadata missing, LeftOutFor outside,
+           LeftOutFor not_given, std::vector<LeftOutFor>& reasons) {
+  if (!limits.are_given()) return;
   if (value == 0.0) {
-    if (untold == UntoldMetadata::leaves_out) reasons.push_back(not_told);
+    if (missing == MissingMetadata::leaves_out) reasons.push_back(not_given);
   } else if (!limits.admit(value)) {
     reasons.push_back(outside);
   }
@@ -53,14 +53,14 @@ void judge(const Limits& limits, double value, UntoldMetadata untold, LeftOutFor
 
 std::vector<LeftOutFor> reasons_against(const Motion& motion, const SelectionCriteria& criteria) {
   std::vector<LeftOutFor> reasons;
-  judge(criteria.magnitude, motion.magnitude, criteria.untold, LeftOutFor::magnitude,
-        LeftOutFor::magnitude_untold, reasons);
-  judge(criteria.distance_km, motion.distance_km, criteria.untold, LeftOutFor::distance,
-        LeftOutFor::distance_untold, reasons);
-  judge(criteria.vs30_mps, motion.vs30_mps, criteria.untold, LeftOutFor::vs30,
-        LeftOutFor::vs30_untold, reasons);
-  if (criteria.per_event && motion.event.empty() && criteria.untold == UntoldMetadata::leaves_out)
-    reasons.push_back(LeftOutFor::event_untold);
+  judge(criteria.magnitude, motion.magnitude, criteria.missing, LeftOutFor::magnitude,
+        LeftOutFor::magnitude_missing, reasons);
+  judge(criteria.distance_km, motion.distance_km, criteria.missing, LeftOutFor::distance,
+        LeftOutFor::distance_missing, reasons);
+  judge(criteria.vs30_mps, motion.vs30_mps, criteria.missing, LeftOutFor::vs30,
+        LeftOutFor::vs30_missing, reasons);
+  if (criteria.per_event && motion.event.empty() && criteria.missing == MissingMetadata::leaves_out)
+    reasons.push_back(LeftOutFor::event_missing);
   if (motion.horizontal_mps2[1].empty()) reasons.push_back(LeftOutFor::no_second_horizontal);
   if (horizontal_pga_mps2(motion, HorizontalCombination::srss) == 0.0)
     reasons.push_back(LeftOutFor::no_motion);
@@ -79,7 +79,7 @@ std::size_t selectable(const Suite& library, const std::vector<std::size_t>& can
 }
 
 /// "14 with magnitude outside the limits, 2 with no second horizontal".
-std::string told(const std::vector<LeftOutRecord>& left_out) {
+std::string listed(const std::vector<LeftOutRecord>& left_out) {
   std::map<LeftOutFor, std::size_t> counts;
   for (const LeftOutRecord& record : left_out)
     for (const LeftOutFor reason : record.reasons) ++counts[reason];
@@ -89,11 +89,11 @@ std::string told(const std::vector<LeftOutRecord>& left_out) {
   return text;
 }
 
-bool any_untold(const std::vector<LeftOutRecord>& left_out) {
-  constexpr std::array untold = {LeftOutFor::magnitude_untold, LeftOutFor::distance_untold,
-                                 LeftOutFor::vs30_untold, LeftOutFor::event_untold};
+bool any_missing(const std::vector<LeftOutRecord>& left_out) {
+  constexpr std::array missing = {LeftOutFor::magnitude_missing, LeftOutFor::distance_missing,
+                                  LeftOutFor::vs30_missing, LeftOutFor::event_missing};
   return std::ranges::any_of(left_out, [&](const LeftOutRecord& record) {
-    return std::ranges::find_first_of(record.reasons, untold) != record.reasons.end();
+    return std::ranges::find_first_of(record.reasons, missing) != record.reasons.end();
   });
 }
 
@@ -102,13 +102,13 @@ void check_count(const Suite& library, const Screening& screening,
   const std::size_t most = selectable(library, screening.candidates, criteria);
   if (criteria.count <= most) return;
   std::string what =
-      fmt::format("{} records are asked for, candidates left: {} of {}", criteria.count,
+      fmt::format("{} records are required, candidates left: {} of {}", criteria.count,
                   screening.candidates.size(), library.motions.size());
   if (most < screening.candidates.size())
     what += fmt::format(", of which {} of an event allows {}", *criteria.per_event, most);
-  if (!screening.left_out.empty()) what += "; left out: " + told(screening.left_out);
+  if (!screening.left_out.empty()) what += "; left out: " + listed(screening.left_out);
   std::string advice = "widen the limits, or ask for fewer records";
-  if (any_untold(screening.left_out))
+  if (any_missing(screening.left_out))
     advice +=
         "; or add the values that the library does not give, or keep such records "
         "(--keep-incomplete)";
@@ -138,13 +138,13 @@ const char* to_string(LeftOutFor reason) {
       return "distance outside the limits";
     case LeftOutFor::vs30:
       return "Vs30 outside the limits";
-    case LeftOutFor::magnitude_untold:
+    case LeftOutFor::magnitude_missing:
       return "no magnitude given";
-    case LeftOutFor::distance_untold:
+    case LeftOutFor::distance_missing:
       return "no distance given";
-    case LeftOutFor::vs30_untold:
+    case LeftOutFor::vs30_missing:
       return "no Vs30 given";
-    case LeftOutFor::event_untold:
+    case LeftOutFor::event_missing:
       return "no event given";
     case LeftOutFor::no_second_horizontal:
       return "no second horizontal";

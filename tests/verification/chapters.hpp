@@ -21,7 +21,7 @@ Chapter first_paper_link(const Folders& folders);    ///< their comparison with 
 Chapter first_paper_convergence(const Folders& folders);
 Chapter first_paper_parametric_study(const Folders& folders);
 Chapter first_paper_charts(const Folders& folders);  ///< what they name as future work
-Chapter second_paper_coupled();  ///< Walters et al.'s model: a building that feels the array
+Chapter second_paper_coupled();  ///< Walters et al.'s model: coupled building and array
 Chapter second_paper_yielding();
 Chapter second_paper_two_axes(const Folders& folders);
 Chapter second_paper_friction();

@@ -33,7 +33,7 @@ double srss_of_maxima_m(const TwoAxisPeak& peak);
 /// slide_on_building() for many histories under one ground motion, side by side in SIMD lanes: a
 /// history that slides is in a lane, each lane at its own time. A step is the Taylor series of the
 /// block's velocity, of order 6, over the rest of a sample interval or as much of it as the
-/// tolerance allows; a building that feels the block is a series beside it. Where the block is at
+/// tolerance allows; a building coupled with the block is a series beside it. Where the block is at
 /// rest the next interval in which it may slide is looked for over bounds on the roof's motion,
 /// which is tabulated for each building. How a block starts is a series of its own, how it stops is
 /// known in closed form (two_axis.hpp); between the two, steps too stiff for the lanes are SDIRK4.

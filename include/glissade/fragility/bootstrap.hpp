@@ -43,11 +43,11 @@ struct BootstrapOptions {
 /// did (log_std: without those); `note` counts them. The interval may then be open. No exceedance
 /// in any record: a bound with one trial per record and level. One record: no interval
 /// (NaN). The share of `free` histories is the curve's floor. Where it is the same in all records
-/// (slope and friction decide it, which records share) resampling them cannot tell how uncertain it
-/// is: it has no interval, and the other intervals take it as known. Else expanded percentiles for
-/// it, p50_interval and band (covered in 95, 94 and 90 % of 600 studies of 12 records). `band` (if
-/// not null) receives, per given intensity, the pointwise interval of the probability (NaN where
-/// there is none). Throws InputError for counts or capacities out of range.
+/// (slope and friction decide it, which records share) resampling them does not show how uncertain
+/// it is: it has no interval, and the other intervals take it as known. Else expanded percentiles
+/// for it, p50_interval and band (covered in 95, 94 and 90 % of 600 studies of 12 records). `band`
+/// (if not null) receives, per given intensity, the pointwise interval of the probability (NaN
+/// where there is none). Throws InputError for counts or capacities out of range.
 FitSummary fit_stripes_by_record(const std::vector<double>& intensities,
                                  const std::vector<RecordStripes>& records,
                                  const BootstrapOptions& options,

@@ -16,13 +16,13 @@ namespace glissade {
 struct Limits {
   std::optional<double> min, max;
 
-  bool are_asked() const { return min || max; }
+  bool are_given() const { return min || max; }
   bool admit(double value) const { return !(min && value < *min) && !(max && value > *max); }
 };
 
 /// Treatment of a record without a value that is limited. If kept, all records without an event
 /// count as records of one event.
-enum class UntoldMetadata { leaves_out, keeps };
+enum class MissingMetadata { leaves_out, keeps };
 
 /// Selection criteria. Defaults: seven records (Walters et al. 2012), of any earthquake and site.
 struct SelectionCriteria {
@@ -30,7 +30,7 @@ struct SelectionCriteria {
   Limits magnitude, distance_km, vs30_mps;
   double max_scale = 4.0;                ///< largest factor on a record, > 0
   std::optional<std::size_t> per_event;  ///< largest number of records of one earthquake
-  UntoldMetadata untold = UntoldMetadata::leaves_out;
+  MissingMetadata missing = MissingMetadata::leaves_out;
 };
 
 /// Table 2 of Walters et al. (2012): the limits of the suite of an Intensity Level, its magnitudes
@@ -41,10 +41,10 @@ enum class LeftOutFor {
   magnitude,
   distance,
   vs30,
-  magnitude_untold,
-  distance_untold,
-  vs30_untold,
-  event_untold,
+  magnitude_missing,
+  distance_missing,
+  vs30_missing,
+  event_missing,
   no_second_horizontal,
   no_motion
 };

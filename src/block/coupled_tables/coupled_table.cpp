@@ -9,7 +9,7 @@
 namespace glissade::block_detail {
 namespace {
 
-/// SIMD loads reach no farther beyond what is asked for.
+/// SIMD loads reach no farther beyond what is required.
 constexpr std::size_t widest = 16;
 /// Room for rounding in single precision.
 constexpr float room = 1.0f + 0x1p-20f;

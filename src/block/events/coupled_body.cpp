@@ -158,7 +158,8 @@ void CoupledBody::happen(const NextEvent& next) {
   if (breaks_away_ && next.share > 0.0) stopped_direction_ = 0;
   if (next.of_spring()) return happen_to_spring(next);
   const auto starts = [&](int direction) {
-    // Held until now, or only just stopped: its drive is not positive yet, unless it breaks away.
+    // At rest until now, or only just stopped: its drive is not positive yet, unless it breaks
+    // away.
     at_threshold_ = next.share > 0.0 ? lifted_ || !breaks_away_ : stopped_direction_ == direction;
     stopped_direction_ = 0;
     start(direction);

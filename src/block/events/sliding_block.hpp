@@ -29,7 +29,7 @@ inline double time_to_stop(double u0, const Line& drive, double length) {
       k > 0.0 && n < 0.0 && -n < k * length;  // the speed has its minimum inside
   if (turns_inside ? discriminant <= 0.0 : u0 + length * (n + 0.5 * k * length) > 0.0) return never;
   if (n >= 0.0 && k >= 0.0) return never;  // does not slow down
-  if (u0 == 0.0 && n <= 0.0) return 0.0;   // it was about to start, and is held after all
+  if (u0 == 0.0 && n <= 0.0) return 0.0;   // it was about to start, and sticks after all
   const double root = std::sqrt(std::max(discriminant, 0.0));
   const double t =
       n <= 0.0 ? 2.0 * u0 / (root - n) : (root + n) / -k;  // the form without cancellation

@@ -138,7 +138,7 @@ void OnBuildingBody::raise_peaks(std::size_t n, const Bare& bare, const Building
 
 /// A step within the tolerance, and not across a yielding event of the building.
 double OnBuildingBody::step(const Bare& bare, double longest) {
-  constexpr double shortest = 1e-9;  // of what is left: far below what any tolerance asks for
+  constexpr double shortest = 1e-9;  // of what is left: far below what any tolerance requires
   const Shaking& piece = bare.shaking;
   const double left_s = longest * piece.length_s;
   const Axes e = bare.e(0.0);

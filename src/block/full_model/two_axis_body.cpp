@@ -59,7 +59,7 @@ double TwoAxisBody::step(const Load& now, const Load& end, double left_s) {
     rest_after(stop);
     return stop.time_s;
   }
-  constexpr double shortest = 1e-9;  // of what is left: far below what any tolerance asks for
+  constexpr double shortest = 1e-9;  // of what is left: far below what any tolerance requires
   const double rounding = 16.0 * std::numeric_limits<double>::epsilon() *
                           (std::abs(now.drive.s) + std::abs(now.drive.y) + std::abs(now.normal));
   double length_s = std::min(step_s_, left_s);

@@ -234,8 +234,8 @@ class EventKernel {
   Lines lines_;
   bool every_interval_;
   double step_s_;
-  /// Friction never stops it: it is told where it is at the record's last sample. On a rigid roof
-  /// at critical friction nothing moves after that but the block.
+  /// Friction never stops it: it is reported where it is at the record's last sample. On a rigid
+  /// roof at critical friction nothing moves after that but the block.
   bool ends_with_record_;
   std::size_t last_;  ///< node
   EventBounds bounds_;
@@ -274,7 +274,7 @@ std::size_t EventKernel<Piece, History>::lifted(std::size_t i) {
   return i + 1;
 }
 
-/// peak_slip() with a history that is told what happens.
+/// peak_slip() with a history that records the events.
 template <class History>
 PeakSlip walk_events(const RoofTable& roof, const Block& block, const MotionFactors& factors,
                      EventSearch search, const History& history) {

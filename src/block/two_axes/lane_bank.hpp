@@ -7,7 +7,7 @@
 
 namespace glissade::block_detail::two_axes {
 
-/// What the block lies on: ground, a building that does not feel the block, one
+/// What the block lies on: ground, a building without the mass of the block, one
 /// that does.
 enum class RoofKind { rigid, building, coupled };
 
@@ -97,7 +97,7 @@ constexpr double stiffest = 1000.0;
 /// what one stop leaves nothing later corrects, and stops are many.
 constexpr double stop_share = 1e-3;
 /// The least normal force in a lane, as a share of the weight; the scalar
-/// scheme of the events asks for a little more.
+/// scheme of the events allows a little more.
 constexpr double least_weight = 0.05;
 
 /// Lanes as bits.

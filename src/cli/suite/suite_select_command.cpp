@@ -93,7 +93,7 @@ Task task_of(const SelectOptions& o) {
   override_with(criteria.distance_km, o.criteria.distance_km);
   override_with(criteria.vs30_mps, o.criteria.vs30_mps);
   if (o.max_scale) criteria.max_scale = *o.max_scale;
-  if (o.keep_incomplete) criteria.untold = UntoldMetadata::keeps;
+  if (o.keep_incomplete) criteria.missing = MissingMetadata::keeps;
   return task;
 }
 

@@ -71,7 +71,7 @@ ChartQuestion read_question(const TomlTable& table, const std::vector<double>& m
   question.level = read_on_axis(table, "level", levels, levels.empty() ? 0.0 : levels.back());
   question.slope_deg = read_within(table, "slope_deg", slopes, slope_read_rule);
   if (table.has("mu") == table.has("displacement_m")) {
-    table.report("", "a [[chart.read]] asks for a displacement or for a friction",
+    table.report("", "a [[chart.read]] gives a displacement or a friction",
                  "give mu (and read the displacement), or displacement_m (and read the friction)");
     table.number("mu");
     table.number("displacement_m");
@@ -200,7 +200,7 @@ void read_analyses(const TomlTable& root, StudyConfig& study) {
   if (levels.size() == 1 && levels.front() == 0.0)
     root.table("intensity").report("levels", "intensity.levels has no level above 0");
   if (!study.fragility && !study.chart && !study.clearance && !study.base_shear) {
-    root.report("", "the study asks for no analysis",
+    root.report("", "the study has no analysis",
                 "give [fragility] thresholds_m = [...], [chart], [clearance] or [base_shear]");
   }
   needs(root, "standards", study.fragility || study.chart, "[fragility] or [chart]");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Static friction above that of sliding, on a building that feels the block.
+// Static friction above that of sliding, on a building coupled with the block.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -99,7 +99,7 @@ TEST_F(RecordedSelection, of_the_far_field_set_for_level_3_is_refused_for_want_o
 TEST_F(RecordedSelection, of_walters_own_seven_gives_the_factors_of_his_table_3) {
   const Suite library = load("walters_table3.toml");  // whose `scale` is Table 3's factor
   SelectionCriteria criteria = walters_criteria(2);
-  criteria.untold = UntoldMetadata::keeps;  // Table 3 gives no V_S30
+  criteria.missing = MissingMetadata::keeps;  // Table 3 gives no V_S30
   const TargetSpectrum target(walters_target(2));
   const RecordSelection s = select_records(
       library, [&](double period_s) { return target.mce_sa_g(period_s); }, walters_periods_s(),
@@ -144,7 +144,7 @@ TEST_F(RecordedSelection, of_kallioras_by_magnitude_leaves_out_those_without_it)
   EXPECT_EQ(s.candidates, 7u);  // the earthquakes the far-field set has too
   EXPECT_EQ(s.left_out.size(), 76u);
   for (const LeftOutRecord& record : s.left_out)
-    EXPECT_THAT(record.reasons, testing::ElementsAre(LeftOutFor::magnitude_untold));
+    EXPECT_THAT(record.reasons, testing::ElementsAre(LeftOutFor::magnitude_missing));
 }
 
 }  // namespace

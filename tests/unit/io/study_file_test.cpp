@@ -447,7 +447,7 @@ TEST_F(StudyFile, contradictions_and_values_out_of_range_have_one_clear_message_
        "friction.mu is outside"},
       {study_part + suite_part + intensity_part + fragility_part + "[friction]\n",
        "friction.mu is missing"},
-      {study_part + suite_part + intensity_part + friction_part, "the study asks for no analysis"},
+      {study_part + suite_part + intensity_part + friction_part, "the study has no analysis"},
       {study_part + suite_part + intensity_part + friction_part +
            "[fragility]\nthresholds_m = [0.0, 0.3]\n",
        "is not above 0"},

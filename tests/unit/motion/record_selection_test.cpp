@@ -280,8 +280,8 @@ TEST(select_records, leaves_out_what_does_not_tell_what_a_limit_is_on_unless_ask
   const RecordSelection s = select_records(library, target_sa_g, some_periods_s(), criteria);
   ASSERT_EQ(s.left_out.size(), 1u);
   EXPECT_EQ(s.left_out[0].record, 0u);
-  EXPECT_THAT(s.left_out[0].reasons, ElementsAre(LeftOutFor::magnitude_untold));
-  criteria.untold = UntoldMetadata::keeps;
+  EXPECT_THAT(s.left_out[0].reasons, ElementsAre(LeftOutFor::magnitude_missing));
+  criteria.missing = MissingMetadata::keeps;
   EXPECT_EQ(select_records(library, target_sa_g, some_periods_s(), criteria).candidates, 4u);
 }
 

@@ -14,7 +14,7 @@ namespace glissade {
 
 enum class HistoryNumber {
   displacement,  ///< m, by the study's DisplacementMeasure
-  vector_peak,   ///< m, the farthest the array gets, whatever the measure
+  vector_peak,   ///< m, the largest length of the displacement, whatever the measure
   base_shear,    ///< over the bare building's weight
 };
 

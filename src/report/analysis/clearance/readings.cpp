@@ -105,7 +105,8 @@ std::string orientation_reading(const ClearanceResults& r) {
     const OrientationRange farthest =
         over_orientations(r, {.number = HistoryNumber::vector_peak}, {}, Periods::largest);
     text += fmt::format(
-        " By the farthest the array gets in place of the SRSS of its separate maxima: {}.",
+        " By the largest length of the displacement in place of the SRSS of its separate maxima: "
+        "{}.",
         range_text(r, farthest));
   }
   const auto distinct = std::ranges::count_if(
