@@ -52,7 +52,8 @@ std::string describe(Kernel kernel) {
       return "one axis, coupled with a building that may yield, friction that may be stronger at "
              "rest: exact events (slide_coupled)";
     case Kernel::full:
-      return "full model: two axes, coupled, error-controlled (slide_on_building)";
+      return "full model: two axes, coupled, error-controlled (slide_two_axes; "
+             "slide_on_building where friction differs along and across, or base shear is kept)";
   }
   return "";
 }
