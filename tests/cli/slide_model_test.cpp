@@ -40,7 +40,7 @@ class SlideModel : public testing::Test {
 };
 
 TEST_F(SlideModel, on_two_axes_it_gives_what_the_library_gives_to_the_last_bit) {
-  const Json json = slide_json({"--second", second_, "--mu", "0.2", "--mu-across", "0.15",
+  const Json json = slide_json({"--second", second_, "--mu", "0.2", "--across-mu", "0.15",
                                 "--slope-deg", "2", "--azimuth-deg", "30", "--period-s", "0.5",
                                 "--period-ratio", "1.4", "--mass-ratio", "0.1"});
   Motion motion;
@@ -126,7 +126,7 @@ TEST_F(SlideModel, friction_that_is_stronger_at_rest_holds_a_push_below_it) {
   const std::string push = folder_.write("push.txt", two_columns(std::vector<double>(51, 0.23)));
   const auto peak = [&](const char* ratio) {
     return Json::parse(run_program({"slide", push, "--json", "--mu", "0.2", "--slope-deg", "0",
-                                    "--static-ratio", ratio})
+                                    "--static-over-sliding", ratio})
                            .out)["peak_displacement_m"]
         .get<double>();
   };
@@ -147,16 +147,16 @@ TEST_F(SlideModel, each_bad_input_gets_one_clear_message) {
   expect_refused(run({"--mass-ratio", "-0.1"}), {"--mass-ratio: -0.1", "from 0 to 1"});
   expect_refused(run({"--mass-ratio", "1.5"}), {"--mass-ratio: 1.5", "from 0 to 1"});
   expect_refused(run({"--azimuth-deg", "20"}), {"--azimuth-deg: needs --second"});
-  expect_refused(run({"--mu-across", "0.3"}), {"--mu-across: needs --second"});
-  expect_refused(run({"--second", second_, "--mu-across", "0"}),
-                 {"--mu-across: 0 is not an axis of a friction ellipse"});
+  expect_refused(run({"--across-mu", "0.3"}), {"--across-mu: needs --second"});
+  expect_refused(run({"--second", second_, "--across-mu", "0"}),
+                 {"--across-mu: 0 is not an axis of a friction ellipse"});
   expect_refused(run({"--yield-coefficient", "0.2"}), {"needs a building"});
   expect_refused(run({"--period-s", "0.5", "--yield-coefficient", "0"}), {"must be > 0"});
   expect_refused(run({"--period-s", "0.5", "--hardening-ratio", "0.1"}),
                  {"needs --yield-coefficient"});
-  expect_refused(run({"--static-ratio", "0.5"}), {"static friction is not below"});
-  expect_refused(run({"--fast-ratio", "1.5"}), {"--fast-ratio: is one half"});
-  expect_refused(run({"--rate-spm", "10"}), {"--rate-spm: is one half"});
+  expect_refused(run({"--static-over-sliding", "0.5"}), {"static friction is not below"});
+  expect_refused(run({"--fast-over-slow", "1.5"}), {"--fast-over-slow: is one half"});
+  expect_refused(run({"--rate-s-per-m", "10"}), {"--rate-s-per-m: is one half"});
   expect_refused(run({"--mass-ratio", "0.1"}), {"--mass-ratio: has no effect without a building"});
   expect_refused(run({"--vertical-period-s", "0.2"}), {"needs --vertical"});
   expect_refused(run({"--second", second_, "--history", folder_.path("h.csv").string()}),

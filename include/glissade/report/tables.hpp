@@ -9,7 +9,7 @@
 namespace glissade {
 
 // The tables of a study. Every displacement is in plan; every interval is 95 %. Levels and medians
-// are in g, as every intensity measure is; the title says which measure.
+// have the unit of the intensity measure, which the title names.
 
 /// Per run, threshold and method (stripes, capacities): the lognormal fragility and what it rests
 /// on.

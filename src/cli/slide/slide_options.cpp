@@ -29,7 +29,7 @@ void check_model(const SlideOptions& o, ProblemList& problems) {
   require(std::abs(o.azimuth_deg) <= 360.0, "--azimuth-deg", o.azimuth_deg,
           "must be from -360 to 360");
   if (o.mu_across) {
-    require(*o.mu_across > 0.0 && *o.mu_across <= 10.0, "--mu-across", *o.mu_across,
+    require(*o.mu_across > 0.0 && *o.mu_across <= 10.0, "--across-mu", *o.mu_across,
             "is not an axis of a friction ellipse: it must be above 0, at most 10");
   }
   if (o.two_axes() && o.mu == 0.0) {
@@ -43,22 +43,23 @@ void check_model(const SlideOptions& o, ProblemList& problems) {
   require(o.vertical_period_s >= 0.0, "--vertical-period-s", o.vertical_period_s, "must be >= 0");
   require(o.vertical_damping >= 0.0 && o.vertical_damping < 1.0, "--vertical-damping",
           o.vertical_damping, "must be a ratio in [0, 1)");
-  require(o.law.static_ratio >= 1.0, "--static-ratio", o.law.static_ratio,
+  require(o.law.static_ratio >= 1.0, "--static-over-sliding", o.law.static_ratio,
           "must be >= 1: static friction is not below sliding friction");
-  require(o.law.fast_ratio > 0.0, "--fast-ratio", o.law.fast_ratio, "must be > 0");
-  require(o.law.rate_spm >= 0.0, "--rate-spm", o.law.rate_spm, "must be >= 0");
+  require(o.law.fast_ratio > 0.0, "--fast-over-slow", o.law.fast_ratio, "must be > 0");
+  require(o.law.rate_spm >= 0.0, "--rate-s-per-m", o.law.rate_spm, "must be >= 0");
 
   if ((o.law.fast_ratio != 1.0) != (o.law.rate_spm != 0.0)) {
-    problems.add({o.law.rate_spm == 0.0 ? "--fast-ratio" : "--rate-spm",
+    problems.add({o.law.rate_spm == 0.0 ? "--fast-over-slow" : "--rate-s-per-m",
                   "is one half of how friction depends on speed",
-                  "give --fast-ratio (mu_fast / mu_slow) and --rate-spm (the rate a, s/m)", ""});
+                  "give --fast-over-slow (mu_fast / mu_slow) and --rate-s-per-m (the rate a, s/m)",
+                  ""});
   }
   const auto needs = [&](bool given, const char* option, bool met, const char* what) {
     if (given && !met) problems.add({option, what, "leave it out, or give the other", ""});
   };
   needs(o.azimuth_deg != 0.0, "--azimuth-deg", o.two_axes(), "needs --second");
   needs(o.period_ratio != 1.0, "--period-ratio", o.two_axes(), "needs --second");
-  needs(o.mu_across.has_value(), "--mu-across", o.two_axes(), "needs --second");
+  needs(o.mu_across.has_value(), "--across-mu", o.two_axes(), "needs --second");
   needs(o.hardening_ratio != 0.0, "--hardening-ratio", o.yield_coefficient.has_value(),
         "needs --yield-coefficient");
   needs(o.vertical_period_s != 0.0, "--vertical-period-s", !o.vertical.empty(), "needs --vertical");
@@ -182,13 +183,13 @@ void add_options(CLI::App& command, SlideOptions& o) {
   command.add_option("--azimuth-deg", o.azimuth_deg,
                      "with --second: from the first component to where the roof falls, toward the "
                      "second [0]");
-  command.add_option("--mu-across", o.mu_across,
+  command.add_option("--across-mu", o.mu_across,
                      "with --second: coefficient of friction across the slope [as --mu]");
-  command.add_option("--static-ratio", o.law.static_ratio,
+  command.add_option("--static-over-sliding", o.law.static_ratio,
                      "friction at rest over sliding friction [1]");
-  command.add_option("--fast-ratio", o.law.fast_ratio,
+  command.add_option("--fast-over-slow", o.law.fast_ratio,
                      "friction of fast over slow sliding; --mu is the slow one [1]");
-  command.add_option("--rate-spm", o.law.rate_spm,
+  command.add_option("--rate-s-per-m", o.law.rate_spm,
                      "rate a of mu_fast - (mu_fast - mu_slow) exp(-a speed), s/m");
   command.add_option("--clearance-m", o.clearance_m,
                      "also report when and how fast the array first reaches this displacement");

@@ -162,6 +162,11 @@ StandardsConfig read_standards(const TomlTable& table, IntensityMeasure measure)
                                                                     {"E", Sdc::e},
                                                                     {"F", Sdc::f}})
                            .value_or(standards.category);
+  for (const char* key : {"importance", "seismic_design_category"}) {
+    if (standards.compare.empty() && table.has(key))
+      table.report(key, table.name_of(key) + " has no effect without standards.compare",
+                   "give compare = [...], or leave it out");
+  }
   if (!standards.compare.empty() && measure != IntensityMeasure::sds_g) {
     table.report(
         "compare",
@@ -201,7 +206,8 @@ void read_analyses(const TomlTable& root, StudyConfig& study) {
     root.table("intensity").report("levels", "intensity.levels has no level above 0");
   if (!study.fragility && !study.chart && !study.clearance && !study.base_shear) {
     root.report("", "the study has no analysis",
-                "give [fragility] thresholds_m = [...], [chart], [clearance] or [base_shear]");
+                "give [fragility] thresholds_m = [...], [chart], [clearance] or [base_shear]; "
+                "[standards], [impact] and [tipping] are read beside one of them");
   }
   needs(root, "standards", study.fragility || study.chart, "[fragility] or [chart]");
   needs(root, "impact", study.fragility.has_value(), "[fragility] thresholds_m");

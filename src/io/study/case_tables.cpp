@@ -105,6 +105,16 @@ void read_quantities(const TomlTable& root, StudyConfig& study) {
     study.quantities.at("roof", "slope_deg") = *slope;
   }
   check_strength(root.table("building"), study);
+  const TomlTable building = root.table("building");
+  for (const char* key : {"damping", "period_ratio", "mass_ratio"}) {
+    if (building.has(key) && study.quantities.at("building", "period_s").is_always(0.0))
+      building.report(key, building.name_of(key) + " has no effect on a rigid building",
+                      "give building.period_s too, or leave it out");
+  }
+  const TomlTable vertical = root.table("vertical");
+  if (vertical.has("damping") && study.quantities.at("vertical", "period_s").is_always(0.0))
+    vertical.report("damping", "vertical.damping has no effect without vertical.period_s",
+                    "give vertical.period_s too, or leave it out");
 }
 
 void read_friction(const TomlTable& table, const std::vector<FrictionValue>& usual,
@@ -127,6 +137,10 @@ void read_friction(const TomlTable& table, const std::vector<FrictionValue>& usu
                            "distribution, or a file of pull tests");
     }
   }
+  if (table.has("value") && !study.quantities.at("friction", "mu").is_drawn() &&
+      !study.quantities.at("friction", "across_mu").is_drawn())
+    table.report("value", "friction.value has no effect where friction is not drawn",
+                 "give mu as a distribution, or leave value out");
   needs_two_axes(table, "across_direction", study);
   if (!study.two_axes()) return;
   refuse_zero(table, study.quantities.at("friction", "mu"), "mu");

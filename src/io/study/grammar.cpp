@@ -95,7 +95,8 @@ void add_cases(std::vector<GrammarKey>& keys) {
        {"vertical", "use", one_of(vertical_names()) + ", or a list", "\"if_available\"",
         "whether the vertical ground motion acts"},
        {"orientation", "choice", one_of(orientation_names()),
-        "\"random\" where the study draws samples or has [fragility], else \"all_permutations\"",
+        "\"all_permutations\" with [chart] or [clearance]; else \"random\" where the study draws "
+        "samples or has [fragility]",
         "directions of the horizontal components relative to the building: drawn for each sample; "
         "either "
         "component along the first axis with either sign, the other with either sign; every 22.5 "
@@ -170,7 +171,11 @@ std::vector<RenamedKey> renamed_keys() {
   const char* grid =
       "[clearance_study] is gone: its quantities are in [building], [roof], "
       "[friction], [vertical] and [orientation], each a number, a list or a "
-      "distribution; give [clearance], and [model] axes = 2";
+      "distribution; give [clearance], and [model] axes = 2. fraction_of_mce is "
+      "intensity.levels with measure = \"mce_fraction\", mu_e_w and mu_n_s are friction.mu and "
+      "across_mu, vertical_damping is vertical.damping, clearance_factor is clearance.factor, "
+      "orientations = \"sixteen\" and \"stated\" are orientation.choice = \"all_permutations\" "
+      "and \"as_recorded\"; response_modification = 1 was an elastic building, which is 0 now";
   return {{"friction.mean", moments},
           {"friction.std", moments},
           {"friction.across_mean", across},

@@ -132,7 +132,9 @@ StudyConfig read_study(const std::filesystem::path& file) {
   read_vertical(root.table("vertical"), study);
   study.sampling = read_sampling(root.table("sampling"));
   study.orientation.choice = OrientationChoice::as_recorded;
-  const bool drawn = fragility || root.has("sampling") || study.draws();
+  // A chart and a clearance take the worst of all orientations, whatever else the study has.
+  const bool drawn = (fragility || root.has("sampling") || study.draws()) && !root.has("chart") &&
+                     !root.has("clearance");
   read_orientation(root.table("orientation"), drawn, study);
   read_analyses(root, study);
   check_size(root, study);

@@ -167,6 +167,13 @@ void add_panels(Script& script, const Figure& figure) {
   if (several) script.add("unset multiplot\n");
 }
 
+/// gnuplot takes no - in the name of a terminal.
+FileName identifier(const FileName& name) {
+  std::string text = name.text();
+  std::ranges::replace(text, '-', '_');
+  return text;
+}
+
 }  // namespace
 
 Quoted::Quoted(std::string_view plain, Weight weight) {
@@ -209,9 +216,9 @@ std::string script_of(const Figure& figure) {
       figure.key_columns);
   script.add(
       "set terminal svg enhanced dynamic size {1},{2} background rgb 'white' font 'Arial,16' "
-      "name '{0}'\n"
+      "name '{3}'\n"
       "set output '{0}.svg'\n",
-      figure.name, width_px, height_px);
+      figure.name, width_px, height_px, identifier(figure.name));
   add_panels(script, figure);
   script.add(
       "set terminal pdfcairo enhanced color size {1:.3f},{2:.3f} background rgb 'white' "

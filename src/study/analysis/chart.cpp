@@ -29,7 +29,7 @@ using PointCases = std::vector<std::vector<std::vector<std::size_t>>>;
 
 double slip_m(const Results& results, std::size_t record, std::size_t i, std::size_t level) {
   const Case& c = results.cases.cases[i];
-  if (std::tan(std::abs(c.slope_deg) * rad_per_deg) >= c.friction) return infinity;
+  if (slides_freely(c)) return infinity;
   return results.histories.displacement_m(record, i, level);
 }
 

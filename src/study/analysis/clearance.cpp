@@ -121,7 +121,7 @@ ClearanceHistory history_of(const Results& results, std::size_t record, std::siz
   const CaseSet& set = results.cases;
   const HistoryTable& table = results.histories;
   const auto mean = [&](const std::vector<double>& field) {
-    if (field.empty()) return 0.0;
+    if (field.empty()) return std::numeric_limits<double>::quiet_NaN();
     double sum = 0.0;
     for (std::size_t sample = 0; sample < set.samples; ++sample)
       sum += field[table.at(record, set.index(combination, sample, orientation), level)];
@@ -140,6 +140,9 @@ ClearanceHistory history_of(const Results& results, std::size_t record, std::siz
   for (std::size_t sample = 0; sample < set.samples; ++sample) {
     const std::size_t at = table.at(record, set.index(combination, sample, orientation), level);
     history.uplift = std::max(history.uplift, f.uplift[at]);
+    const Case& c = set.cases[set.index(combination, sample, orientation)];
+    if (slides_freely(c))
+      history.displacement_m = history.peak_m = std::numeric_limits<double>::infinity();
   }
   return history;
 }

@@ -4,10 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <map>
 
 #include "glissade/core/contract.hpp"
+#include "glissade/core/units.hpp"
 #include "glissade/study/config.hpp"
 
 namespace glissade {
@@ -164,6 +166,11 @@ std::string short_text(const std::vector<double>& values, std::size_t i) {
 
 }  // namespace
 
+bool slides_freely(const Case& c) {
+  return c.support == ArraySupport::isolated &&
+         std::tan(std::abs(c.slope_deg) * rad_per_deg) >= c.friction;
+}
+
 std::string CaseSet::label(std::size_t combination) const {
   std::string label;
   const std::vector<std::size_t> place = places(combination);
@@ -174,7 +181,7 @@ std::string CaseSet::label(std::size_t combination) const {
                  ? axis.key.substr(axis.key.find('.') + 1) + "_" + short_text(axis.values, place[i])
                  : axis.names[place[i]];
   }
-  constexpr std::size_t longest = 60;
+  constexpr std::size_t longest = 48;  // a FileName with the name of a table or figure before it
   if (label.size() > longest) return fmt::format("combination_{}", combination + 1);
   // Of what stands in a file's name.
   std::ranges::replace_if(

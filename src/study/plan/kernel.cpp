@@ -53,7 +53,7 @@ std::string describe(Kernel kernel) {
              "rest: exact events (slide_coupled)";
     case Kernel::full:
       return "full model: two axes, coupled, error-controlled (slide_two_axes; "
-             "slide_on_building where friction differs along and across, or base shear is kept)";
+             "slide_on_building where base shear is kept)";
   }
   return "";
 }

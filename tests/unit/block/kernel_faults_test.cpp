@@ -6,8 +6,8 @@
 #include <memory>
 #include <vector>
 
-#include "../../../src/block/coupled_spring.hpp"
-#include "../../../src/block/two_axis_extremes.hpp"
+#include "block/contact/coupled_spring.hpp"
+#include "block/slip_record/two_axis_extremes.hpp"
 #include "glissade/block/coupled_slip.hpp"
 #include "glissade/block/on_building.hpp"
 #include "glissade/block/peak_slip.hpp"

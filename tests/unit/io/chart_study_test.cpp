@@ -108,9 +108,9 @@ TEST_F(ChartStudy, what_makes_no_chart_has_one_clear_message_each) {
       {chart + "[chart.shown]\nlevel = 0.7\n", "chart.shown.level = 0.7 is not on the chart"},
       {chart + "[[chart.read]]\nslope_deg = 5\nmu = 0.4\n", "is outside the chart"},
       {chart + "[[chart.read]]\nslope_deg = 2\nmu = 0.2\n", "is outside the chart"},
-      {chart + "[[chart.read]]\nslope_deg = 2\n", "displacement or for a friction"},
+      {chart + "[[chart.read]]\nslope_deg = 2\n", "displacement or a friction"},
       {chart + "[[chart.read]]\nslope_deg = 2\nmu = 0.4\ndisplacement_m = 0.5\n",
-       "displacement or for a friction"},
+       "displacement or a friction"},
       {head + "[intensity]\nmeasure = \"sds_g\"\nlevels = [0]\n" + axes + "[chart]\n",
        "no level above 0"},
       {head + "[intensity]\nmeasure = \"pga_g\"\nlevels = [1]\n" + axes +

@@ -333,7 +333,7 @@ TEST(select_records, refuses_more_records_than_are_left_and_tells_which_limits_l
   criteria.magnitude.min = 6.0;
   criteria.vs30_mps.min = 100.0;
   EXPECT_THAT(refusal(library, criteria),
-              testing::AllOf(HasSubstr("3 records are asked for, candidates left: 2 of 5"),
+              testing::AllOf(HasSubstr("3 records are required, candidates left: 2 of 5"),
                              HasSubstr("2 with magnitude outside the limits"),
                              HasSubstr("1 with no Vs30 given")));
   criteria.magnitude.min = 9.0;

@@ -78,4 +78,7 @@ inline double value_of(const Parameter& parameter, const Case& c) {
 inline constexpr std::uint32_t component_dimension = 4, sign_dimension = 5,
                                second_sign_dimension = 9;
 
+/// Whether friction cannot stop the array: tan(slope) at or above the friction along the slope.
+bool slides_freely(const Case& c);
+
 }  // namespace glissade

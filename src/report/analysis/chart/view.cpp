@@ -107,13 +107,15 @@ std::string how_counted(const Results& results) {
                    "The peak slip of the one record {}, in the orientation that slides "
                    "farthest, {}; in plan.",
                    results.records.front().id, building)
-             : fmt::format(
-                   "{} records, each counted with the orientation that slides farthest; {}; "
-                   "{}; in plan.",
-                   results.records.size(), building,
-                   slides_on_two_axes(results)
-                       ? "both horizontal components, along and across the slope"
-                       : "one horizontal component along the slope");
+             : fmt::format("{} records, each counted {}; {}; {}; in plan.", results.records.size(),
+                           results.cases.orientations > 1
+                               ? "with the orientation that slides farthest"
+                           : results.cases.samples > 1 ? "once for each sample, in its orientation"
+                                                       : "in one orientation",
+                           building,
+                           slides_on_two_axes(results)
+                               ? "both horizontal components, along and across the slope"
+                               : "one horizontal component along the slope");
 }
 
 std::string seaoc_limits() {

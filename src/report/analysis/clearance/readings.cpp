@@ -58,7 +58,7 @@ std::string period_reading(const ClearanceResults& r) {
       "a "
       "clearance of {}",
       r.grid.period_s[period], range_text(r, largest), r.clearance_factor,
-      format_length(r.clearance_factor * largest.median));
+      clearance_text(r.clearance_factor * largest.median));
   if (r.orientations.size() > 1)
     text += fmt::format(", {} in the least favourable orientation",
                         format_length(r.clearance_factor * largest.highest));
@@ -205,16 +205,19 @@ std::string mce_reading(const ClearanceResults& r) {
   high[ClearanceAxis::level] = last;
   const std::size_t governing = governing_period(r, {}, {});
   const OrientationRange weak = over_orientations(r, {}, {}, Periods::largest),
+                         first = over_orientations(r, {}, {}, Periods::one),
                          strong = over_orientations(r, {}, high, Periods::one),
                          strongest = over_orientations(r, {}, high, Periods::largest);
   const std::string low_name = label_of(grid, ClearanceAxis::level, 0),
                     high_name = label_of(grid, ClearanceAxis::level, last);
   return fmt::format(
-      "{} is largest at T = {:g} s: {}. {} at T = {:g} s: {}, {} times that; largest over the "
-      "periods {}.",
-      low_name, grid.period_s[governing], format_length(weak.median), high_name,
-      grid.period_s.front(), format_length(strong.median),
-      format_number(strong.median / weak.median), format_length(strongest.median));
+      "Largest over the periods: {} at {} (at T = {:g} s), {} at {}. At T = {:g} s: {} at {}, {} "
+      "at "
+      "{}; the latter is {} times the largest at {}.",
+      format_length(weak.median), low_name, grid.period_s[governing],
+      format_length(strongest.median), high_name, grid.period_s.front(),
+      format_length(first.median), low_name, format_length(strong.median), high_name,
+      format_number(strong.median / weak.median), low_name);
 }
 
 /// The largest mean over the periods for each place on an axis.

@@ -3,6 +3,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "analysis/clearance/view.hpp"
 #include "glissade/report/clearance_report.hpp"
@@ -10,6 +12,8 @@
 
 namespace glissade {
 namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
 std::string what_was_run(const ClearanceResults& r) {
   std::vector<std::string> suites;
@@ -36,7 +40,7 @@ std::string range_of_conditions(const ClearanceResults& r) {
       if (r.grid.support[at[ClearanceAxis::support]] != ArraySupport::isolated) continue;
       const double median = over_orientations(r, {.suite = suite}, at, Periods::largest).median;
       clearances.emplace_back(
-          r.clearance_factor * median,
+          std::isfinite(median) ? r.clearance_factor * median : infinity,
           (r.suites.size() > 1 ? r.suites[suite].name + ", " : std::string()) +
               distinguished(r.grid, at, {ClearanceAxis::period, ClearanceAxis::support}));
     }
@@ -44,7 +48,7 @@ std::string range_of_conditions(const ClearanceResults& r) {
   if (clearances.size() < 2) return "";
   const auto [least, most] = std::ranges::minmax_element(clearances);
   return fmt::format("Over all conditions the clearance is from {} ({}) to {} ({}).",
-                     format_length(least->first), least->second, format_length(most->first),
+                     clearance_text(least->first), least->second, clearance_text(most->first),
                      most->second);
 }
 

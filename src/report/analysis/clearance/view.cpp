@@ -127,6 +127,11 @@ std::string conditions_text(const ClearanceResults& results, const ClearancePosi
   return joined(results.grid, at, left_out, 1) + ", friction " + friction_text(results, at);
 }
 
+std::string clearance_text(double clearance_m) {
+  return std::isfinite(clearance_m) ? format_length(clearance_m)
+                                    : "none that is enough, since the array slides freely";
+}
+
 bool has_several(const ClearanceGrid& grid, ClearanceAxis axis) { return grid.size(axis) > 1; }
 
 std::optional<std::size_t> place_of(const ClearanceGrid& grid, ArraySupport support) {

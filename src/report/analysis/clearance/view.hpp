@@ -26,6 +26,9 @@ std::string conditions_text(const ClearanceResults& results, const ClearancePosi
 /// "0.47", "E-W 0.47, N-S 0.52"
 std::string friction_text(const ClearanceResults& results, const ClearancePosition& at = {});
 
+/// "0.280 m (11.0 in)"; where the array slides freely, that no clearance is enough.
+std::string clearance_text(double clearance_m);
+
 bool has_several(const ClearanceGrid& grid, ClearanceAxis axis);
 /// Where a kind of support stands on its axis, if it is there.
 std::optional<std::size_t> place_of(const ClearanceGrid& grid, ArraySupport support);

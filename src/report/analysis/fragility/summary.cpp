@@ -105,9 +105,9 @@ std::string standard_sentence(const StandardComparison& comparison) {
                      format_share(comparison.exceedance_probability), range);
 }
 
-std::string design_sentence(const Results& results, const RunResults& design) {
+std::string other_run_sentence(const Results& results, const RunResults& run) {
   std::string medians;
-  for (const ThresholdFragility& fragility : design.fragilities) {
+  for (const ThresholdFragility& fragility : run.fragilities) {
     const FitSummary& fit = preferred_fit(fragility);
     if (!fit.converged()) continue;
     medians += fmt::format("{}{} for {}", medians.empty() ? "" : ", ",
@@ -115,8 +115,8 @@ std::string design_sentence(const Results& results, const RunResults& design) {
                            format_length(fragility.threshold_m));
   }
   if (medians.empty()) return "";
-  return fmt::format("With the design friction ({}) the 50 % intensities are {}.",
-                     design.friction_description, medians);
+  return fmt::format("{} ({}): the 50 % intensities are {}.", run.label, run.friction_description,
+                     medians);
 }
 
 /// The standards table at a handful of levels, narrow enough for a terminal: the rest is in
@@ -182,7 +182,7 @@ std::vector<std::string> answer_sentences(const Results& results) {
     if (!impact.empty()) sentences.push_back(impact);
   }
   for (std::size_t r = 1; r < results.runs.size(); ++r) {
-    const std::string sentence = design_sentence(results, results.runs[r]);
+    const std::string sentence = other_run_sentence(results, results.runs[r]);
     if (!sentence.empty()) sentences.push_back(sentence);
   }
   return sentences;
