@@ -187,6 +187,11 @@ FitSummary fit_by_record(const Records& records, const BootstrapOptions& options
   if (pooled.has_line()) summary.curve = to_curve(pooled.point.line, records.center());
   summary.curve.floor = pooled.floor;
   if (pooled.floor > 0) add_sentence(summary.note, note_on_floor);
+  if (pooled.is_bound()) {  // with the log_std that the bound assumes
+    const double p50_over_median = summary.curve.intensity_at(0.5) / summary.curve.median;
+    summary.p50_interval = {p50_over_median * summary.median_interval.low,
+                            p50_over_median * summary.median_interval.high};
+  }
   if (!pooled.has_line()) return summary;
   summary.log_likelihood = records.log_likelihood(summary.curve);
   summary.method = records.method() +

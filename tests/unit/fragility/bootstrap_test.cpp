@@ -289,6 +289,8 @@ TEST(fit_by_record, keeps_the_floor_beside_a_bound) {
   const FitSummary fit = fit_capacities_by_record(records, 1.0, {});
   EXPECT_EQ(fit.status, FitStatus::lower_bound);
   EXPECT_DOUBLE_EQ(fit.curve.floor, 0.25);
+  EXPECT_DOUBLE_EQ(fit.p50_interval.low, fit.curve.intensity_at(0.5));  // below the median's bound
+  EXPECT_LT(fit.p50_interval.low, fit.median_interval.low);
 }
 
 TEST(fit_stripes_by_record, has_no_curve_where_the_share_does_not_rise) {

@@ -103,6 +103,13 @@ mu = { mean = 0.55, std = 0.04 }
   EXPECT_TRUE(c.quantities.at("building", "damping").is_always(0.05));
 }
 
+TEST_F(ClearanceStudy, orientations_do_not_depend_on_other_analyses) {
+  const std::string text =
+      replaced(replaced(study_text, "choice = \"azimuths\"\n", ""), "[base_shear]",
+               "[fragility]\nthresholds_m = [0.1]\n[base_shear]");
+  EXPECT_EQ(read(text).orientation.choice, OrientationChoice::all_permutations);
+}
+
 TEST_F(ClearanceStudy, what_is_wrong_is_reported_with_its_line) {
   struct Fault {
     const char *from, *to, *reported;
@@ -113,6 +120,10 @@ TEST_F(ClearanceStudy, what_is_wrong_is_reported_with_its_line) {
            Fault{"across_mu = 0.6", "across_mu = 0", "friction.across_mu is zero"},
            Fault{"factor = 1.2", "factor = 0.9", "clearance.factor = 0.9 is not 1 or more"},
            Fault{"across_mu = 0.6", "value = \"sampled\"", "friction.value leaves out"},
+           Fault{"period_s = [0.2, 1.0]", "period_s = 0", "mass_ratio has no effect on a rigid"},
+           Fault{"period_s = [0, 0.3]", "damping = 0.1", "vertical.damping has no effect without"},
+           Fault{"mu = { mean = 0.5, std = 0.02 }", "value = \"design\"\nmu = 0.5",
+                 "friction.value has no effect"},
            Fault{"hardening_ratio", "hardening", "building.hardening is not a known key"},
            Fault{"axes = 2\ndisplacement = \"vector\"", "axes = 1", "[base_shear] needs"},
        }) {

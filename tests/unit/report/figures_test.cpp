@@ -59,6 +59,12 @@ TEST(figures, draw_without_the_fits_that_failed) {
   EXPECT_NO_THROW(render_figure(figure, fresh_folder("failed_fit")));
 }
 
+TEST(figures, may_have_a_minus_in_their_name) {  // gnuplot allows none in a terminal's
+  Figure figure = make_figures(made_up_results()).front();
+  figure.name = "fragility_slope_deg_-4";
+  EXPECT_NO_THROW(render_figure(figure, fresh_folder("minus")));
+}
+
 TEST(figures, an_axis_of_no_length_has_no_steps_and_ends) {
   for (const double high_m : {0.0, std::numeric_limits<double>::infinity()})
     EXPECT_LT(length_axis("Slip", high_m).opposite_ticks.size(), 1000u);

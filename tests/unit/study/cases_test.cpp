@@ -107,6 +107,7 @@ TEST(cases, labels_are_different_and_fit_for_file_names) {
     std::set<std::string> labels;
     for (std::size_t i = 0; i < set.combinations(); ++i) {
       EXPECT_TRUE(std::regex_match(set.label(i), std::regex("[a-z0-9_-]+"))) << set.label(i);
+      EXPECT_LE(set.label(i).size(), 48u);  // with "fragility_" before it, a FileName
       labels.insert(set.label(i));
     }
     EXPECT_EQ(labels.size(), set.combinations());

@@ -94,6 +94,19 @@ TEST(clearance, of_listed_friction_and_damping_is_that_of_a_study_for_each) {
   EXPECT_EQ(std::ranges::unique(seen).size(), 0u);  // the four differ
 }
 
+TEST(clearance, of_an_array_that_slides_freely_is_none_that_is_enough) {
+  StudyConfig c = as_recorded_config();
+  c.quantities.at("roof", "slope_deg") = listed({1.0, 20.0});
+  c.support = {ArraySupport::isolated, ArraySupport::anchored};
+  const ClearanceResults results = run(c, {shaking("a", 6.0, 0.4)});
+  ClearancePosition steep;
+  steep[Axis::slope] = 1;
+  EXPECT_TRUE(std::isfinite(suite_mean(results, {}, 0, {})));
+  EXPECT_TRUE(std::isinf(suite_mean(results, {}, 0, steep)));
+  steep[Axis::support] = 1;  // does not slide
+  EXPECT_TRUE(std::isfinite(suite_mean(results, {}, 0, steep)));
+}
+
 TEST(clearance, a_rigid_building_is_the_block_on_the_ground_in_every_orientation) {
   StudyConfig c = config();
   c.quantities.at("building", "period_s") = fixed(0.0);
