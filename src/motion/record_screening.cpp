@@ -107,7 +107,7 @@ void check_count(const Suite& library, const Screening& screening,
   if (most < screening.candidates.size())
     what += fmt::format(", of which {} of an event allows {}", *criteria.per_event, most);
   if (!screening.left_out.empty()) what += "; left out: " + listed(screening.left_out);
-  std::string advice = "widen the limits, or ask for fewer records";
+  std::string advice = "widen the limits, or select fewer records";
   if (any_missing(screening.left_out))
     advice +=
         "; or add the values that the library does not give, or keep such records "

@@ -146,7 +146,7 @@ TEST_F(SuiteSelect, mistakes_are_refused) {
                  {"--max-scale", "--count"});
   expect_refused(select(with(a_site, {"--count", "2", "--per-event", "0"})), {"--per-event"});
   expect_refused(select(with(a_site, {"--count", "4", "--per-event", "1"})),
-                 {"4 records are asked for", "1 of an event allows 3"});
+                 {"4 records are required", "1 of an event allows 3"});
 }
 
 TEST_F(SuiteSelect, simulated_motions_are_not_written_into_a_suite_file) {

@@ -105,16 +105,6 @@ void read_quantities(const TomlTable& root, StudyConfig& study) {
     study.quantities.at("roof", "slope_deg") = *slope;
   }
   check_strength(root.table("building"), study);
-  const TomlTable building = root.table("building");
-  for (const char* key : {"damping", "period_ratio", "mass_ratio"}) {
-    if (building.has(key) && study.quantities.at("building", "period_s").is_always(0.0))
-      building.report(key, building.name_of(key) + " has no effect on a rigid building",
-                      "give building.period_s too, or leave it out");
-  }
-  const TomlTable vertical = root.table("vertical");
-  if (vertical.has("damping") && study.quantities.at("vertical", "period_s").is_always(0.0))
-    vertical.report("damping", "vertical.damping has no effect without vertical.period_s",
-                    "give vertical.period_s too, or leave it out");
 }
 
 void read_friction(const TomlTable& table, const std::vector<FrictionValue>& usual,

@@ -55,6 +55,27 @@ std::vector<std::string> notes_on_standards(const Plan& plan) {
       100.0 * static_cast<double>(outside) / static_cast<double>(plan.cases.size()))};
 }
 
+/// Quantities that are not as usual, and have no effect without another one.
+std::vector<std::string> notes_on_quantities(const StudyConfig& config) {
+  struct Needs {
+    const char *table, *key, *other, *what;
+  };
+  const Quantities usual;
+  std::vector<std::string> notes;
+  for (const Needs& n :
+       {Needs{"building", "damping", "period_s", "a rigid building"},
+        Needs{"building", "period_ratio", "period_s", "a rigid building"},
+        Needs{"building", "mass_ratio", "period_s", "a rigid building"},
+        Needs{"vertical", "damping", "period_s", "a roof that moves vertically with the ground"}}) {
+    const Quantity& given = config.quantities.at(n.table, n.key);
+    const bool is_usual = !given.is_drawn() && given.values == usual.at(n.table, n.key).values;
+    if (!is_usual && config.quantities.at(n.table, n.other).is_always(0.0))
+      notes.push_back(fmt::format("{}.{} has no effect on {}: give {}.{} too", n.table, n.key,
+                                  n.what, n.table, n.other));
+  }
+  return notes;
+}
+
 }  // namespace
 
 std::vector<std::string> notes_on(const Plan& plan) {
@@ -67,6 +88,7 @@ std::vector<std::string> notes_on(const Plan& plan) {
         "m; its slip there is reported as infinite, and a recrossing there would not be seen",
         config.fragility->thresholds_m.back()));
   }
+  for (std::string& note : notes_on_quantities(config)) notes.push_back(std::move(note));
   for (std::string& note : notes_on_standards(plan)) notes.push_back(std::move(note));
   return notes;
 }

@@ -74,7 +74,7 @@ TEST_F(ChartStudy, of_friction_that_is_drawn_has_its_samples) {
   EXPECT_THAT(study.friction.values, ElementsAre(FrictionValue::as_drawn));
   EXPECT_NEAR(study.chart->shown_mu, 0.5, 1e-12);
   EXPECT_TRUE(study.draws());
-  EXPECT_EQ(study.orientation.choice, OrientationChoice::random);
+  EXPECT_EQ(study.orientation.choice, OrientationChoice::all_permutations);
 }
 
 TEST_F(ChartStudy, slopes_of_either_sign_are_mirror_images_to_the_last_bit) {

@@ -120,8 +120,6 @@ TEST_F(ClearanceStudy, what_is_wrong_is_reported_with_its_line) {
            Fault{"across_mu = 0.6", "across_mu = 0", "friction.across_mu is zero"},
            Fault{"factor = 1.2", "factor = 0.9", "clearance.factor = 0.9 is not 1 or more"},
            Fault{"across_mu = 0.6", "value = \"sampled\"", "friction.value leaves out"},
-           Fault{"period_s = [0.2, 1.0]", "period_s = 0", "mass_ratio has no effect on a rigid"},
-           Fault{"period_s = [0, 0.3]", "damping = 0.1", "vertical.damping has no effect without"},
            Fault{"mu = { mean = 0.5, std = 0.02 }", "value = \"design\"\nmu = 0.5",
                  "friction.value has no effect"},
            Fault{"hardening_ratio", "hardening", "building.hardening is not a known key"},

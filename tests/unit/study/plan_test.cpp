@@ -190,6 +190,16 @@ TEST(plan, notes_records_that_lack_a_component) {
   EXPECT_EQ(make_plan(config, {suite}).notes.size(), 2u);
 }
 
+TEST(plan, notes_quantities_without_effect) {
+  StudyConfig config = small_config();
+  const std::size_t before = small_plan(config).notes.size();
+  config.quantities.at("building", "period_s") = {{0.0}, {}};
+  config.quantities.at("building", "damping") = {{0.2}, {}};
+  EXPECT_EQ(small_plan(config).notes.size(), before + 1);
+  config.quantities.at("building", "period_s") = {{0.5}, {}};
+  EXPECT_EQ(small_plan(config).notes.size(), before);
+}
+
 TEST(plan, notes_cases_outside_the_range_of_the_prescriptive_value) {
   // Slope 4 degrees in a third of the samples, mu at or below 0.4 in half of them.
   EXPECT_EQ(small_plan(small_config()).notes.size(), 1u);
