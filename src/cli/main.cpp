@@ -38,7 +38,7 @@ std::string message(const CLI::App& program, const CLI::ParseError& error) {
 }
 
 int run_program(int argc, char** argv, const glissade::Communicator& world) {
-  CLI::App program{"glissade: slip fragility of unattached rooftop solar arrays"};
+  CLI::App program{"glissade: slip fragility of unanchored rooftop solar arrays"};
   program.set_version_flag("--version", "glissade " GLISSADE_VERSION);
   program.require_subcommand(1);
   program.option_defaults()->always_capture_default();

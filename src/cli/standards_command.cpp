@@ -58,7 +58,7 @@ void run(const StandardsOptions& o) {
     fmt::print("{}\n", json.dump(2));
     return;
   }
-  fmt::print("Prescribed displacement of an unattached array at S_DS = {:g} g, in plan\n", o.sds_g);
+  fmt::print("Prescribed displacement of an unanchored array at S_DS = {:g} g, in plan\n", o.sds_g);
   print("SEAOC PV1-2012", seaoc);
   print("ASCE 7-16", asce);
   fmt::print("ASCE 7-16 separations\n");

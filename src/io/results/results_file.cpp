@@ -100,8 +100,8 @@ void check_histories(const Results& results) {
              "crossing_speed_mps");
 }
 
-/// Every part is there for each record, case, level and threshold that the others have: whoever
-/// goes through the results need not look.
+/// Every part is there for each record, case, level and threshold that the others have, so that
+/// readers of the results need no checks.
 void check_shapes(const Results& results) {
   const std::size_t records = results.records.size(), levels = results.levels.size(),
                     thresholds = results.thresholds_m.size();

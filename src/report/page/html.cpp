@@ -154,7 +154,7 @@ Html inputs_html(const Results& results) {
 std::string html_report(const Results& results, const std::vector<DrawnFigure>& figures,
                         const std::vector<Skip>& skips) {
   const Html page =
-      page_head({results.study_name, "sliding of an unattached solar array"}) +
+      page_head({results.study_name, "sliding of an unanchored solar array"}) +
       (results.study_description.empty() ? Html() : paragraph(results.study_description)) +
       paragraph(what_was_run(results)) + answer_html(results) + figures_html(figures) +
       (results.clearance ? clearance_html(clearance_results(results)) : Html()) +

@@ -77,7 +77,7 @@ std::vector<double> per_record_means(const ClearanceResults& results,
 double share_below(const std::vector<double>& sorted, double value);
 
 /// The suite's mean with each record's stronger component (the larger integral of a^2) along the
-/// slope, by its sign: as recorded, and turned round. Walters et al. (2012) call that conservative.
+/// slope, by its sign: as recorded, and reversed. Walters et al. (2012) call that conservative.
 /// NaN where the study did not run these orientations.
 struct StrongerAlong {
   double as_recorded = 0.0, turned_round = 0.0;

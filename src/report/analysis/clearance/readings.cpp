@@ -97,7 +97,7 @@ std::string orientation_reading(const ClearanceResults& r) {
   if (std::isfinite(stronger.as_recorded) && std::isfinite(stronger.turned_round)) {
     text += fmt::format(
         " With every record's stronger component along the slope it is {}, and {} with that "
-        "component turned round.",
+        "component reversed.",
         format_length(stronger.as_recorded), format_length(stronger.turned_round));
   }
   text += downhill_reading(r);
