@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "block/full_model/on_building_body.hpp"
 
-#include <utility>
-
 #include "glissade/core/not_converged.hpp"
 
 namespace glissade::block_detail {
@@ -17,7 +15,7 @@ OnBuildingBody::OnBuildingBody(const BuildingContact& contact,
       pieces_(pieces),
       tolerance_(tolerance),
       strongest_(contact.strongest(mobility_)),
-      track_(std::move(track)) {
+      track_(track) {
   const FrictionEllipse& friction = contact_.friction_at_rest();
   const TwoAxisLoading& loading = contact_.loading();
   margin_per_a_ = loading.tan_slope() +

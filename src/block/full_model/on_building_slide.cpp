@@ -41,10 +41,10 @@ OnBuildingBody::Bare OnBuildingBody::alone(const Shaking& piece) const {
 
 /// For a step that ends at a fraction of the piece.
 StageLoads OnBuildingBody::Bare::at_stages(double share) const {
-  constexpr std::size_t stages = StageLoads::stages;
+  constexpr std::size_t stages = Sdirk4::stages;
   StageLoads loads;
   double y[stages];
-  for (std::size_t i = 0; i < stages; ++i) y[i] = share * StageLoads::at[i];
+  for (std::size_t i = 0; i < stages; ++i) y[i] = share * Sdirk4::at[i];
   const auto values = [&](const double* c, int terms, double(&sum)[stages]) {
     for (double& s : sum) s = 0.0;
     for (int k = terms; k-- > 0;)

@@ -26,13 +26,11 @@ struct BuildingStep {
 
 /// Motion of the uncoupled roof at the stages of a step.
 struct StageLoads {
-  static constexpr std::size_t stages = 5;
-  static constexpr double at[stages] = {1.0 / 4, 3.0 / 4, 11.0 / 20, 1.0 / 2, 1.0};
-  double e[2][stages];
-  double w[stages];
+  double e[2][Sdirk4::stages];
+  double w[Sdirk4::stages];
 };
 
-/// SDIRK4 (two_axis_step.hpp) of block and building together. The response of the building alone is
+/// SDIRK4 of block and building together. The response of the building alone is
 /// exact (`loads`); only the effect of the block is integrated, xi'' + 2 zeta omega xi' + k xi =
 /// -push. In a stage xi follows from the push in closed form, which only changes e and R:
 ///   a = [e + b / (1 + beta)] - push / (1 + beta),   beta = own omega (2 zeta + k own omega)
@@ -41,16 +39,8 @@ template <bool kFeels>
 BuildingStep building_sdirk4(Vector v, Vector guess, double length_s, double enough,
                              const StageLoads& loads, const BuildingContact& contact,
                              const std::array<AxisResponse, 2>& axes, const Mobility& at_once) {
-  constexpr int stages = StageLoads::stages;
-  constexpr double gamma = 0.25;
-  constexpr double a[stages][stages - 1] = {{},
-                                            {1.0 / 2},
-                                            {17.0 / 50, -1.0 / 25},
-                                            {371.0 / 1360, -137.0 / 2720, 15.0 / 544},
-                                            {25.0 / 24, -49.0 / 48, 125.0 / 16, -85.0 / 12}};
-  constexpr double difference[stages] = {-3.0 / 16, -27.0 / 32, 25.0 / 32, 0.0, 1.0 / 4};
-
-  const double own = gamma * length_s;
+  using S = Sdirk4;
+  const double own = S::gamma * length_s;
   double spring[2] = {}, gives[2] = {};
   Mobility mobility;
   if constexpr (kFeels) {
@@ -63,14 +53,14 @@ BuildingStep building_sdirk4(Vector v, Vector guess, double length_s, double eno
   }
 
   BuildingStep step;
-  Vector k[stages], error;
-  Added rate[stages][2];
+  Vector k[S::stages], error;
+  Added rate[S::stages][2];
   // Unrolled, the tableau's numbers are constants and its zeros vanish.
 #pragma GCC unroll 5
-  for (int i = 0; i < stages; ++i) {
+  for (int i = 0; i < S::stages; ++i) {
     Vector known{};
 #pragma GCC unroll 5
-    for (int j = 0; j < i; ++j) known = known + a[i][j] * k[j];
+    for (int j = 0; j < i; ++j) known = known + S::a[i][j] * k[j];
     known = v + length_s * known;
     Axes e{loads.e[0][i], loads.e[1][i]};
     if constexpr (kFeels) {
@@ -78,8 +68,8 @@ BuildingStep building_sdirk4(Vector v, Vector guess, double length_s, double eno
       Axes rest{};  // of xi's own forces
       for (std::size_t n = 0; n < 2; ++n) {
         for (int j = 0; j < i; ++j) {
-          before[n].x += a[i][j] * rate[j][n].x;
-          before[n].y += a[i][j] * rate[j][n].y;
+          before[n].x += S::a[i][j] * rate[j][n].x;
+          before[n].y += S::a[i][j] * rate[j][n].y;
         }
         before[n].x *= length_s;
         before[n].y *= length_s;
@@ -99,7 +89,7 @@ BuildingStep building_sdirk4(Vector v, Vector guess, double length_s, double eno
       step.end = contact.slide_unfelt(known, own, contact.loading().at(e[0], e[1], loads.w[i]));
     }
     k[i] = step.end.a;
-    error = error + difference[i] * k[i];
+    error = error + S::difference[i] * k[i];
   }
   const Load turning{{}, step.end.normal * (1.0 + at_once.mean)};
   step.error = length_s * length(damped(error, step.end.v, own, turning, contact.friction()));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "block/contact/two_axis_contact.hpp"
+#include "block/full_model/sdirk4.hpp"
 
 namespace glissade::block_detail {
 
@@ -30,34 +31,25 @@ inline Vector damped(Vector error, Vector v, double own_s, const Load& load,
 /// SDIRK4 over `length_s`, in which the load goes linearly from `begin` to `end`.
 inline SlidingStep sdirk4(Vector v, const Load& begin, const Load& end, double length_s,
                           const FrictionEllipse& friction) {
-  // Hairer & Wanner 1996, section IV.6; the last row holds the weights.
-  constexpr int stages = 5;
-  constexpr double gamma = 0.25;
-  constexpr double c[stages] = {1.0 / 4, 3.0 / 4, 11.0 / 20, 1.0 / 2, 1.0};
-  constexpr double a[stages][stages - 1] = {{},
-                                            {1.0 / 2},
-                                            {17.0 / 50, -1.0 / 25},
-                                            {371.0 / 1360, -137.0 / 2720, 15.0 / 544},
-                                            {25.0 / 24, -49.0 / 48, 125.0 / 16, -85.0 / 12}};
-  constexpr double difference[stages] = {-3.0 / 16, -27.0 / 32, 25.0 / 32, 0.0, 1.0 / 4};
-
-  const double own = gamma * length_s;
-  Vector k[stages], stage_v, error;
+  using S = Sdirk4;
+  const double own = S::gamma * length_s;
+  Vector k[S::stages], stage_v, error;
   // Unrolled, the tableau's numbers are constants and its zeros vanish: a third faster.
 #pragma GCC unroll 5
-  for (int i = 0; i < stages; ++i) {
+  for (int i = 0; i < S::stages; ++i) {
     Vector known{};
 #pragma GCC unroll 5
-    for (int j = 0; j < i; ++j) known = known + a[i][j] * k[j];
+    for (int j = 0; j < i; ++j) known = known + S::a[i][j] * k[j];
     known = v + length_s * known;
-    const Load load = between(begin, end, c[i]);
+    const Load load = between(begin, end, S::at[i]);
     const double normal = std::max(load.normal, 0.0);
     const Vector p = known + own * load.drive;
     k[i] = load.drive - normal * friction.holding(p, own * normal);
     stage_v = known + own * k[i];
-    error = error + difference[i] * k[i];
+    error = error + S::difference[i] * k[i];
   }
-  return {{stage_v, k[stages - 1]}, length_s * length(damped(error, stage_v, own, end, friction))};
+  return {{stage_v, k[S::stages - 1]},
+          length_s * length(damped(error, stage_v, own, end, friction))};
 }
 
 }  // namespace glissade::block_detail

@@ -1,44 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "block/slip_record/two_axis_track.hpp"
 
+#include "block/slip_record/first_reach.hpp"
+
 namespace glissade::block_detail {
-namespace {
-
-/// The change of sign of a function from not positive at `low` to positive at `high`.
-template <class Function>
-double rise_between(const Function& f, double low, double high) {
-  for (int bisection = 0; bisection < 60; ++bisection) {
-    const double middle = 0.5 * (low + high);
-    (f(middle) > 0.0 ? high : low) = middle;
-  }
-  return high;
-}
-
-}  // namespace
-
-double first_reach(const Path& path, double radius) {
-  const auto beyond = [&](double t) { return length(path.displacement(t)) - radius; };
-  const auto recedes = [&](double t) { return -dot(path.displacement(t), path.velocity(t)); };
-  constexpr int parts = 8;
-  double from = 0.0;
-  for (int i = 1; i <= parts; ++i) {
-    const double to = static_cast<double>(i) / parts;
-    if (recedes(from) < 0.0 && recedes(to) > 0.0) {
-      const double farthest = rise_between(recedes, from, to);
-      if (beyond(farthest) >= 0.0) return rise_between(beyond, from, farthest);
-    }
-    if (beyond(to) >= 0.0) return rise_between(beyond, from, to);
-    from = to;
-  }
-  return never;
-}
-
 void TwoAxisTrack::slide(const Sliding& from, const Sliding& to, double length_s, double begin_s) {
   const Path path(length_s, displacement_, scaled(from.v, to_plan_), scaled(from.a, to_plan_),
                   scaled(to.v, to_plan_), scaled(to.a, to_plan_));
   extremes_.along(path);
   for (; waits_for(extremes_.displacement()); ++next_) {
-    const double share = std::min(first_reach(path, thresholds_[next_]), 1.0);
+    const double share =
+        first_reach([&](double y) { return path.displacement(y); },
+                    [&](double y) { return path.velocity(y); }, thresholds_[next_]);
     crossings_[next_] = {begin_s + share * length_s, length(path.velocity(share))};
   }
   displacement_ = path.end;

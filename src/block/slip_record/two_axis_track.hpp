@@ -11,10 +11,6 @@
 
 namespace glissade::block_detail {
 
-/// The fraction of a path at which it first is `radius` from the origin, or never. Its start is
-/// nearer.
-double first_reach(const Path& path, double radius);
-
 /// Path of a block, with the results of a history. Displacements are in plan.
 class TwoAxisTrack {
  public:

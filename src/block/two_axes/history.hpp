@@ -5,12 +5,13 @@
 #include <cmath>
 #include <memory>
 
+#include "block/full_model/two_axis_step.hpp"
 #include "block/full_model/two_axis_stop.hpp"
 #include "block/slip_record/two_axis_extremes.hpp"
+#include "block/two_axes/roof/roof_piece.hpp"
+#include "block/two_axes/roof/tables.hpp"
 #include "glissade/block/two_axis_lanes.hpp"
 #include "lane_crossings.hpp"
-#include "roof_piece.hpp"
-#include "tables.hpp"
 
 namespace glissade::block_detail::two_axes {
 
@@ -59,6 +60,9 @@ class LaneHistory {
     return (static_cast<double>(spot.node + 1) - spot.motion.left) * ground_.dt_s;
   }
   void stiff_step(Spot& spot);
+  double stiff_trial_s(const RoofPiece& rest_of_interval, Vector v, double fastest) const;
+  void take_step(Spot& spot, const RoofPiece& piece, double share, double length_s,
+                 const Sliding& begin, const Sliding& end);
   RoofPiece::Push push_of(Vector v) const;
   RoofPiece piece(const Spot& spot, const RoofPiece::Push& push) const {
     return RoofPiece(spot, ground_, constants_, roof_, push);
@@ -67,6 +71,7 @@ class LaneHistory {
   void move_way(Spot& spot, Vector way, const At& at, double begin_s, double length_s);
 
   Constants<double> constants_;
+  FrictionEllipse ellipse_;
   RoofKind roof_;
   const GroundNodes& ground_;
   std::shared_ptr<const RestTable> table_;

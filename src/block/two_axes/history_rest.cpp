@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "block/two_axes/roof/roof_at_rest.hpp"
 #include "history.hpp"
-#include "roof_at_rest.hpp"
 
 namespace glissade::block_detail::two_axes {
 namespace {
@@ -12,7 +12,7 @@ namespace {
 /// The root of a function, almost a line, that rises from at most zero at `low`
 /// to above zero at `high`: the secant rule, kept within the bracket.
 template <class Function>
-double rise_between(const Function& f, double low, double high, double f_low, double f_high) {
+double rise_by_secant(const Function& f, double low, double high, double f_low, double f_high) {
   double x0 = low, f0 = f_low, x1 = high, f1 = f_high;
   for (int i = 0; i < 60; ++i) {
     double x = x1 - f1 * (x1 - x0) / (f1 - f0);
@@ -35,6 +35,7 @@ LaneHistory::LaneHistory(const Constants<double>& constants, RoofKind roof,
                          const GroundNodes& ground, std::shared_ptr<const RestTable> table,
                          const LaneCrossings& crossings)
     : constants_(constants),
+      ellipse_({constants.mu, constants.mu * constants.aspect}),
       roof_(roof),
       ground_(ground),
       table_(std::move(table)),
@@ -80,14 +81,14 @@ double LaneHistory::release(const RoofPiece& piece) const {
   const auto excess = [&](double y) { return -grip_left(piece.load(y), constants_); };
   const double begin = excess(0.0), end = excess(1.0);
   if (begin > 1e-13 * constants_.gravity) return 0.0;
-  if (end > 0.0) return rise_between(excess, 0.0, 1.0, std::min(begin, 0.0), end);
+  if (end > 0.0) return rise_by_secant(excess, 0.0, 1.0, std::min(begin, 0.0), end);
   const double sag = piece.sag();
   if (sag == 0.0 || -std::max(begin, end) > sag) return never;
   constexpr int parts = 16;
   double before = std::min(begin, 0.0);
   for (int i = 1; i < parts; ++i) {
     const double y = static_cast<double>(i) / parts, value = excess(y);
-    if (value > 0.0) return rise_between(excess, y - 1.0 / parts, y, before, value);
+    if (value > 0.0) return rise_by_secant(excess, y - 1.0 / parts, y, before, value);
     before = value;
   }
   return never;

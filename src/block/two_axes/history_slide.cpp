@@ -37,34 +37,27 @@ Vector stage(const Constants<double>& c, const FrictionEllipse& friction, Vector
   return a;
 }
 
-/// SDIRK4 (two_axis_step.hpp) over a share of a piece.
+/// SDIRK4 over a share of a piece.
 SlidingStep sdirk4(const Constants<double>& c, const FrictionEllipse& friction, Vector v,
                    const RoofPiece& piece, double share) {
-  constexpr int stages = 5;
-  constexpr double gamma = 0.25;
-  constexpr double at[stages] = {1.0 / 4, 3.0 / 4, 11.0 / 20, 1.0 / 2, 1.0};
-  constexpr double a[stages][stages - 1] = {{},
-                                            {1.0 / 2},
-                                            {17.0 / 50, -1.0 / 25},
-                                            {371.0 / 1360, -137.0 / 2720, 15.0 / 544},
-                                            {25.0 / 24, -49.0 / 48, 125.0 / 16, -85.0 / 12}};
-  constexpr double difference[stages] = {-3.0 / 16, -27.0 / 32, 25.0 / 32, 0.0, 1.0 / 4};
-  const double length_s = share * piece.length_s(), own = gamma * length_s;
-  Vector k[stages], stage_v, error;
+  using S = Sdirk4;
+  const double length_s = share * piece.length_s(), own = S::gamma * length_s;
+  Vector k[S::stages], stage_v, error;
   Load load;
 #pragma GCC unroll 5
-  for (int i = 0; i < stages; ++i) {
+  for (int i = 0; i < S::stages; ++i) {
     Vector known{};
 #pragma GCC unroll 5
-    for (int j = 0; j < i; ++j) known = known + a[i][j] * k[j];
+    for (int j = 0; j < i; ++j) known = known + S::a[i][j] * k[j];
     known = v + length_s * known;
-    load = piece.load(share * at[i]);
+    load = piece.load(share * S::at[i]);
     k[i] = stage(c, friction, known, own, load, i > 0 ? k[i - 1] : Vector{});
     stage_v = known + own * k[i];
-    error = error + difference[i] * k[i];
+    error = error + S::difference[i] * k[i];
   }
   load.normal *= c.per_kappa_y;
-  return {{stage_v, k[stages - 1]}, length_s * length(damped(error, stage_v, own, load, friction))};
+  return {{stage_v, k[S::stages - 1]},
+          length_s * length(damped(error, stage_v, own, load, friction))};
 }
 
 }  // namespace
@@ -159,8 +152,7 @@ bool LaneHistory::reverse(Spot& spot, const RoofPiece& piece) {
 
 /// By which the speed of v falls under a load.
 double LaneHistory::deceleration(const Load& load, Vector v) const {
-  const FrictionEllipse friction({constants_.mu, constants_.mu * constants_.aspect});
-  const double along = dot(load.normal * friction.sliding(v) - load.drive, v) / length(v);
+  const double along = dot(load.normal * ellipse_.sliding(v) - load.drive, v) / length(v);
   return constants_.per_kappa_y * along;
 }
 
@@ -192,11 +184,27 @@ void LaneHistory::take_stop(Spot& spot, const RoofPiece& piece, const Stop& stop
   move_way(spot, way, at, begin_s, stop.time_s);
 }
 
+/// The length to try first of what is left of the interval, `left_s`.
+double LaneHistory::stiff_trial_s(const RoofPiece& rest_of_interval, Vector v,
+                                  double fastest) const {
+  const double left_s = rest_of_interval.length_s(), speed = length(v);
+  const Load now = rest_of_interval.load(0.0);
+  double length_s = std::min(step_s_, left_s);
+  if (step_s_ == never && speed > 0.0)
+    length_s = std::min(length_s, speed / (now.normal * dot(ellipse_.sliding(v), v) / speed));
+  // A stage of what comes after a reversal would not see what came before.
+  if (speed > constants_.tolerance * fastest) {
+    const double fastest_stop =
+        std::max(deceleration(now, v), deceleration(rest_of_interval.load(1.0), v));
+    if (fastest_stop > 0.0) length_s = std::min(length_s, 0.6 * speed / fastest_stop);
+  }
+  return length_s;
+}
+
 void LaneHistory::stiff_step(Spot& spot) {
   const Constants<double>& c = constants_;
-  LaneMotion<double>& m = spot.motion;
-  const FrictionEllipse ellipse({c.mu, c.mu * c.aspect});
   const Vector v = velocity(spot);
+  const double fastest = spot.motion.fastest;
   RoofPiece::Push push = push_of(v);
   RoofPiece rest_of_interval = piece(spot, push);
   const double left_s = rest_of_interval.length_s();
@@ -204,50 +212,47 @@ void LaneHistory::stiff_step(Spot& spot) {
   const double rounding = 16.0 * std::numeric_limits<double>::epsilon() *
                           (std::abs(now.drive.s) + std::abs(now.drive.y) + std::abs(now.normal));
   constexpr double shortest = 1e-9;  // of what is left
-  double length_s = std::min(step_s_, left_s);
-  const double speed = length(v);
-  if (step_s_ == never && speed > 0.0)
-    length_s = std::min(length_s, speed / (now.normal * dot(ellipse.sliding(v), v) / speed));
-  // A stage of what comes after a reversal would not see what came before.
-  if (speed > c.tolerance * m.fastest) {
-    const double fastest_stop =
-        std::max(deceleration(now, v), deceleration(rest_of_interval.load(1.0), v));
-    if (fastest_stop > 0.0) length_s = std::min(length_s, 0.6 * speed / fastest_stop);
-  }
-  if (length_s < left_s && length_s > 0.5 * left_s) length_s = 0.5 * left_s;
+  double length_s = stiff_trial_s(rest_of_interval, v, fastest), share = 1.0;
   SlidingStep trial;
   for (;;) {
-    const double share = length_s == left_s ? 1.0 : length_s / left_s;
-    trial = sdirk4(c, ellipse, v, rest_of_interval, share);
+    // No remainder that is much shorter than the step.
+    if (length_s < left_s && length_s > 0.5 * left_s) length_s = 0.5 * left_s;
+    share = length_s == left_s ? 1.0 : length_s / left_s;
+    trial = sdirk4(c, ellipse_, v, rest_of_interval, share);
     if (roof_ == RoofKind::coupled) {  // once more, with the push it has
       const RoofPiece::Push end = push_of(trial.end.v);
       for (std::size_t n = 0; n < 2; ++n) push.rise[n] = (end.begin[n] - push.begin[n]) / share;
       rest_of_interval = piece(spot, push);
-      trial = sdirk4(c, ellipse, v, rest_of_interval, share);
+      trial = sdirk4(c, ellipse_, v, rest_of_interval, share);
     }
     const double allowed =
-        c.tolerance * std::max(m.fastest, length(trial.end.v)) + length_s * rounding;
+        c.tolerance * std::max(fastest, length(trial.end.v)) + length_s * rounding;
     const double ratio = trial.error > 0.0 ? allowed / trial.error : 1e4;
     step_s_ = length_s * std::clamp(0.9 * std::sqrt(std::sqrt(ratio)), 0.2, 5.0);
     if (ratio >= 1.0 || length_s <= shortest * left_s) break;
     length_s = step_s_;
-    if (length_s < left_s && length_s > 0.5 * left_s) length_s = 0.5 * left_s;
   }
-  // Its way: the cubic through both ends' velocities and accelerations.
-  const Vector to_plan{c.cosine2, c.cosine}, from{m.at_s, m.at_y};
-  const Vector a0 = stage(c, ellipse, v, 1e-9 * length_s, now, {});
-  const Path path(length_s, from, scaled(v, to_plan), scaled(a0, to_plan),
-                  scaled(trial.end.v, to_plan), scaled(trial.end.a, to_plan));
+  const Vector a = stage(c, ellipse_, v, 1e-9 * length_s, now, {});
+  take_step(spot, rest_of_interval, share, length_s, {v, a}, trial.end);
+}
+
+/// Over a share of a piece; the way is the cubic through both ends' velocities and accelerations.
+void LaneHistory::take_step(Spot& spot, const RoofPiece& piece, double share, double length_s,
+                            const Sliding& begin, const Sliding& end) {
+  LaneMotion<double>& m = spot.motion;
+  const Vector to_plan{constants_.cosine2, constants_.cosine}, from{m.at_s, m.at_y};
+  const Path path(length_s, from, scaled(begin.v, to_plan), scaled(begin.a, to_plan),
+                  scaled(end.v, to_plan), scaled(end.a, to_plan));
   if (dot(path.v[0], path.v[3]) < 0.0 || dot(from, path.v[0]) * dot(path.end, path.v[3]) < 0.0 ||
       path.v[0].s * path.v[3].s < 0.0 || path.v[0].y * path.v[3].y < 0.0) {
     raise_peaks(path, m);
   }
-  const double begin_s = time_s(spot);
-  rest_of_interval.move(spot, length_s == left_s ? 1.0 : length_s / left_s);
-  m.v_s = trial.end.v.s;
-  m.v_y = trial.end.v.y;
-  m.fastest = std::max(m.fastest, length(trial.end.v));
-  m.path += 0.5 * length_s * (speed + length(trial.end.v));
+  const double begin_s = time_s(spot), speed = length(end.v);
+  piece.move(spot, share);
+  m.v_s = end.v.s;
+  m.v_y = end.v.y;
+  m.fastest = std::max(m.fastest, speed);
+  m.path += 0.5 * length_s * (length(begin.v) + speed);
   const auto at = [&](double y) { return WayPoint{path.displacement(y), path.velocity(y)}; };
   move_way(spot, path.end - from, at, begin_s, length_s);
 }

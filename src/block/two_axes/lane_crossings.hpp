@@ -5,6 +5,7 @@
 #include <span>
 
 #include "block/contact/plane_vector.hpp"
+#include "block/slip_record/first_reach.hpp"
 #include "glissade/block/crossing.hpp"
 
 namespace glissade::block_detail::two_axes {
@@ -27,7 +28,9 @@ class LaneCrossings {
   template <class At>
   void pass(const At& at, double begin_s, double length_s, double farthest_m) {
     for (; may_reach(farthest_m); ++next_) {
-      const double share = first_reach(at, thresholds_m_[next_]);
+      const double share =
+          first_reach([&](double y) { return at(y).displacement; },
+                      [&](double y) { return at(y).velocity; }, thresholds_m_[next_]);
       crossings_[next_] = {begin_s + share * length_s, length(at(share).velocity)};
     }
   }
@@ -36,32 +39,6 @@ class LaneCrossings {
   double next_m() const {
     return next_ < thresholds_m_.size() ? thresholds_m_[next_]
                                         : std::numeric_limits<double>::infinity();
-  }
-  /// The change of sign of a function from not positive at `low` to positive at `high`.
-  template <class Function>
-  static double rise_between(const Function& f, double low, double high) {
-    for (int bisection = 0; bisection < 50; ++bisection) {
-      const double middle = 0.5 * (low + high);
-      (f(middle) > 0.0 ? high : low) = middle;
-    }
-    return high;
-  }
-  template <class At>
-  static double first_reach(const At& at, double radius_m) {
-    const auto beyond = [&](double y) { return length(at(y).displacement) - radius_m; };
-    const auto recedes = [&](double y) { return -dot(at(y).displacement, at(y).velocity); };
-    constexpr int parts = 8;
-    double from = 0.0;
-    for (int i = 1; i <= parts; ++i) {
-      const double to = static_cast<double>(i) / parts;
-      if (recedes(from) < 0.0 && recedes(to) > 0.0) {
-        const double farthest = rise_between(recedes, from, to);
-        if (beyond(farthest) >= 0.0) return rise_between(beyond, from, farthest);
-      }
-      if (beyond(to) >= 0.0) return rise_between(beyond, from, to);
-      from = to;
-    }
-    return 1.0;
   }
 
   std::span<const double> thresholds_m_;

@@ -40,6 +40,12 @@ void check_cases(const Results& results) {
     if (axis.key == "array.support" || axis.key == "vertical.use" || axis.key == "friction.value") {
       for (const double value : axis.values)
         expect_fit(value == 0.0 || value == 1.0 || value == 2.0, "values", "axis of choices");
+    } else {
+      expect_fit(std::ranges::any_of(parameters(),
+                                     [&](const Parameter& p) {
+                                       return axis.key == std::string(p.table) + "." + p.key;
+                                     }),
+                 "axes", "parameters of a case");
     }
   }
   expect_fit(size == set.size(), "axes", "cases");

@@ -293,6 +293,7 @@ TEST(results_file, parts_that_do_not_fit_each_other_are_refused) {
   EXPECT_THAT(refusal([](Results& r) { r.cases.axes[0].values.clear(); }), of("axes"));
   EXPECT_THAT(refusal([](Results& r) { r.cases.axes[0].values[1] = 7.0; }), of("values"));
   EXPECT_THAT(refusal([](Results& r) { r.cases.axes[0].names.pop_back(); }), of("names"));
+  EXPECT_THAT(refusal([](Results& r) { r.cases.axes[0].key = "building.colour"; }), of("axes"));
   EXPECT_THAT(refusal([](Results& r) { r.cases.cases[7].orientation.ground_azimuth_deg = 360.0; }),
               of("ground_azimuth_deg"));
   EXPECT_THAT(

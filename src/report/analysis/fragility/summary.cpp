@@ -115,8 +115,8 @@ std::string other_run_sentence(const Results& results, const RunResults& run) {
                            format_length(fragility.threshold_m));
   }
   if (medians.empty()) return "";
-  return fmt::format("{} ({}): the 50 % intensities are {}.", run.label, run.friction_description,
-                     medians);
+  return fmt::format("Run {} ({}): the 50 % intensities are {}.", run.label,
+                     run.friction_description, medians);
 }
 
 /// The standards table at a handful of levels, narrow enough for a terminal: the rest is in

@@ -3,9 +3,9 @@
 
 #include <array>
 
-#include "rest_search.hpp"
-#include "roof_piece.hpp"
-#include "tables.hpp"
+#include "block/two_axes/roof/rest_search.hpp"
+#include "block/two_axes/roof/roof_piece.hpp"
+#include "block/two_axes/roof/tables.hpp"
 
 namespace glissade::block_detail::two_axes {
 

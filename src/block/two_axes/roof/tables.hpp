@@ -4,8 +4,8 @@
 #include <array>
 #include <vector>
 
+#include "block/two_axes/lane_bank.hpp"
 #include "glissade/block/on_building.hpp"
-#include "lane_bank.hpp"
 
 namespace glissade::block_detail::two_axes {
 

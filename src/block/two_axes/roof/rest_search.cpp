@@ -2,10 +2,10 @@
 //
 // Compiled once per SIMD target (Highway chooses at run time); every operation
 // is elementwise and unfused, so all targets give the same bits.
-#include "rest_search.hpp"
+#include "block/two_axes/roof/rest_search.hpp"
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "block/two_axes/rest_search.cpp"
+#define HWY_TARGET_INCLUDE "block/two_axes/roof/rest_search.cpp"
 #include <hwy/foreach_target.h>  // before highway.h
 #include <hwy/highway.h>
 

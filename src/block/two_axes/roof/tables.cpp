@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tables.hpp"
+#include "block/two_axes/roof/tables.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -4,8 +4,8 @@
 #include <array>
 
 #include "block/contact/two_axis_contact.hpp"
-#include "lane_bank.hpp"
-#include "tables.hpp"
+#include "block/two_axes/lane_bank.hpp"
+#include "block/two_axes/roof/tables.hpp"
 
 namespace glissade::block_detail::two_axes {
 

@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "lane_bank.hpp"
+#include "block/two_axes/lane_bank.hpp"
 
 namespace glissade::block_detail::two_axes {
 

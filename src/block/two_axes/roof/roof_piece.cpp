@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "roof_piece.hpp"
+#include "block/two_axes/roof/roof_piece.hpp"
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "roof_at_rest.hpp"
+#include "block/two_axes/roof/roof_at_rest.hpp"
 
 #include <algorithm>
 #include <cmath>
