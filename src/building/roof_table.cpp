@@ -14,7 +14,7 @@ std::shared_ptr<MotionTable> tabulate(const Oscillator& oscillator, double dt_s,
   const auto ground = std::make_shared<GroundTable>(dt_s, ground_mps2, parts);
   if (parts_needed(oscillator, dt_s) == 0)
     return std::make_shared<MotionTable>(tabulate_rigid(ground));
-  const auto table = std::make_shared<MotionTable>();
+  auto table = std::make_shared<MotionTable>();
   tabulate_responses(ground, {&oscillator, 1}, {&follow, 1}, {table.get(), 1});
   return table;
 }

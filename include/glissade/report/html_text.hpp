@@ -21,7 +21,7 @@ class Html {
   /// & < > " ' as entities: safe as text and inside quoted attributes.
   static Html text(std::string_view plain);
   /// A drawing of gnuplot, from its <svg on, with a label for readers that do not show it.
-  static Html drawing(std::string svg, std::string_view label);
+  static Html drawing(const std::string& svg, std::string_view label);
 
   Html& operator+=(const Html& next) {
     page_ += next.page_;

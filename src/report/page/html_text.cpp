@@ -20,7 +20,7 @@ Html Html::text(std::string_view plain) {
   return html;
 }
 
-Html Html::drawing(std::string svg, std::string_view label) {
+Html Html::drawing(const std::string& svg, std::string_view label) {
   Html html;
   html.page_ = svg.substr(std::min(svg.find("<svg"), svg.size()));
   // gnuplot's title, which browsers show as a tooltip.

@@ -32,7 +32,7 @@ std::string number_text(ColumnKind kind, double value, int decimals = -1) {
 
 std::string estimate_text(ColumnKind kind, const Estimate& estimate) {
   if (!std::isfinite(estimate.value)) return "-";
-  const std::string value = estimate.sign + number_text(kind, estimate.value);
+  std::string value = estimate.sign + number_text(kind, estimate.value);
   if (std::isnan(estimate.interval.low) || std::isnan(estimate.interval.high)) return value;
   // The interval in the value's first unit only: a range of metres and inches together is hard to
   // read.

@@ -14,7 +14,7 @@ std::string format_number(double value) {
   if (!std::isfinite(value)) return "-";
   if (value == 0.0) return "0";
   // The decimal exponent after rounding to three digits: 9.996 has 1, as 10.0 has.
-  const std::string scientific = fmt::format("{:.2e}", value);
+  std::string scientific = fmt::format("{:.2e}", value);
   const int exponent = std::stoi(scientific.substr(scientific.find('e') + 1));
   if (exponent < -6 || exponent > 8) return scientific;
   return fmt::format("{:.{}f}", value, std::max(0, 2 - exponent));
