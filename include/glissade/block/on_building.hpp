@@ -79,7 +79,7 @@ bool coupling_is_regular(const TwoAxisBlock& block, const BiaxialBuilding& build
 /// stages to have one solution.
 ///
 /// @param block its friction so that coupling_is_regular()
-/// @param tolerance as for slide_two_axis(), in [1e-9, 1e-2]: for 700 scenes of recorded motions
+/// @param tolerance as for slide_two_axis(), in [1e-11, 1e-2]: for 700 scenes of recorded motions
 /// the
 ///   error of the peak was 0.1 tolerances in the median, below 0.5 in nine of ten and 12 in one;
 ///   that of base shear and roof displacement was smaller. Against slide_coupled() on rough noise

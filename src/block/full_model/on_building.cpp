@@ -101,7 +101,7 @@ BuildingSlip slide_on_building(const BuildingGround& ground, const BuildingFacto
                                double tolerance) {
   check(ground, building, block);
   GLISSADE_EXPECTS(crossings.size() == thresholds_m.size());
-  GLISSADE_EXPECTS(tolerance >= 1e-9 && tolerance <= 1e-2);
+  GLISSADE_EXPECTS(tolerance >= 1e-11 && tolerance <= 1e-2);
   std::fill(crossings.begin(), crossings.end(), Crossing{});
 
   const Shaken shaken(ground, factors);

@@ -63,7 +63,7 @@ TwoAxisResult slide_with(const TwoAxisAcceleration& roof, const TwoAxisBlock& bl
   GLISSADE_EXPECTS(mu.along >= 0.0 && mu.across >= 0.0 && (mu.along > 0.0) == (mu.across > 0.0));
   GLISSADE_EXPECTS(block.slope_rad >= 0.0 && block.slope_rad < std::numbers::pi / 2);
   GLISSADE_EXPECTS(block.law.is_coulomb());
-  GLISSADE_EXPECTS(tolerance >= 1e-9 && tolerance <= 1e-2);
+  GLISSADE_EXPECTS(tolerance >= 1e-11 && tolerance <= 1e-2);
 
   const TwoAxisLoading loading(block);
   const FrictionEllipse friction(block.friction);

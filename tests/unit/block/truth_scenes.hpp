@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "two_axis_truth/two_axis_truth.hpp"
+#include "unit/block/on_building_scene.hpp"
+
+namespace glissade::test {
+
+enum class Roof { rigid, uncoupled, rigid_across, coupled };
+enum class Law { circle, ellipse, static_friction, rising_with_speed, falling_with_speed };
+constexpr Roof all_roofs[] = {Roof::rigid, Roof::uncoupled, Roof::rigid_across, Roof::coupled};
+constexpr Law all_laws[] = {Law::circle, Law::ellipse, Law::static_friction, Law::rising_with_speed,
+                            Law::falling_with_speed};
+
+/// A scene of rough motions on a building of m/M up to 0.5, with 8 samples a period or more.
+inline OnBuilding truth_scene(std::mt19937& random, Roof roof, Law law, std::size_t samples) {
+  const auto seed = static_cast<unsigned>(random() % 1000000);
+  OnBuilding scene(random, seed, samples);
+  for (Oscillator& o : scene.building.horizontal) o.period_s = std::max(o.period_s, 8 * scene.dt_s);
+  if (roof == Roof::rigid) scene.building = {};
+  if (roof == Roof::uncoupled) scene.building.mass_ratio = 0.0;
+  if (roof == Roof::rigid_across) scene.building.horizontal[1].period_s = 0.0;
+  if (law == Law::ellipse)
+    scene.block.friction.across *= std::uniform_real_distribution<double>(0.6, 1.6)(random);
+  if (law == Law::static_friction) scene.block.law.static_ratio = 1.3;
+  if (law == Law::rising_with_speed) scene.block.law = {1.0, 1.5, 30.0};
+  if (law == Law::falling_with_speed) {
+    scene.block.law = {1.0, 0.7, 30.0};
+    scene.block.slope_rad *= 0.6;
+  }
+  return scene;
+}
+
+inline TruthScene as_truth(const OnBuilding& scene) {
+  return {.dt_s = scene.dt_s,
+          .ground_mps2 = {scene.first, scene.second},
+          .vertical_mps2 = scene.up,
+          .factors = {{scene.factor, scene.factor}, scene.factor},
+          .building = scene.building,
+          .block = scene.block};
+}
+
+/// Largest difference in any displacement, relative to the peak; for TwoAxisResult or TwoAxisPeak.
+template <class Result>
+double error_of(const Result& r, const TwoAxisTruth& truth) {
+  const auto off = [](double x, Long exact) { return std::abs(static_cast<double>(x - exact)); };
+  return std::max({off(r.peak_displacement_m, truth.peak_m),
+                   off(r.peak_by_axis.along_m, truth.peak_along_m),
+                   off(r.peak_by_axis.across_m, truth.peak_across_m),
+                   off(r.residual.along_m, truth.along_m),
+                   off(r.residual.across_m, truth.across_m)}) /
+         static_cast<double>(truth.peak_m);
+}
+
+}  // namespace glissade::test
