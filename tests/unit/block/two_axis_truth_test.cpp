@@ -93,7 +93,7 @@ TEST(two_axis_truth, is_the_same_with_half_the_step) {
   std::mt19937 random(3);
   for (const test::Roof roof : test::all_roofs)
     for (const test::Law law : test::all_laws) {
-      const test::OnBuilding made = test::truth_scene(random, roof, law, 100);
+      const test::OnBuilding made = test::truth_scene(random, roof, law, 60);
       const TwoAxisTruth coarse(test::as_truth(made)), fine(test::as_truth(made), 1e-11 / 512.0);
       expect_near(coarse.peak_m, fine.peak_m, 1e-11L * fine.peak_m);
       expect_near(coarse.along_m, fine.along_m, 1e-11L * fine.peak_m);
