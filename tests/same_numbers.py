@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Compares results files of format version 3 (three kinds of study) with those of version 4 (one kind), dataset by dataset.
+"""Compares results files of format version 3 (three kinds of study) with those of version 4 and 5 (one kind), dataset by dataset.
 
   tests/same_numbers.py OLD/results.h5 NEW/results.h5      needs the Debian package python3-h5py
 

@@ -12,6 +12,7 @@ namespace glissade::test {
 namespace {
 
 using testing::HasSubstr;
+using testing::Not;
 namespace fs = std::filesystem;
 
 using Clearance = OneRun<small_clearance>;
@@ -33,6 +34,32 @@ TEST_F(Clearance, ends_with_what_came_out) {
        {std::string("2 conditions, 3 records of synthetic_level2, sixteen orientations"),
         std::string("only 4 differ"), (out() / "report.html").string()})
     EXPECT_THAT(one_line(finished_.out), HasSubstr(part));
+}
+
+TEST_F(Clearance, of_a_study_without_base_shear_does_not_mention_it) {
+  EXPECT_THAT(finished_.out, Not(HasSubstr("ase shear")));
+  for (const char* name : {"report.html", "tables/histories.csv"})
+    EXPECT_THAT(read_file(out() / name), Not(HasSubstr("ase shear"))) << name;
+}
+
+std::string small_base_shear() {
+  return replaced(replaced(small_clearance(), "small clearance", "small shear"), "[clearance]",
+                  "[base_shear]");
+}
+using BaseShear = OneRun<small_base_shear>;
+
+TEST_F(BaseShear, is_an_analysis_by_itself) {
+  EXPECT_THAT(finished_.out, HasSubstr("Base shear"));
+  EXPECT_THAT(finished_.out, Not(HasSubstr("learance")));
+  for (const char* name : {"tables/base_shear.csv", "figures/base_shear.svg"})
+    EXPECT_FALSE(read_file(out() / name).empty()) << name;
+  EXPECT_FALSE(fs::exists(out() / "tables/clearances.csv"));
+  const fs::path again = folder_->path("again");
+  const Finished child =
+      run_program({"report", (out() / "results.h5").string(), "--out", again.string()});
+  ASSERT_EQ(child.status, 0) << child.err;
+  EXPECT_EQ(read_file(again / "tables/base_shear.csv"), read_file(out() / "tables/base_shear.csv"));
+  EXPECT_EQ(read_file(again / "report.html"), read_file(out() / "report.html"));
 }
 
 TEST_F(Clearance, run_json_counts_the_histories_that_were_run) {

@@ -113,7 +113,6 @@ struct ChartQuestion {
 struct ChartConfig {
   double shown_slope_deg = 0.0, shown_mu = 0.0, shown_level = 0.0;  ///< where figures cut through
   std::vector<ChartQuestion> questions;
-  double clearance_factor = 1.1;  ///< on the mean over the suite (Walters et al. 2012), >= 1
 };
 
 /// The clearance that Walters et al. (2012) recommend: a factor on the suite's mean displacement,

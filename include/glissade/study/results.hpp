@@ -9,6 +9,10 @@
 
 #include "glissade/fragility/bootstrap.hpp"
 #include "glissade/motion/suite_scaling.hpp"
+#include "glissade/study/analysis/base_shear.hpp"
+#include "glissade/study/analysis/clearance.hpp"
+#include "glissade/study/analysis/condition_table.hpp"
+#include "glissade/study/analysis/tipping.hpp"
 #include "glissade/study/cases/case_set.hpp"
 #include "glissade/study/config.hpp"
 #include "glissade/study/run/history_table.hpp"
@@ -52,7 +56,6 @@ struct SlipStatistics {
   double median_m = 0.0, p84_m = 0.0, p95_m = 0.0, mean_m = 0.0;
   Interval mean_interval, median_interval, p84_interval;  ///< 95 %, bootstrap over records
   double uplift_share = 0.0;
-  double tip_share = std::numeric_limits<double>::quiet_NaN();      ///< NaN: not computed
   double mean_vector_m = std::numeric_limits<double>::quiet_NaN();  ///< mean of the longest
                                                                     ///< displacement vectors; NaN:
                                                                     ///< one axis
@@ -109,7 +112,6 @@ struct ChartPoint {
   double governing_period_s = 0.0;  ///< where the mean is largest
   double clearance_m = 0.0;         ///< factor x largest mean, after Walters et al. (2012)
   double uplift_share = 0.0;        ///< of the histories at this point
-  double tip_share = std::numeric_limits<double>::quiet_NaN();  ///< likewise; NaN: not computed
   std::vector<ChartSlip> by_period;
 };
 
@@ -190,12 +192,16 @@ struct Results {
   DisplacementMeasure displacement = DisplacementMeasure::srss;  ///< of two axes
   std::vector<double> levels, thresholds_m;
   CaseSet cases;
-  std::vector<RecordSummary> records;  ///< those of one suite together
-  HistoryTable histories;              ///< by (record, case)
-  std::vector<RunResults> runs;        ///< of a study with [fragility]: by combination of the cases
-  std::optional<Chart> chart;          ///< of a study with [chart]
-  std::optional<ClearanceConfig> clearance;  ///< of a study with [clearance]
+  std::vector<RecordSummary> records;        ///< those of one suite together
+  HistoryTable histories;                    ///< by (record, case)
+  std::optional<ConditionTable> conditions;  ///< of a study with [clearance] or [base_shear]
   std::vector<std::string> notes;            ///< remarks on the results
+  // Analyses, each where the study has its table:
+  std::vector<RunResults> runs;  ///< fragility, by combination of the cases
+  std::optional<Chart> chart;
+  std::optional<ClearanceResults> clearance;
+  std::optional<BaseShearResults> base_shear;
+  std::optional<TippingResults> tipping;
 };
 
 /// The histories of some cases in a row.

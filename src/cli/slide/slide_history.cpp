@@ -206,7 +206,7 @@ std::string model_of(const SlideOptions& o) {
     case Kernel::full:
       break;
   }
-  return describe(Kernel::full);
+  return describe(Kernel::full, true);
 }
 
 SlideHistory run_history(const SlideOptions& o, const Motion& motion, double factor) {

@@ -142,6 +142,51 @@ void check_shape(const Chart& chart, std::size_t levels) {
     expect_fit(point.by_period.size() == chart.period_s.size(), "by_period", "chart's periods");
 }
 
+void check_means(const Results& results, const std::vector<Condition>& places, auto& rows,
+                 auto mean) {
+  const ConditionTable& conditions = *results.conditions;
+  expect_fit(rows.size() == results.suites.size() * places.size(), "suite", "conditions");
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const SuiteMean& row = std::invoke(mean, rows[i]);
+    expect_fit(row.suite == i / places.size(), "suite", "conditions");
+    expect_fit(row.first_case < results.cases.size(), "first_case", "cases");
+    expect_fit(row.by_orientation.size() == conditions.orientations.size(), "by_orientation",
+               "orientations");
+  }
+}
+
+void check_shape(const ClearanceResults& clearance, const Results& results) {
+  const ConditionGrid& grid = results.conditions->grid;
+  expect_fit(clearance.factor >= 1.0, "factor", "required clearance");
+  check_means(results, sliding_conditions(grid, Periods::largest), clearance.required,
+              &RequiredClearance::largest);
+  check_means(results, sliding_conditions(grid, Periods::one), clearance.by_period,
+              std::identity{});
+}
+
+void check_shape(const BaseShearResults& base_shear, const Results& results) {
+  expect_fit(!results.histories.fields.shear_along.empty(), "base_shear", "histories");
+  check_means(results, all_conditions(results.conditions->grid), base_shear.means, std::identity{});
+}
+
+void check_shape(const TippingResults& tipping, const Results& results) {
+  expect_fit(tipping.shares.size() == results.cases.combinations() * results.levels.size(),
+             "tipping", "combinations and levels");
+  for (const TippingShare& row : tipping.shares) {
+    expect_fit(row.first_case < results.cases.size(), "first_case", "cases");
+    expect_fit(row.by_record.size() == results.records.size(), "share_by_record", "records");
+  }
+}
+
+/// With the conditions, which are made of the histories again.
+void check_analyses(Results& results) {
+  if (results.chart) check_shape(*results.chart, results.levels.size());
+  if (results.clearance || results.base_shear) results.conditions = condition_table(results);
+  if (results.clearance) check_shape(*results.clearance, results);
+  if (results.base_shear) check_shape(*results.base_shear, results);
+  if (results.tipping) check_shape(*results.tipping, results);
+}
+
 }  // namespace
 
 void write_results(const std::filesystem::path& file, const Results& results) {
@@ -154,7 +199,7 @@ Results read_results(const std::filesystem::path& file) {
   read_results_of(kind, file, [&](const Hdf5Reader& root) {
     exchange(root, results);
     check_shapes(results);
-    if (results.chart) check_shape(*results.chart, results.levels.size());
+    check_analyses(results);
     if (!labels_are_distinct_names(results)) throw Hdf5Error("give its runs different labels");
   });
   return results;

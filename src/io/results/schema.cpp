@@ -2,9 +2,12 @@
 #include "results/schema.hpp"
 
 #include "enum_names.hpp"
+#include "results/analysis/base_shear.hpp"
+#include "results/analysis/chart.hpp"
+#include "results/analysis/clearance.hpp"
+#include "results/analysis/fragility.hpp"
+#include "results/analysis/tipping.hpp"
 #include "results/archive.hpp"
-#include "results/chart_schema.hpp"
-#include "results/fragility_schema.hpp"
 #include "results/shared_schema.hpp"
 
 namespace glissade {
@@ -175,20 +178,31 @@ void exchange_head(const Archive& archive, R& results) {
   }
 }
 
-/// The factor of a study with [clearance]; 0: it has none.
-template <class Archive, class R>
-void exchange_clearance(const Archive& archive, R& results) {
-  double factor = results.clearance ? results.clearance->factor : 0.0;
-  archive.attribute("clearance_factor", factor);
+/// The group of an analysis, where the results have it.
+template <class Archive, class Analysis, class Exchange>
+void if_there(const Archive& archive, const char* group, Analysis& analysis, Exchange exchange) {
   if constexpr (Archive::reads) {
-    if (factor > 0.0) results.clearance = ClearanceConfig{factor};
+    if (archive.has(group)) analysis.emplace();
   }
+  if (analysis) exchange(archive.group(group), *analysis);
+}
+
+template <class Archive, class R>
+void exchange_analyses(const Archive& archive, const IntensityScale& scale, R& results) {
+  exchange_runs(archive.group("runs"), scale, results.runs);
+  if_there(archive, "chart", results.chart,
+           [&](const auto& group, auto& chart) { exchange_chart(group, scale, chart); });
+  if_there(archive, "clearance", results.clearance,
+           [&](const auto& group, auto& found) { exchange_clearance(group, scale, found); });
+  if_there(archive, "base_shear", results.base_shear,
+           [&](const auto& group, auto& found) { exchange_base_shear(group, scale, found); });
+  if_there(archive, "tipping", results.tipping,
+           [&](const auto& group, auto& found) { exchange_tipping(group, scale, found); });
 }
 
 template <class Archive, class R>
 void exchange_all(const Archive& archive, R& results) {
   exchange_head(archive, results);
-  exchange_clearance(archive, results);
   const std::string unit = results.measure.unit();
   const IntensityScale scale{unit.c_str(), unit_suffix(unit)};
   list(archive, scale.level, {scale.unit, "intensity levels"}, results.levels);
@@ -198,11 +212,7 @@ void exchange_all(const Archive& archive, R& results) {
   exchange_records(archive.group("records"), results.records);
   exchange_suites(archive.group("suites"), scale, results.suites);
   exchange_histories(archive.group("histories"), scale, results);
-  exchange_runs(archive.group("runs"), scale, results.runs);
-  if constexpr (Archive::reads) {
-    if (archive.has("chart")) results.chart.emplace();
-  }
-  if (results.chart) exchange_chart(archive.group("chart"), scale, *results.chart);
+  exchange_analyses(archive, scale, results);
 }
 
 }  // namespace

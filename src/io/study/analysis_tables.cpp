@@ -88,8 +88,6 @@ constexpr NumberRule factor_rule{"1 or more", [](double x) { return x >= 1.0; }}
 void read_chart(const TomlTable& root, StudyConfig& study) {
   const TomlTable table = root.table("chart");
   ChartConfig chart;
-  chart.clearance_factor =
-      root.table("clearance").number("factor", factor_rule).value_or(chart.clearance_factor);
   mirror_exactly(root, study);
   const std::vector<double>& levels = study.intensity.levels;
   const std::vector<double>& mu = study.quantities.at("friction", "mu").values;
@@ -135,21 +133,21 @@ void read_fragility(const TomlTable& root, StudyConfig& study) {
   FragilityConfig fragility;
   fragility.thresholds_m = read_increasing(table, "thresholds_m", above_zero);
   fragility.stop_at_largest = table.flag("stop_at_largest").value_or(false);
-  const bool others =
-      root.has("standards") || root.has("impact") || root.has("chart") || root.has("clearance");
-  if (fragility.stop_at_largest && others) {
-    table.report("stop_at_largest",
-                 "fragility.stop_at_largest = true leaves slip beyond the largest threshold "
-                 "unknown, which [standards], [impact], [chart] and [clearance] need",
-                 "leave it out, or leave these out");
-  }
   study.fragility = fragility;
 }
 
-StandardsConfig read_standards(const TomlTable& table, IntensityMeasure measure) {
+/// An analysis that needs another one, or a model.
+void needs(const TomlTable& root, const char* table, bool met, const char* what) {
+  if (met) return;
+  root.report(table, std::string("[") + table + "] needs " + what,
+              std::string("give it, or leave out [") + table + "]");
+}
+
+void read_standards(const TomlTable& root, StudyConfig& study) {
+  const TomlTable table = root.table("standards");
   constexpr NumberRule importance_rule{"from 1 to 1.5",
                                        [](double x) { return x >= 1.0 && x <= 1.5; }};
-  StandardsConfig standards;
+  StandardsConfig& standards = study.standards;
   standards.compare =
       table.choices<Standard>("compare", standard_names()).value_or(standards.compare);
   standards.importance = table.number("importance", importance_rule).value_or(standards.importance);
@@ -167,51 +165,80 @@ StandardsConfig read_standards(const TomlTable& table, IntensityMeasure measure)
       table.report(key, table.name_of(key) + " has no effect without standards.compare",
                    "give compare = [...], or leave it out");
   }
-  if (!standards.compare.empty() && measure != IntensityMeasure::sds_g) {
+  if (!standards.compare.empty() && study.intensity.measure != IntensityMeasure::sds_g) {
     table.report(
         "compare",
         "standards.compare needs intensity.measure = \"sds_g\": the standards prescribe by S_DS",
         "measure by sds_g, or leave [standards] out");
   }
-  return standards;
+  needs(root, "standards", root.has("fragility") || root.has("chart"), "[fragility] or [chart]");
 }
 
-/// An analysis that needs another one, or a model.
-void needs(const TomlTable& root, const char* table, bool met, const char* what) {
-  if (!root.has(table) || met) return;
-  root.report(table, std::string("[") + table + "] needs " + what,
-              std::string("give it, or leave out [") + table + "]");
+void read_impact(const TomlTable& root, StudyConfig& study) {
+  study.impact = root.table("impact").exists();
+  needs(root, "impact", root.has("fragility"), "[fragility] thresholds_m");
 }
 
-std::optional<RigidBase> read_tipping(const TomlTable& table) {
-  if (!table.exists()) return std::nullopt;
-  RigidBase base;
+void read_base_shear(const TomlTable& root, StudyConfig& study) {
+  study.base_shear = root.table("base_shear").exists();
+  needs(root, "base_shear", study.two_axes(), "[model] axes = 2");
+}
+
+void read_tipping(const TomlTable& root, StudyConfig& study) {
+  const TomlTable table = root.table("tipping");
+  RigidBase& base = study.tipping.emplace();
   base.centre_of_mass_height_m = table.required_number("centre_of_mass_height_m", above_zero);
   base.width_m = table.required_number("base_width_m", above_zero);
-  return base;
+}
+
+/// The table of an analysis.
+struct AnalysisTable {
+  const char* name;
+  void (*read)(const TomlTable& root, StudyConfig& study);
+  bool stands_alone;         ///< or is read beside one that does
+  bool needs_every_history;  ///< those beyond the largest threshold too
+};
+constexpr AnalysisTable analysis_tables[] = {
+    {"fragility", read_fragility, true, false}, {"chart", read_chart, true, true},
+    {"clearance", read_clearance, true, true},  {"base_shear", read_base_shear, true, true},
+    {"standards", read_standards, false, true}, {"impact", read_impact, false, true},
+    {"tipping", read_tipping, false, false}};
+
+/// "[fragility], [chart] ..." of those for which a property holds.
+template <class Property>
+std::string names_of(Property property) {
+  std::string names;
+  for (const AnalysisTable& analysis : analysis_tables) {
+    if (property(analysis)) names += std::string(names.empty() ? "[" : ", [") + analysis.name + "]";
+  }
+  return names;
 }
 
 }  // namespace
 
 void read_analyses(const TomlTable& root, StudyConfig& study) {
-  if (root.has("fragility")) read_fragility(root, study);
-  if (root.has("chart")) read_chart(root, study);
-  if (root.has("clearance")) read_clearance(root, study);
-  study.standards = read_standards(root.table("standards"), study.intensity.measure);
-  study.impact = root.table("impact").exists();
-  study.base_shear = root.table("base_shear").exists();
-  study.tipping = read_tipping(root.table("tipping"));
+  for (const AnalysisTable& analysis : analysis_tables) {
+    if (root.has(analysis.name)) analysis.read(root, study);
+  }
   const std::vector<double>& levels = study.intensity.levels;
   if (levels.size() == 1 && levels.front() == 0.0)
     root.table("intensity").report("levels", "intensity.levels has no level above 0");
-  if (!study.fragility && !study.chart && !study.clearance && !study.base_shear) {
+  if (names_of([&](const auto& a) { return a.stands_alone && root.has(a.name); }).empty()) {
     root.report("", "the study has no analysis",
-                "give [fragility] thresholds_m = [...], [chart], [clearance] or [base_shear]; "
-                "[standards], [impact] and [tipping] are read beside one of them");
+                "give " + names_of([](const auto& a) { return a.stands_alone; }) + "; " +
+                    names_of([](const auto& a) { return !a.stands_alone; }) +
+                    " are read beside one of them");
   }
-  needs(root, "standards", study.fragility || study.chart, "[fragility] or [chart]");
-  needs(root, "impact", study.fragility.has_value(), "[fragility] thresholds_m");
-  needs(root, "base_shear", study.two_axes(), "[model] axes = 2");
+  const std::string others =
+      names_of([&](const auto& a) { return a.needs_every_history && root.has(a.name); });
+  if (study.fragility && study.fragility->stop_at_largest && !others.empty()) {
+    root.table("fragility")
+        .report("stop_at_largest",
+                "fragility.stop_at_largest = true leaves out histories beyond the largest "
+                "threshold, which " +
+                    others + " needs",
+                "leave it out, or leave out " + others);
+  }
 }
 
 }  // namespace glissade

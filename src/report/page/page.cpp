@@ -46,6 +46,13 @@ Html heading(const std::string& text) { return enclosed("<h2>", text, "</h2>\n")
 
 Html wide_table(const Table& table) { return "<div class=\"wide\">" + to_html(table) + "</div>\n"; }
 
+Html table_or_file(const Table& table) {
+  constexpr std::size_t most_rows = 60;
+  if (table.rows.size() <= most_rows) return wide_table(table);
+  return paragraph(fmt::format("{}: {} rows in tables/{}.csv.", table.title, table.rows.size(),
+                               table.name.text()));
+}
+
 Html list(const std::vector<std::string>& items) {
   Html html("<ul>\n");
   for (const std::string& item : items) html += enclosed("<li>", item, "</li>\n");

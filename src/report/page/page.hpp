@@ -28,6 +28,8 @@ Html list(const std::vector<std::string>& items);
 Html study_file(const std::string& text);
 /// Scrolls sideways where it is wider than the page.
 Html wide_table(const Table& table);
+/// The table; where it is long, that it is a file.
+Html table_or_file(const Table& table);
 /// Writes out_dir/tables/NAME.csv of each.
 void write_tables(const std::vector<Table>& tables, const std::filesystem::path& out_dir);
 /// Draws into out_dir/figures.

@@ -86,16 +86,14 @@ Interval interval_of_largest_mean(const std::vector<std::vector<double>>& means_
       options);
 }
 
-/// Share of the histories at a point for which a flag is set; NaN where it is not kept.
-double share_of(const HistoryTable& table, const std::vector<std::uint8_t>& flag,
-                const PointCases& cases, std::size_t level) {
-  if (flag.empty()) return std::numeric_limits<double>::quiet_NaN();
+/// Share of the histories at a point in which the array lifts off.
+double uplift_share(const HistoryTable& table, const PointCases& cases, std::size_t level) {
   double set = 0.0, all = 0.0;
   for (std::size_t record = 0; record < table.records; ++record) {
     for (const auto& of_period : cases) {
       for (const auto& of_sample : of_period) {
         for (const std::size_t i : of_sample) {
-          set += flag[table.at(record, i, level)];
+          set += table.fields.uplift[table.at(record, i, level)];
           ++all;
         }
       }
@@ -108,9 +106,7 @@ double share_of(const HistoryTable& table, const std::vector<std::uint8_t>& flag
 ChartPoint make_point(const Chart& chart, const Results& results, const PointCases& cases,
                       std::size_t level, ChartPoint point, double factor,
                       const BootstrapOptions& options) {
-  const HistoryTable& table = results.histories;
-  point.uplift_share = share_of(table, table.fields.uplift, cases, level);
-  point.tip_share = share_of(table, table.fields.tips, cases, level);
+  point.uplift_share = uplift_share(results.histories, cases, level);
   point.free_sliding = std::tan(point.slope_deg * rad_per_deg) >= point.mu;
   if (point.free_sliding) {
     point.largest = {infinity, infinity, infinity, infinity};
@@ -193,6 +189,7 @@ Chart make_chart(const StudyConfig& config, const Results& results) {
   for (const double slope : chart_axis(config.quantities.at("roof", "slope_deg"))) {
     if (slope >= 0.0) chart.slope_deg.push_back(slope);
   }
+  const double factor = config.clearance.value_or(ClearanceConfig{}).factor;
   const auto points = cases_of_points(config, results);
   for (std::size_t level = 0; level < levels.size(); ++level) {
     for (const double slope : chart.slope_deg) {
@@ -201,7 +198,7 @@ Chart make_chart(const StudyConfig& config, const Results& results) {
         for (const double period : chart.period_s) cases.push_back(points.at({slope, mu, period}));
         chart.points.push_back(make_point(chart, results, cases, level,
                                           {.level = levels[level], .slope_deg = slope, .mu = mu},
-                                          chart_config.clearance_factor, options));
+                                          factor, options));
       }
     }
   }

@@ -111,7 +111,6 @@ SlipStatistics statistics_of(const PooledLevel& pooled, const Results& results,
   s.median_interval = pooled.quantile_interval(0.5, options);
   s.p84_interval = pooled.quantile_interval(0.84, options);
   s.uplift_share = mean_at(histories, histories.fields.uplift, slice_of(run), level);
-  s.tip_share = mean_at(histories, histories.fields.tips, slice_of(run), level);
   s.mean_vector_m = mean_at(histories, histories.fields.peak_vector_m, slice_of(run), level);
   return s;
 }
@@ -202,7 +201,6 @@ RunResults fragility_of(const StudyConfig& config, const Results& results,
 
 std::vector<RunResults> fragility_runs(const StudyConfig& config, const Results& results) {
   std::vector<RunResults> runs;
-  if (!config.fragility) return runs;
   for (std::size_t i = 0; i < results.cases.combinations(); ++i)
     runs.push_back(fragility_of(config, results, i));
   return runs;

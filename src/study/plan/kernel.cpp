@@ -41,7 +41,7 @@ KernelChoice cheapest_exact_kernel(const StudyConfig& config) {
   return {Kernel::coupled, "building.mass_ratio is above 0"};
 }
 
-std::string describe(Kernel kernel) {
+std::string describe(Kernel kernel, bool base_shear) {
   switch (kernel) {
     case Kernel::tables:
       return "one axis over tables of the roof's motion: exact events (peak_slip)";
@@ -52,8 +52,8 @@ std::string describe(Kernel kernel) {
       return "one axis, coupled with a building that may yield, friction that may be stronger at "
              "rest: exact events (slide_coupled)";
     case Kernel::full:
-      return "full model: two axes, coupled, error-controlled (slide_two_axes; "
-             "slide_on_building where base shear is kept)";
+      return std::string("full model: two axes, coupled, error-controlled (") +
+             (base_shear ? "slide_on_building, which gives base shear)" : "slide_two_axes)");
   }
   return "";
 }

@@ -54,8 +54,8 @@ std::string displacement_text(const ModelConfig& model) {
 
 ModelText model_text(const Plan& plan) {
   const Quantities& q = plan.config.quantities;
-  return {describe(plan.kernel.kernel) + "; because " + plan.kernel.reason, building_text(q),
-          friction_text(q), displacement_text(plan.config.model)};
+  return {describe(plan.kernel.kernel, plan.config.base_shear) + "; because " + plan.kernel.reason,
+          building_text(q), friction_text(q), displacement_text(plan.config.model)};
 }
 
 }  // namespace glissade

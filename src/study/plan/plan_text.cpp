@@ -41,9 +41,9 @@ std::string to_string(const Plan& plan) {
       "model       {}; because {}\n"
       "cases       {} combinations x {} samples x {} orientations, of which {} differ\n{}",
       c.name, plan.hash, suites_text(plan), intensity_label(c.intensity), levels.size(),
-      levels.front(), levels.back(), describe(plan.kernel.kernel), plan.kernel.reason,
-      plan.cases.combinations(), plan.cases.samples, plan.cases.orientations, plan.order.size(),
-      cases_text(plan));
+      levels.front(), levels.back(), describe(plan.kernel.kernel, plan.config.base_shear),
+      plan.kernel.reason, plan.cases.combinations(), plan.cases.samples, plan.cases.orientations,
+      plan.order.size(), cases_text(plan));
   if (c.draws()) {
     text += fmt::format(
         "samples     {}, seed {}\n",

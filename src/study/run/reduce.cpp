@@ -188,7 +188,6 @@ Results header_of(const Plan& plan) {
   results.levels = c.intensity.levels;
   results.thresholds_m = c.thresholds_m();
   results.cases = plan.cases;
-  results.clearance = c.clearance;
   for (std::size_t s = 0; s < plan.suites.size(); ++s)
     results.suites.push_back(
         {plan.suites[s].name, plan.suites[s].description, spectra_of(plan, s)});
@@ -197,13 +196,21 @@ Results header_of(const Plan& plan) {
   return results;
 }
 
+void analyse(const StudyConfig& study, Results& results) {
+  if (study.clearance || study.base_shear) results.conditions = condition_table(results);
+  if (study.fragility) results.runs = fragility_runs(study, results);
+  if (study.chart) results.chart = make_chart(study, results);
+  if (study.clearance) results.clearance = required_clearance(results, study.clearance->factor);
+  if (study.base_shear) results.base_shear = base_shear_results(results);
+  if (study.tipping) results.tipping = tipping_results(results, *study.tipping);
+}
+
 }  // namespace
 
 Results reduce(const Plan& plan, const std::vector<UnitResult>& units) {
   Results results = header_of(plan);
   results.histories = assemble(plan, units);
-  results.runs = fragility_runs(plan.config, results);
-  if (plan.config.chart) results.chart = make_chart(plan.config, results);
+  analyse(plan.config, results);
   results.notes = plan.notes;
   for (std::string& note : notes_on(results, plan.config)) results.notes.push_back(std::move(note));
   return results;

@@ -69,33 +69,6 @@ void note_uplift(const Results& results, const StudyConfig& config,
       level_text(results, config, lifts.first_level), percent(lifts.share_at_highest_level)));
 }
 
-/// Tipping is outside the model too.
-void note_tipping(const Results& results, const StudyConfig& config,
-                  std::vector<std::string>& notes) {
-  if (!config.tipping) return;
-  const RigidBase& base = *config.tipping;
-  const std::string body =
-      fmt::format("a body {:g} m wide with its centre of mass {:g} m above the roof", base.width_m,
-                  base.centre_of_mass_height_m);
-  const double largest =
-      std::ranges::max_element(results.cases.cases, {}, &Case::friction)->friction;
-  const double rocking_friction = rocking_block({}, base).friction;
-  const Flagged tips(results, results.histories.fields.tips);
-  if (largest <= rocking_friction) {
-    notes.push_back(
-        fmt::format("Tipping: {} cannot tip: no friction is above {:.3g}, its width over twice "
-                    "that height, so it slides first",
-                    body, rocking_friction));
-  } else if (tips.records.empty()) {
-    notes.push_back("Tipping: " + body + " does not begin to tip in any history");
-  } else {
-    notes.push_back(fmt::format(
-        "TIPPING: {} begins to tip in some histories, from {} on; at the highest level in {} of "
-        "all. Tipping is outside the model: slip there is that of a body that does not tip",
-        body, level_text(results, config, tips.first_level), percent(tips.share_at_highest_level)));
-  }
-}
-
 void note_failed(const Results& results, std::vector<std::string>& notes) {
   const auto& failed = results.histories.fields.failed;
   const auto count = std::ranges::count(failed, 1);
@@ -125,7 +98,6 @@ void note_suite(const SuiteSummary& suite, std::vector<std::string>& notes) {
 std::vector<std::string> notes_on(const Results& results, const StudyConfig& config) {
   std::vector<std::string> notes;
   note_uplift(results, config, notes);
-  note_tipping(results, config, notes);
   note_failed(results, notes);
   if (results.measure == IntensityMeasure::sds_g) {
     for (const SuiteSummary& suite : results.suites) note_suite(suite, notes);

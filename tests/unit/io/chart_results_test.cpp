@@ -40,8 +40,6 @@ TEST(chart_results, come_back) {
   EXPECT_EQ(point.governing_period_s, 1.0);
   EXPECT_EQ(point.clearance_m, expected.clearance_m);
   EXPECT_EQ(point.uplift_share, expected.uplift_share);
-  EXPECT_EQ(point.tip_share, expected.tip_share);
-  EXPECT_TRUE(std::isnan(chart.points[5].tip_share));
   ASSERT_EQ(point.by_period.size(), 2u);
   EXPECT_EQ(point.by_period[1].p95_m, 0.3);
   EXPECT_EQ(point.by_period[1].envelope_m, infinity);

@@ -108,6 +108,8 @@ TEST_F(StudyFile, contradictions_and_values_out_of_range_have_one_clear_message_
       {needed + "[base_shear]\n", "[base_shear] needs [model] axes = 2"},
       {needed + "[tipping]\nbase_width_m = 1\n", "tipping.centre_of_mass_height_m is missing"},
       {needed + "stop_at_largest = true\n[impact]\n", "fragility.stop_at_largest"},
+      {needed + "stop_at_largest = true\n[base_shear]\n[model]\naxes = 2\n",
+       "fragility.stop_at_largest"},
       {study_part + suite_part + intensity_part + fragility_part + "[friction]\nmu = -0.5\n",
        "friction.mu is outside"},
       {study_part + suite_part + intensity_part + fragility_part + "[friction]\n",

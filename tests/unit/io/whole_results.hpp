@@ -113,7 +113,7 @@ inline void add_fragility(Results& r) {
                        whole_fragility(0.3, 3, 2, 0)};  // the second has no band
     run.band_intensities = {0.5, 1.0};
     run.slip = {{0.5, 0.1, 0.2, 0.3, 0.15, {0.1, 0.2}, {0.05, 0.15}, {0.15, 0.25}, 0.0},
-                {1.0, 1, 2, 3, 4, {5, 6}, {7, 8}, {9, 10}, 0.5, 0.25, 11},
+                {1.0, 1, 2, 3, 4, {5, 6}, {7, 8}, {9, 10}, 0.5, 11},
                 {}};
     if (r.runs.empty())
       run.standards = {{Standard::asce7_16,
@@ -154,7 +154,6 @@ inline void add_chart(Results& r) {
                             .governing_period_s = chart.period_s[i % 2],
                             .clearance_m = 1.1 * x,
                             .uplift_share = x / 10,
-                            .tip_share = i == 5 ? std::nan("") : x / 20,
                             .by_period = {{x, x, x, x}, {0.1, 0.2, 0.3, infinity}}});
   }
   chart.readings = {{{1.5, 1.19, 0.47, std::nullopt}, 1.0, 1.1, 2.0, 3.0, 4.0},
@@ -168,13 +167,57 @@ inline Results with_fragility() {
   return r;
 }
 
+/// Means of one suite, every number of its own.
+inline std::vector<SuiteMean> whole_means(const Results& r, std::size_t count, double x) {
+  std::vector<SuiteMean> means;
+  for (std::size_t i = 0; i < count; ++i, x += 1.0) {
+    means.push_back({.suite = 0,
+                     .first_case = i % r.cases.size(),
+                     .condition = "mu = " + std::to_string(i),
+                     .level = x + 0.01,
+                     .period_s = i == 0 ? std::nan("") : x + 0.02,
+                     .range = {x + 0.03, x + 0.04, x + 0.05, {x + 0.06, x + 0.07}},
+                     .bounds = {x + 0.08, x + 0.09},
+                     .largest = x + 0.1,
+                     .by_orientation = std::vector(r.cases.orientations, x + 0.11)});
+  }
+  return means;
+}
+
+inline void add_clearance(Results& r, double factor) {
+  r.conditions = condition_table(r);
+  const auto places = [&](Periods periods) {
+    return sliding_conditions(r.conditions->grid, periods).size();
+  };
+  ClearanceResults& clearance = r.clearance.emplace(ClearanceResults{factor, {}, {}});
+  for (const SuiteMean& mean : whole_means(r, places(Periods::largest), 1.0))
+    clearance.required.push_back({mean, mean.largest + 20.0, mean.largest + 40.0});
+  clearance.by_period = whole_means(r, places(Periods::one), 100.0);
+}
+
+inline void add_base_shear(Results& r) {
+  r.conditions = condition_table(r);
+  r.base_shear = {whole_means(r, r.conditions->grid.count(), 200.0)};
+}
+
+inline void add_tipping(Results& r) {
+  TippingResults& tipping = r.tipping.emplace(TippingResults{{0.5, 0.75}, 0.625, {}});
+  for (std::size_t i = 0; i < r.cases.combinations() * r.levels.size(); ++i) {
+    const double x = 1.0 / (2.0 + static_cast<double>(i));
+    tipping.shares.push_back({i % r.cases.size(), "at " + std::to_string(i), x, x / 2,
+                              std::vector(r.records.size(), x / 3)});
+  }
+}
+
 /// Every analysis of one study.
 inline Results with_all() {
   Results r = whole_results(true);
   add_fragility(r);
   add_impact(r);
   add_chart(r);
-  r.clearance = ClearanceConfig{1.2};
+  add_clearance(r, 1.2);
+  add_base_shear(r);
+  add_tipping(r);
   return r;
 }
 

@@ -111,14 +111,6 @@ TEST(chart_tables, give_standards_only_where_they_apply) {
   EXPECT_TRUE(std::isnan(number(table, row_at_1g(6, 0), "asce7_16")));     // 3
 }
 
-TEST(chart_tables, have_a_tipping_column_only_where_tipping_is_checked) {
-  Results results = made_up_chart_results();
-  for (const Column& column : table_named(results, "chart").columns)
-    EXPECT_NE(column.stem, "tip_share");
-  results.chart->points[0].tip_share = 0.25;
-  EXPECT_EQ(number(table_named(results, "chart"), 0, "tip_share"), 0.25);
-}
-
 TEST(chart_tables, give_every_period_by_itself) {
   // 0.7, 1 and 0.4 of 0.125 m on a flat roof with mu = 0.5 at 1 g.
   const Table table = table_named(made_up_chart_results(), "chart_by_period");

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "figure_facts.hpp"
+#include "glissade/report/base_shear_report.hpp"
 #include "glissade/report/format.hpp"
 
 namespace glissade {
@@ -17,19 +18,26 @@ using testing::Not;
 
 constexpr double inch = 0.0254;
 
+/// What is found of the conditions that there are now.
+void analyse(Results& r) {
+  r.conditions->first_case.assign(r.conditions->grid.count(), 0);
+  r.clearance = required_clearance(r, 1.1);
+}
+
 /// Two records in four orientations at two periods, of an isolated and an anchored array; all
 /// numbers from two rules that can be followed by hand: a displacement of (o + 1)(p + 1) inches for
 /// record a and three times that for b, so a mean of 2 (o + 1)(p + 1) inches.
-ClearanceResults made_up() {
-  ClearanceResults r;
+Results made_up() {
+  Results r;
+  r.conditions.emplace();
   r.study_name = "made <up>";
   r.study_text = "[clearance]";
-  r.grid.support = {ArraySupport::isolated, ArraySupport::anchored};
-  r.grid.slope_deg = {1.2};
-  r.grid.period_s = {0.2, 1.0};
+  r.conditions->grid.support = {ArraySupport::isolated, ArraySupport::anchored};
+  r.conditions->grid.slope_deg = {1.2};
+  r.conditions->grid.period_s = {0.2, 1.0};
   for (const double azimuth : {0.0, 180.0, 90.0, 270.0})
-    r.orientations.push_back({SlopeAxis::e_w, azimuth, 1});
-  r.same_as = {0, 1, 2, 3};
+    r.conditions->orientations.push_back({SlopeAxis::e_w, azimuth, 1});
+  r.conditions->same_as = {0, 1, 2, 3};
   r.suites = {{"suite",
                "two records",
                {{0.0, 1.0, 2.0},
@@ -39,47 +47,50 @@ ClearanceResults made_up() {
                 0.0,
                 {{0.99, 0.082}, {2.5, 0.004}}}}};  // between the periods above
   r.records = {{.id = "a", .has_vertical = true}, {.id = "b"}};
-  r.friction = {0.47, 0.47};
+  r.conditions->friction = {0.47, 0.47};
   for (int record = 0; record < 2; ++record) {
     for (int o = 0; o < 4; ++o) {
       for (int support = 0; support < 2; ++support) {
         for (int p = 0; p < 2; ++p) {
           const double x = inch * (o + 1) * (p + 1) * (record == 0 ? 1 : 3);
-          ClearanceHistory h;
+          ConditionHistory h;
           if (support == 0) h = {.displacement_m = x, .peak_m = x, .peak_along_m = x};
           h.shear_along = support == 0 ? 0.9 : 1.0;
-          r.histories.push_back(h);
+          r.conditions->histories.push_back(h);
         }
       }
     }
   }
+  analyse(r);
   return r;
 }
 
-std::vector<std::string> figure_names(const ClearanceResults& r) {
+std::vector<std::string> figure_names(Results r) {
+  analyse(r);
   std::vector<std::string> names;
   for (const Figure& figure : clearance_figures(r)) names.push_back(figure.name);
   return names;
 }
 
 TEST(clearance_report, gives_a_row_for_each_listed_condition_and_the_range_of_all) {
-  ClearanceResults r = made_up();
-  r.grid.listed = {"building.damping = 0.02", "building.damping = 0.05"};
-  r.friction = {0.47, 0.47, 0.47, 0.47};
+  Results r = made_up();
+  r.conditions->grid.listed = {"building.damping = 0.02", "building.damping = 0.05"};
+  r.conditions->friction = {0.47, 0.47, 0.47, 0.47};
   // By (record, orientation, listed, support, period): half as much at 5 %.
-  std::vector<ClearanceHistory> both;
-  for (std::size_t at = 0; at < r.histories.size(); at += 4) {
+  std::vector<ConditionHistory> both;
+  for (std::size_t at = 0; at < r.conditions->histories.size(); at += 4) {
     for (const double factor : {1.0, 0.5}) {
       for (std::size_t i = at; i < at + 4; ++i) {
-        both.push_back(r.histories[i]);
+        both.push_back(r.conditions->histories[i]);
         both.back().displacement_m *= factor;
       }
     }
   }
-  r.histories = both;
+  r.conditions->histories = both;
+  analyse(r);
   const Table table = clearance_table(r);
   ASSERT_EQ(table.rows.size(), 2u);
-  EXPECT_EQ(std::get<std::string>(table.rows[1][0]), r.grid.listed[1]);
+  EXPECT_EQ(std::get<std::string>(table.rows[1][0]), r.conditions->grid.listed[1]);
   EXPECT_DOUBLE_EQ(std::get<Estimate>(table.rows[1][3]).value, 5 * inch);
   const std::string last = clearance_sentences(r).back();
   EXPECT_THAT(last, HasSubstr(format_length(5.5 * inch) + " (building.damping = 0.05)"));
@@ -108,12 +119,11 @@ TEST(clearance_report, every_orientation_has_its_row) {
 }
 
 TEST(clearance_report, readings_are_of_what_the_grid_varies) {
-  const ClearanceResults r = made_up();
-  // The governing period, median, lowest and highest; their ratio to the anchored array's.
+  const Results r = made_up();
+  // The governing period, median, lowest and highest.
   EXPECT_THAT(clearance_reading(r, ClearanceTopic::period),
               AllOf(HasSubstr("T = 1 s"), HasSubstr("0.254 m"), HasSubstr("0.102 m"),
                     HasSubstr("0.406 m")));
-  EXPECT_THAT(clearance_reading(r, ClearanceTopic::base_shear), HasSubstr("0.900"));
   EXPECT_THAT(
       clearance_reading(r, ClearanceTopic::spectra),
       AllOf(HasSubstr("0.990"), HasSubstr("0.082 s"), HasSubstr("2.50"), HasSubstr("0.004 s")));
@@ -124,10 +134,11 @@ TEST(clearance_report, readings_are_of_what_the_grid_varies) {
 }
 
 TEST(clearance_report, of_two_frictions_each_is_reported_where_it_acts_downhill) {
-  ClearanceResults r = made_up();
+  Results r = made_up();
   EXPECT_THAT(clearance_reading(r, ClearanceTopic::orientation), Not(HasSubstr("downhill")));
-  r.friction = {0.47, 0.52};
-  r.orientations[2].slope_axis = r.orientations[3].slope_axis = SlopeAxis::n_s;
+  r.conditions->friction = {0.47, 0.52};
+  r.conditions->orientations[2].slope_axis = r.conditions->orientations[3].slope_axis =
+      SlopeAxis::n_s;
   const std::string reading = clearance_reading(r, ClearanceTopic::orientation);
   // Largest over the periods: 4 and 8 inches along E-W, 12 and 16 along N-S.
   EXPECT_THAT(reading, AllOf(HasSubstr("0.47"), HasSubstr("0.152 m"), HasSubstr("0.52"),
@@ -136,33 +147,33 @@ TEST(clearance_report, of_two_frictions_each_is_reported_where_it_acts_downhill)
 
 TEST(clearance_report, figures_are_of_the_axes_with_several_values) {
   EXPECT_EQ(figure_names(made_up()),
-            (std::vector<std::string>{"spectra", "period", "orientations", "base_shear"}));
-  ClearanceResults r = made_up();
-  r.grid.support = {ArraySupport::isolated};
-  r.grid.slope_deg = {1.2, 2.4};  // in place of the supports: as many conditions
-  for (ClearanceHistory& h : r.histories) h.displacement_m += inch;
+            (std::vector<std::string>{"spectra", "period", "orientations"}));
+  Results r = made_up();
+  r.conditions->grid.support = {ArraySupport::isolated};
+  r.conditions->grid.slope_deg = {1.2, 2.4};  // in place of the supports: as many conditions
+  for (ConditionHistory& h : r.conditions->histories) h.displacement_m += inch;
   EXPECT_EQ(figure_names(r),
             (std::vector<std::string>{"spectra", "period", "orientations", "slope"}));
-  r.friction[1] = 0.5;
+  r.conditions->friction[1] = 0.5;
   EXPECT_EQ(figure_names(r),
             (std::vector<std::string>{"spectra", "period", "permutations", "slope"}));
-  r.friction[1] = r.friction[0];
-  r.grid.slope_deg = {1.2};
-  r.grid.level = {2.0 / 3, 1.0};
+  r.conditions->friction[1] = r.conditions->friction[0];
+  r.conditions->grid.slope_deg = {1.2};
+  r.conditions->grid.level = {2.0 / 3, 1.0};
   EXPECT_EQ(figure_names(r),
             (std::vector<std::string>{"spectra", "period", "orientations", "mce"}));
-  r.grid.level = {1.0};
-  r.grid.response_modification = {0.0, 2.0};
+  r.conditions->grid.level = {1.0};
+  r.conditions->grid.response_modification = {0.0, 2.0};
   EXPECT_EQ(figure_names(r),
             (std::vector<std::string>{"spectra", "period", "orientations", "yielding"}));
-  r.grid.response_modification = {0.0};
-  r.grid.vertical = {{VerticalChoice::none, 0.0}, {VerticalChoice::if_available, 0.0}};
+  r.conditions->grid.response_modification = {0.0};
+  r.conditions->grid.vertical = {{VerticalChoice::none, 0.0}, {VerticalChoice::if_available, 0.0}};
   EXPECT_EQ(figure_names(r),
             (std::vector<std::string>{"spectra", "period", "orientations", "vertical"}));
 }
 
 TEST(clearance_report, of_several_suites_only_how_they_compare_is_reported) {
-  ClearanceResults r = made_up();
+  Results r = made_up();
   r.suites.push_back(r.suites.front());
   r.suites.back().name = "other";
   r.records[1].suite = 1;
@@ -189,9 +200,45 @@ TEST(clearance_report, the_figure_over_periods_has_median_range_bounds_and_clear
   }
 }
 
+TEST(base_shear_report, is_by_condition_and_beside_the_other_supports) {
+  Results r = made_up();
+  r.base_shear = base_shear_results(r);
+  const Table table = base_shear_table(r);
+  ASSERT_EQ(table.rows.size(), 4u);  // support, period
+  EXPECT_EQ(std::get<std::string>(table.rows[3][0]), "anchored array");
+  EXPECT_EQ(std::get<double>(table.rows[3][1]), 1.0);  // T, s
+  EXPECT_DOUBLE_EQ(std::get<Estimate>(table.rows[0][3]).value, 0.9);
+  EXPECT_DOUBLE_EQ(std::get<double>(table.rows[3][5]), 1.0);  // largest
+  const std::vector<std::string> sentences = base_shear_sentences(r);
+  ASSERT_EQ(sentences.size(), 2u);
+  EXPECT_THAT(sentences[0], HasSubstr("0.900"));  // of that of the anchored array
+  const std::vector<Figure> figures = base_shear_figures(r);
+  ASSERT_EQ(figures.size(), 1u);  // without an array: not run
+  EXPECT_EQ(figures[0].name, FileName("base_shear"));
+  EXPECT_DOUBLE_EQ(curves_of(figures[0]).at(1).y.at(0), 1.0);
+}
+
+TEST(base_shear_report, of_one_support_has_no_comparison) {
+  Results r = made_up();
+  r.conditions->grid.support = {ArraySupport::isolated};
+  r.conditions->grid.level = {1.0, 2.0};  // in place of the supports: as many conditions
+  analyse(r);
+  r.base_shear = base_shear_results(r);
+  EXPECT_EQ(base_shear_sentences(r).size(), 1u);
+  EXPECT_EQ(base_shear_figures(r).size(), 1u);
+}
+
+TEST(clearance_report, histories_have_base_shears_only_beside_that_analysis) {
+  Results r = made_up();
+  const std::size_t columns = clearance_histories_table(r).columns.size();
+  EXPECT_THAT(to_csv(clearance_histories_table(r)), Not(HasSubstr("shear")));
+  r.base_shear = base_shear_results(r);
+  EXPECT_EQ(clearance_histories_table(r).columns.size(), columns + 2);
+}
+
 TEST(clearance_report, histories_are_reported_once_each) {
-  ClearanceResults r = made_up();
-  r.same_as = {0, 1, 0, 1};
+  Results r = made_up();
+  r.conditions->same_as = {0, 1, 0, 1};
   EXPECT_EQ(clearance_histories_table(r).rows.size(), 2u * 2u * 4u);
 }
 

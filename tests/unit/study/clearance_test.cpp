@@ -9,7 +9,7 @@
 #include "glissade/building/motion_table.hpp"
 #include "glissade/core/error.hpp"
 #include "glissade/core/units.hpp"
-#include "glissade/study/analysis/clearance_reading.hpp"
+#include "glissade/study/analysis/suite_mean.hpp"
 #include "unit/study/clearance_motions.hpp"
 #include "unit/study/small_study.hpp"
 
@@ -20,7 +20,7 @@ using test::fixed;
 using test::listed;
 using test::shaking;
 using test::suite_of;
-using Axis = ClearanceAxis;
+using Axis = ConditionAxis;
 
 StudyConfig config() {
   StudyConfig c;
@@ -50,14 +50,14 @@ Plan plan_of(const StudyConfig& c, std::vector<Motion> motions) {
   return make_plan(c, {suite_of(std::move(motions))});
 }
 
-ClearanceResults run(const Plan& plan) { return clearance_results(test::run(plan)); }
+Results run(const Plan& plan) { return test::run(plan); }
 
-ClearanceResults run(const StudyConfig& c, std::vector<Motion> motions) {
+Results run(const StudyConfig& c, std::vector<Motion> motions) {
   return run(plan_of(c, std::move(motions)));
 }
 
 TEST(clearance_grid, index_and_position_are_each_others_inverse) {
-  ClearanceGrid grid;
+  ConditionGrid grid;
   grid.support = {ArraySupport::isolated, ArraySupport::no_array};
   grid.mass_ratio = {0.0, 0.05, 0.1};
   grid.slope_deg = {1.0, 2.0};
@@ -74,20 +74,20 @@ TEST(clearance, of_listed_friction_and_damping_is_that_of_a_study_for_each) {
   StudyConfig c = as_recorded_config();
   c.quantities.at("friction", "mu") = listed(mu);
   c.quantities.at("building", "damping") = listed(damping);
-  const ClearanceResults together = run(c, {shaking("a", 6.0, 0.4)});
-  ASSERT_EQ(together.grid.size(Axis::listed), 4u);
+  const Results together = run(c, {shaking("a", 6.0, 0.4)});
+  ASSERT_EQ(together.conditions->grid.size(Axis::listed), 4u);
   std::vector<double> seen;
-  for (const ClearancePosition& at : along(together.grid, Axis::listed)) {
+  for (const Condition& at : along(together.conditions->grid, Axis::listed)) {
     const std::size_t place = at[Axis::listed];
     const std::size_t slow = place / 2, fast = place % 2;
-    const bool mu_is_slow = together.friction[0] == together.friction[2];
+    const bool mu_is_slow = together.conditions->friction[0] == together.conditions->friction[2];
     StudyConfig one = as_recorded_config();
     one.quantities.at("friction", "mu") = fixed(mu[mu_is_slow ? slow : fast]);
     one.quantities.at("building", "damping") = fixed(damping[mu_is_slow ? fast : slow]);
-    const ClearanceResults alone = run(one, {shaking("a", 6.0, 0.4)});
-    EXPECT_EQ(together.friction[2 * place], alone.friction[0]);
+    const Results alone = run(one, {shaking("a", 6.0, 0.4)});
+    EXPECT_EQ(together.conditions->friction[2 * place], alone.conditions->friction[0]);
     EXPECT_EQ(suite_mean(together, {}, 0, at), suite_mean(alone, {}, 0, {}))
-        << together.grid.listed[place];
+        << together.conditions->grid.listed[place];
     seen.push_back(suite_mean(alone, {}, 0, {}));
   }
   std::ranges::sort(seen);
@@ -98,8 +98,8 @@ TEST(clearance, of_an_array_that_slides_freely_is_none_that_is_enough) {
   StudyConfig c = as_recorded_config();
   c.quantities.at("roof", "slope_deg") = listed({1.0, 20.0});
   c.support = {ArraySupport::isolated, ArraySupport::anchored};
-  const ClearanceResults results = run(c, {shaking("a", 6.0, 0.4)});
-  ClearancePosition steep;
+  const Results results = run(c, {shaking("a", 6.0, 0.4)});
+  Condition steep;
   steep[Axis::slope] = 1;
   EXPECT_TRUE(std::isfinite(suite_mean(results, {}, 0, {})));
   EXPECT_TRUE(std::isinf(suite_mean(results, {}, 0, steep)));
@@ -115,12 +115,12 @@ TEST(clearance, a_rigid_building_is_the_block_on_the_ground_in_every_orientation
   c.friction.values = {FrictionValue::design};  // mean - 2 std: 0.36 along N-S
   c.quantities.at("friction", "across_mu") = test::drawn(Normal{0.4, 0.02});
   const Motion motion = shaking("a", 6.0, 0.4);
-  const ClearanceResults results = run(c, {motion});
+  const Results results = run(c, {motion});
   const double mu[] = {0.3, 0.36};
-  ASSERT_EQ(results.orientations.size(), 16u);
-  for (std::size_t o = 0; o < results.orientations.size(); ++o) {
+  ASSERT_EQ(results.conditions->orientations.size(), 16u);
+  for (std::size_t o = 0; o < results.conditions->orientations.size(); ++o) {
     // The components by the orientation's own words.
-    const std::string words = to_string(results.orientations[o]);
+    const std::string words = to_string(results.conditions->orientations[o]);
     const std::size_t first = words.find("it +first") != words.npos   ? 0
                               : words.find("it -first") != words.npos ? 0
                                                                       : 1;
@@ -130,13 +130,13 @@ TEST(clearance, a_rigid_building_is_the_block_on_the_ground_in_every_orientation
                                          motion.horizontal_mps2[1 - first]};
     for (double& x : a[0]) x *= along;
     for (double& x : a[1]) x *= across;
-    const auto axis = static_cast<std::size_t>(results.orientations[o].slope_axis);
+    const auto axis = static_cast<std::size_t>(results.conditions->orientations[o].slope_axis);
     const TwoAxisResult direct = slide_two_axis(
         {.dt_s = motion.dt_s,
          .horizontal_mps2 = {a[0], a[1]},
          .vertical_mps2 = motion.vertical_mps2},
         {.friction = {mu[axis], mu[1 - axis]}, .slope_rad = 1.2 * rad_per_deg}, 1e-8);
-    const ClearanceHistory& h = results.at(0, o, 0);
+    const ConditionHistory& h = results.conditions->at(0, o, 0);
     ASSERT_GT(direct.peak_displacement_m, 0.01);
     // The kernel's tolerance is 1e-6 a step; noise of many phases may take thirty of it.
     const double within = 3e-5 * direct.peak_displacement_m;
@@ -150,17 +150,17 @@ TEST(clearance, a_rigid_building_is_the_block_on_the_ground_in_every_orientation
 TEST(clearance, orientations_that_are_not_run_would_have_given_the_same) {
   Plan plan = plan_of(config(), {shaking("a", 6.0, 0.4)});
   EXPECT_EQ(plan.order.size(), 4u);
-  const ClearanceResults skipped = run(plan);
-  ASSERT_EQ(skipped.orientations.size(), 16u);
+  const Results skipped = run(plan);
+  ASSERT_EQ(skipped.conditions->orientations.size(), 16u);
   std::iota(plan.same_as.begin(), plan.same_as.end(), 0u);
   plan.order = plan.same_as;
   for (auto& cases : plan.cases_on) cases.clear();
   for (const std::size_t i : plan.order) plan.cases_on[plan.building[i]].push_back(i);
   std::ranges::stable_sort(plan.order, {}, [&](std::size_t i) { return plan.building[i]; });
   plan.units.assign(1, {0, 0, plan.order.size()});
-  const ClearanceResults all = run(plan);
-  for (std::size_t o = 0; o < all.orientations.size(); ++o) {
-    const ClearanceHistory &a = skipped.at(0, o, 0), &b = all.at(0, o, 0);
+  const Results all = run(plan);
+  for (std::size_t o = 0; o < all.conditions->orientations.size(); ++o) {
+    const ConditionHistory &a = skipped.conditions->at(0, o, 0), &b = all.conditions->at(0, o, 0);
     EXPECT_NEAR(a.peak_along_m, b.peak_along_m, 1e-5 * b.peak_m);
     EXPECT_NEAR(a.peak_across_m, b.peak_across_m, 1e-5 * b.peak_m);
     EXPECT_NEAR(a.residual_across_m, b.residual_across_m, 1e-5 * b.peak_m);
@@ -170,15 +170,15 @@ TEST(clearance, orientations_that_are_not_run_would_have_given_the_same) {
 
 TEST(clearance, friction_that_is_drawn_counts_at_its_design_value) {
   StudyConfig c = as_recorded_config();
-  const double fixed_m = run(c, {shaking("a", 6.0, 0.4)}).at(0, 0, 0).displacement_m;
+  const double fixed_m = run(c, {shaking("a", 6.0, 0.4)}).conditions->at(0, 0, 0).displacement_m;
   c.quantities.at("friction", "mu") = test::drawn(Normal{0.375, 0.0375});  // design: 0.3
   c.sampling.samples = 3;
   const Plan plan = plan_of(c, {shaking("a", 6.0, 0.4)});
   EXPECT_EQ(plan.cases.size(), 6u);  // three samples, as drawn and at the design value
-  const ClearanceResults results = run(plan);
-  EXPECT_DOUBLE_EQ(results.friction[0], 0.3);
-  EXPECT_EQ(results.grid.count(), 1u);
-  EXPECT_NEAR(results.at(0, 0, 0).displacement_m, fixed_m, 1e-6 * fixed_m);
+  const Results results = run(plan);
+  EXPECT_DOUBLE_EQ(results.conditions->friction[0], 0.3);
+  EXPECT_EQ(results.conditions->grid.count(), 1u);
+  EXPECT_NEAR(results.conditions->at(0, 0, 0).displacement_m, fixed_m, 1e-6 * fixed_m);
 }
 
 /// max |a| of an oscillator's roof, by its own exact steps.
@@ -195,18 +195,19 @@ TEST(clearance, an_anchored_array_adds_its_mass_and_nothing_else) {
   c.support = {ArraySupport::isolated, ArraySupport::anchored, ArraySupport::no_array};
   c.quantities.at("building", "mass_ratio") = fixed(0.1);
   const Motion motion = shaking("a", 6.0, 0.4);
-  const ClearanceResults results = run(c, {motion});
+  const Results results = run(c, {motion});
   const double longer = std::sqrt(1.1);  // period and 1 / damping ratio of the heavier mass
   for (const std::size_t axis : {0u, 1u}) {
     const double anchored =
         1.1 * roof_peak_mps2(motion, axis, {0.3 * longer, 0.05 / longer}) / standard_gravity_mps2;
     const double bare = roof_peak_mps2(motion, axis, {0.3, 0.05}) / standard_gravity_mps2;
-    const ClearanceHistory &h1 = results.at(0, 0, 1), &h2 = results.at(0, 0, 2);
+    const ConditionHistory &h1 = results.conditions->at(0, 0, 1),
+                           &h2 = results.conditions->at(0, 0, 2);
     EXPECT_NEAR(axis == 0 ? h1.shear_along : h1.shear_across, anchored, 1e-7 * anchored);
     EXPECT_NEAR(axis == 0 ? h2.shear_along : h2.shear_across, bare, 1e-7 * bare);
     EXPECT_EQ(h1.peak_m, 0.0);
   }
-  EXPECT_GT(results.at(0, 0, 0).peak_m, 0.01);
+  EXPECT_GT(results.conditions->at(0, 0, 0).peak_m, 0.01);
 }
 
 TEST(clearance, a_building_yields_at_its_elastic_demand_over_r) {
@@ -214,21 +215,21 @@ TEST(clearance, a_building_yields_at_its_elastic_demand_over_r) {
   c.quantities.at("building", "damping") = fixed(0.0);  // then base shear is the spring's alone
   c.support = {ArraySupport::isolated, ArraySupport::no_array};
   c.quantities.at("building", "response_modification") = listed({0.0, 3.0, 6.0});
-  const ClearanceResults results = run(c, {shaking("a", 8.0, 0.4)});
+  const Results results = run(c, {shaking("a", 8.0, 0.4)});
   // Class D, S_s 1.95 g: S_DS = 2/3 x 1.0 x 1.95 g on the plateau, at 0.3 s.
   const double demand = 1.3;
   for (const std::size_t r : {1u, 2u}) {
     for (const std::size_t support : {0u, 1u}) {
-      ClearancePosition at;
+      Condition at;
       at[Axis::support] = support;
       at[Axis::response_modification] = r;
-      const ClearanceHistory& h = results.at(0, 0, results.grid.index(at));
+      const ConditionHistory& h = results.conditions->at(0, 0, results.conditions->grid.index(at));
       // The kernel integrates a sliding array to 1e-6 of its speed, and the spring with it.
-      EXPECT_NEAR(h.shear_along, demand / results.grid.response_modification[r],
+      EXPECT_NEAR(h.shear_along, demand / results.conditions->grid.response_modification[r],
                   support == 0 ? 1e-7 : 1e-12);
     }
   }
-  EXPECT_GT(results.at(0, 0, 0).shear_along, demand / 3.0);
+  EXPECT_GT(results.conditions->at(0, 0, 0).shear_along, demand / 3.0);
 }
 
 TEST(clearance, the_level_is_a_factor_on_the_suites_own_scale) {
@@ -236,10 +237,10 @@ TEST(clearance, the_level_is_a_factor_on_the_suites_own_scale) {
   c.intensity.levels = {0.5, 1.0};
   Motion once = shaking("a", 6.0, 0.4), scaled = shaking("a", 6.0, 0.4);
   scaled.scale = 2.0;
-  const ClearanceResults a = run(c, {once}), b = run(c, {scaled});
-  for (std::size_t o = 0; o < a.orientations.size(); ++o) {
-    EXPECT_EQ(a.at(0, o, 1).peak_along_m, b.at(0, o, 0).peak_along_m);
-    EXPECT_EQ(a.at(0, o, 1).shear_along, b.at(0, o, 0).shear_along);
+  const Results a = run(c, {once}), b = run(c, {scaled});
+  for (std::size_t o = 0; o < a.conditions->orientations.size(); ++o) {
+    EXPECT_EQ(a.conditions->at(0, o, 1).peak_along_m, b.conditions->at(0, o, 0).peak_along_m);
+    EXPECT_EQ(a.conditions->at(0, o, 1).shear_along, b.conditions->at(0, o, 0).shear_along);
   }
 }
 
@@ -249,15 +250,15 @@ TEST(clearance, a_record_without_a_vertical_is_run_without) {
   c.quantities.at("vertical", "period_s") = listed({0.0, 0.2});
   Motion without = shaking("b", 6.0, 1.4);
   without.vertical_mps2.clear();
-  const ClearanceResults results = run(c, {shaking("a", 6.0, 0.4), without});
-  ASSERT_EQ(results.grid.count(), 3u);  // with no vertical its period has no part
+  const Results results = run(c, {shaking("a", 6.0, 0.4), without});
+  ASSERT_EQ(results.conditions->grid.count(), 3u);  // with no vertical its period has no part
   EXPECT_TRUE(results.records[0].has_vertical);
   EXPECT_FALSE(results.records[1].has_vertical);
-  EXPECT_NE(results.at(0, 0, 0).peak_m, results.at(0, 0, 1).peak_m);
-  EXPECT_NE(results.at(0, 0, 1).peak_m, results.at(0, 0, 2).peak_m);
+  EXPECT_NE(results.conditions->at(0, 0, 0).peak_m, results.conditions->at(0, 0, 1).peak_m);
+  EXPECT_NE(results.conditions->at(0, 0, 1).peak_m, results.conditions->at(0, 0, 2).peak_m);
   for (const std::size_t i : {1u, 2u}) {  // on a finer step where the vertical requires it
-    EXPECT_NEAR(results.at(1, 0, i).peak_m, results.at(1, 0, 0).peak_m,
-                1e-5 * results.at(1, 0, 0).peak_m);
+    EXPECT_NEAR(results.conditions->at(1, 0, i).peak_m, results.conditions->at(1, 0, 0).peak_m,
+                1e-5 * results.conditions->at(1, 0, 0).peak_m);
   }
 }
 

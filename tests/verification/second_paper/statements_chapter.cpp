@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "glissade/io/study_file.hpp"
+#include "glissade/report/base_shear_report.hpp"
 #include "glissade/report/clearance_report.hpp"
 #include "verification/chapters.hpp"
 #include "verification/first_paper/run_study.hpp"
@@ -16,7 +18,7 @@ namespace {
 
 /// What Walters et al. (2012) say on a topic that one of the studies is about.
 struct Statement {
-  ClearanceTopic topic;
+  std::optional<ClearanceTopic> topic;  ///< nothing: base shear
   const char* where;
   const char* says;
 };
@@ -50,7 +52,7 @@ const std::vector<StatedStudy>& stated_studies() {
        {{yielding, "Fig. 15",
          "except for R = 2, yielding significantly reduces the sliding response of the array"}}},
       {"17_walters_base_shear.toml",
-       {{base_shear, "Fig. 16",
+       {{std::nullopt, "Fig. 16",
          "the isolated array results in lower base shear than the fixed array, and even lower than "
          "the building without the array"}}},
       {"18_walters_slope.toml",
@@ -73,12 +75,12 @@ const std::vector<StatedStudy>& stated_studies() {
   return studies;
 }
 
-ClearanceResults results_of(const Folders& folders, const char* file) {
-  return clearance_results(run_study(plan_of(read_study(folders.studies / file))));
+Results results_of(const Folders& folders, const char* file) {
+  return run_study(plan_of(read_study(folders.studies / file)));
 }
 
 /// By the number of the study.
-using AllResults = std::map<std::string, ClearanceResults>;
+using AllResults = std::map<std::string, Results>;
 
 std::string number_of(const StatedStudy& study) { return std::string(study.file, 2); }
 
@@ -87,6 +89,11 @@ AllResults run_all(const Folders& folders) {
   for (const StatedStudy& study : stated_studies())
     if (!study.recorded) results[number_of(study)] = results_of(folders, study.file);
   return results;
+}
+
+std::string reading(const Results& results, const Statement& statement) {
+  return statement.topic ? clearance_reading(results, *statement.topic)
+                         : base_shear_sentences(results).front();
 }
 
 std::string rows(const AllResults& all, const StatedStudy& study) {
@@ -98,49 +105,49 @@ std::string rows(const AllResults& all, const StatedStudy& study) {
   std::string text;
   for (const Statement& s : study.statements)
     text += fmt::format("| {} | {} | {} | {} |\n", number, s.where, s.says,
-                        study.recorded ? elsewhere : clearance_reading(all.at(number), s.topic));
+                        study.recorded ? elsewhere : reading(all.at(number), s));
   return text;
 }
 
-double median_m(const ClearanceResults& r, const ClearancePosition& at, Periods periods) {
+double median_m(const Results& r, const Condition& at, Periods periods) {
   return over_orientations(r, {}, at, periods).median;
 }
 
-ClearancePosition last(const ClearanceResults& r, ClearanceAxis axis) {
-  ClearancePosition at;
-  at[axis] = r.grid.size(axis) - 1;
+Condition last(const Results& r, ConditionAxis axis) {
+  Condition at;
+  at[axis] = r.conditions->grid.size(axis) - 1;
   return at;
 }
 
 const std::string paper = "Walters et al. 2012, ";
 
 /// The largest over the periods, isolated over another support.
-double largest_base_shear_ratio(const ClearanceResults& r, ArraySupport other) {
+double largest_base_shear_ratio(const Results& r, ArraySupport other) {
   const auto place = [&](ArraySupport support) {
-    return static_cast<std::size_t>(std::ranges::find(r.grid.support, support) -
-                                    r.grid.support.begin());
+    return static_cast<std::size_t>(std::ranges::find(r.conditions->grid.support, support) -
+                                    r.conditions->grid.support.begin());
   };
-  const auto shear = [&](const ClearancePosition& at, ArraySupport support) {
+  const auto shear = [&](const Condition& at, ArraySupport support) {
     return over_orientations(r, {.number = HistoryNumber::base_shear},
-                             at.with(ClearanceAxis::support, place(support)), Periods::one)
+                             at.with(ConditionAxis::support, place(support)), Periods::one)
         .median;
   };
   double largest = 0.0;
-  for (const ClearancePosition& at : along(r.grid, ClearanceAxis::period))
+  for (const Condition& at : along(r.conditions->grid, ConditionAxis::period))
     largest = worse(largest, shear(at, ArraySupport::isolated) / shear(at, other));
   return largest;
 }
 
-Case base_shear_case(const ClearanceResults& r) {
+Case base_shear_case(const Results& r) {
   return limit({"study 17, six periods, array isolated",
                 "base shear over that with the array anchored", paper + "Fig. 16: lower"},
                {"largest ratio", largest_base_shear_ratio(r, ArraySupport::anchored), 1.0});
 }
 
-Case slope_case(const ClearanceResults& r) {
+Case slope_case(const Results& r) {
   int falling = 0, pairs = 0;
   double before = 0.0;
-  for (const ClearancePosition& at : along(r.grid, ClearanceAxis::slope)) {
+  for (const Condition& at : along(r.conditions->grid, ConditionAxis::slope)) {
     const double now = median_m(r, at, Periods::largest);
     falling += now > before ? 0 : 1;
     ++pairs;
@@ -151,7 +158,7 @@ Case slope_case(const ClearanceResults& r) {
                    {falling, pairs});
 }
 
-Case level_case(const ClearanceResults& r) {
+Case level_case(const Results& r) {
   const auto mean = [&](std::size_t suite) {
     return over_orientations(r, {.suite = suite}, {}, Periods::one).median;
   };
@@ -160,12 +167,12 @@ Case level_case(const ClearanceResults& r) {
                 {"ratio", mean(2) / mean(1), 5.0, INFINITY});
 }
 
-Case mce_case(const ClearanceResults& r) {
+Case mce_case(const Results& r) {
   return within(
       {"study 19", "MCE displacement at T = 0.2 s over the largest at DBE",
        paper + "Fig. 18: close"},
       {"ratio",
-       median_m(r, last(r, ClearanceAxis::level), Periods::one) / median_m(r, {}, Periods::largest),
+       median_m(r, last(r, ConditionAxis::level), Periods::one) / median_m(r, {}, Periods::largest),
        0.75, 1.33});
 }
 

@@ -26,6 +26,6 @@ struct KernelChoice {
 KernelChoice cheapest_exact_kernel(const StudyConfig& config);
 
 /// What the kernel is: "one axis, coupled: ..."
-std::string describe(Kernel kernel);
+std::string describe(Kernel kernel, bool base_shear);
 
 }  // namespace glissade

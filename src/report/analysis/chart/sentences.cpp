@@ -75,23 +75,23 @@ std::string free_sliding_sentence(const Results& results) {
       free / static_cast<long>(results.levels.size()), chart.slope_deg.size() * chart.mu.size());
 }
 
-/// "At S_DS = 1.30 g WHAT in up to 3.0 % of the histories at a point; in up to 12 % at S_DS = 1.95
-/// g."; "" where there are none.
-std::string share_sentence(const Results& results, double ChartPoint::*share,
-                           const std::string& what) {
+/// "At S_DS = 1.30 g the array lifts off in up to 3.0 % of the histories at a point; in up to 12 %
+/// at S_DS = 1.95 g."; "" where it never does.
+std::string uplift_sentence(const Results& results) {
   const Chart& chart = *results.chart;
   double here = 0.0, elsewhere = 0.0, where = 0.0;
   for (const ChartPoint& p : chart.points) {  // NaN is not larger
     if (p.level == chart.shown_level) {
-      if (p.*share > here) here = p.*share;
-    } else if (p.*share > elsewhere) {
-      elsewhere = p.*share;
+      if (p.uplift_share > here) here = p.uplift_share;
+    } else if (p.uplift_share > elsewhere) {
+      elsewhere = p.uplift_share;
       where = p.level;
     }
   }
   if (here == 0.0 && elsewhere == 0.0) return "";
   std::string text = fmt::format(
-      "At {} {} in {}", at_intensity(results, chart.shown_level), what,
+      "At {} the array lifts off (outside the model) in {}",
+      at_intensity(results, chart.shown_level),
       here > 0.0 ? "up to " + format_share(here) + " of the histories at a point of the chart"
                  : std::string("no history"));
   if (elsewhere > 0.0) {
@@ -138,10 +138,7 @@ std::vector<std::string> chart_sentences(const Results& results) {
   for (const ChartReading& reading : chart.readings)
     sentences.push_back(reading_sentence(results, reading));
   sentences.push_back(free_sliding_sentence(results));
-  sentences.push_back(share_sentence(results, &ChartPoint::uplift_share,
-                                     "the array lifts off (outside the model)"));
-  sentences.push_back(share_sentence(results, &ChartPoint::tip_share,
-                                     "the array would begin to rock (outside the model)"));
+  sentences.push_back(uplift_sentence(results));
   if (!is_one_record(results)) sentences.push_back(confidence_sentence(results));
   std::erase(sentences, "");
   return sentences;
@@ -149,8 +146,8 @@ std::vector<std::string> chart_sentences(const Results& results) {
 
 std::string chart_summary(const Results& results) {
   constexpr std::size_t most = 9;
-  std::string text = fmt::format("{}: design chart, {}\n{}\n", results.study_name,
-                                 chart_size(results), wrapped(how_counted(results)));
+  std::string text =
+      fmt::format("Design chart: {}\n{}\n", chart_size(results), wrapped(how_counted(results)));
   text += to_text(chart_matrix_table(results, most)) + "\n";
   for (const std::string& sentence : chart_sentences(results)) text += wrapped(sentence);
   return text;

@@ -35,11 +35,6 @@ Cell slip_cell(const ChartStatistic& statistic, const ChartPoint& point) {
   return slip_m;
 }
 
-bool any_tip_share(const Chart& chart) {
-  return std::any_of(chart.points.begin(), chart.points.end(),
-                     [](const ChartPoint& p) { return !std::isnan(p.tip_share); });
-}
-
 /// "seaoc_pv1_2012": a standard's name as a column's stem.
 std::string stem_of(Standard standard) {
   return standard == Standard::seaoc_pv1_2012 ? "seaoc_pv1_2012" : "asce7_16";
@@ -71,7 +66,6 @@ Table chart_table(const Results& results) {
   const Chart& chart = *results.chart;
   const std::vector<ChartStatistic> statistics = chart_statistics(results);
   const std::vector<Standard> standards = standards_of(chart);
-  const bool with_tips = any_tip_share(chart);
   Table table{"chart",
               title_of_levels("Design chart: slip over slope and friction.", results),
               {level_column(results), slope_column, mu_column},
@@ -81,7 +75,6 @@ Table chart_table(const Results& results) {
   table.columns.push_back({"governing_period", "s", "Governing period, s"});
   table.columns.push_back({"free_sliding", "", "Slides unshaken", ColumnKind::count});
   table.columns.push_back({"uplift_share", "", "Uplift", ColumnKind::share});
-  if (with_tips) table.columns.push_back({"tip_share", "", "Begins to rock", ColumnKind::share});
   for (const Standard standard : standards) {
     table.columns.push_back(
         {stem_of(standard), "m", standard_name(standard) + ", m (in)", ColumnKind::length});
@@ -93,7 +86,6 @@ Table chart_table(const Results& results) {
     std::vector<Cell> row = {p.level, p.slope_deg, p.mu};
     for (const ChartStatistic& s : statistics) row.push_back(slip_cell(s, p));
     row.insert(row.end(), {p.governing_period_s, p.free_sliding ? 1.0 : 0.0, p.uplift_share});
-    if (with_tips) row.emplace_back(p.tip_share);
     for (const Standard standard : standards) {
       row.emplace_back(applies_at(standard, p.slope_deg, p.mu)
                            ? prescribed_m(chart, standard, p.level).value_or(nan)
@@ -246,8 +238,6 @@ std::vector<Table> chart_csv_tables(const Results& results) {
   if (chart.period_s.size() > 1) tables.push_back(chart_by_period_table(results));
   if (!chart.readings.empty()) tables.push_back(chart_readings_table(results));
   if (!chart.standards.empty()) tables.push_back(chart_standards_table(results));
-  tables.push_back(records_table(results));
-  if (!results.suites.front().spectra.periods_s.empty()) tables.push_back(spectra_table(results));
   return tables;
 }
 

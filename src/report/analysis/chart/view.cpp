@@ -13,7 +13,7 @@ namespace glissade {
 bool is_one_record(const Results& results) { return results.records.size() == 1; }
 
 double clearance_factor(const Results& results) {
-  return results.clearance.value_or(ClearanceConfig{}).factor;
+  return results.clearance ? results.clearance->factor : ClearanceConfig{}.factor;
 }
 
 std::string clearance_rule(const Results& results) {

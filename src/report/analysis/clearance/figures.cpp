@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "analysis/clearance/family.hpp"
 #include "analysis/clearance/orientation_figures.hpp"
-#include "analysis/clearance/view.hpp"
+#include "analysis/conditions/family.hpp"
+#include "analysis/conditions/view.hpp"
 #include "analysis/suite/spectra_figure.hpp"
 #include "glissade/core/units.hpp"
 #include "glissade/report/clearance_report.hpp"
@@ -15,29 +15,28 @@
 namespace glissade {
 namespace {
 
-using enum ClearanceAxis;
-constexpr auto period_label = "Period of the building (s)";
+using enum ConditionAxis;
 
 /// Walters et al. (2012), Fig. 8.
-Figure suite_figure(const ClearanceResults& results) {
+Figure suite_figure(const Results& results) {
   const SuiteSpectra& spectra = results.suites.front().spectra;
   const std::string as_scaled =
       spectra.reference_level > 0.0
-          ? results.grid.level_symbol + " = " + format_number(spectra.reference_level)
+          ? results.conditions->grid.level_symbol + " = " + format_number(spectra.reference_level)
           : "scaled to MCE";
   return spectra_figure(
       results.suites.front().spectra,
       {results.suites.front().name, as_scaled, "target spectrum, envelope over the site classes"});
 }
 
-std::string after_walters(const ClearanceResults& results, int figure, const char* more = "") {
+std::string after_walters(const Results& results, int figure, const char* more = "") {
   return fmt::format("After Walters et al. (2012), Fig. {}. {}{}.", figure,
                      what_is_averaged(results), more);
 }
 
 /// Fig. 13: displacement over the building's period, by m/M and vertical.
-Figure period_figure(const ClearanceResults& results) {
-  const ClearanceGrid& grid = results.grid;
+Figure period_figure(const Results& results) {
+  const ConditionGrid& grid = results.conditions->grid;
   constexpr std::size_t most_lines = 4;
   Places members = places_of(grid, vertical, mass);
   if (members.size() > most_lines) members = along(grid, mass);
@@ -48,9 +47,9 @@ Figure period_figure(const ClearanceResults& results) {
     family.add(label.empty() ? "median of the orientations" : label, family_look(i, members.size()),
                along(grid, period, members[i]));
   }
-  if (results.orientations.size() > 1) {
+  if (results.conditions->orientations.size() > 1) {
     std::vector<double> low, high;
-    for (const ClearancePosition& at : along(grid, period)) {
+    for (const Condition& at : along(grid, period)) {
       const PerRecordBounds bounds = per_record_bounds(results, {}, at, Periods::one);
       low.push_back(bounds.lowest);
       high.push_back(bounds.highest);
@@ -60,13 +59,13 @@ Figure period_figure(const ClearanceResults& results) {
     family.add_line("", look(Role::bound), high);
   }
   const double clearance_m =
-      results.clearance_factor * over_orientations(results, {}, {}, Periods::largest).median;
+      results.clearance->factor * over_orientations(results, {}, {}, Periods::largest).median;
   Look rule = look(Role::clearance);
   rule.width = 2.5;
   rule.dash = 2;
   family.add_level(clearance_m,
-                   fmt::format("clearance, {:g} x the largest median: {}", results.clearance_factor,
-                               format_length(clearance_m)),
+                   fmt::format("clearance, {:g} x the largest median: {}",
+                               results.clearance->factor, format_length(clearance_m)),
                    rule);
   return {"period", "Displacement over the building's period, and the clearance",
           below_text(results, {mass, vertical}),
@@ -77,16 +76,17 @@ Figure period_figure(const ClearanceResults& results) {
 }
 
 /// A line for each building period over the places of another axis.
-void add_buildings(const ClearanceResults& results, ClearanceAxis axis, Family& family) {
-  const Places buildings = along(results.grid, period);
+void add_buildings(const Results& results, ConditionAxis axis, Family& family) {
+  const Places buildings = along(results.conditions->grid, period);
   for (std::size_t i = 0; i < buildings.size(); ++i) {
-    family.add("building of " + label_of(results.grid, period, i), family_look(i, buildings.size()),
-               along(results.grid, axis, buildings[i]));
+    family.add("building of " + label_of(results.conditions->grid, period, i),
+               family_look(i, buildings.size()),
+               along(results.conditions->grid, axis, buildings[i]));
   }
 }
 
 /// Fig. 14: displacement over the suites.
-Figure level_figure(const ClearanceResults& results) {
+Figure level_figure(const Results& results) {
   std::vector<double> x;
   std::vector<std::string> names;
   for (const SuiteSummary& suite : results.suites) {
@@ -95,7 +95,7 @@ Figure level_figure(const ClearanceResults& results) {
   }
   Family family(results, "Suite", x);
   family.name_ticks(names);
-  const Places buildings = along(results.grid, period);
+  const Places buildings = along(results.conditions->grid, period);
   for (std::size_t i = 0; i < buildings.size(); ++i) {
     std::vector<std::vector<double>> by_suite;
     for (std::size_t suite = 0; suite < results.suites.size(); ++suite) {
@@ -103,7 +103,7 @@ Figure level_figure(const ClearanceResults& results) {
           means_by_orientation(results, {.suite = suite}, buildings[i], Periods::one));
       std::ranges::sort(by_suite.back());
     }
-    family.add_numbers("building of " + label_of(results.grid, period, i),
+    family.add_numbers("building of " + label_of(results.conditions->grid, period, i),
                        family_look(i, buildings.size()), by_suite);
   }
   return {"level", "Displacement over the seismic level",
@@ -112,13 +112,13 @@ Figure level_figure(const ClearanceResults& results) {
 }
 
 /// Fig. 15: displacement over R, relative to the elastic building's.
-Figure yielding_figure(const ClearanceResults& results) {
-  const ClearanceGrid& grid = results.grid;
+Figure yielding_figure(const Results& results) {
+  const ConditionGrid& grid = results.conditions->grid;
   Family family(results, "Response modification R (0: elastic)", grid.response_modification);
   const Places buildings = along(grid, period);
   for (std::size_t i = 0; i < buildings.size(); ++i) {
     std::vector<std::vector<double>> ratios;
-    for (const ClearancePosition& at : along(grid, response_modification, buildings[i]))
+    for (const Condition& at : along(grid, response_modification, buildings[i]))
       ratios.push_back(ratios_by_orientation(results, {}, at, buildings[i]));
     family.add_numbers("building of " + label_of(grid, period, i), family_look(i, buildings.size()),
                        ratios);
@@ -133,47 +133,9 @@ Figure yielding_figure(const ClearanceResults& results) {
           family.ratios("Displacement over that on an elastic building")};
 }
 
-/// Fig. 16: base shear over the period by support.
-Figure base_shear_figure(const ClearanceResults& results) {
-  Family family(results, period_label, results.grid.period_s);
-  const Places supports = along(results.grid, support);
-  for (std::size_t i = 0; i < supports.size(); ++i) {
-    family.add(label_of(results.grid, support, i), family_look(i, supports.size()),
-               along(results.grid, period, supports[i]), {.number = HistoryNumber::base_shear});
-  }
-  return {"base_shear", "Base shear of the building: array isolated, anchored, none",
-          below_text(results),
-          "After Walters et al. (2012), Fig. 16. Mean over the suite of each history's SRSS of the "
-          "peak base shears along both axes, over the weight of the building without the array.",
-          family.ratios("Base shear over the bare building's weight")};
-}
-
-/// The same over that without an array, which must be among the supports.
-Figure base_shear_ratio_figure(const ClearanceResults& results) {
-  const ClearanceGrid& grid = results.grid;
-  const std::size_t bare = *place_of(grid, ArraySupport::no_array);
-  Family family(results, period_label, grid.period_s);
-  std::size_t drawn = 0;
-  for (const ArraySupport kind : {ArraySupport::isolated, ArraySupport::anchored}) {
-    const auto place = place_of(grid, kind);
-    if (!place) continue;
-    std::vector<std::vector<double>> ratios;
-    for (const ClearancePosition& at : along(grid, period))
-      ratios.push_back(ratios_by_orientation(results, {.number = HistoryNumber::base_shear},
-                                             at.with(support, *place), at.with(support, bare)));
-    family.add_numbers(label_of(grid, support, *place), family_look(drawn++, 3), ratios);
-  }
-  family.add_level(1.0, "no array", look(Role::reference));
-  return {"base_shear_ratio", "Effect of the array on the base shear of its building",
-          below_text(results),
-          "The same relative to the building without an array: below 1 the array reduces the base "
-          "shear. An anchored array adds its mass.",
-          family.ratios("Base shear over that without an array", Family::From::lowest)};
-}
-
 /// Fig. 17: displacement over slope by period.
-Figure slope_figure(const ClearanceResults& results) {
-  const ClearanceGrid& grid = results.grid;
+Figure slope_figure(const Results& results) {
+  const ConditionGrid& grid = results.conditions->grid;
   std::vector<double> x;
   std::vector<std::string> ticks;
   for (const double slope_deg : grid.slope_deg) {
@@ -192,8 +154,8 @@ Figure slope_figure(const ClearanceResults& results) {
 }
 
 /// Fig. 18: displacement over the period by level.
-Figure mce_figure(const ClearanceResults& results) {
-  const ClearanceGrid& grid = results.grid;
+Figure mce_figure(const Results& results) {
+  const ConditionGrid& grid = results.conditions->grid;
   Family family(results, period_label, grid.period_s);
   const Places levels = along(grid, level);
   for (std::size_t i = 0; i < levels.size(); ++i) {
@@ -211,10 +173,10 @@ Figure mce_figure(const ClearanceResults& results) {
 }
 
 /// Displacement over the roof's vertical period by the building's.
-Figure vertical_figure(const ClearanceResults& results) {
+Figure vertical_figure(const Results& results) {
   std::vector<double> x;
   std::vector<std::string> ticks;
-  for (const VerticalCondition& condition : results.grid.vertical) {
+  for (const VerticalCondition& condition : results.conditions->grid.vertical) {
     x.push_back(static_cast<double>(x.size()));
     ticks.push_back(condition.use == VerticalChoice::none ? "none"
                     : condition.period_s == 0.0           ? "rigid"
@@ -233,9 +195,9 @@ Figure vertical_figure(const ClearanceResults& results) {
 
 }  // namespace
 
-std::vector<Figure> clearance_figures(const ClearanceResults& results) {
+std::vector<Figure> clearance_figures(const Results& results) {
   std::vector<Figure> figures;
-  const auto add = [&](ClearanceTopic topic, Figure (*draw)(const ClearanceResults&)) {
+  const auto add = [&](ClearanceTopic topic, Figure (*draw)(const Results&)) {
     if (covers(results, topic)) figures.push_back(draw(results));
   };
   add(ClearanceTopic::spectra, suite_figure);
@@ -245,9 +207,6 @@ std::vector<Figure> clearance_figures(const ClearanceResults& results) {
   }
   add(ClearanceTopic::level, level_figure);
   add(ClearanceTopic::yielding, yielding_figure);
-  add(ClearanceTopic::base_shear, base_shear_figure);
-  if (place_of(results.grid, ArraySupport::no_array))
-    add(ClearanceTopic::base_shear, base_shear_ratio_figure);
   add(ClearanceTopic::slope, slope_figure);
   add(ClearanceTopic::mce, mce_figure);
   add(ClearanceTopic::vertical, vertical_figure);

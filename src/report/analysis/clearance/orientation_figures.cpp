@@ -5,23 +5,22 @@
 
 #include <algorithm>
 
-#include "analysis/clearance/family.hpp"
-#include "analysis/clearance/view.hpp"
+#include "analysis/conditions/family.hpp"
+#include "analysis/conditions/view.hpp"
 
 namespace glissade {
 namespace {
 
 /// The distinct orientations, a line each over the period.
-Figure each_orientation_figure(const ClearanceResults& results,
-                               const std::vector<std::size_t>& distinct) {
-  Family family(results, "Period of the building (s)", results.grid.period_s, Spread::none);
+Figure each_orientation_figure(const Results& results, const std::vector<std::size_t>& distinct) {
+  Family family(results, period_label, results.conditions->grid.period_s, Spread::none);
   for (std::size_t i = 0; i < distinct.size(); ++i) {
-    const auto alike = std::ranges::count(results.same_as, distinct[i]);
+    const auto alike = std::ranges::count(results.conditions->same_as, distinct[i]);
     std::vector<double> means;
-    for (const ClearancePosition& at : along(results.grid, ClearanceAxis::period))
+    for (const Condition& at : along(results.conditions->grid, ConditionAxis::period))
       means.push_back(suite_mean(results, {}, distinct[i], at));
     family.add_line(
-        to_string(results.orientations[distinct[i]]) +
+        to_string(results.conditions->orientations[distinct[i]]) +
             (alike > 1 ? fmt::format(" (and {} more that give the same)", alike - 1) : ""),
         family_look(i, distinct.size()), means);
   }
@@ -35,9 +34,9 @@ Figure each_orientation_figure(const ClearanceResults& results,
 }
 
 /// Clearance for each slope along either axis, by m/M.
-Figure permutations_figure(const ClearanceResults& results) {
-  const ClearanceGrid& grid = results.grid;
-  const double factor = results.clearance_factor;
+Figure permutations_figure(const Results& results) {
+  const ConditionGrid& grid = results.conditions->grid;
+  const double factor = results.clearance->factor;
   std::vector<std::pair<std::size_t, SlopeAxis>> permutations;
   std::vector<std::string> ticks;
   for (std::size_t slope = 0; slope < grid.slope_deg.size(); ++slope) {
@@ -56,15 +55,15 @@ Figure permutations_figure(const ClearanceResults& results) {
   const std::size_t masses = grid.mass_ratio.size();
   double top_m = 0.0;
   for (std::size_t m = 0; m < masses; ++m) {
-    const std::string label = label_of(grid, ClearanceAxis::mass, m);
+    const std::string label = label_of(grid, ConditionAxis::mass, m);
     Look look = family_look(m, masses);
     look.symbol_size = 1.6;
     DataSeries points{DataSeries::Kind::points, look, label, label};
     DataSeries bars{DataSeries::Kind::bars, look, label + ": lowest and highest"};
     for (std::size_t i = 0; i < permutations.size(); ++i) {
-      ClearancePosition at;
-      at[ClearanceAxis::slope] = permutations[i].first;
-      at[ClearanceAxis::mass] = m;
+      Condition at;
+      at[ConditionAxis::slope] = permutations[i].first;
+      at[ConditionAxis::mass] = m;
       const OrientationRange range =
           over_orientations(results, {.slope_axis = permutations[i].second}, at, Periods::largest);
       // Side by side, so that bars do not hide one another.
@@ -85,7 +84,7 @@ Figure permutations_figure(const ClearanceResults& results) {
                         top_m > 0.0 ? 1.12 * top_m : 1.0);
   return {"permutations",
           "Clearance by slope and the axis it falls along",
-          below_text(results, {ClearanceAxis::slope, ClearanceAxis::mass}),
+          below_text(results, {ConditionAxis::slope, ConditionAxis::mass}),
           what_is_averaged(results) +
               fmt::format(", the largest over the building periods, times {:g}. The slope "
                           "permutations of Walters et al. (2012), with friction {}.",
@@ -95,14 +94,15 @@ Figure permutations_figure(const ClearanceResults& results) {
 
 }  // namespace
 
-std::optional<Figure> orientation_figure(const ClearanceResults& results) {
-  if (results.friction[0] != results.friction[1]) return permutations_figure(results);
+std::optional<Figure> orientation_figure(const Results& results) {
+  if (results.conditions->friction[0] != results.conditions->friction[1])
+    return permutations_figure(results);
   constexpr std::size_t most_lines = 8;
   std::vector<std::size_t> distinct;
-  for (std::size_t o = 0; o < results.orientations.size(); ++o) {
-    if (results.same_as[o] == o) distinct.push_back(o);
+  for (std::size_t o = 0; o < results.conditions->orientations.size(); ++o) {
+    if (results.conditions->same_as[o] == o) distinct.push_back(o);
   }
-  if (distinct.size() > most_lines || !has_several(results.grid, ClearanceAxis::period))
+  if (distinct.size() > most_lines || !has_several(results.conditions->grid, ConditionAxis::period))
     return std::nullopt;
   return each_orientation_figure(results, distinct);
 }

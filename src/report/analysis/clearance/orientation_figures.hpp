@@ -4,12 +4,12 @@
 #include <optional>
 
 #include "glissade/report/figure.hpp"
-#include "glissade/study/analysis/clearance_reading.hpp"
+#include "glissade/study/analysis/suite_mean.hpp"
 
 namespace glissade {
 
 /// The displacement in each orientation, where they are few; with two frictions the clearance by
 /// slope and axis.
-std::optional<Figure> orientation_figure(const ClearanceResults& results);
+std::optional<Figure> orientation_figure(const Results& results);
 
 }  // namespace glissade

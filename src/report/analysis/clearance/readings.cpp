@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "analysis/clearance/view.hpp"
+#include "analysis/conditions/view.hpp"
 #include "glissade/core/quantile.hpp"
 #include "glissade/report/clearance_report.hpp"
 #include "glissade/report/format.hpp"
@@ -29,7 +29,7 @@ double at_period(const SuiteSpectra& spectra, std::size_t p) {
   return spectra.average_srss_g[p] / spectra.target_g[p];
 }
 
-std::string spectra_reading(const ClearanceResults& r) {
+std::string spectra_reading(const Results& r) {
   const SuiteSpectra& spectra = r.suites.front().spectra;
   if (spectra.target_g.empty()) return "";
   const auto& [lowest, highest] = spectra.to_target;
@@ -49,43 +49,44 @@ std::string spectra_reading(const ClearanceResults& r) {
   return text + ".";
 }
 
-std::string period_reading(const ClearanceResults& r) {
-  const ClearanceQuestion question;
+std::string period_reading(const Results& r) {
+  const MeanQuestion question;
   const OrientationRange largest = over_orientations(r, question, {}, Periods::largest);
   const std::size_t period = governing_period(r, question, {});
   std::string text = fmt::format(
       "The suite's mean is largest at T = {:g} s. The largest over the periods is {}; times {:g}: "
       "a "
       "clearance of {}",
-      r.grid.period_s[period], range_text(r, largest), r.clearance_factor,
-      clearance_text(r.clearance_factor * largest.median));
-  if (r.orientations.size() > 1)
+      r.conditions->grid.period_s[period], range_text(r, largest), r.clearance->factor,
+      clearance_text(r.clearance->factor * largest.median));
+  if (r.conditions->orientations.size() > 1)
     text += fmt::format(", {} in the least favourable orientation",
-                        format_length(r.clearance_factor * largest.highest));
+                        format_length(r.clearance->factor * largest.highest));
   text += fmt::format(". 95 % interval of the mean from resampling records: {} to {} m.",
                       format_number(largest.interval.low), format_number(largest.interval.high));
   return text;
 }
 
 /// Which of two frictions acts down the slope.
-std::string downhill_reading(const ClearanceResults& r) {
-  if (r.friction[0] == r.friction[1]) return "";
+std::string downhill_reading(const Results& r) {
+  if (r.conditions->friction[0] == r.conditions->friction[1]) return "";
   std::string text;
   for (const SlopeAxis axis : {SlopeAxis::e_w, SlopeAxis::n_s}) {
-    const ClearanceQuestion question{.slope_axis = axis};
+    const MeanQuestion question{.slope_axis = axis};
     if (orientations_of(r, question).empty()) continue;
     const OrientationRange range = over_orientations(r, question, {}, Periods::largest);
     text += fmt::format(
         " Where the roof falls {}, with a friction of {:g} downhill, the largest mean over the "
         "periods is {}, from {} to {} over the orientations.",
-        axis == SlopeAxis::e_w ? "E-W" : "N-S", r.friction[axis == SlopeAxis::e_w ? 0 : 1],
-        format_length(range.median), format_length(range.lowest), format_length(range.highest));
+        axis == SlopeAxis::e_w ? "E-W" : "N-S",
+        r.conditions->friction[axis == SlopeAxis::e_w ? 0 : 1], format_length(range.median),
+        format_length(range.lowest), format_length(range.highest));
   }
   return text;
 }
 
-std::string orientation_reading(const ClearanceResults& r) {
-  const ClearanceQuestion question;
+std::string orientation_reading(const Results& r) {
+  const MeanQuestion question;
   const PerRecordBounds own = per_record_bounds(r, question, {}, Periods::largest);
   const std::vector<double> means = per_record_means(r, question, {}, Periods::largest);
   std::string text = fmt::format(
@@ -110,12 +111,13 @@ std::string orientation_reading(const ClearanceResults& r) {
         range_text(r, farthest));
   }
   const auto distinct = std::ranges::count_if(
-      r.same_as, [i = std::uint64_t{0}](std::uint64_t same) mutable { return same == i++; });
-  if (static_cast<std::size_t>(distinct) < r.orientations.size()) {
+      r.conditions->same_as,
+      [i = std::uint64_t{0}](std::uint64_t same) mutable { return same == i++; });
+  if (static_cast<std::size_t>(distinct) < r.conditions->orientations.size()) {
     text += fmt::format(
         " Of the {} only {} differ: turning round what acts across the slope mirrors a history{}.",
         orientations_text(r), distinct,
-        r.friction[0] == r.friction[1]
+        r.conditions->friction[0] == r.conditions->friction[1]
             ? ", and with one friction in both directions it does not matter along which of them "
               "the roof falls"
             : "");
@@ -123,29 +125,31 @@ std::string orientation_reading(const ClearanceResults& r) {
   return text;
 }
 
-std::string level_reading(const ClearanceResults& r) {
+std::string level_reading(const Results& r) {
   std::vector<std::string> parts;
   for (std::size_t suite = 0; suite < r.suites.size(); ++suite) {
     const OrientationRange range = over_orientations(r, {.suite = suite}, {}, Periods::one);
     parts.push_back(fmt::format("{} {}", r.suites[suite].name, range_text(r, range)));
   }
-  return fmt::format("On a building of {}: {}.", label_of(r.grid, ClearanceAxis::period, 0),
+  return fmt::format("On a building of {}: {}.",
+                     label_of(r.conditions->grid, ConditionAxis::period, 0),
                      fmt::join(parts, "; "));
 }
 
-std::string yielding_reading(const ClearanceResults& r) {
+std::string yielding_reading(const Results& r) {
   std::vector<std::string> buildings;
-  for (const ClearancePosition& elastic : along(r.grid, ClearanceAxis::period)) {
+  for (const Condition& elastic : along(r.conditions->grid, ConditionAxis::period)) {
     std::vector<std::string> parts;
-    for (const ClearancePosition& at :
-         along(r.grid, ClearanceAxis::response_modification, elastic)) {
-      if (at[ClearanceAxis::response_modification] == 0) continue;
-      parts.push_back(
-          fmt::format("{} at R {:g}", ratio_text(ratios_by_orientation(r, {}, at, elastic)),
-                      r.grid.response_modification[at[ClearanceAxis::response_modification]]));
+    for (const Condition& at :
+         along(r.conditions->grid, ConditionAxis::response_modification, elastic)) {
+      if (at[ConditionAxis::response_modification] == 0) continue;
+      parts.push_back(fmt::format(
+          "{} at R {:g}", ratio_text(ratios_by_orientation(r, {}, at, elastic)),
+          r.conditions->grid.response_modification[at[ConditionAxis::response_modification]]));
     }
     buildings.push_back(fmt::format(
-        "{}: {}", label_of(r.grid, ClearanceAxis::period, elastic[ClearanceAxis::period]),
+        "{}: {}",
+        label_of(r.conditions->grid, ConditionAxis::period, elastic[ConditionAxis::period]),
         fmt::join(parts, ", ")));
   }
   return fmt::format(
@@ -154,43 +158,16 @@ std::string yielding_reading(const ClearanceResults& r) {
       fmt::join(buildings, "; "));
 }
 
-std::string base_shear_reading(const ClearanceResults& r) {
-  const auto isolated = place_of(r.grid, ArraySupport::isolated);
-  if (!isolated) return "";
-  const ClearanceQuestion question{.number = HistoryNumber::base_shear};
-  std::vector<std::string> parts;
-  for (const ArraySupport other : {ArraySupport::anchored, ArraySupport::no_array}) {
-    const auto place = place_of(r.grid, other);
-    if (!place) continue;
-    std::size_t below = 0;
-    double low = INFINITY, high = 0.0;
-    for (const ClearancePosition& at : along(r.grid, ClearanceAxis::period)) {
-      const double ratio =
-          quantile_of(ratios_by_orientation(r, question, at.with(ClearanceAxis::support, *isolated),
-                                            at.with(ClearanceAxis::support, *place)),
-                      0.5);
-      below += ratio < 1.0;
-      low = std::min(low, ratio);
-      high = std::max(high, ratio);
-    }
-    parts.push_back(fmt::format(
-        "{} to {} of that {}, below it at {} of {} periods", format_number(low),
-        format_number(high),
-        other == ArraySupport::anchored ? "with the array anchored" : "without an array", below,
-        r.grid.period_s.size()));
-  }
-  return fmt::format("With the array isolated the base shear is {}.", fmt::join(parts, "; and "));
-}
-
-std::string slope_reading(const ClearanceResults& r) {
+std::string slope_reading(const Results& r) {
   std::vector<std::string> parts;
   double flattest = 0.0, steepest = 0.0;
-  for (const ClearancePosition& at : along(r.grid, ClearanceAxis::slope)) {
+  for (const Condition& at : along(r.conditions->grid, ConditionAxis::slope)) {
     const OrientationRange range = over_orientations(r, {}, at, Periods::largest);
-    if (at[ClearanceAxis::slope] == 0) flattest = range.median;
+    if (at[ConditionAxis::slope] == 0) flattest = range.median;
     steepest = range.median;
-    parts.push_back(fmt::format("{} on {}", format_length(range.median),
-                                slope_text(r.grid.slope_deg[at[ClearanceAxis::slope]])));
+    parts.push_back(
+        fmt::format("{} on {}", format_length(range.median),
+                    slope_text(r.conditions->grid.slope_deg[at[ConditionAxis::slope]])));
   }
   return fmt::format(
       "Largest mean over the periods: {}; {} times as much on the steepest as on the "
@@ -198,18 +175,18 @@ std::string slope_reading(const ClearanceResults& r) {
       fmt::join(parts, ", "), format_number(steepest / flattest));
 }
 
-std::string mce_reading(const ClearanceResults& r) {
-  const ClearanceGrid& grid = r.grid;
+std::string mce_reading(const Results& r) {
+  const ConditionGrid& grid = r.conditions->grid;
   const std::size_t last = grid.level.size() - 1;
-  ClearancePosition high;
-  high[ClearanceAxis::level] = last;
+  Condition high;
+  high[ConditionAxis::level] = last;
   const std::size_t governing = governing_period(r, {}, {});
   const OrientationRange weak = over_orientations(r, {}, {}, Periods::largest),
                          first = over_orientations(r, {}, {}, Periods::one),
                          strong = over_orientations(r, {}, high, Periods::one),
                          strongest = over_orientations(r, {}, high, Periods::largest);
-  const std::string low_name = label_of(grid, ClearanceAxis::level, 0),
-                    high_name = label_of(grid, ClearanceAxis::level, last);
+  const std::string low_name = label_of(grid, ConditionAxis::level, 0),
+                    high_name = label_of(grid, ConditionAxis::level, last);
   return fmt::format(
       "Largest over the periods: {} at {} (at T = {:g} s), {} at {}. At T = {:g} s: {} at {}, {} "
       "at "
@@ -221,20 +198,47 @@ std::string mce_reading(const ClearanceResults& r) {
 }
 
 /// The largest mean over the periods for each place on an axis.
-std::string axis_reading(const ClearanceResults& r, ClearanceAxis axis) {
+std::string axis_reading(const Results& r, ConditionAxis axis) {
   std::vector<std::string> parts;
-  for (const ClearancePosition& at : along(r.grid, axis)) {
+  for (const Condition& at : along(r.conditions->grid, axis)) {
     const OrientationRange range = over_orientations(r, {}, at, Periods::largest);
-    parts.push_back(fmt::format("{}: {} at T = {:g} s", label_of(r.grid, axis, at[axis]),
-                                range_text(r, range),
-                                r.grid.period_s[governing_period(r, {}, at)]));
+    parts.push_back(fmt::format("{}: {} at T = {:g} s",
+                                label_of(r.conditions->grid, axis, at[axis]), range_text(r, range),
+                                r.conditions->grid.period_s[governing_period(r, {}, at)]));
   }
   return fmt::format("Largest mean over the periods. {}.", fmt::join(parts, "; "));
 }
 
 }  // namespace
 
-std::string clearance_reading(const ClearanceResults& results, ClearanceTopic topic) {
+bool covers(const Results& results, ClearanceTopic topic) {
+  const ConditionGrid& grid = results.conditions->grid;
+  if (results.suites.size() > 1) return topic == ClearanceTopic::level;
+  switch (topic) {
+    case ClearanceTopic::spectra:
+      return true;
+    case ClearanceTopic::period:
+      return has_several(grid, ConditionAxis::period);
+    case ClearanceTopic::level:
+      return false;
+    case ClearanceTopic::yielding:
+      return has_several(grid, ConditionAxis::response_modification) &&
+             grid.response_modification.front() == 0.0;
+    case ClearanceTopic::slope:
+      return has_several(grid, ConditionAxis::slope);
+    case ClearanceTopic::mce:
+      return has_several(grid, ConditionAxis::level);
+    case ClearanceTopic::vertical:
+      return has_several(grid, ConditionAxis::vertical);
+    case ClearanceTopic::mass:
+      return has_several(grid, ConditionAxis::mass);
+    case ClearanceTopic::orientation:
+      return results.conditions->orientations.size() > 1;
+  }
+  return false;
+}
+
+std::string clearance_reading(const Results& results, ClearanceTopic topic) {
   if (!covers(results, topic)) return "";
   switch (topic) {
     case ClearanceTopic::spectra:
@@ -245,16 +249,14 @@ std::string clearance_reading(const ClearanceResults& results, ClearanceTopic to
       return level_reading(results);
     case ClearanceTopic::yielding:
       return yielding_reading(results);
-    case ClearanceTopic::base_shear:
-      return base_shear_reading(results);
     case ClearanceTopic::slope:
       return slope_reading(results);
     case ClearanceTopic::mce:
       return mce_reading(results);
     case ClearanceTopic::vertical:
-      return axis_reading(results, ClearanceAxis::vertical);
+      return axis_reading(results, ConditionAxis::vertical);
     case ClearanceTopic::mass:
-      return axis_reading(results, ClearanceAxis::mass);
+      return axis_reading(results, ConditionAxis::mass);
     case ClearanceTopic::orientation:
       return orientation_reading(results);
   }

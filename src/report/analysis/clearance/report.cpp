@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
-#include "analysis/clearance/view.hpp"
+#include "analysis/analyses.hpp"
 #include "glissade/report/clearance_report.hpp"
+#include "page/page.hpp"
 
 namespace glissade {
+namespace {
 
-std::vector<std::string> clearance_explained(const ClearanceResults& r) {
+/// How a required clearance is found.
+std::vector<std::string> explained(const Results& r) {
   return {
       "After Walters et al. (2012): the building is one oscillator along each of two axes, of the "
       "same period along both unless the study states otherwise; the array is a mass on it with "
@@ -24,21 +27,38 @@ std::vector<std::string> clearance_explained(const ClearanceResults& r) {
       "times as large, along each axis by itself, whatever the level of shaking; 0 is a building "
       "that stays elastic.",
       fmt::format("Required clearance: {:g} times the largest mean over the building periods.",
-                  r.clearance_factor)};
+                  r.clearance->factor)};
 }
 
-std::vector<Table> clearance_tables(const ClearanceResults& results) {
+/// Those of a page.
+std::vector<Table> page_tables(const Results& results) {
   std::vector<Table> tables{clearance_table(results), clearance_periods_table(results)};
-  if (results.orientations.size() > 1) tables.push_back(clearance_orientations_table(results));
-  if (covers(results, ClearanceTopic::base_shear))
-    tables.push_back(clearance_base_shear_table(results));
+  if (results.conditions->orientations.size() > 1)
+    tables.push_back(clearance_orientations_table(results));
   return tables;
 }
 
-std::vector<Table> clearance_file_tables(const ClearanceResults& results) {
-  std::vector<Table> tables = clearance_tables(results);
+std::vector<Table> file_tables(const Results& results) {
+  std::vector<Table> tables = page_tables(results);
   tables.push_back(clearance_histories_table(results));
   return tables;
+}
+
+Html section(const Results& results) {
+  Html html = heading("Required clearance");
+  for (const Table& table : page_tables(results)) html += table_or_file(table);
+  return html + list(explained(results));
+}
+
+}  // namespace
+
+AnalysisReport clearance_report() {
+  return {.is_in = [](const Results& results) { return results.clearance.has_value(); },
+          .summary = clearance_summary,
+          .sentences = clearance_sentences,
+          .figures = clearance_figures,
+          .tables = file_tables,
+          .section = section};
 }
 
 }  // namespace glissade

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "analysis/clearance/view.hpp"
+#include "analysis/conditions/view.hpp"
 #include "glissade/report/clearance_report.hpp"
 #include "glissade/report/format.hpp"
 
@@ -15,14 +15,14 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-std::string what_was_run(const ClearanceResults& r) {
+std::string what_was_run(const Results& r) {
   std::vector<std::string> suites;
   for (const SuiteSummary& suite : r.suites) suites.push_back(suite.name);
   const auto without = std::ranges::count_if(
       r.records, [](const RecordSummary& record) { return !record.has_vertical; });
-  std::string text = fmt::format("{} conditions, {} records of {}", r.grid.count(),
+  std::string text = fmt::format("{} conditions, {} records of {}", r.conditions->grid.count(),
                                  r.records.size(), fmt::join(suites, ", "));
-  if (r.orientations.size() > 1) text += fmt::format(", {}", orientations_text(r));
+  if (r.conditions->orientations.size() > 1) text += fmt::format(", {}", orientations_text(r));
   text += fmt::format(". Shown, where nothing else is stated: {}.", conditions_text(r, {}));
   if (without > 0) text += fmt::format(" {} of the records have no vertical component.", without);
   const double uplift = uplift_share(r);
@@ -33,17 +33,16 @@ std::string what_was_run(const ClearanceResults& r) {
 }
 
 /// The smallest and the largest clearance of all conditions in which the array may slide.
-std::string range_of_conditions(const ClearanceResults& r) {
+std::string range_of_conditions(const Results& r) {
+  const std::vector<Condition> places = sliding_conditions(r.conditions->grid, Periods::largest);
+  const std::vector<RequiredClearance>& required = r.clearance->required;
   std::vector<std::pair<double, std::string>> clearances;
-  for (std::size_t suite = 0; suite < r.suites.size(); ++suite) {
-    for (const ClearancePosition& at : all_but(r.grid, ClearanceAxis::period)) {
-      if (r.grid.support[at[ClearanceAxis::support]] != ArraySupport::isolated) continue;
-      const double median = over_orientations(r, {.suite = suite}, at, Periods::largest).median;
-      clearances.emplace_back(
-          std::isfinite(median) ? r.clearance_factor * median : infinity,
-          (r.suites.size() > 1 ? r.suites[suite].name + ", " : std::string()) +
-              distinguished(r.grid, at, {ClearanceAxis::period, ClearanceAxis::support}));
-    }
+  for (std::size_t i = 0; i < required.size(); ++i) {
+    clearances.emplace_back(
+        std::isfinite(required[i].median_m) ? required[i].median_m : infinity,
+        (r.suites.size() > 1 ? r.suites[required[i].largest.suite].name + ", " : std::string()) +
+            distinguished(r.conditions->grid, places[i % places.size()],
+                          {ConditionAxis::period, ConditionAxis::support}));
   }
   if (clearances.size() < 2) return "";
   const auto [least, most] = std::ranges::minmax_element(clearances);
@@ -54,13 +53,12 @@ std::string range_of_conditions(const ClearanceResults& r) {
 
 }  // namespace
 
-std::vector<std::string> clearance_sentences(const ClearanceResults& results) {
+std::vector<std::string> clearance_sentences(const Results& results) {
   std::vector<std::string> sentences{what_was_run(results)};
   for (const ClearanceTopic topic :
        {ClearanceTopic::period, ClearanceTopic::orientation, ClearanceTopic::mass,
-        ClearanceTopic::level, ClearanceTopic::yielding, ClearanceTopic::base_shear,
-        ClearanceTopic::slope, ClearanceTopic::mce, ClearanceTopic::vertical,
-        ClearanceTopic::spectra}) {
+        ClearanceTopic::level, ClearanceTopic::yielding, ClearanceTopic::slope, ClearanceTopic::mce,
+        ClearanceTopic::vertical, ClearanceTopic::spectra}) {
     const std::string reading = clearance_reading(results, topic);
     if (!reading.empty()) sentences.push_back(reading);
   }
@@ -69,8 +67,8 @@ std::vector<std::string> clearance_sentences(const ClearanceResults& results) {
   return sentences;
 }
 
-std::string clearance_summary(const ClearanceResults& results) {
-  std::string text = results.study_name + "\n\n";
+std::string clearance_summary(const Results& results) {
+  std::string text = "Required clearance\n";
   for (const std::string& sentence : clearance_sentences(results)) text += wrapped(sentence);
   return text;
 }

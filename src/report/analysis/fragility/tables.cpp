@@ -141,21 +141,17 @@ Table slip_table(const Results& results) {
                {"p95_slip", "m", "95th percentile, m (in)", ColumnKind::length},
                {"mean_slip", "m", "Mean, m (in) [95 %, m]", ColumnKind::length, true},
                {"mean_vector", "m", "Mean longest vector, m (in)", ColumnKind::length},
-               {"uplift_share", "", "Uplift", ColumnKind::share},
-               {"tip_share", "", "Begins to tip", ColumnKind::share}},
+               {"uplift_share", "", "Uplift", ColumnKind::share}},
               {}};
-  bool tipping = false, two_axes = false;  // computed
+  bool two_axes = false;
   for (const RunResults& run : results.runs) {
     for (const SlipStatistics& slip : run.slip) {
-      tipping = tipping || !std::isnan(slip.tip_share);
       two_axes = two_axes || !std::isnan(slip.mean_vector_m);
       table.add({run.label, slip.level, Estimate{slip.median_m, slip.median_interval},
                  Estimate{slip.p84_m, slip.p84_interval}, slip.p95_m,
-                 Estimate{slip.mean_m, slip.mean_interval}, slip.mean_vector_m, slip.uplift_share,
-                 slip.tip_share});
+                 Estimate{slip.mean_m, slip.mean_interval}, slip.mean_vector_m, slip.uplift_share});
     }
   }
-  if (!tipping) table = table.without("tip_share");
   return two_axes ? table : table.without("mean_vector");
 }
 

@@ -6,8 +6,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/analyses.hpp"
+#include "glissade/report/figures.hpp"
 #include "glissade/report/format.hpp"
 #include "glissade/report/tables.hpp"
+#include "page/page.hpp"
 #include "text/study_text.hpp"
 
 namespace glissade {
@@ -81,10 +84,10 @@ Table brief_impact_table(const Results& results) {
   return table;
 }
 
-std::string impact_sentence(const Results& results, const SlipStatistics& slip) {
+std::string impact_sentence(const Results& results, double level) {
   std::string speeds;
   for (const ImpactStatistics& s : results.runs.front().impact) {
-    if (s.level != slip.level || s.reached_share == 0.0) continue;
+    if (s.level != level || s.reached_share == 0.0) continue;
     speeds += fmt::format("{}{} and {} m/s at {} ({} of the histories)", speeds.empty() ? "" : "; ",
                           format_number(s.speed_median_mps), format_number(s.speed_p84_mps),
                           format_length(s.threshold_m), format_share(s.reached_share));
@@ -93,7 +96,40 @@ std::string impact_sentence(const Results& results, const SlipStatistics& slip) 
   return fmt::format(
       "Where the array reaches a clearance at {}, it does so with these speeds (median and "
       "84th percentile): {}.",
-      at_intensity(results, slip.level), speeds);
+      at_intensity(results, level), speeds);
+}
+
+namespace {
+
+Html section(const Results& results) {
+  const Table table = brief_impact_table(results);
+  return heading("Speed on reaching a parapet, given that it is reached") +
+         paragraph(impact_explained()) +
+         (table.rows.empty() ? paragraph("The array reached no clearance at these levels.")
+                             : wide_table(table)) +
+         paragraph("Every run, clearance and level: tables/impact.csv.");
+}
+
+/// At the level nearest to 1 g.
+std::vector<std::string> sentences(const Results& results) {
+  const std::string sentence = impact_sentence(
+      results, *std::ranges::min_element(results.levels, {},
+                                         [](double level) { return std::abs(level - 1.0); }));
+  if (sentence.empty()) return {};
+  return {sentence};
+}
+
+}  // namespace
+
+AnalysisReport impact_report() {
+  return {.is_in = has_impact,
+          .sentences = sentences,
+          .figures =
+              [](const Results& results) {
+                return std::vector{impact_figure(results, results.runs.front())};
+              },
+          .tables = [](const Results& results) { return std::vector{impact_table(results)}; },
+          .section = section};
 }
 
 }  // namespace glissade

@@ -20,7 +20,7 @@ inline double energy_jpkg(double speed_mps) { return 0.5 * speed_mps * speed_mps
 Table brief_impact_table(const Results& results);
 /// How to read any of it, in plain words.
 std::string impact_explained();
-/// Speeds at the level of `slip`, one sentence; empty where no history reaches it.
-std::string impact_sentence(const Results& results, const SlipStatistics& slip);
+/// Speeds at a level, one sentence; empty where no history reaches it.
+std::string impact_sentence(const Results& results, double level);
 
 }  // namespace glissade

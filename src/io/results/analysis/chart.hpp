@@ -56,9 +56,6 @@ void exchange_chart_points(const Archive& archive, const IntensityScale& scale, 
   exchange_chart_slip(archive, points, "envelope_m", "largest record, largest over periods",
                       &ChartSlip::envelope_m);
   column("uplift_share", {"-", "share of histories with uplift"}, &ChartPoint::uplift_share);
-  column("tip_share",
-         {"-", "share of histories in which the body begins to tip; nan: not computed"},
-         &ChartPoint::tip_share);
 }
 
 template <class Archive, class Readings>

@@ -9,8 +9,8 @@
 
 #include "glissade/study/cases/case.hpp"
 
-// What a clearance study varies (Walters et al. 2012): its conditions, and how the ground's
-// components are placed on the roof.
+// What a study varies, as Walters et al. (2012) present it: one axis for each quantity of theirs,
+// one for all others.
 namespace glissade {
 
 struct VerticalCondition {
@@ -20,7 +20,7 @@ struct VerticalCondition {
 };
 
 /// The axes of the grid of conditions, the first varying slowest.
-enum class ClearanceAxis {
+enum class ConditionAxis {
   listed,  ///< every other quantity of which the study lists several values, together
   support,
   vertical,
@@ -30,27 +30,27 @@ enum class ClearanceAxis {
   level,
   period
 };
-inline constexpr std::size_t clearance_axis_count = 8;
-inline constexpr std::array<ClearanceAxis, clearance_axis_count> clearance_axes = {
-    ClearanceAxis::listed,   ClearanceAxis::support,
-    ClearanceAxis::vertical, ClearanceAxis::response_modification,
-    ClearanceAxis::mass,     ClearanceAxis::slope,
-    ClearanceAxis::level,    ClearanceAxis::period};
+inline constexpr std::size_t condition_axis_count = 8;
+inline constexpr std::array<ConditionAxis, condition_axis_count> condition_axes = {
+    ConditionAxis::listed,   ConditionAxis::support,
+    ConditionAxis::vertical, ConditionAxis::response_modification,
+    ConditionAxis::mass,     ConditionAxis::slope,
+    ConditionAxis::level,    ConditionAxis::period};
 
 /// A place on every axis.
-class ClearancePosition {
+class Condition {
  public:
-  std::size_t& operator[](ClearanceAxis axis) { return at_[static_cast<std::size_t>(axis)]; }
-  std::size_t operator[](ClearanceAxis axis) const { return at_[static_cast<std::size_t>(axis)]; }
+  std::size_t& operator[](ConditionAxis axis) { return at_[static_cast<std::size_t>(axis)]; }
+  std::size_t operator[](ConditionAxis axis) const { return at_[static_cast<std::size_t>(axis)]; }
   /// The same but for one axis.
-  ClearancePosition with(ClearanceAxis axis, std::size_t place) const;
+  Condition with(ConditionAxis axis, std::size_t place) const;
 
  private:
-  std::array<std::size_t, clearance_axis_count> at_{};
+  std::array<std::size_t, condition_axis_count> at_{};
 };
 
 /// Every combination of these is run. NaN: drawn, and not listed.
-struct ClearanceGrid {
+struct ConditionGrid {
   std::vector<std::string> listed = {""};  ///< "friction.mu = 0.4, building.damping = 0.02"
   std::vector<ArraySupport> support = {ArraySupport::isolated};
   std::vector<VerticalCondition> vertical = {{}};
@@ -64,16 +64,18 @@ struct ClearanceGrid {
   std::string level_unit = "-";
   std::vector<double> period_s;  ///< of the building, along both axes; 0: rigid
 
-  std::size_t size(ClearanceAxis axis) const;
+  std::size_t size(ConditionAxis axis) const;
   std::size_t count() const;  ///< of all combinations
-  std::size_t index(const ClearancePosition& position) const;
-  ClearancePosition position(std::size_t index) const;
+  std::size_t index(const Condition& position) const;
+  Condition position(std::size_t index) const;
 };
 
 /// Every place along one axis, the others where `position` has them.
-std::vector<ClearancePosition> along(const ClearanceGrid& grid, ClearanceAxis axis,
-                                     const ClearancePosition& position = {});
+std::vector<Condition> along(const ConditionGrid& grid, ConditionAxis axis,
+                             const Condition& position = {});
+/// Every place, as index() numbers them.
+std::vector<Condition> all_conditions(const ConditionGrid& grid);
 /// Every place on all axes but one, which stays at its first.
-std::vector<ClearancePosition> all_but(const ClearanceGrid& grid, ClearanceAxis axis);
+std::vector<Condition> all_but(const ConditionGrid& grid, ConditionAxis axis);
 
 }  // namespace glissade

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "glissade/study/analysis/clearance_reading.hpp"
+#include "glissade/study/analysis/suite_mean.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,6 +8,7 @@
 #include "glissade/core/contract.hpp"
 #include "glissade/core/quantile.hpp"
 #include "glissade/core/random.hpp"
+#include "glissade/study/results.hpp"
 
 namespace glissade {
 namespace {
@@ -17,19 +18,19 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 /// What a mean is taken of: the number of each (period, orientation, record) a question is about.
 class Values {
  public:
-  Values(const ClearanceResults& results, const ClearanceQuestion& question,
-         const ClearancePosition& at, Periods periods)
+  Values(const Results& results, const MeanQuestion& question, const Condition& at, Periods periods)
       : records_(records_of(results, question.suite)),
         orientations_(orientations_of(results, question)) {
-    const std::vector<ClearancePosition> places =
-        periods == Periods::one ? std::vector{at} : along(results.grid, ClearanceAxis::period, at);
+    const std::vector<Condition> places =
+        periods == Periods::one ? std::vector{at}
+                                : along(results.conditions->grid, ConditionAxis::period, at);
     values_ = {places.size(), orientations_.size(), records_.size()};
     for (std::size_t p = 0; p < places.size(); ++p) {
-      const std::size_t condition = results.grid.index(places[p]);
+      const std::size_t condition = results.conditions->grid.index(places[p]);
       for (std::size_t o = 0; o < orientations_.size(); ++o) {
         for (std::size_t r = 0; r < records_.size(); ++r) {
-          values_(p, o, r) =
-              number_of(question.number, results.at(records_[r], orientations_[o], condition));
+          values_(p, o, r) = number_of(
+              question.number, results.conditions->at(records_[r], orientations_[o], condition));
         }
       }
     }
@@ -66,6 +67,8 @@ class Values {
     }
     return largest;
   }
+  /// Of all records and orientations.
+  double largest() const { return *std::max_element(values_.data.begin(), values_.data.end()); }
   double extreme(std::size_t period, std::size_t record,
                  const double& (*pick)(const double&, const double&)) const {
     double value = values_(period, 0, record);
@@ -88,7 +91,7 @@ std::vector<double> weighted_means(const Values& values, const std::vector<doubl
 
 }  // namespace
 
-double number_of(HistoryNumber number, const ClearanceHistory& history) {
+double number_of(HistoryNumber number, const ConditionHistory& history) {
   switch (number) {
     case HistoryNumber::displacement:
       return history.displacement_m;
@@ -100,7 +103,7 @@ double number_of(HistoryNumber number, const ClearanceHistory& history) {
   return nan;
 }
 
-std::vector<std::size_t> records_of(const ClearanceResults& results, std::size_t suite) {
+std::vector<std::size_t> records_of(const Results& results, std::size_t suite) {
   std::vector<std::size_t> of_suite;
   for (std::size_t i = 0; i < results.records.size(); ++i) {
     if (results.records[i].suite == suite) of_suite.push_back(i);
@@ -108,36 +111,35 @@ std::vector<std::size_t> records_of(const ClearanceResults& results, std::size_t
   return of_suite;
 }
 
-std::vector<std::size_t> orientations_of(const ClearanceResults& results,
-                                         const ClearanceQuestion& question) {
+std::vector<std::size_t> orientations_of(const Results& results, const MeanQuestion& question) {
   std::vector<std::size_t> found;
-  for (std::size_t i = 0; i < results.orientations.size(); ++i) {
-    if (!question.slope_axis || results.orientations[i].slope_axis == *question.slope_axis)
+  for (std::size_t i = 0; i < results.conditions->orientations.size(); ++i) {
+    if (!question.slope_axis ||
+        results.conditions->orientations[i].slope_axis == *question.slope_axis)
       found.push_back(i);
   }
   return found;
 }
 
-double suite_mean(const ClearanceResults& results, const ClearanceQuestion& question,
-                  std::size_t orientation, const ClearancePosition& at) {
+double suite_mean(const Results& results, const MeanQuestion& question, std::size_t orientation,
+                  const Condition& at) {
   const std::vector<std::size_t> records = records_of(results, question.suite);
   double sum = 0.0;
   for (const std::size_t record : records) {
-    sum += number_of(question.number, results.at(record, orientation, results.grid.index(at)));
+    sum += number_of(question.number, results.conditions->at(record, orientation,
+                                                             results.conditions->grid.index(at)));
   }
   return sum / static_cast<double>(records.size());
 }
 
-std::vector<double> means_by_orientation(const ClearanceResults& results,
-                                         const ClearanceQuestion& question,
-                                         const ClearancePosition& at, Periods periods) {
+std::vector<double> means_by_orientation(const Results& results, const MeanQuestion& question,
+                                         const Condition& at, Periods periods) {
   const Values values(results, question, at, periods);
   return weighted_means(values, std::vector<double>(values.records().size(), 1.0));
 }
 
-OrientationRange over_orientations(const ClearanceResults& results,
-                                   const ClearanceQuestion& question, const ClearancePosition& at,
-                                   Periods periods) {
+OrientationRange over_orientations(const Results& results, const MeanQuestion& question,
+                                   const Condition& at, Periods periods) {
   const Values values(results, question, at, periods);
   const std::size_t records = values.records().size();
   const std::vector<double> means = weighted_means(values, std::vector<double>(records, 1.0));
@@ -149,13 +151,13 @@ OrientationRange over_orientations(const ClearanceResults& results,
           bootstrap_interval(records, median, {.seed = results.seed})};
 }
 
-std::size_t governing_period(const ClearanceResults& results, const ClearanceQuestion& question,
-                             const ClearancePosition& at) {
+std::size_t governing_period(const Results& results, const MeanQuestion& question,
+                             const Condition& at) {
   std::size_t governing = 0;
   double largest = -1.0;
-  for (std::size_t p = 0; p < results.grid.period_s.size(); ++p) {
+  for (std::size_t p = 0; p < results.conditions->grid.period_s.size(); ++p) {
     const double median = quantile_of(
-        means_by_orientation(results, question, at.with(ClearanceAxis::period, p), Periods::one),
+        means_by_orientation(results, question, at.with(ConditionAxis::period, p), Periods::one),
         0.5);
     if (median > largest) {
       largest = median;
@@ -165,9 +167,8 @@ std::size_t governing_period(const ClearanceResults& results, const ClearanceQue
   return governing;
 }
 
-PerRecordBounds per_record_bounds(const ClearanceResults& results,
-                                  const ClearanceQuestion& question, const ClearancePosition& at,
-                                  Periods periods) {
+PerRecordBounds per_record_bounds(const Results& results, const MeanQuestion& question,
+                                  const Condition& at, Periods periods) {
   const Values values(results, question, at, periods);
   const auto bound = [&](const double& (*pick)(const double&, const double&)) {
     return values.largest_mean(
@@ -176,9 +177,43 @@ PerRecordBounds per_record_bounds(const ClearanceResults& results,
   return {bound(std::min<double>), bound(std::max<double>)};
 }
 
-std::vector<double> per_record_means(const ClearanceResults& results,
-                                     const ClearanceQuestion& question, const ClearancePosition& at,
-                                     Periods periods) {
+std::vector<SuiteMean> suite_means(const Results& results, HistoryNumber number,
+                                   const std::vector<Condition>& places, Periods periods) {
+  const ConditionTable& conditions = *results.conditions;
+  std::vector<SuiteMean> means;
+  for (std::size_t suite = 0; suite < results.suites.size(); ++suite) {
+    const MeanQuestion question{.suite = suite, .number = number};
+    for (const Condition& place : places) {
+      const Condition at =
+          periods == Periods::one
+              ? place
+              : place.with(ConditionAxis::period, governing_period(results, question, place));
+      const std::uint64_t first = conditions.first_case[conditions.grid.index(at)];
+      means.push_back({.suite = suite,
+                       .first_case = first,
+                       .condition = results.cases.describe(first / results.cases.per_combination()),
+                       .level = conditions.grid.level[at[ConditionAxis::level]],
+                       .period_s = conditions.grid.period_s[at[ConditionAxis::period]],
+                       .range = over_orientations(results, question, place, periods),
+                       .bounds = per_record_bounds(results, question, place, periods),
+                       .largest = Values(results, question, place, periods).largest(),
+                       .by_orientation = means_by_orientation(results, question, place, periods)});
+    }
+  }
+  return means;
+}
+
+std::vector<Condition> sliding_conditions(const ConditionGrid& grid, Periods periods) {
+  std::vector<Condition> places =
+      periods == Periods::one ? all_conditions(grid) : all_but(grid, ConditionAxis::period);
+  std::erase_if(places, [&](const Condition& at) {
+    return grid.support[at[ConditionAxis::support]] != ArraySupport::isolated;
+  });
+  return places;
+}
+
+std::vector<double> per_record_means(const Results& results, const MeanQuestion& question,
+                                     const Condition& at, Periods periods) {
   constexpr std::uint64_t draws = 10000;
   const Values values(results, question, at, periods);
   const std::vector<std::size_t>& run = values.orientations();
@@ -187,7 +222,7 @@ std::vector<double> per_record_means(const ClearanceResults& results,
   for (const SlopeAxis axis : {SlopeAxis::e_w, SlopeAxis::n_s}) {
     std::vector<std::size_t> of_axis;
     for (std::size_t o = 0; o < run.size(); ++o) {
-      if (results.orientations[run[o]].slope_axis == axis) of_axis.push_back(o);
+      if (results.conditions->orientations[run[o]].slope_axis == axis) of_axis.push_back(o);
     }
     if (!of_axis.empty()) choices.push_back(std::move(of_axis));
   }
@@ -213,8 +248,8 @@ double share_below(const std::vector<double>& sorted, double value) {
   return sorted.empty() ? nan : (below + 0.5 * ties) / static_cast<double>(sorted.size());
 }
 
-StrongerAlong stronger_along(const ClearanceResults& results, const ClearanceQuestion& question,
-                             const ClearancePosition& at, Periods periods) {
+StrongerAlong stronger_along(const Results& results, const MeanQuestion& question,
+                             const Condition& at, Periods periods) {
   const Values values(results, question, at, periods);
   const auto mean = [&](double turned_deg) {
     bool found = true;
@@ -222,7 +257,9 @@ StrongerAlong stronger_along(const ClearanceResults& results, const ClearanceQue
       const double azimuth =
           turned_deg + (results.records[values.records()[r]].stronger == 1 ? 90.0 : 0.0);
       for (std::size_t o = 0; o < values.orientations().size(); ++o) {
-        if (results.orientations[values.orientations()[o]].ground_azimuth_deg == azimuth) return o;
+        if (results.conditions->orientations[values.orientations()[o]].ground_azimuth_deg ==
+            azimuth)
+          return o;
       }
       found = false;
       return std::size_t{0};
@@ -232,13 +269,14 @@ StrongerAlong stronger_along(const ClearanceResults& results, const ClearanceQue
   return {mean(0.0), mean(180.0)};
 }
 
-double uplift_share(const ClearanceResults& results) {
+double uplift_share(const Results& results) {
   std::size_t isolated = 0, uplift = 0;
-  for (std::size_t i = 0; i < results.histories.size(); ++i) {
-    const ClearancePosition at = results.grid.position(i % results.grid.count());
-    if (results.grid.support[at[ClearanceAxis::support]] != ArraySupport::isolated) continue;
+  for (std::size_t i = 0; i < results.conditions->histories.size(); ++i) {
+    const Condition at = results.conditions->grid.position(i % results.conditions->grid.count());
+    if (results.conditions->grid.support[at[ConditionAxis::support]] != ArraySupport::isolated)
+      continue;
     ++isolated;
-    uplift += results.histories[i].uplift;
+    uplift += results.conditions->histories[i].uplift;
   }
   return isolated == 0 ? 0.0 : static_cast<double>(uplift) / static_cast<double>(isolated);
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "enum_names.hpp"
+#include "results/analysis/impact.hpp"
 #include "results/archive.hpp"
 #include "results/envelope.hpp"
 #include "results/shared_schema.hpp"
@@ -76,9 +77,6 @@ void exchange_slip(const Archive& archive, const IntensityScale& scale, Slip& ro
   column("median_m", {"m", "95 % interval of the median"}, &SlipStatistics::median_interval);
   column("p84_m", {"m", "95 % interval of the 84th percentile"}, &SlipStatistics::p84_interval);
   column("uplift_share", {"-", "share of histories with uplift"}, &SlipStatistics::uplift_share);
-  column("tip_share",
-         {"-", "share of histories in which the body begins to tip; nan: not computed"},
-         &SlipStatistics::tip_share);
   column("mean_vector_m",
          {"m", "two axes: mean of the longest displacement vectors; nan: one axis"},
          &SlipStatistics::mean_vector_m);
@@ -92,45 +90,6 @@ void exchange_standards(const Archive& archive, Comparisons& rows) {
          &StandardComparison::exceedance_probability);
   column("exceedance", {"-", "95 % interval of that share"},
          &StandardComparison::exceedance_interval);
-}
-
-template <class Archive, class Statistics>
-void exchange_impact_statistics(const Archive& archive, const IntensityScale& scale,
-                                Statistics& rows) {
-  const Columns column(archive, rows, "threshold_m");
-  column("threshold_m", {"m", "clearance threshold"}, &ImpactStatistics::threshold_m);
-  column(scale.level, {scale.unit, "intensity level"}, &ImpactStatistics::level);
-  column("reached_share", {"-", "share of histories that reach it"},
-         &ImpactStatistics::reached_share);
-  column("reached_share", {"-", "95 % interval of that share"},
-         &ImpactStatistics::reached_interval);
-  column("speed_median_mps",
-         {"m/s", "median speed in plan at the first crossing, of the histories that reach it"},
-         &ImpactStatistics::speed_median_mps);
-  column("speed_p84_mps", {"m/s", "84th percentile of that speed"},
-         &ImpactStatistics::speed_p84_mps);
-  column("speed_p95_mps", {"m/s", "95th percentile"}, &ImpactStatistics::speed_p95_mps);
-  column("speed_largest_mps", {"m/s", "largest"}, &ImpactStatistics::speed_largest_mps);
-  column("speed_median_mps", {"m/s", "95 % interval of the median"},
-         &ImpactStatistics::speed_median_interval);
-  column("speed_p84_mps", {"m/s", "95 % interval of the 84th percentile"},
-         &ImpactStatistics::speed_p84_interval);
-  column("time_median_s",
-         {"s", "median time of the first crossing from the record's begin, of those that reach it"},
-         &ImpactStatistics::time_median_s);
-  column("time_p16_s", {"s", "16th percentile of that time"}, &ImpactStatistics::time_p16_s);
-  column("time_p84_s", {"s", "84th percentile"}, &ImpactStatistics::time_p84_s);
-}
-
-/// Absent where the study has no [impact].
-template <class Archive, class Run>
-void exchange_impact(const Archive& run_archive, const IntensityScale& scale, Run& run) {
-  if constexpr (Archive::reads) {
-    if (!run_archive.has("impact")) return;
-  } else {
-    if (run.impact.empty()) return;
-  }
-  exchange_impact_statistics(run_archive.group("impact"), scale, run.impact);
 }
 
 template <class Archive, class Run>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "analysis/clearance/view.hpp"
+#include "analysis/conditions/view.hpp"
 
 #include <fmt/format.h>
 
@@ -12,7 +12,7 @@
 namespace glissade {
 namespace {
 
-std::string level_text(const ClearanceGrid& grid, double fraction) {
+std::string level_text(const ConditionGrid& grid, double fraction) {
   if (!grid.level_symbol.empty()) {
     return fmt::format("{} = {}{}", grid.level_symbol, format_number(fraction),
                        grid.level_unit == "-" ? "" : " " + grid.level_unit);
@@ -64,25 +64,25 @@ std::string slope_text(double slope_deg) {
   return fmt::format("{}:12 ({:.3g} deg)", rise, slope_deg);
 }
 
-std::string label_of(const ClearanceGrid& grid, ClearanceAxis axis, std::size_t place) {
+std::string label_of(const ConditionGrid& grid, ConditionAxis axis, std::size_t place) {
   switch (axis) {
-    case ClearanceAxis::listed:
+    case ConditionAxis::listed:
       return grid.listed[place];
-    case ClearanceAxis::support:
+    case ConditionAxis::support:
       return support_text(grid.support[place]);
-    case ClearanceAxis::vertical:
+    case ConditionAxis::vertical:
       return vertical_text(grid.vertical[place]);
-    case ClearanceAxis::response_modification:
+    case ConditionAxis::response_modification:
       return grid.response_modification[place] == 0.0
                  ? "elastic building"
                  : "R " + value_text(grid.response_modification[place]);
-    case ClearanceAxis::mass:
+    case ConditionAxis::mass:
       return "m/M " + value_text(grid.mass_ratio[place]);
-    case ClearanceAxis::slope:
+    case ConditionAxis::slope:
       return "slope " + slope_text(grid.slope_deg[place]);
-    case ClearanceAxis::level:
+    case ConditionAxis::level:
       return level_text(grid, grid.level[place]);
-    case ClearanceAxis::period:
+    case ConditionAxis::period:
       return std::isnan(grid.period_s[place]) ? "T drawn"
                                               : fmt::format("T {:g} s", grid.period_s[place]);
   }
@@ -91,14 +91,14 @@ std::string label_of(const ClearanceGrid& grid, ClearanceAxis axis, std::size_t 
 
 namespace {
 
-std::string joined(const ClearanceGrid& grid, const ClearancePosition& at,
-                   const std::vector<ClearanceAxis>& without, std::size_t least) {
+std::string joined(const ConditionGrid& grid, const Condition& at,
+                   const std::vector<ConditionAxis>& without, std::size_t least) {
   std::string text;
-  for (const ClearanceAxis axis :
-       {ClearanceAxis::level, ClearanceAxis::slope, ClearanceAxis::mass,
-        ClearanceAxis::response_modification, ClearanceAxis::vertical, ClearanceAxis::support,
-        ClearanceAxis::period, ClearanceAxis::listed}) {
-    if (axis == ClearanceAxis::listed && !has_several(grid, axis)) continue;
+  for (const ConditionAxis axis :
+       {ConditionAxis::level, ConditionAxis::slope, ConditionAxis::mass,
+        ConditionAxis::response_modification, ConditionAxis::vertical, ConditionAxis::support,
+        ConditionAxis::period, ConditionAxis::listed}) {
+    if (axis == ConditionAxis::listed && !has_several(grid, axis)) continue;
     if (grid.size(axis) < least || std::ranges::find(without, axis) != without.end()) continue;
     text += (text.empty() ? "" : ", ") + label_of(grid, axis, at[axis]);
   }
@@ -107,24 +107,26 @@ std::string joined(const ClearanceGrid& grid, const ClearancePosition& at,
 
 }  // namespace
 
-std::string distinguished(const ClearanceGrid& grid, const ClearancePosition& at,
-                          const std::vector<ClearanceAxis>& without) {
+std::string distinguished(const ConditionGrid& grid, const Condition& at,
+                          const std::vector<ConditionAxis>& without) {
   return joined(grid, at, without, 2);
 }
 
-std::string friction_text(const ClearanceResults& results, const ClearancePosition& at) {
-  const std::size_t first = 2 * at[ClearanceAxis::listed];
-  const double e_w = results.friction[first], n_s = results.friction[first + 1];
+std::string friction_text(const Results& results, const Condition& at) {
+  const std::size_t first = 2 * at[ConditionAxis::listed];
+  const double e_w = results.conditions->friction[first],
+               n_s = results.conditions->friction[first + 1];
   if (e_w == n_s) return fmt::format("{:.3g}", e_w);
   return fmt::format("E-W {:.3g}, N-S {:.3g}", e_w, n_s);
 }
 
-std::string conditions_text(const ClearanceResults& results, const ClearancePosition& at,
-                            const std::vector<ClearanceAxis>& without) {
-  std::vector<ClearanceAxis> left_out = without;
-  if (!has_several(results.grid, ClearanceAxis::support))
-    left_out.push_back(ClearanceAxis::support);
-  return joined(results.grid, at, left_out, 1) + ", friction " + friction_text(results, at);
+std::string conditions_text(const Results& results, const Condition& at,
+                            const std::vector<ConditionAxis>& without) {
+  std::vector<ConditionAxis> left_out = without;
+  if (!has_several(results.conditions->grid, ConditionAxis::support))
+    left_out.push_back(ConditionAxis::support);
+  return joined(results.conditions->grid, at, left_out, 1) + ", friction " +
+         friction_text(results, at);
 }
 
 std::string clearance_text(double clearance_m) {
@@ -132,61 +134,30 @@ std::string clearance_text(double clearance_m) {
                                     : "none that is enough, since the array slides freely";
 }
 
-bool has_several(const ClearanceGrid& grid, ClearanceAxis axis) { return grid.size(axis) > 1; }
+bool has_several(const ConditionGrid& grid, ConditionAxis axis) { return grid.size(axis) > 1; }
 
-std::optional<std::size_t> place_of(const ClearanceGrid& grid, ArraySupport support) {
+std::optional<std::size_t> place_of(const ConditionGrid& grid, ArraySupport support) {
   const auto found = std::ranges::find(grid.support, support);
   if (found == grid.support.end()) return std::nullopt;
   return static_cast<std::size_t>(found - grid.support.begin());
 }
 
-bool covers(const ClearanceResults& results, ClearanceTopic topic) {
-  const ClearanceGrid& grid = results.grid;
-  if (results.suites.size() > 1) return topic == ClearanceTopic::level;
-  switch (topic) {
-    case ClearanceTopic::spectra:
-      return true;
-    case ClearanceTopic::period:
-      return has_several(grid, ClearanceAxis::period);
-    case ClearanceTopic::level:
-      return false;
-    case ClearanceTopic::yielding:
-      return has_several(grid, ClearanceAxis::response_modification) &&
-             grid.response_modification.front() == 0.0;
-    case ClearanceTopic::base_shear:
-      return has_several(grid, ClearanceAxis::support);
-    case ClearanceTopic::slope:
-      return has_several(grid, ClearanceAxis::slope);
-    case ClearanceTopic::mce:
-      return has_several(grid, ClearanceAxis::level);
-    case ClearanceTopic::vertical:
-      return has_several(grid, ClearanceAxis::vertical);
-    case ClearanceTopic::mass:
-      return has_several(grid, ClearanceAxis::mass);
-    case ClearanceTopic::orientation:
-      return results.orientations.size() > 1;
-  }
-  return false;
-}
-
-std::string orientations_text(const ClearanceResults& results) {
-  const std::size_t n = results.orientations.size();
+std::string orientations_text(const Results& results) {
+  const std::size_t n = results.conditions->orientations.size();
   return n == 1 ? "" : number_in_words(n) + " orientations";
 }
 
-std::string range_text(const ClearanceResults& results, const OrientationRange& range) {
+std::string range_text(const Results& results, const OrientationRange& range) {
   std::string text = format_length(range.median);
-  if (results.orientations.size() > 1) {
+  if (results.conditions->orientations.size() > 1) {
     text += fmt::format(", from {} to {} over the {}", format_length(range.lowest),
                         format_length(range.highest), orientations_text(results));
   }
   return text;
 }
 
-std::vector<double> ratios_by_orientation(const ClearanceResults& results,
-                                          const ClearanceQuestion& question,
-                                          const ClearancePosition& at,
-                                          const ClearancePosition& of) {
+std::vector<double> ratios_by_orientation(const Results& results, const MeanQuestion& question,
+                                          const Condition& at, const Condition& of) {
   const auto above = means_by_orientation(results, question, at, Periods::one);
   const auto below = means_by_orientation(results, question, of, Periods::one);
   std::vector<double> ratios;

@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "glissade/report/summary.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "analysis/chart/report.hpp"
-#include "analysis/impact/impact.hpp"
-#include "glissade/report/clearance_report.hpp"
+#include "analysis/analyses.hpp"
+#include "analysis/standards/section.hpp"
+#include "glissade/report/figures.hpp"
 #include "glissade/report/format.hpp"
 #include "glissade/report/tables.hpp"
+#include "page/page.hpp"
 #include "text/study_text.hpp"
 
 namespace glissade {
@@ -148,11 +147,7 @@ Table brief_standards_table(const Results& results, const RunResults& run) {
 }
 
 std::string fragility_summary(const Results& results) {
-  std::string text =
-      fmt::format("{}: {} records x {} samples x {} levels, displacements in plan\nModel: {}\n\n",
-                  results.study_name, results.records.size(), results.cases.samples,
-                  results.levels.size(), results.model.kernel);
-  text += to_text(fragility_summary_table(results));
+  std::string text = to_text(fragility_summary_table(results));
   if (!results.runs.empty() && !results.runs.front().standards.empty()) {
     text += "\n" + to_text(brief_standards_table(results, results.runs.front()));
     text += "  (*) from memory of the standard: verify against the standard\n";
@@ -160,50 +155,54 @@ std::string fragility_summary(const Results& results) {
   return text;
 }
 
-}  // namespace
-
-std::vector<std::string> answer_sentences(const Results& results) {
+std::vector<std::string> sentences(const Results& results) {
   std::vector<std::string> sentences;
-  if (results.clearance) sentences = clearance_sentences(clearance_results(results));
-  if (results.chart) {
-    for (std::string& sentence : chart_sentences(results)) sentences.push_back(std::move(sentence));
-  }
-  if (results.runs.empty()) return sentences;
   const RunResults& run = results.runs.front();
-  for (const ThresholdFragility& fragility : run.fragilities) {
+  for (const ThresholdFragility& fragility : run.fragilities)
     sentences.push_back(threshold_sentence(results, fragility));
-  }
   if (const SlipStatistics* slip = slip_near_1g(run)) {
     sentences.push_back(slip_sentence(results, *slip));
     for (const StandardComparison& comparison : run.standards) {
       if (comparison.sds_g == slip->level) sentences.push_back(standard_sentence(comparison));
     }
-    const std::string impact = impact_sentence(results, *slip);
-    if (!impact.empty()) sentences.push_back(impact);
   }
-  for (std::size_t r = 1; r < results.runs.size(); ++r) {
-    const std::string sentence = other_run_sentence(results, results.runs[r]);
-    if (!sentence.empty()) sentences.push_back(sentence);
-  }
+  for (std::size_t r = 1; r < results.runs.size(); ++r)
+    sentences.push_back(other_run_sentence(results, results.runs[r]));
+  std::erase(sentences, "");
   return sentences;
 }
 
-std::string summary_text(const Results& results, const std::vector<Skip>& skips) {
-  std::string text;
-  if (!results.runs.empty()) text += fragility_summary(results);
-  if (results.chart) text += (text.empty() ? "" : "\n") + chart_summary(results);
-  if (results.clearance)
-    text += (text.empty() ? "" : "\n") + clearance_summary(clearance_results(results));
-  if (text.empty()) {
-    text = fmt::format("{}: {} records x {} cases x {} levels, displacements in plan\n",
-                       results.study_name, results.records.size(), results.cases.size(),
-                       results.levels.size());
-  }
-  if (!skips.empty()) text += "\nNot computed, because not needed\n";
-  for (const Skip& skip : skips) text += "  " + format_skip(skip) + "\n";
-  if (!results.notes.empty()) text += "\nNotes\n";
-  for (const std::string& note : results.notes) text += "  " + note + "\n";
-  return text;
+std::vector<Figure> figures(const Results& results) {
+  std::vector<Figure> figures;
+  for (const RunResults& run : results.runs) figures.push_back(fragility_figure(results, run));
+  const RunResults& run = results.runs.front();
+  if (results.measure == IntensityMeasure::sds_g)
+    figures.push_back(slip_vs_sds_figure(results, run));
+  figures.push_back(ida_figure(results, run));
+  return figures;
+}
+
+std::vector<Table> tables(const Results& results) {
+  return {fragility_table(results), slip_table(results), standards_table(results),
+          stripes_table(results), samples_table(results)};
+}
+
+Html section(const Results& results) {
+  return heading("Fragility") + wide_table(fragility_summary_table(results)) +
+         standards_html(results, standards_table(results)) + heading("Slip by level") +
+         wide_table(slip_table(results)) + heading("Fits in full") +
+         wide_table(fragility_table(results).without("interval_method"));
+}
+
+}  // namespace
+
+AnalysisReport fragility_report() {
+  return {.is_in = [](const Results& results) { return !results.runs.empty(); },
+          .summary = fragility_summary,
+          .sentences = sentences,
+          .figures = figures,
+          .tables = tables,
+          .section = section};
 }
 
 }  // namespace glissade

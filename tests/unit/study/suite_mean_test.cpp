@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "glissade/study/analysis/clearance_reading.hpp"
+#include "glissade/study/analysis/suite_mean.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+
+#include "glissade/study/results.hpp"
 
 namespace glissade {
 namespace {
@@ -12,39 +14,40 @@ namespace {
 /// Displacements of the first suite, by (record, orientation, period):
 ///   a  1 2   3 4   5 6   7 0
 ///   b  1 0   1 0   1 0   1 8
-ClearanceResults by_hand() {
-  ClearanceResults r;
-  r.grid.slope_deg = {1.0};
-  r.grid.period_s = {0.2, 1.0};
+Results by_hand() {
+  Results r;
+  r.conditions.emplace();
+  r.conditions->grid.slope_deg = {1.0};
+  r.conditions->grid.period_s = {0.2, 1.0};
   for (const double azimuth : {0.0, 180.0, 90.0, 270.0})
-    r.orientations.push_back({SlopeAxis::e_w, azimuth, 1});
-  r.same_as = {0, 1, 2, 3};
+    r.conditions->orientations.push_back({SlopeAxis::e_w, azimuth, 1});
+  r.conditions->same_as = {0, 1, 2, 3};
   r.suites.resize(2);
   r.records = {{.suite = 0, .id = "a", .stronger = 0},
                {.suite = 0, .id = "b", .stronger = 1},
                {.suite = 1, .id = "c"}};
-  r.friction = {0.5, 0.5};
+  r.conditions->friction = {0.5, 0.5};
   for (const double x : {1., 2., 3., 4., 5., 6., 7., 0.,  //
                          1., 0., 1., 0., 1., 0., 1., 8.,  //
                          9., 9., 9., 9., 9., 9., 9., 9.}) {
-    r.histories.push_back({.displacement_m = x,
-                           .peak_m = 0.9 * x,
-                           .peak_along_m = 0.6 * x,
-                           .peak_across_m = 0.8 * x,
-                           .shear_along = 0.3 * x,
-                           .shear_across = 0.4 * x});
+    r.conditions->histories.push_back({.displacement_m = x,
+                                       .peak_m = 0.9 * x,
+                                       .peak_along_m = 0.6 * x,
+                                       .peak_across_m = 0.8 * x,
+                                       .shear_along = 0.3 * x,
+                                       .shear_across = 0.4 * x});
   }
   return r;
 }
 
-ClearancePosition at_period(std::size_t period) {
-  ClearancePosition at;
-  at[ClearanceAxis::period] = period;
+Condition at_period(std::size_t period) {
+  Condition at;
+  at[ConditionAxis::period] = period;
   return at;
 }
 
-TEST(clearance_reading, means_are_of_the_suites_records_in_one_orientation) {
-  const ClearanceResults r = by_hand();
+TEST(suite_mean, means_are_of_the_suites_records_in_one_orientation) {
+  const Results r = by_hand();
   EXPECT_DOUBLE_EQ(suite_mean(r, {}, 0, at_period(0)), 1.0);
   EXPECT_DOUBLE_EQ(suite_mean(r, {}, 3, at_period(1)), 4.0);
   EXPECT_DOUBLE_EQ(suite_mean(r, {.suite = 1}, 0, at_period(0)), 9.0);
@@ -52,7 +55,7 @@ TEST(clearance_reading, means_are_of_the_suites_records_in_one_orientation) {
   EXPECT_DOUBLE_EQ(suite_mean(r, {.number = HistoryNumber::vector_peak}, 2, at_period(0)), 2.7);
 }
 
-TEST(clearance_reading, the_range_is_over_orientations_with_the_median_between_the_middle_two) {
+TEST(suite_mean, the_range_is_over_orientations_with_the_median_between_the_middle_two) {
   const OrientationRange one = over_orientations(by_hand(), {}, at_period(0), Periods::one);
   EXPECT_DOUBLE_EQ(one.lowest, 1.0);  // means 1, 2, 3, 4
   EXPECT_DOUBLE_EQ(one.median, 2.5);
@@ -62,7 +65,7 @@ TEST(clearance_reading, the_range_is_over_orientations_with_the_median_between_t
   EXPECT_DOUBLE_EQ(largest.highest, 4.0);
 }
 
-TEST(clearance_reading, the_interval_is_from_resampling_records) {
+TEST(suite_mean, the_interval_is_from_resampling_records) {
   const OrientationRange range = over_orientations(by_hand(), {}, at_period(0), Periods::one);
   // A resample is a twice, b twice, or both: medians 4, 1 or 2.5.
   EXPECT_DOUBLE_EQ(range.interval.low, 1.0);
@@ -71,15 +74,16 @@ TEST(clearance_reading, the_interval_is_from_resampling_records) {
   EXPECT_TRUE(std::isnan(alone.interval.low));
 }
 
-TEST(clearance_reading, the_governing_period_is_of_the_median) {
+TEST(suite_mean, the_governing_period_is_of_the_median) {
   EXPECT_EQ(governing_period(by_hand(), {}, {}), 0u);  // 2.5 against (1 + 2)/2 + ...: 1, 2, 3, 4
-  ClearanceResults r = by_hand();
-  for (std::size_t i = 1; i < r.histories.size(); i += 2) r.histories[i].displacement_m += 100.0;
+  Results r = by_hand();
+  for (std::size_t i = 1; i < r.conditions->histories.size(); i += 2)
+    r.conditions->histories[i].displacement_m += 100.0;
   EXPECT_EQ(governing_period(r, {}, {}), 1u);
 }
 
-TEST(clearance_reading, no_orientation_by_record_leaves_the_bounds) {
-  const ClearanceResults r = by_hand();
+TEST(suite_mean, no_orientation_by_record_leaves_the_bounds) {
+  const Results r = by_hand();
   const PerRecordBounds bounds = per_record_bounds(r, {}, at_period(1), Periods::one);
   EXPECT_DOUBLE_EQ(bounds.lowest, 0.0);
   EXPECT_DOUBLE_EQ(bounds.highest, 7.0);  // a 6, b 8
@@ -95,23 +99,23 @@ TEST(clearance_reading, no_orientation_by_record_leaves_the_bounds) {
   EXPECT_NEAR(share, 1.0 / 16, 4 * 0.0024);
 }
 
-TEST(clearance_reading, ties_count_half_below) {
+TEST(suite_mean, ties_count_half_below) {
   EXPECT_DOUBLE_EQ(share_below({1.0, 2.0, 2.0, 3.0}, 2.0), 0.5);
   EXPECT_DOUBLE_EQ(share_below({1.0, 2.0}, 5.0), 1.0);
   EXPECT_TRUE(std::isnan(share_below({}, 5.0)));
 }
 
-TEST(clearance_reading, each_records_stronger_component_falls_with_the_roof) {
+TEST(suite_mean, each_records_stronger_component_falls_with_the_roof) {
   // a by its first (azimuth 0, 180), b by its second (90, 270).
   const StrongerAlong strong = stronger_along(by_hand(), {}, at_period(1), Periods::one);
   EXPECT_DOUBLE_EQ(strong.as_recorded, 1.0);   // a 2, b 0
   EXPECT_DOUBLE_EQ(strong.turned_round, 6.0);  // a 4, b 8
-  ClearanceResults r = by_hand();
-  r.orientations[3].ground_azimuth_deg = 22.5;
+  Results r = by_hand();
+  r.conditions->orientations[3].ground_azimuth_deg = 22.5;
   EXPECT_TRUE(std::isnan(stronger_along(r, {}, {}, Periods::one).turned_round));
 }
 
-TEST(clearance_reading, a_slope_axis_that_was_not_run_has_no_orientations) {
+TEST(suite_mean, a_slope_axis_that_was_not_run_has_no_orientations) {
   EXPECT_TRUE(orientations_of(by_hand(), {.slope_axis = SlopeAxis::n_s}).empty());
 }
 

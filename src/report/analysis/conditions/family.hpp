@@ -4,27 +4,29 @@
 #include <string>
 #include <vector>
 
-#include "analysis/clearance/view.hpp"
+#include "analysis/conditions/view.hpp"
 #include "glissade/report/figure.hpp"
-#include "glissade/study/analysis/clearance_reading.hpp"
+#include "glissade/study/analysis/suite_mean.hpp"
 
 // What the figures that show suite means as lines share.
 namespace glissade {
 
+inline constexpr auto period_label = "Period of the building (s)";
+
 /// All places of two axes, the others at their first.
-Places places_of(const ClearanceGrid& grid, ClearanceAxis slow, ClearanceAxis fast);
+Places places_of(const ConditionGrid& grid, ConditionAxis slow, ConditionAxis fast);
 
 enum class Spread { none, bands, bars };
 
 /// Lines of medians over the orientations, with the range from the lowest to the highest of them.
 class Family {
  public:
-  Family(const ClearanceResults& results, const std::string& x_label, std::vector<double> x,
+  Family(const Results& results, const std::string& x_label, std::vector<double> x,
          Spread spread = Spread::bands);
 
   /// The median over the orientations at the places, one for each x.
   void add(const std::string& label, Look look, const Places& places,
-           const ClearanceQuestion& question = {}, Periods periods = Periods::one);
+           const MeanQuestion& question = {}, Periods periods = Periods::one);
   /// The same of numbers by orientation; they are sorted. Empty: a gap.
   void add_numbers(const std::string& label, Look look,
                    const std::vector<std::vector<double>>& numbers);
@@ -45,7 +47,7 @@ class Family {
   double largest_y() const;
   double smallest_y() const;
 
-  const ClearanceResults& results_;
+  const Results& results_;
   std::vector<double> x_;
   Spread spread_;
   Panel panel_;
@@ -54,8 +56,8 @@ class Family {
 
 /// Suite, and every condition that is the same all over: those of `shown`, the building's period
 /// and the support vary.
-std::string below_text(const ClearanceResults& results, std::vector<ClearanceAxis> shown = {});
+std::string below_text(const Results& results, std::vector<ConditionAxis> shown = {});
 /// For captions: what a displacement is.
-std::string what_is_averaged(const ClearanceResults& results);
+std::string what_is_averaged(const Results& results);
 
 }  // namespace glissade

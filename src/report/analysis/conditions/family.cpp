@@ -1,31 +1,31 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "analysis/clearance/family.hpp"
+#include "analysis/conditions/family.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "analysis/clearance/view.hpp"
+#include "analysis/conditions/view.hpp"
 #include "glissade/core/quantile.hpp"
 #include "glissade/report/format.hpp"
 #include "text/study_text.hpp"
 
 namespace glissade {
 
-Places places_of(const ClearanceGrid& grid, ClearanceAxis slow, ClearanceAxis fast) {
+Places places_of(const ConditionGrid& grid, ConditionAxis slow, ConditionAxis fast) {
   Places places;
-  for (const ClearancePosition& at : along(grid, slow)) {
-    for (const ClearancePosition& place : along(grid, fast, at)) places.push_back(place);
+  for (const Condition& at : along(grid, slow)) {
+    for (const Condition& place : along(grid, fast, at)) places.push_back(place);
   }
   return places;
 }
 
-Family::Family(const ClearanceResults& results, const std::string& x_label, std::vector<double> x,
+Family::Family(const Results& results, const std::string& x_label, std::vector<double> x,
                Spread spread)
     : results_(results),
       x_(std::move(x)),
-      spread_(results.orientations.size() > 1 ? spread : Spread::none) {
+      spread_(results.conditions->orientations.size() > 1 ? spread : Spread::none) {
   const auto [first, last] = std::ranges::minmax(x_);
   const double room = 0.05 * std::max(last - first, 1e-9);
   panel_.x = {x_label, first - room, last + room};
@@ -40,9 +40,9 @@ void Family::add_range(const std::string& label, Look look, const std::vector<do
 }
 
 void Family::add(const std::string& label, Look look, const Places& places,
-                 const ClearanceQuestion& question, Periods periods) {
+                 const MeanQuestion& question, Periods periods) {
   std::vector<double> lowest, median, highest;
-  for (const ClearancePosition& at : places) {
+  for (const Condition& at : places) {
     const OrientationRange range = over_orientations(results_, question, at, periods);
     lowest.push_back(range.lowest);
     median.push_back(range.median);
@@ -115,12 +115,12 @@ std::vector<Panel> Family::ratios(const std::string& label, From from) {
   return {panel};
 }
 
-std::string below_text(const ClearanceResults& results, std::vector<ClearanceAxis> shown) {
-  shown.insert(shown.end(), {ClearanceAxis::period, ClearanceAxis::support});
+std::string below_text(const Results& results, std::vector<ConditionAxis> shown) {
+  shown.insert(shown.end(), {ConditionAxis::period, ConditionAxis::support});
   return results.suites.front().name + "; " + conditions_text(results, {}, shown);
 }
 
-std::string what_is_averaged(const ClearanceResults& results) {
+std::string what_is_averaged(const Results& results) {
   return results.displacement == DisplacementMeasure::srss
              ? "Mean over the suite of each history's SRSS of the separate maxima along the roof's "
                "two axes, in plan, relative to the roof"

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "glissade/fragility/bootstrap.hpp"
+#include "glissade/study/analysis/condition_table.hpp"
+
+// What is read from the histories by condition: means over a suite, what is largest over the
+// building periods, and what the orientations make of it. Records are the independent unit. All
+// expect results with conditions.
+namespace glissade {
+
+enum class HistoryNumber {
+  displacement,  ///< m, by the study's DisplacementMeasure
+  vector_peak,   ///< m, the largest length of the displacement, whatever the measure
+  base_shear,    ///< over the bare building's weight
+};
+
+/// Of which histories.
+struct MeanQuestion {
+  std::size_t suite = 0;
+  HistoryNumber number = HistoryNumber::displacement;
+  std::optional<SlopeAxis> slope_axis;  ///< nothing: both
+};
+
+double number_of(HistoryNumber number, const ConditionHistory& history);
+
+/// Positions of the suite's records and of the orientations required.
+std::vector<std::size_t> records_of(const Results& results, std::size_t suite);
+std::vector<std::size_t> orientations_of(const Results& results, const MeanQuestion& question);
+
+/// The suite's mean at one condition, all records in one orientation.
+double suite_mean(const Results& results, const MeanQuestion& question, std::size_t orientation,
+                  const Condition& at);
+
+/// One building period, or the largest suite mean over all of them.
+enum class Periods { one, largest };
+
+/// The suite's mean, in each orientation of all records alike: one number by orientation, in the
+/// order of orientations_of().
+std::vector<double> means_by_orientation(const Results& results, const MeanQuestion& question,
+                                         const Condition& at, Periods periods);
+
+struct OrientationRange {
+  double lowest = 0.0, median = 0.0, highest = 0.0;
+  Interval interval;  ///< 95 % of the median, bootstrap over records; NaN for a single record
+};
+/// Those, summed up.
+OrientationRange over_orientations(const Results& results, const MeanQuestion& question,
+                                   const Condition& at, Periods periods);
+
+/// Where on the period axis the median over orientations of the suite's mean is largest.
+std::size_t governing_period(const Results& results, const MeanQuestion& question,
+                             const Condition& at);
+
+/// The suite's mean with the orientation chosen record by record: no choice gives less or more.
+struct PerRecordBounds {
+  double lowest = 0.0, highest = 0.0;
+};
+PerRecordBounds per_record_bounds(const Results& results, const MeanQuestion& question,
+                                  const Condition& at, Periods periods);
+
+/// All of that at one condition, or of the largest over the periods, as tables and the results file
+/// give it.
+struct SuiteMean {
+  std::uint64_t suite = 0;
+  std::uint64_t first_case = 0;  ///< of the condition, or of that at the governing period
+  std::string condition;         ///< what the study lists of it; empty where it lists nothing
+  double level = 0.0, period_s = 0.0;
+  OrientationRange range;
+  PerRecordBounds bounds;
+  double largest = 0.0;                ///< of all records and orientations
+  std::vector<double> by_orientation;  ///< the mean with all records in the same
+};
+/// By (suite, place); of the largest over the periods at the place.
+std::vector<SuiteMean> suite_means(const Results& results, HistoryNumber number,
+                                   const std::vector<Condition>& places, Periods periods);
+/// The conditions in which the array may slide: at every building period, or at the first where the
+/// largest over the periods is taken.
+std::vector<Condition> sliding_conditions(const ConditionGrid& grid, Periods periods);
+
+/// Suite means of 10,000 draws in which each record has any of its orientations, equally likely
+/// (and the roof falls along either axis), in rising order: what to compare a published number with
+/// whose orientations are not stated.
+std::vector<double> per_record_means(const Results& results, const MeanQuestion& question,
+                                     const Condition& at, Periods periods);
+
+/// Of sorted values: the share below a value, ties counting half.
+double share_below(const std::vector<double>& sorted, double value);
+
+/// The suite's mean with each record's stronger component (the larger integral of a^2) along the
+/// slope, by its sign: as recorded, and reversed. Walters et al. (2012) call that conservative.
+/// NaN where the study did not run these orientations.
+struct StrongerAlong {
+  double as_recorded = 0.0, turned_round = 0.0;
+};
+StrongerAlong stronger_along(const Results& results, const MeanQuestion& question,
+                             const Condition& at, Periods periods);
+
+/// Shares of the study's isolated histories, all conditions: in which the array lifts off.
+double uplift_share(const Results& results);
+
+}  // namespace glissade

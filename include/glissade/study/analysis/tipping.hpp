@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "glissade/block/tipping.hpp"
+
+namespace glissade {
+
+struct Results;
+
+/// In how many histories of one combination of what the study lists the body begins to tip.
+struct TippingShare {
+  std::uint64_t first_case = 0;  ///< of the combination's cases, which are in a row
+  std::string condition;         ///< what the study lists of it; empty where it lists nothing
+  double level = 0.0;
+  double share = 0.0;             ///< of all its histories at the level
+  std::vector<double> by_record;  ///< the same of each record
+};
+
+/// The onset of tipping. The motion after it is outside the model.
+struct TippingResults {
+  RigidBase body;
+  double least_friction = 0.0;       ///< b / (2 h): with no more the body slides first
+  std::vector<TippingShare> shares;  ///< by (combination, level)
+};
+
+TippingResults tipping_results(const Results& results, const RigidBase& body);
+
+}  // namespace glissade

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/analyses.hpp"
+
+namespace glissade {
+
+std::vector<AnalysisReport> analyses_in(const Results& results) {
+  std::vector<AnalysisReport> analyses = {clearance_report(), base_shear_report(),
+                                          fragility_report(), impact_report(),
+                                          chart_report(),     tipping_report()};
+  std::erase_if(analyses, [&](const AnalysisReport& a) { return !a.is_in(results); });
+  return analyses;
+}
+
+}  // namespace glissade

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "analysis/analyses.hpp"
+#include "analysis/conditions/columns.hpp"
+#include "analysis/conditions/view.hpp"
+#include "glissade/core/quantile.hpp"
+#include "glissade/report/base_shear_report.hpp"
+#include "glissade/report/format.hpp"
+#include "page/page.hpp"
+
+namespace glissade {
+namespace {
+
+/// Of the isolated array beside the other supports; "" where there are none.
+std::string comparison(const Results& r) {
+  const auto isolated = place_of(r.conditions->grid, ArraySupport::isolated);
+  if (!isolated || !has_several(r.conditions->grid, ConditionAxis::support)) return "";
+  const MeanQuestion question{.number = HistoryNumber::base_shear};
+  std::vector<std::string> parts;
+  for (const ArraySupport other : {ArraySupport::anchored, ArraySupport::no_array}) {
+    const auto place = place_of(r.conditions->grid, other);
+    if (!place) continue;
+    std::size_t below = 0;
+    double low = INFINITY, high = 0.0;
+    for (const Condition& at : along(r.conditions->grid, ConditionAxis::period)) {
+      const double ratio =
+          quantile_of(ratios_by_orientation(r, question, at.with(ConditionAxis::support, *isolated),
+                                            at.with(ConditionAxis::support, *place)),
+                      0.5);
+      below += ratio < 1.0;
+      low = std::min(low, ratio);
+      high = std::max(high, ratio);
+    }
+    parts.push_back(fmt::format(
+        "{} to {} of that {}, below it at {} of {} periods", format_number(low),
+        format_number(high),
+        other == ArraySupport::anchored ? "with the array anchored" : "without an array", below,
+        r.conditions->grid.period_s.size()));
+  }
+  return fmt::format("With the array isolated the base shear is {}.", fmt::join(parts, "; and "));
+}
+
+/// The smallest and the largest of the means, and the largest history.
+std::string range_of_conditions(const Results& results) {
+  const std::vector<SuiteMean>& means = results.base_shear->means;
+  const ConditionGrid& grid = results.conditions->grid;
+  const auto median = [](const SuiteMean& mean) { return mean.range.median; };
+  const auto [least, most] = std::ranges::minmax_element(means, {}, median);
+  const auto largest = std::ranges::max_element(means, {}, &SuiteMean::largest);
+  const auto at = [&](auto mean) {
+    const auto place = static_cast<std::size_t>(mean - means.begin()) % grid.count();
+    const std::string text = distinguished(grid, grid.position(place));
+    return text.empty() ? "" : " (" + text + ")";
+  };
+  return fmt::format(
+      "The peak base shear over the weight of the building without the array, as the suite's mean, "
+      "is from {}{} to {}{}; in one history at most {}{}.",
+      format_number(median(*least)), at(least), format_number(median(*most)), at(most),
+      format_number(largest->largest), at(largest));
+}
+
+std::string summary(const Results& results) {
+  constexpr std::size_t most_rows = 24;
+  std::string text = "Base shear\n";
+  for (const std::string& sentence : base_shear_sentences(results)) text += wrapped(sentence);
+  const Table table = base_shear_table(results);
+  return table.rows.size() <= most_rows ? text + "\n" + to_text(table) : text;
+}
+
+std::vector<Table> tables(const Results& results) { return {base_shear_table(results)}; }
+
+Html section(const Results& results) {
+  return heading("Base shear of the building") + table_or_file(base_shear_table(results));
+}
+
+}  // namespace
+
+Table base_shear_table(const Results& results) {
+  const ConditionColumns conditions(results);
+  Table table{"base_shear",
+              "Base shear over the bare building's weight: the suite's mean of the SRSS of the "
+              "peaks along both axes, over the orientations",
+              conditions.columns(),
+              {},
+              {"[ ]: 95 % interval of the median, from resampling records"}};
+  append(table.columns, range_columns(ColumnKind::number));
+  append(table.columns, {range_column("largest", "Largest history", ColumnKind::number)});
+  const std::size_t count = results.conditions->grid.count();
+  for (std::size_t i = 0; i < results.base_shear->means.size(); ++i) {
+    const SuiteMean& mean = results.base_shear->means[i];
+    std::vector<Cell> row =
+        conditions.cells(mean.suite, results.conditions->grid.position(i % count));
+    append(row, range_cells(mean.range));
+    append(row, {mean.largest});
+    table.add(std::move(row));
+  }
+  return table;
+}
+
+std::vector<std::string> base_shear_sentences(const Results& results) {
+  std::vector<std::string> sentences{comparison(results), range_of_conditions(results)};
+  std::erase(sentences, "");
+  return sentences;
+}
+
+AnalysisReport base_shear_report() {
+  return {.is_in = [](const Results& results) { return results.base_shear.has_value(); },
+          .summary = summary,
+          .sentences = base_shear_sentences,
+          .figures = base_shear_figures,
+          .tables = tables,
+          .section = section};
+}
+
+}  // namespace glissade

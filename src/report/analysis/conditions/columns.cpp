@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/conditions/columns.hpp"
+
+#include <algorithm>
+
+#include "analysis/conditions/view.hpp"
+#include "text/study_text.hpp"
+
+namespace glissade {
+namespace {
+
+Column level_column(const Results& results) {
+  const ConditionGrid& grid = results.conditions->grid;
+  if (grid.level_symbol.empty()) return {"fraction_of_mce", "", "Of MCE"};
+  const std::string suffix = unit_suffix(grid.level_unit);
+  return {"level", suffix.empty() ? "" : suffix.substr(1), grid.level_symbol};
+}
+
+}  // namespace
+
+ConditionColumns::ConditionColumns(const Results& results, std::vector<ConditionAxis> without)
+    : results_(results) {
+  for (const ConditionAxis axis : condition_axes) {
+    if (has_several(results.conditions->grid, axis) &&
+        std::ranges::find(without, axis) == without.end())
+      axes_.push_back(axis);
+  }
+}
+
+std::vector<Column> ConditionColumns::columns() const {
+  std::vector<Column> columns;
+  if (results_.suites.size() > 1) columns.push_back(text_column("suite", "Suite"));
+  for (const ConditionAxis axis : axes_) columns.push_back(column(axis));
+  return columns;
+}
+
+std::vector<Cell> ConditionColumns::cells(std::size_t suite, const Condition& at) const {
+  std::vector<Cell> cells;
+  if (results_.suites.size() > 1) cells.emplace_back(results_.suites[suite].name);
+  for (const ConditionAxis axis : axes_) cells.push_back(cell(axis, at[axis]));
+  return cells;
+}
+
+Column ConditionColumns::column(ConditionAxis axis) const {
+  switch (axis) {
+    case ConditionAxis::listed:
+      return {"condition", "", "Condition", ColumnKind::text};
+    case ConditionAxis::support:
+      return text_column("support", "Array");
+    case ConditionAxis::vertical:
+      return text_column("vertical", "Vertical");
+    case ConditionAxis::response_modification:
+      return {"response_modification", "", "R"};
+    case ConditionAxis::mass:
+      return {"mass_ratio", "", "m/M"};
+    case ConditionAxis::slope:
+      return {"slope", "deg", "Slope, deg"};
+    case ConditionAxis::level:
+      return level_column(results_);
+    case ConditionAxis::period:
+      return {"period", "s", "T, s"};
+  }
+  return {};
+}
+
+Cell ConditionColumns::cell(ConditionAxis axis, std::size_t place) const {
+  const ConditionGrid& grid = results_.conditions->grid;
+  switch (axis) {
+    case ConditionAxis::response_modification:
+      return grid.response_modification[place];
+    case ConditionAxis::mass:
+      return grid.mass_ratio[place];
+    case ConditionAxis::slope:
+      return grid.slope_deg[place];
+    case ConditionAxis::level:
+      return grid.level[place];
+    case ConditionAxis::period:
+      return grid.period_s[place];
+    default:
+      return label_of(grid, axis, place);
+  }
+}
+
+Column range_column(const char* stem, const char* heading, ColumnKind kind) {
+  return {stem, kind == ColumnKind::length ? "m" : "", heading, kind};
+}
+
+std::vector<Column> range_columns(ColumnKind kind) {
+  const bool length = kind == ColumnKind::length;
+  Column median = range_column("median", length ? "Median, m (in)" : "Median", kind);
+  median.with_interval = true;
+  return {range_column("lowest", length ? "Lowest, m (in)" : "Lowest", kind), median,
+          range_column("highest", length ? "Highest, m (in)" : "Highest", kind)};
+}
+
+std::vector<Cell> range_cells(const OrientationRange& range) {
+  return {range.lowest, Estimate{range.median, range.interval, {}}, range.highest};
+}
+
+}  // namespace glissade

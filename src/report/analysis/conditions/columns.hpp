@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "glissade/report/table.hpp"
+#include "glissade/study/results.hpp"
+
+namespace glissade {
+
+/// The columns that name a condition: only those whose axis has several values.
+class ConditionColumns {
+ public:
+  explicit ConditionColumns(const Results& results, std::vector<ConditionAxis> without = {});
+
+  std::vector<Column> columns() const;
+  std::vector<Cell> cells(std::size_t suite, const Condition& at) const;
+
+ private:
+  Column column(ConditionAxis axis) const;
+  Cell cell(ConditionAxis axis, std::size_t place) const;
+
+  const Results& results_;
+  std::vector<ConditionAxis> axes_;
+};
+
+/// Lowest, median with its interval and highest over the orientations.
+std::vector<Column> range_columns(ColumnKind kind);
+std::vector<Cell> range_cells(const OrientationRange& range);
+/// Of one of them, or of lengths like these.
+Column range_column(const char* stem, const char* heading, ColumnKind kind = ColumnKind::length);
+
+template <class T>
+void append(std::vector<T>& all, std::vector<T> more) {
+  all.insert(all.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
+}
+
+}  // namespace glissade

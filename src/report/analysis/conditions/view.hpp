@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "glissade/study/results.hpp"
+
+// What tables, figures and sentences of required clearance and base shear share. Where an axis is
+// not the one shown, its first value is.
+namespace glissade {
+
+using Places = std::vector<Condition>;
+
+/// "T 0.2 s", "m/M 0.05", "R 2", "slope 1/4:12", "DBE", "with verticals", "anchored"
+std::string label_of(const ConditionGrid& grid, ConditionAxis axis, std::size_t place);
+/// "1/4:12 (1.19 deg)"
+std::string slope_text(double slope_deg);
+/// The labels of all axes that have more than one value but those of `without`.
+std::string distinguished(const ConditionGrid& grid, const Condition& at,
+                          const std::vector<ConditionAxis>& without = {});
+/// "level2; DBE; slope 1/4:12 (1.19 deg), friction 0.47; m/M 0.05; elastic building; with
+/// verticals", without some axes.
+std::string conditions_text(const Results& results, const Condition& at,
+                            const std::vector<ConditionAxis>& without = {});
+/// "0.47", "E-W 0.47, N-S 0.52"
+std::string friction_text(const Results& results, const Condition& at = {});
+
+/// "0.280 m (11.0 in)"; where the array slides freely, that no clearance is enough.
+std::string clearance_text(double clearance_m);
+
+bool has_several(const ConditionGrid& grid, ConditionAxis axis);
+/// Where a kind of support stands on its axis, if it is there.
+std::optional<std::size_t> place_of(const ConditionGrid& grid, ArraySupport support);
+/// "sixteen orientations", "both orientations", "32 orientations"; of one: "".
+std::string orientations_text(const Results& results);
+/// "0.210 m (8.27 in), from 0.180 m (7.09 in) to 0.260 m (10.2 in) over the sixteen orientations"
+std::string range_text(const Results& results, const OrientationRange& range);
+
+/// mean(at) / mean(of) by orientation; both must be above zero to count. Sorted; may be empty.
+std::vector<double> ratios_by_orientation(const Results& results, const MeanQuestion& question,
+                                          const Condition& at, const Condition& of);
+
+}  // namespace glissade

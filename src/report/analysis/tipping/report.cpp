@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "analysis/analyses.hpp"
+#include "glissade/report/format.hpp"
+#include "page/page.hpp"
+#include "text/study_text.hpp"
+
+namespace glissade {
+namespace {
+
+/// The records that tip in any history of some rows.
+std::vector<std::string> records_that_tip(const Results& results,
+                                          const std::vector<TippingShare>& rows) {
+  std::vector<std::string> names;
+  for (std::size_t record = 0; record < results.records.size(); ++record) {
+    if (std::ranges::any_of(rows, [&](const auto& row) { return row.by_record[record] > 0.0; }))
+      names.push_back(results.records[record].id);
+  }
+  return names;
+}
+
+Table tipping_table(const Results& results) {
+  Table table{"tipping",
+              "Share of the histories in which the body begins to tip. Intensity measure: " +
+                  results.intensity_label + ".",
+              {text_column("condition", "Condition"),
+               intensity_column(results, "level", "Level"),
+               {"tip_share", "", "Begins to tip", ColumnKind::share},
+               {"record_count", "", "Records that tip", ColumnKind::count},
+               text_column("records", "They are")},
+              {},
+              {}};
+  for (const TippingShare& row : results.tipping->shares) {
+    const std::vector<std::string> names = records_that_tip(results, {row});
+    table.add({row.condition, row.level, row.share, static_cast<double>(names.size()),
+               fmt::format("{}", fmt::join(names, ", "))});
+  }
+  return results.cases.combinations() > 1 ? table : table.without("condition");
+}
+
+std::vector<std::string> sentences(const Results& results) {
+  const TippingResults& tipping = *results.tipping;
+  const std::string body =
+      fmt::format("a body {:g} m wide with its centre of mass {:g} m above the roof",
+                  tipping.body.width_m, tipping.body.centre_of_mass_height_m);
+  const double friction =
+      std::ranges::max_element(results.cases.cases, {}, &Case::friction)->friction;
+  if (friction <= tipping.least_friction) {
+    return {
+        fmt::format("Tipping: {} cannot tip: no friction is above {:.3g}, its width over twice "
+                    "that height, so it slides first.",
+                    body, tipping.least_friction)};
+  }
+  const std::vector<std::string> names = records_that_tip(results, tipping.shares);
+  if (names.empty()) return {"Tipping: " + body + " does not begin to tip in any history."};
+  double first = results.levels.back(), sum = 0.0, largest = 0.0, rows = 0.0;
+  for (const TippingShare& row : tipping.shares) {
+    if (row.share > 0.0) first = std::min(first, row.level);
+    if (row.level != results.levels.back()) continue;
+    sum += row.share;
+    largest = std::max(largest, row.share);
+    ++rows;
+  }
+  return {fmt::format(
+      "TIPPING: {} begins to tip in some histories of {} of {} records, from {} on; at the highest "
+      "level in {} of all{}. Tipping is outside the model: slip there is that of a body that does "
+      "not tip.",
+      body, names.size(), results.records.size(), at_intensity(results, first),
+      format_share(sum / rows),
+      rows > 1 ? ", up to " + format_share(largest) + " of one combination" : "")};
+}
+
+std::string summary(const Results& results) {
+  constexpr std::size_t most_rows = 24;
+  std::string text;
+  for (const std::string& sentence : sentences(results)) text += wrapped(sentence);
+  const Table table = tipping_table(results).without("records");
+  return table.rows.size() <= most_rows ? text + "\n" + to_text(table) : text;
+}
+
+std::vector<Table> tables(const Results& results) { return {tipping_table(results)}; }
+
+Html section(const Results& results) {
+  return heading("Onset of tipping") + table_or_file(tipping_table(results));
+}
+
+}  // namespace
+
+AnalysisReport tipping_report() {
+  return {.is_in = [](const Results& results) { return results.tipping.has_value(); },
+          .summary = summary,
+          .sentences = sentences,
+          .tables = tables,
+          .section = section};
+}
+
+}  // namespace glissade

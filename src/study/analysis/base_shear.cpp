@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glissade/study/analysis/base_shear.hpp"
+
+#include "glissade/study/results.hpp"
+
+namespace glissade {
+
+BaseShearResults base_shear_results(const Results& results) {
+  return {suite_means(results, HistoryNumber::base_shear, all_conditions(results.conditions->grid),
+                      Periods::one)};
+}
+
+}  // namespace glissade

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Required clearance, base shear and tipping of histories that can be followed by hand.
+#include <gtest/gtest.h>
+
+#include "glissade/study/results.hpp"
+
+namespace glissade {
+namespace {
+
+/// Two records; two periods, each in two orientations; one level. By (record, period, orientation):
+///   displacement   a  1 2  3 4    b  3 4  7 6
+///   base shear     a  5 5  10 10  b  15 25  10 20    (by axes of 3 to 4)
+///   tips           a  0 1  0 0    b  0 1  1 1
+Results by_hand() {
+  Results r;
+  r.axes = SlidingAxes::two;
+  r.levels = {0.8};
+  r.suites.resize(1);
+  r.records = {{.id = "a"}, {.id = "b"}};
+  r.cases.axes = {{"building.period_s", "s", {0.2, 1.0}, {}}};
+  r.cases.orientations = 2;
+  for (const double period_s : {0.2, 1.0}) {
+    for (const double azimuth_deg : {0.0, 90.0}) {
+      Case c;
+      c.period_s = period_s;
+      c.friction = c.friction_across = 0.5;
+      c.orientation = {SlopeAxis::e_w, azimuth_deg, 1};
+      r.cases.cases.push_back(c);
+    }
+  }
+  r.histories = {2, 4, 1, 0, {}};
+  HistoryFields& f = r.histories.fields;
+  f.peak_displacement_m = {1, 2, 3, 4, 3, 4, 7, 6};
+  for (const double shear : {5, 5, 10, 10, 15, 25, 10, 20}) {
+    f.shear_along.push_back(0.6 * shear);
+    f.shear_across.push_back(0.8 * shear);
+  }
+  f.uplift.assign(8, 0);
+  f.failed.assign(8, 0);
+  f.tips = {0, 1, 0, 0, 0, 1, 1, 1};
+  r.conditions = condition_table(r);
+  return r;
+}
+
+TEST(analyses, conditions_are_places_of_the_histories) {
+  const Results r = by_hand();
+  EXPECT_EQ(r.conditions->grid.count(), 2u);
+  EXPECT_EQ(r.conditions->first_case, (std::vector<std::uint64_t>{0, 2}));
+  EXPECT_EQ(r.conditions->at(1, 0, 1).displacement_m, 7.0);  // b, first orientation, 1 s
+  EXPECT_EQ(r.conditions->at(0, 1, 0).shear_along, 3.0);
+}
+
+TEST(analyses, a_required_clearance_is_a_factor_on_the_largest_mean_over_the_periods) {
+  const ClearanceResults clearance = required_clearance(by_hand(), 1.5);
+  EXPECT_EQ(clearance.factor, 1.5);
+  ASSERT_EQ(clearance.by_period.size(), 2u);
+  const SuiteMean& first = clearance.by_period[0];
+  EXPECT_EQ(first.by_orientation, (std::vector<double>{2.0, 3.0}));
+  EXPECT_EQ(first.range.lowest, 2.0);
+  EXPECT_EQ(first.range.median, 2.5);
+  EXPECT_EQ(first.range.highest, 3.0);
+  EXPECT_EQ(first.bounds.lowest, 2.0);   // a 1, b 3
+  EXPECT_EQ(first.bounds.highest, 3.0);  // a 2, b 4
+  EXPECT_EQ(first.largest, 4.0);
+  EXPECT_EQ(first.level, 0.8);
+  EXPECT_EQ(first.condition, "building.period_s = 0.2 s");
+  ASSERT_EQ(clearance.required.size(), 1u);
+  const RequiredClearance& required = clearance.required[0];
+  EXPECT_EQ(required.largest.period_s, 1.0);  // 5 in both orientations
+  EXPECT_EQ(required.largest.first_case, 2u);
+  EXPECT_EQ(required.largest.condition, "building.period_s = 1 s");
+  EXPECT_EQ(required.largest.bounds.lowest, 4.5);   // a 3, b 6
+  EXPECT_EQ(required.largest.bounds.highest, 5.5);  // a 4, b 7
+  EXPECT_EQ(required.median_m, 7.5);
+  EXPECT_EQ(required.highest_m, 7.5);
+}
+
+TEST(analyses, base_shear_is_the_mean_and_the_largest_of_the_records) {
+  const std::vector<SuiteMean> means = base_shear_results(by_hand()).means;
+  ASSERT_EQ(means.size(), 2u);
+  EXPECT_DOUBLE_EQ(means[0].range.lowest, 10.0);   // 5 and 15
+  EXPECT_DOUBLE_EQ(means[0].range.highest, 15.0);  // 5 and 25
+  EXPECT_DOUBLE_EQ(means[0].largest, 25.0);
+  EXPECT_DOUBLE_EQ(means[1].range.median, 12.5);  // 10 and 15
+  EXPECT_DOUBLE_EQ(means[1].largest, 20.0);
+  EXPECT_EQ(means[1].first_case, 2u);
+  EXPECT_EQ(means[1].period_s, 1.0);
+}
+
+TEST(analyses, tipping_is_a_share_of_the_histories_and_of_each_record) {
+  const TippingResults tipping = tipping_results(by_hand(), {0.5, 0.25});
+  EXPECT_EQ(tipping.body.width_m, 0.25);
+  EXPECT_EQ(tipping.least_friction, 0.25);
+  ASSERT_EQ(tipping.shares.size(), 2u);
+  EXPECT_EQ(tipping.shares[0].share, 0.5);
+  EXPECT_EQ(tipping.shares[0].by_record, (std::vector<double>{0.5, 0.5}));
+  EXPECT_EQ(tipping.shares[1].share, 0.5);
+  EXPECT_EQ(tipping.shares[1].by_record, (std::vector<double>{0.0, 1.0}));
+  EXPECT_EQ(tipping.shares[1].first_case, 2u);
+  EXPECT_EQ(tipping.shares[1].condition, "building.period_s = 1 s");
+  EXPECT_EQ(tipping.shares[1].level, 0.8);
+}
+
+}  // namespace
+}  // namespace glissade
