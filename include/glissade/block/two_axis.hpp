@@ -92,9 +92,7 @@ double srss_of_maxima_m(const TwoAxisResult& result);
 /// and uplift are as in slide().
 ///
 /// @param tolerance permitted error of the velocity for each step, relative to the largest speed so
-///   far; in [1e-11, 1e-2]. The relative error of displacements is similar: 0.1 tolerances in the
-///   median and at most 3 for 96 scenes of recorded motions, up to 30 for a hundred short phases of
-///   rough noise (tests/unit/block/two_axis_accuracy_test.cpp).
+///   far; in [1e-11, 1e-2]. The error of displacements is measured in on_building.hpp.
 TwoAxisResult slide_two_axis(const TwoAxisAcceleration& roof, const TwoAxisBlock& block,
                              double tolerance = 1e-6);
 

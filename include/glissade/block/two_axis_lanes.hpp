@@ -37,6 +37,8 @@ double srss_of_maxima_m(const TwoAxisPeak& peak);
 /// rest the next interval in which it may slide is looked for over bounds on the roof's motion,
 /// which is tabulated for each building. How a block starts is a series of its own, how it stops is
 /// known in closed form (two_axis.hpp); between the two, steps too stiff for the lanes are SDIRK4.
+/// Errors at the default tolerance, measured as those of slide_on_building(): 2.2e-7 of the peak in
+/// the median, 4.6e-6 at most.
 ///
 /// The same bits on every SIMD target, in any order and whatever else is in the batch; but scenes
 /// on one building share its table, so give the levels and blocks of a building together.

@@ -75,6 +75,14 @@ class FrictionEllipse {
   }
   bool may_rest(const Load& load) const { return load.normal >= 0.0 && excess(load) <= 0.0; }
 
+  /// The least deceleration under a load, whatever the direction of the velocity; positive if the
+  /// block can stop.
+  double least_deceleration(const Load& load) const {
+    const double y = to_circle_ * load.drive.y;
+    const double left = mu_.s * load.normal - std::sqrt(load.drive.s * load.drive.s + y * y);
+    return smallest() / mu_.s * left;
+  }
+
   /// The fraction between `begin` and `end` at which the block can no longer stick, or never.
   double release(const Load& begin, const Load& end) const;
 

@@ -73,6 +73,7 @@ class OnBuildingBody {
   void raise_peaks(std::size_t n, const Bare& bare, const BuildingStep& step, double length_s);
   Stop find_stop(const Bare& bare, double left_s, std::array<Ramp, 2>& push);
   Stop find_curved_stop(const Bare& bare, double left_s, double allowed) const;
+  Load load_at_rest(const Bare& bare, double after_s) const;
   bool passes_no_peak(Vector drive) const;
   bool stop_there(const Stop& stop, const Bare& bare, const std::array<Ramp, 2>& push);
   void raise_peaks(std::size_t axis, const AxisSeries& motion, double share);

@@ -62,13 +62,10 @@ Stop OnBuildingBody::find_stop(const Bare& bare, double left_s, std::array<Ramp,
   const double bend = std::abs(dot(along, pull(0.5 * t, half_speed).a) - 0.5 * (gain0 + gain1));
   const double aside = std::max(std::abs(cross(along, first.a)), std::abs(cross(along, last)));
   const double off = t * (aside + bend);  // speed it may have at the stop
-  const auto rests = [&] {
-    const Axes e = bare.e(t / piece.length_s);
-    return contact_.friction_at_rest().may_rest(
-        contact_.held({}, e, piece.w(t / piece.length_s), mobility_).load);
-  };
   // What the load then holds has at most moved aside; what it moves on keeps the error in velocity.
-  if (off <= 0.1 * tolerance_ * peak_speed_ || (0.5 * t * off <= allowed && rests())) {
+  const auto load = [&](double at_s) { return load_at_rest(bare, at_s); };
+  if (off <= 0.1 * tolerance_ * peak_speed_ ||
+      0.5 * off * rests_for_sure(off, t, left_s, contact_.friction(), load) <= allowed) {
     const Axes a0 = contact_.held(gain0 * along, e0, piece.w(0.0), mobility_).a;
     const Axes e1 = bare.e(t / piece.length_s);
     const Axes a1 = contact_.held(gain1 * along, e1, piece.w(t / piece.length_s), mobility_).a;
@@ -87,6 +84,12 @@ Stop OnBuildingBody::find_stop(const Bare& bare, double left_s, std::array<Ramp,
     for (std::size_t n = 0; n < 2; ++n) push[n] = {e0[n] - a[n], e0[n] - a[n]};
   }
   return curved;
+}
+
+/// The load that friction must balance if the block rests after this time.
+Load OnBuildingBody::load_at_rest(const Bare& bare, double after_s) const {
+  const double share = after_s / bare.shaking.length_s;
+  return contact_.held({}, bare.e(share), bare.shaking.w(share), mobility_).load;
 }
 
 /// Under constant load, where R is as good as isotropic.
@@ -126,7 +129,11 @@ Stop OnBuildingBody::find_curved_stop(const Bare& bare, double left_s, double al
                         std::abs(mobility_.sy) +
                         2.0 * mu * tangent * (std::abs(mobility_.ss) + std::abs(mobility_.sy));
   const double off = drag * (uneven + std::abs(contact_.factor(now_.v) - 1.0));
-  const bool is_exact = t * t * (jerk * t / 12.0 + 0.5 * off) <= allowed;
+  const auto load = [&](double at_s) { return load_at_rest(bare, at_s); };
+  const double fast = t * (0.5 * jerk * t + off);  // it may still be at the stop
+  const bool is_exact =
+      t * t * (jerk * t / 12.0 + 0.5 * off) <= allowed &&
+      rests_for_sure(fast, stop.time_s, left_s, contact_.friction(), load) != never;
   return is_exact && (stop.path <= allowed ||
                       (passes_no_peak(third.drive) && !track_.may_cross(stop.path)))
              ? stop

@@ -106,8 +106,9 @@ Stop TwoAxisBody::find_stop(const Load& now, const Load& end, double left_s) {
   const double t = straight.time_s;
   const double sideways = t * std::max(aside(now), aside(end));  // speed it may have at the stop
   // What the load then holds has at most moved aside; what it moves on keeps the error in velocity.
+  const auto load = [&](double at_s) { return between(now, end, at_s / left_s); };
   if (sideways <= 0.1 * tolerance_ * peak_speed_ ||
-      (0.5 * t * sideways <= allowed && friction_.may_rest(between(now, end, t / left_s)))) {
+      0.5 * sideways * rests_for_sure(sideways, t, left_s, friction_, load) <= allowed) {
     return straight;
   }
 
@@ -127,7 +128,10 @@ Stop TwoAxisBody::find_curved_stop(const Load& now, const Load& end, double left
   if (stop.time_s > left_s) return {};
   const Load change{end.drive - now.drive, end.normal - now.normal};
   const double jerk = (length(change.drive) + mu * std::abs(change.normal)) / left_s;
-  const bool is_exact = jerk * guess_s * guess_s * guess_s / 12.0 <= allowed;
+  const auto load = [&](double at_s) { return between(now, end, at_s / left_s); };
+  const double off = 0.5 * jerk * guess_s * guess_s;  // speed it may have at the stop
+  const bool is_exact = off * guess_s / 6.0 <= allowed &&
+                        rests_for_sure(off, stop.time_s, left_s, friction_, load) != never;
   return is_exact && (passes_no_peak(third.drive) || stop.path <= allowed) ? stop : Stop{};
 }
 

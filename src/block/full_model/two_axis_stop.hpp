@@ -38,6 +38,20 @@ inline Stop stop_under_constant_load(Vector v, Vector d, double n) {
           speed};
 }
 
+/// When a block that should stop after `t_s`, but may then still have the speed `off`, rests for
+/// sure; never, if the load may set it in motion before that: near the threshold friction takes
+/// hardly anything of a velocity along the load.
+/// @param load of which it rests, at a time
+template <class LoadAt>
+double rests_for_sure(double off, double t_s, double left_s, const FrictionEllipse& friction,
+                      const LoadAt& load) {
+  const double deceleration = friction.least_deceleration(load(t_s));
+  if (!(deceleration > 0.0)) return never;
+  // As a function of time it is concave: after half the time at least half of it is left.
+  const double rests_s = t_s + 4.0 * off / deceleration;
+  return rests_s <= left_s && friction.may_rest(load(rests_s)) ? rests_s : never;
+}
+
 /// Along the line of `along`, a unit vector, under that part of the load: the quadratic of slide().
 inline Stop stop_on_a_line(double speed, Vector along, const Load& begin, const Load& end,
                            double length_s, const FrictionEllipse& friction) {

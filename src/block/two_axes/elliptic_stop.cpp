@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "elliptic_stop.hpp"
 
+#include <cmath>
+
 namespace glissade::block_detail::two_axes {
 namespace {
 
@@ -21,41 +23,57 @@ struct Braking {
   }
 };
 
-}  // namespace
-
-EllipticStop stop_on_an_ellipse(Vector v, Vector d, double n, double aspect, double enough_m) {
-  constexpr double to_middle = 0.28768207245178092;  // log(4/3)
-  constexpr double to_end = 0.40546510810816438;     // log(3/2)
+/// With u falling by the ratio in each step.
+EllipticStop by_steps(Vector v, Vector d, double n, double aspect, double enough_m, double ratio) {
+  const double mean = 0.5 * (1.0 + ratio), to_middle = -std::log(mean),
+               to_end = std::log(mean / ratio), sixth = (1.0 - ratio) / 6.0;
   const Vector to_w{1.0, aspect}, from_w{1.0, 1.0 / aspect};
-  const Vector w = scaled(v, to_w), x = scaled(d, from_w);
-  if (!(n > 0.0 && dot(x, x) < n * n)) return {};
+  const Vector w = scaled(v, to_w);
   const Braking braking{scaled(d, to_w), {n, n * aspect * aspect}};
-  double u = length(w), brake = 0.0;
+  const double first = length(w);
+  double u = first, brake = 0.0;
   Vector e = (1.0 / u) * w, way{};
   Stop stop;
   stop.time_s = 0.0;
   stop.fastest = length(v);
-  for (int halvings = 0; halvings < 12; ++halvings) {
+  for (;;) {
     brake = braking.at(e);
     if (!(brake > 0.0)) return {};
-    if (length(braking.turn(e)) * u * u < enough_m * brake) break;
+    if (u < 2e-4 * first || length(braking.turn(e)) * u * u < enough_m * brake) break;
     const Vector middle = braking.turned(e, to_middle), end = braking.turned(middle, to_end);
     const double at_middle = braking.at(middle), at_end = braking.at(end);
     if (!(at_middle > 0.0 && at_end > 0.0)) return {};
-    const Vector per_u = (1.0 / brake) * e + (3.0 / at_middle) * middle + (0.5 / at_end) * end;
-    const Vector step = (u * u / 12.0) * per_u;
-    stop.time_s += u / 12.0 * (1.0 / brake + 4.0 / at_middle + 1.0 / at_end);
+    const Vector per_u =
+        (1.0 / brake) * e + (4.0 * mean / at_middle) * middle + (ratio / at_end) * end;
+    const Vector step = (sixth * u * u) * per_u;
+    stop.time_s += sixth * u * (1.0 / brake + 4.0 / at_middle + 1.0 / at_end);
     stop.path += length(scaled(step, from_w));
     way = way + step;
     e = end;
-    u *= 0.5;
-    brake = at_end;
+    u *= ratio;
   }
   const Vector rest = (0.5 * u * u / brake) * e;
   stop.time_s += u / brake;
   stop.path += length(scaled(rest, from_w));
   stop.displacement = scaled(way + rest, from_w);
   return {stop, scaled(e, from_w)};
+}
+
+}  // namespace
+
+EllipticStop stop_on_an_ellipse(Vector v, Vector d, double n, double aspect, double enough_m) {
+  const Vector x = scaled(d, {1.0, 1.0 / aspect});
+  if (!(n > 0.0 && dot(x, x) < n * n)) return {};
+  double ratio = 0.5;
+  EllipticStop found = by_steps(v, d, n, aspect, enough_m, ratio);
+  for (int halvings = 0; halvings < 6; ++halvings) {
+    ratio = std::sqrt(ratio);
+    const EllipticStop finer = by_steps(v, d, n, aspect, enough_m, ratio);
+    const double change = length(finer.stop.displacement - found.stop.displacement);
+    found = finer;
+    if (!(change > enough_m)) break;
+  }
+  return found;
 }
 
 }  // namespace glissade::block_detail::two_axes

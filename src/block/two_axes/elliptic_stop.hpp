@@ -15,7 +15,7 @@ struct EllipticStop {
 /// With M = diag(1, aspect), e = M v / |M v| and u = |M v|:
 ///   u' = d . M e - n |M e|^2,   u e' = its part across e
 /// so that e depends on u alone: RK4 for e in log u, Simpson's rule in u for time and displacement,
-/// halving u until what is left is straight.
+/// until what is left is straight; with steps half as long until that changes nothing.
 /// @param n friction along the slope
 /// @param enough_m error of the displacement that does not matter
 EllipticStop stop_on_an_ellipse(Vector v, Vector d, double n, double aspect, double enough_m);

@@ -64,6 +64,8 @@ class LaneHistory {
   void take_step(Spot& spot, const RoofPiece& piece, double share, double length_s,
                  const Sliding& begin, const Sliding& end);
   RoofPiece::Push push_of(Vector v) const;
+  RoofPiece::Push push_between(const Sliding& begin, const Sliding& end, double length_s,
+                               double share) const;
   RoofPiece piece(const Spot& spot, const RoofPiece::Push& push) const {
     return RoofPiece(spot, ground_, constants_, roof_, push);
   }

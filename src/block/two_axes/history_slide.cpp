@@ -69,6 +69,17 @@ RoofPiece::Push LaneHistory::push_of(Vector v) const {
       {}};
 }
 
+/// That of the cubic through the velocities and accelerations at both ends of a step over a share
+/// of a piece.
+RoofPiece::Push LaneHistory::push_between(const Sliding& begin, const Sliding& end, double length_s,
+                                          double share) const {
+  const Vector rise = length_s * begin.a, last = length_s * end.a, gain = end.v - begin.v;
+  const auto of = [&](Vector term, double per_share) { return push_of(per_share * term).begin; };
+  const double per = 1.0 / share;
+  return {push_of(begin.v).begin, of(rise, per), of(3.0 * gain - 2.0 * rise - last, per * per),
+          of(rise + last - 2.0 * gain, per * per * per)};
+}
+
 LaneHistory::Next LaneHistory::event(Spot& spot) {
   step_s_ = never;
   return slide(spot, true);
@@ -126,6 +137,9 @@ bool LaneHistory::stop(Spot& spot, const RoofPiece& piece) {
           : stop_on_an_ellipse(v, third.drive, third.normal, c.aspect, allowed);
   const Stop& stop = found.stop;
   if (!(stop.time_s < length_s)) return false;
+  const auto load_at = [&](double at_s) { return piece.load(at_s / length_s); };
+  const double off = t * (0.5 * jerk * t + uneven);  // speed it may have at the stop
+  if (rests_for_sure(off, stop.time_s, length_s, ellipse_, load_at) == never) return false;
   const Vector out = scaled({m.at_s, m.at_y}, {c.cosine2, c.cosine}), last = found.last;
   const bool passes_no_peak =
       v.s * last.s >= 0.0 && v.y * last.y >= 0.0 && dot(out, v) * dot(out, last) >= 0.0;
@@ -192,6 +206,10 @@ double LaneHistory::stiff_trial_s(const RoofPiece& rest_of_interval, Vector v,
   double length_s = std::min(step_s_, left_s);
   if (step_s_ == never && speed > 0.0)
     length_s = std::min(length_s, speed / (now.normal * dot(ellipse_.sliding(v), v) / speed));
+  // A step at whose end the load would let the block rest may not see it slide at all.
+  while (speed == 0.0 && length_s > 1e-6 * left_s &&
+         ellipse_.may_rest(rest_of_interval.load(length_s / left_s)))
+    length_s *= 0.5;
   // A stage of what comes after a reversal would not see what came before.
   if (speed > constants_.tolerance * fastest) {
     const double fastest_stop =
@@ -205,10 +223,10 @@ void LaneHistory::stiff_step(Spot& spot) {
   const Constants<double>& c = constants_;
   const Vector v = velocity(spot);
   const double fastest = spot.motion.fastest;
-  RoofPiece::Push push = push_of(v);
-  RoofPiece rest_of_interval = piece(spot, push);
+  RoofPiece rest_of_interval = piece(spot, push_of(v));
   const double left_s = rest_of_interval.length_s();
   const Load now = rest_of_interval.load(0.0);
+  const Vector a = stage(c, ellipse_, v, 1e-9 * left_s, now, {});
   const double rounding = 16.0 * std::numeric_limits<double>::epsilon() *
                           (std::abs(now.drive.s) + std::abs(now.drive.y) + std::abs(now.normal));
   constexpr double shortest = 1e-9;  // of what is left
@@ -219,20 +237,22 @@ void LaneHistory::stiff_step(Spot& spot) {
     if (length_s < left_s && length_s > 0.5 * left_s) length_s = 0.5 * left_s;
     share = length_s == left_s ? 1.0 : length_s / left_s;
     trial = sdirk4(c, ellipse_, v, rest_of_interval, share);
-    if (roof_ == RoofKind::coupled) {  // once more, with the push it has
-      const RoofPiece::Push end = push_of(trial.end.v);
-      for (std::size_t n = 0; n < 2; ++n) push.rise[n] = (end.begin[n] - push.begin[n]) / share;
-      rest_of_interval = piece(spot, push);
-      trial = sdirk4(c, ellipse_, v, rest_of_interval, share);
-    }
     const double allowed =
         c.tolerance * std::max(fastest, length(trial.end.v)) + length_s * rounding;
+    // Again with the push that it has, until that changes nothing.
+    double changed = roof_ == RoofKind::coupled ? never : 0.0;
+    for (int pass = 0; pass < 5 && changed > 0.01 * allowed; ++pass) {
+      const Vector last = trial.end.v;
+      rest_of_interval = piece(spot, push_between({v, a}, trial.end, length_s, share));
+      trial = sdirk4(c, ellipse_, v, rest_of_interval, share);
+      changed = length(trial.end.v - last);
+    }
+    trial.error += changed;
     const double ratio = trial.error > 0.0 ? allowed / trial.error : 1e4;
     step_s_ = length_s * std::clamp(0.9 * std::sqrt(std::sqrt(ratio)), 0.2, 5.0);
     if (ratio >= 1.0 || length_s <= shortest * left_s) break;
     length_s = step_s_;
   }
-  const Vector a = stage(c, ellipse_, v, 1e-9 * length_s, now, {});
   take_step(spot, rest_of_interval, share, length_s, {v, a}, trial.end);
 }
 

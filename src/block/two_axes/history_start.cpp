@@ -90,7 +90,9 @@ void LaneHistory::start_smoothly(Spot& spot) {
     if (passes == 1) break;
     Vector end{};
     for (int k = terms; k-- > 0;) end = y * end + z.w[k];
-    push.curve = push_of({end.s, c.per_aspect * end.y}).begin;
+    const auto push_by = [&](Vector w) { return push_of({w.s, c.per_aspect * w.y}).begin; };
+    push.curve = push_by(z.w[0]);
+    push.bend = push_by((1.0 / y) * (end - z.w[0]));
     rest_of_interval = piece(spot, push);
   }
   Vector v{}, way{};

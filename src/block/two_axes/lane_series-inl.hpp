@@ -230,15 +230,15 @@ HWY_INLINE V StepShare(const StepSeries<roof>& z, V allowed) {
   f = hn::IfThenElse(slows, hn::Min(f, to_stop), f);
   const Mask rough = hn::Gt(error, allowed);
   if (!hn::AllFalse(Doubles(), rough)) {
-    // x^(1/6) to 1 %, by a sixth of its exponent.
+    // x^(1/5) to 1 %, by a fifth of its exponent: errors add up to the tolerance over an interval.
     const hn::Rebind<float, Doubles> df;
     const hn::RebindToSigned<decltype(df)> di;
     constexpr float one_bits = 1065353216.0F;
     const auto ratio = hn::DemoteTo(df, hn::Max(hn::Div(allowed, error), Number(1e-30)));
     const auto bits = hn::ConvertTo(df, hn::BitCast(di, ratio));
-    const auto sixth = hn::Add(hn::Mul(hn::Sub(bits, hn::Set(df, one_bits)), hn::Set(df, 1.0F / 6)),
+    const auto fifth = hn::Add(hn::Mul(hn::Sub(bits, hn::Set(df, one_bits)), hn::Set(df, 1.0F / 5)),
                                hn::Set(df, one_bits));
-    const V x = Number(0.9) * hn::PromoteTo(Doubles(), hn::BitCast(df, hn::ConvertTo(di, sixth)));
+    const V x = Number(0.9) * hn::PromoteTo(Doubles(), hn::BitCast(df, hn::ConvertTo(di, fifth)));
     f = hn::IfThenElse(rough, hn::Min(f, x), f);
   }
   return hn::IfThenElse(hn::And(hn::Lt(f, one), hn::Gt(f, half)), half, f);

@@ -33,8 +33,8 @@ inline test::OnBuilding at_rest(std::size_t samples) {
 
 /// Curved stop and steady circle.
 std::vector<Case> two_axis_closed_forms();
-/// The full model by another method.
-std::vector<Case> two_axis_midpoint_rule();
+/// The full model by other methods.
+std::vector<Case> two_axis_other_methods();
 
 /// Measured convergence of the two-axis integration: cases, and the table below them.
 struct Convergence {

@@ -31,12 +31,12 @@ RoofPiece::RoofPiece(const Spot& spot, const GroundNodes& ground, const Constant
     const double phase = omega[n] * length_s_;
     const double forcing[] = {ground_[n], ground_end_[n] - ground_[n]};
     const double b[] = {omega_rho[n] * push.begin[n], omega_rho[n] * push.rise[n],
-                        omega_rho[n] * push.curve[n]};
+                        omega_rho[n] * push.curve[n], omega_rho[n] * push.bend[n]};
     Terms &x = x_[n], &y = y_[n], &a = a_[n];
     x[0] = n == 0 ? m.x_1 : m.x_2;
     y[0] = n == 0 ? m.y_1 : m.y_2;
     for (std::size_t k = 0; k < static_cast<std::size_t>(terms_); ++k) {
-      const double rate = k < 3 ? y[k] - b[k] : y[k];
+      const double rate = k < 4 ? y[k] - b[k] : y[k];
       a[k] = -(damping[n] * rate + x[k]) * c.per_mass;
       if (k + 1 == static_cast<std::size_t>(terms_)) break;
       const double share = phase * inverse[k + 1];

@@ -22,9 +22,9 @@ struct Spot {
 class RoofPiece {
  public:
   /// The block's velocity in plan by the building's axes: begin + rise y +
-  /// curve y^2.
+  /// curve y^2 + bend y^3.
   struct Push {
-    std::array<double, 2> begin{}, rise{}, curve{};
+    std::array<double, 2> begin{}, rise{}, curve{}, bend{};
   };
   RoofPiece(const Spot& spot, const GroundNodes& ground, const Constants<double>& constants,
             RoofKind roof, const Push& push);

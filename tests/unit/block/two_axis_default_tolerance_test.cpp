@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Errors at the default tolerance, as the headers state them, for every friction law.
+#include <gtest/gtest.h>
+
+#include "glissade/block/two_axis_lanes.hpp"
+#include "unit/block/truth_scenes.hpp"
+
+namespace glissade {
+namespace {
+
+using test::Law;
+
+struct Errors {
+  std::vector<double> scalar, lanes;
+};
+
+double median(std::vector<double> x) {
+  std::nth_element(x.begin(), x.begin() + x.size() / 2, x.end());
+  return x[x.size() / 2];
+}
+
+double largest(const std::vector<double>& x) { return *std::max_element(x.begin(), x.end()); }
+
+/// Of 25 scenes on each of four roofs, those that slide more than 10 um.
+Errors errors_of(Law law) {
+  Errors errors;
+  std::mt19937 random(2026);
+  for (const test::Roof roof : test::all_roofs)
+    for (int k = 0; k < 25; ++k) {
+      const test::OnBuilding scene = test::truth_scene(random, roof, law, 100);
+      const test::TwoAxisTruth truth(test::as_truth(scene), 1e-9);
+      if (truth.peak_m < 1e-5L) continue;
+      const TwoAxisScene batch{
+          scene.building, scene.block, {{scene.factor, scene.factor}, scene.factor}};
+      TwoAxisPeak peak;
+      slide_two_axes(scene.ground(), {&batch, 1}, {&peak, 1});
+      errors.scalar.push_back(test::error_of(scene.result().slip, truth));
+      errors.lanes.push_back(test::error_of(peak, truth));
+    }
+  return errors;
+}
+
+TEST(default_tolerance, keeps_the_error_that_the_headers_state) {
+  for (const Law law : test::all_laws) {
+    const Errors errors = errors_of(law);
+    EXPECT_GT(errors.scalar.size(), 60u);
+    EXPECT_LE(median(errors.scalar), 3e-7);
+    EXPECT_LE(median(errors.lanes), 3e-7);
+    if (law == Law::static_friction) continue;  // slip is discontinuous: one in a hundred differs
+    EXPECT_LE(largest(errors.scalar), 1.1e-5);
+    EXPECT_LE(largest(errors.lanes), 1e-5);
+  }
+}
+
+}  // namespace
+}  // namespace glissade
