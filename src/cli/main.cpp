@@ -37,6 +37,16 @@ std::string message(const CLI::App& program, const CLI::ParseError& error) {
          (nearest.empty() ? "" : "; did you mean " + nearest + "?");
 }
 
+/// An empty argument is a variable of the shell that is not set: `--out "$DIR"`.
+void refuse_empty_arguments(int argc, char** argv) {
+  for (int i = 1; i < argc; ++i) {
+    const std::string_view text = argv[i];
+    if (!text.empty() && !(text.starts_with("--") && text.ends_with('='))) continue;
+    throw glissade::InputError({text.empty() && i > 1 ? argv[i - 1] : std::string(text),
+                                "is given an empty value", "give a value, or leave it out", ""});
+  }
+}
+
 int run_program(int argc, char** argv, const glissade::Communicator& world) {
   CLI::App program{"glissade: slip fragility of unanchored rooftop solar arrays"};
   program.set_version_flag("--version", "glissade " GLISSADE_VERSION);
@@ -51,6 +61,7 @@ int run_program(int argc, char** argv, const glissade::Communicator& world) {
   glissade::cli::add_report(program);
   glissade::cli::add_explain(program);
   try {
+    refuse_empty_arguments(argc, argv);
     program.parse(argc, argv);
     flush_standard_output();
     return 0;

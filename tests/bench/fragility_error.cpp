@@ -23,6 +23,7 @@ constexpr const char* study_sentence =
 
 StudyConfig study(SamplingMethod method, std::uint64_t seed, int log2_samples) {
   StudyConfig config;
+  config.model.axes = SlidingAxes::one;
   config.name = "run time against error";
   config.seed = seed;
   config.intensity.measure = *IntensityMeasure::named("pga_g");

@@ -79,7 +79,7 @@ TEST_F(ChartRun, says_that_one_component_acts) {
 /// The small chart without what one axis alone has.
 std::string small_chart_on_two_axes() {
   const std::string text = small_chart().substr(0, small_chart().find("[tipping]"));
-  return replaced(text, "[building]", "[model]\naxes = 2\n[building]\nmass_ratio = 0.05");
+  return replaced(text, "axes = 1\n\n[building]", "axes = 2\n\n[building]\nmass_ratio = 0.05");
 }
 using ChartOnTwoAxes = OneRun<small_chart_on_two_axes>;
 

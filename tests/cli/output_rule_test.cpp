@@ -40,6 +40,13 @@ TEST(OutputRule, a_file_is_written_over_with_overwrite_only) {
       "--history", out);
 }
 
+TEST(OutputRule, an_empty_path_is_refused) {
+  const ScratchFolder folder;
+  const std::string study = folder.write("study.toml", small_study());
+  expect_refused(run_program({"run", study, "--out", ""}), {"--out", "empty"});
+  expect_refused(run_program({"run", study, "--out="}), {"--out=", "empty"});
+}
+
 class OutputRuleOfAFolder : public OneRun<small_study> {};
 
 TEST_F(OutputRuleOfAFolder, a_report_is_made_again_in_its_folder_with_overwrite_only) {

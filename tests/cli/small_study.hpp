@@ -51,6 +51,9 @@ file = ")" GLISSADE_SOURCE_DIR R"(/suites/synthetic_level0.toml"
 measure = "sds_g"
 levels = [0, 1.5]
 
+[model]
+axes = 1
+
 [building]
 period_s = [0, 0.5]
 

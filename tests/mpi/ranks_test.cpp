@@ -89,7 +89,7 @@ TEST_F(Mpi, more_ranks_than_units_of_work_give_the_same_bytes) {
   const std::string study =
       folder_.write("study.toml",
                     "[study]\nname = \"one\"\n[suite]\nfile = \"suite.toml\"\n[intensity]\nmeasure "
-                    "= \"pga_g\"\nlevels = [0.4, 0.8]\n"
+                    "= \"pga_g\"\nlevels = [0.4, 0.8]\n[model]\naxes = 1\n"
                     "[friction]\nmu = { mean = 0.3, std = 0.03 }\n[sampling]\nsamples = "
                     "2\n[fragility]\nthresholds_m = [0.05]\n");
   ASSERT_THAT(run_program({"run", study, "--dry-run"}).out,

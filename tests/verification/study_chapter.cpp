@@ -23,6 +23,7 @@ Results run(const Plan& plan) {
 /// One motion, rigid building, everything fixed, levels of PGA.
 StudyConfig fixed_study(double slope_deg, double friction, VerticalChoice vertical) {
   StudyConfig config;
+  config.model.axes = SlidingAxes::one;
   config.name = "verification";
   config.seed = 1;
   config.intensity.measure = *IntensityMeasure::named("pga_g");

@@ -36,7 +36,7 @@ enum class DisplacementMeasure {
 };
 
 struct ModelConfig {
-  SlidingAxes axes = SlidingAxes::one;
+  SlidingAxes axes = SlidingAxes::two;
   DisplacementMeasure displacement = DisplacementMeasure::srss;  ///< of two axes
 };
 

@@ -91,7 +91,7 @@ void check_model(const SlideOptions& o, ProblemList& problems) {
 
 KernelChoice kernel_for(const SlideOptions& o) {
   StudyConfig config;
-  if (o.two_axes()) config.model.axes = SlidingAxes::two;
+  config.model.axes = o.two_axes() ? SlidingAxes::two : SlidingAxes::one;
   const auto set = [&](const char* table, const char* key, double value) {
     config.quantities.at(table, key) = {{value}, {}};
   };

@@ -81,11 +81,12 @@ void check_law(const TomlTable& table) {
 
 ModelConfig read_model(const TomlTable& table) {
   ModelConfig model;
-  if (table.whole("axes", 1, 2).value_or(1) == 2) model.axes = SlidingAxes::two;
+  if (const auto axes = table.whole("axes", 1, 2))
+    model.axes = *axes == 1 ? SlidingAxes::one : SlidingAxes::two;
   model.displacement = table.choice<DisplacementMeasure>("displacement", displacement_names())
                            .value_or(model.displacement);
   if (model.axes == SlidingAxes::one && table.has("displacement")) {
-    table.report("displacement", "model.displacement needs axes = 2", "leave it out");
+    table.report("displacement", "model.displacement needs axes = 2", "leave it out, or axes = 1");
   }
   return model;
 }

@@ -23,6 +23,13 @@ std::string one_of(EnumNames<E> names) {
   return text;
 }
 
+/// As it stands in a study file.
+template <class E>
+std::string quoted(EnumNames<E> names, E value) {
+  const auto found = std::ranges::find(names, value, &std::pair<const char*, E>::second);
+  return std::string("\"") + found->first + "\"";
+}
+
 std::string measures() {
   std::string text;
   for (std::size_t i = 0; i < IntensityMeasure::count(); ++i) {
@@ -33,11 +40,13 @@ std::string measures() {
 }
 
 void add_head(std::vector<GrammarKey>& keys) {
+  const StudyConfig usual;
   keys.insert(
       keys.end(),
       {{"study", "name", "text", "required", "name of the study"},
        {"study", "description", "text", "\"\"", "what it is, in a sentence"},
-       {"study", "seed", "whole number", "0", "of the samples and of the bootstrap"},
+       {"study", "seed", "whole number", fmt::format("{}", usual.seed),
+        "of the samples and of the bootstrap"},
        {"suite", "file", "path", "required (or files)", "suite file, relative to the study file"},
        {"suite", "files", "list of paths", "none", "several suites in one study"},
        {"suite", "records", "list of ids", "all", "the records to run"},
@@ -53,8 +62,11 @@ void add_head(std::vector<GrammarKey>& keys) {
         "that of the suite",
         "the design spectrum: shape for sds_g, demand for "
         "building.response_modification"},
-       {"model", "axes", "1 or 2", "1", "along how many horizontal axes the array may slide"},
-       {"model", "displacement", one_of(displacement_names()), "\"srss\"",
+       {"model", "axes", "1 or 2", usual.two_axes() ? "2" : "1",
+        "along how many horizontal axes the array may slide; along one it slides less than under "
+        "both components"},
+       {"model", "displacement", one_of(displacement_names()),
+        quoted(displacement_names(), usual.model.displacement),
         "two axes: SRSS of the separate maxima (Walters et al. 2012), or the longest vector"}});
 }
 
@@ -78,6 +90,7 @@ void add_quantities(std::vector<GrammarKey>& keys) {
 }
 
 void add_cases(std::vector<GrammarKey>& keys) {
+  const StudyConfig usual;
   keys.insert(
       keys.end(),
       {{"friction", "value", one_of(friction_value_names()) + ", or a list",
@@ -90,9 +103,11 @@ void add_cases(std::vector<GrammarKey>& keys) {
        {"friction", "slip_m", "number", "see Pull tests", "slip from which a pull slides, m"},
        {"friction", "sliding_from_m", "number", "see Pull tests",
         "slip from which sliding friction is averaged, m"},
-       {"array", "support", one_of(support_names()) + ", or a list", "\"isolated\"",
+       {"array", "support", one_of(support_names()) + ", or a list",
+        quoted(support_names(), usual.support.front()),
         "how the array stands on its building: by friction, fixed, or not at all"},
-       {"vertical", "use", one_of(vertical_names()) + ", or a list", "\"if_available\"",
+       {"vertical", "use", one_of(vertical_names()) + ", or a list",
+        quoted(vertical_names(), usual.vertical.front()),
         "whether the vertical ground motion acts"},
        {"orientation", "choice", one_of(orientation_names()),
         "\"all_permutations\" with [chart] or [clearance]; else \"random\" where the study draws "
@@ -101,7 +116,8 @@ void add_cases(std::vector<GrammarKey>& keys) {
         "either "
         "component along the first axis with either sign, the other with either sign; every 22.5 "
         "degrees; as recorded"},
-       {"orientation", "slope_axis", one_of(slope_axis_names()) + ", or a list", "\"e_w\"",
+       {"orientation", "slope_axis", one_of(slope_axis_names()) + ", or a list",
+        quoted(slope_axis_names(), usual.orientation.slope_axis.front()),
         "two axes: the array's axis along the slope; friction.mu is along E-W, across_mu along "
         "N-S"},
        {"orientation", "component", "\"first\", \"second\", \"random\"", "\"random\"",
@@ -112,13 +128,15 @@ void add_cases(std::vector<GrammarKey>& keys) {
         "with choice \"random\", two axes: sign of the other component"},
        {"sampling", "method", "\"sobol\", \"monte_carlo\"", "\"sobol\"",
         "scrambled Sobol points, or independent ones"},
-       {"sampling", "samples", "whole number", "1024",
+       {"sampling", "samples", "whole number", fmt::format("{}", usual.sampling.samples),
         "samples of what is drawn; for Sobol a power of two"},
-       {"sampling", "bootstrap_replicates", "whole number", "1000",
+       {"sampling", "bootstrap_replicates", "whole number",
+        fmt::format("{}", usual.sampling.bootstrap_replicates),
         "resamples of whole records for the intervals"}});
 }
 
 void add_analyses(std::vector<GrammarKey>& keys) {
+  const StudyConfig usual;
   keys.insert(
       keys.end(),
       {{"fragility", "thresholds_m", "list or { from, to, count }", "required",
@@ -129,13 +147,14 @@ void add_analyses(std::vector<GrammarKey>& keys) {
         "when and how fast each threshold is first reached; needs [fragility]"},
        {"standards", "compare", "list of \"seaoc_pv1_2012\", \"asce7_16\"", "none",
         "prescriptive displacements to compare with; needs measure = \"sds_g\""},
-       {"standards", "importance", "number", "1", "importance factor, 1 to 1.5"},
+       {"standards", "importance", "number", fmt::format("{:g}", usual.standards.importance),
+        "importance factor, 1 to 1.5"},
        {"standards", "seismic_design_category", "\"A\" to \"F\"", "\"D\"", ""},
        {"chart", "shown", "{ slope_deg, mu, level }", "the middle",
         "where the figures cut through the chart"},
        {"chart", "read", "[[chart.read]] with level, slope_deg and mu or displacement_m", "none",
         "a displacement, or the friction required for one, read off the chart"},
-       {"clearance", "factor", "number", "1.1",
+       {"clearance", "factor", "number", fmt::format("{:g}", ClearanceConfig{}.factor),
         "required clearance: this factor on the suite's mean displacement, the largest over the "
         "periods (Walters et al. 2012); also of a [chart]"},
        {"base_shear", "", "an empty table", "absent", "two axes: peak base shear is kept"},

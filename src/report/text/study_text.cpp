@@ -4,8 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <limits>
+#include <map>
 
 #include "glissade/report/format.hpp"
 
@@ -29,14 +31,71 @@ Column intensity_column(const Results& results, const std::string& stem, const s
           ColumnKind::number, with_interval};
 }
 
+namespace {
+
+/// "building.period_s" is "period", "friction.value" is "friction": without unit.
+std::string listed_name(const CaseAxis& axis) {
+  const std::size_t dot = axis.key.find('.');
+  std::string name = axis.key.substr(dot + 1);
+  if (name == "value" || name == "use") name = axis.key.substr(0, dot);
+  const std::string suffix = "_" + axis.unit;
+  return name.ends_with(suffix) ? name.substr(0, name.size() - suffix.size()) : name;
+}
+
+Column listed_column(const CaseAxis& axis) {
+  const std::string name = listed_name(axis);
+  std::string heading = name;
+  std::ranges::replace(heading, '_', ' ');
+  heading[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(heading[0])));
+  if (!axis.names.empty()) return text_column(name, heading);
+  const bool bare = axis.unit == "-";
+  return {name, bare ? "" : axis.unit, heading + (bare ? "" : ", " + axis.unit)};
+}
+
+}  // namespace
+
+bool lists_more_than_friction_value(const Results& results) {
+  const std::vector<CaseAxis>& axes = results.cases.axes;
+  return axes.size() > 1 || (axes.size() == 1 && axes.front().key != "friction.value");
+}
+
+Table with_listed(const Results& results, const Table& table) {
+  const std::vector<CaseAxis>& axes = results.cases.axes;
+  Table listed = table;
+  if (!lists_more_than_friction_value(results)) {  // the label says it
+    listed.columns.front().heading = "Friction";
+    return listed;
+  }
+  std::map<std::string, std::vector<Cell>> cells;
+  for (std::size_t run = 0; run < results.runs.size(); ++run) {
+    const std::vector<std::size_t> place = results.cases.places(run);
+    std::vector<Cell>& of_run = cells[results.runs[run].label];
+    for (std::size_t i = 0; i < axes.size(); ++i)
+      of_run.push_back(axes[i].names.empty() ? Cell(axes[i].values[place[i]])
+                                             : Cell(axes[i].names[place[i]]));
+  }
+  for (std::size_t i = 0; i < axes.size(); ++i)
+    listed.columns.insert(listed.columns.begin() + 1 + static_cast<std::ptrdiff_t>(i),
+                          listed_column(axes[i]));
+  for (std::vector<Cell>& row : listed.rows) {
+    const std::vector<Cell>& of_run = cells.at(std::get<std::string>(row.front()));
+    row.insert(row.begin() + 1, of_run.begin(), of_run.end());
+  }
+  return listed;
+}
+
 std::string counts_of(const Results& results) {
   return fmt::format("{} records x {} samples", results.records.size(), results.cases.samples);
+}
+
+std::string run_name(const RunResults& run) {
+  return run.label == "sampled" || run.label == "design" ? run.label + " friction" : run.label;
 }
 
 std::string friction_of(const RunResults& run) {
   constexpr std::size_t room = 60;
   return run.friction_description.size() <= room ? "friction " + run.friction_description
-                                                 : run.label + " friction";
+                                                 : run_name(run);
 }
 
 std::string list_of_lengths(const std::vector<double>& lengths_m) {

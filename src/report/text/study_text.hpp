@@ -18,11 +18,18 @@ std::string with_unit(const Results& results, const std::string& value);
 /// A column of intensities, its unit in name and heading.
 Column intensity_column(const Results& results, const std::string& stem, const std::string& heading,
                         bool with_interval = false);
+/// The label of a run is not all that tells it from the others.
+bool lists_more_than_friction_value(const Results& results);
+/// A table whose rows begin with the label of a run, with a column for each quantity that the study
+/// lists after it.
+Table with_listed(const Results& results, const Table& table);
 /// "S_DS = 0.840 g" from the axis label "S_DS (g)".
 std::string at_intensity(const Results& results, double value);
 /// "22 records x 1024 samples"
 std::string counts_of(const Results& results);
-/// "friction mu normal, mean 0.55, std 0.04" where a line has room for it, else "sampled friction":
+/// "sampled friction"; with several quantities listed the run's label.
+std::string run_name(const RunResults& run);
+/// "friction mu normal, mean 0.55, std 0.04" where a line has room for it, else the run's name:
 /// captions have it in full.
 std::string friction_of(const RunResults& run);
 /// "0.15 m (5.91 in), 0.30 m (11.8 in)"

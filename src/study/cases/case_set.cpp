@@ -172,17 +172,22 @@ bool slides_freely(const Case& c) {
 }
 
 std::string CaseSet::label(std::size_t combination) const {
-  std::string label;
+  constexpr std::size_t room = 48;  // a FileName with the name of a table or figure before it
   const std::vector<std::size_t> place = places(combination);
+  std::string label;
+  std::size_t longest = 0;
   for (std::size_t i = 0; i < axes.size(); ++i) {
-    const CaseAxis& axis = axes[i];
-    if (!label.empty()) label += "_";
-    label += axis.names.empty()
-                 ? axis.key.substr(axis.key.find('.') + 1) + "_" + short_text(axis.values, place[i])
-                 : axis.names[place[i]];
+    const auto part = [&axis = axes[i]](std::size_t at) {
+      return axis.names.empty()
+                 ? axis.key.substr(axis.key.find('.') + 1) + "_" + short_text(axis.values, at)
+                 : axis.names[at];
+    };
+    std::size_t widest = 0;
+    for (std::size_t at = 0; at < axes[i].size(); ++at) widest = std::max(widest, part(at).size());
+    longest += widest + 1;
+    label += (label.empty() ? "" : "_") + part(place[i]);
   }
-  constexpr std::size_t longest = 48;  // a FileName with the name of a table or figure before it
-  if (label.size() > longest) return fmt::format("combination_{}", combination + 1);
+  if (longest > room) return fmt::format("combination_{}", combination + 1);
   // Of what stands in a file's name.
   std::ranges::replace_if(
       label, [](char c) { return c == '.' || c == '+'; }, '_');

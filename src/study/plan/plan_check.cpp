@@ -25,14 +25,14 @@ void check_model(const StudyConfig& config, const std::vector<Suite>& suites,
                   "the tipping check of [tipping] holds where the array does not move its "
                   "building: " +
                       choice.reason,
-                  "leave out [tipping], or the model's extension", ""});
+                  "leave out [tipping], or set [model] axes = 1 with an elastic building that is not coupled", ""});
   }
   if (choice.kernel != Kernel::tables && config.intensity.measure == IntensityMeasure::ppa_g) {
     problems.add(
         {file,
          "measure = \"ppa_g\" scales by the peak of a roof that the array does not move: " +
              choice.reason,
-         "measure by sds_g, pga_g, sa_g or avg_sa_g", ""});
+         "measure by sds_g, pga_g, sa_g or avg_sa_g, or set [model] axes = 1", ""});
   }
   if (config.intensity.target) return;
   const bool by_r = config.quantities.at("building", "response_modification").largest() > 0.0;

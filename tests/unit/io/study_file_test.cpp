@@ -126,12 +126,13 @@ TEST_F(StudyFile, what_is_left_out_takes_the_defaults_of_the_configuration) {
     }
   }
   EXPECT_EQ(study.sampling.samples, defaults.sampling.samples);
+  EXPECT_EQ(study.model.axes, SlidingAxes::two);
   EXPECT_EQ(study.vertical, defaults.vertical);
   EXPECT_EQ(study.support, defaults.support);
   EXPECT_EQ(study.orientation.choice, OrientationChoice::random);
   EXPECT_THAT(study.friction.values, ElementsAre(FrictionValue::as_drawn, FrictionValue::design));
   EXPECT_FALSE(study.intensity.target || study.chart || study.clearance || study.tipping);
-  EXPECT_FALSE(study.impact || study.base_shear || study.two_axes());
+  EXPECT_FALSE(study.impact || study.base_shear);
   EXPECT_TRUE(study.standards.compare.empty());
 }
 

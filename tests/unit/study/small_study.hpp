@@ -41,6 +41,7 @@ inline StudyConfig small_config() {
   c.file = "study.toml";
   c.source_text = "small study";
   c.suite_files = {"suite.toml"};
+  c.model.axes = SlidingAxes::one;
   c.intensity.measure = IntensityMeasure::sds_g;
   c.intensity.levels = {0.25, 0.5, 0.75, 1.0, 1.5, 2.0, 3.0, 4.0};
   c.quantities.at("building", "period_s") = drawn(Uniform{0.1, 0.8});

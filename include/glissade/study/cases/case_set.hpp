@@ -42,7 +42,8 @@ struct CaseSet {
   std::size_t combination(const std::vector<std::size_t>& places) const;
   /// Position of an axis; axes.size() where the study has one value.
   std::size_t axis(const std::string& key) const;
-  /// "sampled", "design", "period_s_0_5": fit for a file's name (a to z, 0 to 9, _ and -).
+  /// "sampled", "design", "period_s_0_5", where one is long "combination_1" and so on: fit for a
+  /// file's name (a to z, 0 to 9, _ and -).
   std::string label(std::size_t combination) const;
   /// "friction mean - 2 std, period_s = 0.5 s"; empty where nothing is listed.
   std::string describe(std::size_t combination) const;

@@ -85,7 +85,7 @@ Figure fragility_figure(const Results& results, const RunResults& run) {
   const bool main_run = run.label == results.runs.front().label;
   Figure figure{
       main_run ? "fragility" : "fragility_" + run.label,
-      "Probability that the array slips more than a clearance (" + run.label + " friction)",
+      "Probability that the array slips more than a clearance (" + run_name(run) + ")",
       counts_of(results) + "; " + friction_of(run),
       "Probability that the peak slip in plan exceeds each clearance at a given intensity, with "
       "friction " +

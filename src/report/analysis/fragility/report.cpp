@@ -122,7 +122,7 @@ std::string other_run_sentence(const Results& results, const RunResults& run) {
 /// standards.csv.
 Table brief_standards_table(const Results& results, const RunResults& run) {
   Table table{"standards_brief",
-              "Standards and computed slip (" + run.label + " friction; displacements in plan)",
+              "Standards and computed slip (" + friction_of(run) + "; displacements in plan)",
               {{"standard", "", "Standard", ColumnKind::text},
                {"sds", "g", "S_DS, g", ColumnKind::number},
                {"prescribed", "m", "Prescribed, m (in)", ColumnKind::length},
@@ -147,7 +147,13 @@ Table brief_standards_table(const Results& results, const RunResults& run) {
 }
 
 std::string fragility_summary(const Results& results) {
-  std::string text = to_text(fragility_summary_table(results));
+  constexpr std::size_t most_rows = 24;
+  Table fits = fragility_summary_table(results);
+  const std::size_t rows = fits.rows.size();
+  fits.rows.resize(std::min(rows, most_rows));
+  std::string text = to_text(fits);
+  if (rows > most_rows)
+    text += fmt::format("  {} rows more are in tables/fragility.csv\n", rows - most_rows);
   if (!results.runs.empty() && !results.runs.front().standards.empty()) {
     text += "\n" + to_text(brief_standards_table(results, results.runs.front()));
     text += "  (*) from memory of the standard: verify against the standard\n";

@@ -72,7 +72,7 @@ Table fragility_table(const Results& results) {
       "Fragilities by clearance threshold: P = p0 + (1 - p0) Phi(ln(x / median) / log_std), "
       "p0 the share that slides freely, without shaking; half of all exceed at p50." +
           measured_by(results) + "log_std and shares are dimensionless. " + in_plan,
-      {text_column("run", "Friction run"),
+      {text_column("run", "Run"),
        {"threshold", "m", "Clearance, m (in)", ColumnKind::length},
        text_column("method", "Fitted on"),
        intensity_column(results, "median", "Median", true),
@@ -92,14 +92,14 @@ Table fragility_table(const Results& results) {
       add_fragility_row(table, run, fragility, "capacities", fragility.capacities);
     }
   }
-  return table;
+  return with_listed(results, table);
 }
 
 Table fragility_summary_table(const Results& results) {
   Table table{"fragility_summary",
               "Fragility by clearance: intensity with a 50 % chance of exceedance." +
                   measured_by(results) + in_plan,
-              {text_column("run", "Friction run"),
+              {text_column("run", "Run"),
                {"threshold", "m", "Clearance, m (in)", ColumnKind::length},
                intensity_column(results, "median", "Median", true),
                {"log_std", "", "Log std [95 %]", ColumnKind::number, true},
@@ -121,6 +121,8 @@ Table fragility_summary_table(const Results& results) {
                  fit_label(fit, results.levels.back())});
     }
   }
+  table = with_listed(results, table);
+  if (lists_more_than_friction_value(results)) table = table.without("run");
   if (largest_floor == 0.0) return table.without("free_sliding_share").without("p50");
   table.notes.push_back(
       least_floor == 1.0
@@ -134,7 +136,7 @@ Table fragility_summary_table(const Results& results) {
 Table slip_table(const Results& results) {
   Table table{"slip",
               "Peak slip over records and samples, by level." + measured_by(results) + in_plan,
-              {text_column("run", "Friction run"),
+              {text_column("run", "Run"),
                intensity_column(results, "level", "Level"),
                {"median_slip", "m", "Median, m (in) [95 %, m]", ColumnKind::length, true},
                {"p84_slip", "m", "84th percentile, m (in) [95 %, m]", ColumnKind::length, true},
@@ -152,6 +154,7 @@ Table slip_table(const Results& results) {
                  Estimate{slip.mean_m, slip.mean_interval}, slip.mean_vector_m, slip.uplift_share});
     }
   }
+  table = with_listed(results, table);
   return two_axes ? table : table.without("mean_vector");
 }
 
@@ -160,7 +163,7 @@ Table stripes_table(const Results& results) {
       "stripes",
       "Histories whose slip exceeds the threshold, by level: what the fit on stripes rests on." +
           measured_by(results) + in_plan,
-      {text_column("run", "Friction run"),
+      {text_column("run", "Run"),
        {"threshold", "m", "Clearance, m (in)", ColumnKind::length},
        intensity_column(results, "level", "Level"),
        {"histories", "", "Histories", ColumnKind::count},
@@ -180,7 +183,7 @@ Table stripes_table(const Results& results) {
       }
     }
   }
-  return table;
+  return with_listed(results, table);
 }
 
 }  // namespace glissade

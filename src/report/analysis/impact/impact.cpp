@@ -34,7 +34,7 @@ Table impact_table(const Results& results) {
               "Speed and time at which the array first gets a clearance's distance from where it "
               "lay. " +
                   impact_explained() + " Intensity measure: " + results.intensity_label + ".",
-              {text_column("run", "Friction run"),
+              {text_column("run", "Run"),
                {"threshold", "m", "Clearance, m (in)", ColumnKind::length},
                intensity_column(results, "level", "Level"),
                {"reached_share", "", "Reached [95 %]", ColumnKind::share, true},
@@ -57,14 +57,14 @@ Table impact_table(const Results& results) {
                  s.time_p16_s, s.time_median_s, s.time_p84_s});
     }
   }
-  return table;
+  return with_listed(results, table);
 }
 
 Table brief_impact_table(const Results& results) {
   const RunResults& run = results.runs.front();
   Table table{"impact_brief",
-              "Speed on first reaching a clearance, given that it is reached (" + run.label +
-                  " friction). Intensity measure: " + results.intensity_label + ".",
+              "Speed on first reaching a clearance, given that it is reached (" + friction_of(run) +
+                  "). Intensity measure: " + results.intensity_label + ".",
               {{"threshold", "m", "Clearance, m (in)", ColumnKind::length},
                intensity_column(results, "level", "Level"),
                {"reached_share", "", "Reached", ColumnKind::share},

@@ -23,7 +23,7 @@ Table standards_table(const Results& results) {
   Table table{
       "standards",
       std::string("Displacements prescribed by standards beside the computed slip. ") + in_plan,
-      {text_column("run", "Friction run"),
+      {text_column("run", "Run"),
        text_column("standard", "Standard"),
        {"sds", "g", "S_DS, g"},
        {"prescribed", "m", "Prescribed, m (in)", ColumnKind::length},
@@ -46,7 +46,7 @@ Table standards_table(const Results& results) {
                  provenance_label(comparison.prescribed.provenance), comparison.prescribed.basis});
     }
   }
-  return table;
+  return with_listed(results, table);
 }
 
 }  // namespace glissade
