@@ -37,6 +37,13 @@ TEST_F(RecordInput, a_missing_file_is_named) {
                  {file, "No such file"});
 }
 
+TEST_F(RecordInput, a_count_before_the_samples_is_not_taken_for_one) {
+  const std::string samples = "0.1\n0.2\n0.3\n0.2\n0.1\n0\n-0.1\n-0.2\n";
+  for (const char* header : {"8\n", "8\n0.01\n"})
+    expect_text_refused("record.txt", header + samples, {"record.txt", "begins with 8"},
+                        {"--dt-s", "0.01", "--units", "m/s2"});
+}
+
 TEST_F(RecordInput, a_folder_is_not_a_record) {
   expect_refused(
       run_program({"slide", folder_.path("").string(), "--mu", "0.5", "--slope-deg", "1"}),

@@ -38,6 +38,7 @@ use = "none"
 slope_axis = ["e_w", "n_s"]
 
 [clearance]
+without_target = true   # three records of the suite
 )";
 }
 

@@ -47,7 +47,8 @@ class SuiteSelect : public testing::Test {
   std::string library_;
 };
 
-const std::vector<std::string> a_site = {"--ss-g", "0.4", "--s1-g", "0.15", "--max-scale", "50"};
+const std::vector<std::string> a_site = {"--edition", "asce7_10", "--ss-g",      "0.4",
+                                         "--s1-g",    "0.15",     "--max-scale", "50"};
 
 std::vector<std::string> with(std::vector<std::string> arguments,
                               const std::vector<std::string>& more) {
@@ -125,8 +126,9 @@ TEST_F(SuiteSelect, a_level_brings_its_limits_which_can_be_widened) {
 }
 
 TEST_F(SuiteSelect, a_shortfall_is_reported_and_is_no_error) {
-  const Finished child = select({"--ss-g", "3", "--s1-g", "1", "--max-scale", "0.5", "--count", "2",
-                                 "--out", folder_.path("short.toml").string()});
+  const Finished child =
+      select({"--edition", "asce7_10", "--ss-g", "3", "--s1-g", "1", "--max-scale", "0.5",
+              "--count", "2", "--out", folder_.path("short.toml").string()});
   EXPECT_EQ(child.status, 0) << child.err;
   EXPECT_THAT(child.out, HasSubstr("the average falls below the target"));
   EXPECT_THAT(read_file(folder_.path("short.toml")), HasSubstr("falls below the target"));
@@ -134,7 +136,10 @@ TEST_F(SuiteSelect, a_shortfall_is_reported_and_is_no_error) {
 
 TEST_F(SuiteSelect, mistakes_are_refused) {
   expect_refused(select({"--level", "2", "--ss-g", "1"}), {"--level", "--ss-g"});
-  expect_refused(select({}), {"--ss-g", "--s1-g", "--level"});
+  expect_refused(select({}), {"--ss-g", "--s1-g", "--level", "--edition"});
+  expect_refused(select({"--level", "2", "--edition", "asce7_16"}), {"--edition", "ASCE 7-10"});
+  expect_refused(select({"--edition", "asce7_05", "--ss-g", "1", "--s1-g", "0.4"}),
+                 {"asce7_05", "asce7_16"});
   expect_refused(select({"--ss-g", "-1", "--s1-g", "0.2"}), {"--ss-g", "not above 0"});
   expect_refused(select({"--level", "9"}), {"9", "0 to 4"});
   expect_refused(select({"--level", "2", "--site-class", "C"}), {"--site-class", "A to D"});
@@ -142,7 +147,8 @@ TEST_F(SuiteSelect, mistakes_are_refused) {
   expect_refused(select(with(a_site, {"--site-classes", "A,F"})), {"F"});
   expect_refused(select(with(a_site, {"--min-magnitude", "7", "--max-magnitude", "6"})),
                  {"--min-magnitude", "admits nothing"});
-  expect_refused(select({"--ss-g", "1", "--s1-g", "0.4", "--max-scale", "-2", "--count", "0"}),
+  expect_refused(select({"--edition", "asce7_10", "--ss-g", "1", "--s1-g", "0.4", "--max-scale",
+                         "-2", "--count", "0"}),
                  {"--max-scale", "--count"});
   expect_refused(select(with(a_site, {"--count", "2", "--per-event", "0"})), {"--per-event"});
   expect_refused(select(with(a_site, {"--count", "4", "--per-event", "1"})),

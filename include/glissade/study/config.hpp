@@ -118,7 +118,8 @@ struct ChartConfig {
 /// The clearance that Walters et al. (2012) recommend: a factor on the suite's mean displacement,
 /// the largest over the building periods.
 struct ClearanceConfig {
-  double factor = 1.1;  ///< >= 1
+  double factor = 1.1;          ///< >= 1
+  bool without_target = false;  ///< also of a suite that does not meet its target
 };
 
 struct FragilityConfig {

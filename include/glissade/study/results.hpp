@@ -195,6 +195,7 @@ struct Results {
   std::vector<RecordSummary> records;        ///< those of one suite together
   HistoryTable histories;                    ///< by (record, case)
   std::optional<ConditionTable> conditions;  ///< of a study with [clearance] or [base_shear]
+  std::vector<std::string> warnings;         ///< shown before the results
   std::vector<std::string> notes;            ///< remarks on the results
   // Analyses, each where the study has its table:
   std::vector<RunResults> runs;  ///< fragility, by combination of the cases

@@ -79,6 +79,7 @@ std::string run_json(const Results& results, const std::vector<Skip>& skips,
   json["histories_not_converged"] = count.failed;
   json["roof_motions"] = count.roofs;
   add_phases(json, clock);
+  json["warnings"] = results.warnings;
   json["skipped"] = Json::array();
   for (const Skip& skip : skips)
     json["skipped"].push_back({{"what", skip.what}, {"why", skip.why}, {"count", skip.count}});

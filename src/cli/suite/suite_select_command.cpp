@@ -24,7 +24,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 struct SelectOptions {
-  std::string library, out, site_class;
+  std::string library, out, site_class, edition;
   std::vector<std::string> site_classes;
   std::optional<int> level;
   std::optional<double> ss_g, s1_g, max_scale;
@@ -54,9 +54,15 @@ DesignTarget target_of_site(const SelectOptions& o) {
                   ""});
     return 1.0;
   };
-  DesignTarget target{.edition = AsceEdition::asce7_10,
-                      .ss_g = mapped(o.ss_g, "--ss-g"),
-                      .s1_g = mapped(o.s1_g, "--s1-g")};
+  if (o.edition.empty())
+    problems.add({"--edition", "is missing",
+                  "give asce7_10 or asce7_16: their site coefficients "
+                  "differ",
+                  ""});
+  DesignTarget target{
+      .edition = o.edition.empty() ? AsceEdition::asce7_16 : parse_asce_edition(o.edition),
+      .ss_g = mapped(o.ss_g, "--ss-g"),
+      .s1_g = mapped(o.s1_g, "--s1-g")};
   target.site_classes.clear();
   for (const std::string& name : o.site_classes)
     target.site_classes.push_back(parse_site_class(name));
@@ -79,6 +85,9 @@ Task task_of(const SelectOptions& o) {
                       "leave out --ss-g, --s1-g and --site-classes, or the level", ""});
   if (!o.level && !o.site_class.empty())
     throw InputError({"--site-class", "is of a level", "give --site-classes with --ss-g", ""});
+  if (o.level && !o.edition.empty())
+    throw InputError({"--edition", "a level is of ASCE 7-10, after Walters et al. (2012)",
+                      "leave it out, or give --ss-g and --s1-g in place of the level", ""});
   Task task;
   if (o.level) {
     const SiteGroup sites = group_of(o.site_class);
@@ -268,6 +277,7 @@ void add_suite_select(CLI::App& suite) {
   command->add_option("--site-class", o->site_class, "E: the level's suite for class E [A to D]");
   command->add_option("--ss-g", o->ss_g, "the site's own mapped S_s");
   command->add_option("--s1-g", o->s1_g, "the site's own mapped S_1");
+  command->add_option("--edition", o->edition, "asce7_10 or asce7_16; required with --ss-g");
   command->add_option("--site-classes", o->site_classes, "classes to envelope [A,B,C,D]")
       ->delimiter(',');
   const auto takes_limits = [&](const std::string& name, Limits& limits, const char* what) {

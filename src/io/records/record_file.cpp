@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glissade/io/record_file.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -188,6 +190,20 @@ void check_believable(const Record& record) {
                     "give the units (--units): g, m/s2 or cm/s2", ""});
 }
 
+/// A column that begins with the number of the values after it, or after it and the step, has a
+/// header that is no comment.
+void refuse_count(const Record& record, double unit_mps2) {
+  const std::vector<double>& a = record.acceleration_mps2;
+  const double first = std::round(a.front() / unit_mps2), after = static_cast<double>(a.size() - 1);
+  if (a.size() < 8 || (first != after && first != after - 1.0)) return;
+  throw InputError({record.name,
+                    fmt::format("begins with {:g}, the number of values that follow: a header, not "
+                                "an acceleration",
+                                first),
+                    "put # before the lines of the header, and give the step with dt_s (--dt-s)",
+                    ""});
+}
+
 Record read_columns(const std::filesystem::path& file, std::string_view text,
                     const RecordFileOptions& options) {
   Record record{file.string(), 0.0, {}};
@@ -220,6 +236,7 @@ Record read_columns(const std::filesystem::path& file, std::string_view text,
   if (columns == 2) {
     record.dt_s = step_of(file, time, options.dt_s);
   } else if (options.dt_s) {
+    refuse_count(record, unit_mps2);
     record.dt_s = *options.dt_s;
   } else {
     throw InputError({file.string(), "one column does not give the time step",

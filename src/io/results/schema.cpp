@@ -207,6 +207,8 @@ void exchange_all(const Archive& archive, R& results) {
   const IntensityScale scale{unit.c_str(), unit_suffix(unit)};
   list(archive, scale.level, {scale.unit, "intensity levels"}, results.levels);
   list(archive, "threshold_m", {"m", "clearance thresholds"}, results.thresholds_m);
+  list(archive, "warning", {"-", "what is possible and not probable, or not for design"},
+       results.warnings);
   list(archive, "note", {"-", "remarks on the results"}, results.notes);
   exchange_cases(archive.group("cases"), results.cases);
   exchange_records(archive.group("records"), results.records);

@@ -115,6 +115,7 @@ void read_clearance(const TomlTable& root, StudyConfig& study) {
   const TomlTable table = root.table("clearance");
   ClearanceConfig clearance;
   clearance.factor = table.number("factor", factor_rule).value_or(clearance.factor);
+  clearance.without_target = table.flag("without_target").value_or(clearance.without_target);
   study.clearance = clearance;
   const bool drawn = study.quantities.at("friction", "mu").is_drawn() ||
                      study.quantities.at("friction", "across_mu").is_drawn();

@@ -154,6 +154,8 @@ void add_analyses(std::vector<GrammarKey>& keys) {
         "where the figures cut through the chart"},
        {"chart", "read", "[[chart.read]] with level, slope_deg and mu or displacement_m", "none",
         "a displacement, or the friction required for one, read off the chart"},
+       {"clearance", "without_target", "true or false", "false",
+        "a clearance also of a suite that is not scaled to a design spectrum: not for design"},
        {"clearance", "factor", "number", fmt::format("{:g}", ClearanceConfig{}.factor),
         "required clearance: this factor on the suite's mean displacement, the largest over the "
         "periods (Walters et al. 2012); also of a [chart]"},

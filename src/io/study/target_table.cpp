@@ -12,6 +12,8 @@ DesignTarget read_target(const TomlTable& table) {
                                         {"D", SiteClass::d},
                                         {"E", SiteClass::e}};
   DesignTarget target;
+  if (!table.has("edition"))
+    table.report_missing("edition", "asce7_10 or asce7_16: their site coefficients differ");
   target.edition = table.choice<AsceEdition>("edition", editions).value_or(target.edition);
   target.ss_g = table.required_number("ss_g", above_zero);
   target.s1_g = table.required_number("s1_g", above_zero);

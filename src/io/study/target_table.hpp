@@ -6,7 +6,7 @@
 
 namespace glissade {
 
-/// A design target: edition (default asce7_10), ss_g, s1_g, site_classes = ["A", ...] or site_class
+/// A design target: edition, ss_g, s1_g, site_classes = ["A", ...] or site_class
 /// = "D" (the default), tl_s (default 8).
 DesignTarget read_target(const TomlTable& table);
 

@@ -24,6 +24,12 @@ Html analyses_html(const Results& results) {
   return html;
 }
 
+Html warnings_html(const Results& results) {
+  return results.warnings.empty() ? Html()
+                                  : "<div class=\"warning\">\n" + heading("Warnings") +
+                                        list(results.warnings) + "</div>\n";
+}
+
 std::string what_was_run(const Results& results) {
   const CaseSet& set = results.cases;
   std::string text = fmt::format(
@@ -77,9 +83,9 @@ std::string html_report(const Results& results, const std::vector<DrawnFigure>& 
   const Html page =
       page_head({results.study_name, "sliding of an unanchored solar array"}) +
       (results.study_description.empty() ? Html() : paragraph(results.study_description)) +
-      paragraph(what_was_run(results)) + answer_html(results) + figures_html(figures) +
-      analyses_html(results) + assumptions_html(results) + skips_and_notes_html(results, skips) +
-      inputs_html(results) +
+      paragraph(what_was_run(results)) + warnings_html(results) + answer_html(results) +
+      figures_html(figures) + analyses_html(results) + assumptions_html(results) +
+      skips_and_notes_html(results, skips) + inputs_html(results) +
       paragraph(fmt::format("Made by glissade {}; plan {}, seed {}. The same study, suite and seed "
                             "give the same numbers. Tables "
                             "with all digits are in tables/, figures as PDF and SVG in figures/.",

@@ -18,6 +18,7 @@ std::string summary_text(const Results& results, const std::vector<Skip>& skips)
       "{}: {} records x {} {} x {} levels, displacements in plan\nModel: {}\n", results.study_name,
       results.records.size(), draws ? results.cases.samples : results.cases.size(),
       draws ? "samples" : "cases", results.levels.size(), results.model.kernel);
+  for (const std::string& warning : results.warnings) text += "WARNING: " + warning + "\n";
   for (const AnalysisReport& analysis : analyses_in(results)) {
     if (analysis.summary != nullptr) text += "\n" + analysis.summary(results);
   }

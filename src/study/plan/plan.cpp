@@ -13,6 +13,7 @@
 #include "plan/keep_records.hpp"
 #include "plan/plan_check.hpp"
 #include "plan/plan_notes.hpp"
+#include "plan/plan_warnings.hpp"
 
 namespace glissade {
 namespace {
@@ -159,6 +160,8 @@ Plan make_plan(const StudyConfig& config, std::vector<Suite> suites) {
   check_cases(plan);
   plan.same_as = same_as(plan.cases, config.two_axes());
   number_buildings(plan);
+  check_clearance(plan);
+  plan.warnings = warnings_on(plan);
   plan.notes = notes_on(plan);
   plan.skips = skips_of(plan);
   plan.hash = hash_of(plan);

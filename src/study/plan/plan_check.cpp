@@ -11,6 +11,7 @@
 #include "glissade/core/error.hpp"
 #include "glissade/core/units.hpp"
 #include "glissade/motion/intensity.hpp"
+#include "glissade/motion/suite_scaling.hpp"
 
 namespace glissade {
 namespace {
@@ -25,7 +26,9 @@ void check_model(const StudyConfig& config, const std::vector<Suite>& suites,
                   "the tipping check of [tipping] holds where the array does not move its "
                   "building: " +
                       choice.reason,
-                  "leave out [tipping], or set [model] axes = 1 with an elastic building that is not coupled", ""});
+                  "leave out [tipping], or set [model] axes = 1 with an elastic building that is "
+                  "not coupled",
+                  ""});
   }
   if (choice.kernel != Kernel::tables && config.intensity.measure == IntensityMeasure::ppa_g) {
     problems.add(
@@ -120,6 +123,57 @@ std::optional<std::string> problem_of(const Plan& plan, const Case& c) {
 }
 
 }  // namespace
+
+namespace {
+
+/// Why a clearance of this suite is none for design, and what to do; nothing where the suite meets
+/// its target.
+std::optional<Problem> shortfall(const Plan& plan, std::size_t suite) {
+  constexpr double tolerance = 0.02;  // on the average SRSS spectrum over the target, 0 to 2 s
+  const std::string file = plan.config.suite_files[suite].string();
+  const auto refused = [&](const std::string& what, const std::string& todo) {
+    return Problem{file, "[clearance]: " + what,
+                   todo + ", or set clearance.without_target = true, which every output states",
+                   ""};
+  };
+  if (plan.config.intensity.measure != IntensityMeasure::mce_fraction)
+    return refused("levels of " + std::string(plan.config.intensity.measure.key()) +
+                       " scale each record by itself, not the suite to a design spectrum",
+                   "measure by sds_g, which scales the suite, or by mce_fraction");
+  std::size_t first = 0;
+  while (plan.records[first].suite != suite) ++first;
+  const DesignTarget* target = plan.target(first);
+  if (target == nullptr)
+    return refused("the suite has no [target] that it could meet",
+                   "give the suite its [target], or the study intensity.target");
+  std::vector<double> scales;
+  for (const Motion& motion : plan.suites[suite].motions) scales.push_back(motion.scale);
+  const TargetSpectrum spectrum(*target);
+  const SpectralRatio lowest = ratios_to_target(plan.suites[suite], scales, [&](double period_s) {
+                                 return spectrum.mce_sa_g(period_s);
+                               }).lowest;
+  if (lowest.ratio >= 1.0 - tolerance) return {};
+  return refused(
+      fmt::format("the suite's average SRSS spectrum is {:.3g} times its MCE target at {:.3g} s; "
+                  "from 0 to 2 s it must be {:g} times or more",
+                  lowest.ratio, lowest.period_s, 1.0 - tolerance),
+      fmt::format("multiply the suite's scales by {:.4g}, measure by sds_g, which scales it",
+                  1.0 / lowest.ratio));
+}
+
+}  // namespace
+
+void check_clearance(const Plan& plan) {
+  const auto& clearance = plan.config.clearance;
+  if (!clearance || clearance->without_target ||
+      plan.config.intensity.measure == IntensityMeasure::sds_g)
+    return;
+  ProblemList problems;
+  for (std::size_t suite = 0; suite < plan.suites.size(); ++suite) {
+    if (const auto problem = shortfall(plan, suite)) problems.add(*problem);
+  }
+  problems.throw_if_any();
+}
 
 void check_fit(const StudyConfig& config, const std::vector<Suite>& suites) {
   ProblemList problems;

@@ -81,11 +81,6 @@ std::vector<std::string> notes_on_quantities(const StudyConfig& config) {
 std::vector<std::string> notes_on(const Plan& plan) {
   const StudyConfig& config = plan.config;
   std::vector<std::string> notes = notes_on_records(plan);
-  if (!config.two_axes()) {
-    notes.push_back(
-        "the array slides along one axis only (model.axes = 1): under both horizontal components "
-        "it slides farther");
-  }
   if (!config.friction.note.empty()) notes.push_back(config.friction.note);
   if (config.fragility && config.fragility->stop_at_largest) {
     notes.push_back(fmt::format(

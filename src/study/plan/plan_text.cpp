@@ -55,6 +55,7 @@ std::string to_string(const Plan& plan) {
                   c.fragility ? ", and the search for capacities on top" : "");
   for (const Skip& skip : plan.skips)
     text += fmt::format("not run     {}: {}\n", skip.what, skip.why);
+  for (const std::string& warning : plan.warnings) text += fmt::format("warning     {}\n", warning);
   for (const std::string& note : plan.notes) text += fmt::format("note        {}\n", note);
   return text;
 }

@@ -211,6 +211,7 @@ Results reduce(const Plan& plan, const std::vector<UnitResult>& units) {
   Results results = header_of(plan);
   results.histories = assemble(plan, units);
   analyse(plan.config, results);
+  results.warnings = plan.warnings;
   results.notes = plan.notes;
   for (std::string& note : notes_on(results, plan.config)) results.notes.push_back(std::move(note));
   return results;

@@ -41,6 +41,7 @@ TEST_F(SuiteFile, components_are_read_scaled_to_si_and_put_on_a_common_clock) {
   folder_.write("suites/a.txt", "1\n2\n");
   folder_.write("suites/b.txt", "0 100\n0.01 200\n");
   const Suite suite = load(head + R"([target]
+edition = "asce7_10"
 ss_g = 1.95
 s1_g = 0.8
 site_classes = ["A", "D"]

@@ -15,6 +15,7 @@ using testing::HasSubstr;
 constexpr const char* library_toml = R"([suite]
 name = "library"
 [target]
+edition = "asce7_10"
 ss_g = 9.0
 s1_g = 9.0
 [[record]]

@@ -247,7 +247,7 @@ TEST(chart, of_one_study_with_fragility_and_clearance_agrees_with_them) {
   config.sampling.samples = 3;
   config.fragility = FragilityConfig{.thresholds_m = {0.05}};
   config.chart->shown_level = 3.0;
-  config.clearance = ClearanceConfig{};
+  config.clearance = ClearanceConfig{.without_target = true};
   const Results results = run(config);
   ASSERT_EQ(results.runs.size(), 4u);
   EXPECT_EQ(results.runs[1].label, "sampled_period_s_0_5");

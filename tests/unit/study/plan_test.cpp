@@ -13,6 +13,7 @@
 namespace glissade {
 namespace {
 
+using test::drawn;
 using test::fixed;
 using test::listed;
 using test::small_config;
@@ -187,7 +188,7 @@ TEST(plan, notes_records_that_lack_a_component) {
   suite.motions[1].horizontal_mps2[1].clear();
   StudyConfig config = small_config();
   config.standards.compare.clear();
-  EXPECT_EQ(make_plan(config, {suite}).notes.size(), 3u);
+  EXPECT_EQ(make_plan(config, {suite}).notes.size(), 2u);
 }
 
 TEST(plan, notes_quantities_without_effect) {
@@ -202,11 +203,78 @@ TEST(plan, notes_quantities_without_effect) {
 
 TEST(plan, notes_cases_outside_the_range_of_the_prescriptive_value) {
   // Slope 4 degrees in a third of the samples, mu at or below 0.4 in half of them.
-  EXPECT_EQ(small_plan(small_config()).notes.size(), 2u);  // of one axis, and this one
+  EXPECT_EQ(small_plan(small_config()).notes.size(), 1u);
   StudyConfig config = small_config();
   config.quantities.at("roof", "slope_deg") = fixed(1.19);
   config.quantities.at("friction", "mu") = fixed(0.45);
-  EXPECT_EQ(small_plan(config).notes.size(), 1u);
+  EXPECT_TRUE(small_plan(config).notes.empty());
+}
+
+TEST(plan, warns_of_what_is_possible_and_not_probable) {
+  const auto warnings = [](const std::function<void(StudyConfig&)>& change) {
+    StudyConfig config = small_config();
+    config.model.axes = SlidingAxes::two;
+    config.quantities.at("roof", "slope_deg") = fixed(1.19);
+    change(config);
+    return small_plan(config).warnings.size();
+  };
+  EXPECT_EQ(warnings([](StudyConfig&) {}), 0u);
+  EXPECT_EQ(warnings([](StudyConfig& c) { c.model.axes = SlidingAxes::one; }), 1u);
+  EXPECT_EQ(warnings([](StudyConfig& c) { c.intensity.levels.push_back(50.0); }), 1u);
+  EXPECT_EQ(warnings([](StudyConfig& c) { c.intensity.target = {.ss_g = 1.0, .s1_g = 1.5}; }), 1u);
+  EXPECT_EQ(warnings([](StudyConfig& c) { c.intensity.target = {.ss_g = 150.0, .s1_g = 0.6}; }),
+            1u);
+  EXPECT_EQ(
+      warnings([](StudyConfig& c) { c.quantities.at("building", "period_s") = fixed(300.0); }), 1u);
+  EXPECT_EQ(warnings([](StudyConfig& c) { c.fragility->thresholds_m.push_back(50.0); }), 1u);
+  EXPECT_EQ(warnings([](StudyConfig& c) {
+              c.quantities.at("friction", "mu") = drawn(TruncatedNormal{0.3, 0.2, 0.0, INFINITY});
+              c.model.axes = SlidingAxes::one;
+            }),
+            3u);  // and one axis, and some of what is drawn is below the slope
+  EXPECT_EQ(warnings([](StudyConfig& c) { c.quantities.at("roof", "slope_deg") = fixed(30.0); }),
+            1u);
+  Suite twins = small_suite();
+  for (Motion& motion : twins.motions) motion.horizontal_mps2[1] = motion.horizontal_mps2[0];
+  EXPECT_EQ(make_plan(small_config(), {twins}).warnings.size(), 2u);  // and one axis
+}
+
+TEST(plan, refuses_a_clearance_of_a_suite_that_does_not_meet_its_target) {
+  StudyConfig config = small_config();
+  config.intensity.measure = IntensityMeasure::mce_fraction;
+  config.intensity.levels = {1.0};
+  config.standards.compare.clear();
+  config.clearance = ClearanceConfig{};
+  Suite suite = small_suite();
+  const auto refusal = [&]() -> std::string {
+    try {
+      make_plan(config, {suite});
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  const std::string message = refusal(), before = "multiply the suite's scales by ";
+  const std::size_t at = message.find(before);
+  ASSERT_NE(at, std::string::npos) << message;
+  const double missing = std::stod(message.substr(at + before.size()));
+  EXPECT_GT(missing, 1.0);
+  for (Motion& motion : suite.motions) motion.scale *= missing;
+  EXPECT_EQ(refusal(), "");
+  for (Motion& motion : suite.motions) motion.scale *= 0.97;
+  EXPECT_NE(refusal(), "");
+
+  config.clearance->without_target = true;
+  EXPECT_EQ(refusal(), "");
+  EXPECT_EQ(make_plan(config, {suite}).warnings.size(), 2u);  // and one axis
+  config.clearance->without_target = false;
+  suite.target.reset();
+  EXPECT_NE(refusal(), "");
+  suite.target = small_suite().target;
+  config.intensity.measure = IntensityMeasure::pga_g;
+  EXPECT_NE(refusal(), "");
+  config.intensity.measure = IntensityMeasure::sds_g;  // the study scales the suite
+  EXPECT_EQ(refusal(), "");
 }
 
 TEST(plan, runs_the_records_a_study_names) {

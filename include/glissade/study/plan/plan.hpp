@@ -43,7 +43,8 @@ struct Plan {
   std::vector<double> factor_at_unit_level;  ///< by record: factor on the motion at level 1; 0
                                              ///< where it depends on the roof
   std::vector<WorkUnit> units;
-  std::vector<std::string> notes;  ///< remarks that belong to the results
+  std::vector<std::string> warnings;  ///< what is possible and not probable: first in every output
+  std::vector<std::string> notes;     ///< remarks that belong to the results
   std::vector<Skip> skips;         ///< what the study does not need and is not run
   std::string hash;                ///< of everything that decides the results
 

@@ -180,7 +180,9 @@ std::vector<std::string> sentences(const Results& results) {
 
 std::vector<Figure> figures(const Results& results) {
   std::vector<Figure> figures;
-  for (const RunResults& run : results.runs) figures.push_back(fragility_figure(results, run));
+  constexpr std::size_t most = 8;  // the tables have all
+  for (std::size_t i = 0; i < std::min(results.runs.size(), most); ++i)
+    figures.push_back(fragility_figure(results, results.runs[i]));
   const RunResults& run = results.runs.front();
   if (results.measure == IntensityMeasure::sds_g)
     figures.push_back(slip_vs_sds_figure(results, run));
