@@ -89,7 +89,8 @@ double srss_of_maxima_m(const TwoAxisResult& result);
 /// stop until one of the two is within the tolerance.
 ///
 /// Sliding along one line agrees with slide() to rounding (tests/unit/block). The end of the record
-/// and uplift are as in slide().
+/// and uplift are as in slide(). It is slide_on_building() (on_building.hpp) on a rigid building
+/// with a mass ratio of 0, with the same bits.
 ///
 /// @param tolerance permitted error of the velocity for each step, relative to the largest speed so
 ///   far; in [1e-11, 1e-2]. The error of displacements is measured in on_building.hpp.

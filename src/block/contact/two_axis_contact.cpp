@@ -3,25 +3,6 @@
 
 namespace glissade::block_detail {
 
-double FrictionEllipse::release(const Load& begin, const Load& end) const {
-  if (begin.normal < 0.0 || end.normal < 0.0) {  // lifted, it stays where nothing drives it
-    const auto driven = [](const Load& load) { return load.drive.s != 0.0 || load.drive.y != 0.0; };
-    return driven(begin) || driven(end) ? 0.0 : never;
-  }
-  if (!may_rest(begin)) return 0.0;
-  if (may_rest(end)) return never;
-  // The excess is a quadratic of the share, c <= 0 at its begin and positive at its end: the root
-  // wanted is the larger one, in the form without cancellation.
-  const Load change{end.drive - begin.drive, end.normal - begin.normal};
-  const double y = to_circle_ * to_circle_, n = mu_.s * mu_.s;
-  const double a = excess(change), c = excess(begin);
-  const double b = begin.drive.s * change.drive.s + y * begin.drive.y * change.drive.y -
-                   n * begin.normal * change.normal;
-  const double root = std::sqrt(std::max(b * b - a * c, 0.0));
-  const double share = b > 0.0 ? -c / (b + root) : (root - b) / a;
-  return share < 1.0 ? std::max(share, 0.0) : never;
-}
-
 // v_i = p_i sigma / (sigma + lambda mu_i^2) with sigma = |(mu_s v_s, mu_y v_y)|, so sigma is the
 // root of |x| = 1, x_i = mu_i p_i / (sigma + lambda mu_i^2). Newton's method on 1/|x|, which is
 // nearly a line in sigma (Hebden 1973).

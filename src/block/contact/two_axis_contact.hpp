@@ -18,10 +18,6 @@ struct Load {
   double normal = 0.0;  ///< negative: uplift
 };
 
-inline Load between(const Load& a, const Load& b, double share) {
-  return {a.drive + share * (b.drive - a.drive), a.normal + share * (b.normal - a.normal)};
-}
-
 /// From the roof acceleration to the load of the block.
 class TwoAxisLoading {
  public:
@@ -83,9 +79,6 @@ class FrictionEllipse {
     return smallest() / mu_.s * left;
   }
 
-  /// The fraction between `begin` and `end` at which the block can no longer stick, or never.
-  double release(const Load& begin, const Load& end) const;
-
   /// The friction f per normal force of the velocity v = p - lambda f: on the ellipse against v, or
   /// p / lambda if the block then stops.
   Vector holding(Vector p, double lambda) const {
@@ -103,15 +96,6 @@ class FrictionEllipse {
     const Vector scaled_v = scaled(v, mu_);
     const double size = length(scaled_v);
     return size > 0.0 ? (1.0 / size) * scaled(scaled_v, mu_) : Vector{};
-  }
-
-  /// The acceleration with which a block at rest begins to slide: parallel to the velocity it
-  /// causes.
-  Vector release_acceleration(const Load& load) const {
-    const double normal = std::max(load.normal, 0.0);
-    const Vector a = load.drive - normal * holding(load.drive, normal);
-    const double rounding = 16.0 * std::numeric_limits<double>::epsilon() * length(load.drive);
-    return length(a) > rounding ? a : Vector{};  // on the threshold it has no direction yet
   }
 
  private:

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "block/events/coupled_motion.hpp"
 #include "block/full_model/on_building_body.hpp"
 #include "glissade/building/rigid.hpp"
 #include "glissade/core/contract.hpp"
@@ -17,7 +16,6 @@ using block_detail::BuildingAxis;
 using block_detail::BuildingContact;
 using block_detail::OnBuildingBody;
 using block_detail::Shaken;
-using block_detail::Shaking;
 using block_detail::TwoAxisTrack;
 
 constexpr double longest_piece = 0.4;  // of phase: 1/16 period
@@ -28,24 +26,6 @@ int pieces(const Oscillator& oscillator, double dt_s) {
   const double phase = 2.0 * std::numbers::pi / oscillator.period_s * dt_s;
   const double wanted = phase * (1.0 + 2.0 * oscillator.damping_ratio) / longest_piece;
   return static_cast<int>(std::exp2(std::max(0.0, std::ceil(std::log2(wanted)))));
-}
-
-/// Until nothing can move the block again and the building's own peaks are past.
-void ring_down(OnBuildingBody& body, const Shaken& shaken, double longest_period_s, bool rigid) {
-  const double dt = shaken.dt_s();
-  const double last = std::ceil(RoofMotionOptions{}.longest_ring_down_s / dt);
-  const double from_s = body.time_s();
-  double at_rest_s = 0.0;
-  Shaking quiet;
-  quiet.length_s = dt;
-  for (std::size_t i = 1;; ++i) {
-    if (body.at_rest() && at_rest_s >= longest_period_s && body.is_settled()) return;
-    if (rigid || static_cast<double>(i) > last) break;
-    if (i == 1u << 20) block_detail::longest_ring_down(dt);  // refuses a step that is too short
-    body.interval(quiet, from_s + static_cast<double>(i) * dt);
-    at_rest_s = body.at_rest() ? at_rest_s + dt : 0.0;
-  }
-  if (body.will_stop()) body.coast(dt);
 }
 
 void check([[maybe_unused]] const BuildingGround& ground,
@@ -125,23 +105,10 @@ BuildingSlip slide_on_building(const BuildingGround& ground, const BuildingFacto
                       r, cut, tolerance,
                       TwoAxisTrack(contact.loading().to_plan(), thresholds_m, crossings));
 
-  // Padding changes nothing, to the last bit; free sliders end with the record.
-  const bool slides_at_rest =
-      block_detail::beyond_friction(contact.loading().tan_slope(),
-                                    contact.friction_at_rest().along()) > 0.0;
-  const std::size_t n = slides_at_rest ? shaken.last_sample() : shaken.quiet_from();
-  for (std::size_t i = 0; i < n;) {
-    if (body.at_rest() && cut == 1) i = body.rest_through(shaken, i, n);
-    if (i == n) break;
-    body.interval(shaken.after(i), static_cast<double>(i + 1) * dt);
-    ++i;
-  }
-  if (!slides_at_rest && body.will_stop())
-    ring_down(body, shaken, longest_period_s, longest_period_s == 0.0);
+  body.follow(shaken, longest_period_s);
 
   BuildingSlip result;
   result.slip = body.result();
-  result.slip.free_sliding = slides_at_rest || !body.at_rest();
   for (std::size_t k = 0; k < 2; ++k) {
     result.peak_base_shear[k] = body.peaks().elastic[k] / block.gravity_mps2;
     if (oscillators[k].period_s == 0.0) continue;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "block/full_model/on_building_body.hpp"
 
+#include "block/events/coupled_motion.hpp"
 #include "glissade/core/not_converged.hpp"
 
 namespace glissade::block_detail {
@@ -21,6 +22,36 @@ OnBuildingBody::OnBuildingBody(const BuildingContact& contact,
   margin_per_a_ = loading.tan_slope() +
                   std::max(1.0 / friction.along(), 1.0 / (friction.across() * loading.cos_slope()));
   margin_per_w_ = 1.0 + loading.tan_slope() / friction.along();
+  slides_at_rest_ = beyond_friction(loading.tan_slope(), friction.along()) > 0.0;
+}
+
+void OnBuildingBody::follow(const Shaken& shaken, double longest_period_s) {
+  const double dt = shaken.dt_s();
+  // Padding changes nothing, to the last bit; free sliders end with the record.
+  const std::size_t n = slides_at_rest_ ? shaken.last_sample() : shaken.quiet_from();
+  for (std::size_t i = 0; i < n;) {
+    if (at_rest() && pieces_ == 1) i = rest_through(shaken, i, n);
+    if (i == n) break;
+    interval(shaken.after(i), static_cast<double>(i + 1) * dt);
+    ++i;
+  }
+  if (!slides_at_rest_ && will_stop()) ring_down(dt, longest_period_s);
+}
+
+void OnBuildingBody::ring_down(double dt_s, double longest_period_s) {
+  const double last = std::ceil(RoofMotionOptions{}.longest_ring_down_s / dt_s);
+  const double from_s = time_s_;
+  double at_rest_s = 0.0;
+  Shaking quiet;
+  quiet.length_s = dt_s;
+  for (std::size_t i = 1;; ++i) {
+    if (at_rest() && at_rest_s >= longest_period_s && is_settled()) return;
+    if (longest_period_s == 0.0 || static_cast<double>(i) > last) break;
+    if (i == 1u << 20) longest_ring_down(dt_s);  // refuses a step that is too short
+    interval(quiet, from_s + static_cast<double>(i) * dt_s);
+    at_rest_s = at_rest() ? at_rest_s + dt_s : 0.0;
+  }
+  if (will_stop()) coast(dt_s);
 }
 
 void OnBuildingBody::interval(const Shaking& shaking, double end_s) {
@@ -113,6 +144,7 @@ TwoAxisResult OnBuildingBody::result() const {
   TwoAxisResult r = track_.result();
   r.slip_phases = phases_;
   r.uplift = uplift_;
+  r.free_sliding = slides_at_rest_ || sliding_;
   return r;
 }
 

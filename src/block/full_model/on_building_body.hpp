@@ -17,22 +17,8 @@ class OnBuildingBody {
   OnBuildingBody(const BuildingContact& contact, const std::array<BuildingAxis, 2>& axes,
                  double mass_ratio, int pieces, double tolerance, TwoAxisTrack track);
 
-  bool at_rest() const { return !sliding_; }
-  double time_s() const { return time_s_; }
-
-  /// Steps from node to node while the block rests without an event; returns the last node. Only if
-  /// an interval is one piece.
-  std::size_t rest_through(const Shaken& shaken, std::size_t from, std::size_t to);
-
-  /// One sample interval that ends at time `end_s`.
-  void interval(const Shaking& shaking, double end_s);
-
-  /// The roof is at rest from now on, and every motion stops.
-  void coast(double step_s);
-  /// Whether a roof at rest stops the block.
-  bool will_stop() const;
-  /// The block cannot start again while the ground is at rest, and the springs cannot yield.
-  bool is_settled() const;
+  /// The whole history, from rest: the record, and the ring-down of the building.
+  void follow(const Shaken& shaken, double longest_period_s);
 
   TwoAxisResult result() const;
   /// Largest |E| and |x|.
@@ -51,6 +37,21 @@ class OnBuildingBody {
     double largest_w;  ///< |w|
   };
 
+  bool at_rest() const { return !sliding_; }
+  /// Whether a roof at rest stops the block; if not, it slides freely.
+  bool will_stop() const;
+  /// The block cannot start again while the ground is at rest, and the springs cannot yield.
+  bool is_settled() const;
+  /// Until nothing can move the block again and the building's own peaks are past.
+  void ring_down(double dt_s, double longest_period_s);
+  /// The roof is at rest from now on, and every motion stops.
+  void coast(double step_s);
+
+  /// Steps from node to node while the block rests without an event; returns the last node. Only if
+  /// an interval is one piece.
+  std::size_t rest_through(const Shaken& shaken, std::size_t from, std::size_t to);
+  /// One sample interval that ends at time `end_s`.
+  void interval(const Shaking& shaking, double end_s);
   template <class Nodes>
   std::size_t rest_over(const Nodes& nodes, std::size_t from, std::size_t to);
   bool rest_quickly(const Shaking& piece);
@@ -96,7 +97,7 @@ class OnBuildingBody {
   Peaks peaks_;
   double peak_speed_ = 0.0;  // per cos(slope), at the ends of steps
   std::size_t phases_ = 0;
-  bool uplift_ = false;
+  bool uplift_ = false, slides_at_rest_ = false;
 };
 
 }  // namespace glissade::block_detail

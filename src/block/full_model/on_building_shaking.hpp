@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 
 #include "block/full_model/on_building_axis.hpp"
 #include "block/polynomial/power_series.hpp"
@@ -57,66 +58,84 @@ struct Shaking {
   }
 };
 
-/// Excitation of the building, interval by interval.
+/// Excitation of the building, interval by interval. Refers to what it is made from.
 class Shaken {
  public:
   Shaken(const BuildingGround& ground, const BuildingFactors& factors)
-      : ground_(ground), factors_(factors) {
-    for (std::size_t n = 0; n < 2; ++n) {
-      const GroundTable* axis = ground.horizontal[n].get();
-      if (axis == nullptr) continue;
-      acceleration_mps2_[n] = axis->acceleration_mps2().data();
-      samples_[n] = axis->quiet_from();
-      quiet_from_ = std::max(quiet_from_, axis->quiet_from());
-      last_sample_ = std::max(last_sample_, axis->last_sample());
-    }
+      : dt_s_(ground.horizontal[0]->step_s()),
+        factors_{factors.horizontal[0], factors.horizontal[1], factors.vertical} {
+    for (std::size_t n = 0; n < 2; ++n)
+      if (ground.horizontal[n] != nullptr) take(n, *ground.horizontal[n]);
     if (ground.vertical == nullptr) return;
     const MotionTable& up = *ground.vertical;
+    if (up.rigid()) {
+      take(vertical, *up.ground);
+      return;
+    }
     vertical_ = up.at_nodes();
     vertical_end_ = up.end;
     last_sample_ = std::max(last_sample_, up.ground->last_sample());
-    quiet_from_ = std::max(quiet_from_, vertical_end_ + (up.rigid() ? 0 : 1));
+    quiet_from_ = std::max(quiet_from_, vertical_end_ + 1);
   }
 
-  double dt_s() const { return ground_.horizontal[0]->step_s(); }
+  /// Of a rigid building: the ground is the roof.
+  explicit Shaken(const TwoAxisAcceleration& roof)
+      : dt_s_(roof.dt_s),
+        factors_{roof.horizontal_factor, roof.horizontal_factor, roof.vertical_factor},
+        last_sample_(roof.horizontal_mps2[0].size() - 1) {
+    for (std::size_t n = 0; n < 3; ++n) {
+      const auto& all = n == vertical ? roof.vertical_mps2 : roof.horizontal_mps2[n];
+      std::size_t samples = all.size();
+      while (samples > 0 && all[samples - 1] == 0.0) --samples;
+      samples_mps2_[n] = all.first(samples);
+      quiet_from_ = std::max(quiet_from_, samples);
+    }
+  }
+
+  double dt_s() const { return dt_s_; }
   /// The first node from which on the excitation is zero.
   std::size_t quiet_from() const { return quiet_from_; }
   std::size_t last_sample() const { return last_sample_; }
 
   /// The ground at node i, and the vertical.
   double ground(std::size_t n, std::size_t i) const {
-    return i < samples_[n] ? factors_.horizontal[n] * acceleration_mps2_[n][i] : 0.0;
+    return i < samples_mps2_[n].size() ? factors_[n] * samples_mps2_[n][i] : 0.0;
   }
   double w(std::size_t i) const {
-    return ground_.vertical != nullptr && i <= vertical_end_
-               ? factors_.vertical * vertical_.acceleration_mps2(i)
-               : 0.0;
+    if (vertical_.rigid()) return ground(vertical, i);
+    return i <= vertical_end_ ? factors_[vertical] * vertical_.acceleration_mps2(i) : 0.0;
   }
   /// Bound of the departure of w from the line between nodes i and i + 1.
-  double w_sag(std::size_t i) const {
-    return ground_.vertical == nullptr || ground_.vertical->rigid() ? 0.0 : after(i).w_sag();
-  }
+  double w_sag(std::size_t i) const { return vertical_.rigid() ? 0.0 : after(i).w_sag(); }
 
   /// The interval after node i.
   Shaking after(std::size_t i) const {
     Shaking s;
     s.length_s = dt_s();
     for (std::size_t n = 0; n < 2; ++n) s.ground[n] = {ground(n, i), ground(n, i + 1)};
-    if (ground_.vertical != nullptr && i <= vertical_end_) set_vertical(s, i);
+    set_vertical(s, i);
     return s;
   }
 
  private:
+  static constexpr std::size_t vertical = 2;
+
+  void take(std::size_t component, const GroundTable& ground) {
+    samples_mps2_[component] = ground.acceleration_mps2().first(ground.quiet_from());
+    quiet_from_ = std::max(quiet_from_, ground.quiet_from());
+    last_sample_ = std::max(last_sample_, ground.last_sample());
+  }
+
   /// After the end of its table the vertical of an oscillator goes linearly to zero.
   void set_vertical(Shaking& s, std::size_t i) const {
-    const double f = factors_.vertical;
-    const double begin = f * vertical_.acceleration_mps2(i);
-    if (i == vertical_end_ || vertical_.rigid()) {
-      const double end = i == vertical_end_ ? 0.0 : f * vertical_.acceleration_mps2(i + 1);
-      s.vertical = {begin, end - begin};
+    if (i >= (vertical_.rigid() ? samples_mps2_[vertical].size() : vertical_end_ + 1)) return;
+    const double begin = w(i);
+    if (vertical_.rigid() || i == vertical_end_) {
+      s.vertical = {begin, w(i + 1) - begin};
       s.vertical_terms = 2;
       return;
     }
+    const double f = factors_[vertical];
     const Quartic q = vertical_.acceleration_after(i);
     const double* b = q.b;
     s.vertical = {f * b[0], f * 4.0 * (b[1] - b[0]), f * 6.0 * ((b[2] - b[1]) - (b[1] - b[0])),
@@ -125,11 +144,10 @@ class Shaken {
     s.vertical_terms = 5;
   }
 
-  const BuildingGround& ground_;
-  const BuildingFactors& factors_;
-  std::array<const double*, 2> acceleration_mps2_{};
-  std::array<std::size_t, 2> samples_{};
-  MotionNodes vertical_;
+  double dt_s_;
+  std::array<double, 3> factors_;                          // along both axes, vertical
+  std::array<std::span<const double>, 3> samples_mps2_{};  // without trailing zeros
+  MotionNodes vertical_;  // of an oscillator; rigid: it is among the samples
   std::size_t vertical_end_ = 0, quiet_from_ = 1, last_sample_ = 0;
 };
 

@@ -3,7 +3,7 @@
 
 #include "block/contact/on_building_contact.hpp"
 #include "block/full_model/on_building_axis.hpp"
-#include "block/full_model/two_axis_step.hpp"
+#include "block/full_model/sdirk4.hpp"
 
 namespace glissade::block_detail {
 
@@ -53,15 +53,8 @@ BuildingStep building_sdirk4(Vector v, Vector guess, double length_s, double eno
   }
 
   BuildingStep step;
-  Vector k[S::stages], error;
   Added rate[S::stages][2];
-  // Unrolled, the tableau's numbers are constants and its zeros vanish.
-#pragma GCC unroll 5
-  for (int i = 0; i < S::stages; ++i) {
-    Vector known{};
-#pragma GCC unroll 5
-    for (int j = 0; j < i; ++j) known = known + S::a[i][j] * k[j];
-    known = v + length_s * known;
+  const auto stage = [&](int i, Vector known, double) __attribute__((always_inline)) {
     Axes e{loads.e[0][i], loads.e[1][i]};
     if constexpr (kFeels) {
       Added before[2];
@@ -88,11 +81,11 @@ BuildingStep building_sdirk4(Vector v, Vector guess, double length_s, double eno
     } else {
       step.end = contact.slide_unfelt(known, own, contact.loading().at(e[0], e[1], loads.w[i]));
     }
-    k[i] = step.end.a;
-    error = error + S::difference[i] * k[i];
-  }
-  const Load turning{{}, step.end.normal * (1.0 + at_once.mean)};
-  step.error = length_s * length(damped(error, step.end.v, own, turning, contact.friction()));
+    return step.end.a;
+  };
+  step.error = sdirk4(v, length_s, contact.friction(), stage, [&] {
+                 return step.end.normal * (1.0 + at_once.mean);
+               }).error;
   return step;
 }
 

@@ -4,9 +4,9 @@
 
 namespace glissade::block_detail {
 
-/// Along the line of its velocity, as stop_on_a_line() (two_axis_stop.hpp), with the net
-/// acceleration now and at the stop as start and end of a straight line. The error is estimated by
-/// the acceleration half way, and by the transverse load.
+/// Along the line of its velocity, with the net acceleration now and at the stop as start and end
+/// of a straight line. The error is estimated by the acceleration half way, and by the transverse
+/// load.
 Stop OnBuildingBody::find_stop(const Bare& bare, double left_s, std::array<Ramp, 2>& push) {
   const double speed = length(now_.v);
   const Shaking& piece = bare.shaking;

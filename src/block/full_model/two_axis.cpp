@@ -4,53 +4,24 @@
 #include <cmath>
 #include <numbers>
 
-#include "block/full_model/two_axis_body.hpp"
+#include "block/full_model/on_building_body.hpp"
 #include "glissade/core/contract.hpp"
 #include "glissade/core/finite.hpp"
 
 namespace glissade {
 namespace {
 
-using block_detail::FrictionEllipse;
-using block_detail::Load;
-using block_detail::TwoAxisBody;
-using block_detail::TwoAxisLoading;
-
-/// The load at each sample.
-class Samples {
- public:
-  Samples(const TwoAxisAcceleration& roof, const TwoAxisLoading& loading)
-      : roof_(roof), loading_(loading) {}
-
-  Load operator[](std::size_t i) const {
-    return loading_.at(roof_.horizontal_factor * roof_.horizontal_mps2[0][i],
-                       roof_.horizontal_factor * sample(roof_.horizontal_mps2[1], i),
-                       roof_.vertical_factor * sample(roof_.vertical_mps2, i));
-  }
-  std::size_t size() const { return roof_.horizontal_mps2[0].size(); }
-  std::size_t size_without_trailing_zeros() const {
-    std::size_t n = size();
-    while (n > 1 && roof_.horizontal_mps2[0][n - 1] == 0.0 &&
-           sample(roof_.horizontal_mps2[1], n - 1) == 0.0 &&
-           sample(roof_.vertical_mps2, n - 1) == 0.0) {
-      --n;
-    }
-    return n;
-  }
-
- private:
-  static double sample(std::span<const double> x, std::size_t i) { return x.empty() ? 0.0 : x[i]; }
-
-  const TwoAxisAcceleration& roof_;
-  const TwoAxisLoading& loading_;
-};
+using block_detail::BuildingAxis;
+using block_detail::BuildingContact;
+using block_detail::OnBuildingBody;
+using block_detail::Shaken;
+using block_detail::TwoAxisTrack;
 
 [[maybe_unused]] bool is_whole(std::span<const double> component, std::size_t samples) {
   return component.empty() || component.size() == samples;
 }
 
-TwoAxisResult slide_with(const TwoAxisAcceleration& roof, const TwoAxisBlock& block,
-                         double tolerance, std::vector<TwoAxisPoint>* history) {
+void check(const TwoAxisAcceleration& roof, const TwoAxisBlock& block) {
   const EllipticFriction& mu = block.friction;
   for (const auto& horizontal : roof.horizontal_mps2)
     require_finite(horizontal, "the horizontal roof acceleration");
@@ -63,40 +34,19 @@ TwoAxisResult slide_with(const TwoAxisAcceleration& roof, const TwoAxisBlock& bl
   GLISSADE_EXPECTS(mu.along >= 0.0 && mu.across >= 0.0 && (mu.along > 0.0) == (mu.across > 0.0));
   GLISSADE_EXPECTS(block.slope_rad >= 0.0 && block.slope_rad < std::numbers::pi / 2);
   GLISSADE_EXPECTS(block.law.is_coulomb());
+}
+
+TwoAxisResult slide_with(const TwoAxisAcceleration& roof, const TwoAxisBlock& block,
+                         double tolerance, std::vector<TwoAxisPoint>* history) {
+  check(roof, block);
   GLISSADE_EXPECTS(tolerance >= 1e-11 && tolerance <= 1e-2);
-
-  const TwoAxisLoading loading(block);
-  const FrictionEllipse friction(block.friction);
-  const Samples samples(roof, loading);
-  const Load resting = loading.at(0.0, 0.0, 0.0);
-  const double beyond = block_detail::beyond_friction(loading.tan_slope(), mu.along);
-  const bool slides_at_rest = beyond > 0.0, stops_at_rest = beyond < 0.0;
-  // Padding changes nothing, to the last bit; free sliders end with the record.
-  const std::size_t n = slides_at_rest ? samples.size() : samples.size_without_trailing_zeros();
-
-  TwoAxisBody body(friction, loading.to_plan(), tolerance, history);
-  Load now = samples[0];
-  bool rested = friction.may_rest(now);
-  const auto pass = [&](double end_s, const Load& next) {
-    const bool rests = friction.may_rest(next);
-    if (rested && rests && body.at_rest()) {
-      body.rest_until(end_s);  // the states of rest are convex
-    } else {
-      body.interval(roof.dt_s, end_s, now, next);
-    }
-    now = next;
-    rested = rests;
-  };
-  for (std::size_t i = 1; i < n; ++i) pass(static_cast<double>(i) * roof.dt_s, samples[i]);
-  const bool last_lifts = now.normal < 0.0;
-  if (!slides_at_rest) pass(static_cast<double>(n) * roof.dt_s, resting);
-  const bool free = slides_at_rest || !(body.at_rest() || stops_at_rest);
-  if (!free) body.coast(resting, roof.dt_s);
-
-  TwoAxisResult result = body.result();
-  result.free_sliding = free;
-  result.uplift = result.uplift || last_lifts;
-  return result;
+  const BuildingContact contact(block);
+  const BuildingAxis rigid({}, {}, 0.0, roof.dt_s);
+  TwoAxisTrack track(contact.loading().to_plan(), {}, {});
+  track.keep(history);
+  OnBuildingBody body(contact, {rigid, rigid}, 0.0, 1, tolerance, track);
+  body.follow(Shaken(roof), 0.0);
+  return body.result();
 }
 
 }  // namespace

@@ -52,22 +52,4 @@ double rests_for_sure(double off, double t_s, double left_s, const FrictionEllip
   return rests_s <= left_s && friction.may_rest(load(rests_s)) ? rests_s : never;
 }
 
-/// Along the line of `along`, a unit vector, under that part of the load: the quadratic of slide().
-inline Stop stop_on_a_line(double speed, Vector along, const Load& begin, const Load& end,
-                           double length_s, const FrictionEllipse& friction) {
-  const double mu = dot(along, friction.sliding(along));
-  const auto gain = [&](const Load& load) {
-    return dot(along, load.drive) - mu * std::max(load.normal, 0.0);
-  };
-  const double first = gain(begin), last = gain(end);
-  if (speed == 0.0 && !(first > 0.0)) return {};  // rounding on the threshold: it starts
-  const Line drive{first, (last - first) / length_s, last};
-  const double t = time_to_stop(speed, drive, length_s);
-  if (t == never) return {};
-  const double path = std::max(0.0, t * (speed + t * (0.5 * drive.value + drive.rate * t / 6.0)));
-  const double fastest =
-      first > 0.0 && last < first ? speed - 0.5 * first * first / drive.rate : speed;
-  return {t, path * along, path, fastest};
-}
-
 }  // namespace glissade::block_detail

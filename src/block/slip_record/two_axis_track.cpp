@@ -4,7 +4,13 @@
 #include "block/slip_record/first_reach.hpp"
 
 namespace glissade::block_detail {
+
+void TwoAxisTrack::note(double time_s) {
+  if (history_ != nullptr) history_->push_back({time_s, {displacement_.s, displacement_.y}});
+}
+
 void TwoAxisTrack::slide(const Sliding& from, const Sliding& to, double length_s, double begin_s) {
+  if (from.v.s == 0.0 && from.v.y == 0.0) note(begin_s);
   const Path path(length_s, displacement_, scaled(from.v, to_plan_), scaled(from.a, to_plan_),
                   scaled(to.v, to_plan_), scaled(to.a, to_plan_));
   extremes_.along(path);
@@ -17,6 +23,7 @@ void TwoAxisTrack::slide(const Sliding& from, const Sliding& to, double length_s
   displacement_ = path.end;
   path_length_ += path.path_length();
   duration_s_ += length_s;
+  note(begin_s + length_s);
 }
 
 void TwoAxisTrack::stop(const Stop& stop, double speed, double begin_s) {
@@ -29,6 +36,7 @@ void TwoAxisTrack::stop(const Stop& stop, double speed, double begin_s) {
     extremes_.at_speed(stop.fastest * in_plan / straight);
   }
   duration_s_ += stop.time_s;
+  note(begin_s + stop.time_s);
   for (; waits_for(length(displacement_)); ++next_) {
     const auto at = [&](double share) { return stop.way_share(share, speed); };
     const auto beyond = [&](double share) {

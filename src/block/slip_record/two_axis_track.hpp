@@ -2,8 +2,9 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
-#include "block/full_model/two_axis_step.hpp"
+#include "block/full_model/sdirk4.hpp"
 #include "block/full_model/two_axis_stop.hpp"
 #include "block/slip_record/two_axis_extremes.hpp"
 #include "glissade/block/crossing.hpp"
@@ -18,9 +19,11 @@ class TwoAxisTrack {
   TwoAxisTrack(Vector to_plan, std::span<const double> thresholds_m, std::span<Crossing> crossings)
       : to_plan_(to_plan), thresholds_(thresholds_m), crossings_(crossings) {}
 
+  /// The points of the path are appended to `history`.
+  void keep(std::vector<TwoAxisPoint>* history) { history_ = history; }
+
   Vector displacement() const { return displacement_; }
   double path_length() const { return path_length_; }
-  double duration_s() const { return duration_s_; }
 
   /// A step of sliding.
   void slide(const Sliding& from, const Sliding& to, double length_s, double begin_s);
@@ -36,7 +39,10 @@ class TwoAxisTrack {
     return next_ < thresholds_.size() && distance >= thresholds_[next_];
   }
 
+  void note(double time_s);
+
   Vector to_plan_;
+  std::vector<TwoAxisPoint>* history_ = nullptr;
   std::span<const double> thresholds_;
   std::span<Crossing> crossings_;
   std::size_t next_ = 0;  // threshold

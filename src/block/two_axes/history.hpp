@@ -5,7 +5,7 @@
 #include <cmath>
 #include <memory>
 
-#include "block/full_model/two_axis_step.hpp"
+#include "block/full_model/sdirk4.hpp"
 #include "block/full_model/two_axis_stop.hpp"
 #include "block/slip_record/two_axis_extremes.hpp"
 #include "block/two_axes/roof/roof_piece.hpp"

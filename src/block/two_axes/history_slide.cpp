@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "block/full_model/two_axis_step.hpp"
+#include "block/full_model/sdirk4.hpp"
 #include "block/full_model/two_axis_stop.hpp"
 #include "block/slip_record/two_axis_extremes.hpp"
 #include "elliptic_stop.hpp"
@@ -40,24 +40,14 @@ Vector stage(const Constants<double>& c, const FrictionEllipse& friction, Vector
 /// SDIRK4 over a share of a piece.
 SlidingStep sdirk4(const Constants<double>& c, const FrictionEllipse& friction, Vector v,
                    const RoofPiece& piece, double share) {
-  using S = Sdirk4;
-  const double length_s = share * piece.length_s(), own = S::gamma * length_s;
-  Vector k[S::stages], stage_v, error;
   Load load;
-#pragma GCC unroll 5
-  for (int i = 0; i < S::stages; ++i) {
-    Vector known{};
-#pragma GCC unroll 5
-    for (int j = 0; j < i; ++j) known = known + S::a[i][j] * k[j];
-    known = v + length_s * known;
-    load = piece.load(share * S::at[i]);
-    k[i] = stage(c, friction, known, own, load, i > 0 ? k[i - 1] : Vector{});
-    stage_v = known + own * k[i];
-    error = error + S::difference[i] * k[i];
-  }
-  load.normal *= c.per_kappa_y;
-  return {{stage_v, k[S::stages - 1]},
-          length_s * length(damped(error, stage_v, own, load, friction))};
+  Vector last;
+  const auto rate = [&](int i, Vector known, double own_s) {
+    load = piece.load(share * Sdirk4::at[i]);
+    return last = stage(c, friction, known, own_s, load, last);
+  };
+  return sdirk4(v, share * piece.length_s(), friction, rate,
+                [&] { return c.per_kappa_y * load.normal; });
 }
 
 }  // namespace

@@ -86,20 +86,30 @@ TEST(slide_on_building, is_slide_coupled_where_the_ground_moves_along_the_slope)
 
 TEST(slide_on_building, is_slide_two_axis_on_a_rigid_building) {
   std::mt19937 random(5);
-  std::vector<double> errors;
+  int slid = 0, lifted = 0;
   for (unsigned k = 0; k < 60; ++k) {
     OnBuilding scene(random, k, 400);
-    scene.building.horizontal = {Oscillator{0.0}, Oscillator{0.0}};
+    scene.building = {};  // with a mass ratio the same to rounding
     if (k % 2 == 0) scene.block.friction.across *= 0.8;
+    if (k % 5 == 0)
+      for (double& w : scene.up) w *= 5.0;
     const BuildingSlip full = scene.result();
     const TwoAxisResult plain = slide_two_axis(
         {scene.dt_s, {scene.first, scene.second}, scene.up, scene.factor, scene.factor},
-        scene.block, 1e-9);
-    errors.push_back(difference(full.slip, plain));
+        scene.block, scene.tolerance);
+    EXPECT_EQ(full.slip.peak_displacement_m, plain.peak_displacement_m);
+    EXPECT_EQ(full.slip.residual.along_m, plain.residual.along_m);
+    EXPECT_EQ(full.slip.residual.across_m, plain.residual.across_m);
+    EXPECT_EQ(full.slip.path_length_m, plain.path_length_m);
+    EXPECT_EQ(full.slip.slip_phases, plain.slip_phases);
+    EXPECT_EQ(full.slip.uplift, plain.uplift);
+    EXPECT_EQ(full.slip.free_sliding, plain.free_sliding);
     EXPECT_EQ(full.peak_roof_displacement_m[0], 0.0);
+    slid += plain.slip_phases > 0 ? 1 : 0;
+    lifted += plain.uplift ? 1 : 0;
   }
-  EXPECT_LT(median(errors), 1e-6);
-  EXPECT_LT(largest(errors), 3e-5);  // many short phases of rough noise, as in two_axis.hpp
+  EXPECT_GT(slid, 30);
+  EXPECT_GT(lifted, 3);
 }
 
 // The roof motion is sampled 16,000 times a period and linear between: off by 2e-8 of itself. A
