@@ -92,6 +92,12 @@ std::string run_name(const RunResults& run) {
   return run.label == "sampled" || run.label == "design" ? run.label + " friction" : run.label;
 }
 
+std::string first_run(const Results& results) {
+  return (lists_more_than_friction_value(results) ? "the first of what is listed: friction "
+                                                  : "friction ") +
+         results.runs.front().friction_description;
+}
+
 std::string friction_of(const RunResults& run) {
   constexpr std::size_t room = 60;
   return run.friction_description.size() <= room ? "friction " + run.friction_description

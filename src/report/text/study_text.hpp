@@ -29,6 +29,8 @@ std::string at_intensity(const Results& results, double value);
 std::string counts_of(const Results& results);
 /// "sampled friction"; with several quantities listed the run's label.
 std::string run_name(const RunResults& run);
+/// What the first run is, in full.
+std::string first_run(const Results& results);
 /// "friction mu normal, mean 0.55, std 0.04" where a line has room for it, else the run's name:
 /// captions have it in full.
 std::string friction_of(const RunResults& run);

@@ -73,7 +73,7 @@ Table chart_table(const Results& results) {
               reading_notes(results)};
   for (const ChartStatistic& s : statistics) table.columns.push_back(length_column(s));
   table.columns.push_back({"governing_period", "s", "Governing period, s"});
-  table.columns.push_back({"free_sliding", "", "Slides unshaken", ColumnKind::count});
+  table.columns.push_back({"free_sliding", "", "Slides freely", ColumnKind::count});
   table.columns.push_back({"uplift_share", "", "Uplift", ColumnKind::share});
   for (const Standard standard : standards) {
     table.columns.push_back(

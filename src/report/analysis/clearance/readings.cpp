@@ -187,14 +187,15 @@ std::string mce_reading(const Results& r) {
                          strongest = over_orientations(r, {}, high, Periods::largest);
   const std::string low_name = label_of(grid, ConditionAxis::level, 0),
                     high_name = label_of(grid, ConditionAxis::level, last);
-  return fmt::format(
+  const std::string text = fmt::format(
       "Largest over the periods: {} at {} (at T = {:g} s), {} at {}. At T = {:g} s: {} at {}, {} "
-      "at "
-      "{}; the latter is {} times the largest at {}.",
+      "at {}",
       format_length(weak.median), low_name, grid.period_s[governing],
       format_length(strongest.median), high_name, grid.period_s.front(),
-      format_length(first.median), low_name, format_length(strong.median), high_name,
-      format_number(strong.median / weak.median), low_name);
+      format_length(first.median), low_name, format_length(strong.median), high_name);
+  if (!(weak.median > 0.0)) return text + ".";
+  return text + fmt::format("; the latter is {} times the largest at {}.",
+                            format_number(strong.median / weak.median), low_name);
 }
 
 /// The largest mean over the periods for each place on an axis.

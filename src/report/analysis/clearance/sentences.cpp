@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "analysis/conditions/columns.hpp"
 #include "analysis/conditions/view.hpp"
 #include "glissade/report/clearance_report.hpp"
 #include "glissade/report/format.hpp"
@@ -27,8 +28,10 @@ std::string what_was_run(const Results& r) {
   if (without > 0) text += fmt::format(" {} of the records have no vertical component.", without);
   const double uplift = uplift_share(r);
   if (uplift > 0.0)
-    text += fmt::format(" In {} of the histories the array lifts off, which is outside the model.",
-                        format_share(uplift));
+    text += fmt::format(
+        " In {} of the histories of all conditions the array lifts off, which is outside the "
+        "model.",
+        format_share(uplift));
   return text;
 }
 
@@ -67,8 +70,36 @@ std::vector<std::string> clearance_sentences(const Results& results) {
   return sentences;
 }
 
+namespace {
+
+/// The condition, the governing period and the clearance, for a terminal.
+Table brief_clearance_table(const Results& results) {
+  constexpr std::size_t most_rows = 24;
+  Table table = clearance_table(results);
+  const std::size_t conditions = ConditionColumns(results).columns().size();
+  std::vector<std::string> others;
+  for (std::size_t i = conditions; i < table.columns.size(); ++i) {
+    const std::string& stem = table.columns[i].stem;
+    if (stem != "governing_period" && !stem.starts_with("clearance_")) others.push_back(stem);
+  }
+  for (const std::string& stem : others) table = table.without(stem);
+  table.notes.clear();  // of the columns that are left out
+  table.title = fmt::format(
+      "Required clearance: {:g} x the mean of the suite, the largest over the "
+      "periods; median and highest of the orientations",
+      results.clearance->factor);
+  if (table.rows.size() > most_rows) {
+    table.notes.push_back(
+        fmt::format("{} rows more are in tables/clearances.csv", table.rows.size() - most_rows));
+    table.rows.resize(most_rows);
+  }
+  return table;
+}
+
+}  // namespace
+
 std::string clearance_summary(const Results& results) {
-  std::string text = "Required clearance\n";
+  std::string text = to_text(brief_clearance_table(results)) + "\n";
   for (const std::string& sentence : clearance_sentences(results)) text += wrapped(sentence);
   return text;
 }

@@ -106,8 +106,9 @@ Table clearance_histories_table(const Results& results) {
   const bool shear = results.base_shear.has_value();
   Table table{
       "histories",
-      std::string("Every history that was run, in plan, by the roof's axes: along the slope "
-                  "(positive where it falls) and across it") +
+      std::string(
+          "Every history of the required clearance, in plan, by the roof's axes: along the slope "
+          "(positive where it falls) and across it") +
           (shear ? "; base shear over the bare building's weight" : ""),
       {text_column("record", "Record"), text_column("orientation", "Orientation")},
       {},

@@ -122,7 +122,7 @@ std::string other_run_sentence(const Results& results, const RunResults& run) {
 /// standards.csv.
 Table brief_standards_table(const Results& results, const RunResults& run) {
   Table table{"standards_brief",
-              "Standards and computed slip (" + friction_of(run) + "; displacements in plan)",
+              "Standards and computed slip (" + first_run(results) + "; displacements in plan)",
               {{"standard", "", "Standard", ColumnKind::text},
                {"sds", "g", "S_DS, g", ColumnKind::number},
                {"prescribed", "m", "Prescribed, m (in)", ColumnKind::length},
