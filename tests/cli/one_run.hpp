@@ -18,8 +18,9 @@ class OneRun : public testing::Test {
     folder_ = new ScratchFolder;
     study_ = folder_->write("small.toml", study_text());
     finished_ = run_program({"run", study_, "--out", out().string()});
-    ASSERT_EQ(finished_.status, 0) << finished_.err;
   }
+  /// Here, since tests of a suite that is not set up are skipped.
+  void SetUp() override { ASSERT_EQ(finished_.status, 0) << finished_.err; }
   static void TearDownTestSuite() {
     delete folder_;
     folder_ = nullptr;
