@@ -1,6 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "block/contact/on_building_contact.hpp"
 
+#include <cmath>
+#include <numbers>
+
+#include "glissade/core/contract.hpp"
+#include "glissade/core/finite.hpp"
+
 namespace glissade::block_detail {
 namespace {
 
@@ -16,7 +22,14 @@ BuildingContact::BuildingContact(const TwoAxisBlock& block)
     : loading_(block),
       friction_(block.friction),
       at_rest_(times(block.friction, block.law.static_ratio)),
-      law_(block.law) {}
+      law_(block.law) {
+  [[maybe_unused]] const EllipticFriction& mu = block.friction;
+  require_finite({mu.along, mu.across, block.slope_rad, block.gravity_mps2},
+                 "friction, slope, gravity");
+  GLISSADE_EXPECTS(mu.along >= 0.0 && mu.across >= 0.0 && (mu.along > 0.0) == (mu.across > 0.0));
+  GLISSADE_EXPECTS(block.slope_rad >= 0.0 && block.slope_rad < std::numbers::pi / 2);
+  GLISSADE_EXPECTS(law_.static_ratio >= 1.0 && law_.fast_ratio > 0.0 && law_.rate_spm >= 0.0);
+}
 
 Mobility BuildingContact::mobility(const Axes& by_axis) const {
   const double c = loading_.cos_azimuth(), s = loading_.sin_azimuth(),

@@ -116,10 +116,10 @@ std::string hash_of(const Plan& plan) {
 
 }  // namespace
 
-const DesignTarget* Plan::target(std::size_t record) const {
+const DesignTarget* Plan::target_of(std::size_t suite) const {
   const auto& own = config.intensity.target;
   if (own) return &*own;
-  const auto& suites_own = suite_of(record).target;
+  const auto& suites_own = suites[suite].target;
   return suites_own ? &*suites_own : nullptr;
 }
 

@@ -122,14 +122,10 @@ std::optional<std::string> problem_of(const Plan& plan, const Case& c) {
   return std::nullopt;
 }
 
-}  // namespace
-
-namespace {
-
 /// Why a clearance of this suite is none for design, and what to do; nothing where the suite meets
 /// its target.
 std::optional<Problem> shortfall(const Plan& plan, std::size_t suite) {
-  constexpr double tolerance = 0.02;  // on the average SRSS spectrum over the target, 0 to 2 s
+  constexpr double tolerance = 0.02;  // of the average SRSS spectrum to the target, 0 to 2 s
   const std::string file = plan.config.suite_files[suite].string();
   const auto refused = [&](const std::string& what, const std::string& todo) {
     return Problem{file, "[clearance]: " + what,
@@ -140,9 +136,7 @@ std::optional<Problem> shortfall(const Plan& plan, std::size_t suite) {
     return refused("levels of " + std::string(plan.config.intensity.measure.key()) +
                        " scale each record by itself, not the suite to a design spectrum",
                    "measure by sds_g, which scales the suite, or by mce_fraction");
-  std::size_t first = 0;
-  while (plan.records[first].suite != suite) ++first;
-  const DesignTarget* target = plan.target(first);
+  const DesignTarget* target = plan.target_of(suite);
   if (target == nullptr)
     return refused("the suite has no [target] that it could meet",
                    "give the suite its [target], or the study intensity.target");

@@ -41,8 +41,8 @@ Warning strong_levels(const Plan& plan) {
 }
 
 Warning target_values(const Plan& plan) {
-  for (std::size_t record = 0; record < plan.records.size(); ++record) {
-    const DesignTarget* target = plan.target(record);
+  for (std::size_t suite = 0; suite < plan.suites.size(); ++suite) {
+    const DesignTarget* target = plan.target_of(suite);
     if (target == nullptr) continue;
     if (target->s1_g > target->ss_g)
       return fmt::format("S_1 of the target, {:g} g, is above its S_S, {:g} g", target->s1_g,
@@ -56,8 +56,8 @@ Warning target_values(const Plan& plan) {
 
 /// ASCE 7-16, 11.4.8 (recalled): where the mapped values and the site coefficients are not enough.
 Warning site_specific(const Plan& plan) {
-  for (std::size_t record = 0; record < plan.records.size(); ++record) {
-    const DesignTarget* target = plan.target(record);
+  for (std::size_t suite = 0; suite < plan.suites.size(); ++suite) {
+    const DesignTarget* target = plan.target_of(suite);
     if (target == nullptr || target->edition != AsceEdition::asce7_16) continue;
     for (const SiteClass site : target->site_classes) {
       const bool is_e = site == SiteClass::e;

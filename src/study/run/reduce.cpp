@@ -157,7 +157,7 @@ SuiteSpectra spectra_of(const Plan& plan, std::size_t suite) {
     }
     spectra.srss_g.push_back(std::move(srss));
   }
-  const DesignTarget* target = plan.target(first);
+  const DesignTarget* target = plan.target_of(suite);
   if (target == nullptr) return spectra;
   const TargetSpectrum shape(*target);
   const auto target_sa_g = [&](double period) {

@@ -73,25 +73,6 @@ Case coupled_one_axis() {
                {relative_to_slip, worst, 3e-6});
 }
 
-Case rigid_building() {
-  std::mt19937 random(5);
-  double worst = 0.0;
-  for (unsigned k = 0; k < 30; ++k) {
-    OnBuilding scene(random, k, 400);
-    scene.building.horizontal = {Oscillator{0.0}, Oscillator{0.0}};
-    scene.tolerance = 1e-8;
-    if (k % 2 == 0) scene.block.friction.across *= 0.8;
-    const TwoAxisResult plain = slide_two_axis(
-        {scene.dt_s, {scene.first, scene.second}, scene.up, scene.factor, scene.factor},
-        scene.block, 1e-9);
-    worst = worse(worst, displacement_difference(scene.result().slip, plain));
-  }
-  return limit(
-      {"slide_on_building() to 1e-8, rigid building, circle and ellipse, 30 made-up scenes",
-       "displacement vector", "slide_two_axis() to 1e-9", ReferenceFrom::this_code},
-      {relative_to_slip, worst, 3e-7});
-}
-
 // -- which way it lies, and Walters et al.'s measure
 
 /// A building alike on both axes, which feels a block that slides by decimetres on its round
@@ -181,8 +162,7 @@ table has the resulting error of the longest displacement vector: two motions of
 on a rigid building and on one of 0.4 and 0.7 s with m/M 0 and 0.1, flat and on 4 degrees at an
 azimuth of 0.4 rad, mu 0.3 on a circle and 0.3 by 0.2 on an ellipse, 24 scenes; the reference is
 Radau IIA in long double.)",
-      {one_axis(), coupled_one_axis(), rigid_building(), round_scene(), turned_scene(),
-       srss_of_maxima()}};
+      {one_axis(), coupled_one_axis(), round_scene(), turned_scene(), srss_of_maxima()}};
   for (const std::vector<Case>& cases :
        {two_axis_closed_forms(), two_axis_other_methods(), convergence.cases})
     chapter.cases.insert(chapter.cases.end(), cases.begin(), cases.end());

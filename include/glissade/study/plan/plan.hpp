@@ -45,15 +45,16 @@ struct Plan {
   std::vector<WorkUnit> units;
   std::vector<std::string> warnings;  ///< what is possible and not probable: first in every output
   std::vector<std::string> notes;     ///< remarks that belong to the results
-  std::vector<Skip> skips;         ///< what the study does not need and is not run
-  std::string hash;                ///< of everything that decides the results
+  std::vector<Skip> skips;            ///< what the study does not need and is not run
+  std::string hash;                   ///< of everything that decides the results
 
   const Suite& suite_of(std::size_t record) const { return suites[records[record].suite]; }
   const Motion& motion(std::size_t record) const {
     return suite_of(record).motions[records[record].motion];
   }
-  /// The design spectrum that strengths rest on; null: none.
-  const DesignTarget* target(std::size_t record) const;
+  /// The design spectrum that strengths and levels of a suite rest on; null: none.
+  const DesignTarget* target_of(std::size_t suite) const;
+  const DesignTarget* target(std::size_t record) const { return target_of(records[record].suite); }
   /// Records x cases x levels that are run; searches for capacities come on top.
   std::uint64_t histories() const;
   /// Predicted seconds of one core.

@@ -72,7 +72,6 @@ FreeVibration::FreeVibration(double omega_radps, double twice_zeta, double per_m
     x_part_[k] = -(twice_zeta_ * near_[k].yx + near_[k].xx) * per_mass_;
     y_part_[k] = -(twice_zeta_ * near_[k].yy + near_[k].xy) * per_mass_;
   }
-  decay_64_ = std::exp(-zeta * phase * static_cast<double>(block_nodes));
   sag_ = 0.125 * phase * phase * (1.0 + 4.0 * zeta) * (1.0 + 4.0 * zeta) * 1.2;
 }
 

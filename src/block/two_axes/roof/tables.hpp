@@ -47,7 +47,6 @@ class FreeVibration {
   /// No |acceleration| to come is larger.
   double bound(const AxisState& state) const;
   /// Of the bound, over 64 steps.
-  double decay_64() const { return decay_64_; }
   double acceleration(const AxisState& s) const { return -(twice_zeta_ * s.y + s.x) * per_mass_; }
   /// How far an acceleration of this amplitude leaves its chord over a step, at
   /// most.
@@ -57,7 +56,7 @@ class FreeVibration {
   struct Matrix {
     double xx = 1.0, xy = 0.0, yx = 0.0, yy = 1.0;
   };
-  double omega_, twice_zeta_, per_mass_, root_mass_, decay_64_, sag_;
+  double omega_, twice_zeta_, per_mass_, root_mass_, sag_;
   std::array<Matrix, block_nodes> near_;
   std::vector<Matrix> far_;  // block_nodes steps each
   std::array<double, 8> x_part_{}, y_part_{};
