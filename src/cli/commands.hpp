@@ -9,6 +9,7 @@ namespace glissade::cli {
 
 // Each adds one command to the program: its options, and what it calls. No physics here.
 void add_run(CLI::App& program, const Communicator& world);
+void add_clearance(CLI::App& program, const Communicator& world);
 void add_slide(CLI::App& program);
 void add_fit(CLI::App& program);
 void add_friction(CLI::App& program);

@@ -53,6 +53,7 @@ int run_program(int argc, char** argv, const glissade::Communicator& world) {
   program.require_subcommand(1);
   program.option_defaults()->always_capture_default();
   glissade::cli::add_run(program, world);
+  glissade::cli::add_clearance(program, world);
   glissade::cli::add_slide(program);
   glissade::cli::add_fit(program);
   glissade::cli::add_friction(program);

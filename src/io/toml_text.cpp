@@ -6,6 +6,8 @@
 
 #include <vector>
 
+#include "glissade/core/contract.hpp"
+
 namespace glissade {
 
 std::string quoted(const std::string& text) {
@@ -22,6 +24,10 @@ std::string quoted(const std::string& text) {
 }
 
 std::string target_toml(const DesignTarget& target) {
+  GLISSADE_EXPECTS(target.period_s.empty());
+  if (target.sds_g > 0.0)
+    return fmt::format("[target]\nedition = {}\nsds_g = {}\nsd1_g = {}\ntl_s = {}\n",
+                       quoted(to_string(target.edition)), target.sds_g, target.sd1_g, target.tl_s);
   std::vector<std::string> classes;
   for (const SiteClass site : target.site_classes) classes.push_back(quoted(to_string(site)));
   return fmt::format(

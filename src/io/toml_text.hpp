@@ -10,7 +10,7 @@ namespace glissade {
 /// A TOML basic string.
 std::string quoted(const std::string& text);
 
-/// The table [target].
+/// The table [target]. Expects one that is not given by points.
 std::string target_toml(const DesignTarget& target);
 
 }  // namespace glissade

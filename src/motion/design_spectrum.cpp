@@ -2,6 +2,7 @@
 #include "glissade/motion/design_spectrum.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -117,30 +118,41 @@ double DesignSpectrum::sa_g(double period_s) const {
   return sd1_g * tl_s / (period_s * period_s);
 }
 
-TargetSpectrum::TargetSpectrum(const DesignTarget& target) {
+std::vector<SiteClass> default_site_classes(AsceEdition edition) {
+  if (edition == AsceEdition::asce7_10) return {SiteClass::d};
+  return {SiteClass::c, SiteClass::d};
+}
+
+TargetSpectrum::TargetSpectrum(const DesignTarget& target)
+    : period_s_(target.period_s), design_sa_g_(target.design_sa_g) {
+  if (!period_s_.empty()) return;
   ProblemList problems;
-  if (target.site_classes.empty()) {
-    problems.add({"", "the design target has no site class", "give one or more of A to E", ""});
-  }
   if (!is_positive(target.tl_s)) {
     problems.add({"", fmt::format("tl_s = {} is not a positive number", target.tl_s),
                   "give the mapped long-period transition in seconds", ""});
   }
+  const auto add = [&](const DesignSpectrum& spectrum, const std::string& whose) {
+    spectra_.push_back(spectrum);
+    if (target.tl_s >= spectrum.ts_s()) return;
+    problems.add(
+        {"",
+         fmt::format("tl_s = {} is below T_S = {:.4g} s{}", target.tl_s, spectrum.ts_s(), whose),
+         "check the spectral accelerations and tl_s: mapped values of T_L are 4 to 16 s", ""});
+  };
+  if (target.sds_g > 0.0) {
+    add({target.sds_g, target.sd1_g, target.tl_s}, "");
+    problems.throw_if_any();
+    return;
+  }
+  if (target.site_classes.empty()) {
+    problems.add({"", "the design target has no site class", "give one or more of A to E", ""});
+  }
   for (const SiteClass site : target.site_classes) {
     try {
-      DesignSpectrum spectrum;
-      spectrum.sds_g =
-          2.0 / 3.0 * site_coefficient_fa(target.edition, site, target.ss_g) * target.ss_g;
-      spectrum.sd1_g =
-          2.0 / 3.0 * site_coefficient_fv(target.edition, site, target.s1_g) * target.s1_g;
-      spectrum.tl_s = target.tl_s;
-      if (target.tl_s < spectrum.ts_s()) {
-        problems.add({"",
-                      fmt::format("tl_s = {} is below T_S = {:.4g} s of site class {}", target.tl_s,
-                                  spectrum.ts_s(), to_string(site)),
-                      "check ss_g, s1_g and tl_s: mapped values of T_L are 4 to 16 s", ""});
-      }
-      spectra_.push_back(spectrum);
+      const double fa = site_coefficient_fa(target.edition, site, target.ss_g);
+      const double fv = site_coefficient_fv(target.edition, site, target.s1_g);
+      add({2.0 / 3.0 * fa * target.ss_g, 2.0 / 3.0 * fv * target.s1_g, target.tl_s},
+          " of site class " + to_string(site));
     } catch (const InputError& error) {
       problems.add(error);
     }
@@ -149,6 +161,15 @@ TargetSpectrum::TargetSpectrum(const DesignTarget& target) {
 }
 
 double TargetSpectrum::design_sa_g(double period_s) const {
+  if (!period_s_.empty()) {
+    const auto right =
+        static_cast<std::size_t>(std::ranges::upper_bound(period_s_, period_s) - period_s_.begin());
+    if (right == 0) return design_sa_g_.front();
+    if (right == period_s_.size()) return design_sa_g_.back() * period_s_.back() / period_s;
+    const double fraction =
+        (period_s - period_s_[right - 1]) / (period_s_[right] - period_s_[right - 1]);
+    return std::lerp(design_sa_g_[right - 1], design_sa_g_[right], fraction);
+  }
   double envelope = 0.0;
   for (const DesignSpectrum& spectrum : spectra_)
     envelope = std::max(envelope, spectrum.sa_g(period_s));
@@ -156,10 +177,23 @@ double TargetSpectrum::design_sa_g(double period_s) const {
 }
 
 double TargetSpectrum::sds_g() const {
+  if (!period_s_.empty()) {
+    double largest = std::max(design_sa_g(0.2), design_sa_g(5.0));
+    for (std::size_t i = 0; i < period_s_.size(); ++i) {
+      if (period_s_[i] > 0.2 && period_s_[i] < 5.0) largest = std::max(largest, design_sa_g_[i]);
+    }
+    return 0.9 * largest;
+  }
   return std::ranges::max(spectra_, {}, &DesignSpectrum::sds_g).sds_g;
 }
 
 double TargetSpectrum::sd1_g() const {
+  if (!period_s_.empty()) {
+    double largest = 0.0;  // S_a T is a parabola between points: its vertex is found well by steps
+    for (double period = 1.0; period <= 5.0; period += 0.001)
+      largest = std::max(largest, period * design_sa_g(period));
+    return largest;
+  }
   return std::ranges::max(spectra_, {}, &DesignSpectrum::sd1_g).sd1_g;
 }
 
@@ -175,6 +209,18 @@ AsceEdition parse_asce_edition(const std::string& text) {
 
 std::string to_string(AsceEdition edition) {
   return edition_names[static_cast<std::size_t>(edition)];
+}
+
+std::string to_string(const DesignTarget& target) {
+  const std::string edition = to_string(target.edition);
+  if (!target.period_s.empty())
+    return fmt::format("{} spectrum of {} points", edition, target.period_s.size());
+  if (target.sds_g > 0.0)
+    return fmt::format("{} S_DS {:g} g, S_D1 {:g} g", edition, target.sds_g, target.sd1_g);
+  std::vector<std::string> classes;
+  for (const SiteClass site : target.site_classes) classes.push_back(to_string(site));
+  return fmt::format("{} S_S {:g} g, S_1 {:g} g, site class{} {}", edition, target.ss_g,
+                     target.s1_g, classes.size() > 1 ? "es" : "", fmt::join(classes, ", "));
 }
 
 }  // namespace glissade

@@ -46,13 +46,13 @@ std::string describe(const Distribution& distribution) {
   struct Describe {
     std::string operator()(const Fixed& d) const { return fmt::format("{:g}", d.value); }
     std::string operator()(const Normal& d) const {
-      return fmt::format("normal, mean {:g}, std {:g}", d.mean, d.std);
+      return fmt::format("normal, mean {:.4g}, std {:.4g}", d.mean, d.std);
     }
     std::string operator()(const TruncatedNormal& d) const {
       std::string limits;
       if (std::isfinite(d.min)) limits += fmt::format(", not below {:g}", d.min);
       if (std::isfinite(d.max)) limits += fmt::format(", not above {:g}", d.max);
-      return fmt::format("normal, mean {:g}, std {:g}{}", d.mean, d.std, limits);
+      return fmt::format("normal, mean {:.4g}, std {:.4g}{}", d.mean, d.std, limits);
     }
     std::string operator()(const LogNormal& d) const {
       return fmt::format("lognormal, median {:g}, log std {:g}", d.median, d.log_std);

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include "glissade/motion/motion.hpp"
 #include "glissade/motion/simulation/synthetic_suite.hpp"
@@ -15,6 +17,16 @@ namespace glissade {
 /// by file name anywhere below. Throws InputError with everything that is wrong: keys, missing
 /// files (all of them), unreadable records.
 Suite load_suite(const std::filesystem::path& file);
+
+/// A file of a recorded suite.
+struct RecordFile {
+  std::string record;     ///< id of its record
+  std::string component;  ///< "first", "second", "vertical"
+  std::string name;       ///< as the suite file gives it
+  std::filesystem::path path;
+};
+/// Those of a suite that load_suite() reads; none of simulated motions.
+std::vector<RecordFile> record_files(const std::filesystem::path& suite_file);
 
 /// The recipe in a file with [simulation] and [[motion]]; nothing is simulated.
 SyntheticRecipe read_recipe(const std::filesystem::path& file);

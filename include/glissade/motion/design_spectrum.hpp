@@ -28,15 +28,25 @@ struct DesignSpectrum {
   double sa_g(double period_s) const;
 };
 
-/// Target spectrum of a suite: mapped values, edition and the site classes whose spectra are
-/// enveloped (A-D in Walters et al. 2012).
+/// Target spectrum of a suite: edition, mapped values and the site classes whose spectra are
+/// enveloped (A-D in Walters et al. 2012); or, of a site, the design values S_DS and S_D1; or the
+/// design spectrum point by point.
 struct DesignTarget {
   AsceEdition edition = AsceEdition::asce7_10;
   double ss_g = 0.0;  ///< > 0
   double s1_g = 0.0;  ///< > 0
   std::vector<SiteClass> site_classes = {SiteClass::d};
   double tl_s = 8.0;
+  double sds_g = 0.0, sd1_g = 0.0;  ///< above 0: these count in place of mapped values
+  /// Not empty: these points count, linear in between; from 0.01 s or less to 5 s or more. The
+  /// first holds below it; beyond the last the acceleration falls as 1/T.
+  std::vector<double> period_s, design_sa_g;
+
+  bool is_mapped() const { return sds_g == 0.0 && period_s.empty(); }
 };
+/// The classes of an unknown site: C and D (ASCE 7-16, 11.4.3 and 11.4.4, whose F_a of at least 1.2
+/// is that of C), D (ASCE 7-10).
+std::vector<SiteClass> default_site_classes(AsceEdition edition);
 
 /// The envelope over the site classes of the target. Multiply by 1.5 for MCE_R.
 class TargetSpectrum {
@@ -44,16 +54,24 @@ class TargetSpectrum {
   explicit TargetSpectrum(const DesignTarget& target);
   double design_sa_g(double period_s) const;  ///< DBE: 2/3 of MCE_R
   double mce_sa_g(double period_s) const { return 1.5 * design_sa_g(period_s); }
-  double sds_g() const;  ///< largest S_DS of the classes
-  double sd1_g() const;  ///< largest S_D1 of the classes
+  /// Largest S_DS of the classes; of points 90 % of the largest acceleration from 0.2 to 5 s (ASCE
+  /// 7-16, 21.4, recalled: verify against the standard).
+  double sds_g() const;
+  /// Largest S_D1 of the classes; of points the largest of S_a T from 1 to 2 s, where V_s30 is
+  /// above 366 m/s, and to 5 s else: taken to 5 s, which is never less (21.4, recalled).
+  double sd1_g() const;
 
  private:
   std::vector<DesignSpectrum> spectra_;
+  std::vector<double> period_s_, design_sa_g_;
 };
 
 SiteClass parse_site_class(const std::string& text);  ///< "A" ... "E"; InputError otherwise
 std::string to_string(SiteClass site);
 AsceEdition parse_asce_edition(const std::string& text);  ///< "asce7_10", "asce7_16"
 std::string to_string(AsceEdition edition);
+/// "asce7_16 S_S 1.5 g, S_1 0.6 g, site classes C, D", "asce7_16 S_DS 1 g, S_D1 0.6 g", "asce7_16
+/// spectrum of 22 points".
+std::string to_string(const DesignTarget& target);
 
 }  // namespace glissade

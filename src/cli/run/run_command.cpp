@@ -18,19 +18,12 @@
 #include "run/progress.hpp"
 #include "run/run_folder.hpp"
 #include "run/run_record.hpp"
+#include "run/run_study.hpp"
 
 namespace glissade::cli {
 namespace {
 
 namespace fs = std::filesystem;
-
-struct RunOptions {
-  std::string study;
-  std::string out;
-  bool dry_run = false;
-  bool no_skip = false;
-  bool overwrite = false;
-};
 
 std::vector<UnitResult> execute_all(const Plan& plan, const Communicator& world,
                                     Skipping skipping) {
@@ -67,7 +60,7 @@ std::vector<Suite> load_suites(const std::vector<fs::path>& files) {
 
 /// What root does with the histories of all ranks.
 void write_all(const Plan& plan, const std::vector<UnitResult>& units, const fs::path& out,
-               PhaseClock& clock, int ranks) {
+               PhaseClock& clock, int ranks, bool quiet) {
   const WorkCount count = total_count(units);
   const std::vector<Skip> skips = skipped(plan, count);
   const Results results = reduce(plan, units);
@@ -79,6 +72,7 @@ void write_all(const Plan& plan, const std::vector<UnitResult>& units, const fs:
   write_beside_results(out, [&] {
     write_text_file(out / "run.json", run_json(results, skips, clock, ranks, count));
   });
+  if (quiet) return;
   fmt::print("{}\n", summary_text(results, skips));
   print_seconds(clock, ranks);
   fmt::print(
@@ -87,7 +81,9 @@ void write_all(const Plan& plan, const std::vector<UnitResult>& units, const fs:
   print_where(out);
 }
 
-void run(const RunOptions& options, const Communicator& world) {
+}  // namespace
+
+void run_study(const RunOptions& options, const Communicator& world) {
   const fs::path out = options.out.empty() ? fs::path("results") / fs::path(options.study).stem()
                                            : fs::path(options.out);
   PhaseClock clock;
@@ -121,10 +117,8 @@ void run(const RunOptions& options, const Communicator& world) {
   const std::vector<UnitResult> units =
       execute_all(plan, world, options.no_skip ? Skipping::none : Skipping::all);
   clock.end_phase("histories");
-  on_root(world, [&] { write_all(plan, units, out, clock, world.size()); });
+  on_root(world, [&] { write_all(plan, units, out, clock, world.size(), options.quiet); });
 }
-
-}  // namespace
 
 void add_run(CLI::App& program, const Communicator& world) {
   auto options = std::make_shared<RunOptions>();
@@ -138,7 +132,7 @@ void add_run(CLI::App& program, const Communicator& world) {
   command->add_flag("--no-skip", options->no_skip,
                     "compute also what the study does not need: much slower, the same results to "
                     "the last bit");
-  command->callback([options, world] { run(*options, world); });
+  command->callback([options, world] { run_study(*options, world); });
 }
 
 }  // namespace glissade::cli

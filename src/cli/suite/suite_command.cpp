@@ -82,11 +82,13 @@ void show(const SuiteOptions& o) {
   fmt::print("{}: {}\n", suite.name, suite.description);
   if (suite.target) {
     const TargetSpectrum target(*suite.target);
-    const auto level = intensity_level({suite.target->ss_g, suite.target->s1_g});
-    fmt::print(
-        "target: {} S_s {:g} g, S_1 {:g} g: S_DS {:.3f} g, S_D1 {:.3f} g; Intensity Level {}\n",
-        to_string(suite.target->edition), suite.target->ss_g, suite.target->s1_g, target.sds_g(),
-        target.sd1_g(), level ? std::to_string(*level) : "above 4");
+    fmt::print("target: {}: S_DS {:.3f} g, S_D1 {:.3f} g", to_string(*suite.target), target.sds_g(),
+               target.sd1_g());
+    if (suite.target->is_mapped()) {
+      const auto level = intensity_level({suite.target->ss_g, suite.target->s1_g});
+      fmt::print("; Intensity Level {}", level ? std::to_string(*level) : "above 4");
+    }
+    fmt::print("\n");
   }
   fmt::print("{}", to_text(motions_table(suite)));
 }

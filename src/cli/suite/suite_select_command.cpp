@@ -138,11 +138,7 @@ std::vector<std::string> names(const DesignTarget& target) {
   return classes;
 }
 
-std::string target_line(const DesignTarget& target) {
-  return fmt::format("MCE, {} S_s {} g, S_1 {} g, site class{} {}", to_string(target.edition),
-                     target.ss_g, target.s1_g, target.site_classes.size() > 1 ? "es" : "",
-                     fmt::join(names(target), ", "));
-}
+std::string target_line(const DesignTarget& target) { return "MCE, " + to_string(target); }
 
 std::string average_line(const RecordSelection& s) {
   return fmt::format("{:.3f} (at {:g} s) to {:.3f} (at {:g} s) of the target from 0 to 2 s",

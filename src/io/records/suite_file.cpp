@@ -17,10 +17,11 @@ namespace {
 
 constexpr std::uint64_t largest_toml_integer = std::numeric_limits<std::int64_t>::max();
 
-std::optional<DesignTarget> read_optional_target(const TomlTable& root) {
+std::optional<DesignTarget> read_optional_target(const TomlTable& root,
+                                                 const std::filesystem::path& folder) {
   const TomlTable table = root.table("target");
   if (!table.exists()) return std::nullopt;
-  return read_target(table);
+  return read_target(table, folder);
 }
 
 /// Ids name motions in results: each once.
@@ -93,7 +94,7 @@ Suite read_recorded_suite(const std::filesystem::path& file, TomlDocument& docum
   Suite suite;
   suite.name = head.required_text("name");
   suite.description = head.text("description").value_or("");
-  suite.target = read_optional_target(root);
+  suite.target = read_optional_target(root, file.parent_path());
   const std::vector<TomlTable> records = root.tables("record");
   if (records.empty())
     root.report_missing("record", "give [[record]] entries, or [simulation] and [[motion]]");
@@ -164,13 +165,18 @@ SyntheticMotion read_synthetic_motion(const TomlTable& table) {
   return motion;
 }
 
-SyntheticRecipe read_recipe(TomlDocument& document) {
+SyntheticRecipe read_recipe(TomlDocument& document, const std::filesystem::path& folder) {
   const TomlTable root = document.root();
   const TomlTable head = root.required_table("suite");
   SyntheticRecipe recipe;
   recipe.name = head.required_text("name");
   recipe.description = head.text("description").value_or("");
-  recipe.target = read_target(root.required_table("target"));
+  recipe.target = read_target(root.required_table("target"), folder);
+
+  if (!recipe.target.period_s.empty())
+    root.table("target").report("spectrum",
+                                "simulated motions are not designed for a spectrum by points",
+                                "give ss_g, s1_g and site_class, or sds_g and sd1_g");
 
   enum class Model { rezaeian_der_kiureghian_2010 };
   const TomlTable simulation = root.required_table("simulation");
@@ -195,14 +201,29 @@ SyntheticRecipe read_recipe(TomlDocument& document) {
 
 }  // namespace
 
+std::vector<RecordFile> record_files(const std::filesystem::path& suite_file) {
+  TomlDocument document(suite_file);
+  RecordFinder finder(suite_file.parent_path());
+  std::vector<RecordFile> files;
+  for (const TomlTable& record : document.root().tables("record")) {
+    for (const char* key : {"first", "second", "vertical"}) {
+      const auto entry = read_component_entry(record, key);
+      const auto path = entry ? finder.find(entry->file) : std::nullopt;
+      if (path) files.push_back({record.text("id").value_or(""), key, entry->file, *path});
+    }
+  }
+  return files;
+}
+
 SyntheticRecipe read_recipe(const std::filesystem::path& file) {
   TomlDocument document(file);
-  return read_recipe(document);
+  return read_recipe(document, file.parent_path());
 }
 
 Suite load_suite(const std::filesystem::path& file) {
   TomlDocument document(file);
-  if (document.root().has("simulation")) return simulate_suite(read_recipe(document));
+  if (document.root().has("simulation"))
+    return simulate_suite(read_recipe(document, file.parent_path()));
   return read_recorded_suite(file, document);
 }
 

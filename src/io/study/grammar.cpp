@@ -58,10 +58,15 @@ void add_head(std::vector<GrammarKey>& keys) {
         "acceleration, s"},
        {"intensity", "avg_sa_periods_s", "list or { from, to, count }", "required with avg_sa_g",
         "periods of the average spectral acceleration, s"},
-       {"intensity", "target", "{ edition, ss_g, s1_g, site_class or site_classes, tl_s }",
+       {"intensity", "target",
+        "{ edition, ss_g, s1_g, site_class or site_classes, tl_s }, { edition, sds_g, sd1_g, tl_s "
+        "} or "
+        "{ edition, spectrum }",
         "that of the suite",
-        "the design spectrum: shape for sds_g, demand for "
-        "building.response_modification"},
+        "the design spectrum: shape for sds_g, demand for building.response_modification; "
+        "site_class is a letter or \"default\"; spectrum is a CSV file with the columns period_s "
+        "and "
+        "design_sa_g or mce_sa_g"},
        {"model", "axes", "1 or 2", usual.two_axes() ? "2" : "1",
         "along how many horizontal axes the array may slide; along one it slides less than under "
         "both components"},

@@ -27,7 +27,8 @@ void refuse_other_keys(const TomlTable& table, IntensityMeasure measure) {
   }
 }
 
-IntensityConfig read_intensity(const TomlTable& table, const NumberRule& level_rule) {
+IntensityConfig read_intensity(const TomlTable& table, const NumberRule& level_rule,
+                               const std::filesystem::path& folder) {
   IntensityConfig intensity;
   std::string known;
   for (std::size_t i = 0; i < IntensityMeasure::count(); ++i)
@@ -51,7 +52,7 @@ IntensityConfig read_intensity(const TomlTable& table, const NumberRule& level_r
     intensity.sa_period_s = table.required_number("sa_period_s", not_negative);
   if (is_own("avg_sa_periods_s"))
     intensity.avg_sa_periods_s = read_increasing(table, "avg_sa_periods_s", not_negative);
-  if (table.has("target")) intensity.target = read_target(table.table("target"));
+  if (table.has("target")) intensity.target = read_target(table.table("target"), folder);
   refuse_other_keys(table, *measure);
   return intensity;
 }
@@ -123,8 +124,8 @@ StudyConfig read_study(const std::filesystem::path& file) {
   study.seed = head.whole("seed", 0, std::numeric_limits<std::int64_t>::max()).value_or(0);
   read_suites(root.required_table("suite"), study);
   const bool fragility = root.has("fragility");
-  study.intensity =
-      read_intensity(root.required_table("intensity"), fragility ? above_zero : not_negative);
+  study.intensity = read_intensity(root.required_table("intensity"),
+                                   fragility ? above_zero : not_negative, file.parent_path());
   study.model = read_model(root.table("model"));
   read_quantities(root, study);
   read_friction(root.required_table("friction"), friction_values(root), study);

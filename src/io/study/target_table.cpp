@@ -1,33 +1,83 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "study/target_table.hpp"
 
-namespace glissade {
+#include "number_rows.hpp"
 
-DesignTarget read_target(const TomlTable& table) {
-  const EnumNames<AsceEdition> editions = {{"asce7_10", AsceEdition::asce7_10},
-                                           {"asce7_16", AsceEdition::asce7_16}};
+namespace glissade {
+namespace {
+
+void read_site_classes(const TomlTable& table, DesignTarget& target) {
   const EnumNames<SiteClass> classes = {{"A", SiteClass::a},
                                         {"B", SiteClass::b},
                                         {"C", SiteClass::c},
                                         {"D", SiteClass::d},
                                         {"E", SiteClass::e}};
-  DesignTarget target;
-  if (!table.has("edition"))
-    table.report_missing("edition", "asce7_10 or asce7_16: their site coefficients differ");
-  target.edition = table.choice<AsceEdition>("edition", editions).value_or(target.edition);
-  target.ss_g = table.required_number("ss_g", above_zero);
-  target.s1_g = table.required_number("s1_g", above_zero);
-  target.tl_s = table.number("tl_s", above_zero).value_or(target.tl_s);
   if (table.has("site_class") && table.has("site_classes")) {
     table.report("site_class", "both site_class and site_classes are given", "give one of them");
   }
-  if (const auto one = table.choice<SiteClass>("site_class", classes)) target.site_classes = {*one};
+  if (table.text("site_class") == "default") {
+    target.site_classes = default_site_classes(target.edition);
+  } else if (const auto one = table.choice<SiteClass>("site_class", classes)) {
+    target.site_classes = {*one};
+  }
   if (const auto many = table.choices<SiteClass>("site_classes", classes)) {
     if (many->empty() && table.texts("site_classes")->empty()) {
       table.report("site_classes", "site_classes is empty", "name at least one of A, B, C, D, E");
     }
     target.site_classes = *many;
   }
+}
+
+void read_spectrum(const TomlTable& table, const std::filesystem::path& folder,
+                   DesignTarget& target) {
+  const std::string name = table.required_text("spectrum");
+  if (name.empty()) return;
+  const auto take = [&](double mce_factor) {
+    return [&target, mce_factor](const std::vector<double>& row, std::size_t) -> std::string {
+      if (row[0] < 0.0) return "the period is below 0";
+      if (!target.period_s.empty() && row[0] <= target.period_s.back())
+        return "periods must increase from row to row";
+      if (!(row[1] > 0.0)) return "the acceleration is not above 0";
+      target.period_s.push_back(row[0]);
+      target.design_sa_g.push_back(row[1] / mce_factor);
+      return "";
+    };
+  };
+  try {
+    read_number_rows(folder / name, {{{"period_s", "design_sa_g"}, take(1.0)},
+                                     {{"period_s", "mce_sa_g"}, take(1.5)}});
+  } catch (const InputError& error) {
+    table.report("spectrum", error);
+    return;
+  }
+  if (target.period_s.front() > 0.01 || target.period_s.back() < 5.0)
+    table.report(
+        "spectrum",
+        "the spectrum does not cover the periods from 0.01 s to 5 s, over which a suite is "
+        "scaled and S_DS is read",
+        "give the spectrum from 0.01 s or less to 5 s or more");
+}
+
+}  // namespace
+
+DesignTarget read_target(const TomlTable& table, const std::filesystem::path& folder) {
+  const EnumNames<AsceEdition> editions = {{"asce7_10", AsceEdition::asce7_10},
+                                           {"asce7_16", AsceEdition::asce7_16}};
+  DesignTarget target;
+  if (!table.has("edition"))
+    table.report_missing("edition", "asce7_10 or asce7_16: their site coefficients differ");
+  target.edition = table.choice<AsceEdition>("edition", editions).value_or(target.edition);
+  if (table.has("spectrum")) {
+    read_spectrum(table, folder, target);
+  } else if (table.has("sds_g") || table.has("sd1_g")) {
+    target.sds_g = table.required_number("sds_g", above_zero);
+    target.sd1_g = table.required_number("sd1_g", above_zero);
+  } else {
+    target.ss_g = table.required_number("ss_g", above_zero);
+    target.s1_g = table.required_number("s1_g", above_zero);
+    read_site_classes(table, target);
+  }
+  if (!table.has("spectrum")) target.tl_s = table.number("tl_s", above_zero).value_or(target.tl_s);
   return target;
 }
 

@@ -6,8 +6,12 @@
 
 namespace glissade {
 
-/// A design target: edition, ss_g, s1_g, site_classes = ["A", ...] or site_class
-/// = "D" (the default), tl_s (default 8).
-DesignTarget read_target(const TomlTable& table);
+/// A design target: edition, and one of
+/// - ss_g, s1_g, site_class = "D" (the usual one) or "default", or site_classes = ["A", ...],
+/// - sds_g and sd1_g,
+/// - spectrum, a CSV file of two columns, period_s and design_sa_g or mce_sa_g, relative to
+///   `folder`;
+/// tl_s (8 where absent) goes with the first two.
+DesignTarget read_target(const TomlTable& table, const std::filesystem::path& folder);
 
 }  // namespace glissade

@@ -35,7 +35,7 @@ Html page_head(const PageTitle& title) {
   return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
          "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n" +
          enclosed("<title>", title.name + " - " + title.kind, "</title>\n<style>") + style +
-         enclosed("</style>\n</head>\n<body>\n<h1>", title.name, "</h1>\n");
+         title.style + enclosed("</style>\n</head>\n<body>\n<h1>", title.name, "</h1>\n");
 }
 
 Html page_foot() { return Html("</body>\n</html>\n"); }

@@ -15,6 +15,7 @@ namespace glissade {
 struct PageTitle {
   std::string name;  ///< heading of the page
   std::string kind;  ///< after it in the browser's title: "slip fragility"
+  Markup style{""};  ///< in addition to that of every page
 };
 
 /// All up to and with the <h1>, styles inline.

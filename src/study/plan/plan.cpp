@@ -92,11 +92,17 @@ void hash_target(Hasher& hasher, const std::optional<DesignTarget>& target) {
   hasher.text("target").number(static_cast<double>(target->edition)).number(target->ss_g);
   hasher.number(target->s1_g).number(target->tl_s);
   for (const auto site_class : target->site_classes) hasher.number(static_cast<double>(site_class));
+  if (!target->is_mapped()) {
+    hasher.number(target->sds_g).number(target->sd1_g);
+    hasher.numbers(target->period_s).numbers(target->design_sa_g);
+  }
 }
 
 std::string hash_of(const Plan& plan) {
   Hasher hasher;
   hasher.text("glissade plan 5").text(plan.config.source_text).numbers(plan.factor_at_unit_level);
+  const auto& own = plan.config.intensity.target;
+  if (own && !own->is_mapped()) hash_target(hasher, own);  // else it is in the study's text
   for (const Suite& suite : plan.suites) {
     hash_target(hasher, suite.target);
     for (const Motion& motion : suite.motions) {

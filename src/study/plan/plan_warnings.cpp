@@ -43,7 +43,7 @@ Warning strong_levels(const Plan& plan) {
 Warning target_values(const Plan& plan) {
   for (std::size_t suite = 0; suite < plan.suites.size(); ++suite) {
     const DesignTarget* target = plan.target_of(suite);
-    if (target == nullptr) continue;
+    if (target == nullptr || !target->is_mapped()) continue;
     if (target->s1_g > target->ss_g)
       return fmt::format("S_1 of the target, {:g} g, is above its S_S, {:g} g", target->s1_g,
                          target->ss_g);
@@ -58,7 +58,8 @@ Warning target_values(const Plan& plan) {
 Warning site_specific(const Plan& plan) {
   for (std::size_t suite = 0; suite < plan.suites.size(); ++suite) {
     const DesignTarget* target = plan.target_of(suite);
-    if (target == nullptr || target->edition != AsceEdition::asce7_16) continue;
+    if (target == nullptr || !target->is_mapped() || target->edition != AsceEdition::asce7_16)
+      continue;
     for (const SiteClass site : target->site_classes) {
       const bool is_e = site == SiteClass::e;
       if (!(is_e && target->ss_g >= 1.0) &&

@@ -17,6 +17,7 @@ void for_each_part(M& m, Visit visit) {
 template <class T, class Visit>
 void for_each_target_part(T& t, Visit visit) {
   visit(t.edition), visit(t.ss_g), visit(t.s1_g), visit(t.site_classes), visit(t.tl_s);
+  visit(t.sds_g), visit(t.sd1_g), visit(t.period_s), visit(t.design_sa_g);
 }
 
 }  // namespace

@@ -24,12 +24,13 @@ const std::map<std::string, std::set<std::string>> may_include = {
     {"fragility", {"core"}},
     {"standards", {"core"}},
     {"study", {"core", "motion", "building", "block", "sampling", "fragility", "standards"}},
+    {"design", {"core", "motion", "fragility", "standards", "study"}},
     {"parallel", {"core"}},
-    {"io", {"core", "motion", "sampling", "fragility", "standards", "study"}},
-    {"report", {"core", "motion", "sampling", "fragility", "standards", "study"}},
+    {"io", {"core", "motion", "sampling", "fragility", "standards", "study", "design"}},
+    {"report", {"core", "motion", "sampling", "fragility", "standards", "study", "design"}},
     {"cli",
      {"core", "motion", "building", "block", "sampling", "fragility", "standards", "study",
-      "parallel", "io", "report"}},
+      "design", "parallel", "io", "report"}},
 };
 
 struct Include {

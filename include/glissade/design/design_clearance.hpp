@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "glissade/design/project.hpp"
+#include "glissade/study/results.hpp"
+
+// From the results of a project's studies to one governing displacement and its separations.
+namespace glissade {
+
+/// Design values of the site.
+struct SiteValues {
+  double sds_g = 0.0, sd1_g = 0.0;
+  double fa = 0.0, fv = 0.0;  ///< of the class that governs; 0: the target is not mapped
+  SeismicDesignCategory category = SeismicDesignCategory::d;
+
+  double sms_g() const { return 1.5 * sds_g; }
+  double sm1_g() const { return 1.5 * sd1_g; }
+};
+SiteValues site_values(const ProjectSite& site);
+
+/// Displacement at one building period, over the records of the suite all in the orientation with
+/// the largest mean, on the slope and with the mass ratio that govern.
+struct PeriodDemand {
+  double period_s = 0.0;
+  std::string orientation;
+  double mean_m = 0.0, p84_m = 0.0, p95_m = 0.0;  ///< percentiles by Hyndman & Fan (1996) type 7
+  double largest_m = 0.0;                         ///< of the records in any orientation
+  double median_orientation_m = 0.0;              ///< the mean in the median orientation
+};
+
+/// A condition of a prescriptive value. Not known: nothing.
+struct CodeCondition {
+  std::string text;
+  std::optional<bool> is_met;
+  Provenance provenance;
+};
+
+/// A prescriptive displacement at the site, whether it may be used, and the least value of an
+/// analysis in its place.
+struct PrescribedValue {
+  Standard standard;
+  Prescription prescribed;
+  std::vector<CodeCondition> conditions;
+  double floor_share = 0.0;  ///< of the prescribed value, unless an analysis is peer reviewed
+  std::string floor_basis;
+
+  bool may_be_used() const;
+};
+std::vector<PrescribedValue> prescribed_values(const Project& project, const SiteValues& site);
+
+/// The required displacement with one input changed.
+struct Sensitivity {
+  std::string what;   ///< "friction"
+  std::string value;  ///< "0.52 (mean)"
+  double clearance_m = 0.0;
+  bool is_governing = false;  ///< the input of the governing case
+};
+
+/// Probability that the displacement exceeds the governing one, and its 95 % interval.
+struct ExceedanceAt {
+  std::string level;  ///< "DBE"
+  double sds_g = 0.0;
+  double probability = 0.0;
+  Interval interval;  ///< where no or every history exceeds: a bound, with one trial a record
+};
+
+struct DesignClearance {
+  SiteValues site;
+  double slope_deg = 0.0, mass_ratio = 0.0, period_s = 0.0;  ///< of the governing case
+  std::vector<PeriodDemand> demand;                          ///< by period
+  double factor = 1.1;
+  double analysis_m = 0.0;         ///< factor x the largest mean over orientations and periods
+  double median_analysis_m = 0.0;  ///< with the median of the orientations in place of the largest
+  std::vector<PrescribedValue> prescribed;
+  double floor_m = 0.0;  ///< least value of an analysis by the standard of the project; 0: none
+  double governing_m = 0.0;
+  bool floor_governs = false;
+  double rounded_m = 0.0;  ///< governing_m, rounded up
+  std::vector<ProjectSeparation> separations;
+  std::vector<Sensitivity> sensitivity;
+  std::vector<ExceedanceAt> exceedance;  ///< empty until the probability study has run
+  /// What is possible and not probable, or to be decided by the engineer: shown before the result.
+  std::vector<std::string> warnings;
+};
+
+/// `demand`: the results of demand_study(). The rule after Walters et al. (2012), with the largest
+/// of the orientations in place of their median.
+DesignClearance design_clearance(const Project& project, const Results& demand);
+
+/// Adds what the results of probability_study() give.
+void add_exceedance(const Results& probability, DesignClearance& design);
+
+/// Up to a whole number of steps; a value that is above one by 1e-9 of a step or less stays there.
+double rounded_up(double value, double step);
+
+}  // namespace glissade

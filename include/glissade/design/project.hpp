@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "glissade/motion/design_spectrum.hpp"
+#include "glissade/standards/code_values.hpp"
+#include "glissade/study/config.hpp"
+
+// A project: one array on the roof of one building, as an engineer describes it for a permit.
+namespace glissade {
+
+struct TitleBlock {
+  std::string name, address, engineer, date;  ///< empty: left to be filled in
+};
+
+struct ProjectSite {
+  DesignTarget target;
+  RiskCategory risk = RiskCategory::ii;
+};
+
+struct ProjectBuilding {
+  std::vector<double> period_s;    ///< increasing, > 0
+  std::string period_basis;        ///< "given", or the equation with its numbers
+  std::optional<double> storeys;   ///< above ground, where given
+  std::vector<double> mass_ratio;  ///< of the array to the building, increasing
+  double damping = 0.05;
+};
+
+struct ProjectFriction {
+  double mean = 0.5, std = 0.0;
+  std::optional<double> lower_bound;  ///< 95 % confidence bound of MuStatistics, of tests
+  std::string source;                 ///< "7 pull tests in pulls.csv (SHA-256 ...)"
+
+  /// mean - 2 std (Walters et al. 2012), not below 0.
+  double design() const;
+};
+
+/// What an array may come near to, with the part of the design displacement that ASCE 7-16, 13.6.12
+/// requires; `available_m` where the project states it.
+struct ProjectSeparation {
+  Separation required;
+  std::optional<double> available_m;
+};
+
+enum class UnitSystem { us_customary, si };
+
+struct Project {
+  std::filesystem::path file;
+  std::string source_text;  ///< of the file, verbatim
+  TitleBlock title;
+  UnitSystem units = UnitSystem::us_customary;
+  ProjectSite site;
+  ProjectBuilding building;
+  std::vector<double> slope_deg;  ///< increasing, >= 0
+  ProjectFriction friction;
+  std::string spectrum_file;    ///< of a target by points, relative to the project file
+  std::filesystem::path suite;  ///< suite file
+  std::uint64_t samples = 128, seed = 1;
+  std::vector<std::optional<double>> available_m;  ///< by separation of asce7_16_separations()
+  Standard standard = Standard::asce7_16;
+  double importance = 1.0;
+  bool peer_reviewed = false;
+  double round_up_m = 0.0127;
+
+  StandardsConfig standards() const;
+};
+
+/// The study of the displacement demand: every combination of period, slope, mass ratio, friction
+/// (mean - 2 std, mean, mean + 2 std), with and without vertical motion, at S_DS and 1.5 S_DS, in
+/// all orientations. A study file, whose paths are relative to `folder`.
+std::string demand_study(const Project& project, const std::filesystem::path& folder);
+
+/// The study of the probability that the displacement exceeds each threshold: friction, period,
+/// mass ratio and slope drawn.
+std::string probability_study(const Project& project, const std::filesystem::path& folder,
+                              const std::vector<double>& thresholds_m);
+
+}  // namespace glissade

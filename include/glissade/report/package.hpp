@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "glissade/design/design_clearance.hpp"
+#include "glissade/study/results.hpp"
+
+// The calculation package of a project: one screen for the terminal, and a page to hand in.
+namespace glissade {
+
+/// A file of a ground motion.
+struct ComponentFile {
+  std::string record;     ///< id of its record
+  std::string component;  ///< "first", "second", "vertical"
+  std::string file;       ///< as the suite names it
+  std::string sha256;
+};
+
+struct CalculationPackage {
+  const Project& project;
+  const DesignClearance& design;
+  const Results& demand;
+  const Results& probability;
+  std::vector<ComponentFile> files;  ///< empty: the motions of the suite are simulated
+  std::string project_sha256;
+};
+
+/// Within 80 columns, in plain ASCII.
+std::string package_screen(const CalculationPackage& package);
+
+/// Writes out_dir/package.html with figures and tables beside it. Throws InputError where a file
+/// cannot be written or gnuplot does not succeed.
+void write_package(const CalculationPackage& package, const std::filesystem::path& out_dir);
+
+}  // namespace glissade

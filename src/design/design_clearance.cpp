@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glissade/design/design_clearance.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "glissade/core/contract.hpp"
+#include "glissade/core/quantile.hpp"
+
+namespace glissade {
+namespace {
+
+/// The inputs of a condition that a project varies.
+struct Inputs {
+  double friction = 0.0, slope_deg = 0.0, mass_ratio = 0.0, level = 0.0;
+  VerticalChoice vertical = VerticalChoice::if_available;
+
+  bool operator==(const Inputs&) const = default;
+};
+
+Inputs inputs_of(const Results& results, const SuiteMean& mean) {
+  const Case& c = results.cases.cases[mean.first_case];
+  return {c.friction, c.slope_deg, c.mass_ratio, mean.level, c.vertical};
+}
+
+/// With design friction and vertical motion, at S_DS.
+Inputs design_inputs(const Project& project, const Results& demand) {
+  return {.friction = project.friction.design(), .level = demand.levels.front()};
+}
+
+/// The slope and mass ratio with the largest displacement.
+const RequiredClearance& governing_condition(const Results& demand, Inputs design) {
+  const RequiredClearance* governing = nullptr;
+  for (const RequiredClearance& required : demand.clearance->required) {
+    const Inputs inputs = inputs_of(demand, required.largest);
+    design.slope_deg = inputs.slope_deg;
+    design.mass_ratio = inputs.mass_ratio;
+    if (inputs == design && (governing == nullptr || required.highest_m > governing->highest_m))
+      governing = &required;
+  }
+  GLISSADE_EXPECTS(governing != nullptr);
+  return *governing;
+}
+
+PeriodDemand demand_at(const Results& demand, const SuiteMean& mean) {
+  const ConditionTable& table = *demand.conditions;
+  const auto condition = static_cast<std::size_t>(
+      std::ranges::find(table.first_case, mean.first_case) - table.first_case.begin());
+  const auto worst = static_cast<std::size_t>(std::ranges::max_element(mean.by_orientation) -
+                                              mean.by_orientation.begin());
+  std::vector<double> by_record;
+  for (std::size_t record = 0; record < demand.records.size(); ++record)
+    by_record.push_back(table.at(record, worst, condition).displacement_m);
+  std::ranges::sort(by_record);
+  return {.period_s = mean.period_s,
+          .orientation = to_string(table.orientations[worst]),
+          .mean_m = mean.range.highest,
+          .p84_m = quantile_of(by_record, 0.84),
+          .p95_m = quantile_of(by_record, 0.95),
+          .largest_m = mean.largest,
+          .median_orientation_m = mean.range.median};
+}
+
+/// Every value of one input, the others as they govern.
+class SensitivityTable {
+ public:
+  SensitivityTable(const Results& demand, const Inputs& governing)
+      : demand_(demand), governing_(governing) {}
+
+  template <class T, class Text>
+  void vary(const char* what, T Inputs::*input, Text text) {
+    std::vector<Sensitivity> found;
+    for (const RequiredClearance& required : demand_.clearance->required) {
+      const Inputs inputs = inputs_of(demand_, required.largest);
+      Inputs others = inputs;
+      others.*input = governing_.*input;
+      if (others != governing_) continue;
+      found.push_back({what, text(inputs.*input), required.highest_m, inputs == governing_});
+    }
+    if (found.size() > 1) rows_.insert(rows_.end(), found.begin(), found.end());
+  }
+  std::vector<Sensitivity> rows() && { return std::move(rows_); }
+
+ private:
+  const Results& demand_;
+  Inputs governing_;
+  std::vector<Sensitivity> rows_;
+};
+
+std::vector<Sensitivity> sensitivity_of(const Project& project, const Results& demand,
+                                        const Inputs& governing, double factor) {
+  SensitivityTable table(demand, governing);
+  const ProjectFriction& mu = project.friction;
+  table.vary("friction", &Inputs::friction, [&](double value) {
+    const char* which = value < mu.mean   ? "mean - 2 std"
+                        : value > mu.mean ? "mean + 2 std"
+                                          : "mean";
+    return fmt::format("{:.3g} ({})", value, which);
+  });
+  table.vary("roof slope", &Inputs::slope_deg,
+             [](double value) { return fmt::format("{:.3g} deg", value); });
+  table.vary("mass ratio", &Inputs::mass_ratio,
+             [](double value) { return fmt::format("{:g}", value); });
+  table.vary("vertical motion", &Inputs::vertical, [](VerticalChoice use) -> std::string {
+    return use == VerticalChoice::none ? "without" : "with";
+  });
+  table.vary("shaking", &Inputs::level,
+             [&](double level) -> std::string { return level == governing.level ? "DBE" : "MCE"; });
+  std::vector<Sensitivity> rows = std::move(table).rows();
+  std::vector<Sensitivity> periods;
+  double largest = 0.0;
+  for (const SuiteMean& mean : demand.clearance->by_period) {
+    if (inputs_of(demand, mean) != governing) continue;
+    periods.push_back({"building period", fmt::format("{:.3g} s", mean.period_s),
+                       factor * mean.range.highest, false});
+    largest = std::max(largest, periods.back().clearance_m);
+  }
+  for (Sensitivity& row : periods) row.is_governing = row.clearance_m == largest;
+  if (periods.size() > 1) rows.insert(rows.end(), periods.begin(), periods.end());
+  return rows;
+}
+
+/// Where resampling records gives none: the bound of a binomial with one trial for each record.
+Interval bounded(const Interval& interval, double probability, std::size_t records) {
+  if (!std::isnan(interval.low) && !std::isnan(interval.high)) return interval;
+  const double tail = std::pow(0.05, 1.0 / static_cast<double>(records));
+  return probability > 0.5 ? Interval{tail, 1.0} : Interval{0.0, 1.0 - tail};
+}
+
+std::vector<std::string> warnings_on(const Project& project, const Results& demand,
+                                     const DesignClearance& design) {
+  std::vector<std::string> warnings = demand.warnings;
+  const ProjectFriction& mu = project.friction;
+  if (mu.lower_bound && mu.design() > *mu.lower_bound)
+    warnings.push_back(
+        fmt::format("the tests are few: with 95 % confidence their number supports a friction of "
+                    "{:.3f}, not the design value {:.3f}; test more, or state that value",
+                    *mu.lower_bound, mu.design()));
+  const double shortest_s = design.demand.front().period_s,
+               longest_s = design.demand.back().period_s;
+  if (design.period_s == shortest_s || design.period_s == longest_s)
+    warnings.push_back(
+        fmt::format("the displacement is largest at an end of the range of periods, {:.3g} s: "
+                    "outside the range it may be larger",
+                    design.period_s));
+  for (const PrescribedValue& value : design.prescribed) {
+    if (value.standard != project.standard || value.may_be_used()) continue;
+    for (const CodeCondition& c : value.conditions) {
+      if (!c.is_met.value_or(false))
+        warnings.push_back(fmt::format(
+            "a condition of the standard is {}: {}{}", c.is_met ? "not met" : "not stated", c.text,
+            c.provenance == Provenance::recalled ? " (recalled: verify against the standard)"
+                                                 : ""));
+    }
+  }
+  for (const ProjectSeparation& s : design.separations) {
+    if (s.available_m && *s.available_m < s.required.value_m)
+      warnings.push_back("the clearance at hand is not sufficient " + s.required.what);
+  }
+  return warnings;
+}
+
+}  // namespace
+
+double rounded_up(double value, double step) {
+  GLISSADE_EXPECTS(step > 0.0);
+  return step * std::ceil(value / step - 1e-9);
+}
+
+DesignClearance design_clearance(const Project& project, const Results& demand) {
+  GLISSADE_EXPECTS(demand.clearance && demand.conditions && demand.suites.size() == 1);
+  const RequiredClearance& governing = governing_condition(demand, design_inputs(project, demand));
+  const Inputs inputs = inputs_of(demand, governing.largest);
+
+  DesignClearance design{.site = site_values(project.site)};
+  design.slope_deg = inputs.slope_deg;
+  design.mass_ratio = inputs.mass_ratio;
+  design.factor = demand.clearance->factor;
+  design.analysis_m = governing.highest_m;
+  design.median_analysis_m = governing.median_m;
+  for (const SuiteMean& mean : demand.clearance->by_period) {
+    if (inputs_of(demand, mean) == inputs) design.demand.push_back(demand_at(demand, mean));
+  }
+  design.period_s = std::ranges::max_element(design.demand, {}, &PeriodDemand::mean_m)->period_s;
+
+  design.prescribed = prescribed_values(project, design.site);
+  for (const PrescribedValue& value : design.prescribed) {
+    if (value.standard == project.standard && !project.peer_reviewed)
+      design.floor_m = value.floor_share * value.prescribed.value_m;
+  }
+  design.governing_m = std::max(design.analysis_m, design.floor_m);
+  design.floor_governs = design.floor_m > design.analysis_m;
+  design.rounded_m = rounded_up(design.governing_m, project.round_up_m);
+  std::vector<Separation> separations = asce7_16_separations(design.governing_m);
+  for (std::size_t i = 0; i < separations.size(); ++i) {
+    separations[i].value_m = rounded_up(separations[i].value_m, project.round_up_m);
+    design.separations.push_back({separations[i], project.available_m[i]});
+  }
+  design.sensitivity = sensitivity_of(project, demand, inputs, design.factor);
+  design.warnings = warnings_on(project, demand, design);
+  return design;
+}
+
+void add_exceedance(const Results& probability, DesignClearance& design) {
+  const RunResults& run = probability.runs.front();
+  const auto threshold =
+      std::ranges::find(run.fragilities, design.governing_m, &ThresholdFragility::threshold_m);
+  GLISSADE_EXPECTS(threshold != run.fragilities.end());
+  for (const auto& [name, share] : {std::pair{"DBE", 1.0}, std::pair{"MCE", 1.5}}) {
+    const auto level = std::ranges::find(probability.levels, share * design.site.sds_g);
+    GLISSADE_EXPECTS(level != probability.levels.end());
+    const auto at = static_cast<std::size_t>(level - probability.levels.begin());
+    const double found = threshold->probability[at];
+    design.exceedance.push_back(
+        {name, *level, found,
+         bounded(threshold->probability_interval[at], found, probability.records.size())});
+  }
+}
+
+}  // namespace glissade

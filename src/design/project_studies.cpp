@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "glissade/core/contract.hpp"
+#include "glissade/design/design_clearance.hpp"
+#include "glissade/design/project.hpp"
+
+namespace glissade {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A TOML string of text that comes from a file.
+std::string quoted(const std::string& text) {
+  std::string result = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') result += '\\';
+    result += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
+  }
+  return result + '"';
+}
+
+std::string list_of(const std::vector<double>& values) {
+  return values.size() == 1 ? fmt::format("{}", values.front())
+                            : fmt::format("[{}]", fmt::join(values, ", "));
+}
+
+/// Any value between the lowest and the highest.
+std::string between(const std::vector<double>& values) {
+  if (values.size() == 1) return list_of(values);
+  return fmt::format("{{ distribution = \"uniform\", min = {}, max = {} }}", values.front(),
+                     values.back());
+}
+
+std::string path_from(const fs::path& file, const fs::path& folder) {
+  return quoted(fs::proximate(fs::absolute(file), fs::absolute(folder)).generic_string());
+}
+
+std::string target_table(const DesignTarget& target, const fs::path& project_folder,
+                         const fs::path& folder, const std::string& spectrum) {
+  const std::string edition = quoted(to_string(target.edition));
+  if (!target.period_s.empty())
+    return fmt::format("{{ edition = {}, spectrum = {} }}", edition,
+                       path_from(project_folder / spectrum, folder));
+  if (target.sds_g > 0.0)
+    return fmt::format("{{ edition = {}, sds_g = {}, sd1_g = {}, tl_s = {} }}", edition,
+                       target.sds_g, target.sd1_g, target.tl_s);
+  std::vector<std::string> classes;
+  for (const SiteClass site : target.site_classes) classes.push_back(quoted(to_string(site)));
+  return fmt::format("{{ edition = {}, ss_g = {}, s1_g = {}, site_classes = [{}], tl_s = {} }}",
+                     edition, target.ss_g, target.s1_g, fmt::join(classes, ", "), target.tl_s);
+}
+
+/// What both studies have in common.
+std::string head_of(const Project& project, const fs::path& folder, const std::string& name,
+                    const std::string& what, const std::vector<double>& levels) {
+  return fmt::format(
+      "# Made by `glissade clearance` from {}.\n"
+      "[study]\nname = {}\ndescription = {}\nseed = {}\n\n"
+      "[suite]\nfile = {}\n\n"
+      "[intensity]\nmeasure = \"sds_g\"\nlevels = [{}]\ntarget = {}\n\n",
+      project.file.filename().string(), quoted(name), quoted(project.title.name + ": " + what),
+      project.seed, path_from(project.suite, folder), fmt::join(levels, ", "),
+      target_table(project.site.target, project.file.parent_path(), folder, project.spectrum_file));
+}
+
+}  // namespace
+
+double ProjectFriction::design() const { return std::max(0.0, mean - 2.0 * std); }
+
+StandardsConfig Project::standards() const {
+  const SiteValues values = site_values(site);
+  return {.compare = {standard}, .category = values.category, .importance = importance};
+}
+
+std::string demand_study(const Project& project, const fs::path& folder) {
+  const double sds_g = site_values(project.site).sds_g;
+  const ProjectFriction& mu = project.friction;
+  std::vector<double> frictions{mu.design()};
+  if (mu.std > 0.0) frictions = {mu.design(), mu.mean, mu.mean + 2.0 * mu.std};
+  return head_of(project, folder, "demand", "displacement demand", {sds_g, 1.5 * sds_g}) +
+         fmt::format(
+             "[building]\nperiod_s = {}\nmass_ratio = {}\ndamping = {}\n\n"
+             "[vertical]\nuse = [\"none\", \"if_available\"]\n\n"
+             "[roof]\nslope_deg = {}\n\n"
+             "[friction]\nmu = {}   # mean - 2 std, mean, mean + 2 std\n\n"
+             "[orientation]\nchoice = \"all_permutations\"\n\n"
+             "[clearance]\n",
+             list_of(project.building.period_s), list_of(project.building.mass_ratio),
+             project.building.damping, list_of(project.slope_deg), list_of(frictions));
+}
+
+std::string probability_study(const Project& project, const fs::path& folder,
+                              const std::vector<double>& thresholds_m) {
+  GLISSADE_EXPECTS(!thresholds_m.empty());
+  const double sds_g = site_values(project.site).sds_g;
+  std::vector<double> levels;
+  for (const double share : {0.25, 0.5, 0.75, 1.0, 1.25, 1.5, 2.0, 2.5})
+    levels.push_back(share * sds_g);
+  const ProjectFriction& mu = project.friction;
+  const std::string friction = mu.std > 0.0
+                                   ? fmt::format("{{ mean = {}, std = {} }}", mu.mean, mu.std)
+                                   : fmt::format("{}", mu.mean);
+  return head_of(project, folder, "probability", "probability of exceedance", levels) +
+         fmt::format(
+             "[building]\nperiod_s = {}\nmass_ratio = {}\ndamping = {}\n\n"
+             "[roof]\nslope_deg = {}\n\n"
+             "[friction]\nmu = {}\n{}\n"
+             "[orientation]\nchoice = \"random\"\n\n"
+             "[sampling]\nsamples = {}\n\n"
+             "[fragility]\nthresholds_m = [{}]\n",
+             between(project.building.period_s), between(project.building.mass_ratio),
+             project.building.damping, between(project.slope_deg), friction,
+             mu.std > 0.0 ? "value = \"sampled\"\n" : "", project.samples,
+             fmt::join(thresholds_m, ", "));
+}
+
+}  // namespace glissade

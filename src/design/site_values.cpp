@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "glissade/design/design_clearance.hpp"
+
+namespace glissade {
+namespace {
+
+/// From S_MS = F_a S_S; of the class that governs.
+double coefficient(const DesignTarget& target, double design_g, double mapped_g) {
+  return target.is_mapped() ? 1.5 * design_g / mapped_g : 0.0;
+}
+
+CodeCondition condition(const std::string& text, bool is_met, Provenance provenance) {
+  return {text, is_met, provenance};
+}
+
+PrescribedValue seaoc(const Project& project, const SiteValues& site) {
+  const double steepest = project.slope_deg.back();
+  return {
+      .standard = Standard::seaoc_pv1_2012,
+      .prescribed = seaoc_pv1_2012_displacement(site.sds_g, site.category),
+      .conditions = {condition(fmt::format("roof slope below {:g} degrees", seaoc_slope_limit_deg),
+                               steepest < seaoc_slope_limit_deg, Provenance::checked),
+                     condition(fmt::format("coefficient of friction above {:g}", seaoc_mu_limit),
+                               project.friction.design() > seaoc_mu_limit, Provenance::checked)},
+      .floor_share = 0.5,
+      .floor_basis = "half of the prescribed value, unless the analysis is peer reviewed"};
+}
+
+PrescribedValue asce7_16(const Project& project, const SiteValues& site) {
+  PrescribedValue value{
+      .standard = Standard::asce7_16,
+      .prescribed = asce7_16_displacement(site.sds_g, project.importance),
+      .conditions = {condition("roof slope of 1 in 20 or less",
+                               project.slope_deg.back() <= asce7_16_slope_limit_deg,
+                               Provenance::recalled),
+                     condition("coefficient of friction of 0.4 or more",
+                               project.friction.design() >= 0.4, Provenance::recalled),
+                     condition("risk category I, II or III", project.site.risk != RiskCategory::iv,
+                               Provenance::recalled),
+                     {"six storeys or fewer", std::nullopt, Provenance::recalled}},
+      .floor_share = 0.8,
+      .floor_basis = "80 % of the prescribed value, unless the analysis is peer reviewed"};
+  if (project.building.storeys) value.conditions.back().is_met = *project.building.storeys <= 6.0;
+  return value;
+}
+
+}  // namespace
+
+SiteValues site_values(const ProjectSite& site) {
+  const TargetSpectrum spectrum(site.target);
+  SiteValues values{.sds_g = spectrum.sds_g(), .sd1_g = spectrum.sd1_g()};
+  values.fa = coefficient(site.target, values.sds_g, site.target.ss_g);
+  values.fv = coefficient(site.target, values.sd1_g, site.target.s1_g);
+  values.category =
+      seismic_design_category(values.sds_g, values.sd1_g, site.target.s1_g, site.risk);
+  return values;
+}
+
+bool PrescribedValue::may_be_used() const {
+  return std::ranges::all_of(conditions,
+                             [](const CodeCondition& c) { return c.is_met.value_or(false); });
+}
+
+std::vector<PrescribedValue> prescribed_values(const Project& project, const SiteValues& site) {
+  return {asce7_16(project, site), seaoc(project, site)};
+}
+
+}  // namespace glissade

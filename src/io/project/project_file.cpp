@@ -1,0 +1,308 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glissade/io/project_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "glissade/core/file.hpp"
+#include "glissade/core/units.hpp"
+#include "glissade/design/design_clearance.hpp"
+#include "glissade/io/pull_test_file.hpp"
+#include "glissade/io/sha256.hpp"
+#include "glissade/sampling/friction_statistics.hpp"
+#include "number_rows.hpp"
+#include "project/project_keys.hpp"
+#include "scan.hpp"
+#include "study/target_table.hpp"
+#include "toml_table.hpp"
+
+namespace glissade {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string example(const char* table, const char* key) {
+  return fmt::format("for example: {} = {}", key, project_example_of(table, key));
+}
+
+/// Another key serves in its place.
+bool is_replaced(const TomlTable& table, std::string_view key) {
+  const auto has = [&](const char* other) { return table.has(other); };
+  if (key == "ss_g" || key == "s1_g") return has("sds_g") || has("sd1_g") || has("spectrum");
+  if (key == "site_class")
+    return has("site_classes") || has("sds_g") || has("sd1_g") || has("spectrum");
+  if (key == "period_s") return has("system") || has("height_m");
+  if (key == "rise_in_12") return has("slope_deg");
+  if (key == "file") return has("mean");
+  return false;
+}
+
+/// Everything that is missing, at once.
+void require_keys(const TomlTable& root) {
+  const auto require = [&](const char* table, const char* key) {
+    root.report("", fmt::format("{}.{} is missing", table, key),
+                fmt::format("in [{}], {}", table, example(table, key)));
+  };
+  for (const ProjectKey& row : project_keys()) {
+    const TomlTable table = root.table(row.table);
+    if (row.use == ProjectKey::Use::required && !table.has(row.key) && !is_replaced(table, row.key))
+      require(row.table, row.key);
+  }
+  const auto together = [&](const char* name, const char* one, const char* other) {
+    const TomlTable table = root.table(name);
+    if (table.has(one) && !table.has(other)) require(name, other);
+  };
+  together("building", "system", "height_m"), together("building", "height_m", "system");
+  together("friction", "mean", "std"), together("friction", "mean", "source");
+  together("site", "sds_g", "sd1_g"), together("site", "sd1_g", "sds_g");
+}
+
+/// A number, or a list; sorted, each once.
+std::vector<double> read_values(const TomlTable& table, const char* key, const NumberRule& rule) {
+  std::vector<double> values;
+  if (table.is_array(key)) {
+    values = table.numbers(key, rule).value_or(std::vector<double>{});
+    if (values.empty()) table.report(key, table.name_of(key) + " is an empty list");
+  } else if (const auto one = table.number(key, rule)) {
+    values = {*one};
+  }
+  std::ranges::sort(values);
+  values.erase(std::ranges::unique(values).begin(), values.end());
+  return values;
+}
+
+TitleBlock read_title(const TomlTable& table, Project& project) {
+  project.units =
+      table.choice<UnitSystem>("units", {{"us", UnitSystem::us_customary}, {"si", UnitSystem::si}})
+          .value_or(project.units);
+  return {table.text("name").value_or(""), table.text("address").value_or(""),
+          table.text("engineer").value_or(""), table.text("date").value_or("")};
+}
+
+void read_site(const TomlTable& table, Project& project) {
+  const auto has = [&](const char* key) { return table.has(key); };
+  project.site.risk = table
+                          .choice<RiskCategory>("risk_category", {{"I", RiskCategory::i},
+                                                                  {"II", RiskCategory::ii},
+                                                                  {"III", RiskCategory::iii},
+                                                                  {"IV", RiskCategory::iv}})
+                          .value_or(project.site.risk);
+  project.spectrum_file = table.text("spectrum").value_or("");
+  const bool is_whole = has("edition") && (has("spectrum") || (has("ss_g") && has("s1_g")) ||
+                                           (has("sds_g") && has("sd1_g")));
+  if (!is_whole) return table.ignore_unknown();  // what is missing has been reported
+  const std::size_t before = table.problem_count();
+  project.site.target = read_target(table, project.file.parent_path());
+  if (table.problem_count() > before) return;
+  try {
+    static_cast<void>(TargetSpectrum(project.site.target));
+  } catch (const InputError& error) {
+    table.report("", error);
+  }
+}
+
+/// T_a and values between its bounds.
+void periods_of_system(const TomlTable& table, ProjectBuilding& building) {
+  const double height_m = table.number("height_m", above_zero).value_or(10.0);
+  EnumNames<const StructuralSystem*> names = {{structural_systems[0].name, &structural_systems[0]},
+                                              {structural_systems[1].name, &structural_systems[1]},
+                                              {structural_systems[2].name, &structural_systems[2]},
+                                              {structural_systems[3].name, &structural_systems[3]}};
+  const StructuralSystem* system =
+      table.choice<const StructuralSystem*>("system", names).value_or(&structural_systems.back());
+  std::vector<double> bounds =
+      table.numbers("period_bounds", above_zero).value_or(std::vector<double>{0.75, 1.5});
+  if (bounds.size() != 2 || bounds[0] > bounds[1]) {
+    table.report("period_bounds", "building.period_bounds are not a lower and an upper factor",
+                 example("building", "period_bounds"));
+    bounds = {1.0, 1.0};
+  }
+  const double period_s = approximate_period_s(*system, height_m);
+  constexpr int count = 5;
+  for (int i = 0; i < count; ++i) {
+    const double factor = bounds[0] * std::pow(bounds[1] / bounds[0], i / (count - 1.0));
+    building.period_s.push_back(std::round(1e3 * factor * period_s) / 1e3);
+  }
+  building.period_s.erase(std::ranges::unique(building.period_s).begin(), building.period_s.end());
+  building.period_basis = fmt::format(
+      "T_a = C_t h^x = {:g} ({:.4g} ft)^{:g} = {:.3f} s, {} (ASCE 7-16, 12.8-7{}); {:g} to {:g} "
+      "times "
+      "that",
+      system->ct, height_m / foot_m, system->exponent, period_s, system->text,
+      system->provenance == Provenance::checked ? "" : ", recalled: verify against the standard",
+      bounds[0], bounds[1]);
+}
+
+ProjectBuilding read_building(const TomlTable& table) {
+  ProjectBuilding building;
+  if (table.has("period_s") && table.has("system"))
+    table.report("period_s", "building.period_s and building.system are both given",
+                 "give the period, or the system and the height");
+  if (table.has("system")) {
+    periods_of_system(table, building);
+  } else {
+    building.period_s = read_values(table, "period_s", above_zero);
+    building.period_basis = "as given";
+  }
+  building.mass_ratio = read_values(table, "mass_ratio",
+                                    {"from 0 to 1", [](double x) { return x >= 0.0 && x <= 1.0; }});
+  building.storeys = table.number("storeys", above_zero);
+  building.damping =
+      table.number("damping", {"from 0 to 0.999", [](double x) { return x >= 0.0 && x <= 0.999; }})
+          .value_or(building.damping);
+  return building;
+}
+
+std::vector<double> read_slopes(const TomlTable& table) {
+  constexpr NumberRule flat_enough{"from 0 to 20", [](double x) { return x >= 0.0 && x <= 20.0; }};
+  if (table.has("rise_in_12") && table.has("slope_deg"))
+    table.report("slope_deg", "roof.slope_deg and roof.rise_in_12 are both given",
+                 "give the slope one way");
+  if (table.has("slope_deg")) return read_values(table, "slope_deg", flat_enough);
+  std::vector<double> slopes = read_values(
+      table, "rise_in_12", {"from 0 to 4", [](double x) { return x >= 0.0 && x <= 4.0; }});
+  for (double& slope : slopes) slope = std::atan(slope / 12.0) / rad_per_deg;
+  return slopes;
+}
+
+/// One column, mu, a test in each row.
+std::optional<std::vector<double>> read_test_values(const fs::path& file) {
+  std::vector<double> mu;
+  const auto take = [&](const std::vector<double>& row, std::size_t) -> std::string {
+    if (!friction_rule.is_met(row[0])) return "mu is not from 0 to 10";
+    mu.push_back(row[0]);
+    return "";
+  };
+  read_number_rows(file, {{{"mu"}, take}});
+  return mu;
+}
+
+bool has_one_column(const fs::path& file) {
+  const std::string text = read_text_file(file);
+  LineReader reader(text);
+  while (reader.next()) {
+    if (!is_blank_or_comment(reader.line())) return trimmed(reader.line()) == "mu";
+  }
+  return false;
+}
+
+/// Sliding friction, a value for each test.
+std::vector<double> read_logged_tests(const TomlTable& table, const fs::path& file) {
+  const PullTestSummary summary = summarise(read_pull_tests(file), SlidingRule{});
+  std::string direction = table.text("direction").value_or("");
+  if (direction.empty() && summary.directions.size() == 1)
+    direction = summary.directions.front().direction;
+  std::vector<double> mu;
+  std::string known;
+  for (const DirectionFriction& d : summary.directions)
+    known += (known.empty() ? "" : ", ") + d.direction;
+  for (const TraceFriction& test : summary.tests) {
+    if (test.direction == direction) mu.push_back(test.sliding_mu);
+  }
+  if (mu.empty())
+    table.report("direction", "the pull tests have several directions, or not the one given",
+                 "give friction.direction as one of: " + known);
+  return mu;
+}
+
+void take_tests(const TomlTable& table, const fs::path& folder, ProjectFriction& friction) {
+  const std::string name = table.text("file").value_or("");
+  for (const char* key : {"mean", "std", "source"}) {
+    if (table.has(key))
+      table.report(key, fmt::format("friction.file and friction.{} are both given", key),
+                   "give the file of pull tests, or mean, std and source");
+  }
+  try {
+    const bool is_summary = has_one_column(folder / name);
+    const std::vector<double> mu =
+        is_summary ? *read_test_values(folder / name) : read_logged_tests(table, folder / name);
+    if (mu.empty()) return;
+    if (mu.size() < 2) {
+      table.report("file", "one pull test gives no standard deviation", "test more");
+      return;
+    }
+    const MuStatistics statistics = statistics_of(mu);
+    friction.mean = statistics.mean;
+    friction.std = statistics.std;
+    friction.lower_bound = statistics.lower_bound_95;
+    friction.source = fmt::format("{} pull tests, {} (SHA-256 {})", mu.size(), name,
+                                  sha256_of_file(folder / name));
+  } catch (const InputError& error) {
+    table.report("file", error);
+  }
+}
+
+ProjectFriction read_project_friction(const TomlTable& table, const fs::path& folder) {
+  ProjectFriction friction;
+  if (table.has("file")) {
+    take_tests(table, folder, friction);
+    return friction;
+  }
+  if (!table.has("mean")) return friction;
+  friction.mean = table.number("mean", friction_rule).value_or(friction.mean);
+  friction.std = table.number("std", not_negative).value_or(friction.std);
+  friction.source = table.text("source").value_or("");
+  return friction;
+}
+
+void read_rest(const TomlTable& root, Project& project) {
+  const TomlTable suite = root.table("suite");
+  project.suite = project.file.parent_path() / suite.text("file").value_or("");
+  project.samples = suite.whole("samples", 2, 1 << 20).value_or(project.samples);
+  if (!std::has_single_bit(project.samples))
+    suite.report("samples", "suite.samples is not a power of two", example("suite", "samples"));
+
+  const TomlTable clearances = root.table("clearances");
+  for (const char* key : {"similar_array_m", "obstruction_m", "parapet_edge_m", "open_edge_m"})
+    project.available_m.push_back(clearances.number(key, not_negative));
+
+  const TomlTable standard = root.table("standard");
+  project.standard = standard
+                         .choice<Standard>("name", {{"asce7_16", Standard::asce7_16},
+                                                    {"seaoc_pv1_2012", Standard::seaoc_pv1_2012}})
+                         .value_or(project.standard);
+  project.importance =
+      standard
+          .number("importance", {"from 1 to 1.5", [](double x) { return x >= 1.0 && x <= 1.5; }})
+          .value_or(importance_factor(project.site.risk));
+  project.peer_reviewed = standard.flag("peer_reviewed").value_or(false);
+  project.round_up_m = root.table("result")
+                           .number("round_up_m", above_zero)
+                           .value_or(project.units == UnitSystem::si ? 0.01 : 0.5 * inch_m);
+}
+
+/// What no analysis can answer.
+void check_project(const TomlTable& root, const Project& project) {
+  const double tangent = std::tan(project.slope_deg.back() * rad_per_deg);
+  if (project.friction.design() <= tangent)
+    root.report("friction",
+                fmt::format("the design friction, mean - 2 std = {:.3g}, is not above tan(slope) = "
+                            "{:.3g}: the array slides without an earthquake",
+                            project.friction.design(), tangent),
+                "anchor the array, or state a higher friction or a flatter roof");
+}
+
+}  // namespace
+
+Project read_project(const std::filesystem::path& file) {
+  TomlDocument document(file);
+  const TomlTable root = document.root();
+  require_keys(root);
+  Project project;
+  project.file = file;
+  project.source_text = document.text();
+  project.title = read_title(root.table("project"), project);
+  read_site(root.table("site"), project);
+  project.building = read_building(root.table("building"));
+  project.slope_deg = read_slopes(root.table("roof"));
+  project.friction = read_project_friction(root.table("friction"), file.parent_path());
+  read_rest(root, project);
+  if (root.problem_count() == 0) check_project(root, project);
+  document.finish();
+  return project;
+}
+
+}  // namespace glissade

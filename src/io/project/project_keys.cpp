@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "project/project_keys.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <string_view>
+
+#include "glissade/core/contract.hpp"
+#include "glissade/io/project_file.hpp"
+
+namespace glissade {
+namespace {
+
+using enum ProjectKey::Use;
+
+constexpr std::array keys{
+    ProjectKey{"project", "name", "\"Warehouse 12, roof array\"", required, "name of the project"},
+    ProjectKey{"project", "address", "\"1 Main Street, Anytown\"", usual, "of the building"},
+    ProjectKey{"project", "engineer", "\"\"", usual, "empty: a line to fill in by hand"},
+    ProjectKey{"project", "date", "\"\"", usual, "empty: a line to fill in by hand"},
+    ProjectKey{"project", "units", "\"us\"", usual, "\"us\" (in, ft) or \"si\" (m), of the report"},
+    ProjectKey{"site", "edition", "\"asce7_16\"", required, "\"asce7_10\" or \"asce7_16\""},
+    ProjectKey{"site", "ss_g", "1.5", required, "S_S, g"},
+    ProjectKey{"site", "s1_g", "0.6", required, "S_1, g"},
+    ProjectKey{"site", "site_class", "\"D\"", required, "\"A\" to \"E\", or \"default\""},
+    ProjectKey{"site", "tl_s", "8", usual, "T_L, s"},
+    ProjectKey{"site", "sds_g", "1.0", alternative,
+               "S_DS, with sd1_g, in place of ss_g, s1_g, site_class"},
+    ProjectKey{"site", "sd1_g", "0.6", alternative, "S_D1"},
+    ProjectKey{"site", "spectrum", "\"site.csv\"", alternative,
+               "a site-specific or multi-period spectrum: period_s, then design_sa_g or mce_sa_g"},
+    ProjectKey{"site", "risk_category", "\"II\"", required, "\"I\" to \"IV\""},
+    ProjectKey{"building", "period_s", "[0.2, 0.5, 1.0]", required,
+               "a period, or several that bound it; or system and height_m"},
+    ProjectKey{
+        "building", "system", "\"other\"", alternative,
+        "steel_moment_frame, concrete_moment_frame, steel_braced_frame or other: T_a = C_t h^x"},
+    ProjectKey{"building", "height_m", "40", alternative, "height of the building, m"},
+    ProjectKey{"building", "period_bounds", "[0.75, 1.5]", alternative,
+               "times T_a, the usual bounds"},
+    ProjectKey{"building", "storeys", "2", usual, "above ground: a condition of the standard"},
+    ProjectKey{"building", "mass_ratio", "[0.02, 0.1]", required,
+               "the array's mass over the building's, one value or a range"},
+    ProjectKey{"building", "damping", "0.05", usual, "damping ratio of the building"},
+    ProjectKey{"roof", "rise_in_12", "[0.25, 0.5]", required,
+               "slope, one value or a range; or slope_deg"},
+    ProjectKey{"roof", "slope_deg", "[1.2, 2.4]", alternative, "slope in degrees"},
+    ProjectKey{
+        "friction", "file", "\"pull_tests.csv\"", required,
+        "pull tests (logs, or one column mu with a test in each row); or mean, std and source"},
+    ProjectKey{"friction", "direction", "\"along\"", alternative,
+               "of the pull tests, where there are several"},
+    ProjectKey{"friction", "mean", "0.50", alternative, "mean coefficient of friction"},
+    ProjectKey{"friction", "std", "0.04", alternative, "its standard deviation between tests"},
+    ProjectKey{"friction", "source", "\"test report 123\"", alternative,
+               "where mean and std come from"},
+    ProjectKey{"suite", "file", "\"suite.toml\"", required,
+               "suite of ground motions (suites/README.md)"},
+    ProjectKey{"suite", "samples", "128", usual,
+               "samples of the probability study, a power of two"},
+    ProjectKey{"clearances", "similar_array_m", "0.6", usual, "between arrays, m, where known"},
+    ProjectKey{"clearances", "obstruction_m", "1.2", usual, "to a fixed object, m, where known"},
+    ProjectKey{"clearances", "parapet_edge_m", "1.2", usual,
+               "to an edge with parapet, m, where known"},
+    ProjectKey{"clearances", "open_edge_m", "2.4", usual,
+               "to an edge without parapet, m, where known"},
+    ProjectKey{"standard", "name", "\"asce7_16\"", usual, "\"asce7_16\" or \"seaoc_pv1_2012\""},
+    ProjectKey{"standard", "importance", "1.0", alternative,
+               "I_e, where not that of the risk category"},
+    ProjectKey{"standard", "peer_reviewed", "false", usual,
+               "true: the analysis may fall below the standard's least value"},
+    ProjectKey{"result", "round_up_m", "0.0127", usual, "displacements are rounded up to this, m"},
+};
+
+}  // namespace
+
+std::span<const ProjectKey> project_keys() { return keys; }
+
+const char* project_example_of(const char* table, const char* key) {
+  for (const ProjectKey& row : keys) {
+    if (std::string_view(row.table) == table && std::string_view(row.key) == key)
+      return row.example;
+  }
+  GLISSADE_EXPECTS(false);
+  return "";
+}
+
+std::string project_example() {
+  std::string text = "# A project: glissade clearance FILE\n", table;
+  for (const ProjectKey& row : keys) {
+    if (table != row.table) {
+      table = row.table;
+      text += fmt::format("\n[{}]\n", table);
+    }
+    const std::string line =
+        fmt::format("{}{} = {}", row.use == alternative ? "# " : "", row.key, row.example);
+    text += fmt::format("{:<40} # {}\n", line, row.meaning);
+  }
+  return text;
+}
+
+}  // namespace glissade

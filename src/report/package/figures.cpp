@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "package/figures.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "glissade/report/figures.hpp"
+#include "package/tables.hpp"
+#include "package/units.hpp"
+
+namespace glissade {
+namespace {
+
+Figure demand_figure(const CalculationPackage& package) {
+  const DesignClearance& design = package.design;
+  const UnitSystem units = package.project.units;
+  struct Line {
+    double PeriodDemand::*value;
+    Role role;
+    const char* label;
+  };
+  Panel panel{"", {"Building period (s)"}, {}};
+  double top_m = design.governing_m;
+  for (const Line& line : {Line{&PeriodDemand::largest_m, Role::largest, "largest record"},
+                           Line{&PeriodDemand::p95_m, Role::p95, "95th percentile"},
+                           Line{&PeriodDemand::p84_m, Role::p84, "84th percentile"},
+                           Line{&PeriodDemand::mean_m, Role::median, "mean"}}) {
+    DataSeries series{DataSeries::Kind::line_and_points, look(line.role), line.label, line.label};
+    for (const PeriodDemand& d : design.demand) {
+      series.x.push_back(d.period_s);
+      series.y.push_back(d.*line.value);
+      top_m = std::max(top_m, d.*line.value);
+    }
+    panel.series.push_back(std::move(series));
+  }
+  const double lowest_s = design.demand.front().period_s, highest_s = design.demand.back().period_s;
+  const double margin_s = 0.05 * (highest_s - lowest_s);
+  panel.x.low = lowest_s - margin_s;
+  panel.x.high = highest_s + margin_s;
+  panel.y = length_axis("Displacement in plan", 1.4 * top_m);
+  Look governing = look(Role::clearance);
+  governing.width = 3.0;
+  panel.rules.push_back({Rule::Kind::horizontal, design.governing_m, governing,
+                         "governing displacement: " + length_in_both(units, design.governing_m)});
+  return {"demand",
+          "Displacement at DBE over the building's period",
+          fmt::format("S_DS = {:.3f} g; friction {:.3g}; slope {:.3g} degrees; {} records",
+                      design.site.sds_g, package.project.friction.design(), design.slope_deg,
+                      package.demand.records.size()),
+          "All records have the orientation that is least favourable at the period.",
+          {panel}};
+}
+
+}  // namespace
+
+std::vector<Figure> package_figures(const CalculationPackage& package) {
+  std::vector<Figure> figures{spectra_figure(package.demand)};
+  if (package.design.demand.size() > 1) figures.push_back(demand_figure(package));
+  figures.push_back(fragility_figure(package.probability, package.probability.runs.front()));
+  return figures;
+}
+
+}  // namespace glissade

@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "page/page.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "glissade/core/file.hpp"
+#include "glissade/report/format.hpp"
+#include "glissade/report/package.hpp"
+#include "package/figures.hpp"
+#include "package/free_body.hpp"
+#include "package/tables.hpp"
+#include "package/units.hpp"
+
+namespace glissade {
+namespace {
+
+constexpr Markup letter = "@page { size: letter; }";
+constexpr Markup a4 = "@page { size: A4; }";
+constexpr Markup style = R"(
+@page { margin: 20mm 17mm 18mm; @bottom-right { content: "Page " counter(page) " of " counter(pages); font: 9pt Arial, sans-serif; }
+  @bottom-left { content: "Seismic displacement of an unanchored solar array"; font: 9pt Arial, sans-serif; } }
+h2 { counter-increment: section; } h2::before { content: counter(section) ". "; }
+.contents { columns: 2; } .contents a { color: inherit; text-decoration: none; }
+.equation { font-family: "Times New Roman", serif; font-size: 1.15em; margin: .4em 0 .4em 2em; }
+.sha { font-family: monospace; }
+caption { font-weight: bold; color: #222; }
+@media print {
+  body { font-size: 10pt; } table { font-size: 9pt; } thead { display: table-header-group; }
+  caption { break-after: avoid; } h2 { margin-top: 1.2em; } .contents a::after { content: " " leader(".") " " target-counter(attr(href), page); }
+  figure { max-width: 12cm; } table { width: 100%; } .files table { font-size: 9pt; } .files td { overflow-wrap: anywhere; min-width: 0; }
+}
+)";
+
+/// A heading that the contents point to.
+struct Section {
+  Markup id;  ///< "#result"
+  Markup open;
+  const char* title;
+};
+constexpr std::array<Section, 10> sections{{
+    {"<li><a href=\"#result\">", "<h2 id=\"result\">", "Result"},
+    {"<li><a href=\"#inputs\">", "<h2 id=\"inputs\">", "Inputs"},
+    {"<li><a href=\"#motions\">", "<h2 id=\"motions\">", "Design spectrum and ground motions"},
+    {"<li><a href=\"#model\">", "<h2 id=\"model\">", "Model"},
+    {"<li><a href=\"#demand\">", "<h2 id=\"demand\">", "Displacement demand"},
+    {"<li><a href=\"#required\">", "<h2 id=\"required\">", "Required displacement"},
+    {"<li><a href=\"#sensitivity\">", "<h2 id=\"sensitivity\">", "Sensitivity"},
+    {"<li><a href=\"#probability\">", "<h2 id=\"probability\">", "Probability of exceedance"},
+    {"<li><a href=\"#checks\">", "<h2 id=\"checks\">", "Checks and limits"},
+    {"<li><a href=\"#records\">", "<h2 id=\"records\">", "Program and input files"},
+}};
+
+Html contents_html() {
+  Html html("<ol class=\"contents\">\n");
+  for (const Section& section : sections)
+    html += enclosed(section.id, section.title, "</a></li>\n");
+  return html + "</ol>\n";
+}
+
+Html section_heading(std::size_t number) {
+  return enclosed(sections.at(number).open, sections.at(number).title, "</h2>\n");
+}
+
+Html equation(const std::string& text) {
+  return enclosed("<p class=\"equation\">", text, "</p>\n");
+}
+
+Html warnings_html(const CalculationPackage& package) {
+  std::vector<std::string> warnings = package.design.warnings;
+  if (is_simulated(package))
+    warnings.insert(warnings.begin(),
+                    "The motions of this suite are simulated. They do not serve for a permit: "
+                    "repeat the calculation with recorded motions.");
+  return warnings.empty()
+             ? Html()
+             : "<div class=\"warning\">\n<strong>Warnings</strong>\n" + list(warnings) + "</div>\n";
+}
+
+Html result_html(const CalculationPackage& package) {
+  const DesignClearance& design = package.design;
+  const UnitSystem units = package.project.units;
+  std::vector<std::string> answers{
+      fmt::format("Governing displacement: {}, rounded up to {}.",
+                  length_in_both(units, design.governing_m),
+                  length_in_both(units, design.rounded_m)),
+      fmt::format("It is given by {}.", governed_by(package)),
+      fmt::format(
+          "Analysis: {:g} x the largest mean displacement over {} building periods and all "
+          "orientations of the records at DBE = {} (period {:.3g} s). With the median of the "
+          "orientations in place of the largest it would be {}.",
+          design.factor, design.demand.size(), length_in_both(units, design.analysis_m),
+          design.period_s, length_in_both(units, design.median_analysis_m))};
+  for (const ExceedanceAt& e : design.exceedance)
+    answers.push_back(fmt::format(
+        "Probability that the governing displacement is exceeded, given {} shaking: {} (95 % "
+        "interval {} to {}).",
+        e.level, format_share(e.probability), format_share(e.interval.low),
+        format_share(e.interval.high)));
+  return section_heading(0) + "<div class=\"answer\">\n" + list(answers) + "</div>\n" +
+         wide_table(separations_table(package));
+}
+
+Html motions_html(const CalculationPackage& package, const std::vector<DrawnFigure>& figures) {
+  const SpectralRatios& ratios = package.demand.suites.front().spectra.to_target;
+  return section_heading(2) + wide_table(site_table(package)) +
+         paragraph(fmt::format(
+             "Suite: {}. {} The suite is multiplied by one factor for all records, so that its "
+             "average SRSS spectrum is nowhere below the design spectrum from 0 to 2 s (Walters et "
+             "al. 2012). After that it is {:.3f} times (at {:.3g} s) to {:.3f} times (at {:.3g} s) "
+             "the design spectrum. MCE is 1.5 times DBE.",
+             package.demand.suites.front().name, package.demand.suites.front().description,
+             ratios.lowest.ratio, ratios.lowest.period_s, ratios.highest.ratio,
+             ratios.highest.period_s)) +
+         figure_html(figures.front(), 1) + wide_table(motions_table(package)) +
+         wide_table(scaled_motions_table(package));
+}
+
+Html model_html() {
+  return section_heading(3) +
+         paragraph(
+             "The building is a linear oscillator along each of its two horizontal axes, with "
+             "one period and damping ratio. The array is a rigid mass on its roof with "
+             "Coulomb friction; it slides in plan along both axes at once and acts back on "
+             "the building. The roof moves vertically with the ground.") +
+         "<figure>\n" + Html::drawing(free_body_svg, "Free bodies of array and roof") +
+         "<figcaption>Free bodies of the array and of the roof.</figcaption>\n</figure>\n" +
+         paragraph(
+             "Array, along and across the slope (s: displacement relative to the roof; r: "
+             "displacement of the roof; N: normal force; f: friction):") +
+         equation(
+             "m (s'' + r'') = f + weight along the slope,   N = m [(g + v'') cos(slope) + r'' "
+             "sin(slope)] \u2265 0") +
+         paragraph("Friction while sliding, and while the array does not slide:") +
+         equation("f = - \u03bc N s' / |s'|,   |f| \u2264 \u03bc N") +
+         paragraph(
+             "Building with the ground motion u (M: mass, \u03c9: circular frequency, \u03b6: "
+             "damping ratio):") +
+         equation(
+             "M (q'' + 2 \u03b6 \u03c9 q' + \u03c9\u00b2 q) = - M u'' - f in plan,   r = u + q") +
+         paragraph(
+             "Sliding begins where |f| would exceed \u03bc N and ends where s' = 0. The "
+             "displacement of a history is the SRSS of the largest displacements along both "
+             "axes (Walters et al. 2012), in plan. Between samples the ground acceleration is "
+             "linear. Equations and sources: src/theory.md of the program.") +
+         list({"Walters, M., Berkowitz, R., Lau, D., Lee, W., Baker, J. (2012). Seismic "
+               "considerations and evaluation approach for \"isolated\" rooftop PV arrays. SEAOC "
+               "Convention Proceedings.",
+               "Rodriguez-Nikl, T., et al. (2019). Predicted slip of unattached solar arrays.",
+               "ASCE/SEI 7-16 (2017). Minimum design loads and associated criteria for buildings "
+               "and other structures.",
+               "SEAOC PV1-2012. Structural seismic requirements and commentary for rooftop solar "
+               "photovoltaic arrays."});
+}
+
+Html required_html(const CalculationPackage& package) {
+  const DesignClearance& design = package.design;
+  const UnitSystem units = package.project.units;
+  std::vector<std::string> steps{
+      fmt::format("Analysis (Walters et al. 2012): {:g} x {} = {}.", design.factor,
+                  length_in_both(units, design.analysis_m / design.factor),
+                  length_in_both(units, design.analysis_m))};
+  if (package.project.peer_reviewed) {
+    steps.push_back(
+        "The project states that the analysis is peer reviewed: no least value applies.");
+  } else {
+    steps.push_back(fmt::format("Least value of an analysis by {}: {}.",
+                                standard_name(package.project.standard),
+                                length_in_both(units, design.floor_m)));
+  }
+  steps.push_back(fmt::format("Governing displacement: the larger, {}; rounded up to {}.",
+                              length_in_both(units, design.governing_m),
+                              length_in_both(units, design.rounded_m)));
+  return section_heading(5) + list(steps) + wide_table(prescribed_table(package));
+}
+
+Html checks_html(const CalculationPackage& package) {
+  return section_heading(8) + wide_table(checks_table(package)) +
+         paragraph(fmt::format(
+             "The solver of glissade {} is verified against closed forms, solutions with 50 digits "
+             "and both published papers; every comparison is in its verification manual "
+             "(tests/verification/README.md of the program).",
+             package.demand.program_version)) +
+         list({"The array is rigid and stays in contact with the roof: no tipping, no uplift.",
+               "Friction is Coulomb's: it does not change with speed, temperature or wear.",
+               "The building is elastic with one mode along each axis, without torsion.",
+               "The displacement is that of one earthquake. Displacements of several earthquakes "
+               "during the design life add up, and are not included.",
+               "The array does not strike anything and no cable restrains it.",
+               "Statements marked (recalled) are from memory of the standard: verify them."});
+}
+
+Html records_html(const CalculationPackage& package) {
+  Html html = section_heading(9) +
+              paragraph(fmt::format("glissade {}; plan of the demand study {}, of the probability "
+                                    "study {}; project file SHA-256 {}. The same files and version "
+                                    "give the same numbers.",
+                                    package.demand.program_version, package.demand.plan_hash,
+                                    package.probability.plan_hash, package.project_sha256));
+  if (!package.files.empty())
+    html += "<div class=\"files\">\n" + wide_table(files_table(package)) + "</div>\n";
+  return html + "<h3>Project file</h3>\n" + study_file(package.project.source_text);
+}
+
+}  // namespace
+
+void write_package(const CalculationPackage& package, const std::filesystem::path& out_dir) {
+  const std::vector<Table> tables{
+      title_table(package.project), inputs_table(package),      site_table(package),
+      motions_table(package),       files_table(package),       demand_table(package),
+      prescribed_table(package),    separations_table(package), sensitivity_table(package),
+      exceedance_table(package),    checks_table(package)};
+  write_tables(tables, out_dir);
+  const std::vector<DrawnFigure> figures = draw(package_figures(package), out_dir);
+  const bool has_demand_figure = figures.size() > 2;
+  const bool us = package.project.units == UnitSystem::us_customary;
+  const Html page =
+      page_head(
+          {package.project.title.name, "calculation of required separations", us ? letter : a4}) +
+      "<style>" + style + "</style>\n" +
+      paragraph(
+          "Calculation of the seismic displacement of an unanchored rooftop solar array, and "
+          "of its required separations") +
+      wide_table(title_table(package.project)) + warnings_html(package) + contents_html() +
+      result_html(package) + section_heading(1) + wide_table(inputs_table(package)) +
+      motions_html(package, figures) + model_html() + section_heading(4) +
+      wide_table(demand_table(package)) +
+      (has_demand_figure ? figure_html(figures.at(1), 2) : Html()) + required_html(package) +
+      section_heading(6) + wide_table(sensitivity_table(package)) + section_heading(7) +
+      wide_table(exceedance_table(package)) + figure_html(figures.back(), figures.size()) +
+      checks_html(package) + records_html(package) + page_foot();
+  write_text_file(out_dir / "package.html", page.str());
+}
+
+}  // namespace glissade

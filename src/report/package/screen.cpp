@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include "glissade/report/format.hpp"
+#include "glissade/report/package.hpp"
+#include "package/tables.hpp"
+#include "package/units.hpp"
+
+namespace glissade {
+namespace {
+
+/// "label      value", within 80 columns.
+std::string line(const std::string& label, const std::string& value) {
+  return fmt::format("{:<11}{}\n", label, value);
+}
+
+std::string inputs_lines(const CalculationPackage& package) {
+  const Project& p = package.project;
+  const SiteValues& site = package.design.site;
+  const SpectralRatios& ratios = package.demand.suites.front().spectra.to_target;
+  return line("Site", fmt::format("S_MS {:.3f} g, S_M1 {:.3f} g, S_DS {:.3f} g, S_D1 {:.3f} g, "
+                                  "category {}",
+                                  site.sms_g(), site.sm1_g(), site.sds_g, site.sd1_g,
+                                  to_string(site.category))) +
+         line("Building",
+              fmt::format("period {}, mass ratio {}", range_text(p.building.period_s, " s"),
+                          range_text(p.building.mass_ratio, ""))) +
+         line("Roof", fmt::format("slope {}; friction {:.3f}, std {:.3f}, design {:.3f}",
+                                  range_text(p.slope_deg, " deg"), p.friction.mean, p.friction.std,
+                                  p.friction.design())) +
+         line("Motions", fmt::format("{} records, {:.2f} to {:.2f} times the design spectrum",
+                                     package.demand.records.size(), ratios.lowest.ratio,
+                                     ratios.highest.ratio));
+}
+
+std::string demand_lines(const CalculationPackage& package) {
+  const UnitSystem units = package.project.units;
+  std::string text = fmt::format(
+      "\nDisplacement at DBE, least favourable orientation\n{:>10}{:>12}{:>12}{:>12}{:>12}\n",
+      "period, s", "mean", "84th", "95th", "largest");
+  for (const PeriodDemand& d : package.design.demand) {
+    text += fmt::format("{:>10.3g}{:>12}{:>12}{:>12}{:>12}\n", d.period_s,
+                        length_in(units, d.mean_m), length_in(units, d.p84_m),
+                        length_in(units, d.p95_m), length_in(units, d.largest_m));
+  }
+  return text;
+}
+
+std::string governing_lines(const CalculationPackage& package) {
+  const UnitSystem units = package.project.units;
+  const DesignClearance& design = package.design;
+  std::string text =
+      "\n" + line("Analysis", fmt::format("{:g} x the largest mean: {}", design.factor,
+                                          length_in_both(units, design.analysis_m)));
+  for (const PrescribedValue& value : design.prescribed) {
+    text += fmt::format("{:<15}prescribes {}; conditions {}\n", standard_name(value.standard),
+                        length_in_both(units, value.prescribed.value_m),
+                        value.may_be_used() ? "met" : "NOT all met or stated");
+  }
+  text += line("GOVERNING",
+               fmt::format("{}, rounded up to {}", length_in_both(units, design.governing_m),
+                           length_in_both(units, design.rounded_m)));
+  return text + line("", "by " + governed_by(package));
+}
+
+std::string separation_lines(const CalculationPackage& package) {
+  const UnitSystem units = package.project.units;
+  std::string text = "\nSeparations\n";
+  for (const ProjectSeparation& s : package.design.separations) {
+    std::string verdict;
+    if (s.available_m) {
+      verdict = fmt::format("  available {}{}", length_in(units, *s.available_m),
+                            *s.available_m < s.required.value_m ? ": NOT SUFFICIENT" : "");
+    }
+    text += fmt::format("  {:.1f} x  {:>10}  {}{}\n", s.required.factor,
+                        length_in(units, s.required.value_m), s.required.what, verdict);
+  }
+  text += "\nProbability that the governing displacement is exceeded\n";
+  for (const ExceedanceAt& e : package.design.exceedance) {
+    text += fmt::format("  {}  {} (95 % interval {} to {})\n", e.level, format_share(e.probability),
+                        format_share(e.interval.low), format_share(e.interval.high));
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string package_screen(const CalculationPackage& package) {
+  std::string text = package.project.title.name + "\n";
+  if (is_simulated(package))
+    text += "WARNING: the motions of this suite are simulated; they do not serve for a permit\n";
+  for (const std::string& warning : package.design.warnings)
+    text += wrapped("WARNING: " + warning) + "\n";
+  return text + inputs_lines(package) + demand_lines(package) + governing_lines(package) +
+         separation_lines(package);
+}
+
+}  // namespace glissade

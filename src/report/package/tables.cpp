@@ -1,0 +1,339 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "package/tables.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "glissade/core/units.hpp"
+#include "glissade/report/format.hpp"
+#include "package/units.hpp"
+
+namespace glissade {
+namespace {
+
+std::string or_blank(const std::string& text) {
+  return text.empty() ? "____________________" : text;
+}
+
+std::string provenance_mark(Provenance provenance) {
+  return provenance == Provenance::checked ? "" : " (recalled)";
+}
+
+/// "asce7_16" as people write it.
+std::string edition_text(AsceEdition edition) {
+  return edition == AsceEdition::asce7_10 ? "ASCE 7-10" : "ASCE 7-16";
+}
+
+std::string target_text(const Project& project) {
+  const DesignTarget& target = project.site.target;
+  if (!target.period_s.empty())
+    return fmt::format("{}, spectrum of {} points, {}", edition_text(target.edition),
+                       target.period_s.size(), project.spectrum_file);
+  if (target.sds_g > 0.0)
+    return fmt::format("{}, S_DS {:.3f} g and S_D1 {:.3f} g as given", edition_text(target.edition),
+                       target.sds_g, target.sd1_g);
+  std::string classes;
+  for (const SiteClass site : target.site_classes)
+    classes += (classes.empty() ? "" : ", ") + to_string(site);
+  return fmt::format("{}, S_S {:.3f} g, S_1 {:.3f} g, site class {}{}",
+                     edition_text(target.edition), target.ss_g, target.s1_g, classes,
+                     target.site_classes.size() > 1 ? " (the larger)" : "");
+}
+
+/// The displacement of a record in the governing case, its largest over the orientations.
+double displacement_of(const CalculationPackage& package, std::size_t record) {
+  const ConditionTable& table = *package.demand.conditions;
+  double largest = 0.0;
+  for (std::size_t i = 0; i < table.first_case.size(); ++i) {
+    const Case& c = package.demand.cases.cases[table.first_case[i]];
+    const bool governs =
+        c.friction == package.project.friction.design() &&
+        c.slope_deg == package.design.slope_deg && c.mass_ratio == package.design.mass_ratio &&
+        c.period_s == package.design.period_s && c.vertical == VerticalChoice::if_available;
+    if (!governs || table.grid.position(i)[ConditionAxis::level] != 0) continue;
+    for (std::size_t o = 0; o < table.orientations.size(); ++o)
+      largest = std::max(largest, table.at(record, o, i).displacement_m);
+  }
+  return largest;
+}
+
+std::string not_given(double value, const std::string& text) { return value > 0.0 ? text : "-"; }
+
+}  // namespace
+
+bool is_simulated(const CalculationPackage& package) { return package.files.empty(); }
+
+std::string range_text(const std::vector<double>& values, const char* unit) {
+  if (values.size() == 1) return fmt::format("{:.3g}{}", values.front(), unit);
+  return fmt::format("{:.3g} to {:.3g}{}", values.front(), values.back(), unit);
+}
+
+std::string governed_by(const CalculationPackage& package) {
+  if (!package.design.floor_governs) return "nonlinear response history analysis";
+  const auto& prescribed = package.design.prescribed;
+  const auto value =
+      std::ranges::find(prescribed, package.project.standard, &PrescribedValue::standard);
+  return fmt::format("{}: {:.0f} % of the prescribed value", standard_name(value->standard),
+                     100.0 * value->floor_share);
+}
+
+Table title_table(const Project& project) {
+  Table table{"title", "Project", {text_column("item", ""), text_column("value", "")}, {}};
+  table.add({std::string("Project"), or_blank(project.title.name)});
+  table.add({std::string("Address"), or_blank(project.title.address)});
+  table.add({std::string("Engineer"), or_blank(project.title.engineer)});
+  table.add({std::string("Date"), or_blank(project.title.date)});
+  table.add({std::string("Signature"), or_blank("")});
+  return table;
+}
+
+Table inputs_table(const CalculationPackage& package) {
+  const Project& p = package.project;
+  Table table{"inputs",
+              "Inputs and their sources",
+              {text_column("input", "Input"), text_column("value", "Value"),
+               text_column("source", "Source")},
+              {}};
+  const auto add = [&](const char* input, const std::string& value, const std::string& source) {
+    table.add({std::string(input), value, source});
+  };
+  add("Site", target_text(p), "project file, [site]");
+  add("Risk category", to_string(p.site.risk),
+      fmt::format("project file; importance factor {:g}", p.importance));
+  add("Building period", range_text(p.building.period_s, " s"), p.building.period_basis);
+  if (p.building.storeys) add("Storeys", fmt::format("{:g}", *p.building.storeys), "project file");
+  add("Damping of the building", fmt::format("{:g} %", 100.0 * p.building.damping), "project file");
+  add("Mass of array over building", range_text(p.building.mass_ratio, ""), "project file");
+  add("Roof slope",
+      range_text(p.slope_deg, " degrees") +
+          fmt::format(" (rise in 12: {:.3g})", 12.0 * std::tan(p.slope_deg.back() * rad_per_deg)),
+      "project file");
+  add("Coefficient of friction, mean", fmt::format("{:.3f}", p.friction.mean), p.friction.source);
+  add("its standard deviation", fmt::format("{:.3f}", p.friction.std), p.friction.source);
+  add("its design value", fmt::format("{:.3f}", p.friction.design()),
+      "mean - 2 std (Walters et al. 2012)");
+  if (p.friction.lower_bound)
+    add("its lower bound", fmt::format("{:.3f}", *p.friction.lower_bound),
+        "with 95 % confidence, 97.7 % of pulls have more (normal friction, this number of tests)");
+  add("Ground motions",
+      fmt::format("{}, {} records", package.demand.suites.front().name,
+                  package.demand.records.size()),
+      p.suite.filename().string());
+  return table;
+}
+
+Table site_table(const CalculationPackage& package) {
+  const SiteValues& site = package.design.site;
+  Table table{"site",
+              "Design spectral accelerations",
+              {text_column("quantity", "Quantity"), text_column("value", "Value"),
+               text_column("basis", "Basis")},
+              {}};
+  const auto add = [&](const char* quantity, const std::string& value, const char* basis) {
+    table.add({std::string(quantity), value, std::string(basis)});
+  };
+  if (site.fa > 0.0) {
+    add("F_a", fmt::format("{:.3f}", site.fa), "ASCE 7, table 11.4-1");
+    add("F_v", fmt::format("{:.3f}", site.fv), "ASCE 7, table 11.4-2");
+  }
+  add("S_MS", fmt::format("{:.3f} g", site.sms_g()), "F_a S_S");
+  add("S_M1", fmt::format("{:.3f} g", site.sm1_g()), "F_v S_1");
+  add("S_DS", fmt::format("{:.3f} g", site.sds_g), "2/3 S_MS");
+  add("S_D1", fmt::format("{:.3f} g", site.sd1_g), "2/3 S_M1");
+  add("Seismic design category", to_string(site.category),
+      "ASCE 7, tables 11.6-1 and 11.6-2 (recalled)");
+  return table;
+}
+
+Table motions_table(const CalculationPackage& package) {
+  Table table{"motions",
+              "Ground motions",
+              {text_column("id", "Record"), text_column("event", "Event"),
+               text_column("station", "Station"), text_column("magnitude", "M"),
+               text_column("distance", "R, km"), text_column("vs30", "Vs30, m/s")},
+              {}};
+  for (const RecordSummary& r : package.demand.records) {
+    table.add({r.id, r.event, r.station, not_given(r.magnitude, fmt::format("{:.1f}", r.magnitude)),
+               not_given(r.distance_km, fmt::format("{:.1f}", r.distance_km)),
+               not_given(r.vs30_mps, fmt::format("{:.0f}", r.vs30_mps))});
+  }
+  return table;
+}
+
+Table scaled_motions_table(const CalculationPackage& package) {
+  const UnitSystem units = package.project.units;
+  Table table{"scaled_motions",
+              "Ground motions as recorded, factor to DBE, and displacement of the array",
+              {text_column("id", "Record"), text_column("pga", "PGA, g"),
+               text_column("pgv", units == UnitSystem::us_customary ? "PGV, in/s" : "PGV, m/s"),
+               text_column("step", "Step, s"), text_column("length", "Length, s"),
+               text_column("factor", "Factor"), text_column("displacement", "Displacement")},
+              {}};
+  for (std::size_t i = 0; i < package.demand.records.size(); ++i) {
+    const RecordSummary& r = package.demand.records[i];
+    table.add({r.id, fmt::format("{:.3f}", r.pga_g),
+               units == UnitSystem::us_customary ? fmt::format("{:.1f}", r.pgv_mps / inch_m)
+                                                 : fmt::format("{:.3f}", r.pgv_mps),
+               fmt::format("{:g}", r.dt_s),
+               fmt::format("{:.0f}", r.dt_s * static_cast<double>(r.samples - 1)),
+               fmt::format("{:.3f}", r.factor_at_unit_level * package.design.site.sds_g),
+               length_in(units, displacement_of(package, i))});
+  }
+  table.notes.push_back(
+      "PGA and PGV: geometric mean of both horizontal components, before the factor. The factor is "
+      "on "
+      "all components. Displacement: in the governing case at DBE, the largest of the "
+      "orientations.");
+  return table;
+}
+
+Table files_table(const CalculationPackage& package) {
+  Table table{"files",
+              "Files of the ground motions",
+              {text_column("record", "Record"), text_column("component", "Component"),
+               text_column("file", "File"), text_column("sha256", "SHA-256")},
+              {}};
+  for (const ComponentFile& f : package.files) table.add({f.record, f.component, f.file, f.sha256});
+  return table;
+}
+
+Table demand_table(const CalculationPackage& package) {
+  const UnitSystem units = package.project.units;
+  Table table{
+      "demand",
+      fmt::format("Displacement demand at DBE: friction {:.3g}, slope {:.3g} degrees, mass "
+                  "ratio {:g}, over {} records in the least favourable orientation",
+                  package.project.friction.design(), package.design.slope_deg,
+                  package.design.mass_ratio, package.demand.records.size()),
+      {text_column("period", "Period"), text_column("mean", "Mean"),
+       text_column("p84", "84th percentile"), text_column("p95", "95th percentile"),
+       text_column("largest", "Largest record"), text_column("median", "Mean, median orientation"),
+       text_column("orientation", "Least favourable orientation")},
+      {}};
+  for (const PeriodDemand& d : package.design.demand) {
+    table.add({fmt::format("{:.3g} s", d.period_s), length_in(units, d.mean_m),
+               length_in(units, d.p84_m), length_in(units, d.p95_m), length_in(units, d.largest_m),
+               length_in(units, d.median_orientation_m), d.orientation});
+  }
+  return table;
+}
+
+Table prescribed_table(const CalculationPackage& package) {
+  const UnitSystem units = package.project.units;
+  Table table{"prescribed",
+              "Prescribed displacements, their conditions, and the least value of an analysis",
+              {text_column("standard", "Standard"), text_column("value", "Prescribed"),
+               text_column("conditions", "Conditions"),
+               text_column("floor", "Least of an analysis"), text_column("basis", "Basis")},
+              {}};
+  for (const PrescribedValue& value : package.design.prescribed) {
+    std::string conditions;
+    for (const CodeCondition& c : value.conditions) {
+      conditions += fmt::format("{}{}{}: {}", conditions.empty() ? "" : "; ", c.text,
+                                provenance_mark(c.provenance),
+                                !c.is_met   ? "not stated"
+                                : *c.is_met ? "met"
+                                            : "NOT MET");
+    }
+    table.add({standard_name(value.standard) +
+                   (value.standard == package.project.standard ? " (of the project)" : ""),
+               length_in_both(units, value.prescribed.value_m), conditions,
+               length_in(units, value.floor_share * value.prescribed.value_m) + ", " +
+                   value.floor_basis + " (recalled)",
+               value.prescribed.basis});
+  }
+  table.notes.push_back("(recalled): from memory of the standard. Verify against the standard.");
+  return table;
+}
+
+Table separations_table(const CalculationPackage& package) {
+  const UnitSystem units = package.project.units;
+  Table table{
+      "separations",
+      fmt::format("Required separations: parts of the governing displacement, {}, rounded up",
+                  length_in_both(units, package.design.governing_m)),
+      {text_column("separation", "Separation"), text_column("factor", "Factor"),
+       text_column("required", "Required"), text_column("required_ft", "Required"),
+       text_column("available", "Available"), text_column("verdict", "Verdict")},
+      {}};
+  for (const ProjectSeparation& s : package.design.separations) {
+    const bool known = s.available_m.has_value();
+    table.add({s.required.what, fmt::format("{:.1f}", s.required.factor),
+               length_in_both(units, s.required.value_m), separation_in(units, s.required.value_m),
+               known ? length_in_both(units, *s.available_m) : "not stated",
+               !known                                 ? std::string("-")
+               : *s.available_m >= s.required.value_m ? std::string("sufficient")
+                                                      : std::string("NOT SUFFICIENT")});
+  }
+  return units == UnitSystem::us_customary ? table : table.without("required_ft");
+}
+
+Table sensitivity_table(const CalculationPackage& package) {
+  const UnitSystem units = package.project.units;
+  Table table{"sensitivity",
+              "Sensitivity: the required displacement of the analysis with one input changed",
+              {text_column("input", "Input"), text_column("value", "Value"),
+               text_column("displacement", "Required displacement"),
+               text_column("ratio", "Ratio to the governing case")},
+              {}};
+  for (const Sensitivity& row : package.design.sensitivity) {
+    table.add({row.what, row.value + (row.is_governing ? " *" : ""),
+               length_in_both(units, row.clearance_m),
+               fmt::format("{:.2f}", row.clearance_m / package.design.analysis_m)});
+  }
+  table.notes.push_back("*: as in the governing case.");
+  return table;
+}
+
+Table exceedance_table(const CalculationPackage& package) {
+  Table table{"exceedance",
+              fmt::format("Probability that the displacement exceeds the governing one, {}",
+                          length_in_both(package.project.units, package.design.governing_m)),
+              {text_column("level", "Earthquake"), text_column("sds", "S_DS"),
+               text_column("probability", "Probability"), text_column("interval", "95 % interval")},
+              {}};
+  for (const ExceedanceAt& e : package.design.exceedance) {
+    table.add(
+        {e.level, fmt::format("{:.3f} g", e.sds_g), format_share(e.probability),
+         fmt::format("{} to {}", format_share(e.interval.low), format_share(e.interval.high))});
+  }
+  table.notes.push_back(fmt::format(
+      "Friction, period, mass ratio and slope are drawn within the project's ranges: {} samples "
+      "for each of {} records. The interval is from resampling whole records.",
+      package.probability.cases.samples, package.probability.records.size()));
+  return table;
+}
+
+Table checks_table(const CalculationPackage& package) {
+  const Results& demand = package.demand;
+  const SpectralRatios& ratios = demand.suites.front().spectra.to_target;
+  const auto uplift = uplift_share(demand);
+  Table table{"checks",
+              "Checks of this calculation",
+              {text_column("check", "Check"), text_column("found", "Found"),
+               text_column("criterion", "Criterion")},
+              {}};
+  table.add({std::string("Average SRSS spectrum of the suite over the design spectrum, 0 to 2 s"),
+             fmt::format("{:.3f} (at {:.3g} s) to {:.3f} (at {:.3g} s)", ratios.lowest.ratio,
+                         ratios.lowest.period_s, ratios.highest.ratio, ratios.highest.period_s),
+             std::string("nowhere below 1 (Walters et al. 2012)")});
+  table.add({std::string("Records"), fmt::format("{}", demand.records.size()),
+             std::string("7 or more for a mean (SEAOC PV1-2012, recalled)")});
+  table.add({std::string("Histories in which the array lifts off"), format_share(uplift),
+             std::string("0 %: uplift is outside the model")});
+  const bool converged = std::ranges::none_of(
+      package.design.demand, [](const PeriodDemand& d) { return !std::isfinite(d.largest_m); });
+  table.add({std::string("Histories without a finite displacement"),
+             std::string(converged ? "none" : "some"), std::string("none")});
+  table.add({std::string("Design friction against the lower bound of the tests"),
+             package.project.friction.lower_bound
+                 ? fmt::format("{:.3f} against {:.3f}", package.project.friction.design(),
+                               *package.project.friction.lower_bound)
+                 : std::string("no tests given"),
+             std::string("not above it; else more tests are advised")});
+  return table;
+}
+
+}  // namespace glissade

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "glissade/report/package.hpp"
+#include "glissade/report/table.hpp"
+
+// The tables of a calculation package. Their cells are text in the project's units.
+namespace glissade {
+
+Table title_table(const Project& project);
+Table inputs_table(const CalculationPackage& package);
+Table site_table(const CalculationPackage& package);
+Table motions_table(const CalculationPackage& package);
+Table scaled_motions_table(const CalculationPackage& package);
+Table files_table(const CalculationPackage& package);
+Table demand_table(const CalculationPackage& package);
+Table prescribed_table(const CalculationPackage& package);
+Table separations_table(const CalculationPackage& package);
+Table sensitivity_table(const CalculationPackage& package);
+Table exceedance_table(const CalculationPackage& package);
+Table checks_table(const CalculationPackage& package);
+
+/// "ASCE 7-16, 80 % of its displacement", "nonlinear response history analysis".
+std::string governed_by(const CalculationPackage& package);
+/// Whether the motions are simulated: they do not serve for a permit.
+bool is_simulated(const CalculationPackage& package);
+/// "1.19 degrees", "1.19 to 2.39 degrees".
+std::string range_text(const std::vector<double>& values, const char* unit);
+
+}  // namespace glissade
