@@ -3,6 +3,7 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "commands.hpp"
@@ -33,6 +34,39 @@ std::vector<ComponentFile> component_files(const fs::path& suite) {
   for (const RecordFile& f : record_files(suite))
     files.push_back({f.record, f.component, f.name, sha256_of_file(f.path)});
   return files;
+}
+
+/// What a program takes from the calculation: all digits, metres.
+std::string numbers_json(const DesignClearance& design) {
+  using Json = nlohmann::ordered_json;
+  Json json{{"sds_g", design.site.sds_g},
+            {"sd1_g", design.site.sd1_g},
+            {"seismic_design_category", to_string(design.site.category)},
+            {"slope_deg", design.slope_deg},
+            {"mass_ratio", design.mass_ratio},
+            {"period_s", design.period_s},
+            {"analysis_m", design.analysis_m},
+            {"least_value_m", design.floor_m},
+            {"governing_m", design.governing_m},
+            {"rounded_m", design.rounded_m}};
+  for (const PeriodDemand& d : design.demand)
+    json["demand"].push_back({{"period_s", d.period_s},
+                              {"mean_m", d.mean_m},
+                              {"p84_m", d.p84_m},
+                              {"p95_m", d.p95_m},
+                              {"largest_m", d.largest_m}});
+  for (const ProjectSeparation& s : design.separations)
+    json["separations"].push_back({{"between", s.required.what},
+                                   {"factor", s.required.factor},
+                                   {"required_m", s.required.value_m}});
+  for (const ExceedanceAt& e : design.exceedance)
+    json["exceedance"].push_back({{"level", e.level},
+                                  {"sds_g", e.sds_g},
+                                  {"probability", e.probability},
+                                  {"low95", e.interval.low},
+                                  {"high95", e.interval.high}});
+  json["warnings"] = design.warnings;
+  return json.dump(2) + "\n";
 }
 
 /// Writes a study that root made, and runs it.
@@ -79,6 +113,7 @@ void run(const ClearanceOptions& o, const Communicator& world) {
                                      component_files(project->suite),
                                      sha256_of_file(project->file)};
     write_package(package, out);
+    write_text_file(out / "package.json", numbers_json(*design));
     fmt::print("{}\nPackage  {}   (print it from a browser, or: weasyprint)\n",
                package_screen(package), (out / "package.html").string());
   });

@@ -28,9 +28,9 @@ h2 { counter-increment: section; } h2::before { content: counter(section) ". "; 
 .sha { font-family: monospace; }
 caption { font-weight: bold; color: #222; }
 @media print {
-  body { font-size: 10pt; } table { font-size: 9pt; } thead { display: table-header-group; }
+  body { font-size: 10pt; } table { font-size: 9pt; } thead { display: table-header-group; break-after: avoid; } table, .wide { break-inside: avoid; } .files table, .files .wide { break-inside: auto; }
   caption { break-after: avoid; } h2 { margin-top: 1.2em; } .contents a::after { content: " " leader(".") " " target-counter(attr(href), page); }
-  figure { max-width: 12cm; } table { width: 100%; } .files table { font-size: 9pt; } .files td { overflow-wrap: anywhere; min-width: 0; }
+  figure { max-width: 100%; margin: .5em 0; } table { width: 100%; } .files table { font-size: 9pt; } .files td { overflow-wrap: anywhere; min-width: 0; }
 }
 )";
 
@@ -69,11 +69,7 @@ Html equation(const std::string& text) {
 }
 
 Html warnings_html(const CalculationPackage& package) {
-  std::vector<std::string> warnings = package.design.warnings;
-  if (is_simulated(package))
-    warnings.insert(warnings.begin(),
-                    "The motions of this suite are simulated. They do not serve for a permit: "
-                    "repeat the calculation with recorded motions.");
+  const std::vector<std::string> warnings = warnings_of(package);
   return warnings.empty()
              ? Html()
              : "<div class=\"warning\">\n<strong>Warnings</strong>\n" + list(warnings) + "</div>\n";

@@ -87,10 +87,7 @@ std::string separation_lines(const CalculationPackage& package) {
 
 std::string package_screen(const CalculationPackage& package) {
   std::string text = package.project.title.name + "\n";
-  if (is_simulated(package))
-    text += "WARNING: the motions of this suite are simulated; they do not serve for a permit\n";
-  for (const std::string& warning : package.design.warnings)
-    text += wrapped("WARNING: " + warning) + "\n";
+  for (const std::string& warning : warnings_of(package)) text += wrapped("WARNING: " + warning);
   return text + inputs_lines(package) + demand_lines(package) + governing_lines(package) +
          separation_lines(package);
 }

@@ -63,7 +63,14 @@ std::string not_given(double value, const std::string& text) { return value > 0.
 
 }  // namespace
 
-bool is_simulated(const CalculationPackage& package) { return package.files.empty(); }
+std::vector<std::string> warnings_of(const CalculationPackage& package) {
+  std::vector<std::string> warnings = package.design.warnings;
+  if (package.files.empty())
+    warnings.insert(warnings.begin(),
+                    "the motions of this suite are simulated and do not serve for a permit: repeat "
+                    "the calculation with recorded motions");
+  return warnings;
+}
 
 std::string range_text(const std::vector<double>& values, const char* unit) {
   if (values.size() == 1) return fmt::format("{:.3g}{}", values.front(), unit);

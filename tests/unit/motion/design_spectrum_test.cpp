@@ -132,5 +132,35 @@ TEST(site_class_and_edition, read_what_they_write) {
   EXPECT_THROW(parse_asce_edition("7-16"), InputError);
 }
 
+// A permit calculation of 2023: S_S 1.313 g, S_1 0.471 g, default site class.
+TEST(target_spectrum, of_the_default_site_class_is_that_of_a_published_calculation) {
+  const TargetSpectrum spectrum(target(asce7_16, 1.313, 0.471, default_site_classes(asce7_16)));
+  EXPECT_NEAR(1.5 * spectrum.sds_g(), 1.576, 5e-4);
+  EXPECT_NEAR(1.5 * spectrum.sd1_g(), 0.861, 5e-4);
+  EXPECT_NEAR(spectrum.sds_g(), 1.050, 5e-4);
+  EXPECT_NEAR(spectrum.sd1_g(), 0.574, 5e-4);
+}
+
+TEST(target_spectrum, of_design_values_is_that_of_the_class_they_come_from) {
+  const TargetSpectrum mapped(target(asce7_16, 1.5, 0.6, {d}));
+  const TargetSpectrum given(
+      {.edition = asce7_16, .sds_g = mapped.sds_g(), .sd1_g = mapped.sd1_g()});
+  for (const double period : {0.0, 0.05, 0.3, 1.0, 3.0, 12.0})
+    EXPECT_EQ(given.design_sa_g(period), mapped.design_sa_g(period)) << period;
+}
+
+TEST(target_spectrum, by_points_is_linear_between_them) {
+  DesignTarget points{.edition = asce7_16};
+  points.period_s = {0.01, 0.2, 1.0, 5.0};
+  points.design_sa_g = {0.4, 1.0, 0.6, 0.12};
+  const TargetSpectrum spectrum(points);
+  EXPECT_EQ(spectrum.design_sa_g(0.0), 0.4);
+  EXPECT_NEAR(spectrum.design_sa_g(0.6), 0.8, 1e-15);
+  EXPECT_NEAR(spectrum.design_sa_g(10.0), 0.06, 1e-15);
+  EXPECT_NEAR(spectrum.sds_g(), 0.9, 1e-15);  // 90 % of the largest from 0.2 s on
+  // S_a T from 1 s to 5 s: T (0.72 - 0.12 T) is largest at 3 s: 1.08.
+  EXPECT_NEAR(spectrum.sd1_g(), 1.08, 1e-6);
+}
+
 }  // namespace
 }  // namespace glissade

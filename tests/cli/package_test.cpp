@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "cli/child.hpp"
+
+namespace glissade::test {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+namespace fs = std::filesystem;
+
+const std::string project_file = GLISSADE_SOURCE_DIR "/studies/permit_project.toml";
+
+/// The example project, run once.
+class Package : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    folder_ = new ScratchFolder;
+    finished_ = run_program({"clearance", project_file, "--out", out().string()});
+  }
+  static void TearDownTestSuite() { delete folder_; }
+  static fs::path out() { return folder_->path("out"); }
+  static nlohmann::json numbers() {
+    return nlohmann::json::parse(read_file(out() / "package.json"));
+  }
+
+  static ScratchFolder* folder_;
+  static Finished finished_;
+};
+ScratchFolder* Package::folder_ = nullptr;
+Finished Package::finished_;
+
+TEST_F(Package, leaves_the_page_its_numbers_and_the_studies_it_ran) {
+  ASSERT_EQ(finished_.status, 0) << finished_.err;
+  for (const char* name :
+       {"package.html", "package.json", "demand.toml", "demand/results.h5", "probability.toml",
+        "probability/results.h5", "tables/separations.csv", "figures/demand.svg"})
+    EXPECT_GT(fs::exists(out() / name) ? fs::file_size(out() / name) : 0, 0u) << name;
+}
+
+// A permit calculation of 2023 for this site.
+TEST_F(Package, has_the_site_values_of_the_published_calculation) {
+  EXPECT_NEAR(numbers().at("sds_g"), 1.050, 5e-4);
+  EXPECT_NEAR(numbers().at("sd1_g"), 0.574, 5e-4);
+  EXPECT_NEAR(numbers().at("least_value_m"), 0.8 * 25.4 * 0.0254, 2e-3);
+}
+
+// From the histories of the demand study: the mean of the records in each orientation, the largest
+// over orientations, periods and mass ratios, at the design friction, with vertical motion, at DBE.
+TEST_F(Package, analysis_is_1_1_times_the_largest_mean_of_the_histories) {
+  std::map<std::string, std::size_t> column;
+  std::map<std::string, std::pair<double, int>> sums;  // by everything but the record
+  for (const std::string& line : lines_of(read_file(out() / "demand/tables/histories.csv"))) {
+    if (line.starts_with("#")) continue;
+    std::string plain = line;  // cells in quotes hold commas
+    bool quoted = false;
+    for (char& c : plain) {
+      if (c == '"') quoted = !quoted;
+      if (c == ',' && quoted) c = ';';
+    }
+    const std::vector<std::string> cells = cells_of(plain);
+    if (column.empty()) {
+      for (std::size_t i = 0; i < cells.size(); ++i) column[cells[i]] = i;
+      continue;
+    }
+    const auto cell = [&](const char* name) { return cells.at(column.at(name)); };
+    if (cell("vertical") == "no vertical" || std::stod(cell("level_g")) > 1.1 ||
+        cell("condition") != "friction.mu = 0.474328")
+      continue;
+    auto& [sum_m, records] =
+        sums[cell("orientation") + cell("mass_ratio") + "|" + cell("period_s")];
+    sum_m += std::stod(cell("displacement_m"));
+    ++records;
+  }
+  double largest_m = 0.0;
+  for (const auto& [key, sum] : sums) {
+    ASSERT_EQ(sum.second, 7) << key;  // records of the suite
+    largest_m = std::max(largest_m, sum.first / sum.second);
+  }
+  EXPECT_GT(largest_m, 0.0);
+  EXPECT_NEAR(numbers().at("analysis_m"), 1.1 * largest_m, 1e-12);
+}
+
+TEST_F(Package, separations_are_parts_of_the_governing_displacement_rounded_up) {
+  const nlohmann::json json = numbers();
+  const double governing_m = json.at("governing_m");
+  EXPECT_EQ(governing_m,
+            std::max(json.at("analysis_m").get<double>(), json.at("least_value_m").get<double>()));
+  ASSERT_EQ(json.at("separations").size(), 4u);
+  for (const auto& s : json.at("separations")) {
+    const double exact_m = s.at("factor").get<double>() * governing_m,
+                 required_m = s.at("required_m");
+    EXPECT_GE(required_m, exact_m);
+    EXPECT_LT(required_m, exact_m + 0.0127);
+    EXPECT_NEAR(std::remainder(required_m, 0.0127), 0.0, 1e-12);
+  }
+}
+
+TEST_F(Package, simulated_motions_are_a_warning_on_the_screen_and_the_page) {
+  for (const std::string& text : {finished_.out, read_file(out() / "package.html")})
+    EXPECT_THAT(text, HasSubstr("simulated"));
+}
+
+TEST_F(Package, a_page_holds_text_of_the_project_as_text) {
+  const std::string name = "<script>alert(1)</script>";
+  std::string text = read_file(project_file);
+  for (const auto& [from, to] :
+       {std::pair<std::string, std::string>{"Office building, roof array (example)", name},
+        {"data/pull_tests.csv", GLISSADE_SOURCE_DIR "/studies/data/pull_tests.csv"},
+        {"../suites/", GLISSADE_SOURCE_DIR "/suites/"}})
+    text.replace(text.find(from), from.size(), to);
+  const fs::path other = folder_->path("other");
+  const Finished child =
+      run_program({"clearance", folder_->write("script.toml", text), "--out", other.string()});
+  ASSERT_EQ(child.status, 0) << child.err;
+  EXPECT_THAT(read_file(other / "package.html"), Not(HasSubstr("<script")));
+}
+
+TEST_F(Package, is_not_written_over_unless_required) {
+  const std::string before = read_file(out() / "package.json");
+  expect_refused(run_program({"clearance", project_file, "--out", out().string()}),
+                 {"--overwrite"});
+  EXPECT_EQ(read_file(out() / "package.json"), before);
+}
+
+TEST(ClearanceCommand, prints_an_example_and_needs_a_project) {
+  const Finished child = run_program({"clearance", "--example"});
+  EXPECT_EQ(child.status, 0);
+  EXPECT_THAT(child.out, HasSubstr("[site]"));
+  expect_refused(run_program({"clearance"}), {"--example"});
+}
+
+}  // namespace
+}  // namespace glissade::test

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glissade/io/project_file.hpp"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+#include "temporary_folder.hpp"
+
+namespace glissade {
+namespace {
+
+using testing::DoubleNear;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+const std::string whole = R"([project]
+name = "one"
+[site]
+edition = "asce7_16"
+ss_g = 1.313
+s1_g = 0.471
+site_class = "default"
+risk_category = "III"
+[building]
+period_s = [1.0, 0.5]
+mass_ratio = 0.05
+[roof]
+rise_in_12 = 0.25
+[friction]
+mean = 0.5
+std = 0.04
+source = "report 7"
+[suite]
+file = "suite.toml"
+)";
+
+class ProjectFile : public testing::Test {
+ protected:
+  Project read(const std::string& text) { return read_project(folder_.write("p.toml", text)); }
+  std::vector<Problem> problems_of(const std::string& text) {
+    try {
+      read(text);
+    } catch (const InputError& error) {
+      return error.problems();
+    }
+    return {};
+  }
+  static std::string changed(const std::string& from, const std::string& to) {
+    std::string text = whole;
+    return text.replace(text.find(from), from.size(), to);
+  }
+  TemporaryFolder folder_;
+};
+
+TEST_F(ProjectFile, is_read) {
+  const Project project = read(whole);
+  EXPECT_THAT(project.building.period_s, ElementsAre(0.5, 1.0));
+  EXPECT_THAT(project.slope_deg, ElementsAre(DoubleNear(1.1935, 1e-4)));
+  EXPECT_NEAR(project.friction.design(), 0.42, 1e-12);
+  EXPECT_EQ(project.importance, 1.25);  // of risk category III
+  EXPECT_EQ(project.site.target.site_classes.size(), 2u);
+  EXPECT_EQ(project.suite, folder_.path() / "suite.toml");
+}
+
+TEST_F(ProjectFile, the_example_is_one) {
+  folder_.write("pull_tests.csv", "mu\n0.50\n0.54\n0.58\n");
+  const Project project = read(project_example());
+  EXPECT_NEAR(project.friction.mean, 0.54, 1e-12);
+  EXPECT_NEAR(project.friction.std, 0.04, 1e-12);
+  EXPECT_TRUE(project.friction.lower_bound.has_value());
+}
+
+// Everything that is missing, in one run, with an example for each.
+TEST_F(ProjectFile, what_is_missing_is_listed_at_once) {
+  const auto problems = problems_of("[project]\nname = \"one\"\n");
+  for (const char* key : {"site.edition", "site.ss_g", "site.s1_g", "site.site_class",
+                          "site.risk_category", "building.period_s", "building.mass_ratio",
+                          "roof.rise_in_12", "friction.file", "suite.file"}) {
+    const auto found = std::ranges::count_if(problems, [&](const Problem& p) {
+      return p.what.starts_with(key) && p.suggestion.find("example") != std::string::npos;
+    });
+    EXPECT_EQ(found, 1) << key;
+  }
+  EXPECT_EQ(problems.size(), 10u);
+}
+
+TEST_F(ProjectFile, a_period_comes_from_system_and_height) {
+  const Project project =
+      read(changed("period_s = [1.0, 0.5]",
+                   "system = \"other\"\nheight_m = 10.668\nperiod_bounds = [1.0, 2.0]"));
+  ASSERT_EQ(project.building.period_s.size(), 5u);
+  EXPECT_NEAR(project.building.period_s.front(), 0.288, 1e-3);
+  EXPECT_NEAR(project.building.period_s.back(), 0.576, 2e-3);
+}
+
+TEST_F(ProjectFile, an_array_that_slides_without_an_earthquake_is_refused) {
+  const auto problems = problems_of(changed("rise_in_12 = 0.25", "slope_deg = 19"));
+  EXPECT_TRUE(problems.empty());  // tan 19 deg is 0.34
+  EXPECT_EQ(problems_of(changed("std = 0.04", "std = 0.24")).size(), 1u);
+}
+
+TEST_F(ProjectFile, unknown_keys_and_contradictions_are_refused) {
+  EXPECT_EQ(problems_of(changed("[suite]", "[suite]\nfiel = 1")).size(), 1u);
+  EXPECT_EQ(problems_of(changed("mean = 0.5", "mean = 0.5\nfile = \"x.csv\"")).size(), 4u);
+  EXPECT_EQ(problems_of(changed("site_class = \"default\"", "site_class = \"Z\"")).size(), 1u);
+}
+
+// The studies that are made are study files: the plan of their numbers.
+TEST_F(ProjectFile, studies_state_the_projects_numbers) {
+  const Project project = read(whole);
+  const std::string demand = demand_study(project, folder_.path());
+  for (const char* part : {"period_s = [0.5, 1]", "mu = [0.42, 0.5, 0.58]"})
+    EXPECT_THAT(demand, HasSubstr(part));
+  const std::string probability = probability_study(project, folder_.path(), {0.5});
+  EXPECT_THAT(probability, HasSubstr("thresholds_m = [0.5]"));
+}
+
+}  // namespace
+}  // namespace glissade
