@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "glissade/core/contract.hpp"
 #include "glissade/motion/response_spectrum.hpp"
@@ -43,6 +44,43 @@ double peak_ground_velocity_mps(double dt_s, std::span<const double> acceleratio
   return peak;
 }
 
+double peak_ground_displacement_m(double dt_s, std::span<const double> acceleration_mps2) {
+  GLISSADE_EXPECTS(dt_s > 0.0);
+  double velocity = 0.0, displacement = 0.0, peak = 0.0;
+  for (std::size_t n = 0; n < acceleration_mps2.size(); ++n) {
+    const double a = acceleration_mps2[n];
+    const double b = n + 1 < acceleration_mps2.size() ? acceleration_mps2[n + 1] : 0.0;
+    displacement += dt_s * (velocity + dt_s * (2.0 * a + b) / 6.0);
+    velocity += 0.5 * dt_s * (a + b);
+    peak = std::max(peak, std::abs(displacement));
+  }
+  return peak;
+}
+
+double significant_duration_s(double dt_s, std::span<const double> first_mps2,
+                              std::span<const double> second_mps2) {
+  GLISSADE_EXPECTS(dt_s > 0.0);
+  const auto at = [](std::span<const double> component, std::size_t n) {
+    return n < component.size() ? component[n] : 0.0;
+  };
+  // The integral of a^2 over a step on which a is linear, over dt / 3.
+  const auto step = [&](std::span<const double> component, std::size_t n) {
+    const double a = at(component, n), b = at(component, n + 1);
+    return a * a + a * b + b * b;
+  };
+  const std::size_t size = std::max(first_mps2.size(), second_mps2.size());
+  std::vector<double> sum{0.0};
+  for (std::size_t n = 0; n < size; ++n)
+    sum.push_back(sum.back() + step(first_mps2, n) + step(second_mps2, n));
+  if (sum.back() == 0.0) return 0.0;
+  const auto time_s = [&](double share) {
+    const auto after = std::ranges::lower_bound(sum, share * sum.back());
+    const auto n = static_cast<double>(after - sum.begin());
+    return dt_s * (n - (*after - share * sum.back()) / (*after - *std::prev(after)));
+  };
+  return time_s(0.95) - time_s(0.05);
+}
+
 double combine(HorizontalCombination combination, double first, double second) {
   return combination == HorizontalCombination::srss ? std::hypot(first, second)
                                                     : std::sqrt(first) * std::sqrt(second);
@@ -71,6 +109,12 @@ double horizontal_pga_mps2(const Motion& motion, HorizontalCombination combinati
 double horizontal_pgv_mps(const Motion& motion, HorizontalCombination combination) {
   return combined(motion, combination, [&](const std::vector<double>& component) {
     return peak_ground_velocity_mps(motion.dt_s, component);
+  });
+}
+
+double horizontal_pgd_m(const Motion& motion, HorizontalCombination combination) {
+  return combined(motion, combination, [&](const std::vector<double>& component) {
+    return peak_ground_displacement_m(motion.dt_s, component);
   });
 }
 

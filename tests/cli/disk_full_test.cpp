@@ -15,7 +15,8 @@ namespace fs = std::filesystem;
 class DiskFull : public testing::Test {
  protected:
   ScratchFolder folder_;
-  std::string record_ = folder_.write("push.txt", "0.5\n0.5\n0.5\n0.5\n0.5\n0.5\n");
+  std::string record_ =
+      folder_.write("push.txt", "# acceleration_g\n0.5\n0.5\n0.5\n0.5\n0.5\n0.5\n");
   std::string slide_ = "\"$0\" slide '" + record_ + "' --dt-s 0.01 --mu 0.1 --slope-deg 1 ";
 };
 
@@ -33,7 +34,7 @@ TEST_F(DiskFull, a_full_standard_output_is_reported) {
 }
 
 TEST_F(DiskFull, no_half_of_a_history_is_left) {
-  std::string long_record;
+  std::string long_record = "# acceleration_g\n";
   for (int i = 0; i < 2000; ++i) long_record += "0.5\n";
   folder_.write("push.txt", long_record);  // a history of some 100 kB
   const std::string history = folder_.path("history.csv").string();
@@ -43,7 +44,7 @@ TEST_F(DiskFull, no_half_of_a_history_is_left) {
 }
 
 TEST_F(DiskFull, an_older_history_is_not_written_over) {
-  folder_.write("push.txt", "0.5\n");
+  folder_.write("push.txt", "# acceleration_g\n0.5\n");
   const std::string history = folder_.write("history.csv", "an older one");
   expect_refused(run_shell(slide_ + "--history '" + history + "'"),
                  {"--history", "history.csv", "--overwrite"});

@@ -34,7 +34,7 @@ TEST(OutputRule, a_file_is_written_over_with_overwrite_only) {
   folder.write("out", "mine");
   expect_rule({"suite", "design", "--level", "0", "--out", out}, "--out", out);
   folder.write("out", "mine");
-  const std::string record = folder.write("push.txt", "0.5\n0.5\n0.5\n");
+  const std::string record = folder.write("push.txt", "# acceleration_g\n0.5\n0.5\n0.5\n");
   expect_rule(
       {"slide", record, "--dt-s", "0.01", "--mu", "0.1", "--slope-deg", "0", "--history", out},
       "--history", out);

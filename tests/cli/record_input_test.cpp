@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gmock/gmock.h>
 
+#include <nlohmann/json.hpp>
+
 #include "cli/child.hpp"
 
 namespace glissade::test {
 namespace {
+
+using Json = nlohmann::json;
+using testing::HasSubstr;
 
 /// A PEER file of five values.
 std::string at2(const std::string& units_line, const std::string& npts_line,
@@ -59,8 +64,8 @@ TEST_F(RecordInput, a_file_cut_short_is_reported) {
                       {"cut.AT2:4", "NPTS is 5", "contains 3"});
 }
 TEST_F(RecordInput, nan_among_the_samples_is_reported_with_its_line) {
-  expect_text_refused("nan.txt", "0.00 0.1\n0.01 nan\n0.02 0.1\n",
-                      {"nan.txt:2", "nan", "not finite"});
+  expect_text_refused("nan.txt", "# acceleration_g\n0.00 0.1\n0.01 nan\n0.02 0.1\n",
+                      {"nan.txt:3", "nan", "not finite"});
 }
 TEST_F(RecordInput, infinity_among_the_samples_is_reported_with_its_line) {
   expect_text_refused("inf.AT2", at2(in_g, npts_5, "0.1 0.2 0.3\n0.2 inf\n"),
@@ -72,7 +77,7 @@ TEST_F(RecordInput, text_among_the_samples_is_reported_with_its_line) {
 }
 TEST_F(RecordInput, fortran_overflow_stars_are_reported) {
   expect_text_refused("stars.txt", "0.1\n*******\n0.1\n", {"stars.txt:2", "*******"},
-                      {"--dt-s", "0.01"});
+                      {"--dt-s", "0.01", "--units", "g"});
 }
 TEST_F(RecordInput, a_zero_step_is_reported) {
   expect_text_refused("zero.AT2", at2(in_g, "NPTS= 5, DT= 0.0000 SEC,"),
@@ -93,19 +98,34 @@ TEST_F(RecordInput, a_header_without_samples_is_reported) {
                       {"header.AT2", "no samples"});
 }
 TEST_F(RecordInput, one_column_without_a_step_asks_for_it) {
-  expect_text_refused("column.txt", "0.1\n0.2\n", {"column.txt", "time step", "--dt-s"});
+  expect_text_refused("column.txt", "# acceleration_g\n0.1\n0.2\n",
+                      {"column.txt", "time step", "--dt-s"});
 }
 TEST_F(RecordInput, a_velocity_file_is_not_taken_for_acceleration) {
   expect_text_refused("velocity.VT2", at2("VELOCITY TIME SERIES IN UNITS OF CM/S", npts_5),
                       {"velocity.VT2:3", "velocity"});
 }
 TEST_F(RecordInput, uneven_times_are_reported) {
-  expect_text_refused("gap.txt", "0.00 0.1\n0.01 0.1\n0.04 0.1\n0.05 0.1\n0.06 0.1\n",
+  expect_text_refused("gap.txt",
+                      "# acceleration_g\n0.00 0.1\n0.01 0.1\n0.04 0.1\n0.05 0.1\n0.06 0.1\n",
                       {"gap.txt", "0.01", "0.04", "evenly"});
 }
-TEST_F(RecordInput, gals_taken_for_g_are_not_believed) {
-  expect_text_refused("gal.txt", "12.0\n-355.0\n100\n", {"gal.txt", "355", "units"},
+TEST_F(RecordInput, units_must_be_stated) {
+  expect_text_refused("column.txt", "12.0\n-355.0\n100\n", {"column.txt", "--units"},
                       {"--dt-s", "0.01"});
+}
+TEST_F(RecordInput, values_outside_what_was_recorded_have_a_warning_beside_the_result) {
+  std::string text = "# acceleration_g\n";  // gal taken for g, 2 s
+  for (int i = 0; i < 200; ++i) text += i % 20 < 10 ? "355\n" : "-355\n";
+  const std::vector<std::string> command{
+      "slide", folder_.write("gal.txt", text), "--dt-s", "0.01", "--mu", "0.1", "--slope-deg", "2"};
+  EXPECT_THAT(run_program(command).out, HasSubstr("WARNING: PGA of 355 g"));
+  std::vector<std::string> as_json = command;
+  as_json.emplace_back("--json");
+  const Json json = Json::parse(run_program(as_json).out);
+  EXPECT_EQ(json["warnings"].size(), 3u);  // PGA, PGV and PGD
+  EXPECT_NEAR(json["as_recorded"][0]["pga_g"].get<double>(), 355.0, 1e-9);
+  EXPECT_NEAR(json["as_recorded"][0]["duration_s"].get<double>(), 1.8, 0.01);
 }
 TEST_F(RecordInput, unknown_units_are_reported_with_the_known_ones) {
   expect_text_refused("column.txt", "0.1\n0.2\n", {"furlong", "m/s2"},
@@ -113,7 +133,7 @@ TEST_F(RecordInput, unknown_units_are_reported_with_the_known_ones) {
 }
 TEST_F(RecordInput, a_still_record_has_no_peak_to_scale) {
   expect_text_refused("still.txt", "0\n0\n", {"still.txt", "--pga-g"},
-                      {"--dt-s", "0.01", "--pga-g", "1"});
+                      {"--dt-s", "0.01", "--pga-g", "1", "--units", "g"});
 }
 TEST_F(RecordInput, a_binary_file_is_not_a_record) {
   expect_text_refused("binary.sac", std::string("\0\1\2\3", 4), {"binary.sac", "not a text file"});
@@ -122,9 +142,9 @@ TEST_F(RecordInput, a_binary_file_is_not_a_record) {
 TEST_F(RecordInput, a_vertical_with_another_step_is_reported) {
   const std::string horizontal = folder_.write("h.txt", "0.00 0.1\n0.01 0.1\n0.02 0.1\n");
   const std::string vertical = folder_.write("v.txt", "0.000 0.1\n0.007 0.1\n0.014 0.1\n");
-  expect_refused(
-      run_program({"slide", horizontal, "--vertical", vertical, "--mu", "0.1", "--slope-deg", "1"}),
-      {"0.007", "0.01"});
+  expect_refused(run_program({"slide", horizontal, "--vertical", vertical, "--mu", "0.1",
+                              "--slope-deg", "1", "--units", "g"}),
+                 {"0.007", "0.01"});
 }
 
 }  // namespace

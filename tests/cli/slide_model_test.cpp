@@ -169,7 +169,8 @@ TEST_F(SlideModel, each_bad_input_gets_one_clear_message) {
                  {"--mass-ratio", "no solution"});
   expect_refused(run({"--period-s", "0.001", "--yield-coefficient", "0.2"}),
                  {"0.001 s", "rigid", "0.02 s"});
-  const std::string nanoseconds = folder_.write("ns.txt", "0 0\n1e-9 0.4\n2e-9 -0.4\n3e-9 0.1\n");
+  const std::string nanoseconds =
+      folder_.write("ns.txt", "# acceleration_g\n0 0\n1e-9 0.4\n2e-9 -0.4\n3e-9 0.1\n");
   expect_refused(run_program({"slide", nanoseconds, "--mu", "0.2", "--slope-deg", "0", "--period-s",
                               "0.5", "--mass-ratio", "0.1"}),
                  {"16,777,216 steps"});

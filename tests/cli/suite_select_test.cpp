@@ -19,7 +19,7 @@ class SuiteSelect : public testing::Test {
  protected:
   void SetUp() override {
     std::filesystem::create_directories(folder_.path("library"));
-    std::string text = "[suite]\nname = \"library\"\n";
+    std::string text = "[suite]\nname = \"library\"\nunits = \"g\"\n";
     for (int i = 0; i < 5; ++i) {
       const std::string id = "r" + std::to_string(i);
       std::string columns[2];

@@ -26,7 +26,7 @@ void read(const std::filesystem::path& file, const glissade::RecordFileOptions& 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const auto file = glissade::fuzz::input_file(data, size);
   read(file, {});
-  read(file, {.dt_s = 0.01, .units = {}});
+  read(file, {.dt_s = 0.01, .units = {}, .units_if_not_stated = glissade::AccelerationUnits::mps2});
   read(file, {.dt_s = 0.0039, .units = glissade::AccelerationUnits::g});
   return 0;
 }

@@ -20,8 +20,10 @@ struct RecordFileOptions {
   /// The step. Mends one an AT2 header prints with too few decimals (`DT= .0039` is 1/256), by 2 %
   /// at most; must agree with a time column; needed for one column. > 0.
   std::optional<double> dt_s;
-  /// Of text files; default g. Must agree with an AT2 header that names its units.
+  /// The units; must agree with a header that names them.
   std::optional<AccelerationUnits> units;
+  /// Of a file that states none, where `units` is not given either: those of its suite.
+  std::optional<AccelerationUnits> units_if_not_stated = std::nullopt;
 };
 
 /// Reads one component, recognised by content and not by name:
@@ -34,11 +36,13 @@ struct RecordFileOptions {
 /// be evenly spaced to
 ///   the decimals they are printed with; the step is (last - first) / (n - 1), to the fewest
 ///   decimals that give the last time.
-/// In text files `#` begins a comment.
+/// In text files `#` begins a comment. Comments before the first sample may state units ("# units:
+/// m/s2", "# time_s acceleration_g"), the step ("# DT = 0.01") and the number of samples ("# NPTS =
+/// 5590").
 ///
 /// Throws InputError (file:line, value, rule, what to do) for anything else, for values that are no
-/// finite numbers, for counts that differ from NPTS, and where text files without units hold
-/// accelerations above 3 g.
+/// finite numbers, for counts that differ from NPTS, for units that are not stated, and for a
+/// column that begins with its count or its step.
 Record read_record(const std::filesystem::path& file, const RecordFileOptions& options = {});
 
 }  // namespace glissade

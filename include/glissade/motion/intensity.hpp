@@ -14,6 +14,13 @@ double peak_ground_acceleration_mps2(std::span<const double> acceleration_mps2);
 /// inside intervals and the interval to zero after the last sample included. dt_s > 0.
 double peak_ground_velocity_mps(double dt_s, std::span<const double> acceleration_mps2);
 
+/// Largest |displacement| at the samples, integrated from rest as the velocity is. dt_s > 0.
+double peak_ground_displacement_m(double dt_s, std::span<const double> acceleration_mps2);
+/// D5-95: the time between 5 and 95 % of the integral of the squared accelerations, of up to two
+/// components together (Trifunac & Brady 1975; Husid 1969). 0 for motions that are zero throughout.
+double significant_duration_s(double dt_s, std::span<const double> first_mps2,
+                              std::span<const double> second_mps2 = {});
+
 /// Combination of two horizontal components. With one component it counts as both.
 enum class HorizontalCombination { geometric_mean, srss };
 double combine(HorizontalCombination combination, double first, double second);
@@ -26,6 +33,7 @@ std::vector<double> horizontal_spectrum_mps2(const Motion& motion,
                                              double damping_ratio = 0.05);
 double horizontal_pga_mps2(const Motion& motion, HorizontalCombination combination);
 double horizontal_pgv_mps(const Motion& motion, HorizontalCombination combination);
+double horizontal_pgd_m(const Motion& motion, HorizontalCombination combination);
 
 /// Average spectral acceleration: the geometric mean over the periods and both components (Eads,
 /// Miranda & Lignos 2015, EESD 44:2057-2073), m/s2.

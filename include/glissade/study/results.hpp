@@ -149,7 +149,9 @@ struct RecordSummary {
   double suite_scale = 1.0;                                   ///< the suite file's factor
   double factor_at_unit_level = 0.0;  ///< factor on the record at intensity 1 (0 for ppa_g: depends
                                       ///< on the roof)
-  double pga_g = 0.0, pgv_mps = 0.0;  ///< geometric mean of the horizontals, as recorded
+  double pga_g = 0.0, pgv_mps = 0.0, pgd_m = 0.0;  ///< geometric means of the horizontals, as
+                                                   ///< recorded
+  double duration_s = 0.0;                         ///< D5-95 of both horizontals together
   double dt_s = 0.0;
   std::uint64_t samples = 0;
   bool has_second = false, has_vertical = false;

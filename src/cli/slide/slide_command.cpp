@@ -9,6 +9,7 @@
 #include "glissade/core/error.hpp"
 #include "glissade/core/units.hpp"
 #include "glissade/io/record_file.hpp"
+#include "glissade/motion/improbable.hpp"
 #include "glissade/motion/intensity.hpp"
 #include "slide/slide_history.hpp"
 
@@ -30,6 +31,41 @@ using Json = nlohmann::ordered_json;
 
 /// NaN and infinity have no name in JSON.
 Json number_or_null(double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); }
+
+/// What is possible and not probable.
+std::vector<std::string> warnings_on(const SlideOptions& o, const Motion& motion) {
+  std::vector<std::string> warnings = improbable_values(motion);
+  if (o.period_s > longest_probable_period_s)
+    warnings.push_back(
+        fmt::format("a building period of {:g} s is longer than that of any building", o.period_s));
+  return warnings;
+}
+
+/// A component of the motion, as recorded.
+struct Component {
+  const char* name;
+  const std::string& file;
+  const std::vector<double>& acceleration_mps2;
+};
+
+std::vector<Component> components_of(const SlideOptions& o, const Motion& motion) {
+  std::vector<Component> components{{"first", o.record, motion.horizontal_mps2[0]}};
+  if (!o.second.empty()) components.push_back({"second", o.second, motion.horizontal_mps2[1]});
+  if (!o.vertical.empty()) components.push_back({"vertical", o.vertical, motion.vertical_mps2});
+  return components;
+}
+
+Json components_json(const SlideOptions& o, const Motion& motion) {
+  Json json = Json::array();
+  for (const auto& [name, file, a] : components_of(o, motion)) {
+    json.push_back({{"component", name},
+                    {"pga_g", peak_ground_acceleration_mps2(a) / standard_gravity_mps2},
+                    {"pgv_mps", peak_ground_velocity_mps(motion.dt_s, a)},
+                    {"pgd_m", peak_ground_displacement_m(motion.dt_s, a)},
+                    {"duration_s", significant_duration_s(motion.dt_s, a)}});
+  }
+  return json;
+}
 
 Json to_json(const SlideOptions& o, const SlideHistory& h, const Motion& motion, double factor,
              double pga_g) {
@@ -80,6 +116,8 @@ Json to_json(const SlideOptions& o, const SlideHistory& h, const Motion& motion,
     json["tipping_scale"] = number_or_null(*h.tips_at);
   }
   json["model"] = model_of(o);
+  json["as_recorded"] = components_json(o, motion);
+  json["warnings"] = warnings_on(o, motion);
   return json;
 }
 
@@ -117,11 +155,23 @@ void print_building(const SlideHistory& h) {
   }
 }
 
+/// What was read: the user sees whether step and units are as they should be.
+void print_record(const SlideOptions& o, const Motion& motion) {
+  for (const auto& [name, file, a] : components_of(o, motion)) {
+    fmt::print(
+        "{}\n  {} samples at {:g} s, PGA {:.3g} g, PGV {:.3g} m/s, PGD {:.3g} m, D5-95 {:.3g} s\n",
+        file, a.size(), motion.dt_s, peak_ground_acceleration_mps2(a) / standard_gravity_mps2,
+        peak_ground_velocity_mps(motion.dt_s, a), peak_ground_displacement_m(motion.dt_s, a),
+        significant_duration_s(motion.dt_s, a));
+  }
+  for (const std::string& warning : warnings_on(o, motion)) fmt::print("WARNING: {}\n", warning);
+}
+
 void print_text(const SlideOptions& o, const SlideHistory& h, const Motion& motion, double factor,
                 double pga_g) {
   const SlipResult& r = h.slip;
-  fmt::print("{}: {} samples at {:g} s, PGA {:.4g} g{}\n", o.record,
-             motion.horizontal_mps2[0].size(), motion.dt_s, pga_g,
+  print_record(o, motion);
+  fmt::print("Factor {:.4g}: PGA {:.4g} g{}\n", factor, pga_g,
              h.ppa_g ? fmt::format(", peak roof acceleration {:.4g} g", *h.ppa_g) : "");
   fmt::print("Model: {}\n", model_of(o));
   fmt::print(

@@ -202,7 +202,7 @@ void add_options(CLI::App& command, SlideOptions& o) {
   command.add_option("--substeps", o.substeps, "substeps P of rodriguez-nikl");
   command.add_flag("--one-way", o.one_way, "no upslope slip (classical Newmark)");
   command.add_option("--dt-s", o.dt_s, "time step of files without one; overrides an AT2 header");
-  command.add_option("--units", o.units, "units of text files: g, m/s2, cm/s2 [g]");
+  command.add_option("--units", o.units, "units of files that do not state theirs: g, m/s2, cm/s2");
   command.add_option("--history", o.history, "write the slip history to this CSV file (one axis)");
   add_overwrite(command, o.overwrite);
   command.add_flag("--json", o.json, "print one JSON object");

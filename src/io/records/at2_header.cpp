@@ -13,7 +13,7 @@ constexpr std::size_t longest_header_line = 1000;  // characters
 
 /// The first word at or after `begin`, without the `=` before it and the punctuation around it.
 std::string_view word_at(std::string_view line, std::size_t begin) {
-  constexpr std::string_view separators = " \t=,;:()";
+  constexpr std::string_view separators = " \t=,;:()[]_";
   begin = line.find_first_not_of(separators, begin);
   if (begin == std::string_view::npos) return {};
   const std::size_t end = line.find_first_of(separators, begin);
@@ -72,26 +72,48 @@ std::string units_in_header_line(std::string_view line) {
     if (std::string unit = after(phrase); !unit.empty()) return unit;
   }
   for (const std::string_view quantity : {"acceleration", "velocity", "displacement"}) {
-    if (lower.find(quantity) != std::string::npos) return after(" in ");
+    const std::size_t at = lower.find(quantity);
+    if (at == std::string::npos) continue;
+    if (std::string unit = after(" in "); !unit.empty()) return unit;
+    // A heading of columns: acceleration_g, acceleration (m/s2).
+    const std::string unit(word_at(lower, at + quantity.size()));
+    for (const std::string_view known : {"g", "m/s2", "cm/s2", "gal", "m/s", "cm/s"}) {
+      if (unit == known) return unit;
+    }
   }
   return {};
+}
+
+bool read_header_line(std::string_view line, std::size_t number, At2Header& header) {
+  line = line.substr(0, longest_header_line);
+  const std::string lower = lower_case(line);
+  if (std::string units = units_in_header_line(line); !units.empty()) {
+    header.units = units;
+    header.units_line = number;
+  }
+  const std::size_t npts_at = lower.find("npts");
+  if (npts_at == std::string::npos) {
+    const std::size_t dt_at = trimmed(line).starts_with('#') ? find_dt(lower) : std::string::npos;
+    const std::optional<double> dt_s =
+        dt_at == std::string::npos ? std::nullopt : parse_number(word_at(line, dt_at + 2));
+    if (dt_s) {
+      header.dt_text = word_at(line, dt_at + 2);
+      header.dt_s = dt_s;
+      header.lines = number;
+    }
+    return false;
+  }
+  header.lines = number;
+  read_counts(line, lower, npts_at, header);
+  return true;
 }
 
 std::optional<At2Header> find_at2_header(std::string_view text) {
   At2Header header;
   LineReader reader(text);
   while (reader.next() && reader.number() <= longest_header) {
-    const std::string_view line = reader.line().substr(0, longest_header_line);
-    const std::string lower = lower_case(line);
-    if (std::string units = units_in_header_line(line); !units.empty()) {
-      header.units = units;
-      header.units_line = reader.number();
-    }
-    const std::size_t npts_at = lower.find("npts");
-    if (npts_at == std::string::npos || trimmed(line).starts_with('#')) continue;
-    header.lines = reader.number();
-    read_counts(line, lower, npts_at, header);
-    return header;
+    const bool has_count = read_header_line(reader.line(), reader.number(), header);
+    if (has_count && !trimmed(reader.line()).starts_with('#')) return header;
   }
   return std::nullopt;
 }

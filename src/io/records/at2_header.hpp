@@ -9,8 +9,8 @@
 
 namespace glissade {
 
-/// What the header of a PEER file states. The text is as printed: its meaning is for the caller to
-/// judge.
+/// What the header of a record states: of a PEER file, or the comments of a text file. The text is
+/// as printed: its meaning is for the caller to judge.
 struct At2Header {
   std::size_t lines = 0;              ///< header lines, the one with NPTS included
   std::optional<std::uint64_t> npts;  ///< nothing: not a whole number that fits
@@ -20,13 +20,15 @@ struct At2Header {
   std::string units;                  ///< lower case: "g", "cm/s" ...
 };
 
-/// The header, if one of the first lines holds NPTS: `NPTS=  5590, DT=   .0100 SEC,` or `7997
-/// 0.0050 NPTS, DT`.
+/// The header of a PEER file, if one of the first lines holds NPTS: `NPTS=  5590, DT=   .0100 SEC,`
+/// or `7997 0.0050 NPTS, DT`.
 std::optional<At2Header> find_at2_header(std::string_view text);
 
+/// Takes what a line of a header states; true where it holds NPTS.
+bool read_header_line(std::string_view line, std::size_t number, At2Header& header);
+
 /// The units a header line states: "... IN UNITS OF CM/S", "ACCELERATION IN G", "The units are
-/// (g)";
-/// "" if none.
+/// (g)", "acceleration_g"; "" if none.
 std::string units_in_header_line(std::string_view line);
 
 }  // namespace glissade

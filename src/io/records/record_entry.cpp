@@ -3,6 +3,13 @@
 
 namespace glissade {
 
+std::optional<AccelerationUnits> read_units(const TomlTable& table) {
+  return table.choice<AccelerationUnits>("units", {{"g", AccelerationUnits::g},
+                                                   {"m/s2", AccelerationUnits::mps2},
+                                                   {"cm/s2", AccelerationUnits::cmps2},
+                                                   {"gal", AccelerationUnits::cmps2}});
+}
+
 std::optional<ComponentEntry> read_component_entry(const TomlTable& record, const char* key) {
   if (!record.has(key)) return std::nullopt;
   ComponentEntry entry;
@@ -14,11 +21,7 @@ std::optional<ComponentEntry> read_component_entry(const TomlTable& record, cons
   entry.file = table.required_text("file");
   entry.start_s = table.number("start_s", not_negative).value_or(0.0);
   entry.options.dt_s = table.number("dt_s", above_zero);
-  entry.options.units =
-      table.choice<AccelerationUnits>("units", {{"g", AccelerationUnits::g},
-                                                {"m/s2", AccelerationUnits::mps2},
-                                                {"cm/s2", AccelerationUnits::cmps2},
-                                                {"gal", AccelerationUnits::cmps2}});
+  entry.options.units = read_units(table);
   return entry;
 }
 

@@ -17,6 +17,9 @@ struct ComponentEntry {
   RecordFileOptions options;
 };
 
+/// The units that a table states by the key `units`.
+std::optional<AccelerationUnits> read_units(const TomlTable& table);
+
 /// `key = "file"` or `key = { file, start_s, dt_s, units }`; nothing where the key is absent.
 std::optional<ComponentEntry> read_component_entry(const TomlTable& record, const char* key);
 

@@ -37,8 +37,10 @@ void check_ids(const std::vector<TomlTable>& tables) {
 /// Reads the motions of a recorded suite, collecting what is missing, to report it together.
 class RecordedSuiteReader {
  public:
-  explicit RecordedSuiteReader(const std::filesystem::path& suite_file)
-      : suite_file_(suite_file), finder_(suite_file.parent_path()) {}
+  /// @param units of files that do not state theirs
+  RecordedSuiteReader(const std::filesystem::path& suite_file,
+                      std::optional<AccelerationUnits> units)
+      : suite_file_(suite_file), finder_(suite_file.parent_path()), units_(units) {}
 
   void read(const TomlTable& record, Suite& suite) {
     const std::size_t problems_before = record.problem_count();
@@ -71,8 +73,9 @@ class RecordedSuiteReader {
  private:
   std::optional<TimedRecord> load(const TomlTable& record, const char* key) {
     const std::size_t problems_before = record.problem_count();
-    const auto entry = read_component_entry(record, key);
+    auto entry = read_component_entry(record, key);
     if (!entry || record.problem_count() > problems_before) return std::nullopt;
+    entry->options.units_if_not_stated = units_;
     try {
       if (const auto path = finder_.find(entry->file))
         return TimedRecord{read_record(*path, entry->options), entry->start_s};
@@ -85,6 +88,7 @@ class RecordedSuiteReader {
 
   std::filesystem::path suite_file_;
   RecordFinder finder_;
+  std::optional<AccelerationUnits> units_;
   std::vector<std::string> missing_;
 };
 
@@ -98,7 +102,7 @@ Suite read_recorded_suite(const std::filesystem::path& file, TomlDocument& docum
   const std::vector<TomlTable> records = root.tables("record");
   if (records.empty())
     root.report_missing("record", "give [[record]] entries, or [simulation] and [[motion]]");
-  RecordedSuiteReader reader(file);
+  RecordedSuiteReader reader(file, read_units(head));
   for (const TomlTable& record : records) reader.read(record, suite);
   check_ids(records);
   reader.report_missing(document);

@@ -19,10 +19,17 @@ struct RecordEntry {
   std::map<std::string, ComponentEntry> components;  ///< by key
 };
 
-std::map<std::string, RecordEntry> read_entries(const fs::path& library) {
-  TomlDocument document(library);
-  document.root().ignore_unknown();
+struct Library {
+  std::optional<AccelerationUnits> units;  ///< of files that do not state theirs
   std::map<std::string, RecordEntry> entries;
+};
+
+Library read_library(const fs::path& file) {
+  TomlDocument document(file);
+  document.root().ignore_unknown();
+  const TomlTable head = document.root().table("suite");
+  head.ignore_unknown();
+  Library library{read_units(head), {}};
   for (const TomlTable& record : document.root().tables("record")) {
     RecordEntry entry{read_metadata(record), {}};
     for (const char* key : {"first", "second", "vertical"}) {
@@ -30,10 +37,10 @@ std::map<std::string, RecordEntry> read_entries(const fs::path& library) {
         entry.components[key] = std::move(*component);
     }
     const std::string id = entry.metadata.id;
-    entries[id] = std::move(entry);
+    library.entries[id] = std::move(entry);
   }
   document.finish();
-  return entries;
+  return library;
 }
 
 /// How a file of the library is named in a suite file in `folder`.
@@ -68,11 +75,12 @@ std::string line(const char* key, double value) {
 std::string suite_of_records_toml(const fs::path& library, const SuiteHead& head,
                                   const std::vector<ScaledRecord>& records,
                                   const fs::path& folder) {
-  const std::map<std::string, RecordEntry> entries = read_entries(library);
+  const auto [units, entries] = read_library(library);
   std::string text;
   for (const std::string& comment : head.comments) text += "# " + comment + "\n";
-  text += fmt::format("\n[suite]\nname = {}\ndescription = {}\n\n{}", quoted(head.name),
-                      quoted(head.description), target_toml(head.target));
+  text += fmt::format("\n[suite]\nname = {}\ndescription = {}\n{}\n{}", quoted(head.name),
+                      quoted(head.description), line("units", units ? to_string(*units) : ""),
+                      target_toml(head.target));
   for (const ScaledRecord& record : records) {
     const auto found = entries.find(record.id);
     if (found == entries.end()) {

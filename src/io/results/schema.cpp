@@ -123,6 +123,15 @@ void exchange_records(const Archive& archive, Records& records) {
   column("samples", {"-", "number of samples"}, &RecordSummary::samples);
   column("has_second", {"-", "1 where there is a second horizontal"}, &RecordSummary::has_second);
   column("has_vertical", {"-", "1 where there is a vertical"}, &RecordSummary::has_vertical);
+  if constexpr (Archive::reads) {
+    if (!archive.has("pgd_m")) return;  // written before these were known
+  }
+  column("pgd_m",
+         {"m", "geometric mean of the horizontals' peak ground displacements, as recorded"},
+         &RecordSummary::pgd_m);
+  column("duration_s",
+         {"s", "D5-95: from 5 to 95 % of the integral of a^2 of the horizontals together"},
+         &RecordSummary::duration_s);
 }
 
 template <class Archive, class Spectra>

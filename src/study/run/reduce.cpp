@@ -101,6 +101,8 @@ RecordSummary summary_of(const Plan& plan, std::size_t record) {
   r.pga_g =
       horizontal_pga_mps2(motion, HorizontalCombination::geometric_mean) / standard_gravity_mps2;
   r.pgv_mps = horizontal_pgv_mps(motion, HorizontalCombination::geometric_mean);
+  r.pgd_m = horizontal_pgd_m(motion, HorizontalCombination::geometric_mean);
+  r.duration_s = significant_duration_s(motion.dt_s, first, second);
   r.dt_s = motion.dt_s;
   r.samples = first.size();
   r.has_second = !second.empty();

@@ -22,8 +22,10 @@ fs::path records_folder() {
 /// The acceleration in a file, at 0.005 s in g if it does not tell; none if it holds no
 /// acceleration.
 std::vector<double> read_samples(const fs::path& file, double& dt_s) {
+  constexpr auto g = AccelerationUnits::g;
   const std::vector<RecordFileOptions> guesses = {
-      {}, {.dt_s = 0.005, .units = {}}, {.dt_s = {}, .units = AccelerationUnits::cmps2}};
+      {.dt_s = {}, .units = {}, .units_if_not_stated = g},
+      {.dt_s = 0.005, .units = {}, .units_if_not_stated = g}};
   for (const RecordFileOptions& options : guesses) {
     try {
       Record record = read_record(file, options);

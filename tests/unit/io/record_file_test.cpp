@@ -19,7 +19,9 @@ constexpr double g = standard_gravity_mps2;
 
 class RecordFile : public testing::Test {
  protected:
-  Record read(const std::string& content, const RecordFileOptions& options = {}) const {
+  /// In g where neither the file nor the options state the units.
+  Record read(const std::string& content, RecordFileOptions options = {}) const {
+    options.units_if_not_stated = AccelerationUnits::g;
     return read_record(folder_.write("record", content), options);
   }
   std::string error(const std::string& content, const RecordFileOptions& options = {}) const {
@@ -163,11 +165,36 @@ TEST_F(RecordFile, columns_beyond_two_or_of_changing_number_are_refused) {
   EXPECT_THAT(error("0,1\n0.01,\n"), AllOf(HasSubstr("record:2"), HasSubstr("''")));
 }
 
-TEST_F(RecordFile, text_in_gal_read_as_g_by_default_is_not_believed) {
-  EXPECT_THAT(error("0 741\n0.01 2\n"), HasSubstr("give the units"));
-  EXPECT_DOUBLE_EQ(
-      read("0 741\n0.01 2\n", {.dt_s = {}, .units = AccelerationUnits::cmps2}).acceleration_mps2[0],
-      7.41);
+TEST_F(RecordFile, units_that_are_not_stated_are_not_guessed) {
+  const auto alone = [&](const std::string& text) {
+    return read_record(folder_.write("record", text), {.dt_s = 0.01, .units = {}});
+  };
+  const std::string no_units = "EVENT\nNPTS= 2, DT= .01 SEC\n1 2\n";
+  for (const std::string& text : {std::string("0 741\n0.01 2\n"), std::string("1\n2\n"), no_units})
+    EXPECT_THAT(message_of([&] { alone(text); }), HasSubstr("units"));
+  for (const char* comment :
+       {"# units: cm/s2", "# acceleration in gal", "# time_s acceleration_gal",
+        "# Time (s), Acceleration (cm/s2)", "#t, acceleration [cm/s/s] in gal"})
+    EXPECT_DOUBLE_EQ(alone(comment + std::string("\n0 741\n0.01 2\n")).acceleration_mps2[0], 7.41)
+        << comment;
+  EXPECT_THAT(message_of([&] { alone("# velocity in cm/s\n1\n2\n"); }), HasSubstr("velocity"));
+  EXPECT_THAT(error("# units: m/s2\n1\n2\n", {.dt_s = 0.01, .units = AccelerationUnits::g}),
+              AllOf(HasSubstr("record:1"), HasSubstr("m/s2")));
+}
+
+TEST_F(RecordFile, comments_may_state_step_and_count_which_must_hold) {
+  EXPECT_EQ(read("# DT = 0.02\n1\n2\n").dt_s, 0.02);
+  EXPECT_EQ(read("# NPTS= 2, DT= .02 SEC\n1\n2\n").dt_s, 0.02);
+  EXPECT_THAT(error("# NPTS= 3, DT= .02 SEC\n1\n2\n"), HasSubstr("contains 2"));
+  EXPECT_THAT(error("# DT = 0.02\n1\n2\n", {.dt_s = 0.01, .units = {}}), HasSubstr("0.02"));
+  EXPECT_THAT(error("# DT = 0.02\n0 1\n0.01 2\n0.02 2\n"), HasSubstr("0.02"));
+}
+
+TEST_F(RecordFile, a_header_that_is_no_comment_is_not_taken_for_samples) {
+  EXPECT_THAT(error("0.01\n1\n2\n", {.dt_s = 0.01, .units = {}}), HasSubstr("begins with 0.01"));
+  const std::string samples = "1\n2\n3\n2\n1\n0\n-1\n-2\n";
+  EXPECT_THAT(error("8\n" + samples, {.dt_s = 0.01, .units = {}}), HasSubstr("begins with 8"));
+  EXPECT_THAT(error("8 0.01\n" + samples, {.dt_s = 0.01, .units = {}}), HasSubstr("1 column"));
 }
 
 TEST_F(RecordFile, missing_files_folders_empty_files_and_binary_files_are_reported) {

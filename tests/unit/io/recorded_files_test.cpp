@@ -119,7 +119,7 @@ TEST_F(Recorded, text_files_of_one_and_two_columns_are_read) {
       {"formats/csv_time_accel_commented/Northridge_1994_PAC-175.csv", 1000, 0.02, 0.4153},
   };
   for (const Expected& expected : with_time) {
-    const Record record = read(expected.file);
+    const Record record = read(expected.file, {.dt_s = {}, .units = AccelerationUnits::g});
     EXPECT_EQ(record.acceleration_mps2.size(), expected.samples) << expected.file;
     EXPECT_EQ(record.dt_s, expected.dt_s) << expected.file;
     EXPECT_NEAR(peak_g(record.acceleration_mps2), expected.pga_g, 5.1e-5) << expected.file;
@@ -131,8 +131,9 @@ TEST_F(Recorded, text_files_of_one_and_two_columns_are_read) {
   EXPECT_EQ(read("formats/plain_two_column/Christchurch2011HVPS_UP.dat", mps2).dt_s, 0.005);
   EXPECT_NEAR(peak_g(read("formats/plain_two_column/CHV1-20140203E.txt", gal).acceleration_mps2),
               7.4111 / standard_gravity_mps2, 1e-4);
-  EXPECT_THAT(error("formats/plain_two_column/CHV1-20140203E.txt"), HasSubstr("give the units"));
-  const RecordFileOptions slammer{.dt_s = 0.005, .units = {}};
+  EXPECT_THAT(error("formats/plain_two_column/CHV1-20140203E.txt"),
+              HasSubstr("does not state the units"));
+  const RecordFileOptions slammer{.dt_s = 0.005, .units = AccelerationUnits::g};
   EXPECT_NEAR(peak_g(read("walters2012_table3/saratoga_aloha_RSN802/slammer/STG-000", slammer)
                          .acceleration_mps2),
               0.5125, 5.1e-5);
@@ -160,7 +161,8 @@ TEST_F(Recorded, files_of_other_formats_are_refused_with_the_place) {
   for (const auto& folder : fs::directory_iterator(folder_ / "formats")) {
     if (readable.contains(folder.path().filename().string())) continue;
     for (const auto& entry : fs::directory_iterator(folder.path())) {
-      EXPECT_THROW(read_record(entry.path(), {.dt_s = 0.01, .units = {}}), InputError)
+      EXPECT_THROW(read_record(entry.path(), {.dt_s = 0.01, .units = AccelerationUnits::g}),
+                   InputError)
           << entry.path();
       ++tried;
     }

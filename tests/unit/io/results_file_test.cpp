@@ -116,6 +116,8 @@ TEST(results_file, head_suites_and_records_come_back) {
   EXPECT_EQ(record.factor_at_unit_level, 1.7);
   EXPECT_EQ(record.pga_g, 0.5);
   EXPECT_EQ(record.pgv_mps, 0.4);
+  EXPECT_EQ(record.pgd_m, 0.3);
+  EXPECT_EQ(record.duration_s, 12.5);
   EXPECT_EQ(record.dt_s, 0.005);
   EXPECT_EQ(record.samples, 7671u);
   EXPECT_TRUE(record.has_second);

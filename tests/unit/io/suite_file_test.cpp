@@ -38,7 +38,7 @@ class SuiteFile : public testing::Test {
 };
 
 TEST_F(SuiteFile, components_are_read_scaled_to_si_and_put_on_a_common_clock) {
-  folder_.write("suites/a.txt", "1\n2\n");
+  folder_.write("suites/a.txt", "# acceleration_g\n1\n2\n");
   folder_.write("suites/b.txt", "0 100\n0.01 200\n");
   const Suite suite = load(head + R"([target]
 edition = "asce7_10"
@@ -71,21 +71,32 @@ second = { file = "b.txt", units = "cm/s2" }
   EXPECT_TRUE(motion.vertical_mps2.empty());
 }
 
+TEST_F(SuiteFile, units_of_a_suite_are_those_of_files_that_state_none) {
+  const std::string record = "[[record]]\nid = \"a\"\nfirst = \"a.txt\"\n";
+  folder_.write("suites/a.txt", "0 100\n0.01 200\n");
+  EXPECT_THAT(error(head + record), AllOf(HasSubstr("a.txt"), HasSubstr("units")));
+  EXPECT_DOUBLE_EQ(load(head + "units = \"cm/s2\"\n" + record).motions[0].horizontal_mps2[0][0],
+                   1.0);
+  folder_.write("suites/a.txt", "# units: m/s2\n0 100\n0.01 200\n");
+  EXPECT_DOUBLE_EQ(load(head + "units = \"cm/s2\"\n" + record).motions[0].horizontal_mps2[0][0],
+                   100.0);
+}
+
 TEST_F(SuiteFile, records_are_found_below_the_folders_of_the_environment) {
   const std::string suite = head + "[[record]]\nid = \"a\"\nfirst = \"set/a.txt\"\n";
   folder_.write("r1/readme", "");
-  folder_.write("r2/deep/er/a.txt", "0 1\n0.1 2\n");
+  folder_.write("r2/deep/er/a.txt", "# acceleration_g\n0 1\n0.1 2\n");
   look_in(folder_.path().string() + "/none:" + (folder_.path() / "r1").string() + ":" +
           (folder_.path() / "r2").string());
   EXPECT_EQ(load(suite).motions[0].dt_s, 0.1);  // by name, anywhere below
-  folder_.write("r2/other/a.txt", "0 1\n0.2 2\n");
+  folder_.write("r2/other/a.txt", "# acceleration_g\n0 1\n0.2 2\n");
   EXPECT_THAT(error(suite), AllOf(HasSubstr("suite.toml:6"), HasSubstr("deep/er/a.txt"),
                                   HasSubstr("other/a.txt")));
-  folder_.write("r2/more/set/a.txt", "0 1\n0.3 2\n");
+  folder_.write("r2/more/set/a.txt", "# acceleration_g\n0 1\n0.3 2\n");
   EXPECT_EQ(load(suite).motions[0].dt_s, 0.3);  // by its own relative path, anywhere below
-  folder_.write("r2/set/a.txt", "0 1\n0.4 2\n");
+  folder_.write("r2/set/a.txt", "# acceleration_g\n0 1\n0.4 2\n");
   EXPECT_EQ(load(suite).motions[0].dt_s, 0.4);  // by relative path
-  folder_.write("suites/set/a.txt", "0 1\n0.5 2\n");
+  folder_.write("suites/set/a.txt", "# acceleration_g\n0 1\n0.5 2\n");
   EXPECT_EQ(load(suite).motions[0].dt_s, 0.5);  // beside the suite
 }
 
@@ -103,15 +114,15 @@ TEST_F(SuiteFile, all_missing_files_are_reported_in_one_error_that_names_the_var
 }
 
 TEST_F(SuiteFile, mistakes_are_located) {
-  folder_.write("suites/a.txt", "0 1\n0.1 2\n");
-  folder_.write("suites/bad.txt", "0 1\n0.1 x\n");
+  folder_.write("suites/a.txt", "# acceleration_g\n0 1\n0.1 2\n");
+  folder_.write("suites/bad.txt", "# acceleration_g\n0 1\n0.1 x\n");
   EXPECT_THAT(
       error(
           head +
           "[[record]]\nid = \"a\"\nfirst = \"a.txt\"\n[[record]]\nid = \"a\"\nfirst = \"a.txt\"\n"),
       HasSubstr("suite.toml:8: id \"a\" is used twice"));
   EXPECT_THAT(error(head + "[[record]]\nid = \"a\"\nfirst = \"bad.txt\"\n"),
-              AllOf(HasSubstr("suite.toml:6"), HasSubstr("bad.txt:2"), HasSubstr("'x'")));
+              AllOf(HasSubstr("suite.toml:6"), HasSubstr("bad.txt:3"), HasSubstr("'x'")));
   EXPECT_THAT(error(head + "[[record]]\nid = \"a\"\n"), HasSubstr("record.first is missing"));
   EXPECT_THAT(error(head + "[[record]]\nid = \"a\"\nfrist = \"a.txt\"\n"),
               HasSubstr("did you mean first?"));
@@ -243,8 +254,8 @@ TEST_F(SuiteFile, a_recipe_at_the_ends_of_its_ranges_is_simulated_to_finite_moti
 }
 
 TEST_F(SuiteFile, components_whose_common_clock_would_be_endless_are_refused) {
-  folder_.write("suites/fine.txt", ".1\n.2\n");
-  folder_.write("suites/coarse.txt", ".1\n.2\n.1\n.2\n");
+  folder_.write("suites/fine.txt", "# acceleration_g\n.1\n.2\n");
+  folder_.write("suites/coarse.txt", "# acceleration_g\n.1\n.2\n.1\n.2\n");
   // 4 samples of 1e7 each: the finest step, of 1e-7 s, is a slip.
   EXPECT_THAT(error(head + "[[record]]\nid = \"a\"\nfirst = { file = \"fine.txt\", dt_s = 1e-7 }\n"
                            "second = { file = \"coarse.txt\", dt_s = 1 }\n"),

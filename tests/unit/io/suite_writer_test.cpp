@@ -14,6 +14,7 @@ using testing::HasSubstr;
 
 constexpr const char* library_toml = R"([suite]
 name = "library"
+units = "cm/s2"
 [target]
 edition = "asce7_10"
 ss_g = 9.0
@@ -79,6 +80,10 @@ TEST_F(SuiteWriter, keeps_names_that_are_not_beside_the_library) {
   EXPECT_THAT(text_for("elsewhere", {{"first", 1.0}}), HasSubstr("first = \"a.acc\"\n"));
   EXPECT_THAT(text_for("library", {{"a \"quoted\" one", 1.0}}),
               HasSubstr("{ file = \"records/a.acc\""));
+}
+
+TEST_F(SuiteWriter, keeps_the_units_of_the_library) {
+  EXPECT_THAT(text_for("elsewhere", {{"first", 1.0}}), HasSubstr("units = \"cm/s2\"\n"));
 }
 
 TEST_F(SuiteWriter, refuses_a_record_the_library_does_not_have) {

@@ -79,9 +79,9 @@ inline Results whole_results(bool two_axes = false) {
   r.levels = {0.5, 1.0, 1.5};
   r.thresholds_m = {0.15, 0.3};
   r.suites = {{"suite", "of two", {{0.0, 0.5}, {{0.4, 0.9}, {0.3, 1.1}}, {0.35, 1.0}, {}, 1.3}}};
-  r.records = {{0, "a", "event", "station", 6.9, 8.5, 380.0, 2.5, 1.7, 0.5, 0.4, 0.005, 7671, true,
-                false, 1},
-               {0, "b", "", "", 0, 0, 0, 1, 0, 0, 0, 0.01, 1, false, true, 0}};
+  r.records = {{0, "a", "event", "station", 6.9, 8.5, 380.0, 2.5, 1.7, 0.5, 0.4, 0.3, 12.5, 0.005, 7671,
+                true, false, 1},
+               {0, "b", "", "", 0, 0, 0, 1, 0, 0, 0, 0, 0, 0.01, 1, false, true, 0}};
   r.cases.axes = {{"friction.value", "-", {0.0, 1.0}, {"sampled", "design"}}};
   r.cases.samples = 4;
   r.cases.cases.resize(8);

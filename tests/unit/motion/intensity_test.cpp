@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "glissade/motion/response_spectrum.hpp"
@@ -30,6 +31,25 @@ TEST(peak_ground_acceleration, is_the_largest_magnitude_of_either_sign) {
 // One sample of 2 m/s2 that falls to zero over 0.5 s: half of 2 x 0.5.
 TEST(peak_ground_velocity, includes_the_interval_to_zero_after_the_last_sample) {
   EXPECT_DOUBLE_EQ(peak_ground_velocity_mps(0.5, std::vector{2.0}), 0.5);
+}
+
+// An acceleration that falls from 2 to 0 over 1 s moves by (2 x 2 + 0) / 6.
+TEST(peak_ground_displacement, is_integrated_exactly_from_rest) {
+  EXPECT_DOUBLE_EQ(peak_ground_displacement_m(1.0, std::vector{2.0}), 2.0 / 3.0);
+  // 1 m/s2 over ten steps of 0.1 s, from rest: t^2 / 2 at 0.9 s, and the tail.
+  const double at_end = 0.5 * 0.9 * 0.9 + 0.1 * (0.9 + 0.1 * 2.0 / 6.0);
+  EXPECT_NEAR(peak_ground_displacement_m(0.1, std::vector<double>(10, 1.0)), at_end, 1e-12);
+}
+
+// Of a constant |a| the integral of a^2 rises evenly: 90 % of the time. Two components count
+// together: the second, as strong and as long after the first, doubles the time.
+TEST(significant_duration, is_the_time_from_5_to_95_percent_of_the_integral_of_squares) {
+  const std::vector<double> first(1000, 2.0);
+  EXPECT_NEAR(significant_duration_s(0.01, first), 9.0, 0.01);
+  std::vector<double> second(2000, 0.0);
+  std::fill(second.begin() + 1000, second.end(), 2.0);
+  EXPECT_NEAR(significant_duration_s(0.01, first, second), 18.0, 0.02);
+  EXPECT_EQ(significant_duration_s(0.01, std::vector<double>(10, 0.0)), 0.0);
 }
 
 // From 3 to -1 over 1 s: the velocity peaks at 3/4 s, at 3 x 0.75 / 2 = 1.125; at the samples it is

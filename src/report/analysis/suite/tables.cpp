@@ -9,7 +9,8 @@ namespace glissade {
 Table records_table(const Results& results) {
   Table table{"records",
               "Ground motions of suite " + results.suites.front().name +
-                  ". pga and pgv are geometric means of the horizontals as recorded; factor at "
+                  ". PGA, PGV and PGD are geometric means of the horizontals as recorded, D5-95 "
+                  "the time from 5 to 95 % of the integral of their a^2; factor at "
                   "unit level is what "
                   "the record is multiplied by at level 1 (0: depends on the roof); 0 in "
                   "magnitude, distance "
@@ -25,6 +26,8 @@ Table records_table(const Results& results) {
                {"factor_at_unit_level", "", "Factor at level 1"},
                {"pga", "g", "PGA, g"},
                {"pgv", "mps", "PGV, m/s"},
+               {"pgd", "m", "PGD, m"},
+               {"duration", "s", "D5-95, s"},
                {"dt", "s", "Step, s"},
                {"samples", "", "Samples", ColumnKind::count},
                text_column("has_second", "2nd horizontal"),
@@ -33,8 +36,8 @@ Table records_table(const Results& results) {
   const auto yes_no = [](bool value) -> std::string { return value ? "yes" : "no"; };
   for (const RecordSummary& r : results.records) {
     table.add({r.id, r.event, r.station, r.magnitude, r.distance_km, r.vs30_mps, r.suite_scale,
-               r.factor_at_unit_level, r.pga_g, r.pgv_mps, r.dt_s, static_cast<double>(r.samples),
-               yes_no(r.has_second), yes_no(r.has_vertical)});
+               r.factor_at_unit_level, r.pga_g, r.pgv_mps, r.pgd_m, r.duration_s, r.dt_s,
+               static_cast<double>(r.samples), yes_no(r.has_second), yes_no(r.has_vertical)});
   }
   return table;
 }

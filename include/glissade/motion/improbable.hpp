@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "glissade/motion/motion.hpp"
+
+// What is possible and not probable: warnings that stand beside results.
+namespace glissade {
+
+/// No site is known for more: the largest mapped S_S of the United States is near 3 g, the largest
+/// recorded peak ground acceleration near 4 g.
+inline constexpr double most_probable_g = 4.0;
+
+/// No building of two hundred storeys has a longer one.
+inline constexpr double longest_probable_period_s = 10.0;
+
+/// Of a motion without its scale: one motion as both horizontals, and what is outside what any
+/// recorded motion has shown ("PGA of 12.3 g, above 3 g (largest horizontal: ...)"), most probably
+/// for wrong units or a wrong step.
+std::vector<std::string> improbable_values(const Motion& motion);
+
+/// S_S above most_probable_g, S_1 above S_S, and sites for which ASCE 7-16, 11.4.8 requires more
+/// than mapped values.
+std::vector<std::string> improbable_values(const DesignTarget& target);
+
+}  // namespace glissade

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glissade/motion/improbable.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "glissade/core/units.hpp"
+#include "glissade/motion/intensity.hpp"
+
+namespace glissade {
+namespace {
+
+/// Outside of it no recorded motion is known. `source` is that of the upper end; the lower ones are
+/// recalled.
+struct RecordedRange {
+  const char *what, *unit;
+  double least, most;
+  const char* source;
+};
+
+constexpr RecordedRange horizontal_pga{"PGA", "g", 0.001, 3.0,
+                                       "largest horizontal: station MYG004, Tohoku 2011, 2.7 g"},
+    vertical_pga{"vertical PGA", "g", 0.0, 4.0,
+                 "largest: station IWTH25, Iwate-Miyagi 2008, 4.3 g of all components together"},
+    pgv{"PGV", "m/s", 0.0, 4.0, "largest: station TCU068, Chi-Chi 1999, 3.8 m/s (recalled)"},
+    pgd{"PGD", "m", 0.0, 10.0, "largest: station TCU068, Chi-Chi 1999, more than 9 m"},
+    duration{"duration D5-95", "s", 0.5, 300.0, "recalled"},
+    step{"time step", "s", 0.001, 0.05, "recalled: recorders take 20 to 1000 samples a second"};
+
+/// ASCE 7-16, 11.4.8 (recalled): where the mapped values and the site coefficients are not enough.
+bool needs_hazard_analysis(const DesignTarget& target, SiteClass site) {
+  if (target.edition != AsceEdition::asce7_16) return false;
+  const bool is_e = site == SiteClass::e;
+  return (is_e && target.ss_g >= 1.0) || ((is_e || site == SiteClass::d) && target.s1_g >= 0.2);
+}
+
+}  // namespace
+
+std::vector<std::string> improbable_values(const Motion& motion) {
+  std::vector<std::string> found;
+  const auto check = [&](const RecordedRange& range, double value) {
+    if (value >= range.least && value <= range.most) return;
+    const bool above = value > range.most;
+    found.push_back(fmt::format("{} of {:.3g} {}, {} {:g} {} ({})", range.what, value, range.unit,
+                                above ? "above" : "below", above ? range.most : range.least,
+                                range.unit, above ? range.source : "recalled"));
+  };
+  const auto& [first, second] = motion.horizontal_mps2;
+  if (first == second) found.emplace_back("the same motion as both horizontal components");
+  const auto largest = [&](auto measure) {
+    return second.empty() ? measure(first) : std::max(measure(first), measure(second));
+  };
+  const double dt_s = motion.dt_s;
+  check(horizontal_pga, largest([](const auto& a) { return peak_ground_acceleration_mps2(a); }) /
+                            standard_gravity_mps2);
+  check(vertical_pga, peak_ground_acceleration_mps2(motion.vertical_mps2) / standard_gravity_mps2);
+  check(pgv, largest([&](const auto& a) { return peak_ground_velocity_mps(dt_s, a); }));
+  check(pgd, largest([&](const auto& a) { return peak_ground_displacement_m(dt_s, a); }));
+  check(duration, significant_duration_s(dt_s, first, second));
+  check(step, dt_s);
+  return found;
+}
+
+std::vector<std::string> improbable_values(const DesignTarget& target) {
+  std::vector<std::string> found;
+  if (!target.is_mapped()) {
+    const TargetSpectrum spectrum(target);
+    if (spectrum.sds_g() > most_probable_g)
+      found.push_back(
+          fmt::format("S_DS of the target, {:g} g, is above {:g} g: no site is known for it",
+                      spectrum.sds_g(), most_probable_g));
+    if (spectrum.sd1_g() > spectrum.sds_g())
+      found.push_back(fmt::format("S_D1 of the target, {:g} g, is above its S_DS, {:g} g",
+                                  spectrum.sd1_g(), spectrum.sds_g()));
+    return found;
+  }
+  if (target.s1_g > target.ss_g)
+    found.push_back(fmt::format("S_1 of the target, {:g} g, is above its S_S, {:g} g", target.s1_g,
+                                target.ss_g));
+  if (target.ss_g > most_probable_g)
+    found.push_back(
+        fmt::format("S_S of the target, {:g} g, is above {:g} g: no site is known for it",
+                    target.ss_g, most_probable_g));
+  for (const SiteClass site : target.site_classes) {
+    if (!needs_hazard_analysis(target, site)) continue;
+    found.push_back(fmt::format(
+        "ASCE 7-16, 11.4.8 (recalled: verify) requires a ground motion hazard analysis of the "
+        "site, or an exception, for site class {} with S_S {:g} g and S_1 {:g} g",
+        to_string(site), target.ss_g, target.s1_g));
+    break;
+  }
+  return found;
+}
+
+}  // namespace glissade

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glissade/motion/improbable.hpp"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace glissade {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+/// 5 s of a sine of 2 Hz; nothing about it is improbable.
+Motion plausible(double amplitude_mps2 = 3.0) {
+  Motion motion;
+  motion.dt_s = 0.01;
+  for (int n = 0; n < 500; ++n)
+    motion.horizontal_mps2[0].push_back(amplitude_mps2 *
+                                        std::sin(4.0 * std::numbers::pi * 0.01 * n));
+  return motion;
+}
+
+TEST(improbable_values, of_a_plausible_motion_are_none) {
+  EXPECT_THAT(improbable_values(plausible()), IsEmpty());
+}
+
+TEST(improbable_values, name_what_no_recorded_motion_has_shown) {
+  EXPECT_THAT(improbable_values(plausible(40.0)),
+              ElementsAre(HasSubstr("PGA"), HasSubstr("PGV"), HasSubstr("PGD")));
+  EXPECT_THAT(improbable_values(plausible(0.001)), ElementsAre(HasSubstr("PGA")));
+  Motion fast = plausible();
+  fast.dt_s = 0.0005;  // and ends after 0.25 s
+  EXPECT_THAT(improbable_values(fast), ElementsAre(HasSubstr("D5-95"), HasSubstr("time step")));
+  Motion up = plausible();
+  up.vertical_mps2 = {50.0};
+  EXPECT_THAT(improbable_values(up), ElementsAre(HasSubstr("vertical PGA")));
+  Motion drifts = plausible();
+  for (double& a : drifts.horizontal_mps2[0]) a += 1.0;  // 5 m/s and 12 m after 5 s
+  EXPECT_THAT(improbable_values(drifts), ElementsAre(HasSubstr("PGV"), HasSubstr("PGD")));
+}
+
+TEST(improbable_values, name_one_motion_as_both_horizontals) {
+  Motion twins = plausible();
+  twins.horizontal_mps2[1] = twins.horizontal_mps2[0];
+  EXPECT_THAT(improbable_values(twins), ElementsAre(HasSubstr("both horizontal")));
+}
+
+DesignTarget target(AsceEdition edition, double ss_g, double s1_g, SiteClass site) {
+  DesignTarget t;
+  t.edition = edition;
+  t.ss_g = ss_g;
+  t.s1_g = s1_g;
+  t.site_classes = {site};
+  return t;
+}
+
+TEST(improbable_values, of_a_target_are_s1_above_ss_and_no_known_site) {
+  EXPECT_THAT(improbable_values(target(AsceEdition::asce7_10, 1.5, 0.6, SiteClass::d)), IsEmpty());
+  EXPECT_THAT(improbable_values(target(AsceEdition::asce7_10, 1.0, 1.5, SiteClass::d)),
+              ElementsAre(HasSubstr("S_1")));
+  EXPECT_THAT(improbable_values(target(AsceEdition::asce7_10, 150.0, 0.6, SiteClass::d)),
+              ElementsAre(HasSubstr("no site")));
+}
+
+TEST(improbable_values, of_a_target_name_the_sites_of_asce7_16_11_4_8) {
+  const auto count = [](double ss_g, double s1_g, SiteClass site) {
+    return improbable_values(target(AsceEdition::asce7_16, ss_g, s1_g, site)).size();
+  };
+  EXPECT_EQ(count(1.5, 0.19, SiteClass::d), 0u);
+  EXPECT_EQ(count(1.5, 0.2, SiteClass::d), 1u);
+  EXPECT_EQ(count(1.5, 0.6, SiteClass::c), 0u);
+  EXPECT_EQ(count(0.9, 0.1, SiteClass::e), 0u);
+  EXPECT_EQ(count(1.0, 0.1, SiteClass::e), 1u);
+}
+
+}  // namespace
+}  // namespace glissade
