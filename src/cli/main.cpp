@@ -10,6 +10,7 @@
 #include "commands.hpp"
 #include "glissade/core/error.hpp"
 #include "glissade/core/not_converged.hpp"
+#include "help_formatter.hpp"
 
 namespace {
 
@@ -23,18 +24,39 @@ void flush_standard_output() {
                               "make room on the disk or write elsewhere", ""});
 }
 
-/// The message of CLI11, except for a misspelt command, which it does not name.
-std::string message(const CLI::App& program, const CLI::ParseError& error) {
+/// The command that was reached, and its name as it is called: "suite show".
+std::pair<const CLI::App*, std::string> reached_command(const CLI::App& program) {
   const CLI::App* reached = &program;
-  while (!reached->get_subcommands().empty()) reached = reached->get_subcommands().front();
+  std::string name = "glissade";
+  while (!reached->get_subcommands().empty()) {
+    reached = reached->get_subcommands().front();
+    name += " " + reached->get_name();
+  }
+  return {reached, name};
+}
+
+/// The message of CLI11, except for a misspelt command or option, for which it says something else
+/// or has no suggestion.
+std::string message(const CLI::App& reached, const CLI::ParseError& error) {
+  const std::vector<std::string> left = reached.remaining();
+  const auto misspelt = [&](const std::string& word, const char* kind,
+                            const std::vector<std::string>& known) {
+    const std::string nearest = glissade::nearest_word(word, known);
+    return word + " is not " + kind + (nearest.empty() ? "" : "; did you mean " + nearest + "?");
+  };
+  for (const std::string& word : left) {
+    if (!word.starts_with("-")) continue;
+    std::vector<std::string> options;
+    for (const CLI::Option* option : reached.get_options()) {
+      for (const std::string& name : option->get_lnames()) options.push_back("--" + name);
+    }
+    return misspelt(word.substr(0, word.find('=')), "an option", options);
+  }
   std::vector<std::string> commands;
-  for (const CLI::App* command : reached->get_subcommands([](const CLI::App*) { return true; }))
+  for (const CLI::App* command : reached.get_subcommands([](const CLI::App*) { return true; }))
     commands.push_back(command->get_name());
-  const std::vector<std::string> left = reached->remaining();
-  if (commands.empty() || left.empty() || left.front().starts_with("-")) return error.what();
-  const std::string nearest = glissade::nearest_word(left.front(), commands);
-  return left.front() + " is not a command" +
-         (nearest.empty() ? "" : "; did you mean " + nearest + "?");
+  if (commands.empty() || left.empty()) return error.what();
+  return misspelt(left.front(), "a command", commands);
 }
 
 /// An empty argument is a variable of the shell that is not set: `--out "$DIR"`.
@@ -51,6 +73,7 @@ int run_program(int argc, char** argv, const glissade::Communicator& world) {
   CLI::App program{"glissade: slip fragility of unanchored rooftop solar arrays"};
   program.set_version_flag("--version", "glissade " GLISSADE_VERSION);
   program.require_subcommand(1);
+  program.formatter(std::make_shared<glissade::cli::HelpFormatter>());
   program.option_defaults()->always_capture_default();
   glissade::cli::add_run(program, world);
   glissade::cli::add_clearance(program, world);
@@ -70,7 +93,8 @@ int run_program(int argc, char** argv, const glissade::Communicator& world) {
     const bool help_only = error.get_exit_code() == 0;  // --help, --version
     if (!world.is_root()) return help_only ? 0 : input_error_status;
     if (help_only) return program.exit(error);
-    fmt::print(stderr, "glissade: {}; see glissade --help\n", message(program, error));
+    const auto [reached, name] = reached_command(program);
+    fmt::print(stderr, "glissade: {}; see {} --help\n", message(*reached, error), name);
     return input_error_status;
   } catch (const glissade::cli::ExitStatus& exit) {
     return exit.status;

@@ -7,6 +7,8 @@
 #include "commands.hpp"
 #include "glissade/core/error.hpp"
 #include "glissade/core/units.hpp"
+#include "glissade/core/wrap.hpp"
+#include "glissade/motion/improbable.hpp"
 #include "glissade/report/format.hpp"
 #include "glissade/standards/prescriptive.hpp"
 
@@ -19,17 +21,26 @@ struct StandardsOptions {
   bool json = false;
 };
 
+std::vector<std::string> warnings_on(const StandardsOptions& o) {
+  if (o.sds_g <= most_probable_g) return {};
+  return {fmt::format("S_DS of {:g} g is above {:g} g: no site is known for it", o.sds_g,
+                      most_probable_g)};
+}
+
 nlohmann::ordered_json to_json(const Prescription& p) {
   return {
       {"value_m", p.value_m}, {"provenance", provenance_label(p.provenance)}, {"basis", p.basis}};
 }
 
 void print(const char* name, const Prescription& p) {
-  fmt::print("{:<16} {:8.3f} m  ({:.1f} in)   {} [{}]\n", name, p.value_m, p.value_m / inch_m,
-             p.basis, provenance_label(p.provenance));
+  fmt::print(
+      "{:<16} {:8.3f} m  ({:.1f} in)\n  {}\n", name, p.value_m, p.value_m / inch_m,
+      wrapped(fmt::format("{} [{}]", p.basis, provenance_label(p.provenance)), terminal_width, 2));
 }
 
 void run(const StandardsOptions& o) {
+  if (!(o.sds_g > 0.0))
+    throw InputError({"--sds-g", fmt::format("S_DS = {:g} g is not above 0", o.sds_g), "", ""});
   if (!(o.importance >= 1.0 && o.importance <= 1.5)) {
     throw InputError({"--importance",
                       fmt::format("{:g} is not an importance factor: it must be between 1 and 1.5",
@@ -45,7 +56,8 @@ void run(const StandardsOptions& o) {
                                 {"importance", o.importance},
                                 {"sdc", o.sdc},
                                 {"seaoc_pv1_2012_m", seaoc.value_m},
-                                {"asce7_16_m", asce.value_m}};
+                                {"asce7_16_m", asce.value_m},
+                                {"warnings", warnings_on(o)}};
     json["separations"] = nlohmann::ordered_json::array();
     for (const Separation& s : separations) {
       json["separations"].push_back({{"between", s.what},
@@ -59,11 +71,12 @@ void run(const StandardsOptions& o) {
     return;
   }
   fmt::print("Prescribed displacement of an unanchored array at S_DS = {:g} g, in plan\n", o.sds_g);
+  for (const std::string& warning : warnings_on(o)) fmt::print("WARNING: {}\n", warning);
   print("SEAOC PV1-2012", seaoc);
   print("ASCE 7-16", asce);
   fmt::print("ASCE 7-16 separations\n");
   for (const Separation& s : separations)
-    fmt::print("  {:.1f} x  {:8.3f} m  ({:.1f} in)   {} [{}]\n", s.factor, s.value_m,
+    fmt::print("  {:.1f} x  {:8.3f} m  ({:.1f} in) {} [{}]\n", s.factor, s.value_m,
                s.value_m / inch_m, s.what, provenance_label(s.provenance));
 }
 

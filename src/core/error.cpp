@@ -58,16 +58,46 @@ void ProblemList::throw_if_any() const {
   if (!problems_.empty()) throw InputError(problems_);
 }
 
+namespace {
+
+/// "sa" of "sa_period_s", "mu" of "--mu".
+std::string first_part(const std::string& word) {
+  const std::size_t begin = std::min(word.find_first_not_of("-_"), word.size());
+  return word.substr(begin, word.find_first_of("-_", begin) - begin);
+}
+
+/// What people call a quantity that has another name here.
+std::string usual_name(const std::string& word) {
+  struct Synonym {
+    const char *said, *name;
+  };
+  for (const auto& [said, name] :
+       {Synonym{"angle", "slope"}, Synonym{"tilt", "slope"}, Synonym{"pitch", "rise"},
+        Synonym{"coefficient", "mu"}, Synonym{"friction", "mu"},
+        Synonym{"clearances", "thresholds"}, Synonym{"gap", "clearance"}, Synonym{"output", "out"},
+        Synonym{"force", "overwrite"}}) {
+    if (word == said) return name;
+  }
+  return word;
+}
+
+}  // namespace
+
 std::string nearest_word(const std::string& word, const std::vector<std::string>& candidates) {
-  // A suggestion helps if the two words share a beginning (a wrong unit) or differ by a few letters
-  // (a typing error).
+  // A suggestion helps where the words begin with the same part (another unit), mean the same, or
+  // differ by a slip of the pen.
   std::string best;
-  std::size_t best_distance = std::max<std::size_t>(2, word.size() / 2) + 1;
+  std::size_t best_distance = std::max<std::size_t>(2, word.size() / 3) + 1;
+  bool best_shares = false;
+  const std::string first = first_part(word), name = usual_name(first);
   for (const std::string& candidate : candidates) {
     const std::size_t distance = edit_distance(word, candidate);
-    if (distance < best_distance) {
+    const std::string part = first_part(candidate);
+    const bool shares = part == first || part == name;
+    if (shares != best_shares ? shares : distance < best_distance) {
       best = candidate;
       best_distance = distance;
+      best_shares = shares;
     }
   }
   return best;

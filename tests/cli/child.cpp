@@ -79,6 +79,24 @@ Finished run_shell(const std::string& line) {
   return run_child({"/bin/sh", "-c", line, GLISSADE_PROGRAM});
 }
 
+std::vector<std::vector<std::string>> all_commands() {
+  std::vector<std::vector<std::string>> commands{{}};
+  for (std::size_t i = 0; i < commands.size(); ++i) {
+    std::vector<std::string> arguments = commands[i];
+    arguments.emplace_back("--help");
+    bool listed = false;
+    for (const std::string& line : lines_of(run_program(arguments).out)) {
+      if (listed && line.starts_with("  ") && line[2] != ' ') {
+        std::vector<std::string> command = commands[i];
+        command.push_back(line.substr(2, line.find(' ', 2) - 2));
+        commands.push_back(command);
+      }
+      listed = listed || line == "Subcommands:";
+    }
+  }
+  return commands;
+}
+
 std::string read_file(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary);
   std::ostringstream text;

@@ -39,6 +39,9 @@ Finished run_program(std::vector<std::string> arguments);
 /// Runs a line of sh; "$0" in it is glissade.
 Finished run_shell(const std::string& line);
 
+/// Every command as its help names it: {}, {"run"}, {"suite"}, {"suite", "show"} ...
+std::vector<std::vector<std::string>> all_commands();
+
 std::string read_file(const std::filesystem::path& file);
 std::vector<std::string> lines_of(const std::string& text);
 /// A line of CSV without quotes.

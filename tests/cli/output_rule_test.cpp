@@ -27,10 +27,34 @@ void expect_rule(const std::vector<std::string>& command, const std::string& opt
   EXPECT_NE(read_file(out), old);
 }
 
+/// Every command that takes a path to write to has --overwrite, and no other word for it; those of
+/// this list are tested below, here or with their command.
+TEST(OutputRule, is_the_same_of_all_commands) {
+  std::vector<std::string> writing;
+  for (const std::vector<std::string>& command : all_commands()) {
+    std::vector<std::string> arguments = command;
+    arguments.emplace_back("--help");
+    const std::string help = run_program(arguments).out;
+    const bool writes = help.find("  --out ") != std::string::npos ||
+                        help.find("  --history ") != std::string::npos;
+    EXPECT_EQ(help.find("  --overwrite ") != std::string::npos, writes) << help;
+    for (const char* other : {"--force", "--yes", "--clobber"})
+      EXPECT_EQ(help.find(other), std::string::npos) << help;
+    std::string name;
+    for (const std::string& word : command) name += (name.empty() ? "" : " ") + word;
+    if (writes) writing.push_back(name);
+  }
+  EXPECT_THAT(writing,
+              testing::UnorderedElementsAre("run", "report", "friction", "slide", "suite show",
+                                            "suite spectra", "suite design", "suite select"));
+}
+
 TEST(OutputRule, a_file_is_written_over_with_overwrite_only) {
   const ScratchFolder folder;
   const std::string out = folder.write("out", "mine");
   expect_rule({"suite", "spectra", built_in_suite, "--out", out}, "--out", out);
+  folder.write("out", "mine");
+  expect_rule({"suite", "show", built_in_suite, "--out", out}, "--out", out);
   folder.write("out", "mine");
   expect_rule({"suite", "design", "--level", "0", "--out", out}, "--out", out);
   folder.write("out", "mine");

@@ -30,6 +30,21 @@ TEST(Usage, version_is_one_line) {
 TEST(Usage, a_misspelt_command_is_named_with_the_nearest) {
   expect_refused(run_program({"slid", "x"}), {"slid is not a command", "did you mean slide?"});
 }
+TEST(Usage, so_is_a_misspelt_option_also_where_a_required_one_is_missing) {
+  expect_refused(run_program({"--hlep"}), {"--hlep is not an option", "did you mean --help?"});
+  expect_refused(run_program({"slide", "--hlep"}), {"did you mean --help?"});
+  expect_refused(run_program({"run", "x", "--outt=y"}), {"did you mean --out?"});
+}
+TEST(Usage, help_fits_a_terminal) {
+  for (const std::vector<std::string>& command : all_commands()) {
+    std::vector<std::string> arguments = command;
+    arguments.emplace_back("--help");
+    for (const std::string& line : lines_of(run_program(arguments).out))
+      EXPECT_LE(line.size(), 80u) << line;
+  }
+  for (const std::string& line : lines_of(run_program({"explain"}).out))
+    EXPECT_LE(line.size(), 80u);
+}
 TEST(Usage, so_is_a_misspelt_command_of_suite) {
   expect_refused(run_program({"suite", "sho", "x"}),
                  {"sho is not a command", "did you mean show?"});

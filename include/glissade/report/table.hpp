@@ -26,8 +26,9 @@ struct Column {
   std::string heading;  ///< for people, unit included: "Mean slip, m (in)"
   ColumnKind kind = ColumnKind::number;
   bool with_interval =
-      false;          ///< cells are Estimates; CSV gets three columns: value, _low95, _high95
-  int decimals = -1;  ///< of numbers for people; below 0: three significant digits
+      false;            ///< cells are Estimates; CSV gets three columns: value, _low95, _high95
+  int decimals = -1;    ///< of numbers for people; below 0: three significant digits
+  bool detail = false;  ///< in CSV and HTML, not on a terminal
 };
 
 /// A column of text.
@@ -62,7 +63,8 @@ std::string cell_text(const Column& column, const Cell& cell);
 /// `# title` and the notes likewise, a header with the unit in every name, then the rows (RFC 4180
 /// quoting). NaN is an empty field.
 std::string to_csv(const Table& table);
-/// Title and aligned columns, numbers to the right.
+/// Title and aligned columns, numbers to the right, no wider than a terminal: texts and headings
+/// are broken, and where that is not enough the last columns are left out, and named.
 std::string to_text(const Table& table);
 /// A <table> with a caption, everything escaped.
 Html to_html(const Table& table);

@@ -8,14 +8,17 @@
 #include "glissade/core/error.hpp"
 #include "glissade/core/file.hpp"
 #include "glissade/core/units.hpp"
+#include "glissade/core/wrap.hpp"
 #include "glissade/io/recipe_writer.hpp"
 #include "glissade/io/suite_file.hpp"
+#include "glissade/motion/improbable.hpp"
 #include "glissade/motion/intensity.hpp"
 #include "glissade/motion/simulation/suite_design.hpp"
 #include "glissade/motion/suite_scaling.hpp"
 #include "glissade/motion/walters_level.hpp"
 #include "glissade/report/table.hpp"
 #include "output_rule.hpp"
+#include "suite/motions_table.hpp"
 
 namespace glissade::cli {
 namespace {
@@ -48,49 +51,36 @@ const DesignTarget& target_of(const Suite& suite, const std::string& file) {
   return *suite.target;
 }
 
-Table motions_table(const Suite& suite) {
-  Table table{"motions",
-              "Motions without the suite's scale; PGV is the geometric mean of the horizontals",
-              {{"id", "", "id", ColumnKind::text},
-               {"event", "", "event", ColumnKind::text},
-               {"station", "", "station", ColumnKind::text},
-               {"magnitude", "", "M", ColumnKind::number, false, 1},
-               {"distance", "km", "R, km", ColumnKind::number, false, 1},
-               {"vs30", "mps", "Vs30, m/s", ColumnKind::number, false, 0},
-               {"dt", "s", "dt, s", ColumnKind::number, false, 4},
-               {"samples", "", "samples", ColumnKind::count},
-               {"pga_first", "g", "H1, g", ColumnKind::number, false, 3},
-               {"pga_second", "g", "H2, g", ColumnKind::number, false, 3},
-               {"pga_vertical", "g", "V, g", ColumnKind::number, false, 3},
-               {"pgv", "mps", "PGV, m/s", ColumnKind::number, false, 3},
-               {"scale", "", "scale", ColumnKind::number, false, 2}},
-              {}};
-  const auto pga_g = [](const std::vector<double>& a) {
-    return a.empty() ? std::nan("") : in_g(peak_ground_acceleration_mps2(a));
-  };
-  for (const Motion& m : suite.motions) {
-    table.add({m.id, m.event, m.station, m.magnitude, m.distance_km, m.vs30_mps, m.dt_s,
-               static_cast<double>(m.horizontal_mps2[0].size()), pga_g(m.horizontal_mps2[0]),
-               pga_g(m.horizontal_mps2[1]), pga_g(m.vertical_mps2),
-               horizontal_pgv_mps(m, HorizontalCombination::geometric_mean), m.scale});
-  }
-  return table;
+void warn(const std::string& text) {
+  fmt::print("{}\n", wrapped("WARNING: " + text, terminal_width, 0));
 }
 
 void show(const SuiteOptions& o) {
+  check_output_file(o.out, "--out", o.overwrite);
   const Suite suite = load_suite(o.suite);
-  fmt::print("{}: {}\n", suite.name, suite.description);
+  fmt::print("{}\n", wrapped(suite.name + ": " + suite.description, terminal_width, 0));
   if (suite.target) {
     const TargetSpectrum target(*suite.target);
-    fmt::print("target: {}: S_DS {:.3f} g, S_D1 {:.3f} g", to_string(*suite.target), target.sds_g(),
-               target.sd1_g());
+    fmt::print("target: {}\n        S_DS {:.3f} g, S_D1 {:.3f} g", to_string(*suite.target),
+               target.sds_g(), target.sd1_g());
     if (suite.target->is_mapped()) {
       const auto level = intensity_level({suite.target->ss_g, suite.target->s1_g});
       fmt::print("; Intensity Level {}", level ? std::to_string(*level) : "above 4");
     }
     fmt::print("\n");
+    for (const std::string& warning : improbable_values(*suite.target)) warn(warning);
   }
-  fmt::print("{}", to_text(motions_table(suite)));
+  for (const Motion& motion : suite.motions) {
+    for (const std::string& value : improbable_values(motion)) warn(motion.id + ": " + value);
+  }
+  const Table table = motions_table(suite);
+  fmt::print("{}", to_text(table));
+  if (o.out.empty()) {
+    fmt::print("Each component, earthquake and station: --out FILE.csv\n");
+  } else {
+    write_text_file(o.out, to_csv(table));
+    fmt::print("Table   {}\n", o.out);
+  }
 }
 
 void spectra(const SuiteOptions& o) {
@@ -175,7 +165,10 @@ void add_suite(CLI::App& program) {
   const auto takes_suite = [&](CLI::App* sub) {
     sub->add_option("suite", o->suite, "suite file (TOML); see suites/")->required();
   };
-  takes_suite(verb("show", "List the motions", show));
+  CLI::App* show_verb = verb("show", "List the motions", show);
+  takes_suite(show_verb);
+  show_verb->add_option("--out", o->out, "new CSV file with each component [none is written]");
+  add_overwrite(*show_verb, o->overwrite);
   CLI::App* spectra_verb = verb("spectra", "Response spectra as CSV", spectra);
   takes_suite(spectra_verb);
   spectra_verb->add_option("--damping", o->damping, "damping ratio")->check(CLI::Range(0.0, 0.99));

@@ -11,8 +11,10 @@
 #include "commands.hpp"
 #include "glissade/core/error.hpp"
 #include "glissade/core/file.hpp"
+#include "glissade/core/wrap.hpp"
 #include "glissade/io/suite_file.hpp"
 #include "glissade/io/suite_writer.hpp"
+#include "glissade/motion/improbable.hpp"
 #include "glissade/motion/record_selection.hpp"
 #include "glissade/motion/suite_scaling.hpp"
 #include "glissade/report/table.hpp"
@@ -38,9 +40,20 @@ struct Task {
   SelectionCriteria criteria;
 };
 
+/// Named by its option.
+SiteClass site_class_of(const char* option, const std::string& name) {
+  try {
+    return parse_site_class(name);
+  } catch (const InputError& error) {
+    Problem problem = error.problems().front();
+    problem.where = option;
+    throw InputError(problem);
+  }
+}
+
 SiteGroup group_of(const std::string& site_class) {
   if (site_class.empty()) return SiteGroup::a_to_d;
-  if (parse_site_class(site_class) == SiteClass::e) return SiteGroup::e;
+  if (site_class_of("--site-class", site_class) == SiteClass::e) return SiteGroup::e;
   throw InputError({"--site-class", "a level's suite is for class E, or for A to D together",
                     "give E, or leave it out for A to D", ""});
 }
@@ -65,7 +78,7 @@ DesignTarget target_of_site(const SelectOptions& o) {
       .s1_g = mapped(o.s1_g, "--s1-g")};
   target.site_classes.clear();
   for (const std::string& name : o.site_classes)
-    target.site_classes.push_back(parse_site_class(name));
+    target.site_classes.push_back(site_class_of("--site-classes", name));
   if (target.site_classes.empty())
     target.site_classes = {SiteClass::a, SiteClass::b, SiteClass::c, SiteClass::d};
   problems.throw_if_any();
@@ -176,6 +189,8 @@ void print(const Suite& library, const Task& task, const RecordSelection& s) {
   fmt::print("target: {}", target_line(task.target));
   const auto level = intensity_level({task.target.ss_g, task.target.s1_g});
   fmt::print("; Intensity Level {}\n", level ? std::to_string(*level) : "above 4");
+  for (const std::string& warning : improbable_values(task.target))
+    fmt::print("{}\n", wrapped("WARNING: " + warning, terminal_width, 0));
   fmt::print("{} candidates of {} records\n\n", s.candidates, library.motions.size());
   fmt::print("{}", to_text(records_table(library, s)));
   fmt::print("\naverage of the SRSS spectra: {}\n", average_line(s));
@@ -203,6 +218,7 @@ Json to_json(const Suite& library, const Task& task, const RecordSelection& s) {
               {"s1_g", target.s1_g},
               {"site_classes", names(target)},
               {"intensity_level", level ? Json(*level) : Json()}}},
+            {"warnings", improbable_values(target)},
             {"max_scale", task.criteria.max_scale},
             {"candidates", s.candidates},
             {"records", Json::array()},

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "enum_names.hpp"
+#include "glissade/core/wrap.hpp"
 #include "glissade/io/study_grammar.hpp"
 #include "glissade/study/config.hpp"
 
@@ -230,9 +231,10 @@ std::string grammar_text(const std::string& wanted) {
     if (!wanted.empty() && key.table != wanted && key.name() != wanted) continue;
     if (key.table != table) text += fmt::format("{}[{}]\n", text.empty() ? "" : "\n", key.table);
     table = key.table;
-    text += fmt::format("  {:<24} {}\n{:27}usual: {}\n{:27}{}\n",
-                        key.key.empty() ? "(no keys)" : key.key, key.value, "", key.usual, "",
-                        key.meaning);
+    text += fmt::format("  {:<24} {}\n", key.key.empty() ? "(no keys)" : key.key,
+                        wrapped(key.value, terminal_width, 27));
+    for (const std::string& line : {"usual: " + key.usual, key.meaning})
+      text += fmt::format("{:27}{}\n", "", wrapped(line, terminal_width, 27));
   }
   return text;
 }

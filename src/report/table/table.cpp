@@ -9,6 +9,7 @@
 
 #include "glissade/core/contract.hpp"
 #include "glissade/core/units.hpp"
+#include "glissade/core/wrap.hpp"
 #include "glissade/report/format.hpp"
 
 namespace glissade {
@@ -75,13 +76,6 @@ std::string csv_cell(const Cell& cell) {
          format_exact(estimate.interval.high);
 }
 
-/// Characters on the screen: UTF-8 continuation bytes take none.
-std::size_t display_width(const std::string& text) {
-  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
-    return (static_cast<unsigned char>(c) & 0xC0u) != 0x80u;
-  }));
-}
-
 std::string padded(const std::string& text, std::size_t width, ColumnKind kind) {
   const std::string space(width - std::min(width, display_width(text)), ' ');
   return kind == ColumnKind::text ? text + space : space + text;
@@ -129,28 +123,93 @@ std::string to_csv(const Table& table) {
   return csv;
 }
 
-std::string to_text(const Table& table) {
-  std::vector<std::vector<std::string>> lines(1);
-  for (const Column& column : table.columns) lines[0].push_back(column.heading);
-  for (const std::vector<Cell>& row : table.rows) {
-    std::vector<std::string>& line = lines.emplace_back();
-    for (std::size_t c = 0; c < row.size(); ++c)
-      line.push_back(cell_text(table.columns[c], row[c]));
-  }
-  std::vector<std::size_t> widths(table.columns.size(), 0);
-  for (const auto& line : lines) {
-    for (std::size_t c = 0; c < line.size(); ++c)
-      widths[c] = std::max(widths[c], display_width(line[c]));
-  }
-  std::string text = one_line(table.title) + "\n";
-  for (const std::string& note : table.notes) text += one_line(note) + "\n";
-  for (const auto& line : lines) {
-    std::string row;
-    for (std::size_t c = 0; c < line.size(); ++c) {
-      row += "  " + padded(line[c], widths[c], table.columns[c].kind);
+namespace {
+
+/// A column as a terminal shows it.
+struct TextColumn {
+  const Column& column;
+  std::vector<std::string> cells;  ///< the heading first
+  std::size_t widest = 0;          ///< of its cells
+  std::size_t whole = 0;           ///< of its cells, with a broken heading
+  std::size_t least = 0;           ///< of its parts, with broken texts too
+  std::size_t width = 0;           ///< as shown
+
+  TextColumn(const Table& table, std::size_t c) : column(table.columns[c]) {
+    cells.push_back(column.heading);
+    for (const std::vector<Cell>& row : table.rows) cells.push_back(cell_text(column, row[c]));
+    constexpr std::size_t narrowest_text = 8;
+    for (std::size_t r = 0; r < cells.size(); ++r) {
+      widest = std::max(widest, display_width(cells[r]));
+      const bool breaks = r == 0 || column.kind == ColumnKind::text;
+      for (const std::string& part : wrapped(cells[r], breaks ? narrowest_text : terminal_width))
+        least = std::max(least, display_width(part));
+      whole = std::max(r == 0 ? least : display_width(cells[r]), whole);
     }
-    text += row.substr(0, row.find_last_not_of(' ') + 1) + "\n";
+    width = widest;
   }
+};
+
+std::size_t total_width(const std::vector<TextColumn>& columns) {
+  std::size_t total = 0;
+  for (const TextColumn& column : columns) total += 2 + column.width;
+  return total;
+}
+
+/// Breaks headings first, then texts; then the last columns go.
+void fit_terminal(std::vector<TextColumn>& columns, std::string& left_out) {
+  const auto heading = [](const TextColumn& column) {
+    return column.width - std::min(column.width, column.whole);
+  };
+  const auto text = [](const TextColumn& column) { return column.width - column.least; };
+  while (total_width(columns) > terminal_width) {
+    TextColumn& longest_heading = *std::ranges::max_element(columns, {}, heading);
+    TextColumn& longest_text = *std::ranges::max_element(columns, {}, text);
+    if (heading(longest_heading) > 0) {
+      --longest_heading.width;
+    } else if (text(longest_text) > 0) {
+      --longest_text.width;
+    } else if (columns.size() == 1) {
+      return;
+    } else {
+      left_out = columns.back().column.heading + (left_out.empty() ? "" : "; ") + left_out;
+      columns.pop_back();
+      for (TextColumn& column : columns) column.width = column.widest;
+    }
+  }
+}
+
+/// A row of the table, as many lines as its highest cell.
+std::string row_text(const std::vector<TextColumn>& columns, std::size_t r) {
+  std::vector<std::string> lines;
+  for (std::size_t c = 0, left = 0; c < columns.size(); left += 2 + columns[c].width, ++c) {
+    const std::vector<std::string> parts = wrapped(columns[c].cells[r], columns[c].width);
+    lines.resize(std::max(lines.size(), parts.size()));
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      lines[i] += std::string(left + 2 - std::min(left + 2, display_width(lines[i])), ' ') +
+                  padded(parts[i], columns[c].width, columns[c].column.kind);
+    }
+  }
+  std::string text;
+  for (const std::string& line : lines)
+    text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
+  return text;
+}
+
+}  // namespace
+
+std::string to_text(const Table& table) {
+  std::vector<TextColumn> columns;
+  std::string left_out;
+  for (std::size_t c = 0; c < table.columns.size(); ++c) {
+    if (!table.columns[c].detail) columns.emplace_back(table, c);
+  }
+  fit_terminal(columns, left_out);
+  std::string text = wrapped(one_line(table.title), terminal_width, 0) + "\n";
+  for (const std::string& note : table.notes)
+    text += wrapped(one_line(note), terminal_width, 0) + "\n";
+  for (std::size_t r = 0; r <= table.rows.size(); ++r) text += row_text(columns, r);
+  if (!left_out.empty())
+    text += wrapped("(in the CSV files only: " + left_out + ")", terminal_width, 2) + "\n";
   return text;
 }
 

@@ -4,10 +4,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <sstream>
 
+#include "glissade/core/wrap.hpp"
 #include "glissade/report/tables.hpp"
 #include "made_up_results.hpp"
 
@@ -15,6 +17,7 @@ namespace glissade {
 namespace {
 
 using testing::HasSubstr;
+using testing::Not;
 
 Table small_table() {
   Table table{"small",
@@ -142,6 +145,33 @@ TEST(fragility_table, leaves_failed_fits_empty_and_the_summary_uses_the_fit_that
             results.runs[0].fragilities[0].stripes.curve.median);
   EXPECT_EQ(std::get<std::string>(cell_of(summary, 0, "method")), "stripes");
   EXPECT_EQ(std::get<std::string>(cell_of(summary, 1, "method")), "capacities");
+}
+
+TEST(table, fits_a_terminal_by_breaking_headings_and_texts_and_leaving_out_the_last_columns) {
+  Table table{"wide",
+              "A title that is longer than a terminal is wide, so that it takes two lines of it",
+              {text_column("id", "Record")},
+              {}};
+  for (int c = 0; c < 4; ++c)
+    table.columns.push_back({"c" + std::to_string(c), "", "A heading " + std::to_string(c)});
+  table.add({"rsn953_beverly_hills_14145_mulhol", 1.0, 2.0, 3.0, 4.0});
+  const auto longest = [&] {
+    std::size_t length = 0;
+    for (const std::string& line : wrapped(to_text(table), 10000))
+      length = std::max(length, display_width(line));
+    return length;
+  };
+  EXPECT_LE(longest(), terminal_width);
+  EXPECT_THAT(to_text(table), HasSubstr("rsn953_beverly_hills_14145_mulhol"));  // headings first
+  for (int c = 4; c < 12; ++c) {
+    table.columns.push_back({"c" + std::to_string(c), "", "A heading " + std::to_string(c)});
+    table.rows[0].emplace_back(1.0);
+  }
+  EXPECT_LE(longest(), terminal_width);
+  EXPECT_THAT(to_text(table), HasSubstr("in the CSV files only: A heading 7"));
+  table.columns[1].detail = true;
+  EXPECT_THAT(to_text(table), Not(HasSubstr("heading 0")));
+  EXPECT_THAT(to_csv(table), HasSubstr("c0,c1"));
 }
 
 TEST(fragility_tables, show_the_share_that_slides_freely_and_where_half_of_all_exceed) {

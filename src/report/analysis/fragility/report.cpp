@@ -6,6 +6,7 @@
 
 #include "analysis/analyses.hpp"
 #include "analysis/standards/section.hpp"
+#include "glissade/core/wrap.hpp"
 #include "glissade/report/figures.hpp"
 #include "glissade/report/format.hpp"
 #include "glissade/report/tables.hpp"
@@ -120,7 +121,8 @@ std::string other_run_sentence(const Results& results, const RunResults& run) {
 
 /// The standards table at a handful of levels, narrow enough for a terminal: the rest is in
 /// standards.csv.
-Table brief_standards_table(const Results& results, const RunResults& run) {
+std::string brief_standards(const Results& results, const RunResults& run) {
+  std::string recalled;
   Table table{"standards_brief",
               "Standards and computed slip (" + first_run(results) + "; displacements in plan)",
               {{"standard", "", "Standard", ColumnKind::text},
@@ -128,8 +130,7 @@ Table brief_standards_table(const Results& results, const RunResults& run) {
                {"prescribed", "m", "Prescribed, m (in)", ColumnKind::length},
                {"median_slip", "m", "Median, m (in)", ColumnKind::length},
                {"p95_slip", "m", "95th, m (in)", ColumnKind::length},
-               {"exceedance_share", "", "Slip > prescribed", ColumnKind::share, true},
-               {"provenance", "", "Provision", ColumnKind::text}},
+               {"exceedance_share", "", "Slip > prescribed", ColumnKind::share}},
               {}};
   const std::vector<double> chosen = some_levels(results.levels, 5);
   for (const StandardComparison& comparison : run.standards) {
@@ -137,13 +138,37 @@ Table brief_standards_table(const Results& results, const RunResults& run) {
                                    [&](const auto& s) { return s.level == comparison.sds_g; });
     if (slip == run.slip.end() || std::count(chosen.begin(), chosen.end(), comparison.sds_g) == 0)
       continue;
-    table.add(
-        {standard_name(comparison.standard), comparison.sds_g, comparison.prescribed.value_m,
-         slip->median_m, slip->p95_m,
-         Estimate{comparison.exceedance_probability, comparison.exceedance_interval},
-         comparison.prescribed.provenance == Provenance::checked ? "checked" : "recalled (*)"});
+    table.add({standard_name(comparison.standard), comparison.sds_g, comparison.prescribed.value_m,
+               slip->median_m, slip->p95_m, comparison.exceedance_probability});
+    if (comparison.prescribed.provenance != Provenance::checked)
+      recalled += fmt::format("{}{} at {:g} g", recalled.empty() ? "" : "; ",
+                              standard_name(comparison.standard), comparison.sds_g);
   }
-  return table;
+  std::string text = to_text(table);
+  if (!recalled.empty())
+    text +=
+        wrapped("Recalled, to be verified against the standard: " + recalled, terminal_width, 2) +
+        "\n";
+  return text;
+}
+
+/// The rows whose fit is not an ordinary one.
+std::string fit_remarks(const Table& fits) {
+  const auto column = [&](const char* stem) {
+    return static_cast<std::size_t>(std::ranges::find(fits.columns, stem, &Column::stem) -
+                                    fits.columns.begin());
+  };
+  const std::size_t threshold = column("threshold"), status = column("status");
+  std::string text;
+  for (const std::vector<Cell>& row : fits.rows) {
+    const std::string fit = cell_text(fits.columns[status], row[status]);
+    if (fit == to_string(FitStatus::maximum_likelihood)) continue;
+    std::string label;
+    for (std::size_t c = 0; c <= threshold; ++c)
+      label += (c == 0 ? "" : ", ") + cell_text(fits.columns[c], row[c]);
+    text += wrapped("  Fit of " + label + " m (in): " + fit, terminal_width, 4) + "\n";
+  }
+  return text;
 }
 
 std::string fragility_summary(const Results& results) {
@@ -151,12 +176,11 @@ std::string fragility_summary(const Results& results) {
   Table fits = fragility_summary_table(results);
   const std::size_t rows = fits.rows.size();
   fits.rows.resize(std::min(rows, most_rows));
-  std::string text = to_text(fits);
+  std::string text = to_text(fits) + fit_remarks(fits);
   if (rows > most_rows)
     text += fmt::format("  {} rows more are in tables/fragility.csv\n", rows - most_rows);
   if (!results.runs.empty() && !results.runs.front().standards.empty()) {
-    text += "\n" + to_text(brief_standards_table(results, results.runs.front()));
-    text += "  (*) from memory of the standard: verify against the standard\n";
+    text += "\n" + brief_standards(results, results.runs.front());
   }
   return text;
 }

@@ -123,6 +123,8 @@ Table fragility_summary_table(const Results& results) {
   }
   table = with_listed(results, table);
   if (lists_more_than_friction_value(results)) table = table.without("run");
+  for (Column& column : table.columns)
+    column.detail = column.stem == "method" || column.stem == "status";
   if (largest_floor == 0.0) return table.without("free_sliding_share").without("p50");
   table.notes.push_back(
       least_floor == 1.0

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "suite/motions_table.hpp"
+
+#include <array>
+#include <cmath>
+
+#include "glissade/core/units.hpp"
+#include "glissade/motion/intensity.hpp"
+
+namespace glissade::cli {
+namespace {
+
+struct Component {
+  const char *stem, *name;
+  const std::vector<double>& (*of)(const Motion&);
+};
+constexpr std::array components{
+    Component{"first", "first",
+              [](const Motion& m) -> const std::vector<double>& { return m.horizontal_mps2[0]; }},
+    Component{"second", "second",
+              [](const Motion& m) -> const std::vector<double>& { return m.horizontal_mps2[1]; }},
+    Component{"vertical", "vertical",
+              [](const Motion& m) -> const std::vector<double>& { return m.vertical_mps2; }}};
+
+Column number(std::string stem, std::string unit, std::string heading, int decimals = -1) {
+  return {std::move(stem),    std::move(unit), std::move(heading),
+          ColumnKind::number, false,           decimals};
+}
+
+std::vector<Column> columns() {
+  std::vector<Column> all{text_column("id", "Record"),
+                          number("pga", "g", "PGA, g"),
+                          number("pgv", "mps", "PGV, m/s"),
+                          number("pgd", "m", "PGD, m"),
+                          number("duration", "s", "D5-95, s"),
+                          number("dt", "s", "Step, s", 4),
+                          {"samples", "", "Samples", ColumnKind::count},
+                          number("scale", "", "Scale")};
+  const auto detail = [&](Column column) {
+    column.detail = true;
+    all.push_back(std::move(column));
+  };
+  detail(text_column("event", "Event"));
+  detail(text_column("station", "Station"));
+  detail(number("magnitude", "", "M", 2));
+  detail(number("distance", "km", "R, km", 1));
+  detail(number("vs30", "mps", "Vs30, m/s", 0));
+  for (const Component& c : components) {
+    const std::string stem = std::string("_") + c.stem, name = std::string(c.name) + " ";
+    detail(number("pga" + stem, "g", name + "PGA, g"));
+    detail(number("pgv" + stem, "mps", name + "PGV, m/s"));
+    detail(number("pgd" + stem, "m", name + "PGD, m"));
+    detail(number("duration" + stem, "s", name + "D5-95, s"));
+  }
+  return all;
+}
+
+}  // namespace
+
+Table motions_table(const Suite& suite) {
+  Table table{"motions",
+              "As recorded, without the suite's scale. PGA, PGV and PGD are geometric means of the "
+              "horizontals, D5-95 is of both together.",
+              columns(),
+              {}};
+  constexpr auto mean = HorizontalCombination::geometric_mean;
+  const auto given = [](double value) { return value > 0.0 ? value : std::nan(""); };
+  for (const Motion& m : suite.motions) {
+    const auto& [first, second] = m.horizontal_mps2;
+    std::vector<Cell> row{m.id,
+                          horizontal_pga_mps2(m, mean) / standard_gravity_mps2,
+                          horizontal_pgv_mps(m, mean),
+                          horizontal_pgd_m(m, mean),
+                          significant_duration_s(m.dt_s, first, second),
+                          m.dt_s,
+                          static_cast<double>(first.size()),
+                          m.scale,
+                          m.event,
+                          m.station,
+                          given(m.magnitude),
+                          given(m.distance_km),
+                          given(m.vs30_mps)};
+    for (const Component& c : components) {
+      const std::vector<double>& a = c.of(m);
+      const auto value = [&](double x) { row.emplace_back(a.empty() ? std::nan("") : x); };
+      value(peak_ground_acceleration_mps2(a) / standard_gravity_mps2);
+      value(peak_ground_velocity_mps(m.dt_s, a));
+      value(peak_ground_displacement_m(m.dt_s, a));
+      value(significant_duration_s(m.dt_s, a));
+    }
+    table.add(std::move(row));
+  }
+  return table;
+}
+
+}  // namespace glissade::cli
