@@ -236,7 +236,9 @@ TEST(plan, warns_of_what_is_possible_and_not_probable) {
             1u);
   Suite twins = small_suite();
   for (Motion& motion : twins.motions) motion.horizontal_mps2[1] = motion.horizontal_mps2[0];
-  EXPECT_EQ(make_plan(small_config(), {twins}).warnings.size(), 2u);  // and one axis
+  EXPECT_EQ(make_plan(small_config(), {twins}).warnings.size(), twins.motions.size() + 1);
+  for (Motion& motion : twins.motions) motion.dt_s = 0.5;  // five are named, the others counted
+  EXPECT_EQ(make_plan(small_config(), {twins}).warnings.size(), 5u + 1u + 1u);
 }
 
 TEST(plan, refuses_a_clearance_of_a_suite_that_does_not_meet_its_target) {
