@@ -45,7 +45,7 @@ TEST(OutputRule, is_the_same_of_all_commands) {
     if (writes) writing.push_back(name);
   }
   EXPECT_THAT(writing,
-              testing::UnorderedElementsAre("run", "report", "friction", "slide", "suite show",
+              testing::UnorderedElementsAre("run", "clearance", "report", "friction", "slide", "suite show",
                                             "suite spectra", "suite design", "suite select"));
 }
 
@@ -62,6 +62,18 @@ TEST(OutputRule, a_file_is_written_over_with_overwrite_only) {
   expect_rule(
       {"slide", record, "--dt-s", "0.01", "--mu", "0.1", "--slope-deg", "0", "--history", out},
       "--history", out);
+}
+
+TEST(OutputRule, a_folder_that_is_not_empty_is_refused_before_anything_is_run) {
+  const ScratchFolder folder;
+  fs::create_directory(folder.path("out"));
+  folder.write("out/mine", "mine");
+  const std::string out = folder.path("out").string();
+  const std::string study = folder.write("study.toml", small_study());
+  const std::string project = GLISSADE_SOURCE_DIR "/studies/permit_project.toml";
+  expect_refused(run_program({"run", study, "--out", out}), {out, "--overwrite"});
+  expect_refused(run_program({"clearance", project, "--out", out}), {out, "--overwrite"});
+  EXPECT_EQ(read_file(folder.path("out/mine")), "mine");
 }
 
 TEST(OutputRule, an_empty_path_is_refused) {
