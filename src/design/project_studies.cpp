@@ -59,11 +59,12 @@ std::string head_of(const Project& project, const fs::path& folder, const std::s
                     const std::string& what, const std::vector<double>& levels) {
   return fmt::format(
       "# Made by `glissade clearance` from {}.\n"
-      "[study]\nname = {}\ndescription = {}\nseed = {}\n\n"
+      "[study]\nname = {}\ndescription = {}\nseed = {}\nunits = \"{}\"\n\n"
       "[suite]\nfile = {}\n\n"
       "[intensity]\nmeasure = \"sds_g\"\nlevels = [{}]\ntarget = {}\n\n",
       project.file.filename().string(), quoted(name), quoted(project.title.name + ": " + what),
-      project.seed, path_from(project.suite, folder), fmt::join(levels, ", "),
+      project.seed, project.units == UnitSystem::us_customary ? "us" : "si",
+      path_from(project.suite, folder), fmt::join(levels, ", "),
       target_table(project.site.target, project.file.parent_path(), folder, project.spectrum_file));
 }
 

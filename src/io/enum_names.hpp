@@ -9,6 +9,11 @@ namespace glissade {
 
 // The names enumerations have in study files and in results files.
 
+inline EnumNames<UnitSystem> unit_names() {
+  static constexpr EnumNames<UnitSystem> names = {{"si", UnitSystem::si},
+                                                  {"us", UnitSystem::us_customary}};
+  return names;
+}
 inline EnumNames<ArraySupport> support_names() {
   static constexpr EnumNames<ArraySupport> names = {{"isolated", ArraySupport::isolated},
                                                     {"anchored", ArraySupport::anchored},

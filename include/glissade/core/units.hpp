@@ -5,6 +5,9 @@
 
 namespace glissade {
 
+/// What stands first where lengths are written for people; files of numbers are in metres.
+enum class UnitSystem { si, us_customary };
+
 // Inside glissade every quantity is SI and every angle is in radians. These constants convert input
 // and output only; g is one number for the whole program.
 inline constexpr double standard_gravity_mps2 = 9.80665;  ///< exact by definition (CGPM 1901)

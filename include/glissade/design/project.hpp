@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "glissade/core/units.hpp"
 #include "glissade/motion/design_spectrum.hpp"
 #include "glissade/standards/code_values.hpp"
 #include "glissade/study/config.hpp"
@@ -45,8 +46,6 @@ struct ProjectSeparation {
   Separation required;
   std::optional<double> available_m;
 };
-
-enum class UnitSystem { us_customary, si };
 
 struct Project {
   std::filesystem::path file;

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "glissade/core/units.hpp"
 #include "glissade/fragility/fit.hpp"
 #include "glissade/standards/prescriptive.hpp"
 #include "glissade/study/config.hpp"
@@ -16,8 +17,27 @@ std::string format_number(double value);
 /// The shortest text that reads back as the same double; "" for NaN (an empty CSV field), "inf",
 /// "-inf".
 std::string format_exact(double value);
-/// "0.300 m (11.8 in)"; "-" for what is not finite.
+/// Which unit stands first in the texts, tables and figures that are made while this lives: one
+/// report at a time.
+class LengthUnits {
+ public:
+  explicit LengthUnits(UnitSystem units);
+  ~LengthUnits();
+  LengthUnits(const LengthUnits&) = delete;
+  LengthUnits& operator=(const LengthUnits&) = delete;
+  static UnitSystem first();  ///< metres where none lives
+
+ private:
+  UnitSystem before_;
+};
+/// "0.300 m (11.8 in)", or "11.8 in (0.300 m)"; "-" for what is not finite.
 std::string format_length(double length_m);
+/// "0.300 m", or "11.8 in".
+std::string short_length(double length_m);
+/// "0.276 to 0.393 m", "10.9 to 15.5 in"; "no interval" where an end is NaN.
+std::string format_length_interval(const Interval& interval_m);
+/// In the unit that stands first.
+double in_first_unit(double length_m);
 /// "12 %", "0.4 %", "< 0.1 %", "0 %"; "-" for what is not finite.
 std::string format_share(double share);
 /// "0.76 to 0.93"; "no interval" where an end is NaN.

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "glissade/block/tipping.hpp"
+#include "glissade/core/units.hpp"
 #include "glissade/motion/design_spectrum.hpp"
 #include "glissade/sampling/distribution.hpp"
 #include "glissade/sampling/point_set.hpp"
@@ -134,6 +135,7 @@ struct StudyConfig {
   std::string name;
   std::string description;
   std::uint64_t seed = 0;
+  UnitSystem units = UnitSystem::si;               ///< of its report
   std::filesystem::path file;                      ///< the study file
   std::string source_text;                         ///< the study file, verbatim
   std::vector<std::filesystem::path> suite_files;  ///< one at least, resolved

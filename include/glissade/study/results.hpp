@@ -186,6 +186,7 @@ struct SuiteSummary {
 struct Results {
   std::string study_name, study_description, program_version, plan_hash, study_text;
   std::uint64_t seed = 0;
+  UnitSystem units = UnitSystem::si;  ///< what stands first in the report
   IntensityMeasure measure = IntensityMeasure::sds_g;
   std::string intensity_label;  ///< for axes: "S_DS (g)", "Sa(1.0 s) (g)" ...
   std::vector<SuiteSummary> suites;

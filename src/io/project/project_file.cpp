@@ -7,6 +7,7 @@
 #include <bit>
 #include <cmath>
 
+#include "enum_names.hpp"
 #include "glissade/core/file.hpp"
 #include "glissade/core/units.hpp"
 #include "glissade/design/design_clearance.hpp"
@@ -75,9 +76,7 @@ std::vector<double> read_values(const TomlTable& table, const char* key, const N
 }
 
 TitleBlock read_title(const TomlTable& table, Project& project) {
-  project.units =
-      table.choice<UnitSystem>("units", {{"us", UnitSystem::us_customary}, {"si", UnitSystem::si}})
-          .value_or(project.units);
+  project.units = table.choice<UnitSystem>("units", unit_names()).value_or(project.units);
   return {table.text("name").value_or(""), table.text("address").value_or(""),
           table.text("engineer").value_or(""), table.text("date").value_or("")};
 }

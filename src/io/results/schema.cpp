@@ -167,6 +167,10 @@ void exchange_head(const Archive& archive, R& results) {
   archive.attribute("program_version", results.program_version);
   archive.attribute("plan_hash", results.plan_hash);
   archive.attribute("seed", results.seed);
+  std::uint64_t units = static_cast<std::uint64_t>(results.units);
+  archive.attribute("us_customary", units);
+  if constexpr (Archive::reads)
+    results.units = units == 0 ? UnitSystem::si : UnitSystem::us_customary;
   archive.attribute("study", results.study_text);
   archive.attribute("study_name", results.study_name);
   archive.attribute("study_description", results.study_description);

@@ -48,6 +48,8 @@ void add_head(std::vector<GrammarKey>& keys) {
        {"study", "description", "text", "\"\"", "what it is, in a sentence"},
        {"study", "seed", "whole number", fmt::format("{}", usual.seed),
         "of the samples and of the bootstrap"},
+       {"study", "units", one_of(unit_names()), quoted(unit_names(), usual.units),
+        "of the report: metres or inches first; CSV and HDF5 files are in metres"},
        {"suite", "file", "path", "required (or files)", "suite file, relative to the study file"},
        {"suite", "files", "list of paths", "none", "several suites in one study"},
        {"suite", "records", "list of ids", "all", "the records to run"},

@@ -122,6 +122,7 @@ StudyConfig read_study(const std::filesystem::path& file) {
   study.name = head.required_text("name");
   study.description = head.text("description").value_or("");
   study.seed = head.whole("seed", 0, std::numeric_limits<std::int64_t>::max()).value_or(0);
+  study.units = head.choice<UnitSystem>("units", unit_names()).value_or(study.units);
   read_suites(root.required_table("suite"), study);
   const bool fragility = root.has("fragility");
   study.intensity = read_intensity(root.required_table("intensity"),

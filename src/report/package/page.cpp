@@ -203,6 +203,7 @@ Html records_html(const CalculationPackage& package) {
 }  // namespace
 
 void write_package(const CalculationPackage& package, const std::filesystem::path& out_dir) {
+  const LengthUnits units(package.project.units);
   const std::vector<Table> tables{
       title_table(package.project), inputs_table(package),      site_table(package),
       motions_table(package),       files_table(package),       demand_table(package),

@@ -13,6 +13,7 @@ std::vector<std::string> answer_sentences(const Results& results) {
 }
 
 std::string summary_text(const Results& results, const std::vector<Skip>& skips) {
+  const LengthUnits units(results.units);
   const bool draws = results.cases.samples > 1;
   std::string text = fmt::format(
       "{}: {} records x {} {} x {} levels, displacements in plan\nModel: {}\n", results.study_name,

@@ -3,6 +3,7 @@
 
 #include "glissade/core/file.hpp"
 #include "glissade/report/figures.hpp"
+#include "glissade/report/format.hpp"
 #include "glissade/report/html.hpp"
 #include "glissade/report/tables.hpp"
 #include "page/page.hpp"
@@ -11,6 +12,7 @@ namespace glissade {
 
 void write_report(const Results& results, const std::filesystem::path& out_dir,
                   const std::vector<Skip>& skips) {
+  const LengthUnits units(results.units);
   write_tables(csv_tables(results), out_dir);
   const std::vector<DrawnFigure> figures = draw(make_figures(results), out_dir);
   write_text_file(out_dir / "report.html", html_report(results, figures, skips));

@@ -7,6 +7,7 @@
 
 #include "glissade/core/units.hpp"
 #include "glissade/report/figure.hpp"
+#include "glissade/report/format.hpp"
 
 namespace glissade {
 
@@ -75,11 +76,16 @@ double round_step(double range, double count) {
 }
 
 Axis length_axis(const std::string& label, double high_m) {
-  Axis axis{label + " (m)", 0.0, high_m, {}, label + " (in)", {}};
-  const double step_in = round_step(high_m / inch_m, 6.0);
-  for (int i = 0; step_in > 0.0 && i * step_in * inch_m <= high_m; ++i)
-    axis.opposite_ticks.push_back({i * step_in * inch_m, fmt::format("{:g}", i * step_in)});
-  return axis;
+  const auto ticks_every = [&](double unit_m) {
+    std::vector<Tick> ticks;
+    const double step = round_step(high_m / unit_m, 6.0);
+    for (int i = 0; step > 0.0 && i * step * unit_m <= high_m; ++i)
+      ticks.push_back({i * step * unit_m, fmt::format("{:g}", i * step)});
+    return ticks;
+  };
+  if (LengthUnits::first() == UnitSystem::us_customary)
+    return {label + " (in)", 0.0, high_m, ticks_every(inch_m), label + " (m)", ticks_every(1.0)};
+  return {label + " (m)", 0.0, high_m, {}, label + " (in)", ticks_every(inch_m)};
 }
 
 }  // namespace glissade

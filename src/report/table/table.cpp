@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <utility>
 
 #include "glissade/core/contract.hpp"
@@ -20,8 +21,11 @@ std::string number_text(ColumnKind kind, double value, int decimals = -1) {
   switch (kind) {
     case ColumnKind::count:
       return fmt::format("{:.0f}", value);
-    case ColumnKind::length:
-      return format_number(value) + " (" + format_number(value / inch_m) + ")";
+    case ColumnKind::length: {
+      const bool si = LengthUnits::first() == UnitSystem::si;
+      return format_number(in_first_unit(value)) + " (" +
+             format_number(si ? value / inch_m : value) + ")";
+    }
     case ColumnKind::share:
       return format_share(value);
     case ColumnKind::text:
@@ -37,9 +41,23 @@ std::string estimate_text(ColumnKind kind, const Estimate& estimate) {
   if (std::isnan(estimate.interval.low) || std::isnan(estimate.interval.high)) return value;
   // The interval in the value's first unit only: a range of metres and inches together is hard to
   // read.
-  const ColumnKind end_kind = kind == ColumnKind::length ? ColumnKind::number : kind;
-  return value + " [" + number_text(end_kind, estimate.interval.low) + ", " +
-         number_text(end_kind, estimate.interval.high) + "]";
+  const auto end = [&](double number) {
+    return kind == ColumnKind::length ? format_number(in_first_unit(number))
+                                      : number_text(kind, number);
+  };
+  return value + " [" + end(estimate.interval.low) + ", " + end(estimate.interval.high) + "]";
+}
+
+/// "Clearance, m (in)", or "Clearance, in (m)".
+std::string heading_of(const Column& column) {
+  std::string heading = column.heading;
+  if (column.kind != ColumnKind::length || LengthUnits::first() == UnitSystem::si) return heading;
+  for (const auto& [metric, customary] :
+       {std::pair{"m (in)", "in (m)"}, std::pair{"%, m]", "%, in]"}}) {
+    const std::size_t at = heading.find(metric);
+    if (at != std::string::npos) heading.replace(at, std::strlen(metric), customary);
+  }
+  return heading;
 }
 
 std::string one_line(std::string text) {
@@ -135,7 +153,7 @@ struct TextColumn {
   std::size_t width = 0;           ///< as shown
 
   TextColumn(const Table& table, std::size_t c) : column(table.columns[c]) {
-    cells.push_back(column.heading);
+    cells.push_back(heading_of(column));
     for (const std::vector<Cell>& row : table.rows) cells.push_back(cell_text(column, row[c]));
     constexpr std::size_t narrowest_text = 8;
     for (std::size_t r = 0; r < cells.size(); ++r) {
@@ -171,7 +189,7 @@ void fit_terminal(std::vector<TextColumn>& columns, std::string& left_out) {
     } else if (columns.size() == 1) {
       return;
     } else {
-      left_out = columns.back().column.heading + (left_out.empty() ? "" : "; ") + left_out;
+      left_out = heading_of(columns.back().column) + (left_out.empty() ? "" : "; ") + left_out;
       columns.pop_back();
       for (TextColumn& column : columns) column.width = column.widest;
     }
@@ -223,7 +241,7 @@ Html to_html(const Table& table) {
   html += "</caption>\n<thead><tr>";
   for (std::size_t c = 0; c < table.columns.size(); ++c)
     html += cell("<th scope=\"col\">", "<th scope=\"col\" class=\"number\">", c,
-                 table.columns[c].heading, "</th>");
+                 heading_of(table.columns[c]), "</th>");
   html += "</tr></thead>\n<tbody>\n";
   for (const std::vector<Cell>& row : table.rows) {
     html += "<tr>";

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "glissade/core/units.hpp"
 
@@ -26,10 +27,30 @@ std::string format_exact(double value) {
   return fmt::format("{}", value);
 }
 
+namespace {
+UnitSystem first_unit = UnitSystem::si;
+
+std::string metres(double length_m) { return format_number(length_m) + " m"; }
+std::string inches(double length_m) { return format_number(length_m / inch_m) + " in"; }
+}  // namespace
+
+LengthUnits::LengthUnits(UnitSystem units) : before_(std::exchange(first_unit, units)) {}
+LengthUnits::~LengthUnits() { first_unit = before_; }
+UnitSystem LengthUnits::first() { return first_unit; }
+
+std::string short_length(double length_m) {
+  return first_unit == UnitSystem::si ? metres(length_m) : inches(length_m);
+}
+
+double in_first_unit(double length_m) {
+  return first_unit == UnitSystem::si ? length_m : length_m / inch_m;
+}
+
 std::string format_length(double length_m) {
   if (!std::isfinite(length_m)) return "-";
-  if (length_m > 0.0 && length_m < 0.0005) return "less than 1 mm";
-  return format_number(length_m) + " m (" + format_number(length_m / inch_m) + " in)";
+  const bool si = first_unit == UnitSystem::si;
+  if (length_m > 0.0 && length_m < 0.0005) return si ? "less than 1 mm" : "less than 0.02 in";
+  return short_length(length_m) + " (" + (si ? inches(length_m) : metres(length_m)) + ")";
 }
 
 std::string format_share(double share) {
@@ -48,6 +69,13 @@ std::string format_interval(const Interval& interval) {
     return std::isinf(value) ? "unbounded" : format_number(value);
   };
   return end(interval.low) + " to " + end(interval.high);
+}
+
+std::string format_length_interval(const Interval& interval_m) {
+  const bool si = LengthUnits::first() == UnitSystem::si;
+  const std::string text =
+      format_interval({in_first_unit(interval_m.low), in_first_unit(interval_m.high)});
+  return std::isnan(interval_m.low + interval_m.high) ? text : text + (si ? " m" : " in");
 }
 
 std::string standard_name(Standard standard) {

@@ -181,6 +181,7 @@ Results header_of(const Plan& plan) {
   results.program_version = GLISSADE_VERSION;
   results.plan_hash = plan.hash;
   results.study_text = c.source_text;
+  results.units = c.units;
   results.seed = c.seed;
   results.measure = c.intensity.measure;
   results.intensity_label = intensity_label(c.intensity);

@@ -5,6 +5,9 @@
 
 #include <limits>
 
+#include "glissade/report/figure.hpp"
+#include "glissade/report/table.hpp"
+
 namespace glissade {
 namespace {
 
@@ -31,6 +34,29 @@ TEST(format, shows_what_is_not_finite_as_a_dash) {
 
 TEST(format_length, gives_inches_in_brackets) {
   EXPECT_EQ(format_length(0.3048), "0.305 m (12.0 in)");  // one foot
+}
+
+TEST(LengthUnits, customary_puts_inches_first_while_it_lives) {
+  {
+    const LengthUnits units(UnitSystem::us_customary);
+    EXPECT_EQ(format_length(0.3), "11.8 in (0.300 m)");
+    EXPECT_EQ(short_length(0.3), "11.8 in");
+    EXPECT_EQ(format_length_interval({0.254, 0.508}), "10.0 to 20.0 in");
+    const Table table{
+        "t", "", {{"slip", "m", "Slip, m (in) [95 %, m]", ColumnKind::length, true}}, {}};
+    Table filled = table;
+    filled.add({Estimate{0.254, {0.127, 0.508}}});
+    EXPECT_NE(to_text(filled).find("Slip, in (m) [95 %, in]"), std::string::npos);
+    EXPECT_NE(to_text(filled).find("10.0 (0.254) [5.00, 20.0]"), std::string::npos);
+    EXPECT_NE(to_csv(filled).find("slip_m"), std::string::npos);  // files stay in metres
+    EXPECT_NE(to_csv(filled).find("0.254,0.127,0.508"), std::string::npos);
+    const Axis axis = length_axis("Slip", 0.508);
+    EXPECT_EQ(axis.label, "Slip (in)");
+    EXPECT_EQ(axis.ticks.back().label, "20");
+    EXPECT_NEAR(axis.ticks.back().at, 0.508, 1e-12);
+    EXPECT_EQ(axis.opposite_label, "Slip (m)");
+  }
+  EXPECT_EQ(format_length(0.3), "0.300 m (11.8 in)");
 }
 
 TEST(format_share, does_not_round_the_rare_to_never_nor_the_frequent_to_always) {

@@ -185,7 +185,7 @@ Figure chart_contours_figure(const Results& results) {
     thick.dash = 1;
     thick.width = 4.0;
     const bool crosses = plot.add("prescribed " + line.names(), line.value_m,
-                                  line.names() + ": " + format_number(line.value_m) + " m", thick);
+                                  line.names() + ": " + short_length(line.value_m), thick);
     figure.caption +=
         crosses ? " Thick: where the chart requires what is prescribed, " + line.label() + "."
                 : everywhere(grid, line);
@@ -195,8 +195,10 @@ Figure chart_contours_figure(const Results& results) {
     const double value_m = round_values_m[i];
     Look line = family_look(i, round_values_m.size());
     line.width = 2.0;
-    any |=
-        plot.add(fmt::format("contour {} m", value_m), value_m, fmt::format("{} m", value_m), line);
+    any |= plot.add(fmt::format("contour {} m", value_m), value_m,
+                    LengthUnits::first() == UnitSystem::si ? fmt::format("{} m", value_m)
+                                                           : short_length(value_m),
+                    line);
   }
   if (!any) {
     figure.caption += fmt::format(" No line from {} to {} m crosses the chart: see chart.csv.",

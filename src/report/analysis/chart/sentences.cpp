@@ -27,7 +27,7 @@ std::string shown_sentence(const Results& results) {
   }
   const std::string interval = std::isnan(p.mean_interval.low)
                                    ? ""
-                                   : ", 95 % interval " + format_interval(p.mean_interval) + " m";
+                                   : ", 95 % interval " + format_length_interval(p.mean_interval);
   return fmt::format(
       "{}, the recommended clearance is {}: {:g} x the mean over {} records, {}{}. Of the records "
       "the 84th percentile is {}, the 95th {}, the largest {}.{}",

@@ -62,8 +62,8 @@ std::string period_reading(const Results& r) {
   if (r.conditions->orientations.size() > 1)
     text += fmt::format(", {} in the least favourable orientation",
                         format_length(r.clearance->factor * largest.highest));
-  text += fmt::format(". 95 % interval of the mean from resampling records: {} to {} m.",
-                      format_number(largest.interval.low), format_number(largest.interval.high));
+  text += ". 95 % interval of the mean from resampling records: " +
+          format_length_interval(largest.interval) + ".";
   return text;
 }
 

@@ -46,7 +46,7 @@ void add_direct_label(Panel& panel, const RunResults& run, std::size_t t) {
   const double probability = 0.7 - 0.1 * static_cast<double>(t);
   const double intensity = fragility.capacities.curve.intensity_at(probability);
   if (!(intensity > panel.x.low && intensity < panel.x.high)) return;
-  panel.notes.push_back({intensity, probability, format_number(fragility.threshold_m) + " m",
+  panel.notes.push_back({intensity, probability, short_length(fragility.threshold_m),
                          family_look(t, run.fragilities.size()).colour});
 }
 
