@@ -62,20 +62,44 @@ std::string numbers_json(const DesignClearance& design) {
   for (const ExceedanceAt& e : design.exceedance)
     json["exceedance"].push_back({{"level", e.level},
                                   {"sds_g", e.sds_g},
+                                  {"period_s", e.period_s},
                                   {"probability", e.probability},
                                   {"low95", e.interval.low},
                                   {"high95", e.interval.high}});
+  for (const DesignCheck& check : design.checks)
+    json["checks"].push_back(
+        {{"check", check.what}, {"found", check.found}, {"is_met", check.is_met.value_or(false)}});
   json["warnings"] = design.warnings;
   return json.dump(2) + "\n";
 }
 
-/// Writes a study that root made, and runs it.
+/// Nothing of an earlier calculation stays beside this one.
+void take_folder(const fs::path& out) {
+  std::error_code error;
+  fs::create_directories(out, error);
+  if (error)
+    throw InputError({out.string(), "cannot be made: " + error.message(),
+                      "give a folder you may write to with --out", ""});
+  for (const char* name : {"package.html", "package.json", "demand.toml", "probability.toml"})
+    fs::remove(out / name, error);
+}
+
+/// Runs a study that root wrote. One that is refused is removed, so that the folder can be taken.
 void run_made_study(const fs::path& file, bool overwrite, const Communicator& world) {
-  run_study({.study = file.string(),
-             .out = (file.parent_path() / file.stem()).string(),
-             .overwrite = overwrite,
-             .quiet = true},
-            world);
+  try {
+    run_study({.study = file.string(),
+               .out = (file.parent_path() / file.stem()).string(),
+               .overwrite = overwrite,
+               .quiet = true},
+              world);
+  } catch (const ExitStatus&) {
+    std::error_code ignored;
+    if (world.is_root()) {
+      fs::remove(file, ignored);
+      fs::remove(file.parent_path(), ignored);  // if empty
+    }
+    throw;
+  }
 }
 
 void run(const ClearanceOptions& o, const Communicator& world) {
@@ -89,7 +113,8 @@ void run(const ClearanceOptions& o, const Communicator& world) {
   on_root(world, [&] {
     project = read_project(o.project);
     check_output_folder(out, o.overwrite);
-    fs::create_directories(out);
+    static_cast<void>(load_suite(project->suite));  // its faults come before anything is written
+    take_folder(out);
     write_text_file(demand_file, demand_study(*project, out));
   });
   run_made_study(demand_file, o.overwrite, world);

@@ -121,7 +121,8 @@ int main(int argc, char** argv) {
   try {
     const glissade::MpiSession mpi(argc, argv);
     const glissade::Communicator world = mpi.world();
-    if (!world.is_root() && argc > 1 && std::string_view(argv[1]) != "run")
+    const std::string_view command = argc > 1 ? argv[1] : "run";
+    if (!world.is_root() && command != "run" && command != "clearance")
       return 0;  // the other commands are for one
     try {
       return run_program(argc, argv, world);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "checks.hpp"
 #include "glissade/core/contract.hpp"
 #include "glissade/core/quantile.hpp"
 
@@ -25,19 +26,21 @@ Inputs inputs_of(const Results& results, const SuiteMean& mean) {
   return {c.friction, c.slope_deg, c.mass_ratio, mean.level, c.vertical};
 }
 
-/// With design friction and vertical motion, at S_DS.
-Inputs design_inputs(const Project& project, const Results& demand) {
-  return {.friction = project.friction.design(), .level = demand.levels.front()};
+/// What a condition requires, of as many records as there are.
+double required_m(const Results& demand, const RequiredClearance& required) {
+  return demand.records.size() < least_records ? demand.clearance->factor * required.largest.largest
+                                               : required.highest_m;
 }
 
-/// The slope and mass ratio with the largest displacement.
-const RequiredClearance& governing_condition(const Results& demand, Inputs design) {
+/// The slope, the mass ratio and the vertical motion with the largest displacement, with design
+/// friction at S_DS.
+const RequiredClearance& governing_condition(const Project& project, const Results& demand) {
   const RequiredClearance* governing = nullptr;
   for (const RequiredClearance& required : demand.clearance->required) {
     const Inputs inputs = inputs_of(demand, required.largest);
-    design.slope_deg = inputs.slope_deg;
-    design.mass_ratio = inputs.mass_ratio;
-    if (inputs == design && (governing == nullptr || required.highest_m > governing->highest_m))
+    if (inputs.friction != project.friction.design() || inputs.level != demand.levels.front())
+      continue;
+    if (governing == nullptr || required_m(demand, required) > required_m(demand, *governing))
       governing = &required;
   }
   GLISSADE_EXPECTS(governing != nullptr);
@@ -77,7 +80,8 @@ class SensitivityTable {
       Inputs others = inputs;
       others.*input = governing_.*input;
       if (others != governing_) continue;
-      found.push_back({what, text(inputs.*input), required.highest_m, inputs == governing_});
+      found.push_back(
+          {what, text(inputs.*input), required_m(demand_, required), inputs == governing_});
     }
     if (found.size() > 1) rows_.insert(rows_.end(), found.begin(), found.end());
   }
@@ -113,8 +117,10 @@ std::vector<Sensitivity> sensitivity_of(const Project& project, const Results& d
   double largest = 0.0;
   for (const SuiteMean& mean : demand.clearance->by_period) {
     if (inputs_of(demand, mean) != governing) continue;
-    periods.push_back({"building period", fmt::format("{:.3g} s", mean.period_s),
-                       factor * mean.range.highest, false});
+    periods.push_back(
+        {"building period", fmt::format("{:.3g} s", mean.period_s),
+         factor * (demand.records.size() < least_records ? mean.largest : mean.range.highest),
+         false});
     largest = std::max(largest, periods.back().clearance_m);
   }
   for (Sensitivity& row : periods) row.is_governing = row.clearance_m == largest;
@@ -122,47 +128,34 @@ std::vector<Sensitivity> sensitivity_of(const Project& project, const Results& d
   return rows;
 }
 
-/// Where resampling records gives none: the bound of a binomial with one trial for each record.
-Interval bounded(const Interval& interval, double probability, std::size_t records) {
-  if (!std::isnan(interval.low) && !std::isnan(interval.high)) return interval;
-  const double tail = std::pow(0.05, 1.0 / static_cast<double>(records));
-  return probability > 0.5 ? Interval{tail, 1.0} : Interval{0.0, 1.0 - tail};
-}
-
-std::vector<std::string> warnings_on(const Project& project, const Results& demand,
-                                     const DesignClearance& design) {
-  std::vector<std::string> warnings = demand.warnings;
-  const ProjectFriction& mu = project.friction;
-  if (mu.lower_bound && mu.design() > *mu.lower_bound)
-    warnings.push_back(
-        fmt::format("the tests are few: with 95 % confidence their number supports a friction of "
-                    "{:.3f}, not the design value {:.3f}; test more, or state that value",
-                    *mu.lower_bound, mu.design()));
-  const double shortest_s = design.demand.front().period_s,
-               longest_s = design.demand.back().period_s;
-  if (design.period_s == shortest_s || design.period_s == longest_s)
-    warnings.push_back(
-        fmt::format("the displacement is largest at an end of the range of periods, {:.3g} s: "
-                    "outside the range it may be larger",
-                    design.period_s));
-  for (const PrescribedValue& value : design.prescribed) {
-    if (value.standard != project.standard || value.may_be_used()) continue;
-    for (const CodeCondition& c : value.conditions) {
-      if (!c.is_met.value_or(false))
-        warnings.push_back(fmt::format(
-            "a condition of the standard is {}: {}{}", c.is_met ? "not met" : "not stated", c.text,
-            c.provenance == Provenance::recalled ? " (recalled: verify against the standard)"
-                                                 : ""));
-    }
-  }
-  for (const ProjectSeparation& s : design.separations) {
-    if (s.available_m && *s.available_m < s.required.value_m)
-      warnings.push_back("the clearance at hand is not sufficient " + s.required.what);
-  }
-  return warnings;
+/// At least as wide as a binomial's where none, or all, of as many trials as there are records
+/// exceed (Clopper & Pearson 1934).
+Interval widened(const Interval& interval, double probability, std::size_t records) {
+  const double none = std::pow(0.025, 1.0 / static_cast<double>(records));
+  Interval wide = interval;
+  if (std::isnan(interval.low) || std::isnan(interval.high)) wide = {probability, probability};
+  if (probability <= 0.5) wide.high = std::max(wide.high, 1.0 - none);
+  if (probability >= 0.5) wide.low = std::min(wide.low, none);
+  return wide;
 }
 
 }  // namespace
+
+bool is_within_standard(const Project& project, const DesignClearance& design) {
+  const auto value =
+      std::ranges::find(design.prescribed, project.standard, &PrescribedValue::standard);
+  return value != design.prescribed.end() && value->may_be_used();
+}
+
+const ExceedanceAt& largest_exceedance(const DesignClearance& design, const std::string& level) {
+  const ExceedanceAt* largest = nullptr;
+  for (const ExceedanceAt& e : design.exceedance) {
+    if (e.level == level && (largest == nullptr || e.probability > largest->probability))
+      largest = &e;
+  }
+  GLISSADE_EXPECTS(largest != nullptr);
+  return *largest;
+}
 
 double rounded_up(double value, double step) {
   GLISSADE_EXPECTS(step > 0.0);
@@ -171,19 +164,24 @@ double rounded_up(double value, double step) {
 
 DesignClearance design_clearance(const Project& project, const Results& demand) {
   GLISSADE_EXPECTS(demand.clearance && demand.conditions && demand.suites.size() == 1);
-  const RequiredClearance& governing = governing_condition(demand, design_inputs(project, demand));
+  const RequiredClearance& governing = governing_condition(project, demand);
   const Inputs inputs = inputs_of(demand, governing.largest);
 
   DesignClearance design{.site = site_values(project.site)};
   design.slope_deg = inputs.slope_deg;
   design.mass_ratio = inputs.mass_ratio;
+  design.vertical = inputs.vertical;
   design.factor = demand.clearance->factor;
-  design.analysis_m = governing.highest_m;
+  design.of_largest = demand.records.size() < least_records;
+  design.analysis_m = required_m(demand, governing);
   design.median_analysis_m = governing.median_m;
   for (const SuiteMean& mean : demand.clearance->by_period) {
     if (inputs_of(demand, mean) == inputs) design.demand.push_back(demand_at(demand, mean));
   }
-  design.period_s = std::ranges::max_element(design.demand, {}, &PeriodDemand::mean_m)->period_s;
+  design.period_s =
+      std::ranges::max_element(design.demand, {},
+                               design.of_largest ? &PeriodDemand::largest_m : &PeriodDemand::mean_m)
+          ->period_s;
 
   design.prescribed = prescribed_values(project, design.site);
   for (const PrescribedValue& value : design.prescribed) {
@@ -199,23 +197,29 @@ DesignClearance design_clearance(const Project& project, const Results& demand) 
     design.separations.push_back({separations[i], project.available_m[i]});
   }
   design.sensitivity = sensitivity_of(project, demand, inputs, design.factor);
+  design.checks = checks_of(project, demand, design);
   design.warnings = warnings_on(project, demand, design);
   return design;
 }
 
 void add_exceedance(const Results& probability, DesignClearance& design) {
-  const RunResults& run = probability.runs.front();
-  const auto threshold =
-      std::ranges::find(run.fragilities, design.governing_m, &ThresholdFragility::threshold_m);
-  GLISSADE_EXPECTS(threshold != run.fragilities.end());
   for (const auto& [name, share] : {std::pair{"DBE", 1.0}, std::pair{"MCE", 1.5}}) {
     const auto level = std::ranges::find(probability.levels, share * design.site.sds_g);
     GLISSADE_EXPECTS(level != probability.levels.end());
     const auto at = static_cast<std::size_t>(level - probability.levels.begin());
-    const double found = threshold->probability[at];
-    design.exceedance.push_back(
-        {name, *level, found,
-         bounded(threshold->probability_interval[at], found, probability.records.size())});
+    for (const RunResults& run : probability.runs) {
+      const auto threshold =
+          std::ranges::find(run.fragilities, design.governing_m, &ThresholdFragility::threshold_m);
+      GLISSADE_EXPECTS(threshold != run.fragilities.end());
+      const double found = threshold->probability[at];
+      design.exceedance.push_back(
+          {name, *level, probability.cases.cases[run.first_case].period_s, found,
+           widened(threshold->probability_interval[at], found, probability.records.size())});
+    }
+  }
+  for (const std::string& warning : probability.warnings) {
+    if (std::ranges::find(design.warnings, warning) == design.warnings.end())
+      design.warnings.push_back(warning);
   }
 }
 

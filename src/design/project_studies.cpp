@@ -62,9 +62,10 @@ std::string head_of(const Project& project, const fs::path& folder, const std::s
       "[study]\nname = {}\ndescription = {}\nseed = {}\nunits = \"{}\"\n\n"
       "[suite]\nfile = {}\n\n"
       "[intensity]\nmeasure = \"sds_g\"\nlevels = [{}]\ntarget = {}\n\n",
-      project.file.filename().string(), quoted(name), quoted(project.title.name + ": " + what),
-      project.seed, project.units == UnitSystem::us_customary ? "us" : "si",
-      path_from(project.suite, folder), fmt::join(levels, ", "),
+      quoted(project.file.filename().string()), quoted(name),
+      quoted(project.title.name + ": " + what), project.seed,
+      project.units == UnitSystem::us_customary ? "us" : "si", path_from(project.suite, folder),
+      fmt::join(levels, ", "),
       target_table(project.site.target, project.file.parent_path(), folder, project.spectrum_file));
 }
 
@@ -99,8 +100,7 @@ std::string probability_study(const Project& project, const fs::path& folder,
   GLISSADE_EXPECTS(!thresholds_m.empty());
   const double sds_g = site_values(project.site).sds_g;
   std::vector<double> levels;
-  for (const double share : {0.25, 0.5, 0.75, 1.0, 1.25, 1.5, 2.0, 2.5})
-    levels.push_back(share * sds_g);
+  for (const double share : {0.5, 0.75, 1.0, 1.25, 1.5, 2.0}) levels.push_back(share * sds_g);
   const ProjectFriction& mu = project.friction;
   const std::string friction = mu.std > 0.0
                                    ? fmt::format("{{ mean = {}, std = {} }}", mu.mean, mu.std)
@@ -113,7 +113,7 @@ std::string probability_study(const Project& project, const fs::path& folder,
              "[orientation]\nchoice = \"random\"\n\n"
              "[sampling]\nsamples = {}\n\n"
              "[fragility]\nthresholds_m = [{}]\n",
-             between(project.building.period_s), between(project.building.mass_ratio),
+             list_of(project.building.period_s), between(project.building.mass_ratio),
              project.building.damping, between(project.slope_deg), friction,
              mu.std > 0.0 ? "value = \"sampled\"\n" : "", project.samples,
              fmt::join(thresholds_m, ", "));

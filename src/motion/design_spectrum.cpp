@@ -68,7 +68,8 @@ double site_coefficient(const SiteTable& table, SiteClass site, double value_g) 
     throw InputError({"", fmt::format("{} = {} is not a positive number", table.parameter, value_g),
                       "give the mapped acceleration in g", ""});
   }
-  const Row& row = table.rows[static_cast<std::size_t>(site)];
+  const SiteClass row_class = site == SiteClass::unknown ? SiteClass::d : site;
+  const Row& row = table.rows[static_cast<std::size_t>(row_class)];
   const Row& columns = table.columns;
   const std::size_t last = row.size() - 1;
   if (row.size() < columns.size() && value_g > columns[last]) {
@@ -97,13 +98,17 @@ Enum parse(const std::string& text, const std::array<const char*, n>& names, con
   throw InputError({"", fmt::format("\"{}\" is not {}", text, what), "give one of " + choices, ""});
 }
 
-constexpr std::array<const char*, 5> site_class_names = {"A", "B", "C", "D", "E"};
+constexpr std::array<const char*, 6> site_class_names = {"A", "B", "C", "D", "E", "default"};
 constexpr std::array<const char*, 2> edition_names = {"asce7_10", "asce7_16"};
 
 }  // namespace
 
 double site_coefficient_fa(AsceEdition edition, SiteClass site, double ss_g) {
-  return site_coefficient(fa_table(edition), site, ss_g);
+  const double fa = site_coefficient(fa_table(edition), site, ss_g);
+  constexpr double least_unknown = 1.2;
+  return site == SiteClass::unknown && edition == AsceEdition::asce7_16
+             ? std::max(fa, least_unknown)
+             : fa;
 }
 
 double site_coefficient_fv(AsceEdition edition, SiteClass site, double s1_g) {
@@ -116,11 +121,6 @@ double DesignSpectrum::sa_g(double period_s) const {
   if (period_s <= ts_s()) return sds_g;
   if (period_s <= tl_s) return sd1_g / period_s;
   return sd1_g * tl_s / (period_s * period_s);
-}
-
-std::vector<SiteClass> default_site_classes(AsceEdition edition) {
-  if (edition == AsceEdition::asce7_10) return {SiteClass::d};
-  return {SiteClass::c, SiteClass::d};
 }
 
 TargetSpectrum::TargetSpectrum(const DesignTarget& target)

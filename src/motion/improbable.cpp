@@ -32,7 +32,8 @@ constexpr RecordedRange horizontal_pga{"PGA", "g", 0.001, 3.0,
 bool needs_hazard_analysis(const DesignTarget& target, SiteClass site) {
   if (target.edition != AsceEdition::asce7_16) return false;
   const bool is_e = site == SiteClass::e;
-  return (is_e && target.ss_g >= 1.0) || ((is_e || site == SiteClass::d) && target.s1_g >= 0.2);
+  const bool is_d = site == SiteClass::d || site == SiteClass::unknown;
+  return (is_e && target.ss_g >= 1.0) || ((is_e || is_d) && target.s1_g >= 0.2);
 }
 
 }  // namespace

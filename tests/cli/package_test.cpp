@@ -51,7 +51,7 @@ TEST_F(Package, has_the_site_values_of_the_published_calculation) {
 }
 
 // From the histories of the demand study: the mean of the records in each orientation, the largest
-// over orientations, periods and mass ratios, at the design friction, with vertical motion, at DBE.
+// over orientations, periods, mass ratios, with and without vertical, at design friction and DBE.
 TEST_F(Package, analysis_is_1_1_times_the_largest_mean_of_the_histories) {
   std::map<std::string, std::size_t> column;
   std::map<std::string, std::pair<double, int>> sums;  // by everything but the record
@@ -69,11 +69,9 @@ TEST_F(Package, analysis_is_1_1_times_the_largest_mean_of_the_histories) {
       continue;
     }
     const auto cell = [&](const char* name) { return cells.at(column.at(name)); };
-    if (cell("vertical") == "no vertical" || std::stod(cell("level_g")) > 1.1 ||
-        cell("condition") != "friction.mu = 0.474328")
-      continue;
+    if (std::stod(cell("level_g")) > 1.1 || cell("condition") != "friction.mu = 0.474328") continue;
     auto& [sum_m, records] =
-        sums[cell("orientation") + cell("mass_ratio") + "|" + cell("period_s")];
+        sums[cell("orientation") + cell("vertical") + cell("mass_ratio") + "|" + cell("period_s")];
     sum_m += std::stod(cell("displacement_m"));
     ++records;
   }
@@ -84,6 +82,19 @@ TEST_F(Package, analysis_is_1_1_times_the_largest_mean_of_the_histories) {
   }
   EXPECT_GT(largest_m, 0.0);
   EXPECT_NEAR(numbers().at("analysis_m"), 1.1 * largest_m, 1e-12);
+}
+
+// One trial a record and none exceeding: 1 - 0.025^(1/7), Clopper & Pearson.
+TEST_F(Package, an_interval_is_never_narrower_than_that_of_the_records) {
+  double last_period_s = 0.0;
+  for (const auto& e : numbers().at("exceedance")) {
+    EXPECT_GE(e.at("high95"), 1.0 - std::pow(0.025, 1.0 / 7.0));
+    EXPECT_LE(e.at("low95"), e.at("probability"));
+    if (e.at("level") != "DBE") continue;
+    EXPECT_GT(e.at("period_s"), last_period_s);
+    last_period_s = e.at("period_s");
+  }
+  EXPECT_EQ(numbers().at("exceedance").size(), 10u);  // two levels, five periods
 }
 
 TEST_F(Package, separations_are_parts_of_the_governing_displacement_rounded_up) {
@@ -126,6 +137,20 @@ TEST_F(Package, is_not_written_over_unless_required) {
   expect_refused(run_program({"clearance", project_file, "--out", out().string()}),
                  {"--overwrite"});
   EXPECT_EQ(read_file(out() / "package.json"), before);
+}
+
+TEST(ClearanceCommand, of_a_project_that_cannot_run_leaves_nothing) {
+  const ScratchFolder folder;
+  std::string text = read_file(project_file);
+  for (const auto& [from, to] :
+       {std::pair<std::string, std::string>{"data/pull_tests.csv",
+                                            GLISSADE_SOURCE_DIR "/studies/data/pull_tests.csv"},
+        {"../suites/synthetic_level2.toml", "nowhere.toml"}})
+    text.replace(text.find(from), from.size(), to);
+  const fs::path out = folder.path("out");
+  expect_refused(run_program({"clearance", folder.write("p.toml", text), "--out", out.string()}),
+                 {"nowhere.toml"});
+  EXPECT_FALSE(fs::exists(out));
 }
 
 TEST(ClearanceCommand, prints_an_example_and_needs_a_project) {

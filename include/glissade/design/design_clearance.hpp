@@ -28,7 +28,7 @@ struct PeriodDemand {
   double period_s = 0.0;
   std::string orientation;
   double mean_m = 0.0, p84_m = 0.0, p95_m = 0.0;  ///< percentiles by Hyndman & Fan (1996) type 7
-  double largest_m = 0.0;                         ///< of the records in any orientation
+  double largest_m = 0.0;                         ///< of the records, in any orientation
   double median_orientation_m = 0.0;              ///< the mean in the median orientation
 };
 
@@ -60,20 +60,30 @@ struct Sensitivity {
   bool is_governing = false;  ///< the input of the governing case
 };
 
-/// Probability that the displacement exceeds the governing one, and its 95 % interval.
+/// Probability that the displacement exceeds the governing one, at one building period.
 struct ExceedanceAt {
   std::string level;  ///< "DBE"
-  double sds_g = 0.0;
+  double sds_g = 0.0, period_s = 0.0;
   double probability = 0.0;
-  Interval interval;  ///< where no or every history exceeds: a bound, with one trial a record
+  /// 95 %, from resampling records, and never narrower than that of a binomial without (or with
+  /// nothing but) exceedances in as many trials as there are records.
+  Interval interval;
+};
+
+/// A check of the calculation. Not decided: nothing.
+struct DesignCheck {
+  std::string what, found, criterion;
+  std::optional<bool> is_met;
 };
 
 struct DesignClearance {
   SiteValues site;
   double slope_deg = 0.0, mass_ratio = 0.0, period_s = 0.0;  ///< of the governing case
+  VerticalChoice vertical = VerticalChoice::if_available;    ///< likewise
   std::vector<PeriodDemand> demand;                          ///< by period
   double factor = 1.1;
-  double analysis_m = 0.0;         ///< factor x the largest mean over orientations and periods
+  bool of_largest = false;  ///< fewer than 7 records: the largest counts in place of the mean
+  double analysis_m = 0.0;  ///< factor x the largest mean over orientations and periods
   double median_analysis_m = 0.0;  ///< with the median of the orientations in place of the largest
   std::vector<PrescribedValue> prescribed;
   double floor_m = 0.0;  ///< least value of an analysis by the standard of the project; 0: none
@@ -82,14 +92,24 @@ struct DesignClearance {
   double rounded_m = 0.0;  ///< governing_m, rounded up
   std::vector<ProjectSeparation> separations;
   std::vector<Sensitivity> sensitivity;
-  std::vector<ExceedanceAt> exceedance;  ///< empty until the probability study has run
+  std::vector<DesignCheck> checks;
+  /// By level, those of a level by period; empty until the probability study has run.
+  std::vector<ExceedanceAt> exceedance;
   /// What is possible and not probable, or to be decided by the engineer: shown before the result.
   std::vector<std::string> warnings;
 };
 
 /// `demand`: the results of demand_study(). The rule after Walters et al. (2012), with the largest
-/// of the orientations in place of their median.
+/// of the orientations in place of their median; with or without vertical motion, whichever is
+/// larger. With fewer than 7 records the largest record counts in place of the mean (SEAOC
+/// PV1-2012, recalled).
 DesignClearance design_clearance(const Project& project, const Results& demand);
+
+/// That of the period with the largest probability.
+const ExceedanceAt& largest_exceedance(const DesignClearance& design, const std::string& level);
+
+/// Whether every condition of the project's standard is met.
+bool is_within_standard(const Project& project, const DesignClearance& design);
 
 /// Adds what the results of probability_study() give.
 void add_exceedance(const Results& probability, DesignClearance& design);

@@ -73,8 +73,8 @@ struct Project {
 /// all orientations. A study file, whose paths are relative to `folder`.
 std::string demand_study(const Project& project, const std::filesystem::path& folder);
 
-/// The study of the probability that the displacement exceeds each threshold: friction, period,
-/// mass ratio and slope drawn.
+/// The study of the probability that the displacement exceeds each threshold, at each building
+/// period: friction, mass ratio, slope and orientation drawn.
 std::string probability_study(const Project& project, const std::filesystem::path& folder,
                               const std::vector<double>& thresholds_m);
 

@@ -8,7 +8,9 @@
 namespace glissade {
 
 enum class AsceEdition { asce7_10, asce7_16 };
-enum class SiteClass { a, b, c, d, e };
+/// `unknown`: the default class, D with F_a of at least 1.2 (ASCE 7-16, 11.4.3 and 11.4.4,
+/// recalled; F_a and F_v of a published calculation); D in ASCE 7-10.
+enum class SiteClass { a, b, c, d, e, unknown };
 
 /// ASCE 7-10 / 7-16 site coefficients F_a (short period) and F_v (1 s), tables 11.4-1 and 11.4-2:
 /// linear between the tabulated ss_g or s1_g, clamped at the ends. ASCE 7-16 class E beyond its
@@ -44,10 +46,6 @@ struct DesignTarget {
 
   bool is_mapped() const { return sds_g == 0.0 && period_s.empty(); }
 };
-/// The classes of an unknown site: C and D (ASCE 7-16, 11.4.3 and 11.4.4, whose F_a of at least 1.2
-/// is that of C), D (ASCE 7-10).
-std::vector<SiteClass> default_site_classes(AsceEdition edition);
-
 /// The envelope over the site classes of the target. Multiply by 1.5 for MCE_R.
 class TargetSpectrum {
  public:
@@ -66,7 +64,8 @@ class TargetSpectrum {
   std::vector<double> period_s_, design_sa_g_;
 };
 
-SiteClass parse_site_class(const std::string& text);  ///< "A" ... "E"; InputError otherwise
+/// "A" ... "E", "default"; InputError otherwise.
+SiteClass parse_site_class(const std::string& text);
 std::string to_string(SiteClass site);
 AsceEdition parse_asce_edition(const std::string& text);  ///< "asce7_10", "asce7_16"
 std::string to_string(AsceEdition edition);

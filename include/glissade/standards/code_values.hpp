@@ -32,7 +32,7 @@ struct StructuralSystem {
 inline constexpr std::array<StructuralSystem, 4> structural_systems{
     {{"steel_moment_frame", "steel moment-resisting frame", 0.028, 0.8, Provenance::recalled},
      {"concrete_moment_frame", "concrete moment-resisting frame", 0.016, 0.9, Provenance::recalled},
-     {"steel_braced_frame", "eccentrically or buckling-restrained braced steel frame", 0.03, 0.75,
+     {"eccentrically_braced_frame", "eccentrically or buckling-restrained braced steel frame", 0.03, 0.75,
       Provenance::recalled},
      {"other", "all other structural systems", 0.02, 0.75, Provenance::checked}}};
 

@@ -57,7 +57,8 @@ void require_keys(const TomlTable& root) {
     if (table.has(one) && !table.has(other)) require(name, other);
   };
   together("building", "system", "height_m"), together("building", "height_m", "system");
-  together("friction", "mean", "std"), together("friction", "mean", "source");
+  if (!root.table("friction").has("file"))
+    together("friction", "mean", "std"), together("friction", "mean", "source");
   together("site", "sds_g", "sd1_g"), together("site", "sd1_g", "sds_g");
 }
 
@@ -243,7 +244,9 @@ ProjectFriction read_project_friction(const TomlTable& table, const fs::path& fo
   if (!table.has("mean")) return friction;
   friction.mean = table.number("mean", friction_rule).value_or(friction.mean);
   friction.std = table.number("std", not_negative).value_or(friction.std);
-  friction.source = table.text("source").value_or("");
+  friction.source = table.text("source").value_or("-");
+  if (friction.source.empty())
+    table.report("source", "friction.source is empty", example("friction", "source"));
   return friction;
 }
 

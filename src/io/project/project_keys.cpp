@@ -35,7 +35,8 @@ constexpr std::array keys{
                "a period, or several that bound it; or system and height_m"},
     ProjectKey{
         "building", "system", "\"other\"", alternative,
-        "steel_moment_frame, concrete_moment_frame, steel_braced_frame or other: T_a = C_t h^x"},
+        "steel_moment_frame, concrete_moment_frame, eccentrically_braced_frame or other (also "
+        "concentrically braced): T_a = C_t h^x"},
     ProjectKey{"building", "height_m", "40", alternative, "height of the building, m"},
     ProjectKey{"building", "period_bounds", "[0.75, 1.5]", alternative,
                "times T_a, the usual bounds"},

@@ -11,13 +11,12 @@ void read_site_classes(const TomlTable& table, DesignTarget& target) {
                                         {"B", SiteClass::b},
                                         {"C", SiteClass::c},
                                         {"D", SiteClass::d},
-                                        {"E", SiteClass::e}};
+                                        {"E", SiteClass::e},
+                                        {"default", SiteClass::unknown}};
   if (table.has("site_class") && table.has("site_classes")) {
     table.report("site_class", "both site_class and site_classes are given", "give one of them");
   }
-  if (table.text("site_class") == "default") {
-    target.site_classes = default_site_classes(target.edition);
-  } else if (const auto one = table.choice<SiteClass>("site_class", classes)) {
+  if (const auto one = table.choice<SiteClass>("site_class", classes)) {
     target.site_classes = {*one};
   }
   if (const auto many = table.choices<SiteClass>("site_classes", classes)) {

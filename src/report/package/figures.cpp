@@ -22,10 +22,11 @@ Figure demand_figure(const CalculationPackage& package) {
   };
   Panel panel{"", {"Building period (s)"}, {}};
   double top_m = design.governing_m;
-  for (const Line& line : {Line{&PeriodDemand::largest_m, Role::largest, "largest record"},
-                           Line{&PeriodDemand::p95_m, Role::p95, "95th percentile"},
-                           Line{&PeriodDemand::p84_m, Role::p84, "84th percentile"},
-                           Line{&PeriodDemand::mean_m, Role::median, "mean"}}) {
+  for (const Line& line :
+       {Line{&PeriodDemand::largest_m, Role::largest, "largest record, any orientation"},
+        Line{&PeriodDemand::p95_m, Role::p95, "95th percentile"},
+        Line{&PeriodDemand::p84_m, Role::p84, "84th percentile"},
+        Line{&PeriodDemand::mean_m, Role::median, "mean"}}) {
     DataSeries series{DataSeries::Kind::line_and_points, look(line.role), line.label, line.label};
     for (const PeriodDemand& d : design.demand) {
       series.x.push_back(d.period_s);
@@ -48,7 +49,8 @@ Figure demand_figure(const CalculationPackage& package) {
           fmt::format("S_DS = {:.3f} g; friction {:.3g}; slope {:.3g} degrees; {} records",
                       design.site.sds_g, package.project.friction.design(), design.slope_deg,
                       package.demand.records.size()),
-          "All records have the orientation that is least favourable at the period.",
+          "Mean and percentiles: all records have the orientation that is least favourable at the "
+          "period.",
           {panel}};
 }
 
@@ -57,7 +59,15 @@ Figure demand_figure(const CalculationPackage& package) {
 std::vector<Figure> package_figures(const CalculationPackage& package) {
   std::vector<Figure> figures{spectra_figure(package.demand)};
   if (package.design.demand.size() > 1) figures.push_back(demand_figure(package));
-  figures.push_back(fragility_figure(package.probability, package.probability.runs.front()));
+  const double period_s = largest_exceedance(package.design, "MCE").period_s;
+  const auto run = std::ranges::find_if(package.probability.runs, [&](const RunResults& r) {
+    return package.probability.cases.cases[r.first_case].period_s == period_s;
+  });
+  figures.push_back(fragility_figure(package.probability, *run));
+  figures.back().name = "exceedance";
+  figures.back().title = fmt::format(
+      "Probability that the governing displacement is exceeded, building period {:.3g} s",
+      period_s);
   return figures;
 }
 

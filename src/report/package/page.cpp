@@ -30,7 +30,7 @@ caption { font-weight: bold; color: #222; }
 @media print {
   body { font-size: 10pt; } table { font-size: 9pt; } thead { display: table-header-group; break-after: avoid; } table, .wide { break-inside: avoid; } .files table, .files .wide { break-inside: auto; }
   caption { break-after: avoid; } h2 { margin-top: 1.2em; } .contents a::after { content: " " leader(".") " " target-counter(attr(href), page); }
-  figure { max-width: 100%; margin: .5em 0; } table { width: 100%; } .files table { font-size: 9pt; } .files td { overflow-wrap: anywhere; min-width: 0; }
+  figure { max-width: 100%; margin: .5em 0; } table { width: 100%; } .files table { font-size: 9pt; } th, td, td:not(.number) { overflow-wrap: anywhere; min-width: 0; }
 }
 )";
 
@@ -84,17 +84,25 @@ Html result_html(const CalculationPackage& package) {
                   length_in_both(units, design.rounded_m)),
       fmt::format("It is given by {}.", governed_by(package)),
       fmt::format(
-          "Analysis: {:g} x the largest mean displacement over {} building periods and all "
+          "Analysis: {:g} x the largest {} displacement over {} building periods and all "
           "orientations of the records at DBE = {} (period {:.3g} s). With the median of the "
           "orientations in place of the largest it would be {}.",
-          design.factor, design.demand.size(), length_in_both(units, design.analysis_m),
-          design.period_s, length_in_both(units, design.median_analysis_m))};
-  for (const ExceedanceAt& e : design.exceedance)
+          design.factor, design.of_largest ? "single" : "mean", design.demand.size(),
+          length_in_both(units, design.analysis_m), design.period_s,
+          length_in_both(units, design.median_analysis_m))};
+  if (!is_within_standard(package.project, design))
+    answers.push_back(
+        "The project is outside the conditions of its standard, or does not state them all "
+        "(section "
+        "6): an unanchored array then needs the approval of the authority.");
+  for (const char* level : {"DBE", "MCE"}) {
+    const ExceedanceAt& e = largest_exceedance(design, level);
     answers.push_back(fmt::format(
         "Probability that the governing displacement is exceeded, given {} shaking: {} (95 % "
-        "interval {} to {}).",
-        e.level, format_share(e.probability), format_share(e.interval.low),
-        format_share(e.interval.high)));
+        "interval {} to {}), at the building period with the largest, {:.3g} s.",
+        level, format_share(e.probability), format_share(e.interval.low),
+        format_share(e.interval.high), e.period_s));
+  }
   return section_heading(0) + "<div class=\"answer\">\n" + list(answers) + "</div>\n" +
          wide_table(separations_table(package));
 }
@@ -103,7 +111,8 @@ Html motions_html(const CalculationPackage& package, const std::vector<DrawnFigu
   const SpectralRatios& ratios = package.demand.suites.front().spectra.to_target;
   return section_heading(2) + wide_table(site_table(package)) +
          paragraph(fmt::format(
-             "Suite: {}. {} The suite is multiplied by one factor for all records, so that its "
+             "Suite: {}: {}. The suite, with its own scales, is multiplied by one factor, so that "
+             "its "
              "average SRSS spectrum is nowhere below the design spectrum from 0 to 2 s (Walters et "
              "al. 2012). After that it is {:.3f} times (at {:.3g} s) to {:.3f} times (at {:.3g} s) "
              "the design spectrum. MCE is 1.5 times DBE.",
@@ -124,23 +133,29 @@ Html model_html() {
          "<figure>\n" + Html::drawing(free_body_svg, "Free bodies of array and roof") +
          "<figcaption>Free bodies of the array and of the roof.</figcaption>\n</figure>\n" +
          paragraph(
-             "Array, along and across the slope (s: displacement relative to the roof; r: "
-             "displacement of the roof; N: normal force; f: friction):") +
+             "Array (m: mass; s, y: displacement along and across the slope, s positive down; N: "
+             "normal force; F: friction; a: acceleration of the roof; w: vertical acceleration of "
+             "the ground; \u03b8: slope):") +
+         equation("N/m = (g + w) cos\u03b8 + a sin\u03b8 \u2265 0") +
          equation(
-             "m (s'' + r'') = f + weight along the slope,   N = m [(g + v'') cos(slope) + r'' "
-             "sin(slope)] \u2265 0") +
-         paragraph("Friction while sliding, and while the array does not slide:") +
-         equation("f = - \u03bc N s' / |s'|,   |f| \u2264 \u03bc N") +
+             "s'' = (g + w) sin\u03b8 \u2212 a cos\u03b8 \u2212 F_s/m,   y'' = \u2212 a_y \u2212 "
+             "F_y/m") +
          paragraph(
-             "Building with the ground motion u (M: mass, \u03c9: circular frequency, \u03b6: "
-             "damping ratio):") +
+             "Friction while sliding with the velocity v = (s', y'), and while the array does not "
+             "slide:") +
+         equation("F = \u03bc N v/|v|,   |F| \u2264 \u03bc N") +
+         paragraph(
+             "Building with the ground acceleration a_g, along each of its axes (M: mass; u: "
+             "displacement of the roof relative to the ground; \u03c9: circular frequency; "
+             "\u03b6: damping ratio), here along the slope:") +
          equation(
-             "M (q'' + 2 \u03b6 \u03c9 q' + \u03c9\u00b2 q) = - M u'' - f in plan,   r = u + q") +
+             "M (u'' + 2\u03b6\u03c9 u' + \u03c9\u00b2 u) = \u2212 M a_g \u2212 (N sin\u03b8 "
+             "\u2212 F_s cos\u03b8),   a = u'' + a_g") +
          paragraph(
-             "Sliding begins where |f| would exceed \u03bc N and ends where s' = 0. The "
-             "displacement of a history is the SRSS of the largest displacements along both "
-             "axes (Walters et al. 2012), in plan. Between samples the ground acceleration is "
-             "linear. Equations and sources: src/theory.md of the program.") +
+             "Sliding begins where |F| would exceed \u03bcN and ends where v = 0. The displacement "
+             "of a history is the SRSS of the largest displacements along both axes (Walters et "
+             "al. 2012), in plan. Between samples the ground acceleration is linear. Equations "
+             "and sources: src/theory.md of the program.") +
          list({"Walters, M., Berkowitz, R., Lau, D., Lee, W., Baker, J. (2012). Seismic "
                "considerations and evaluation approach for \"isolated\" rooftop PV arrays. SEAOC "
                "Convention Proceedings.",

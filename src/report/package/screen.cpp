@@ -49,9 +49,9 @@ std::string demand_lines(const CalculationPackage& package) {
 std::string governing_lines(const CalculationPackage& package) {
   const UnitSystem units = package.project.units;
   const DesignClearance& design = package.design;
-  std::string text =
-      "\n" + line("Analysis", fmt::format("{:g} x the largest mean: {}", design.factor,
-                                          length_in_both(units, design.analysis_m)));
+  std::string text = "\n" + line("Analysis", fmt::format("{:g} x the largest {}: {}", design.factor,
+                                                         design.of_largest ? "record" : "mean",
+                                                         length_in_both(units, design.analysis_m)));
   for (const PrescribedValue& value : design.prescribed) {
     text += fmt::format("{:<15}prescribes {}; conditions {}\n", standard_name(value.standard),
                         length_in_both(units, value.prescribed.value_m),
@@ -76,9 +76,11 @@ std::string separation_lines(const CalculationPackage& package) {
                         length_in(units, s.required.value_m), s.required.what, verdict);
   }
   text += "\nProbability that the governing displacement is exceeded\n";
-  for (const ExceedanceAt& e : package.design.exceedance) {
-    text += fmt::format("  {}  {} (95 % interval {} to {})\n", e.level, format_share(e.probability),
-                        format_share(e.interval.low), format_share(e.interval.high));
+  for (const char* level : {"DBE", "MCE"}) {
+    const ExceedanceAt& e = largest_exceedance(package.design, level);
+    text += fmt::format("  {}  {} (95 % interval {} to {}), period {:.3g} s\n", level,
+                        format_share(e.probability), format_share(e.interval.low),
+                        format_share(e.interval.high), e.period_s);
   }
   return text;
 }

@@ -39,7 +39,7 @@ std::string target_text(const Project& project) {
     classes += (classes.empty() ? "" : ", ") + to_string(site);
   return fmt::format("{}, S_S {:.3f} g, S_1 {:.3f} g, site class {}{}",
                      edition_text(target.edition), target.ss_g, target.s1_g, classes,
-                     target.site_classes.size() > 1 ? " (the larger)" : "");
+                     target.site_classes.size() > 1 ? " (the largest)" : "");
 }
 
 /// The displacement of a record in the governing case, its largest over the orientations.
@@ -51,7 +51,7 @@ double displacement_of(const CalculationPackage& package, std::size_t record) {
     const bool governs =
         c.friction == package.project.friction.design() &&
         c.slope_deg == package.design.slope_deg && c.mass_ratio == package.design.mass_ratio &&
-        c.period_s == package.design.period_s && c.vertical == VerticalChoice::if_available;
+        c.period_s == package.design.period_s && c.vertical == package.design.vertical;
     if (!governs || table.grid.position(i)[ConditionAxis::level] != 0) continue;
     for (std::size_t o = 0; o < table.orientations.size(); ++o)
       largest = std::max(largest, table.at(record, o, i).displacement_m);
@@ -93,6 +93,7 @@ Table title_table(const Project& project) {
   table.add({std::string("Engineer"), or_blank(project.title.engineer)});
   table.add({std::string("Date"), or_blank(project.title.date)});
   table.add({std::string("Signature"), or_blank("")});
+  table.add({std::string("Checked by"), or_blank("")});
   return table;
 }
 
@@ -145,10 +146,18 @@ Table site_table(const CalculationPackage& package) {
     add("F_a", fmt::format("{:.3f}", site.fa), "ASCE 7, table 11.4-1");
     add("F_v", fmt::format("{:.3f}", site.fv), "ASCE 7, table 11.4-2");
   }
-  add("S_MS", fmt::format("{:.3f} g", site.sms_g()), "F_a S_S");
-  add("S_M1", fmt::format("{:.3f} g", site.sm1_g()), "F_v S_1");
-  add("S_DS", fmt::format("{:.3f} g", site.sds_g), "2/3 S_MS");
-  add("S_D1", fmt::format("{:.3f} g", site.sd1_g), "2/3 S_M1");
+  const DesignTarget& target = package.project.site.target;
+  const bool points = !target.period_s.empty();
+  add("S_MS", fmt::format("{:.3f} g", site.sms_g()), target.is_mapped() ? "F_a S_S" : "1.5 S_DS");
+  add("S_M1", fmt::format("{:.3f} g", site.sm1_g()), target.is_mapped() ? "F_v S_1" : "1.5 S_D1");
+  add("S_DS", fmt::format("{:.3f} g", site.sds_g),
+      points               ? "90 % of the largest of the spectrum, 0.2 to 5 s (21.4, recalled)"
+      : target.is_mapped() ? "2/3 S_MS"
+                           : "as given");
+  add("S_D1", fmt::format("{:.3f} g", site.sd1_g),
+      points               ? "largest of S_a T, 1 to 5 s (21.4, recalled)"
+      : target.is_mapped() ? "2/3 S_M1"
+                           : "as given");
   add("Seismic design category", to_string(site.category),
       "ASCE 7, tables 11.6-1 and 11.6-2 (recalled)");
   return table;
@@ -176,7 +185,8 @@ Table scaled_motions_table(const CalculationPackage& package) {
               {text_column("id", "Record"), text_column("pga", "PGA, g"),
                text_column("pgv", units == UnitSystem::us_customary ? "PGV, in/s" : "PGV, m/s"),
                text_column("step", "Step, s"), text_column("length", "Length, s"),
-               text_column("factor", "Factor"), text_column("displacement", "Displacement")},
+               text_column("suite_scale", "Scale of the suite"),
+               text_column("factor", "Factor to DBE"), text_column("displacement", "Displacement")},
               {}};
   for (std::size_t i = 0; i < package.demand.records.size(); ++i) {
     const RecordSummary& r = package.demand.records[i];
@@ -185,11 +195,13 @@ Table scaled_motions_table(const CalculationPackage& package) {
                                                  : fmt::format("{:.3f}", r.pgv_mps),
                fmt::format("{:g}", r.dt_s),
                fmt::format("{:.0f}", r.dt_s * static_cast<double>(r.samples - 1)),
+               fmt::format("{:.3g}", r.suite_scale),
                fmt::format("{:.3f}", r.factor_at_unit_level * package.design.site.sds_g),
                length_in(units, displacement_of(package, i))});
   }
   table.notes.push_back(
-      "PGA and PGV: geometric mean of both horizontal components, before the factor. The factor is "
+      "PGA and PGV: geometric mean of both horizontal components, as recorded. The factor to DBE "
+      "contains the scale of the suite and is "
       "on "
       "all components. Displacement: in the governing case at DBE, the largest of the "
       "orientations.");
@@ -208,22 +220,25 @@ Table files_table(const CalculationPackage& package) {
 
 Table demand_table(const CalculationPackage& package) {
   const UnitSystem units = package.project.units;
-  Table table{
-      "demand",
-      fmt::format("Displacement demand at DBE: friction {:.3g}, slope {:.3g} degrees, mass "
-                  "ratio {:g}, over {} records in the least favourable orientation",
-                  package.project.friction.design(), package.design.slope_deg,
-                  package.design.mass_ratio, package.demand.records.size()),
-      {text_column("period", "Period"), text_column("mean", "Mean"),
-       text_column("p84", "84th percentile"), text_column("p95", "95th percentile"),
-       text_column("largest", "Largest record"), text_column("median", "Mean, median orientation"),
-       text_column("orientation", "Least favourable orientation")},
-      {}};
+  Table table{"demand",
+              fmt::format("Displacement demand at DBE: friction {:.3g}, slope {:.3g} degrees, mass "
+                          "ratio {:g}, over {} records in the least favourable orientation",
+                          package.project.friction.design(), package.design.slope_deg,
+                          package.design.mass_ratio, package.demand.records.size()),
+              {text_column("period", "Period"), text_column("mean", "Mean"),
+               text_column("p84", "84th percentile"), text_column("p95", "95th percentile"),
+               text_column("largest", "Largest record, any orientation"),
+               text_column("median", "Mean, median orientation"),
+               text_column("orientation", "Least favourable orientation")},
+              {}};
   for (const PeriodDemand& d : package.design.demand) {
     table.add({fmt::format("{:.3g} s", d.period_s), length_in(units, d.mean_m),
                length_in(units, d.p84_m), length_in(units, d.p95_m), length_in(units, d.largest_m),
                length_in(units, d.median_orientation_m), d.orientation});
   }
+  table.notes.push_back(
+      "Over the records, all in the orientation of the last column. A percentile is below the mean "
+      "where few records slide far.");
   return table;
 }
 
@@ -299,47 +314,35 @@ Table exceedance_table(const CalculationPackage& package) {
               fmt::format("Probability that the displacement exceeds the governing one, {}",
                           length_in_both(package.project.units, package.design.governing_m)),
               {text_column("level", "Earthquake"), text_column("sds", "S_DS"),
-               text_column("probability", "Probability"), text_column("interval", "95 % interval")},
+               text_column("period", "Building period"), text_column("probability", "Probability"),
+               text_column("interval", "95 % interval")},
               {}};
   for (const ExceedanceAt& e : package.design.exceedance) {
     table.add(
-        {e.level, fmt::format("{:.3f} g", e.sds_g), format_share(e.probability),
+        {e.level, fmt::format("{:.3f} g", e.sds_g), fmt::format("{:.3g} s", e.period_s),
+         format_share(e.probability),
          fmt::format("{} to {}", format_share(e.interval.low), format_share(e.interval.high))});
   }
   table.notes.push_back(fmt::format(
-      "Friction, period, mass ratio and slope are drawn within the project's ranges: {} samples "
-      "for each of {} records. The interval is from resampling whole records.",
+      "Friction, mass ratio and slope are drawn within the project's ranges, and the orientation: "
+      "{} "
+      "samples for each of {} records. The interval is from resampling whole records; it is never "
+      "narrower than that of a binomial with one trial for each record.",
       package.probability.cases.samples, package.probability.records.size()));
   return table;
 }
 
 Table checks_table(const CalculationPackage& package) {
-  const Results& demand = package.demand;
-  const SpectralRatios& ratios = demand.suites.front().spectra.to_target;
-  const auto uplift = uplift_share(demand);
   Table table{"checks",
               "Checks of this calculation",
               {text_column("check", "Check"), text_column("found", "Found"),
-               text_column("criterion", "Criterion")},
+               text_column("criterion", "Criterion"), text_column("verdict", "Verdict")},
               {}};
-  table.add({std::string("Average SRSS spectrum of the suite over the design spectrum, 0 to 2 s"),
-             fmt::format("{:.3f} (at {:.3g} s) to {:.3f} (at {:.3g} s)", ratios.lowest.ratio,
-                         ratios.lowest.period_s, ratios.highest.ratio, ratios.highest.period_s),
-             std::string("nowhere below 1 (Walters et al. 2012)")});
-  table.add({std::string("Records"), fmt::format("{}", demand.records.size()),
-             std::string("7 or more for a mean (SEAOC PV1-2012, recalled)")});
-  table.add({std::string("Histories in which the array lifts off"), format_share(uplift),
-             std::string("0 %: uplift is outside the model")});
-  const bool converged = std::ranges::none_of(
-      package.design.demand, [](const PeriodDemand& d) { return !std::isfinite(d.largest_m); });
-  table.add({std::string("Histories without a finite displacement"),
-             std::string(converged ? "none" : "some"), std::string("none")});
-  table.add({std::string("Design friction against the lower bound of the tests"),
-             package.project.friction.lower_bound
-                 ? fmt::format("{:.3f} against {:.3f}", package.project.friction.design(),
-                               *package.project.friction.lower_bound)
-                 : std::string("no tests given"),
-             std::string("not above it; else more tests are advised")});
+  for (const DesignCheck& check : package.design.checks)
+    table.add({check.what, check.found, check.criterion,
+               std::string(!check.is_met   ? "-"
+                           : *check.is_met ? "met"
+                                           : "NOT MET")});
   return table;
 }
 

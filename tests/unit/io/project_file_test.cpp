@@ -59,7 +59,7 @@ TEST_F(ProjectFile, is_read) {
   EXPECT_THAT(project.slope_deg, ElementsAre(DoubleNear(1.1935, 1e-4)));
   EXPECT_NEAR(project.friction.design(), 0.42, 1e-12);
   EXPECT_EQ(project.importance, 1.25);  // of risk category III
-  EXPECT_EQ(project.site.target.site_classes.size(), 2u);
+  EXPECT_THAT(project.site.target.site_classes, ElementsAre(SiteClass::unknown));
   EXPECT_EQ(project.suite, folder_.path() / "suite.toml");
 }
 

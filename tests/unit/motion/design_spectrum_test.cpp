@@ -132,9 +132,16 @@ TEST(site_class_and_edition, read_what_they_write) {
   EXPECT_THROW(parse_asce_edition("7-16"), InputError);
 }
 
+TEST(site_coefficient_fa, of_an_unknown_site_is_at_least_1_2_in_asce_7_16) {
+  EXPECT_EQ(site_coefficient_fa(asce7_16, unknown, 2.0), 1.2);
+  EXPECT_EQ(site_coefficient_fa(asce7_16, unknown, 0.5), 1.4);
+  EXPECT_EQ(site_coefficient_fa(asce7_10, unknown, 2.0), 1.0);
+  EXPECT_EQ(site_coefficient_fv(asce7_16, unknown, 0.6), 1.7);
+}
+
 // A permit calculation of 2023: S_S 1.313 g, S_1 0.471 g, default site class.
 TEST(target_spectrum, of_the_default_site_class_is_that_of_a_published_calculation) {
-  const TargetSpectrum spectrum(target(asce7_16, 1.313, 0.471, default_site_classes(asce7_16)));
+  const TargetSpectrum spectrum(target(asce7_16, 1.313, 0.471, {unknown}));
   EXPECT_NEAR(1.5 * spectrum.sds_g(), 1.576, 5e-4);
   EXPECT_NEAR(1.5 * spectrum.sd1_g(), 0.861, 5e-4);
   EXPECT_NEAR(spectrum.sds_g(), 1.050, 5e-4);

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "glissade/design/design_clearance.hpp"
+
+namespace glissade {
+
+/// For a mean to count (SEAOC PV1-2012, recalled).
+inline constexpr std::size_t least_records = 7;
+
+std::vector<DesignCheck> checks_of(const Project& project, const Results& demand,
+                                   const DesignClearance& design);
+
+/// What makes the result smaller, is improbable, is not met or is not sufficient. Expects the
+/// checks and separations of `design`.
+std::vector<std::string> warnings_on(const Project& project, const Results& demand,
+                                     const DesignClearance& design);
+
+}  // namespace glissade
