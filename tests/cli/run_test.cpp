@@ -172,6 +172,20 @@ TEST_F(Run, report_makes_the_same_tables_again_elsewhere) {
   EXPECT_TRUE(read_file(out() / "results.h5") == results_before);
 }
 
+TEST_F(Run, check_is_a_dry_run_and_reports_cost_and_folder) {
+  const ScratchFolder folder;
+  const std::string study = folder.write("small.toml", small_study());
+  const Finished check = run_program({"check", study, "--results", folder.path("out").string()});
+  EXPECT_EQ(check.status, 0) << check.err;
+  EXPECT_EQ(run_program({"run", study, "--out", folder.path("out").string(), "--dry-run"}).out,
+            check.out);
+  for (const char* part : {"\nwork ", "\ntime ", "\nresults ", "out: free\n"})
+    EXPECT_THAT(check.out, HasSubstr(part));
+  EXPECT_EQ(folder.contents(), std::vector<std::string>{"small.toml"});
+  EXPECT_THAT(run_program({"check", study, "--results", out().string()}).out,
+              HasSubstr("NOT FREE"));
+}
+
 TEST_F(Run, dry_run_prints_the_plan_and_writes_nothing) {
   const ScratchFolder folder;
   const std::string study = folder.write("small.toml", small_study());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
+#include <cmath>
 #include <filesystem>
 
 #include "commands.hpp"
@@ -81,6 +82,21 @@ void write_all(const Plan& plan, const std::vector<UnitResult>& units, const fs:
   print_where(out);
 }
 
+/// What would run, what it would cost, and whether its folder is free.
+void print_check(const Plan& plan, const fs::path& out) {
+  fmt::print("{}", to_string(plan));
+  fmt::print("time        roughly {:.0f} s on one core\n", std::ceil(plan.predicted_seconds()));
+  fmt::print("results     about {:.1f} MB in results.h5, and in the memory of the first rank\n",
+             bytes_of(plan.config, plan.records.size(), plan.cases.size()) / 1e6);
+  std::string folder = out.string() + ": free";
+  try {
+    check_output_folder(out, false);
+  } catch (const InputError& error) {
+    folder = "NOT FREE: " + error.problems().front().what;
+  }
+  fmt::print("folder      {}\n", folder);
+}
+
 }  // namespace
 
 void run_study(const RunOptions& options, const Communicator& world) {
@@ -110,7 +126,7 @@ void run_study(const RunOptions& options, const Communicator& world) {
   check_same_plan(plan.hash, world);
   clock.end_phase("plan");
   if (options.dry_run) {
-    if (world.is_root()) fmt::print("{}", to_string(plan));
+    if (world.is_root()) print_check(plan, out);
     return;
   }
 
@@ -128,11 +144,20 @@ void add_run(CLI::App& program, const Communicator& world) {
   command->add_option("--out", options->out,
                       "results folder, new or empty [results/NAME OF THE STUDY FILE]");
   add_overwrite(*command, options->overwrite);
-  command->add_flag("--dry-run", options->dry_run, "print the plan and stop");
+  command->add_flag("--dry-run", options->dry_run, "the same as `glissade check`");
   command->add_flag("--no-skip", options->no_skip,
                     "compute also what the study does not need: much slower, the same results to "
                     "the last bit");
   command->callback([options, world] { run_study(*options, world); });
+
+  CLI::App* check = program.add_subcommand(
+      "check", "What a study would run, its cost and warnings; nothing is run or written");
+  check->add_option("study", options->study, "study file (TOML); see studies/")->required();
+  check->add_option("--results", options->out, "folder that is to be free [as of run]");
+  check->callback([options, world] {
+    options->dry_run = true;
+    run_study(*options, world);
+  });
 }
 
 }  // namespace glissade::cli
