@@ -42,14 +42,14 @@ std::vector<std::string> warnings_on(const SlideOptions& o, const Motion& motion
 }
 
 /// A component of the motion, as recorded.
-struct Component {
+struct WarnedComponent {
   const char* name;
   const std::string& file;
   const std::vector<double>& acceleration_mps2;
 };
 
-std::vector<Component> components_of(const SlideOptions& o, const Motion& motion) {
-  std::vector<Component> components{{"first", o.record, motion.horizontal_mps2[0]}};
+std::vector<WarnedComponent> components_of(const SlideOptions& o, const Motion& motion) {
+  std::vector<WarnedComponent> components{{"first", o.record, motion.horizontal_mps2[0]}};
   if (!o.second.empty()) components.push_back({"second", o.second, motion.horizontal_mps2[1]});
   if (!o.vertical.empty()) components.push_back({"vertical", o.vertical, motion.vertical_mps2});
   return components;

@@ -10,17 +10,19 @@
 namespace glissade::cli {
 namespace {
 
-struct Component {
+struct ShownComponent {
   const char *stem, *name;
   const std::vector<double>& (*of)(const Motion&);
 };
 constexpr std::array components{
-    Component{"first", "first",
-              [](const Motion& m) -> const std::vector<double>& { return m.horizontal_mps2[0]; }},
-    Component{"second", "second",
-              [](const Motion& m) -> const std::vector<double>& { return m.horizontal_mps2[1]; }},
-    Component{"vertical", "vertical",
-              [](const Motion& m) -> const std::vector<double>& { return m.vertical_mps2; }}};
+    ShownComponent{
+        "first", "first",
+        [](const Motion& m) -> const std::vector<double>& { return m.horizontal_mps2[0]; }},
+    ShownComponent{
+        "second", "second",
+        [](const Motion& m) -> const std::vector<double>& { return m.horizontal_mps2[1]; }},
+    ShownComponent{"vertical", "vertical",
+                   [](const Motion& m) -> const std::vector<double>& { return m.vertical_mps2; }}};
 
 Column number(std::string stem, std::string unit, std::string heading, int decimals = -1) {
   return {std::move(stem),    std::move(unit), std::move(heading),
@@ -45,7 +47,7 @@ std::vector<Column> columns() {
   detail(number("magnitude", "", "M", 2));
   detail(number("distance", "km", "R, km", 1));
   detail(number("vs30", "mps", "Vs30, m/s", 0));
-  for (const Component& c : components) {
+  for (const ShownComponent& c : components) {
     const std::string stem = std::string("_") + c.stem, name = std::string(c.name) + " ";
     detail(number("pga" + stem, "g", name + "PGA, g"));
     detail(number("pgv" + stem, "mps", name + "PGV, m/s"));
@@ -80,7 +82,7 @@ Table motions_table(const Suite& suite) {
                           given(m.magnitude),
                           given(m.distance_km),
                           given(m.vs30_mps)};
-    for (const Component& c : components) {
+    for (const ShownComponent& c : components) {
       const std::vector<double>& a = c.of(m);
       const auto value = [&](double x) { row.emplace_back(a.empty() ? std::nan("") : x); };
       value(peak_ground_acceleration_mps2(a) / standard_gravity_mps2);
