@@ -81,6 +81,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       "2,along,0,600,1000\n2,along,0.05,600,1000\n2,along,0.1,600,1000\n"
       "3,across,0,700,1000\n3,across,0.05,700,1000\n3,across,0.1,700,1000\n"
       "4,across,0,800,1000\n4,across,0.05,800,1000\n4,across,0.1,800,1000\n");
+  static const auto hazard = glissade::fuzz::folder().write(
+      "hazard.csv", "sds_g,annual_rate\n0.1,0.02\n0.5,0.002\n2,1e-5\n");
   const auto file = glissade::fuzz::input_file(data, size, "study.toml");
   glissade::fuzz::may_refuse([&] {
     const glissade::StudyConfig study = glissade::read_study(file);

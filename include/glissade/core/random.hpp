@@ -19,6 +19,7 @@ enum class RandomPurpose : std::uint32_t {
   motion_noise = 3,    ///< the white noise of simulated motions
   motion_parameters = 4,
   bootstrap = 5,
+  design_life = 6,  ///< earthquakes of a design life
   test = 99,
 };
 

@@ -9,6 +9,7 @@
 
 #include "glissade/block/tipping.hpp"
 #include "glissade/core/units.hpp"
+#include "glissade/fragility/hazard.hpp"
 #include "glissade/motion/design_spectrum.hpp"
 #include "glissade/sampling/distribution.hpp"
 #include "glissade/sampling/point_set.hpp"
@@ -130,6 +131,14 @@ struct FragilityConfig {
   bool stop_at_largest = false;
 };
 
+/// How often the site has shaking of each intensity, and for how long the array stands there.
+struct HazardConfig {
+  HazardCurve curve;                          ///< in the study's intensity measure
+  std::string source;                         ///< "hazard.csv", "1e-4 x^-2.5"
+  double design_life_years = 0.0;             ///< > 0
+  std::vector<double> target_rates_per_year;  ///< > 0, falling
+};
+
 /// A study as its file states it: checked, defaults filled in, nothing read or run yet.
 struct StudyConfig {
   std::string name;
@@ -152,6 +161,7 @@ struct StudyConfig {
   std::optional<FragilityConfig> fragility;
   std::optional<ChartConfig> chart;
   std::optional<ClearanceConfig> clearance;
+  std::optional<HazardConfig> hazard;
   StandardsConfig standards;
   bool impact = false;               ///< when and how fast each threshold is first reached
   bool base_shear = false;           ///< two axes: peak base shear of the building

@@ -12,6 +12,7 @@
 #include "glissade/study/analysis/base_shear.hpp"
 #include "glissade/study/analysis/clearance.hpp"
 #include "glissade/study/analysis/condition_table.hpp"
+#include "glissade/study/analysis/hazard.hpp"
 #include "glissade/study/analysis/tipping.hpp"
 #include "glissade/study/cases/case_set.hpp"
 #include "glissade/study/config.hpp"
@@ -206,6 +207,7 @@ struct Results {
   std::optional<ClearanceResults> clearance;
   std::optional<BaseShearResults> base_shear;
   std::optional<TippingResults> tipping;
+  std::optional<HazardResults> hazard;
 };
 
 /// The histories of some cases in a row.

@@ -6,6 +6,7 @@
 #include "results/analysis/chart.hpp"
 #include "results/analysis/clearance.hpp"
 #include "results/analysis/fragility.hpp"
+#include "results/analysis/hazard.hpp"
 #include "results/analysis/tipping.hpp"
 #include "results/archive.hpp"
 #include "results/shared_schema.hpp"
@@ -211,6 +212,8 @@ void exchange_analyses(const Archive& archive, const IntensityScale& scale, R& r
            [&](const auto& group, auto& found) { exchange_base_shear(group, scale, found); });
   if_there(archive, "tipping", results.tipping,
            [&](const auto& group, auto& found) { exchange_tipping(group, scale, found); });
+  if_there(archive, "hazard", results.hazard,
+           [&](const auto& group, auto& found) { exchange_hazard(group, scale, found); });
 }
 
 template <class Archive, class R>

@@ -7,6 +7,7 @@
 #include "enum_names.hpp"
 #include "glissade/core/units.hpp"
 #include "scan.hpp"
+#include "study/hazard_table.hpp"
 #include "study/number_list.hpp"
 
 namespace glissade {
@@ -203,7 +204,7 @@ constexpr AnalysisTable analysis_tables[] = {
     {"fragility", read_fragility, true, false}, {"chart", read_chart, true, true},
     {"clearance", read_clearance, true, true},  {"base_shear", read_base_shear, true, true},
     {"standards", read_standards, false, true}, {"impact", read_impact, false, true},
-    {"tipping", read_tipping, false, false}};
+    {"hazard", read_hazard, false, true},       {"tipping", read_tipping, false, false}};
 
 /// "[fragility], [chart] ..." of those for which a property holds.
 template <class Property>

@@ -31,6 +31,7 @@ AnalysisReport fragility_report();
 AnalysisReport impact_report();
 AnalysisReport chart_report();
 AnalysisReport tipping_report();
+AnalysisReport hazard_report();
 
 /// What a part gives for each analysis, one after the other.
 template <class T>

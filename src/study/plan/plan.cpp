@@ -103,6 +103,10 @@ std::string hash_of(const Plan& plan) {
   hasher.text("glissade plan 5").text(plan.config.source_text).numbers(plan.factor_at_unit_level);
   const auto& own = plan.config.intensity.target;
   if (own && !own->is_mapped()) hash_target(hasher, own);  // else it is in the study's text
+  if (plan.config.hazard) {
+    for (const HazardPoint& p : plan.config.hazard->curve.points())
+      hasher.number(p.intensity).number(p.annual_rate);
+  }
   for (const Suite& suite : plan.suites) {
     hash_target(hasher, suite.target);
     for (const Motion& motion : suite.motions) {

@@ -7,7 +7,7 @@ namespace glissade {
 
 KeptFields::KeptFields(const StudyConfig& config)
     : vector(config.two_axes()),
-      by_axis(config.two_axes() && config.clearance.has_value()),
+      by_axis(config.two_axes() && (config.clearance || config.hazard)),
       base_shear(config.base_shear),
       tips(config.tipping.has_value()),
       crossings(config.impact) {}

@@ -206,6 +206,7 @@ void analyse(const StudyConfig& study, Results& results) {
   if (study.clearance) results.clearance = required_clearance(results, study.clearance->factor);
   if (study.base_shear) results.base_shear = base_shear_results(results);
   if (study.tipping) results.tipping = tipping_results(results, *study.tipping);
+  if (study.hazard) results.hazard = hazard_results(study, results);
 }
 
 }  // namespace

@@ -35,6 +35,7 @@ class Grammar : public testing::Test {
   Grammar() {
     folder_.write("suite.toml", "");
     fs::copy_file(source / "studies/data/pull_tests.csv", folder_.path() / "tests.csv");
+    folder_.write("hazard.csv", "sds_g,annual_rate\n0.1,0.02\n0.5,0.002\n2,1e-5\n");
   }
   std::string error(const std::string& text) const {
     return message_of([&] { read_study(folder_.write("study.toml", text)); });
@@ -64,8 +65,8 @@ std::set<std::string> keys_of(const std::string& text) {
 
 TEST_F(Grammar, has_an_example_of_every_key_that_is_accepted) {
   std::set<std::string> used;
-  for (const char* name :
-       {"all_keys", "avg_sa", "chart", "clearance", "pga_normal", "ppa", "pull_tests", "sa"}) {
+  for (const char* name : {"all_keys", "avg_sa", "chart", "clearance", "hazard", "pga_normal",
+                           "ppa", "pull_tests", "sa"}) {
     const std::string text =
         read_text_file(source / "tests/fuzz/corpus/study" / (std::string(name) + ".toml"));
     EXPECT_EQ(error(text), "") << name;

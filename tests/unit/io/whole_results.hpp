@@ -210,6 +210,27 @@ inline void add_tipping(Results& r) {
   }
 }
 
+inline void add_hazard(Results& r) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  HazardResults& hazard = r.hazard.emplace();
+  hazard = {"hazard.csv", {0.1, 1.0}, {0.01, 1e-4}, 25.0, 1e-5, r.axes == SlidingAxes::two, {}};
+  for (const RunResults& of : r.runs) {
+    HazardRun run{of.label, {}, {}, {}, {}, 3.5, 0.25, 0.125};
+    double x = of.first_case == 0 ? 1.0 : 2.0;
+    for (const double threshold_m : r.thresholds_m) {
+      run.thresholds.push_back(
+          {threshold_m, 1e-3 * x, {5e-4, 2e-3}, 0.1 / x, std::nan(""), 0.02 * x, {0.01, 0.05}});
+      x += 1.0;
+    }
+    run.curve = {{0.001, 1e-2, {5e-3, 2e-2}}, {0.1, 1e-3, {}}, {1.0, 1e-4 * x, {1e-5, infinity}}};
+    run.targets = {{1.0 / 700, 0.25 * x, {0.125, 0.5}, 0.9}, {4e-4, infinity, {}, 1.1}};
+    run.life = {{LifeQuantity::single, 0.1, 0.2, 0.3 * x, {0.05, 0.15}, {0.1, 0.3}, {0.2, 0.4}},
+                {LifeQuantity::accumulated, 0.2, 0.4, infinity, {0.1, 0.3}, {0.2, 0.6}, {}},
+                {LifeQuantity::farthest, 0.3, 0.6, infinity, {0.2, 0.4}, {0.3, 0.9}, {}}};
+    hazard.runs.push_back(run);
+  }
+}
+
 /// Every analysis of one study.
 inline Results with_all() {
   Results r = whole_results(true);
@@ -219,6 +240,7 @@ inline Results with_all() {
   add_clearance(r, 1.2);
   add_base_shear(r);
   add_tipping(r);
+  add_hazard(r);
   return r;
 }
 

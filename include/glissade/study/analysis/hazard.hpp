@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "glissade/fragility/fit.hpp"
+
+// How often: annual rates of displacements, and what adds up over the design life. Displacements
+// are in plan. Records are the independent unit of all intervals (95 %).
+namespace glissade {
+
+struct Results;
+struct StudyConfig;
+
+/// Exceedance of one threshold. The rate is the mean of the hazard curve over the capacities, that
+/// is the integral of the share that has reached the threshold over the hazard, without a fit and
+/// without interpolation between levels. A history that the highest level does not bring to the
+/// threshold counts as if any shaking above that level did.
+struct ThresholdRate {
+  double threshold_m = 0.0;
+  double annual_rate = 0.0;  ///< infinite where a history slides freely
+  Interval rate_interval;
+  double beyond_share = 0.0;      ///< part of the rate that comes from histories so counted
+  double fit_rate = 0.0;          ///< of the lognormal fit; NaN without one
+  double life_probability = 0.0;  ///< of one exceedance or more in the design life
+  Interval life_interval;
+};
+
+/// The annual rate of a displacement: as of a threshold, with the capacity of each history
+/// interpolated between levels and thresholds, linear in the root of its displacement.
+struct DisplacementRate {
+  double displacement_m = 0.0, annual_rate = 0.0;
+  Interval rate_interval;
+};
+
+/// The displacement that is exceeded at a given annual rate. Infinite where the levels do not reach
+/// so rare shaking; the lowest displacement of the curve where it is that or less.
+struct TargetDisplacement {
+  double annual_rate = 0.0, displacement_m = 0.0;
+  Interval displacement_interval;
+  double intensity = 0.0;  ///< that shaking exceeds at this rate
+};
+
+enum class LifeQuantity {
+  single,       ///< the largest peak displacement in one earthquake
+  accumulated,  ///< distance at the end of the life from the first place, never put back
+  farthest      ///< the largest, at any time: distance before an earthquake plus its peak
+};
+/// Over many design lives; infinite where shaking beyond the highest level decides it.
+struct LifeDisplacement {
+  LifeQuantity quantity = LifeQuantity::single;
+  double median_m = 0.0, p84_m = 0.0, p95_m = 0.0;
+  Interval median_interval, p84_interval, p95_interval;
+};
+
+/// Of one combination of what the study lists.
+struct HazardRun {
+  std::string label;  ///< that of its fragility
+  std::vector<ThresholdRate> thresholds;
+  std::vector<DisplacementRate> curve;  ///< displacements rise
+  std::vector<TargetDisplacement> targets;
+  std::vector<LifeDisplacement> life;  ///< by LifeQuantity
+  double events = 0.0;                 ///< expected earthquakes in a life above `from_intensity`
+  double from_intensity = 0.0;         ///< below it none is counted
+  double moving_share = 0.0;           ///< of histories that slide at `from_intensity` already
+};
+
+struct HazardResults {
+  std::string source;                             ///< of the hazard curve
+  std::vector<double> intensity, intensity_rate;  ///< its points
+  double design_life_years = 0.0;
+  double beyond_rate = 0.0;       ///< annual rate of shaking above the highest level
+  bool residual_vectors = false;  ///< kept; else every peak counts as slip down the slope
+  std::vector<HazardRun> runs;    ///< as Results::runs
+};
+
+/// From the fragility runs and the histories.
+HazardResults hazard_results(const StudyConfig& config, const Results& results);
+
+}  // namespace glissade

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "study/hazard_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "number_rows.hpp"
+#include "study/number_list.hpp"
+
+namespace glissade {
+namespace {
+
+/// With more earthquakes in a life the lowest level is far below any that matters, or the curve is
+/// in another unit.
+constexpr double most_events = 1000.0;
+
+/// The columns are the study's intensity measure and the annual rate of exceeding it.
+std::optional<HazardCurve> read_curve(const TomlTable& table, const StudyConfig& study) {
+  const std::string name = table.required_text("curve");
+  if (name.empty()) return {};
+  std::vector<HazardPoint> points;
+  const auto take = [&](const std::vector<double>& row, std::size_t) -> std::string {
+    if (!(row[0] > 0.0)) return "the intensity is not above 0";
+    if (!(row[1] > 0.0)) return "the annual rate is not above 0: leave the row out";
+    if (!points.empty() &&
+        !(row[0] > points.back().intensity && row[1] < points.back().annual_rate))
+      return "intensities must rise, and annual rates fall, from row to row";
+    points.push_back({row[0], row[1]});
+    return "";
+  };
+  try {
+    read_number_rows(study.file.parent_path() / name,
+                     {{{study.intensity.measure.key(), "annual_rate"}, take}});
+    return HazardCurve(points);
+  } catch (const InputError& error) {
+    table.report("curve", error);
+    return {};
+  }
+}
+
+void check_events(const TomlTable& table, const StudyConfig& study) {
+  if (study.intensity.levels.empty()) return;
+  const HazardConfig& hazard = *study.hazard;
+  const double lowest = study.intensity.levels.front();
+  const double events = hazard.design_life_years * hazard.curve.annual_rate(lowest);
+  if (events > most_events)
+    table.report(
+        "design_life_years",
+        fmt::format("the hazard curve has {:.4g} earthquakes above the lowest level, {:g}, "
+                    "in the design life; at most {:g} can be followed",
+                    events, lowest, most_events),
+        fmt::format("check the curve's unit, which is that of intensity.measure, or begin "
+                    "the levels at {:.2g}",
+                    hazard.curve.intensity_at(most_events / hazard.design_life_years)));
+}
+
+}  // namespace
+
+void read_hazard(const TomlTable& root, StudyConfig& study) {
+  const TomlTable table = root.table("hazard");
+  const bool by_file = table.has("curve"), by_law = table.has("k0") || table.has("k");
+  std::optional<HazardCurve> curve;
+  std::string source;
+  if (by_file == by_law)
+    table.report(by_file ? "curve" : "", "[hazard] needs one hazard curve",
+                 "give curve = \"FILE.csv\", or k0 and k of the annual rate k0 x^-k");
+  if (by_file) {
+    curve = read_curve(table, study);
+    source = table.text("curve").value_or("");
+  }
+  if (by_law) {
+    const double k0 = table.required_number("k0", above_zero),
+                 k = table.required_number("k", above_zero);
+    if (k0 > 0.0 && k > 0.0) curve = HazardCurve::power_law(k0, k);
+    source = fmt::format("{:g} x^-{:g}", k0, k);
+  }
+  const double years = table.required_number("design_life_years", above_zero);
+  std::vector<double> targets = {rate_of(0.01, 50.0), 1.0 / 2475.0, 1.0 / 700.0};
+  if (table.has("target_rates_per_year"))
+    targets = read_increasing(table, "target_rates_per_year", above_zero);
+  std::ranges::reverse(targets);
+  if (!root.has("fragility"))
+    root.report("hazard", "[hazard] needs [fragility] thresholds_m",
+                "give it, or leave out [hazard]");
+  if (!curve || !(years > 0.0)) return;
+  study.hazard = HazardConfig{*curve, source, years, targets};
+  check_events(table, study);
+}
+
+}  // namespace glissade

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "analysis/hazard/hazard.hpp"
+#include "glissade/report/format.hpp"
+#include "text/study_text.hpp"
+
+namespace glissade {
+namespace {
+
+constexpr std::size_t most_lines = 4;
+
+/// To the right of the curves stand the target rates.
+constexpr double room_for_rates = 1.3;
+
+/// Rates on an axis of their logarithms.
+double height(double annual_rate) { return std::log10(annual_rate); }
+
+/// To where the curves of all runs have fallen, or the last of what is asked for.
+double right_end_m(const Results& results) {
+  const HazardResults& hazard = *results.hazard;
+  double right = results.thresholds_m.back();
+  for (const HazardRun& run : hazard.runs) {
+    for (const TargetDisplacement& row : run.targets)
+      if (std::isfinite(row.displacement_m)) right = std::max(right, row.displacement_m);
+  }
+  return 1.15 * right;
+}
+
+void add_run(Panel& panel, const HazardRun& run, const std::string& name, Look look) {
+  DataSeries band{DataSeries::Kind::band, look, run.label + ": 95 % interval"};
+  DataSeries line{DataSeries::Kind::line, look, run.label, name};
+  for (const DisplacementRate& row : run.curve) {
+    if (!std::isfinite(row.annual_rate) || row.displacement_m > panel.x.high / room_for_rates)
+      continue;
+    line.x.push_back(row.displacement_m);
+    line.y.push_back(height(row.annual_rate));
+    if (std::isnan(row.rate_interval.low)) continue;
+    band.x.push_back(row.displacement_m);
+    band.low.push_back(height(row.rate_interval.low));
+    band.high.push_back(height(row.rate_interval.high));
+  }
+  panel.series.insert(panel.series.begin(), std::move(band));
+  panel.series.push_back(std::move(line));
+}
+
+/// Decades that hold the curves and the target rates.
+void scale_rates(Panel& panel, const HazardResults& hazard) {
+  double low =
+      height(hazard.runs.front().targets.empty() ? hazard.beyond_rate
+                                                 : hazard.runs.front().targets.back().annual_rate);
+  double high = low;
+  for (const DataSeries& series : panel.series) {
+    for (const std::vector<double>* values : {&series.y, &series.low, &series.high}) {
+      for (const double y : *values) {
+        if (!std::isfinite(y)) continue;
+        low = std::min(low, y);
+        high = std::max(high, y);
+      }
+    }
+  }
+  panel.y.low = std::floor(low);
+  panel.y.high = std::max(std::ceil(high), panel.y.low + 1.0);
+  for (double decade = panel.y.low; decade <= panel.y.high; ++decade)
+    panel.y.ticks.push_back({decade, fmt::format("1e{:g}", decade)});
+}
+
+}  // namespace
+
+Figure hazard_figure(const Results& results) {
+  const HazardResults& hazard = *results.hazard;
+  const std::size_t lines = std::min(hazard.runs.size(), most_lines);
+  Figure figure{
+      "hazard", "Annual rate of exceeding a displacement",
+      counts_of(results) + "; hazard curve " + hazard.source,
+      fmt::format("Shaded: 95 % interval over records. Where a curve becomes level it is that of "
+                  "shaking above the highest level of the study, {}, all of which counts as "
+                  "exceeding (rate {:.3g} a year). All runs: tables/hazard_curve.csv.",
+                  at_intensity(results, results.levels.back()), hazard.beyond_rate)};
+  Panel panel{"", length_axis("Displacement in plan", room_for_rates * right_end_m(results))};
+  panel.y.label = "Annual rate of exceedance";
+  for (std::size_t i = 0; i < lines; ++i)
+    add_run(panel, hazard.runs[i],
+            lists_more_than_friction_value(results) ? results.cases.describe(i)
+                                                    : run_name(results.runs[i]),
+            distinct_look(i));
+  scale_rates(panel, hazard);
+  for (const TargetDisplacement& row : hazard.runs.front().targets) {
+    const double y = height(row.annual_rate);
+    if (y < panel.y.low || y > panel.y.high) continue;
+    panel.rules.push_back({Rule::Kind::horizontal, y, look(Role::reference), ""});
+    panel.notes.push_back({panel.x.high, y, rate_text(row.annual_rate),
+                           look(Role::reference).colour, Note::Align::right});
+  }
+  figure.panels = {std::move(panel)};
+  return figure;
+}
+
+}  // namespace glissade

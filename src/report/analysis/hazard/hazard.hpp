@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "glissade/report/figure.hpp"
+#include "glissade/report/table.hpp"
+#include "glissade/study/results.hpp"
+
+// Annual rates and slip over the design life. Expects results with a hazard analysis.
+namespace glissade {
+
+/// "1 % in 50 years", "1/2475 a year".
+std::string rate_text(double annual_rate);
+/// "25 years".
+std::string life_text(const HazardResults& hazard);
+
+/// Per run and threshold.
+Table hazard_table(const Results& results);
+/// Per run and displacement: a curve each.
+Table hazard_curve_table(const Results& results);
+/// Per run and target rate.
+Table hazard_targets_table(const Results& results);
+/// Per run: largest peak of one earthquake, accumulated slip, farthest distance.
+Table design_life_table(const Results& results);
+std::vector<std::string> hazard_sentences(const Results& results);
+
+/// Annual rate over displacement, of four runs at most.
+Figure hazard_figure(const Results& results);
+
+}  // namespace glissade

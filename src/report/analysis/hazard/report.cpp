@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "analysis/analyses.hpp"
+#include "analysis/hazard/hazard.hpp"
+#include "glissade/fragility/hazard.hpp"
+#include "glissade/report/format.hpp"
+#include "page/page.hpp"
+#include "text/study_text.hpp"
+
+namespace glissade {
+namespace {
+
+/// From this part of a rate on a reader must know of it.
+constexpr double notable_share = 0.1;
+
+std::string share_range(double share, const Interval& interval) {
+  if (std::isnan(interval.low)) return format_share(share);
+  return fmt::format("{} (95 % interval {} to {})", format_share(share), format_share(interval.low),
+                     format_share(interval.high));
+}
+
+std::string threshold_sentence(const HazardResults& hazard, const ThresholdRate& row) {
+  const std::string clearance = format_length(row.threshold_m);
+  if (std::isinf(row.annual_rate))
+    return "Some histories slide freely: " + clearance +
+           " is exceeded without any earthquake, and has no annual rate.";
+  const bool bound = row.beyond_share == 1.0;
+  std::string text = fmt::format(
+      "{} is exceeded {} once in {} years: in {} with a probability of {}{}.", clearance,
+      bound ? "less than" : "about", format_number(1.0 / row.annual_rate), life_text(hazard),
+      bound ? "less than " : "", share_range(row.life_probability, row.life_interval));
+  if (row.beyond_share > notable_share)
+    text += fmt::format(
+        " {} of that rate is from histories that the highest level does not bring to it, counted "
+        "as if any stronger shaking did: higher levels would show less.",
+        format_share(row.beyond_share));
+  return text;
+}
+
+std::string target_sentence(const Results& results, const HazardRun& run,
+                            const TargetDisplacement& row) {
+  const std::string rate = rate_text(row.annual_rate);
+  if (std::isinf(row.displacement_m))
+    return fmt::format(
+        "The displacement of {} is beyond the levels: {} has that rate; give levels well above it.",
+        rate, at_intensity(results, row.intensity));
+  if (row.displacement_m == run.curve.front().displacement_m)
+    return fmt::format("The displacement of {} is {} or less.", rate,
+                       format_length(row.displacement_m));
+  return fmt::format("The displacement of {} is {} (95 % interval {}).", rate,
+                     format_length(row.displacement_m),
+                     format_length_interval(row.displacement_interval));
+}
+
+std::string length_or_none(double length_m) {
+  return std::isinf(length_m) ? "without bound" : format_length(length_m);
+}
+
+std::vector<std::string> life_sentences(const Results& results, const HazardRun& run) {
+  const HazardResults& hazard = *results.hazard;
+  const LifeDisplacement &single = run.life.at(0), &sum = run.life.at(1), &far = run.life.at(2);
+  std::vector<std::string> all = {fmt::format(
+      "Slip over {}, the array never put back: median {}, 95th percentile {} at the end; the "
+      "largest peak of one earthquake: {} and {}; the farthest from its first place at any time: "
+      "{} and {}.",
+      life_text(hazard), length_or_none(sum.median_m), length_or_none(sum.p95_m),
+      length_or_none(single.median_m), length_or_none(single.p95_m), length_or_none(far.median_m),
+      length_or_none(far.p95_m))};
+  if (!hazard.residual_vectors)
+    all.push_back(
+        "A study on one axis keeps no residual displacements: every peak counts as slip down the "
+        "slope, which is more than adds up.");
+  const double beyond = probability_in(hazard.design_life_years, hazard.beyond_rate);
+  if (beyond > 0.01)
+    all.push_back(fmt::format(
+        "In {} of design lives of {} shaking is above the highest level at least once; slip is "
+        "then counted as without bound.",
+        format_share(beyond), life_text(hazard)));
+  if (run.moving_share > 0.0)
+    all.push_back(fmt::format(
+        "In {} of the histories the array slides at the lowest level, {}, already. Slip in "
+        "earthquakes below it is NOT in the accumulated slip: begin the levels lower.",
+        format_share(run.moving_share), at_intensity(results, run.from_intensity)));
+  return all;
+}
+
+std::string summary(const Results& results) {
+  constexpr std::size_t most_rows = 12;
+  Table rates = hazard_table(results);
+  if (lists_more_than_friction_value(results)) rates = rates.without("run");
+  const std::size_t rows = rates.rows.size();
+  rates.rows.resize(std::min(rows, most_rows));
+  std::string text = to_text(rates);
+  if (rows > most_rows)
+    text += fmt::format("  {} rows more are in tables/hazard.csv\n", rows - most_rows);
+  text += "\n";
+  const HazardRun& run = results.hazard->runs.front();
+  if (results.runs.size() > 1) text += wrapped("Of " + first_run(results) + ":");
+  for (const TargetDisplacement& row : run.targets)
+    text += wrapped(target_sentence(results, run, row));
+  for (const std::string& sentence : life_sentences(results, run)) text += wrapped(sentence);
+  return text;
+}
+
+std::vector<Table> tables(const Results& results) {
+  return {hazard_table(results), hazard_targets_table(results), design_life_table(results),
+          hazard_curve_table(results)};
+}
+
+Html section(const Results& results) {
+  const HazardResults& hazard = *results.hazard;
+  return heading("Annual rates") +
+         paragraph(
+             "The annual rate is the mean of the hazard curve over the capacities of the "
+             "histories: what the share that has reached the clearance gives when integrated over "
+             "the hazard, "
+             "without a fit. The curve is a power law between its points, and goes on beyond "
+             "either end as in the last interval.") +
+         wide_table(hazard_table(results)) + wide_table(hazard_targets_table(results)) +
+         heading("Slip over " + life_text(hazard)) +
+         paragraph(
+             "Earthquakes are a Poisson process with the rates of the hazard curve. Each has a "
+             "record drawn from all; friction, slope and building are those of one sample for the "
+             "whole life. Residual displacements add up as vectors; what slides down the slope "
+             "adds up, the rest partly cancels. The array is not damaged and not put back.") +
+         wide_table(design_life_table(results)) +
+         paragraph("The rate of every displacement: tables/hazard_curve.csv.");
+}
+
+}  // namespace
+
+std::vector<std::string> hazard_sentences(const Results& results) {
+  const HazardRun& run = results.hazard->runs.front();
+  std::vector<std::string> all;
+  for (const ThresholdRate& row : run.thresholds)
+    all.push_back(threshold_sentence(*results.hazard, row));
+  for (const TargetDisplacement& row : run.targets)
+    all.push_back(target_sentence(results, run, row));
+  for (std::string& sentence : life_sentences(results, run)) all.push_back(std::move(sentence));
+  return all;
+}
+
+AnalysisReport hazard_report() {
+  return {.is_in = [](const Results& results) { return results.hazard.has_value(); },
+          .summary = summary,
+          .sentences = hazard_sentences,
+          .figures = [](const Results& results) { return std::vector{hazard_figure(results)}; },
+          .tables = tables,
+          .section = section};
+}
+
+}  // namespace glissade

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "analysis/hazard/hazard.hpp"
+#include "glissade/fragility/hazard.hpp"
+#include "text/study_text.hpp"
+
+namespace glissade {
+namespace {
+
+std::string by_curve(const Results& results) {
+  return " Hazard curve: " + results.hazard->source + ", intensity measure " +
+         results.intensity_label + ". ";
+}
+
+Estimate period_of(double rate, const Interval& interval) {
+  return {1.0 / rate, {1.0 / interval.high, 1.0 / interval.low}, ""};
+}
+
+/// Upper bound where no history decides the rate.
+const char* sign_of(const ThresholdRate& row) { return row.beyond_share == 1.0 ? "< " : ""; }
+
+Estimate target_of(const HazardRun& run, const TargetDisplacement& row) {
+  const double lowest = run.curve.front().displacement_m;
+  return {row.displacement_m, row.displacement_interval, row.displacement_m == lowest ? "< " : ""};
+}
+
+std::string quantity_name(LifeQuantity quantity) {
+  switch (quantity) {
+    case LifeQuantity::single:
+      return "largest peak of one earthquake";
+    case LifeQuantity::accumulated:
+      return "accumulated at the end";
+    case LifeQuantity::farthest:
+      return "farthest from the first place";
+  }
+  return "";
+}
+
+}  // namespace
+
+std::string life_text(const HazardResults& hazard) {
+  return fmt::format("{:g} years", hazard.design_life_years);
+}
+
+std::string rate_text(double annual_rate) {
+  if (std::abs(annual_rate / rate_of(0.01, 50.0) - 1.0) < 1e-3) return "1 % in 50 years";
+  return fmt::format("1/{:.4g} a year", 1.0 / annual_rate);
+}
+
+Table hazard_table(const Results& results) {
+  const HazardResults& hazard = *results.hazard;
+  Table table{
+      "hazard",
+      "How often each clearance is exceeded." + by_curve(results) + in_plan,
+      {text_column("run", "Run"),
+       {"threshold", "m", "Clearance, m (in)", ColumnKind::length},
+       {"annual_rate", "per_year", "Annual rate [95 %]", ColumnKind::number, true},
+       {"return_period", "years", "Return period, years [95 %]", ColumnKind::number, true},
+       {"life_probability", "", "In " + life_text(hazard) + " [95 %]", ColumnKind::share, true},
+       {"fit_rate", "per_year", "Annual rate by the lognormal fit"},
+       {"beyond_share", "", "Beyond levels", ColumnKind::share}},
+      {}};
+  for (Column& column : table.columns)
+    column.detail = column.stem == "annual_rate" || column.stem == "fit_rate";
+  for (const HazardRun& run : hazard.runs) {
+    for (const ThresholdRate& row : run.thresholds) {
+      Estimate period = period_of(row.annual_rate, row.rate_interval);
+      if (row.beyond_share == 1.0) period.sign = "> ";
+      table.add({run.label, row.threshold_m,
+                 Estimate{row.annual_rate, row.rate_interval, sign_of(row)}, period,
+                 Estimate{row.life_probability, row.life_interval, sign_of(row)}, row.fit_rate,
+                 row.beyond_share});
+    }
+  }
+  table.notes = {
+      "Beyond levels: the part of the rate from histories that the highest level does not "
+      "bring to the clearance. Any shaking above that level counts as exceeding it."};
+  return with_listed(results, table);
+}
+
+Table hazard_curve_table(const Results& results) {
+  Table table{"hazard_curve",
+              "Annual rate of exceeding a displacement." + by_curve(results) + in_plan,
+              {text_column("run", "Run"),
+               {"displacement", "m", "Displacement, m (in)", ColumnKind::length},
+               {"annual_rate", "per_year", "Annual rate [95 %]", ColumnKind::number, true}},
+              {}};
+  for (const HazardRun& run : results.hazard->runs) {
+    for (const DisplacementRate& row : run.curve)
+      table.add({run.label, row.displacement_m, Estimate{row.annual_rate, row.rate_interval}});
+  }
+  return with_listed(results, table);
+}
+
+Table hazard_targets_table(const Results& results) {
+  Table table{"hazard_targets",
+              "Displacement that is exceeded at a given annual rate." + by_curve(results) + in_plan,
+              {text_column("run", "Run"),
+               text_column("target", "Rate"),
+               {"annual_rate", "per_year", "Annual rate"},
+               {"probability_50_years", "", "In 50 years", ColumnKind::share},
+               {"displacement", "m", "Displacement, m (in) [95 %, m]", ColumnKind::length, true},
+               intensity_column(results, "intensity", "Shaking of that rate")},
+              {}};
+  for (const HazardRun& run : results.hazard->runs) {
+    for (const TargetDisplacement& row : run.targets)
+      table.add({run.label, rate_text(row.annual_rate), row.annual_rate,
+                 probability_in(50.0, row.annual_rate), target_of(run, row), row.intensity});
+  }
+  return with_listed(results, table);
+}
+
+Table design_life_table(const Results& results) {
+  Table table{"design_life",
+              "Slip over " + life_text(*results.hazard) + ", the array never put back." +
+                  by_curve(results) + in_plan,
+              {text_column("run", "Run"),
+               text_column("quantity", "Slip"),
+               {"median", "m", "Median, m (in) [95 %, m]", ColumnKind::length, true},
+               {"p84", "m", "84th percentile, m (in) [95 %, m]", ColumnKind::length, true},
+               {"p95", "m", "95th percentile, m (in) [95 %, m]", ColumnKind::length, true}},
+              {}};
+  for (const HazardRun& run : results.hazard->runs) {
+    for (const LifeDisplacement& row : run.life)
+      table.add({run.label, quantity_name(row.quantity),
+                 Estimate{row.median_m, row.median_interval}, Estimate{row.p84_m, row.p84_interval},
+                 Estimate{row.p95_m, row.p95_interval}});
+  }
+  return with_listed(results, table);
+}
+
+}  // namespace glissade

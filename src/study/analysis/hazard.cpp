@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glissade/study/analysis/hazard.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "analysis/design_life.hpp"
+#include "cases/case_scene.hpp"
+#include "glissade/study/config.hpp"
+#include "glissade/study/results.hpp"
+
+namespace glissade {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity(),
+                 nan = std::numeric_limits<double>::quiet_NaN();
+constexpr std::size_t curve_points = 61;
+constexpr double least_displacement_m = 1e-3;
+
+double mean_of(const std::vector<double>& values, const std::vector<double>& weights) {
+  return std::inner_product(weights.begin(), weights.end(), values.begin(), 0.0) /
+         static_cast<double>(values.size());
+}
+
+/// The lowest intensity at which a history reaches each of some displacements.
+class CapacityCurve {
+ public:
+  CapacityCurve(const Results& results, std::size_t record, std::size_t c)
+      : free_(slides_freely(results.cases.cases[c])) {
+    const HistoryTable& table = results.histories;
+    for (std::size_t level = 0; level < table.levels; ++level)
+      nodes_.push_back({results.levels[level], table.displacement_m(record, c, level)});
+    for (std::size_t t = 0; t < table.thresholds; ++t) {
+      const double capacity = table.capacity(record, c, t);
+      if (capacity > 0.0 && std::isfinite(capacity))
+        nodes_.push_back({capacity, results.thresholds_m[t]});
+    }
+    std::ranges::stable_sort(nodes_, {}, &Node::intensity);
+  }
+
+  /// Infinite where the levels do not reach it. On the safe side where displacement begins between
+  /// two nodes: its line in the root begins at the lower one.
+  double capacity(double displacement_m) const {
+    if (free_) return 0.0;
+    const auto at = std::ranges::find_if(
+        nodes_, [&](const Node& node) { return node.displacement_m >= displacement_m; });
+    if (at == nodes_.end()) return infinity;
+    if (at->displacement_m == displacement_m || std::isinf(at->displacement_m))
+      return at->intensity;
+    const Node before = at == nodes_.begin() ? Node{} : *(at - 1);
+    const double from = std::sqrt(before.displacement_m), to = std::sqrt(at->displacement_m);
+    return std::lerp(before.intensity, at->intensity,
+                     (std::sqrt(displacement_m) - from) / (to - from));
+  }
+
+ private:
+  struct Node {
+    double intensity = 0.0, displacement_m = 0.0;
+  };
+  bool free_;
+  std::vector<Node> nodes_;
+};
+
+struct Rates {
+  const HazardConfig& hazard;
+  const Results& results;
+  CaseSlice cases;
+  BootstrapOptions options;
+  double highest = hazard.curve.annual_rate(results.levels.back());
+
+  std::size_t records() const { return results.histories.records; }
+
+  /// Of a capacity: one that is not reached counts from the highest level on.
+  double rate(double capacity) const {
+    return std::isinf(capacity) ? highest : hazard.curve.annual_rate(capacity);
+  }
+
+  /// None where no history decides the rate: resampling shows nothing of what none of them reached.
+  Interval interval(const std::vector<double>& by_record) const {
+    const bool infinite = std::ranges::any_of(by_record, [](double r) { return std::isinf(r); });
+    const bool unseen = std::ranges::all_of(by_record, [&](double r) { return r <= highest; });
+    if (infinite || unseen) return {};
+    return bootstrap_interval(
+        by_record.size(),
+        [&](const std::vector<double>& weights) { return mean_of(by_record, weights); }, options);
+  }
+
+  ThresholdRate of_threshold(const ThresholdFragility& fragility, std::size_t threshold) const {
+    std::vector<double> by_record(records());
+    double beyond = 0.0;
+    for (std::size_t record = 0; record < records(); ++record) {
+      for (std::size_t i = cases.first; i < cases.first + cases.count; ++i) {
+        const double capacity = results.histories.capacity(record, i, threshold);
+        by_record[record] += rate(capacity) / static_cast<double>(cases.count);
+        if (std::isinf(capacity)) beyond += highest;
+      }
+    }
+    ThresholdRate row{.threshold_m = fragility.threshold_m};
+    row.annual_rate = mean_of(by_record, std::vector<double>(records(), 1.0));
+    row.beyond_share =
+        fragility.censored_share == 1.0
+            ? 1.0
+            : beyond / (row.annual_rate * static_cast<double>(records() * cases.count));
+    row.rate_interval = interval(by_record);
+    const FitSummary& fit =
+        fragility.capacities.converged() ? fragility.capacities : fragility.stripes;
+    row.fit_rate = fit.converged()                           ? annual_rate(hazard.curve, fit.curve)
+                   : fit.status == FitStatus::always_exceeds ? infinity
+                                                             : nan;
+    const double years = hazard.design_life_years;
+    row.life_probability = probability_in(years, row.annual_rate);
+    row.life_interval = {probability_in(years, row.rate_interval.low),
+                         probability_in(years, row.rate_interval.high)};
+    return row;
+  }
+
+  /// From the least to the largest displacement there is.
+  std::vector<double> displacements_m() const {
+    double largest = 10.0 * least_displacement_m;
+    for (std::size_t record = 0; record < records(); ++record) {
+      for (std::size_t i = cases.first; i < cases.first + cases.count; ++i) {
+        for (std::size_t level = 0; level < results.levels.size(); ++level) {
+          const double d = results.histories.displacement_m(record, i, level);
+          if (std::isfinite(d)) largest = std::max(largest, d);
+        }
+      }
+    }
+    std::vector<double> grid;
+    for (std::size_t i = 0; i < curve_points; ++i)
+      grid.push_back(
+          least_displacement_m *
+          std::pow(largest / least_displacement_m, static_cast<double>(i) / (curve_points - 1.0)));
+    return grid;
+  }
+
+  /// By displacement, then record.
+  std::vector<std::vector<double>> rates_of(const std::vector<double>& displacements_m) const {
+    std::vector<std::vector<double>> rates(displacements_m.size(), std::vector<double>(records()));
+    for (std::size_t record = 0; record < records(); ++record) {
+      for (std::size_t i = cases.first; i < cases.first + cases.count; ++i) {
+        const CapacityCurve curve(results, record, i);
+        for (std::size_t d = 0; d < displacements_m.size(); ++d)
+          rates[d][record] +=
+              rate(curve.capacity(displacements_m[d])) / static_cast<double>(cases.count);
+      }
+    }
+    return rates;
+  }
+};
+
+/// Where falling rates come down to one: linear in logarithms; the first displacement where they
+/// begin below it, infinite where they end above it.
+double displacement_at(double rate, const std::vector<double>& displacements_m,
+                       const std::vector<double>& rates) {
+  const auto at = std::ranges::find_if(rates, [&](double r) { return r <= rate; });
+  if (at == rates.end()) return infinity;
+  const auto i = static_cast<std::size_t>(at - rates.begin());
+  if (i == 0 || std::isinf(rates[i - 1])) return displacements_m[i];
+  const double share = std::log(rates[i - 1] / rate) / std::log(rates[i - 1] / rates[i]);
+  return displacements_m[i - 1] * std::pow(displacements_m[i] / displacements_m[i - 1], share);
+}
+
+void add_curve(const Rates& rates, HazardRun& run) {
+  const std::vector<double> displacements = rates.displacements_m();
+  const std::vector<std::vector<double>> by_record = rates.rates_of(displacements);
+  const std::vector<double> once(rates.records(), 1.0);
+  const auto weighted = [&](const std::vector<double>& weights) {
+    std::vector<double> all;
+    for (const std::vector<double>& of_displacement : by_record)
+      all.push_back(mean_of(of_displacement, weights));
+    return all;
+  };
+  const std::vector<double> all = weighted(once);
+  for (std::size_t d = 0; d < displacements.size(); ++d)
+    run.curve.push_back({displacements[d], all[d], rates.interval(by_record[d])});
+  for (const double target : rates.hazard.target_rates_per_year) {
+    TargetDisplacement row{target,
+                           displacement_at(target, displacements, all),
+                           {},
+                           rates.hazard.curve.intensity_at(target)};
+    if (std::isfinite(row.displacement_m) && row.displacement_m > displacements.front()) {
+      row.displacement_interval = bootstrap_interval(
+          rates.records(),
+          [&](const std::vector<double>& weights) {
+            return displacement_at(target, displacements, weighted(weights));
+          },
+          rates.options);
+    }
+    run.targets.push_back(row);
+  }
+}
+
+}  // namespace
+
+HazardResults hazard_results(const StudyConfig& config, const Results& results) {
+  const HazardConfig& hazard = *config.hazard;
+  const BootstrapOptions options{.seed = config.seed,
+                                 .replicates = config.sampling.bootstrap_replicates};
+  HazardResults found{.source = hazard.source, .design_life_years = hazard.design_life_years};
+  for (const HazardPoint& p : hazard.curve.points()) {
+    found.intensity.push_back(p.intensity);
+    found.intensity_rate.push_back(p.annual_rate);
+  }
+  found.beyond_rate = hazard.curve.annual_rate(results.levels.back());
+  found.residual_vectors = !results.histories.fields.residual_along_m.empty();
+  for (const RunResults& run : results.runs) {
+    const Rates rates{hazard, results, slice_of(run), options};
+    HazardRun& row = found.runs.emplace_back();
+    row.label = run.label;
+    for (std::size_t t = 0; t < run.fragilities.size(); ++t)
+      row.thresholds.push_back(rates.of_threshold(run.fragilities[t], t));
+    add_curve(rates, row);
+    add_design_life(hazard, results, slice_of(run), options, row);
+  }
+  return found;
+}
+
+}  // namespace glissade

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// [hazard] in study files and results files.
+#include "study_texts.hpp"
+#include "whole_results.hpp"
+
+namespace glissade {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+class HazardStudy : public StudyFile {
+ protected:
+  std::string curve_error(const std::string& csv) const {
+    folder_.write("h.csv", csv);
+    return error(needed + "[hazard]\ncurve = \"h.csv\"\ndesign_life_years = 25\n");
+  }
+};
+
+TEST_F(HazardStudy, takes_a_curve_of_the_study_s_intensity_measure) {
+  folder_.write("h.csv", "# a site\nsds_g,annual_rate\n0.1,0.02\n0.5,0.002\n2,1e-5\n");
+  const StudyConfig study = read(needed + "[hazard]\ncurve = \"h.csv\"\ndesign_life_years = 25\n");
+  ASSERT_TRUE(study.hazard);
+  EXPECT_EQ(study.hazard->curve.points().size(), 3u);
+  EXPECT_EQ(study.hazard->curve.points()[1].annual_rate, 0.002);
+  EXPECT_EQ(study.hazard->source, "h.csv");
+  EXPECT_EQ(study.hazard->design_life_years, 25.0);
+  // 1/700, 1/2475, and 1 % in 50 years
+  EXPECT_THAT(study.hazard->target_rates_per_year,
+              testing::ElementsAre(1.0 / 700, 1.0 / 2475, rate_of(0.01, 50.0)));
+}
+
+TEST_F(HazardStudy, takes_a_power_law_and_target_rates) {
+  const StudyConfig study =
+      read(needed +
+           "[hazard]\nk0 = 1e-4\nk = 2.5\ndesign_life_years = 50\ntarget_rates_per_year = [1e-4, "
+           "1e-3]\n");
+  EXPECT_NEAR(study.hazard->curve.annual_rate(4.0), 1e-4 / 32, 1e-19);
+  EXPECT_THAT(study.hazard->target_rates_per_year, testing::ElementsAre(1e-3, 1e-4));
+}
+
+TEST_F(HazardStudy, refuses_no_curve_two_curves_and_half_a_law) {
+  const std::string life = "design_life_years = 25\n";
+  EXPECT_THAT(error(needed + "[hazard]\n" + life), HasSubstr("needs one hazard curve"));
+  folder_.write("h.csv", "sds_g,annual_rate\n0.1,0.02\n0.5,0.002\n");
+  EXPECT_THAT(error(needed + "[hazard]\ncurve = \"h.csv\"\nk0 = 1e-4\nk = 2\n" + life),
+              HasSubstr("needs one hazard curve"));
+  EXPECT_THAT(error(needed + "[hazard]\nk0 = 1e-4\n" + life), HasSubstr("hazard.k"));
+  EXPECT_THAT(error(needed + "[hazard]\nk0 = 1e-4\nk = 2\n"),
+              HasSubstr("hazard.design_life_years"));
+  EXPECT_THAT(error(needed + "[hazard]\nk0 = -1\nk = 2\n" + life), HasSubstr("hazard.k0 = -1"));
+}
+
+TEST_F(HazardStudy, refuses_a_curve_that_is_none) {
+  EXPECT_THAT(curve_error("pga_g,annual_rate\n0.1,0.02\n0.5,0.002\n"),
+              AllOf(HasSubstr("h.csv:1"), HasSubstr("sds_g,annual_rate")));
+  EXPECT_THAT(curve_error("sds_g,annual_rate\n0.1,0.02\n0.5,0.02\n"), HasSubstr("h.csv:3"));
+  EXPECT_THAT(curve_error("sds_g,annual_rate\n0.1,0.02\n0.1,0.01\n"), HasSubstr("h.csv:3"));
+  EXPECT_THAT(curve_error("sds_g,annual_rate\n0,0.02\n0.1,0.01\n"), HasSubstr("h.csv:2"));
+  EXPECT_THAT(curve_error("sds_g,annual_rate\n0.1,0.02\n0.2,0\n"), HasSubstr("h.csv:3"));
+  EXPECT_THAT(curve_error("sds_g,annual_rate\n0.1,0.02\n"), HasSubstr("two points"));
+}
+
+TEST_F(HazardStudy, needs_a_fragility_and_every_history) {
+  const std::string hazard = "[hazard]\nk0 = 1e-4\nk = 2\ndesign_life_years = 25\n";
+  EXPECT_THAT(error(study_part + suite_part + intensity_part + friction_part + hazard),
+              HasSubstr("[hazard] needs [fragility]"));
+  EXPECT_THAT(error(needed + "stop_at_largest = true\n" + hazard),
+              HasSubstr("which [hazard] needs"));
+}
+
+// The lowest level is 0.5: 10 x 0.5^-2 = 40 earthquakes a year.
+TEST_F(HazardStudy, refuses_more_earthquakes_than_can_be_followed) {
+  EXPECT_THAT(error(needed + "[hazard]\nk0 = 10\nk = 2\ndesign_life_years = 50\n"),
+              AllOf(HasSubstr("2000"), HasSubstr("0.71")));
+}
+
+TEST(hazard_results_file, comes_back) {
+  const TemporaryFolder folder;
+  const Results written = with_all();
+  write_results(folder.path() / "a.h5", written);
+  const Results read = read_results(folder.path() / "a.h5");
+  const HazardResults &a = *written.hazard, &b = *read.hazard;
+  EXPECT_EQ(b.source, a.source);
+  EXPECT_EQ(b.intensity, a.intensity);
+  EXPECT_EQ(b.intensity_rate, a.intensity_rate);
+  EXPECT_EQ(b.design_life_years, a.design_life_years);
+  EXPECT_EQ(b.beyond_rate, a.beyond_rate);
+  EXPECT_EQ(b.residual_vectors, a.residual_vectors);
+  ASSERT_EQ(b.runs.size(), a.runs.size());
+  const HazardRun &run = a.runs[1], &same = b.runs[1];
+  EXPECT_EQ(same.label, run.label);
+  EXPECT_EQ(same.events, run.events);
+  EXPECT_EQ(same.from_intensity, run.from_intensity);
+  EXPECT_EQ(same.moving_share, run.moving_share);
+  ASSERT_EQ(same.thresholds.size(), run.thresholds.size());
+  EXPECT_EQ(same.thresholds[1].annual_rate, run.thresholds[1].annual_rate);
+  EXPECT_EQ(same.thresholds[1].beyond_share, run.thresholds[1].beyond_share);
+  EXPECT_EQ(same.thresholds[1].life_interval.high, run.thresholds[1].life_interval.high);
+  ASSERT_EQ(same.curve.size(), run.curve.size());
+  EXPECT_EQ(same.curve[2].rate_interval.high, run.curve[2].rate_interval.high);
+  EXPECT_EQ(same.targets.at(1).displacement_m, run.targets[1].displacement_m);
+  EXPECT_EQ(same.targets.at(0).intensity, run.targets[0].intensity);
+  ASSERT_EQ(same.life.size(), run.life.size());
+  EXPECT_EQ(same.life[2].quantity, LifeQuantity::farthest);
+  EXPECT_EQ(same.life[0].p95_m, run.life[0].p95_m);
+}
+
+}  // namespace
+}  // namespace glissade

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <sstream>
+
+#include "figure_facts.hpp"
+#include "glissade/report/figures.hpp"
+#include "glissade/report/html.hpp"
+#include "glissade/report/summary.hpp"
+#include "glissade/report/tables.hpp"
+#include "made_up_results.hpp"
+
+namespace glissade {
+namespace {
+
+using testing::AllOf;
+using testing::Contains;
+using testing::HasSubstr;
+
+/// 12 records, capacities C sqrt(c / 0.3 m), C of median 0.9 g.
+Results made_up_hazard() {
+  Results results = made_up_results();
+  StudyConfig config;
+  config.sampling.bootstrap_replicates = 100;
+  config.hazard = HazardConfig{
+      HazardCurve::power_law(1e-3, 2.0), "0.001 x^-2", 25.0, {1.0 / 700, rate_of(0.01, 50.0)}};
+  results.hazard = hazard_results(config, results);
+  return results;
+}
+
+Table table_of(const Results& results, const char* name) {
+  const std::vector<Table> tables = csv_tables(results);
+  return *std::ranges::find(tables, FileName(name), &Table::name);
+}
+
+TEST(hazard_report, has_a_row_for_each_run_and_threshold_target_and_quantity) {
+  const Results r = made_up_hazard();
+  const std::size_t runs = r.runs.size();
+  EXPECT_EQ(table_of(r, "hazard").rows.size(), runs * r.thresholds_m.size());
+  EXPECT_EQ(table_of(r, "hazard_targets").rows.size(), runs * 2);
+  EXPECT_EQ(table_of(r, "design_life").rows.size(), runs * 3);
+  EXPECT_EQ(table_of(r, "hazard_curve").rows.size(), runs * r.hazard->runs[0].curve.size());
+  EXPECT_THAT(html_report(r, {}),
+              AllOf(HasSubstr("Annual rates"), HasSubstr("Slip over 25 years")));
+}
+
+TEST(hazard_report, states_what_the_levels_do_not_show) {
+  const Results r = made_up_hazard();  // S_DS up to 2 g: 1/4000 a year
+  const std::vector<std::string> sentences = answer_sentences(r);
+  EXPECT_THAT(sentences,
+              Contains(AllOf(HasSubstr("1 % in 50 years"), HasSubstr("beyond the levels"),
+                             HasSubstr("S_DS = 2.23 g"))));
+  EXPECT_THAT(sentences, Contains(HasSubstr("counted as if any stronger shaking did")));
+  EXPECT_THAT(sentences, Contains(HasSubstr("every peak counts as slip down the slope")));
+  EXPECT_THAT(sentences, Contains(HasSubstr("NOT in the accumulated slip")));
+}
+
+TEST(hazard_report, tables_of_the_summary_fit_eighty_columns) {
+  std::istringstream summary(summary_text(made_up_hazard()));
+  std::size_t rows = 0;
+  bool inside = false;
+  for (std::string line; std::getline(summary, line);) {
+    if (line.starts_with("How often each clearance")) inside = true;
+    if (line.empty()) inside = false;
+    if (!inside) continue;
+    ++rows;
+    EXPECT_LE(line.size(), 80u) << line;
+  }
+  EXPECT_GE(rows, 8u);
+}
+
+TEST(hazard_report, figure_has_a_line_and_a_band_for_each_run_and_decades_as_ticks) {
+  const Results r = made_up_hazard();
+  const Figure figure = figure_named(make_figures(r), "hazard");
+  ASSERT_EQ(figure.panels.size(), 1u);
+  EXPECT_EQ(curves_of(figure).size(), r.runs.size());
+  const Panel& panel = figure.panels.front();
+  EXPECT_THAT(panel.y.ticks, Contains(testing::Field(&Tick::label, "1e-3")));
+  for (const DataSeries& line : curves_of(figure))
+    EXPECT_TRUE(std::ranges::is_sorted(line.y, std::greater<>()));
+  EXPECT_GE(panel.rules.size(), 1u);
+}
+
+}  // namespace
+}  // namespace glissade

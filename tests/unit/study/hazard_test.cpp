@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Annual rates and slip over a design life of histories that can be followed by hand.
+#include "glissade/study/analysis/hazard.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "glissade/core/normal.hpp"
+#include "glissade/study/config.hpp"
+#include "glissade/study/results.hpp"
+
+namespace glissade {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+struct ByHand {
+  StudyConfig config;
+  Results results;
+
+  /// One run of all cases; no history slides.
+  ByHand(std::size_t records, std::size_t cases, std::vector<double> levels,
+         std::vector<double> thresholds_m) {
+    config.sampling.bootstrap_replicates = 200;
+    hazard(1e-3, 2.0, 50.0);
+    results.levels = std::move(levels);
+    results.thresholds_m = std::move(thresholds_m);
+    results.cases.samples = cases;
+    results.cases.cases.resize(cases);
+    for (Case& c : results.cases.cases) c.friction = c.friction_across = 0.5;
+    HistoryTable& table = results.histories;
+    table = {records, cases, results.levels.size(), results.thresholds_m.size(), {}};
+    table.fields.peak_displacement_m.assign(records * cases * table.levels, 0.0);
+    table.fields.capacity.assign(records * cases * table.thresholds, infinity);
+    RunResults run;
+    run.label = "sampled";
+    run.cases = cases;
+    for (const double threshold_m : results.thresholds_m) {
+      run.fragilities.emplace_back().threshold_m = threshold_m;
+      run.fragilities.back().censored_share = 0.5;
+    }
+    results.runs = {run};
+  }
+
+  void hazard(double k0, double k, double years) {
+    config.hazard = HazardConfig{HazardCurve::power_law(k0, k), "", years, {1.0 / 700, 1.0 / 2475}};
+  }
+  double& capacity(std::size_t record, std::size_t c, std::size_t threshold) {
+    const HistoryTable& table = results.histories;
+    return results.histories.fields
+        .capacity[(record * table.cases + c) * table.thresholds + threshold];
+  }
+  double& peak_m(std::size_t record, std::size_t c, std::size_t level) {
+    return results.histories.fields.peak_displacement_m[results.histories.at(record, c, level)];
+  }
+  /// Every history of a record slides as far at all levels, and stays there.
+  void slide(std::size_t record, double along_m, double across_m) {
+    HistoryFields& f = results.histories.fields;
+    f.residual_along_m.resize(f.peak_displacement_m.size());
+    f.residual_across_m.resize(f.peak_displacement_m.size());
+    for (std::size_t c = 0; c < results.histories.cases; ++c) {
+      for (std::size_t level = 0; level < results.levels.size(); ++level) {
+        const std::size_t at = results.histories.at(record, c, level);
+        f.peak_displacement_m[at] = std::hypot(along_m, across_m);
+        f.residual_along_m[at] = along_m;
+        f.residual_across_m[at] = across_m;
+      }
+    }
+  }
+  HazardRun run() const { return hazard_results(config, results).runs.at(0); }
+};
+
+TEST(hazard, rate_is_the_mean_of_the_hazard_curve_over_the_capacities) {
+  ByHand study(2, 2, {1.0, 2.0}, {0.3});
+  study.capacity(0, 0, 0) = 0.5;
+  study.capacity(0, 1, 0) = 1.0;
+  study.capacity(1, 0, 0) = 2.0;  // the last is not reached: as if at 2
+  const ThresholdRate row = study.run().thresholds.at(0);
+  const double expected = 1e-3 * (4.0 + 1.0 + 0.25 + 0.25) / 4;
+  EXPECT_NEAR(row.annual_rate, expected, 1e-17);
+  EXPECT_NEAR(row.beyond_share, 0.25 / 5.5, 1e-15);
+  EXPECT_NEAR(row.life_probability, 1.0 - std::exp(-50.0 * expected), 1e-15);
+  EXPECT_LE(row.rate_interval.low, expected);
+  EXPECT_GE(row.rate_interval.high, expected);
+}
+
+// Capacities at the middle of 400 equal parts of a lognormal; the closed form of the fit.
+TEST(hazard, rate_of_lognormal_capacities_is_that_of_the_fit) {
+  ByHand study(20, 20, {1e-3, 1e3}, {0.3});
+  const FragilityCurve curve{0.5, 0.4};
+  for (std::size_t i = 0; i < 400; ++i)
+    study.capacity(i % 20, i / 20, 0) = curve.intensity_at((static_cast<double>(i) + 0.5) / 400);
+  study.results.runs[0].fragilities[0].capacities.curve = curve;
+  study.results.runs[0].fragilities[0].capacities.status = FitStatus::maximum_likelihood;
+  const ThresholdRate row = study.run().thresholds.at(0);
+  EXPECT_NEAR(row.fit_rate, 1e-3 * 4.0 * std::exp(0.5 * 0.64), 1e-14);
+  EXPECT_NEAR(row.annual_rate / row.fit_rate, 1.0, 0.01);
+}
+
+TEST(hazard, rates_double_with_the_hazard) {
+  ByHand study(2, 1, {1.0, 2.0}, {0.3});
+  study.capacity(0, 0, 0) = 0.7;
+  study.peak_m(0, 0, 0) = 0.4;
+  study.peak_m(0, 0, 1) = 0.8;
+  const HazardRun once = study.run();
+  study.hazard(2e-3, 2.0, 50.0);
+  const HazardRun twice = study.run();
+  EXPECT_NEAR(twice.thresholds[0].annual_rate / once.thresholds[0].annual_rate, 2.0, 1e-12);
+  EXPECT_NEAR(twice.thresholds[0].rate_interval.high / once.thresholds[0].rate_interval.high, 2.0,
+              1e-12);
+  for (std::size_t i = 0; i < once.curve.size(); ++i)
+    EXPECT_NEAR(twice.curve[i].annual_rate / once.curve[i].annual_rate, 2.0, 1e-12);
+}
+
+TEST(hazard, of_a_history_that_slides_freely_has_no_rate) {
+  ByHand study(2, 1, {1.0, 2.0}, {0.3});
+  study.results.cases.cases[0].slope_deg = 40.0;
+  study.capacity(0, 0, 0) = study.capacity(1, 0, 0) = 0.0;
+  const HazardRun run = study.run();
+  EXPECT_EQ(run.thresholds[0].annual_rate, infinity);
+  EXPECT_EQ(run.thresholds[0].life_probability, 1.0);
+  EXPECT_EQ(run.curve.back().annual_rate, infinity);
+  EXPECT_EQ(run.life.at(0).median_m, infinity);
+}
+
+// The root of displacement is linear in intensity from 0: capacity of d is sqrt(d).
+TEST(hazard, curve_falls_with_displacement_and_gives_the_displacement_of_a_rate) {
+  ByHand study(3, 1, {0.5, 1.0, 4.0}, {0.3});
+  for (std::size_t record = 0; record < 3; ++record) {
+    study.capacity(record, 0, 0) = std::sqrt(0.3);
+    for (std::size_t level = 0; level < 3; ++level)
+      study.peak_m(record, 0, level) = std::pow(study.results.levels[level], 2.0);
+  }
+  const HazardRun run = study.run();
+  for (std::size_t i = 0; i < run.curve.size(); ++i) {
+    EXPECT_NEAR(run.curve[i].annual_rate * run.curve[i].displacement_m, 1e-3, 1e-13);
+  }
+  EXPECT_TRUE(std::ranges::is_sorted(run.curve, std::greater<>(), &DisplacementRate::annual_rate));
+  ASSERT_EQ(run.targets.size(), 2u);
+  EXPECT_NEAR(run.targets[0].displacement_m, 0.7, 1e-12);
+  EXPECT_NEAR(run.targets[1].displacement_m, 2.475, 1e-12);
+  EXPECT_NEAR(run.targets[1].intensity, std::sqrt(2.475), 1e-13);
+  EXPECT_NEAR(run.targets[1].displacement_interval.high, 2.475, 1e-12);
+}
+
+TEST(hazard, displacement_of_a_rate_beyond_the_levels_is_infinite) {
+  ByHand study(3, 1, {0.5, 1.0}, {0.3});  // shaking above 1 is more frequent than 1/2475
+  const HazardRun run = study.run();
+  EXPECT_EQ(run.targets[1].displacement_m, infinity);
+  EXPECT_EQ(run.thresholds[0].beyond_share, 1.0);
+  EXPECT_TRUE(std::isnan(run.thresholds[0].rate_interval.low));
+}
+
+// A Poisson number of earthquakes with mean 3: quantiles 3, 5 and 6 (cumulative 0.647, 0.916,
+// 0.966; 0.815 at 4). Shaking above the highest level: 3e-6 in a life.
+TEST(design_life, slip_down_the_slope_adds_up) {
+  ByHand study(2, 1, {1.0, 1000.0}, {0.3});
+  study.hazard(3.0 / 50.0, 2.0, 50.0);
+  study.slide(0, 0.1, 0.0);
+  study.slide(1, 0.1, 0.0);
+  const HazardRun run = study.run();
+  EXPECT_NEAR(run.events, 3.0, 1e-12);
+  EXPECT_EQ(run.moving_share, 1.0);
+  ASSERT_EQ(run.life.size(), 3u);
+  for (const LifeDisplacement& row : {run.life[1], run.life[2]}) {
+    EXPECT_NEAR(row.median_m, 0.3, 1e-12);
+    EXPECT_NEAR(row.p84_m, 0.5, 1e-12);
+    EXPECT_NEAR(row.p95_m, 0.6, 1e-12);
+  }
+  EXPECT_NEAR(run.life[0].p95_m, 0.1, 1e-15);
+}
+
+// The mean of the square of a sum of N steps of either sign is N; of one sign it is N^2.
+TEST(design_life, slip_to_either_side_partly_cancels) {
+  ByHand study(2, 1, {1.0, 1000.0}, {0.3});
+  study.hazard(20.0 / 50.0, 2.0, 50.0);
+  study.slide(0, 0.0, 0.1);
+  study.slide(1, 0.0, -0.1);
+  const HazardRun run = study.run();
+  EXPECT_LT(run.life[1].p95_m, 1.1);  // 2.8 in one direction; 1.96 sqrt(20) 0.1 = 0.88
+  EXPECT_GT(run.life[1].p95_m, 0.7);
+  EXPECT_GT(run.life[2].median_m, run.life[1].median_m);
+}
+
+TEST(design_life, without_residuals_every_peak_counts_as_slip_down_the_slope) {
+  ByHand study(2, 1, {1.0, 1000.0}, {0.3});
+  study.hazard(3.0 / 50.0, 2.0, 50.0);
+  for (double& peak : study.results.histories.fields.peak_displacement_m) peak = 0.2;
+  EXPECT_FALSE(hazard_results(study.config, study.results).residual_vectors);
+  EXPECT_NEAR(study.run().life[1].p84_m, 1.0, 1e-12);
+}
+
+TEST(design_life, is_zero_where_nothing_slides_and_without_bound_beyond_the_levels) {
+  ByHand study(2, 1, {1.0, 2.0, 1000.0}, {0.3});
+  const HazardRun still = study.run();
+  EXPECT_EQ(still.life[2].p95_m, 0.0);
+  EXPECT_EQ(still.moving_share, 0.0);
+  EXPECT_EQ(still.from_intensity, 1000.0);
+  study.hazard(1e6, 2.0, 50.0);  // 50 earthquakes above 1,000
+  EXPECT_EQ(study.run().life[0].median_m, infinity);
+}
+
+TEST(design_life, is_the_same_each_time) {
+  ByHand study(3, 2, {1.0, 3.0, 100.0}, {0.3});
+  study.slide(0, 0.1, 0.02);
+  study.slide(1, 0.3, -0.1);
+  study.slide(2, 0.0, 0.0);
+  study.hazard(0.05, 1.5, 25.0);
+  const HazardRun a = study.run(), b = study.run();
+  for (std::size_t q = 0; q < a.life.size(); ++q) {
+    EXPECT_EQ(a.life[q].p95_m, b.life[q].p95_m);
+    EXPECT_EQ(a.life[q].p95_interval.high, b.life[q].p95_interval.high);
+    EXPECT_LE(a.life[q].p95_interval.low, a.life[q].p95_m);
+    EXPECT_GE(a.life[q].p95_interval.high, a.life[q].p95_m);
+  }
+}
+
+}  // namespace
+}  // namespace glissade
