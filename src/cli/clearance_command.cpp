@@ -92,9 +92,9 @@ void run_made_study(const fs::path& file, bool overwrite, const Communicator& wo
                .overwrite = overwrite,
                .quiet = true},
               world);
-  } catch (const ExitStatus&) {
+  } catch (const ExitStatus& exit) {
     std::error_code ignored;
-    if (world.is_root()) {
+    if (world.is_root() && exit.status == 2) {
       fs::remove(file, ignored);
       fs::remove(file.parent_path(), ignored);  // if empty
     }

@@ -10,54 +10,12 @@
 #include <system_error>
 
 #include "glissade/core/error.hpp"
+#include "glissade/core/output_file.hpp"
 
 namespace glissade {
 namespace {
 
 namespace fs = std::filesystem;
-
-[[noreturn]] void throw_io_error(const fs::path& path, const std::string& doing, int error_number) {
-  const char* suggestion = error_number == ENOSPC || error_number == EDQUOT || error_number == EFBIG
-                               ? "make room on the disk or write elsewhere"
-                               : "check that the path is right and that you may write there";
-  throw InputError({path.string(), doing + ": " + std::generic_category().message(error_number),
-                    suggestion, ""});
-}
-
-/// Owns an open file descriptor; `close` reports the error of a delayed write.
-class OutputFile {
- public:
-  /// @param fd from ::open; @param shown the file the user named, for errors
-  OutputFile(int fd, const fs::path& shown) : path_(shown), fd_(fd) {
-    if (fd_ < 0) throw_io_error(path_, "cannot be opened for writing", errno);
-  }
-  OutputFile(const OutputFile&) = delete;
-  OutputFile& operator=(const OutputFile&) = delete;
-  ~OutputFile() {
-    if (fd_ >= 0) ::close(fd_);
-  }
-
-  void write(std::string_view text) {
-    while (!text.empty()) {
-      const ssize_t written = ::write(fd_, text.data(), text.size());
-      if (written < 0 && errno == EINTR) continue;
-      if (written < 0) throw_io_error(path_, "cannot be written", errno);
-      text.remove_prefix(static_cast<std::size_t>(written));
-    }
-  }
-  void sync() {
-    if (::fsync(fd_) != 0) throw_io_error(path_, "cannot be flushed to the disk", errno);
-  }
-  void close() {
-    const int fd = fd_;
-    fd_ = -1;
-    if (::close(fd) != 0) throw_io_error(path_, "cannot be closed", errno);
-  }
-
- private:
-  fs::path path_;
-  int fd_;
-};
 
 /// True of /dev/stdout, /dev/fd/3 and the like: links that the system keeps below /proc to what a
 /// process has open.
@@ -118,6 +76,7 @@ void write_and_rename(const fs::path& path, std::string_view text) {
     ::unlink(partial.c_str());
     throw_io_error(path, "cannot be put in place", error_number);
   }
+  sync_folder(path.parent_path());
 }
 
 }  // namespace
@@ -137,6 +96,13 @@ std::string read_text_file(const fs::path& path) {
   throw InputError({path.string(),
                     "cannot be read: " + std::generic_category().message(error_number),
                     "check that the file exists and that you may read it", ""});
+}
+
+void sync_folder(const fs::path& folder) {
+  const int fd = ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (fd < 0) return;
+  ::fsync(fd);  // not every file system can: then it needs no flush
+  ::close(fd);
 }
 
 void create_text_file(const fs::path& path, std::string_view text) {

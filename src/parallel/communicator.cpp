@@ -9,6 +9,8 @@
 #include <cstdlib>
 #include <stdexcept>
 
+#include "glissade/core/error.hpp"
+
 namespace glissade {
 
 /// The group: MPI_COMM_NULL if the program runs alone and MPI was not started.
@@ -104,13 +106,29 @@ Communicator::Ticket Communicator::make_ticket() const {
   return Ticket(std::move(state));
 }
 
+namespace {
+
+/// The counter before `more` is added to it.
+std::uint64_t fetch_and_add(MPI_Win window, std::uint64_t more) {
+  std::uint64_t before = 0;
+  MPI_Fetch_and_op(&more, &before, MPI_UINT64_T, 0, 0, MPI_SUM, window);
+  MPI_Win_flush(0, window);
+  return before;
+}
+
+}  // namespace
+
 std::uint64_t Communicator::Ticket::next() {
   if (state_->window == MPI_WIN_NULL) return state_->alone++;
-  const std::uint64_t one = 1;
-  std::uint64_t mine = 0;
-  MPI_Fetch_and_op(&one, &mine, MPI_UINT64_T, 0, 0, MPI_SUM, state_->window);
-  MPI_Win_flush(0, state_->window);
-  return mine;
+  return fetch_and_add(state_->window, 1);
+}
+
+void Communicator::Ticket::close(std::uint64_t count) {
+  if (state_->window == MPI_WIN_NULL) {
+    state_->alone += count;
+  } else {
+    fetch_and_add(state_->window, count);
+  }
 }
 
 Communicator::Ticket::~Ticket() {
@@ -119,18 +137,31 @@ Communicator::Ticket::~Ticket() {
   MPI_Win_free(&state_->window);
 }
 
+namespace {
+
+/// Stack unwinding would wait until the other ranks have finished all their work.
+[[noreturn]] void end_all(const Communicator& world, const char* what, int exit_status) {
+  std::fprintf(stderr, "glissade: rank %d: %s\n", world.rank(), what);
+  world.abort(exit_status);
+}
+
+}  // namespace
+
 void self_schedule(const Communicator& world, std::uint64_t count,
-                   const std::function<void(std::uint64_t)>& work) {
+                   const std::function<void(std::uint64_t)>& work,
+                   const std::function<bool()>& stop) {
   Communicator::Ticket ticket = world.make_ticket();
-  for (std::uint64_t item = ticket.next(); item < count; item = ticket.next()) {
+  while (true) {
     try {
+      if (stop()) return ticket.close(count);
+      const std::uint64_t item = ticket.next();
+      if (item >= count) return;
       work(item);
+    } catch (const InputError& error) {
+      if (world.size() > 1) end_all(world, error.what(), 2);
+      throw;
     } catch (const std::exception& error) {
-      // Stack unwinding would wait until the other ranks have finished all their work.
-      if (world.size() > 1) {
-        std::fprintf(stderr, "glissade: rank %d: %s\n", world.rank(), error.what());
-        world.abort(1);
-      }
+      if (world.size() > 1) end_all(world, error.what(), 1);
       throw;
     }
   }
@@ -141,7 +172,9 @@ MpiSession::MpiSession(int& argc, char**& argv) {
   // daemon of its own.
   const auto set = [](const char* name) { return std::getenv(name) != nullptr; };
   if (!set("OMPI_COMM_WORLD_SIZE") && !set("PMIX_RANK") && !set("PMI_RANK")) return;
-  if (MPI_Init(&argc, &argv) != MPI_SUCCESS) throw std::runtime_error("MPI_Init failed");
+  int provided = 0;  // threads of this program make no calls of MPI
+  if (MPI_Init_thread(&argc, &argv, MPI_THREAD_FUNNELED, &provided) != MPI_SUCCESS)
+    throw std::runtime_error("MPI_Init failed");
   started_ = true;
 }
 

@@ -3,6 +3,7 @@
 
 #include <fcntl.h>
 #include <gmock/gmock.h>
+#include <signal.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -58,17 +59,30 @@ namespace {
 
 }  // namespace
 
-Finished run_child(const std::vector<std::string>& arguments) {
-  const ScratchFolder folder;
-  const std::string out = folder.path("out").string(), err = folder.path("err").string();
-  const pid_t child = fork();
-  if (child < 0) throw std::runtime_error("no child");
-  if (child == 0) become(arguments, out, err);
-  int status = 0;
-  waitpid(child, &status, 0);
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), read_file(out),
-          read_file(err)};
+Child::Child(const std::vector<std::string>& arguments) : pid_(fork()) {
+  if (pid_ < 0) throw std::runtime_error("no child");
+  if (pid_ == 0) become(arguments, folder_.path("out").string(), folder_.path("err").string());
 }
+
+Child::~Child() {
+  if (waited_) return;
+  ::kill(pid_, SIGKILL);
+  waitpid(pid_, nullptr, 0);
+}
+
+bool Child::is_running() {
+  if (!waited_) waited_ = waitpid(pid_, &status_, WNOHANG) == pid_;
+  return !waited_;
+}
+
+Finished Child::wait() {
+  if (!waited_) waitpid(pid_, &status_, 0);
+  waited_ = true;
+  return {WIFEXITED(status_) ? WEXITSTATUS(status_) : 128 + WTERMSIG(status_),
+          read_file(folder_.path("out")), read_file(folder_.path("err"))};
+}
+
+Finished run_child(const std::vector<std::string>& arguments) { return Child(arguments).wait(); }
 
 Finished run_program(std::vector<std::string> arguments) {
   arguments.insert(arguments.begin(), GLISSADE_PROGRAM);

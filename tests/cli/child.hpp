@@ -32,7 +32,25 @@ struct Finished {
   std::string out, err;
 };
 
-/// Runs `arguments` (the program first, found on the PATH) and waits.
+/// A process under way, of which the system keeps no trace once this is gone.
+class Child {
+ public:
+  /// Starts `arguments` (the program first, found on the PATH).
+  explicit Child(const std::vector<std::string>& arguments);
+  ~Child();  ///< kills it
+  Child(const Child&) = delete;
+  Child& operator=(const Child&) = delete;
+  int pid() const { return pid_; }
+  bool is_running();
+  Finished wait();  ///< until it ends
+
+ private:
+  ScratchFolder folder_;
+  int pid_, status_ = 0;
+  bool waited_ = false;
+};
+
+/// Runs `arguments` and waits.
 Finished run_child(const std::vector<std::string>& arguments);
 /// Runs glissade.
 Finished run_program(std::vector<std::string> arguments);

@@ -182,8 +182,10 @@ TEST_F(Run, check_is_a_dry_run_and_reports_cost_and_folder) {
   for (const char* part : {"\nwork ", "\ntime ", "\nresults ", "out: free\n"})
     EXPECT_THAT(check.out, HasSubstr(part));
   EXPECT_EQ(folder.contents(), std::vector<std::string>{"small.toml"});
-  EXPECT_THAT(run_program({"check", study, "--results", out().string()}).out,
-              HasSubstr("NOT FREE"));
+  const Finished taken = run_program({"check", study, "--results", out().string()});
+  EXPECT_EQ(taken.status, 2);  // the plan, and that the folder is taken
+  EXPECT_THAT(taken.out, HasSubstr("\nwork "));
+  EXPECT_THAT(taken.err, HasSubstr(out().string()));
 }
 
 TEST_F(Run, dry_run_prints_the_plan_and_writes_nothing) {

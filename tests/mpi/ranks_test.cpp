@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gmock/gmock.h>
 
-#include <cstdlib>
-
 #include "cli/child.hpp"
 #include "cli/small_clearance.hpp"
 #include "cli/small_study.hpp"
+#include "mpi/mpirun.hpp"
 
 namespace glissade::test {
 namespace {
@@ -13,18 +12,7 @@ namespace {
 class Mpi : public testing::Test {
  protected:
   void SetUp() override {
-    if (run_shell("command -v mpirun").status != 0) GTEST_SKIP() << "mpirun is not installed";
-    // More ranks than cores, as root in a container, without the kernel's single-copy path.
-    for (const char* name : {"OMPI_ALLOW_RUN_AS_ROOT", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM",
-                             "OMPI_MCA_rmaps_base_oversubscribe", "OMPI_MCA_mpi_yield_when_idle"}) {
-      setenv(name, "1", 1);
-    }
-    setenv("OMPI_MCA_btl_vader_single_copy_mechanism", "none", 1);
-  }
-
-  static Finished run_on(int ranks, std::vector<std::string> arguments) {
-    arguments.insert(arguments.begin(), {"mpirun", "-n", std::to_string(ranks), GLISSADE_PROGRAM});
-    return run_child(arguments);
+    if (!mpirun_is_there()) GTEST_SKIP() << "mpirun is not installed";
   }
 
   /// The bytes of results.h5 of a run on `ranks`; 0: without mpirun.

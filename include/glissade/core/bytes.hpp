@@ -10,8 +10,8 @@
 
 namespace glissade {
 
-/// Packs values for another process of the same run (same machine type, same program): not a file
-/// format.
+/// Packs values for another process of the same run, or for its journal (same machine type, same
+/// program).
 class ByteWriter {
  public:
   template <class T>
@@ -36,6 +36,12 @@ class ByteWriter {
   std::vector<char> bytes_;
 };
 
+/// Bytes that end before what they should contain.
+struct ShortMessage : std::logic_error {
+  ShortMessage() : std::logic_error("ByteReader: message shorter than its content") {}
+};
+
+/// Unpacks; nothing larger than the message itself is allocated.
 class ByteReader {
  public:
   explicit ByteReader(std::span<const char> bytes) : bytes_(bytes) {}
@@ -49,6 +55,7 @@ class ByteReader {
   requires std::is_trivially_copyable_v<T> ByteReader& get(std::vector<T>& values) {
     std::size_t count = 0;
     get(count);
+    if (count > bytes_.size() / sizeof(T)) throw ShortMessage();
     values.resize(count);
     copy(values.data(), count * sizeof(T));
     return *this;
@@ -62,8 +69,7 @@ class ByteReader {
 
  private:
   void copy(void* to, std::size_t size) {
-    if (size > bytes_.size())
-      throw std::logic_error("ByteReader: message shorter than its content");
+    if (size > bytes_.size()) throw ShortMessage();
     if (size > 0) std::memcpy(to, bytes_.data(), size);
     bytes_ = bytes_.subspan(size);
   }

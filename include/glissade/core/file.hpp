@@ -22,4 +22,7 @@ void write_text_file(const std::filesystem::path& path, std::string_view text);
 /// InputError for the others.
 void create_text_file(const std::filesystem::path& path, std::string_view text);
 
+/// Flushes the names of a folder's files to the disk, where the file system can.
+void sync_folder(const std::filesystem::path& folder);
+
 }  // namespace glissade

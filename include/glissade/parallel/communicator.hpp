@@ -36,6 +36,8 @@ class Communicator {
     ~Ticket();
     Ticket(Ticket&&) noexcept;
     std::uint64_t next();
+    /// No rank gets a number below `count` any more. Not collective.
+    void close(std::uint64_t count);
 
    private:
     std::unique_ptr<State> state_;
@@ -50,10 +52,12 @@ class Communicator {
   friend class MpiSession;
 };
 
-/// Calls work(item) for every item below `count`, each on one rank, the next free one. Collective.
-/// An exception on one of several ranks ends them all.
-void self_schedule(const Communicator& world, std::uint64_t count,
-                   const std::function<void(std::uint64_t)>& work);
+/// Calls work(item) for every item below `count`, each on one rank, the next free one. Every rank
+/// calls `stop` before it takes an item: where it is true, no rank takes a further one. Collective.
+/// An exception on one of several ranks ends them all, an InputError with status 2.
+void self_schedule(
+    const Communicator& world, std::uint64_t count, const std::function<void(std::uint64_t)>& work,
+    const std::function<bool()>& stop = [] { return false; });
 
 /// Starts MPI for the lifetime of the object if the program runs under mpirun (or srun); otherwise
 /// does nothing.

@@ -46,32 +46,85 @@ void check_room(const fs::path& folder, double bytes_of_results) {
   }
 }
 
+void remove_what_a_run_left(const fs::path& folder) {
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(folder, ignored)) {
+    const std::string name = entry.path().filename();
+    if (name.starts_with("results.h5.partial.") || name.starts_with("run.json.partial.") ||
+        name == "stop")
+      fs::remove(entry.path(), ignored);
+  }
+}
+
 }  // namespace
 
-void take_results_folder(const fs::path& folder, double bytes_of_results,
-                         const std::string& run_json, bool overwrite) {
-  check_room(folder, bytes_of_results);
-  if (overwrite) remove_run(folder);
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error) {
-    throw InputError({folder.string(), "cannot be made: " + error.message(),
-                      "give a folder you may write to with --out", ""});
+std::string resume_command(const fs::path& folder) {
+  return "glissade run --resume " + folder.string();
+}
+
+void check_run_folder(const fs::path& folder, bool overwrite) {
+  if (is_running(folder)) {
+    throw InputError({"--out", folder.string() + ": a run is going on in it",
+                      "wait until it ends, or give another --out", ""});
   }
-  create_text_file(folder / "run.json", run_json);
+  if (!overwrite && has_identity(folder) && !is_finished(folder / "run.json")) {
+    throw InputError({"--out", folder.string() + " holds a run that was stopped or killed",
+                      "go on with: " + resume_command(folder) +
+                          ", or give another --out, or "
+                          "--overwrite",
+                      ""});
+  }
+  check_output_folder(folder, overwrite);
+}
+
+std::unique_ptr<RunLock> take_run_folder(const fs::path& folder, const Plan& plan,
+                                         const RunIdentity& run, bool overwrite) {
+  check_run_folder(folder, overwrite);
+  // The journals hold what the results hold.
+  check_room(folder, 2.0 * bytes_of(plan.config, plan.records.size(), plan.cases.size()));
+  auto lock = std::make_unique<RunLock>(folder);
+  if (overwrite) {
+    lock->remove_journals();
+    remove_run(folder);
+    lock = std::make_unique<RunLock>(folder);
+  }
+  try {
+    write_identity(folder, run);
+    create_text_file(folder / "run.json", started_json(plan.config.name, plan.hash));
+  } catch (...) {
+    lock->remove_journals();
+    std::error_code ignored;
+    fs::remove(folder, ignored);  // if empty
+    throw;
+  }
+  return lock;
+}
+
+StoppedRun take_stopped_run(const fs::path& folder) {
+  if (is_finished(folder / "run.json")) {
+    if (!is_running(folder)) remove_journals(folder);  // of a run killed when it removed them
+    fmt::print("{} is finished\n", folder.string());
+    throw ExitStatus{0};
+  }
+  StoppedRun run{nullptr, read_identity(folder)};
+  run.lock = std::make_unique<RunLock>(folder);
+  remove_what_a_run_left(folder);
+  return run;
 }
 
 namespace {
 
-void give_back(const fs::path& folder) noexcept {
+void leave(const fs::path& folder) noexcept {
   try {
     const fs::path run_json = folder / "run.json", results = folder / "results.h5";
     if (!is_started(run_json)) return;
     std::error_code ignored;
     if (fs::exists(results, ignored)) {
       write_text_file(run_json, unreported_json(run_json, results));
-    } else {
+      remove_journals(folder);
+    } else if (!has_units(folder)) {
       fs::remove(run_json, ignored);
+      remove_journals(folder);
       fs::remove(folder, ignored);  // if empty
     }
   } catch (const std::exception&) {  // run.json stays "started"
@@ -80,14 +133,27 @@ void give_back(const fs::path& folder) noexcept {
 
 }  // namespace
 
-ResultsFolderGuard::ResultsFolderGuard(fs::path folder, const Communicator& world)
+RunFolderGuard::RunFolderGuard(fs::path folder, const Communicator& world)
     : folder_(std::move(folder)), world_(world) {
-  if (!folder_.empty()) world_.before_abort([this] { give_back(folder_); });
+  if (!folder_.empty()) world_.before_abort([this] { leave(folder_); });
 }
 
-ResultsFolderGuard::~ResultsFolderGuard() {
+RunFolderGuard::~RunFolderGuard() {
   world_.before_abort({});
-  if (!folder_.empty() && std::uncaught_exceptions() > exceptions_) give_back(folder_);
+  if (!folder_.empty() && std::uncaught_exceptions() > exceptions_) leave(folder_);
+}
+
+void end_stopped(const fs::path& folder, const std::string& reason, std::uint64_t done_units,
+                 std::uint64_t units) {
+  constexpr int stopped_status = 75;  // EX_TEMPFAIL of sysexits.h: try again
+  std::error_code ignored;
+  fs::remove(folder / "stop", ignored);
+  const fs::path run_json = folder / "run.json";
+  write_text_file(run_json,
+                  stopped_json(run_json, reason, done_units, units, resume_command(folder)));
+  fmt::print(stderr, "glissade: stopped by {}; {} of {} units are done and kept. Go on with: {}\n",
+             reason, done_units, units, resume_command(folder));
+  throw ExitStatus{stopped_status};
 }
 
 void print_seconds(const PhaseClock& clock, int ranks) {

@@ -6,11 +6,13 @@
 #include <cstdio>
 #include <exception>
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "commands.hpp"
 #include "glissade/core/error.hpp"
+#include "glissade/io/journal.hpp"
 #include "glissade/motion/motion.hpp"
 #include "glissade/parallel/communicator.hpp"
 #include "run/run_record.hpp"
@@ -18,20 +20,24 @@
 // What a run does around its histories.
 namespace glissade::cli {
 
-/// Root prepares what may fail on the user's input, and sends the outcome to the other ranks.
+/// Root prepares what may fail on the user's input, or ends the run, and sends the outcome to the
+/// other ranks.
 template <class Prepare>
 void on_root(const Communicator& world, Prepare prepare) {
-  std::vector<char> ok(1, 1);
+  constexpr char go_on = -1;
+  std::vector<char> status(1, go_on);
   if (world.is_root()) {
     try {
       prepare();
     } catch (const InputError& error) {
       fmt::print(stderr, "glissade: {}\n", error.what());
-      ok[0] = 0;
+      status[0] = 2;
+    } catch (const ExitStatus& exit) {
+      status[0] = static_cast<char>(exit.status);
     }
   }
-  world.broadcast(ok);
-  if (ok[0] == 0) throw ExitStatus{2};
+  world.broadcast(status);
+  if (status[0] != go_on) throw ExitStatus{status[0]};
 }
 
 /// Root's motions to everybody.
@@ -40,28 +46,63 @@ void share(std::vector<Suite>& suites, const Communicator& world);
 /// Every rank makes the plan itself; other processors or mathematical libraries could make another.
 void check_same_plan(const std::string& hash, const Communicator& world);
 
+/// Throws InputError where a run cannot begin in the folder: a run is going on in it, one was
+/// stopped or killed and can be resumed, or it holds other files.
+void check_run_folder(const std::filesystem::path& folder, bool overwrite);
+
 /// Before hours of work: the folder is there, has room for the results, and no other run can take
 /// it. With `overwrite` an earlier run in it is removed.
-void take_results_folder(const std::filesystem::path& folder, double bytes_of_results,
-                         const std::string& run_json, bool overwrite);
+std::unique_ptr<RunLock> take_run_folder(const std::filesystem::path& folder, const Plan& plan,
+                                         const RunIdentity& run, bool overwrite);
+
+/// The folder of a run that was stopped or killed, for its resumption.
+struct StoppedRun {
+  std::unique_ptr<RunLock> lock;
+  RunIdentity begun;
+};
+/// Throws InputError where there is none, and ExitStatus 0 where the run is finished.
+StoppedRun take_stopped_run(const std::filesystem::path& folder);
 
 /// Made on every rank once the results folder is taken. Where an exception of any kind ends the
-/// run, on any rank, it gives the folder back: without results.h5 the run.json of
-/// take_results_folder goes, and the folder if it is then empty, so that it can be taken again;
-/// with results.h5 run.json states that the results are complete and how to make the report.
-class ResultsFolderGuard {
+/// run, on any rank, it leaves the folder as it can be used: with results.h5, run.json states that
+/// the results are complete and how to make the report; with units in a journal the run can be
+/// resumed; without either the folder is given back as it was before the run.
+class RunFolderGuard {
  public:
   /// @param folder empty: none was taken
-  ResultsFolderGuard(std::filesystem::path folder, const Communicator& world);
-  ~ResultsFolderGuard();
-  ResultsFolderGuard(const ResultsFolderGuard&) = delete;
-  ResultsFolderGuard& operator=(const ResultsFolderGuard&) = delete;
+  RunFolderGuard(std::filesystem::path folder, const Communicator& world);
+  ~RunFolderGuard();
+  RunFolderGuard(const RunFolderGuard&) = delete;
+  RunFolderGuard& operator=(const RunFolderGuard&) = delete;
 
  private:
   std::filesystem::path folder_;
   Communicator world_;
   int exceptions_ = std::uncaught_exceptions();
 };
+
+/// "glissade run --resume DIR".
+std::string resume_command(const std::filesystem::path& folder);
+
+/// Where this fails, the histories in the journals are kept: the error states how to go on.
+template <class Work>
+void keeping_units(const std::filesystem::path& folder, Work work) {
+  try {
+    work();
+  } catch (const InputError& error) {
+    ProblemList problems;
+    problems.add(error);
+    if (has_units(folder)) {
+      problems.add({folder.string(), "keeps the histories that were finished",
+                    "then go on with: " + resume_command(folder), ""});
+    }
+    problems.throw_if_any();
+  }
+}
+
+/// Ends a run on root that was stopped: run.json and a line state how it goes on.
+[[noreturn]] void end_stopped(const std::filesystem::path& folder, const std::string& reason,
+                              std::uint64_t done_units, std::uint64_t units);
 
 /// What is made from the results can be made again: the error states how.
 template <class Write>

@@ -33,6 +33,8 @@ std::string now_utc() {
 
 using Json = nlohmann::ordered_json;
 
+constexpr const char* unreported = "results written, report failed";
+
 struct RunHead {
   std::string study, plan_hash, program_version;
 };
@@ -71,13 +73,15 @@ std::string started_json(const std::string& study_name, const std::string& plan_
 }
 
 std::string run_json(const Results& results, const std::vector<Skip>& skips,
-                     const PhaseClock& clock, int ranks, const WorkCount& count) {
+                     const PhaseClock& clock, int ranks, const WorkCount& count,
+                     std::uint64_t resumed) {
   Json json = finished({results.study_name, results.plan_hash, results.program_version}, ranks);
   json["histories_integrated"] = count.integrated + count.searched;
   json["histories_at_levels"] = count.integrated;
   json["histories_in_search"] = count.searched;
   json["histories_not_converged"] = count.failed;
   json["roof_motions"] = count.roofs;
+  json["units_of_earlier_sessions"] = resumed;
   add_phases(json, clock);
   json["warnings"] = results.warnings;
   json["skipped"] = Json::array();
@@ -86,15 +90,41 @@ std::string run_json(const Results& results, const std::vector<Skip>& skips,
   return json.dump(2) + "\n";
 }
 
-bool is_started(const std::filesystem::path& run_json_file) {
+namespace {
+
+Json status_in(const std::filesystem::path& run_json_file) {
   const Json json = parsed(run_json_file);
-  return json.is_object() && json.value("status", Json()) == "started";
+  return json.is_object() ? json.value("status", Json()) : Json();
+}
+
+}  // namespace
+
+bool is_started(const std::filesystem::path& run_json_file) {
+  return status_in(run_json_file) == "started";
+}
+
+bool is_finished(const std::filesystem::path& run_json_file) {
+  const Json status = status_in(run_json_file);
+  return status == "finished" || status == unreported;
+}
+
+std::string stopped_json(const std::filesystem::path& run_json_file, const std::string& reason,
+                         std::uint64_t done_units, std::uint64_t units,
+                         const std::string& what_to_do) {
+  Json json = parsed(run_json_file);
+  json["status"] = "stopped";
+  json["stopped_by"] = reason;
+  json["stopped_utc"] = now_utc();
+  json["units_done"] = done_units;
+  json["units"] = units;
+  json["what_to_do"] = what_to_do;
+  return json.dump(2) + "\n";
 }
 
 std::string unreported_json(const std::filesystem::path& run_json_file,
                             const std::filesystem::path& results_file) {
   Json json = parsed(run_json_file);
-  json["status"] = "results written, report failed";
+  json["status"] = unreported;
   json["what_to_do"] = "glissade report --overwrite " + results_file.string();
   return json.dump(2) + "\n";
 }

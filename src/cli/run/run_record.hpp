@@ -31,14 +31,24 @@ std::string started_json(const std::string& study_name, const std::string& plan_
 /// Whether a run.json is what started_json wrote.
 bool is_started(const std::filesystem::path& run_json_file);
 
+/// A started run.json as it is of a run that was stopped.
+std::string stopped_json(const std::filesystem::path& run_json_file, const std::string& reason,
+                         std::uint64_t done_units, std::uint64_t units,
+                         const std::string& what_to_do);
+
+/// Whether a run.json is that of a run with results.
+bool is_finished(const std::filesystem::path& run_json_file);
+
 /// A started run.json as it is of a run that wrote its results and then failed.
 std::string unreported_json(const std::filesystem::path& run_json_file,
                             const std::filesystem::path& results_file);
 
 /// run.json: when, where, on how many ranks, how long, and what was skipped: all that results.h5
 /// must not contain.
+/// @param resumed units that earlier sessions of the run had finished
 std::string run_json(const Results& results, const std::vector<Skip>& skips,
-                     const PhaseClock& clock, int ranks, const WorkCount& count);
+                     const PhaseClock& clock, int ranks, const WorkCount& count,
+                     std::uint64_t resumed);
 
 /// The skips in a run.json; none where there is no such file. Throws InputError where the file
 /// is not one that a run wrote.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <filesystem>
+#include <limits>
 #include <string>
 
 #include "glissade/parallel/communicator.hpp"
@@ -8,15 +10,18 @@
 namespace glissade::cli {
 
 struct RunOptions {
-  std::string study;
-  std::string out;
+  std::string study, out;
+  std::string resume;  ///< the folder of a run to go on with; then `out` is empty
+  double walltime_s = std::numeric_limits<double>::infinity();
   bool dry_run = false;
   bool no_skip = false;
   bool overwrite = false;
   bool quiet = false;  ///< no summary on the screen
+
+  std::filesystem::path folder() const;  ///< of the results
 };
 
-/// What `glissade run` does. Throws ExitStatus where a rank cannot go on.
-void run_study(const RunOptions& options, const Communicator& world);
+/// What `glissade run` does. Throws ExitStatus where a rank cannot go on, or the run is stopped.
+void run_study(RunOptions options, const Communicator& world);
 
 }  // namespace glissade::cli

@@ -71,12 +71,14 @@ double record_us(const Plan& plan, std::size_t record) {
 }
 
 /// Units of even predicted cost: some hundreds where the study has that many cases, so that many
-/// ranks share even a small one, and none so small that its message and its roofs cost more.
+/// ranks share even a small one, none so small that its message and its roofs cost more, and none
+/// so large that a run which is stopped or killed loses more than seconds.
 void cut_units(Plan& plan) {
-  constexpr double least_us = 2000.0, units_wanted = 512.0;
+  constexpr double least_us = 2000.0, most_us = 5e6, units_wanted = 512.0;
   constexpr std::size_t roofs_at_once = 16;
   const bool makes_roofs = plan.kernel.kernel == Kernel::tables && !plan.roofs_are_kept;
-  const double unit_us = std::max(least_us, plan.predicted_seconds() * 1e6 / units_wanted);
+  const double unit_us =
+      std::clamp(plan.predicted_seconds() * 1e6 / units_wanted, least_us, most_us);
   for (std::size_t record = 0; record < plan.records.size(); ++record) {
     const double cases = std::max(1.0, std::round(unit_us / record_us(plan, record)));
     std::size_t count = static_cast<std::size_t>(

@@ -2,6 +2,7 @@
 #include "glissade/study/run/exchange.hpp"
 
 #include "glissade/core/bytes.hpp"
+#include "glissade/core/hash.hpp"
 
 namespace glissade {
 
@@ -52,26 +53,66 @@ std::vector<Suite> unpack_suites(const std::vector<char>& bytes) {
   return all;
 }
 
+namespace {
+
+/// A unit's result; its fields named once for both directions.
+template <class R, class Visit>
+void for_each_result_part(R& result, Visit visit) {
+  visit(result.unit), visit(result.count);
+  for_each_history_field([&](auto field) { visit(result.fields.*field.of); });
+}
+
+}  // namespace
+
+std::vector<char> pack(const UnitResult& result) {
+  ByteWriter out;
+  for_each_result_part(result, [&](const auto& part) { out.put(part); });
+  return out.take();
+}
+
+UnitResult unpack_unit_result(std::span<const char> bytes) {
+  ByteReader in(bytes);
+  UnitResult result;
+  for_each_result_part(result, [&](auto& part) { in.get(part); });
+  if (!in.at_end()) throw ShortMessage();
+  return result;
+}
+
 std::vector<char> pack(const std::vector<UnitResult>& results) {
   ByteWriter out;
-  out.put(results.size());
-  for (const UnitResult& result : results) {
-    out.put(result.unit).put(result.count);
-    for_each_history_field([&](auto field) { out.put(result.fields.*field.of); });
-  }
+  for (const UnitResult& result : results) out.put(pack(result));
   return out.take();
 }
 
 std::vector<UnitResult> unpack_unit_results(const std::vector<char>& bytes) {
   ByteReader in(bytes);
-  std::size_t count = 0;
-  in.get(count);
-  std::vector<UnitResult> results(count);
-  for (UnitResult& result : results) {
-    in.get(result.unit).get(result.count);
-    for_each_history_field([&](auto field) { in.get(result.fields.*field.of); });
+  std::vector<UnitResult> results;
+  for (std::vector<char> one; !in.at_end();) {
+    in.get(one);
+    results.push_back(unpack_unit_result(one));
   }
   return results;
+}
+
+bool fits(const Plan& plan, const UnitResult& result) {
+  if (result.unit >= plan.units.size()) return false;
+  const KeptFields kept(plan.config);
+  const std::size_t cases = plan.units[result.unit].count;
+  bool all = true;
+  for_each_history_field([&](auto field) {
+    const std::size_t size = kept.has(field) ? cases * depth_of(plan.config, field.depth) : 0;
+    all = all && (result.fields.*field.of).size() == size;
+  });
+  return all;
+}
+
+std::string unit_layout(const Plan& plan) {
+  Hasher hasher;
+  hasher.number(std::uint64_t{sizeof(WorkCount)});
+  for_each_history_field([&](auto field) { hasher.text(field.name); });
+  for (const WorkUnit& unit : plan.units)
+    hasher.number(std::uint64_t{unit.record}).number(std::uint64_t{unit.first});
+  return to_hex(hasher.value());
 }
 
 }  // namespace glissade

@@ -12,15 +12,19 @@ KeptFields::KeptFields(const StudyConfig& config)
       tips(config.tipping.has_value()),
       crossings(config.impact) {}
 
+std::size_t depth_of(const StudyConfig& config, Depth depth) {
+  const std::size_t levels = config.intensity.levels.size(),
+                    thresholds = config.thresholds_m().size();
+  if (depth == Depth::levels) return levels;
+  return depth == Depth::thresholds ? thresholds : levels * thresholds;
+}
+
 double bytes_of(const StudyConfig& config, std::size_t records, std::size_t cases) {
   const KeptFields kept(config);
-  const double levels = static_cast<double>(config.intensity.levels.size());
-  const double thresholds = static_cast<double>(config.thresholds_m().size());
-  const double numbers = 1.0 + kept.vector + 4.0 * kept.by_axis + 2.0 * kept.base_shear;
-  const double flags = 2.0 + kept.tips;
-  const double crossings = kept.crossings ? 2.0 * levels * thresholds : 0.0;
-  const double bytes =
-      levels * (numbers * sizeof(double) + flags) + (thresholds + crossings) * sizeof(double);
+  double bytes = 0.0;
+  for_each_history_field([&]<class T>(const HistoryField<T>& field) {
+    if (kept.has(field)) bytes += static_cast<double>(depth_of(config, field.depth) * sizeof(T));
+  });
   return bytes * static_cast<double>(records) * static_cast<double>(cases);
 }
 

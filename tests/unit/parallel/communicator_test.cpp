@@ -27,6 +27,14 @@ TEST(self_schedule, hands_out_every_item_once_in_order) {
   self_schedule(Communicator::serial(), 0, [](std::uint64_t) { FAIL() << "no work to do"; });
 }
 
+TEST(self_schedule, takes_no_item_once_it_is_stopped) {
+  std::vector<std::uint64_t> seen;
+  self_schedule(
+      Communicator::serial(), 5, [&](std::uint64_t item) { seen.push_back(item); },
+      [&] { return seen.size() == 2; });
+  EXPECT_EQ(seen, (std::vector<std::uint64_t>{0, 1}));
+}
+
 TEST(self_schedule, passes_an_exception_on) {
   EXPECT_THROW(self_schedule(Communicator::serial(), 2,
                              [](std::uint64_t) { throw std::runtime_error("broken"); }),

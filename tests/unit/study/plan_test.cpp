@@ -81,6 +81,19 @@ TEST(plan, units_are_hundreds_and_even_in_predicted_cost) {
   EXPECT_LT(largest, 2.0 * sum / static_cast<double>(plan.units.size()));
 }
 
+// What a run that is stopped or killed loses at most.
+TEST(plan, units_of_a_long_study_are_predicted_to_take_seconds) {
+  StudyConfig config = small_config();
+  config.model.axes = SlidingAxes::two;
+  config.sampling.samples = 4096;
+  config.intensity.levels.resize(8000);
+  for (std::size_t i = 0; i < config.intensity.levels.size(); ++i)
+    config.intensity.levels[i] = 1.0 + 0.001 * static_cast<double>(i);
+  const Plan plan = make_plan(config, {small_suite()});
+  ASSERT_GT(plan.predicted_seconds(), 10.0 * 512.0);
+  EXPECT_LE(plan.predicted_seconds() / static_cast<double>(plan.units.size()), 6.0);
+}
+
 TEST(plan, gives_a_sample_its_numbers_whatever_else_is_sampled) {
   StudyConfig config = small_config();
   const Plan plan = small_plan(config);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <span>
+#include <string>
 #include <vector>
 
 #include "glissade/motion/motion.hpp"
@@ -8,10 +10,20 @@
 
 namespace glissade {
 
-// Messages between the ranks of one run.
+// Messages between the ranks of one run; one of a unit is also a record of the run's journal.
 std::vector<char> pack(const std::vector<Suite>& suites);
 std::vector<Suite> unpack_suites(const std::vector<char>& bytes);
+std::vector<char> pack(const UnitResult& result);
+UnitResult unpack_unit_result(std::span<const char> bytes);
 std::vector<char> pack(const std::vector<UnitResult>& results);
 std::vector<UnitResult> unpack_unit_results(const std::vector<char>& bytes);
+
+/// Whether a result is one of this plan, with all that is kept of each history: `reduce` relies on
+/// it.
+bool fits(const Plan& plan, const UnitResult& result);
+
+/// Names what a message of a unit contains and how the plan's work is cut: results of two programs
+/// can be mixed only where it is the same.
+std::string unit_layout(const Plan& plan);
 
 }  // namespace glissade

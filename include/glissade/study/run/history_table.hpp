@@ -25,6 +25,13 @@ struct HistoryFields {
 /// a level and threshold (the latter fastest).
 enum class Depth { levels, thresholds, levels_and_thresholds };
 
+/// Which fields a study keeps, beside those that every study has.
+struct KeptFields {
+  bool vector = false, by_axis = false, base_shear = false, tips = false, crossings = false;
+  explicit KeptFields(const StudyConfig& config);
+  bool has(const auto& field) const { return field.kept_with == nullptr || this->*field.kept_with; }
+};
+
 /// A field of HistoryFields.
 template <class T>
 struct HistoryField {
@@ -33,6 +40,7 @@ struct HistoryField {
   const char* description;
   Depth depth;
   std::vector<T> HistoryFields::*of;
+  bool KeptFields::*kept_with = nullptr;  ///< null: always kept
 };
 
 /// Every field, in order: messages, assembly and the results file go through this list.
@@ -45,22 +53,23 @@ void for_each_history_field(Visit visit) {
                "(stop_at_largest), or not converged",
                Depth::levels, &HistoryFields::peak_displacement_m});
   visit(Number{"peak_vector_m", "m", "two axes: longest displacement vector in plan", Depth::levels,
-               &HistoryFields::peak_vector_m});
+               &HistoryFields::peak_vector_m, &KeptFields::vector});
   visit(Number{"peak_along_m", "m", "two axes: largest |displacement| along the slope",
-               Depth::levels, &HistoryFields::peak_along_m});
+               Depth::levels, &HistoryFields::peak_along_m, &KeptFields::by_axis});
   visit(Number{"peak_across_m", "m", "two axes: largest |displacement| across the slope",
-               Depth::levels, &HistoryFields::peak_across_m});
+               Depth::levels, &HistoryFields::peak_across_m, &KeptFields::by_axis});
   visit(Number{"residual_along_m", "m", "two axes: where it comes to rest, positive down the slope",
-               Depth::levels, &HistoryFields::residual_along_m});
+               Depth::levels, &HistoryFields::residual_along_m, &KeptFields::by_axis});
   visit(Number{"residual_across_m", "m", "two axes: the same across the slope", Depth::levels,
-               &HistoryFields::residual_across_m});
+               &HistoryFields::residual_across_m, &KeptFields::by_axis});
   visit(Number{"shear_along", "-",
                "peak base shear along the building's first axis, over the bare building's weight",
-               Depth::levels, &HistoryFields::shear_along});
+               Depth::levels, &HistoryFields::shear_along, &KeptFields::base_shear});
   visit(Number{"shear_across", "-", "the same along its second axis", Depth::levels,
-               &HistoryFields::shear_across});
+               &HistoryFields::shear_across, &KeptFields::base_shear});
   visit(Flag{"uplift", "-", "1 where the array lifts off", Depth::levels, &HistoryFields::uplift});
-  visit(Flag{"tips", "-", "1 where the body begins to tip", Depth::levels, &HistoryFields::tips});
+  visit(Flag{"tips", "-", "1 where the body begins to tip", Depth::levels, &HistoryFields::tips,
+             &KeptFields::tips});
   visit(Flag{"failed", "-", "1 where the history did not converge", Depth::levels,
              &HistoryFields::failed});
   visit(Number{"capacity", "",
@@ -69,10 +78,10 @@ void for_each_history_field(Visit visit) {
   visit(Number{
       "crossing_time_s", "s",
       "time of the first crossing of the threshold from the record's begin; nan: not reached",
-      Depth::levels_and_thresholds, &HistoryFields::crossing_time_s});
-  visit(Number{"crossing_speed_mps", "m/s",
-               "speed then, in plan and relative to the roof; nan: not reached",
-               Depth::levels_and_thresholds, &HistoryFields::crossing_speed_mps});
+      Depth::levels_and_thresholds, &HistoryFields::crossing_time_s, &KeptFields::crossings});
+  visit(Number{
+      "crossing_speed_mps", "m/s", "speed then, in plan and relative to the roof; nan: not reached",
+      Depth::levels_and_thresholds, &HistoryFields::crossing_speed_mps, &KeptFields::crossings});
 }
 
 /// Histories by (record, case).
@@ -95,13 +104,10 @@ struct HistoryTable {
   }
 };
 
-/// Which fields a study keeps.
-struct KeptFields {
-  bool vector = false, by_axis = false, base_shear = false, tips = false, crossings = false;
-  explicit KeptFields(const StudyConfig& config);
-};
+/// Values of a field for each record and case.
+std::size_t depth_of(const StudyConfig& config, Depth depth);
 
-/// Bytes of a table that keeps these.
+/// Bytes of the table that a study keeps.
 double bytes_of(const StudyConfig& config, std::size_t records, std::size_t cases);
 
 }  // namespace glissade

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "glissade/study/plan/plan.hpp"
+#include "glissade/study/run/execute.hpp"
+
+// The journals of a run: what its ranks have finished, on the disk while the run goes on, in the
+// folder `journal` of its results folder. A file for each writer, to which it only appends; a run
+// that is resumed begins new ones. Every record has its length and a checksum, so that what a
+// killed writer left is read up to its last whole record.
+namespace glissade {
+
+/// What a run rests on: written when it begins, compared when it is resumed.
+struct RunIdentity {
+  std::string program_version, plan_hash;
+  std::string layout;  ///< unit_layout() of the plan
+  std::filesystem::path study_file;
+  std::string study_text;
+};
+
+RunIdentity identity_of(const Plan& plan, const std::string& program_version);
+
+void write_identity(const std::filesystem::path& run_folder, const RunIdentity& run);
+/// Throws InputError where no run began in the folder, or its journal is not whole.
+RunIdentity read_identity(const std::filesystem::path& run_folder);
+/// Whether a run began in the folder and its journal is still there.
+bool has_identity(const std::filesystem::path& run_folder);
+
+/// Throws InputError that names each difference, if another run began than the one that is to be
+/// resumed.
+void check_same_run(const RunIdentity& begun, const RunIdentity& now,
+                    const std::filesystem::path& run_folder);
+
+/// Whether any unit is in the journals.
+bool has_units(const std::filesystem::path& run_folder);
+
+/// Held by rank 0 while its run goes on: two processes cannot hold that of one folder, and the
+/// system takes it back when the process ends in any way.
+class RunLock {
+ public:
+  /// Makes the folder. Throws InputError where another process holds it.
+  explicit RunLock(const std::filesystem::path& run_folder);
+  ~RunLock();
+  RunLock(const RunLock&) = delete;
+  RunLock& operator=(const RunLock&) = delete;
+  /// Removes the journals and gives the lock back: the run has its results, or none are wanted.
+  void remove_journals();
+
+ private:
+  std::filesystem::path folder_;
+  int fd_;
+};
+
+/// Whether a process holds the lock of a folder.
+bool is_running(const std::filesystem::path& run_folder);
+
+/// Removes journals that nobody writes to.
+void remove_journals(const std::filesystem::path& run_folder);
+
+/// Appends the units of one rank. A unit is given to the system at once, so that it outlives the
+/// process, and is on the disk within `seconds_to_disk`. Failures are InputErrors.
+class JournalWriter {
+ public:
+  static constexpr int seconds_to_disk = 5;
+  /// The file is made with the first unit, by a name that no writer had before.
+  JournalWriter(std::filesystem::path run_folder, int rank, const RunIdentity& run);
+  JournalWriter(JournalWriter&&) noexcept;
+  ~JournalWriter();
+  void append(const UnitResult& unit);
+  void sync();  ///< all units are on the disk on return
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+/// What the journals of a run contain.
+struct Journal {
+  std::vector<UnitResult> units;     ///< each once
+  std::uint64_t bytes_not_read = 0;  ///< behind the last whole record of each file
+};
+
+/// Reads every journal of the folder. Throws InputError for those of another run. Files may hold
+/// anything: nothing larger than a unit of the plan is allocated for a record.
+Journal read_journals(const std::filesystem::path& run_folder, const RunIdentity& run,
+                      const Plan& plan);
+
+}  // namespace glissade

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "run/stop_request.hpp"
+
+#include <fmt/format.h>
+#include <signal.h>
+
+#include <algorithm>
+#include <atomic>
+
+namespace glissade::cli {
+namespace {
+
+static_assert(std::atomic<int>::is_always_lock_free);
+std::atomic<int> received = 0;
+
+struct StopSignal {
+  int number;
+  const char* name;
+  int flags;
+};
+// mpirun and schedulers may send the others more than once.
+constexpr StopSignal stop_signals[] = {{SIGINT, "SIGINT", static_cast<int>(SA_RESETHAND)},
+                                       {SIGTERM, "SIGTERM", 0},
+                                       {SIGUSR1, "SIGUSR1", 0}};
+
+void receive_from_now_on(const StopSignal& signal) {
+  struct sigaction action = {};
+  if (::sigaction(signal.number, nullptr, &action) == 0 && action.sa_handler == SIG_IGN)
+    return;  // by nohup, or in the background of a script
+  action = {};
+  action.sa_handler = [](int number) { received = number; };
+  action.sa_flags = SA_RESTART | signal.flags;
+  ::sigaction(signal.number, &action, nullptr);
+}
+
+double seconds_between(auto from, auto to) {
+  return std::chrono::duration<double>(to - from).count();
+}
+
+}  // namespace
+
+StopRequest::StopRequest(std::filesystem::path stop_file, double walltime_s,
+                         Clock::time_point start)
+    : stop_file_(std::move(stop_file)), walltime_s_(walltime_s), start_(start) {
+  for (const StopSignal& signal : stop_signals) receive_from_now_on(signal);
+}
+
+bool StopRequest::requested() {
+  if (!reason_.empty()) return true;
+  for (const StopSignal& signal : stop_signals) {
+    if (received == signal.number) reason_ = signal.name;
+  }
+  const auto now = Clock::now();
+  if (!stop_file_.empty() && now - looked_ > std::chrono::milliseconds(500)) {
+    looked_ = now;
+    std::error_code ignored;
+    if (std::filesystem::exists(stop_file_, ignored)) reason_ = "the file " + stop_file_.string();
+  }
+  return !reason_.empty();
+}
+
+bool StopRequest::before_unit() {
+  constexpr double reserve_s = 1.0;  // for the last flush to the disk
+  if (requested()) return true;
+  const auto now = Clock::now();
+  const bool first = last_unit_ == Clock::time_point();
+  if (!first) {
+    longest_unit_s_ = std::max(longest_unit_s_, seconds_between(last_unit_, now));
+    if (seconds_between(start_, now) + 2.0 * longest_unit_s_ + reserve_s > walltime_s_)
+      reason_ = fmt::format("--walltime-s {:g}", walltime_s_);
+  }
+  last_unit_ = now;
+  return !reason_.empty();
+}
+
+}  // namespace glissade::cli

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace glissade {
+
+/// A record of a journal: length, checksum of length and content (8 bytes each), content.
+std::string framed(std::span<const char> content);
+
+/// Reads the records of a file up to the last whole one.
+class FrameReader {
+ public:
+  /// @param most_bytes longer records are not whole
+  FrameReader(const std::filesystem::path& file, std::uint64_t most_bytes);
+  /// Nothing: no whole record follows.
+  std::optional<std::vector<char>> next();
+  std::uint64_t bytes_left() const { return left_; }
+
+ private:
+  std::ifstream in_;
+  std::uint64_t most_bytes_, left_;
+};
+
+/// The checksum finds every change of one byte, and others with a probability of 1 - 2^-64.
+inline constexpr std::uint64_t frame_head_bytes = 16;
+
+}  // namespace glissade

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "glissade/core/bytes.hpp"
+#include "glissade/core/error.hpp"
+#include "glissade/core/file.hpp"
+#include "glissade/core/hash.hpp"
+#include "glissade/io/journal.hpp"
+#include "glissade/study/run/exchange.hpp"
+#include "journal/frame.hpp"
+#include "journal/names.hpp"
+
+namespace glissade {
+
+namespace fs = std::filesystem;
+
+JournalNames::JournalNames(const fs::path& run_folder)
+    : folder(run_folder / "journal"), identity(folder / "run"), lock(folder / "lock") {}
+
+fs::path JournalNames::units(int rank, int session) const {
+  return folder / fmt::format("{}-{}.units", rank, session);
+}
+
+std::vector<fs::path> JournalNames::all_units() const {
+  std::vector<fs::path> files;
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(folder, ignored)) {
+    if (entry.path().extension() == ".units" && entry.is_regular_file(ignored))
+      files.push_back(entry.path());
+  }
+  std::ranges::sort(files);
+  return files;
+}
+
+std::string units_head(const RunIdentity& run) {
+  Hasher hasher;
+  hasher.text(run.program_version).text(run.plan_hash).text(run.layout);
+  const std::string head = "glissade units 1 " + to_hex(hasher.value());
+  return framed(head);
+}
+
+namespace {
+
+constexpr const char* identity_format = "glissade run 1";
+constexpr std::uint64_t most_identity_bytes = 64u << 20;
+
+/// The line at which two texts first differ.
+struct Difference {
+  std::size_t line = 1;
+  std::string was, is;
+};
+
+Difference first_difference(const std::string& was, const std::string& is) {
+  const auto same = static_cast<std::size_t>(std::ranges::mismatch(was, is).in1 - was.begin());
+  const std::size_t begin = same == 0 ? 0 : was.rfind('\n', same - 1) + 1;
+  const auto line_of = [&](const std::string& text) {
+    const std::string line =
+        begin < text.size() ? text.substr(begin, text.find('\n', begin) - begin) : "";
+    return line.substr(0, 100);
+  };
+  return {1 + static_cast<std::size_t>(std::count(was.begin(), was.begin() + begin, '\n')),
+          line_of(was), line_of(is)};
+}
+
+}  // namespace
+
+RunIdentity identity_of(const Plan& plan, const std::string& program_version) {
+  return {program_version, plan.hash, unit_layout(plan), fs::absolute(plan.config.file),
+          plan.config.source_text};
+}
+
+void write_identity(const fs::path& run_folder, const RunIdentity& run) {
+  const std::vector<char> content = ByteWriter()
+                                        .put(std::string(identity_format))
+                                        .put(run.program_version)
+                                        .put(run.plan_hash)
+                                        .put(run.layout)
+                                        .put(run.study_file.string())
+                                        .put(run.study_text)
+                                        .take();
+  write_text_file(JournalNames(run_folder).identity, framed(content));
+}
+
+bool has_identity(const fs::path& run_folder) {
+  std::error_code ignored;
+  return fs::exists(JournalNames(run_folder).identity, ignored);
+}
+
+RunIdentity read_identity(const fs::path& run_folder) {
+  if (!has_identity(run_folder)) {
+    throw InputError({run_folder.string(), "holds no run that can be resumed",
+                      "give the folder of a run that was stopped, or run the study anew", ""});
+  }
+  const fs::path file = JournalNames(run_folder).identity;
+  RunIdentity run;
+  std::string format, study_file;
+  try {
+    const auto content = FrameReader(file, most_identity_bytes).next();
+    if (!content) throw ShortMessage();
+    ByteReader in(*content);
+    in.get(format);
+    if (format != identity_format) throw ShortMessage();
+    in.get(run.program_version).get(run.plan_hash).get(run.layout);
+    in.get(study_file).get(run.study_text);
+  } catch (const ShortMessage&) {
+    throw InputError({file.string(), "is damaged, or of another version of glissade",
+                      "run the study anew, with --overwrite or in another folder", ""});
+  }
+  run.study_file = study_file;
+  return run;
+}
+
+void check_same_run(const RunIdentity& begun, const RunIdentity& now, const fs::path& run_folder) {
+  ProblemList problems;
+  const auto report = [&](const std::string& where, const std::string& what,
+                          const std::string& suggestion) {
+    problems.add({where, what, suggestion, ""});
+  };
+  const std::string anew = ", or run the study in another folder";
+  if (begun.program_version != now.program_version) {
+    report(run_folder.string(),
+           fmt::format("the run was begun by glissade {}, this is {}", begun.program_version,
+                       now.program_version),
+           "resume it with the program that began it" + anew);
+  }
+  if (begun.study_text != now.study_text) {
+    const Difference d = first_difference(begun.study_text, now.study_text);
+    report(fmt::format("{}:{}", now.study_file.string(), d.line),
+           fmt::format("the study has changed since the run began: \"{}\" was \"{}\"", d.is, d.was),
+           "restore the study file" + anew);
+  } else if (begun.plan_hash != now.plan_hash) {
+    report(run_folder.string(),
+           fmt::format("the run was begun with plan {}, this is {}: its suites or motions have "
+                       "changed, or this is another kind of machine",
+                       begun.plan_hash, now.plan_hash),
+           "restore them" + anew);
+  } else if (problems.empty() && begun.layout != now.layout) {
+    report(run_folder.string(), "the run was begun by another build of glissade",
+           "resume it with the program that began it" + anew);
+  }
+  problems.throw_if_any();
+}
+
+}  // namespace glissade

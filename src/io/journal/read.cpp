@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+
+#include "glissade/core/bytes.hpp"
+#include "glissade/core/error.hpp"
+#include "glissade/io/journal.hpp"
+#include "glissade/study/run/exchange.hpp"
+#include "journal/frame.hpp"
+#include "journal/names.hpp"
+
+namespace glissade {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// No record of a unit is longer.
+std::uint64_t most_unit_bytes(const Plan& plan) {
+  std::size_t cases = 0;
+  for (const WorkUnit& unit : plan.units) cases = std::max(cases, unit.count);
+  constexpr double beside_histories = 4096.0;  // counts, and the lengths of the fields
+  return static_cast<std::uint64_t>(bytes_of(plan.config, 1, cases) + beside_histories);
+}
+
+void read_units(const fs::path& file, const std::string& head, const Plan& plan,
+                std::vector<bool>& done, Journal& journal) {
+  FrameReader in(file, std::max<std::uint64_t>(most_unit_bytes(plan), head.size()));
+  const auto first = in.next();
+  if (first && framed(*first) != head) {
+    throw InputError({file.string(), "is the journal of another run",
+                      "move it out of the folder, or run the study in another folder", ""});
+  }
+  std::uint64_t not_read = in.bytes_left();
+  if (first) {
+    while (const auto record = in.next()) {
+      UnitResult unit;
+      try {
+        unit = unpack_unit_result(*record);
+      } catch (const ShortMessage&) {
+        break;
+      }
+      if (!fits(plan, unit)) break;
+      not_read = in.bytes_left();
+      if (done[unit.unit]) continue;
+      done[unit.unit] = true;
+      journal.units.push_back(std::move(unit));
+    }
+  }
+  journal.bytes_not_read += not_read;
+}
+
+}  // namespace
+
+Journal read_journals(const fs::path& run_folder, const RunIdentity& run, const Plan& plan) {
+  Journal journal;
+  std::vector<bool> done(plan.units.size(), false);
+  const std::string head = units_head(run);
+  for (const fs::path& file : JournalNames(run_folder).all_units())
+    read_units(file, head, plan, done, journal);
+  return journal;
+}
+
+bool has_units(const fs::path& run_folder) {
+  const std::uint64_t head_bytes = units_head({}).size();
+  std::error_code ignored;
+  return std::ranges::any_of(JournalNames(run_folder).all_units(), [&](const fs::path& file) {
+    const std::uintmax_t size = fs::file_size(file, ignored);
+    return !ignored && size > head_bytes;
+  });
+}
+
+}  // namespace glissade

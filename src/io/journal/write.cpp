@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fcntl.h>
+
+#include <cerrno>
+#include <chrono>
+#include <condition_variable>
+#include <exception>
+#include <mutex>
+#include <optional>
+#include <thread>
+
+#include "glissade/core/file.hpp"
+#include "glissade/core/output_file.hpp"
+#include "glissade/io/journal.hpp"
+#include "glissade/study/run/exchange.hpp"
+#include "journal/frame.hpp"
+#include "journal/names.hpp"
+
+namespace glissade {
+
+namespace fs = std::filesystem;
+
+/// The file, and a thread that flushes it to the disk: a unit that takes long must not keep the
+/// one before it waiting.
+struct JournalWriter::State {
+  JournalNames names;
+  int rank;
+  std::string head;
+  std::optional<OutputFile> file;
+  std::mutex mutex;  // of the three below
+  std::condition_variable_any wake;
+  bool dirty = false;
+  std::exception_ptr failure;  ///< of the thread
+  std::jthread thread;         // last: it ends before what it uses
+
+  void open() {
+    int session = 1, fd = -1;
+    fs::path path;
+    do {
+      path = names.units(rank, session++);
+      fd = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_APPEND | O_CLOEXEC, 0666);
+    } while (fd < 0 && errno == EEXIST);
+    file.emplace(fd, path);
+    file->write(head);
+    sync_folder(names.folder);
+    thread = std::jthread([this](const std::stop_token& stop) { flush_now_and_then(stop); });
+  }
+
+  void flush_now_and_then(const std::stop_token& stop) {
+    std::unique_lock lock(mutex);
+    while (!stop.stop_requested()) {
+      wake.wait_for(lock, stop, std::chrono::seconds(seconds_to_disk), [] { return false; });
+      if (!dirty) continue;
+      dirty = false;
+      lock.unlock();
+      std::exception_ptr error;
+      try {
+        file->sync();
+      } catch (...) {
+        error = std::current_exception();
+      }
+      lock.lock();
+      if (error) failure = error;
+    }
+  }
+
+  void throw_failure() {
+    const std::lock_guard lock(mutex);
+    if (failure) std::rethrow_exception(failure);
+  }
+};
+
+JournalWriter::JournalWriter(fs::path run_folder, int rank, const RunIdentity& run)
+    : state_(new State{.names = JournalNames(run_folder), .rank = rank, .head = units_head(run)}) {}
+
+JournalWriter::JournalWriter(JournalWriter&&) noexcept = default;
+JournalWriter::~JournalWriter() = default;
+
+void JournalWriter::append(const UnitResult& unit) {
+  state_->throw_failure();
+  if (!state_->file) state_->open();
+  state_->file->write(framed(pack(unit)));
+  const std::lock_guard lock(state_->mutex);
+  state_->dirty = true;
+}
+
+void JournalWriter::sync() {
+  if (!state_->file) return;
+  state_->throw_failure();
+  state_->file->sync();
+}
+
+}  // namespace glissade

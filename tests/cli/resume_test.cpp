@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gmock/gmock.h>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/killed_run.hpp"
+#include "cli/one_run.hpp"
+
+namespace glissade::test {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+using testing::HasSubstr;
+
+constexpr int stopped_status = 75;
+
+/// Beside a run that nothing disturbed, to which the resumed ones are compared.
+class Resume : public OneRun<longer_study> {
+ protected:
+  ~Resume() override { fs::remove_all(again_); }
+
+  std::vector<std::string> command(const std::vector<std::string>& more = {}) const {
+    std::vector<std::string> arguments{GLISSADE_PROGRAM, "run", study_, "--out", again_.string()};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return arguments;
+  }
+  /// Starts the study, waits for the first units, does `end`, waits for the end.
+  Finished ended_by(const std::function<void(const Child&)>& end) const {
+    Child child(command());
+    EXPECT_TRUE(reaches(child, [&] { return some_units_are_done(again_); }));
+    end(child);
+    return child.wait();
+  }
+  Finished ended_by(int signal) const {
+    return ended_by([&](const Child& child) { ::kill(child.pid(), signal); });
+  }
+  Finished resume(const std::vector<std::string>& more = {}) const {
+    std::vector<std::string> arguments{"run", "--resume", again_.string()};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return run_program(arguments);
+  }
+  void expect_stopped(const Finished& child, const std::string& reason) const {
+    EXPECT_EQ(child.status, stopped_status) << child.err;
+    EXPECT_EQ(child.out, "");
+    EXPECT_THAT(child.err, HasSubstr("stopped by " + reason));
+    EXPECT_THAT(child.err, HasSubstr("glissade run --resume " + again_.string()));
+    EXPECT_FALSE(fs::exists(again_ / "results.h5"));
+    const Json json = Json::parse(read_file(again_ / "run.json"));
+    EXPECT_EQ(json.at("status"), "stopped");
+    EXPECT_GT(json.at("units_done"), 0);
+    EXPECT_LT(json.at("units_done"), json.at("units"));
+  }
+  /// It takes units over, ends, and leaves what an undisturbed run leaves.
+  void expect_resumed(const std::vector<std::string>& more = {}) const {
+    const Finished child = resume(more);
+    ASSERT_EQ(child.status, 0) << child.err;
+    const Json json = Json::parse(read_file(again_ / "run.json"));
+    EXPECT_EQ(json.at("status"), "finished");
+    EXPECT_GT(json.at("units_of_earlier_sessions"), 0);
+    expect_same_results();
+  }
+  void expect_same_results() const {
+    EXPECT_TRUE(read_file(again_ / "results.h5") == read_file(out() / "results.h5"));
+    EXPECT_EQ(names_in(again_), names_in(out()));
+  }
+  static std::vector<std::string> names_in(const fs::path& folder) {
+    std::vector<std::string> names;
+    for (const auto& entry : fs::directory_iterator(folder))
+      names.push_back(entry.path().filename().string());
+    std::ranges::sort(names);
+    return names;
+  }
+
+  fs::path again_ = folder_->path("again");
+};
+
+TEST_F(Resume, a_run_that_is_signalled_stops_with_status_75_and_goes_on_to_the_same_bits) {
+  expect_stopped(ended_by(SIGINT), "SIGINT");
+  expect_resumed();
+}
+TEST_F(Resume, a_run_that_is_terminated_goes_on_with_other_options) {
+  expect_stopped(ended_by(SIGTERM), "SIGTERM");
+  expect_resumed({"--no-skip"});
+}
+TEST_F(Resume, a_run_that_its_scheduler_warns_goes_on) {
+  expect_stopped(ended_by(SIGUSR1), "SIGUSR1");
+  expect_resumed({study_});
+}
+
+TEST_F(Resume, a_stop_file_stops_a_run_once) {
+  expect_stopped(ended_by([&](const Child&) { folder_->write("again/stop", ""); }), "the file");
+  EXPECT_FALSE(fs::exists(again_ / "stop"));
+  expect_resumed();
+}
+
+TEST_F(Resume, a_wall_time_stops_every_session_until_the_run_is_finished) {
+  Finished child =
+      run_child(command({"--walltime-s", "0.01"}));  // runs its first unit all the same
+  expect_stopped(child, "--walltime-s 0.01");
+  child = resume({"--walltime-s", "0.01"});
+  EXPECT_EQ(child.status, stopped_status) << child.err;
+  EXPECT_EQ(Json::parse(read_file(again_ / "run.json")).at("units_done"), 2);
+  expect_resumed({"--walltime-s", "1000"});
+}
+
+TEST_F(Resume, a_killed_run_is_recognised_and_goes_on_after_a_second_kill) {
+  EXPECT_EQ(ended_by(SIGKILL).status, 128 + SIGKILL);
+  expect_refused(run_child(command()),
+                 {"stopped or killed", "glissade run --resume", "--overwrite"});
+  const std::uintmax_t before = journal_bytes(again_);
+  Child second({GLISSADE_PROGRAM, "run", "--resume", again_.string()});
+  ASSERT_TRUE(reaches(second, [&] { return journal_bytes(again_) > before + 1000; }));
+  ::kill(second.pid(), SIGKILL);
+  second.wait();
+  expect_resumed();
+}
+
+TEST_F(Resume, two_runs_in_one_folder_are_refused) {
+  Child first(command());
+  ASSERT_TRUE(reaches(first, [&] { return some_units_are_done(again_); }));
+  for (const auto& more : {std::vector<std::string>{}, {"--overwrite"}})
+    expect_refused(run_child(command(more)), {"a run is going on"});
+  expect_refused(resume(), {"a run is going on"});
+  EXPECT_TRUE(first.is_running());
+  EXPECT_EQ(first.wait().status, 0);
+  expect_same_results();
+}
+
+TEST_F(Resume, an_overwritten_run_begins_anew) {
+  ended_by(SIGKILL);
+  ASSERT_EQ(run_child(command({"--overwrite"})).status, 0);
+  EXPECT_EQ(Json::parse(read_file(again_ / "run.json")).at("units_of_earlier_sessions"), 0);
+  expect_same_results();
+}
+
+TEST_F(Resume, a_finished_run_is_left_as_it_is) {
+  const Finished child = run_program({"run", "--resume", out().string()});
+  EXPECT_EQ(child.status, 0) << child.err;
+  EXPECT_THAT(child.out, HasSubstr("is finished"));
+}
+
+TEST_F(Resume, a_folder_without_a_run_is_refused_and_not_made) {
+  expect_refused(resume(), {again_.string(), "no run"});
+  EXPECT_FALSE(fs::exists(again_));
+}
+
+TEST_F(Resume, another_study_is_refused_with_the_line_that_differs) {
+  ended_by(SIGKILL);
+  const auto before = names_in(again_ / "journal");
+  const std::string other =
+      folder_->write("other.toml", replaced(longer_study(), "seed = 7", "seed = 8"));
+  const Finished child = resume({other});
+  expect_refused(child, {"other.toml:3", "seed = 8", "seed = 7"});
+  EXPECT_EQ(names_in(again_ / "journal"), before);
+  expect_resumed();
+}
+
+TEST_F(Resume, a_damaged_journal_costs_its_units_only) {
+  ended_by(SIGKILL);
+  const fs::path file = again_ / "journal/0-1.units";
+  std::string bytes = read_file(file);
+  bytes[bytes.size() - 20] = static_cast<char>(bytes[bytes.size() - 20] ^ 1);
+  folder_->write("again/journal/0-1.units", bytes);
+  const Finished child = resume();
+  EXPECT_EQ(child.status, 0) << child.err;
+  EXPECT_THAT(child.out, HasSubstr("not whole records"));
+  expect_same_results();
+}
+
+TEST_F(Resume, a_dry_run_sees_that_a_folder_is_taken) {
+  const Finished child = run_program({"run", study_, "--out", out().string(), "--dry-run"});
+  EXPECT_EQ(child.status, 2);
+  EXPECT_THAT(child.out, HasSubstr("units"));  // the plan all the same
+  EXPECT_THAT(child.err, HasSubstr("holds a run"));
+  EXPECT_EQ(
+      run_program({"run", study_, "--out", out().string(), "--dry-run", "--overwrite"}).status, 0);
+}
+
+// A limit on the size of files (in blocks of 512 bytes) stands for the full disk.
+TEST_F(Resume, a_run_whose_journal_fills_the_disk_goes_on_when_there_is_room) {
+  const std::string limited = "\"$0\" run '" + study_ + "' --out '" + again_.string() + "'";
+  expect_refused(run_shell("ulimit -f 10; " + limited),
+                 {"journal/0-1.units", "File too large", "glissade run --resume"});
+  expect_resumed();
+}
+
+TEST_F(Resume, a_run_whose_results_do_not_fit_goes_on_when_there_is_room) {
+  const auto blocks = fs::file_size(out() / "results.h5") / 512;
+  const std::string limited = "\"$0\" run '" + study_ + "' --out '" + again_.string() + "'";
+  expect_refused(run_shell("ulimit -f " + std::to_string(blocks - 1) + "; " + limited),
+                 {"results.h5", "File too large", "glissade run --resume"});
+  expect_resumed();
+}
+
+}  // namespace
+}  // namespace glissade::test
