@@ -86,6 +86,7 @@ std::unique_ptr<RunLock> take_run_folder(const fs::path& folder, const Plan& pla
   if (overwrite) {
     lock->remove_journals();
     remove_run(folder);
+    remove_what_a_run_left(folder);
     lock = std::make_unique<RunLock>(folder);
   }
   try {
