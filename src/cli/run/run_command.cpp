@@ -186,8 +186,8 @@ void add_run(CLI::App& program, const Communicator& world) {
   for (CLI::Option* other : {out, dry_run, command->get_option("--overwrite")})
     resume->excludes(other);
   command->footer(
-      "SIGINT (Ctrl-C), SIGTERM, SIGUSR1 or a file named stop in the results folder stop a run: "
-      "exit status 75,\nand --resume goes on with it.");
+      "SIGINT (Ctrl-C), SIGTERM, SIGUSR1 or a file named stop in the results folder\n"
+      "stop a run: exit status 75, and --resume goes on with it.");
   command->callback([options, study, resume, world] {
     if (options->study.empty() && options->resume.empty())
       throw CLI::RequiredError(study->get_name());
