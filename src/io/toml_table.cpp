@@ -17,8 +17,13 @@ struct TomlDocument::State {
   std::filesystem::path file;
   std::string text;
   toml::table root;
-  ProblemList problems;
-  std::size_t problem_count = 0;
+  /// A problem, and the table it was found in: of an old key, or perhaps a consequence of one.
+  struct Found {
+    Problem problem;
+    std::string table;
+    enum class Kind { old_key, unknown_key, value } kind;
+  };
+  std::vector<Found> found;
   /// Keys that were read, by table; only tables that are being read are here. Never iterated: order
   /// plays no part.
   std::map<const void*, std::set<std::string, std::less<>>> read;
@@ -26,11 +31,14 @@ struct TomlDocument::State {
   std::vector<RenamedKey> renamed;
 
   Problem problem(const toml::source_position& at, std::string what, std::string suggestion) const;
-  void add(Problem problem) {
-    problems.add(std::move(problem));
-    ++problem_count;
+  const RenamedKey* renamed_key(const std::string& name) const {
+    const auto old = std::ranges::find(renamed, name, &RenamedKey::name);
+    return old == renamed.end() ? nullptr : &*old;
   }
   void find_unknown_keys(const toml::table& table, const std::string& path);
+  /// Old keys first; what was found in their tables, or of a whole study, may come from them and is
+  /// left out.
+  void throw_if_any() const;
 };
 
 namespace {
@@ -62,6 +70,9 @@ std::string excerpt(std::string_view text, const toml::source_position& at) {
   }
   return "  " + std::string(line.substr(begin, end - begin)) + "\n  " + padding + "^";
 }
+
+/// "friction" of "friction.mu."
+std::string table_of(const std::string& path) { return path.substr(0, path.find('.')); }
 
 const toml::table& as_table(const void* node) { return *static_cast<const toml::table*>(node); }
 
@@ -104,13 +115,13 @@ Problem TomlDocument::State::problem(const toml::source_position& at, std::strin
 }
 
 void TomlDocument::State::find_unknown_keys(const toml::table& table, const std::string& path) {
-  const auto found = read.find(&table);
-  if (found == read.end() || not_checked.contains(&table)) return;
-  const std::vector<std::string> known(found->second.begin(), found->second.end());
+  const auto keys = read.find(&table);
+  if (keys == read.end()) return;
+  const std::vector<std::string> known(keys->second.begin(), keys->second.end());
   std::vector<std::pair<toml::source_position, std::string>> unknown;
   for (const auto& [key, node] : table) {
     const std::string name(key.str());
-    if (!found->second.contains(name)) unknown.emplace_back(key.source().begin, name);
+    if (!keys->second.contains(name)) unknown.emplace_back(key.source().begin, name);
     if (const toml::table* child = node.as_table()) find_unknown_keys(*child, path + name + ".");
     if (const toml::array* list = node.as_array()) {
       for (const toml::node& element : *list) {
@@ -121,9 +132,10 @@ void TomlDocument::State::find_unknown_keys(const toml::table& table, const std:
   }
   for (const auto& [at, name] : unknown) {
     const std::string nearest = nearest_word(name, known);
-    const auto old = std::ranges::find(renamed, path + name, &RenamedKey::name);
+    const RenamedKey* old = renamed_key(path + name);
+    if (old == nullptr && not_checked.contains(&table)) continue;
     std::string suggestion;
-    if (old != renamed.end()) {
+    if (old != nullptr) {
       suggestion = old->now;
     } else if (!nearest.empty()) {
       suggestion = "did you mean " + nearest + "?";
@@ -131,8 +143,24 @@ void TomlDocument::State::find_unknown_keys(const toml::table& table, const std:
       for (const std::string& word : known)
         suggestion += (suggestion.empty() ? "known are " : ", ") + word;
     }
-    add(problem(at, path + name + " is not a known key", suggestion));
+    found.push_back({problem(at, path + name + " is not a known key", suggestion), table_of(path),
+                     old != nullptr ? Found::Kind::old_key : Found::Kind::unknown_key});
   }
+}
+
+void TomlDocument::State::throw_if_any() const {
+  ProblemList problems;
+  std::set<std::string> old_tables;
+  for (const Found& f : found) {
+    if (f.kind != Found::Kind::old_key) continue;
+    problems.add(f.problem);
+    old_tables.insert({f.table, ""});
+  }
+  for (const Found& f : found) {
+    const bool follows = f.kind == Found::Kind::value && old_tables.contains(f.table);
+    if (f.kind != Found::Kind::old_key && !follows) problems.add(f.problem);
+  }
+  problems.throw_if_any();
 }
 
 TomlDocument::TomlDocument(const std::filesystem::path& file) : state_(std::make_unique<State>()) {
@@ -159,11 +187,13 @@ TomlTable TomlDocument::root() {
 
 const std::string& TomlDocument::text() const { return state_->text; }
 
-void TomlDocument::add(Problem problem) { state_->add(std::move(problem)); }
+void TomlDocument::add(Problem problem) {
+  state_->found.push_back({std::move(problem), "", State::Found::Kind::unknown_key});
+}
 
 void TomlDocument::finish() {
   state_->find_unknown_keys(state_->root, "");
-  state_->problems.throw_if_any();
+  state_->throw_if_any();
 }
 
 namespace {
@@ -179,7 +209,7 @@ const toml::node* find(TomlDocument::State& document, const void* table, std::st
 
 std::string TomlTable::name_of(std::string_view key) const { return path_ + std::string(key); }
 
-std::size_t TomlTable::problem_count() const { return document_->problem_count; }
+std::size_t TomlTable::problem_count() const { return document_->found.size(); }
 
 bool TomlTable::has(std::string_view key) const { return find(*document_, node_, key) != nullptr; }
 
@@ -193,13 +223,16 @@ bool TomlTable::is_array(std::string_view key) const {
   return node != nullptr && node->is_array();
 }
 
-void TomlTable::report(std::string_view key, std::string what, std::string suggestion) const {
+void TomlTable::report(std::string_view key, std::string what, std::string suggestion,
+                       bool is_old) const {
+  using Kind = TomlDocument::State::Found::Kind;
   toml::source_position at{};
   if (node_ != nullptr) {
     const toml::node* node = key.empty() ? nullptr : as_table(node_).get(key);
     at = (node != nullptr ? node->source() : as_table(node_).source()).begin;
   }
-  document_->add(document_->problem(at, std::move(what), std::move(suggestion)));
+  document_->found.push_back({document_->problem(at, std::move(what), std::move(suggestion)),
+                              table_of(path_), is_old ? Kind::old_key : Kind::value});
 }
 
 void TomlTable::report(std::string_view key, const InputError& error) const {
@@ -216,11 +249,14 @@ void TomlTable::report_missing(std::string_view key, std::string suggestion) con
 
 void TomlTable::report_unknown_word(std::string_view key, const std::string& word,
                                     const std::vector<std::string>& known) const {
+  const std::string given = name_of(key) + " = \"" + word + "\"";
+  if (const RenamedKey* old = document_->renamed_key(given))
+    return report(key, given + " is not known", old->now, true);
   const std::string nearest = nearest_word(word, known);
   std::string suggestion = nearest.empty() ? "" : "did you mean \"" + nearest + "\"? ";
   for (std::size_t i = 0; i < known.size(); ++i)
     suggestion += (i == 0 ? "known are " : ", ") + known[i];
-  report(key, name_of(key) + " = \"" + word + "\" is not known", suggestion);
+  report(key, given + " is not known", suggestion);
 }
 
 void TomlTable::ignore_unknown() const { document_->not_checked.insert(node_); }

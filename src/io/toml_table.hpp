@@ -32,9 +32,9 @@ inline constexpr NumberRule friction_rule{
 template <class E>
 using EnumNames = std::initializer_list<std::pair<const char*, E>>;
 
-/// A key that had another name, or a table that is gone, and what to write now.
+/// A key or a value that had another name, or a table that is gone, and what to write now.
 struct RenamedKey {
-  std::string name;  ///< "friction.mean"
+  std::string name;  ///< "friction.mean", "orientation.sign = \"both\""
   std::string now;   ///< "write friction.mu = { mean = ..., std = ... }"
 };
 
@@ -106,7 +106,9 @@ class TomlTable {
   }
 
   /// Notes a problem at the value of `key` ("" or an absent key: at the table).
-  void report(std::string_view key, std::string what, std::string suggestion = "") const;
+  void report(std::string_view key, std::string what, std::string suggestion = "") const {
+    report(key, std::move(what), std::move(suggestion), false);
+  }
   /// Notes problems reported without a place (validate(...)) at the value of `key`.
   void report(std::string_view key, const InputError& error) const;
   void report_missing(std::string_view key, std::string suggestion = "") const;
@@ -134,6 +136,7 @@ class TomlTable {
   }
   void report_unknown_word(std::string_view key, const std::string& word,
                            const std::vector<std::string>& known) const;
+  void report(std::string_view key, std::string what, std::string suggestion, bool is_old) const;
 
   TomlDocument::State* document_;
   const void* node_;  ///< a toml::table, or null

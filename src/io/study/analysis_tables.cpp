@@ -13,6 +13,12 @@
 namespace glissade {
 namespace {
 
+template <class T>
+bool each_once(std::vector<T> values) {
+  std::ranges::sort(values);
+  return !values.empty() && std::ranges::adjacent_find(values) == values.end();
+}
+
 constexpr NumberRule slope_read_rule{"in degrees, 0 to 89.9",
                                      [](double x) { return x >= 0.0 && x <= 89.9; }};
 
@@ -57,7 +63,8 @@ double read_on_axis(const TomlTable& table, const char* key, const std::vector<d
 double read_within(const TomlTable& table, const char* key, const std::vector<double>& axis,
                    const NumberRule& rule) {
   const double value = table.required_number(key, rule);
-  if (axis.size() > 1 && table.has(key) && (value < axis.front() || value > axis.back())) {
+  if (!table.has(key) || axis.empty() || same(value, axis.front())) return value;
+  if (value < axis.front() || value > axis.back()) {
     table.report(key,
                  table.name_of(key) + " = " + shortest_decimal(value) + " is outside the chart",
                  "a chart is not extrapolated: stay from " + shortest_decimal(axis.front()) +
@@ -91,7 +98,10 @@ void read_chart(const TomlTable& root, StudyConfig& study) {
   ChartConfig chart;
   mirror_exactly(root, study);
   const std::vector<double>& levels = study.intensity.levels;
-  const std::vector<double>& mu = study.quantities.at("friction", "mu").values;
+  // Of what is drawn the chart has one column, under its mean.
+  const Quantity& friction = study.quantities.at("friction", "mu");
+  const std::vector<double> mu =
+      friction.is_drawn() ? std::vector{mean(*friction.drawn)} : friction.values;
   std::vector<double> slopes;
   std::ranges::copy_if(study.quantities.at("roof", "slope_deg").values, std::back_inserter(slopes),
                        [](double slope) { return slope >= 0.0; });
@@ -102,10 +112,9 @@ void read_chart(const TomlTable& root, StudyConfig& study) {
   const auto middle = [](const std::vector<double>& axis) {
     return axis.empty() ? 0.0 : axis[axis.size() / 2];
   };
-  const double drawn_mu = mu.empty() ? mean(*study.quantities.at("friction", "mu").drawn) : 0.0;
   const TomlTable shown = table.table("shown");
   chart.shown_slope_deg = read_on_axis(shown, "slope_deg", slopes, middle(slopes));
-  chart.shown_mu = read_on_axis(shown, "mu", mu, mu.empty() ? drawn_mu : middle(mu));
+  chart.shown_mu = read_on_axis(shown, "mu", mu, middle(mu));
   chart.shown_level = read_on_axis(shown, "level", levels, levels.empty() ? 0.0 : levels.back());
   for (const TomlTable& read : table.tables("read"))
     chart.questions.push_back(read_question(read, mu, slopes, levels));
@@ -118,16 +127,6 @@ void read_clearance(const TomlTable& root, StudyConfig& study) {
   clearance.factor = table.number("factor", factor_rule).value_or(clearance.factor);
   clearance.without_target = table.flag("without_target").value_or(clearance.without_target);
   study.clearance = clearance;
-  const bool drawn = study.quantities.at("friction", "mu").is_drawn() ||
-                     study.quantities.at("friction", "across_mu").is_drawn();
-  if (drawn && std::ranges::find(study.friction.values, FrictionValue::design) ==
-                   study.friction.values.end()) {
-    root.table("friction")
-        .report("value",
-                "[clearance] is found with the design value of friction, mean - 2 std, which "
-                "friction.value leaves out",
-                "add \"design\", or leave friction.value out");
-  }
 }
 
 void read_fragility(const TomlTable& root, StudyConfig& study) {
@@ -152,6 +151,9 @@ void read_standards(const TomlTable& root, StudyConfig& study) {
   StandardsConfig& standards = study.standards;
   standards.compare =
       table.choices<Standard>("compare", standard_names()).value_or(standards.compare);
+  if (!table.has("compare")) table.report_missing("compare", "name the standards to compare with");
+  if (table.has("compare") && !each_once(standards.compare))
+    table.report("compare", "standards.compare names none, or one twice", "name each once");
   standards.importance = table.number("importance", importance_rule).value_or(standards.importance);
   using Sdc = SeismicDesignCategory;
   standards.category = table
@@ -162,11 +164,6 @@ void read_standards(const TomlTable& root, StudyConfig& study) {
                                                                     {"E", Sdc::e},
                                                                     {"F", Sdc::f}})
                            .value_or(standards.category);
-  for (const char* key : {"importance", "seismic_design_category"}) {
-    if (standards.compare.empty() && table.has(key))
-      table.report(key, table.name_of(key) + " has no effect without standards.compare",
-                   "give compare = [...], or leave it out");
-  }
   if (!standards.compare.empty() && study.intensity.measure != IntensityMeasure::sds_g) {
     table.report(
         "compare",
@@ -191,6 +188,35 @@ void read_tipping(const TomlTable& root, StudyConfig& study) {
   RigidBase& base = study.tipping.emplace();
   base.centre_of_mass_height_m = table.required_number("centre_of_mass_height_m", above_zero);
   base.width_m = table.required_number("base_width_m", above_zero);
+}
+
+/// Which values of drawn friction an analysis reads, and no more are run than are read.
+void check_friction_values(const TomlTable& root, const StudyConfig& study) {
+  if (!study.quantities.at("friction", "mu").is_drawn() &&
+      !study.quantities.at("friction", "across_mu").is_drawn())
+    return;
+  const auto runs = [&](FrictionValue value) {
+    return std::ranges::find(study.friction.values, value) != study.friction.values.end();
+  };
+  const bool by_combination = study.fragility || study.tipping,
+             by_condition = study.clearance || study.base_shear;
+  const bool sampled = runs(FrictionValue::as_drawn), design = runs(FrictionValue::design);
+  const auto report = [&](const char* what, const char* suggestion) {
+    root.table("friction").report("value", what, suggestion);
+  };
+  if (study.clearance && !design)
+    report(
+        "[clearance] is found with the design value of friction, mean - 2 std, which "
+        "friction.value leaves out",
+        "add \"design\", or leave friction.value out");
+  if (study.chart && !sampled)
+    report("[chart] is read from sampled friction, which friction.value leaves out",
+           "add \"sampled\", or leave friction.value out");
+  if (!sampled || !design) return;
+  if (!by_combination && !study.chart)
+    report("no analysis of the study reads \"sampled\" of friction.value", "leave it out");
+  if (!by_combination && !by_condition)
+    report("no analysis of the study reads \"design\" of friction.value", "leave it out");
 }
 
 /// The table of an analysis.
@@ -222,6 +248,7 @@ void read_analyses(const TomlTable& root, StudyConfig& study) {
   for (const AnalysisTable& analysis : analysis_tables) {
     if (root.has(analysis.name)) analysis.read(root, study);
   }
+  check_friction_values(root, study);
   const std::vector<double>& levels = study.intensity.levels;
   if (levels.size() == 1 && levels.front() == 0.0)
     root.table("intensity").report("levels", "intensity.levels has no level above 0");

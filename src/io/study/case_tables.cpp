@@ -7,16 +7,9 @@
 
 #include "enum_names.hpp"
 #include "study/quantity_table.hpp"
-#include "study/tested_friction.hpp"
 
 namespace glissade {
 namespace {
-
-void needs_two_axes(const TomlTable& table, const char* key, const StudyConfig& study) {
-  if (study.two_axes() || !table.has(key)) return;
-  table.report(key, table.name_of(key) + " needs [model] axes = 2",
-               "leave it out, or let the array slide along two axes");
-}
 
 /// One name or several, each once; nothing where the key is absent.
 template <class E>
@@ -63,18 +56,6 @@ void check_strength(const TomlTable& table, const StudyConfig& study) {
                  "building.response_modification and building.yield_coefficient are both given",
                  "give one of them: each states the strength of the building");
   }
-  if (table.has("hardening_ratio") && r.is_always(0.0) && coefficient.is_always(0.0)) {
-    table.report("hardening_ratio",
-                 "building.hardening_ratio has no effect on a building that stays elastic",
-                 "give response_modification or yield_coefficient too, or leave it out");
-  }
-}
-
-void check_law(const TomlTable& table) {
-  if (table.has("fast_over_slow") == table.has("rate_s_per_m")) return;
-  const char* there = table.has("fast_over_slow") ? "fast_over_slow" : "rate_s_per_m";
-  table.report(there, table.name_of(there) + " is one half of how friction depends on speed",
-               "give fast_over_slow (mu of fast over slow sliding) and rate_s_per_m");
 }
 
 }  // namespace
@@ -85,9 +66,6 @@ ModelConfig read_model(const TomlTable& table) {
     model.axes = *axes == 1 ? SlidingAxes::one : SlidingAxes::two;
   model.displacement = table.choice<DisplacementMeasure>("displacement", displacement_names())
                            .value_or(model.displacement);
-  if (model.axes == SlidingAxes::one && table.has("displacement")) {
-    table.report("displacement", "model.displacement needs axes = 2", "leave it out, or axes = 1");
-  }
   return model;
 }
 
@@ -95,7 +73,6 @@ void read_quantities(const TomlTable& root, StudyConfig& study) {
   for (std::size_t i = 0; i < parameters().size(); ++i) {
     const Parameter& p = parameters()[i];
     const TomlTable table = root.table(p.table);
-    if (p.axes == Parameter::Axes::two) needs_two_axes(table, p.key, study);
     if (auto quantity = read_quantity(table, p.key, p.range)) study.quantities[i] = *quantity;
   }
   const TomlTable roof = root.table("roof");
@@ -113,26 +90,13 @@ void read_friction(const TomlTable& table, const std::vector<FrictionValue>& usu
   study.friction.values =
       read_choices<FrictionValue>(table, "value", friction_value_names()).value_or(usual);
   study.friction.across_is_given = table.has("across_mu");
-  check_law(table);
-  const bool by_file = table.has("file");
-  if (by_file) {
+  if (table.has("file")) {
     read_tested_friction(table, study.file.parent_path(), study);
-  } else {
-    for (const char* key : {"direction", "across_direction", "slip_m", "sliding_from_m"}) {
-      if (table.has(key))
-        table.report(key, table.name_of(key) + " needs friction.file", "leave it out");
-    }
-    if (!table.has("mu") && table.exists()) {
-      table.report_missing("mu",
-                           "give mu = 0.5, mu = { mean = 0.55, std = 0.04 }, a list or a "
-                           "distribution, or a file of pull tests");
-    }
+  } else if (!table.has("mu") && table.exists()) {
+    table.report_missing("mu",
+                         "give mu = 0.5, mu = { mean = 0.55, std = 0.04 }, a list or a "
+                         "distribution, or a file of pull tests");
   }
-  if (table.has("value") && !study.quantities.at("friction", "mu").is_drawn() &&
-      !study.quantities.at("friction", "across_mu").is_drawn())
-    table.report("value", "friction.value has no effect where friction is not drawn",
-                 "give mu as a distribution, or leave value out");
-  needs_two_axes(table, "across_direction", study);
   if (!study.two_axes()) return;
   refuse_zero(table, study.quantities.at("friction", "mu"), "mu");
   if (study.friction.across_is_given)
@@ -149,17 +113,11 @@ void read_support(const TomlTable& table, StudyConfig& study) {
   } else {
     std::rotate(study.support.begin(), isolated, isolated + 1);
   }
-  if (study.support.size() > 1) needs_two_axes(table, "support", study);
 }
 
 void read_vertical(const TomlTable& table, StudyConfig& study) {
   study.vertical =
       read_choices<VerticalChoice>(table, "use", vertical_names()).value_or(study.vertical);
-  if (study.vertical != std::vector{VerticalChoice::none}) return;
-  for (const char* key : {"period_s", "damping"}) {
-    if (table.has(key))
-      table.report(key, table.name_of(key) + " has no effect with use = \"none\"", "leave it out");
-  }
 }
 
 void read_orientation(const TomlTable& table, bool drawn, StudyConfig& study) {
@@ -178,14 +136,6 @@ void read_orientation(const TomlTable& table, bool drawn, StudyConfig& study) {
                     .value_or(o.component);
   o.sign = table.choice<SignChoice>("sign", signs).value_or(o.sign);
   o.second_sign = table.choice<SignChoice>("second_sign", signs).value_or(o.second_sign);
-  needs_two_axes(table, "second_sign", study);
-  needs_two_axes(table, "slope_axis", study);
-  if (o.choice == OrientationChoice::random) return;
-  for (const char* key : {"component", "sign", "second_sign"}) {
-    if (table.has(key))
-      table.report(key, table.name_of(key) + " needs choice = \"random\"",
-                   "leave it out, or set choice = \"random\"");
-  }
 }
 
 SamplingConfig read_sampling(const TomlTable& table) {

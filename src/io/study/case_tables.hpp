@@ -14,6 +14,12 @@ void read_quantities(const TomlTable& root, StudyConfig& study);
 /// @param usual the values of drawn friction that the study's analyses need
 void read_friction(const TomlTable& table, const std::vector<FrictionValue>& usual,
                    StudyConfig& study);
+/// Takes friction from pull tests, `[friction] file`, `direction`, `slip_m` and `sliding_from_m`:
+/// normal, not below 0, with the mean and standard deviation of sliding friction over the tests.
+/// `folder` is the study file's. Leaves `friction` as it is where something is wrong, which is
+/// reported.
+void read_tested_friction(const TomlTable& table, const std::filesystem::path& folder,
+                          StudyConfig& study);
 void read_support(const TomlTable& table, StudyConfig& study);
 void read_vertical(const TomlTable& table, StudyConfig& study);
 /// @param drawn the study draws samples where [orientation] does not state otherwise

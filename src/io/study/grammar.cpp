@@ -75,7 +75,7 @@ void add_head(std::vector<GrammarKey>& keys) {
         "both components"},
        {"model", "displacement", one_of(displacement_names()),
         quoted(displacement_names(), usual.model.displacement),
-        "two axes: SRSS of the separate maxima (Walters et al. 2012), or the longest vector"}});
+        "SRSS of the separate maxima (Walters et al. 2012), or the longest vector"}});
 }
 
 void add_quantities(std::vector<GrammarKey>& keys) {
@@ -84,14 +84,15 @@ void add_quantities(std::vector<GrammarKey>& keys) {
     const Parameter& p = parameters()[i];
     const bool mu = p.table == std::string("friction") && p.key == std::string("mu");
     const bool across = p.key == std::string("across_mu");
-    const std::string axes = p.axes == Parameter::Axes::two ? "two axes: " : "";
-    keys.push_back(
-        {p.table, p.key, quantity_value,
-         mu       ? "required (or file)"
-         : across ? "friction.mu"
-                  : describe(usual[i]),
-         fmt::format("{}{}{}; range: {}", axes, p.meaning,
-                     p.unit == std::string("-") ? "" : std::string(", ") + p.unit, p.range.text)});
+    keys.push_back({p.table, p.key, quantity_value,
+                    mu       ? "required (or file)"
+                    : across ? "friction.mu"
+                             : describe(usual[i]),
+                    fmt::format("{}{}; range: {}", p.meaning,
+                                p.unit == std::string("-") || p.unit == std::string("deg")
+                                    ? ""
+                                    : std::string(", ") + p.unit,
+                                p.range.text)});
   }
   keys.push_back({"roof", "rise_in_12", "number, list or discrete distribution", "slope_deg",
                   "the slope as a rise in 12"});
@@ -107,7 +108,7 @@ void add_cases(std::vector<GrammarKey>& keys) {
        {"friction", "file", "path", "none", "pull tests that give mu (CSV; see Pull tests)"},
        {"friction", "direction", "name", "the only one", "direction of the pull tests for mu"},
        {"friction", "across_direction", "name", "none",
-        "two axes: direction of the pull tests for across_mu"},
+        "direction of the pull tests for across_mu"},
        {"friction", "slip_m", "number", "see Pull tests", "slip from which a pull slides, m"},
        {"friction", "sliding_from_m", "number", "see Pull tests",
         "slip from which sliding friction is averaged, m"},
@@ -126,14 +127,13 @@ void add_cases(std::vector<GrammarKey>& keys) {
         "degrees; as recorded"},
        {"orientation", "slope_axis", one_of(slope_axis_names()) + ", or a list",
         quoted(slope_axis_names(), usual.orientation.slope_axis.front()),
-        "two axes: the array's axis along the slope; friction.mu is along E-W, across_mu along "
+        "the array's axis along the slope; friction.mu is along E-W, across_mu along "
         "N-S"},
        {"orientation", "component", "\"first\", \"second\", \"random\"", "\"random\"",
-        "with choice \"random\": the component along the first axis"},
-       {"orientation", "sign", "\"positive\", \"negative\", \"random\"", "\"random\"",
-        "with choice \"random\": its sign"},
+        "the component along the first axis"},
+       {"orientation", "sign", "\"positive\", \"negative\", \"random\"", "\"random\"", "its sign"},
        {"orientation", "second_sign", "\"positive\", \"negative\", \"random\"", "\"random\"",
-        "with choice \"random\", two axes: sign of the other component"},
+        "sign of the other component"},
        {"sampling", "method", "\"sobol\", \"monte_carlo\"", "\"sobol\"",
         "scrambled Sobol points, or independent ones"},
        {"sampling", "samples", "whole number", fmt::format("{}", usual.sampling.samples),
@@ -164,12 +164,12 @@ void add_analyses(std::vector<GrammarKey>& keys) {
        {"hazard", "target_rates_per_year", "list or { from, to, count }",
         "1/700, 1/2475 and 1 % in 50 years",
         "the displacement that is exceeded at each of these annual rates is found"},
-       {"standards", "compare", "list of \"seaoc_pv1_2012\", \"asce7_16\"", "none",
+       {"standards", "compare", "list of \"seaoc_pv1_2012\", \"asce7_16\"", "required",
         "prescriptive displacements to compare with; needs measure = \"sds_g\""},
        {"standards", "importance", "number", fmt::format("{:g}", usual.standards.importance),
-        "importance factor of ASCE 7-16, 1 to 1.5"},
+        "importance factor, 1 to 1.5"},
        {"standards", "seismic_design_category", "\"A\" to \"F\"", "\"D\"",
-        "seismic design category, for SEAOC PV1"},
+        "seismic design category"},
        {"chart", "shown", "{ slope_deg, mu, level }", "the middle; the highest level",
         "where the figures cut through the chart"},
        {"chart", "read", "[[chart.read]] with level, slope_deg and mu or displacement_m", "none",
@@ -179,7 +179,7 @@ void add_analyses(std::vector<GrammarKey>& keys) {
        {"clearance", "factor", "number", fmt::format("{:g}", ClearanceConfig{}.factor),
         "required clearance: this factor on the suite's mean displacement, the largest over the "
         "periods (Walters et al. 2012); also of a [chart]"},
-       {"base_shear", "", "an empty table", "absent", "two axes: peak base shear is kept"},
+       {"base_shear", "", "an empty table", "absent", "peak base shear; needs [model] axes = 2"},
        {"tipping", "centre_of_mass_height_m", "number", "required",
         "of the array above the roof, m: where the body begins to tip is checked"},
        {"tipping", "base_width_m", "number", "required", "of the array along the slope, m"}});
@@ -193,13 +193,20 @@ std::vector<GrammarKey> grammar() {
   add_quantities(keys);
   add_cases(keys);
   add_analyses(keys);
-  // A table's keys together, the tables in the order in which they first come.
+  for (const KeyNeeds& n : key_needs()) {
+    const auto key = std::ranges::find(keys, std::string(n.table) + "." + n.key, &GrammarKey::name);
+    const bool is_first = key->meaning.find("; needs ") == std::string::npos;
+    key->meaning += std::string(is_first ? "; needs " : " and ") + n.needs;
+  }
+  // A table's keys together, the tables in the order in which they first come; those that are
+  // required first.
   std::vector<std::string> tables;
   for (const GrammarKey& key : keys) {
     if (std::ranges::find(tables, key.table) == tables.end()) tables.push_back(key.table);
   }
   std::ranges::stable_sort(keys, {}, [&](const GrammarKey& key) {
-    return std::ranges::find(tables, key.table) - tables.begin();
+    const int rank = key.usual.starts_with("required") ? 0 : key.key == "across_mu" ? 1 : 2;
+    return std::pair(std::ranges::find(tables, key.table) - tables.begin(), rank);
   });
   return keys;
 }
@@ -208,6 +215,7 @@ std::vector<RenamedKey> renamed_keys() {
   const char* moments = "write friction.mu = { mean = ..., std = ... }";
   const char* across = "write friction.across_mu = { mean = ..., std = ... }";
   const char* thresholds = "it is in [fragility] now";
+  const char* both = "it is \"random\" now: drawn for each sample";
   const char* tipping = "[array] is [tipping] for this key now";
   const char* grid =
       "[clearance_study] is gone: its quantities are in [building], [roof], "
@@ -233,6 +241,8 @@ std::vector<RenamedKey> renamed_keys() {
           {"chart.slope_deg", "it is roof.slope_deg now, a list"},
           {"chart.mu", "it is friction.mu now, a list"},
           {"chart.period_s", "it is building.period_s now, a list"},
+          {"orientation.component = \"both\"", both},
+          {"orientation.sign = \"both\"", both},
           {"clearance_study", grid},
           {"paper", "published statements are compared in tests/verification now: leave it out"},
           {"convergence", "the convergence of the published scheme is a program under tests now"}};

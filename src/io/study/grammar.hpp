@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "../toml_table.hpp"
+#include "glissade/study/config.hpp"
 
 namespace glissade {
 
@@ -19,6 +20,16 @@ struct GrammarKey {
   std::string name() const { return table + "." + key; }
 };
 std::vector<GrammarKey> grammar();
+
+/// A key that has no effect without something else, which `are_met` looks for.
+struct KeyNeeds {
+  const char *table, *key;
+  const char* needs;  ///< "[model] axes = 2"
+  bool (*are_met)(const TomlTable& root, const StudyConfig& study);
+};
+std::vector<KeyNeeds> key_needs();
+/// Reports every key that is given and has no effect. Reads after all others.
+void refuse_idle_keys(const TomlTable& root, const StudyConfig& study);
 
 /// Keys of earlier grammars, and what to write now.
 std::vector<RenamedKey> renamed_keys();

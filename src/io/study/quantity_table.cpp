@@ -7,7 +7,6 @@
 
 #include "glissade/core/units.hpp"
 #include "scan.hpp"
-#include "study/distribution_table.hpp"
 #include "study/number_list.hpp"
 
 namespace glissade {
@@ -27,10 +26,94 @@ std::optional<Quantity> read_list(const TomlTable& table, const char* key,
   return Quantity{values, {}};
 }
 
-std::optional<Quantity> from_distribution(const std::optional<Distribution>& distribution) {
-  if (!distribution) return std::nullopt;
-  if (const auto* fixed = std::get_if<Fixed>(&*distribution)) return Quantity{{fixed->value}, {}};
-  return Quantity{{}, *distribution};
+enum class Kind { normal, truncated_normal, lognormal, uniform, triangular, discrete, empirical };
+
+Discrete read_discrete(const TomlTable& table) {
+  Discrete discrete{table.numbers("values").value_or(std::vector<double>{}), {}};
+  if (!table.has("values")) table.report_missing("values");
+  discrete.weights =
+      table.numbers("weights").value_or(std::vector<double>(discrete.values.size(), 1.0));
+  return discrete;
+}
+
+Empirical read_empirical(const TomlTable& table) {
+  if (!table.has("values")) table.report_missing("values");
+  return {table.numbers("values").value_or(std::vector<double>{})};
+}
+
+Distribution read_kind(const TomlTable& table, Kind kind) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const auto number = [&](const char* key) { return table.required_number(key); };
+  switch (kind) {
+    case Kind::normal:
+      return Normal{number("mean"), number("std")};
+    case Kind::truncated_normal:
+      return TruncatedNormal{number("mean"), number("std"), table.number("min").value_or(-infinity),
+                             table.number("max").value_or(infinity)};
+    case Kind::lognormal:
+      return LogNormal{number("median"), number("log_std")};
+    case Kind::uniform:
+      return Uniform{number("min"), number("max")};
+    case Kind::triangular:
+      return Triangular{number("min"), number("mode"), number("max")};
+    case Kind::discrete:
+      return read_discrete(table);
+    case Kind::empirical:
+      return read_empirical(table);
+  }
+  return Fixed{0.0};
+}
+
+std::optional<Distribution> read_table(const TomlTable& table) {
+  const auto kind =
+      table.choice<Kind>("distribution", {{"normal", Kind::normal},
+                                          {"truncated_normal", Kind::truncated_normal},
+                                          {"lognormal", Kind::lognormal},
+                                          {"uniform", Kind::uniform},
+                                          {"triangular", Kind::triangular},
+                                          {"discrete", Kind::discrete},
+                                          {"empirical", Kind::empirical}});
+  if (kind) return read_kind(table, *kind);
+  if (!table.has("distribution")) {
+    table.report_missing("distribution",
+                         "give distribution = \"uniform\" or another, or give a plain number");
+  }
+  table.ignore_unknown();
+  return std::nullopt;
+}
+
+/// A plain number, or a table { distribution = "uniform", ... } with the fields of the struct as
+/// keys (weights of discrete values default to equal ones).
+std::optional<Distribution> read_distribution(const TomlTable& table, const char* key,
+                                              const ParameterRange& bounds) {
+  const bool is_table = table.is_table(key);
+  const std::size_t problems_before = table.problem_count();
+  std::optional<Distribution> distribution;
+  if (is_table) {
+    distribution = read_table(table.table(key));
+  } else if (const auto value = table.number(key)) {
+    distribution = Fixed{*value};
+  }
+  if (!distribution || table.problem_count() > problems_before) return std::nullopt;
+  try {
+    validate(*distribution);
+  } catch (const InputError& error) {
+    table.report(key, error);
+    return std::nullopt;
+  }
+  // A tail of one in a million may be outside: it is set to the limit when drawn.
+  const Support all = support(*distribution);
+  const Support range{
+      std::isinf(all.min) || all.min == 0.0 ? quantile(*distribution, 1e-6) : all.min,
+      std::isinf(all.max) ? quantile(*distribution, 1.0 - 1e-6) : all.max};
+  if (range.min < bounds.min || range.max > bounds.max) {
+    table.report(
+        key, table.name_of(key) + (is_table ? " can take values" : " is") + " outside its range",
+        std::string("it must be ") + bounds.text +
+            (is_table ? ": narrow it, or use truncated_normal with min and max" : ""));
+    return std::nullopt;
+  }
+  return distribution;
 }
 
 /// { mean, std }: a normal distribution cut at the lower end of the range, as of tested friction.
@@ -56,6 +139,11 @@ double slope_of_rise_deg(double rise) { return std::atan(rise / 12.0) / rad_per_
 
 }  // namespace
 
+Quantity quantity_of(const Distribution& distribution) {
+  if (const auto* fixed = std::get_if<Fixed>(&distribution)) return {{fixed->value}, {}};
+  return {{}, distribution};
+}
+
 std::optional<Quantity> read_quantity(const TomlTable& table, const char* key,
                                       const ParameterRange& range) {
   if (!table.has(key)) return std::nullopt;
@@ -65,8 +153,8 @@ std::optional<Quantity> read_quantity(const TomlTable& table, const char* key,
     if (value.has("from") || value.has("to")) return read_list(table, key, range);
     if (!value.has("distribution") && value.has("mean")) return read_moments(table, key, range);
   }
-  return from_distribution(
-      read_distribution(table, key, {range.min, range.max, Bounds::Top::closed, range.text}));
+  const auto distribution = read_distribution(table, key, range);
+  return distribution ? std::optional(quantity_of(*distribution)) : std::nullopt;
 }
 
 std::optional<Quantity> read_rise_in_12(const TomlTable& table) {

@@ -8,6 +8,9 @@
 
 namespace glissade {
 
+/// One value, or what is drawn.
+Quantity quantity_of(const Distribution& distribution);
+
 /// A quantity of a study: a number, a list, { from, to, count }, a distribution, or { mean, std }
 /// of a normal one that is cut at the ends of the range. Nothing where the key is absent or wrong.
 std::optional<Quantity> read_quantity(const TomlTable& table, const char* key,

@@ -139,6 +139,7 @@ StudyConfig read_study(const std::filesystem::path& file) {
                      !root.has("clearance");
   read_orientation(root.table("orientation"), drawn, study);
   read_analyses(root, study);
+  refuse_idle_keys(root, study);
   check_size(root, study);
   document.finish();
   return study;

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "study/tested_friction.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,6 +6,8 @@
 
 #include "glissade/io/pull_test_file.hpp"
 #include "glissade/sampling/friction_statistics.hpp"
+#include "study/case_tables.hpp"
+#include "study/quantity_table.hpp"
 
 namespace glissade {
 namespace {
@@ -65,24 +65,17 @@ std::optional<Distribution> distribution_in(const TomlTable& table, const Direct
   return TruncatedNormal{s.mean, s.std, 0.0, std::numeric_limits<double>::infinity()};
 }
 
-void put(const std::optional<Distribution>& distribution, Quantity& quantity) {
-  if (!distribution) return;
-  if (const auto* fixed = std::get_if<Fixed>(&*distribution)) {
-    quantity = {{fixed->value}, {}};
-  } else {
-    quantity = {{}, *distribution};
-  }
-}
-
 void take(const TomlTable& table, const PullTestSummary& summary, const std::string& file,
           StudyConfig& study) {
   if (const DirectionFriction* d = direction_of(table, "direction", summary)) {
-    put(distribution_in(table, *d), study.quantities.at("friction", "mu"));
+    if (const auto mu = distribution_in(table, *d))
+      study.quantities.at("friction", "mu") = quantity_of(*mu);
     study.friction.note = note_on(*d, file);
   }
   if (!table.has("across_direction")) return;
   if (const DirectionFriction* d = direction_of(table, "across_direction", summary)) {
-    put(distribution_in(table, *d), study.quantities.at("friction", "across_mu"));
+    if (const auto mu = distribution_in(table, *d))
+      study.quantities.at("friction", "across_mu") = quantity_of(*mu);
     study.friction.across_is_given = true;
     study.friction.note += "; across the slope: " + note_on(*d, file);
   }

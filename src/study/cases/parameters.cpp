@@ -11,14 +11,14 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr ParameterRange coefficient{0.0, 10.0, "0 to 10"};
-constexpr ParameterRange damping_ratio{0.0, 0.999, "a ratio, 0 to 0.999"};
+constexpr ParameterRange damping_ratio{0.0, 0.999, "0 to 0.999"};
 
 /// In the order in which lists vary, the first slowest.
 const std::array table = {
     Parameter{"building",
               "response_modification",
               "-",
-              {0.0, infinity, "0 (it stays elastic), or 1 or more"},
+              {0.0, infinity, "0, or 1 or more"},
               11,
               "R: the building yields at the design spectrum's elastic demand over R; 0: it stays "
               "elastic",
@@ -26,7 +26,7 @@ const std::array table = {
     Parameter{"building",
               "yield_coefficient",
               "-",
-              {0.0, infinity, "0 (it stays elastic) or more"},
+              {0.0, infinity, "0 or more"},
               12,
               "yield force over the building's weight; 0: it stays elastic",
               [](Case& c) -> double& { return c.yield_coefficient; }},
@@ -40,7 +40,7 @@ const std::array table = {
     Parameter{"building",
               "mass_ratio",
               "-",
-              {0.0, 1.0, "the array's mass over the building's, 0 to 1"},
+              {0.0, 1.0, "0 to 1"},
               7,
               "the array's mass over the building's",
               [](Case& c) -> double& { return c.mass_ratio; }},
@@ -57,7 +57,7 @@ const std::array table = {
     Parameter{"vertical",
               "period_s",
               "s",
-              {0.0, infinity, "0 (the roof moves vertically with the ground) or more"},
+              {0.0, infinity, "0 or more"},
               14,
               "period of the roof's vertical oscillator; 0: the roof moves vertically with the "
               "ground",
@@ -88,14 +88,14 @@ const std::array table = {
     Parameter{"building",
               "period_s",
               "s",
-              {0.0, infinity, "0 (rigid) or more"},
+              {0.0, infinity, "0 or more"},
               2,
               "the bare building's period along its first axis; 0: rigid",
               [](Case& c) -> double& { return c.period_s; }},
     Parameter{"roof",
               "azimuth_deg",
               "deg",
-              {-360.0, 360.0, "in degrees, -360 to 360"},
+              {-360.0, 360.0, "-360 to 360 degrees"},
               8,
               "from the building's first axis to where the roof falls, toward the second",
               [](Case& c) -> double& { return c.azimuth_deg; },
@@ -103,7 +103,7 @@ const std::array table = {
     Parameter{"roof",
               "slope_deg",
               "deg",
-              {-89.9, 89.9, "in degrees, -89.9 to 89.9"},
+              {-89.9, 89.9, "-89.9 to 89.9 degrees"},
               1,
               "the roof's slope; positive where it falls toward the building's first axis",
               [](Case& c) -> double& { return c.slope_deg; }},

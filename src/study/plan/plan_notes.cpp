@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace glissade {
@@ -76,6 +77,32 @@ std::vector<std::string> notes_on_quantities(const StudyConfig& config) {
   return notes;
 }
 
+/// Directions that are chosen and change nothing.
+std::vector<std::string> notes_on_directions(const StudyConfig& config) {
+  const OrientationConfig& o = config.orientation;
+  const bool is_flat = config.quantities.at("roof", "slope_deg").is_always(0.0),
+             is_straight = config.quantities.at("roof", "azimuth_deg").is_always(0.0);
+  const bool has_sign = o.sign != SignChoice::random,
+             has_second_sign = o.second_sign != SignChoice::random;
+  std::vector<std::string> notes;
+  if (o.slope_axis != std::vector{SlopeAxis::e_w} && !config.friction.across_is_given)
+    notes.push_back(
+        "orientation.slope_axis has no effect: friction is the same along and across the slope");
+  if (has_sign && is_flat && is_straight)
+    notes.push_back("orientation.sign has no effect on a flat roof");
+  if (has_second_sign && is_straight)
+    notes.push_back(
+        "orientation.second_sign has no effect: it mirrors a history where roof.azimuth_deg is 0");
+  return notes;
+}
+
+/// A seed of no random number.
+std::vector<std::string> notes_on_seed(const Plan& plan) {
+  const StudyConfig& config = plan.config;
+  if (config.seed == 0 || config.draws() || config.clearance || plan.records.size() > 1) return {};
+  return {"study.seed has no effect: nothing is drawn, and one record has no intervals"};
+}
+
 }  // namespace
 
 std::vector<std::string> notes_on(const Plan& plan) {
@@ -88,8 +115,10 @@ std::vector<std::string> notes_on(const Plan& plan) {
         "m; its slip there is reported as infinite, and a recrossing there would not be seen",
         config.fragility->thresholds_m.back()));
   }
-  for (std::string& note : notes_on_quantities(config)) notes.push_back(std::move(note));
-  for (std::string& note : notes_on_standards(plan)) notes.push_back(std::move(note));
+  for (std::vector<std::string>& more :
+       std::array{notes_on_quantities(config), notes_on_directions(config), notes_on_seed(plan),
+                  notes_on_standards(plan)})
+    notes.insert(notes.end(), more.begin(), more.end());
   return notes;
 }
 

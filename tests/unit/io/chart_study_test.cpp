@@ -97,6 +97,7 @@ TEST_F(ChartStudy, what_makes_no_chart_has_one_clear_message_each) {
     return head + intensity + "[chart]\n[roof]\nslope_deg = " + slope + "\n[friction]\nmu = " + mu +
            "\n";
   };
+  const std::string drawn = with_axes("[0, 2]", "{ mean = 0.5, std = 0.05 }");
   const std::vector<Fault> faults = {
       {with_axes("2", "[0.3, 0.5]"), "a chart needs two slopes"},
       {with_axes("[-2, 2]", "[0.3, 0.5]"), "a chart needs two slopes"},
@@ -111,6 +112,12 @@ TEST_F(ChartStudy, what_makes_no_chart_has_one_clear_message_each) {
       {chart + "[[chart.read]]\nslope_deg = 2\n", "displacement or a friction"},
       {chart + "[[chart.read]]\nslope_deg = 2\nmu = 0.4\ndisplacement_m = 0.5\n",
        "displacement or a friction"},
+      {chart + "[sampling]\nsamples = 64\n", "sampling.samples needs"},
+      {chart + "[sampling]\nmethod = \"sobol\"\n", "sampling.method needs"},
+      {drawn + "value = \"design\"\n", "friction.value leaves out"},
+      {drawn + "value = [\"sampled\", \"design\"]\n", "reads \"design\""},
+      {drawn + "[chart.shown]\nmu = 0.4\n", "chart.shown.mu = 0.4 is not on the chart"},
+      {drawn + "[[chart.read]]\nslope_deg = 1\nmu = 0.4\n", "is outside the chart"},
       {head + "[intensity]\nmeasure = \"sds_g\"\nlevels = [0]\n" + axes + "[chart]\n",
        "no level above 0"},
       {head + "[intensity]\nmeasure = \"pga_g\"\nlevels = [1]\n" + axes +

@@ -121,7 +121,11 @@ TEST_F(ClearanceStudy, what_is_wrong_is_reported_with_its_line) {
            Fault{"factor = 1.2", "factor = 0.9", "clearance.factor = 0.9 is not 1 or more"},
            Fault{"across_mu = 0.6", "value = \"sampled\"", "friction.value leaves out"},
            Fault{"mu = { mean = 0.5, std = 0.02 }", "value = \"design\"\nmu = 0.5",
-                 "friction.value has no effect"},
+                 "friction.value needs"},
+           Fault{"across_mu = 0.6", "value = [\"sampled\", \"design\"]", "reads \"sampled\""},
+           Fault{"[clearance]", "[sampling]\nbootstrap_replicates = 200\n[clearance]",
+                 "sampling.bootstrap_replicates needs"},
+           Fault{"[clearance]", "[sampling]\nsamples = 4\n[clearance]", "sampling.samples needs"},
            Fault{"hardening_ratio", "hardening", "building.hardening is not a known key"},
            Fault{"axes = 2\ndisplacement = \"vector\"", "axes = 1", "[base_shear] needs"},
        }) {
@@ -129,6 +133,13 @@ TEST_F(ClearanceStudy, what_is_wrong_is_reported_with_its_line) {
                 HasSubstr(f.reported))
         << f.to;
   }
+}
+
+TEST_F(ClearanceStudy, a_suite_that_is_scaled_to_its_target_needs_no_leave) {
+  const std::string by_sds = replaced(study_text, "\"mce_fraction\"", "\"sds_g\"");
+  EXPECT_EQ(read(by_sds).intensity.measure, IntensityMeasure::sds_g);
+  EXPECT_THAT(message_of([&] { read(replaced(by_sds, "factor = 1.2", "without_target = true")); }),
+              HasSubstr("clearance.without_target needs"));
 }
 
 TEST(clearance_studies, that_come_with_glissade_are_walterss) {

@@ -146,15 +146,18 @@ TEST_F(Grammar, has_every_key_that_the_reader_knows) {
   EXPECT_GT(known, 40u);
 }
 
-TEST_F(Grammar, names_the_new_key_where_a_key_was_renamed) {
+TEST_F(Grammar, names_the_new_key_where_a_key_or_a_value_was_renamed) {
   const std::set<std::string> tables = names(true), keys = names(false);
   for (const RenamedKey& old : renamed_keys()) {
     const std::size_t dot = old.name.find('.');
-    const std::string line = dot == std::string::npos ? "[" + old.name + "]\n"
-                                                      : "[" + old.name.substr(0, dot) + "]\n" +
-                                                            old.name.substr(dot + 1) + " = 1\n";
+    const bool is_value = old.name.find(" = ") != std::string::npos;
+    const std::string line = dot == std::string::npos
+                                 ? "[" + old.name + "]\n"
+                                 : "[" + old.name.substr(0, dot) + "]\n" +
+                                       old.name.substr(dot + 1) + (is_value ? "\n" : " = 1\n");
     const std::string message = error("[study]\nname = \"s\"\n" + line);
-    EXPECT_THAT(message, HasSubstr(old.name + " is not a known key")) << message;
+    EXPECT_THAT(message, HasSubstr(old.name + (is_value ? " is not known" : " is not a known key")))
+        << message;
     EXPECT_THAT(message, HasSubstr(old.now));
     EXPECT_FALSE(keys.contains(old.name) || tables.contains(old.name)) << old.name;
     const auto names_one = [&](const std::set<std::string>& all, const std::string& before,
@@ -163,10 +166,48 @@ TEST_F(Grammar, names_the_new_key_where_a_key_was_renamed) {
         return old.now.find(before + name + after) != std::string::npos;
       });
     };
-    EXPECT_TRUE(names_one(keys, "", "") || names_one(tables, "[", "]") ||
+    EXPECT_TRUE(is_value || names_one(keys, "", "") || names_one(tables, "[", "]") ||
                 old.now.find("tests") != std::string::npos)
         << old.now;
   }
+}
+
+TEST_F(Grammar, an_old_key_comes_first_and_alone_of_what_follows_from_it) {
+  const auto places = [&](const std::string& text) {
+    std::vector<std::string> found;
+    try {
+      read_study(folder_.write("study.toml", text));
+    } catch (const InputError& refused) {
+      for (const Problem& p : refused.problems())
+        found.push_back(p.what.substr(0, p.what.find(' ')));
+    }
+    return found;
+  };
+  // Without a friction, an analysis and two slopes: each of them has moved.
+  EXPECT_THAT(places("[study]\nname = \"s\"\n[suite]\nfile = \"suite.toml\"\n[intensity]\n"
+                     "measure = \"pga_g\"\nlevels = [-1]\n[friction]\nmean = 0.5\nstd = 0.1\n"
+                     "[chart]\nslope_deg = [0, 1]\nmu = [0.4]\n"),
+              testing::UnorderedElementsAre("chart.slope_deg", "chart.mu", "friction.mean",
+                                            "friction.std", "intensity.levels"));
+  const std::vector<std::string> old = places("[clearance_study]\nfraction_of_mce = [1]\n");
+  EXPECT_THAT(old, testing::ElementsAre("clearance_study"));
+  EXPECT_THAT(places("[study]\nname = \"s\"\nsed = 1\n[suite]\nfile = \"suite.toml\"\n"
+                     "[intensity]\nmeasure = \"pga_g\"\nlevels = [1]\n[friction]\nmu = 0.5\n"
+                     "[fragility]\nthresholds_m = [1]\n[orientation]\nsign = \"both\"\n"),
+              testing::ElementsAre("orientation.sign", "study.sed"));
+}
+
+TEST_F(Grammar, every_key_with_a_need_is_a_key) {
+  const std::set<std::string> keys = names(false);
+  for (const KeyNeeds& n : key_needs())
+    EXPECT_TRUE(keys.contains(std::string(n.table) + "." + n.key)) << n.key;
+  EXPECT_EQ(grammar().front().name(), "study.name");
+  const auto first_of = [](const std::string& table) {
+    const auto all = grammar();
+    return std::ranges::find(all, table, &GrammarKey::table)->key;
+  };
+  EXPECT_EQ(first_of("friction"), "mu");
+  EXPECT_EQ(first_of("standards"), "compare");
 }
 
 TEST_F(Grammar, page_is_the_one_in_the_studies_folder) {

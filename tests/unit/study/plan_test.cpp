@@ -214,6 +214,34 @@ TEST(plan, notes_quantities_without_effect) {
   EXPECT_EQ(small_plan(config).notes.size(), before);
 }
 
+TEST(plan, notes_directions_and_a_seed_without_effect) {
+  StudyConfig config = small_config();
+  config.seed = 0;
+  config.standards.compare.clear();
+  config.model.axes = SlidingAxes::two;
+  config.quantities.at("roof", "slope_deg") = {{0.0}, {}};
+  const auto notes = [&] { return small_plan(config).notes.size(); };
+  const std::size_t before = notes();
+  config.orientation.sign = SignChoice::positive;
+  EXPECT_EQ(notes(), before + 1);
+  config.orientation.second_sign = SignChoice::negative;
+  EXPECT_EQ(notes(), before + 2);
+  config.orientation.slope_axis = {SlopeAxis::n_s};
+  EXPECT_EQ(notes(), before + 3);
+  config.friction.across_is_given = true;
+  config.quantities.at("roof", "azimuth_deg") = {{30.0}, {}};
+  EXPECT_EQ(notes(), before);
+  for (const char* key : {"mu", "across_mu"}) config.quantities.at("friction", key) = {{0.5}, {}};
+  config.orientation.choice = OrientationChoice::as_recorded;
+  config.quantities.at("building", "period_s") = {{0.5}, {}};
+  Suite suite = small_suite();
+  suite.motions.resize(1);
+  ASSERT_FALSE(config.draws());
+  const std::size_t of_one = make_plan(config, {suite}).notes.size();
+  config.seed = 7;
+  EXPECT_EQ(make_plan(config, {suite}).notes.size(), of_one + 1);
+}
+
 TEST(plan, notes_cases_outside_the_range_of_the_prescriptive_value) {
   // Slope 4 degrees in a third of the samples, mu at or below 0.4 in half of them.
   EXPECT_EQ(small_plan(small_config()).notes.size(), 1u);
