@@ -72,8 +72,8 @@ class FreeBodies {
   /// Friction per normal force (3.4), with the factor of (3.11).
   Two friction(const Two& v) const {
     const FrictionLaw& law = scene_.block.law;
-    const Long fast = law.fast_ratio, size = length({mu_[0] * v[0], mu_[1] * v[1]});
-    const Long factor = fast - (fast - 1.0L) * std::exp(-law.rate_spm * length(v));
+    const Long fast = law.mu_fast_over_slow, size = length({mu_[0] * v[0], mu_[1] * v[1]});
+    const Long factor = fast - (fast - 1.0L) * std::exp(-law.rate_s_per_m * length(v));
     return {factor * mu_[0] * mu_[0] * v[0] / size, factor * mu_[1] * mu_[1] * v[1] / size};
   }
 

@@ -87,7 +87,7 @@ SlipResult slide(const RoofAcceleration& roof, const Block& block,
                  std::span<const double> thresholds_m, std::span<Crossing> crossings);
 
 /// True if the block cannot slide for any phase between horizontal and vertical: the largest |a|
-/// and |w| together are within the stick range. Then slide() gives exactly zero and is not
+/// and |w| together are too small to start sliding. Then slide() gives exactly zero and is not
 /// necessary.
 bool cannot_slip(const Block& block, double peak_horizontal_mps2, double peak_vertical_mps2);
 

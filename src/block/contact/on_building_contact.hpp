@@ -61,7 +61,8 @@ class BuildingContact {
   /// Friction that decreases with speed must do so slowly enough for an implicit step to have one
   /// solution.
   double longest_step_s(const Load& load, const Mobility& mobility) const {
-    const double falls = law_.depends_on_speed() ? (1.0 - law_.fast_ratio) * law_.rate_spm : 0.0;
+    const double falls =
+        law_.depends_on_speed() ? (1.0 - law_.mu_fast_over_slow) * law_.rate_s_per_m : 0.0;
     if (!(falls > 0.0)) return never;
     const double rate = strongest(mobility) * std::max(load.normal, 0.0) * falls;
     return rate > 0.0 ? 2.0 / (rate * loading_.cos_slope()) : never;
@@ -108,7 +109,8 @@ class BuildingContact {
 
  private:
   double factor_at(double speed_mps) const {
-    return law_.fast_ratio - (law_.fast_ratio - 1.0) * std::exp(-law_.rate_spm * speed_mps);
+    return law_.mu_fast_over_slow -
+           (law_.mu_fast_over_slow - 1.0) * std::exp(-law_.rate_s_per_m * speed_mps);
   }
   /// Friction per normal force of v = p - lambda f(v); v = 0 if that is a solution.
   Vector holding(Vector p, double lambda) const {

@@ -74,7 +74,7 @@ SlipResult slide_with(const RoofAcceleration& roof, const Block& block, History 
     const bool rests = may_rest(next);
     const double end = static_cast<double>(i) * roof.dt_s;
     if (rested && rests && body.direction() == 0) {
-      body.rest_until(end);  // both ends of the interval in the stick range, so all between
+      body.rest_until(end);  // both ends of the interval too small to start sliding, so all between
     } else {
       body.interval(roof.dt_s, end, now, next);
     }

@@ -45,11 +45,12 @@ void check_model(const SlideOptions& o, ProblemList& problems) {
           o.vertical_damping, "must be a ratio in [0, 1)");
   require(o.law.static_ratio >= 1.0, "--static-over-sliding", o.law.static_ratio,
           "must be >= 1: static friction is not below sliding friction");
-  require(o.law.fast_ratio > 0.0, "--fast-over-slow", o.law.fast_ratio, "must be > 0");
-  require(o.law.rate_spm >= 0.0, "--rate-s-per-m", o.law.rate_spm, "must be >= 0");
+  require(o.law.mu_fast_over_slow > 0.0, "--fast-over-slow", o.law.mu_fast_over_slow,
+          "must be > 0");
+  require(o.law.rate_s_per_m >= 0.0, "--rate-s-per-m", o.law.rate_s_per_m, "must be >= 0");
 
-  if ((o.law.fast_ratio != 1.0) != (o.law.rate_spm != 0.0)) {
-    problems.add({o.law.rate_spm == 0.0 ? "--fast-over-slow" : "--rate-s-per-m",
+  if ((o.law.mu_fast_over_slow != 1.0) != (o.law.rate_s_per_m != 0.0)) {
+    problems.add({o.law.rate_s_per_m == 0.0 ? "--fast-over-slow" : "--rate-s-per-m",
                   "is one half of how friction depends on speed",
                   "give --fast-over-slow (mu_fast / mu_slow) and --rate-s-per-m (the rate a, s/m)",
                   ""});
@@ -96,8 +97,8 @@ KernelChoice kernel_for(const SlideOptions& o) {
     config.quantities.at(table, key) = {{value}, {}};
   };
   set("friction", "static_over_sliding", o.law.static_ratio);
-  set("friction", "fast_over_slow", o.law.fast_ratio);
-  set("friction", "rate_s_per_m", o.law.rate_spm);
+  set("friction", "fast_over_slow", o.law.mu_fast_over_slow);
+  set("friction", "rate_s_per_m", o.law.rate_s_per_m);
   set("building", "period_s", o.period_s);
   set("building", "mass_ratio", o.mass_ratio);
   set("building", "yield_coefficient", o.yield_coefficient.value_or(0.0));
@@ -187,9 +188,9 @@ void add_options(CLI::App& command, SlideOptions& o) {
                      "with --second: coefficient of friction across the slope [as --mu]");
   command.add_option("--static-over-sliding", o.law.static_ratio,
                      "friction at rest over sliding friction [1]");
-  command.add_option("--fast-over-slow", o.law.fast_ratio,
+  command.add_option("--fast-over-slow", o.law.mu_fast_over_slow,
                      "friction of fast over slow sliding; --mu is the slow one [1]");
-  command.add_option("--rate-s-per-m", o.law.rate_spm,
+  command.add_option("--rate-s-per-m", o.law.rate_s_per_m,
                      "rate a of mu_fast - (mu_fast - mu_slow) exp(-a speed), s/m");
   command.add_option("--clearance-m", o.clearance_m,
                      "also report when and how fast the array first reaches this displacement");

@@ -31,28 +31,22 @@ Column intensity_column(const Results& results, const std::string& stem, const s
           ColumnKind::number, with_interval};
 }
 
-namespace {
-
-/// "building.period_s" is "period", "friction.value" is "friction": without unit.
-std::string listed_name(const CaseAxis& axis) {
-  const std::size_t dot = axis.key.find('.');
-  std::string name = axis.key.substr(dot + 1);
-  if (name == "value" || name == "use") name = axis.key.substr(0, dot);
-  const std::string suffix = "_" + axis.unit;
-  return name.ends_with(suffix) ? name.substr(0, name.size() - suffix.size()) : name;
-}
-
 Column listed_column(const CaseAxis& axis) {
-  const std::string name = listed_name(axis);
-  std::string heading = name;
-  std::ranges::replace(heading, '_', ' ');
+  const std::size_t dot = axis.key.find('.');
+  std::string stem = axis.key.substr(dot + 1), heading = axis.words();
+  if (stem == "value" || stem == "use") stem = axis.key.substr(0, dot);
   heading[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(heading[0])));
-  if (!axis.names.empty()) return text_column(name, heading);
-  const bool bare = axis.unit == "-";
-  return {name, bare ? "" : axis.unit, heading + (bare ? "" : ", " + axis.unit)};
+  if (!axis.names.empty()) return text_column(stem, heading);
+  if (axis.unit == "-") return {stem, "", heading};
+  const std::string suffix = "_" + axis.unit;
+  if (stem.ends_with(suffix)) stem.resize(stem.size() - suffix.size());
+  return {stem, axis.unit, heading + ", " + axis.unit};
 }
 
-}  // namespace
+Column listed_column(const char* table, const char* key) {
+  return listed_column(
+      {std::string(table) + "." + key, parameters()[parameter_index(table, key)].unit, {}, {}});
+}
 
 bool lists_more_than_friction_value(const Results& results) {
   const std::vector<CaseAxis>& axes = results.cases.axes;
@@ -67,12 +61,11 @@ Table with_listed(const Results& results, const Table& table) {
     return listed;
   }
   std::map<std::string, std::vector<Cell>> cells;
-  for (std::size_t run = 0; run < results.runs.size(); ++run) {
-    const std::vector<std::size_t> place = results.cases.places(run);
-    std::vector<Cell>& of_run = cells[results.runs[run].label];
+  for (const RunResults& run : results.runs) {
+    const std::vector<std::size_t> place = results.cases.places(combination_of(results, run));
     for (std::size_t i = 0; i < axes.size(); ++i)
-      of_run.push_back(axes[i].names.empty() ? Cell(axes[i].values[place[i]])
-                                             : Cell(axes[i].names[place[i]]));
+      cells[run.label].push_back(axes[i].names.empty() ? Cell(axes[i].values[place[i]])
+                                                       : Cell(axes[i].names[place[i]]));
   }
   for (std::size_t i = 0; i < axes.size(); ++i)
     listed.columns.insert(listed.columns.begin() + 1 + static_cast<std::ptrdiff_t>(i),
@@ -88,20 +81,25 @@ std::string counts_of(const Results& results) {
   return fmt::format("{} records x {} samples", results.records.size(), results.cases.samples);
 }
 
-std::string run_name(const RunResults& run) {
-  return run.label == "sampled" || run.label == "design" ? run.label + " friction" : run.label;
+std::size_t combination_of(const Results& results, const RunResults& run) {
+  return run.first_case / std::max<std::size_t>(1, results.cases.per_combination());
+}
+
+std::string run_name(const Results& results, const RunResults& run) {
+  const std::string listed = results.cases.describe(combination_of(results, run));
+  return listed.empty() ? run.label + " friction" : listed;
 }
 
 std::string first_run(const Results& results) {
-  return (lists_more_than_friction_value(results) ? "the first of what is listed: friction "
+  return (lists_more_than_friction_value(results) ? "the first combination: friction "
                                                   : "friction ") +
          results.runs.front().friction_description;
 }
 
-std::string friction_of(const RunResults& run) {
+std::string friction_of(const Results& results, const RunResults& run) {
   constexpr std::size_t room = 60;
   return run.friction_description.size() <= room ? "friction " + run.friction_description
-                                                 : run_name(run);
+                                                 : run_name(results, run);
 }
 
 std::string list_of_lengths(const std::vector<double>& lengths_m) {

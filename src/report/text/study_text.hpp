@@ -18,6 +18,9 @@ std::string with_unit(const Results& results, const std::string& value);
 /// A column of intensities, its unit in name and heading.
 Column intensity_column(const Results& results, const std::string& stem, const std::string& heading,
                         bool with_interval = false);
+/// The column of a quantity: "Building period, s".
+Column listed_column(const CaseAxis& axis);
+Column listed_column(const char* table, const char* key);
 /// The label of a run is not all that tells it from the others.
 bool lists_more_than_friction_value(const Results& results);
 /// A table whose rows begin with the label of a run, with a column for each quantity that the study
@@ -27,13 +30,15 @@ Table with_listed(const Results& results, const Table& table);
 std::string at_intensity(const Results& results, double value);
 /// "22 records x 1024 samples"
 std::string counts_of(const Results& results);
-/// "sampled friction"; with several quantities listed the run's label.
-std::string run_name(const RunResults& run);
+/// Which combination of what the study lists a run is.
+std::size_t combination_of(const Results& results, const RunResults& run);
+/// What a run is in words: "sampled friction, building period 0.5 s".
+std::string run_name(const Results& results, const RunResults& run);
 /// What the first run is, in full.
 std::string first_run(const Results& results);
 /// "friction mu normal, mean 0.55, std 0.04" where a line has room for it, else the run's name:
 /// captions have it in full.
-std::string friction_of(const RunResults& run);
+std::string friction_of(const Results& results, const RunResults& run);
 /// "0.15 m (5.91 in), 0.30 m (11.8 in)"
 std::string list_of_lengths(const std::vector<double>& lengths_m);
 /// Up to `count` of the levels, spread evenly, the highest included.

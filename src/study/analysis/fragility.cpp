@@ -145,15 +145,6 @@ std::string friction_text(const StudyConfig& config, const Case& c, const std::s
   return listed.empty() ? text : text + "; " + listed;
 }
 
-/// What a combination is beside its friction's value, which the label gives.
-std::string listed_text(const CaseSet& cases, std::size_t combination) {
-  std::string text = cases.describe(combination);
-  const std::string friction = "friction.value = ";
-  if (text.rfind(friction, 0) != 0) return text;
-  const std::size_t comma = text.find(", ");
-  return comma == std::string::npos ? "" : text.substr(comma + 2);
-}
-
 std::vector<std::vector<double>> slips_at(const HistoryTable& histories, CaseSlice cases,
                                           std::size_t level) {
   std::vector<std::vector<double>> slips(histories.records);
@@ -174,7 +165,7 @@ RunResults fragility_of(const StudyConfig& config, const Results& results,
   run.cases = results.cases.per_combination();
   run.first_case = combination * run.cases;
   run.friction_description = friction_text(config, results.cases.cases[run.first_case],
-                                           listed_text(results.cases, combination));
+                                           results.cases.describe(combination, "friction.value"));
   for (std::size_t i = 0; i < band_points; ++i)
     run.band_intensities.push_back(levels.back() * static_cast<double>(i + 1) / band_points);
   for (std::size_t t = 0; t < results.thresholds_m.size(); ++t)
@@ -201,8 +192,11 @@ RunResults fragility_of(const StudyConfig& config, const Results& results,
 
 std::vector<RunResults> fragility_runs(const StudyConfig& config, const Results& results) {
   std::vector<RunResults> runs;
-  for (std::size_t i = 0; i < results.cases.combinations(); ++i)
-    runs.push_back(fragility_of(config, results, i));
+  const CaseSet& set = results.cases;
+  for (std::size_t i = 0; i < set.combinations(); ++i) {
+    if (set.cases[set.index(i, 0, 0)].support == ArraySupport::isolated)
+      runs.push_back(fragility_of(config, results, i));
+  }
   return runs;
 }
 

@@ -191,18 +191,40 @@ std::string CaseSet::label(std::size_t combination) const {
   // Of what stands in a file's name.
   std::ranges::replace_if(
       label, [](char c) { return c == '.' || c == '+'; }, '_');
-  return label.empty() ? "sampled" : label;
+  if (!label.empty()) return label;
+  const Case& first = cases.front();
+  if (first.friction_value == FrictionValue::design) return "design";
+  return std::ranges::all_of(cases,
+                             [&](const Case& c) {
+                               return c.friction == first.friction &&
+                                      c.friction_across == first.friction_across;
+                             })
+             ? "constant"
+             : "sampled";
 }
 
-std::string CaseSet::describe(std::size_t combination) const {
+std::string CaseAxis::words() const {
+  for (const Parameter& p : parameters()) {
+    if (key == std::string(p.table) + "." + p.key) return p.words;
+  }
+  return key == "vertical.use" ? "vertical motion" : key.substr(0, key.find('.'));
+}
+
+std::string CaseAxis::describe(std::size_t i) const {
+  if (names.empty())
+    return fmt::format("{} {:g}{}", words(), values[i], unit == "-" ? "" : " " + unit);
+  std::string name = names[i];
+  std::ranges::replace(name, '_', ' ');
+  if (name.starts_with("no ")) return name;
+  return key == "vertical.use" ? words() + " " + name : name + " " + words();
+}
+
+std::string CaseSet::describe(std::size_t combination, const std::string& without) const {
   std::string text;
   const std::vector<std::size_t> place = places(combination);
   for (std::size_t i = 0; i < axes.size(); ++i) {
-    const CaseAxis& axis = axes[i];
-    if (!text.empty()) text += ", ";
-    text += axis.names.empty() ? fmt::format("{} = {:g}{}", axis.key, axis.values[place[i]],
-                                             axis.unit == "-" ? "" : " " + axis.unit)
-                               : fmt::format("{} = {}", axis.key, axis.names[place[i]]);
+    if (axes[i].key == without) continue;
+    text += (text.empty() ? "" : ", ") + axes[i].describe(place[i]);
   }
   return text;
 }

@@ -16,7 +16,7 @@ KernelChoice cheapest_exact_kernel(const StudyConfig& config) {
   const auto is_always = [&](const char* table, const char* key, double value) {
     return config.quantities.at(table, key).is_always(value);
   };
-  if (config.two_axes()) return {Kernel::full, "[model] axes = 2"};
+  if (config.two_axes()) return {Kernel::full, "both horizontal components act at once"};
   if (!is_always("friction", "fast_over_slow", 1.0) && !is_always("friction", "rate_s_per_m", 0.0))
     return {Kernel::full, "friction depends on speed"};
   const bool oscillates = has_vertical_oscillator(config);

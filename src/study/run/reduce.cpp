@@ -232,7 +232,7 @@ std::vector<Skip> skipped(const Plan& plan, const WorkCount& count) {
   const auto add = [&](const char* what, const char* why, std::uint64_t number) {
     if (number > 0) skips.push_back({what, why, number});
   };
-  add("histories whose roof peak stays in the stick range",
+  add("histories whose roof moves too little to start sliding",
       "they cannot slide: zero without integration", count.below_yield);
   const std::uint64_t integrated = count.integrated + count.searched;
   add("roof motions, beside those made",

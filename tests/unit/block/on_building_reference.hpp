@@ -58,7 +58,8 @@ struct OnBuildingReference {
   bool rigid(std::size_t k) const { return scene_.building.horizontal[k].period_s == 0.0; }
   double mu_factor(double speed) const {
     const FrictionLaw& law = scene_.block.law;
-    return law.fast_ratio - (law.fast_ratio - 1.0) * std::exp(-law.rate_spm * speed);
+    return law.mu_fast_over_slow -
+           (law.mu_fast_over_slow - 1.0) * std::exp(-law.rate_s_per_m * speed);
   }
   /// The plastic part of a spring that has moved on to u, over the building's mass.
   double plastic(std::size_t k, double u) const {

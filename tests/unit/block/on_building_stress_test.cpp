@@ -44,8 +44,8 @@ OnBuilding worst(Draw& draw, unsigned seed) {
   }
   if (draw.one_in(4)) scene.block.law.static_ratio = draw.between(1.0, 2.0);
   if (draw.one_in(4)) {
-    scene.block.law.fast_ratio = draw.between(0.5, 2.0);
-    scene.block.law.rate_spm = draw.between(1.0, 200.0);
+    scene.block.law.mu_fast_over_slow = draw.between(0.5, 2.0);
+    scene.block.law.rate_s_per_m = draw.between(1.0, 200.0);
   }
   if (draw.one_in(3))
     for (double& w : scene.up) w *= 4.0;

@@ -32,8 +32,8 @@ TEST(chart_summary, reports_the_clearance_beside_what_is_prescribed_in_ascii) {
   const auto sentences = answer_sentences(results);
   // 1.1 x 0.125 m; 60 (1 - 0.4)^2 = 21.6 in = 0.549 m = 3.99 x 0.1375 m.
   EXPECT_THAT(sentences[0], AllOf(HasSubstr("0.138 m"), HasSubstr("0.5 s")));
-  EXPECT_THAT(sentences[1],
-              AllOf(HasSubstr("SEAOC PV1-2012"), HasSubstr("0.549 m"), HasSubstr("3.99 x")));
+  EXPECT_THAT(sentences, Contains(AllOf(HasSubstr("SEAOC PV1-2012"), HasSubstr("0.549 m"),
+                                        HasSubstr("3.99 x"))));
   const std::string text = summary_text(results);
   for (const char c : text) EXPECT_LT(static_cast<unsigned char>(c), 128);
   EXPECT_THAT(text, HasSubstr("slides"));
@@ -42,11 +42,11 @@ TEST(chart_summary, reports_the_clearance_beside_what_is_prescribed_in_ascii) {
 
 TEST(chart_report, names_the_factor_of_the_study) {
   Results results = made_up_chart_results();
-  EXPECT_EQ(chart_table_heading(results), "Clearance (1.1 x mean), m (in)");
+  EXPECT_THAT(chart_table_heading(results), HasSubstr("1.1 x"));
   for (ChartPoint& p : results.chart->points) p.clearance_m *= 1.3 / 1.1;
   results.conditions = condition_table(results);
   results.clearance = required_clearance(results, 1.3);
-  EXPECT_EQ(chart_table_heading(results), "Clearance (1.3 x mean), m (in)");
+  EXPECT_THAT(chart_table_heading(results), HasSubstr("1.3 x"));
   EXPECT_THAT(answer_sentences(results), Contains(HasSubstr("1.3 x the mean")));
   std::string captions;
   for (const Figure& figure : make_figures(results))
@@ -58,9 +58,9 @@ TEST(chart_report, names_the_factor_of_the_study) {
 TEST(chart_summary, says_that_seaoc_is_not_for_the_shown_point) {
   Results results = made_up_chart_results();
   results.chart->shown_slope_deg = 3.0;
-  EXPECT_THAT(answer_sentences(results)[1], AllOf(HasSubstr("3 degrees"), HasSubstr("0.4")));
+  EXPECT_THAT(answer_sentences(results), Contains(AllOf(HasSubstr("3 degrees"), HasSubstr("0.4"))));
   results.chart->shown_slope_deg = 0.0;
-  EXPECT_THAT(answer_sentences(results)[1], Not(HasSubstr("3 degrees")));
+  EXPECT_THAT(answer_sentences(results), Each(Not(HasSubstr("3 degrees"))));
 }
 
 TEST(chart_summary, answers_the_questions) {
@@ -75,6 +75,29 @@ TEST(chart_summary, states_what_the_largest_of_the_records_is_worth) {
   EXPECT_THAT(answer_sentences(made_up_chart_results()),
               Contains(AllOf(HasSubstr("10 records"), HasSubstr("83 %"), HasSubstr("40 %"))));
   EXPECT_THAT(answer_sentences(made_up_one_record_chart()), Not(Contains(HasSubstr("confidence"))));
+}
+
+TEST(chart_summary, never_counts_samples_as_records) {
+  Results results = made_up_chart_results();
+  const auto count = [](const std::string& text, const std::string& part) {
+    std::size_t found = 0;
+    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
+      ++found;
+    return found;
+  };
+  const auto chart_title = [&] {
+    std::string text;
+    for (const Table& table : csv_tables(results))
+      if (table.name.text() == "chart") text = to_csv(table);
+    return text.substr(0, text.find("\nlevel"));
+  };
+  EXPECT_EQ(count(chart_title(), "samples"), 0u);
+  results.cases.samples = 8;
+  EXPECT_THAT(chart_title(),
+              AllOf(HasSubstr("10 records"), HasSubstr("8 samples"), HasSubstr("pooled")));
+  EXPECT_THAT(chart_title(), Not(HasSubstr("80 records")));
+  // Of what pooled samples are worth nothing is said.
+  EXPECT_THAT(answer_sentences(results), Not(Contains(HasSubstr("confidence"))));
 }
 
 TEST(chart_summary, counts_free_sliding_and_reports_uplift_only_where_it_is) {

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "analysis/conditions/view.hpp"
 #include "figure_facts.hpp"
 #include "glissade/report/base_shear_report.hpp"
 #include "glissade/report/format.hpp"
@@ -74,7 +75,7 @@ std::vector<std::string> figure_names(Results r) {
 
 TEST(clearance_report, gives_a_row_for_each_listed_condition_and_the_range_of_all) {
   Results r = made_up();
-  r.conditions->grid.listed = {"building.damping = 0.02", "building.damping = 0.05"};
+  r.conditions->grid.listed = {"building damping 0.02", "building damping 0.05"};
   r.conditions->friction = {0.47, 0.47, 0.47, 0.47};
   // By (record, orientation, listed, support, period): half as much at 5 %.
   std::vector<ConditionHistory> both;
@@ -93,8 +94,8 @@ TEST(clearance_report, gives_a_row_for_each_listed_condition_and_the_range_of_al
   EXPECT_EQ(std::get<std::string>(table.rows[1][0]), r.conditions->grid.listed[1]);
   EXPECT_DOUBLE_EQ(std::get<Estimate>(table.rows[1][3]).value, 5 * inch);
   const std::string last = clearance_sentences(r).back();
-  EXPECT_THAT(last, HasSubstr(format_length(5.5 * inch) + " (building.damping = 0.05)"));
-  EXPECT_THAT(last, HasSubstr(format_length(11 * inch) + " (building.damping = 0.02)"));
+  EXPECT_THAT(last, HasSubstr(format_length(5.5 * inch) + " (building damping 0.05)"));
+  EXPECT_THAT(last, HasSubstr(format_length(11 * inch) + " (building damping 0.02)"));
 }
 
 TEST(clearance_report, the_clearance_is_a_factor_times_the_largest_mean_over_the_periods) {
@@ -131,6 +132,51 @@ TEST(clearance_report, readings_are_of_what_the_grid_varies) {
        {ClearanceTopic::level, ClearanceTopic::yielding, ClearanceTopic::slope, ClearanceTopic::mce,
         ClearanceTopic::vertical, ClearanceTopic::mass})
     EXPECT_EQ(clearance_reading(r, topic), "");
+}
+
+TEST(clearance_report, shows_the_design_earthquake_else_the_highest_level) {
+  Results r = made_up();
+  ConditionGrid& grid = r.conditions->grid;
+  grid.support = {ArraySupport::isolated};
+  // In place of the supports: no displacement at the second level.
+  struct Shown {
+    std::vector<double> levels;
+    std::size_t place;
+    double clearance_m;
+  };
+  for (const Shown& shown : {Shown{{2.0 / 3, 1.0}, 0, 11 * inch}, Shown{{0.5, 2.0 / 3}, 1, 0.0},
+                             Shown{{0.5, 1.0}, 1, 0.0}}) {
+    grid.level = shown.levels;
+    analyse(r);
+    EXPECT_EQ(shown_condition(grid)[ConditionAxis::level], shown.place);
+    EXPECT_DOUBLE_EQ(clearance_figures(r)[1].panels.at(0).rules.at(0).at, shown.clearance_m);
+    EXPECT_THAT(clearance_reading(r, ClearanceTopic::period),
+                HasSubstr(label_of(grid, ConditionAxis::level, shown.place)));
+  }
+  grid.level = {0.5, 2.0 / 3, 1.0};
+  grid.level_symbol = "S_DS";  // 2/3 g is no design earthquake
+  EXPECT_EQ(shown_condition(grid)[ConditionAxis::level], 2u);
+}
+
+TEST(clearance_report, of_one_axis_does_not_mention_two) {
+  Results r = made_up();
+  ASSERT_FALSE(slides_on_two_axes(r));
+  const auto text = [&] {
+    std::string all;
+    for (const Figure& figure : clearance_figures(r)) {
+      if (figure.name.text() == "spectra") continue;
+      all += figure.caption;
+      for (const std::string& entry : key_of(figure)) all += entry;
+    }
+    for (const std::string& sentence : clearance_sentences(r))
+      if (sentence.find("spectrum") == std::string::npos) all += sentence;
+    for (const Table& table : {clearance_table(r), clearance_orientations_table(r)})
+      all += to_csv(table);
+    return all;
+  };
+  EXPECT_THAT(text(), Not(testing::AnyOf(HasSubstr("SRSS"), HasSubstr("across"))));
+  r.axes = SlidingAxes::two;
+  EXPECT_THAT(text(), AllOf(HasSubstr("SRSS"), HasSubstr("across")));
 }
 
 TEST(clearance_report, of_two_frictions_each_is_reported_where_it_acts_downhill) {

@@ -65,6 +65,17 @@ TEST(answer, quotes_seaoc_at_1_g) {
                                                           HasSubstr("0.549 m (21.6 in)"))));
 }
 
+TEST(summary, names_recalled_provisions_only_where_there_are_some) {
+  Results results = made_up_results();
+  const auto names = [&](Provenance provenance) {
+    for (StandardComparison& c : results.runs.front().standards)
+      c.prescribed.provenance = provenance;
+    return summary_text(results).find("Recalled") != std::string::npos;
+  };
+  EXPECT_TRUE(names(Provenance::recalled));
+  EXPECT_FALSE(names(Provenance::checked));
+}
+
 TEST(summary, of_nothing_is_still_text) {
   EXPECT_TRUE(answer_sentences(Results{}).empty());
   EXPECT_FALSE(summary_text(Results{}).empty());

@@ -72,12 +72,15 @@ std::size_t fields(const std::string& line) {
   return count;
 }
 
-TEST(tables, have_as_many_fields_in_every_row_as_in_the_header_and_say_in_plan) {
+TEST(tables, have_as_many_fields_in_every_row_as_in_the_header_and_say_where_they_are_in_plan) {
   for (const Table& table : csv_tables(made_up_results())) {
     std::istringstream lines(to_csv(table));
     std::string line;
     std::getline(lines, line);
-    EXPECT_THAT(line, HasSubstr("isplacements are in plan")) << table.name.text();
+    const bool has_displacements = std::ranges::any_of(
+        table.columns, [](const Column& column) { return column.kind == ColumnKind::length; });
+    EXPECT_EQ(line.find("isplacements are in plan") != std::string::npos, has_displacements)
+        << table.name.text();
     std::getline(lines, line);
     const std::size_t expected = fields(line);
     std::size_t rows = 0;

@@ -63,12 +63,12 @@ TEST(analyses, a_required_clearance_is_a_factor_on_the_largest_mean_over_the_per
   EXPECT_EQ(first.bounds.highest, 3.0);  // a 2, b 4
   EXPECT_EQ(first.largest, 4.0);
   EXPECT_EQ(first.level, 0.8);
-  EXPECT_EQ(first.condition, "building.period_s = 0.2 s");
+  EXPECT_EQ(first.condition, "building period 0.2 s");
   ASSERT_EQ(clearance.required.size(), 1u);
   const RequiredClearance& required = clearance.required[0];
   EXPECT_EQ(required.largest.period_s, 1.0);  // 5 in both orientations
   EXPECT_EQ(required.largest.first_case, 2u);
-  EXPECT_EQ(required.largest.condition, "building.period_s = 1 s");
+  EXPECT_EQ(required.largest.condition, "building period 1 s");
   EXPECT_EQ(required.largest.bounds.lowest, 4.5);   // a 3, b 6
   EXPECT_EQ(required.largest.bounds.highest, 5.5);  // a 4, b 7
   EXPECT_EQ(required.median_m, 7.5);
@@ -97,7 +97,7 @@ TEST(analyses, tipping_is_a_share_of_the_histories_and_of_each_record) {
   EXPECT_EQ(tipping.shares[1].share, 0.5);
   EXPECT_EQ(tipping.shares[1].by_record, (std::vector<double>{0.0, 1.0}));
   EXPECT_EQ(tipping.shares[1].first_case, 2u);
-  EXPECT_EQ(tipping.shares[1].condition, "building.period_s = 1 s");
+  EXPECT_EQ(tipping.shares[1].condition, "building period 1 s");
   EXPECT_EQ(tipping.shares[1].level, 0.8);
 }
 

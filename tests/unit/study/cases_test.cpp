@@ -58,6 +58,16 @@ TEST(cases, are_combinations_by_samples_by_orientations) {
   }
 }
 
+TEST(cases, are_described_in_words_and_not_in_keys) {
+  const CaseSet set = make_cases(mixed_config());
+  EXPECT_EQ(set.describe(0), "sampled friction, building period 0.25 s, slope -2.5 deg");
+  EXPECT_EQ(set.describe(0, "friction.value"), "building period 0.25 s, slope -2.5 deg");
+  for (const Parameter& p : parameters()) {
+    const CaseAxis axis{std::string(p.table) + "." + p.key, p.unit, {1.0}, {}};
+    EXPECT_EQ(axis.describe(0).find_first_of("_.="), std::string::npos) << axis.describe(0);
+  }
+}
+
 TEST(cases, friction_value_is_that_of_the_sample_or_mean_less_two_standard_deviations) {
   StudyConfig config = small_config();
   CaseSet set = make_cases(config);
@@ -75,9 +85,11 @@ TEST(cases, friction_value_is_that_of_the_sample_or_mean_less_two_standard_devia
   set = make_cases(config);
   EXPECT_EQ(set.combinations(), 1u);
   for (const Case& c : set.cases) EXPECT_DOUBLE_EQ(c.friction, 0.3);
+  EXPECT_EQ(set.label(0), "design");
   config = small_config();
   config.quantities.at("friction", "mu") = fixed(0.4);  // one number: nothing to choose from
   EXPECT_EQ(make_cases(config).combinations(), 1u);
+  EXPECT_EQ(make_cases(config).label(0), "constant");
 }
 
 TEST(cases, friction_across_the_slope_goes_along_it_where_the_slope_lies_along_n_s) {

@@ -168,6 +168,20 @@ void add(HistoryFields& fields, const std::vector<double>& peaks_m, double capac
 }
 
 // Recrossing, by hand: a threshold reached at one level and not at the next.
+TEST(reduce, fits_no_fragility_of_an_array_that_cannot_slide) {
+  StudyConfig config = small_config();
+  config.model.axes = SlidingAxes::two;
+  config.base_shear = true;
+  config.support = {ArraySupport::isolated, ArraySupport::anchored};
+  config.sampling.samples = 2;
+  config.intensity.levels = {1.0};
+  const Results results = test::run(small_plan(config));
+  ASSERT_EQ(results.cases.combinations(), 4u);  // by friction value and support
+  ASSERT_EQ(results.runs.size(), 2u);
+  for (const RunResults& run : results.runs)
+    EXPECT_EQ(results.cases.cases[run.first_case].support, ArraySupport::isolated);
+}
+
 TEST(reduce, counts_histories_that_fall_below_the_threshold_again) {
   const Results results =
       reduce_made_up([](std::size_t record, std::size_t sample, HistoryFields& fields) {

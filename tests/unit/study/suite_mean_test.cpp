@@ -108,11 +108,11 @@ TEST(suite_mean, ties_count_half_below) {
 TEST(suite_mean, each_records_stronger_component_falls_with_the_roof) {
   // a by its first (azimuth 0, 180), b by its second (90, 270).
   const StrongerAlong strong = stronger_along(by_hand(), {}, at_period(1), Periods::one);
-  EXPECT_DOUBLE_EQ(strong.as_recorded, 1.0);   // a 2, b 0
-  EXPECT_DOUBLE_EQ(strong.turned_round, 6.0);  // a 4, b 8
+  EXPECT_DOUBLE_EQ(strong.as_recorded, 1.0);  // a 2, b 0
+  EXPECT_DOUBLE_EQ(strong.reversed, 6.0);     // a 4, b 8
   Results r = by_hand();
   r.conditions->orientations[3].ground_azimuth_deg = 22.5;
-  EXPECT_TRUE(std::isnan(stronger_along(r, {}, {}, Periods::one).turned_round));
+  EXPECT_TRUE(std::isnan(stronger_along(r, {}, {}, Periods::one).reversed));
 }
 
 TEST(suite_mean, a_slope_axis_that_was_not_run_has_no_orientations) {

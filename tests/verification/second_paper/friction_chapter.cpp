@@ -105,7 +105,7 @@ std::vector<Case> coasting() {
     scene.block.friction = {mu, mu};
     scene.block.law = law;
     const TwoAxisResult r = scene.result().slip;
-    const double fast = law.fast_ratio, rate = law.rate_spm;
+    const double fast = law.mu_fast_over_slow, rate = law.rate_s_per_m;
     const auto slows = [&](double v) {
       return g * mu * (fast - (fast - 1.0) * std::exp(-rate * v));
     };
@@ -129,7 +129,9 @@ std::vector<Case> pushed_past_speeds() {
   const FrictionLaw law{1.0, 2.0, 20.0};
   const double a = 5.0, reached_mps = 1.5;
   const auto gains = [&](double v) {
-    return a - g * mu * (law.fast_ratio - (law.fast_ratio - 1.0) * std::exp(-law.rate_spm * v));
+    return a - g * mu *
+                   (law.mu_fast_over_slow -
+                    (law.mu_fast_over_slow - 1.0) * std::exp(-law.rate_s_per_m * v));
   };
   const std::vector<double> distance{
       integral([&](double v) { return v / gains(v); }, 0.0, reached_mps)};

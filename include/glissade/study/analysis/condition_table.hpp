@@ -19,7 +19,7 @@ struct ConditionHistory {
   double peak_along_m = 0.0, peak_across_m = 0.0;  ///< largest |displacement| by axis, whenever
   double residual_along_m = 0.0, residual_across_m = 0.0;
   double shear_along = 0.0,
-         shear_across = 0.0;  ///< peak base shear over the bare building's weight
+         shear_across = 0.0;  ///< peak base shear over the building's weight without the array
   std::uint8_t uplift = 0;    ///< 1: the array lifts off, outside the model
 };
 

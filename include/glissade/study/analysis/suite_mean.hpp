@@ -18,7 +18,7 @@ namespace glissade {
 enum class HistoryNumber {
   displacement,  ///< m, by the study's DisplacementMeasure
   vector_peak,   ///< m, the largest length of the displacement, whatever the measure
-  base_shear,    ///< over the bare building's weight
+  base_shear,    ///< over the building's weight without the array
 };
 
 /// Of which histories.
@@ -97,7 +97,7 @@ double share_below(const std::vector<double>& sorted, double value);
 /// slope, by its sign: as recorded, and reversed. Walters et al. (2012) call that conservative.
 /// NaN where the study did not run these orientations.
 struct StrongerAlong {
-  double as_recorded = 0.0, turned_round = 0.0;
+  double as_recorded = 0.0, reversed = 0.0;
 };
 StrongerAlong stronger_along(const Results& results, const MeanQuestion& question,
                              const Condition& at, Periods periods);

@@ -28,7 +28,7 @@ struct Case {
   FrictionLaw law;
   double slope_deg = 0.0;     ///< falls toward the building's first axis; < 0: the other way
   double azimuth_deg = 0.0;   ///< two axes: from the building's first axis to where the roof falls
-  double period_s = 0.0;      ///< of the bare building along its first axis; 0: rigid
+  double period_s = 0.0;      ///< of the building along its first axis, without the array; 0: rigid
   double period_ratio = 1.0;  ///< two axes: period along the second axis over that along the first
   double damping = 0.05;
   double mass_ratio = 0.0;             ///< array over building
@@ -49,7 +49,7 @@ struct Case {
 /// The range of a parameter, ends included.
 struct ParameterRange {
   double min, max;
-  const char* text;  ///< "0 (rigid) or more"
+  const char* text;  ///< "0 or more"
 };
 
 /// A number of a case that a study may fix, list or draw. All its properties are in
@@ -58,6 +58,7 @@ struct ParameterRange {
 struct Parameter {
   const char* table;  ///< of the study file: "building"
   const char* key;    ///< "period_s"
+  const char* words;  ///< "building period"
   const char* unit;   ///< "s"
   ParameterRange range;
   std::uint32_t dimension;  ///< its place in the unit cube: fixed for ever, so that a sample's

@@ -20,6 +20,8 @@ struct CaseAxis {
       names;  ///< of values that are choices: "sampled", "anchored"; else empty
 
   std::size_t size() const { return values.size(); }
+  std::string words() const;                  ///< "building period", "array"
+  std::string describe(std::size_t i) const;  ///< "building period 0.5 s", "anchored array"
   bool operator==(const CaseAxis&) const = default;
 };
 
@@ -43,10 +45,11 @@ struct CaseSet {
   /// Position of an axis; axes.size() where the study has one value.
   std::size_t axis(const std::string& key) const;
   /// "sampled", "design", "period_s_0_5", where one is long "combination_1" and so on: fit for a
-  /// file's name (a to z, 0 to 9, _ and -).
+  /// file's name (a to z, 0 to 9, _ and -). Where nothing is listed what friction is: "constant",
+  /// "sampled" or "design".
   std::string label(std::size_t combination) const;
-  /// "friction mean - 2 std, period_s = 0.5 s"; empty where nothing is listed.
-  std::string describe(std::size_t combination) const;
+  /// "design friction, building period 0.5 s", without one axis; empty where nothing is listed.
+  std::string describe(std::size_t combination, const std::string& without = "") const;
 };
 
 CaseSet make_cases(const StudyConfig& config);

@@ -9,7 +9,7 @@ namespace glissade {
 /// Work that was not done because the study does not need it. It does not change the results: kept
 /// in run.json, never in the results file.
 struct Skip {
-  std::string what;  ///< "histories whose roof peak stays in the stick range"
+  std::string what;  ///< "histories whose roof moves too little to start sliding"
   std::string why;
   std::uint64_t count = 0;
 };

@@ -63,7 +63,8 @@ void for_each_history_field(Visit visit) {
   visit(Number{"residual_across_m", "m", "two axes: the same across the slope", Depth::levels,
                &HistoryFields::residual_across_m, &KeptFields::by_axis});
   visit(Number{"shear_along", "-",
-               "peak base shear along the building's first axis, over the bare building's weight",
+               "peak base shear along the building's first axis, over the building's weight "
+               "without the array",
                Depth::levels, &HistoryFields::shear_along, &KeptFields::base_shear});
   visit(Number{"shear_across", "-", "the same along its second axis", Depth::levels,
                &HistoryFields::shear_across, &KeptFields::base_shear});

@@ -11,7 +11,7 @@ using enum ConditionAxis;
 /// Fig. 16: base shear over the period by support.
 Figure by_support_figure(const Results& results) {
   Family family(results, period_label, results.conditions->grid.period_s);
-  const Places supports = along(results.conditions->grid, support);
+  const Places supports = shown_along(results.conditions->grid, support);
   for (std::size_t i = 0; i < supports.size(); ++i) {
     family.add(label_of(results.conditions->grid, support, i), family_look(i, supports.size()),
                along(results.conditions->grid, period, supports[i]),
@@ -24,7 +24,7 @@ Figure by_support_figure(const Results& results) {
           below_text(results),
           "After Walters et al. (2012), Fig. 16. Mean over the suite of each history's SRSS of the "
           "peak base shears along both axes, over the weight of the building without the array.",
-          family.ratios("Base shear over the bare building's weight")};
+          family.ratios("Base shear over the building's weight without the array")};
 }
 
 /// The same over that without an array, which must be among the supports.
@@ -37,7 +37,7 @@ Figure ratio_figure(const Results& results) {
     const auto place = place_of(grid, kind);
     if (!place) continue;
     std::vector<std::vector<double>> ratios;
-    for (const Condition& at : along(grid, period))
+    for (const Condition& at : shown_along(grid, period))
       ratios.push_back(ratios_by_orientation(results, {.number = HistoryNumber::base_shear},
                                              at.with(support, *place), at.with(support, bare)));
     family.add_numbers(label_of(grid, support, *place), family_look(drawn++, 3), ratios);

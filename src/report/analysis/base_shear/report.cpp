@@ -27,7 +27,7 @@ std::string comparison(const Results& r) {
     if (!place) continue;
     std::size_t below = 0;
     double low = INFINITY, high = 0.0;
-    for (const Condition& at : along(r.conditions->grid, ConditionAxis::period)) {
+    for (const Condition& at : shown_along(r.conditions->grid, ConditionAxis::period)) {
       const double ratio =
           quantile_of(ratios_by_orientation(r, question, at.with(ConditionAxis::support, *isolated),
                                             at.with(ConditionAxis::support, *place)),
@@ -42,7 +42,15 @@ std::string comparison(const Results& r) {
         other == ArraySupport::anchored ? "with the array anchored" : "without an array", below,
         r.conditions->grid.period_s.size()));
   }
-  return fmt::format("With the array isolated the base shear is {}.", fmt::join(parts, "; and "));
+  const ConditionGrid& grid = r.conditions->grid;
+  const std::string level =
+      has_several(grid, ConditionAxis::level)
+          ? "At " +
+                label_of(grid, ConditionAxis::level, shown_condition(grid)[ConditionAxis::level]) +
+                ", with"
+          : "With";
+  return fmt::format("{} the array isolated the base shear is {}.", level,
+                     fmt::join(parts, "; and "));
 }
 
 /// The smallest and the largest of the means, and the largest history.
@@ -83,7 +91,8 @@ Html section(const Results& results) {
 Table base_shear_table(const Results& results) {
   const ConditionColumns conditions(results);
   Table table{"base_shear",
-              "Base shear over the bare building's weight: the suite's mean of the SRSS of the "
+              "Base shear over the building's weight without the array: the suite's mean of the "
+              "SRSS of the "
               "peaks along both axes, over the orientations",
               conditions.columns(),
               {},

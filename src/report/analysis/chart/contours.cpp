@@ -165,10 +165,10 @@ Figure chart_contours_figure(const Results& results) {
   Figure figure{
       "chart_contours",
       one_record ? "Peak slip over friction and roof slope"
-                 : "Clearance to provide, over friction and roof slope",
+                 : "Chart clearance over friction and roof slope",
       at_intensity(results, results.levels[level]),
       (one_record ? "Lines of equal peak slip"
-                  : "Lines of equal clearance, " + clearance_rule(results)) +
+                  : "Lines of equal chart clearance, " + clearance_rule(results)) +
           "; what linear interpolation in tables/chart.csv gives. Find the coefficient of friction "
           "below and the slope at the left: the line through that point is the " +
           (one_record ? "slip" : "clearance") +

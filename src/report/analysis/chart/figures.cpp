@@ -28,15 +28,15 @@ Shown shown_place(const Results& results) {
 
 std::string friction_text(double mu) { return "friction " + brief(mu); }
 
-/// What is drawn where there is one curve for each of several: "clearance" or "peak slip".
+/// What is drawn where there is one curve for each of several: "chart clearance" or "peak slip".
 std::string what_is_read(const Results& results) {
-  return is_one_record(results) ? "peak slip" : "clearance";
+  return is_one_record(results) ? "peak slip" : "chart clearance";
 }
 
 std::string y_label(const Results& results) {
   return is_one_record(results)
              ? "Peak slip in plan"
-             : fmt::format("Clearance, {:g} x mean slip in plan", clearance_factor(results));
+             : fmt::format("Chart clearance, {:g} x mean slip in plan", clearance_factor(results));
 }
 
 std::string caption_of(const Results& results, const std::string& reading) {
@@ -142,11 +142,10 @@ Figure chart_slope_figure(const Results& results) {
                                  line.mu_limit());
     }
   }
-  const std::string reading =
-      is_one_record(results)
-          ? "Peak slip at each slope."
-          : "Thick: the clearance to provide, " + clearance_rule(results) +
-                "; thin: the mean itself, percentiles over the records, and the largest record.";
+  const std::string reading = is_one_record(results)
+                                  ? "Peak slip at each slope."
+                                  : "Thick: the chart clearance, " + clearance_rule(results) +
+                                        "; thin: the mean itself, percentiles, and the largest.";
   return {"chart_slope",
           "Slip over the slope of the roof",
           at_intensity(results, level) + "; " + friction_text(mu),
@@ -173,7 +172,7 @@ Figure chart_friction_figure(const Results& results) {
   }
   return {"chart_friction",
           is_one_record(results) ? "Peak slip over friction, by roof slope"
-                                 : "Clearance to provide, over friction and roof slope",
+                                 : "Chart clearance over friction and roof slope",
           at_intensity(results, level),
           caption_of(results,
                      "Read up from the coefficient of friction to the curve of the roof's "
@@ -239,7 +238,7 @@ Figure chart_period_figure(const Results& results) {
   for (const Part& part : {Part{"Mean over records", Role::mean, &ChartSlip::mean_m},
                            Part{"84th percentile", Role::p84, &ChartSlip::p84_m},
                            Part{"95th percentile", Role::p95, &ChartSlip::p95_m},
-                           Part{"Largest record", Role::largest, &ChartSlip::envelope_m}}) {
+                           Part{"Largest", Role::largest, &ChartSlip::envelope_m}}) {
     if (one_record && part.role != Role::largest) continue;
     std::vector<double> y_m;
     for (const ChartSlip& slip : point.by_period) y_m.push_back(slip.*part.slip_m);
@@ -260,11 +259,12 @@ Figure chart_period_figure(const Results& results) {
       "Slip over the period of the building",
       fmt::format("{}; slope {}; {}", at_intensity(results, results.levels[shown.level]),
                   degrees(point.slope_deg), friction_text(point.mu)),
-      caption_of(results, one_record ? "Peak slip by building period; thick: the largest, "
-                                       "which the chart shows."
-                                     : fmt::format("Slip by building period. Thick: the clearance, "
-                                                   "{:g} x the largest of the means.",
-                                                   clearance_factor(results))),
+      caption_of(results, one_record
+                              ? "Peak slip by building period; thick: the largest, "
+                                "which the chart shows."
+                              : fmt::format("Slip by building period. Thick: the chart clearance, "
+                                            "{:g} x the largest of the means.",
+                                            clearance_factor(results))),
       drawn(plot),
       2};
 }

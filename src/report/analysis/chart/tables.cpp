@@ -47,10 +47,11 @@ std::vector<std::string> reading_notes(const Results& results) {
       "next larger slope and the next smaller mu.",
       gravity_note};
   if (!is_one_record(results)) {
-    notes.push_back(
-        "clearance is " + clearance_rule(results) +
-        "; p84, p95 and "
-        "envelope (the largest record) are each the largest over the building periods.");
+    notes.push_back("Chart clearance: " + clearance_rule(results) +
+                    "; p84, p95 and "
+                    "envelope (the largest " +
+                    std::string(results.cases.samples > 1 ? "history" : "record") +
+                    ") are each the largest over the building periods.");
   }
   return notes;
 }
@@ -109,7 +110,8 @@ Table chart_by_period_table(const Results& results) {
     table.columns.push_back({"mean_slip", "m", "Mean, m (in)", ColumnKind::length});
     table.columns.push_back({"p84_slip", "m", "84th percentile, m (in)", ColumnKind::length});
     table.columns.push_back({"p95_slip", "m", "95th percentile, m (in)", ColumnKind::length});
-    table.columns.push_back({"envelope", "m", "Largest record, m (in)", ColumnKind::length});
+    table.columns.push_back({"envelope", "m", chart_statistics(results).back().heading + ", m (in)",
+                             ColumnKind::length});
   }
   for (const ChartPoint& p : chart.points) {
     for (std::size_t t = 0; t < p.by_period.size(); ++t) {

@@ -18,14 +18,18 @@ double clearance_factor(const Results& results) {
 
 std::string clearance_rule(const Results& results) {
   const double factor = clearance_factor(results);
-  return fmt::format("{:g} x the mean over the records (Walters et al. 2012{})", factor,
-                     factor == ClearanceConfig{}.factor ? "" : ": 1.1");
+  return fmt::format(
+      "{:g} x the mean over the records, each in {} (factor: Walters et al. 2012{})", factor,
+      results.cases.orientations > 1 ? "the orientation that slides farthest" : "its orientation",
+      factor == ClearanceConfig{}.factor ? "" : ": 1.1");
 }
 
 ChartStatistic design_statistic(const Results& results) { return chart_statistics(results)[0]; }
 
 std::vector<ChartStatistic> chart_statistics(const Results& results) {
-  const ChartStatistic largest = {"envelope", "Largest record", "largest record",
+  const bool pooled = results.cases.samples > 1;
+  const ChartStatistic largest = {"envelope", pooled ? "Largest history" : "Largest record",
+                                  pooled ? "largest history" : "largest record",
                                   [](const ChartPoint& p) { return p.largest.envelope_m; },
                                   &ChartReading::envelope};
   if (is_one_record(results)) {
@@ -34,16 +38,16 @@ std::vector<ChartStatistic> chart_statistics(const Results& results) {
     peak.heading = "Peak slip of the record";
     return {peak};
   }
-  return {
-      {"clearance", fmt::format("Clearance ({:g} x mean)", clearance_factor(results)), "clearance",
-       [](const ChartPoint& p) { return p.clearance_m; }, &ChartReading::clearance},
-      {"mean_slip", "Mean over records", "mean",
-       [](const ChartPoint& p) { return p.largest.mean_m; }, &ChartReading::mean},
-      {"p84_slip", "84th percentile", "84th percentile",
-       [](const ChartPoint& p) { return p.largest.p84_m; }, &ChartReading::p84},
-      {"p95_slip", "95th percentile", "95th percentile",
-       [](const ChartPoint& p) { return p.largest.p95_m; }, &ChartReading::p95},
-      largest};
+  return {{"clearance", fmt::format("Chart clearance ({:g} x mean)", clearance_factor(results)),
+           "chart clearance", [](const ChartPoint& p) { return p.clearance_m; },
+           &ChartReading::clearance},
+          {"mean_slip", "Mean over records", "mean",
+           [](const ChartPoint& p) { return p.largest.mean_m; }, &ChartReading::mean},
+          {"p84_slip", "84th percentile", "84th percentile",
+           [](const ChartPoint& p) { return p.largest.p84_m; }, &ChartReading::p84},
+          {"p95_slip", "95th percentile", "95th percentile",
+           [](const ChartPoint& p) { return p.largest.p95_m; }, &ChartReading::p95},
+          largest};
 }
 
 std::size_t nearest(const std::vector<double>& axis, double value) {
@@ -94,28 +98,53 @@ std::string chart_size(const Results& results) {
                      chart.points.size(), histories);
 }
 
+namespace {
+
+/// What the chart has no axis for: it takes the largest over it.
+std::string largest_over(const Results& results) {
+  std::string text = results.cases.orientations > 1 ? "the orientation that slides farthest" : "";
+  for (const CaseAxis& axis : results.cases.axes) {
+    if (axis.key == "roof.slope_deg" || axis.key == "friction.mu" ||
+        axis.key == "building.period_s" || axis.key == "friction.value" ||
+        axis.key == "array.support")
+      continue;
+    text += (text.empty()                 ? "the largest over the listed values of "
+             : text.ends_with("farthest") ? " and the largest over the listed values of "
+                                          : " and of ") +
+            axis.words();
+  }
+  return text;
+}
+
+}  // namespace
+
 std::string how_counted(const Results& results) {
   const std::vector<double>& periods = results.chart->period_s;
+  const std::size_t samples = results.cases.samples;
   const std::string building =
       periods.size() > 1
           ? fmt::format("the largest over {} building periods from {} to {} s", periods.size(),
                         brief(periods.front()), brief(periods.back()))
       : periods.front() == 0.0 ? "on a rigid building"
                                : fmt::format("for a building period of {} s", brief(periods[0]));
-  return is_one_record(results)
-             ? fmt::format(
-                   "The peak slip of the one record {}, in the orientation that slides "
-                   "farthest, {}; in plan.",
-                   results.records.front().id, building)
-             : fmt::format("{} records, each counted {}; {}; {}; in plan.", results.records.size(),
-                           results.cases.orientations > 1
-                               ? "with the orientation that slides farthest"
-                           : results.cases.samples > 1 ? "once for each sample, in its orientation"
-                                                       : "in one orientation",
-                           building,
-                           slides_on_two_axes(results)
-                               ? "both horizontal components, along and across the slope"
-                               : "one horizontal component along the slope");
+  const std::string largest = largest_over(results);
+  const std::string of_each = largest.empty() ? "in its orientation" : "with " + largest;
+  if (is_one_record(results)) {
+    return fmt::format(
+        "The peak slip of the one record {}, {}{}, {}; in plan.", results.records.front().id,
+        of_each, samples > 1 ? fmt::format(", the largest of {} samples", samples) : "", building);
+  }
+  std::string text = fmt::format(
+      "{} records, each counted {}; {}; {}; in plan.", results.records.size(), of_each, building,
+      slides_on_two_axes(results) ? "both horizontal components, along and across the slope"
+                                  : "one horizontal component along the slope");
+  if (samples > 1) {
+    text += fmt::format(
+        " Of each record {} samples are run: a mean is over the records' means; percentiles and "
+        "the largest are over records and samples pooled, which are not independent.",
+        samples);
+  }
+  return text;
 }
 
 std::string seaoc_limits() {

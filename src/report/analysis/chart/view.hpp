@@ -16,14 +16,15 @@ bool is_one_record(const Results& results);
 /// A number of a chart that is read off: the clearance and the numbers with it.
 struct ChartStatistic {
   std::string stem;     ///< "clearance", "mean_slip": the CSV name without its unit
-  std::string heading;  ///< "Clearance (1.1 x mean)"
+  std::string heading;  ///< "Chart clearance (1.1 x mean)"
   std::string name;     ///< in a sentence: "84th percentile"
   double (*slip_m)(const ChartPoint&);
   double ChartReading::*reading;
 };
 /// On the mean: that of [clearance], else 1.1 (Walters et al. 2012).
 double clearance_factor(const Results& results);
-/// "1.1 x the mean over the records (Walters et al. 2012)"
+/// "1.1 x the mean over the records, each in the orientation that slides farthest": not the rule of
+/// [clearance], which takes all records in the same orientation.
 std::string clearance_rule(const Results& results);
 /// The number to design with: the factor x the largest mean, or the record's peak.
 ChartStatistic design_statistic(const Results& results);
@@ -44,7 +45,8 @@ std::string degrees(double slope_deg);
 std::string at_slope_and_friction(double slope_deg, double mu);
 /// "15 slopes x 15 coefficients of friction x 3 building periods x 2 levels of S_DS (g)"
 std::string chart_size(const Results& results);
-/// How many records stand behind a number, in which orientation and for which buildings.
+/// How many records stand behind a number, in which orientation and for which buildings; what is
+/// pooled where samples are drawn.
 std::string how_counted(const Results& results);
 
 /// Of SEAOC PV1-2012: "slopes under 3 degrees and friction above 0.4"

@@ -39,7 +39,7 @@ Figure period_figure(const Results& results) {
   const ConditionGrid& grid = results.conditions->grid;
   constexpr std::size_t most_lines = 4;
   Places members = places_of(grid, vertical, mass);
-  if (members.size() > most_lines) members = along(grid, mass);
+  if (members.size() > most_lines) members = shown_along(grid, mass);
   Family family(results, period_label, grid.period_s);
   for (std::size_t i = 0; i < members.size(); ++i) {
     const std::string label =
@@ -49,7 +49,7 @@ Figure period_figure(const Results& results) {
   }
   if (results.conditions->orientations.size() > 1) {
     std::vector<double> low, high;
-    for (const Condition& at : along(grid, period)) {
+    for (const Condition& at : shown_along(grid, period)) {
       const PerRecordBounds bounds = per_record_bounds(results, {}, at, Periods::one);
       low.push_back(bounds.lowest);
       high.push_back(bounds.highest);
@@ -59,7 +59,8 @@ Figure period_figure(const Results& results) {
     family.add_line("", look(Role::bound), high);
   }
   const double clearance_m =
-      results.clearance->factor * over_orientations(results, {}, {}, Periods::largest).median;
+      results.clearance->factor *
+      over_orientations(results, {}, shown_condition(grid), Periods::largest).median;
   Look rule = look(Role::clearance);
   rule.width = 2.5;
   rule.dash = 2;
@@ -77,7 +78,7 @@ Figure period_figure(const Results& results) {
 
 /// A line for each building period over the places of another axis.
 void add_buildings(const Results& results, ConditionAxis axis, Family& family) {
-  const Places buildings = along(results.conditions->grid, period);
+  const Places buildings = shown_along(results.conditions->grid, period);
   for (std::size_t i = 0; i < buildings.size(); ++i) {
     family.add("building of " + label_of(results.conditions->grid, period, i),
                family_look(i, buildings.size()),
@@ -95,7 +96,7 @@ Figure level_figure(const Results& results) {
   }
   Family family(results, "Suite", x);
   family.name_ticks(names);
-  const Places buildings = along(results.conditions->grid, period);
+  const Places buildings = shown_along(results.conditions->grid, period);
   for (std::size_t i = 0; i < buildings.size(); ++i) {
     std::vector<std::vector<double>> by_suite;
     for (std::size_t suite = 0; suite < results.suites.size(); ++suite) {
@@ -107,15 +108,15 @@ Figure level_figure(const Results& results) {
                        family_look(i, buildings.size()), by_suite);
   }
   return {"level", "Displacement over the seismic level",
-          conditions_text(results, {}, {period, support}), after_walters(results, 14),
-          family.displacements()};
+          conditions_text(results, shown_condition(results.conditions->grid), {period, support}),
+          after_walters(results, 14), family.displacements()};
 }
 
 /// Fig. 15: displacement over R, relative to the elastic building's.
 Figure yielding_figure(const Results& results) {
   const ConditionGrid& grid = results.conditions->grid;
   Family family(results, "Response modification R (0: elastic)", grid.response_modification);
-  const Places buildings = along(grid, period);
+  const Places buildings = shown_along(grid, period);
   for (std::size_t i = 0; i < buildings.size(); ++i) {
     std::vector<std::vector<double>> ratios;
     for (const Condition& at : along(grid, response_modification, buildings[i]))
@@ -147,7 +148,7 @@ Figure slope_figure(const Results& results) {
   family.name_ticks(ticks);
   Look thick = look(Role::median);
   thick.width = 3.5;
-  family.add("largest over the periods", thick, along(grid, slope), {}, Periods::largest);
+  family.add("largest over the periods", thick, shown_along(grid, slope), {}, Periods::largest);
   if (has_several(grid, period)) add_buildings(results, slope, family);
   return {"slope", "Displacement over the roof's slope", below_text(results, {slope}),
           after_walters(results, 17), family.displacements()};
@@ -157,17 +158,19 @@ Figure slope_figure(const Results& results) {
 Figure mce_figure(const Results& results) {
   const ConditionGrid& grid = results.conditions->grid;
   Family family(results, period_label, grid.period_s);
-  const Places levels = along(grid, level);
+  const Places levels = shown_along(grid, level);
   for (std::size_t i = 0; i < levels.size(); ++i) {
     family.add(label_of(grid, level, i), family_look(i, levels.size()),
                along(grid, period, levels[i]));
   }
-  const OrientationRange weak = over_orientations(results, {}, {}, Periods::largest);
-  Look rule = family_look(0, levels.size());
+  const Condition shown = shown_condition(grid);
+  const OrientationRange largest = over_orientations(results, {}, shown, Periods::largest);
+  Look rule = family_look(shown[level], levels.size());
   rule.dash = 2;
-  family.add_level(weak.median,
-                   "largest at " + label_of(grid, level, 0) + ": " + format_length(weak.median),
-                   rule);
+  family.add_level(
+      largest.median,
+      "largest at " + label_of(grid, level, shown[level]) + ": " + format_length(largest.median),
+      rule);
   return {"mce", "Displacement at several levels of shaking", below_text(results, {level}),
           after_walters(results, 18), family.displacements()};
 }

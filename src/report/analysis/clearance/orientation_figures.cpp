@@ -17,19 +17,21 @@ Figure each_orientation_figure(const Results& results, const std::vector<std::si
   for (std::size_t i = 0; i < distinct.size(); ++i) {
     const auto alike = std::ranges::count(results.conditions->same_as, distinct[i]);
     std::vector<double> means;
-    for (const Condition& at : along(results.conditions->grid, ConditionAxis::period))
+    for (const Condition& at : shown_along(results.conditions->grid, ConditionAxis::period))
       means.push_back(suite_mean(results, {}, distinct[i], at));
     family.add_line(
-        to_string(results.conditions->orientations[distinct[i]]) +
+        orientation_text(results, results.conditions->orientations[distinct[i]]) +
             (alike > 1 ? fmt::format(" (and {} more that give the same)", alike - 1) : ""),
         family_look(i, distinct.size()), means);
   }
   return {"orientations", "Orientation of the records to the roof: each choice by itself",
           below_text(results),
-          what_is_averaged(results) +
-              ". +: a component as recorded; -: with its sign changed. A change of sign across the "
-              "slope mirrors the history and changes no peak; where friction is the same in both "
-              "directions of the array it does not matter along which of them the roof falls.",
+          what_is_averaged(results) + ". +: a component as recorded; -: with its sign changed." +
+              (slides_on_two_axes(results)
+                   ? " A change of sign across the slope mirrors the history and changes no peak; "
+                     "where friction is the same in both directions of the array it does not "
+                     "matter along which of them the roof falls."
+                   : ""),
           family.displacements()};
 }
 
@@ -61,7 +63,7 @@ Figure permutations_figure(const Results& results) {
     DataSeries points{DataSeries::Kind::points, look, label, label};
     DataSeries bars{DataSeries::Kind::bars, look, label + ": lowest and highest"};
     for (std::size_t i = 0; i < permutations.size(); ++i) {
-      Condition at;
+      Condition at = shown_condition(grid);
       at[ConditionAxis::slope] = permutations[i].first;
       at[ConditionAxis::mass] = m;
       const OrientationRange range =

@@ -14,6 +14,8 @@
 namespace glissade {
 namespace {
 
+Condition shown(const Results& r) { return shown_condition(r.conditions->grid); }
+
 /// A ratio below a thousandth is reported as that.
 std::string one_ratio(double ratio) { return ratio < 1e-3 ? "below 0.001" : format_number(ratio); }
 
@@ -51,12 +53,12 @@ std::string spectra_reading(const Results& r) {
 
 std::string period_reading(const Results& r) {
   const MeanQuestion question;
-  const OrientationRange largest = over_orientations(r, question, {}, Periods::largest);
-  const std::size_t period = governing_period(r, question, {});
+  const OrientationRange largest = over_orientations(r, question, shown(r), Periods::largest);
+  const std::size_t period = governing_period(r, question, shown(r));
   std::string text = fmt::format(
-      "The suite's mean is largest at T = {:g} s. The largest over the periods is {}; times {:g}: "
-      "a "
-      "clearance of {}",
+      "At {} the suite's mean is largest at T = {:g} s. The largest over the periods is {}; times "
+      "{:g}: a required clearance of {}",
+      label_of(r.conditions->grid, ConditionAxis::level, shown(r)[ConditionAxis::level]),
       r.conditions->grid.period_s[period], range_text(r, largest), r.clearance->factor,
       clearance_text(r.clearance->factor * largest.median));
   if (r.conditions->orientations.size() > 1)
@@ -74,7 +76,7 @@ std::string downhill_reading(const Results& r) {
   for (const SlopeAxis axis : {SlopeAxis::e_w, SlopeAxis::n_s}) {
     const MeanQuestion question{.slope_axis = axis};
     if (orientations_of(r, question).empty()) continue;
-    const OrientationRange range = over_orientations(r, question, {}, Periods::largest);
+    const OrientationRange range = over_orientations(r, question, shown(r), Periods::largest);
     text += fmt::format(
         " Where the roof falls {}, with a friction of {:g} downhill, the largest mean over the "
         "periods is {}, from {} to {} over the orientations.",
@@ -87,24 +89,24 @@ std::string downhill_reading(const Results& r) {
 
 std::string orientation_reading(const Results& r) {
   const MeanQuestion question;
-  const PerRecordBounds own = per_record_bounds(r, question, {}, Periods::largest);
-  const std::vector<double> means = per_record_means(r, question, {}, Periods::largest);
+  const PerRecordBounds own = per_record_bounds(r, question, shown(r), Periods::largest);
+  const std::vector<double> means = per_record_means(r, question, shown(r), Periods::largest);
   std::string text = fmt::format(
       "With the orientation chosen record by record, the largest mean over the periods is from {} "
       "to {}; of 10,000 random choices 90 % give {} to {}.",
       format_length(own.lowest), format_length(own.highest),
       format_length(quantile_of(means, 0.05)), format_length(quantile_of(means, 0.95)));
-  const StrongerAlong stronger = stronger_along(r, question, {}, Periods::largest);
-  if (std::isfinite(stronger.as_recorded) && std::isfinite(stronger.turned_round)) {
+  const StrongerAlong stronger = stronger_along(r, question, shown(r), Periods::largest);
+  if (std::isfinite(stronger.as_recorded) && std::isfinite(stronger.reversed)) {
     text += fmt::format(
         " With every record's stronger component along the slope it is {}, and {} with that "
         "component reversed.",
-        format_length(stronger.as_recorded), format_length(stronger.turned_round));
+        format_length(stronger.as_recorded), format_length(stronger.reversed));
   }
   text += downhill_reading(r);
-  if (r.displacement == DisplacementMeasure::srss) {
+  if (slides_on_two_axes(r) && r.displacement == DisplacementMeasure::srss) {
     const OrientationRange farthest =
-        over_orientations(r, {.number = HistoryNumber::vector_peak}, {}, Periods::largest);
+        over_orientations(r, {.number = HistoryNumber::vector_peak}, shown(r), Periods::largest);
     text += fmt::format(
         " By the largest length of the displacement in place of the SRSS of its separate maxima: "
         "{}.",
@@ -115,9 +117,9 @@ std::string orientation_reading(const Results& r) {
       [i = std::uint64_t{0}](std::uint64_t same) mutable { return same == i++; });
   if (static_cast<std::size_t>(distinct) < r.conditions->orientations.size()) {
     text += fmt::format(
-        " Of the {} only {} differ: turning round what acts across the slope mirrors a history{}.",
-        orientations_text(r), distinct,
-        r.conditions->friction[0] == r.conditions->friction[1]
+        " Of the {} only {} differ: a change of sign {} mirrors a history{}.", orientations_text(r),
+        distinct, slides_on_two_axes(r) ? "across the slope" : "on a flat roof",
+        slides_on_two_axes(r) && r.conditions->friction[0] == r.conditions->friction[1]
             ? ", and with one friction in both directions it does not matter along which of them "
               "the roof falls"
             : "");
@@ -128,7 +130,7 @@ std::string orientation_reading(const Results& r) {
 std::string level_reading(const Results& r) {
   std::vector<std::string> parts;
   for (std::size_t suite = 0; suite < r.suites.size(); ++suite) {
-    const OrientationRange range = over_orientations(r, {.suite = suite}, {}, Periods::one);
+    const OrientationRange range = over_orientations(r, {.suite = suite}, shown(r), Periods::one);
     parts.push_back(fmt::format("{} {}", r.suites[suite].name, range_text(r, range)));
   }
   return fmt::format("On a building of {}: {}.",
@@ -138,7 +140,7 @@ std::string level_reading(const Results& r) {
 
 std::string yielding_reading(const Results& r) {
   std::vector<std::string> buildings;
-  for (const Condition& elastic : along(r.conditions->grid, ConditionAxis::period)) {
+  for (const Condition& elastic : shown_along(r.conditions->grid, ConditionAxis::period)) {
     std::vector<std::string> parts;
     for (const Condition& at :
          along(r.conditions->grid, ConditionAxis::response_modification, elastic)) {
@@ -161,7 +163,7 @@ std::string yielding_reading(const Results& r) {
 std::string slope_reading(const Results& r) {
   std::vector<std::string> parts;
   double flattest = 0.0, steepest = 0.0;
-  for (const Condition& at : along(r.conditions->grid, ConditionAxis::slope)) {
+  for (const Condition& at : shown_along(r.conditions->grid, ConditionAxis::slope)) {
     const OrientationRange range = over_orientations(r, {}, at, Periods::largest);
     if (at[ConditionAxis::slope] == 0) flattest = range.median;
     steepest = range.median;
@@ -201,7 +203,7 @@ std::string mce_reading(const Results& r) {
 /// The largest mean over the periods for each place on an axis.
 std::string axis_reading(const Results& r, ConditionAxis axis) {
   std::vector<std::string> parts;
-  for (const Condition& at : along(r.conditions->grid, axis)) {
+  for (const Condition& at : shown_along(r.conditions->grid, axis)) {
     const OrientationRange range = over_orientations(r, {}, at, Periods::largest);
     parts.push_back(fmt::format("{}: {} at T = {:g} s",
                                 label_of(r.conditions->grid, axis, at[axis]), range_text(r, range),

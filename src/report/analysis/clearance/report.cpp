@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <fmt/format.h>
-
 #include "analysis/analyses.hpp"
 #include "glissade/report/clearance_report.hpp"
 #include "page/page.hpp"
@@ -10,24 +8,26 @@ namespace {
 
 /// How a required clearance is found.
 std::vector<std::string> explained(const Results& r) {
+  const bool two_axes = slides_on_two_axes(r);
   return {
-      "After Walters et al. (2012): the building is one oscillator along each of two axes, of the "
-      "same period along both unless the study states otherwise; the array is a mass on it with "
-      "Coulomb friction; it slides along both axes at once and acts back on the building.",
-      r.displacement == DisplacementMeasure::srss
+      two_axes ? "After Walters et al. (2012): the building is one oscillator along each of two "
+                 "axes, of the same period along both unless the study states otherwise; the array "
+                 "is a mass on it with Coulomb friction; it slides along both axes at once and "
+                 "acts back on the building."
+               : "The rule is that of Walters et al. (2012), their model is not: the array slides "
+                 "along one axis, under one horizontal component.",
+      !two_axes ? "The displacement of a history is the largest along the slope."
+      : r.displacement == DisplacementMeasure::srss
           ? "The displacement of a history is the SRSS of the separate maxima along the roof's two "
             "axes, as the paper takes it. The vector's own peak, which is never larger, is in "
             "tables/histories.csv."
           : "The displacement of a history is the vector's own peak. The paper takes the SRSS of "
             "the separate maxima, which is never smaller.",
-      "A suite's displacement is the mean over its records, all in the same orientation; the range "
-      "over the orientations is given, and the bounds with the orientation chosen record by "
-      "record.",
+      "The range over the orientations is given, and the bounds with the orientation chosen record "
+      "by record.",
       "At R a building yields where the design spectrum (2/3 of MCE) requires an elastic force R "
       "times as large, along each axis by itself, whatever the level of shaking; 0 is a building "
-      "that stays elastic.",
-      fmt::format("Required clearance: {:g} times the largest mean over the building periods.",
-                  r.clearance->factor)};
+      "that stays elastic."};
 }
 
 /// Those of a page.

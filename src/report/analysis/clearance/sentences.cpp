@@ -24,7 +24,14 @@ std::string what_was_run(const Results& r) {
   std::string text = fmt::format("{} conditions, {} records of {}", r.conditions->grid.count(),
                                  r.records.size(), fmt::join(suites, ", "));
   if (r.conditions->orientations.size() > 1) text += fmt::format(", {}", orientations_text(r));
-  text += fmt::format(". Shown, where nothing else is stated: {}.", conditions_text(r, {}));
+  const ConditionGrid& grid = r.conditions->grid;
+  const Condition shown = shown_condition(grid);
+  text += fmt::format(". Shown, where nothing else is stated: {}.", conditions_text(r, shown));
+  if (has_several(grid, ConditionAxis::level))
+    text +=
+        fmt::format(" Of the {} levels this is {}.", grid.level.size(),
+                    shown[ConditionAxis::level] + 1 == grid.level.size() ? "the highest"
+                                                                         : "the design earthquake");
   if (without > 0) text += fmt::format(" {} of the records have no vertical component.", without);
   const double uplift = uplift_share(r);
   if (uplift > 0.0)
@@ -33,6 +40,18 @@ std::string what_was_run(const Results& r) {
         "model.",
         format_share(uplift));
   return text;
+}
+
+/// Not the rule of a chart, which takes of each record the orientation that slides farthest.
+std::string clearance_rule_text(const Results& r) {
+  return fmt::format(
+      "Required clearance: {:g} x the suite's mean{}, the largest over the building periods "
+      "(Walters et al. 2012{}).",
+      r.clearance->factor,
+      r.conditions->orientations.size() > 1
+          ? " with all records in the same orientation, the median over the orientations"
+          : "",
+      r.clearance->factor == ClearanceConfig{}.factor ? "" : ": 1.1");
 }
 
 /// The smallest and the largest clearance of all conditions in which the array may slide.
@@ -57,7 +76,7 @@ std::string range_of_conditions(const Results& r) {
 }  // namespace
 
 std::vector<std::string> clearance_sentences(const Results& results) {
-  std::vector<std::string> sentences{what_was_run(results)};
+  std::vector<std::string> sentences{clearance_rule_text(results), what_was_run(results)};
   for (const ClearanceTopic topic :
        {ClearanceTopic::period, ClearanceTopic::orientation, ClearanceTopic::mass,
         ClearanceTopic::level, ClearanceTopic::yielding, ClearanceTopic::slope, ClearanceTopic::mce,
@@ -84,10 +103,7 @@ Table brief_clearance_table(const Results& results) {
   }
   for (const std::string& stem : others) table = table.without(stem);
   table.notes.clear();  // of the columns that are left out
-  table.title = fmt::format(
-      "Required clearance: {:g} x the mean of the suite, the largest over the "
-      "periods; median and highest of the orientations",
-      results.clearance->factor);
+  table.title = "Required clearance by condition: median and highest of the orientations";
   if (table.rows.size() > most_rows) {
     table.notes.push_back(
         fmt::format("{} rows more are in tables/clearances.csv", table.rows.size() - most_rows));

@@ -73,7 +73,8 @@ Table clearance_orientations_table(const Results& results) {
               "The suite's mean displacement in each orientation of all records, by building "
               "period; " +
                   results.suites.front().name + ", " +
-                  conditions_text(results, {}, {ConditionAxis::period, ConditionAxis::support}),
+                  conditions_text(results, shown_condition(results.conditions->grid),
+                                  {ConditionAxis::period, ConditionAxis::support}),
               {text_column("orientation", "Orientation"),
                {"same_as", "", "Gives the same as", ColumnKind::count}},
               {},
@@ -86,10 +87,11 @@ Table clearance_orientations_table(const Results& results) {
                          range_column("clearance", "Clearance, m (in)")});
   for (std::size_t o = 0; o < results.conditions->orientations.size(); ++o) {
     std::vector<Cell> row{
-        fmt::format("{}: {}", o + 1, to_string(results.conditions->orientations[o])),
+        fmt::format("{}: {}", o + 1,
+                    orientation_text(results, results.conditions->orientations[o])),
         static_cast<double>(results.conditions->same_as[o] + 1)};
     double largest = 0.0;
-    for (const Condition& at : along(results.conditions->grid, ConditionAxis::period)) {
+    for (const Condition& at : shown_along(results.conditions->grid, ConditionAxis::period)) {
       const double mean = suite_mean(results, {}, o, at);
       largest = std::max(largest, mean);
       row.emplace_back(mean);
@@ -108,8 +110,9 @@ Table clearance_histories_table(const Results& results) {
       "histories",
       std::string(
           "Every history of the required clearance, in plan, by the roof's axes: along the slope "
-          "(positive where it falls) and across it") +
-          (shear ? "; base shear over the bare building's weight" : ""),
+          "(positive where it falls)") +
+          (slides_on_two_axes(results) ? " and across it" : "") +
+          (shear ? "; base shear over the building's weight without the array" : ""),
       {text_column("record", "Record"), text_column("orientation", "Orientation")},
       {},
       {}};
@@ -129,7 +132,8 @@ Table clearance_histories_table(const Results& results) {
       if (table_of.same_as[o] != o) continue;
       for (std::size_t i = 0; i < table_of.grid.count(); ++i) {
         const ConditionHistory& h = table_of.at(record, o, i);
-        std::vector<Cell> row{results.records[record].id, to_string(table_of.orientations[o])};
+        std::vector<Cell> row{results.records[record].id,
+                              orientation_text(results, table_of.orientations[o])};
         append(row, conditions.cells(results.records[record].suite, table_of.grid.position(i)));
         append(row, {h.displacement_m, h.peak_m, h.peak_along_m, h.peak_across_m,
                      h.residual_along_m, h.residual_across_m});

@@ -48,17 +48,17 @@ Column ConditionColumns::column(ConditionAxis axis) const {
     case ConditionAxis::support:
       return text_column("support", "Array");
     case ConditionAxis::vertical:
-      return text_column("vertical", "Vertical");
+      return text_column("vertical", "Vertical motion");
     case ConditionAxis::response_modification:
-      return {"response_modification", "", "R"};
+      return listed_column("building", "response_modification");
     case ConditionAxis::mass:
-      return {"mass_ratio", "", "m/M"};
+      return listed_column("building", "mass_ratio");
     case ConditionAxis::slope:
-      return {"slope", "deg", "Slope, deg"};
+      return listed_column("roof", "slope_deg");
     case ConditionAxis::level:
       return level_column(results_);
     case ConditionAxis::period:
-      return {"period", "s", "T, s"};
+      return listed_column("building", "period_s");
   }
   return {};
 }

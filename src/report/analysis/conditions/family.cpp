@@ -15,7 +15,7 @@ namespace glissade {
 
 Places places_of(const ConditionGrid& grid, ConditionAxis slow, ConditionAxis fast) {
   Places places;
-  for (const Condition& at : along(grid, slow)) {
+  for (const Condition& at : along(grid, slow, shown_condition(grid))) {
     for (const Condition& place : along(grid, fast, at)) places.push_back(place);
   }
   return places;
@@ -117,10 +117,14 @@ std::vector<Panel> Family::ratios(const std::string& label, From from) {
 
 std::string below_text(const Results& results, std::vector<ConditionAxis> shown) {
   shown.insert(shown.end(), {ConditionAxis::period, ConditionAxis::support});
-  return results.suites.front().name + "; " + conditions_text(results, {}, shown);
+  return results.suites.front().name + "; " +
+         conditions_text(results, shown_condition(results.conditions->grid), shown);
 }
 
 std::string what_is_averaged(const Results& results) {
+  if (!slides_on_two_axes(results))
+    return "Mean over the suite of each history's largest displacement along the slope, in plan, "
+           "relative to the roof";
   return results.displacement == DisplacementMeasure::srss
              ? "Mean over the suite of each history's SRSS of the separate maxima along the roof's "
                "two axes, in plan, relative to the roof"

@@ -13,7 +13,7 @@ namespace glissade {
 
 inline constexpr auto period_label = "Period of the building (s)";
 
-/// All places of two axes, the others at their first.
+/// All places of two axes, the others as shown.
 Places places_of(const ConditionGrid& grid, ConditionAxis slow, ConditionAxis fast);
 
 enum class Spread { none, bands, bars };

@@ -12,12 +12,14 @@
 namespace glissade {
 namespace {
 
+bool is_design_earthquake(double fraction) { return std::abs(fraction - 2.0 / 3) < 1e-3; }
+
 std::string level_text(const ConditionGrid& grid, double fraction) {
   if (!grid.level_symbol.empty()) {
     return fmt::format("{} = {}{}", grid.level_symbol, format_number(fraction),
                        grid.level_unit == "-" ? "" : " " + grid.level_unit);
   }
-  if (std::abs(fraction - 2.0 / 3) < 1e-3) return "DBE";
+  if (is_design_earthquake(fraction)) return "DBE";
   if (fraction == 1.0) return "MCE";
   return fmt::format("{:.3g} MCE", fraction);
 }
@@ -27,9 +29,9 @@ std::string value_text(double value) {
 }
 
 std::string vertical_text(const VerticalCondition& condition) {
-  if (condition.use == VerticalChoice::none) return "no vertical";
-  if (condition.period_s == 0.0) return "verticals, rigid";
-  return fmt::format("verticals, T_v {:g} s", condition.period_s);
+  if (condition.use == VerticalChoice::none) return "no vertical motion";
+  if (condition.period_s == 0.0) return "vertical motion of the ground";
+  return fmt::format("vertical motion, roof period {:g} s", condition.period_s);
 }
 
 std::string support_text(ArraySupport support) {
@@ -132,6 +134,24 @@ std::string conditions_text(const Results& results, const Condition& at,
 std::string clearance_text(double clearance_m) {
   return std::isfinite(clearance_m) ? format_length(clearance_m)
                                     : "none that is enough, since the array slides freely";
+}
+
+Condition shown_condition(const ConditionGrid& grid) {
+  std::size_t level = grid.level.size() - 1;
+  if (grid.level_symbol.empty()) {
+    const auto design = std::ranges::find_if(grid.level, is_design_earthquake);
+    if (design != grid.level.end()) level = static_cast<std::size_t>(design - grid.level.begin());
+  }
+  return Condition().with(ConditionAxis::level, level);
+}
+
+Places shown_along(const ConditionGrid& grid, ConditionAxis axis) {
+  return along(grid, axis, shown_condition(grid));
+}
+
+std::string orientation_text(const Results& results, const Orientation& orientation) {
+  const std::string text = to_string(orientation);
+  return slides_on_two_axes(results) ? text : text.substr(0, text.find(", across"));
 }
 
 bool has_several(const ConditionGrid& grid, ConditionAxis axis) { return grid.size(axis) > 1; }

@@ -7,20 +7,20 @@
 #include "glissade/study/results.hpp"
 
 // What tables, figures and sentences of required clearance and base shear share. Where an axis is
-// not the one shown, its first value is.
+// not the one shown, its value is that of shown_condition().
 namespace glissade {
 
 using Places = std::vector<Condition>;
 
-/// "T 0.2 s", "m/M 0.05", "R 2", "slope 1/4:12", "DBE", "with verticals", "anchored"
+/// "T 0.2 s", "m/M 0.05", "R 2", "slope 1/4:12", "DBE", "no vertical motion", "anchored array"
 std::string label_of(const ConditionGrid& grid, ConditionAxis axis, std::size_t place);
 /// "1/4:12 (1.19 deg)"
 std::string slope_text(double slope_deg);
 /// The labels of all axes that have more than one value but those of `without`.
 std::string distinguished(const ConditionGrid& grid, const Condition& at,
                           const std::vector<ConditionAxis>& without = {});
-/// "level2; DBE; slope 1/4:12 (1.19 deg), friction 0.47; m/M 0.05; elastic building; with
-/// verticals", without some axes.
+/// "level2; DBE; slope 1/4:12 (1.19 deg), friction 0.47; m/M 0.05; elastic building", without some
+/// axes.
 std::string conditions_text(const Results& results, const Condition& at,
                             const std::vector<ConditionAxis>& without = {});
 /// "0.47", "E-W 0.47, N-S 0.52"
@@ -28,6 +28,14 @@ std::string friction_text(const Results& results, const Condition& at = {});
 
 /// "0.280 m (11.0 in)"; where the array slides freely, that no clearance is enough.
 std::string clearance_text(double clearance_m);
+
+/// The level of the design earthquake (2/3 of MCE) where it is listed, else the highest; the first
+/// value on every other axis.
+Condition shown_condition(const ConditionGrid& grid);
+/// Every place on one axis, the others as shown.
+Places shown_along(const ConditionGrid& grid, ConditionAxis axis);
+/// "slope E-W, along it + first, across - second"; on one axis without what acts across.
+std::string orientation_text(const Results& results, const Orientation& orientation);
 
 bool has_several(const ConditionGrid& grid, ConditionAxis axis);
 /// Where a kind of support stands on its axis, if it is there.

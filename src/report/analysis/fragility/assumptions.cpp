@@ -97,7 +97,7 @@ std::string vertical_text(const std::vector<RecordSummary>& records) {
 std::vector<Assumption> reading_assumptions(const Results& results) {
   if (results.chart) {
     return {
-        {"Clearance",
+        {"Chart clearance",
          clearance_rule(results) +
              ": a recommendation, not a bound, "
              "as single motions give more slip. Percentiles are over records. Each is the largest "

@@ -85,8 +85,8 @@ Figure fragility_figure(const Results& results, const RunResults& run) {
   const bool main_run = run.label == results.runs.front().label;
   Figure figure{
       main_run ? "fragility" : "fragility_" + run.label,
-      "Probability that the array slips more than a clearance (" + run_name(run) + ")",
-      counts_of(results) + "; " + friction_of(run),
+      "Probability that the array slips more than a clearance (" + run_name(results, run) + ")",
+      counts_of(results) + "; " + friction_of(results, run),
       "Probability that the peak slip in plan exceeds each clearance at a given intensity, with "
       "friction " +
           run.friction_description +
@@ -112,7 +112,7 @@ Figure fragility_figure(const Results& results, const RunResults& run) {
 Figure ida_figure(const Results& results, const RunResults& run) {
   const HistoryTable& slip = results.histories;
   Figure figure{"ida", "Incremental dynamic analysis: slip at increasing intensity",
-                counts_of(results) + "; " + friction_of(run),
+                counts_of(results) + "; " + friction_of(results, run),
                 "Intensity (vertical) over peak slip in plan (horizontal), as is the convention of "
                 "incremental dynamic analysis. Grey: each record's median over the samples. "
                 "Coloured: 16th, 50th and 84th percentile over all histories (records and samples "

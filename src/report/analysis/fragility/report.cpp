@@ -115,8 +115,8 @@ std::string other_run_sentence(const Results& results, const RunResults& run) {
                            format_length(fragility.threshold_m));
   }
   if (medians.empty()) return "";
-  return fmt::format("Run {} ({}): the 50 % intensities are {}.", run.label,
-                     run.friction_description, medians);
+  return fmt::format("The 50 % intensities with friction {} are {}.", run.friction_description,
+                     medians);
 }
 
 /// The standards table at a handful of levels, narrow enough for a terminal: the rest is in
@@ -188,6 +188,8 @@ std::string fragility_summary(const Results& results) {
 std::vector<std::string> sentences(const Results& results) {
   std::vector<std::string> sentences;
   const RunResults& run = results.runs.front();
+  if (lists_more_than_friction_value(results))
+    sentences.push_back("Fragility, at " + first_run(results) + ".");
   for (const ThresholdFragility& fragility : run.fragilities)
     sentences.push_back(threshold_sentence(results, fragility));
   if (const SlipStatistics* slip = slip_near_1g(run)) {
@@ -196,6 +198,9 @@ std::vector<std::string> sentences(const Results& results) {
       if (comparison.sds_g == slip->level) sentences.push_back(standard_sentence(comparison));
     }
   }
+  if (results.runs.size() < results.cases.combinations())
+    sentences.push_back(
+        "An array that is anchored does not slide: fragility is of the isolated array.");
   for (std::size_t r = 1; r < results.runs.size(); ++r)
     sentences.push_back(other_run_sentence(results, results.runs[r]));
   std::erase(sentences, "");

@@ -83,10 +83,7 @@ Figure hazard_figure(const Results& results) {
   Panel panel{"", length_axis("Displacement in plan", room_for_rates * right_end_m(results))};
   panel.y.label = "Annual rate of exceedance";
   for (std::size_t i = 0; i < lines; ++i)
-    add_run(panel, hazard.runs[i],
-            lists_more_than_friction_value(results) ? results.cases.describe(i)
-                                                    : run_name(results.runs[i]),
-            distinct_look(i));
+    add_run(panel, hazard.runs[i], run_name(results, results.runs[i]), distinct_look(i));
   scale_rates(panel, hazard);
   for (const TargetDisplacement& row : hazard.runs.front().targets) {
     const double y = height(row.annual_rate);

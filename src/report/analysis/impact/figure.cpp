@@ -63,7 +63,7 @@ std::vector<Tick> energy_ticks(double largest_mps) {
 Figure impact_figure(const Results& results, const RunResults& run) {
   Figure figure{
       "impact", "Speed of the array when it first reaches a clearance",
-      "given that it is reached; " + counts_of(results) + "; " + friction_of(run),
+      "given that it is reached; " + counts_of(results) + "; " + friction_of(results, run),
       "Speed (left) and kinetic energy by mass (right: what a parapet there must absorb for each "
       "kilogram that moves together). " +
           impact_explained() +

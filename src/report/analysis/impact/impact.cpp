@@ -63,8 +63,9 @@ Table impact_table(const Results& results) {
 Table brief_impact_table(const Results& results) {
   const RunResults& run = results.runs.front();
   Table table{"impact_brief",
-              "Speed on first reaching a clearance, given that it is reached (" + friction_of(run) +
-                  "). Intensity measure: " + results.intensity_label + ".",
+              "Speed on first reaching a clearance, given that it is reached (" +
+                  friction_of(results, run) + "). Intensity measure: " + results.intensity_label +
+                  ".",
               {{"threshold", "m", "Clearance, m (in)", ColumnKind::length},
                intensity_column(results, "level", "Level"),
                {"reached_share", "", "Reached", ColumnKind::share},

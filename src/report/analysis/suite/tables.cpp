@@ -14,8 +14,7 @@ Table records_table(const Results& results) {
                   "unit level is what "
                   "the record is multiplied by at level 1 (0: depends on the roof); 0 in "
                   "magnitude, distance "
-                  "and vs30 means not given. " +
-                  in_plan,
+                  "and vs30 means not given.",
               {text_column("id", "Record"),
                text_column("event", "Event"),
                text_column("station", "Station"),
@@ -49,7 +48,7 @@ Table spectra_table(const Results& results) {
                   (spectra.reference_level > 0.0 ? "scaled to " + results.intensity_label + " = " +
                                                        format_number(spectra.reference_level)
                                                  : std::string("by the suite's own factors")) +
-                  ". " + in_plan,
+                  ".",
               {{"period", "s", "Period, s"}, {"average_srss", "g", "Average, g"}},
               {}};
   if (!spectra.target_g.empty()) table.columns.push_back({"target", "g", "Target, g"});
@@ -68,7 +67,7 @@ Table spectra_table(const Results& results) {
 
 Table samples_table(const Results& results) {
   Table table{"samples",
-              std::string("The samples of the first combination. ") + in_plan,
+              "The samples of the first combination.",
               {{"sample", "", "Sample", ColumnKind::count}},
               {}};
   std::vector<const Parameter*> shown;
