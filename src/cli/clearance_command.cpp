@@ -139,8 +139,8 @@ void run(const ClearanceOptions& o, const Communicator& world) {
                                      sha256_of_file(project->file)};
     write_package(package, out);
     write_text_file(out / "package.json", numbers_json(*design));
-    fmt::print("{}\nPackage  {}   (print it from a browser, or: weasyprint)\n",
-               package_screen(package), (out / "package.html").string());
+    fmt::print("{}\nPackage  {}   (print it from a browser)\n", package_screen(package),
+               (out / "package.html").string());
   });
 }
 

@@ -69,7 +69,7 @@ TEST_F(Package, analysis_is_1_1_times_the_largest_mean_of_the_histories) {
       continue;
     }
     const auto cell = [&](const char* name) { return cells.at(column.at(name)); };
-    if (std::stod(cell("level_g")) > 1.1 || cell("condition") != "friction.mu = 0.474328") continue;
+    if (std::stod(cell("level_g")) > 1.1 || !cell("condition").ends_with(" 0.474328")) continue;
     auto& [sum_m, records] =
         sums[cell("orientation") + cell("vertical") + cell("mass_ratio") + "|" + cell("period_s")];
     sum_m += std::stod(cell("displacement_m"));

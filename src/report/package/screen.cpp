@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
+#include "glissade/core/wrap.hpp"
 #include "glissade/report/format.hpp"
 #include "glissade/report/package.hpp"
 #include "package/tables.hpp"
@@ -89,7 +90,8 @@ std::string separation_lines(const CalculationPackage& package) {
 
 std::string package_screen(const CalculationPackage& package) {
   std::string text = package.project.title.name + "\n";
-  for (const std::string& warning : warnings_of(package)) text += wrapped("WARNING: " + warning);
+  for (const std::string& warning : warnings_of(package))
+    text += wrapped("WARNING: " + warning, terminal_width, 2) + "\n";
   return text + inputs_lines(package) + demand_lines(package) + governing_lines(package) +
          separation_lines(package);
 }
