@@ -140,20 +140,20 @@ ResponsePeaks Bound(const Response& r, float* lowest, float* highest, float* bel
   return {hn::GetLane(hn::MaxOfLanes(d, largest_a)), hn::GetLane(hn::MaxOfLanes(d, largest_v))};
 }
 
-/// Extremes of the bounds by block.
-void Coarsen(const float* lowest, const float* highest, std::size_t blocks, float* block_lowest,
-             float* block_highest) {
+/// Extremes of the bounds by tile.
+void Coarsen(const float* lowest, const float* highest, std::size_t tiles, float* tile_lowest,
+             float* tile_highest) {
   const HWY_CAPPED(float, 16) f;
   const std::size_t n = hn::Lanes(f);
-  for (std::size_t b = 0; b < blocks; ++b) {
-    const std::size_t begin = b * MotionBounds::block, end = begin + MotionBounds::block;
+  for (std::size_t b = 0; b < tiles; ++b) {
+    const std::size_t begin = b * MotionBounds::tile, end = begin + MotionBounds::tile;
     auto low = hn::LoadU(f, lowest + begin), high = hn::LoadU(f, highest + begin);
     for (std::size_t i = begin + n; i < end; i += n) {
       low = hn::Min(low, hn::LoadU(f, lowest + i));
       high = hn::Max(high, hn::LoadU(f, highest + i));
     }
-    block_lowest[b] = hn::GetLane(hn::MinOfLanes(f, low));
-    block_highest[b] = hn::GetLane(hn::MaxOfLanes(f, high));
+    tile_lowest[b] = hn::GetLane(hn::MinOfLanes(f, low));
+    tile_highest[b] = hn::GetLane(hn::MaxOfLanes(f, high));
   }
 }
 
@@ -200,7 +200,7 @@ namespace {
 
 void size_bounds(MotionTable& table) {
   MotionBounds& b = table.bounds;
-  const std::size_t room = table.nodes + MotionBounds::block + padding;
+  const std::size_t room = table.nodes + MotionBounds::tile + padding;
   for (std::vector<float>* v : {&b.lowest, &b.highest, &b.velocity_below, &b.velocity_above})
     v->resize(room);
   b.acceleration_scale = scale_to_one(table.ground->peak_acceleration_mps2());
@@ -210,14 +210,14 @@ void size_bounds(MotionTable& table) {
 void coarsen(MotionTable& table) {
   MotionBounds& b = table.bounds;
   const std::size_t intervals = table.nodes - 1;
-  const std::size_t blocks = (intervals + MotionBounds::block - 1) / MotionBounds::block;
-  b.block_lowest.assign(blocks + padding, 0.0f);
-  b.block_highest.assign(blocks + padding, 0.0f);
-  // Beyond the last interval the last block sees zeros, which only widen its bounds.
+  const std::size_t tiles = (intervals + MotionBounds::tile - 1) / MotionBounds::tile;
+  b.tile_lowest.assign(tiles + padding, 0.0f);
+  b.tile_highest.assign(tiles + padding, 0.0f);
+  // Beyond the last interval the last tile sees zeros, which only widen its bounds.
   std::fill(b.lowest.begin() + static_cast<std::ptrdiff_t>(intervals), b.lowest.end(), 0.0f);
   std::fill(b.highest.begin() + static_cast<std::ptrdiff_t>(intervals), b.highest.end(), 0.0f);
   HWY_DYNAMIC_DISPATCH(Coarsen)
-  (b.lowest.data(), b.highest.data(), blocks, b.block_lowest.data(), b.block_highest.data());
+  (b.lowest.data(), b.highest.data(), tiles, b.tile_lowest.data(), b.tile_highest.data());
 }
 
 float below(double value) {

@@ -15,12 +15,12 @@ namespace glissade {
 /// and never affect results. Accelerations are multiplied by acceleration_scale, velocities by
 /// velocity_scale, which are powers of two, so that motions of any size fit.
 struct MotionBounds {
-  static constexpr std::size_t block = 64;  ///< intervals covered by a coarse bound
+  static constexpr std::size_t tile = 64;  ///< intervals covered by a coarse bound
 
   double acceleration_scale = 1.0, velocity_scale = 1.0;
   // Of the acceleration in the interval after each node.
   std::vector<float> lowest, highest;
-  std::vector<float> block_lowest, block_highest;
+  std::vector<float> tile_lowest, tile_highest;
   // V, lowered and raised by its largest departure from the chord between its values at the nodes,
   // in the intervals on either side of the node.
   std::vector<float> velocity_below, velocity_above;

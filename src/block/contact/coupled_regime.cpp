@@ -3,16 +3,17 @@
 
 namespace glissade::block_detail {
 
-Regime::Regime(const Mode& mode_now, double gravity, const Frame& frame, double step_s)
-    : mode(mode_now),
+RegimeOscillator::RegimeOscillator(const ContactRegime& regime, double gravity,
+                                   const BuildingOscillator& building, double step_s)
+    : contact(regime),
       gravity_mps2(gravity),
-      omega_radps(frame.omega_radps),
+      omega_radps(building.omega_radps),
       dt_s(step_s),
-      lag(2.0 * frame.damping_ratio / (frame.omega_radps * step_s)),
-      alpha_radps(frame.damping_ratio * frame.omega_radps / mode.mass),
-      beta_radps(
-          std::sqrt(frame.omega_radps * frame.omega_radps / mode.mass - alpha_radps * alpha_radps)),
-      phase(frame.omega_radps / std::sqrt(mode.mass) * step_s),
+      lag(2.0 * building.damping_ratio / (building.omega_radps * step_s)),
+      alpha_radps(building.damping_ratio * building.omega_radps / contact.mass),
+      beta_radps(std::sqrt(building.omega_radps * building.omega_radps / contact.mass -
+                           alpha_radps * alpha_radps)),
+      phase(building.omega_radps / std::sqrt(contact.mass) * step_s),
       s{-alpha_radps, beta_radps},
       s2(s * s),
       s_dt(dt_s * s) {

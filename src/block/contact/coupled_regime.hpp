@@ -28,31 +28,32 @@ inline double real(Amplitude p, Amplitude q) { return p.re * q.re - p.im * q.im;
 /// Ground at an instant of an interval, at its factors, and its change over the interval.
 struct LinearGround {
   Roof at, change;
-  LinearGround after(double y) const {
-    return {{at.a + y * change.a, at.w + y * change.w}, change};
+  LinearGround after(double tau) const {
+    return {{at.a + tau * change.a, at.w + tau * change.w}, change};
   }
 };
 
 /// The building in one regime of contact (stuck, sliding down or up), underdamped: an oscillator
 /// of frequency omega / sqrt(D) and damping ratio zeta / sqrt(D) under a constant force and the
-/// ground. With H = (D a_g + W (g + w)) / omega^2, linear over an interval of length dt, and y the
-/// share of it that has passed
-///   u  = -[H(y) - lag dH] + Re(z exp(s dt y)),   lag = 2 zeta / (omega dt)
-///   u' = -dH / dt + Re(s z exp(s dt y)),   a = a_g(y) + Re(s^2 z exp(s dt y))
+/// ground. With H = (D a_g + W (g + w)) / omega^2, linear over an interval of length dt, and tau
+/// the fraction of it that has passed
+///   u  = -[H(tau) - lag dH] + Re(z exp(s dt tau)),   lag = 2 zeta / (omega dt)
+///   u' = -dH / dt + Re(s z exp(s dt tau)),   a = a_g(tau) + Re(s^2 z exp(s dt tau))
 /// so z is the whole state of the roof there.
-struct Regime {
+struct RegimeOscillator {
   static constexpr std::size_t window = 64;  ///< intervals whose powers are kept
   static constexpr double most_phase = 1.0;  ///< the series takes no more
 
-  Mode mode;
+  ContactRegime contact;
   double gravity_mps2 = 0.0, omega_radps = 0.0, dt_s = 0.0, lag = 0.0;
   double alpha_radps = 0.0, beta_radps = 0.0;  ///< s = -alpha + i beta
   double phase = 0.0;                          ///< |s| dt
   Amplitude s, s2, s_dt;                       ///< s, s^2, s dt
   int terms = 2;                               ///< of the series of exp(s dt)
 
-  Regime() = default;
-  Regime(const Mode& mode, double gravity_mps2, const Frame& frame, double dt_s);
+  RegimeOscillator() = default;
+  RegimeOscillator(const ContactRegime& contact, double gravity_mps2,
+                   const BuildingOscillator& building, double dt_s);
 
   /// Of the scaled state (x, y) of a free vibration, without particular part.
   Amplitude free_amplitude(const RoofState& state) const {
@@ -69,13 +70,13 @@ struct Regime {
     return free_state(z) + particular(ground);
   }
 
-  /// p = exp(q), p - 1 and p - 1 - q for q = s dt y, without cancellation.
+  /// p = exp(q), p - 1 and p - 1 - q for q = s dt tau, without cancellation.
   struct Growth {
     Amplitude power, minus_one, minus_line;
   };
-  /// 0 <= y <= 1.
-  Growth after(double y) const {
-    const Amplitude q = y * s_dt;
+  /// 0 <= tau <= 1.
+  Growth after(double tau) const {
+    const Amplitude q = tau * s_dt;
     Amplitude sum{1.0, 0.0};
     for (int k = terms; k > 2; --k) {
       sum = Series::inverse[static_cast<std::size_t>(k)] * (q * sum);
@@ -100,8 +101,8 @@ struct Regime {
  private:
   RoofState particular(const LinearGround& ground) const {
     const Roof &at = ground.at, &change = ground.change;
-    const double h = mode.mass * at.a + mode.weight * (gravity_mps2 + at.w),
-                 rise = mode.mass * change.a + mode.weight * change.w;
+    const double h = contact.mass * at.a + contact.weight * (gravity_mps2 + at.w),
+                 rise = contact.mass * change.a + contact.weight * change.w;
     return {lag * rise - h, -rise / (omega_radps * dt_s)};
   }
 };

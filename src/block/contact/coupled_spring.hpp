@@ -43,11 +43,11 @@ class Spring {
   }
 
   /// Time at which z reaches its limit on this side.
-  double yield_share(const Series& x, int side) const;
+  double yield_fraction(const Series& x, int side) const;
   /// Time at which x reverses while yielding.
-  double unload_share(const Series& y) const;
-  /// The share of a piece passes; @pre yields().
-  void pass(const Series& x, double share);
+  double unload_fraction(const Series& y) const;
+  /// The fraction of a piece passes; @pre yields().
+  void pass(const Series& x, double fraction);
   void yield(int side);
   /// @param y where it reverses: zero, but for rounding
   /// @return y, which does not go on in the direction of yielding

@@ -15,7 +15,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 using Doubles = HWY_CAPPED(double, 8);
 using Floats = hn::Rebind<float, Doubles>;
 using Vector = hn::Vec<Doubles>;
-constexpr std::size_t block = 64;
+constexpr std::size_t tile = 64;
 
 Vector Times(double factor, Vector v) { return hn::Mul(hn::Set(Doubles(), factor), v); }
 
@@ -27,16 +27,16 @@ Vector At(const GroundLine& g, std::size_t i) {
 
 double Largest(Vector v) { return hn::GetLane(hn::MaxOfLanes(Doubles(), v)); }
 
-/// By block, the largest of what `at` gives for its nodes and the one before, through `size`.
+/// By tile, the largest of what `at` gives for its nodes and the one before, through `size`.
 template <class At_, class Size>
-void ByBlock(std::size_t nodes, float* most, const At_& at, const Size& size) {
+void ByTile(std::size_t nodes, float* most, const At_& at, const Size& size) {
   const Doubles d;
   const std::size_t n = hn::Lanes(d);
   double before = 0.0;
-  for (std::size_t b = 0; b * block < nodes; ++b) {
+  for (std::size_t b = 0; b * tile < nodes; ++b) {
     Vector largest = hn::Zero(d), v = largest;
-    for (std::size_t j = 0; j < block; j += n) {
-      v = at(b * block + j);
+    for (std::size_t j = 0; j < tile; j += n) {
+      v = at(b * tile + j);
       largest = hn::Max(largest, v);
     }
     const double here = Largest(largest);
@@ -45,15 +45,15 @@ void ByBlock(std::size_t nodes, float* most, const At_& at, const Size& size) {
   }
 }
 
-void FillSwing(SwingFill& f, std::size_t nodes) {
+void FillAmplitude(AmplitudeFill& f, std::size_t nodes) {
   const Doubles d;
-  Vector elastic = hn::Zero(d), largest_x = elastic;
-  ByBlock(
-      nodes, f.swing,
+  Vector resisting = hn::Zero(d), largest_x = resisting;
+  ByTile(
+      nodes, f.amplitude,
       [&](std::size_t i) {
         const Vector x = hn::LoadU(d, f.x + i), y = hn::LoadU(d, f.y + i);
         const Vector p = At(f.forcing, i), rise = hn::Sub(At(f.forcing, i + 1), p);
-        elastic = hn::Max(elastic, hn::Abs(hn::Add(x, Times(f.twice_zeta, y))));
+        resisting = hn::Max(resisting, hn::Abs(hn::Add(x, Times(f.twice_zeta, y))));
         largest_x = hn::Max(largest_x, hn::Abs(x));
         const Vector re = hn::Sub(hn::Add(x, p), Times(f.lag, rise)),
                      rate = hn::Add(y, Times(f.per_step, rise)),
@@ -61,7 +61,7 @@ void FillSwing(SwingFill& f, std::size_t nodes) {
         return hn::Add(hn::Mul(re, re), hn::Mul(im, im));
       },
       [&](double square) { return f.per_mass * std::sqrt(square); });
-  f.largest_elastic = Largest(elastic);
+  f.resisting_bound = Largest(resisting);
   f.largest_x = Largest(largest_x);
 }
 
@@ -69,9 +69,9 @@ void FillLine(const LineFill& f, std::size_t nodes) {
   const Doubles d;
   const Floats to_float;
   const std::size_t n = hn::Lanes(d);
-  for (std::size_t b = 0; b * block < nodes; ++b) {
+  for (std::size_t b = 0; b * tile < nodes; ++b) {
     auto lowest = hn::Set(to_float, HUGE_VALF), highest = hn::Neg(lowest);
-    for (std::size_t i = b * block; i < (b + 1) * block; i += n) {
+    for (std::size_t i = b * tile; i < (b + 1) * tile; i += n) {
       const Vector of_roof = hn::Add(Times(f.x_factor, hn::LoadU(d, f.x + i)),
                                      Times(f.y_factor, hn::LoadU(d, f.y + i)));
       const auto value = hn::DemoteTo(to_float, hn::Add(of_roof, At(f.ground, i)));
@@ -79,13 +79,13 @@ void FillLine(const LineFill& f, std::size_t nodes) {
       lowest = hn::Min(lowest, value);
       highest = hn::Max(highest, value);
     }
-    f.block_lowest[b] = hn::GetLane(hn::MinOfLanes(to_float, lowest));
-    f.block_highest[b] = hn::GetLane(hn::MaxOfLanes(to_float, highest));
+    f.tile_lowest[b] = hn::GetLane(hn::MinOfLanes(to_float, lowest));
+    f.tile_highest[b] = hn::GetLane(hn::MaxOfLanes(to_float, highest));
   }
 }
 
 void FillChange(const GroundLine& g, float* largest, std::size_t nodes) {
-  ByBlock(
+  ByTile(
       nodes, largest, [&](std::size_t i) { return hn::Abs(hn::Sub(At(g, i + 1), At(g, i))); },
       [](double change) { return change; });
 }
@@ -95,12 +95,12 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace glissade::block_detail {
-HWY_EXPORT(FillSwing);
+HWY_EXPORT(FillAmplitude);
 HWY_EXPORT(FillLine);
 HWY_EXPORT(FillChange);
 
-void fill_swing(SwingFill& fill, std::size_t nodes) {
-  HWY_DYNAMIC_DISPATCH(FillSwing)(fill, nodes);
+void fill_amplitude(AmplitudeFill& fill, std::size_t nodes) {
+  HWY_DYNAMIC_DISPATCH(FillAmplitude)(fill, nodes);
 }
 void fill_line(const LineFill& fill, std::size_t nodes) {
   HWY_DYNAMIC_DISPATCH(FillLine)(fill, nodes);

@@ -5,7 +5,7 @@
 
 namespace glissade::block_detail {
 
-// What of a CoupledTable runs over all nodes, in blocks of 64. Compiled once per SIMD target, every
+// What of a CoupledTable runs over all nodes, in tiles of 64. Compiled once per SIMD target, every
 // operation elementwise and unfused and maxima exact, so all targets give the same bits.
 
 /// Two lines of the ground: a_factor a + w_factor w, of accelerations or velocities.
@@ -16,25 +16,25 @@ struct GroundLine {
 
 /// The response (x, y) of one oscillator, and the size of its amplitude z: with p the forcing,
 ///   X = x + p - lag dp,  Y = y + dp / (omega dt),  |s^2 z| = sqrt(X^2 + (c_x X + c_y Y)^2) / D
-struct SwingFill {
+struct AmplitudeFill {
   const double *x, *y;
   GroundLine forcing;
   double lag, per_step, c_x, c_y, per_mass, twice_zeta;
-  float* swing;  ///< by block: the largest |s^2 z| at its nodes and the one before
-  double largest_elastic, largest_x;  ///< found: |x + 2 zeta y|, |x|, at nodes
+  float* amplitude;  ///< by tile: the largest |s^2 z| at its nodes and the one before
+  double resisting_bound, largest_x;  ///< found: |x + 2 zeta y|, |x|, at nodes
 };
-void fill_swing(SwingFill& fill, std::size_t nodes);
+void fill_amplitude(AmplitudeFill& fill, std::size_t nodes);
 
-/// values[i] = x_factor x[i] + y_factor y[i] + ground line, and its extremes by block.
+/// values[i] = x_factor x[i] + y_factor y[i] + ground line, and its extremes by tile.
 struct LineFill {
   const double *x, *y;
   double x_factor, y_factor;
   GroundLine ground;
-  float *values, *block_lowest, *block_highest;
+  float *values, *tile_lowest, *tile_highest;
 };
 void fill_line(const LineFill& fill, std::size_t nodes);
 
-/// largest[b] = the largest |change| of the ground line over the intervals from each node of block
+/// largest[b] = the largest |change| of the ground line over the intervals from each node of tile
 /// b and the one before.
 void fill_change(const GroundLine& ground, float* largest, std::size_t nodes);
 

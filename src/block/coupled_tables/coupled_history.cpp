@@ -8,8 +8,8 @@
 namespace glissade::block_detail {
 namespace {
 
-/// U(i) - U(from) - V(from) t: the way gone beyond that of the velocity at `from`.
-double way(const GroundTable& ground, std::size_t from, std::size_t i, double t) {
+/// U(i) - U(from) - V(from) t: the displacement beyond that of the velocity at `from`.
+double displacement_beyond(const GroundTable& ground, std::size_t from, std::size_t i, double t) {
   const GroundNode &a = ground.nodes()[from], &b = ground.nodes()[i];
   return (b.displacement_m - a.displacement_m) + (b.displacement_low_m - a.displacement_low_m) -
          a.velocity_mps * t;
@@ -23,18 +23,19 @@ Block downhill(Block block) {
 }  // namespace
 
 CoupledHistory::CoupledHistory(const CoupledTable& table, const CoupledContact& contact,
-                               const Cut& cut, const CoupledScene& scene, double intensity,
-                               std::span<const double> thresholds_m, std::span<Crossing> crossings)
+                               const Subdivision& subdivision, const CoupledScene& scene,
+                               double intensity, std::span<const double> thresholds_m,
+                               std::span<Crossing> crossings)
     : table_(table),
       contact_(contact),
-      cut_(cut),
+      subdivision_(subdivision),
       block_(downhill(scene.block)),
       intensity_(intensity),
       w_factor_(scene.factors.vertical),
       step_s_(table.nodes().a.step_s()),
       most_a_mps2_(std::numeric_limits<double>::infinity()),
       most_x_mps2_(scene.building.yielding.yield_acceleration_mps2),
-      body_(contact, cut.frame, block_, CoupledBody::Keeps::peaks),
+      body_(contact, subdivision.building, block_, CoupledBody::Keeps::peaks),
       watched_(!thresholds_m.empty()),
       quiet_from_(table.nodes().quiet),
       end_(contact.slides_at_rest() ? table.nodes().a.last_sample()
@@ -45,7 +46,7 @@ CoupledHistory::CoupledHistory(const CoupledTable& table, const CoupledContact& 
 }
 
 Roof CoupledHistory::ground(std::size_t node) const {
-  if (quiet_) return {};
+  if (ringing_down_) return {};
   return {intensity_ * (table_.sign() * nodes().a.acceleration_mps2()[node]),
           nodes().vertical ? w_factor_ * nodes().w.acceleration_mps2()[node] : 0.0};
 }
@@ -56,22 +57,22 @@ LinearGround CoupledHistory::ground_after(std::size_t node) const {
 }
 
 RoofState CoupledHistory::roof(std::size_t node) const {
-  const Regime& r = regime();
+  const RegimeOscillator& r = regime();
   RoofState state = r.free_state(free_ * r.power(node - from_));
-  state.x -= r.mode.weight * r.gravity_mps2;
-  if (quiet_) return state;
+  state.x -= r.contact.weight * r.gravity_mps2;
+  if (ringing_down_) return state;
   const CoupledTable::Response& response = table_.response(body_.direction());
   return state + RoofState{intensity_ * response.x[node], intensity_ * response.y[node]};
 }
 
-/// What follows is reckoned from here.
+/// Makes this node the reference of what follows.
 void CoupledHistory::be_at(std::size_t node, const RoofState& roof, double speed_mps) {
-  const Regime& r = regime();
+  const RegimeOscillator& r = regime();
   const CoupledTable::Response& response = table_.response(body_.direction());
-  const double weight = r.mode.weight * r.gravity_mps2, table = quiet_ ? 0.0 : intensity_;
+  const double weight = r.contact.weight * r.gravity_mps2, table = ringing_down_ ? 0.0 : intensity_;
   node_ = from_ = node;
   RoofState free{roof.x + weight, roof.y};
-  if (!quiet_)
+  if (!ringing_down_)
     free = free - RoofState{intensity_ * response.x[node], intensity_ * response.y[node]};
   free_ = r.free_amplitude(free);
   roof_from_ = roof;
@@ -85,9 +86,9 @@ void CoupledHistory::be_at(std::size_t node, const RoofState& roof, double speed
 
 /// From the reference to a node.
 double CoupledHistory::speed(std::size_t node, const RoofState& now) const {
-  const DriveLine& line = regime().mode.drive;
-  double roof_gain = (now.y - roof_from_.y) / cut_.frame.omega_radps, fall = 0.0;
-  if (!quiet_) {
+  const DriveLine& line = regime().contact.drive;
+  double roof_gain = (now.y - roof_from_.y) / subdivision_.building.omega_radps, fall = 0.0;
+  if (!ringing_down_) {
     const auto gain = [&](const GroundTable& of) {
       return of.velocity_mps()[node] - of.velocity_mps()[from_];
     };
@@ -98,18 +99,20 @@ double CoupledHistory::speed(std::size_t node, const RoofState& now) const {
 }
 
 double CoupledHistory::travel(std::size_t node, const RoofState& now) const {
-  const DriveLine& line = regime().mode.drive;
-  const double t = time_s(node - from_), omega = cut_.frame.omega_radps;
-  double roof_way = (now.x - roof_from_.x) / (omega * omega) - roof_from_.y / omega * t, fall = 0.0;
-  if (!quiet_) {
-    roof_way += intensity_ * (table_.sign() * way(nodes().a, from_, node, t));
-    if (nodes().vertical) fall = w_factor_ * way(nodes().w, from_, node, t);
+  const DriveLine& line = regime().contact.drive;
+  const double t = time_s(node - from_), omega = subdivision_.building.omega_radps;
+  double roof_displacement = (now.x - roof_from_.x) / (omega * omega) - roof_from_.y / omega * t,
+         fall = 0.0;
+  if (!ringing_down_) {
+    roof_displacement +=
+        intensity_ * (table_.sign() * displacement_beyond(nodes().a, from_, node, t));
+    if (nodes().vertical) fall = w_factor_ * displacement_beyond(nodes().w, from_, node, t);
   }
-  return speed_from_ * t + line.a * roof_way + line.w * fall + 0.5 * line.constant * t * t;
+  return speed_from_ * t + line.a * roof_displacement + line.w * fall + 0.5 * line.constant * t * t;
 }
 
-/// Reckons from the node it is at.
-void CoupledHistory::catch_up() {
+/// Makes its present node the reference.
+void CoupledHistory::set_reference_here() {
   const RoofState now = roof(node_);
   double speed_now = 0.0;
   if (body_.sliding()) {
@@ -118,36 +121,37 @@ void CoupledHistory::catch_up() {
   }
   body_.resume(now, speed_now, time_s(node_));
   if (watched_) {
-    before_ = body_;
-    before_node_ = node_;
+    body_at_phase_ = body_;
+    phase_node_ = node_;
   }
   be_at(node_, now, speed_now);
 }
 
 /// From here on the tables are zero, and the free vibration is all there is.
-void CoupledHistory::enter_quiet() {
-  catch_up();
-  quiet_ = true;
+void CoupledHistory::begin_ring_down() {
+  set_reference_here();
+  ringing_down_ = true;
   be_at(node_, roof_from_, speed_from_);
 }
 
 bool CoupledHistory::over() const {
-  return quiet_ && !body_.sliding() && cannot_slip(block_, regime().s2.size() * free_.size(), 0.0);
+  return ringing_down_ && !body_.sliding() &&
+         cannot_slip(block_, regime().s2.size() * free_.size(), 0.0);
 }
 
 bool CoupledHistory::run() {
   be_at(0, {}, 0.0);
   while (node_ < end_ && fits_) {
-    if (!quiet_ && node_ == quiet_from_) enter_quiet();
+    if (!ringing_down_ && node_ == quiet_from_) begin_ring_down();
     if (over()) break;
-    const std::size_t to =
-        std::min(end_, quiet_ ? node_ + CoupledTable::zeros - CoupledTable::block : quiet_from_);
-    node_ = young_ ? node_ : next_interval(to);
-    young_ = false;
-    if (node_ < to && !look_into(node_)) return false;
+    const std::size_t to = std::min(
+        end_, ringing_down_ ? node_ + CoupledTable::zeros - CoupledTable::tile : quiet_from_);
+    node_ = phase_began_ ? node_ : next_interval(to);
+    phase_began_ = false;
+    if (node_ < to && !solve_interval(node_)) return false;
   }
   if (!fits_) return false;
-  catch_up();
+  set_reference_here();
   if (contact_.stops_at_rest()) body_.coast();
   return true;
 }
@@ -162,9 +166,9 @@ SlipResult CoupledHistory::result() const {
 void CoupledHistory::slid(double distance_m, double duration_s, std::size_t end_interval) {
   const double to = body_.slip() + body_.direction() * distance_m;
   if (watched_ && body_.crossings().reached(to)) {
-    CoupledBody again = *before_;
+    CoupledBody again = *body_at_phase_;
     again.crossings() = body_.crossings();
-    for (std::size_t i = before_node_; i <= end_interval && again.crossings().reached(to); ++i)
+    for (std::size_t i = phase_node_; i <= end_interval && again.crossings().reached(to); ++i)
       advance(again, i, ground_after(i));
     // To rounding, it may be reached only now.
     again.crossings().arrive(to, again.speed(), time_s(end_interval + 1));
@@ -175,24 +179,24 @@ void CoupledHistory::slid(double distance_m, double duration_s, std::size_t end_
 
 void CoupledHistory::advance(CoupledBody& body, std::size_t interval,
                              const LinearGround& ground) const {
-  for (int part = 0; part < cut_.pieces; ++part) {
-    const double y0 = static_cast<double>(part) / cut_.pieces,
-                 y1 = static_cast<double>(part + 1) / cut_.pieces;
-    body.advance({step_s_ / cut_.pieces, ground.after(y0).at, ground.after(y1).at},
+  for (int part = 0; part < subdivision_.pieces; ++part) {
+    const double y0 = static_cast<double>(part) / subdivision_.pieces,
+                 y1 = static_cast<double>(part + 1) / subdivision_.pieces;
+    body.advance({step_s_ / subdivision_.pieces, ground.after(y0).at, ground.after(y1).at},
                  time_s(interval, y1));
   }
 }
 
 /// The interval by the scalar scheme.
-void CoupledHistory::by_body(const Visit& visit) {
-  node_ = visit.interval;
-  catch_up();
-  advance(body_, visit.interval, visit.ground);
+void CoupledHistory::by_body(const IntervalState& now) {
+  node_ = now.interval;
+  set_reference_here();
+  advance(body_, now.interval, now.ground);
   if (watched_) {
-    before_ = body_;
-    before_node_ = visit.interval + 1;
+    body_at_phase_ = body_;
+    phase_node_ = now.interval + 1;
   }
-  be_at(visit.interval + 1, body_.roof(), body_.speed());
+  be_at(now.interval + 1, body_.roof(), body_.speed());
 }
 
 }  // namespace glissade::block_detail

@@ -5,55 +5,57 @@
 namespace glissade::block_detail {
 namespace {
 
-/// A drive over what is left of an interval from its share y on, where the amplitude is z.
-Curve drive(const LinearGround& ground, const Regime& r, const DriveLine& line, double y,
-            Amplitude z) {
-  return {line.at(ground.after(y).at), line.a * ground.change.a + line.w * ground.change.w, 0.0,
+/// A drive over what is left of an interval from its fraction tau on, where the amplitude is z.
+Curve drive(const LinearGround& ground, const RegimeOscillator& r, const DriveLine& line,
+            double tau, Amplitude z) {
+  return {line.at(ground.after(tau).at), line.a * ground.change.a + line.w * ground.change.w, 0.0,
           line.a * (r.s2 * z)};
 }
 
 /// The speed, the same, where it is v.
-Curve speed_curve(const LinearGround& ground, const Regime& r, double y, Amplitude z, double v) {
-  const DriveLine& line = r.mode.drive;
+Curve speed_curve(const LinearGround& ground, const RegimeOscillator& r, double tau, Amplitude z,
+                  double v) {
+  const DriveLine& line = r.contact.drive;
   const Amplitude b = line.a * (r.s * z);
-  return {v - b.re, r.dt_s * line.at(ground.after(y).at),
+  return {v - b.re, r.dt_s * line.at(ground.after(tau).at),
           0.5 * r.dt_s * (line.a * ground.change.a + line.w * ground.change.w), b};
 }
 
-/// What is gained in speed up to the share t of an interval, and the way that this adds.
+/// What is gained in speed up to the fraction t of an interval, and the displacement that this
+/// adds.
 struct Gain {
   double speed, distance;
 };
-Gain gain(const Curve& speed, const Regime& r, double t, Amplitude z,
-          const Regime::Growth& growth) {
+Gain gain(const Curve& speed, const RegimeOscillator& r, double t, Amplitude z,
+          const RegimeOscillator::Growth& growth) {
   return {t * (speed.c1 + t * speed.c2) + real(speed.b, growth.minus_one),
           r.dt_s * t * t * (speed.c1 / 2.0 + t * speed.c2 / 3.0) +
-              r.mode.drive.a * real(z, growth.minus_line)};
+              r.contact.drive.a * real(z, growth.minus_line)};
 }
 
 }  // namespace
 
-bool CoupledHistory::look_into(std::size_t interval) {
-  Visit visit{interval, ground_after(interval), roof(interval), {}, 0.0};
-  visit.z = regime().amplitude(visit.roof, visit.ground);
-  if (body_.sliding()) visit.speed = speed(interval, visit.roof);
+bool CoupledHistory::solve_interval(std::size_t interval) {
+  IntervalState now{interval, ground_after(interval), roof(interval), {}, 0.0};
+  now.z = regime().amplitude(now.roof, now.ground);
+  if (body_.sliding()) now.speed = speed(interval, now.roof);
   if (watched_) {
-    opening_ = body_;
-    if (body_.sliding()) opening_->slid(travel(interval, visit.roof), time_s(interval - from_));
-    opening_->resume(visit.roof, visit.speed, time_s(interval));
+    body_before_ = body_;
+    if (body_.sliding()) body_before_->slid(travel(interval, now.roof), time_s(interval - from_));
+    body_before_->resume(now.roof, now.speed, time_s(interval));
   }
-  if (!(body_.sliding() ? slide_in(visit) : rest_in(visit))) by_body(visit);
+  if (!(body_.sliding() ? slide_in(now) : rest_in(now))) by_body(now);
   return !body_.has_lifted();
 }
 
 /// False: not proven.
-bool CoupledHistory::rest_in(const Visit& visit) {
-  const Regime& r = regime();
+bool CoupledHistory::rest_in(const IntervalState& now) {
+  const RegimeOscillator& r = regime();
   int direction = 0;
   BoundedCurve::Root root{};
   for (const int candidate : {+1, -1}) {
     const Curve f =
-        drive(visit.ground, r, candidate > 0 ? contact_.down() : contact_.up(), 0.0, visit.z);
+        drive(now.ground, r, candidate > 0 ? contact_.down() : contact_.up(), 0.0, now.z);
     const BoundedCurve bounded(f, r, 1.0, r.per_interval());
     const Proof proof = bounded.proof();
     if (proof == Proof::negative) continue;
@@ -62,99 +64,99 @@ bool CoupledHistory::rest_in(const Visit& visit) {
     root = bounded.root();
     if (!root.found) return false;
   }
-  node_ = visit.interval + 1;
+  node_ = now.interval + 1;
   if (direction == 0) return true;
-  const RoofState at_start = r.state(visit.z * root.power, visit.ground.after(root.t));
-  const std::optional<Begin> phase = begin(visit, root.t, at_start, direction, false);
-  if (phase) start(visit, *phase);
+  const RoofState at_start = r.state(now.z * root.power, now.ground.after(root.t));
+  const std::optional<Begin> phase = begin(now, root.t, at_start, direction, false);
+  if (phase) start(now, *phase);
   return phase.has_value();
 }
 
-/// Of a phase from the share y on, if it is proven that it does not end in the interval.
-std::optional<CoupledHistory::Begin> CoupledHistory::begin(const Visit& visit, double y,
+/// Of a phase from the fraction tau on, if it is proven that it does not end in the interval.
+std::optional<CoupledHistory::Begin> CoupledHistory::begin(const IntervalState& now, double tau,
                                                            const RoofState& roof, int direction,
                                                            bool reverses) const {
-  const Regime& r = table_.regime(direction);
-  const Amplitude z = r.amplitude(roof, visit.ground.after(y));
-  const double left = 1.0 - y;
-  const Regime::Growth growth = r.after(left);
+  const RegimeOscillator& r = table_.regime(direction);
+  const Amplitude z = r.amplitude(roof, now.ground.after(tau));
+  const double left = 1.0 - tau;
+  const RegimeOscillator::Growth growth = r.after(left);
   const Amplitude to_end = growth.power;
-  const Curve f = drive(visit.ground, r, r.mode.drive, y, z), minus = -f;
+  const Curve f = drive(now.ground, r, r.contact.drive, tau, z), minus = -f;
   if (reverses) {
     if (BoundedCurve(minus, r, left, to_end).proof() != Proof::negative) return {};
   } else {
     const BoundedCurve bounded(f, r, left, to_end);
     if (!bounded.never_falls() || !(bounded.end() > 0.0)) return {};
   }
-  const Curve v = speed_curve(visit.ground, r, y, z, 0.0);
+  const Curve v = speed_curve(now.ground, r, tau, z, 0.0);
   const Gain gained = gain(v, r, left, z, growth);
-  const Begin phase{direction, r.state(z * to_end, visit.ground.after(1.0)), gained.distance,
+  const Begin phase{direction, r.state(z * to_end, now.ground.after(1.0)), gained.distance,
                     gained.speed, left * step_s_};
   if (!(phase.speed > 0.0 && phase.distance >= 0.0)) return {};
   return phase;
 }
 
-void CoupledHistory::start(const Visit& visit, const Begin& phase) {
+void CoupledHistory::start(const IntervalState& now, const Begin& phase) {
   if (watched_) {
-    before_ = opening_;
-    before_node_ = visit.interval;
+    body_at_phase_ = body_before_;
+    phase_node_ = now.interval;
   }
   body_.start(phase.direction);
-  slid(phase.distance, phase.duration, visit.interval);
-  be_at(visit.interval + 1, phase.roof, phase.speed);
-  young_ = true;
+  slid(phase.distance, phase.duration, now.interval);
+  be_at(now.interval + 1, phase.roof, phase.speed);
+  phase_began_ = true;
 }
 
-bool CoupledHistory::slide_in(const Visit& visit) {
-  const Regime& r = regime();
+bool CoupledHistory::slide_in(const IntervalState& now) {
+  const RegimeOscillator& r = regime();
   const int direction = body_.direction();
-  const Curve v = speed_curve(visit.ground, r, 0.0, visit.z, visit.speed), minus = -v;
+  const Curve v = speed_curve(now.ground, r, 0.0, now.z, now.speed), minus = -v;
   const BoundedCurve bounded(minus, r, 1.0, r.per_interval());
   const Proof proof = bounded.proof();
   if (proof == Proof::negative) {
-    node_ = visit.interval + 1;
+    node_ = now.interval + 1;
     return true;
   }
   if (proof == Proof::unknown) return false;
   const BoundedCurve::Root stop = bounded.root();
   if (!stop.found) return false;
-  const double y = stop.t;
-  const Amplitude z = visit.z * stop.power;
-  const LinearGround ground = visit.ground.after(y);
+  const double tau = stop.t;
+  const Amplitude z = now.z * stop.power;
+  const LinearGround ground = now.ground.after(tau);
   const RoofState at_stop = r.state(z, ground);
 
   // The other direction's drive decides: never the one it stopped in.
-  const Regime& stuck = table_.regime(0);
+  const RegimeOscillator& stuck = table_.regime(0);
   const Amplitude z_stuck = stuck.amplitude(at_stop, ground);
   const DriveLine other = direction > 0 ? contact_.up() : contact_.down();
-  const Curve back = drive(visit.ground, stuck, other, y, z_stuck);
+  const Curve back = drive(now.ground, stuck, other, tau, z_stuck);
   std::optional<Begin> reversal;
   if (back.c0 + back.b.re > 0.0) {
-    reversal = begin(visit, y, at_stop, -direction, true);
+    reversal = begin(now, tau, at_stop, -direction, true);
     if (!reversal) return false;
-  } else if (!rests(visit, y, z_stuck)) {
+  } else if (!rests(now, tau, z_stuck)) {
     return false;
   }
-  slid(travel(visit.interval, visit.roof) +
-           (visit.speed * y * step_s_ + gain(v, r, y, visit.z, r.after(y)).distance),
-       time_s(visit.interval - from_, y), visit.interval);
+  slid(travel(now.interval, now.roof) +
+           (now.speed * tau * step_s_ + gain(v, r, tau, now.z, r.after(tau)).distance),
+       time_s(now.interval - from_, tau), now.interval);
   body_.stop();
   if (reversal) {
-    start(visit, *reversal);
+    start(now, *reversal);
   } else {
-    be_at(visit.interval + 1,
-          stuck.state(z_stuck * stuck.after(1.0 - y).power, visit.ground.after(1.0)), 0.0);
+    be_at(now.interval + 1,
+          stuck.state(z_stuck * stuck.after(1.0 - tau).power, now.ground.after(1.0)), 0.0);
   }
   return true;
 }
 
-/// It stays at rest from the share y to the interval's end.
-bool CoupledHistory::rests(const Visit& visit, double y, Amplitude z) const {
-  const Regime& r = table_.regime(0);
-  const Amplitude to_end = r.after(1.0 - y).power;
+/// It stays at rest from the fraction tau to the interval's end.
+bool CoupledHistory::rests(const IntervalState& now, double tau, Amplitude z) const {
+  const RegimeOscillator& r = table_.regime(0);
+  const Amplitude to_end = r.after(1.0 - tau).power;
   for (const DriveLine& line : {contact_.down(), contact_.up()}) {
-    const Curve f = drive(visit.ground, r, line, y, z);
-    if (BoundedCurve(f, r, 1.0 - y, to_end).proof() != Proof::negative) return false;
+    const Curve f = drive(now.ground, r, line, tau, z);
+    if (BoundedCurve(f, r, 1.0 - tau, to_end).proof() != Proof::negative) return false;
   }
   return true;
 }

@@ -13,13 +13,13 @@ namespace {
 /// Room for rounding in single precision, relative to the terms of a sum.
 constexpr double slack = 1e-6;
 
-constexpr std::array<float, CoupledTable::zeros + CoupledTable::block> zeros{};
+constexpr std::array<float, CoupledTable::zeros + CoupledTable::tile> zeros{};
 
 }  // namespace
 
-/// The first interval before node `to` that must be looked into, else `to`.
+/// The first interval before node `to` that must be solved, else `to`.
 std::size_t CoupledHistory::next_interval(std::size_t to) const {
-  const std::size_t first = quiet_ ? 0 : node_, last = first + (to - node_) + 1;
+  const std::size_t first = ringing_down_ ? 0 : node_, last = first + (to - node_) + 1;
   const std::size_t found =
       body_.sliding() ? next_stop_in(first, last) : next_start_in(first, last);
   if (found == last) return to;
@@ -27,49 +27,51 @@ std::size_t CoupledHistory::next_interval(std::size_t to) const {
 }
 
 std::size_t CoupledHistory::next_start_in(std::size_t first, std::size_t last) const {
-  const Regime& r = regime();
+  const RegimeOscillator& r = regime();
   const CoupledTable::Rest& rest = table_.rest();
-  const auto values = [&](const std::vector<float>& v) { return quiet_ ? zeros.data() : v.data(); };
+  const auto values = [&](const std::vector<float>& v) {
+    return ringing_down_ ? zeros.data() : v.data();
+  };
   RestSearch s;
-  s.motion = {&r, quiet_ ? 0.0f : static_cast<float>(intensity_),
+  s.motion = {&r, ringing_down_ ? 0.0f : static_cast<float>(intensity_),
               r.s2 * (free_ * r.power(node_ - from_))};
   const double low = table_.lowest_per_g() * r.gravity_mps2,
                high = table_.highest_per_g() * r.gravity_mps2,
-               room = slack * (intensity_ * rest.largest + s.motion.swing.size() + std::abs(low) +
-                               std::abs(high));
+               room = slack * (intensity_ * rest.largest + s.motion.amplitude.size() +
+                               std::abs(low) + std::abs(high));
   s.lowest = low + room;
   s.highest = high - room;
   s.below = values(rest.below);
   s.above = values(rest.above);
-  s.block_below = values(rest.block_below);
-  s.block_above = values(rest.block_above);
-  s.block_swing = values(table_.response(0).swing);
+  s.tile_below = values(rest.tile_below);
+  s.tile_above = values(rest.tile_above);
+  s.tile_amplitude = values(table_.response(0).amplitude);
   return next_start(s, first, last);
 }
 
 std::size_t CoupledHistory::next_stop_in(std::size_t first, std::size_t last) const {
-  const Regime& r = regime();
+  const RegimeOscillator& r = regime();
   const CoupledTable::Speed& speed = table_.speed(body_.direction());
-  const DriveLine& line = r.mode.drive;
-  const Amplitude swing = free_ * r.power(node_ - from_);
+  const DriveLine& line = r.contact.drive;
+  const Amplitude amplitude = free_ * r.power(node_ - from_);
   SpeedSearch s;
-  s.motion = {&r, quiet_ ? 0.0f : static_cast<float>(intensity_), r.s * swing};
-  s.gain = quiet_ ? zeros.data() : speed.gain.data();
-  s.block_sag = quiet_ ? zeros.data() : speed.block_sag.data();
+  s.motion = {&r, ringing_down_ ? 0.0f : static_cast<float>(intensity_), r.s * amplitude};
+  s.gain = ringing_down_ ? zeros.data() : speed.gain.data();
+  s.tile_deviation = ringing_down_ ? zeros.data() : speed.tile_deviation.data();
   double constant =
       speed_from_ - line.a * (roof_from_.y / r.omega_radps) + line.constant * time_s(node_ - from_);
-  if (!quiet_) {
+  if (!ringing_down_) {
     constant -= line.a * intensity_ * (table_.sign() * nodes().a.velocity_mps()[from_]);
     if (nodes().vertical) constant -= line.w * w_factor_ * nodes().w.velocity_mps()[from_];
   }
   const double per_step = line.constant * step_s_,
-               size = std::abs(line.a) * (intensity_ * speed.largest + s.motion.swing.size()) +
+               size = std::abs(line.a) * (intensity_ * speed.largest + s.motion.amplitude.size()) +
                       std::abs(constant);
   s.drive_a = static_cast<float>(line.a);
   s.constant = static_cast<float>(constant - slack * size);
   s.per_step = static_cast<float>(per_step - slack * std::abs(per_step));
-  s.sag = static_cast<float>(0.125 * step_s_ * std::abs(line.a) * r.phase * (r.s2 * swing).size() *
-                             (1.0 + slack));
+  s.deviation = static_cast<float>(0.125 * step_s_ * std::abs(line.a) * r.phase *
+                                   (r.s2 * amplitude).size() * (1.0 + slack));
   return next_stop(s, first, last);
 }
 

@@ -12,7 +12,7 @@ namespace glissade::block_detail::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 using Floats = HWY_CAPPED(float, 16);
 using Vector = hn::Vec<Floats>;
-constexpr std::size_t block = Regime::window;
+constexpr std::size_t tile = RegimeOscillator::window;
 
 /// Index of the first of count elements from `from` on, whose mask is set; or count.
 template <class MaskAt>
@@ -28,17 +28,17 @@ std::size_t First(std::size_t from, std::size_t count, const MaskAt& mask_at) {
   return count;
 }
 
-/// Re(swing exp(s t)) at the nodes after `from`, fewer than a block.
-struct Swing {
+/// Re(amplitude exp(s t)) at the nodes after `from`, fewer than a tile.
+struct VibrationNodes {
   const float *power_re, *power_im;
   Vector re, im;
   std::size_t from;
 
-  Swing(const Regime& regime, const Amplitude& swing, std::size_t origin)
+  VibrationNodes(const RegimeOscillator& regime, const Amplitude& amplitude, std::size_t origin)
       : power_re(regime.power_re.data()),
         power_im(regime.power_im.data()),
-        re(hn::Set(Floats(), static_cast<float>(swing.re))),
-        im(hn::Set(Floats(), static_cast<float>(swing.im))),
+        re(hn::Set(Floats(), static_cast<float>(amplitude.re))),
+        im(hn::Set(Floats(), static_cast<float>(amplitude.im))),
         from(origin) {}
   Vector at(std::size_t i) const {
     const Floats f;
@@ -49,32 +49,33 @@ struct Swing {
 
 std::size_t NextStart(const RestSearch& s, std::size_t from, std::size_t to) {
   const Floats f;
-  const Regime& r = *s.motion.regime;
-  const float sag = static_cast<float>(0.125 * r.phase * r.phase * (1.0 + 1e-6));
+  const RegimeOscillator& r = *s.motion.regime;
+  const float deviation = static_cast<float>(0.125 * r.phase * r.phase * (1.0 + 1e-6));
   const Vector intensity = hn::Set(f, s.motion.intensity);
-  const std::size_t blocks = (to + block - 1) / block;
+  const std::size_t tiles = (to + tile - 1) / tile;
   for (std::size_t i = from; i < to;) {
-    const std::size_t b = i / block, end = (b + 1) * block < to ? (b + 1) * block : to;
-    const Amplitude now = s.motion.swing * r.power(i - from);
+    const std::size_t b = i / tile, end = (b + 1) * tile < to ? (b + 1) * tile : to;
+    const Amplitude now = s.motion.amplitude * r.power(i - from);
     const double size = now.size();
-    const float chord = sag * (s.motion.intensity * s.block_swing[b] + static_cast<float>(size));
-    const Swing swing(r, now, i);
+    const float chord =
+        deviation * (s.motion.intensity * s.tile_amplitude[b] + static_cast<float>(size));
+    const VibrationNodes vibration(r, now, i);
     const Vector lowest = hn::Set(f, static_cast<float>(s.lowest) + chord),
                  highest = hn::Set(f, static_cast<float>(s.highest) - chord);
     const std::size_t found = First(i, end, [&](std::size_t at) {
-      const Vector free = swing.at(at);
+      const Vector free = vibration.at(at);
       const Vector below = hn::Add(hn::Mul(intensity, hn::LoadU(f, s.below + at)), free),
                    above = hn::Add(hn::Mul(intensity, hn::LoadU(f, s.above + at)), free);
       return hn::Or(hn::Lt(below, lowest), hn::Gt(above, highest));
     });
     if (found < end) return found;
-    // The free vibration only decays: by block, it is no larger than now.
-    const float room = static_cast<float>(size) * (1.0f + sag);
+    // The free vibration only decays: by tile, it is no larger than now.
+    const float room = static_cast<float>(size) * (1.0f + deviation);
     const Vector least = hn::Set(f, static_cast<float>(s.lowest) + room),
                  most = hn::Set(f, static_cast<float>(s.highest) - room);
-    i = block * First(b + 1, blocks, [&](std::size_t at) {
-          return hn::Or(hn::Lt(hn::Mul(intensity, hn::LoadU(f, s.block_below + at)), least),
-                        hn::Gt(hn::Mul(intensity, hn::LoadU(f, s.block_above + at)), most));
+    i = tile * First(b + 1, tiles, [&](std::size_t at) {
+          return hn::Or(hn::Lt(hn::Mul(intensity, hn::LoadU(f, s.tile_below + at)), least),
+                        hn::Gt(hn::Mul(intensity, hn::LoadU(f, s.tile_above + at)), most));
         });
   }
   return to;
@@ -82,19 +83,21 @@ std::size_t NextStart(const RestSearch& s, std::size_t from, std::size_t to) {
 
 std::size_t NextStop(const SpeedSearch& s, std::size_t from, std::size_t to) {
   const Floats f;
-  const Regime& r = *s.motion.regime;
+  const RegimeOscillator& r = *s.motion.regime;
   const Vector gain = hn::Set(f, s.drive_a * s.motion.intensity), per_step = hn::Set(f, s.per_step);
   const float size = s.drive_a < 0.0f ? -s.drive_a : s.drive_a;
-  Amplitude now = static_cast<double>(s.drive_a) * s.motion.swing;
+  Amplitude now = static_cast<double>(s.drive_a) * s.motion.amplitude;
   for (std::size_t i = from; i < to;) {
-    const std::size_t b = i / block, end = (b + 1) * block < to ? (b + 1) * block : to;
-    const Swing swing(r, now, i);
-    const Vector sag = hn::Set(f, size * s.motion.intensity * s.block_sag[b] + s.sag - s.constant);
+    const std::size_t b = i / tile, end = (b + 1) * tile < to ? (b + 1) * tile : to;
+    const VibrationNodes vibration(r, now, i);
+    const Vector deviation =
+        hn::Set(f, size * s.motion.intensity * s.tile_deviation[b] + s.deviation - s.constant);
     const std::size_t found = First(i, end, [&](std::size_t at) {
       const Vector steps = hn::Iota(f, static_cast<float>(at - from));
-      const Vector speed = hn::Add(hn::Add(hn::Mul(gain, hn::LoadU(f, s.gain + at)), swing.at(at)),
-                                   hn::Mul(per_step, steps));
-      return hn::Le(speed, sag);
+      const Vector speed =
+          hn::Add(hn::Add(hn::Mul(gain, hn::LoadU(f, s.gain + at)), vibration.at(at)),
+                  hn::Mul(per_step, steps));
+      return hn::Le(speed, deviation);
     });
     if (found < end) return found;
     now = now * r.power(end - i);

@@ -9,21 +9,21 @@ namespace glissade::block_detail {
 
 // Searching a table for the next node where something can happen. In single precision, with bounds
 // on the safe side: what is found is looked at exactly, and what is passed over cannot matter.
-// Compiled once per SIMD target, chosen at run time; nodes and blocks as in CoupledTable.
+// Compiled once per SIMD target, chosen at run time; nodes and tiles as in CoupledTable.
 
-/// intensity table + Re(swing exp(s t)), the free vibration from node `from` on.
-struct Swinging {
-  const Regime* regime = nullptr;
+/// intensity table + Re(amplitude exp(s t)), the free vibration from node `from` on.
+struct Vibration {
+  const RegimeOscillator* regime = nullptr;
   float intensity = 0.0f;
-  Amplitude swing;
+  Amplitude amplitude;
 };
 
 /// A block at rest begins to slide where this leaves [lowest, highest].
 struct RestSearch {
-  Swinging motion;
-  const float *below = nullptr, *above = nullptr;              ///< by node
-  const float *block_below = nullptr, *block_above = nullptr;  ///< by block, and between nodes
-  const float* block_swing = nullptr;
+  Vibration motion;
+  const float *below = nullptr, *above = nullptr;            ///< by node
+  const float *tile_below = nullptr, *tile_above = nullptr;  ///< by tile, and between nodes
+  const float* tile_amplitude = nullptr;
   double lowest = 0.0, highest = 0.0;
 };
 /// The first node in [from, to) at or beside which the block may start, else to.
@@ -31,11 +31,11 @@ std::size_t next_start(const RestSearch& search, std::size_t from, std::size_t t
 
 /// speed = drive_a (motion) + constant + per_step n, n nodes from `from` on.
 struct SpeedSearch {
-  Swinging motion;
-  const float* gain = nullptr;       ///< by node
-  const float* block_sag = nullptr;  ///< by block
+  Vibration motion;
+  const float* gain = nullptr;            ///< by node
+  const float* tile_deviation = nullptr;  ///< by tile
   float drive_a = 0.0f, constant = 0.0f, per_step = 0.0f;
-  float sag = 0.0f;  ///< of the free vibration
+  float deviation = 0.0f;  ///< of the free vibration
 };
 /// The first node in [from, to) at or beside which the block may stop, else to.
 std::size_t next_stop(const SpeedSearch& search, std::size_t from, std::size_t to);

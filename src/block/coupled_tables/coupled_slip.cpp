@@ -16,7 +16,7 @@ using block_detail::CoupledContact;
 using block_detail::CoupledHistory;
 using block_detail::CoupledNodes;
 using block_detail::CoupledTable;
-using block_detail::Cut;
+using block_detail::Subdivision;
 
 namespace {
 
@@ -42,14 +42,14 @@ struct Shared {
 };
 
 /// A period that its vibration shows between samples, and underdamped in every regime.
-bool can_be_tabulated(const Cut& cut, const CoupledContact& contact, double dt_s) {
+bool can_be_tabulated(const Subdivision& subdivision, const CoupledContact& contact, double dt_s) {
   constexpr double least_phase = 1e-3, most_damping = 0.95;
-  if (cut.frame.rigid()) return false;
+  if (subdivision.building.rigid()) return false;
   for (const double mass :
        {contact.stuck().mass, contact.sliding_down().mass, contact.sliding_up().mass}) {
-    const double root = std::sqrt(mass), phase = cut.frame.omega_radps / root * dt_s;
-    if (!(phase >= least_phase && phase <= block_detail::Regime::most_phase &&
-          cut.frame.damping_ratio / root <= most_damping))
+    const double root = std::sqrt(mass), phase = subdivision.building.omega_radps / root * dt_s;
+    if (!(phase >= least_phase && phase <= block_detail::RegimeOscillator::most_phase &&
+          subdivision.building.damping_ratio / root <= most_damping))
       return false;
   }
   return true;
@@ -73,9 +73,10 @@ struct CoupledGround::Tables {
   std::optional<Shared> shared;  ///< what the table is of
   std::optional<CoupledTable> table;
 
-  const CoupledTable& of(const Shared& wanted, const CoupledContact& contact, const Cut& cut) {
+  const CoupledTable& of(const Shared& wanted, const CoupledContact& contact,
+                         const Subdivision& subdivision) {
     if (!(shared == wanted)) {
-      table.emplace(*nodes, contact, cut.frame, wanted.sign, wanted.vertical_ratio);
+      table.emplace(*nodes, contact, subdivision.building, wanted.sign, wanted.vertical_ratio);
       shared = wanted;
     }
     return *table;
@@ -100,17 +101,18 @@ CoupledPeak solve(CoupledGround& ground, const CoupledScene& scene,
   const CoupledNodes& nodes = *ground.tables().nodes;
   const CoupledContact contact(scene.block, std::abs(scene.block.slope_rad),
                                scene.building.mass_ratio);
-  const Cut cut = block_detail::cut(scene.building.horizontal, contact, motion.dt_s);
+  const Subdivision subdivision =
+      block_detail::subdivide(scene.building.horizontal, contact, motion.dt_s);
   const bool fits =
-      can_be_tabulated(cut, contact, motion.dt_s) &&
+      can_be_tabulated(subdivision, contact, motion.dt_s) &&
       scene.block.directions == SlipDirections::both && scene.block.law.is_coulomb() &&
       scene.factors.horizontal != 0.0 && (contact.slides_at_rest() || contact.stops_at_rest()) &&
       contact.up().a > 0.0 &&
       std::abs(scene.factors.vertical) * nodes.largest_w_mps2 < 0.99 * scene.block.gravity_mps2;
   if (fits) {
     const Shared shared(scene, !motion.vertical_mps2.empty());
-    CoupledHistory history(ground.tables().of(shared, contact, cut), contact, cut, scene,
-                           std::abs(scene.factors.horizontal), thresholds_m, crossings);
+    CoupledHistory history(ground.tables().of(shared, contact, subdivision), contact, subdivision,
+                           scene, std::abs(scene.factors.horizontal), thresholds_m, crossings);
     if (history.run()) return {block_detail::in_metres(history.result(), 1.0), false};
   }
   return by_reference(motion, scene, thresholds_m, crossings);

@@ -14,10 +14,10 @@ constexpr std::size_t widest = 16;
 /// Room for rounding in single precision.
 constexpr float room = 1.0f + 0x1p-20f;
 
-std::size_t blocks_of(std::size_t nodes) { return nodes / CoupledTable::block + 1; }
-std::size_t padded(std::size_t nodes) { return blocks_of(nodes) * CoupledTable::block + widest; }
-std::vector<float> block_values(std::size_t nodes) {
-  return std::vector<float>(blocks_of(nodes) + widest);
+std::size_t tiles_of(std::size_t nodes) { return nodes / CoupledTable::tile + 1; }
+std::size_t padded(std::size_t nodes) { return tiles_of(nodes) * CoupledTable::tile + widest; }
+std::vector<float> tile_values(std::size_t nodes) {
+  return std::vector<float>(tiles_of(nodes) + widest);
 }
 
 std::vector<double> vertical_or_zero(const GroundMotion& motion) {
@@ -69,17 +69,18 @@ CoupledNodes::CoupledNodes(const GroundMotion& motion)
 }
 
 CoupledTable::CoupledTable(const CoupledNodes& nodes, const CoupledContact& contact,
-                           const Frame& frame, double sign, double vertical_ratio)
+                           const BuildingOscillator& building, double sign, double vertical_ratio)
     : nodes_(nodes),
       sign_(sign),
       vertical_ratio_(vertical_ratio),
       lowest_per_g_(-contact.down().w / contact.down().a),
       highest_per_g_(-contact.up().w / contact.up().a),
-      regimes_{Regime(contact.stuck(), contact.gravity(), frame, nodes.a.step_s()),
-               Regime(contact.sliding_down(), contact.gravity(), frame, nodes.a.step_s()),
-               Regime(contact.sliding_up(), contact.gravity(), frame, nodes.a.step_s())} {
-  respond(frame);
-  set_rest(frame.damping_ratio);
+      regimes_{
+          RegimeOscillator(contact.stuck(), contact.gravity(), building, nodes.a.step_s()),
+          RegimeOscillator(contact.sliding_down(), contact.gravity(), building, nodes.a.step_s()),
+          RegimeOscillator(contact.sliding_up(), contact.gravity(), building, nodes.a.step_s())} {
+  respond(building);
+  set_rest(building.damping_ratio);
   speeds_[1] = speed_of(+1);
   speeds_[2] = vertical_ratio == 0.0 && responses_[1] == responses_[2] ? speeds_[1] : speed_of(-1);
 }
@@ -90,14 +91,14 @@ GroundLine CoupledTable::accelerations(double a_factor, double w_factor) const {
           w_factor};
 }
 
-void CoupledTable::respond(const Frame& frame) {
+void CoupledTable::respond(const BuildingOscillator& building) {
   const std::size_t count = nodes_.quiet + 1;
   std::vector<ResponseStep> steps;
   for (std::size_t k = 0; k < 3; ++k) {
-    const Mode& mode = regimes_[k].mode;
+    const ContactRegime& contact = regimes_[k].contact;
     for (std::size_t other = 0; other < k; ++other)
-      if (mode.mass == regimes_[other].mode.mass &&
-          mode.weight * vertical_ratio_ == regimes_[other].mode.weight * vertical_ratio_)
+      if (contact.mass == regimes_[other].contact.mass &&
+          contact.weight * vertical_ratio_ == regimes_[other].contact.weight * vertical_ratio_)
         responses_[k] = responses_[other];
     if (responses_[k]) continue;
     responses_[k] = std::make_shared<Response>();
@@ -105,11 +106,11 @@ void CoupledTable::respond(const Frame& frame) {
     response.x.resize(padded(count));
     response.y.resize(padded(count));
     // The regime's own scaled state is x / mass, y / sqrt(mass).
-    const double root = std::sqrt(mode.mass);
-    const OscillatorStep s =
-        oscillator_step(frame.omega_radps * nodes_.a.step_s() / root, frame.damping_ratio / root);
+    const double root = std::sqrt(contact.mass);
+    const OscillatorStep s = oscillator_step(building.omega_radps * nodes_.a.step_s() / root,
+                                             building.damping_ratio / root);
     steps.push_back({s.xx, s.xy * root, s.xy / root, s.yy, s.x_start, s.x_end, s.y_start / root,
-                     s.y_end / root, mode.mass * sign_, mode.weight * vertical_ratio_,
+                     s.y_end / root, contact.mass * sign_, contact.weight * vertical_ratio_,
                      response.x.data(), response.y.data()});
   }
   const GroundLine ground = accelerations(1.0, 1.0);
@@ -117,29 +118,32 @@ void CoupledTable::respond(const Frame& frame) {
   if (steps.size() == 2) walk<2>(steps, ground.a, ground.w, count);
   if (steps.size() == 3) walk<3>(steps, ground.a, ground.w, count);
   for (std::size_t k = 0; k < 3; ++k)
-    if (responses_[k]->swing.empty()) set_bounds(*responses_[k], regimes_[k], frame.damping_ratio);
+    if (responses_[k]->amplitude.empty())
+      set_bounds(*responses_[k], regimes_[k], building.damping_ratio);
 }
 
-void CoupledTable::set_bounds(Response& response, const Regime& r, double damping_ratio) const {
+void CoupledTable::set_bounds(Response& response, const RegimeOscillator& r,
+                              double damping_ratio) const {
   const std::size_t count = nodes_.quiet + 1;
-  response.swing = block_values(count);
-  SwingFill fill{response.x.data(),
-                 response.y.data(),
-                 accelerations(r.mode.mass * sign_, r.mode.weight * vertical_ratio_),
-                 r.lag,
-                 1.0 / (r.omega_radps * r.dt_s),
-                 r.alpha_radps / r.beta_radps,
-                 r.omega_radps / r.beta_radps,
-                 1.0 / r.mode.mass,
-                 2.0 * damping_ratio,
-                 response.swing.data(),
-                 0.0,
-                 0.0};
-  fill_swing(fill, count);
-  const double most = *std::max_element(response.swing.begin(), response.swing.end());
-  const double w = std::abs(r.mode.weight * vertical_ratio_) * nodes_.largest_w_mps2;
+  response.amplitude = tile_values(count);
+  AmplitudeFill fill{response.x.data(),
+                     response.y.data(),
+                     accelerations(r.contact.mass * sign_, r.contact.weight * vertical_ratio_),
+                     r.lag,
+                     1.0 / (r.omega_radps * r.dt_s),
+                     r.alpha_radps / r.beta_radps,
+                     r.omega_radps / r.beta_radps,
+                     1.0 / r.contact.mass,
+                     2.0 * damping_ratio,
+                     response.amplitude.data(),
+                     0.0,
+                     0.0};
+  fill_amplitude(fill, count);
+  const double most = *std::max_element(response.amplitude.begin(), response.amplitude.end());
+  const double w = std::abs(r.contact.weight * vertical_ratio_) * nodes_.largest_w_mps2;
   response.largest_a_mps2 =
-      ((fill.largest_elastic + w) / r.mode.mass + 0.125 * r.phase * r.phase * most) * (1.0 + 1e-9);
+      ((fill.resisting_bound + w) / r.contact.mass + 0.125 * r.phase * r.phase * most) *
+      (1.0 + 1e-9);
   const double step = r.omega_radps * r.dt_s;
   response.largest_x_mps2 =
       (fill.largest_x +
@@ -148,47 +152,47 @@ void CoupledTable::set_bounds(Response& response, const Regime& r, double dampin
 }
 
 void CoupledTable::set_rest(double damping_ratio) {
-  const Regime& r = regimes_[0];
+  const RegimeOscillator& r = regimes_[0];
   const Response& response = *responses_[0];
   const std::size_t count = nodes_.quiet + 1;
   const auto fill = [&](double per_g, std::vector<float>& values) {
     values.resize(padded(count));
-    rest_.block_below.resize(response.swing.size());
-    rest_.block_above.resize(response.swing.size());
-    const double per_mass = -1.0 / r.mode.mass;
+    rest_.tile_below.resize(response.amplitude.size());
+    rest_.tile_above.resize(response.amplitude.size());
+    const double per_mass = -1.0 / r.contact.mass;
     fill_line({response.x.data(), response.y.data(), per_mass, 2.0 * damping_ratio * per_mass,
-               accelerations(0.0, -per_g * vertical_ratio_), values.data(),
-               rest_.block_below.data(), rest_.block_above.data()},
+               accelerations(0.0, -per_g * vertical_ratio_), values.data(), rest_.tile_below.data(),
+               rest_.tile_above.data()},
               count);
   };
   fill(highest_per_g_, rest_.above);
   if (vertical_ratio_ != 0.0) {
-    const std::vector<float> block_above = rest_.block_above;
+    const std::vector<float> tile_above = rest_.tile_above;
     fill(lowest_per_g_, rest_.below);
-    rest_.block_above = block_above;
+    rest_.tile_above = tile_above;
   } else {
     rest_.below = rest_.above;
   }
-  const float sag = static_cast<float>(0.125 * r.phase * r.phase) * room;
-  for (std::size_t b = 0; b < blocks_of(count); ++b) {
-    rest_.block_below[b] -= sag * response.swing[b];
-    rest_.block_above[b] += sag * response.swing[b];
-    rest_.largest = std::max({rest_.largest, -static_cast<double>(rest_.block_below[b]),
-                              static_cast<double>(rest_.block_above[b])});
+  const float deviation = static_cast<float>(0.125 * r.phase * r.phase) * room;
+  for (std::size_t b = 0; b < tiles_of(count); ++b) {
+    rest_.tile_below[b] -= deviation * response.amplitude[b];
+    rest_.tile_above[b] += deviation * response.amplitude[b];
+    rest_.largest = std::max({rest_.largest, -static_cast<double>(rest_.tile_below[b]),
+                              static_cast<double>(rest_.tile_above[b])});
   }
 }
 
 std::shared_ptr<CoupledTable::Speed> CoupledTable::speed_of(int direction) const {
-  const Regime& r = regime(direction);
+  const RegimeOscillator& r = regime(direction);
   const Response& of = response(direction);
   const std::size_t count = nodes_.quiet + 1;
   auto speed = std::make_shared<Speed>();
   speed->gain.resize(padded(count));
-  std::vector<float> lowest = block_values(count), highest = lowest;
-  const double c_w = r.mode.drive.w / r.mode.drive.a * vertical_ratio_;
+  std::vector<float> lowest = tile_values(count), highest = lowest;
+  const double c_w = r.contact.drive.w / r.contact.drive.a * vertical_ratio_;
   GroundLine ground = accelerations(sign_, c_w);
-  speed->block_sag = block_values(count);
-  fill_change(ground, speed->block_sag.data(), count);
+  speed->tile_deviation = tile_values(count);
+  fill_change(ground, speed->tile_deviation.data(), count);
   ground.a = nodes_.a.velocity_mps().data();
   if (ground.w != nullptr) ground.w = nodes_.w.velocity_mps().data();
   fill_line({of.x.data(), of.y.data(), 0.0, 1.0 / r.omega_radps, ground, speed->gain.data(),
@@ -196,8 +200,8 @@ std::shared_ptr<CoupledTable::Speed> CoupledTable::speed_of(int direction) const
             count);
   const float per_change = static_cast<float>(0.125 * r.dt_s) * room,
               phase = static_cast<float>(r.phase) * room;
-  for (std::size_t b = 0; b < blocks_of(count); ++b) {
-    speed->block_sag[b] = per_change * (speed->block_sag[b] + phase * of.swing[b]);
+  for (std::size_t b = 0; b < tiles_of(count); ++b) {
+    speed->tile_deviation[b] = per_change * (speed->tile_deviation[b] + phase * of.amplitude[b]);
     speed->largest = std::max(
         {speed->largest, -static_cast<double>(lowest[b]), static_cast<double>(highest[b])});
   }

@@ -27,38 +27,39 @@ struct CoupledNodes {
 /// free vibration that its last event left.
 class CoupledTable {
  public:
-  static constexpr std::size_t block = 64;  ///< nodes
+  static constexpr std::size_t tile = 64;  ///< nodes
   /// Tables of so many zeros stand for what follows the record.
-  static constexpr std::size_t zeros = 8 * block;
+  static constexpr std::size_t zeros = 8 * tile;
 
   /// @param sign of the motion; @param vertical_ratio of the vertical's factor to that of the
   /// horizontal without its sign
-  CoupledTable(const CoupledNodes& nodes, const CoupledContact& contact, const Frame& frame,
-               double sign, double vertical_ratio);
+  CoupledTable(const CoupledNodes& nodes, const CoupledContact& contact,
+               const BuildingOscillator& building, double sign, double vertical_ratio);
 
   /// Of one oscillator.
   struct Response {
     std::vector<double> x, y;  ///< scaled state by node
-    std::vector<float> swing;  ///< by block: |s^2 z| from its nodes and the one before is no more
+    std::vector<float>
+        amplitude;                ///< by tile: |s^2 z| from its nodes and the one before is no more
     double largest_a_mps2 = 0.0;  ///< |a| is no more, but for what the vertical and the weight do
     double largest_x_mps2 = 0.0;  ///< nor is |x|
   };
   /// For the search while the block rests: a less what the vertical does to the limit below, and
   /// above. Without vertical the two are the same.
   struct Rest {
-    std::vector<float> below, above;              ///< by node
-    std::vector<float> block_below, block_above;  ///< extremes, between nodes too
+    std::vector<float> below, above;            ///< by node
+    std::vector<float> tile_below, tile_above;  ///< extremes, between nodes too
     double largest = 0.0;
   };
   /// For the search while it slides: the speed gained since time zero over drive.a.
   struct Speed {
-    std::vector<float> gain;       ///< by node
-    std::vector<float> block_sag;  ///< by block: how far it may leave its chord between nodes
+    std::vector<float> gain;            ///< by node
+    std::vector<float> tile_deviation;  ///< by tile: how far it may leave its chord between nodes
     double largest = 0.0;
   };
 
   /// Direction 0 stuck, +1 sliding down, -1 up.
-  const Regime& regime(int direction) const { return regimes_[index(direction)]; }
+  const RegimeOscillator& regime(int direction) const { return regimes_[index(direction)]; }
   const Response& response(int direction) const { return *responses_[index(direction)]; }
   const Rest& rest() const { return rest_; }
   const Speed& speed(int direction) const { return *speeds_[index(direction)]; }
@@ -71,15 +72,15 @@ class CoupledTable {
  private:
   static std::size_t index(int direction) { return direction == 0 ? 0 : direction > 0 ? 1 : 2; }
   GroundLine accelerations(double a_factor, double w_factor) const;
-  void respond(const Frame& frame);
-  void set_bounds(Response& response, const Regime& regime, double damping_ratio) const;
+  void respond(const BuildingOscillator& building);
+  void set_bounds(Response& response, const RegimeOscillator& regime, double damping_ratio) const;
   void set_rest(double damping_ratio);
   std::shared_ptr<Speed> speed_of(int direction) const;
 
   const CoupledNodes& nodes_;
   double sign_, vertical_ratio_;
   double lowest_per_g_, highest_per_g_;
-  std::array<Regime, 3> regimes_;
+  std::array<RegimeOscillator, 3> regimes_;
   std::array<std::shared_ptr<Response>, 3> responses_;  // equal regimes share one
   Rest rest_;
   std::array<std::shared_ptr<Speed>, 3> speeds_;  // none of a block at rest

@@ -15,9 +15,9 @@ namespace {
 
 using block_detail::CoupledBody;
 using block_detail::CoupledContact;
-using block_detail::Cut;
 using block_detail::GroundPiece;
 using block_detail::Roof;
+using block_detail::Subdivision;
 
 /// The ground motion times its factors, mirrored if the surface falls toward -x; zero after the
 /// last sample.
@@ -49,22 +49,23 @@ class Ground {
 void walk_interval(CoupledBody& body, const Ground& ground, std::size_t i, int pieces) {
   const Roof begin = ground.at(i - 1), end = i < ground.samples() ? ground.at(i) : Roof{};
   const double dt = ground.dt_s();
-  const auto share = [&](int part) {
+  const auto fraction = [&](int part) {
     if (part == pieces) return end;
-    const double y = static_cast<double>(part) / pieces;
-    return Roof{begin.a + y * (end.a - begin.a), begin.w + y * (end.w - begin.w)};
+    const double tau = static_cast<double>(part) / pieces;
+    return Roof{begin.a + tau * (end.a - begin.a), begin.w + tau * (end.w - begin.w)};
   };
   for (int part = 0; part < pieces; ++part) {
     const double at_end = static_cast<double>(i - 1) + static_cast<double>(part + 1) / pieces;
-    body.advance({dt / pieces, share(part), share(part + 1)}, at_end * dt);
+    body.advance({dt / pieces, fraction(part), fraction(part + 1)}, at_end * dt);
   }
 }
 
 /// The ground is at rest from sample `quiet` on. A free vibration has its largest displacement and
 /// acceleration within one period.
-void ring_down(CoupledBody& body, const Ground& ground, std::size_t quiet, const Cut& cut,
-               const CoupledBuilding& building, const Block& block) {
-  if (cut.frame.rigid()) return body.coast();
+void ring_down(CoupledBody& body, const Ground& ground, std::size_t quiet,
+               const Subdivision& subdivision, const CoupledBuilding& building,
+               const Block& block) {
+  if (subdivision.building.rigid()) return body.coast();
   const double period_s = building.horizontal.period_s * std::sqrt(1.0 + building.mass_ratio);
   const std::size_t last = quiet + block_detail::longest_ring_down(ground.dt_s());
   double at_rest_s = 0.0;
@@ -74,7 +75,7 @@ void ring_down(CoupledBody& body, const Ground& ground, std::size_t quiet, const
         cannot_slip(block, body.largest_acceleration_to_come_mps2(), 0.0))
       return;
     if (i == last) return body.coast();
-    walk_interval(body, ground, ++i, cut.pieces);
+    walk_interval(body, ground, ++i, subdivision.pieces);
     at_rest_s = settled() ? at_rest_s + ground.dt_s() : 0.0;
   }
 }
@@ -110,20 +111,21 @@ CoupledResult block_detail::walk_coupled(const GroundMotion& motion, const Motio
   const double mirror = block.slope_rad < 0.0 ? -1.0 : 1.0;
   const CoupledContact contact(block, std::abs(block.slope_rad), building.mass_ratio);
   const Ground ground(motion, factors, mirror);
-  const Cut cut_building = block_detail::cut(building.horizontal, contact, motion.dt_s);
+  const Subdivision subdivision =
+      block_detail::subdivide(building.horizontal, contact, motion.dt_s);
   const Yielding& spring = building.yielding;
   require_no_rigid_spring(building.horizontal, spring, motion.dt_s);
   GLISSADE_EXPECTS(spring.yield_acceleration_mps2 > 0.0);
   GLISSADE_EXPECTS(spring.hardening_ratio >= 0.0 && spring.hardening_ratio < 1.0);
-  CoupledBody body(contact, cut_building.frame, block, watch.keeps, spring);
+  CoupledBody body(contact, subdivision.building, block, watch.keeps, spring);
   body.keep(watch.history);
   body.crossings() = {watch.thresholds_m, watch.crossings, contact.cos_slope()};
 
   const std::size_t n =
       contact.slides_at_rest() ? ground.samples() : ground.samples_without_trailing_zeros();
-  for (std::size_t i = 1; i < n; ++i) walk_interval(body, ground, i, cut_building.pieces);
-  if (!contact.slides_at_rest()) walk_interval(body, ground, n, cut_building.pieces);
-  if (contact.stops_at_rest()) ring_down(body, ground, n, cut_building, building, block);
+  for (std::size_t i = 1; i < n; ++i) walk_interval(body, ground, i, subdivision.pieces);
+  if (!contact.slides_at_rest()) walk_interval(body, ground, n, subdivision.pieces);
+  if (contact.stops_at_rest()) ring_down(body, ground, n, subdivision, building, block);
   CoupledResult result = body.result();
   if (mirror < 0.0) result.residual_roof_displacement_m = 0.0 - result.residual_roof_displacement_m;
   result.slip.free_sliding = body.slides_at_rest() || body.sliding();

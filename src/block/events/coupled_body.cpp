@@ -14,30 +14,30 @@ Block with_static_friction(Block block) {
 }
 }  // namespace
 
-CoupledBody::CoupledBody(const CoupledContact& contact, const Frame& frame, const Block& block,
-                         Keeps keeps, const Yielding& yielding)
+CoupledBody::CoupledBody(const CoupledContact& contact, const BuildingOscillator& building,
+                         const Block& block, Keeps keeps, const Yielding& yielding)
     : contact_(contact),
       at_rest_(with_static_friction(block), std::abs(block.slope_rad), contact.mass_ratio()),
-      frame_(frame),
+      building_(building),
       block_(block),
       keeps_(keeps),
       breaks_away_(block.law.static_ratio > 1.0 && block.friction > 0.0),
-      energy_(frame, contact),
+      energy_(building, contact),
       spring_(yielding) {}
 
-Mode CoupledBody::mode() const {
+ContactRegime CoupledBody::regime() const {
   if (direction_ == 0) return contact_.stuck();
   if (lifted_) return contact_.lifted(direction_);
   return direction_ > 0 ? contact_.sliding_down() : contact_.sliding_up();
 }
 
 /// A phase that begins at its threshold has its drive exactly zero there, and rising.
-SlipSeries CoupledBody::slip_series(const Mode& mode, const RoofMotionSeries& roof,
+SlipSeries CoupledBody::slip_series(const ContactRegime& regime, const RoofMotionSeries& roof,
                                     double length_s) const {
   SlipSeries slip;
   slip.direction = direction_;
   if (direction_ == 0) return slip;
-  Series drive = roof.line(mode.drive);
+  Series drive = roof.line(regime.drive);
   if (at_threshold_) {
     drive.c[0] = 0.0;
     drive.c[1] = std::max(drive.c[1], 0.0);
@@ -49,11 +49,12 @@ SlipSeries CoupledBody::slip_series(const Mode& mode, const RoofMotionSeries& ro
 
 /// When the block starts from rest. Its drive is zero or less in the direction in which it has just
 /// stopped.
-double CoupledBody::start_share(const RoofMotionSeries& roof, double a_swing, int direction) const {
+double CoupledBody::start_fraction(const RoofMotionSeries& roof, double a_change,
+                                   int direction) const {
   const DriveLine line = lifted_         ? contact_.frictionless(direction)
                          : direction > 0 ? at_rest_.down()
                                          : at_rest_.up();
-  if (roof.is_negative(line, a_swing)) return never;
+  if (roof.is_negative(line, a_change)) return never;
   Series drive = roof.line(line);
   if (stopped_direction_ == direction) {
     drive.c[0] = std::min(drive.c[0], 0.0);
@@ -63,8 +64,8 @@ double CoupledBody::start_share(const RoofMotionSeries& roof, double a_swing, in
 }
 
 /// When contact is lost, or found again.
-double CoupledBody::contact_share(const RoofMotionSeries& roof, double a_swing) const {
-  if (chatters_ || (!lifted_ && roof.is_negative(contact_.lift(), a_swing))) return never;
+double CoupledBody::contact_fraction(const RoofMotionSeries& roof, double a_change) const {
+  if (chatters_ || (!lifted_ && roof.is_negative(contact_.lift(), a_change))) return never;
   Series lift = roof.line(contact_.lift());
   if (just_lifted_or_landed_) lift.c[0] = 0.0;
   return lifted_ ? first_fall(lift) : first_rise(lift);
@@ -73,20 +74,20 @@ double CoupledBody::contact_share(const RoofMotionSeries& roof, double a_swing) 
 CoupledBody::NextEvent CoupledBody::first_event(const RoofMotionSeries& roof,
                                                 const SlipSeries& slip) const {
   NextEvent next;
-  const double a_swing = roof.swing();
+  const double a_change = roof.largest_change();
   if (direction_ == 0) {
-    next.sooner(Event::starts_down, start_share(roof, a_swing, +1));
+    next.sooner(Event::starts_down, start_fraction(roof, a_change, +1));
     if (block_.directions == SlipDirections::both)
-      next.sooner(Event::starts_up, start_share(roof, a_swing, -1));
+      next.sooner(Event::starts_up, start_fraction(roof, a_change, -1));
   } else {
     next.sooner(Event::stops, first_fall(slip.speed));
   }
-  next.sooner(Event::lifts_or_lands, contact_share(roof, a_swing));
+  next.sooner(Event::lifts_or_lands, contact_fraction(roof, a_change));
   if (spring_.yielding()) {
-    next.sooner(Event::unloads, spring_.unload_share(roof.y));
+    next.sooner(Event::unloads, spring_.unload_fraction(roof.y));
   } else if (spring_.yields()) {
-    next.sooner(Event::yields_up, spring_.yield_share(roof.x, +1));
-    next.sooner(Event::yields_down, spring_.yield_share(roof.x, -1));
+    next.sooner(Event::yields_up, spring_.yield_fraction(roof.x, +1));
+    next.sooner(Event::yields_down, spring_.yield_fraction(roof.x, -1));
   }
   return next;
 }
@@ -96,15 +97,15 @@ void CoupledBody::advance(GroundPiece ground, double end_time_s) {
   stopped_direction_ = 0;
   at_threshold_ = refused_ = just_lifted_or_landed_ = false;
   for (int events = 0; events < 64; ++events) {
-    const Mode now = mode();
-    const RoofMotionSeries roof =
-        roof_motion_series(frame_, now, contact_.gravity(), roof_, spring_.line(roof_.x), ground);
+    const ContactRegime now = regime();
+    const RoofMotionSeries roof = roof_motion_series(building_, now, contact_.gravity(), roof_,
+                                                     spring_.line(roof_.x), ground);
     const SlipSeries slip = slip_series(now, roof, ground.length_s);
     // With no normal force a block may lift and land without end.
     chatters_ = events > 32;
     const NextEvent next = first_event(roof, slip);
     pass(ground, roof, slip, next);
-    ground.cut(next.share);
+    ground.keep_after(next.fraction);
     if (next.event == Event::none) {
       time_ = piece_end_;
       return record(ground);
@@ -118,49 +119,50 @@ void CoupledBody::advance(GroundPiece ground, double end_time_s) {
 
 void CoupledBody::pass(const GroundPiece& ground, const RoofMotionSeries& roof,
                        const SlipSeries& slip, const NextEvent& next) {
-  const double share = next.share;
-  const auto raise = [share](double& peak, const Series& of) {
-    if (of.bound() > peak) peak = std::max(peak, largest(of, share));
+  const double fraction = next.fraction;
+  const auto raise = [fraction](double& peak, const Series& of) {
+    if (of.bound() > peak) peak = std::max(peak, largest(of, fraction));
   };
-  raise(peaks_.elastic_mps2, roof.elastic);
+  raise(peaks_.resisting_mps2, roof.resisting);
   raise(peaks_.x_mps2, roof.x);
   if (keeps_ == Keeps::all) {
     raise(result_.peak_roof_acceleration_mps2, roof.a);
-    energy_.add(ground, roof, slip, share);
+    energy_.add(ground, roof, slip, fraction);
   }
   result_.slip.uplift |= lifted_;
   if (direction_ != 0) {
     double& peak = result_.slip.peak_velocity_mps;
     if (keeps_ == Keeps::all && slip.speed.bound() > peak)
-      peak = std::max(peak, highest(slip.speed, share));
+      peak = std::max(peak, highest(slip.speed, fraction));
     const double begin = slip_;
-    slip_ += direction_ * std::max(slip.speed.integral(ground.length_s, 0.0).at(share), 0.0);
+    slip_ += direction_ * std::max(slip.speed.integral(ground.length_s, 0.0).at(fraction), 0.0);
     if (crossings_.reached(slip_))
-      crossings_.follow({direction_, begin, slip_, time_}, slip.speed, ground.length_s, share,
+      crossings_.follow({direction_, begin, slip_, time_}, slip.speed, ground.length_s, fraction,
                         next.event == Event::stops);
-    speed_ = std::max(slip.speed.at(share), 0.0);
-    result_.slip.slip_duration_s += share * ground.length_s;
+    speed_ = std::max(slip.speed.at(fraction), 0.0);
+    result_.slip.slip_duration_s += fraction * ground.length_s;
   }
-  if (spring_.yields()) spring_.pass(roof.x, share);
-  roof_ = {roof.x.at(share), roof.y.at(share)};
-  time_ = std::min(time_ + share * ground.length_s, piece_end_);
+  if (spring_.yields()) spring_.pass(roof.x, fraction);
+  roof_ = {roof.x.at(fraction), roof.y.at(fraction)};
+  time_ = std::min(time_ + fraction * ground.length_s, piece_end_);
 }
 
 /// The forces do not jump, only their rates.
 void CoupledBody::happen_to_spring(const NextEvent& next) {
   refused_ = false;
-  if (next.share > 0.0) at_threshold_ = just_lifted_or_landed_ = false;
+  if (next.fraction > 0.0) at_threshold_ = just_lifted_or_landed_ = false;
   if (next.event != Event::unloads) return spring_.yield(next.event == Event::yields_up ? +1 : -1);
   roof_.y = spring_.unload(roof_.y);
 }
 
 void CoupledBody::happen(const NextEvent& next) {
-  if (breaks_away_ && next.share > 0.0) stopped_direction_ = 0;
+  if (breaks_away_ && next.fraction > 0.0) stopped_direction_ = 0;
   if (next.of_spring()) return happen_to_spring(next);
   const auto starts = [&](int direction) {
     // At rest until now, or only just stopped: its drive is not positive yet, unless it breaks
     // away.
-    at_threshold_ = next.share > 0.0 ? lifted_ || !breaks_away_ : stopped_direction_ == direction;
+    at_threshold_ =
+        next.fraction > 0.0 ? lifted_ || !breaks_away_ : stopped_direction_ == direction;
     stopped_direction_ = 0;
     start(direction);
   };
@@ -171,7 +173,7 @@ void CoupledBody::happen(const NextEvent& next) {
     case Event::starts_up:
       return starts(-1);
     case Event::stops:
-      refused_ = (at_threshold_ || breaks_away_) && next.share == 0.0;
+      refused_ = (at_threshold_ || breaks_away_) && next.fraction == 0.0;
       stopped_direction_ = direction_;
       break;
     case Event::lifts_or_lands:
@@ -193,12 +195,13 @@ void CoupledBody::stop() {
 
 void CoupledBody::record(const GroundPiece& ground) const {
   if (!history_) return;
-  const Mode now = mode();
-  const double elastic = -(spring_.force(roof_.x) + 2.0 * frame_.damping_ratio * roof_.y);
-  const double a = frame_.rigid()
-                       ? ground.begin.a
-                       : (elastic - now.weight * (contact_.gravity() + ground.begin.w)) / now.mass;
-  const double per_omega = frame_.rigid() ? 0.0 : 1.0 / frame_.omega_radps;
+  const ContactRegime now = regime();
+  const double resisting = -(spring_.force(roof_.x) + 2.0 * building_.damping_ratio * roof_.y);
+  const double a =
+      building_.rigid()
+          ? ground.begin.a
+          : (resisting - now.weight * (contact_.gravity() + ground.begin.w)) / now.mass;
+  const double per_omega = building_.rigid() ? 0.0 : 1.0 / building_.omega_radps;
   history_({time_, slip_ * contact_.cos_slope(), direction_ * speed_ * contact_.cos_slope(),
             roof_.x * per_omega * per_omega, a, spring_.force(roof_.x)});
 }
@@ -221,7 +224,7 @@ void CoupledBody::coast() {
 Envelope CoupledBody::free_vibration() const {
   const double mass = contact_.stuck().mass, root = std::sqrt(mass);
   return free_vibration_envelope(spring_.force(roof_.x) / mass, roof_.y / root,
-                                 frame_.damping_ratio / root);
+                                 building_.damping_ratio / root);
 }
 
 bool CoupledBody::may_yield() const {
@@ -230,8 +233,8 @@ bool CoupledBody::may_yield() const {
 }
 
 double CoupledBody::largest_acceleration_to_come_mps2() const {
-  if (frame_.rigid()) return 0.0;
-  const double zeta = frame_.damping_ratio / std::sqrt(contact_.stuck().mass);
+  if (building_.rigid()) return 0.0;
+  const double zeta = building_.damping_ratio / std::sqrt(contact_.stuck().mass);
   return (1.0 + 2.0 * zeta) * free_vibration().amplitude;
 }
 
@@ -243,10 +246,10 @@ CoupledResult CoupledBody::result() const {
   r.slip.peak_displacement_m = std::max(r.slip.peak_downslope_m, r.slip.peak_upslope_m);
   r.slip.residual_displacement_m = slip_ * cosine;
   r.slip.peak_velocity_mps *= cosine;
-  r.peak_base_shear = peaks_.elastic_mps2 / contact_.gravity();
+  r.peak_base_shear = peaks_.resisting_mps2 / contact_.gravity();
   r.ductility = peaks_.x_mps2 / spring_.limit();
-  if (!frame_.rigid()) {
-    const double square = frame_.omega_radps * frame_.omega_radps;
+  if (!building_.rigid()) {
+    const double square = building_.omega_radps * building_.omega_radps;
     r.peak_roof_displacement_m = peaks_.x_mps2 / square;
     r.residual_roof_displacement_m = spring_.offset(roof_.x) / square;
   }

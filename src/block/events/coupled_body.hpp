@@ -21,8 +21,8 @@ class CoupledBody {
   /// Also the energy and the peaks of slip speed and roof acceleration, or only CoupledPeak's.
   enum class Keeps { all, peaks };
 
-  CoupledBody(const CoupledContact& contact, const Frame& frame, const Block& block, Keeps keeps,
-              const Yielding& yielding = {});
+  CoupledBody(const CoupledContact& contact, const BuildingOscillator& building, const Block& block,
+              Keeps keeps, const Yielding& yielding = {});
   void keep(History history) { history_ = std::move(history); }
   CoupledCrossings& crossings() { return crossings_; }
 
@@ -48,7 +48,7 @@ class CoupledBody {
   void stop();
   /// Largest |E| and |x| so far.
   struct Peaks {
-    double elastic_mps2 = 0.0, x_mps2 = 0.0;
+    double resisting_mps2 = 0.0, x_mps2 = 0.0;
   };
 
   const RoofState& roof() const { return roof_; }
@@ -78,20 +78,21 @@ class CoupledBody {
   };
   struct NextEvent {
     Event event = Event::none;
-    double share = 1.0;
+    double fraction = 1.0;
     bool of_spring() const {
       return event == Event::yields_up || event == Event::yields_down || event == Event::unloads;
     }
-    void sooner(Event candidate, double y) {
-      if (y < share) *this = {candidate, y};
+    void sooner(Event candidate, double tau) {
+      if (tau < fraction) *this = {candidate, tau};
     }
   };
 
-  Mode mode() const;
-  SlipSeries slip_series(const Mode& mode, const RoofMotionSeries& roof, double length_s) const;
+  ContactRegime regime() const;
+  SlipSeries slip_series(const ContactRegime& regime, const RoofMotionSeries& roof,
+                         double length_s) const;
   NextEvent first_event(const RoofMotionSeries& roof, const SlipSeries& slip) const;
-  double start_share(const RoofMotionSeries& roof, double a_swing, int direction) const;
-  double contact_share(const RoofMotionSeries& roof, double a_swing) const;
+  double start_fraction(const RoofMotionSeries& roof, double a_change, int direction) const;
+  double contact_fraction(const RoofMotionSeries& roof, double a_change) const;
   void pass(const GroundPiece& ground, const RoofMotionSeries& roof, const SlipSeries& slip,
             const NextEvent& next);
   void happen(const NextEvent& next);
@@ -100,7 +101,7 @@ class CoupledBody {
   void record(const GroundPiece& ground) const;
 
   CoupledContact contact_, at_rest_;  // with the friction of sliding, and static friction
-  Frame frame_;
+  BuildingOscillator building_;
   Block block_;
   Keeps keeps_;
   bool breaks_away_;  // with more than what holds it sliding

@@ -16,9 +16,9 @@ namespace glissade::block_detail {
 /// Fourteen terms and more fall below rounding on a piece of this phase.
 constexpr double longest_phase = 0.4;  // 1/16 period
 
-/// Effect of the block on the roof: mass a = E - weight (g + w), with E the elastic and damping
-/// acceleration of the building alone.
-struct Mode {
+/// Effect of the block on the roof: mass a = E - weight (g + w), with E the spring and damping
+/// force per mass of the building, opposite to its displacement.
+struct ContactRegime {
   double mass = 1.0, weight = 0.0;
   DriveLine drive;  ///< while sliding: the block's, in its own direction
 };
@@ -32,10 +32,12 @@ class CoupledContact : public Contact {
         sin_(std::sin(slope)),
         g_(block.gravity_mps2) {}
 
-  Mode stuck() const { return {1.0 + mass_ratio_, 0.0, {}}; }
-  Mode sliding_down() const { return contact_mode(down(), down().w); }
-  Mode sliding_up() const { return contact_mode(up(), -up().w); }
-  Mode lifted(int direction) const { return contact_mode(frictionless(direction), sin_); }
+  ContactRegime stuck() const { return {1.0 + mass_ratio_, 0.0, {}}; }
+  ContactRegime sliding_down() const { return sliding_regime(down(), down().w); }
+  ContactRegime sliding_up() const { return sliding_regime(up(), -up().w); }
+  ContactRegime lifted(int direction) const {
+    return sliding_regime(frictionless(direction), sin_);
+  }
   /// Without friction, in the direction of sliding.
   DriveLine frictionless(int direction) const {
     return {-direction * cos_slope(), direction * sin_, direction * sin_ * gravity()};
@@ -46,25 +48,25 @@ class CoupledContact : public Contact {
 
  private:
   /// @param q sin - sigma mu cos: the contact force pushes the roof by -m q N'/cos per N'
-  Mode contact_mode(const DriveLine& drive, double q) const {
+  ContactRegime sliding_regime(const DriveLine& drive, double q) const {
     return {1.0 + mass_ratio_ * sin_ * q, mass_ratio_ * cos_slope() * q, drive};
   }
   double mass_ratio_, sin_, g_;
 };
 
 /// The oscillator of the building without the array.
-struct Frame {
+struct BuildingOscillator {
   double omega_radps = 0.0, damping_ratio = 0.0;  ///< omega 0: rigid
   int terms = 0;                                  ///< of a series on a piece
   bool rigid() const { return omega_radps == 0.0; }
 };
 
-/// The oscillator, and into how many pieces of equal length a sample interval must be cut for it.
-struct Cut {
-  Frame frame;
+/// The oscillator, and into how many pieces of equal length a sample interval is divided for it.
+struct Subdivision {
+  BuildingOscillator building;
   int pieces = 1;
 };
-Cut cut(const Oscillator& oscillator, const CoupledContact& contact, double dt_s);
+Subdivision subdivide(const Oscillator& oscillator, const CoupledContact& contact, double dt_s);
 
 /// Limit of the ring-down in sample intervals, reached by undamped buildings.
 /// @throw NotConverged if the step is so short that it would take minutes
@@ -80,10 +82,10 @@ inline std::size_t longest_ring_down(double dt_s) {
 struct GroundPiece {
   double length_s = 0.0;
   Roof begin, end;
-  void cut(double y) {
-    begin.a += (end.a - begin.a) * y;
-    begin.w += (end.w - begin.w) * y;
-    length_s *= 1.0 - y;
+  void keep_after(double tau) {
+    begin.a += (end.a - begin.a) * tau;
+    begin.w += (end.w - begin.w) * tau;
+    length_s *= 1.0 - tau;
   }
 };
 
@@ -92,22 +94,22 @@ struct RoofState {
   double x = 0.0, y = 0.0;
 };
 
-/// The building over a piece, in one mode.
+/// The building over a piece, in one regime of contact.
 struct RoofMotionSeries {
-  Series x, y;     ///< scaled state
-  Series elastic;  ///< E = -(f + 2 zeta y), f = x where the spring has not yielded
-  Series a;        ///< absolute acceleration
+  Series x, y;       ///< scaled state
+  Series resisting;  ///< E = -(f + 2 zeta y), f = x where the spring has not yielded
+  Series a;          ///< absolute acceleration
   double w_begin, w_rise;
 
   /// Bound of the change of a from its value at the start.
-  double swing() const {
+  double largest_change() const {
     double sum = 0.0;
     for (int k = 1; k < a.terms; ++k) sum += std::abs(a.c[k]);
     return sum;
   }
-  /// From swing() alone, without the series.
-  bool is_negative(const DriveLine& line, double a_swing) const {
-    return line.at({a.c[0], w_begin}) + std::abs(line.a) * a_swing +
+  /// From largest_change() alone, without the series.
+  bool is_negative(const DriveLine& line, double a_change) const {
+    return line.at({a.c[0], w_begin}) + std::abs(line.a) * a_change +
                std::max(line.w * w_rise, 0.0) <
            0.0;
   }
@@ -122,14 +124,14 @@ struct RoofMotionSeries {
   }
 };
 
-RoofMotionSeries roof_motion_series(const Frame& frame, const Mode& mode, double gravity_mps2,
-                                    const RoofState& from, const SpringLine& spring,
-                                    const GroundPiece& ground);
+RoofMotionSeries roof_motion_series(const BuildingOscillator& building, const ContactRegime& regime,
+                                    double gravity_mps2, const RoofState& from,
+                                    const SpringLine& spring, const GroundPiece& ground);
 /// With an elastic spring.
-inline RoofMotionSeries roof_motion_series(const Frame& frame, const Mode& mode,
-                                           double gravity_mps2, const RoofState& from,
-                                           const GroundPiece& ground) {
-  return roof_motion_series(frame, mode, gravity_mps2, from, {from.x, 1.0}, ground);
+inline RoofMotionSeries roof_motion_series(const BuildingOscillator& building,
+                                           const ContactRegime& regime, double gravity_mps2,
+                                           const RoofState& from, const GroundPiece& ground) {
+  return roof_motion_series(building, regime, gravity_mps2, from, {from.x, 1.0}, ground);
 }
 
 }  // namespace glissade::block_detail

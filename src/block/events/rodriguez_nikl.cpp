@@ -128,8 +128,8 @@ SlipResult slide_rodriguez_nikl(const RoofAcceleration& roof, const Block& block
   for (std::size_t i = 0; i < intervals; ++i) {
     const block_detail::Roof r0 = sample(i), r1 = sample(i + 1);
     for (int j = 0; j < substeps; ++j) {
-      const double share = static_cast<double>(j) / substeps;
-      body.step({r0.a + share * (r1.a - r0.a), r0.w + share * (r1.w - r0.w)}, dt);
+      const double fraction = static_cast<double>(j) / substeps;
+      body.step({r0.a + fraction * (r1.a - r0.a), r0.w + fraction * (r1.w - r0.w)}, dt);
     }
   }
   if (slides_at_rest) {

@@ -10,7 +10,7 @@
 
 namespace glissade::block_detail {
 
-/// The time, or share of a piece, of what does not happen in it.
+/// The time, or fraction of a piece, of what does not happen in it.
 constexpr double never = std::numeric_limits<double>::infinity();
 
 /// A function linear in time over what is left of a piece of a sample interval.
@@ -102,9 +102,9 @@ class SlidingBlock {
     };
     if (n0 < 0.0 && n1 < 0.0) return lifted(length, end, r0, r1);
     // Contact is lost or found again where N passes through zero.
-    const double share = n0 / (n0 - n1);
-    const Roof touch{r0.a + share * (r1.a - r0.a), r0.w + share * (r1.w - r0.w)};
-    const double before = share * length, after = (1.0 - share) * length;
+    const double fraction = n0 / (n0 - n1);
+    const Roof touch{r0.a + fraction * (r1.a - r0.a), r0.w + fraction * (r1.w - r0.w)};
+    const double before = fraction * length, after = (1.0 - fraction) * length;
     const double between = std::min(time_ + before, end);
     if (n0 < 0.0) {
       if (before > 0.0) lifted(before, between, r0, touch);

@@ -29,9 +29,9 @@ double onset_factor(const Block& block, const MotionFactors& factors, PeakOf pea
   const Contact contact(block, std::abs(block.slope_rad));
   const auto onset = [&](const DriveLine& drive) {
     if (drive.constant > 0.0) return 0.0;
-    const double push =
+    const double demand =
         peak_of({drive.a * mirror * factors.horizontal, drive.w * factors.vertical, 0.0});
-    return push > 0.0 ? std::abs(drive.constant) / push : infinity;
+    return demand > 0.0 ? std::abs(drive.constant) / demand : infinity;
   };
   const double down = onset(contact.down());
   if (block.directions == SlipDirections::downslope_only) return down;

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "block/full_model/on_building_body.hpp"
+#include "block/full_model/body.hpp"
 #include "glissade/building/rigid.hpp"
 #include "glissade/core/contract.hpp"
 #include "glissade/core/finite.hpp"
@@ -14,8 +14,8 @@ namespace {
 
 using block_detail::BuildingAxis;
 using block_detail::BuildingContact;
-using block_detail::OnBuildingBody;
-using block_detail::Shaken;
+using block_detail::Excitation;
+using block_detail::FullModelBody;
 using block_detail::TwoAxisTrack;
 
 constexpr double longest_piece = 0.4;  // of phase: 1/16 period
@@ -49,18 +49,19 @@ void check([[maybe_unused]] const BuildingGround& ground,
   GLISSADE_EXPECTS(coupling_is_regular(block, building));
 }
 
-block_detail::Mobility mobility(const BuildingContact& contact, const BiaxialBuilding& building) {
+block_detail::Accelerance accelerance(const BuildingContact& contact,
+                                      const BiaxialBuilding& building) {
   block_detail::Axes by_axis{};
   for (std::size_t n = 0; n < 2; ++n)
     if (building.horizontal[n].period_s > 0.0) by_axis[n] = building.mass_ratio;
-  return contact.mobility(by_axis);
+  return contact.accelerance(by_axis);
 }
 
 }  // namespace
 
 bool coupling_is_regular(const TwoAxisBlock& block, const BiaxialBuilding& building) {
   const BuildingContact contact(block);
-  return building.mass_ratio >= 0.0 && contact.is_regular(mobility(contact, building));
+  return building.mass_ratio >= 0.0 && contact.is_regular(accelerance(contact, building));
 }
 
 BuildingSlip slide_on_building(const BuildingGround& ground, const BuildingFactors& factors,
@@ -78,8 +79,8 @@ BuildingSlip slide_on_building(const BuildingGround& ground, const BuildingFacto
   GLISSADE_EXPECTS(tolerance >= 1e-11 && tolerance <= 1e-2);
   std::fill(crossings.begin(), crossings.end(), Crossing{});
 
-  const Shaken shaken(ground, factors);
-  const double dt = shaken.dt_s();
+  const Excitation excitation(ground, factors);
+  const double dt = excitation.dt_s();
   std::array<Oscillator, 2> oscillators = building.horizontal;
   int cut = 1;
   double longest_period_s = 0.0;
@@ -93,18 +94,18 @@ BuildingSlip slide_on_building(const BuildingGround& ground, const BuildingFacto
   longest_period_s *= std::sqrt(1.0 + building.mass_ratio);
   const double r = building.mass_ratio, piece_s = dt / cut;
   const BuildingContact contact(block);
-  OnBuildingBody body(contact,
-                      {BuildingAxis(oscillators[0], building.yielding[0], r, piece_s),
-                       BuildingAxis(oscillators[1], building.yielding[1], r, piece_s)},
-                      r, cut, tolerance,
-                      TwoAxisTrack(contact.loading().to_plan(), thresholds_m, crossings));
+  FullModelBody body(contact,
+                     {BuildingAxis(oscillators[0], building.yielding[0], r, piece_s),
+                      BuildingAxis(oscillators[1], building.yielding[1], r, piece_s)},
+                     r, cut, tolerance,
+                     TwoAxisTrack(contact.loading().to_plan(), thresholds_m, crossings));
 
-  body.follow(shaken, longest_period_s);
+  body.follow(excitation, longest_period_s);
 
   BuildingSlip result;
   result.slip = body.result();
   for (std::size_t k = 0; k < 2; ++k) {
-    result.peak_base_shear[k] = body.peaks().elastic[k] / block.gravity_mps2;
+    result.peak_base_shear[k] = body.peaks().resisting[k] / block.gravity_mps2;
     if (oscillators[k].period_s == 0.0) continue;
     const double omega = 2.0 * std::numbers::pi / oscillators[k].period_s;
     result.peak_roof_displacement_m[k] = body.peaks().x[k] / (omega * omega);

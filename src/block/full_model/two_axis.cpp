@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "block/full_model/on_building_body.hpp"
+#include "block/full_model/body.hpp"
 #include "glissade/core/contract.hpp"
 #include "glissade/core/finite.hpp"
 
@@ -13,8 +13,8 @@ namespace {
 
 using block_detail::BuildingAxis;
 using block_detail::BuildingContact;
-using block_detail::OnBuildingBody;
-using block_detail::Shaken;
+using block_detail::Excitation;
+using block_detail::FullModelBody;
 using block_detail::TwoAxisTrack;
 
 [[maybe_unused]] bool is_whole(std::span<const double> component, std::size_t samples) {
@@ -40,8 +40,8 @@ TwoAxisResult slide_with(const TwoAxisAcceleration& roof, const TwoAxisBlock& bl
   const BuildingAxis rigid({}, {}, 0.0, roof.dt_s);
   TwoAxisTrack track(contact.loading().to_plan(), {}, {});
   track.keep(history);
-  OnBuildingBody body(contact, {rigid, rigid}, 0.0, 1, tolerance, track);
-  body.follow(Shaken(roof), 0.0);
+  FullModelBody body(contact, {rigid, rigid}, 0.0, 1, tolerance, track);
+  body.follow(Excitation(roof), 0.0);
   return body.result();
 }
 

@@ -14,7 +14,8 @@ Amplitude small_growth(Amplitude p) {
 
 }  // namespace
 
-BoundedCurve::BoundedCurve(const Curve& f, const Regime& regime, double length, Amplitude at_end)
+BoundedCurve::BoundedCurve(const Curve& f, const RegimeOscillator& regime, double length,
+                           Amplitude at_end)
     : f_(f), regime_(regime), length_(length) {
   const Amplitude b_slope = f.b * regime.s_dt;
   begin_ = f.c0 + f.b.re;
@@ -22,13 +23,13 @@ BoundedCurve::BoundedCurve(const Curve& f, const Regime& regime, double length, 
   begin_slope_ = length * (f.c1 + b_slope.re);
   end_slope_ = length * ((f.c1 + 2.0 * f.c2 * length) + real(b_slope, at_end));
   const double phase = regime.phase * length, second = f.b.size() * phase * phase;
-  sag_ = 0.125 * (second + 2.0 * std::abs(f.c2) * length * length);
-  slope_sag_ = 0.125 * second * phase;
+  deviation_ = 0.125 * (second + 2.0 * std::abs(f.c2) * length * length);
+  slope_deviation_ = 0.125 * second * phase;
   cubic_error_ = second * phase * phase / 384.0;
 }
 
 Proof BoundedCurve::proof() const {
-  if (upper(begin_, end_) + sag_ < 0.0) return Proof::negative;
+  if (upper(begin_, end_) + deviation_ < 0.0) return Proof::negative;
   if (!(begin_ < 0.0)) return Proof::unknown;
   if (end_ > 0.0) return never_falls() ? Proof::rises : Proof::unknown;
   if (!(end_ < 0.0)) return Proof::unknown;
@@ -39,14 +40,15 @@ Proof BoundedCurve::proof() const {
 
 double BoundedCurve::highest_of_cubic() const {
   const double rise = end_ - begin_;
-  // slope = begin_slope + 2 b y + 3 c y^2
+  // slope = begin_slope + 2 b tau + 3 c tau^2
   const double b = 3.0 * rise - 2.0 * begin_slope_ - end_slope_,
                c = begin_slope_ + end_slope_ - 2.0 * rise;
   const double root = std::sqrt(std::max(b * b - 3.0 * c * begin_slope_, 0.0));
   const double q = -(b + std::copysign(root, b));
   double most = upper(begin_, end_);
-  for (const double y : {begin_slope_ / q, q / (3.0 * c)})
-    if (y > 0.0 && y < 1.0) most = std::max(most, begin_ + y * (begin_slope_ + y * (b + y * c)));
+  for (const double tau : {begin_slope_ / q, q / (3.0 * c)})
+    if (tau > 0.0 && tau < 1.0)
+      most = std::max(most, begin_ + tau * (begin_slope_ + tau * (b + tau * c)));
   return most;
 }
 
@@ -55,13 +57,13 @@ double BoundedCurve::first_guess() const {
   const double rise = end_ - begin_;
   const double b = 3.0 * rise - 2.0 * begin_slope_ - end_slope_,
                c = begin_slope_ + end_slope_ - 2.0 * rise;
-  double y = -begin_ / rise;
+  double tau = -begin_ / rise;
   for (int i = 0; i < 3; ++i) {
-    const double value = begin_ + y * (begin_slope_ + y * (b + y * c)),
-                 slope = begin_slope_ + y * (2.0 * b + y * 3.0 * c);
-    y = std::clamp(y - value / slope, 0.0, 1.0);
+    const double value = begin_ + tau * (begin_slope_ + tau * (b + tau * c)),
+                 slope = begin_slope_ + tau * (2.0 * b + tau * 3.0 * c);
+    tau = std::clamp(tau - value / slope, 0.0, 1.0);
   }
-  return y * length_;
+  return tau * length_;
 }
 
 BoundedCurve::Root BoundedCurve::root() const {

@@ -5,7 +5,7 @@
 
 namespace glissade::block_detail {
 
-/// A drive or a speed over what is left of an interval, t in shares of a whole one:
+/// A drive or a speed over what is left of an interval, t in fractions of a whole one:
 ///   f(t) = c0 + c1 t + c2 t^2 + Re(b exp(s dt t)),   0 <= t <= length
 struct Curve {
   double c0 = 0.0, c1 = 0.0, c2 = 0.0;
@@ -24,12 +24,12 @@ enum class Proof {
 class BoundedCurve {
  public:
   /// @param at_end exp(s dt length)
-  BoundedCurve(const Curve& f, const Regime& regime, double length, Amplitude at_end);
+  BoundedCurve(const Curve& f, const RegimeOscillator& regime, double length, Amplitude at_end);
 
   Proof proof() const;
   /// Never falls.
-  bool never_falls() const { return lower(begin_slope_, end_slope_) > slope_sag_; }
-  bool never_rises() const { return upper(begin_slope_, end_slope_) < -slope_sag_; }
+  bool never_falls() const { return lower(begin_slope_, end_slope_) > slope_deviation_; }
+  bool never_rises() const { return upper(begin_slope_, end_slope_) < -slope_deviation_; }
   double begin() const { return begin_; }
   double end() const { return end_; }
 
@@ -49,10 +49,11 @@ class BoundedCurve {
   double first_guess() const;
 
   const Curve& f_;
-  const Regime& regime_;
+  const RegimeOscillator& regime_;
   double length_;
   double begin_, end_, begin_slope_, end_slope_;  // slopes per length
-  double sag_, slope_sag_, cubic_error_;  // f leaves its chord, f' its own, f the cubic by no more
+  double deviation_, slope_deviation_,
+      cubic_error_;  // f leaves its chord, f' its own, f the cubic by no more
 };
 
 }  // namespace glissade::block_detail

@@ -7,7 +7,7 @@
 
 namespace glissade::block_detail {
 
-/// A drive that is a straight line over one interval between nodes, or over the rest of it. y in
+/// A drive that is a straight line over one interval between nodes, or over the rest of it. tau in
 /// [0, 1] is the elapsed fraction of the piece.
 struct LinearPiece {
   struct Interval {
@@ -23,18 +23,18 @@ struct LinearPiece {
   void set(const DriveLine& drive, const Interval& roof, double length) {
     *this = {drive, roof, length};
   }
-  /// Keeps the part after y.
-  void cut(double y) {
-    begin += (end - begin) * y;
-    length_s *= 1.0 - y;
+  /// Keeps the part after tau.
+  void keep_after(double tau) {
+    begin += (end - begin) * tau;
+    length_s *= 1.0 - tau;
   }
 
   /// Time at which the drive first becomes positive, or never.
   double rise() const {
     if (begin > 0.0) return 0.0;
     if (!(end > 0.0)) return never;
-    const double y = begin / (begin - end);
-    return y < 1.0 ? y : never;  // within rounding of the end: the next interval starts it
+    const double tau = begin / (begin - end);
+    return tau < 1.0 ? tau : never;  // within rounding of the end: the next interval starts it
   }
 
   /// Time at which a speed v0 >= 0 under this drive first returns to zero, or never.
@@ -44,10 +44,10 @@ struct LinearPiece {
   }
 
   /// Speed and displacement from rest.
-  double gain(double y) const { return length_s * y * (begin + 0.5 * (end - begin) * y); }
-  double travel(double y) const {
-    const double t = length_s * y;
-    return t * t * (0.5 * begin + (end - begin) * y / 6.0);
+  double gain(double tau) const { return length_s * tau * (begin + 0.5 * (end - begin) * tau); }
+  double travel(double tau) const {
+    const double t = length_s * tau;
+    return t * t * (0.5 * begin + (end - begin) * tau / 6.0);
   }
   bool may_be_positive() const { return begin > 0.0 || end > 0.0; }
   void begin_at_zero() { begin = 0.0; }

@@ -19,7 +19,7 @@ struct SeriesFactors {
   }
 };
 
-/// A power series on a piece of time; y in [0, 1] is the elapsed fraction of the piece.
+/// A power series on a piece of time; tau in [0, 1] is the elapsed fraction of the piece.
 struct Series {
   static constexpr int most_terms = SeriesFactors::most_terms;
   static constexpr auto order = SeriesFactors::all([](double k) { return k; });
@@ -29,9 +29,9 @@ struct Series {
   std::array<double, most_terms> c;  // the first `terms`
   int terms = 0;
 
-  double at(double y) const {
+  double at(double tau) const {
     double sum = 0.0;
-    for (int k = terms; k-- > 0;) sum = sum * y + c[k];
+    for (int k = terms; k-- > 0;) sum = sum * tau + c[k];
     return sum;
   }
   Series slope() const {
@@ -63,12 +63,12 @@ inline double coefficient(const Series& s, int k) {
 /// Of a series or of its negative.
 enum class Sign { plus, minus };
 
-/// The first y at which the series becomes negative, or never. A series that begins at zero is
+/// The first tau at which the series becomes negative, or never. A series that begins at zero is
 /// negative at once only if it decreases from zero.
 double first_fall(const Series& series, Sign sign = Sign::plus);
 inline double first_rise(const Series& series) { return first_fall(series, Sign::minus); }
 
-/// The largest |value| up to y = end, including the first extremum.
+/// The largest |value| up to tau = end, including the first extremum.
 double largest(const Series& series, double end);
 /// The largest value, the same.
 double highest(const Series& series, double end);

@@ -18,33 +18,33 @@ CoupledCrossings::CoupledCrossings(std::span<const double> thresholds_m,
   std::ranges::fill(crossings_, Crossing{});
 }
 
-double CoupledCrossings::ahead_m(const SlipWay& way) const {
-  return thresholds_m_[next_] / cos_slope_ - way.direction * way.begin_m;
+double CoupledCrossings::ahead_m(const SlipPath& path) const {
+  return thresholds_m_[next_] / cos_slope_ - path.direction * path.begin_m;
 }
 
 void CoupledCrossings::note(double time_s, double speed_mps) {
   crossings_[next_++] = {time_s, speed_mps * cos_slope_};
 }
 
-void CoupledCrossings::follow(const SlipWay& way, const Series& speed, double length_s,
-                              double share, bool stops) {
-  while (reached(way.end_m)) {
+void CoupledCrossings::follow(const SlipPath& path, const Series& speed, double length_s,
+                              double fraction, bool stops) {
+  while (reached(path.end_m)) {
     Series left = speed.integral(length_s, 0.0);
     for (int k = 1; k < left.terms; ++k) left.c[k] = -left.c[k];
-    left.c[0] = ahead_m(way);
+    left.c[0] = ahead_m(path);
     // Near a stop the root is no better than the square root of rounding.
-    const bool at_rest = stops && std::abs(way.end_m) * cos_slope_ == thresholds_m_[next_];
-    const double y = at_rest ? share : std::min(first_fall(left), share);
-    note(way.time_s + y * length_s, at_rest ? 0.0 : std::max(speed.at(y), 0.0));
+    const bool at_rest = stops && std::abs(path.end_m) * cos_slope_ == thresholds_m_[next_];
+    const double tau = at_rest ? fraction : std::min(first_fall(left), fraction);
+    note(path.time_s + tau * length_s, at_rest ? 0.0 : std::max(speed.at(tau), 0.0));
   }
 }
 
-void CoupledCrossings::follow_to_rest(const SlipWay& way, double speed_mps,
+void CoupledCrossings::follow_to_rest(const SlipPath& path, double speed_mps,
                                       double deceleration_mps2) {
-  while (reached(way.end_m)) {
-    const double energy = speed_mps * speed_mps - 2.0 * deceleration_mps2 * ahead_m(way);
+  while (reached(path.end_m)) {
+    const double energy = speed_mps * speed_mps - 2.0 * deceleration_mps2 * ahead_m(path);
     const double speed = std::min(std::sqrt(std::max(energy, 0.0)), speed_mps);
-    note(way.time_s + (speed_mps - speed) / deceleration_mps2, speed);
+    note(path.time_s + (speed_mps - speed) / deceleration_mps2, speed);
   }
 }
 

@@ -9,9 +9,9 @@
 
 namespace glissade::block_detail {
 
-/// The block on its way one way, from slip `begin` to `end` along the slope, over time from
+/// The block sliding in one direction, from slip `begin` to `end` along the slope, over time from
 /// `time_s` on.
-struct SlipWay {
+struct SlipPath {
   int direction = 0;  ///< +1 down, -1 up
   double begin_m = 0.0, end_m = 0.0;
   double time_s = 0.0;
@@ -28,16 +28,17 @@ class CoupledCrossings {
   bool reached(double slip_m) const {
     return next_ < thresholds_m_.size() && std::abs(slip_m) * cos_slope_ >= thresholds_m_[next_];
   }
-  /// Over a share of a piece; at its end the block may have no speed.
-  void follow(const SlipWay& way, const Series& speed, double length_s, double share, bool stops);
+  /// Over a fraction of a piece; at its end the block may have no speed.
+  void follow(const SlipPath& path, const Series& speed, double length_s, double fraction,
+              bool stops);
   /// Slowing down to rest.
-  void follow_to_rest(const SlipWay& way, double speed_mps, double deceleration_mps2);
+  void follow_to_rest(const SlipPath& path, double speed_mps, double deceleration_mps2);
   /// What the slip has reached, it has reached now.
   void arrive(double slip_m, double speed_mps, double time_s);
 
  private:
-  /// How far the next threshold is along a way.
-  double ahead_m(const SlipWay& way) const;
+  /// How far the next threshold is along a path.
+  double ahead_m(const SlipPath& path) const;
   void note(double time_s, double speed_mps);
 
   std::span<const double> thresholds_m_;

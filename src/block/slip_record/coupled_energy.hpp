@@ -16,17 +16,17 @@ struct SlipSeries {
 /// Gauss's rule, which is exact to rounding on pieces this short.
 class EnergyMeter {
  public:
-  EnergyMeter(const Frame& frame, const CoupledContact& contact)
-      : frame_(frame), contact_(contact) {}
+  EnergyMeter(const BuildingOscillator& building, const CoupledContact& contact)
+      : building_(building), contact_(contact) {}
 
-  /// The part of a piece up to its share `end`.
+  /// The part of a piece up to its fraction `end`.
   void add(const GroundPiece& ground, const RoofMotionSeries& roof, const SlipSeries& slip,
            double end);
   /// With the energy stored in the end state.
   CoupledEnergy total(const RoofState& state, const Spring& spring, double slip_velocity_mps) const;
 
  private:
-  Frame frame_;
+  BuildingOscillator building_;
   CoupledContact contact_;
   CoupledEnergy sum_;
 };

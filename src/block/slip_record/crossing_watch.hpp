@@ -18,22 +18,24 @@ namespace glissade::block_detail {
 /// v0 t + travel(t), which does not decrease there. Newton's method, kept in its bracket, to
 /// rounding.
 template <class Piece>
-double share_at_distance(const Piece& piece, double v0, double distance, double end) {
-  const auto way = [&](double y) { return v0 * piece.length_s * y + piece.travel(y); };
+double fraction_at_distance(const Piece& piece, double v0, double distance, double end) {
+  const auto distance_at = [&](double tau) {
+    return v0 * piece.length_s * tau + piece.travel(tau);
+  };
   if (!(distance > 0.0)) return 0.0;
-  if (!(way(end) > distance)) return end;
-  double low = 0.0, high = end, y = 0.5 * end;
+  if (!(distance_at(end) > distance)) return end;
+  double low = 0.0, high = end, tau = 0.5 * end;
   for (int i = 0; i < 200; ++i) {
-    const double miss = way(y) - distance;
-    if (miss == 0.0) return y;
-    (miss > 0.0 ? high : low) = y;
-    const double step = miss / (piece.length_s * (v0 + piece.gain(y)));
-    if (std::abs(step) <= 0x1p-53 * y) return y;
-    const double next = y - step;
-    y = next > low && next < high ? next : 0.5 * (low + high);
-    if (y == low || y == high) return y;
+    const double miss = distance_at(tau) - distance;
+    if (miss == 0.0) return tau;
+    (miss > 0.0 ? high : low) = tau;
+    const double step = miss / (piece.length_s * (v0 + piece.gain(tau)));
+    if (std::abs(step) <= 0x1p-53 * tau) return tau;
+    const double next = tau - step;
+    tau = next > low && next < high ? next : 0.5 * (low + high);
+    if (tau == low || tau == high) return tau;
   }
-  return y;
+  return tau;
 }
 
 /// Observes the sliding of a block, piece by piece, and records time and speed of the first
@@ -63,10 +65,10 @@ class CrossingWatch {
     while (passes(to.slip)) {
       const double target = thresholds_[next_] / (factor_ * cos_slope_);
       const double distance = target - from.direction * from.slip;
-      const double y = share_at_distance(piece, from.speed, distance, end);
-      const bool at_end = y >= end || in_plan(to.slip) == thresholds_[next_];
-      note(at_end ? to.time : from.time + y * piece.length_s,
-           at_end ? to.speed : from.speed + piece.gain(y));
+      const double tau = fraction_at_distance(piece, from.speed, distance, end);
+      const bool at_end = tau >= end || in_plan(to.slip) == thresholds_[next_];
+      note(at_end ? to.time : from.time + tau * piece.length_s,
+           at_end ? to.speed : from.speed + piece.gain(tau));
     }
   }
 

@@ -15,13 +15,13 @@ double rise_between(const Function& f, double low, double high) {
   return high;
 }
 
-/// The share of a piece of path in [0, 1] at which its displacement first has the length
+/// The fraction of a piece of path in [0, 1] at which its displacement first has the length
 /// `radius_m`; 1 where it does not.
-/// @param displacement, velocity from the share to a vector in plan
+/// @param displacement, velocity from the fraction to a vector in plan
 template <class Displacement, class Velocity>
 double first_reach(const Displacement& displacement, const Velocity& velocity, double radius_m) {
-  const auto beyond = [&](double y) { return length(displacement(y)) - radius_m; };
-  const auto recedes = [&](double y) { return -dot(displacement(y), velocity(y)); };
+  const auto beyond = [&](double tau) { return length(displacement(tau)) - radius_m; };
+  const auto recedes = [&](double tau) { return -dot(displacement(tau), velocity(tau)); };
   constexpr int parts = 8;
   double from = 0.0;
   for (int i = 1; i <= parts; ++i) {

@@ -69,7 +69,7 @@ double Path::path_length() const {
   return length_s / 6.0 * (length(v[0]) + 4.0 * length(middle) + length(v[3]));
 }
 
-void tell_peaks(const Extremes& extremes, TwoAxisResult& result) {
+void set_peaks(const Extremes& extremes, TwoAxisResult& result) {
   const Vector ahead = extremes.ahead(), back = extremes.back();
   result.peak_downslope_m = ahead.s;
   result.peak_upslope_m = back.s;

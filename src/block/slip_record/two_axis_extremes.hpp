@@ -22,8 +22,8 @@ struct Path {
         end(from + (0.5 * length) * (v0 + v1) + (length * length / 12.0) * (a0 - a1)),
         v{v0, v0 + (length / 3.0) * a0, v1 - (length / 3.0) * a1, v1} {}
 
-  Vector velocity(double share) const;
-  Vector displacement(double share) const;
+  Vector velocity(double fraction) const;
+  Vector displacement(double fraction) const;
   /// Bernstein coefficients of the displacement.
   std::array<Vector, 5> displacement_points() const;
   /// By Simpson's rule on the speed.
@@ -48,6 +48,6 @@ class Extremes {
 };
 
 /// Peaks by axis and direction.
-void tell_peaks(const Extremes& extremes, TwoAxisResult& result);
+void set_peaks(const Extremes& extremes, TwoAxisResult& result);
 
 }  // namespace glissade::block_detail

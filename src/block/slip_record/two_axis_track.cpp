@@ -15,10 +15,10 @@ void TwoAxisTrack::slide(const Sliding& from, const Sliding& to, double length_s
                   scaled(to.v, to_plan_), scaled(to.a, to_plan_));
   extremes_.along(path);
   for (; waits_for(extremes_.displacement()); ++next_) {
-    const double share =
-        first_reach([&](double y) { return path.displacement(y); },
-                    [&](double y) { return path.velocity(y); }, thresholds_[next_]);
-    crossings_[next_] = {begin_s + share * length_s, length(path.velocity(share))};
+    const double fraction =
+        first_reach([&](double tau) { return path.displacement(tau); },
+                    [&](double tau) { return path.velocity(tau); }, thresholds_[next_]);
+    crossings_[next_] = {begin_s + fraction * length_s, length(path.velocity(fraction))};
   }
   displacement_ = path.end;
   path_length_ += path.path_length();
@@ -27,34 +27,35 @@ void TwoAxisTrack::slide(const Sliding& from, const Sliding& to, double length_s
 }
 
 void TwoAxisTrack::stop(const Stop& stop, double speed, double begin_s) {
-  const Vector way = scaled(stop.displacement, to_plan_), from = displacement_;
-  const double straight = length(stop.displacement), in_plan = length(way);
-  displacement_ = displacement_ + way;
+  const Vector displacement = scaled(stop.displacement, to_plan_), from = displacement_;
+  const double straight = length(stop.displacement), in_plan = length(displacement);
+  displacement_ = displacement_ + displacement;
   extremes_.at(displacement_);
-  if (straight > 0.0) {  // its curved way is taken in plan as its chord is
+  if (straight > 0.0) {  // its curved path is taken in plan as its chord is
     path_length_ += stop.path * in_plan / straight;
     extremes_.at_speed(stop.fastest * in_plan / straight);
   }
   duration_s_ += stop.time_s;
   note(begin_s + stop.time_s);
   for (; waits_for(length(displacement_)); ++next_) {
-    const auto at = [&](double share) { return stop.way_share(share, speed); };
-    const auto beyond = [&](double share) {
-      return length(from + at(share).way * way) - thresholds_[next_];
+    const auto at = [&](double fraction) { return stop.path_fraction(fraction, speed); };
+    const auto beyond = [&](double fraction) {
+      return length(from + at(fraction).path * displacement) - thresholds_[next_];
     };
-    const double share = rise_between(beyond, 0.0, 1.0);
-    crossings_[next_] = {begin_s + share * stop.time_s, at(share).rate * in_plan / stop.time_s};
+    const double fraction = rise_between(beyond, 0.0, 1.0);
+    crossings_[next_] = {begin_s + fraction * stop.time_s,
+                         at(fraction).rate * in_plan / stop.time_s};
   }
 }
 
-bool TwoAxisTrack::may_cross(double way) const {
-  return waits_for(length(displacement_) + way * std::max(to_plan_.s, to_plan_.y));
+bool TwoAxisTrack::may_cross(double path_length) const {
+  return waits_for(length(displacement_) + path_length * std::max(to_plan_.s, to_plan_.y));
 }
 
 TwoAxisResult TwoAxisTrack::result() const {
   TwoAxisResult r;
   r.peak_displacement_m = extremes_.displacement();
-  tell_peaks(extremes_, r);
+  set_peaks(extremes_, r);
   r.residual = {displacement_.s, displacement_.y};
   r.path_length_m = path_length_;
   r.peak_velocity_mps = extremes_.speed();

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "block/full_model/sdirk4.hpp"
-#include "block/full_model/two_axis_stop.hpp"
+#include "block/full_model/stop.hpp"
 #include "block/slip_record/two_axis_extremes.hpp"
 #include "glissade/block/crossing.hpp"
 #include "glissade/block/two_axis.hpp"
@@ -30,7 +30,7 @@ class TwoAxisTrack {
   /// The path to the stop, straight or short enough to be taken as straight.
   void stop(const Stop& stop, double speed, double begin_s);
   /// Whether a path of this length may reach a threshold.
-  bool may_cross(double way) const;
+  bool may_cross(double path_length) const;
   /// In TwoAxisResult: all but phases and flags.
   TwoAxisResult result() const;
 

@@ -28,15 +28,15 @@ std::size_t first(std::size_t from, std::size_t count, MaskAt mask_at) {
   return count;
 }
 
-/// Where the line is positive, by interval or by block.
-template <bool kByBlock>
+/// Where the line is positive, by interval or by tile.
+template <bool kByTile>
 struct LineAt {
   const float *a, *w;
   hn::Vec<Floats> c_a, c_w, constant;
 
   explicit LineAt(const BoundLine& line)
-      : a(kByBlock ? line.a_block : line.a),
-        w(kByBlock ? line.w_block : line.w),
+      : a(kByTile ? line.a_tile : line.a),
+        w(kByTile ? line.w_tile : line.w),
         c_a(hn::Set(Floats(), line.c_a)),
         c_w(hn::Set(Floats(), line.c_w)),
         constant(hn::Set(Floats(), line.constant)) {}
@@ -49,10 +49,10 @@ struct LineAt {
   }
 };
 
-/// The first of the intervals, or blocks, in [from, to) where one of the lines is positive.
-template <bool kByBlock>
+/// The first of the intervals, or tiles, in [from, to) where one of the lines is positive.
+template <bool kByTile>
 std::size_t FirstExit(const ExitSearch& s, std::size_t from, std::size_t to) {
-  using Line = LineAt<kByBlock>;
+  using Line = LineAt<kByTile>;
   const Line one(s.line[0]);
   if (s.lines == 1) return first(from, to, one);
   const Line two(s.line[1]);
@@ -62,14 +62,14 @@ std::size_t FirstExit(const ExitSearch& s, std::size_t from, std::size_t to) {
 }
 
 std::size_t NextExit(const ExitSearch& s, std::size_t from, std::size_t to) {
-  constexpr std::size_t block = MotionBounds::block;
-  const std::size_t blocks = (to + block - 1) / block;
-  for (std::size_t b = from / block; b < blocks;) {
-    const std::size_t end = (b + 1) * block < to ? (b + 1) * block : to;
+  constexpr std::size_t tile = MotionBounds::tile;
+  const std::size_t tiles = (to + tile - 1) / tile;
+  for (std::size_t b = from / tile; b < tiles;) {
+    const std::size_t end = (b + 1) * tile < to ? (b + 1) * tile : to;
     const std::size_t found = FirstExit<false>(s, from, end);
     if (found < end) return found;
-    b = FirstExit<true>(s, b + 1, blocks);
-    from = b * block;
+    b = FirstExit<true>(s, b + 1, tiles);
+    from = b * tile;
   }
   return to;
 }

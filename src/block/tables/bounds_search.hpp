@@ -11,8 +11,8 @@ namespace glissade::block_detail {
 
 /// c_a A + c_w W + constant, where A and W are bounds on the accelerations in each interval.
 struct BoundLine {
-  const float *a = nullptr, *a_block = nullptr;  ///< by interval, and by block of them
-  const float *w = nullptr, *w_block = nullptr;  ///< null: no vertical
+  const float *a = nullptr, *a_tile = nullptr;  ///< by interval, and by tile of them
+  const float *w = nullptr, *w_tile = nullptr;  ///< null: no vertical
   float c_a = 0.0f, c_w = 0.0f, constant = 0.0f;
 };
 

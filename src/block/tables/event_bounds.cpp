@@ -43,7 +43,7 @@ std::size_t EventBounds::next_exit(std::size_t from) const {
   return block_detail::next_exit(exits_, from, last_);
 }
 
-void EventBounds::reckon_from(int k, std::size_t r, double speed, double v_a, double v_w) {
+void EventBounds::set_reference(int k, std::size_t r, double speed, double v_a, double v_w) {
   const double from = lines_.drive[k].a * v_a + lines_.drive[k].w * v_w;
   const double size = std::abs(speed) + std::abs(from) + speed_size_[k];
   stop_[k].constant = to_float((speed - from - slack * size) * speed_scale_[k]);
@@ -63,12 +63,12 @@ BoundLine EventBounds::bound(const DriveLine& line) const {
   const double size = a_size + w_size + std::abs(line.constant), scale = scale_to_one(size);
   BoundLine b;
   b.a = (line.a > 0.0 ? a.highest : a.lowest).data();
-  b.a_block = (line.a > 0.0 ? a.block_highest : a.block_lowest).data();
+  b.a_tile = (line.a > 0.0 ? a.tile_highest : a.tile_lowest).data();
   b.c_a = to_float(line.a * (scale / a.acceleration_scale));
   if (w_ != nullptr) {
     const MotionBounds& w = w_->bounds;
     b.w = (line.w > 0.0 ? w.highest : w.lowest).data();
-    b.w_block = (line.w > 0.0 ? w.block_highest : w.block_lowest).data();
+    b.w_tile = (line.w > 0.0 ? w.tile_highest : w.tile_lowest).data();
     b.c_w = to_float(line.w * (scale / w.acceleration_scale));
   }
   b.constant = to_float((line.constant + slack * size) * scale);

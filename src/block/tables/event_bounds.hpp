@@ -35,7 +35,7 @@ class EventBounds {
 
   /// A phase in direction k (0 down, 1 up) has this speed at node r, where the roof's velocities
   /// are v_a and v_w.
-  void reckon_from(int k, std::size_t r, double speed, double v_a, double v_w);
+  void set_reference(int k, std::size_t r, double speed, double v_a, double v_w);
   /// The first interval from `from` >= r on in which it may end, or uplift occur.
   std::size_t next_stop(int k, std::size_t from) const;
 

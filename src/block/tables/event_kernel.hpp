@@ -50,7 +50,7 @@ class EventKernel {
     bool stops = false;
     if (!ends_with_record_) {
       // To zero over one more interval, where the tables do not end at zero.
-      const Roof end = turned(roof(last_));
+      const Roof end = scaled(roof(last_));
       body_.be_at(time(last_));
       if (end.a != 0.0 || end.w != 0.0) body_.interval(step_s_, time(last_ + 1), end, Roof{});
       stops = body_.coast(step_s_);
@@ -67,7 +67,7 @@ class EventKernel {
 
   struct Moment {
     std::size_t interval;
-    double y;  ///< share of it that has passed
+    double tau;  ///< fraction of it that has passed
   };
 
   /// At node i, untouched by sign and ratio.
@@ -75,7 +75,7 @@ class EventKernel {
     return {a_nodes_.acceleration_mps2(i), w_ != nullptr ? w_nodes_.acceleration_mps2(i) : 0.0};
   }
   double time(std::size_t i) const { return step_s_ * static_cast<double>(i); }
-  Roof turned(Roof r) const { return {scene_.a_sign * r.a, scene_.w_ratio * r.w}; }
+  Roof scaled(Roof r) const { return {scene_.a_sign * r.a, scene_.w_ratio * r.w}; }
 
   static int index(int direction) { return direction > 0 ? 0 : 1; }
 
@@ -89,7 +89,7 @@ class EventKernel {
 
   // -- events
 
-  /// From node i, at rest or on the way, until the block is at rest at a node or may lift. Returns
+  /// From node i, at rest or sliding, until the block is at rest at a node or may lift. Returns
   /// the node.
   std::size_t events(std::size_t i) {
     Moment now{i, 0.0};
@@ -101,7 +101,7 @@ class EventKernel {
       if (in_interval == 16) throw NotConverged("peak_slip: too many events inside one interval");
       if (now.interval >= last_) return last_;
       const std::size_t here = now.interval;
-      if (now.y >= 1.0 || !start(now, stopped)) return here + 1;
+      if (now.tau >= 1.0 || !start(now, stopped)) return here + 1;
       stopped = body_.direction();
       now = slide(now);
       if (now.interval != here) in_interval = 0;
@@ -121,7 +121,7 @@ class EventKernel {
       if (index(candidate) >= lines_.directions) continue;
       Piece& drive = rest_[index(candidate)];
       drive.set(lines_.drive[index(candidate)], here, step_s_);
-      if (now.y > 0.0) drive.cut(now.y);
+      if (now.tau > 0.0) drive.keep_after(now.tau);
       if (candidate == stopped) drive.begin_at_most_zero();
       const double rise = drive.rise();
       if (rise < first) {
@@ -133,33 +133,33 @@ class EventKernel {
     if (direction == 0) return false;
     Piece& own = rest_[index(direction)];
     if (first > 0.0) {
-      own.cut(first);
+      own.keep_after(first);
       own.begin_at_zero();  // exactly on its threshold: no spurious stop
     }
-    now.y += first * (1.0 - now.y);
+    now.tau += first * (1.0 - now.tau);
     body_.start(direction);
     return true;
   }
 
   /// Slides from rest at `now`, under rest_, to the end of the phase, or to the node where it is
-  /// still on its way and the search ends.
+  /// still sliding and the search ends.
   Moment slide(const Moment& now) {
     const Piece& own = rest_[index(body_.direction())];
-    if (const double y = own.stop(0.0); y != never) {
-      const SlideState from{time(now.interval) + now.y * step_s_, body_.slip(), 0.0,
+    if (const double tau = own.stop(0.0); tau != never) {
+      const SlideState from{time(now.interval) + now.tau * step_s_, body_.slip(), 0.0,
                             body_.direction()};
-      body_.slid(own.travel(y), y * own.length_s, 0.0);
+      body_.slid(own.travel(tau), tau * own.length_s, 0.0);
       if constexpr (watched) {
-        const double end = from.time + y * own.length_s;
-        history_.watch->slides(from, own, y, {end, body_.slip(), 0.0, from.direction});
+        const double end = from.time + tau * own.length_s;
+        history_.watch->slides(from, own, tau, {end, body_.slip(), 0.0, from.direction});
       }
       body_.stop();
-      return {now.interval, now.y + y * (1.0 - now.y)};
+      return {now.interval, now.tau + tau * (1.0 - now.tau)};
     }
     return slide_on({own.gain(1.0), own.travel(1.0), own.length_s}, now.interval + 1);
   }
 
-  /// At the node a phase is reckoned from.
+  /// At the reference node of a phase.
   struct Reference {
     double speed, distance, duration;
   };
@@ -181,12 +181,12 @@ class EventKernel {
       if (w_ != nullptr) s += drive.w * (w_nodes_.displacement_from_m(r, i) - v_w * t);
       return ref.distance + (s + 0.5 * drive.constant * t * t);
     };
-    const auto duration = [&](std::size_t i, double y) {
-      return ref.duration + step_s_ * (static_cast<double>(i - r) + y);
+    const auto duration = [&](std::size_t i, double tau) {
+      return ref.duration + step_s_ * (static_cast<double>(i - r) + tau);
     };
-    // After body_.slid(), at the share y of the interval after node i.
+    // After body_.slid(), at the fraction tau of the interval after node i.
     const auto watch = [&, slip = body_.slip(), direction = body_.direction()](std::size_t i,
-                                                                               double y) {
+                                                                               double tau) {
       if constexpr (watched) {
         if (!history_.watch->passes(body_.slip())) return;
         const auto state = [&](std::size_t node) -> SlideState {
@@ -196,8 +196,9 @@ class EventKernel {
           const SlideState from{time(r) - ref.duration, slip, 0.0, direction};
           history_.watch->slides(from, rest_[k], 1.0, state(r));
         }
-        history_.watch->slides(r, i, state, [&](std::size_t node) { return piece(drive, node); }, y,
-                               {time(i) + y * step_s_, body_.slip(), body_.speed(), direction});
+        history_.watch->slides(r, i, state, [&](std::size_t node) { return piece(drive, node); },
+                               tau,
+                               {time(i) + tau * step_s_, body_.slip(), body_.speed(), direction});
       }
     };
     const auto still_sliding = [&](std::size_t i) -> Moment {
@@ -206,18 +207,18 @@ class EventKernel {
       return {i, 0.0};
     };
 
-    bounds_.reckon_from(k, r, ref.speed, v_a, v_w);
+    bounds_.set_reference(k, r, ref.speed, v_a, v_w);
     for (std::size_t i = r; i < last_; ++i) {
       if (!every_interval_) i = bounds_.next_stop(k, i);
       if (i == last_) break;
       if (may_lift_in(i)) return still_sliding(i);
       const Piece p = piece(drive, i);
       const double v = speed(i);
-      if (const double y = p.stop(v); y != never) {
-        body_.slid(distance(i) + v * p.length_s * y + p.travel(y), duration(i, y), 0.0);
-        watch(i, y);
+      if (const double tau = p.stop(v); tau != never) {
+        body_.slid(distance(i) + v * p.length_s * tau + p.travel(tau), duration(i, tau), 0.0);
+        watch(i, tau);
         body_.stop();
-        return {i, y};
+        return {i, tau};
       }
     }
     return still_sliding(last_);
@@ -258,16 +259,16 @@ template <class Piece, class History>
 std::size_t EventKernel<Piece, History>::lifted(std::size_t i) {
   body_.be_at(time(i));
   if constexpr (linear) {
-    body_.interval(step_s_, time(i + 1), turned(roof(i)), turned(roof(i + 1)));
+    body_.interval(step_s_, time(i + 1), scaled(roof(i)), scaled(roof(i + 1)));
   } else {
     constexpr int parts = 64;
     const auto [a_after, w_after, vertical] = interval(i);
     const QuarticPiece a(a_after, step_s_), w(w_after, step_s_);
-    Roof left = turned({a.at(0.0), vertical ? w.at(0.0) : 0.0});
+    Roof left = scaled({a.at(0.0), vertical ? w.at(0.0) : 0.0});
     for (int part = 1; part <= parts; ++part) {
-      const double y = static_cast<double>(part) / parts;
-      const Roof right = turned({a.at(y), vertical ? w.at(y) : 0.0});
-      body_.interval(step_s_ / parts, time(i) + y * step_s_, left, right);
+      const double tau = static_cast<double>(part) / parts;
+      const Roof right = scaled({a.at(tau), vertical ? w.at(tau) : 0.0});
+      body_.interval(step_s_ / parts, time(i) + tau * step_s_, left, right);
       left = right;
     }
   }

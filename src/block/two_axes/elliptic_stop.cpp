@@ -7,17 +7,17 @@ namespace glissade::block_detail::two_axes {
 namespace {
 
 struct Braking {
-  Vector load, grip;  // M d, and n M M as a vector
+  Vector load, friction;  // M d, and n M M as a vector
 
-  double at(Vector e) const { return dot(scaled(grip, e), e) - dot(load, e); }
-  /// The turn of e while u falls by a factor: e' per -log u.
-  Vector turn(Vector e) const {
-    const Vector across{-e.y, e.s}, net = load - scaled(grip, e);
+  double at(Vector e) const { return dot(scaled(friction, e), e) - dot(load, e); }
+  /// The rotation of e while u falls by a factor: e' per -log u.
+  Vector rotation(Vector e) const {
+    const Vector across{-e.y, e.s}, net = load - scaled(friction, e);
     return (dot(net, across) / at(e)) * across;
   }
-  Vector turned(Vector e, double length) const {
-    const Vector k1 = turn(e), k2 = turn(e + (0.5 * length) * k1),
-                 k3 = turn(e + (0.5 * length) * k2), k4 = turn(e + length * k3);
+  Vector rotated(Vector e, double length) const {
+    const Vector k1 = rotation(e), k2 = rotation(e + (0.5 * length) * k1),
+                 k3 = rotation(e + (0.5 * length) * k2), k4 = rotation(e + length * k3);
     const Vector to = e + (length / 6.0) * (k1 + 2.0 * (k2 + k3) + k4);
     return (1.0 / block_detail::length(to)) * to;
   }
@@ -32,15 +32,15 @@ EllipticStop by_steps(Vector v, Vector d, double n, double aspect, double enough
   const Braking braking{scaled(d, to_w), {n, n * aspect * aspect}};
   const double first = length(w);
   double u = first, brake = 0.0;
-  Vector e = (1.0 / u) * w, way{};
+  Vector e = (1.0 / u) * w, displacement{};
   Stop stop;
   stop.time_s = 0.0;
   stop.fastest = length(v);
   for (;;) {
     brake = braking.at(e);
     if (!(brake > 0.0)) return {};
-    if (u < 2e-4 * first || length(braking.turn(e)) * u * u < enough_m * brake) break;
-    const Vector middle = braking.turned(e, to_middle), end = braking.turned(middle, to_end);
+    if (u < 2e-4 * first || length(braking.rotation(e)) * u * u < enough_m * brake) break;
+    const Vector middle = braking.rotated(e, to_middle), end = braking.rotated(middle, to_end);
     const double at_middle = braking.at(middle), at_end = braking.at(end);
     if (!(at_middle > 0.0 && at_end > 0.0)) return {};
     const Vector per_u =
@@ -48,14 +48,14 @@ EllipticStop by_steps(Vector v, Vector d, double n, double aspect, double enough
     const Vector step = (sixth * u * u) * per_u;
     stop.time_s += sixth * u * (1.0 / brake + 4.0 / at_middle + 1.0 / at_end);
     stop.path += length(scaled(step, from_w));
-    way = way + step;
+    displacement = displacement + step;
     e = end;
     u *= ratio;
   }
   const Vector rest = (0.5 * u * u / brake) * e;
   stop.time_s += u / brake;
   stop.path += length(scaled(rest, from_w));
-  stop.displacement = scaled(way + rest, from_w);
+  stop.displacement = scaled(displacement + rest, from_w);
   return {stop, scaled(e, from_w)};
 }
 

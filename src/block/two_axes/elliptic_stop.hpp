@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "block/full_model/two_axis_stop.hpp"
+#include "block/full_model/stop.hpp"
 
 namespace glissade::block_detail::two_axes {
 

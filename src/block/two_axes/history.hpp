@@ -6,12 +6,12 @@
 #include <memory>
 
 #include "block/full_model/sdirk4.hpp"
-#include "block/full_model/two_axis_stop.hpp"
+#include "block/full_model/stop.hpp"
+#include "block/slip_record/distance_crossings.hpp"
 #include "block/slip_record/two_axis_extremes.hpp"
 #include "block/two_axes/roof/roof_piece.hpp"
 #include "block/two_axes/roof/tables.hpp"
 #include "glissade/block/two_axis_lanes.hpp"
-#include "lane_crossings.hpp"
 
 namespace glissade::block_detail::two_axes {
 
@@ -21,56 +21,57 @@ class RoofAtRest;
 class LaneHistory {
  public:
   LaneHistory(const Constants<double>& constants, RoofKind roof, const GroundNodes& ground,
-              std::shared_ptr<const RestTable> table, const LaneCrossings& crossings);
+              std::shared_ptr<const RestTable> table, const DistanceCrossings& crossings);
 
   enum class Next {
-    slides,  ///< in a lane, from the spot on
-    over,
-    leaves,  ///< something the lanes do not cover: it is for the scalar scheme
+    slides,  ///< in a lane, from the state on
+    finished,
+    unsupported,  ///< something the lanes do not cover: it is for the scalar scheme
   };
   /// From rest at the first node.
-  Next begin(Spot& spot);
+  Next begin(HistoryState& state);
   /// A lane could not go on: its next stop, or a step that is too stiff for it.
-  Next event(Spot& spot);
-  TwoAxisPeak result(const Spot& spot) const;
+  Next event(HistoryState& state);
+  TwoAxisPeak result(const HistoryState& state) const;
   const Constants<double>& constants() const { return constants_; }
-  /// LaneCrossings::next2
+  /// DistanceCrossings::next2
   double next2() const { return crossings_.next2(); }
   /// A lane's step reached it.
-  void crossed(const LaneBank& bank, std::size_t lane);
+  void crossed(const LaneStates& lanes, std::size_t lane);
 
  private:
   // Rest (history_rest.cpp).
-  Next rest(Spot& spot);
-  Next rest_from_node(Spot& spot);
+  Next rest(HistoryState& state);
+  Next rest_from_node(HistoryState& state);
   double release(const RoofPiece& piece) const;
-  bool starts_after(std::size_t node, const RoofAtRest& roof, Spot& spot);
-  Spot resting_at(std::int64_t node, const std::array<AxisState, 2>& state) const;
-  void start(Spot& spot, bool smoothly);
-  void start_smoothly(Spot& spot);  // history_start.cpp
+  bool starts_after(std::size_t node, const RoofAtRest& roof, HistoryState& state);
+  HistoryState resting_at(std::int64_t node, const std::array<AxisState, 2>& state) const;
+  void start(HistoryState& state, bool smoothly);
+  void start_smoothly(HistoryState& state);  // history_start.cpp
 
   // Slide (history_slide.cpp).
-  Next slide(Spot& spot, bool from_lane);
-  bool stop(Spot& spot, const RoofPiece& piece);
-  bool reverse(Spot& spot, const RoofPiece& piece);
+  Next slide(HistoryState& state, bool from_lane);
+  bool stop(HistoryState& state, const RoofPiece& piece);
+  bool reverse(HistoryState& state, const RoofPiece& piece);
   double deceleration(const Load& load, Vector v) const;
-  void take_stop(Spot& spot, const RoofPiece& piece, const Stop& stop);
+  void take_stop(HistoryState& state, const RoofPiece& piece, const Stop& stop);
   void raise_peaks(const Path& path, LaneMotion<double>& motion) const;
-  double time_s(const Spot& spot) const {
-    return (static_cast<double>(spot.node + 1) - spot.motion.left) * ground_.dt_s;
+  double time_s(const HistoryState& state) const {
+    return (static_cast<double>(state.node + 1) - state.motion.left) * ground_.dt_s;
   }
-  void stiff_step(Spot& spot);
+  void stiff_step(HistoryState& state);
   double stiff_trial_s(const RoofPiece& rest_of_interval, Vector v, double fastest) const;
-  void take_step(Spot& spot, const RoofPiece& piece, double share, double length_s,
+  void take_step(HistoryState& state, const RoofPiece& piece, double fraction, double length_s,
                  const Sliding& begin, const Sliding& end);
-  RoofPiece::Push push_of(Vector v) const;
-  RoofPiece::Push push_between(const Sliding& begin, const Sliding& end, double length_s,
-                               double share) const;
-  RoofPiece piece(const Spot& spot, const RoofPiece::Push& push) const {
-    return RoofPiece(spot, ground_, constants_, roof_, push);
+  RoofPiece::BlockVelocity plan_velocity(Vector v) const;
+  RoofPiece::BlockVelocity plan_velocity_between(const Sliding& begin, const Sliding& end,
+                                                 double length_s, double fraction) const;
+  RoofPiece piece(const HistoryState& state, const RoofPiece::BlockVelocity& block_velocity) const {
+    return RoofPiece(state, ground_, constants_, roof_, block_velocity);
   }
   template <class At>
-  void move_way(Spot& spot, Vector way, const At& at, double begin_s, double length_s);
+  void displace(HistoryState& state, Vector displacement, const At& at, double begin_s,
+                double length_s);
 
   Constants<double> constants_;
   FrictionEllipse ellipse_;
@@ -79,15 +80,16 @@ class LaneHistory {
   std::shared_ptr<const RestTable> table_;
   double step_s_ = never;  // the longest worth trying
   std::size_t phases_ = 0;
-  LaneCrossings crossings_;
+  DistanceCrossings crossings_;
 };
 
-/// The block has moved by `way`, as `at` says (LaneCrossings::pass).
+/// The block has moved by `displacement`, as `at` says (DistanceCrossings::pass).
 template <class At>
-void LaneHistory::move_way(Spot& spot, Vector way, const At& at, double begin_s, double length_s) {
-  LaneMotion<double>& m = spot.motion;
-  m.at_s += way.s;
-  m.at_y += way.y;
+void LaneHistory::displace(HistoryState& state, Vector displacement, const At& at, double begin_s,
+                           double length_s) {
+  LaneMotion<double>& m = state.motion;
+  m.at_s += displacement.s;
+  m.at_y += displacement.y;
   m.farthest2 = std::max(m.farthest2, m.at_s * m.at_s + m.at_y * m.at_y);
   m.ahead_s = std::max(m.ahead_s, m.at_s);
   m.back_s = std::max(m.back_s, -m.at_s);

@@ -33,7 +33,7 @@ double rise_by_secant(const Function& f, double low, double high, double f_low, 
 
 LaneHistory::LaneHistory(const Constants<double>& constants, RoofKind roof,
                          const GroundNodes& ground, std::shared_ptr<const RestTable> table,
-                         const LaneCrossings& crossings)
+                         const DistanceCrossings& crossings)
     : constants_(constants),
       ellipse_({constants.mu, constants.mu * constants.aspect}),
       roof_(roof),
@@ -41,19 +41,20 @@ LaneHistory::LaneHistory(const Constants<double>& constants, RoofKind roof,
       table_(std::move(table)),
       crossings_(crossings) {}
 
-LaneHistory::Next LaneHistory::begin(Spot& spot) {
-  spot = resting_at(0, {});
-  const RoofPiece first = piece(spot, {});
+LaneHistory::Next LaneHistory::begin(HistoryState& state) {
+  state = resting_at(0, {});
+  const RoofPiece first = piece(state, {});
   if (release(first) == 0.0) {
-    start(spot, false);
-    return slide(spot, false);
+    start(state, false);
+    return slide(state, false);
   }
-  return rest_from_node(spot);
+  return rest_from_node(state);
 }
 
-Spot LaneHistory::resting_at(std::int64_t node, const std::array<AxisState, 2>& state) const {
+HistoryState LaneHistory::resting_at(std::int64_t node,
+                                     const std::array<AxisState, 2>& state) const {
   const auto i = static_cast<std::size_t>(node);
-  Spot s;
+  HistoryState s;
   s.node = node;
   s.motion.left = 1.0;
   s.motion.ground_1 = constants_.factor_1 * ground_.ground(0, i);
@@ -66,55 +67,55 @@ Spot LaneHistory::resting_at(std::int64_t node, const std::array<AxisState, 2>& 
   return s;
 }
 
-void LaneHistory::start(Spot& spot, bool smoothly) {
-  LaneMotion<double>& m = spot.motion;
+void LaneHistory::start(HistoryState& state, bool smoothly) {
+  LaneMotion<double>& m = state.motion;
   m.v_s = m.v_y = 0.0;
   m.fastest = std::max(m.fastest, 1e-9 * ground_.dt_s * constants_.gravity);
   step_s_ = never;
   ++phases_;
-  if (smoothly) start_smoothly(spot);
+  if (smoothly) start_smoothly(state);
 }
 
-/// The share of a piece after which friction holds the block no longer, or
+/// The fraction of a piece after which friction holds the block no longer, or
 /// never.
 double LaneHistory::release(const RoofPiece& piece) const {
-  const auto excess = [&](double y) { return -grip_left(piece.load(y), constants_); };
+  const auto excess = [&](double tau) { return -friction_reserve(piece.load(tau), constants_); };
   const double begin = excess(0.0), end = excess(1.0);
   if (begin > 1e-13 * constants_.gravity) return 0.0;
   if (end > 0.0) return rise_by_secant(excess, 0.0, 1.0, std::min(begin, 0.0), end);
-  const double sag = piece.sag();
-  if (sag == 0.0 || -std::max(begin, end) > sag) return never;
+  const double deviation = piece.deviation();
+  if (deviation == 0.0 || -std::max(begin, end) > deviation) return never;
   constexpr int parts = 16;
   double before = std::min(begin, 0.0);
   for (int i = 1; i < parts; ++i) {
-    const double y = static_cast<double>(i) / parts, value = excess(y);
-    if (value > 0.0) return rise_by_secant(excess, y - 1.0 / parts, y, before, value);
+    const double tau = static_cast<double>(i) / parts, value = excess(tau);
+    if (value > 0.0) return rise_by_secant(excess, tau - 1.0 / parts, tau, before, value);
     before = value;
   }
   return never;
 }
 
-LaneHistory::Next LaneHistory::rest(Spot& spot) {
-  const RoofPiece rest_of_interval = piece(spot, {});
-  const double share = release(rest_of_interval);
-  if (share < 1.0) {
-    rest_of_interval.move(spot, share);
-    start(spot, share > 0.0);
-    return slide(spot, false);
+LaneHistory::Next LaneHistory::rest(HistoryState& state) {
+  const RoofPiece rest_of_interval = piece(state, {});
+  const double fraction = release(rest_of_interval);
+  if (fraction < 1.0) {
+    rest_of_interval.move(state, fraction);
+    start(state, fraction > 0.0);
+    return slide(state, false);
   }
-  rest_of_interval.move(spot, 1.0);
-  return rest_from_node(spot);
+  rest_of_interval.move(state, 1.0);
+  return rest_from_node(state);
 }
 
-/// Moves the spot to where the block starts to slide in the interval after a
+/// Moves the state to where the block starts to slide in the interval after a
 /// node. Returns false where it does not.
-bool LaneHistory::starts_after(std::size_t node, const RoofAtRest& roof, Spot& spot) {
-  Spot at = resting_at(static_cast<std::int64_t>(node), roof.state(node));
+bool LaneHistory::starts_after(std::size_t node, const RoofAtRest& roof, HistoryState& state) {
+  HistoryState at = resting_at(static_cast<std::int64_t>(node), roof.state(node));
   const RoofPiece interval = piece(at, {});
-  const double share = release(interval);
-  if (!(share < 1.0)) return false;
-  interval.move(at, share);
-  LaneMotion<double>& m = spot.motion;
+  const double fraction = release(interval);
+  if (!(fraction < 1.0)) return false;
+  interval.move(at, fraction);
+  LaneMotion<double>& m = state.motion;
   m.left = at.motion.left;
   m.ground_1 = at.motion.ground_1;
   m.ground_2 = at.motion.ground_2;
@@ -123,14 +124,14 @@ bool LaneHistory::starts_after(std::size_t node, const RoofAtRest& roof, Spot& s
   m.y_1 = at.motion.y_1;
   m.x_2 = at.motion.x_2;
   m.y_2 = at.motion.y_2;
-  spot.node = at.node;
-  start(spot, true);
+  state.node = at.node;
+  start(state, true);
   return true;
 }
 
-LaneHistory::Next LaneHistory::rest_from_node(Spot& spot) {
-  RoofAtRest roof(constants_, roof_, ground_, *table_, spot);
-  const auto begin = static_cast<std::size_t>(spot.node);
+LaneHistory::Next LaneHistory::rest_from_node(HistoryState& state) {
+  RoofAtRest roof(constants_, roof_, ground_, *table_, state);
+  const auto begin = static_cast<std::size_t>(state.node);
   const std::size_t quiet = ground_.quiet;
   const std::size_t longest =
       quiet + static_cast<std::size_t>(RoofMotionOptions{}.longest_ring_down_s / ground_.dt_s);
@@ -138,17 +139,17 @@ LaneHistory::Next LaneHistory::rest_from_node(Spot& spot) {
   const auto starts_in = [&](std::size_t interval) {
     if (interval < next_interval) return false;
     next_interval = interval + 1;
-    return starts_after(interval, roof, spot);
+    return starts_after(interval, roof, state);
   };
   for (std::size_t i = begin;;) {
     if (!roof.after_record() && i >= quiet) roof.end_record();
-    if (roof.holds_from(i) || i >= longest) return Next::over;
-    const std::size_t end = roof.block_end(i);
-    if (!roof.holds_in_block(i)) {
-      for (i = roof.first_loose(i, end); i <= end; i = roof.first_loose(i + 1, end)) {
+    if (roof.sticks_from(i) || i >= longest) return Next::finished;
+    const std::size_t end = roof.tile_end(i);
+    if (!roof.sticks_in_tile(i)) {
+      for (i = roof.first_release(i, end); i <= end; i = roof.first_release(i + 1, end)) {
         const bool within = roof.after_record() || i < quiet;
         if ((i > roof.base() && starts_in(i - 1)) || (within && starts_in(i)))
-          return slide(spot, false);
+          return slide(state, false);
       }
     }
     i = end;

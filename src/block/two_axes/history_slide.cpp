@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "block/full_model/sdirk4.hpp"
-#include "block/full_model/two_axis_stop.hpp"
+#include "block/full_model/stop.hpp"
 #include "block/slip_record/two_axis_extremes.hpp"
 #include "elliptic_stop.hpp"
 #include "history.hpp"
@@ -12,24 +12,24 @@
 namespace glissade::block_detail::two_axes {
 namespace {
 
-Vector velocity(const Spot& spot) { return {spot.motion.v_s, spot.motion.v_y}; }
+Vector velocity(const HistoryState& state) { return {state.motion.v_s, state.motion.v_y}; }
 
-/// Coulomb friction and a roof that may give way: V' from V = known + own V'.
+/// Coulomb friction and a roof that the block may accelerate: V' from V = known + own V'.
 Vector stage(const Constants<double>& c, const FrictionEllipse& friction, Vector known, double own,
              const Load& load, Vector guess) {
   const double per_kappa = c.per_kappa_y;
-  const bool even = c.gives == 0.0;
+  const bool even = c.rho_sin_cos == 0.0;
   Vector a = guess;
   for (int i = 0; i < 6; ++i) {
     // What is not the same in both directions is taken from the last iterate.
-    const double normal = load.normal - c.gives * a.s;
-    const double felt = std::max(normal, 0.0) * per_kappa, lambda = c.mu * felt;
+    const double normal = load.normal - c.rho_sin_cos * a.s;
+    const double effective = std::max(normal, 0.0) * per_kappa, lambda = c.mu * effective;
     const Vector drive =
         per_kappa * Vector{load.drive.s + (1.0 / per_kappa - c.kappa) * a.s, load.drive.y};
     const Vector p = known + own * drive;
-    const bool slides = friction.excess({p, own * felt}) > 0.0;
+    const bool slides = friction.excess({p, own * effective}) > 0.0;
     const Vector next =
-        slides ? drive - felt * friction.holding(p, own * felt) : (-1.0 / own) * known;
+        slides ? drive - effective * friction.holding(p, own * effective) : (-1.0 / own) * known;
     const double change = length(next - a);
     a = next;
     if (even || change <= 1e-13 * lambda) break;
@@ -37,90 +37,96 @@ Vector stage(const Constants<double>& c, const FrictionEllipse& friction, Vector
   return a;
 }
 
-/// SDIRK4 over a share of a piece.
+/// SDIRK4 over a fraction of a piece.
 SlidingStep sdirk4(const Constants<double>& c, const FrictionEllipse& friction, Vector v,
-                   const RoofPiece& piece, double share) {
+                   const RoofPiece& piece, double fraction) {
   Load load;
   Vector last;
   const auto rate = [&](int i, Vector known, double own_s) {
-    load = piece.load(share * Sdirk4::at[i]);
+    load = piece.load(fraction * Sdirk4::at[i]);
     return last = stage(c, friction, known, own_s, load, last);
   };
-  return sdirk4(v, share * piece.length_s(), friction, rate,
+  return sdirk4(v, fraction * piece.length_s(), friction, rate,
                 [&] { return c.per_kappa_y * load.normal; });
 }
 
 }  // namespace
 
-RoofPiece::Push LaneHistory::push_of(Vector v) const {
+RoofPiece::BlockVelocity LaneHistory::plan_velocity(Vector v) const {
   const double along = constants_.cosine2 * v.s, across = constants_.cosine * v.y;
   return {
       {constants_.c * along - constants_.s * across, constants_.s * along + constants_.c * across},
       {}};
 }
 
-/// That of the cubic through the velocities and accelerations at both ends of a step over a share
-/// of a piece.
-RoofPiece::Push LaneHistory::push_between(const Sliding& begin, const Sliding& end, double length_s,
-                                          double share) const {
+/// That of the cubic through the velocities and accelerations at both ends of a step over a
+/// fraction of a piece.
+RoofPiece::BlockVelocity LaneHistory::plan_velocity_between(const Sliding& begin,
+                                                            const Sliding& end, double length_s,
+                                                            double fraction) const {
   const Vector rise = length_s * begin.a, last = length_s * end.a, gain = end.v - begin.v;
-  const auto of = [&](Vector term, double per_share) { return push_of(per_share * term).begin; };
-  const double per = 1.0 / share;
-  return {push_of(begin.v).begin, of(rise, per), of(3.0 * gain - 2.0 * rise - last, per * per),
+  const auto of = [&](Vector term, double per_fraction) {
+    return plan_velocity(per_fraction * term).begin;
+  };
+  const double per = 1.0 / fraction;
+  return {plan_velocity(begin.v).begin, of(rise, per),
+          of(3.0 * gain - 2.0 * rise - last, per * per),
           of(rise + last - 2.0 * gain, per * per * per)};
 }
 
-LaneHistory::Next LaneHistory::event(Spot& spot) {
+LaneHistory::Next LaneHistory::event(HistoryState& state) {
   step_s_ = never;
-  return slide(spot, true);
+  return slide(state, true);
 }
 
-LaneHistory::Next LaneHistory::slide(Spot& spot, bool from_lane) {
+LaneHistory::Next LaneHistory::slide(HistoryState& state, bool from_lane) {
   for (bool first = from_lane;; first = false) {
-    const LaneMotion<double>& m = spot.motion;
+    const LaneMotion<double>& m = state.motion;
     const auto longest =
         static_cast<double>(ground_.quiet) * ground_.dt_s + RoofMotionOptions{}.longest_ring_down_s;
-    if (static_cast<double>(spot.node) * ground_.dt_s >= longest) return Next::leaves;
-    const Vector v = velocity(spot);
-    RoofPiece rest_of_interval = piece(spot, push_of(v));
+    if (static_cast<double>(state.node) * ground_.dt_s >= longest) return Next::unsupported;
+    const Vector v = velocity(state);
+    RoofPiece rest_of_interval = piece(state, plan_velocity(v));
     const Load load = rest_of_interval.load(0.0);
-    if (!(load.normal > 1.2 * least_weight * constants_.gravity)) return Next::leaves;
+    if (!(load.normal > 1.2 * least_weight * constants_.gravity)) return Next::unsupported;
     const double speed = length(v);
-    if (speed > 0.0 && stop(spot, rest_of_interval)) return rest(spot);
-    if (speed > 0.0 && speed <= constants_.tolerance * m.fastest && reverse(spot, rest_of_interval))
+    if (speed > 0.0 && stop(state, rest_of_interval)) return rest(state);
+    if (speed > 0.0 && speed <= constants_.tolerance * m.fastest &&
+        reverse(state, rest_of_interval))
       continue;
     if (!first && constants_.mu * load.normal * rest_of_interval.length_s() <= stiffest * speed)
       return Next::slides;
-    stiff_step(spot);
-    if (m.v_s == 0.0 && m.v_y == 0.0) return rest(spot);
+    stiff_step(state);
+    if (m.v_s == 0.0 && m.v_y == 0.0) return rest(state);
   }
 }
 
 /// In closed form, where it comes before the piece's end under a load that hardly changes.
-bool LaneHistory::stop(Spot& spot, const RoofPiece& piece) {
+bool LaneHistory::stop(HistoryState& state, const RoofPiece& piece) {
   const Constants<double>& c = constants_;
-  const LaneMotion<double>& m = spot.motion;
-  const Vector v = velocity(spot), to_circle{1.0, c.per_aspect};
-  const auto felt = [&](double y) {
-    const Load load = piece.load(y);
+  const LaneMotion<double>& m = state.motion;
+  const Vector v = velocity(state), to_circle{1.0, c.per_aspect};
+  const auto effective = [&](double tau) {
+    const Load load = piece.load(tau);
     return Load{c.per_kappa_y * load.drive, c.mu * c.per_kappa_y * load.normal};
   };
-  const double length_s = piece.length_s(), allowed = stop_share * c.tolerance * m.path;
-  const Load now = felt(0.0);
+  const double length_s = piece.length_s(), allowed = stop_fraction * c.tolerance * m.path;
+  const Load now = effective(0.0);
   const double t =
       stop_under_constant_load(scaled(v, to_circle), scaled(now.drive, to_circle), now.normal)
           .time_s;
   if (!(t < length_s)) return false;
-  // The load a third of the way gives the way of a straight path to the second order of its change.
-  const Load third = felt(t / length_s / 3.0), end = felt(1.0);
+  // The load after a third of the time gives the displacement of a straight path to the second
+  // order of its change.
+  const Load third = effective(t / length_s / 3.0), end = effective(1.0);
   step_s_ = std::min(step_s_, 0.6 * t);
   const auto change = [](const Load& a, const Load& b) {
     return length(b.drive - a.drive) + std::abs(b.normal - a.normal);
   };
   const double jerk = std::max(change(now, end) / length_s, change(now, third) * 3.0 / t);
-  const double uneven =
-      now.normal * c.per_kappa_y * (std::abs(1.0 / c.per_kappa_y - c.kappa) + c.mu * c.gives);
-  if (!(t * t * (jerk * t / 12.0 + 0.5 * uneven) <= allowed)) return false;
+  const double anisotropy =
+      now.normal * c.per_kappa_y * (std::abs(1.0 / c.per_kappa_y - c.kappa) + c.mu * c.rho_sin_cos);
+  if (!(t * t * (jerk * t / 12.0 + 0.5 * anisotropy) <= allowed)) return false;
   const EllipticStop found =
       c.aspect == 1.0
           ? EllipticStop{stop_under_constant_load(v, third.drive, third.normal), third.drive}
@@ -128,28 +134,29 @@ bool LaneHistory::stop(Spot& spot, const RoofPiece& piece) {
   const Stop& stop = found.stop;
   if (!(stop.time_s < length_s)) return false;
   const auto load_at = [&](double at_s) { return piece.load(at_s / length_s); };
-  const double off = t * (0.5 * jerk * t + uneven);  // speed it may have at the stop
-  if (rests_for_sure(off, stop.time_s, length_s, ellipse_, load_at) == never) return false;
+  const double residual_speed = t * (0.5 * jerk * t + anisotropy);  // speed it may have at the stop
+  if (certain_rest_s(residual_speed, stop.time_s, length_s, ellipse_, load_at) == never)
+    return false;
   const Vector out = scaled({m.at_s, m.at_y}, {c.cosine2, c.cosine}), last = found.last;
   const bool passes_no_peak =
       v.s * last.s >= 0.0 && v.y * last.y >= 0.0 && dot(out, v) * dot(out, last) >= 0.0;
   const bool may_cross = crossings_.may_reach(std::sqrt(m.farthest2) + stop.path);
   if (!(passes_no_peak && !may_cross) && stop.path > 50.0 * allowed) return false;
-  take_stop(spot, piece, stop);
+  take_stop(state, piece, stop);
   return true;
 }
 
 /// A speed within the tolerance that falls is zero after a time: from there friction and load
 /// decide anew. A stiff step across a reversal would take one direction's friction for the other's.
-bool LaneHistory::reverse(Spot& spot, const RoofPiece& piece) {
-  const Vector v = velocity(spot);
+bool LaneHistory::reverse(HistoryState& state, const RoofPiece& piece) {
+  const Vector v = velocity(state);
   const double speed = length(v), time_s = speed / deceleration(piece.load(0.0), v);
   if (!(time_s > 0.0 && time_s < piece.length_s())) return false;
   Stop zero;
   zero.time_s = time_s;
   zero.displacement = (0.5 * time_s) * v;
   zero.path = 0.5 * time_s * speed;
-  take_stop(spot, piece, zero);
+  take_stop(state, piece, zero);
   step_s_ = never;
   return true;
 }
@@ -160,19 +167,20 @@ double LaneHistory::deceleration(const Load& load, Vector v) const {
   return constants_.per_kappa_y * along;
 }
 
-void LaneHistory::take_stop(Spot& spot, const RoofPiece& piece, const Stop& stop) {
+void LaneHistory::take_stop(HistoryState& state, const RoofPiece& piece, const Stop& stop) {
   const Constants<double>& c = constants_;
-  LaneMotion<double>& m = spot.motion;
-  const Vector v = velocity(spot), from{m.at_s, m.at_y};
-  const double begin_s = time_s(spot);
-  piece.move(spot, stop.time_s / piece.length_s());
-  const Vector way = scaled(stop.displacement, {c.cosine2, c.cosine});
+  LaneMotion<double>& m = state.motion;
+  const Vector v = velocity(state), from{m.at_s, m.at_y};
+  const double begin_s = time_s(state);
+  piece.move(state, stop.time_s / piece.length_s());
+  const Vector displacement = scaled(stop.displacement, {c.cosine2, c.cosine});
   if (roof_ == RoofKind::coupled) {
-    // The push under way in place of that of the velocity it began with.
-    const RoofPiece::Push begin = push_of(v);
-    const double way_1 = c.c * way.s - c.s * way.y, way_2 = c.s * way.s + c.c * way.y;
-    const double less_1 = way_1 - begin.begin[0] * stop.time_s,
-                 less_2 = way_2 - begin.begin[1] * stop.time_s;
+    // The block's mean velocity to the stop, in place of the one that it began with.
+    const RoofPiece::BlockVelocity begin = plan_velocity(v);
+    const double path_1 = c.c * displacement.s - c.s * displacement.y,
+                 path_2 = c.s * displacement.s + c.c * displacement.y;
+    const double less_1 = path_1 - begin.begin[0] * stop.time_s,
+                 less_2 = path_2 - begin.begin[1] * stop.time_s;
     m.x_1 -= c.omega_1 * c.omega_rho_1 * less_1;
     m.x_2 -= c.omega_2 * c.omega_rho_2 * less_2;
     m.y_1 += c.omega_1 * c.omega_rho_1 * c.twice_zeta_1 * c.per_mass * less_1;
@@ -181,11 +189,11 @@ void LaneHistory::take_stop(Spot& spot, const RoofPiece& piece, const Stop& stop
   m.v_s = m.v_y = 0.0;
   m.path += stop.path;
   const double speed = length(v);
-  const auto at = [&](double y) {
-    const auto [share, rate] = stop.way_share(y, speed);
-    return WayPoint{from + share * way, (rate / stop.time_s) * way};
+  const auto at = [&](double tau) {
+    const auto [fraction, rate] = stop.path_fraction(tau, speed);
+    return PathPoint{from + fraction * displacement, (rate / stop.time_s) * displacement};
   };
-  move_way(spot, way, at, begin_s, stop.time_s);
+  displace(state, displacement, at, begin_s, stop.time_s);
 }
 
 /// The length to try first of what is left of the interval, `left_s`.
@@ -209,32 +217,32 @@ double LaneHistory::stiff_trial_s(const RoofPiece& rest_of_interval, Vector v,
   return length_s;
 }
 
-void LaneHistory::stiff_step(Spot& spot) {
+void LaneHistory::stiff_step(HistoryState& state) {
   const Constants<double>& c = constants_;
-  const Vector v = velocity(spot);
-  const double fastest = spot.motion.fastest;
-  RoofPiece rest_of_interval = piece(spot, push_of(v));
+  const Vector v = velocity(state);
+  const double fastest = state.motion.fastest;
+  RoofPiece rest_of_interval = piece(state, plan_velocity(v));
   const double left_s = rest_of_interval.length_s();
   const Load now = rest_of_interval.load(0.0);
   const Vector a = stage(c, ellipse_, v, 1e-9 * left_s, now, {});
   const double rounding = 16.0 * std::numeric_limits<double>::epsilon() *
                           (std::abs(now.drive.s) + std::abs(now.drive.y) + std::abs(now.normal));
   constexpr double shortest = 1e-9;  // of what is left
-  double length_s = stiff_trial_s(rest_of_interval, v, fastest), share = 1.0;
+  double length_s = stiff_trial_s(rest_of_interval, v, fastest), fraction = 1.0;
   SlidingStep trial;
   for (;;) {
     // No remainder that is much shorter than the step.
     if (length_s < left_s && length_s > 0.5 * left_s) length_s = 0.5 * left_s;
-    share = length_s == left_s ? 1.0 : length_s / left_s;
-    trial = sdirk4(c, ellipse_, v, rest_of_interval, share);
+    fraction = length_s == left_s ? 1.0 : length_s / left_s;
+    trial = sdirk4(c, ellipse_, v, rest_of_interval, fraction);
     const double allowed =
         c.tolerance * std::max(fastest, length(trial.end.v)) + length_s * rounding;
-    // Again with the push that it has, until that changes nothing.
+    // Again with the velocity that it then has, until that changes nothing.
     double changed = roof_ == RoofKind::coupled ? never : 0.0;
     for (int pass = 0; pass < 5 && changed > 0.01 * allowed; ++pass) {
       const Vector last = trial.end.v;
-      rest_of_interval = piece(spot, push_between({v, a}, trial.end, length_s, share));
-      trial = sdirk4(c, ellipse_, v, rest_of_interval, share);
+      rest_of_interval = piece(state, plan_velocity_between({v, a}, trial.end, length_s, fraction));
+      trial = sdirk4(c, ellipse_, v, rest_of_interval, fraction);
       changed = length(trial.end.v - last);
     }
     trial.error += changed;
@@ -243,13 +251,14 @@ void LaneHistory::stiff_step(Spot& spot) {
     if (ratio >= 1.0 || length_s <= shortest * left_s) break;
     length_s = step_s_;
   }
-  take_step(spot, rest_of_interval, share, length_s, {v, a}, trial.end);
+  take_step(state, rest_of_interval, fraction, length_s, {v, a}, trial.end);
 }
 
-/// Over a share of a piece; the way is the cubic through both ends' velocities and accelerations.
-void LaneHistory::take_step(Spot& spot, const RoofPiece& piece, double share, double length_s,
-                            const Sliding& begin, const Sliding& end) {
-  LaneMotion<double>& m = spot.motion;
+/// Over a fraction of a piece; the path is the cubic through both ends' velocities and
+/// accelerations.
+void LaneHistory::take_step(HistoryState& state, const RoofPiece& piece, double fraction,
+                            double length_s, const Sliding& begin, const Sliding& end) {
+  LaneMotion<double>& m = state.motion;
   const Vector to_plan{constants_.cosine2, constants_.cosine}, from{m.at_s, m.at_y};
   const Path path(length_s, from, scaled(begin.v, to_plan), scaled(begin.a, to_plan),
                   scaled(end.v, to_plan), scaled(end.a, to_plan));
@@ -257,14 +266,14 @@ void LaneHistory::take_step(Spot& spot, const RoofPiece& piece, double share, do
       path.v[0].s * path.v[3].s < 0.0 || path.v[0].y * path.v[3].y < 0.0) {
     raise_peaks(path, m);
   }
-  const double begin_s = time_s(spot), speed = length(end.v);
-  piece.move(spot, share);
+  const double begin_s = time_s(state), speed = length(end.v);
+  piece.move(state, fraction);
   m.v_s = end.v.s;
   m.v_y = end.v.y;
   m.fastest = std::max(m.fastest, speed);
   m.path += 0.5 * length_s * (length(begin.v) + speed);
-  const auto at = [&](double y) { return WayPoint{path.displacement(y), path.velocity(y)}; };
-  move_way(spot, path.end - from, at, begin_s, length_s);
+  const auto at = [&](double tau) { return PathPoint{path.displacement(tau), path.velocity(tau)}; };
+  displace(state, path.end - from, at, begin_s, length_s);
 }
 
 void LaneHistory::raise_peaks(const Path& path, LaneMotion<double>& m) const {
@@ -277,25 +286,25 @@ void LaneHistory::raise_peaks(const Path& path, LaneMotion<double>& m) const {
   m.back_y = std::max(m.back_y, extremes.back().y);
 }
 
-void LaneHistory::crossed(const LaneBank& bank, std::size_t lane) {
-  const double* f = bank.passed.share;
-  const double h = bank.passed.length_s[lane], end = f[lane];
-  const auto at = [&](double y) {
-    const double t = y * end;
-    WayPoint point;
-    for (std::size_t k = LaneBank::way_terms; k-- > 0;) {
-      const Vector term{bank.passed.way_s[k][lane], bank.passed.way_y[k][lane]};
+void LaneHistory::crossed(const LaneStates& lanes, std::size_t lane) {
+  const double* f = lanes.passed.fraction;
+  const double h = lanes.passed.length_s[lane], end = f[lane];
+  const auto at = [&](double tau) {
+    const double t = tau * end;
+    PathPoint point;
+    for (std::size_t k = LaneStates::path_terms; k-- > 0;) {
+      const Vector term{lanes.passed.path_s[k][lane], lanes.passed.path_y[k][lane]};
       point.velocity = t * point.velocity + point.displacement;
       point.displacement = t * point.displacement + term;
     }
     point.velocity = (1.0 / h) * point.velocity;
     return point;
   };
-  crossings_.pass(at, bank.passed.begin_s[lane], end * h, std::sqrt(bank.motion.farthest2[lane]));
+  crossings_.pass(at, lanes.passed.begin_s[lane], end * h, std::sqrt(lanes.motion.farthest2[lane]));
 }
 
-TwoAxisPeak LaneHistory::result(const Spot& spot) const {
-  const LaneMotion<double>& m = spot.motion;
+TwoAxisPeak LaneHistory::result(const HistoryState& state) const {
+  const LaneMotion<double>& m = state.motion;
   TwoAxisPeak peak;
   peak.peak_displacement_m = std::sqrt(m.farthest2);
   peak.peak_by_axis = {std::max(m.ahead_s, m.back_s), std::max(m.ahead_y, m.back_y)};

@@ -13,7 +13,7 @@
 
 #include <type_traits>
 
-#include "lane_bank.hpp"
+#include "lane_states.hpp"
 
 #ifndef GLISSADE_INLINE_LAMBDA
 #define GLISSADE_INLINE_LAMBDA __attribute__((always_inline))
@@ -61,13 +61,13 @@ struct Ramped {
   V begin, rise;
 };
 
-/// Series in tau, the share of the rest of the interval that has passed; h is its length. With the
-/// load p, the friction n along the slope, M = diag(1, aspect), the direction e = M v / |M v|, the
-/// speed u = |M v| and the rate d of v, all times h:
+/// Series in tau, the fraction of the rest of the interval that has passed; h is its length. With
+/// the load p, the friction n along the slope, M = diag(1, aspect), the direction e = M v / |M v|,
+/// the speed u = |M v| and the rate d of v, all times h:
 ///   e_k = (M v_k - sum of u_j e_k-j, j > 0) / u_0,   d = p - n M e,
 ///   v_k+1 = d_k / (k + 1),   u_k+1 = (M e . d)_k / (k + 1)
-/// On a roof that the block accelerates n and d depend on each other (kappa, gives in Constants).
-/// In every sum the newest term is added last: the lanes wait for it.
+/// On a roof that the block accelerates n and d depend on each other (kappa, rho_sin_cos in
+/// Constants). In every sum the newest term is added last: the lanes wait for it.
 template <RoofKind roof>
 class StepSeries {
  public:
@@ -113,29 +113,30 @@ class StepSeries {
   /// One axis of the building, and its acceleration as far as the block's own
   /// has no part in it.
   template <int k>
-  HWY_INLINE void Respond(V* x, V* y, V* a, V phase, V twice_zeta, V push, const Ramped& ground) {
+  HWY_INLINE void Respond(V* x, V* y, V* a, V phase, V twice_zeta, V block_velocity,
+                          const Ramped& ground) {
     V rate = y[k];
-    if constexpr (roof == RoofKind::coupled && k <= order) rate = rate - push;
+    if constexpr (roof == RoofKind::coupled && k <= order) rate = rate - block_velocity;
     a[k] = hn::Zero(Doubles()) - (twice_zeta * rate + x[k]);
     if constexpr (roof == RoofKind::coupled) a[k] = a[k] * c.per_mass;
-    const V share = phase * Number(inverse[k + 1]);
-    x[k + 1] = share * rate;
+    const V factor = phase * Number(inverse[k + 1]);
+    x[k + 1] = factor * rate;
     V rise = a[k];
     if constexpr (k == 0) rise = rise - ground.begin;
     if constexpr (k == 1) rise = rise - ground.rise;
-    y[k + 1] = share * rise;
+    y[k + 1] = factor * rise;
   }
 
   template <int k>
   HWY_INLINE void Respond() {
-    V push_1 = hn::Zero(Doubles()), push_2 = push_1;
+    V block_rate_1 = hn::Zero(Doubles()), block_rate_2 = block_rate_1;
     if constexpr (roof == RoofKind::coupled && k <= order) {
       const V along = c.cosine2 * v_s[k], across = c.cosine * v_y[k];
-      push_1 = c.omega_rho_1 * (c.c * along - c.s * across);
-      push_2 = c.omega_rho_2 * (c.s * along + c.c * across);
+      block_rate_1 = c.omega_rho_1 * (c.c * along - c.s * across);
+      block_rate_2 = c.omega_rho_2 * (c.s * along + c.c * across);
     }
-    Respond<k>(x_1, y_1, a_1, phase_1, c.twice_zeta_1, push_1, ground_1);
-    Respond<k>(x_2, y_2, a_2, phase_2, c.twice_zeta_2, push_2, ground_2);
+    Respond<k>(x_1, y_1, a_1, phase_1, c.twice_zeta_1, block_rate_1, ground_1);
+    Respond<k>(x_2, y_2, a_2, phase_2, c.twice_zeta_2, block_rate_2, ground_2);
   }
 
   template <int k>
@@ -183,14 +184,14 @@ class StepSeries {
   HWY_INLINE void Rate() {
     V s = p_s[k], y = p_y[k];
     if constexpr (roof == RoofKind::coupled) {
-      const V gives = c.mu * c.gives;
-      if constexpr (k == 0) per_kappa = hn::Div(Number(1.0), c.kappa - gives * e_s[0]);
+      const V coupling = c.mu * c.rho_sin_cos;
+      if constexpr (k == 0) per_kappa = hn::Div(Number(1.0), c.kappa - coupling * e_s[0]);
       ForOrders<1, k + 1>([&](auto j) GLISSADE_INLINE_LAMBDA {
         s = s - n[k - j] * e_s[j];
         y = y - n[k - j] * f_y[j];
       });
       d_s[k] = (s - weight[k] * e_s[0]) * per_kappa;
-      n[k] = weight[k] - gives * d_s[k];
+      n[k] = weight[k] - coupling * d_s[k];
       d_y[k] = (y - n[k] * f_y[0]) * c.per_kappa_y;
     } else {
       constexpr int first = roof == RoofKind::rigid && k > 1 ? k - 1 : 0;
@@ -219,9 +220,9 @@ class StepSeries {
   }
 };
 
-/// How far a step may go, as a share of what is left of the interval.
+/// How far a step may go, as a fraction of what is left of the interval.
 template <RoofKind roof>
-HWY_INLINE V StepShare(const StepSeries<roof>& z, V allowed) {
+HWY_INLINE V StepFraction(const StepSeries<roof>& z, V allowed) {
   const V one = Number(1.0), half = Number(0.5);
   const V error = hn::Abs(z.v_s[order]) + hn::Abs(z.v_y[order]);
   V f = hn::Min(one, hn::Div(Number(3.0) * z.speed[0], z.weight[0]));

@@ -2,7 +2,7 @@
 //
 // Compiled once per SIMD target (Highway chooses at run time); every operation
 // is elementwise and unfused, so all targets give the same bits.
-#include "lane_bank.hpp"
+#include "lane_states.hpp"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "block/two_axes/lane_step.cpp"
@@ -35,8 +35,8 @@ HWY_NOINLINE V Root(const Function& function, V to, V at_begin, V at_end) {
 
 /// The lanes' numbers; aggregates, since a constructor made by the compiler is not one of the
 /// target's functions.
-HWY_INLINE LaneMotion<V> LoadMotion(const LaneBank& bank, std::size_t first) {
-  const auto& m = bank.motion;
+HWY_INLINE LaneMotion<V> LoadMotion(const LaneStates& lanes, std::size_t first) {
+  const auto& m = lanes.motion;
   const auto at = [first](const double* row)
                       GLISSADE_INLINE_LAMBDA { return hn::Load(Doubles(), row + first); };
   return {.left = at(m.left),
@@ -60,8 +60,8 @@ HWY_INLINE LaneMotion<V> LoadMotion(const LaneBank& bank, std::size_t first) {
           .back_y = at(m.back_y)};
 }
 
-HWY_INLINE Constants<V> LoadConstants(const LaneBank& bank, std::size_t first) {
-  const auto& c = bank.constants;
+HWY_INLINE Constants<V> LoadConstants(const LaneStates& lanes, std::size_t first) {
+  const auto& c = lanes.constants;
   const auto at = [first](const double* row)
                       GLISSADE_INLINE_LAMBDA { return hn::Load(Doubles(), row + first); };
   return {.factor_1 = at(c.factor_1),
@@ -87,7 +87,7 @@ HWY_INLINE Constants<V> LoadConstants(const LaneBank& bank, std::size_t first) {
           .omega_rho_1 = at(c.omega_rho_1),
           .omega_rho_2 = at(c.omega_rho_2),
           .kappa = at(c.kappa),
-          .gives = at(c.gives),
+          .rho_sin_cos = at(c.rho_sin_cos),
           .per_kappa_y = at(c.per_kappa_y)};
 }
 
@@ -108,24 +108,25 @@ HWY_INLINE Mask CanStep(const StepSeries<roof>& z, const Constants<V>& c, const 
   }
   const V margin = n * n - (p_s * p_s + p_y * p_y);
   const V q = n * z.speed[0] + (p_s * m.v_s + p_y * (c.per_aspect * m.v_y));
-  const V allowed = (Number(12.0 * stop_share) * c.tolerance) * m.path;
+  const V allowed = (Number(12.0 * stop_fraction) * c.tolerance) * m.path;
   const Mask stops =
       hn::And(hn::And(hn::Gt(margin, zero), hn::Lt(q, margin)),
               hn::Le(((change * h) * q) * (q * q), allowed * ((margin * margin) * margin)));
   const Mask stiff = hn::Gt(z.weight[0], Number(stiffest) * z.speed[0]);
-  const V turned = v_s * m.v_s + (c.aspect * v_y) * (c.aspect * m.v_y);
-  const Mask straight = hn::Ge(turned, Number(0.2) * (z.speed[0] * z.speed[0]));
+  const V alignment = v_s * m.v_s + (c.aspect * v_y) * (c.aspect * m.v_y);
+  const Mask straight = hn::Ge(alignment, Number(0.2) * (z.speed[0] * z.speed[0]));
   const Mask stays = hn::Gt(z.weight[0], (Number(least_weight) * c.mu) * (c.gravity * h));
   return hn::AndNot(hn::Or(stops, stiff), hn::And(straight, stays));
 }
 
 /// Displacement over the step, as series in tau.
-static_assert(order + 2 == LaneBank::way_terms);
-struct Way {
+static_assert(order + 2 == LaneStates::path_terms);
+struct PathSeries {
   V s[order + 2], y[order + 2];
 
   template <RoofKind roof>
-  HWY_INLINE Way(const StepSeries<roof>& z, const Constants<V>& c, const LaneMotion<V>& m, V h) {
+  HWY_INLINE PathSeries(const StepSeries<roof>& z, const Constants<V>& c, const LaneMotion<V>& m,
+                        V h) {
     s[0] = m.at_s;
     y[0] = m.at_y;
     const V h_s = h * c.cosine2, h_y = h * c.cosine;
@@ -139,7 +140,7 @@ struct Way {
 /// Raises what a history has seen so far to the step's end and to what is
 /// between.
 template <RoofKind roof>
-HWY_INLINE void RaisePeaks(const StepSeries<roof>& z, const Constants<V>& c, const Way& way,
+HWY_INLINE void RaisePeaks(const StepSeries<roof>& z, const Constants<V>& c, const PathSeries& path,
                            Mask goes, V f, V along, LaneMotion<V>& to) {
   const V zero = hn::Zero(Doubles());
   to.farthest2 = hn::Max(to.farthest2, to.at_s * to.at_s + to.at_y * to.at_y);
@@ -148,8 +149,8 @@ HWY_INLINE void RaisePeaks(const StepSeries<roof>& z, const Constants<V>& c, con
   to.ahead_y = hn::Max(to.ahead_y, to.at_y);
   to.back_y = hn::Max(to.back_y, zero - to.at_y);
 
-  const V begin2 = way.s[0] * way.s[0] + way.y[0] * way.y[0];
-  const V out0 = way.s[0] * (c.cosine2 * z.v_s[0]) + way.y[0] * (c.cosine * z.v_y[0]);
+  const V begin2 = path.s[0] * path.s[0] + path.y[0] * path.y[0];
+  const V out0 = path.s[0] * (c.cosine2 * z.v_s[0]) + path.y[0] * (c.cosine * z.v_y[0]);
   const V out1 = to.at_s * (c.cosine2 * to.v_s) + to.at_y * (c.cosine * to.v_y);
   // Twice what is gained where the rate falls as a line.
   const V gain = (Number(2.0) * along) * hn::Div(out0 * out0, out0 - out1);
@@ -157,36 +158,36 @@ HWY_INLINE void RaisePeaks(const StepSeries<roof>& z, const Constants<V>& c, con
                                              hn::Gt(begin2 + gain, to.farthest2)));
   if (HWY_UNLIKELY(!hn::AllFalse(Doubles(), returns))) {
     const auto out = [&](V t) {
-      return Polynomial(way.s, t) * (c.cosine2 * Polynomial(z.v_s, t)) +
-             Polynomial(way.y, t) * (c.cosine * Polynomial(z.v_y, t));
+      return Polynomial(path.s, t) * (c.cosine2 * Polynomial(z.v_s, t)) +
+             Polynomial(path.y, t) * (c.cosine * Polynomial(z.v_y, t));
     };
     const V t = Root(out, f, out0, out1);
-    const V s = Polynomial(way.s, t), y = Polynomial(way.y, t);
+    const V s = Polynomial(path.s, t), y = Polynomial(path.y, t);
     to.farthest2 = hn::IfThenElse(returns, hn::Max(to.farthest2, s * s + y * y), to.farthest2);
   }
   const auto along_axis = [&](const V(&v)[order + 1], V v1, const V(&w)[order + 2], V& ahead,
                               V& back) GLISSADE_INLINE_LAMBDA {
     const V reach = w[0] + hn::Div((f * w[1]) * v[0], v[0] - v1);
-    const Mask turns = hn::And(hn::And(goes, hn::Lt(v[0] * v1, zero)),
-                               hn::Or(hn::Gt(reach, ahead), hn::Gt(zero - reach, back)));
-    if (HWY_LIKELY(hn::AllFalse(Doubles(), turns))) return;
+    const Mask reverses = hn::And(hn::And(goes, hn::Lt(v[0] * v1, zero)),
+                                  hn::Or(hn::Gt(reach, ahead), hn::Gt(zero - reach, back)));
+    if (HWY_LIKELY(hn::AllFalse(Doubles(), reverses))) return;
     const V t = Root([&](V x) { return Polynomial(v, x); }, f, v[0], v1);
     const V value = Polynomial(w, t);
-    ahead = hn::IfThenElse(turns, hn::Max(ahead, value), ahead);
-    back = hn::IfThenElse(turns, hn::Max(back, zero - value), back);
+    ahead = hn::IfThenElse(reverses, hn::Max(ahead, value), ahead);
+    back = hn::IfThenElse(reverses, hn::Max(back, zero - value), back);
   };
-  along_axis(z.v_s, to.v_s, way.s, to.ahead_s, to.back_s);
-  along_axis(z.v_y, to.v_y, way.y, to.ahead_y, to.back_y);
+  along_axis(z.v_s, to.v_s, path.s, to.ahead_s, to.back_s);
+  along_axis(z.v_y, to.v_y, path.y, to.ahead_y, to.back_y);
 }
 
 /// Writes the motion of the lanes that make the step.
 template <RoofKind roof>
-HWY_INLINE void Commit(LaneBank& bank, std::size_t first, Mask goes, const LaneMotion<V>& m) {
+HWY_INLINE void Commit(LaneStates& lanes, std::size_t first, Mask goes, const LaneMotion<V>& m) {
   const auto commit = [&](double* row, V value) GLISSADE_INLINE_LAMBDA {
     const V old = hn::Load(Doubles(), row + first);
     hn::Store(hn::IfThenElse(goes, value, old), Doubles(), row + first);
   };
-  auto& to = bank.motion;
+  auto& to = lanes.motion;
   commit(to.left, m.left);
   commit(to.v_s, m.v_s);
   commit(to.v_y, m.v_y);
@@ -216,27 +217,27 @@ HWY_INLINE std::uint64_t Bits(Mask mask) {
   return bits[0];
 }
 
-HWY_INLINE void KeepWay(LaneBank::Passed& to, std::size_t first, const Way& way, V begin_s,
-                        V length_s, V share) {
+HWY_INLINE void KeepPath(LaneStates::Passed& to, std::size_t first, const PathSeries& path,
+                         V begin_s, V length_s, V fraction) {
   const Doubles d;
-  for (std::size_t k = 0; k < LaneBank::way_terms; ++k) {
-    hn::Store(way.s[k], d, to.way_s[k] + first);
-    hn::Store(way.y[k], d, to.way_y[k] + first);
+  for (std::size_t k = 0; k < LaneStates::path_terms; ++k) {
+    hn::Store(path.s[k], d, to.path_s[k] + first);
+    hn::Store(path.y[k], d, to.path_y[k] + first);
   }
   hn::Store(begin_s, d, to.begin_s + first);
   hn::Store(length_s, d, to.length_s + first);
-  hn::Store(share, d, to.share + first);
+  hn::Store(fraction, d, to.fraction + first);
 }
 
 /// One step of neighbouring lanes; see Stepped.
 template <RoofKind roof>
-HWY_INLINE Stepped StepVector(LaneBank& bank, const GroundRows& ground, std::size_t first) {
+HWY_INLINE Stepped StepVector(LaneStates& lanes, const GroundRows& ground, std::size_t first) {
   const Doubles d;
   const Indices di;
   const V one = Number(1.0);
-  const LaneMotion<V> m = LoadMotion(bank, first);
-  const Constants<V> c = LoadConstants(bank, first);
-  const auto node = hn::Load(di, bank.node + first);
+  const LaneMotion<V> m = LoadMotion(lanes, first);
+  const Constants<V> c = LoadConstants(lanes, first);
+  const auto node = hn::Load(di, lanes.node + first);
   const auto next = hn::Add(node, hn::Set(di, std::int64_t{1}));
   const auto at = hn::ShiftLeft<2>(hn::Min(next, hn::Set(di, ground.last)));
   const V end_1 = c.factor_1 * hn::GatherIndex(d, ground.nodes, at);
@@ -250,17 +251,17 @@ HWY_INLINE Stepped StepVector(LaneBank& bank, const GroundRows& ground, std::siz
 
   LaneMotion<V> to = m;
   to.fastest = hn::Max(m.fastest, z.speed[0]);
-  const V f = StepShare(z, c.tolerance * to.fastest), along = h * f;
+  const V f = StepFraction(z, c.tolerance * to.fastest), along = h * f;
   to.path = m.path + along * z.speed[0];
   to.v_s = Polynomial(z.v_s, f);
   to.v_y = Polynomial(z.v_y, f);
   const Mask before = hn::RebindMask(d, hn::Lt(node, hn::Set(di, ground.limit)));
   const Mask goes = hn::And(before, CanStep(z, c, m, h, to.v_s, to.v_y));
 
-  const Way way(z, c, m, h);
-  to.at_s = Polynomial(way.s, f);
-  to.at_y = Polynomial(way.y, f);
-  RaisePeaks(z, c, way, goes, f, along, to);
+  const PathSeries path(z, c, m, h);
+  to.at_s = Polynomial(path.s, f);
+  to.at_y = Polynomial(path.y, f);
+  RaisePeaks(z, c, path, goes, f, along, to);
 
   const Mask whole = hn::Eq(f, one);
   to.left = hn::IfThenElse(whole, one, m.left * (one - f));
@@ -273,15 +274,15 @@ HWY_INLINE Stepped StepVector(LaneBank& bank, const GroundRows& ground, std::siz
     to.x_2 = Polynomial(z.x_2, f);
     to.y_2 = Polynomial(z.y_2, f);
   }
-  Commit<roof>(bank, first, goes, to);
+  Commit<roof>(lanes, first, goes, to);
   const auto moved = hn::RebindMask(di, hn::And(goes, whole));
-  hn::Store(hn::IfThenElse(moved, next, node), di, bank.node + first);
+  hn::Store(hn::IfThenElse(moved, next, node), di, lanes.node + first);
 
-  const Mask reached = hn::And(goes, hn::Ge(to.farthest2, hn::Load(d, bank.next2 + first)));
+  const Mask reached = hn::And(goes, hn::Ge(to.farthest2, hn::Load(d, lanes.next2 + first)));
   Stepped stepped;
   if (HWY_UNLIKELY(!hn::AllFalse(d, reached))) {
     const V whole_nodes = hn::ConvertTo(d, next);
-    KeepWay(bank.passed, first, way, (whole_nodes - m.left) * Number(ground.dt_s), h, f);
+    KeepPath(lanes.passed, first, path, (whole_nodes - m.left) * Number(ground.dt_s), h, f);
     stepped.passed = Bits(reached);
   }
   stepped.left = ~Bits(goes) & ((std::uint64_t{1} << hn::Lanes(d)) - 1);
@@ -289,28 +290,28 @@ HWY_INLINE Stepped StepVector(LaneBank& bank, const GroundRows& ground, std::siz
 }
 
 template <RoofKind roof>
-Stepped StepAll(LaneBank& bank, const GroundRows& ground) {
+Stepped StepAll(LaneStates& lanes, const GroundRows& ground) {
   const std::size_t n = hn::Lanes(Doubles());
   Stepped all;
-  for (std::size_t first = 0; first < LaneBank::lanes; first += n) {
-    if (((bank.active >> first) & ((std::uint64_t{1} << n) - 1)) == 0) continue;
-    const Stepped some = StepVector<roof>(bank, ground, first);
+  for (std::size_t first = 0; first < LaneStates::count; first += n) {
+    if (((lanes.active >> first) & ((std::uint64_t{1} << n) - 1)) == 0) continue;
+    const Stepped some = StepVector<roof>(lanes, ground, first);
     all.left |= some.left << first;
     all.passed |= some.passed << first;
   }
-  return {all.left & bank.active, all.passed & bank.active};
+  return {all.left & lanes.active, all.passed & lanes.active};
 }
 
-Stepped Step(LaneBank& bank, const GroundRows& ground, RoofKind roof) {
+Stepped Step(LaneStates& lanes, const GroundRows& ground, RoofKind roof) {
   switch (roof) {
     case RoofKind::rigid:
-      return StepAll<RoofKind::rigid>(bank, ground);
+      return StepAll<RoofKind::rigid>(lanes, ground);
     case RoofKind::building:
-      return StepAll<RoofKind::building>(bank, ground);
+      return StepAll<RoofKind::building>(lanes, ground);
     case RoofKind::coupled:
       break;
   }
-  return StepAll<RoofKind::coupled>(bank, ground);
+  return StepAll<RoofKind::coupled>(lanes, ground);
 }
 
 }  // namespace glissade::block_detail::two_axes::HWY_NAMESPACE
@@ -320,8 +321,8 @@ HWY_AFTER_NAMESPACE();
 namespace glissade::block_detail::two_axes {
 HWY_EXPORT(Step);
 
-Stepped step(LaneBank& bank, const GroundRows& ground, RoofKind roof) {
-  return HWY_DYNAMIC_DISPATCH(Step)(bank, ground, roof);
+Stepped step(LaneStates& lanes, const GroundRows& ground, RoofKind roof) {
+  return HWY_DYNAMIC_DISPATCH(Step)(lanes, ground, roof);
 }
 
 }  // namespace glissade::block_detail::two_axes

@@ -77,7 +77,7 @@ Constants<double> constants_of(const TwoAxisScene& scene, double tolerance) {
   c.omega_rho_1 = rho * c.omega_1;
   c.omega_rho_2 = rho * c.omega_2;
   c.kappa = 1.0 - rho * c.cosine2;
-  c.gives = rho * std::sin(block.slope_rad) * c.cosine;
+  c.rho_sin_cos = rho * std::sin(block.slope_rad) * c.cosine;
   c.per_kappa_y = 1.0 + r;
   return c;
 }

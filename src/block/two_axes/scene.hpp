@@ -2,7 +2,7 @@
 #pragma once
 
 #include "glissade/block/two_axis_lanes.hpp"
-#include "lane_bank.hpp"
+#include "lane_states.hpp"
 
 namespace glissade::block_detail::two_axes {
 

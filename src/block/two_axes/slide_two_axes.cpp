@@ -17,15 +17,15 @@
 namespace glissade {
 namespace {
 
+using block_detail::DistanceCrossings;
 using block_detail::two_axes::Constants;
 using block_detail::two_axes::GroundNodes;
 using block_detail::two_axes::GroundRows;
-using block_detail::two_axes::LaneBank;
-using block_detail::two_axes::LaneCrossings;
+using block_detail::two_axes::HistoryState;
 using block_detail::two_axes::LaneHistory;
+using block_detail::two_axes::LaneStates;
 using block_detail::two_axes::RestTable;
 using block_detail::two_axes::RoofKind;
-using block_detail::two_axes::Spot;
 using block_detail::two_axes::Stepped;
 
 /// What histories on one table have in common.
@@ -112,19 +112,19 @@ class Pool {
   /// @param tasks those on one building are neighbours
   void run(std::span<const std::size_t> tasks) {
     tasks_ = tasks;
-    for (std::size_t lane = 0; lane < LaneBank::lanes; ++lane) fill(lane);
+    for (std::size_t lane = 0; lane < LaneStates::count; ++lane) fill(lane);
     const GroundNodes& nodes = state_.nodes;
     const double longest_s =
         static_cast<double>(nodes.quiet) * nodes.dt_s + RoofMotionOptions{}.longest_ring_down_s;
     const GroundRows ground{nodes.nodes.data(), static_cast<std::int64_t>(nodes.quiet),
                             static_cast<std::int64_t>(longest_s / nodes.dt_s), nodes.dt_s,
                             state_.ground.vertical != nullptr};
-    while (bank_.active != 0) {
-      const Stepped stepped = block_detail::two_axes::step(bank_, ground, roof_);
+    while (lanes_.active != 0) {
+      const Stepped stepped = block_detail::two_axes::step(lanes_, ground, roof_);
       for (std::uint64_t passed = stepped.passed; passed != 0; passed &= passed - 1) {
         const auto lane = static_cast<std::size_t>(std::countr_zero(passed));
-        histories_[lane]->crossed(bank_, lane);
-        bank_.next2[lane] = histories_[lane]->next2();
+        histories_[lane]->crossed(lanes_, lane);
+        lanes_.next2[lane] = histories_[lane]->next2();
       }
       for (std::uint64_t left = stepped.left; left != 0; left &= left - 1)
         resolve(static_cast<std::size_t>(std::countr_zero(left)));
@@ -134,7 +134,7 @@ class Pool {
  private:
   /// Puts the next history that slides into a lane.
   void fill(std::size_t lane) {
-    bank_.active &= ~(std::uint64_t{1} << lane);
+    lanes_.active &= ~(std::uint64_t{1} << lane);
     while (next_ < tasks_.size()) {
       const std::size_t k = scene_[lane] = tasks_[next_++];
       const TwoAxisScene& scene = batch_.scenes[k];
@@ -142,37 +142,37 @@ class Pool {
       LaneHistory& history = histories_[lane].emplace(
           block_detail::two_axes::constants_of(scene, state_.tolerance), roof_, state_.nodes,
           state_.tables.of(scene, state_.nodes, roof_),
-          LaneCrossings(batch_.thresholds_m, batch_.crossings_of(k)));
-      Spot spot;
-      if (!settle(lane, history.begin(spot), spot)) continue;
-      LaneBank::store(bank_.constants, lane, history.constants());
-      put(lane, spot);
-      bank_.active |= std::uint64_t{1} << lane;
+          DistanceCrossings(batch_.thresholds_m, batch_.crossings_of(k)));
+      HistoryState state;
+      if (!settle(lane, history.begin(state), state)) continue;
+      LaneStates::store(lanes_.constants, lane, history.constants());
+      put(lane, state);
+      lanes_.active |= std::uint64_t{1} << lane;
       return;
     }
   }
 
   void resolve(std::size_t lane) {
-    Spot spot;
-    LaneBank::load(bank_.motion, lane, spot.motion);
-    spot.node = bank_.node[lane];
-    if (settle(lane, histories_[lane]->event(spot), spot))
-      put(lane, spot);
+    HistoryState state;
+    LaneStates::load(lanes_.motion, lane, state.motion);
+    state.node = lanes_.node[lane];
+    if (settle(lane, histories_[lane]->event(state), state))
+      put(lane, state);
     else
       fill(lane);
   }
 
-  void put(std::size_t lane, const Spot& spot) {
-    LaneBank::store(bank_.motion, lane, spot.motion);
-    bank_.node[lane] = spot.node;
-    bank_.next2[lane] = histories_[lane]->next2();
+  void put(std::size_t lane, const HistoryState& state) {
+    LaneStates::store(lanes_.motion, lane, state.motion);
+    lanes_.node[lane] = state.node;
+    lanes_.next2[lane] = histories_[lane]->next2();
   }
 
   /// True where it slides on.
-  bool settle(std::size_t lane, LaneHistory::Next next, const Spot& spot) {
+  bool settle(std::size_t lane, LaneHistory::Next next, const HistoryState& state) {
     const std::size_t k = scene_[lane];
-    if (next == LaneHistory::Next::over) batch_.peaks[k] = histories_[lane]->result(spot);
-    if (next == LaneHistory::Next::leaves) state_.by_reference(batch_, k);
+    if (next == LaneHistory::Next::finished) batch_.peaks[k] = histories_[lane]->result(state);
+    if (next == LaneHistory::Next::unsupported) state_.by_reference(batch_, k);
     return next == LaneHistory::Next::slides;
   }
 
@@ -181,9 +181,9 @@ class Pool {
   Batch batch_;
   std::span<const std::size_t> tasks_;
   std::size_t next_ = 0;
-  LaneBank bank_;
-  std::size_t scene_[LaneBank::lanes] = {};
-  std::optional<LaneHistory> histories_[LaneBank::lanes];
+  LaneStates lanes_;
+  std::size_t scene_[LaneStates::count] = {};
+  std::optional<LaneHistory> histories_[LaneStates::count];
 };
 
 }  // namespace

@@ -128,8 +128,8 @@ TEST(motion_table, bounds_the_acceleration_and_the_velocity_s_chord_everywhere) 
         peak = std::max(peak, std::abs(accel));
         ASSERT_LE(accel * b.acceleration_scale, b.highest[i]);
         ASSERT_GE(accel * b.acceleration_scale, b.lowest[i]);
-        ASSERT_GE(b.block_highest[i / MotionBounds::block], b.highest[i]);
-        ASSERT_LE(b.block_lowest[i / MotionBounds::block], b.lowest[i]);
+        ASSERT_GE(b.tile_highest[i / MotionBounds::tile], b.highest[i]);
+        ASSERT_LE(b.tile_lowest[i / MotionBounds::tile], b.lowest[i]);
         // V at y: its value at the node and the integral of the left part.
         double v = v0;
         for (int m = 0; m < 64; ++m) v += t.step_s() * y / 64 * value(q, y * (m + 0.5) / 64);

@@ -14,7 +14,7 @@ namespace glissade::block_detail::two_axes::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-std::size_t FirstLoose(const RestMotion& motion, const Constants<double>& c, double needed) {
+std::size_t FirstRelease(const RestMotion& motion, const Constants<double>& c, double needed) {
   const HWY_CAPPED(double, 8) d;
   const auto number = [d](double value) { return hn::Set(d, value); };
   for (std::size_t k = 0; k < 8; k += hn::Lanes(d)) {
@@ -31,8 +31,8 @@ std::size_t FirstLoose(const RestMotion& motion, const Constants<double>& c, dou
     const auto holds = number(c.mu) * (fall + number(c.tangent) * along) - number(needed);
     const auto rests =
         hn::And(hn::Ge(holds, hn::Zero(d)), hn::Le(p_s * p_s + p_y * p_y, holds * holds));
-    const auto loose = hn::FindFirstTrue(d, hn::Not(rests));
-    if (loose >= 0) return k + static_cast<std::size_t>(loose);
+    const auto released = hn::FindFirstTrue(d, hn::Not(rests));
+    if (released >= 0) return k + static_cast<std::size_t>(released);
   }
   return 8;
 }
@@ -42,11 +42,11 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace glissade::block_detail::two_axes {
-HWY_EXPORT(FirstLoose);
+HWY_EXPORT(FirstRelease);
 
-std::size_t first_loose(const RestMotion& motion, const Constants<double>& constants,
-                        double needed) {
-  return HWY_DYNAMIC_DISPATCH(FirstLoose)(motion, constants, needed);
+std::size_t first_release(const RestMotion& motion, const Constants<double>& constants,
+                          double needed) {
+  return HWY_DYNAMIC_DISPATCH(FirstRelease)(motion, constants, needed);
 }
 
 }  // namespace glissade::block_detail::two_axes

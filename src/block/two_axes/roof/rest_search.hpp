@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "block/two_axes/lane_bank.hpp"
+#include "block/two_axes/lane_states.hpp"
 
 namespace glissade::block_detail::two_axes {
 
@@ -23,7 +23,7 @@ struct RestMotion {
 
 /// The first of eight nodes at which friction holds the block by less than
 /// `needed`, or 8.
-std::size_t first_loose(const RestMotion& motion, const Constants<double>& constants,
-                        double needed);
+std::size_t first_release(const RestMotion& motion, const Constants<double>& constants,
+                          double needed);
 
 }  // namespace glissade::block_detail::two_axes

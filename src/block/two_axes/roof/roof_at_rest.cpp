@@ -15,15 +15,15 @@ constexpr double between_nodes = 1.2;
 }  // namespace
 
 RoofAtRest::RoofAtRest(const Constants<double>& constants, RoofKind roof, const GroundNodes& ground,
-                       const RestTable& table, const Spot& spot)
+                       const RestTable& table, const HistoryState& state)
     : constants_(constants),
       roof_(roof),
       ground_(ground),
       table_(table),
-      after_record_(static_cast<std::size_t>(spot.node) >= ground.quiet),
-      base_(static_cast<std::size_t>(spot.node)) {
+      after_record_(static_cast<std::size_t>(state.node) >= ground.quiet),
+      base_(static_cast<std::size_t>(state.node)) {
   if (rigid()) return;
-  const LaneMotion<double>& m = spot.motion;
+  const LaneMotion<double>& m = state.motion;
   std::array<AxisState, 2> beside{{{m.x_1, m.y_1}, {m.x_2, m.y_2}}};
   for (std::size_t n = 0; n < 2 && !after_record_; ++n) {
     const AxisState own = table_.state(n, base_);
@@ -65,51 +65,51 @@ void RoofAtRest::renew(std::size_t node) {
     free_bound_[n] = table_.free[n].bound(table_.free[n].after(node - base_, free_[n]));
 }
 
-bool RoofAtRest::holds(const std::array<double, 2>& a, double w) const {
+bool RoofAtRest::sticks(const std::array<double, 2>& a, double w) const {
   const Constants<double>& c = constants_;
   const double most = std::sqrt(a[0] * a[0] + a[1] * a[1]) * (1.0 + 1e-12);
   return (c.gravity + w) * c.tangent + most * std::max(1.0, c.per_aspect) / c.cosine <=
          c.mu * (c.gravity - w - c.tangent * most) * (1.0 - 1e-12);
 }
 
-bool RoofAtRest::holds_from(std::size_t node) const {
-  const std::size_t k = node / block_nodes;
+bool RoofAtRest::sticks_from(std::size_t node) const {
+  const std::size_t k = node / tile_nodes;
   std::array<double, 2> a = free_bound_;
-  if (after_record_) return holds(a, 0.0);
+  if (after_record_) return sticks(a, 0.0);
   for (std::size_t n = 0; n < 2; ++n) {
     a[n] += std::abs(factor(n)) * table_.coming[n][k];
     if (!rigid()) a[n] *= between_nodes;
   }
-  return holds(a, std::abs(constants_.factor_w) * ground_.coming_w[k]);
+  return sticks(a, std::abs(constants_.factor_w) * ground_.coming_w[k]);
 }
 
-double RoofAtRest::sag(std::size_t axis, std::size_t block) const {
+double RoofAtRest::deviation(std::size_t axis, std::size_t tile) const {
   if (rigid()) return 0.0;
-  const double free = free_bound_[axis] * table_.free[axis].sag();
-  return after_record_ ? free : free + std::abs(factor(axis)) * table_.sag[axis][block];
+  const double free = free_bound_[axis] * table_.free[axis].deviation();
+  return after_record_ ? free : free + std::abs(factor(axis)) * table_.deviation[axis][tile];
 }
 
-bool RoofAtRest::holds_in_block(std::size_t node) const {
+bool RoofAtRest::sticks_in_tile(std::size_t node) const {
   if (after_record_) return false;
-  const std::size_t k = node / block_nodes;
+  const std::size_t k = node / tile_nodes;
   std::array<double, 2> a;
   for (std::size_t n = 0; n < 2; ++n)
-    a[n] = free_bound_[n] + std::abs(factor(n)) * table_.block[n][k] + sag(n, k);
-  return holds(a, std::abs(constants_.factor_w) * ground_.block_w[k]);
+    a[n] = free_bound_[n] + std::abs(factor(n)) * table_.tile[n][k] + deviation(n, k);
+  return sticks(a, std::abs(constants_.factor_w) * ground_.tile_w[k]);
 }
 
-std::size_t RoofAtRest::block_end(std::size_t node) const {
-  return after_record_ ? node + block_nodes - 1
-                       : std::min((node / block_nodes + 1) * block_nodes, ground_.quiet);
+std::size_t RoofAtRest::tile_end(std::size_t node) const {
+  return after_record_ ? node + tile_nodes - 1
+                       : std::min((node / tile_nodes + 1) * tile_nodes, ground_.quiet);
 }
 
-std::size_t RoofAtRest::first_loose(std::size_t from, std::size_t end) const {
+std::size_t RoofAtRest::first_release(std::size_t from, std::size_t end) const {
   const Constants<double>& c = constants_;
-  const std::size_t k = from / block_nodes;
+  const std::size_t k = from / tile_nodes;
   const double rounding = 1e-12 * c.gravity;
-  const double needed =
-      (sag(0, k) + sag(1, k)) * (std::max(1.0, c.per_aspect) / c.cosine + c.mu * c.tangent) +
-      rounding;
+  const double needed = (deviation(0, k) + deviation(1, k)) *
+                            (std::max(1.0, c.per_aspect) / c.cosine + c.mu * c.tangent) +
+                        rounding;
   for (std::size_t i = from; i <= end; i += 8) {
     RestMotion motion;
     for (std::size_t n = 0; n < 2; ++n) {
@@ -122,8 +122,8 @@ std::size_t RoofAtRest::first_loose(std::size_t from, std::size_t end) const {
                         now.y};
     }
     motion.w = after_record_ ? zeros : ground_.w.data() + i;
-    const std::size_t loose = two_axes::first_loose(motion, c, needed);
-    if (loose < 8) return std::min(i + loose, end + 1);
+    const std::size_t released = two_axes::first_release(motion, c, needed);
+    if (released < 8) return std::min(i + released, end + 1);
   }
   return end + 1;
 }

@@ -15,7 +15,7 @@ namespace glissade::block_detail::two_axes {
 class RoofAtRest {
  public:
   RoofAtRest(const Constants<double>& constants, RoofKind roof, const GroundNodes& ground,
-             const RestTable& table, const Spot& spot);
+             const RestTable& table, const HistoryState& state);
 
   std::array<AxisState, 2> state(std::size_t node) const;
   /// Nothing is known of the roof before this node.
@@ -27,23 +27,23 @@ class RoofAtRest {
   void renew(std::size_t node);
 
   /// Friction holds the block from this node on, whatever is still to come.
-  bool holds_from(std::size_t node) const;
-  /// Friction holds the block from this node to `block_end`.
-  bool holds_in_block(std::size_t node) const;
-  std::size_t block_end(std::size_t node) const;
+  bool sticks_from(std::size_t node) const;
+  /// Friction holds the block from this node to `tile_end`.
+  bool sticks_in_tile(std::size_t node) const;
+  std::size_t tile_end(std::size_t node) const;
   /// The first node, up to and including `end`, where friction might not hold
   /// the block in the interval before or after it; or end + 1.
-  std::size_t first_loose(std::size_t from, std::size_t end) const;
+  std::size_t first_release(std::size_t from, std::size_t end) const;
 
  private:
   bool rigid() const { return roof_ == RoofKind::rigid; }
   /// Friction holds the block whatever the roof does within these bounds.
-  bool holds(const std::array<double, 2>& a, double w) const;
+  bool sticks(const std::array<double, 2>& a, double w) const;
   double factor(std::size_t axis) const {
     return axis == 0 ? constants_.factor_1 : constants_.factor_2;
   }
   void set_free(std::size_t node, const std::array<AxisState, 2>& state);
-  double sag(std::size_t axis, std::size_t block) const;
+  double deviation(std::size_t axis, std::size_t tile) const;
 
   const Constants<double>& constants_;
   RoofKind roof_;

@@ -5,11 +5,11 @@
 
 namespace glissade::block_detail::two_axes {
 
-RoofPiece::RoofPiece(const Spot& spot, const GroundNodes& ground, const Constants<double>& c,
-                     RoofKind roof, const Push& push)
-    : constants_(&c), roof_(roof), length_s_(ground.dt_s * spot.motion.left) {
-  const LaneMotion<double>& m = spot.motion;
-  const auto next = static_cast<std::size_t>(spot.node + 1);
+RoofPiece::RoofPiece(const HistoryState& state, const GroundNodes& ground,
+                     const Constants<double>& c, RoofKind roof, const BlockVelocity& block_velocity)
+    : constants_(&c), roof_(roof), length_s_(ground.dt_s * state.motion.left) {
+  const LaneMotion<double>& m = state.motion;
+  const auto next = static_cast<std::size_t>(state.node + 1);
   ground_ = {m.ground_1, m.ground_2};
   ground_end_ = {c.factor_1 * ground.ground(0, next), c.factor_2 * ground.ground(1, next)};
   w_ = m.w;
@@ -30,8 +30,9 @@ RoofPiece::RoofPiece(const Spot& spot, const GroundNodes& ground, const Constant
   for (std::size_t n = 0; n < 2; ++n) {
     const double phase = omega[n] * length_s_;
     const double forcing[] = {ground_[n], ground_end_[n] - ground_[n]};
-    const double b[] = {omega_rho[n] * push.begin[n], omega_rho[n] * push.rise[n],
-                        omega_rho[n] * push.curve[n], omega_rho[n] * push.bend[n]};
+    const double b[] = {
+        omega_rho[n] * block_velocity.begin[n], omega_rho[n] * block_velocity.rise[n],
+        omega_rho[n] * block_velocity.curve[n], omega_rho[n] * block_velocity.bend[n]};
     Terms &x = x_[n], &y = y_[n], &a = a_[n];
     x[0] = n == 0 ? m.x_1 : m.x_2;
     y[0] = n == 0 ? m.y_1 : m.y_2;
@@ -39,17 +40,17 @@ RoofPiece::RoofPiece(const Spot& spot, const GroundNodes& ground, const Constant
       const double rate = k < 4 ? y[k] - b[k] : y[k];
       a[k] = -(damping[n] * rate + x[k]) * c.per_mass;
       if (k + 1 == static_cast<std::size_t>(terms_)) break;
-      const double share = phase * inverse[k + 1];
-      x[k + 1] = share * rate;
-      y[k + 1] = share * (k < 2 ? a[k] - forcing[k] : a[k]);
+      const double factor = phase * inverse[k + 1];
+      x[k + 1] = factor * rate;
+      y[k + 1] = factor * (k < 2 ? a[k] - forcing[k] : a[k]);
     }
   }
 }
 
-Load RoofPiece::load(double y) const {
+Load RoofPiece::load(double tau) const {
   const Constants<double>& c = *constants_;
-  const double a_1 = sum(a_[0], terms_, y), a_2 = sum(a_[1], terms_, y);
-  const double fall = c.gravity + (w_ + y * (w_end_ - w_)), along = c.c * a_1 + c.s * a_2;
+  const double a_1 = sum(a_[0], terms_, tau), a_2 = sum(a_[1], terms_, tau);
+  const double fall = c.gravity + (w_ + tau * (w_end_ - w_)), along = c.c * a_1 + c.s * a_2;
   return {{fall * c.tangent - along, c.s_across * a_1 - c.c_across * a_2},
           fall + c.tangent * along};
 }
@@ -64,7 +65,7 @@ Load RoofPiece::term(int k) const {
           fall + c.tangent * along};
 }
 
-double RoofPiece::sag() const {
+double RoofPiece::deviation() const {
   double total = 0.0;
   for (std::size_t k = 2; k < static_cast<std::size_t>(terms_); ++k)
     total += std::abs(a_[0][k]) + std::abs(a_[1][k]);
@@ -72,20 +73,20 @@ double RoofPiece::sag() const {
   return total * (std::max(1.0, c.per_aspect) / c.cosine + c.mu * c.tangent);
 }
 
-void RoofPiece::move(Spot& spot, double y) const {
-  LaneMotion<double>& m = spot.motion;
-  const bool whole = y >= 1.0;
-  m.ground_1 = whole ? ground_end_[0] : ground_[0] + y * (ground_end_[0] - ground_[0]);
-  m.ground_2 = whole ? ground_end_[1] : ground_[1] + y * (ground_end_[1] - ground_[1]);
-  m.w = whole ? w_end_ : w_ + y * (w_end_ - w_);
+void RoofPiece::move(HistoryState& state, double tau) const {
+  LaneMotion<double>& m = state.motion;
+  const bool whole = tau >= 1.0;
+  m.ground_1 = whole ? ground_end_[0] : ground_[0] + tau * (ground_end_[0] - ground_[0]);
+  m.ground_2 = whole ? ground_end_[1] : ground_[1] + tau * (ground_end_[1] - ground_[1]);
+  m.w = whole ? w_end_ : w_ + tau * (w_end_ - w_);
   if (roof_ != RoofKind::rigid) {
-    m.x_1 = sum(x_[0], terms_, y);
-    m.y_1 = sum(y_[0], terms_, y);
-    m.x_2 = sum(x_[1], terms_, y);
-    m.y_2 = sum(y_[1], terms_, y);
+    m.x_1 = sum(x_[0], terms_, tau);
+    m.y_1 = sum(y_[0], terms_, tau);
+    m.x_2 = sum(x_[1], terms_, tau);
+    m.y_2 = sum(y_[1], terms_, tau);
   }
-  m.left = whole ? 1.0 : m.left * (1.0 - y);
-  if (whole) ++spot.node;
+  m.left = whole ? 1.0 : m.left * (1.0 - tau);
+  if (whole) ++state.node;
 }
 
 }  // namespace glissade::block_detail::two_axes

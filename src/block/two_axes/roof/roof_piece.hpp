@@ -4,47 +4,47 @@
 #include <array>
 
 #include "block/contact/two_axis_contact.hpp"
-#include "block/two_axes/lane_bank.hpp"
+#include "block/two_axes/lane_states.hpp"
 #include "block/two_axes/roof/tables.hpp"
 
 namespace glissade::block_detail::two_axes {
 
 /// A history between lanes: where it is, before the begin of which interval's
 /// rest.
-struct Spot {
+struct HistoryState {
   LaneMotion<double> motion{};
   std::int64_t node = 0;
 };
 
-/// What acts on the block over the rest of a sample interval, y in [0, 1] its
-/// share: power series of the roof's acceleration, as far as the block's own
+/// What acts on the block over the rest of a sample interval, tau in [0, 1] its
+/// fraction: power series of the roof's acceleration, as far as the block's own
 /// has no part in it, and the vertical.
 class RoofPiece {
  public:
-  /// The block's velocity in plan by the building's axes: begin + rise y +
-  /// curve y^2 + bend y^3.
-  struct Push {
+  /// The block's velocity in plan by the building's axes: begin + rise tau +
+  /// curve tau^2 + bend tau^3.
+  struct BlockVelocity {
     std::array<double, 2> begin{}, rise{}, curve{}, bend{};
   };
-  RoofPiece(const Spot& spot, const GroundNodes& ground, const Constants<double>& constants,
-            RoofKind roof, const Push& push);
+  RoofPiece(const HistoryState& state, const GroundNodes& ground,
+            const Constants<double>& constants, RoofKind roof, const BlockVelocity& block_velocity);
 
   double length_s() const { return length_s_; }
-  Load load(double y) const;
-  /// The load's coefficient of y^k.
+  Load load(double tau) const;
+  /// The load's coefficient of tau^k.
   Load term(int k) const;
   /// By how much friction may hold the block less than on the chord between its
   /// ends.
-  double sag() const;
-  /// Takes the ground and the building to a share of the piece.
-  void move(Spot& spot, double y) const;
+  double deviation() const;
+  /// Takes the ground and the building to a fraction of the piece.
+  void move(HistoryState& state, double tau) const;
 
  private:
   static constexpr int most_terms = 12;
   using Terms = std::array<double, most_terms>;
-  static double sum(const Terms& c, int terms, double y) {
+  static double sum(const Terms& c, int terms, double tau) {
     double total = c[static_cast<std::size_t>(terms) - 1];
-    for (int k = terms - 1; k-- > 0;) total = total * y + c[static_cast<std::size_t>(k)];
+    for (int k = terms - 1; k-- > 0;) total = total * tau + c[static_cast<std::size_t>(k)];
     return total;
   }
 
@@ -58,7 +58,7 @@ class RoofPiece {
 };
 
 /// Of a load: how much more friction could hold.
-inline double grip_left(const Load& load, const Constants<double>& c) {
+inline double friction_reserve(const Load& load, const Constants<double>& c) {
   return c.mu * load.normal - length({load.drive.s, c.per_aspect * load.drive.y});
 }
 

@@ -10,16 +10,16 @@ namespace glissade::block_detail::two_axes {
 namespace {
 
 /// Nodes after the last, of zeros, that a search may read.
-constexpr std::size_t padding = 2 * block_nodes;
+constexpr std::size_t padding = 2 * tile_nodes;
 
-std::size_t blocks_of(std::size_t quiet) { return quiet / block_nodes + 1; }
+std::size_t tiles_of(std::size_t quiet) { return quiet / tile_nodes + 1; }
 
-/// Largest |value| by block; the node at a block's end counts for it too.
-std::vector<double> block_maxima(const double* values, std::size_t quiet) {
-  std::vector<double> largest(blocks_of(quiet), 0.0);
+/// Largest |value| by tile; the node at a tile's end counts for it too.
+std::vector<double> tile_maxima(const double* values, std::size_t quiet) {
+  std::vector<double> largest(tiles_of(quiet), 0.0);
   for (std::size_t k = 0; k < largest.size(); ++k) {
     double most = 0.0;
-    for (std::size_t i = k * block_nodes; i <= (k + 1) * block_nodes; ++i)
+    for (std::size_t i = k * tile_nodes; i <= (k + 1) * tile_nodes; ++i)
       most = std::max(most, std::abs(values[i]));
     largest[k] = most;
   }
@@ -47,8 +47,8 @@ GroundNodes::GroundNodes(const BuildingGround& ground) : dt_s(ground.horizontal[
     const std::size_t count = std::min(values.size(), tables[n]->quiet_from());
     for (std::size_t i = 0; i < count; ++i) nodes[4 * i + n] = (*rows[n])[i] = values[i];
   }
-  block_w = block_maxima(w.data(), quiet);
-  coming_w = suffix_maxima(block_w, 0.0);
+  tile_w = tile_maxima(w.data(), quiet);
+  coming_w = suffix_maxima(tile_w, 0.0);
 }
 
 FreeVibration::FreeVibration(double omega_radps, double twice_zeta, double per_mass, double dt_s,
@@ -64,19 +64,19 @@ FreeVibration::FreeVibration(double omega_radps, double twice_zeta, double per_m
                   a.yx * b.xy + a.yy * b.yy};
   };
   const Matrix one{s.xx, s.xy * root_mass_, -s.xy / root_mass_, s.yy};
-  for (std::size_t k = 1; k < block_nodes; ++k) near_[k] = times(one, near_[k - 1]);
-  const Matrix block = times(one, near_[block_nodes - 1]);
-  far_.resize(steps / block_nodes + 2);
-  for (std::size_t k = 1; k < far_.size(); ++k) far_[k] = times(block, far_[k - 1]);
+  for (std::size_t k = 1; k < tile_nodes; ++k) near_[k] = times(one, near_[k - 1]);
+  const Matrix per_tile = times(one, near_[tile_nodes - 1]);
+  far_.resize(steps / tile_nodes + 2);
+  for (std::size_t k = 1; k < far_.size(); ++k) far_[k] = times(per_tile, far_[k - 1]);
   for (std::size_t k = 0; k < 8; ++k) {
     x_part_[k] = -(twice_zeta_ * near_[k].yx + near_[k].xx) * per_mass_;
     y_part_[k] = -(twice_zeta_ * near_[k].yy + near_[k].xy) * per_mass_;
   }
-  sag_ = 0.125 * phase * phase * (1.0 + 4.0 * zeta) * (1.0 + 4.0 * zeta) * 1.2;
+  deviation_ = 0.125 * phase * phase * (1.0 + 4.0 * zeta) * (1.0 + 4.0 * zeta) * 1.2;
 }
 
 AxisState FreeVibration::after(std::size_t steps, const AxisState& from) const {
-  const Matrix &f = far_[steps / block_nodes], &n = near_[steps % block_nodes];
+  const Matrix &f = far_[steps / tile_nodes], &n = near_[steps % tile_nodes];
   const double x = f.xx * from.x + f.xy * from.y, y = f.yx * from.x + f.yy * from.y;
   return {n.xx * x + n.xy * y, n.yx * x + n.yy * y};
 }
@@ -91,7 +91,7 @@ RestTable::RestTable(const GroundNodes& ground, const Constants<double>& c, Roof
   const std::size_t quiet = ground.quiet;
   for (std::size_t n = 0; n < 2; ++n) {
     a[n] = ground.a[n].data();
-    sag[n].assign(blocks_of(quiet), 0.0);
+    deviation[n].assign(tiles_of(quiet), 0.0);
     double after = 0.0;
     if (roof != RoofKind::rigid) {
       const double omega = n == 0 ? c.omega_1 : c.omega_2;
@@ -109,34 +109,35 @@ RestTable::RestTable(const GroundNodes& ground, const Constants<double>& c, Roof
       AxisState now;
       const double* g = ground.a[n].data();
       const double phase = omega * ground.dt_s;
-      double most_sag = 0.0;
+      double largest_deviation = 0.0;
       for (std::size_t i = 0; i < quiet; ++i) {
         const AxisState next{s.xx * now.x + xy * now.y - (x0 * g[i] + x1 * g[i + 1]),
                              s.yy * now.y - yx * now.x - (y0 * g[i] + y1 * g[i + 1])};
-        // on_building_rest.cpp: what the motion can leave its chord by.
+        // body_rest.cpp: what the motion can leave its chord by.
         const double rise = std::abs(g[i + 1] - g[i]), y_now = std::abs(now.y);
         const double z_now = std::abs(own_a[n][i] - g[i]);
         const double per_left = 1.0 / (1.0 - (phase + twice_zeta) * phase * c.per_mass);
         const double z = (z_now + phase * y_now * c.per_mass + rise) * per_left;
         const double z_rate = phase * (y_now + (phase + twice_zeta) * z) * c.per_mass + rise;
         const double leaves = 0.125 * phase * (phase * z + twice_zeta * z_rate) * c.per_mass;
-        most_sag = std::max(most_sag, leaves);
-        if (i % block_nodes == block_nodes - 1 || i + 1 == quiet) {
-          sag[n][i / block_nodes] = most_sag;
-          most_sag = 0.0;
+        largest_deviation = std::max(largest_deviation, leaves);
+        if (i % tile_nodes == tile_nodes - 1 || i + 1 == quiet) {
+          deviation[n][i / tile_nodes] = largest_deviation;
+          largest_deviation = 0.0;
         }
         now = next;
         x[n][i + 1] = now.x;
         y[n][i + 1] = now.y;
         own_a[n][i + 1] = free[n].acceleration(now);
       }
-      // A block's first node ends the interval before.
-      for (std::size_t k = sag[n].size(); k-- > 1;) sag[n][k] = std::max(sag[n][k], sag[n][k - 1]);
+      // A tile's first node ends the interval before.
+      for (std::size_t k = deviation[n].size(); k-- > 1;)
+        deviation[n][k] = std::max(deviation[n][k], deviation[n][k - 1]);
       a[n] = own_a[n].data();
       after = free[n].bound(now);
     }
-    block[n] = block_maxima(a[n], quiet);
-    coming[n] = suffix_maxima(block[n], after);
+    tile[n] = tile_maxima(a[n], quiet);
+    coming[n] = suffix_maxima(tile[n], after);
   }
 }
 

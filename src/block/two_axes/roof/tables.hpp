@@ -4,13 +4,13 @@
 #include <array>
 #include <vector>
 
-#include "block/two_axes/lane_bank.hpp"
+#include "block/two_axes/lane_states.hpp"
 #include "glissade/block/on_building.hpp"
 
 namespace glissade::block_detail::two_axes {
 
-/// Bounds cover this many nodes.
-constexpr std::size_t block_nodes = 64;
+/// Nodes of a tile: what one bound covers.
+constexpr std::size_t tile_nodes = 64;
 
 /// A ground motion at its nodes, for all histories under it.
 struct GroundNodes {
@@ -19,8 +19,8 @@ struct GroundNodes {
   std::vector<double> nodes;             ///< GroundRows::nodes
   std::array<std::vector<double>, 2> a;  ///< by axis; zeros follow
   std::vector<double> w;                 ///< the same
-  std::vector<double> block_w,
-      coming_w;  ///< largest |w|: of a block, of it and all after it
+  std::vector<double> tile_w,
+      coming_w;  ///< largest |w|: of a tile, of it and all after it
 
   explicit GroundNodes(const BuildingGround& ground);
   double ground(std::size_t axis, std::size_t node) const {
@@ -50,15 +50,15 @@ class FreeVibration {
   double acceleration(const AxisState& s) const { return -(twice_zeta_ * s.y + s.x) * per_mass_; }
   /// How far an acceleration of this amplitude leaves its chord over a step, at
   /// most.
-  double sag() const { return sag_; }
+  double deviation() const { return deviation_; }
 
  private:
   struct Matrix {
     double xx = 1.0, xy = 0.0, yx = 0.0, yy = 1.0;
   };
-  double omega_, twice_zeta_, per_mass_, root_mass_, sag_;
-  std::array<Matrix, block_nodes> near_;
-  std::vector<Matrix> far_;  // block_nodes steps each
+  double omega_, twice_zeta_, per_mass_, root_mass_, deviation_;
+  std::array<Matrix, tile_nodes> near_;
+  std::vector<Matrix> far_;  // tile_nodes steps each
   std::array<double, 8> x_part_{}, y_part_{};
 };
 
@@ -69,10 +69,10 @@ struct RestTable {
   std::array<std::vector<double>, 2> x, y;   ///< empty: rigid
   std::array<std::vector<double>, 2> own_a;  ///< empty: rigid
   std::array<const double*, 2> a{};          ///< acceleration; zeros follow
-  std::array<std::vector<double>, 2> block,
-      coming;                              ///< largest |a|: of a block, of all to come
-  std::array<std::vector<double>, 2> sag;  ///< how far it leaves its chord, by block
-  std::vector<FreeVibration> free;         ///< by axis; empty: rigid
+  std::array<std::vector<double>, 2> tile,
+      coming;                                    ///< largest |a|: of a tile, of all to come
+  std::array<std::vector<double>, 2> deviation;  ///< how far it leaves its chord, by tile
+  std::vector<FreeVibration> free;               ///< by axis; empty: rigid
 
   RestTable(const GroundNodes& ground, const Constants<double>& constants, RoofKind roof);
   AxisState state(std::size_t axis, std::size_t node) const {

@@ -10,18 +10,18 @@ struct Stop {
   double time_s = never;
   Vector displacement;
   double path = 0.0;
-  double fastest = 0.0;  ///< on the way
+  double fastest = 0.0;  ///< before it
 
   /// The fraction of a straight path after a fraction of the time, and its rate, from the speed at
   /// its start: the cubic that ends at rest.
-  struct WayShare {
-    double way, rate;
+  struct PathFraction {
+    double path, rate;
   };
-  WayShare way_share(double y, double speed) const {
+  PathFraction path_fraction(double tau, double speed) const {
     const double begin = path > 0.0 ? speed * time_s / path : 0.0;
-    // way = begin y + b y^2 + c y^3 with way(1) = 1, way'(1) = 0
+    // path = begin tau + b tau^2 + c tau^3 with path(1) = 1, path'(1) = 0
     const double c = begin - 2.0, b = 1.0 - begin - c;
-    return {y * (begin + y * (b + y * c)), begin + y * (2.0 * b + y * 3.0 * c)};
+    return {tau * (begin + tau * (b + tau * c)), begin + tau * (2.0 * b + tau * 3.0 * c)};
   }
 };
 
@@ -43,7 +43,7 @@ inline Stop stop_under_constant_load(Vector v, Vector d, double n) {
 /// hardly anything of a velocity along the load.
 /// @param load of which it rests, at a time
 template <class LoadAt>
-double rests_for_sure(double off, double t_s, double left_s, const FrictionEllipse& friction,
+double certain_rest_s(double off, double t_s, double left_s, const FrictionEllipse& friction,
                       const LoadAt& load) {
   const double deceleration = friction.least_deceleration(load(t_s));
   if (!(deceleration > 0.0)) return never;

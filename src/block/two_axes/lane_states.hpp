@@ -18,7 +18,7 @@ enum class RoofKind { rigid, building, coupled };
 /// equations.
 template <class Number>
 struct LaneMotion {
-  Number left;  ///< share of the sample interval that is still to come, (0, 1]
+  Number left;  ///< fraction of the sample interval that is still to come, (0, 1]
   Number v_s, v_y;
   Number at_s, at_y;
   Number ground_1, ground_2, w;  ///< mps2, now
@@ -42,40 +42,40 @@ struct Constants {
   Number omega_1, omega_2, twice_zeta_1, twice_zeta_2,
       per_mass;  ///< per_mass = 1 / (1 + r)
   Number omega_rho_1, omega_rho_2;
-  Number kappa, gives,
+  Number kappa, rho_sin_cos,
       per_kappa_y;  ///< 1 - rho cos^2, rho sin cos, 1 / (1 - rho)
 };
 
 /// Histories that slide, side by side.
-struct LaneBank {
-  static constexpr std::size_t lanes = 32;
-  using Lanes = double[lanes];
+struct LaneStates {
+  static constexpr std::size_t count = 32;
+  using Lanes = double[count];
 
   alignas(64) LaneMotion<Lanes> motion = {};
   alignas(64) Constants<Lanes> constants = {};
-  alignas(64) std::int64_t node[lanes] = {};  ///< before which sample interval's begin
+  alignas(64) std::int64_t node[count] = {};  ///< before which sample interval's begin
   std::uint64_t active = 0;                   ///< lanes, as bits
-  alignas(64) double next2[lanes] = {};       ///< LaneCrossings::next2
-  /// Of a lane's last step that reached it: displacement in plan as a series in the share of the
-  /// interval's rest of `length_s`, up to `share`.
-  static constexpr std::size_t way_terms = 8;
+  alignas(64) double next2[count] = {};       ///< DistanceCrossings::next2
+  /// Of a lane's last step that reached it: displacement in plan as a series in the fraction of the
+  /// interval's rest of `length_s`, up to `fraction`.
+  static constexpr std::size_t path_terms = 8;
   struct Passed {
-    double way_s[way_terms][lanes], way_y[way_terms][lanes];
-    double begin_s[lanes], length_s[lanes], share[lanes];
+    double path_s[path_terms][count], path_y[path_terms][count];
+    double begin_s[count], length_s[count], fraction[count];
   };
   alignas(64) Passed passed = {};
 
   template <template <class> class Fields>
   static void store(Fields<Lanes>& rows, std::size_t lane, const Fields<double>& column) {
     for (std::size_t k = 0; k < sizeof(column) / sizeof(double); ++k)
-      std::memcpy(reinterpret_cast<char*>(&rows) + (k * lanes + lane) * sizeof(double),
+      std::memcpy(reinterpret_cast<char*>(&rows) + (k * count + lane) * sizeof(double),
                   reinterpret_cast<const char*>(&column) + k * sizeof(double), sizeof(double));
   }
   template <template <class> class Fields>
   static void load(const Fields<Lanes>& rows, std::size_t lane, Fields<double>& column) {
     for (std::size_t k = 0; k < sizeof(column) / sizeof(double); ++k)
       std::memcpy(reinterpret_cast<char*>(&column) + k * sizeof(double),
-                  reinterpret_cast<const char*>(&rows) + (k * lanes + lane) * sizeof(double),
+                  reinterpret_cast<const char*>(&rows) + (k * count + lane) * sizeof(double),
                   sizeof(double));
   }
 };
@@ -93,20 +93,20 @@ struct GroundRows {
 /// The largest n h / |v| of a lane: beyond it, where |v| is small, its steps
 /// would be too short.
 constexpr double stiffest = 1000.0;
-/// What a stop's closed form may be off by, as a share of tolerance times path:
+/// What a stop's closed form may be off by, as a fraction of tolerance times path:
 /// what one stop leaves nothing later corrects, and stops are many.
-constexpr double stop_share = 1e-3;
-/// The least normal force in a lane, as a share of the weight; the scalar
+constexpr double stop_fraction = 1e-3;
+/// The least normal force in a lane, as a fraction of the weight; the scalar
 /// scheme of the events allows a little more.
 constexpr double least_weight = 0.05;
 
 /// Lanes as bits.
 struct Stepped {
   std::uint64_t left = 0;    ///< did not make the step: they are as before
-  std::uint64_t passed = 0;  ///< reached LaneBank::next2
+  std::uint64_t passed = 0;  ///< reached LaneStates::next2
 };
 
 /// One step of every active lane.
-Stepped step(LaneBank& bank, const GroundRows& ground, RoofKind roof);
+Stepped step(LaneStates& lanes, const GroundRows& ground, RoofKind roof);
 
 }  // namespace glissade::block_detail::two_axes

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "block/full_model/on_building_axis.hpp"
+#include "block/full_model/building_axis.hpp"
 
 #include <numbers>
 
@@ -13,7 +13,7 @@ BuildingAxis::BuildingAxis(const Oscillator& oscillator, const Yielding& yieldin
   twice_zeta_ = 2.0 * oscillator.damping_ratio;
   yields_ = yielding.yields();
   if (yields_) {
-    share_ = yielding.hardening_ratio;
+    hardening_ = yielding.hardening_ratio;
     yield_ = yielding.yield_acceleration_mps2;
   }
   phase_ = omega_ * piece_s;
@@ -35,48 +35,49 @@ BuildingAxis::BuildingAxis(const Oscillator& oscillator, const Yielding& yieldin
            root * step.y_end};
 }
 
-// In the share of the piece, with phase = omega length:
-//   dx = phase y,  dy = phase (a - a_ground),  mass a = E - push,  dE = -(2 zeta dy + k dx).
+// In the fraction of the piece, with phase = omega length:
+//   dx = phase y,  dy = phase (a - a_ground),  mass a = E - interaction,  dE = -(2 zeta dy + k dx).
 AxisSeries BuildingAxis::motion(double length_s, const Ramp& ground, double mass,
-                                const Ramp& push) const {
+                                const Ramp& interaction) const {
   AxisSeries m;
   const double ground_c[2] = {ground.begin, ground.end - ground.begin},
-               push_c[2] = {push.begin, push.end - push.begin};
-  m.x.terms = m.y.terms = m.elastic.terms = terms_;
+               interaction_c[2] = {interaction.begin, interaction.end - interaction.begin};
+  m.x.terms = m.y.terms = m.resisting.terms = terms_;
   if (rigid()) {
     for (int k = 0; k < 2; ++k) {
       m.x.c[k] = m.y.c[k] = 0.0;
-      m.elastic.c[k] = mass * ground_c[k] + push_c[k];
+      m.resisting.c[k] = mass * ground_c[k] + interaction_c[k];
     }
-    m.largest_elastic = std::abs(m.elastic.c[0]) + std::abs(m.elastic.c[1]);
+    m.resisting_bound = std::abs(m.resisting.c[0]) + std::abs(m.resisting.c[1]);
     return m;
   }
   const double phase = omega_ * length_s, per_mass = 1.0 / mass, k_tangent = stiffness();
   m.x.c[0] = x_;
   m.y.c[0] = y_;
-  m.elastic.c[0] = elastic();
-  const double forcing[2] = {ground_c[0] + push_c[0] * per_mass,
-                             ground_c[1] + push_c[1] * per_mass};
+  m.resisting.c[0] = resisting();
+  const double forcing[2] = {ground_c[0] + interaction_c[0] * per_mass,
+                             ground_c[1] + interaction_c[1] * per_mass};
   for (int k = 0; k + 1 < terms_; ++k) {
-    const double share = phase * Series::inverse[k + 1];
-    double rise = m.elastic.c[k] * per_mass;
+    const double factor = phase * Series::inverse[k + 1];
+    double rise = m.resisting.c[k] * per_mass;
     if (k < 2) rise -= forcing[k];
-    m.x.c[k + 1] = share * m.y.c[k];
-    m.y.c[k + 1] = share * rise;
-    m.elastic.c[k + 1] = -(twice_zeta_ * m.y.c[k + 1] + k_tangent * m.x.c[k + 1]);
+    m.x.c[k + 1] = factor * m.y.c[k];
+    m.y.c[k + 1] = factor * rise;
+    m.resisting.c[k + 1] = -(twice_zeta_ * m.y.c[k + 1] + k_tangent * m.x.c[k + 1]);
   }
   // From the fourth on, |E_k+1| <= (2 zeta phase / k) |E_k| + (phase^2 / (k (k - 1))) |E_k-1| and
   // x_k+2 is phase^2 / (k + 1) (k + 2) of E_k, with phase (1 + 2 zeta) <= 0.4.
   const auto size = [](const Series& of, int k) { return std::abs(coefficient(of, k)); };
-  const double e2 = 1.02 * size(m.elastic, 2), e3 = 1.13 * size(m.elastic, 3);
-  m.largest_elastic = size(m.elastic, 0) + size(m.elastic, 1) + e2 + e3;
-  m.largest_x = size(m.x, 0) + size(m.x, 1) + size(m.x, 2) + size(m.x, 3) + 0.0134 * (e2 + e3);
+  const double e2 = 1.02 * size(m.resisting, 2), e3 = 1.13 * size(m.resisting, 3);
+  m.resisting_bound = size(m.resisting, 0) + size(m.resisting, 1) + e2 + e3;
+  m.x_bound = size(m.x, 0) + size(m.x, 1) + size(m.x, 2) + size(m.x, 3) + 0.0134 * (e2 + e3);
   return m;
 }
 
 double BuildingAxis::next_yield(const AxisSeries& motion) const {
   if (!yields_) return never;
-  if (flow_ != 0) return first_fall(motion.y, flow_ > 0 ? Sign::plus : Sign::minus);
+  if (yield_direction_ != 0)
+    return first_fall(motion.y, yield_direction_ > 0 ? Sign::plus : Sign::minus);
   Series z = motion.x;
   z.c[0] = z_ - yield_;
   const double up = first_rise(z);
@@ -84,27 +85,27 @@ double BuildingAxis::next_yield(const AxisSeries& motion) const {
   return std::min(up, first_fall(z));
 }
 
-void BuildingAxis::follow(const AxisSeries& motion, double share, double add_x, double add_y) {
+void BuildingAxis::follow(const AxisSeries& motion, double fraction, double add_x, double add_y) {
   if (rigid()) return;
-  const double x = motion.x.at(share) + add_x;
-  if (yields_ && flow_ == 0) z_ = std::clamp(z_ + (x - x_), -yield_, yield_);
+  const double x = motion.x.at(fraction) + add_x;
+  if (yields_ && yield_direction_ == 0) z_ = std::clamp(z_ + (x - x_), -yield_, yield_);
   x_ = x;
-  y_ = motion.y.at(share) + add_y;
+  y_ = motion.y.at(fraction) + add_y;
 }
 
 void BuildingAxis::yield() {
-  if (flow_ != 0) {
-    y_ = flow_ > 0 ? std::min(y_, 0.0) : std::max(y_, 0.0);
-    flow_ = 0;
+  if (yield_direction_ != 0) {
+    y_ = yield_direction_ > 0 ? std::min(y_, 0.0) : std::max(y_, 0.0);
+    yield_direction_ = 0;
     return;
   }
-  flow_ = z_ > 0.0 ? 1 : -1;
-  z_ = flow_ * yield_;
+  yield_direction_ = z_ > 0.0 ? 1 : -1;
+  z_ = yield_direction_ * yield_;
 }
 
 double BuildingAxis::largest_to_come_mps2() const {
   if (rigid()) return 0.0;
-  if (flow_ != 0) return never;
+  if (yield_direction_ != 0) return never;
   const double s = spring(), root = std::sqrt(stuck_mass_), zeta = 0.5 * twice_zeta_ / root;
   const Envelope envelope = free_vibration_envelope(s / stuck_mass_, y_ / root, zeta);
   // Elastic about where the spring is without force.

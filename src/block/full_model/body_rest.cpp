@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Block and building while the block sticks.
-#include "block/full_model/on_building_body.hpp"
+#include "block/full_model/body.hpp"
 
 namespace glissade::block_detail {
 namespace {
@@ -19,14 +19,14 @@ Series product(const Series& a, const Series& b) {
 
 /// FrictionEllipse::excess over a piece.
 Series excess(const FrictionEllipse& friction, const TwoAxisLoading& loading,
-              const AxisSeries (&axis)[2], double mass, const Shaking& shaking) {
+              const AxisSeries (&axis)[2], double mass, const ExcitationPiece& excitation) {
   Series s, y, n;
   s.terms = y.terms = n.terms =
-      std::max({axis[0].elastic.terms, axis[1].elastic.terms, shaking.vertical_terms});
+      std::max({axis[0].resisting.terms, axis[1].resisting.terms, excitation.vertical_terms});
   for (int k = 0; k < s.terms; ++k) {
-    const double a1 = coefficient(axis[0].elastic, k) / mass,
-                 a2 = coefficient(axis[1].elastic, k) / mass;
-    const double w = shaking.coefficient(k);
+    const double a1 = coefficient(axis[0].resisting, k) / mass,
+                 a2 = coefficient(axis[1].resisting, k) / mass;
+    const double w = excitation.coefficient(k);
     const Load load = k == 0 ? loading.at(a1, a2, w) : loading.change(a1, a2, w);
     s.c[k] = load.drive.s;
     y.c[k] = friction.to_circle() * load.drive.y;
@@ -41,7 +41,7 @@ Series excess(const FrictionEllipse& friction, const TwoAxisLoading& loading,
 /// Lifted or not, a block stays where it is on a flat roof that does not move sideways.
 bool drives(const TwoAxisLoading& loading, const AxisSeries (&axis)[2]) {
   const auto moves = [](const AxisSeries& motion) {
-    const Series& e = motion.elastic;
+    const Series& e = motion.resisting;
     return std::any_of(e.c.begin(), e.c.begin() + e.terms, [](double c) { return c != 0.0; });
   };
   return loading.tan_slope() != 0.0 || moves(axis[0]) || moves(axis[1]);
@@ -49,52 +49,52 @@ bool drives(const TwoAxisLoading& loading, const AxisSeries (&axis)[2]) {
 
 }  // namespace
 
-double OnBuildingBody::rest(const Shaking& piece) {
+double FullModelBody::rest(const ExcitationPiece& piece) {
   const double mass = 1.0 + mass_ratio_;
   const AxisSeries motion[2] = {axes_[0].motion(piece.length_s, piece.ground[0], mass),
                                 axes_[1].motion(piece.length_s, piece.ground[1], mass)};
   const FrictionEllipse& friction = contact_.friction_at_rest();
-  const Load begin = contact_.loading().at(motion[0].elastic.c[0] / mass,
-                                           motion[1].elastic.c[0] / mass, piece.w(0.0));
+  const Load begin = contact_.loading().at(motion[0].resisting.c[0] / mass,
+                                           motion[1].resisting.c[0] / mass, piece.w(0.0));
   uplift_ = uplift_ || begin.normal < 0.0;
   const double release = !drives(contact_.loading(), motion) ? never
                          : friction.may_rest(begin)
                              ? first_rise(excess(friction, contact_.loading(), motion, mass, piece))
                              : 0.0;
-  double yield[2], share = std::min(release, 1.0);
+  double yield[2], fraction = std::min(release, 1.0);
   for (std::size_t n = 0; n < 2; ++n) {
     yield[n] = axes_[n].next_yield(motion[n]);
-    share = std::min(share, yield[n]);
+    fraction = std::min(fraction, yield[n]);
   }
   for (std::size_t n = 0; n < 2; ++n) {
-    raise_peaks(n, motion[n], share);
-    axes_[n].follow(motion[n], share);
+    raise_peaks(n, motion[n], fraction);
+    axes_[n].follow(motion[n], fraction);
   }
-  if (share == 1.0) return 1.0;  // what happens there begins the next piece
+  if (fraction == 1.0) return 1.0;  // what happens there begins the next piece
   bool yielded = false;
   for (std::size_t n = 0; n < 2; ++n) {
-    if (yield[n] != share) continue;
+    if (yield[n] != fraction) continue;
     axes_[n].yield();
     yielded = true;
   }
-  if (yielded) return share;
+  if (yielded) return fraction;
   // Released by as much as Coulomb's law holds it back, a block has no acceleration yet.
-  const bool jumps = share == 0.0 || contact_.law().static_ratio != 1.0;
+  const bool jumps = fraction == 0.0 || contact_.law().static_ratio != 1.0;
   Vector a;
   if (jumps) {
     Axes e;
     for (std::size_t n = 0; n < 2; ++n)
-      e[n] = axes_[n].rigid() ? piece.ground[n].at(share) : axes_[n].elastic();
-    a = contact_.release_acceleration(e, piece.w(share), mobility_);
+      e[n] = axes_[n].rigid() ? piece.ground[n].at(fraction) : axes_[n].resisting();
+    a = contact_.release_acceleration(e, piece.w(fraction), accelerance_);
   }
   start(a, piece);
-  return share;
+  return fraction;
 }
 
 namespace {
 
 /// The two axes of the building side by side over whole pieces at rest: s the spring forces, E and
-/// sag as below. A rigid axis has no state, and E = mass a_ground.
+/// deviation as below. A rigid axis has no state, and E = mass a_ground.
 struct RestSteps {
   double xx[2], xy[2], yx[2], yy[2], x_start[2], x_end[2], y_start[2], y_end[2];
   double twice_zeta[2], phase[2], carried[2], per_left[2];
@@ -141,21 +141,21 @@ RestNode next_node(const RestSteps& c, const RestNode& now, double ground_1, dou
 /// derivative. With z = a - a_ground, mass m, ' over the piece:
 ///   s' = phase y,  y' = phase z,  z' = -phase (y + 2 zeta z) / m - a_ground',
 /// so that |z| <= (|z_0| + phase |y_0| / m + |a_ground'|) / (1 - (phase^2 + 2 zeta phase) / m).
-struct Sag {
+struct ChordDeviation {
   double e[2], s[2];
 };
-Sag sag_after(const RestSteps& c, const RestNode& now, const RestNode& next) {
-  Sag sag;
+ChordDeviation chord_deviation(const RestSteps& c, const RestNode& now, const RestNode& next) {
+  ChordDeviation deviation;
   for (std::size_t n = 0; n < 2; ++n) {
     const double phase = c.phase[n], zeta2 = c.twice_zeta[n];
     const double rise = std::abs(next.ground[n] - now.ground[n]), y0 = std::abs(now.y[n]);
     const double z0 = std::abs(now.e[n] * c.per_mass - now.ground[n]);
     const double z = (z0 + phase * y0 * c.per_mass + rise) * c.per_left[n];
     const double z_rate = phase * (y0 + (phase + zeta2) * z) * c.per_mass + rise;
-    sag.s[n] = 0.125 * phase * phase * z;
-    sag.e[n] = sag.s[n] + 0.125 * phase * zeta2 * z_rate;
+    deviation.s[n] = 0.125 * phase * phase * z;
+    deviation.e[n] = deviation.s[n] + 0.125 * phase * zeta2 * z_rate;
   }
-  return sag;
+  return deviation;
 }
 
 }  // namespace
@@ -164,9 +164,9 @@ Sag sag_after(const RestSteps& c, const RestNode& now, const RestNode& next) {
 /// m = N - |M^-1 F| > 0 the block sticks, and m is concave, so that on the chord it is not less
 /// than at the ends.
 template <class Nodes>
-std::size_t OnBuildingBody::rest_over(const Nodes& nodes, std::size_t from, std::size_t to) {
+std::size_t FullModelBody::rest_over(const Nodes& nodes, std::size_t from, std::size_t to) {
   const FrictionEllipse& friction = contact_.friction_at_rest();
-  if (axes_[0].flows() || axes_[1].flows() || friction.smallest() == 0.0) return from;
+  if (axes_[0].yielding() || axes_[1].yielding() || friction.smallest() == 0.0) return from;
   const TwoAxisLoading loading = contact_.loading();
   const double mass = 1.0 + mass_ratio_, per_mass = 1.0 / mass;
   const double per_along = 1.0 / friction.along(), per_across = 1.0 / friction.across();
@@ -182,7 +182,7 @@ std::size_t OnBuildingBody::rest_over(const Nodes& nodes, std::size_t from, std:
     now.s[n] = axis.rigid() ? 0.0 : axis.spring();
     now.y[n] = axis.y();
     now.ground[n] = nodes.ground(n, from);
-    now.e[n] = axis.rigid() ? mass * now.ground[n] : axis.elastic();
+    now.e[n] = axis.rigid() ? mass * now.ground[n] : axis.resisting();
     yield_from[n] = now.s[n];
     yield_left[n] = axis.yield_left();
   }
@@ -195,25 +195,25 @@ std::size_t OnBuildingBody::rest_over(const Nodes& nodes, std::size_t from, std:
   std::size_t i = from;
   for (; i < to; ++i) {
     const RestNode next = next_node(steps, now, nodes.ground(0, i + 1), nodes.ground(1, i + 1));
-    const Sag sag = sag_after(steps, now, next);
+    const ChordDeviation deviation = chord_deviation(steps, now, next);
     const double after = margin(next, nodes.w(i + 1));
-    const double needed =
-        (sag.e[0] + sag.e[1]) * per_mass * margin_per_a_ + nodes.w_sag(i) * margin_per_w_;
+    const double needed = (deviation.e[0] + deviation.e[1]) * per_mass * margin_per_a_ +
+                          nodes.w_deviation(i) * margin_per_w_;
     if (!(std::min(before, after) > needed * (1.0 + 1e-9))) break;
     if (yields) {
       bool may_yield = false;
       for (std::size_t n = 0; n < 2; ++n)
         may_yield |=
             std::max(std::abs(now.s[n] - yield_from[n]), std::abs(next.s[n] - yield_from[n])) +
-                sag.s[n] >=
+                deviation.s[n] >=
             yield_left[n];
       if (may_yield) break;
     }
     for (std::size_t n = 0; n < 2; ++n) {
       const double moved = yields ? std::abs(axes_[n].x() - yield_from[n]) : 0.0;
-      const double e = std::max(std::abs(now.e[n]), std::abs(next.e[n])) + sag.e[n],
-                   x = std::max(std::abs(now.s[n]), std::abs(next.s[n])) + sag.s[n] + moved;
-      if (!(e > peaks_.elastic[n] || x > peaks_.x[n])) continue;
+      const double e = std::max(std::abs(now.e[n]), std::abs(next.e[n])) + deviation.e[n],
+                   x = std::max(std::abs(now.s[n]), std::abs(next.s[n])) + deviation.s[n] + moved;
+      if (!(e > peaks_.resisting[n] || x > peaks_.x[n])) continue;
       hold(now);
       for (std::size_t k = 0; k < 2; ++k) {
         yield_from[k] = now.s[k];
@@ -228,21 +228,22 @@ std::size_t OnBuildingBody::rest_over(const Nodes& nodes, std::size_t from, std:
   return i;
 }
 
-std::size_t OnBuildingBody::rest_through(const Shaken& shaken, std::size_t from, std::size_t to) {
-  const std::size_t i = rest_over(shaken, from, to);
-  time_s_ = static_cast<double>(i) * shaken.dt_s();
+std::size_t FullModelBody::rest_through(const Excitation& excitation, std::size_t from,
+                                        std::size_t to) {
+  const std::size_t i = rest_over(excitation, from, to);
+  time_s_ = static_cast<double>(i) * excitation.dt_s();
   return i;
 }
 
-bool OnBuildingBody::rest_quickly(const Shaking& piece) {
+bool FullModelBody::rest_quickly(const ExcitationPiece& piece) {
   struct Ends {
-    const Shaking& piece;
+    const ExcitationPiece& piece;
     double dt_s() const { return piece.length_s; }
     double ground(std::size_t n, std::size_t i) const {
       return i == 0 ? piece.ground[n].begin : piece.ground[n].end;
     }
     double w(std::size_t i) const { return piece.w(i == 0 ? 0.0 : 1.0); }
-    double w_sag(std::size_t) const { return piece.w_sag(); }
+    double w_deviation(std::size_t) const { return piece.w_deviation(); }
   };
   return rest_over(Ends{piece}, 0, 1) == 1;
 }

@@ -4,7 +4,7 @@
 #include <array>
 #include <span>
 
-#include "block/full_model/on_building_axis.hpp"
+#include "block/full_model/building_axis.hpp"
 #include "block/polynomial/power_series.hpp"
 #include "glissade/block/on_building.hpp"
 
@@ -12,23 +12,23 @@ namespace glissade::block_detail {
 
 /// Excitation of the building over a piece of time: the ground along both axes, linear, and the
 /// vertical roof acceleration, a polynomial in the elapsed fraction of the piece.
-struct Shaking {
+struct ExcitationPiece {
   double length_s = 0.0;
   std::array<Ramp, 2> ground{};
   std::array<double, 5> vertical{};  ///< coefficients of the powers of the fraction
   int vertical_terms = 0;            ///< 0: none, 2: linear, 5
 
-  double w(double share) const {
+  double w(double fraction) const {
     double sum = 0.0;
     for (int k = vertical_terms; k-- > 0;)
-      sum = sum * share + vertical[static_cast<std::size_t>(k)];
+      sum = sum * fraction + vertical[static_cast<std::size_t>(k)];
     return sum;
   }
   double coefficient(int k) const {
     return k < vertical_terms ? vertical[static_cast<std::size_t>(k)] : 0.0;
   }
   /// Bound of the departure of w from the line between its values at both ends.
-  double w_sag() const {
+  double w_deviation() const {
     double sum = 0.0;
     for (std::size_t k = 2; k < 5; ++k) sum += std::abs(vertical[k]);
     return vertical_terms > 2 ? sum : 0.0;
@@ -39,11 +39,11 @@ struct Shaking {
     for (int k = 0; k < vertical_terms; ++k) sum += std::abs(coefficient(k));
     return sum;
   }
-  /// Keeps the part after y.
-  void cut(double y) { part(y, 1.0); }
+  /// Keeps the part after tau.
+  void keep_after(double tau) { restrict_to(tau, 1.0); }
   /// Keeps the part between two fractions.
-  void part(double from, double to) {
-    const double share = to - from;
+  void restrict_to(double from, double to) {
+    const double fraction = to - from;
     for (Ramp& g : ground) g = {g.at(from), to == 1.0 ? g.end : g.at(to)};
     // Horner's shift to `from`, then a change of scale.
     for (int i = 0; i < vertical_terms; ++i)
@@ -52,16 +52,16 @@ struct Shaking {
     double scale = 1.0;
     for (double& c : vertical) {
       c *= scale;
-      scale *= share;
+      scale *= fraction;
     }
-    length_s *= share;
+    length_s *= fraction;
   }
 };
 
 /// Excitation of the building, interval by interval. Refers to what it is made from.
-class Shaken {
+class Excitation {
  public:
-  Shaken(const BuildingGround& ground, const BuildingFactors& factors)
+  Excitation(const BuildingGround& ground, const BuildingFactors& factors)
       : dt_s_(ground.horizontal[0]->step_s()),
         factors_{factors.horizontal[0], factors.horizontal[1], factors.vertical} {
     for (std::size_t n = 0; n < 2; ++n)
@@ -79,7 +79,7 @@ class Shaken {
   }
 
   /// Of a rigid building: the ground is the roof.
-  explicit Shaken(const TwoAxisAcceleration& roof)
+  explicit Excitation(const TwoAxisAcceleration& roof)
       : dt_s_(roof.dt_s),
         factors_{roof.horizontal_factor, roof.horizontal_factor, roof.vertical_factor},
         last_sample_(roof.horizontal_mps2[0].size() - 1) {
@@ -106,11 +106,13 @@ class Shaken {
     return i <= vertical_end_ ? factors_[vertical] * vertical_.acceleration_mps2(i) : 0.0;
   }
   /// Bound of the departure of w from the line between nodes i and i + 1.
-  double w_sag(std::size_t i) const { return vertical_.rigid() ? 0.0 : after(i).w_sag(); }
+  double w_deviation(std::size_t i) const {
+    return vertical_.rigid() ? 0.0 : after(i).w_deviation();
+  }
 
   /// The interval after node i.
-  Shaking after(std::size_t i) const {
-    Shaking s;
+  ExcitationPiece after(std::size_t i) const {
+    ExcitationPiece s;
     s.length_s = dt_s();
     for (std::size_t n = 0; n < 2; ++n) s.ground[n] = {ground(n, i), ground(n, i + 1)};
     set_vertical(s, i);
@@ -127,7 +129,7 @@ class Shaken {
   }
 
   /// After the end of its table the vertical of an oscillator goes linearly to zero.
-  void set_vertical(Shaking& s, std::size_t i) const {
+  void set_vertical(ExcitationPiece& s, std::size_t i) const {
     if (i >= (vertical_.rigid() ? samples_mps2_[vertical].size() : vertical_end_ + 1)) return;
     const double begin = w(i);
     if (vertical_.rigid() || i == vertical_end_) {

@@ -12,7 +12,7 @@ using Axes = std::array<double, 2>;
 
 /// Compliance R of the roof: change of the roof acceleration per force of the block, in the axes of
 /// the slope and per cos(slope) as Load is.
-struct Mobility {
+struct Accelerance {
   Axes axis{};  ///< by the axes of the building: m/M of an axis that can move, 0 of a rigid one
   double ss = 0.0, sy = 0.0, yy = 0.0;
   double mean = 0.0;
@@ -29,7 +29,7 @@ struct ContactState {
   Vector a;             ///< its rate
   Vector friction;      ///< f, per normal force
   double normal = 0.0;  ///< negative: uplift
-  Axes push{};          ///< reduction of the roof acceleration by the block, m/s2
+  Axes interaction{};   ///< reduction of the roof acceleration by the block, m/s2
 };
 
 /// The equations of block and roof in contact. With t = (tan(slope), 0), the load (d, n) of the
@@ -45,10 +45,10 @@ class BuildingContact {
   const FrictionEllipse& friction_at_rest() const { return at_rest_; }
   const FrictionLaw& law() const { return law_; }
 
-  Mobility mobility(const Axes& by_axis) const;
-  bool is_regular(const Mobility& mobility) const;
-  /// |v'| is at most |d| + strongest() n.
-  double strongest(const Mobility& mobility) const;
+  Accelerance accelerance(const Axes& by_axis) const;
+  bool is_regular(const Accelerance& accelerance) const;
+  /// |v'| is at most |d| + friction_bound() n.
+  double friction_bound(const Accelerance& accelerance) const;
 
   /// mu(|v|) / mu.
   double factor(Vector v) const { return factor(length(v)); }
@@ -60,11 +60,11 @@ class BuildingContact {
   double least_factor(Vector v) const { return std::min(1.0, factor(v)); }
   /// Friction that decreases with speed must do so slowly enough for an implicit step to have one
   /// solution.
-  double longest_step_s(const Load& load, const Mobility& mobility) const {
+  double longest_step_s(const Load& load, const Accelerance& accelerance) const {
     const double falls =
         law_.depends_on_speed() ? (1.0 - law_.mu_fast_over_slow) * law_.rate_s_per_m : 0.0;
     if (!(falls > 0.0)) return never;
-    const double rate = strongest(mobility) * std::max(load.normal, 0.0) * falls;
+    const double rate = friction_bound(accelerance) * std::max(load.normal, 0.0) * falls;
     return rate > 0.0 ? 2.0 / (rate * loading_.cos_slope()) : never;
   }
 
@@ -72,11 +72,11 @@ class BuildingContact {
   /// @param e, w the acceleration of the uncoupled roof, and the vertical one
   /// @param guess initial value of the friction
   /// @param enough permitted error of v
-  ContactState slide(Vector known, double own, const Axes& e, double w, const Mobility& mobility,
-                     Vector guess, double enough) const;
+  ContactState slide(Vector known, double own, const Axes& e, double w,
+                     const Accelerance& accelerance, Vector guess, double enough) const;
 
   /// The same on an uncoupled roof.
-  ContactState slide_unfelt(Vector known, double own, const Load& load) const {
+  ContactState slide_uncoupled(Vector known, double own, const Load& load) const {
     ContactState c;
     c.normal = load.normal;
     const double normal = std::max(load.normal, 0.0);
@@ -87,18 +87,18 @@ class BuildingContact {
   }
 
   /// The acceleration with which a block at rest begins to slide.
-  Vector release_acceleration(const Axes& e, double w, const Mobility& mobility) const;
+  Vector release_acceleration(const Axes& e, double w, const Accelerance& accelerance) const;
 
   /// Of given friction, which a block that lifts does not have.
   ContactState with_friction(Vector friction, const Axes& e, double w,
-                             const Mobility& mobility) const;
+                             const Accelerance& accelerance) const;
 
   /// For given v', 0 at rest: the roof acceleration, and the load that friction must balance.
   struct Held {
     Axes a;
     Load load;
   };
-  Held held(Vector acceleration, const Axes& e, double w, const Mobility& mobility) const;
+  Held held(Vector acceleration, const Axes& e, double w, const Accelerance& accelerance) const;
 
   /// From an acceleration per cos(slope) to the building's axes.
   Axes to_building(Vector a) const {
@@ -117,8 +117,8 @@ class BuildingContact {
     return law_.depends_on_speed() ? holding_by_speed(p, lambda) : friction_.holding(p, lambda);
   }
   Vector holding_by_speed(Vector p, double lambda) const;
-  Vector iterate(Vector known, double own, const Load& bare, const Mobility& mobility, Vector guess,
-                 double enough, const Axes& e, double w) const;
+  Vector iterate(Vector known, double own, const Load& uncoupled, const Accelerance& accelerance,
+                 Vector guess, double enough, const Axes& e, double w) const;
 
   TwoAxisLoading loading_;
   FrictionEllipse friction_, at_rest_;

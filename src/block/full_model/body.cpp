@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "block/full_model/on_building_body.hpp"
+#include "block/full_model/body.hpp"
 
 #include "block/events/coupled_motion.hpp"
 #include "glissade/core/not_converged.hpp"
 
 namespace glissade::block_detail {
-OnBuildingBody::OnBuildingBody(const BuildingContact& contact,
-                               const std::array<BuildingAxis, 2>& axes, double mass_ratio,
-                               int pieces, double tolerance, TwoAxisTrack track)
+FullModelBody::FullModelBody(const BuildingContact& contact,
+                             const std::array<BuildingAxis, 2>& axes, double mass_ratio, int pieces,
+                             double tolerance, TwoAxisTrack track)
     : contact_(contact),
       axes_(axes),
       mass_ratio_(mass_ratio),
-      mobility_(contact.mobility(
+      accelerance_(contact.accelerance(
           {axes[0].rigid() ? 0.0 : mass_ratio, axes[1].rigid() ? 0.0 : mass_ratio})),
       pieces_(pieces),
       tolerance_(tolerance),
-      strongest_(contact.strongest(mobility_)),
+      friction_bound_(contact.friction_bound(accelerance_)),
       track_(track) {
   const FrictionEllipse& friction = contact_.friction_at_rest();
   const TwoAxisLoading& loading = contact_.loading();
@@ -25,24 +25,24 @@ OnBuildingBody::OnBuildingBody(const BuildingContact& contact,
   slides_at_rest_ = beyond_friction(loading.tan_slope(), friction.along()) > 0.0;
 }
 
-void OnBuildingBody::follow(const Shaken& shaken, double longest_period_s) {
-  const double dt = shaken.dt_s();
+void FullModelBody::follow(const Excitation& excitation, double longest_period_s) {
+  const double dt = excitation.dt_s();
   // Padding changes nothing, to the last bit; free sliders end with the record.
-  const std::size_t n = slides_at_rest_ ? shaken.last_sample() : shaken.quiet_from();
+  const std::size_t n = slides_at_rest_ ? excitation.last_sample() : excitation.quiet_from();
   for (std::size_t i = 0; i < n;) {
-    if (at_rest() && pieces_ == 1) i = rest_through(shaken, i, n);
+    if (at_rest() && pieces_ == 1) i = rest_through(excitation, i, n);
     if (i == n) break;
-    interval(shaken.after(i), static_cast<double>(i + 1) * dt);
+    interval(excitation.after(i), static_cast<double>(i + 1) * dt);
     ++i;
   }
   if (!slides_at_rest_ && will_stop()) ring_down(dt, longest_period_s);
 }
 
-void OnBuildingBody::ring_down(double dt_s, double longest_period_s) {
+void FullModelBody::ring_down(double dt_s, double longest_period_s) {
   const double last = std::ceil(RoofMotionOptions{}.longest_ring_down_s / dt_s);
   const double from_s = time_s_;
   double at_rest_s = 0.0;
-  Shaking quiet;
+  ExcitationPiece quiet;
   quiet.length_s = dt_s;
   for (std::size_t i = 1;; ++i) {
     if (at_rest() && at_rest_s >= longest_period_s && is_settled()) return;
@@ -54,18 +54,18 @@ void OnBuildingBody::ring_down(double dt_s, double longest_period_s) {
   if (will_stop()) coast(dt_s);
 }
 
-void OnBuildingBody::interval(const Shaking& shaking, double end_s) {
-  if (pieces_ == 1) return advance(shaking, end_s);
+void FullModelBody::interval(const ExcitationPiece& excitation, double end_s) {
+  if (pieces_ == 1) return advance(excitation, end_s);
   const double begin_s = time_s_;
   for (int i = 0; i < pieces_; ++i) {
-    Shaking piece = shaking;
+    ExcitationPiece piece = excitation;
     const double to = static_cast<double>(i + 1) / pieces_;
-    piece.part(static_cast<double>(i) / pieces_, to);
+    piece.restrict_to(static_cast<double>(i) / pieces_, to);
     advance(piece, i + 1 == pieces_ ? end_s : begin_s + to * (end_s - begin_s));
   }
 }
 
-void OnBuildingBody::advance(Shaking piece, double end_s) {
+void FullModelBody::advance(ExcitationPiece piece, double end_s) {
   if (!sliding_ && rest_quickly(piece)) {
     time_s_ = end_s;
     return;
@@ -74,26 +74,27 @@ void OnBuildingBody::advance(Shaking piece, double end_s) {
   // Steps shrink geometrically toward a stop, so some dozens suffice; the bound only guards against
   // rounding.
   for (int steps = 0; steps < 1000000; ++steps) {
-    const double share = sliding_ ? slide(piece) : rest(piece);
-    if (!((1.0 - share) * piece.length_s > 1e-14 * whole_s)) {
+    const double fraction = sliding_ ? slide(piece) : rest(piece);
+    if (!((1.0 - fraction) * piece.length_s > 1e-14 * whole_s)) {
       time_s_ = end_s;
       return;
     }
-    time_s_ = std::min(time_s_ + share * piece.length_s, end_s);
-    piece.cut(share);
+    time_s_ = std::min(time_s_ + fraction * piece.length_s, end_s);
+    piece.keep_after(fraction);
   }
   throw NotConverged("slide_on_building: too many steps inside one sample interval");
 }
 
-void OnBuildingBody::raise_peaks(std::size_t axis, const AxisSeries& motion, double share) {
-  const auto raise = [share](double& peak, const Series& of) {
-    if (of.bound() > peak) peak = std::max(peak, largest(of, share));
+void FullModelBody::raise_peaks(std::size_t axis, const AxisSeries& motion, double fraction) {
+  const auto raise = [fraction](double& peak, const Series& of) {
+    if (of.bound() > peak) peak = std::max(peak, largest(of, fraction));
   };
-  if (motion.largest_elastic > peaks_.elastic[axis]) raise(peaks_.elastic[axis], motion.elastic);
-  if (motion.largest_x > peaks_.x[axis]) raise(peaks_.x[axis], motion.x);
+  if (motion.resisting_bound > peaks_.resisting[axis])
+    raise(peaks_.resisting[axis], motion.resisting);
+  if (motion.x_bound > peaks_.x[axis]) raise(peaks_.x[axis], motion.x);
 }
 
-void OnBuildingBody::start(Vector acceleration, const Shaking& piece) {
+void FullModelBody::start(Vector acceleration, const ExcitationPiece& piece) {
   // What rounding alone sets in motion must not set the scale of the errors.
   const double gravity = contact_.loading().gravity() + piece.w(0.0);
   peak_speed_ = std::max(peak_speed_, 1e-9 * piece.length_s * std::abs(gravity));
@@ -104,31 +105,31 @@ void OnBuildingBody::start(Vector acceleration, const Shaking& piece) {
   ++phases_;
 }
 
-void OnBuildingBody::coast(double step_s) {
+void FullModelBody::coast(double step_s) {
   axes_ = {BuildingAxis({}, {}, 0.0, step_s), BuildingAxis({}, {}, 0.0, step_s)};
   mass_ratio_ = 0.0;
-  mobility_ = {};
-  strongest_ = contact_.strongest(mobility_);
+  accelerance_ = {};
+  friction_bound_ = contact_.friction_bound(accelerance_);
   const Load load = contact_.loading().at(0.0, 0.0, 0.0);
   const double least_brake =
       contact_.least_factor(now_.v) * contact_.friction().along() * load.normal -
       std::abs(load.drive.s);
   for (int steps = 0; sliding_; ++steps) {
     if (steps == 100000) throw NotConverged("slide_on_building: does not come to rest");
-    Shaking still;
+    ExcitationPiece still;
     // A quarter of the longest that can be left, straight down the slope.
     still.length_s = std::max(step_s, 0.25 * length(now_.v) / least_brake);
     advance(still, time_s_ + still.length_s);
   }
 }
 
-bool OnBuildingBody::will_stop() const {
+bool FullModelBody::will_stop() const {
   if (!sliding_) return true;
   const double mu = contact_.least_factor(now_.v) * contact_.friction().along();
   return beyond_friction(contact_.loading().tan_slope(), mu) < 0.0;
 }
 
-bool OnBuildingBody::is_settled() const {
+bool FullModelBody::is_settled() const {
   if (sliding_) return false;
   const double a1 = axes_[0].largest_to_come_mps2(), a2 = axes_[1].largest_to_come_mps2();
   if (a1 == never || a2 == never) return false;
@@ -140,7 +141,7 @@ bool OnBuildingBody::is_settled() const {
   return contact_.friction_at_rest().may_rest(worst);
 }
 
-TwoAxisResult OnBuildingBody::result() const {
+TwoAxisResult FullModelBody::result() const {
   TwoAxisResult r = track_.result();
   r.slip_phases = phases_;
   r.uplift = uplift_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "block/contact/on_building_contact.hpp"
+#include "block/contact/building_contact.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -28,13 +28,14 @@ BuildingContact::BuildingContact(const TwoAxisBlock& block)
                  "friction, slope, gravity");
   GLISSADE_EXPECTS(mu.along >= 0.0 && mu.across >= 0.0 && (mu.along > 0.0) == (mu.across > 0.0));
   GLISSADE_EXPECTS(block.slope_rad >= 0.0 && block.slope_rad < std::numbers::pi / 2);
-  GLISSADE_EXPECTS(law_.static_ratio >= 1.0 && law_.mu_fast_over_slow > 0.0 && law_.rate_s_per_m >= 0.0);
+  GLISSADE_EXPECTS(law_.static_ratio >= 1.0 && law_.mu_fast_over_slow > 0.0 &&
+                   law_.rate_s_per_m >= 0.0);
 }
 
-Mobility BuildingContact::mobility(const Axes& by_axis) const {
+Accelerance BuildingContact::accelerance(const Axes& by_axis) const {
   const double c = loading_.cos_azimuth(), s = loading_.sin_azimuth(),
                cosine = loading_.cos_slope();
-  Mobility m;
+  Accelerance m;
   m.axis = by_axis;
   const double differs = by_axis[1] - by_axis[0];
   m.ss = cosine * cosine * (by_axis[0] + s * s * differs);
@@ -48,13 +49,13 @@ Mobility BuildingContact::mobility(const Axes& by_axis) const {
   return m;
 }
 
-bool BuildingContact::is_regular(const Mobility& m) const {
+bool BuildingContact::is_regular(const Accelerance& m) const {
   const double tangent = loading_.tan_slope(), most = std::max(1.0, law_.mu_fast_over_slow);
   const double along = m.ss * friction_.along(), across = m.sy * friction_.across();
   return 1.0 + tangent * (tangent * m.ss - most * std::sqrt(along * along + across * across)) > 0.0;
 }
 
-double BuildingContact::strongest(const Mobility& m) const {
+double BuildingContact::friction_bound(const Accelerance& m) const {
   const double tangent = loading_.tan_slope();
   const double mu = std::max(1.0, law_.mu_fast_over_slow) * friction_.largest();
   const double reach = std::abs(m.ss) + std::abs(m.sy);
@@ -85,29 +86,29 @@ Vector BuildingContact::holding_by_speed(Vector p, double lambda) const {
 }
 
 ContactState BuildingContact::with_friction(Vector friction, const Axes& e, double w,
-                                            const Mobility& m) const {
-  const Load bare = loading_.at(e[0], e[1], w);
-  if (bare.normal < 0.0) friction = {};
+                                            const Accelerance& m) const {
+  const Load uncoupled = loading_.at(e[0], e[1], w);
+  if (uncoupled.normal < 0.0) friction = {};
   const Vector pull{loading_.tan_slope() - friction.s, -friction.y};
-  const Vector gives = m * pull;
+  const Vector response = m * pull;
   ContactState c;
   c.friction = friction;
-  c.normal = bare.normal / (1.0 + loading_.tan_slope() * gives.s);
-  c.a = bare.drive + c.normal * (gives - friction);
+  c.normal = uncoupled.normal / (1.0 + loading_.tan_slope() * response.s);
+  c.a = uncoupled.drive + c.normal * (response - friction);
   const Axes force = to_building(c.normal * pull);
-  c.push = {m.axis[0] * force[0], m.axis[1] * force[1]};
+  c.interaction = {m.axis[0] * force[0], m.axis[1] * force[1]};
   return c;
 }
 
 ContactState BuildingContact::slide(Vector known, double own, const Axes& e, double w,
-                                    const Mobility& m, Vector guess, double enough) const {
-  const Load bare = loading_.at(e[0], e[1], w);
+                                    const Accelerance& m, Vector guess, double enough) const {
+  const Load uncoupled = loading_.at(e[0], e[1], w);
   Vector f;
-  if (bare.normal > 0.0) {
+  if (uncoupled.normal > 0.0) {
     if (m.isotropic)
-      f = holding(known + own * bare.drive, own * bare.normal * (1.0 + m.mean));
+      f = holding(known + own * uncoupled.drive, own * uncoupled.normal * (1.0 + m.mean));
     else
-      f = iterate(known, own, bare, m, guess, enough, e, w);
+      f = iterate(known, own, uncoupled, m, guess, enough, e, w);
   }
   ContactState c = with_friction(f, e, w, m);
   c.v = known + own * c.a;
@@ -116,16 +117,17 @@ ContactState BuildingContact::slide(Vector known, double own, const Axes& e, dou
 
 /// The normal force and what is not isotropic in R are taken from the last iterate: each changes
 /// little with f.
-Vector BuildingContact::iterate(Vector known, double own, const Load& bare, const Mobility& m,
-                                Vector guess, double enough, const Axes& e, double w) const {
+Vector BuildingContact::iterate(Vector known, double own, const Load& uncoupled,
+                                const Accelerance& m, Vector guess, double enough, const Axes& e,
+                                double w) const {
   const double tangent = loading_.tan_slope();
   const Vector slope{tangent, 0.0};
   Vector f = guess;
-  double share = 1.0, last = never;
+  double relaxation = 1.0, last = never;
   for (int i = 0; i < 100; ++i) {
-    const Vector gives = m * (slope - f);
-    const double normal = bare.normal / (1.0 + tangent * gives.s);
-    const Vector p = known + own * (bare.drive + normal * (gives + m.mean * f));
+    const Vector response = m * (slope - f);
+    const double normal = uncoupled.normal / (1.0 + tangent * response.s);
+    const Vector p = known + own * (uncoupled.drive + normal * (response + m.mean * f));
     const double lambda = own * normal * (1.0 + m.mean);
     if (friction_.excess({p, lambda}) <= 0.0) {
       const Held rests = held((-1.0 / own) * known, e, w, m);
@@ -133,8 +135,8 @@ Vector BuildingContact::iterate(Vector known, double own, const Load& bare, cons
     }
     const Vector next = holding(p, lambda), change = next - f;
     const double size = length(change);
-    if (size > 0.5 * last) share = 0.5;
-    f = f + share * change;
+    if (size > 0.5 * last) relaxation = 0.5;
+    f = f + relaxation * change;
     last = size;
     if (lambda * size * std::min(m.coupling, 1.0) <= enough || size <= 8.0 * epsilon * length(f))
       break;
@@ -142,7 +144,7 @@ Vector BuildingContact::iterate(Vector known, double own, const Load& bare, cons
   return f;
 }
 
-Vector BuildingContact::release_acceleration(const Axes& e, double w, const Mobility& m) const {
+Vector BuildingContact::release_acceleration(const Axes& e, double w, const Accelerance& m) const {
   BuildingContact slow = *this;
   slow.law_ = {};
   const Held rests = held({}, e, w, m);
@@ -152,7 +154,7 @@ Vector BuildingContact::release_acceleration(const Axes& e, double w, const Mobi
 }
 
 BuildingContact::Held BuildingContact::held(Vector acceleration, const Axes& e, double w,
-                                            const Mobility& m) const {
+                                            const Accelerance& m) const {
   const Axes own = to_building(acceleration);
   Held h;
   for (std::size_t i = 0; i < 2; ++i) h.a[i] = (e[i] - m.axis[i] * own[i]) / (1.0 + m.axis[i]);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "block/contact/on_building_contact.hpp"
-#include "block/full_model/on_building_axis.hpp"
+#include "block/contact/building_contact.hpp"
+#include "block/full_model/building_axis.hpp"
 #include "block/full_model/sdirk4.hpp"
 
 namespace glissade::block_detail {
@@ -32,31 +32,33 @@ struct StageLoads {
 
 /// SDIRK4 of block and building together. The response of the building alone is
 /// exact (`loads`); only the effect of the block is integrated, xi'' + 2 zeta omega xi' + k xi =
-/// -push. In a stage xi follows from the push in closed form, which only changes e and R:
-///   a = [e + b / (1 + beta)] - push / (1 + beta),   beta = own omega (2 zeta + k own omega)
+/// -interaction. In a stage xi follows from the interaction in closed form, which only changes e
+/// and R:
+///   a = [e + b / (1 + beta)] - interaction / (1 + beta),   beta = own omega (2 zeta + k own omega)
 /// By the balance of momentum an error in xi' is m/M times that in v, so v alone is controlled.
-template <bool kFeels>
+template <bool kCoupled>
 BuildingStep building_sdirk4(Vector v, Vector guess, double length_s, double enough,
                              const StageLoads& loads, const BuildingContact& contact,
-                             const std::array<AxisResponse, 2>& axes, const Mobility& at_once) {
+                             const std::array<AxisResponse, 2>& axes, const Accelerance& at_once) {
   using S = Sdirk4;
   const double own = S::gamma * length_s;
-  double spring[2] = {}, gives[2] = {};
-  Mobility mobility;
-  if constexpr (kFeels) {
+  double spring[2] = {}, per_stage_mass[2] = {};
+  Accelerance accelerance;
+  if constexpr (kCoupled) {
     for (std::size_t n = 0; n < 2; ++n) {
       const double phase = own * axes[n].omega_radps;
       spring[n] = axes[n].twice_zeta + axes[n].stiffness * phase;
-      gives[n] = 1.0 / (1.0 + phase * spring[n]);
+      per_stage_mass[n] = 1.0 / (1.0 + phase * spring[n]);
     }
-    mobility = contact.mobility({axes[0].mass_ratio * gives[0], axes[1].mass_ratio * gives[1]});
+    accelerance = contact.accelerance(
+        {axes[0].mass_ratio * per_stage_mass[0], axes[1].mass_ratio * per_stage_mass[1]});
   }
 
   BuildingStep step;
   Added rate[S::stages][2];
   const auto stage = [&](int i, Vector known, double) __attribute__((always_inline)) {
     Axes e{loads.e[0][i], loads.e[1][i]};
-    if constexpr (kFeels) {
+    if constexpr (kCoupled) {
       Added before[2];
       Axes rest{};  // of xi's own forces
       for (std::size_t n = 0; n < 2; ++n) {
@@ -66,12 +68,12 @@ BuildingStep building_sdirk4(Vector v, Vector guess, double length_s, double eno
         }
         before[n].x *= length_s;
         before[n].y *= length_s;
-        rest[n] = -(axes[n].stiffness * before[n].x + spring[n] * before[n].y) * gives[n];
+        rest[n] = -(axes[n].stiffness * before[n].x + spring[n] * before[n].y) * per_stage_mass[n];
         e[n] += rest[n];
       }
-      step.end = contact.slide(known, own, e, loads.w[i], mobility, guess, enough);
+      step.end = contact.slide(known, own, e, loads.w[i], accelerance, guess, enough);
       for (std::size_t n = 0; n < 2; ++n) {
-        rate[i][n].y = axes[n].omega_radps * (rest[n] - step.end.push[n]);
+        rate[i][n].y = axes[n].omega_radps * (rest[n] - step.end.interaction[n]);
         step.added_rate[n] = rate[i][n].y;
         step.added[n].y = before[n].y + own * rate[i][n].y;
         rate[i][n].x = axes[n].omega_radps * step.added[n].y;
@@ -79,7 +81,7 @@ BuildingStep building_sdirk4(Vector v, Vector guess, double length_s, double eno
       }
       guess = step.end.friction;
     } else {
-      step.end = contact.slide_unfelt(known, own, contact.loading().at(e[0], e[1], loads.w[i]));
+      step.end = contact.slide_uncoupled(known, own, contact.loading().at(e[0], e[1], loads.w[i]));
     }
     return step.end.a;
   };

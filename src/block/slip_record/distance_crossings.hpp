@@ -8,14 +8,14 @@
 #include "block/slip_record/first_reach.hpp"
 #include "glissade/block/crossing.hpp"
 
-namespace glissade::block_detail::two_axes {
+namespace glissade::block_detail {
 
 /// Time and speed of the first crossing of each distance, for one history.
-class LaneCrossings {
+class DistanceCrossings {
  public:
-  LaneCrossings() = default;
+  DistanceCrossings() = default;
   /// @param thresholds_m increasing; @param crossings as many, none of which happened
-  LaneCrossings(std::span<const double> thresholds_m, std::span<Crossing> crossings)
+  DistanceCrossings(std::span<const double> thresholds_m, std::span<Crossing> crossings)
       : thresholds_m_(thresholds_m), crossings_(crossings) {}
 
   /// A displacement of this length may reach the next threshold.
@@ -23,15 +23,15 @@ class LaneCrossings {
   /// Below it, squared, no threshold is reached.
   double next2() const { return next_m() * next_m() * (1.0 - 1e-12); }
 
-  /// A piece of the way, after which the block has been `farthest_m` from where it lay.
-  /// @param at from the share of the piece in [0, 1] to displacement and velocity, in plan
+  /// A piece of the path, after which the block has been `farthest_m` from where it lay.
+  /// @param at from the fraction of the piece in [0, 1] to displacement and velocity, in plan
   template <class At>
   void pass(const At& at, double begin_s, double length_s, double farthest_m) {
     for (; may_reach(farthest_m); ++next_) {
-      const double share =
+      const double fraction =
           first_reach([&](double y) { return at(y).displacement; },
                       [&](double y) { return at(y).velocity; }, thresholds_m_[next_]);
-      crossings_[next_] = {begin_s + share * length_s, length(at(share).velocity)};
+      crossings_[next_] = {begin_s + fraction * length_s, length(at(fraction).velocity)};
     }
   }
 
@@ -47,8 +47,8 @@ class LaneCrossings {
 };
 
 /// Displacement and velocity, in plan.
-struct WayPoint {
+struct PathPoint {
   Vector displacement, velocity;
 };
 
-}  // namespace glissade::block_detail::two_axes
+}  // namespace glissade::block_detail

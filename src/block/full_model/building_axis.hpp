@@ -14,18 +14,18 @@ namespace glissade::block_detail {
 /// A quantity linear over a piece of time.
 struct Ramp {
   double begin = 0.0, end = 0.0;
-  double at(double share) const { return begin + share * (end - begin); }
+  double at(double fraction) const { return begin + fraction * (end - begin); }
 };
 
-/// An axis of the building over a piece of time, y in [0, 1] the elapsed fraction.
+/// An axis of the building over a piece of time, tau in [0, 1] the elapsed fraction.
 struct AxisSeries {
-  Series x, y;                                    ///< scaled state (core/oscillator.hpp)
-  Series elastic;                                 ///< E, see BuildingAxis
-  double largest_elastic = 0.0, largest_x = 0.0;  ///< no |value| is larger
+  Series x, y;                                  ///< scaled state (core/oscillator.hpp)
+  Series resisting;                             ///< E, see BuildingAxis
+  double resisting_bound = 0.0, x_bound = 0.0;  ///< no |value| is larger
 };
 
-/// One axis of the building: mass a = E - push with E = -(2 zeta y + s), in accelerations: x =
-/// omega^2 u, y = omega u', s the spring's force per mass of the building. A yielding spring is
+/// One axis of the building: mass a = E - interaction with E = -(2 zeta y + s), in accelerations: x
+/// = omega^2 u, y = omega u', s the spring's force per mass of the building. A yielding spring is
 /// s = hardening x + (1 - hardening) z, where z is x limited to the yield force (decomposition of
 /// the bilinear spring by Bouc): z follows x, or is constant at +- the yield force (yielding).
 class BuildingAxis {
@@ -39,19 +39,22 @@ class BuildingAxis {
   double twice_zeta() const { return twice_zeta_; }
   double x() const { return x_; }
   double y() const { return y_; }
-  double elastic() const { return -(twice_zeta_ * y_ + spring()); }
-  double spring() const { return share_ * x_ + (1.0 - share_) * z_; }
+  double resisting() const { return -(twice_zeta_ * y_ + spring()); }
+  double spring() const { return hardening_ * x_ + (1.0 - hardening_) * z_; }
   /// Distance of z from its limits, in either direction.
   double yield_left() const { return yields_ ? yield_ - std::abs(z_) : never; }
-  double stiffness() const { return flow_ == 0 ? 1.0 : share_; }  ///< tangent, of the elastic
+  double stiffness() const {
+    return yield_direction_ == 0 ? 1.0 : hardening_;
+  }  ///< tangent, over that of the elastic spring
 
-  /// Over a piece with linear ground and push, with the spring in its present state.
-  AxisSeries motion(double length_s, const Ramp& ground, double mass, const Ramp& push = {}) const;
+  /// Over a piece with linear ground and interaction, with the spring in its present state.
+  AxisSeries motion(double length_s, const Ramp& ground, double mass,
+                    const Ramp& interaction = {}) const;
 
   /// Time at which the spring first yields or unloads, or never.
   double next_yield(const AxisSeries& motion) const;
   /// The state at a fraction of the piece, with the addition since then.
-  void follow(const AxisSeries& motion, double share, double add_x = 0.0, double add_y = 0.0);
+  void follow(const AxisSeries& motion, double fraction, double add_x = 0.0, double add_y = 0.0);
   /// Applies the event that next_yield() found.
   void yield();
 
@@ -62,7 +65,7 @@ class BuildingAxis {
     if (yields_) z_ += change;
     y_ = y;
   }
-  bool flows() const { return flow_ != 0; }
+  bool yielding() const { return yield_direction_ != 0; }
 
   /// |a| never exceeds this again while the block rests and the ground is at rest.
   double largest_to_come_mps2() const;
@@ -80,12 +83,12 @@ class BuildingAxis {
   double omega_ = 0.0, twice_zeta_ = 0.0;
   int terms_ = 2;
   bool yields_ = false;
-  double share_ = 1.0, yield_ = 0.0;  // hardening ratio; yield force
+  double hardening_ = 1.0, yield_ = 0.0;  // hardening ratio; yield force
   double stuck_mass_ = 1.0, phase_ = 0.0;
   RestStep rest_;
 
   double x_ = 0.0, y_ = 0.0, z_ = 0.0;
-  int flow_ = 0;  // +1, -1: direction of yielding
+  int yield_direction_ = 0;  // +1, -1: direction of yielding
 };
 
 }  // namespace glissade::block_detail

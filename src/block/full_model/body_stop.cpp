@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Stop of a block on a building.
+#include "block/full_model/body.hpp"
+
+namespace glissade::block_detail {
+
+/// Along the line of its velocity, with the net acceleration now and at the stop as start and end
+/// of a straight line. The error is estimated by the acceleration half way, and by the transverse
+/// load.
+Stop FullModelBody::find_stop(const UncoupledRoof& uncoupled, double left_s,
+                              std::array<Ramp, 2>& interaction) {
+  const double speed = length(now_.v);
+  const ExcitationPiece& piece = uncoupled.excitation;
+  const TwoAxisLoading& loading = contact_.loading();
+  const Axes e0 = uncoupled.e(0.0), e_end = uncoupled.e(left_s / piece.length_s);
+  const Load begin = loading.at(e0[0], e0[1], piece.w(0.0)),
+             end = loading.at(e_end[0], e_end[1], piece.w(left_s / piece.length_s));
+  if (!(std::max(begin.normal, end.normal) > 0.0)) return {};
+  const auto rate_bound = [&](const Load& load) {
+    return length(load.drive) + friction_bound_ * std::max(load.normal, 0.0);
+  };
+  if (speed > 1.1 * left_s * std::max(rate_bound(begin), rate_bound(end))) return {};
+  const Vector heading = speed > 0.0 ? now_.v : now_.a;
+  const double size = length(heading);
+  if (size == 0.0) return {};  // on the threshold: the load leaves it, and cannot stop it soon
+  const Vector along = (1.0 / size) * heading;
+  const Vector friction = contact_.friction().sliding(along);
+
+  // The interaction changes the building meanwhile, to the second order of time.
+  Axes interaction_now{};
+  const auto state_at = [&](double t, double at_speed) {
+    const double fraction = t / piece.length_s;
+    Axes e = uncoupled.e(fraction);
+    for (std::size_t n = 0; n < 2; ++n) {
+      const double phase = axes_[n].omega_radps() * t;
+      e[n] -=
+          interaction_now[n] * phase * (axes_[n].twice_zeta() + 0.5 * axes_[n].stiffness() * phase);
+    }
+    const double k = contact_.factor(at_speed);
+    return contact_.with_friction(k * friction, e, piece.w(fraction), accelerance_);
+  };
+  const ContactState first = state_at(0.0, speed);
+  interaction_now = first.interaction;
+  const double gain0 = dot(along, first.a);
+  if (speed == 0.0 && !(gain0 > 0.0)) return {};  // rounding on the threshold: it starts
+  double t = left_s;
+  Vector last;
+  double gain1 = 0.0;
+  for (int i = 0; i < 4; ++i) {
+    last = state_at(t, 0.0).a;
+    gain1 = dot(along, last);
+    const double rate = (gain1 - gain0) / t;
+    const double next = time_to_stop(speed, {gain0, rate, gain0 + rate * left_s}, left_s);
+    if (next == never || !(next > 0.0)) return {};
+    const bool same = std::abs(next - t) <= 1e-12 * left_s;
+    t = next;
+    if (same) break;
+  }
+
+  // Stops are many, and a wrong one is not mended by what follows: they get a small fraction.
+  const double allowed =
+      1e-3 * tolerance_ * track_.path_length() / (loading.cos_slope() * loading.cos_slope());
+  const double half_speed = std::max(speed + 0.125 * t * (3.0 * gain0 + gain1), 0.0);
+  const double bend = std::abs(dot(along, state_at(0.5 * t, half_speed).a) - 0.5 * (gain0 + gain1));
+  const double transverse = std::max(std::abs(cross(along, first.a)), std::abs(cross(along, last)));
+  const double residual_speed = t * (transverse + bend);  // speed it may have at the stop
+  // A block that the load then leaves at rest has at most moved sideways; one that it moves on
+  // keeps the error in velocity.
+  const auto load = [&](double at_s) { return load_at_rest(uncoupled, at_s); };
+  if (residual_speed <= 0.1 * tolerance_ * peak_speed_ ||
+      0.5 * residual_speed * certain_rest_s(residual_speed, t, left_s, contact_.friction(), load) <=
+          allowed) {
+    const Axes a0 = contact_.held(gain0 * along, e0, piece.w(0.0), accelerance_).a;
+    const Axes e1 = uncoupled.e(t / piece.length_s);
+    const Axes a1 = contact_.held(gain1 * along, e1, piece.w(t / piece.length_s), accelerance_).a;
+    for (std::size_t n = 0; n < 2; ++n) interaction[n] = {e0[n] - a0[n], e1[n] - a1[n]};
+    const double path = std::max(0.0, t * (speed + t * (gain0 / 3.0 + gain1 / 6.0)));
+    const double fastest =
+        gain0 > 0.0 && gain1 < gain0 ? speed + 0.5 * gain0 * gain0 * t / (gain0 - gain1) : speed;
+    return {t, path * along, path, fastest};
+  }
+
+  step_s_ = std::min(step_s_, 0.6 * t);
+  if (!contact_.friction().is_circle() || speed == 0.0) return {};
+  const Stop curved = find_curved_stop(uncoupled, left_s, allowed);
+  if (curved.time_s != never) {  // by the balance of momentum
+    const Axes a = contact_.held((-1.0 / curved.time_s) * now_.v, e0, piece.w(0.0), accelerance_).a;
+    for (std::size_t n = 0; n < 2; ++n) interaction[n] = {e0[n] - a[n], e0[n] - a[n]};
+  }
+  return curved;
+}
+
+/// The load that friction must balance if the block rests after this time.
+Load FullModelBody::load_at_rest(const UncoupledRoof& uncoupled, double after_s) const {
+  const double fraction = after_s / uncoupled.excitation.length_s;
+  return contact_.held({}, uncoupled.e(fraction), uncoupled.excitation.w(fraction), accelerance_)
+      .load;
+}
+
+/// Under constant load, where R is as good as isotropic.
+Stop FullModelBody::find_curved_stop(const UncoupledRoof& uncoupled, double left_s,
+                                     double allowed) const {
+  const ExcitationPiece& piece = uncoupled.excitation;
+  const double mu = contact_.friction().along(), tangent = contact_.loading().tan_slope();
+  const auto load_at = [&](double t) {
+    const double fraction = t / piece.length_s;
+    const Axes e = uncoupled.e(fraction);
+    return contact_.loading().at(e[0], e[1], piece.w(fraction));
+  };
+  const Vector now_f = contact_.friction().sliding(now_.v);
+  const auto effective = [&](const Load& load) {
+    const Vector response = accelerance_ * Vector{tangent - now_f.s, -now_f.y};
+    const double normal = std::max(load.normal, 0.0) / (1.0 + tangent * response.s);
+    return Load{load.drive + normal * (accelerance_ * Vector{tangent, 0.0}),
+                normal * (1.0 + accelerance_.mean)};
+  };
+  const Load now = effective(load_at(0.0)), end = effective(load_at(left_s));
+  const double guess_s = stop_under_constant_load(now_.v, now.drive, mu * now.normal).time_s;
+  if (guess_s > left_s) return {};
+  // The load after a third of the time gives the displacement of a straight path to the second
+  // order of its change.
+  const Load third = effective(load_at(guess_s / 3.0));
+  const Stop stop = stop_under_constant_load(now_.v, third.drive, mu * third.normal);
+  if (stop.time_s > left_s) return {};
+  const auto change = [&](const Load& a, const Load& b) {
+    return length(b.drive - a.drive) + mu * std::abs(b.normal - a.normal);
+  };
+  const double t = guess_s, drag = mu * now.normal;
+  double building_rate = 0.0;
+  for (std::size_t n = 0; n < 2; ++n)
+    building_rate += accelerance_.axis[n] * axes_[n].omega_radps() *
+                     (axes_[n].twice_zeta() + axes_[n].omega_radps() * t);
+  const double jerk = std::max(change(now, end) / left_s, change(now, third) * 3.0 / t) +
+                      building_rate * (drag + std::abs(now.normal) * tangent);
+  const double anisotropy =
+      std::max(accelerance_.ss, accelerance_.yy) - accelerance_.mean + std::abs(accelerance_.sy) +
+      2.0 * mu * tangent * (std::abs(accelerance_.ss) + std::abs(accelerance_.sy));
+  const double residual_speed = drag * (anisotropy + std::abs(contact_.factor(now_.v) - 1.0));
+  const auto load = [&](double at_s) { return load_at_rest(uncoupled, at_s); };
+  const double fast = t * (0.5 * jerk * t + residual_speed);  // it may still be at the stop
+  const bool is_exact =
+      t * t * (jerk * t / 12.0 + 0.5 * residual_speed) <= allowed &&
+      certain_rest_s(fast, stop.time_s, left_s, contact_.friction(), load) != never;
+  return is_exact && (stop.path <= allowed ||
+                      (passes_no_peak(third.drive) && !track_.may_cross(stop.path)))
+             ? stop
+             : Stop{};
+}
+
+/// On its way to rest the velocity turns to the drive's direction: between the two, neither an axis
+/// nor the displacement's own direction is passed.
+bool FullModelBody::passes_no_peak(Vector drive) const {
+  const Vector v = now_.v, out = scaled(track_.displacement(), contact_.loading().to_plan());
+  return v.s * drive.s >= 0.0 && v.y * drive.y >= 0.0 && dot(out, v) * dot(out, drive) >= 0.0;
+}
+
+bool FullModelBody::stop_there(const Stop& stop, const UncoupledRoof& uncoupled,
+                               const std::array<Ramp, 2>& interaction) {
+  const double fraction = stop.time_s / uncoupled.excitation.length_s;
+  AxisSeries motion[2];
+  for (std::size_t n = 0; n < 2; ++n) {
+    const Ramp& ground = uncoupled.excitation.ground[n];
+    motion[n] =
+        axes_[n].motion(stop.time_s, {ground.begin, ground.at(fraction)}, 1.0, interaction[n]);
+    if (axes_[n].next_yield(motion[n]) <= 1.0) return false;
+  }
+  for (std::size_t n = 0; n < 2; ++n) {
+    raise_peaks(n, motion[n], 1.0);
+    axes_[n].follow(motion[n], 1.0);
+  }
+  track_.stop(stop, length(now_.v), time_s_);
+  sliding_ = false;
+  return true;
+}
+
+}  // namespace glissade::block_detail
