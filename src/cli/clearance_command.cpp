@@ -3,6 +3,7 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <optional>
 
@@ -68,24 +69,28 @@ std::string numbers_json(const DesignClearance& design) {
                                   {"high95", e.interval.high}});
   for (const DesignCheck& check : design.checks)
     json["checks"].push_back(
-        {{"check", check.what}, {"found", check.found}, {"is_met", check.is_met.value_or(false)}});
+        {{"check", check.what}, {"found", check.found}, {"is_met", check.is_met}});
   json["warnings"] = design.warnings;
   return json.dump(2) + "\n";
 }
 
-/// Nothing of an earlier calculation stays beside this one.
-void take_folder(const fs::path& out) {
+void make_folder(const fs::path& out) {
   std::error_code error;
   fs::create_directories(out, error);
   if (error)
     throw InputError({out.string(), "cannot be made: " + error.message(),
                       "give a folder you may write to with --out", ""});
-  for (const char* name : {"package.html", "package.json", "demand.toml", "probability.toml"})
-    fs::remove(out / name, error);
 }
 
-/// Runs a study that root wrote. One that is refused is removed, so that the folder can be taken.
-void run_made_study(const fs::path& file, bool overwrite, const Communicator& world) {
+/// Writes a study file on root and runs it on all ranks. Of a study that is refused nothing stays,
+/// and an earlier file of the name comes back.
+void run_made_study(const fs::path& file, const std::function<std::string()>& text, bool overwrite,
+                    const Communicator& world) {
+  std::optional<std::string> earlier;
+  on_root(world, [&] {
+    if (fs::exists(file)) earlier = read_text_file(file);
+    write_text_file(file, text());
+  });
   try {
     run_study({.study = file.string(),
                .out = (file.parent_path() / file.stem()).string(),
@@ -95,8 +100,12 @@ void run_made_study(const fs::path& file, bool overwrite, const Communicator& wo
   } catch (const ExitStatus& exit) {
     std::error_code ignored;
     if (world.is_root() && exit.status == 2) {
-      fs::remove(file, ignored);
-      fs::remove(file.parent_path(), ignored);  // if empty
+      if (earlier) {
+        write_text_file(file, *earlier);
+      } else {
+        fs::remove(file, ignored);
+        fs::remove(file.parent_path(), ignored);  // if empty
+      }
     }
     throw;
   }
@@ -108,25 +117,25 @@ void run(const ClearanceOptions& o, const Communicator& world) {
                       "give one; `glissade clearance --example` prints one to begin with", ""});
   const fs::path out =
       o.out.empty() ? fs::path("results") / fs::path(o.project).stem() : fs::path(o.out);
-  const fs::path demand_file = out / "demand.toml", probability_file = out / "probability.toml";
   std::optional<Project> project;
   on_root(world, [&] {
     project = read_project(o.project);
     check_output_folder(out, o.overwrite);
-    static_cast<void>(load_suite(project->suite));  // its faults come before anything is written
-    take_folder(out);
-    write_text_file(demand_file, demand_study(*project, out));
+    make_folder(out);
   });
-  run_made_study(demand_file, o.overwrite, world);
+  run_made_study(
+      out / "demand.toml", [&] { return demand_study(*project, out); }, o.overwrite, world);
 
   std::optional<Results> demand;
   std::optional<DesignClearance> design;
   on_root(world, [&] {
+    for (const char* name : {"package.html", "package.json"}) fs::remove(out / name);  // earlier
     demand = read_results(out / "demand" / "results.h5");
     design = design_clearance(*project, *demand);
-    write_text_file(probability_file, probability_study(*project, out, {design->governing_m}));
   });
-  run_made_study(probability_file, o.overwrite, world);
+  run_made_study(
+      out / "probability.toml",
+      [&] { return probability_study(*project, out, {design->governing_m}); }, o.overwrite, world);
 
   on_root(world, [&] {
     const Results probability = read_results(out / "probability" / "results.h5");

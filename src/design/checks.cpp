@@ -20,16 +20,6 @@ double lowest_ratio(const SuiteSpectra& spectra, double from_s, double to_s) {
   return lowest;
 }
 
-double uplift_share_at(const Results& demand, std::size_t level) {
-  double sum = 0.0;
-  const HistoryTable& histories = demand.histories;
-  for (std::size_t record = 0; record < histories.records; ++record) {
-    for (std::size_t c = 0; c < histories.cases; ++c)
-      sum += histories.fields.uplift[histories.at(record, c, level)];
-  }
-  return sum / static_cast<double>(histories.records * histories.cases);
-}
-
 std::vector<DesignCheck> spectrum_checks(const Project& project, const Results& demand) {
   const SuiteSpectra& spectra = demand.suites.front().spectra;
   const SpectralRatio lowest = spectra.to_target.lowest;
@@ -90,7 +80,8 @@ std::vector<DesignCheck> checks_of(const Project& project, const Results& demand
   checks.push_back({"records with vertical motion", fmt::format("{} of {}", vertical, records),
                     "all", static_cast<std::size_t>(vertical) == records});
   for (const auto& [name, level] : {std::pair{"DBE", 0u}, std::pair{"MCE", 1u}}) {
-    const double share = uplift_share_at(demand, level);
+    const HistoryTable& histories = demand.histories;
+    const double share = mean_of(histories, histories.fields.uplift, {0, histories.cases}, level);
     checks.push_back({fmt::format("histories at {} in which the array lifts off", name),
                       fmt::format("{:.2g} %", 100.0 * share), "0 %: uplift is outside the model",
                       share == 0.0});
@@ -115,7 +106,7 @@ std::vector<std::string> warnings_on(const Project& project, const Results& dema
   std::vector<std::string> warnings = choices_of(project, design);
   warnings.insert(warnings.end(), demand.warnings.begin(), demand.warnings.end());
   for (const DesignCheck& check : design.checks) {
-    if (check.is_met == false)
+    if (!check.is_met)
       warnings.push_back(fmt::format("a check is not met: {}: {}; required: {}", check.what,
                                      check.found, check.criterion));
   }

@@ -50,6 +50,8 @@ PrescribedValue asce7_16(const Project& project, const SiteValues& site) {
 
 }  // namespace
 
+double ProjectFriction::design() const { return design_friction(Normal{mean, std}); }
+
 SiteValues site_values(const ProjectSite& site) {
   const TargetSpectrum spectrum(site.target);
   SiteValues values{.sds_g = spectrum.sds_g(), .sd1_g = spectrum.sd1_g()};

@@ -23,22 +23,26 @@ std::string quoted(const std::string& text) {
   return result + '"';
 }
 
-std::string target_toml(const DesignTarget& target) {
+std::vector<std::string> target_fields(const DesignTarget& target) {
   GLISSADE_EXPECTS(target.period_s.empty());
-  if (target.sds_g > 0.0)
-    return fmt::format("[target]\nedition = {}\nsds_g = {}\nsd1_g = {}\ntl_s = {}\n",
-                       quoted(to_string(target.edition)), target.sds_g, target.sd1_g, target.tl_s);
-  std::vector<std::string> classes;
-  for (const SiteClass site : target.site_classes) classes.push_back(quoted(to_string(site)));
-  return fmt::format(
-      "[target]\n"
-      "edition = {}\n"
-      "ss_g = {}\n"
-      "s1_g = {}\n"
-      "site_classes = [{}]\n"
-      "tl_s = {}\n",
-      quoted(to_string(target.edition)), target.ss_g, target.s1_g, fmt::join(classes, ", "),
-      target.tl_s);
+  std::vector<std::string> fields{"edition = " + quoted(to_string(target.edition))};
+  const auto add = [&](const char* key, double value) {
+    fields.push_back(fmt::format("{} = {}", key, value));
+  };
+  if (target.sds_g > 0.0) {
+    add("sds_g", target.sds_g), add("sd1_g", target.sd1_g);
+  } else {
+    std::vector<std::string> classes;
+    for (const SiteClass site : target.site_classes) classes.push_back(quoted(to_string(site)));
+    add("ss_g", target.ss_g), add("s1_g", target.s1_g);
+    fields.push_back(fmt::format("site_classes = [{}]", fmt::join(classes, ", ")));
+  }
+  add("tl_s", target.tl_s);
+  return fields;
+}
+
+std::string target_toml(const DesignTarget& target) {
+  return fmt::format("[target]\n{}\n", fmt::join(target_fields(target), "\n"));
 }
 
 }  // namespace glissade

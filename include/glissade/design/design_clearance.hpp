@@ -70,10 +70,10 @@ struct ExceedanceAt {
   Interval interval;
 };
 
-/// A check of the calculation. Not decided: nothing.
+/// A check of the calculation.
 struct DesignCheck {
   std::string what, found, criterion;
-  std::optional<bool> is_met;
+  bool is_met = false;
 };
 
 struct DesignClearance {

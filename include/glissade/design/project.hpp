@@ -64,18 +64,6 @@ struct Project {
   double importance = 1.0;
   bool peer_reviewed = false;
   double round_up_m = 0.0127;
-
-  StandardsConfig standards() const;
 };
-
-/// The study of the displacement demand: every combination of period, slope, mass ratio, friction
-/// (mean - 2 std, mean, mean + 2 std), with and without vertical motion, at S_DS and 1.5 S_DS, in
-/// all orientations. A study file, whose paths are relative to `folder`.
-std::string demand_study(const Project& project, const std::filesystem::path& folder);
-
-/// The study of the probability that the displacement exceeds each threshold, at each building
-/// period: friction, mass ratio, slope and orientation drawn.
-std::string probability_study(const Project& project, const std::filesystem::path& folder,
-                              const std::vector<double>& thresholds_m);
 
 }  // namespace glissade

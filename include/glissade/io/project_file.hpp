@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "glissade/design/project.hpp"
 
@@ -14,5 +15,15 @@ Project read_project(const std::filesystem::path& file);
 
 /// A project file with every key, commented: what `glissade clearance --example` prints.
 std::string project_example();
+
+/// The study of the displacement demand: every combination of period, slope, mass ratio, friction
+/// (mean - 2 std, mean, mean + 2 std), with and without vertical motion, at S_DS and 1.5 S_DS, in
+/// all orientations. A study file, whose paths are relative to `folder`.
+std::string demand_study(const Project& project, const std::filesystem::path& folder);
+
+/// The study of the probability that the displacement exceeds each threshold, at each building
+/// period: friction, mass ratio, slope and orientation drawn.
+std::string probability_study(const Project& project, const std::filesystem::path& folder,
+                              const std::vector<double>& thresholds_m);
 
 }  // namespace glissade

@@ -216,6 +216,20 @@ struct CaseSlice {
 };
 inline CaseSlice slice_of(const RunResults& run) { return {run.first_case, run.cases}; }
 
+/// Mean of a field over the histories of some cases at a level; NaN where the field is not kept. Of
+/// flags: the share that is set.
+template <class T>
+double mean_of(const HistoryTable& histories, const std::vector<T>& field, CaseSlice cases,
+               std::size_t level) {
+  if (field.empty()) return std::numeric_limits<double>::quiet_NaN();
+  double sum = 0.0;
+  for (std::size_t record = 0; record < histories.records; ++record) {
+    for (std::size_t i = 0; i < cases.count; ++i)
+      sum += field[histories.at(record, cases.first + i, level)];
+  }
+  return sum / static_cast<double>(histories.records * cases.count);
+}
+
 inline bool slides_on_two_axes(const Results& results) { return results.axes == SlidingAxes::two; }
 
 }  // namespace glissade

@@ -188,7 +188,7 @@ void add_run(CLI::App& program, const Communicator& world) {
   command->footer(
       "SIGINT (Ctrl-C), SIGTERM, SIGUSR1 or a file named stop in the results folder\n"
       "stop a run: exit status 75, and --resume goes on with it.");
-  command->callback([options, study, resume, world] {
+  command->callback([options, study, world] {
     if (options->study.empty() && options->resume.empty())
       throw CLI::RequiredError(study->get_name());
     run_study(*options, world);

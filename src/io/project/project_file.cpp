@@ -169,7 +169,7 @@ std::vector<double> read_slopes(const TomlTable& table) {
 }
 
 /// One column, mu, a test in each row.
-std::optional<std::vector<double>> read_test_values(const fs::path& file) {
+std::vector<double> read_test_values(const fs::path& file) {
   std::vector<double> mu;
   const auto take = [&](const std::vector<double>& row, std::size_t) -> std::string {
     if (!friction_rule.is_met(row[0])) return "mu is not from 0 to 10";
@@ -218,7 +218,7 @@ void take_tests(const TomlTable& table, const fs::path& folder, ProjectFriction&
   try {
     const bool is_summary = has_one_column(folder / name);
     const std::vector<double> mu =
-        is_summary ? *read_test_values(folder / name) : read_logged_tests(table, folder / name);
+        is_summary ? read_test_values(folder / name) : read_logged_tests(table, folder / name);
     if (mu.empty()) return;
     if (mu.size() < 2) {
       table.report("file", "one pull test gives no standard deviation", "test more");

@@ -14,7 +14,6 @@ namespace {
 
 Figure demand_figure(const CalculationPackage& package) {
   const DesignClearance& design = package.design;
-  const UnitSystem units = package.project.units;
   struct Line {
     double PeriodDemand::*value;
     Role role;
@@ -43,7 +42,7 @@ Figure demand_figure(const CalculationPackage& package) {
   Look governing = look(Role::clearance);
   governing.width = 3.0;
   panel.rules.push_back({Rule::Kind::horizontal, design.governing_m, governing,
-                         "governing displacement: " + length_in_both(units, design.governing_m)});
+                         "governing displacement: " + length_in_both(design.governing_m)});
   return {"demand",
           "Displacement at DBE over the building's period",
           fmt::format("S_DS = {:.3f} g; friction {:.3g}; slope {:.3g} degrees; {} records",

@@ -77,19 +77,17 @@ Html warnings_html(const CalculationPackage& package) {
 
 Html result_html(const CalculationPackage& package) {
   const DesignClearance& design = package.design;
-  const UnitSystem units = package.project.units;
   std::vector<std::string> answers{
       fmt::format("Governing displacement: {}, rounded up to {}.",
-                  length_in_both(units, design.governing_m),
-                  length_in_both(units, design.rounded_m)),
+                  length_in_both(design.governing_m), length_in_both(design.rounded_m)),
       fmt::format("It is given by {}.", governed_by(package)),
       fmt::format(
           "Analysis: {:g} x the largest {} displacement over {} building periods and all "
           "orientations of the records at DBE = {} (period {:.3g} s). With the median of the "
           "orientations in place of the largest it would be {}.",
           design.factor, design.of_largest ? "single" : "mean", design.demand.size(),
-          length_in_both(units, design.analysis_m), design.period_s,
-          length_in_both(units, design.median_analysis_m))};
+          length_in_both(design.analysis_m), design.period_s,
+          length_in_both(design.median_analysis_m))};
   if (!is_within_standard(package.project, design))
     answers.push_back(
         "The project is outside the conditions of its standard, or does not state them all "
@@ -168,22 +166,20 @@ Html model_html() {
 
 Html required_html(const CalculationPackage& package) {
   const DesignClearance& design = package.design;
-  const UnitSystem units = package.project.units;
-  std::vector<std::string> steps{
-      fmt::format("Analysis (Walters et al. 2012): {:g} x {} = {}.", design.factor,
-                  length_in_both(units, design.analysis_m / design.factor),
-                  length_in_both(units, design.analysis_m))};
+  std::vector<std::string> steps{fmt::format(
+      "Analysis (Walters et al. 2012): {:g} x {} = {}.", design.factor,
+      length_in_both(design.analysis_m / design.factor), length_in_both(design.analysis_m))};
   if (package.project.peer_reviewed) {
     steps.push_back(
         "The project states that the analysis is peer reviewed: no least value applies.");
   } else {
     steps.push_back(fmt::format("Least value of an analysis by {}: {}.",
                                 standard_name(package.project.standard),
-                                length_in_both(units, design.floor_m)));
+                                length_in_both(design.floor_m)));
   }
   steps.push_back(fmt::format("Governing displacement: the larger, {}; rounded up to {}.",
-                              length_in_both(units, design.governing_m),
-                              length_in_both(units, design.rounded_m)));
+                              length_in_both(design.governing_m),
+                              length_in_both(design.rounded_m)));
   return section_heading(5) + list(steps) + wide_table(prescribed_table(package));
 }
 
@@ -227,10 +223,9 @@ void write_package(const CalculationPackage& package, const std::filesystem::pat
   write_tables(tables, out_dir);
   const std::vector<DrawnFigure> figures = draw(package_figures(package), out_dir);
   const bool has_demand_figure = figures.size() > 2;
-  const bool us = package.project.units == UnitSystem::us_customary;
   const Html page =
-      page_head(
-          {package.project.title.name, "calculation of required separations", us ? letter : a4}) +
+      page_head({package.project.title.name, "calculation of required separations",
+                 in_inches() ? letter : a4}) +
       "<style>" + style + "</style>\n" +
       paragraph(
           "Calculation of the seismic displacement of an unanchored rooftop solar array, and "

@@ -35,46 +35,41 @@ std::string inputs_lines(const CalculationPackage& package) {
 }
 
 std::string demand_lines(const CalculationPackage& package) {
-  const UnitSystem units = package.project.units;
   std::string text = fmt::format(
       "\nDisplacement at DBE, least favourable orientation\n{:>10}{:>12}{:>12}{:>12}{:>12}\n",
       "period, s", "mean", "84th", "95th", "largest");
   for (const PeriodDemand& d : package.design.demand) {
-    text += fmt::format("{:>10.3g}{:>12}{:>12}{:>12}{:>12}\n", d.period_s,
-                        length_in(units, d.mean_m), length_in(units, d.p84_m),
-                        length_in(units, d.p95_m), length_in(units, d.largest_m));
+    text += fmt::format("{:>10.3g}{:>12}{:>12}{:>12}{:>12}\n", d.period_s, length_in(d.mean_m),
+                        length_in(d.p84_m), length_in(d.p95_m), length_in(d.largest_m));
   }
   return text;
 }
 
 std::string governing_lines(const CalculationPackage& package) {
-  const UnitSystem units = package.project.units;
   const DesignClearance& design = package.design;
   std::string text = "\n" + line("Analysis", fmt::format("{:g} x the largest {}: {}", design.factor,
                                                          design.of_largest ? "record" : "mean",
-                                                         length_in_both(units, design.analysis_m)));
+                                                         length_in_both(design.analysis_m)));
   for (const PrescribedValue& value : design.prescribed) {
     text += fmt::format("{:<15}prescribes {}; conditions {}\n", standard_name(value.standard),
-                        length_in_both(units, value.prescribed.value_m),
+                        length_in_both(value.prescribed.value_m),
                         value.may_be_used() ? "met" : "NOT all met or stated");
   }
-  text += line("GOVERNING",
-               fmt::format("{}, rounded up to {}", length_in_both(units, design.governing_m),
-                           length_in_both(units, design.rounded_m)));
+  text += line("GOVERNING", fmt::format("{}, rounded up to {}", length_in_both(design.governing_m),
+                                        length_in_both(design.rounded_m)));
   return text + line("", "by " + governed_by(package));
 }
 
 std::string separation_lines(const CalculationPackage& package) {
-  const UnitSystem units = package.project.units;
   std::string text = "\nSeparations\n";
   for (const ProjectSeparation& s : package.design.separations) {
     std::string verdict;
     if (s.available_m) {
-      verdict = fmt::format("  available {}{}", length_in(units, *s.available_m),
+      verdict = fmt::format("  available {}{}", length_in(*s.available_m),
                             *s.available_m < s.required.value_m ? ": NOT SUFFICIENT" : "");
     }
     text += fmt::format("  {:.1f} x  {:>10}  {}{}\n", s.required.factor,
-                        length_in(units, s.required.value_m), s.required.what, verdict);
+                        length_in(s.required.value_m), s.required.what, verdict);
   }
   text += "\nProbability that the governing displacement is exceeded\n";
   for (const char* level : {"DBE", "MCE"}) {
@@ -89,6 +84,7 @@ std::string separation_lines(const CalculationPackage& package) {
 }  // namespace
 
 std::string package_screen(const CalculationPackage& package) {
+  const LengthUnits units(package.project.units);
   std::string text = package.project.title.name + "\n";
   for (const std::string& warning : warnings_of(package))
     text += wrapped("WARNING: " + warning, terminal_width, 2) + "\n";

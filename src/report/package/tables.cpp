@@ -179,25 +179,24 @@ Table motions_table(const CalculationPackage& package) {
 }
 
 Table scaled_motions_table(const CalculationPackage& package) {
-  const UnitSystem units = package.project.units;
-  Table table{"scaled_motions",
-              "Ground motions as recorded, factor to DBE, and displacement of the array",
-              {text_column("id", "Record"), text_column("pga", "PGA, g"),
-               text_column("pgv", units == UnitSystem::us_customary ? "PGV, in/s" : "PGV, m/s"),
-               text_column("step", "Step, s"), text_column("length", "Length, s"),
-               text_column("suite_scale", "Scale of the suite"),
-               text_column("factor", "Factor to DBE"), text_column("displacement", "Displacement")},
-              {}};
+  Table table{
+      "scaled_motions",
+      "Ground motions as recorded, factor to DBE, and displacement of the array",
+      {text_column("id", "Record"), text_column("pga", "PGA, g"),
+       text_column("pgv", in_inches() ? "PGV, in/s" : "PGV, m/s"), text_column("step", "Step, s"),
+       text_column("length", "Length, s"), text_column("suite_scale", "Scale of the suite"),
+       text_column("factor", "Factor to DBE"), text_column("displacement", "Displacement")},
+      {}};
   for (std::size_t i = 0; i < package.demand.records.size(); ++i) {
     const RecordSummary& r = package.demand.records[i];
-    table.add({r.id, fmt::format("{:.3f}", r.pga_g),
-               units == UnitSystem::us_customary ? fmt::format("{:.1f}", r.pgv_mps / inch_m)
-                                                 : fmt::format("{:.3f}", r.pgv_mps),
-               fmt::format("{:g}", r.dt_s),
-               fmt::format("{:.0f}", r.dt_s * static_cast<double>(r.samples - 1)),
-               fmt::format("{:.3g}", r.suite_scale),
-               fmt::format("{:.3f}", r.factor_at_unit_level * package.design.site.sds_g),
-               length_in(units, displacement_of(package, i))});
+    table.add(
+        {r.id, fmt::format("{:.3f}", r.pga_g),
+         in_inches() ? fmt::format("{:.1f}", r.pgv_mps / inch_m) : fmt::format("{:.3f}", r.pgv_mps),
+         fmt::format("{:g}", r.dt_s),
+         fmt::format("{:.0f}", r.dt_s * static_cast<double>(r.samples - 1)),
+         fmt::format("{:.3g}", r.suite_scale),
+         fmt::format("{:.3f}", r.factor_at_unit_level * package.design.site.sds_g),
+         length_in(displacement_of(package, i))});
   }
   table.notes.push_back(
       "PGA and PGV: geometric mean of both horizontal components, as recorded. The factor to DBE "
@@ -219,7 +218,6 @@ Table files_table(const CalculationPackage& package) {
 }
 
 Table demand_table(const CalculationPackage& package) {
-  const UnitSystem units = package.project.units;
   Table table{"demand",
               fmt::format("Displacement demand at DBE: friction {:.3g}, slope {:.3g} degrees, mass "
                           "ratio {:g}, over {} records in the least favourable orientation",
@@ -232,9 +230,9 @@ Table demand_table(const CalculationPackage& package) {
                text_column("orientation", "Least favourable orientation")},
               {}};
   for (const PeriodDemand& d : package.design.demand) {
-    table.add({fmt::format("{:.3g} s", d.period_s), length_in(units, d.mean_m),
-               length_in(units, d.p84_m), length_in(units, d.p95_m), length_in(units, d.largest_m),
-               length_in(units, d.median_orientation_m), d.orientation});
+    table.add({fmt::format("{:.3g} s", d.period_s), length_in(d.mean_m), length_in(d.p84_m),
+               length_in(d.p95_m), length_in(d.largest_m), length_in(d.median_orientation_m),
+               d.orientation});
   }
   table.notes.push_back(
       "Over the records, all in the orientation of the last column. A percentile is below the mean "
@@ -243,7 +241,6 @@ Table demand_table(const CalculationPackage& package) {
 }
 
 Table prescribed_table(const CalculationPackage& package) {
-  const UnitSystem units = package.project.units;
   Table table{"prescribed",
               "Prescribed displacements, their conditions, and the least value of an analysis",
               {text_column("standard", "Standard"), text_column("value", "Prescribed"),
@@ -261,9 +258,9 @@ Table prescribed_table(const CalculationPackage& package) {
     }
     table.add({standard_name(value.standard) +
                    (value.standard == package.project.standard ? " (of the project)" : ""),
-               length_in_both(units, value.prescribed.value_m), conditions,
-               length_in(units, value.floor_share * value.prescribed.value_m) + ", " +
-                   value.floor_basis + " (recalled)",
+               length_in_both(value.prescribed.value_m), conditions,
+               length_in(value.floor_share * value.prescribed.value_m) + ", " + value.floor_basis +
+                   " (recalled)",
                value.prescribed.basis});
   }
   table.notes.push_back("(recalled): from memory of the standard. Verify against the standard.");
@@ -271,11 +268,10 @@ Table prescribed_table(const CalculationPackage& package) {
 }
 
 Table separations_table(const CalculationPackage& package) {
-  const UnitSystem units = package.project.units;
   Table table{
       "separations",
       fmt::format("Required separations: parts of the governing displacement, {}, rounded up",
-                  length_in_both(units, package.design.governing_m)),
+                  length_in_both(package.design.governing_m)),
       {text_column("separation", "Separation"), text_column("factor", "Factor"),
        text_column("required", "Required"), text_column("required_ft", "Required"),
        text_column("available", "Available"), text_column("verdict", "Verdict")},
@@ -283,17 +279,16 @@ Table separations_table(const CalculationPackage& package) {
   for (const ProjectSeparation& s : package.design.separations) {
     const bool known = s.available_m.has_value();
     table.add({s.required.what, fmt::format("{:.1f}", s.required.factor),
-               length_in_both(units, s.required.value_m), separation_in(units, s.required.value_m),
-               known ? length_in_both(units, *s.available_m) : "not stated",
+               length_in_both(s.required.value_m), separation_in(s.required.value_m),
+               known ? length_in_both(*s.available_m) : "not stated",
                !known                                 ? std::string("-")
                : *s.available_m >= s.required.value_m ? std::string("sufficient")
                                                       : std::string("NOT SUFFICIENT")});
   }
-  return units == UnitSystem::us_customary ? table : table.without("required_ft");
+  return in_inches() ? table : table.without("required_ft");
 }
 
 Table sensitivity_table(const CalculationPackage& package) {
-  const UnitSystem units = package.project.units;
   Table table{"sensitivity",
               "Sensitivity: the required displacement of the analysis with one input changed",
               {text_column("input", "Input"), text_column("value", "Value"),
@@ -302,7 +297,7 @@ Table sensitivity_table(const CalculationPackage& package) {
               {}};
   for (const Sensitivity& row : package.design.sensitivity) {
     table.add({row.what, row.value + (row.is_governing ? " *" : ""),
-               length_in_both(units, row.clearance_m),
+               length_in_both(row.clearance_m),
                fmt::format("{:.2f}", row.clearance_m / package.design.analysis_m)});
   }
   table.notes.push_back("*: as in the governing case.");
@@ -312,7 +307,7 @@ Table sensitivity_table(const CalculationPackage& package) {
 Table exceedance_table(const CalculationPackage& package) {
   Table table{"exceedance",
               fmt::format("Probability that the displacement exceeds the governing one, {}",
-                          length_in_both(package.project.units, package.design.governing_m)),
+                          length_in_both(package.design.governing_m)),
               {text_column("level", "Earthquake"), text_column("sds", "S_DS"),
                text_column("period", "Building period"), text_column("probability", "Probability"),
                text_column("interval", "95 % interval")},
@@ -339,10 +334,8 @@ Table checks_table(const CalculationPackage& package) {
                text_column("criterion", "Criterion"), text_column("verdict", "Verdict")},
               {}};
   for (const DesignCheck& check : package.design.checks)
-    table.add({check.what, check.found, check.criterion,
-               std::string(!check.is_met   ? "-"
-                           : *check.is_met ? "met"
-                                           : "NOT MET")});
+    table.add(
+        {check.what, check.found, check.criterion, std::string(check.is_met ? "met" : "NOT MET")});
   return table;
 }
 

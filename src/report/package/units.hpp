@@ -6,27 +6,29 @@
 #include <string>
 
 #include "glissade/core/units.hpp"
-#include "glissade/design/project.hpp"
+#include "glissade/report/format.hpp"
 
+// Lengths of the calculation package, to 0.1 in, 0.01 ft or 1 mm, in the unit that stands first.
 namespace glissade {
+
+inline bool in_inches() { return LengthUnits::first() == UnitSystem::us_customary; }
 
 /// "12.5 in", or "0.318 m".
 inline std::string length_in(UnitSystem units, double length_m) {
   return units == UnitSystem::us_customary ? fmt::format("{:.1f} in", length_m / inch_m)
                                            : fmt::format("{:.3f} m", length_m);
 }
+inline std::string length_in(double length_m) { return length_in(LengthUnits::first(), length_m); }
 
 /// "12.5 in (0.318 m)", or "0.318 m (12.5 in)".
-inline std::string length_in_both(UnitSystem units, double length_m) {
-  const bool us = units == UnitSystem::us_customary;
-  return fmt::format("{} ({})", length_in(units, length_m),
-                     length_in(us ? UnitSystem::si : UnitSystem::us_customary, length_m));
+inline std::string length_in_both(double length_m) {
+  const UnitSystem other = in_inches() ? UnitSystem::si : UnitSystem::us_customary;
+  return fmt::format("{} ({})", length_in(length_m), length_in(other, length_m));
 }
 
 /// "1.06 ft", or "0.323 m": of a separation.
-inline std::string separation_in(UnitSystem units, double length_m) {
-  return units == UnitSystem::us_customary ? fmt::format("{:.2f} ft", length_m / foot_m)
-                                           : fmt::format("{:.3f} m", length_m);
+inline std::string separation_in(double length_m) {
+  return in_inches() ? fmt::format("{:.2f} ft", length_m / foot_m) : length_in(length_m);
 }
 
 }  // namespace glissade

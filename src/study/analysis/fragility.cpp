@@ -110,8 +110,8 @@ SlipStatistics statistics_of(const PooledLevel& pooled, const Results& results,
   s.mean_interval = pooled.mean_interval(options);
   s.median_interval = pooled.quantile_interval(0.5, options);
   s.p84_interval = pooled.quantile_interval(0.84, options);
-  s.uplift_share = mean_at(histories, histories.fields.uplift, slice_of(run), level);
-  s.mean_vector_m = mean_at(histories, histories.fields.peak_vector_m, slice_of(run), level);
+  s.uplift_share = mean_of(histories, histories.fields.uplift, slice_of(run), level);
+  s.mean_vector_m = mean_of(histories, histories.fields.peak_vector_m, slice_of(run), level);
   return s;
 }
 

@@ -2,26 +2,15 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
-
 #include "glissade/core/contract.hpp"
 #include "glissade/design/design_clearance.hpp"
-#include "glissade/design/project.hpp"
+#include "glissade/io/project_file.hpp"
+#include "toml_text.hpp"
 
 namespace glissade {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// A TOML string of text that comes from a file.
-std::string quoted(const std::string& text) {
-  std::string result = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\') result += '\\';
-    result += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
-  }
-  return result + '"';
-}
 
 std::string list_of(const std::vector<double>& values) {
   return values.size() == 1 ? fmt::format("{}", values.front())
@@ -39,19 +28,13 @@ std::string path_from(const fs::path& file, const fs::path& folder) {
   return quoted(fs::proximate(fs::absolute(file), fs::absolute(folder)).generic_string());
 }
 
-std::string target_table(const DesignTarget& target, const fs::path& project_folder,
-                         const fs::path& folder, const std::string& spectrum) {
-  const std::string edition = quoted(to_string(target.edition));
-  if (!target.period_s.empty())
-    return fmt::format("{{ edition = {}, spectrum = {} }}", edition,
-                       path_from(project_folder / spectrum, folder));
-  if (target.sds_g > 0.0)
-    return fmt::format("{{ edition = {}, sds_g = {}, sd1_g = {}, tl_s = {} }}", edition,
-                       target.sds_g, target.sd1_g, target.tl_s);
-  std::vector<std::string> classes;
-  for (const SiteClass site : target.site_classes) classes.push_back(quoted(to_string(site)));
-  return fmt::format("{{ edition = {}, ss_g = {}, s1_g = {}, site_classes = [{}], tl_s = {} }}",
-                     edition, target.ss_g, target.s1_g, fmt::join(classes, ", "), target.tl_s);
+/// An inline table.
+std::string target_of(const Project& project, const fs::path& folder) {
+  const DesignTarget& target = project.site.target;
+  if (target.period_s.empty())
+    return fmt::format("{{ {} }}", fmt::join(target_fields(target), ", "));
+  return fmt::format("{{ edition = {}, spectrum = {} }}", quoted(to_string(target.edition)),
+                     path_from(project.file.parent_path() / project.spectrum_file, folder));
 }
 
 /// What both studies have in common.
@@ -65,18 +48,10 @@ std::string head_of(const Project& project, const fs::path& folder, const std::s
       quoted(project.file.filename().string()), quoted(name),
       quoted(project.title.name + ": " + what), project.seed,
       project.units == UnitSystem::us_customary ? "us" : "si", path_from(project.suite, folder),
-      fmt::join(levels, ", "),
-      target_table(project.site.target, project.file.parent_path(), folder, project.spectrum_file));
+      fmt::join(levels, ", "), target_of(project, folder));
 }
 
 }  // namespace
-
-double ProjectFriction::design() const { return std::max(0.0, mean - 2.0 * std); }
-
-StandardsConfig Project::standards() const {
-  const SiteValues values = site_values(site);
-  return {.compare = {standard}, .category = values.category, .importance = importance};
-}
 
 std::string demand_study(const Project& project, const fs::path& folder) {
   const double sds_g = site_values(project.site).sds_g;
