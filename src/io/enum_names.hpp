@@ -3,7 +3,7 @@
 
 #include "glissade/fragility/fit.hpp"
 #include "glissade/study/config.hpp"
-#include "toml_table.hpp"
+#include "toml/toml_table.hpp"
 
 namespace glissade {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <map>
 
-#include "number_rows.hpp"
+#include "text/number_rows.hpp"
 
 namespace glissade {
 namespace {

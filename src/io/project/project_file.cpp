@@ -14,11 +14,11 @@
 #include "glissade/io/pull_test_file.hpp"
 #include "glissade/io/sha256.hpp"
 #include "glissade/sampling/friction_statistics.hpp"
-#include "number_rows.hpp"
 #include "project/project_keys.hpp"
-#include "scan.hpp"
 #include "study/target_table.hpp"
-#include "toml_table.hpp"
+#include "text/number_rows.hpp"
+#include "text/scan.hpp"
+#include "toml/toml_table.hpp"
 
 namespace glissade {
 namespace {

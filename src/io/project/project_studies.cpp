@@ -5,7 +5,7 @@
 #include "glissade/core/contract.hpp"
 #include "glissade/design/design_clearance.hpp"
 #include "glissade/io/project_file.hpp"
-#include "toml_text.hpp"
+#include "toml/toml_text.hpp"
 
 namespace glissade {
 namespace {

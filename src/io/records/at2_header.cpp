@@ -3,7 +3,7 @@
 
 #include <charconv>
 
-#include "scan.hpp"
+#include "text/scan.hpp"
 
 namespace glissade {
 namespace {

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "toml_text.hpp"
+#include "toml/toml_text.hpp"
 
 namespace glissade {
 namespace {

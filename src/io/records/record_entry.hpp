@@ -6,7 +6,7 @@
 
 #include "glissade/io/record_file.hpp"
 #include "glissade/motion/motion.hpp"
-#include "toml_table.hpp"
+#include "toml/toml_table.hpp"
 
 namespace glissade {
 

@@ -10,7 +10,7 @@
 #include "records/at2_header.hpp"
 #include "records/record_units.hpp"
 #include "records/time_column.hpp"
-#include "scan.hpp"
+#include "text/scan.hpp"
 
 namespace glissade {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "glissade/core/error.hpp"
 #include "glissade/core/units.hpp"
-#include "scan.hpp"
+#include "text/scan.hpp"
 
 namespace glissade {
 namespace {

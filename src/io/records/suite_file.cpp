@@ -10,7 +10,7 @@
 #include "records/record_entry.hpp"
 #include "records/record_finder.hpp"
 #include "study/target_table.hpp"
-#include "toml_table.hpp"
+#include "toml/toml_table.hpp"
 
 namespace glissade {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "glissade/core/error.hpp"
 #include "records/record_entry.hpp"
-#include "toml_text.hpp"
+#include "toml/toml_text.hpp"
 
 namespace glissade {
 namespace {

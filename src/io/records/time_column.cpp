@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "glissade/core/error.hpp"
-#include "scan.hpp"
+#include "text/scan.hpp"
 
 namespace glissade {
 namespace {

@@ -12,7 +12,7 @@
 
 #include "glissade/study/results.hpp"
 #include "results/hdf5_file.hpp"
-#include "toml_table.hpp"
+#include "toml/toml_table.hpp"
 
 namespace glissade {
 

@@ -6,9 +6,9 @@
 
 #include "enum_names.hpp"
 #include "glissade/core/units.hpp"
-#include "scan.hpp"
 #include "study/hazard_table.hpp"
-#include "study/number_list.hpp"
+#include "text/scan.hpp"
+#include "toml/number_list.hpp"
 
 namespace glissade {
 namespace {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "glissade/study/config.hpp"
-#include "toml_table.hpp"
+#include "toml/toml_table.hpp"
 
 namespace glissade {
 

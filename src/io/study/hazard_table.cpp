@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
-#include "number_rows.hpp"
-#include "study/number_list.hpp"
+#include "text/number_rows.hpp"
+#include "toml/number_list.hpp"
 
 namespace glissade {
 namespace {

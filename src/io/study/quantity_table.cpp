@@ -6,8 +6,8 @@
 #include <limits>
 
 #include "glissade/core/units.hpp"
-#include "scan.hpp"
-#include "study/number_list.hpp"
+#include "text/scan.hpp"
+#include "toml/number_list.hpp"
 
 namespace glissade {
 namespace {

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "glissade/study/config.hpp"
-#include "toml_table.hpp"
+#include "toml/toml_table.hpp"
 
 namespace glissade {
 

@@ -8,8 +8,8 @@
 #include "study/analysis_tables.hpp"
 #include "study/case_tables.hpp"
 #include "study/grammar.hpp"
-#include "study/number_list.hpp"
 #include "study/target_table.hpp"
+#include "toml/number_list.hpp"
 
 namespace glissade {
 namespace {

@@ -1,18 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "study/target_table.hpp"
 
-#include "number_rows.hpp"
+#include "text/number_rows.hpp"
 
 namespace glissade {
 namespace {
 
 void read_site_classes(const TomlTable& table, DesignTarget& target) {
-  const EnumNames<SiteClass> classes = {{"A", SiteClass::a},
-                                        {"B", SiteClass::b},
-                                        {"C", SiteClass::c},
-                                        {"D", SiteClass::d},
-                                        {"E", SiteClass::e},
-                                        {"default", SiteClass::unknown}};
+  const EnumNames<SiteClass> classes = {{"A", SiteClass::a}, {"B", SiteClass::b},
+                                        {"C", SiteClass::c}, {"D", SiteClass::d},
+                                        {"E", SiteClass::e}, {"default", SiteClass::unknown}};
   if (table.has("site_class") && table.has("site_classes")) {
     table.report("site_class", "both site_class and site_classes are given", "give one of them");
   }

@@ -28,9 +28,11 @@ h2 { counter-increment: section; } h2::before { content: counter(section) ". "; 
 .sha { font-family: monospace; }
 caption { font-weight: bold; color: #222; }
 @media print {
-  body { font-size: 10pt; } table { font-size: 9pt; } thead { display: table-header-group; break-after: avoid; } table, .wide { break-inside: avoid; } .files table, .files .wide { break-inside: auto; }
+  body { font-size: 10pt; line-height: 1.35; } table { font-size: 9pt; width: 100%; } thead { display: table-header-group; break-after: avoid; }
+  table, .wide, .answer, figure, figcaption { break-inside: avoid; } .long table, .long .wide { break-inside: auto; }
   caption { break-after: avoid; } h2 { margin-top: 1.2em; } .contents a::after { content: " " leader(".") " " target-counter(attr(href), page); }
-  figure { max-width: 100%; margin: .5em 0; } table { width: 100%; } .files table { font-size: 9pt; } th, td, td:not(.number) { overflow-wrap: anywhere; min-width: 0; }
+  figure { max-width: 13.5cm; margin: .5em 0; }
+  th, td, td:not(.number) { overflow-wrap: break-word; min-width: 0; } .long td:first-child { white-space: nowrap; } .long td:last-child { overflow-wrap: anywhere; }
 }
 )";
 
@@ -199,6 +201,11 @@ Html checks_html(const CalculationPackage& package) {
                "Statements marked (recalled) are from memory of the standard: verify them."});
 }
 
+/// A table that may go over a page and has hashes in its last column.
+Html long_table(const Table& table) {
+  return Html("<div class=\"long\">\n") + wide_table(table) + "</div>\n";
+}
+
 Html records_html(const CalculationPackage& package) {
   Html html = section_heading(9) +
               paragraph(fmt::format("glissade {}; plan of the demand study {}, of the probability "
@@ -206,8 +213,7 @@ Html records_html(const CalculationPackage& package) {
                                     "give the same numbers.",
                                     package.demand.program_version, package.demand.plan_hash,
                                     package.probability.plan_hash, package.project_sha256));
-  if (!package.files.empty())
-    html += "<div class=\"files\">\n" + wide_table(files_table(package)) + "</div>\n";
+  if (!package.files.empty()) html += long_table(files_table(package));
   return html + "<h3>Project file</h3>\n" + study_file(package.project.source_text);
 }
 
@@ -231,7 +237,7 @@ void write_package(const CalculationPackage& package, const std::filesystem::pat
           "Calculation of the seismic displacement of an unanchored rooftop solar array, and "
           "of its required separations") +
       wide_table(title_table(package.project)) + warnings_html(package) + contents_html() +
-      result_html(package) + section_heading(1) + wide_table(inputs_table(package)) +
+      result_html(package) + section_heading(1) + long_table(inputs_table(package)) +
       motions_html(package, figures) + model_html() + section_heading(4) +
       wide_table(demand_table(package)) +
       (has_demand_figure ? figure_html(figures.at(1), 2) : Html()) + required_html(package) +

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "number_rows.hpp"
+#include "text/number_rows.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -9,7 +9,7 @@
 
 #include "glissade/core/error.hpp"
 #include "glissade/core/file.hpp"
-#include "scan.hpp"
+#include "text/scan.hpp"
 
 namespace glissade {
 namespace {

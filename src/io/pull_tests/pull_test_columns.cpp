@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "pull_test_columns.hpp"
+#include "pull_tests/pull_test_columns.hpp"
 
 #include <algorithm>
 #include <cstdint>
@@ -7,7 +7,7 @@
 
 #include "glissade/core/error.hpp"
 #include "glissade/core/units.hpp"
-#include "scan.hpp"
+#include "text/scan.hpp"
 
 namespace glissade {
 namespace {

@@ -8,8 +8,8 @@
 
 #include "glissade/core/error.hpp"
 #include "glissade/core/file.hpp"
-#include "pull_test_columns.hpp"
-#include "scan.hpp"
+#include "pull_tests/pull_test_columns.hpp"
+#include "text/scan.hpp"
 
 namespace glissade {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "scan.hpp"
+#include "text/scan.hpp"
 
 #include <algorithm>
 #include <charconv>

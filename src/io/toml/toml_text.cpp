@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "toml_text.hpp"
+#include "toml/toml_text.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

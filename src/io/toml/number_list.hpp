@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "toml_table.hpp"
+#include "toml/toml_table.hpp"
 
 namespace glissade {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "study/number_list.hpp"
+#include "toml/number_list.hpp"
 
 #include <fmt/format.h>
 
@@ -10,7 +10,7 @@
 #include <functional>
 #include <string>
 
-#include "scan.hpp"
+#include "text/scan.hpp"
 
 namespace glissade {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "toml_table.hpp"
+#include "toml/toml_table.hpp"
 
 #include <toml++/toml.h>
 
@@ -9,7 +9,7 @@
 #include <set>
 
 #include "glissade/core/file.hpp"
-#include "scan.hpp"
+#include "text/scan.hpp"
 
 namespace glissade {
 
