@@ -69,7 +69,7 @@ class JournalWriter {
  public:
   static constexpr int seconds_to_disk = 5;
   /// The file is made with the first unit, by a name that no writer had before.
-  JournalWriter(std::filesystem::path run_folder, int rank, const RunIdentity& run);
+  JournalWriter(const std::filesystem::path& run_folder, int rank, const RunIdentity& run);
   JournalWriter(JournalWriter&&) noexcept;
   ~JournalWriter();
   void append(const UnitResult& unit);

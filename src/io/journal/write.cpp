@@ -70,7 +70,7 @@ struct JournalWriter::State {
   }
 };
 
-JournalWriter::JournalWriter(fs::path run_folder, int rank, const RunIdentity& run)
+JournalWriter::JournalWriter(const fs::path& run_folder, int rank, const RunIdentity& run)
     : state_(new State{.names = JournalNames(run_folder), .rank = rank, .head = units_head(run)}) {}
 
 JournalWriter::JournalWriter(JournalWriter&&) noexcept = default;

@@ -76,7 +76,7 @@ std::string units_in_header_line(std::string_view line) {
     if (at == std::string::npos) continue;
     if (std::string unit = after(" in "); !unit.empty()) return unit;
     // A heading of columns: acceleration_g, acceleration (m/s2).
-    const std::string unit(word_at(lower, at + quantity.size()));
+    std::string unit(word_at(lower, at + quantity.size()));
     for (const std::string_view known : {"g", "m/s2", "cm/s2", "gal", "m/s", "cm/s"}) {
       if (unit == known) return unit;
     }
