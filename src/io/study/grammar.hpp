@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "../toml_table.hpp"
+#include "../toml/toml_table.hpp"
 #include "glissade/study/config.hpp"
 
 namespace glissade {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
 
-#include "../../../src/io/scan.hpp"
+#include "../../../src/io/text/scan.hpp"
 #include "study_texts.hpp"
 
 namespace glissade {
