@@ -43,6 +43,12 @@ inline EnumNames<OrientationChoice> orientation_names() {
   return names;
 }
 
+inline EnumNames<OrientationRule> orientation_rule_names() {
+  static constexpr EnumNames<OrientationRule> names = {{"largest", OrientationRule::largest},
+                                                       {"median", OrientationRule::median}};
+  return names;
+}
+
 inline EnumNames<DisplacementMeasure> displacement_names() {
   static constexpr EnumNames<DisplacementMeasure> names = {{"srss", DisplacementMeasure::srss},
                                                            {"vector", DisplacementMeasure::vector}};

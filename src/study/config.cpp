@@ -31,6 +31,10 @@ bool StudyConfig::draws() const {
   return false;
 }
 
+const char* to_string(OrientationRule rule) {
+  return rule == OrientationRule::largest ? "largest" : "median";
+}
+
 std::string intensity_label(const IntensityConfig& intensity) {
   return fmt::format("{} ({})", intensity.measure.symbol(intensity), intensity.measure.unit());
 }

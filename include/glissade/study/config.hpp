@@ -117,10 +117,15 @@ struct ChartConfig {
   std::vector<ChartQuestion> questions;
 };
 
+/// Which of the orientations of the records a required clearance is of: the largest, or the median,
+/// as Walters et al. (2012) take it.
+enum class OrientationRule { largest, median };
+
 /// The clearance that Walters et al. (2012) recommend: a factor on the suite's mean displacement,
 /// the largest over the building periods.
 struct ClearanceConfig {
-  double factor = 1.1;          ///< >= 1
+  double factor = 1.1;  ///< >= 1
+  OrientationRule orientation = OrientationRule::largest;
   bool without_target = false;  ///< also of a suite that does not meet its target
 };
 
@@ -171,6 +176,9 @@ struct StudyConfig {
   const std::vector<double>& thresholds_m() const;  ///< of the fragility; empty without one
   bool draws() const;                               ///< any quantity or the orientation
 };
+
+/// "largest", "median".
+const char* to_string(OrientationRule rule);
 
 /// Axis label of the intensity measure with its unit: "S_DS (g)", "Sa(1 s) (g)" ...
 std::string intensity_label(const IntensityConfig& intensity);

@@ -84,6 +84,14 @@ std::string run_json(const Results& results, const std::vector<Skip>& skips,
   json["units_of_earlier_sessions"] = resumed;
   add_phases(json, clock);
   json["warnings"] = results.warnings;
+  if (results.clearance) {
+    const auto [least, most] =
+        std::ranges::minmax(results.clearance->required, {}, &RequiredClearance::clearance_m);
+    json["required_clearance"] = {{"orientation", to_string(results.clearance->orientation)},
+                                  {"factor", results.clearance->factor},
+                                  {"smallest_m", least.clearance_m},
+                                  {"largest_m", most.clearance_m}};
+  }
   json["skipped"] = Json::array();
   for (const Skip& skip : skips)
     json["skipped"].push_back({{"what", skip.what}, {"why", skip.why}, {"count", skip.count}});

@@ -125,6 +125,8 @@ void read_clearance(const TomlTable& root, StudyConfig& study) {
   const TomlTable table = root.table("clearance");
   ClearanceConfig clearance;
   clearance.factor = table.number("factor", factor_rule).value_or(clearance.factor);
+  clearance.orientation = table.choice<OrientationRule>("orientation", orientation_rule_names())
+                              .value_or(clearance.orientation);
   clearance.without_target = table.flag("without_target").value_or(clearance.without_target);
   study.clearance = clearance;
 }

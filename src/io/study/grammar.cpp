@@ -176,6 +176,10 @@ void add_analyses(std::vector<GrammarKey>& keys) {
         "a displacement, or the friction required for one, read off the chart"},
        {"clearance", "without_target", "true or false", "false",
         "a clearance also of a suite that is not scaled to a design spectrum: not for design"},
+       {"clearance", "orientation", one_of(orientation_rule_names()),
+        quoted(orientation_rule_names(), ClearanceConfig{}.orientation),
+        "of the suite's means, each with all records in one orientation, the one that is the "
+        "recommended clearance; Walters et al. (2012) take the median"},
        {"clearance", "factor", "number", fmt::format("{:g}", ClearanceConfig{}.factor),
         "required clearance: this factor on the suite's mean displacement, the largest over the "
         "periods (Walters et al. 2012); also of a [chart]"},

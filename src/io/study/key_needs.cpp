@@ -92,6 +92,12 @@ std::vector<KeyNeeds> key_needs() {
       {"standards", "importance", "\"asce7_16\" in compare", compares<Standard::asce7_16>},
       {"standards", "seismic_design_category", "\"seaoc_pv1_2012\" in compare",
        compares<Standard::seaoc_pv1_2012>},
+      {"clearance", "orientation", "several orientations",
+       [](const TomlTable&, const StudyConfig& s) {
+         return s.orientation.choice == OrientationChoice::all_permutations ||
+                s.orientation.choice == OrientationChoice::azimuths ||
+                s.orientation.slope_axis.size() > 1;
+       }},
       {"clearance", "without_target", "a measure other than \"sds_g\", which scales to the target",
        [](const TomlTable&, const StudyConfig& s) {
          return s.intensity.measure != IntensityMeasure::sds_g;

@@ -7,7 +7,7 @@ namespace glissade {
 
 BaseShearResults base_shear_results(const Results& results) {
   return {suite_means(results, HistoryNumber::base_shear, all_conditions(results.conditions->grid),
-                      Periods::one)};
+                      Periods::one, OrientationRule::median)};
 }
 
 }  // namespace glissade

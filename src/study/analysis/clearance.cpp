@@ -5,15 +5,20 @@
 
 namespace glissade {
 
-ClearanceResults required_clearance(const Results& results, double factor) {
+ClearanceResults required_clearance(const Results& results, const ClearanceConfig& config) {
   const auto means = [&](Periods periods) {
     return suite_means(results, HistoryNumber::displacement,
-                       sliding_conditions(results.conditions->grid, periods), periods);
+                       sliding_conditions(results.conditions->grid, periods), periods,
+                       config.orientation);
   };
-  ClearanceResults clearance{.factor = factor, .required = {}, .by_period = means(Periods::one)};
+  ClearanceResults clearance{.factor = config.factor,
+                             .orientation = config.orientation,
+                             .required = {},
+                             .by_period = means(Periods::one)};
   for (SuiteMean& mean : means(Periods::largest)) {
     const OrientationRange range = mean.range;
-    clearance.required.push_back({std::move(mean), factor * range.median, factor * range.highest});
+    clearance.required.push_back({std::move(mean), config.factor * range.of(config.orientation),
+                                  config.factor * range.median, config.factor * range.highest});
   }
   return clearance;
 }

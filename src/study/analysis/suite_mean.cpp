@@ -147,20 +147,25 @@ OrientationRange over_orientations(const Results& results, const MeanQuestion& q
   const auto median = [&](const std::vector<double>& weights) {
     return quantile_of(weighted_means(values, weights), 0.5);
   };
+  const auto highest = [&](const std::vector<double>& weights) {
+    return std::ranges::max(weighted_means(values, weights));
+  };
   return {*low, quantile_of(means, 0.5), *high,
-          bootstrap_interval(records, median, {.seed = results.seed})};
+          bootstrap_interval(records, median, {.seed = results.seed}),
+          bootstrap_interval(records, highest, {.seed = results.seed})};
 }
 
 std::size_t governing_period(const Results& results, const MeanQuestion& question,
-                             const Condition& at) {
+                             const Condition& at, OrientationRule rule) {
   std::size_t governing = 0;
   double largest = -1.0;
   for (std::size_t p = 0; p < results.conditions->grid.period_s.size(); ++p) {
-    const double median = quantile_of(
-        means_by_orientation(results, question, at.with(ConditionAxis::period, p), Periods::one),
-        0.5);
-    if (median > largest) {
-      largest = median;
+    const std::vector<double> means =
+        means_by_orientation(results, question, at.with(ConditionAxis::period, p), Periods::one);
+    const double mean =
+        rule == OrientationRule::largest ? std::ranges::max(means) : quantile_of(means, 0.5);
+    if (mean > largest) {
+      largest = mean;
       governing = p;
     }
   }
@@ -178,7 +183,8 @@ PerRecordBounds per_record_bounds(const Results& results, const MeanQuestion& qu
 }
 
 std::vector<SuiteMean> suite_means(const Results& results, HistoryNumber number,
-                                   const std::vector<Condition>& places, Periods periods) {
+                                   const std::vector<Condition>& places, Periods periods,
+                                   OrientationRule rule) {
   const ConditionTable& conditions = *results.conditions;
   std::vector<SuiteMean> means;
   for (std::size_t suite = 0; suite < results.suites.size(); ++suite) {
@@ -187,7 +193,7 @@ std::vector<SuiteMean> suite_means(const Results& results, HistoryNumber number,
       const Condition at =
           periods == Periods::one
               ? place
-              : place.with(ConditionAxis::period, governing_period(results, question, place));
+              : place.with(ConditionAxis::period, governing_period(results, question, place, rule));
       const std::uint64_t first = conditions.first_case[conditions.grid.index(at)];
       means.push_back({.suite = suite,
                        .first_case = first,

@@ -203,7 +203,7 @@ void analyse(const StudyConfig& study, Results& results) {
   if (study.clearance || study.base_shear) results.conditions = condition_table(results);
   if (study.fragility) results.runs = fragility_runs(study, results);
   if (study.chart) results.chart = make_chart(study, results);
-  if (study.clearance) results.clearance = required_clearance(results, study.clearance->factor);
+  if (study.clearance) results.clearance = required_clearance(results, *study.clearance);
   if (study.base_shear) results.base_shear = base_shear_results(results);
   if (study.tipping) results.tipping = tipping_results(results, *study.tipping);
   if (study.hazard) results.hazard = hazard_results(study, results);

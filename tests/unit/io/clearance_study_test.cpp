@@ -43,6 +43,7 @@ choice = "azimuths"
 slope_axis = ["n_s"]
 [clearance]
 factor = 1.2
+orientation = "median"
 [base_shear]
 )";
 
@@ -63,6 +64,7 @@ TEST_F(ClearanceStudy, is_read_as_it_is_written) {
   const StudyConfig c = read(study_text);
   ASSERT_TRUE(c.clearance);
   EXPECT_EQ(c.clearance->factor, 1.2);
+  EXPECT_EQ(c.clearance->orientation, OrientationRule::median);
   EXPECT_EQ(c.intensity.measure, IntensityMeasure::mce_fraction);
   EXPECT_THAT(c.intensity.levels, ElementsAre(0.5, 1.0));
   EXPECT_EQ(c.model.displacement, DisplacementMeasure::vector);
@@ -81,7 +83,7 @@ TEST_F(ClearanceStudy, is_read_as_it_is_written) {
   EXPECT_TRUE(c.base_shear);
 }
 
-TEST_F(ClearanceStudy, what_is_left_out_is_walterss) {
+TEST_F(ClearanceStudy, what_is_left_out_is_walterss_but_for_the_orientation) {
   const StudyConfig c = read(R"([study]
 name = "c"
 [suite]
@@ -96,6 +98,7 @@ mu = { mean = 0.55, std = 0.04 }
 [clearance]
 )");
   EXPECT_EQ(c.clearance->factor, 1.1);
+  EXPECT_EQ(c.clearance->orientation, OrientationRule::largest);
   EXPECT_THAT(c.friction.values, ElementsAre(FrictionValue::design));
   EXPECT_FALSE(c.draws());
   EXPECT_EQ(c.orientation.choice, OrientationChoice::all_permutations);
@@ -119,6 +122,8 @@ TEST_F(ClearanceStudy, what_is_wrong_is_reported_with_its_line) {
            Fault{"[0, 0.05]", "[0.5, 1.5]", "mass_ratio: 1.5 is outside its range"},
            Fault{"across_mu = 0.6", "across_mu = 0", "friction.across_mu is zero"},
            Fault{"factor = 1.2", "factor = 0.9", "clearance.factor = 0.9 is not 1 or more"},
+           Fault{"\"median\"", "\"mean\"", "known are largest, median"},
+           Fault{"\"azimuths\"", "\"as_recorded\"", "clearance.orientation needs"},
            Fault{"across_mu = 0.6", "value = \"sampled\"", "friction.value leaves out"},
            Fault{"mu = { mean = 0.5, std = 0.02 }", "value = \"design\"\nmu = 0.5",
                  "friction.value needs"},
@@ -156,6 +161,7 @@ TEST(clearance_studies, that_come_with_glissade_are_walterss) {
         "18_walters_slope", "19_walters_mce", "20_walters_permutations", "21_walters_vertical"}) {
     const StudyConfig c = read_study(studies / (std::string(name) + ".toml"));
     EXPECT_TRUE(c.clearance && c.two_axes()) << name;
+    EXPECT_EQ(c.clearance->orientation, OrientationRule::median) << name;
     EXPECT_NEAR(c.quantities.at("roof", "slope_deg").values.front(), 1.19, 0.01) << name;  // 1/4:12
   }
 }

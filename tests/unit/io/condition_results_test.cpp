@@ -19,6 +19,8 @@ std::vector<double> numbers_of(const SuiteMean& m) {
                               m.range.highest,
                               m.range.interval.low,
                               m.range.interval.high,
+                              m.range.highest_interval.low,
+                              m.range.highest_interval.high,
                               m.bounds.lowest,
                               m.bounds.highest,
                               m.largest};
@@ -46,11 +48,13 @@ TEST(condition_results, a_required_clearance_comes_back) {
   const Both both;
   const ClearanceResults &a = *both.read.clearance, &b = *both.written.clearance;
   EXPECT_EQ(a.factor, 1.2);
+  EXPECT_EQ(a.orientation, OrientationRule::median);
   ASSERT_EQ(a.required.size(), 3u);  // levels
   ASSERT_EQ(a.by_period.size(), 3u);
   for (std::size_t i = 0; i < 3; ++i) {
     expect_same(a.required[i].largest, b.required[i].largest);
     expect_same(a.by_period[i], b.by_period[i]);
+    EXPECT_EQ(a.required[i].clearance_m, b.required[i].clearance_m);
     EXPECT_EQ(a.required[i].median_m, b.required[i].median_m);
     EXPECT_EQ(a.required[i].highest_m, b.required[i].highest_m);
   }

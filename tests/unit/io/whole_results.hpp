@@ -79,8 +79,8 @@ inline Results whole_results(bool two_axes = false) {
   r.levels = {0.5, 1.0, 1.5};
   r.thresholds_m = {0.15, 0.3};
   r.suites = {{"suite", "of two", {{0.0, 0.5}, {{0.4, 0.9}, {0.3, 1.1}}, {0.35, 1.0}, {}, 1.3}}};
-  r.records = {{0, "a", "event", "station", 6.9, 8.5, 380.0, 2.5, 1.7, 0.5, 0.4, 0.3, 12.5, 0.005, 7671,
-                true, false, 1},
+  r.records = {{0, "a", "event", "station", 6.9, 8.5, 380.0, 2.5, 1.7, 0.5, 0.4, 0.3, 12.5, 0.005,
+                7671, true, false, 1},
                {0, "b", "", "", 0, 0, 0, 1, 0, 0, 0, 0, 0, 0.01, 1, false, true, 0}};
   r.cases.axes = {{"friction.value", "-", {0.0, 1.0}, {"sampled", "design"}}};
   r.cases.samples = 4;
@@ -172,15 +172,16 @@ inline Results with_fragility() {
 inline std::vector<SuiteMean> whole_means(const Results& r, std::size_t count, double x) {
   std::vector<SuiteMean> means;
   for (std::size_t i = 0; i < count; ++i, x += 1.0) {
-    means.push_back({.suite = 0,
-                     .first_case = i % r.cases.size(),
-                     .condition = "mu = " + std::to_string(i),
-                     .level = x + 0.01,
-                     .period_s = i == 0 ? std::nan("") : x + 0.02,
-                     .range = {x + 0.03, x + 0.04, x + 0.05, {x + 0.06, x + 0.07}},
-                     .bounds = {x + 0.08, x + 0.09},
-                     .largest = x + 0.1,
-                     .by_orientation = std::vector(r.cases.orientations, x + 0.11)});
+    means.push_back(
+        {.suite = 0,
+         .first_case = i % r.cases.size(),
+         .condition = "mu = " + std::to_string(i),
+         .level = x + 0.01,
+         .period_s = i == 0 ? std::nan("") : x + 0.02,
+         .range = {x + 0.03, x + 0.04, x + 0.05, {x + 0.06, x + 0.07}, {x + 0.12, x + 0.13}},
+         .bounds = {x + 0.08, x + 0.09},
+         .largest = x + 0.1,
+         .by_orientation = std::vector(r.cases.orientations, x + 0.11)});
   }
   return means;
 }
@@ -190,9 +191,11 @@ inline void add_clearance(Results& r, double factor) {
   const auto places = [&](Periods periods) {
     return sliding_conditions(r.conditions->grid, periods).size();
   };
-  ClearanceResults& clearance = r.clearance.emplace(ClearanceResults{factor, {}, {}});
+  ClearanceResults& clearance =
+      r.clearance.emplace(ClearanceResults{factor, OrientationRule::median, {}, {}});
   for (const SuiteMean& mean : whole_means(r, places(Periods::largest), 1.0))
-    clearance.required.push_back({mean, mean.largest + 20.0, mean.largest + 40.0});
+    clearance.required.push_back(
+        {mean, mean.largest + 10.0, mean.largest + 20.0, mean.largest + 40.0});
   clearance.by_period = whole_means(r, places(Periods::one), 100.0);
 }
 

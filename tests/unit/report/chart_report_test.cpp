@@ -45,7 +45,7 @@ TEST(chart_report, names_the_factor_of_the_study) {
   EXPECT_THAT(chart_table_heading(results), HasSubstr("1.1 x"));
   for (ChartPoint& p : results.chart->points) p.clearance_m *= 1.3 / 1.1;
   results.conditions = condition_table(results);
-  results.clearance = required_clearance(results, 1.3);
+  results.clearance = required_clearance(results, {.factor = 1.3});
   EXPECT_THAT(chart_table_heading(results), HasSubstr("1.3 x"));
   EXPECT_THAT(answer_sentences(results), Contains(HasSubstr("1.3 x the mean")));
   std::string captions;

@@ -20,9 +20,9 @@ using testing::Not;
 constexpr double inch = 0.0254;
 
 /// What is found of the conditions that there are now.
-void analyse(Results& r) {
+void analyse(Results& r, OrientationRule rule = OrientationRule::median) {
   r.conditions->first_case.assign(r.conditions->grid.count(), 0);
-  r.clearance = required_clearance(r, 1.1);
+  r.clearance = required_clearance(r, {.orientation = rule});
 }
 
 /// Two records in four orientations at two periods, of an isolated and an anchored array; all
@@ -109,7 +109,24 @@ TEST(clearance_report, the_clearance_is_a_factor_times_the_largest_mean_over_the
   EXPECT_DOUBLE_EQ(std::get<Estimate>(table.rows[0][2]).value, 10 * inch);  // 4, 8, 12, 16
   EXPECT_DOUBLE_EQ(number(3), 16 * inch);
   EXPECT_DOUBLE_EQ(number(6), 1.1 * 10 * inch);
-  EXPECT_DOUBLE_EQ(number(7), 1.1 * 16 * inch);
+  EXPECT_DOUBLE_EQ(number(7), 1.1 * 10 * inch);
+  EXPECT_DOUBLE_EQ(number(8), 1.1 * 16 * inch);
+}
+
+TEST(clearance_report, states_the_rule_of_the_orientations_with_every_clearance) {
+  Results r = made_up();
+  analyse(r, OrientationRule::largest);
+  EXPECT_DOUBLE_EQ(std::get<double>(clearance_table(r).rows[0][6]), 1.1 * 16 * inch);
+  const Rule level = clearance_figures(r)[1].panels.at(0).rules.at(0);
+  EXPECT_DOUBLE_EQ(level.at, 1.1 * 16 * inch);
+  const std::string rule = "largest of the orientations";
+  for (const std::string& text :
+       {level.label, clearance_table(r).title, clearance_sentences(r).front(),
+        clearance_reading(r, ClearanceTopic::period), clearance_summary(r)})
+    EXPECT_THAT(text, HasSubstr(rule));
+  EXPECT_THAT(clearance_reading(r, ClearanceTopic::period), HasSubstr(format_length(17.6 * inch)));
+  analyse(r, OrientationRule::median);
+  EXPECT_THAT(clearance_summary(r), Not(HasSubstr(rule)));
 }
 
 TEST(clearance_report, every_orientation_has_its_row) {

@@ -51,7 +51,7 @@ TEST(analyses, conditions_are_places_of_the_histories) {
 }
 
 TEST(analyses, a_required_clearance_is_a_factor_on_the_largest_mean_over_the_periods) {
-  const ClearanceResults clearance = required_clearance(by_hand(), 1.5);
+  const ClearanceResults clearance = required_clearance(by_hand(), {.factor = 1.5});
   EXPECT_EQ(clearance.factor, 1.5);
   ASSERT_EQ(clearance.by_period.size(), 2u);
   const SuiteMean& first = clearance.by_period[0];
@@ -73,6 +73,19 @@ TEST(analyses, a_required_clearance_is_a_factor_on_the_largest_mean_over_the_per
   EXPECT_EQ(required.largest.bounds.highest, 5.5);  // a 4, b 7
   EXPECT_EQ(required.median_m, 7.5);
   EXPECT_EQ(required.highest_m, 7.5);
+}
+
+TEST(analyses,
+     the_recommended_clearance_is_of_the_largest_orientation_unless_the_median_is_stated) {
+  Results r = by_hand();
+  r.conditions->histories[3].displacement_m = 8.0;  // a, second orientation, 1 s: a mean of 7
+  const RequiredClearance usual = required_clearance(r, {.factor = 2.0}).required[0];
+  EXPECT_EQ(usual.clearance_m, 14.0);
+  EXPECT_EQ(usual.median_m, 12.0);
+  const RequiredClearance median =
+      required_clearance(r, {.factor = 2.0, .orientation = OrientationRule::median}).required[0];
+  EXPECT_EQ(median.clearance_m, 12.0);
+  EXPECT_EQ(median.highest_m, 14.0);
 }
 
 TEST(analyses, base_shear_is_the_mean_and_the_largest_of_the_records) {

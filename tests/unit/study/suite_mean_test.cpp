@@ -70,16 +70,22 @@ TEST(suite_mean, the_interval_is_from_resampling_records) {
   // A resample is a twice, b twice, or both: medians 4, 1 or 2.5.
   EXPECT_DOUBLE_EQ(range.interval.low, 1.0);
   EXPECT_DOUBLE_EQ(range.interval.high, 4.0);
+  EXPECT_DOUBLE_EQ(range.highest_interval.low, 1.0);  // b twice: 1 in every orientation
+  EXPECT_DOUBLE_EQ(range.highest_interval.high, 7.0);
   const OrientationRange alone = over_orientations(by_hand(), {.suite = 1}, {}, Periods::one);
   EXPECT_TRUE(std::isnan(alone.interval.low));
 }
 
-TEST(suite_mean, the_governing_period_is_of_the_median) {
-  EXPECT_EQ(governing_period(by_hand(), {}, {}), 0u);  // 2.5 against (1 + 2)/2 + ...: 1, 2, 3, 4
+TEST(suite_mean, the_governing_period_is_of_the_rule) {
+  using enum OrientationRule;
   Results r = by_hand();
+  EXPECT_EQ(governing_period(r, {}, {}, median), 0u);  // 2.5 against (1 + 2)/2 + ...: 1, 2, 3, 4
+  r.conditions->histories[7].displacement_m = 1.0;     // a in the last orientation at 1 s: 4.5
+  EXPECT_EQ(governing_period(r, {}, {}, median), 0u);
+  EXPECT_EQ(governing_period(r, {}, {}, largest), 1u);
   for (std::size_t i = 1; i < r.conditions->histories.size(); i += 2)
     r.conditions->histories[i].displacement_m += 100.0;
-  EXPECT_EQ(governing_period(r, {}, {}), 1u);
+  EXPECT_EQ(governing_period(r, {}, {}, median), 1u);
 }
 
 TEST(suite_mean, no_orientation_by_record_leaves_the_bounds) {

@@ -12,15 +12,17 @@ namespace glissade {
 /// At one condition but the period.
 struct RequiredClearance {
   SuiteMean largest;                       ///< displacement in m, the largest over the periods
+  double clearance_m = 0.0;                ///< the one of these that the rule takes
   double median_m = 0.0, highest_m = 0.0;  ///< the factor on its median and highest
 };
 
 struct ClearanceResults {
   double factor = 1.1;
+  OrientationRule orientation = OrientationRule::largest;
   std::vector<RequiredClearance> required;  ///< by (suite, sliding_conditions(largest))
   std::vector<SuiteMean> by_period;         ///< by (suite, sliding_conditions(one)), m
 };
 
-ClearanceResults required_clearance(const Results& results, double factor);
+ClearanceResults required_clearance(const Results& results, const ClearanceConfig& config);
 
 }  // namespace glissade

@@ -9,6 +9,7 @@
 
 #include "glissade/fragility/bootstrap.hpp"
 #include "glissade/study/analysis/condition_table.hpp"
+#include "glissade/study/config.hpp"
 
 // What is read from the histories by condition: means over a suite, what is largest over the
 // building periods, and what the orientations make of it. Records are the independent unit. All
@@ -48,15 +49,23 @@ std::vector<double> means_by_orientation(const Results& results, const MeanQuest
 
 struct OrientationRange {
   double lowest = 0.0, median = 0.0, highest = 0.0;
-  Interval interval;  ///< 95 % of the median, bootstrap over records; NaN for a single record
+  Interval interval;          ///< 95 % of the median, bootstrap over records; NaN for one record
+  Interval highest_interval;  ///< the same of the highest
+
+  double of(OrientationRule rule) const {
+    return rule == OrientationRule::largest ? highest : median;
+  }
+  const Interval& interval_of(OrientationRule rule) const {
+    return rule == OrientationRule::largest ? highest_interval : interval;
+  }
 };
 /// Those, summed up.
 OrientationRange over_orientations(const Results& results, const MeanQuestion& question,
                                    const Condition& at, Periods periods);
 
-/// Where on the period axis the median over orientations of the suite's mean is largest.
+/// Where on the period axis the suite's mean, by the rule, is largest.
 std::size_t governing_period(const Results& results, const MeanQuestion& question,
-                             const Condition& at);
+                             const Condition& at, OrientationRule rule);
 
 /// The suite's mean with the orientation chosen record by record: no choice gives less or more.
 struct PerRecordBounds {
@@ -77,9 +86,10 @@ struct SuiteMean {
   double largest = 0.0;                ///< of all records and orientations
   std::vector<double> by_orientation;  ///< the mean with all records in the same
 };
-/// By (suite, place); of the largest over the periods at the place.
+/// By (suite, place); of the largest over the periods at the place, where the rule has them.
 std::vector<SuiteMean> suite_means(const Results& results, HistoryNumber number,
-                                   const std::vector<Condition>& places, Periods periods);
+                                   const std::vector<Condition>& places, Periods periods,
+                                   OrientationRule rule);
 /// The conditions in which the array may slide: at every building period, or at the first where the
 /// largest over the periods is taken.
 std::vector<Condition> sliding_conditions(const ConditionGrid& grid, Periods periods);

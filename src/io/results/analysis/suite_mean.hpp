@@ -37,6 +37,8 @@ void exchange_suite_means(const Archive& archive, const IntensityScale& scale,
   number("median_", "95 % interval of that median", of_range(&OrientationRange::interval));
   number("highest_", "mean over the suite, all records in the largest orientation",
          of_range(&OrientationRange::highest));
+  number("highest_", "95 % interval of that largest",
+         of_range(&OrientationRange::highest_interval));
   number("lower_bound_", "mean over the suite, each record in its least orientation",
          of_bounds(&PerRecordBounds::lowest));
   number("upper_bound_", "mean over the suite, each record in its largest orientation",

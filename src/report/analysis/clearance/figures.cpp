@@ -58,16 +58,17 @@ Figure period_figure(const Results& results) {
                     low);
     family.add_line("", look(Role::bound), high);
   }
-  const double clearance_m =
-      results.clearance->factor *
-      over_orientations(results, {}, shown_condition(grid), Periods::largest).median;
+  const double clearance_m = results.clearance->factor *
+                             over_orientations(results, {}, shown_condition(grid), Periods::largest)
+                                 .of(results.clearance->orientation);
   Look rule = look(Role::clearance);
   rule.width = 2.5;
   rule.dash = 2;
-  family.add_level(clearance_m,
-                   fmt::format("clearance, {:g} x the largest median: {}",
-                               results.clearance->factor, format_length(clearance_m)),
-                   rule);
+  family.add_level(
+      clearance_m,
+      fmt::format("clearance, {:g} x the largest mean{}: {}", results.clearance->factor,
+                  rule_text(results), format_length(clearance_m)),
+      rule);
   return {"period", "Displacement over the building's period, and the clearance",
           below_text(results, {mass, vertical}),
           after_walters(results, 13,

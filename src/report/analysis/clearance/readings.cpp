@@ -54,18 +54,22 @@ std::string spectra_reading(const Results& r) {
 std::string period_reading(const Results& r) {
   const MeanQuestion question;
   const OrientationRange largest = over_orientations(r, question, shown(r), Periods::largest);
-  const std::size_t period = governing_period(r, question, shown(r));
+  const OrientationRule rule = r.clearance->orientation;
+  const std::size_t period = governing_period(r, question, shown(r), rule);
   std::string text = fmt::format(
       "At {} the suite's mean is largest at T = {:g} s. The largest over the periods is {}; times "
       "{:g}: a required clearance of {}",
       label_of(r.conditions->grid, ConditionAxis::level, shown(r)[ConditionAxis::level]),
       r.conditions->grid.period_s[period], range_text(r, largest), r.clearance->factor,
-      clearance_text(r.clearance->factor * largest.median));
-  if (r.conditions->orientations.size() > 1)
-    text += fmt::format(", {} in the least favourable orientation",
-                        format_length(r.clearance->factor * largest.highest));
-  text += ". 95 % interval of the mean from resampling records: " +
-          format_length_interval(largest.interval) + ".";
+      clearance_text(r.clearance->factor * largest.of(rule)));
+  if (r.conditions->orientations.size() > 1) {
+    const OrientationRule other =
+        rule == OrientationRule::largest ? OrientationRule::median : OrientationRule::largest;
+    text += fmt::format("{}; by the {} {}", rule_text(r), to_string(other),
+                        format_length(r.clearance->factor * largest.of(other)));
+  }
+  text += fmt::format(". 95 % interval of the mean{}, from resampling records: {}.", rule_text(r),
+                      format_length_interval(largest.interval_of(rule)));
   return text;
 }
 
@@ -182,7 +186,7 @@ std::string mce_reading(const Results& r) {
   const std::size_t last = grid.level.size() - 1;
   Condition high;
   high[ConditionAxis::level] = last;
-  const std::size_t governing = governing_period(r, {}, {});
+  const std::size_t governing = governing_period(r, {}, {}, r.clearance->orientation);
   const OrientationRange weak = over_orientations(r, {}, {}, Periods::largest),
                          first = over_orientations(r, {}, {}, Periods::one),
                          strong = over_orientations(r, {}, high, Periods::one),
@@ -205,9 +209,9 @@ std::string axis_reading(const Results& r, ConditionAxis axis) {
   std::vector<std::string> parts;
   for (const Condition& at : shown_along(r.conditions->grid, axis)) {
     const OrientationRange range = over_orientations(r, {}, at, Periods::largest);
-    parts.push_back(fmt::format("{}: {} at T = {:g} s",
-                                label_of(r.conditions->grid, axis, at[axis]), range_text(r, range),
-                                r.conditions->grid.period_s[governing_period(r, {}, at)]));
+    parts.push_back(fmt::format(
+        "{}: {} at T = {:g} s", label_of(r.conditions->grid, axis, at[axis]), range_text(r, range),
+        r.conditions->grid.period_s[governing_period(r, {}, at, r.clearance->orientation)]));
   }
   return fmt::format("Largest mean over the periods. {}.", fmt::join(parts, "; "));
 }

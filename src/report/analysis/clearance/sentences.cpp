@@ -44,14 +44,18 @@ std::string what_was_run(const Results& r) {
 
 /// Not the rule of a chart, which takes of each record the orientation that slides farthest.
 std::string clearance_rule_text(const Results& r) {
+  const bool several = r.conditions->orientations.size() > 1;
+  const std::string orientation =
+      several ? fmt::format(" with all records in the same orientation{} (clearance.orientation)",
+                            rule_text(r))
+              : "";
+  std::string theirs = r.clearance->factor == ClearanceConfig{}.factor ? "" : "1.1";
+  if (several && r.clearance->orientation == OrientationRule::largest)
+    theirs += theirs.empty() ? "the median" : ", the median";
   return fmt::format(
       "Required clearance: {:g} x the suite's mean{}, the largest over the building periods "
-      "(Walters et al. 2012{}).",
-      r.clearance->factor,
-      r.conditions->orientations.size() > 1
-          ? " with all records in the same orientation, the median over the orientations"
-          : "",
-      r.clearance->factor == ClearanceConfig{}.factor ? "" : ": 1.1");
+      "(Walters et al. 2012{}{}).",
+      r.clearance->factor, orientation, theirs.empty() ? "" : ": ", theirs);
 }
 
 /// The smallest and the largest clearance of all conditions in which the array may slide.
@@ -61,7 +65,7 @@ std::string range_of_conditions(const Results& r) {
   std::vector<std::pair<double, std::string>> clearances;
   for (std::size_t i = 0; i < required.size(); ++i) {
     clearances.emplace_back(
-        std::isfinite(required[i].median_m) ? required[i].median_m : infinity,
+        std::isfinite(required[i].clearance_m) ? required[i].clearance_m : infinity,
         (r.suites.size() > 1 ? r.suites[required[i].largest.suite].name + ", " : std::string()) +
             distinguished(r.conditions->grid, places[i % places.size()],
                           {ConditionAxis::period, ConditionAxis::support}));
@@ -96,14 +100,17 @@ Table brief_clearance_table(const Results& results) {
   constexpr std::size_t most_rows = 24;
   Table table = clearance_table(results);
   const std::size_t conditions = ConditionColumns(results).columns().size();
+  const std::string other = results.clearance->orientation == OrientationRule::largest
+                                ? "clearance_median"
+                                : "clearance_highest";
   std::vector<std::string> others;
   for (std::size_t i = conditions; i < table.columns.size(); ++i) {
     const std::string& stem = table.columns[i].stem;
-    if (stem != "governing_period" && !stem.starts_with("clearance_")) others.push_back(stem);
+    if (stem != "governing_period" && stem != "clearance" && stem != other) others.push_back(stem);
   }
   for (const std::string& stem : others) table = table.without(stem);
   table.notes.clear();  // of the columns that are left out
-  table.title = "Required clearance by condition: median and highest of the orientations";
+  table.title = "Required clearance by condition" + rule_text(results);
   if (table.rows.size() > most_rows) {
     table.notes.push_back(
         fmt::format("{} rows more are in tables/clearances.csv", table.rows.size() - most_rows));

@@ -43,16 +43,18 @@ Table clearance_table(const Results& results) {
       means_table(results,
                   {"clearances",
                    "The suite's mean displacement, the largest over the building "
-                   "periods, over the orientations; and the clearance",
+                   "periods, over the orientations; and the clearance" +
+                       rule_text(results),
                    {{"governing_period", "s", "At T, s"}},
                    {},
                    {}},
                   sliding_conditions(results.conditions->grid, Periods::largest), largest);
-  append(table.columns, {range_column("clearance_median", "Clearance, median, m (in)"),
-                         range_column("clearance_highest", "Clearance, highest, m (in)")});
+  append(table.columns, {range_column("clearance", "Clearance, m (in)"),
+                         range_column("clearance_median", "By the median, m (in)"),
+                         range_column("clearance_highest", "By the largest, m (in)")});
   for (std::size_t i = 0; i < largest.size(); ++i) {
     const RequiredClearance& required = results.clearance->required[i];
-    append(table.rows[i], {required.median_m, required.highest_m});
+    append(table.rows[i], {required.clearance_m, required.median_m, required.highest_m});
   }
   return table;
 }

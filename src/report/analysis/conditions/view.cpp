@@ -167,6 +167,11 @@ std::string orientations_text(const Results& results) {
   return n == 1 ? "" : number_in_words(n) + " orientations";
 }
 
+std::string rule_text(const Results& results) {
+  if (results.conditions->orientations.size() < 2) return "";
+  return fmt::format(", {} of the orientations", to_string(results.clearance->orientation));
+}
+
 std::string range_text(const Results& results, const OrientationRange& range) {
   std::string text = format_length(range.median);
   if (results.conditions->orientations.size() > 1) {

@@ -43,6 +43,8 @@ std::optional<std::size_t> place_of(const ConditionGrid& grid, ArraySupport supp
 /// "sixteen orientations", "both orientations", "32 orientations"; of one: "".
 std::string orientations_text(const Results& results);
 /// "0.210 m (8.27 in), from 0.180 m (7.09 in) to 0.260 m (10.2 in) over the sixteen orientations"
+/// ", largest of the orientations": what a required clearance is of. Empty where there is one.
+std::string rule_text(const Results& results);
 std::string range_text(const Results& results, const OrientationRange& range);
 
 /// mean(at) / mean(of) by orientation; both must be above zero to count. Sorted; may be empty.
