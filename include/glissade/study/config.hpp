@@ -149,9 +149,10 @@ struct StudyConfig {
   std::string name;
   std::string description;
   std::uint64_t seed = 0;
-  UnitSystem units = UnitSystem::si;               ///< of its report
-  std::filesystem::path file;                      ///< the study file
-  std::string source_text;                         ///< the study file, verbatim
+  UnitSystem units = UnitSystem::si;  ///< of its report
+  std::filesystem::path file;         ///< the study file
+  std::string source_text;            ///< the study file, verbatim
+  std::string hashed_text;            ///< the same with all quantities in the units of their keys
   std::vector<std::filesystem::path> suite_files;  ///< one at least, resolved
   std::vector<std::string> records;                ///< ids of the records to run; empty: all
   IntensityConfig intensity;

@@ -9,6 +9,7 @@
 #include "glissade/core/wrap.hpp"
 #include "glissade/io/study_grammar.hpp"
 #include "glissade/study/config.hpp"
+#include "toml/written_units.hpp"
 
 namespace glissade {
 namespace {
@@ -260,7 +261,10 @@ std::string grammar_text(const std::string& wanted) {
     table = key.table;
     text += fmt::format("  {:<24} {}\n", key.key.empty() ? "(no keys)" : key.key,
                         wrapped(key.value, terminal_width, 27));
-    for (const std::string& line : {"usual: " + key.usual, key.meaning})
+    std::vector<std::string> lines{"usual: " + key.usual, key.meaning};
+    if (const KeyUnits* units = units_of_key(key.key))
+      lines.push_back("units, in quotes: " + units->names());
+    for (const std::string& line : lines)
       text += fmt::format("{:27}{}\n", "", wrapped(line, terminal_width, 27));
   }
   return text;
@@ -271,7 +275,13 @@ std::string grammar_page() {
       "# The keys of a study file\n\n"
       "Made by `glissade explain --markdown`; do not edit. A quantity is a number, a list (every "
       "value is run, in all combinations), or a distribution (a value is drawn for each "
-      "sample).\n";
+      "sample).\n\n"
+      "A number is in the unit at the end of its key (a level in the unit of its measure), or is "
+      "written with one of these units, in quotes: `\"18 in\"`, `\"0.25:12\"`. A list may mix "
+      "them.\n\n"
+      "| key | units |\n|---|---|\n";
+  for (const KeyUnits& row : all_key_units())
+    page += fmt::format("| `{}` | {} |\n", row.suffix, row.names());
   std::string table;
   for (const GrammarKey& key : grammar()) {
     if (key.table != table)

@@ -35,8 +35,10 @@ IntensityConfig read_intensity(const TomlTable& table, const NumberRule& level_r
     known += (i > 0 ? ", " : "") + std::string(IntensityMeasure::number(i).key());
   const auto name = table.text("measure");
   if (!table.has("measure")) table.report_missing("measure", "known are " + known);
-  if (table.exists()) intensity.levels = read_increasing(table, "levels", level_rule);
   const auto measure = IntensityMeasure::named(name.value_or(""));
+  NumberRule rule = level_rule;
+  if (measure) rule.unit_key = measure->key();
+  if (table.exists()) intensity.levels = read_increasing(table, "levels", rule);
   if (!measure) {
     if (name)
       table.report("measure", "intensity.measure = \"" + *name + "\" is not known",
@@ -142,6 +144,7 @@ StudyConfig read_study(const std::filesystem::path& file) {
   refuse_idle_keys(root, study);
   check_size(root, study);
   document.finish();
+  study.hashed_text = document.text_in_key_units();
   return study;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "text/scan.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <charconv>
 
@@ -75,6 +77,12 @@ std::optional<double> parse_number(std::string_view text) {
                : std::nullopt;
   }
   if (error != std::errc()) return std::nullopt;
+  return value;
+}
+
+double to_twelve_digits(double value) {
+  const std::string text = fmt::format("{:.12g}", value);
+  std::from_chars(text.data(), text.data() + text.size(), value);
   return value;
 }
 

@@ -42,6 +42,9 @@ std::optional<double> parse_number(std::string_view text);
 /// none.
 std::string shortest_decimal(double value);
 
+/// 0.3 for 0.30000000000000004, as people write it.
+double to_twelve_digits(double value);
+
 /// For error messages: printable, at most 40 characters, in quotes.
 std::string in_quotes(std::string_view text);
 

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "toml/number_list.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <functional>
@@ -16,13 +13,6 @@ namespace glissade {
 namespace {
 
 constexpr std::uint64_t largest_list = 10000;
-
-/// To twelve digits: 0.3 for 0.30000000000000004, as people write it.
-double as_written(double value) {
-  const std::string text = fmt::format("{:.12g}", value);
-  std::from_chars(text.data(), text.data() + text.size(), value);
-  return value;
-}
 
 /// { from, to, count, spacing = "linear" | "log" }, both ends included.
 std::vector<double> read_range(const TomlTable& range, const NumberRule& rule) {
@@ -55,7 +45,7 @@ std::vector<double> read_range(const TomlTable& range, const NumberRule& rule) {
     values.back() = to;
     return std::adjacent_find(values.begin(), values.end(), std::greater_equal<>()) == values.end();
   };
-  if (!fill(as_written) && !fill([](double value) { return value; })) {
+  if (!fill(to_twelve_digits) && !fill([](double value) { return value; })) {
     range.report("count", range.name_of("count") + " is more values than there are between " +
                               shortest_decimal(from) + " and " + shortest_decimal(to));
     return {};

@@ -10,6 +10,7 @@
 
 #include "glissade/core/file.hpp"
 #include "text/scan.hpp"
+#include "toml/written_units.hpp"
 
 namespace glissade {
 
@@ -29,7 +30,10 @@ struct TomlDocument::State {
   std::map<const void*, std::set<std::string, std::less<>>> read;
   std::set<const void*> not_checked;
   std::vector<RenamedKey> renamed;
+  /// Quantities written with a unit: where their text begins, and the number.
+  std::map<std::size_t, double> written;
 
+  void note_written(const toml::source_position& at, double value);
   Problem problem(const toml::source_position& at, std::string what, std::string suggestion) const;
   const RenamedKey* renamed_key(const std::string& name) const {
     const auto old = std::ranges::find(renamed, name, &RenamedKey::name);
@@ -85,16 +89,37 @@ std::string kind_of(const toml::node& node) {
   return "a date or time";
 }
 
-/// The value as a finite double: a problem otherwise.
-std::optional<double> as_number(const toml::node& node, const NumberRule& rule,
-                                const TomlTable& table, std::string_view key) {
+/// The number of a text with a unit: a problem where the key takes none, or others.
+std::optional<double> as_written_number(const std::string& text, const NumberRule& rule,
+                                        const TomlTable& table, std::string_view key) {
   const std::string name = table.name_of(key);
-  if (!node.is_number()) {
-    table.report(key, name + " is " + kind_of(node) + ", not a number",
-                 node.is_string() ? "leave the quotes out" : "");
+  const KeyUnits* known = units_of_key(*rule.unit_key ? rule.unit_key : name);
+  if (known == nullptr) {
+    table.report(key, name + " is a text, not a number", "leave the quotes out");
     return std::nullopt;
   }
-  const double value = *node.value<double>();
+  const auto value = known->value_of(text);
+  if (!value)
+    table.report(key, name + " = " + in_quotes(text) + " is not " + known->what + " with its unit",
+                 "leave the quotes out, or give a number with a unit: " + known->names());
+  return value;
+}
+
+/// The value as a finite double: a problem otherwise.
+std::optional<double> as_number(TomlDocument::State& document, const toml::node& node,
+                                const NumberRule& rule, const TomlTable& table,
+                                std::string_view key) {
+  const std::string name = table.name_of(key);
+  if (!node.is_number() && !node.is_string()) {
+    table.report(key, name + " is " + kind_of(node) + ", not a number");
+    return std::nullopt;
+  }
+  const auto given = node.is_number()
+                         ? node.value<double>()
+                         : as_written_number(*node.value<std::string>(), rule, table, key);
+  if (!given) return std::nullopt;
+  const double value = *given;
+  if (node.is_string()) document.note_written(node.source().begin, value);
   if (!std::isfinite(value) || !rule.is_met(value)) {
     const std::string reason = *rule.reason ? std::string(" (") + rule.reason + ")" : "";
     table.report(key,
@@ -107,6 +132,17 @@ std::optional<double> as_number(const toml::node& node, const NumberRule& rule,
 }
 
 }  // namespace
+
+void TomlDocument::State::note_written(const toml::source_position& at, double value) {
+  std::size_t place = 0;
+  for (std::size_t line = 1; line < at.line; ++line) place = text.find('\n', place) + 1;
+  place += text.starts_with("\xEF\xBB\xBF") && place == 0 ? 3 : 0;
+  for (std::size_t column = 1; column < at.column; ++column) {
+    do ++place;
+    while (place < text.size() && (static_cast<unsigned char>(text[place]) & 0xC0u) == 0x80u);
+  }
+  if (place < text.size() && (text[place] == '"' || text[place] == '\'')) written[place] = value;
+}
 
 Problem TomlDocument::State::problem(const toml::source_position& at, std::string what,
                                      std::string suggestion) const {
@@ -186,6 +222,20 @@ TomlTable TomlDocument::root() {
 }
 
 const std::string& TomlDocument::text() const { return state_->text; }
+
+std::string TomlDocument::text_in_key_units() const {
+  std::string result;
+  std::size_t copied = 0;
+  for (const auto& [begin, value] : state_->written) {
+    // A TOML string: between quotes of one kind, one or three of them.
+    const std::string& text = state_->text;
+    const std::size_t first = text.find_first_not_of(text[begin], begin);
+    const std::string quotes = text.substr(begin, first - begin);
+    result += text.substr(copied, begin - copied) + shortest_decimal(value);
+    copied = text.find(quotes, first) + quotes.size();
+  }
+  return result + state_->text.substr(copied);
+}
 
 void TomlDocument::add(Problem problem) {
   state_->found.push_back({std::move(problem), "", State::Found::Kind::unknown_key});
@@ -298,7 +348,7 @@ std::vector<TomlTable> TomlTable::tables(std::string_view key) const {
 std::optional<double> TomlTable::number(std::string_view key, const NumberRule& rule) const {
   const toml::node* node = find(*document_, node_, key);
   if (node == nullptr) return std::nullopt;
-  return as_number(*node, rule, *this, key);
+  return as_number(*document_, *node, rule, *this, key);
 }
 
 double TomlTable::required_number(std::string_view key, const NumberRule& rule) const {
@@ -317,7 +367,7 @@ std::optional<std::vector<double>> TomlTable::numbers(std::string_view key,
   }
   std::vector<double> values;
   for (const toml::node& element : *list) {
-    const auto value = as_number(element, rule, *this, key);
+    const auto value = as_number(*document_, element, rule, *this, key);
     if (!value) return std::nullopt;
     values.push_back(*value);
   }

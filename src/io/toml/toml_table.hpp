@@ -21,6 +21,7 @@ struct NumberRule {
   const char* text;
   bool (*is_met)(double);
   const char* reason = "";
+  const char* unit_key = "";  ///< a key with the unit of these numbers, where their own has none
 };
 inline constexpr NumberRule any_finite{"finite", [](double) { return true; }};
 inline constexpr NumberRule above_zero{"above 0", [](double x) { return x > 0.0; }};
@@ -53,6 +54,9 @@ class TomlDocument {
 
   TomlTable root();
   const std::string& text() const;
+  /// The text with every quantity that was read and is written with a unit as a number in the unit
+  /// of its key: "18 in" of a length in metres is 0.4572.
+  std::string text_in_key_units() const;
   void add(Problem problem);  ///< one that belongs to no key
   /// What to suggest for keys that are not known any more.
   void explain_old_keys(std::vector<RenamedKey> keys);

@@ -102,7 +102,7 @@ void hash_target(Hasher& hasher, const std::optional<DesignTarget>& target) {
 
 std::string hash_of(const Plan& plan) {
   Hasher hasher;
-  hasher.text("glissade plan 5").text(plan.config.source_text).numbers(plan.factor_at_unit_level);
+  hasher.text("glissade plan 5").text(plan.config.hashed_text).numbers(plan.factor_at_unit_level);
   const auto& own = plan.config.intensity.target;
   if (own && !own->is_mapped()) hash_target(hasher, own);  // else it is in the study's text
   if (plan.config.hazard) {

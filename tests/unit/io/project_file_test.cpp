@@ -85,6 +85,15 @@ TEST_F(ProjectFile, what_is_missing_is_listed_at_once) {
   EXPECT_EQ(problems.size(), 10u);
 }
 
+TEST_F(ProjectFile, numbers_may_have_units) {
+  const Project project =
+      read(whole + "[clearances]\nopen_edge_m = \"4 ft\"\n[result]\nround_up_m = \"0.5 in\"\n");
+  EXPECT_EQ(project.available_m.at(3), 1.2192);
+  EXPECT_EQ(project.round_up_m, 0.0127);
+  EXPECT_EQ(read(changed("= 0.25", "= \"1/4:12\"")).slope_deg, read(whole).slope_deg);
+  EXPECT_EQ(problems_of(changed("= 0.25", "= \"0.25 kip\"")).size(), 1u);
+}
+
 TEST_F(ProjectFile, a_period_comes_from_system_and_height) {
   const Project project =
       read(changed("period_s = [1.0, 0.5]",

@@ -34,7 +34,9 @@ TEST_F(StudyFile, all_problems_are_reported_at_once) {
 TEST_F(StudyFile, syntax_errors_and_wrong_types_are_located) {
   EXPECT_THAT(error("[study]\nname = \"a\nseed = 1\n"), HasSubstr("study.toml:2"));
   EXPECT_THAT(error(needed + "[building]\nperiod_s = \"0.5\"\n"),
-              AllOf(HasSubstr("study.toml:14: building.period_s is a text, not a number"),
+              AllOf(HasSubstr("study.toml:14: building.period_s"), HasSubstr("s, ms")));
+  EXPECT_THAT(error(needed + "[building]\nmass_ratio = \"0.5\"\n"),
+              AllOf(HasSubstr("study.toml:14: building.mass_ratio is a text, not a number"),
                     HasSubstr("leave the quotes out")));
   EXPECT_THAT(error(needed + "[sampling]\nsamples = 1.5\n"),
               HasSubstr("sampling.samples is not a whole number"));

@@ -173,7 +173,9 @@ TEST(plan, has_another_hash_when_the_motions_or_the_study_change_and_the_same_wh
   changed.motions[2].scale = 1.01;
   EXPECT_NE(plan.hash, make_plan(small_config(), {changed}).hash);
   StudyConfig config = small_config();
-  config.source_text += " ";
+  config.source_text += " ";  // a number with another unit
+  EXPECT_EQ(plan.hash, small_plan(config).hash);
+  config.hashed_text += " ";
   EXPECT_NE(plan.hash, small_plan(config).hash);
 }
 

@@ -39,7 +39,7 @@ inline StudyConfig small_config() {
   c.name = "small";
   c.seed = 5;
   c.file = "study.toml";
-  c.source_text = "small study";
+  c.source_text = c.hashed_text = "small study";
   c.suite_files = {"suite.toml"};
   c.model.axes = SlidingAxes::one;
   c.intensity.measure = IntensityMeasure::sds_g;
