@@ -18,6 +18,7 @@ void add_suite_select(CLI::App& suite);  // called by add_suite
 void add_standards(CLI::App& program);
 void add_report(CLI::App& program);
 void add_explain(CLI::App& program);
+void add_init(CLI::App& program);
 
 /// An error that root has already reported; every rank leaves with this status.
 struct ExitStatus {

@@ -75,6 +75,7 @@ int run_program(int argc, char** argv, const glissade::Communicator& world) {
   program.require_subcommand(1);
   program.formatter(std::make_shared<glissade::cli::HelpFormatter>());
   program.option_defaults()->always_capture_default();
+  glissade::cli::add_init(program);
   glissade::cli::add_run(program, world);
   glissade::cli::add_clearance(program, world);
   glissade::cli::add_slide(program);

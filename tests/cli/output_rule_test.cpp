@@ -36,7 +36,8 @@ TEST(OutputRule, is_the_same_of_all_commands) {
     arguments.emplace_back("--help");
     const std::string help = run_program(arguments).out;
     const bool writes = help.find("  --out ") != std::string::npos ||
-                        help.find("  --history ") != std::string::npos;
+                        help.find("  --history ") != std::string::npos ||
+                        help.find("file to write") != std::string::npos;
     EXPECT_EQ(help.find("  --overwrite ") != std::string::npos, writes) << help;
     for (const char* other : {"--force", "--yes", "--clobber"})
       EXPECT_EQ(help.find(other), std::string::npos) << help;
@@ -44,9 +45,9 @@ TEST(OutputRule, is_the_same_of_all_commands) {
     for (const std::string& word : command) name += (name.empty() ? "" : " ") + word;
     if (writes) writing.push_back(name);
   }
-  EXPECT_THAT(writing,
-              testing::UnorderedElementsAre("run", "clearance", "report", "friction", "slide", "suite show",
-                                            "suite spectra", "suite design", "suite select"));
+  EXPECT_THAT(writing, testing::UnorderedElementsAre(
+                           "init", "run", "clearance", "report", "friction", "slide", "suite show",
+                           "suite spectra", "suite design", "suite select"));
 }
 
 TEST(OutputRule, a_file_is_written_over_with_overwrite_only) {
@@ -57,6 +58,8 @@ TEST(OutputRule, a_file_is_written_over_with_overwrite_only) {
   expect_rule({"suite", "show", built_in_suite, "--out", out}, "--out", out);
   folder.write("out", "mine");
   expect_rule({"suite", "design", "--level", "0", "--out", out}, "--out", out);
+  folder.write("out", "mine");
+  expect_rule({"init", out, "--suite", built_in_suite}, "file", out);
   folder.write("out", "mine");
   const std::string record = folder.write("push.txt", "# acceleration_g\n0.5\n0.5\n0.5\n");
   expect_rule(

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace glissade {
+
+/// A commented study or project file to begin with, of which single keys are changed.
+class ExampleFile {
+ public:
+  /// studies/01_quickstart.toml, its keys explained as by `glissade explain`.
+  static ExampleFile study();
+  /// project_example().
+  static ExampleFile project();
+
+  /// `value` as TOML. A key that is commented out, or not there, is one of the file then.
+  void set(const std::string& table, const std::string& key, const std::string& value);
+  void comment_out(const std::string& table, const std::string& key);
+  /// With each key's meaning above or beside it.
+  std::string text() const;
+
+ private:
+  enum class Comments { of_the_grammar, as_they_are };
+  ExampleFile(const std::string& text, Comments comments);
+  /// The line of the key, commented out or not, else the one below the last of the table.
+  std::size_t line_of(const std::string& table, const std::string& key);
+
+  std::vector<std::string> lines_;
+  Comments comments_;
+};
+
+}  // namespace glissade

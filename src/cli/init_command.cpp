@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "commands.hpp"
+#include "glissade/core/error.hpp"
+#include "glissade/core/file.hpp"
+#include "glissade/core/wrap.hpp"
+#include "glissade/io/example_file.hpp"
+#include "glissade/io/project_file.hpp"
+#include "glissade/io/study_file.hpp"
+#include "output_rule.hpp"
+
+namespace glissade::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct InitOptions {
+  std::string file, kind = "study", suite, units = "si", name, edition, site_class, slope,
+                    pull_tests, direction;
+  std::optional<double> ss_g, s1_g, mu, mu_std;
+  std::vector<double> period_s;
+  bool overwrite = false;
+
+  bool is_project() const { return kind == "project"; }
+  bool has_site() const { return ss_g.has_value(); }
+};
+
+/// Text of the command line as a TOML string, which a JSON string is too.
+std::string quoted(const std::string& text) {
+  return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+std::string list_of(const std::vector<double>& values) {
+  return values.size() == 1 ? fmt::format("{}", values.front())
+                            : fmt::format("[{}]", fmt::join(values, ", "));
+}
+
+std::string path_from_file(const InitOptions& o, const std::string& path) {
+  return quoted(
+      fs::proximate(fs::absolute(path), fs::absolute(o.file).parent_path()).generic_string());
+}
+
+/// What a study and a project have in common.
+void set_common(const InitOptions& o, ExampleFile& file) {
+  const char* head = o.is_project() ? "project" : "study";
+  file.set(head, "name", quoted(o.name.empty() ? fs::path(o.file).stem().string() : o.name));
+  file.set(head, "units", quoted(o.units));
+  file.set("suite", "file", path_from_file(o, o.suite));
+  if (!o.period_s.empty()) file.set("building", "period_s", list_of(o.period_s));
+  if (!o.slope.empty()) file.set("roof", "slope_deg", quoted(o.slope));
+  if (!o.pull_tests.empty()) file.set("friction", "file", path_from_file(o, o.pull_tests));
+  if (!o.direction.empty()) file.set("friction", "direction", quoted(o.direction));
+}
+
+std::string study_text(const InitOptions& o) {
+  ExampleFile file = ExampleFile::study();
+  set_common(o, file);
+  file.set("study", "description", "\"\"");
+  if (o.has_site())
+    file.set("intensity", "target",
+             fmt::format("{{ edition = {}, ss_g = {}, s1_g = {}, site_class = {} }}",
+                         quoted(o.edition), *o.ss_g, *o.s1_g, quoted(o.site_class)));
+  if (!o.pull_tests.empty()) file.comment_out("friction", "mu");
+  if (o.mu) file.set("friction", "mu", fmt::format("{{ mean = {}, std = {} }}", *o.mu, *o.mu_std));
+  if (o.units == "us") file.set("fragility", "thresholds_m", R"(["6 in", "12 in", "24 in"])");
+  return "# Made by `glissade init`. `glissade check FILE` says what it would run; other keys:\n"
+         "# `glissade explain`. A number may have a unit, in quotes: \"18 in\", \"0.25:12\".\n" +
+         file.text();
+}
+
+std::string project_text(const InitOptions& o) {
+  ExampleFile file = ExampleFile::project();
+  set_common(o, file);
+  for (const char* key : {"similar_array_m", "obstruction_m", "parapet_edge_m", "open_edge_m"})
+    file.comment_out("clearances", key);
+  file.comment_out("building", "storeys");
+  file.set("project", "address", "\"\"");
+  file.set("result", "round_up_m", o.units == "us" ? "\"0.5 in\"" : "0.01");
+  if (o.has_site()) {
+    file.set("site", "edition", quoted(o.edition));
+    file.set("site", "ss_g", fmt::format("{}", *o.ss_g));
+    file.set("site", "s1_g", fmt::format("{}", *o.s1_g));
+    file.set("site", "site_class", quoted(o.site_class));
+  }
+  if (!o.slope.empty()) file.comment_out("roof", "rise_in_12");
+  if (!o.pull_tests.empty()) return file.text();
+  file.comment_out("friction", "file");
+  file.set("friction", "mean", fmt::format("{}", o.mu.value_or(0.5)));
+  file.set("friction", "std", fmt::format("{}", o.mu_std.value_or(0.04)));
+  file.set("friction", "source", "\"not stated: name the test report\"");
+  return file.text();
+}
+
+/// Written only if it is read without an error.
+void write_checked(const InitOptions& o, const std::string& text) {
+  const fs::path trial = o.file + ".trial";
+  write_text_file(trial, text);
+  try {
+    if (o.is_project())
+      static_cast<void>(read_project(trial));
+    else
+      static_cast<void>(read_study(trial));
+  } catch (const InputError& error) {
+    fs::remove(trial);
+    std::vector<Problem> problems = error.problems();
+    for (Problem& problem : problems) problem.where = "init";
+    throw InputError(problems);
+  }
+  fs::rename(trial, o.file);
+}
+
+void init(InitOptions o) {
+  if (o.file.empty()) o.file = o.kind + ".toml";
+  check_output_file(o.file, "file", o.overwrite);
+  write_checked(o, o.is_project() ? project_text(o) : study_text(o));
+  std::vector<std::string> examples;
+  if (o.is_project() && !o.has_site()) examples.emplace_back("site");
+  if (o.period_s.empty()) examples.emplace_back("building.period_s");
+  if (o.slope.empty()) examples.emplace_back("roof");
+  if (!o.mu && o.pull_tests.empty()) examples.emplace_back("friction");
+  examples.emplace_back(o.is_project() ? "building.mass_ratio" : "fragility.thresholds_m");
+  fmt::print("File    {}\n{}\nNext    glissade {} {}\n", o.file,
+             wrapped(fmt::format("Values of the example, to be replaced by yours: {}",
+                                 fmt::join(examples, ", ")),
+                     terminal_width, 2),
+             o.is_project() ? "clearance" : "check", o.file);
+}
+
+}  // namespace
+
+void add_init(CLI::App& program) {
+  auto o = std::make_shared<InitOptions>();
+  CLI::App* command =
+      program.add_subcommand("init", "Write a commented study or project file for your case");
+  command->add_option("file", o->file, "file to write, with its folder [study.toml, project.toml]");
+  command->add_option("--kind", o->kind, "study (for run) or project (for clearance)")
+      ->check(CLI::IsMember({"study", "project"}));
+  command->add_option("--suite", o->suite, "suite of ground motions (suites/README.md)")
+      ->required()
+      ->check(CLI::ExistingFile);
+  command->add_option("--units", o->units, "of the report: us or si")
+      ->check(CLI::IsMember({"us", "si"}));
+  command->add_option("--name", o->name, "name of the study or project [that of the file]");
+  CLI::Option* ss = command->add_option("--ss-g", o->ss_g, "S_S of the site");
+  CLI::Option* s1 = command->add_option("--s1-g", o->s1_g, "S_1 of the site");
+  CLI::Option* site = command->add_option("--site-class", o->site_class, "A to E, or default");
+  CLI::Option* edition = command->add_option("--edition", o->edition, "asce7_10 or asce7_16");
+  for (CLI::Option* one : {ss, s1, site, edition}) {
+    for (CLI::Option* other : {ss, s1, site, edition})
+      if (one != other) one->needs(other);
+  }
+  command->add_option("--slope", o->slope, "of the roof, with its unit: 0.25:12, \"4 deg\"");
+  command->add_option("--period-s", o->period_s, "of the building: one, or several")
+      ->delimiter(',');
+  CLI::Option* tests = command->add_option("--pull-tests", o->pull_tests, "pull tests (CSV)")
+                           ->check(CLI::ExistingFile);
+  command->add_option("--direction", o->direction, "of the pull tests, where there are several")
+      ->needs(tests);
+  CLI::Option* mu = command->add_option("--mu", o->mu, "mean coefficient of friction");
+  mu->excludes(tests);
+  CLI::Option* mu_std =
+      command->add_option("--mu-std", o->mu_std, "its standard deviation between tests")->needs(mu);
+  mu->needs(mu_std);
+  add_overwrite(*command, o->overwrite);
+  command->callback([o] { init(*o); });
+}
+
+}  // namespace glissade::cli

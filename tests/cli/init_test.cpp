@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gmock/gmock.h>
+
+#include "cli/child.hpp"
+
+namespace glissade::test {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+const std::string suite = GLISSADE_SOURCE_DIR "/suites/synthetic_level2.toml";
+
+/// What `glissade init FILE` writes with these options, and ends well.
+std::string written(const ScratchFolder& folder, std::vector<std::string> options) {
+  options.insert(options.begin(), {"init", folder.path("my.toml").string(), "--suite", suite});
+  const Finished child = run_program(options);
+  EXPECT_EQ(child.status, 0) << child.err;
+  EXPECT_THAT(folder.contents(), testing::Contains("my.toml"));
+  return read_file(folder.path("my.toml"));
+}
+
+Finished check(const ScratchFolder& folder) {
+  return run_program(
+      {"check", folder.path("my.toml").string(), "--results", folder.path("results").string()});
+}
+
+TEST(Init, a_study_passes_check_as_it_is) {
+  const ScratchFolder folder;
+  const std::string text = written(folder, {});
+  const Finished child = check(folder);
+  EXPECT_EQ(child.status, 0) << child.err;
+  EXPECT_THAT(text, HasSubstr("# coefficient of friction along the slope"));  // of the grammar
+  for (const std::string& line : lines_of(text)) EXPECT_LE(line.size(), 100u) << line;
+}
+
+TEST(Init, a_study_is_of_the_case) {
+  const ScratchFolder folder;
+  const std::string text =
+      written(folder, {"--name",   "O'Brien \"A\"", "--units", "us",        "--slope",
+                       "0.25:12",  "--period-s",    "0.3,0.6", "--mu",      "0.5",
+                       "--mu-std", "0.03",          "--ss-g",  "1.5",       "--s1-g",
+                       "0.6",      "--site-class",  "D",       "--edition", "asce7_16"});
+  for (const char* line :
+       {"units = \"us\"", "slope_deg = \"0.25:12\"", "period_s = [0.3, 0.6]",
+        "mu = { mean = 0.5, std = 0.03 }", "thresholds_m = [\"6 in\", \"12 in\", \"24 in\"]"})
+    EXPECT_THAT(text, HasSubstr(line));
+  const Finished child = check(folder);
+  EXPECT_EQ(child.status, 0) << child.err;
+  EXPECT_THAT(child.out, HasSubstr("O'Brien \"A\""));
+}
+
+TEST(Init, a_project_runs_as_it_is) {
+  const ScratchFolder folder;
+  const std::string text = written(folder, {"--kind", "project", "--units", "us", "--mu", "0.5",
+                                            "--mu-std", "0.03", "--slope", "0.25:12"});
+  EXPECT_THAT(text, HasSubstr("\nmean = 0.5 "));
+  EXPECT_THAT(text, Not(HasSubstr("\nsimilar_array_m")));
+  const Finished child = run_program(
+      {"clearance", folder.path("my.toml").string(), "--out", folder.path("results").string()});
+  EXPECT_EQ(child.status, 0) << child.err;
+}
+
+TEST(Init, pull_tests_take_the_place_of_a_mean) {
+  const ScratchFolder folder;
+  const std::string tests = folder.write("tests.csv", "mu\n0.50\n0.54\n0.58\n");
+  const std::string text = written(folder, {"--kind", "project", "--pull-tests", tests});
+  EXPECT_THAT(text, HasSubstr("\nfile = \"tests.csv\""));
+  EXPECT_THAT(text, Not(HasSubstr("\nmean =")));
+}
+
+TEST(Init, what_cannot_be_read_is_refused_and_not_written) {
+  const ScratchFolder folder;
+  const std::string out = folder.path("my.toml").string();
+  expect_refused(run_program({"init", out}), {"--suite"});
+  expect_refused(run_program({"init", out, "--suite", suite, "--slope", "4"}), {"deg", "0.25:12"});
+  expect_refused(run_program({"init", out, "--suite", suite, "--ss-g", "1.5"}), {"--ss-g"});
+  expect_refused(run_program({"init", out, "--suite", suite, "--mu", "0.5"}), {"--mu-std"});
+  expect_refused(run_program({"init", out, "--suite", suite, "--kind", "project", "--mu", "0.01",
+                              "--mu-std", "0"}),
+                 {"friction"});
+  EXPECT_TRUE(folder.contents().empty());
+}
+
+}  // namespace
+}  // namespace glissade::test
