@@ -263,6 +263,18 @@ TEST(clearance_report, the_figure_over_periods_has_median_range_bounds_and_clear
   }
 }
 
+TEST(clearance_report, the_figure_over_periods_hides_no_larger_clearance_than_it_states) {
+  Results r = made_up();
+  r.conditions->grid.support = {ArraySupport::isolated};
+  r.conditions->grid.mass_ratio = {0.05, 0.1};  // in place of the supports: as many conditions
+  std::vector<ConditionHistory>& histories = r.conditions->histories;
+  for (std::size_t i = 0; i < histories.size(); ++i) {
+    if (i % 4 >= 2) histories[i].displacement_m = 2.0 * histories[i - 2].displacement_m;
+  }
+  analyse(r);
+  EXPECT_DOUBLE_EQ(clearance_figures(r)[1].panels.at(0).rules.at(0).at, 22 * inch);
+}
+
 TEST(base_shear_report, is_by_condition_and_beside_the_other_supports) {
   Results r = made_up();
   r.base_shear = base_shear_results(r);

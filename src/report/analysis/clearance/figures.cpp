@@ -39,6 +39,11 @@ Figure period_figure(const Results& results) {
   const ConditionGrid& grid = results.conditions->grid;
   constexpr std::size_t most_lines = 4;
   Places members = places_of(grid, vertical, mass);
+  double largest_m = 0.0;  // of all, drawn or not
+  for (const Condition& at : members)
+    largest_m = std::max(
+        largest_m,
+        over_orientations(results, {}, at, Periods::largest).of(results.clearance->orientation));
   if (members.size() > most_lines) members = shown_along(grid, mass);
   Family family(results, period_label, grid.period_s);
   for (std::size_t i = 0; i < members.size(); ++i) {
@@ -58,9 +63,7 @@ Figure period_figure(const Results& results) {
                     low);
     family.add_line("", look(Role::bound), high);
   }
-  const double clearance_m = results.clearance->factor *
-                             over_orientations(results, {}, shown_condition(grid), Periods::largest)
-                                 .of(results.clearance->orientation);
+  const double clearance_m = results.clearance->factor * largest_m;
   Look rule = look(Role::clearance);
   rule.width = 2.5;
   rule.dash = 2;
@@ -73,7 +76,8 @@ Figure period_figure(const Results& results) {
           below_text(results, {mass, vertical}),
           after_walters(results, 13,
                         ". All records have the same orientation: the median over the orientations "
-                        "is drawn"),
+                        "is drawn, and the clearance is of the mass ratio and vertical motion "
+                        "with the largest"),
           family.displacements()};
 }
 
