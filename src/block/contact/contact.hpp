@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cmath>
-#include <cstddef>
+#include <numbers>
 
 #include "glissade/block/slide.hpp"
+#include "glissade/core/contract.hpp"
+#include "glissade/core/finite.hpp"
 
 namespace glissade::block_detail {
 
@@ -35,15 +37,27 @@ inline double beyond_friction(double tan_slope, double friction) {
   return std::abs(surplus) <= 1e-12 * friction ? 0.0 : surplus;
 }
 
-/// The equations of motion of a block on a slope >= 0.
+/// A surface that falls toward -x is the mirror image of one that falls toward +x: all equations
+/// are those of |slope| under `mirror` times the horizontal motion.
+inline double mirror(const Block& block) { return block.slope_rad < 0.0 ? -1.0 : 1.0; }
+
+/// @throw std::invalid_argument if a number is not finite
+inline void require_block(const Block& block) {
+  require_finite({block.friction, block.slope_rad, block.gravity_mps2, block.law.static_ratio},
+                 "friction, slope, gravity");
+  GLISSADE_EXPECTS(block.friction >= 0.0 && std::abs(block.slope_rad) < std::numbers::pi / 2);
+}
+
+/// The equations of motion of a block on its |slope|.
 class Contact {
  public:
-  Contact(const Block& block, double slope)
+  explicit Contact(const Block& block)
       : g_(block.gravity_mps2),
-        sin_(std::sin(slope)),
-        cos_(std::cos(slope)),
-        gravity_down_(cos_ * beyond_friction(std::tan(slope), block.friction)),
-        gravity_up_(-cos_ * (std::tan(slope) + block.friction)),
+        tan_(std::tan(std::abs(block.slope_rad))),
+        sin_(std::sin(std::abs(block.slope_rad))),
+        cos_(std::cos(block.slope_rad)),
+        gravity_down_(cos_ * beyond_friction(tan_, block.friction)),
+        gravity_up_(-cos_ * (tan_ + block.friction)),
         inertia_down_(cos_ + block.friction * sin_),
         inertia_up_(cos_ - block.friction * sin_) {}
 
@@ -63,22 +77,14 @@ class Contact {
     return {along_slope, -along_slope};
   }
   double normal(Roof r) const { return (g_ + r.w) * cos_ + r.a * sin_; }  ///< N/m; negative: uplift
+  double gravity() const { return g_; }
   double cos_slope() const { return cos_; }
+  double sin_slope() const { return sin_; }
   bool slides_at_rest() const { return gravity_down_ > 0.0; }
   bool stops_at_rest() const { return gravity_down_ < 0.0; }
 
  private:
-  double g_, sin_, cos_, gravity_down_, gravity_up_, inertia_down_, inertia_up_;
+  double g_, tan_, sin_, cos_, gravity_down_, gravity_up_, inertia_down_, inertia_up_;
 };
-
-/// The number of samples up to the last non-zero one, at least one: padding changes no bit.
-inline std::size_t without_trailing_zeros(const RoofAcceleration& roof) {
-  std::size_t n = roof.horizontal_mps2.size();
-  while (n > 1 && roof.horizontal_mps2[n - 1] == 0.0 &&
-         (roof.vertical_mps2.empty() || roof.vertical_mps2[n - 1] == 0.0)) {
-    --n;
-  }
-  return n;
-}
 
 }  // namespace glissade::block_detail

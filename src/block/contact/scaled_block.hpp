@@ -22,7 +22,7 @@ struct Scaled {
                                        : 1.0;
     block.gravity_mps2 = given.gravity_mps2 / factor;
     block.slope_rad = std::abs(given.slope_rad);
-    a_sign = (given.slope_rad < 0.0 ? -1.0 : 1.0) * (factors.horizontal / factor);
+    a_sign = mirror(given) * (factors.horizontal / factor);
     w_ratio = factors.vertical / factor;
   }
 

@@ -99,8 +99,7 @@ CoupledPeak solve(CoupledGround& ground, const CoupledScene& scene,
   GLISSADE_EXPECTS(coupling_is_regular(scene.block, scene.building.mass_ratio));
   const GroundMotion& motion = ground.motion();
   const CoupledNodes& nodes = *ground.tables().nodes;
-  const CoupledContact contact(scene.block, std::abs(scene.block.slope_rad),
-                               scene.building.mass_ratio);
+  const CoupledContact contact(scene.block, scene.building.mass_ratio);
   const Subdivision subdivision =
       block_detail::subdivide(scene.building.horizontal, contact, motion.dt_s);
   const bool fits =

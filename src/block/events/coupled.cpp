@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "block/events/coupled_walk.hpp"
+#include "block/events/sampled_motion.hpp"
 #include "glissade/building/rigid.hpp"
 #include "glissade/core/contract.hpp"
 #include "glissade/core/finite.hpp"
@@ -17,37 +17,12 @@ using block_detail::CoupledBody;
 using block_detail::CoupledContact;
 using block_detail::GroundPiece;
 using block_detail::Roof;
+using block_detail::SampledMotion;
 using block_detail::Subdivision;
 
-/// The ground motion times its factors, mirrored if the surface falls toward -x; zero after the
-/// last sample.
-class Ground {
- public:
-  Ground(const GroundMotion& motion, const MotionFactors& factors, double mirror)
-      : motion_(motion), horizontal_(mirror * factors.horizontal), vertical_(factors.vertical) {}
-  double dt_s() const { return motion_.dt_s; }
-  std::size_t samples() const { return motion_.horizontal_mps2.size(); }
-  std::size_t samples_without_trailing_zeros() const {
-    std::size_t n = samples();
-    while (n > 1 && motion_.horizontal_mps2[n - 1] == 0.0 &&
-           (motion_.vertical_mps2.empty() || motion_.vertical_mps2[n - 1] == 0.0))
-      --n;
-    return n;
-  }
-  Roof at(std::size_t i) const {
-    if (i >= samples()) return {};
-    return {horizontal_ * motion_.horizontal_mps2[i],
-            motion_.vertical_mps2.empty() ? 0.0 : vertical_ * motion_.vertical_mps2[i]};
-  }
-
- private:
-  GroundMotion motion_;
-  double horizontal_, vertical_;
-};
-
 /// The interval that ends with sample i.
-void walk_interval(CoupledBody& body, const Ground& ground, std::size_t i, int pieces) {
-  const Roof begin = ground.at(i - 1), end = i < ground.samples() ? ground.at(i) : Roof{};
+void walk_interval(CoupledBody& body, const SampledMotion& ground, std::size_t i, int pieces) {
+  const Roof begin = ground.at(i - 1), end = ground.at(i);
   const double dt = ground.dt_s();
   const auto fraction = [&](int part) {
     if (part == pieces) return end;
@@ -62,7 +37,7 @@ void walk_interval(CoupledBody& body, const Ground& ground, std::size_t i, int p
 
 /// The ground is at rest from sample `quiet` on. A free vibration has its largest displacement and
 /// acceleration within one period.
-void ring_down(CoupledBody& body, const Ground& ground, std::size_t quiet,
+void ring_down(CoupledBody& body, const SampledMotion& ground, std::size_t quiet,
                const Subdivision& subdivision, const CoupledBuilding& building,
                const Block& block) {
   if (subdivision.building.rigid()) return body.coast();
@@ -87,30 +62,20 @@ void block_detail::require_finite_scene(const CoupledBuilding& building, const B
   require_finite({building.horizontal.period_s, building.horizontal.damping_ratio,
                   building.mass_ratio, building.yielding.hardening_ratio},
                  "period, damping, mass ratio, hardening");
-  require_finite({block.friction, block.slope_rad, block.gravity_mps2, block.law.static_ratio},
-                 "friction, slope, gravity");
+  require_block(block);
   require_finite({factors.horizontal, factors.vertical}, "factors");
 }
 
 CoupledResult block_detail::walk_coupled(const GroundMotion& motion, const MotionFactors& factors,
                                          const CoupledBuilding& building, const Block& block,
                                          const CoupledWatch& watch) {
-  require_finite(motion.horizontal_mps2, "the ground acceleration");
-  require_finite(motion.vertical_mps2, "the vertical ground acceleration");
-  require_finite({motion.dt_s}, "the step");
   require_finite_scene(building, block, factors);
-  GLISSADE_EXPECTS(motion.dt_s > 0.0 && !motion.horizontal_mps2.empty());
-  GLISSADE_EXPECTS(motion.vertical_mps2.empty() ||
-                   motion.vertical_mps2.size() == motion.horizontal_mps2.size());
-  GLISSADE_EXPECTS(block.friction >= 0.0 && std::abs(block.slope_rad) < std::numbers::pi / 2);
   GLISSADE_EXPECTS(block.law.static_ratio >= 1.0 && !block.law.depends_on_speed());
   GLISSADE_EXPECTS(building.horizontal.period_s >= 0.0 && building.horizontal.damping_ratio >= 0.0);
   GLISSADE_EXPECTS(coupling_is_regular(block, building.mass_ratio));
 
-  // A surface that falls toward -x is the mirror image of one that falls toward +x.
-  const double mirror = block.slope_rad < 0.0 ? -1.0 : 1.0;
-  const CoupledContact contact(block, std::abs(block.slope_rad), building.mass_ratio);
-  const Ground ground(motion, factors, mirror);
+  const CoupledContact contact(block, building.mass_ratio);
+  const SampledMotion ground(motion, factors, block);
   const Subdivision subdivision =
       block_detail::subdivide(building.horizontal, contact, motion.dt_s);
   const Yielding& spring = building.yielding;
@@ -122,18 +87,19 @@ CoupledResult block_detail::walk_coupled(const GroundMotion& motion, const Motio
   body.crossings() = {watch.thresholds_m, watch.crossings, contact.cos_slope()};
 
   const std::size_t n =
-      contact.slides_at_rest() ? ground.samples() : ground.samples_without_trailing_zeros();
+      contact.slides_at_rest() ? ground.size() : ground.size_without_trailing_zeros();
   for (std::size_t i = 1; i < n; ++i) walk_interval(body, ground, i, subdivision.pieces);
   if (!contact.slides_at_rest()) walk_interval(body, ground, n, subdivision.pieces);
   if (contact.stops_at_rest()) ring_down(body, ground, n, subdivision, building, block);
   CoupledResult result = body.result();
-  if (mirror < 0.0) result.residual_roof_displacement_m = 0.0 - result.residual_roof_displacement_m;
+  if (block.slope_rad < 0.0)
+    result.residual_roof_displacement_m = 0.0 - result.residual_roof_displacement_m;
   result.slip.free_sliding = body.slides_at_rest() || body.sliding();
   return result;
 }
 
 bool coupling_is_regular(const Block& block, double mass_ratio) {
-  const CoupledContact contact(block, std::abs(block.slope_rad), mass_ratio);
+  const CoupledContact contact(block, mass_ratio);
   return mass_ratio >= 0.0 && contact.sliding_down().mass > 0.0;
 }
 
@@ -152,12 +118,12 @@ CoupledResult slide_coupled(const GroundMotion& ground, const MotionFactors& fac
 CoupledResult slide_coupled(const GroundMotion& ground, const MotionFactors& factors,
                             const CoupledBuilding& building, const Block& block,
                             std::vector<CoupledPoint>& history) {
-  const double mirror = block.slope_rad < 0.0 ? -1.0 : 1.0;
+  const double to_axes_of_x = block_detail::mirror(block);
   history.assign(1, CoupledPoint{});
   const auto keep = [&](CoupledPoint point) {
-    point.roof_displacement_m *= mirror;
-    point.roof_acceleration_mps2 *= mirror;
-    point.spring_acceleration_mps2 *= mirror;
+    point.roof_displacement_m *= to_axes_of_x;
+    point.roof_acceleration_mps2 *= to_axes_of_x;
+    point.spring_acceleration_mps2 *= to_axes_of_x;
     history.push_back(point);
   };
   return block_detail::walk_coupled(ground, factors, building, block, {.history = keep});

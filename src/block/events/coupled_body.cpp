@@ -8,20 +8,24 @@
 namespace glissade::block_detail {
 
 namespace {
+
+constexpr int most_events = 64;  // in a piece of 1/16 period: some ten occur
+
 Block with_static_friction(Block block) {
   block.friction *= block.law.static_ratio;
   return block;
 }
+
 }  // namespace
 
 CoupledBody::CoupledBody(const CoupledContact& contact, const BuildingOscillator& building,
                          const Block& block, Keeps keeps, const Yielding& yielding)
     : contact_(contact),
-      at_rest_(with_static_friction(block), std::abs(block.slope_rad), contact.mass_ratio()),
+      at_rest_(with_static_friction(block), contact.mass_ratio()),
       building_(building),
       block_(block),
       keeps_(keeps),
-      breaks_away_(block.law.static_ratio > 1.0 && block.friction > 0.0),
+      has_static_friction_(block.law.static_ratio > 1.0 && block.friction > 0.0),
       energy_(building, contact),
       spring_(yielding) {}
 
@@ -38,7 +42,7 @@ SlipSeries CoupledBody::slip_series(const ContactRegime& regime, const RoofMotio
   slip.direction = direction_;
   if (direction_ == 0) return slip;
   Series drive = roof.line(regime.drive);
-  if (at_threshold_) {
+  if (after_.drive_is_zero) {
     drive.c[0] = 0.0;
     drive.c[1] = std::max(drive.c[1], 0.0);
   }
@@ -56,18 +60,18 @@ double CoupledBody::start_fraction(const RoofMotionSeries& roof, double a_change
                                          : at_rest_.up();
   if (roof.is_negative(line, a_change)) return never;
   Series drive = roof.line(line);
-  if (stopped_direction_ == direction) {
+  if (after_.stopped_direction == direction) {
     drive.c[0] = std::min(drive.c[0], 0.0);
-    if (refused_) drive.c[1] = std::min(drive.c[1], 0.0);
+    if (after_.no_restart) drive.c[1] = std::min(drive.c[1], 0.0);
   }
   return first_rise(drive);
 }
 
-/// When contact is lost, or found again.
+/// When contact is lost, or regained.
 double CoupledBody::contact_fraction(const RoofMotionSeries& roof, double a_change) const {
-  if (chatters_ || (!lifted_ && roof.is_negative(contact_.lift(), a_change))) return never;
+  if (contact_frozen_ || (!lifted_ && roof.is_negative(contact_.lift(), a_change))) return never;
   Series lift = roof.line(contact_.lift());
-  if (just_lifted_or_landed_) lift.c[0] = 0.0;
+  if (after_.normal_force_is_zero) lift.c[0] = 0.0;
   return lifted_ ? first_fall(lift) : first_rise(lift);
 }
 
@@ -94,15 +98,14 @@ CoupledBody::NextEvent CoupledBody::first_event(const RoofMotionSeries& roof,
 
 void CoupledBody::advance(GroundPiece ground, double end_time_s) {
   piece_end_ = end_time_s;
-  stopped_direction_ = 0;
-  at_threshold_ = refused_ = just_lifted_or_landed_ = false;
-  for (int events = 0; events < 64; ++events) {
+  after_ = {};
+  for (int events = 0; events < most_events; ++events) {
     const ContactRegime now = regime();
     const RoofMotionSeries roof = roof_motion_series(building_, now, contact_.gravity(), roof_,
                                                      spring_.line(roof_.x), ground);
     const SlipSeries slip = slip_series(now, roof, ground.length_s);
     // With no normal force a block may lift and land without end.
-    chatters_ = events > 32;
+    contact_frozen_ = events > most_events / 2;
     const NextEvent next = first_event(roof, slip);
     pass(ground, roof, slip, next);
     ground.keep_after(next.fraction);
@@ -110,7 +113,7 @@ void CoupledBody::advance(GroundPiece ground, double end_time_s) {
       time_ = piece_end_;
       return record(ground);
     }
-    happen(next);
+    apply(next);
     record(ground);
     if (!(ground.length_s > 0.0)) return;
   }
@@ -147,43 +150,45 @@ void CoupledBody::pass(const GroundPiece& ground, const RoofMotionSeries& roof,
   time_ = std::min(time_ + fraction * ground.length_s, piece_end_);
 }
 
-/// The forces do not jump, only their rates.
-void CoupledBody::happen_to_spring(const NextEvent& next) {
-  refused_ = false;
-  if (next.fraction > 0.0) at_threshold_ = just_lifted_or_landed_ = false;
-  if (next.event != Event::unloads) return spring_.yield(next.event == Event::yields_up ? +1 : -1);
-  roof_.y = spring_.unload(roof_.y);
-}
-
-void CoupledBody::happen(const NextEvent& next) {
-  if (breaks_away_ && next.fraction > 0.0) stopped_direction_ = 0;
-  if (next.of_spring()) return happen_to_spring(next);
-  const auto starts = [&](int direction) {
-    // At rest until now, or only just stopped: its drive is not positive yet, unless it breaks
-    // away.
-    at_threshold_ =
-        next.fraction > 0.0 ? lifted_ || !breaks_away_ : stopped_direction_ == direction;
-    stopped_direction_ = 0;
-    start(direction);
-  };
-  just_lifted_or_landed_ = next.event == Event::lifts_or_lands;
+/// The transitions: what each event changes, and what it leaves exactly at zero (AfterEvent).
+void CoupledBody::apply(const NextEvent& next) {
+  const bool at_once = next.fraction == 0.0;  // where the last event was
+  AfterEvent after;
+  after.stopped_direction = has_static_friction_ && !at_once ? 0 : after_.stopped_direction;
   switch (next.event) {
     case Event::starts_down:
-      return starts(+1);
-    case Event::starts_up:
-      return starts(-1);
+    case Event::starts_up: {
+      const int direction = next.event == Event::starts_down ? +1 : -1;
+      after.drive_is_zero =
+          at_once ? after_.stopped_direction == direction : lifted_ || !has_static_friction_;
+      after.stopped_direction = 0;
+      start(direction);
+      break;
+    }
     case Event::stops:
-      refused_ = (at_threshold_ || breaks_away_) && next.fraction == 0.0;
-      stopped_direction_ = direction_;
+      after.no_restart = at_once && (after_.drive_is_zero || has_static_friction_);
+      after.stopped_direction = direction_;
+      stop();
       break;
     case Event::lifts_or_lands:
+      after.normal_force_is_zero = true;
+      after.no_restart = after_.no_restart;
       lifted_ = !lifted_;
       break;
-    default:
+    case Event::yields_up:  // of the spring: forces do not jump, only their rates
+    case Event::yields_down:
+    case Event::unloads:
+      after.drive_is_zero = at_once && after_.drive_is_zero;
+      after.normal_force_is_zero = at_once && after_.normal_force_is_zero;
+      if (next.event == Event::unloads)
+        roof_.y = spring_.unload(roof_.y);
+      else
+        spring_.yield(next.event == Event::yields_up ? +1 : -1);
       break;
+    case Event::none:
+      return;
   }
-  at_threshold_ = false;
-  if (next.event == Event::stops) stop();
+  after_ = after;
 }
 
 void CoupledBody::stop() {

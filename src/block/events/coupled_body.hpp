@@ -65,7 +65,15 @@ class CoupledBody {
   CoupledResult result() const;
 
  private:
-  /// What happens first in a piece, and when.
+  /// Regimes: at rest, sliding down or up (direction_); each in contact or lifted (lifted_); with
+  /// an elastic or a yielding spring (Spring). An event changes one of the three:
+  ///
+  ///   event           condition, in a piece                      regime after it
+  ///   starts down/up  at rest, a drive rises through zero        sliding
+  ///   stops           sliding, the speed falls to zero           at rest
+  ///   lifts or lands  the normal force changes sign              without contact, or in contact
+  ///   yields up/down  elastic, the spring force is at its limit  yielding
+  ///   unloads         yielding, the roof velocity changes sign   elastic
   enum class Event {
     none,
     starts_down,
@@ -79,12 +87,18 @@ class CoupledBody {
   struct NextEvent {
     Event event = Event::none;
     double fraction = 1.0;
-    bool of_spring() const {
-      return event == Event::yields_up || event == Event::yields_down || event == Event::unloads;
-    }
     void sooner(Event candidate, double tau) {
       if (tau < fraction) *this = {candidate, tau};
     }
+  };
+
+  /// What is exactly zero where the last event was, whatever rounding says: the same event does not
+  /// follow at once.
+  struct AfterEvent {
+    bool drive_is_zero = false;         ///< of a phase that has just begun on its threshold
+    bool normal_force_is_zero = false;  ///< contact has just been lost or regained
+    int stopped_direction = 0;          ///< the drive in this direction is not positive; 0: neither
+    bool no_restart = false;            ///< nor does it rise: the phase stopped where it started
   };
 
   ContactRegime regime() const;
@@ -95,8 +109,7 @@ class CoupledBody {
   double contact_fraction(const RoofMotionSeries& roof, double a_change) const;
   void pass(const GroundPiece& ground, const RoofMotionSeries& roof, const SlipSeries& slip,
             const NextEvent& next);
-  void happen(const NextEvent& next);
-  void happen_to_spring(const NextEvent& next);
+  void apply(const NextEvent& next);
   Envelope free_vibration() const;
   void record(const GroundPiece& ground) const;
 
@@ -104,7 +117,7 @@ class CoupledBody {
   BuildingOscillator building_;
   Block block_;
   Keeps keeps_;
-  bool breaks_away_;  // with more than what holds it sliding
+  bool has_static_friction_;  // above the friction of sliding
   History history_;
   EnergyMeter energy_;
   CoupledCrossings crossings_;
@@ -114,13 +127,8 @@ class CoupledBody {
   int direction_ = 0;  // +1 sliding down, -1 up, 0 at rest
   bool lifted_ = false;
   double speed_ = 0.0, slip_ = 0.0, time_ = 0.0, piece_end_ = 0.0;
-  // What the last event leaves exactly at zero where the rest of the piece begins.
-  bool at_threshold_ = false;           // the drive of a phase that has just begun
-  bool just_lifted_or_landed_ = false;  // the normal force
-  int stopped_direction_ = 0;           // the drive this way is not positive; 0: neither
-  bool refused_ = false;                // nor does it rise: the phase stopped where it started
-
-  bool chatters_ = false;  // contact is not lost or found any more in this piece
+  AfterEvent after_;
+  bool contact_frozen_ = false;  // contact is not lost or regained any more in this piece
 
   double velocity_before_coast_ = 0.0;  // the energy balance ends there
   double farthest_down_ = 0.0, farthest_up_ = 0.0;

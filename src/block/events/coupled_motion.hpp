@@ -23,35 +23,29 @@ struct ContactRegime {
   DriveLine drive;  ///< while sliding: the block's, in its own direction
 };
 
-/// The contact equations of a coupled roof, slope >= 0 (theory.md, 2.2).
+/// The contact equations of a coupled roof (theory.md, 2.2).
 class CoupledContact : public Contact {
  public:
-  CoupledContact(const Block& block, double slope, double mass_ratio)
-      : Contact(block, slope),
-        mass_ratio_(mass_ratio),
-        sin_(std::sin(slope)),
-        g_(block.gravity_mps2) {}
+  CoupledContact(const Block& block, double mass_ratio) : Contact(block), mass_ratio_(mass_ratio) {}
 
   ContactRegime stuck() const { return {1.0 + mass_ratio_, 0.0, {}}; }
   ContactRegime sliding_down() const { return sliding_regime(down(), down().w); }
   ContactRegime sliding_up() const { return sliding_regime(up(), -up().w); }
   ContactRegime lifted(int direction) const {
-    return sliding_regime(frictionless(direction), sin_);
+    return sliding_regime(frictionless(direction), sin_slope());
   }
   /// Without friction, in the direction of sliding.
   DriveLine frictionless(int direction) const {
-    return {-direction * cos_slope(), direction * sin_, direction * sin_ * gravity()};
+    return {-direction * cos_slope(), direction * sin_slope(), direction * sin_slope() * gravity()};
   }
-  double gravity() const { return g_; }
-  double sin_slope() const { return sin_; }
   double mass_ratio() const { return mass_ratio_; }
 
  private:
   /// @param q sin - sigma mu cos: the contact force pushes the roof by -m q N'/cos per N'
   ContactRegime sliding_regime(const DriveLine& drive, double q) const {
-    return {1.0 + mass_ratio_ * sin_ * q, mass_ratio_ * cos_slope() * q, drive};
+    return {1.0 + mass_ratio_ * sin_slope() * q, mass_ratio_ * cos_slope() * q, drive};
   }
-  double mass_ratio_, sin_, g_;
+  double mass_ratio_;
 };
 
 /// The oscillator of the building without the array.

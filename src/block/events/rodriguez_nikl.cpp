@@ -4,9 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "block/contact/contact.hpp"
-#include "glissade/core/contract.hpp"
-#include "glissade/core/finite.hpp"
+#include "block/events/sampled_motion.hpp"
 
 namespace glissade {
 namespace {
@@ -106,27 +104,20 @@ class SteppedBlock {
 }  // namespace
 
 SlipResult slide_rodriguez_nikl(const RoofAcceleration& roof, const Block& block, int substeps) {
-  require_finite(roof.horizontal_mps2, "the horizontal roof acceleration");
-  require_finite(roof.vertical_mps2, "the vertical roof acceleration");
+  block_detail::require_block(block);
   GLISSADE_EXPECTS(substeps >= 1);
-  const double mirror = block.slope_rad < 0.0 ? -1.0 : 1.0;
+  const block_detail::SampledMotion motion(roof, block);
   const double slope = std::abs(block.slope_rad);
-  const auto sample = [&](std::size_t i) {
-    if (i >= roof.horizontal_mps2.size()) return block_detail::Roof{};
-    return block_detail::Roof{
-        mirror * roof.horizontal_factor * roof.horizontal_mps2[i],
-        roof.vertical_mps2.empty() ? 0.0 : roof.vertical_factor * roof.vertical_mps2[i]};
-  };
   const bool slides_at_rest = block_detail::beyond_friction(std::tan(slope), block.friction) > 0.0;
   // The end of the record, as in slide(): free sliding ends at the last sample, all others after
   // one more interval to zero.
   const std::size_t intervals =
-      slides_at_rest ? roof.horizontal_mps2.size() - 1 : block_detail::without_trailing_zeros(roof);
+      slides_at_rest ? motion.size() - 1 : motion.size_without_trailing_zeros();
   const double dt = roof.dt_s / substeps;
 
   SteppedBlock body(block, slope);
   for (std::size_t i = 0; i < intervals; ++i) {
-    const block_detail::Roof r0 = sample(i), r1 = sample(i + 1);
+    const block_detail::Roof r0 = motion.at(i), r1 = motion.at(i + 1);
     for (int j = 0; j < substeps; ++j) {
       const double fraction = static_cast<double>(j) / substeps;
       body.step({r0.a + fraction * (r1.a - r0.a), r0.w + fraction * (r1.w - r0.w)}, dt);

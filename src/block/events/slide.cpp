@@ -4,12 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
+#include "block/events/sampled_motion.hpp"
 #include "block/events/sliding_block.hpp"
 #include "block/slip_record/crossing_watch.hpp"
-#include "glissade/core/contract.hpp"
-#include "glissade/core/finite.hpp"
 
 namespace glissade {
 namespace {
@@ -18,10 +16,11 @@ using block_detail::Contact;
 using block_detail::CrossingWatch;
 using block_detail::Drive;
 using block_detail::NoHistory;
+using block_detail::require_block;
 using block_detail::Roof;
+using block_detail::SampledMotion;
 using block_detail::SlidingBlock;
 using block_detail::WatchHistory;
-using block_detail::without_trailing_zeros;
 
 /// Keeps the points of a history, in plan.
 class Points : public NoHistory {
@@ -39,24 +38,10 @@ class Points : public NoHistory {
 
 template <class History>
 SlipResult slide_with(const RoofAcceleration& roof, const Block& block, History history) {
-  require_finite(roof.horizontal_mps2, "the horizontal roof acceleration");
-  require_finite(roof.vertical_mps2, "the vertical roof acceleration");
-  require_finite({roof.dt_s, roof.horizontal_factor, roof.vertical_factor}, "step and factors");
-  require_finite({block.friction, block.slope_rad, block.gravity_mps2}, "friction, slope, gravity");
-  GLISSADE_EXPECTS(roof.dt_s > 0.0 && !roof.horizontal_mps2.empty());
-  GLISSADE_EXPECTS(roof.vertical_mps2.empty() ||
-                   roof.vertical_mps2.size() == roof.horizontal_mps2.size());
-  GLISSADE_EXPECTS(block.friction >= 0.0 && std::abs(block.slope_rad) < std::numbers::pi / 2);
+  require_block(block);
   GLISSADE_EXPECTS(block.law.is_coulomb());
-
-  // A surface that falls toward -x is the mirror image of one that falls toward +x.
-  const double mirror = block.slope_rad < 0.0 ? -1.0 : 1.0;
-  const Contact contact(block, std::abs(block.slope_rad));
-  const double a_factor = mirror * roof.horizontal_factor, w_factor = roof.vertical_factor;
-  const auto sample = [&](std::size_t i) {
-    return Roof{a_factor * roof.horizontal_mps2[i],
-                roof.vertical_mps2.empty() ? 0.0 : w_factor * roof.vertical_mps2[i]};
-  };
+  const SampledMotion motion(roof, block);
+  const Contact contact(block);
   const auto may_rest = [&](const Roof& r) {
     const Drive drive = contact.sliding(r);
     return drive.down <= 0.0 &&
@@ -65,12 +50,12 @@ SlipResult slide_with(const RoofAcceleration& roof, const Block& block, History 
   };
 
   SlidingBlock<History> body(contact, block.directions, history);
-  std::size_t n = roof.horizontal_mps2.size();
-  if (!contact.slides_at_rest()) n = without_trailing_zeros(roof);
-  Roof now = sample(0);
+  const std::size_t n =
+      contact.slides_at_rest() ? motion.size() : motion.size_without_trailing_zeros();
+  Roof now = motion.at(0);
   bool rested = may_rest(now);
   for (std::size_t i = 1; i < n; ++i) {
-    const Roof next = sample(i);
+    const Roof next = motion.at(i);
     const bool rests = may_rest(next);
     const double end = static_cast<double>(i) * roof.dt_s;
     if (rested && rests && body.direction() == 0) {
@@ -115,7 +100,7 @@ SlipResult slide(const RoofAcceleration& roof, const Block& block,
 }
 
 bool cannot_slip(const Block& block, double peak_horizontal_mps2, double peak_vertical_mps2) {
-  const Contact contact(block, std::abs(block.slope_rad));
+  const Contact contact(block);
   for (const double a : {-peak_horizontal_mps2, peak_horizontal_mps2}) {
     for (const double w : {-peak_vertical_mps2, peak_vertical_mps2}) {
       const Drive drive = contact.sliding({a, w});
@@ -126,12 +111,12 @@ bool cannot_slip(const Block& block, double peak_horizontal_mps2, double peak_ve
 }
 
 double resting_deceleration_mps2(const Block& block) {
-  const Contact contact(block, std::abs(block.slope_rad));
+  const Contact contact(block);
   return std::max(0.0, -contact.sliding({}).down);
 }
 
 double yield_acceleration_mps2(const Block& block) {
-  const Contact contact(block, std::abs(block.slope_rad));
+  const Contact contact(block);
   if (!contact.stops_at_rest()) return 0.0;
   const auto down = contact.down(), up = contact.up();
   return std::min(down.constant / down.a,

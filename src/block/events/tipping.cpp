@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "block/contact/contact.hpp"
 #include "block/tables/event_bounds.hpp"
@@ -23,14 +22,12 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 /// @param peak_of largest value over the motion, or 0, of a line without a constant
 template <class PeakOf>
 double onset_factor(const Block& block, const MotionFactors& factors, PeakOf peak_of) {
-  GLISSADE_EXPECTS(block.friction >= 0.0 && std::abs(block.slope_rad) < std::numbers::pi / 2);
-  // A surface that falls toward -x is the mirror image of one that falls toward +x.
-  const double mirror = block.slope_rad < 0.0 ? -1.0 : 1.0;
-  const Contact contact(block, std::abs(block.slope_rad));
+  block_detail::require_block(block);
+  const Contact contact(block);
   const auto onset = [&](const DriveLine& drive) {
     if (drive.constant > 0.0) return 0.0;
-    const double demand =
-        peak_of({drive.a * mirror * factors.horizontal, drive.w * factors.vertical, 0.0});
+    const double demand = peak_of({drive.a * block_detail::mirror(block) * factors.horizontal,
+                                   drive.w * factors.vertical, 0.0});
     return demand > 0.0 ? std::abs(drive.constant) / demand : infinity;
   };
   const double down = onset(contact.down());

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <type_traits>
 
 #include "block/contact/scaled_block.hpp"
@@ -13,7 +12,6 @@
 #include "block/slip_record/crossing_watch.hpp"
 #include "block/tables/event_bounds.hpp"
 #include "glissade/block/peak_slip.hpp"
-#include "glissade/core/contract.hpp"
 #include "glissade/core/finite.hpp"
 
 namespace glissade::block_detail {
@@ -30,7 +28,7 @@ class EventKernel {
         a_nodes_(a_.at_nodes()),
         w_nodes_(w_ != nullptr ? w_->at_nodes() : MotionNodes()),
         scene_(scene),
-        contact_(scene.block, scene.block.slope_rad),
+        contact_(scene.block),
         lines_(scene.lines(contact_)),
         every_interval_(search == EventSearch::every_interval),
         step_s_(roof.step_s()),
@@ -279,9 +277,8 @@ std::size_t EventKernel<Piece, History>::lifted(std::size_t i) {
 template <class History>
 PeakSlip walk_events(const RoofTable& roof, const Block& block, const MotionFactors& factors,
                      EventSearch search, const History& history) {
-  require_finite({block.friction, block.slope_rad, block.gravity_mps2}, "friction, slope, gravity");
+  require_block(block);
   require_finite({factors.horizontal, factors.vertical}, "factors");
-  GLISSADE_EXPECTS(block.friction >= 0.0 && std::abs(block.slope_rad) < std::numbers::pi / 2);
   const Scaled scene(block, factors);
   const bool linear = roof.horizontal->rigid() && (!roof.vertical || roof.vertical->rigid());
   return in_metres(linear ? EventKernel<LinearPiece, History>(roof, scene, search, history).run()
