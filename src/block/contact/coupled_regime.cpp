@@ -17,7 +17,8 @@ RegimeOscillator::RegimeOscillator(const ContactRegime& regime, double gravity,
       s{-alpha_radps, beta_radps},
       s2(s * s),
       s_dt(dt_s * s) {
-  for (double term = 1.0; term > 1e-17 && terms < Series::most_terms; ++terms)
+  constexpr double last_term = 1e-17;  // of the first: below rounding
+  for (double term = 1.0; term > last_term && terms < Series::most_terms; ++terms)
     term *= phase / (terms + 1);
   const double size = std::exp(-alpha_radps * dt_s), angle = beta_radps * dt_s;
   const Amplitude interval{size * std::cos(angle), size * std::sin(angle)};

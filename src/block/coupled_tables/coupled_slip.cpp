@@ -41,6 +41,10 @@ struct Shared {
   }
 };
 
+/// Of gravity. With a larger vertical the block may lift, and the limits of its rest, which are
+/// proportional to g + w, lose their digits.
+constexpr double most_vertical = 0.99;
+
 /// A period that its vibration shows between samples, and underdamped in every regime.
 bool can_be_tabulated(const Subdivision& subdivision, const CoupledContact& contact, double dt_s) {
   constexpr double least_phase = 1e-3, most_damping = 0.95;
@@ -102,12 +106,12 @@ CoupledPeak solve(CoupledGround& ground, const CoupledScene& scene,
   const CoupledContact contact(scene.block, scene.building.mass_ratio);
   const Subdivision subdivision =
       block_detail::subdivide(scene.building.horizontal, contact, motion.dt_s);
-  const bool fits =
-      can_be_tabulated(subdivision, contact, motion.dt_s) &&
-      scene.block.directions == SlipDirections::both && scene.block.law.is_coulomb() &&
-      scene.factors.horizontal != 0.0 && (contact.slides_at_rest() || contact.stops_at_rest()) &&
-      contact.up().a > 0.0 &&
-      std::abs(scene.factors.vertical) * nodes.largest_w_mps2 < 0.99 * scene.block.gravity_mps2;
+  const bool fits = can_be_tabulated(subdivision, contact, motion.dt_s) &&
+                    scene.block.directions == SlipDirections::both &&
+                    scene.block.law.is_coulomb() && scene.factors.horizontal != 0.0 &&
+                    (contact.slides_at_rest() || contact.stops_at_rest()) && contact.up().a > 0.0 &&
+                    std::abs(scene.factors.vertical) * nodes.largest_w_mps2 <
+                        most_vertical * scene.block.gravity_mps2;
   if (fits) {
     const Shared shared(scene, !motion.vertical_mps2.empty());
     CoupledHistory history(ground.tables().of(shared, contact, subdivision), contact, subdivision,

@@ -23,15 +23,17 @@ Subdivision subdivide(const Oscillator& oscillator, const CoupledContact& contac
       std::min({1.0, contact.sliding_down().mass, contact.sliding_up().mass, contact.stuck().mass});
   const double root = std::sqrt(mass);
   const double phase = omega * dt_s / root * (1.0 + 2.0 * zeta / root);
-  // A power of two, so that buildings share ground tables of equal step (coupled_slip.cpp).
-  const double pieces = std::exp2(std::max(0.0, std::ceil(std::log2(phase / longest_phase))));
+  const double pieces = pieces_of(phase);
   if (pieces > most_pieces)
     throw NotConverged(
         "the block's friction on its slope all but cancels the mass of the roof: give a smaller "
         "mass ratio");
   const double piece_phase = phase / pieces;
+  // Of the first term: below rounding (1.1e-16) in the sum of all pieces of a history. 14 terms at
+  // the longest phase.
+  constexpr double last_term = 1e-19;
   int terms = 3;
-  for (double term = piece_phase * piece_phase * piece_phase / 6.0; term > 1e-19;)
+  for (double term = piece_phase * piece_phase * piece_phase / 6.0; term > last_term;)
     term *= piece_phase / ++terms;
   return {{omega, zeta, terms + 1}, static_cast<int>(pieces)};
 }

@@ -55,6 +55,12 @@ struct BuildingOscillator {
   bool rigid() const { return omega_radps == 0.0; }
 };
 
+/// Into how many pieces, of longest_phase at most, an interval of this phase is divided: a power of
+/// two, so that buildings share ground tables of equal step (coupled_slip.cpp).
+inline double pieces_of(double phase) {
+  return std::exp2(std::max(0.0, std::ceil(std::log2(phase / longest_phase))));
+}
+
 /// The oscillator, and into how many pieces of equal length a sample interval is divided for it.
 struct Subdivision {
   BuildingOscillator building;

@@ -73,9 +73,11 @@ void FullModelBody::advance(ExcitationPiece piece, double end_s) {
   const double whole_s = piece.length_s;
   // Steps shrink geometrically toward a stop, so some dozens suffice; the bound only guards against
   // rounding.
-  for (int steps = 0; steps < 1000000; ++steps) {
+  constexpr int most_steps = 1000000;
+  constexpr double nothing_left = 1e-14;  // of the piece: rounding of its length
+  for (int steps = 0; steps < most_steps; ++steps) {
     const double fraction = sliding_ ? slide(piece) : rest(piece);
-    if (!((1.0 - fraction) * piece.length_s > 1e-14 * whole_s)) {
+    if (!((1.0 - fraction) * piece.length_s > nothing_left * whole_s)) {
       time_s_ = end_s;
       return;
     }
@@ -95,9 +97,8 @@ void FullModelBody::raise_peaks(std::size_t axis, const AxisSeries& motion, doub
 }
 
 void FullModelBody::start(Vector acceleration, const ExcitationPiece& piece) {
-  // What rounding alone sets in motion must not set the scale of the errors.
   const double gravity = contact_.loading().gravity() + piece.w(0.0);
-  peak_speed_ = std::max(peak_speed_, 1e-9 * piece.length_s * std::abs(gravity));
+  peak_speed_ = std::max(peak_speed_, rounding_speed * piece.length_s * std::abs(gravity));
   sliding_ = true;
   now_ = {{}, acceleration};
   friction_now_ = {};

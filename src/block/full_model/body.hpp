@@ -75,6 +75,15 @@ class FullModelBody {
                         double length_s) const;
   void raise_peaks(std::size_t n, const UncoupledRoof& uncoupled, const BuildingStep& step,
                    double length_s);
+  /// The block brought to rest along a straight line.
+  struct StraightStop {
+    double time_s = never;
+    Vector along;                           ///< its direction, of unit length
+    double begin_rate = 0.0, end_rate = 0;  ///< of its speed, now and at the stop
+    double residual_speed = 0.0;            ///< that it may still have at the stop
+  };
+  bool may_stop(const UncoupledRoof& uncoupled, double left_s) const;
+  StraightStop find_straight_stop(const UncoupledRoof& uncoupled, double left_s) const;
   Stop find_stop(const UncoupledRoof& uncoupled, double left_s, std::array<Ramp, 2>& interaction);
   Stop find_curved_stop(const UncoupledRoof& uncoupled, double left_s, double allowed) const;
   Load load_at_rest(const UncoupledRoof& uncoupled, double after_s) const;

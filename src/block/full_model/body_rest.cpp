@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Block and building while the block sticks.
 #include "block/full_model/body.hpp"
+#include "block/full_model/chord_deviation.hpp"
 
 namespace glissade::block_detail {
 namespace {
@@ -94,7 +95,7 @@ double FullModelBody::rest(const ExcitationPiece& piece) {
 namespace {
 
 /// The two axes of the building side by side over whole pieces at rest: s the spring forces, E and
-/// deviation as below. A rigid axis has no state, and E = mass a_ground.
+/// chord deviations as in ChordDeviation. A rigid axis has no state, and E = mass a_ground.
 struct RestSteps {
   double xx[2], xy[2], yx[2], yy[2], x_start[2], x_end[2], y_start[2], y_end[2];
   double twice_zeta[2], phase[2], carried[2], per_left[2];
@@ -137,25 +138,14 @@ RestNode next_node(const RestSteps& c, const RestNode& now, double ground_1, dou
   return next;
 }
 
-/// Largest departure of E and s from their chords over a piece: 1/8 of the largest second
-/// derivative. With z = a - a_ground, mass m, ' over the piece:
-///   s' = phase y,  y' = phase z,  z' = -phase (y + 2 zeta z) / m - a_ground',
-/// so that |z| <= (|z_0| + phase |y_0| / m + |a_ground'|) / (1 - (phase^2 + 2 zeta phase) / m).
-struct ChordDeviation {
-  double e[2], s[2];
-};
-ChordDeviation chord_deviation(const RestSteps& c, const RestNode& now, const RestNode& next) {
-  ChordDeviation deviation;
-  for (std::size_t n = 0; n < 2; ++n) {
-    const double phase = c.phase[n], zeta2 = c.twice_zeta[n];
-    const double rise = std::abs(next.ground[n] - now.ground[n]), y0 = std::abs(now.y[n]);
-    const double z0 = std::abs(now.e[n] * c.per_mass - now.ground[n]);
-    const double z = (z0 + phase * y0 * c.per_mass + rise) * c.per_left[n];
-    const double z_rate = phase * (y0 + (phase + zeta2) * z) * c.per_mass + rise;
-    deviation.s[n] = 0.125 * phase * phase * z;
-    deviation.e[n] = deviation.s[n] + 0.125 * phase * zeta2 * z_rate;
-  }
-  return deviation;
+std::array<ChordDeviation, 2> chord_deviations(const RestSteps& c, const RestNode& now,
+                                               const RestNode& next) {
+  const auto of = [&](std::size_t n) {
+    return ChordDeviation(c.phase[n], c.twice_zeta[n], c.per_mass, c.per_left[n],
+                          std::abs(now.e[n] * c.per_mass - now.ground[n]), std::abs(now.y[n]),
+                          std::abs(next.ground[n] - now.ground[n]));
+  };
+  return {of(0), of(1)};
 }
 
 }  // namespace
@@ -195,9 +185,9 @@ std::size_t FullModelBody::rest_over(const Nodes& nodes, std::size_t from, std::
   std::size_t i = from;
   for (; i < to; ++i) {
     const RestNode next = next_node(steps, now, nodes.ground(0, i + 1), nodes.ground(1, i + 1));
-    const ChordDeviation deviation = chord_deviation(steps, now, next);
+    const std::array<ChordDeviation, 2> deviation = chord_deviations(steps, now, next);
     const double after = margin(next, nodes.w(i + 1));
-    const double needed = (deviation.e[0] + deviation.e[1]) * per_mass * margin_per_a_ +
+    const double needed = (deviation[0].e + deviation[1].e) * per_mass * margin_per_a_ +
                           nodes.w_deviation(i) * margin_per_w_;
     if (!(std::min(before, after) > needed * (1.0 + 1e-9))) break;
     if (yields) {
@@ -205,14 +195,14 @@ std::size_t FullModelBody::rest_over(const Nodes& nodes, std::size_t from, std::
       for (std::size_t n = 0; n < 2; ++n)
         may_yield |=
             std::max(std::abs(now.s[n] - yield_from[n]), std::abs(next.s[n] - yield_from[n])) +
-                deviation.s[n] >=
+                deviation[n].s >=
             yield_left[n];
       if (may_yield) break;
     }
     for (std::size_t n = 0; n < 2; ++n) {
       const double moved = yields ? std::abs(axes_[n].x() - yield_from[n]) : 0.0;
-      const double e = std::max(std::abs(now.e[n]), std::abs(next.e[n])) + deviation.e[n],
-                   x = std::max(std::abs(now.s[n]), std::abs(next.s[n])) + deviation.s[n] + moved;
+      const double e = std::max(std::abs(now.e[n]), std::abs(next.e[n])) + deviation[n].e,
+                   x = std::max(std::abs(now.s[n]), std::abs(next.s[n])) + deviation[n].s + moved;
       if (!(e > peaks_.resisting[n] || x > peaks_.x[n])) continue;
       hold(now);
       for (std::size_t k = 0; k < 2; ++k) {

@@ -101,11 +101,13 @@ double FullModelBody::first_lift(const UncoupledRoof& uncoupled) const {
     normal.c[k] = c * coefficient(a1, k) + s * coefficient(a2, k) + piece.coefficient(k);
   const double g = loading.gravity();
   normal.c[0] += g;
-  if (std::abs(normal.c[0]) <= 1e-9 * g) normal.c[0] = 0.0;  // just lifted or landed
+  constexpr double just_lifted = 1e-9;    // of gravity: the normal force is zero
+  constexpr double shortest_lift = 1e-6;  // of the piece, so that time passes
+  if (std::abs(normal.c[0]) <= just_lifted * g) normal.c[0] = 0.0;
   int first = 0;
   while (first + 1 < normal.terms && normal.c[first] == 0.0) ++first;
-  return std::clamp(first_fall(normal, normal.c[first] < 0.0 ? Sign::minus : Sign::plus), 1e-6,
-                    1.0);
+  return std::clamp(first_fall(normal, normal.c[first] < 0.0 ? Sign::minus : Sign::plus),
+                    shortest_lift, 1.0);
 }
 
 /// An axis over a step, with the effect of the block.
@@ -144,13 +146,11 @@ void FullModelBody::raise_peaks(std::size_t n, const UncoupledRoof& uncoupled,
 
 /// A step within the tolerance, and not across a yielding event of the building.
 double FullModelBody::step(const UncoupledRoof& uncoupled, double longest) {
-  constexpr double shortest = 1e-9;  // of what is left: far below what any tolerance requires
   const ExcitationPiece& piece = uncoupled.excitation;
   const double left_s = longest * piece.length_s;
   const Axes e = uncoupled.e(0.0);
   const Load load = contact_.loading().at(e[0], e[1], piece.w(0.0));
-  const double rounding = 16.0 * std::numeric_limits<double>::epsilon() *
-                          (std::abs(load.drive.s) + std::abs(load.drive.y) + std::abs(load.normal));
+  const double rounding = rounding_of(load);
   double length_s = std::min({step_s_, left_s, contact_.longest_step_s(load, accelerance_)});
   if (length_s < left_s && length_s > 0.5 * left_s) length_s = 0.5 * left_s;
   Axes yields{never, never};
@@ -160,9 +160,9 @@ double FullModelBody::step(const UncoupledRoof& uncoupled, double longest) {
     // The first step of all is judged by the speed it would reach.
     const double speed = std::max(peak_speed_, length(trial.end.v));
     const double allowed = tolerance_ * speed + length_s * rounding;
-    const double ratio = trial.error > 0.0 ? allowed / trial.error : 1e4;
-    const double next_s = length_s * std::clamp(0.9 * std::sqrt(std::sqrt(ratio)), 0.2, 5.0);
-    if (ratio < 1.0 && length_s > shortest * left_s) {
+    const double ratio = error_ratio(allowed, trial.error);
+    const double next_s = length_s * step_factor(ratio);
+    if (ratio < 1.0 && length_s > shortest_step * left_s) {
       length_s = step_s_ = next_s;
       to_yield = false;
       continue;

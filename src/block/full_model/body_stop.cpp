@@ -4,26 +4,33 @@
 
 namespace glissade::block_detail {
 
-/// Along the line of its velocity, with the net acceleration now and at the stop as start and end
-/// of a straight line. The error is estimated by the acceleration half way, and by the transverse
-/// load.
-Stop FullModelBody::find_stop(const UncoupledRoof& uncoupled, double left_s,
-                              std::array<Ramp, 2>& interaction) {
-  const double speed = length(now_.v);
-  const ExcitationPiece& piece = uncoupled.excitation;
-  const TwoAxisLoading& loading = contact_.loading();
-  const Axes e0 = uncoupled.e(0.0), e_end = uncoupled.e(left_s / piece.length_s);
-  const Load begin = loading.at(e0[0], e0[1], piece.w(0.0)),
-             end = loading.at(e_end[0], e_end[1], piece.w(left_s / piece.length_s));
-  if (!(std::max(begin.normal, end.normal) > 0.0)) return {};
+/// Whether friction can bring the block to rest within this time.
+bool FullModelBody::may_stop(const UncoupledRoof& uncoupled, double left_s) const {
+  constexpr double margin = 1.1;  // for the load between both ends
+  const auto load_at = [&](double fraction) {
+    const Axes e = uncoupled.e(fraction);
+    return contact_.loading().at(e[0], e[1], uncoupled.excitation.w(fraction));
+  };
+  const Load begin = load_at(0.0), end = load_at(left_s / uncoupled.excitation.length_s);
   const auto rate_bound = [&](const Load& load) {
     return length(load.drive) + friction_bound_ * std::max(load.normal, 0.0);
   };
-  if (speed > 1.1 * left_s * std::max(rate_bound(begin), rate_bound(end))) return {};
+  return std::max(begin.normal, end.normal) > 0.0 &&
+         !(length(now_.v) > margin * left_s * std::max(rate_bound(begin), rate_bound(end)));
+}
+
+/// Along the line of its velocity, with the net acceleration now and at the stop as start and end
+/// of a straight line. The error is estimated by the acceleration half way, and by the transverse
+/// load.
+FullModelBody::StraightStop FullModelBody::find_straight_stop(const UncoupledRoof& uncoupled,
+                                                              double left_s) const {
+  StraightStop stop;
+  const double speed = length(now_.v);
+  const ExcitationPiece& piece = uncoupled.excitation;
   const Vector heading = speed > 0.0 ? now_.v : now_.a;
   const double size = length(heading);
-  if (size == 0.0) return {};  // on the threshold: the load leaves it, and cannot stop it soon
-  const Vector along = (1.0 / size) * heading;
+  if (size == 0.0) return stop;  // on the threshold: the load leaves it, and cannot stop it soon
+  const Vector along = stop.along = (1.0 / size) * heading;
   const Vector friction = contact_.friction().sliding(along);
 
   // The interaction changes the building meanwhile, to the second order of time.
@@ -41,46 +48,57 @@ Stop FullModelBody::find_stop(const UncoupledRoof& uncoupled, double left_s,
   };
   const ContactState first = state_at(0.0, speed);
   interaction_now = first.interaction;
-  const double gain0 = dot(along, first.a);
-  if (speed == 0.0 && !(gain0 > 0.0)) return {};  // rounding on the threshold: it starts
+  const double begin_rate = stop.begin_rate = dot(along, first.a);
+  if (speed == 0.0 && !(begin_rate > 0.0)) return stop;  // rounding on the threshold: it starts
   double t = left_s;
   Vector last;
-  double gain1 = 0.0;
   for (int i = 0; i < 4; ++i) {
     last = state_at(t, 0.0).a;
-    gain1 = dot(along, last);
-    const double rate = (gain1 - gain0) / t;
-    const double next = time_to_stop(speed, {gain0, rate, gain0 + rate * left_s}, left_s);
-    if (next == never || !(next > 0.0)) return {};
+    stop.end_rate = dot(along, last);
+    const double jerk = (stop.end_rate - begin_rate) / t;
+    const double next = time_to_stop(speed, {begin_rate, jerk, begin_rate + jerk * left_s}, left_s);
+    if (next == never || !(next > 0.0)) return stop;
     const bool same = std::abs(next - t) <= 1e-12 * left_s;
     t = next;
     if (same) break;
   }
-
-  // Stops are many, and a wrong one is not mended by what follows: they get a small fraction.
-  const double allowed =
-      1e-3 * tolerance_ * track_.path_length() / (loading.cos_slope() * loading.cos_slope());
-  const double half_speed = std::max(speed + 0.125 * t * (3.0 * gain0 + gain1), 0.0);
-  const double bend = std::abs(dot(along, state_at(0.5 * t, half_speed).a) - 0.5 * (gain0 + gain1));
+  stop.time_s = t;
+  const double half_speed = std::max(speed + 0.125 * t * (3.0 * begin_rate + stop.end_rate), 0.0);
+  const double bend =
+      std::abs(dot(along, state_at(0.5 * t, half_speed).a) - 0.5 * (begin_rate + stop.end_rate));
   const double transverse = std::max(std::abs(cross(along, first.a)), std::abs(cross(along, last)));
-  const double residual_speed = t * (transverse + bend);  // speed it may have at the stop
+  stop.residual_speed = t * (transverse + bend);
+  return stop;
+}
+
+Stop FullModelBody::find_stop(const UncoupledRoof& uncoupled, double left_s,
+                              std::array<Ramp, 2>& interaction) {
+  if (!may_stop(uncoupled, left_s)) return {};
+  const StraightStop straight = find_straight_stop(uncoupled, left_s);
+  if (straight.time_s == never) return {};
+  const ExcitationPiece& piece = uncoupled.excitation;
+  const double t = straight.time_s, speed = length(now_.v), cosine = contact_.loading().cos_slope();
+  const double allowed = stop_tolerance * tolerance_ * track_.path_length() / (cosine * cosine);
+  const Axes e0 = uncoupled.e(0.0);
   // A block that the load then leaves at rest has at most moved sideways; one that it moves on
   // keeps the error in velocity.
   const auto load = [&](double at_s) { return load_at_rest(uncoupled, at_s); };
+  const double residual_speed = straight.residual_speed;
   if (residual_speed <= 0.1 * tolerance_ * peak_speed_ ||
       0.5 * residual_speed * certain_rest_s(residual_speed, t, left_s, contact_.friction(), load) <=
           allowed) {
-    const Axes a0 = contact_.held(gain0 * along, e0, piece.w(0.0), accelerance_).a;
+    const double rate0 = straight.begin_rate, rate1 = straight.end_rate;
+    const Vector along = straight.along;
+    const Axes a0 = contact_.held(rate0 * along, e0, piece.w(0.0), accelerance_).a;
     const Axes e1 = uncoupled.e(t / piece.length_s);
-    const Axes a1 = contact_.held(gain1 * along, e1, piece.w(t / piece.length_s), accelerance_).a;
+    const Axes a1 = contact_.held(rate1 * along, e1, piece.w(t / piece.length_s), accelerance_).a;
     for (std::size_t n = 0; n < 2; ++n) interaction[n] = {e0[n] - a0[n], e1[n] - a1[n]};
-    const double path = std::max(0.0, t * (speed + t * (gain0 / 3.0 + gain1 / 6.0)));
+    const double path = std::max(0.0, t * (speed + t * (rate0 / 3.0 + rate1 / 6.0)));
     const double fastest =
-        gain0 > 0.0 && gain1 < gain0 ? speed + 0.5 * gain0 * gain0 * t / (gain0 - gain1) : speed;
+        rate0 > 0.0 && rate1 < rate0 ? speed + 0.5 * rate0 * rate0 * t / (rate0 - rate1) : speed;
     return {t, path * along, path, fastest};
   }
-
-  step_s_ = std::min(step_s_, 0.6 * t);
+  step_s_ = std::min(step_s_, approach_to_stop * t);
   if (!contact_.friction().is_circle() || speed == 0.0) return {};
   const Stop curved = find_curved_stop(uncoupled, left_s, allowed);
   if (curved.time_s != never) {  // by the balance of momentum

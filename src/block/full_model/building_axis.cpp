@@ -18,8 +18,9 @@ BuildingAxis::BuildingAxis(const Oscillator& oscillator, const Yielding& yieldin
   }
   phase_ = omega_ * piece_s;
   const double rate = phase_ * (1.0 + twice_zeta_);
+  constexpr double last_term = 1e-15;  // of the first: far below the least tolerance, 1e-11
   int terms = 3;
-  for (double term = rate * rate * rate / 6.0; term > 1e-15 && terms < Series::most_terms - 3;)
+  for (double term = rate * rate * rate / 6.0; term > last_term && terms < Series::most_terms - 3;)
     term *= rate / ++terms;
   terms_ = terms + 1;
 
@@ -65,12 +66,16 @@ AxisSeries BuildingAxis::motion(double length_s, const Ramp& ground, double mass
     m.y.c[k + 1] = factor * rise;
     m.resisting.c[k + 1] = -(twice_zeta_ * m.y.c[k + 1] + k_tangent * m.x.c[k + 1]);
   }
-  // From the fourth on, |E_k+1| <= (2 zeta phase / k) |E_k| + (phase^2 / (k (k - 1))) |E_k-1| and
-  // x_k+2 is phase^2 / (k + 1) (k + 2) of E_k, with phase (1 + 2 zeta) <= 0.4.
+  // Bounds by the first four terms. From the fourth on, |E_k+1| <= (2 zeta phase / k) |E_k| +
+  // (phase^2 / (k (k - 1))) |E_k-1| and x_k+2 is phase^2 / (k + 1) (k + 2) of E_k, with phase (1 +
+  // 2 zeta) <= longest_phase = 0.4.
+  constexpr double tail_of_e2 = 1.02;  // of E_2 and all it adds to later terms: 1 + 0.4^2 / 12 ...
+  constexpr double tail_of_e3 = 1.13;  // of E_3: 1 + 0.4 / 4 + 0.4^2 / 20 ...
+  constexpr double x_per_e = 0.0134;   // 0.4^2 / 12
   const auto size = [](const Series& of, int k) { return std::abs(coefficient(of, k)); };
-  const double e2 = 1.02 * size(m.resisting, 2), e3 = 1.13 * size(m.resisting, 3);
+  const double e2 = tail_of_e2 * size(m.resisting, 2), e3 = tail_of_e3 * size(m.resisting, 3);
   m.resisting_bound = size(m.resisting, 0) + size(m.resisting, 1) + e2 + e3;
-  m.x_bound = size(m.x, 0) + size(m.x, 1) + size(m.x, 2) + size(m.x, 3) + 0.0134 * (e2 + e3);
+  m.x_bound = size(m.x, 0) + size(m.x, 1) + size(m.x, 2) + size(m.x, 3) + x_per_e * (e2 + e3);
   return m;
 }
 

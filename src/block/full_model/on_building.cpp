@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "block/events/coupled_motion.hpp"
 #include "block/full_model/body.hpp"
 #include "glissade/building/rigid.hpp"
 #include "glissade/core/contract.hpp"
@@ -18,14 +19,10 @@ using block_detail::Excitation;
 using block_detail::FullModelBody;
 using block_detail::TwoAxisTrack;
 
-constexpr double longest_piece = 0.4;  // of phase: 1/16 period
-
-/// Number of pieces into which an interval must be divided, a power of two.
 int pieces(const Oscillator& oscillator, double dt_s) {
   if (oscillator.period_s == 0.0) return 1;
   const double phase = 2.0 * std::numbers::pi / oscillator.period_s * dt_s;
-  const double wanted = phase * (1.0 + 2.0 * oscillator.damping_ratio) / longest_piece;
-  return static_cast<int>(std::exp2(std::max(0.0, std::ceil(std::log2(wanted)))));
+  return static_cast<int>(block_detail::pieces_of(phase * (1.0 + 2.0 * oscillator.damping_ratio)));
 }
 
 void check([[maybe_unused]] const BuildingGround& ground,
@@ -82,22 +79,22 @@ BuildingSlip slide_on_building(const BuildingGround& ground, const BuildingFacto
   const Excitation excitation(ground, factors);
   const double dt = excitation.dt_s();
   std::array<Oscillator, 2> oscillators = building.horizontal;
-  int cut = 1;
+  int pieces_per_interval = 1;
   double longest_period_s = 0.0;
   for (std::size_t n = 0; n < 2; ++n) {
     Oscillator& oscillator = oscillators[n];
     if (oscillator.period_s > 0.0) require_no_rigid_spring(oscillator, building.yielding[n], dt);
     if (is_rigid(oscillator, dt)) oscillator.period_s = 0.0;
-    cut = std::max(cut, pieces(oscillator, dt));
+    pieces_per_interval = std::max(pieces_per_interval, pieces(oscillator, dt));
     longest_period_s = std::max(longest_period_s, oscillator.period_s);
   }
   longest_period_s *= std::sqrt(1.0 + building.mass_ratio);
-  const double r = building.mass_ratio, piece_s = dt / cut;
+  const double r = building.mass_ratio, piece_s = dt / pieces_per_interval;
   const BuildingContact contact(block);
   FullModelBody body(contact,
                      {BuildingAxis(oscillators[0], building.yielding[0], r, piece_s),
                       BuildingAxis(oscillators[1], building.yielding[1], r, piece_s)},
-                     r, cut, tolerance,
+                     r, pieces_per_interval, tolerance,
                      TwoAxisTrack(contact.loading().to_plan(), thresholds_m, crossings));
 
   body.follow(excitation, longest_period_s);

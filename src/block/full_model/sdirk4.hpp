@@ -41,6 +41,27 @@ inline Vector damped(Vector error, Vector v, double own_s, double normal,
   return along + 1.0 / (1.0 + own_s * stiffness) * (error - along);
 }
 
+/// By which to multiply the length of a step for its error to become `ratio` times as large, with
+/// Hairer & Wanner's safety factor and limits; the error of a step is of order 4.
+inline double step_factor(double ratio) {
+  return std::clamp(0.9 * std::sqrt(std::sqrt(ratio)), 0.2, 5.0);
+}
+/// Allowed over estimated error; a step without an error becomes as long as it may.
+inline double error_ratio(double allowed, double error) {
+  return error > 0.0 ? allowed / error : 1e4;
+}
+/// Allowance for rounding, per time, in the error of a step under a load.
+inline double rounding_of(const Load& load) {
+  return 16.0 * std::numeric_limits<double>::epsilon() *
+         (std::abs(load.drive.s) + std::abs(load.drive.y) + std::abs(load.normal));
+}
+/// The shortest step, of what is left of an interval: far below what any tolerance requires.
+constexpr double shortest_step = 1e-9;
+
+/// Of gravity times the length of an interval: a speed that rounding alone may give a block on its
+/// threshold, and which must not set the scale of the errors.
+constexpr double rounding_speed = 1e-9;
+
 /// SDIRK4 over `length_s` from velocity v.
 /// @param rate (stage, known, own_s) -> v' at a stage, where v = known + own_s v'
 /// @param normal () -> normal force at the end, by which friction turns the velocity

@@ -5,6 +5,13 @@
 
 namespace glissade::block_detail {
 
+/// Permitted error of the displacement of a stop, of tolerance times path: nothing later corrects
+/// it, and stops are many.
+constexpr double stop_tolerance = 1e-3;
+/// A step toward a stop that is not yet found ends after this fraction of the time to it: the load
+/// then changes less until the stop, whose error falls with the cube of what is left.
+constexpr double approach_to_stop = 0.6;
+
 /// Stop of a block.
 struct Stop {
   double time_s = never;

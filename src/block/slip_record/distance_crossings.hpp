@@ -29,18 +29,19 @@ class DistanceCrossings {
   void pass(const At& at, double begin_s, double length_s, double farthest_m) {
     for (; may_reach(farthest_m); ++next_) {
       const double fraction =
-          first_reach([&](double y) { return at(y).displacement; },
-                      [&](double y) { return at(y).velocity; }, thresholds_m_[next_]);
+          first_reach([&](double tau) { return at(tau).displacement; },
+                      [&](double tau) { return at(tau).velocity; }, thresholds_m_[next_]);
       crossings_[next_] = {begin_s + fraction * length_s, length(at(fraction).velocity)};
     }
   }
-
- private:
+  /// The crossing of the next threshold.
+  void add(const Crossing& crossing) { crossings_[next_++] = crossing; }
   double next_m() const {
     return next_ < thresholds_m_.size() ? thresholds_m_[next_]
                                         : std::numeric_limits<double>::infinity();
   }
 
+ private:
   std::span<const double> thresholds_m_;
   std::span<Crossing> crossings_;
   std::size_t next_ = 0;

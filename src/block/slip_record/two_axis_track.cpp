@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "block/slip_record/two_axis_track.hpp"
 
-#include "block/slip_record/first_reach.hpp"
-
 namespace glissade::block_detail {
 
 void TwoAxisTrack::note(double time_s) {
@@ -14,12 +12,11 @@ void TwoAxisTrack::slide(const Sliding& from, const Sliding& to, double length_s
   const Path path(length_s, displacement_, scaled(from.v, to_plan_), scaled(from.a, to_plan_),
                   scaled(to.v, to_plan_), scaled(to.a, to_plan_));
   extremes_.along(path);
-  for (; waits_for(extremes_.displacement()); ++next_) {
-    const double fraction =
-        first_reach([&](double tau) { return path.displacement(tau); },
-                    [&](double tau) { return path.velocity(tau); }, thresholds_[next_]);
-    crossings_[next_] = {begin_s + fraction * length_s, length(path.velocity(fraction))};
-  }
+  crossings_.pass(
+      [&](double tau) {
+        return PathPoint{path.displacement(tau), path.velocity(tau)};
+      },
+      begin_s, length_s, extremes_.displacement());
   displacement_ = path.end;
   path_length_ += path.path_length();
   duration_s_ += length_s;
@@ -37,19 +34,19 @@ void TwoAxisTrack::stop(const Stop& stop, double speed, double begin_s) {
   }
   duration_s_ += stop.time_s;
   note(begin_s + stop.time_s);
-  for (; waits_for(length(displacement_)); ++next_) {
+  while (crossings_.may_reach(length(displacement_))) {
     const auto at = [&](double fraction) { return stop.path_fraction(fraction, speed); };
     const auto beyond = [&](double fraction) {
-      return length(from + at(fraction).path * displacement) - thresholds_[next_];
+      return length(from + at(fraction).path * displacement) - crossings_.next_m();
     };
     const double fraction = rise_between(beyond, 0.0, 1.0);
-    crossings_[next_] = {begin_s + fraction * stop.time_s,
-                         at(fraction).rate * in_plan / stop.time_s};
+    crossings_.add({begin_s + fraction * stop.time_s, at(fraction).rate * in_plan / stop.time_s});
   }
 }
 
 bool TwoAxisTrack::may_cross(double path_length) const {
-  return waits_for(length(displacement_) + path_length * std::max(to_plan_.s, to_plan_.y));
+  return crossings_.may_reach(length(displacement_) +
+                              path_length * std::max(to_plan_.s, to_plan_.y));
 }
 
 TwoAxisResult TwoAxisTrack::result() const {

@@ -6,8 +6,8 @@
 
 #include "block/full_model/sdirk4.hpp"
 #include "block/full_model/stop.hpp"
+#include "block/slip_record/distance_crossings.hpp"
 #include "block/slip_record/two_axis_extremes.hpp"
-#include "glissade/block/crossing.hpp"
 #include "glissade/block/two_axis.hpp"
 
 namespace glissade::block_detail {
@@ -17,7 +17,7 @@ class TwoAxisTrack {
  public:
   /// @param crossings as many as thresholds, which increase
   TwoAxisTrack(Vector to_plan, std::span<const double> thresholds_m, std::span<Crossing> crossings)
-      : to_plan_(to_plan), thresholds_(thresholds_m), crossings_(crossings) {}
+      : to_plan_(to_plan), crossings_(thresholds_m, crossings) {}
 
   /// The points of the path are appended to `history`.
   void keep(std::vector<TwoAxisPoint>* history) { history_ = history; }
@@ -35,17 +35,11 @@ class TwoAxisTrack {
   TwoAxisResult result() const;
 
  private:
-  bool waits_for(double distance) const {
-    return next_ < thresholds_.size() && distance >= thresholds_[next_];
-  }
-
   void note(double time_s);
 
   Vector to_plan_;
   std::vector<TwoAxisPoint>* history_ = nullptr;
-  std::span<const double> thresholds_;
-  std::span<Crossing> crossings_;
-  std::size_t next_ = 0;  // threshold
+  DistanceCrossings crossings_;
   Vector displacement_;
   Extremes extremes_;
   double path_length_ = 0.0, duration_s_ = 0.0;

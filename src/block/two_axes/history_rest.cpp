@@ -70,7 +70,7 @@ HistoryState LaneHistory::resting_at(std::int64_t node,
 void LaneHistory::start(HistoryState& state, bool smoothly) {
   LaneMotion<double>& m = state.motion;
   m.v_s = m.v_y = 0.0;
-  m.fastest = std::max(m.fastest, 1e-9 * ground_.dt_s * constants_.gravity);
+  m.fastest = std::max(m.fastest, rounding_speed * ground_.dt_s * constants_.gravity);
   step_s_ = never;
   ++phases_;
   if (smoothly) start_smoothly(state);
@@ -81,7 +81,8 @@ void LaneHistory::start(HistoryState& state, bool smoothly) {
 double LaneHistory::release(const RoofPiece& piece) const {
   const auto excess = [&](double tau) { return -friction_reserve(piece.load(tau), constants_); };
   const double begin = excess(0.0), end = excess(1.0);
-  if (begin > 1e-13 * constants_.gravity) return 0.0;
+  constexpr double rounding = 1e-13;  // of gravity, in the load
+  if (begin > rounding * constants_.gravity) return 0.0;
   if (end > 0.0) return rise_by_secant(excess, 0.0, 1.0, std::min(begin, 0.0), end);
   const double deviation = piece.deviation();
   if (deviation == 0.0 || -std::max(begin, end) > deviation) return never;

@@ -12,6 +12,11 @@
 namespace glissade::block_detail::two_axes {
 namespace {
 
+/// Of the weight: least_weight of the lanes, and a margin, so that they can go on from here.
+constexpr double least_event_weight = 1.2 * least_weight;
+/// Of the permitted error of a stop: a shorter path may pass a peak or a threshold unseen.
+constexpr double negligible_stop = 50.0;
+
 Vector velocity(const HistoryState& state) { return {state.motion.v_s, state.motion.v_y}; }
 
 /// Coulomb friction and a roof that the block may accelerate: V' from V = known + own V'.
@@ -88,7 +93,7 @@ LaneHistory::Next LaneHistory::slide(HistoryState& state, bool from_lane) {
     const Vector v = velocity(state);
     RoofPiece rest_of_interval = piece(state, plan_velocity(v));
     const Load load = rest_of_interval.load(0.0);
-    if (!(load.normal > 1.2 * least_weight * constants_.gravity)) return Next::unsupported;
+    if (!(load.normal > least_event_weight * constants_.gravity)) return Next::unsupported;
     const double speed = length(v);
     if (speed > 0.0 && stop(state, rest_of_interval)) return rest(state);
     if (speed > 0.0 && speed <= constants_.tolerance * m.fastest &&
@@ -110,7 +115,7 @@ bool LaneHistory::stop(HistoryState& state, const RoofPiece& piece) {
     const Load load = piece.load(tau);
     return Load{c.per_kappa_y * load.drive, c.mu * c.per_kappa_y * load.normal};
   };
-  const double length_s = piece.length_s(), allowed = stop_fraction * c.tolerance * m.path;
+  const double length_s = piece.length_s(), allowed = stop_tolerance * c.tolerance * m.path;
   const Load now = effective(0.0);
   const double t =
       stop_under_constant_load(scaled(v, to_circle), scaled(now.drive, to_circle), now.normal)
@@ -119,7 +124,7 @@ bool LaneHistory::stop(HistoryState& state, const RoofPiece& piece) {
   // The load after a third of the time gives the displacement of a straight path to the second
   // order of its change.
   const Load third = effective(t / length_s / 3.0), end = effective(1.0);
-  step_s_ = std::min(step_s_, 0.6 * t);
+  step_s_ = std::min(step_s_, approach_to_stop * t);
   const auto change = [](const Load& a, const Load& b) {
     return length(b.drive - a.drive) + std::abs(b.normal - a.normal);
   };
@@ -141,7 +146,7 @@ bool LaneHistory::stop(HistoryState& state, const RoofPiece& piece) {
   const bool passes_no_peak =
       v.s * last.s >= 0.0 && v.y * last.y >= 0.0 && dot(out, v) * dot(out, last) >= 0.0;
   const bool may_cross = crossings_.may_reach(std::sqrt(m.farthest2) + stop.path);
-  if (!(passes_no_peak && !may_cross) && stop.path > 50.0 * allowed) return false;
+  if (!(passes_no_peak && !may_cross) && stop.path > negligible_stop * allowed) return false;
   take_stop(state, piece, stop);
   return true;
 }
@@ -212,7 +217,7 @@ double LaneHistory::stiff_trial_s(const RoofPiece& rest_of_interval, Vector v,
   if (speed > constants_.tolerance * fastest) {
     const double fastest_stop =
         std::max(deceleration(now, v), deceleration(rest_of_interval.load(1.0), v));
-    if (fastest_stop > 0.0) length_s = std::min(length_s, 0.6 * speed / fastest_stop);
+    if (fastest_stop > 0.0) length_s = std::min(length_s, approach_to_stop * speed / fastest_stop);
   }
   return length_s;
 }
@@ -224,10 +229,8 @@ void LaneHistory::stiff_step(HistoryState& state) {
   RoofPiece rest_of_interval = piece(state, plan_velocity(v));
   const double left_s = rest_of_interval.length_s();
   const Load now = rest_of_interval.load(0.0);
-  const Vector a = stage(c, ellipse_, v, 1e-9 * left_s, now, {});
-  const double rounding = 16.0 * std::numeric_limits<double>::epsilon() *
-                          (std::abs(now.drive.s) + std::abs(now.drive.y) + std::abs(now.normal));
-  constexpr double shortest = 1e-9;  // of what is left
+  const Vector a = stage(c, ellipse_, v, shortest_step * left_s, now, {});
+  const double rounding = rounding_of(now);
   double length_s = stiff_trial_s(rest_of_interval, v, fastest), fraction = 1.0;
   SlidingStep trial;
   for (;;) {
@@ -246,9 +249,9 @@ void LaneHistory::stiff_step(HistoryState& state) {
       changed = length(trial.end.v - last);
     }
     trial.error += changed;
-    const double ratio = trial.error > 0.0 ? allowed / trial.error : 1e4;
-    step_s_ = length_s * std::clamp(0.9 * std::sqrt(std::sqrt(ratio)), 0.2, 5.0);
-    if (ratio >= 1.0 || length_s <= shortest * left_s) break;
+    const double ratio = error_ratio(allowed, trial.error);
+    step_s_ = length_s * step_factor(ratio);
+    if (ratio >= 1.0 || length_s <= shortest_step * left_s) break;
     length_s = step_s_;
   }
   take_step(state, rest_of_interval, fraction, length_s, {v, a}, trial.end);

@@ -46,6 +46,23 @@ StartSeries expand(const Vector (&p)[terms + 1], const double (&n)[terms + 1], d
   return z;
 }
 
+/// The elapsed fraction up to which the series is good: its last term below `allowed` of the speed
+/// so far, or of its own, and its terms falling. 0 where that is next to nothing.
+double usable_fraction(const StartSeries& z, double allowed, double fastest_mps) {
+  constexpr double shortest = 1e-4, longest = 0.999;  // of an interval's rest, else all of it
+  const double last = length(z.w[terms - 1]), before = length(z.w[terms - 2]);
+  if (!(z.speed[0] > 0.0)) return 0.0;
+  double tau = 1.0;
+  if (last > 0.0) {
+    const double by_fastest = std::sqrt(std::cbrt(allowed * fastest_mps / last));
+    const double by_itself = std::sqrt(std::sqrt(allowed * z.speed[0] / last));
+    tau = std::min({1.0, std::max(by_fastest, by_itself), 0.5 * before / last});
+  }
+  tau = std::min(tau, 0.5 * z.speed[0] / (1e-300 + length(z.w[1])));
+  if (tau > longest) tau = tau < 1.0 ? longest : 1.0;
+  return tau > shortest ? tau : 0.0;
+}
+
 }  // namespace
 
 /// As far as the series goes within the tolerance. Leaves the state as it is
@@ -76,18 +93,8 @@ void LaneHistory::start_smoothly(HistoryState& state) {
     n[0] = length({p[0].s, p[0].y * (c.per_aspect * c.per_aspect)});
     if (!(n[0] > 0.0)) return;
     z = expand(p, n, c.aspect);
-    const double last = length(z.w[terms - 1]), before = length(z.w[terms - 2]);
-    if (!(z.speed[0] > 0.0)) return;
-    const double allowed = 0.1 * c.tolerance;
-    tau = 1.0;
-    if (last > 0.0) {
-      const double by_fastest = std::sqrt(std::cbrt(allowed * m.fastest / last));
-      const double by_itself = std::sqrt(std::sqrt(allowed * z.speed[0] / last));
-      tau = std::min({1.0, std::max(by_fastest, by_itself), 0.5 * before / last});
-    }
-    tau = std::min(tau, 0.5 * z.speed[0] / (1e-300 + length(z.w[1])));
-    if (tau > 0.999) tau = tau < 1.0 ? 0.999 : 1.0;
-    if (!(tau > 1e-4)) return;
+    tau = usable_fraction(z, 0.1 * c.tolerance, m.fastest);
+    if (tau == 0.0) return;
     if (passes == 1) break;
     Vector end{};
     for (int k = terms; k-- > 0;) end = tau * end + z.w[k];

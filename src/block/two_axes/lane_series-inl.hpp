@@ -13,6 +13,7 @@
 
 #include <type_traits>
 
+#include "block/full_model/stop.hpp"
 #include "lane_states.hpp"
 
 #ifndef GLISSADE_INLINE_LAMBDA
@@ -227,7 +228,8 @@ HWY_INLINE V StepFraction(const StepSeries<roof>& z, V allowed) {
   const V error = hn::Abs(z.v_s[order]) + hn::Abs(z.v_y[order]);
   V f = hn::Min(one, hn::Div(Number(3.0) * z.speed[0], z.weight[0]));
   const Mask slows = hn::Lt(z.speed[1], hn::Zero(Doubles()));
-  const V to_stop = hn::Div(Number(-0.6) * z.speed[0], hn::IfThenElse(slows, z.speed[1], one));
+  const V to_stop =
+      hn::Div(Number(-approach_to_stop) * z.speed[0], hn::IfThenElse(slows, z.speed[1], one));
   f = hn::IfThenElse(slows, hn::Min(f, to_stop), f);
   const Mask rough = hn::Gt(error, allowed);
   if (!hn::AllFalse(Doubles(), rough)) {

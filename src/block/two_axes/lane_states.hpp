@@ -93,12 +93,13 @@ struct GroundRows {
 /// The largest n h / |v| of a lane: beyond it, where |v| is small, its steps
 /// would be too short.
 constexpr double stiffest = 1000.0;
-/// What a stop's closed form may be off by, as a fraction of tolerance times path:
-/// what one stop leaves nothing later corrects, and stops are many.
-constexpr double stop_fraction = 1e-3;
 /// The least normal force in a lane, as a fraction of the weight; the scalar
 /// scheme of the events allows a little more.
 constexpr double least_weight = 0.05;
+
+/// The least projection of the velocity after a lane's step on that before, over its square: the
+/// direction turns by less than a quarter circle, and no peak is passed unseen.
+constexpr double least_alignment = 0.2;
 
 /// Lanes as bits.
 struct Stepped {

@@ -108,13 +108,13 @@ HWY_INLINE Mask CanStep(const StepSeries<roof>& z, const Constants<V>& c, const 
   }
   const V margin = n * n - (p_s * p_s + p_y * p_y);
   const V q = n * z.speed[0] + (p_s * m.v_s + p_y * (c.per_aspect * m.v_y));
-  const V allowed = (Number(12.0 * stop_fraction) * c.tolerance) * m.path;
+  const V allowed = (Number(12.0 * stop_tolerance) * c.tolerance) * m.path;
   const Mask stops =
       hn::And(hn::And(hn::Gt(margin, zero), hn::Lt(q, margin)),
               hn::Le(((change * h) * q) * (q * q), allowed * ((margin * margin) * margin)));
   const Mask stiff = hn::Gt(z.weight[0], Number(stiffest) * z.speed[0]);
   const V alignment = v_s * m.v_s + (c.aspect * v_y) * (c.aspect * m.v_y);
-  const Mask straight = hn::Ge(alignment, Number(0.2) * (z.speed[0] * z.speed[0]));
+  const Mask straight = hn::Ge(alignment, Number(least_alignment) * (z.speed[0] * z.speed[0]));
   const Mask stays = hn::Gt(z.weight[0], (Number(least_weight) * c.mu) * (c.gravity * h));
   return hn::AndNot(hn::Or(stops, stiff), hn::And(straight, stays));
 }

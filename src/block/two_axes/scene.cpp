@@ -10,6 +10,9 @@ namespace {
 
 constexpr double longest_phase = 0.85;  // over a sample interval: an eighth of a period
 constexpr double least_aspect = 0.5, most_aspect = 2.0;  // of the friction ellipse
+constexpr double least_friction = 1.02;  // over tan(slope): less stops the block too late
+constexpr double most_friction = 2.0;
+constexpr double most_vertical = 0.9;  // of gravity: a tenth of the weight is left on the roof
 constexpr double least_damping = 1e-3, most_damping = 0.5;
 
 double omega_of(const Oscillator& oscillator) {
@@ -34,8 +37,8 @@ bool fits_lanes(const TwoAxisScene& scene, const BuildingGround& ground) {
   if (!block.law.is_coulomb()) return false;
   const double aspect = block.friction.across / block.friction.along;
   if (!(aspect >= least_aspect && aspect <= most_aspect)) return false;
-  // Friction that exceeds the slope by little stops the block too late.
-  if (!(block.friction.along > 1.02 * std::tan(block.slope_rad) && block.friction.along < 2.0))
+  if (!(block.friction.along > least_friction * std::tan(block.slope_rad) &&
+        block.friction.along < most_friction))
     return false;
   if ((first.period_s == 0.0) != (second.period_s == 0.0)) return false;
   const double dt_s = ground.horizontal[0]->step_s();
@@ -45,7 +48,7 @@ bool fits_lanes(const TwoAxisScene& scene, const BuildingGround& ground) {
   if (ground.vertical == nullptr) return true;
   return ground.vertical->rigid() &&
          std::abs(scene.factors.vertical) * ground.vertical->ground->peak_acceleration_mps2() <
-             0.9 * block.gravity_mps2;
+             most_vertical * block.gravity_mps2;
 }
 
 Constants<double> constants_of(const TwoAxisScene& scene, double tolerance) {

@@ -8,9 +8,6 @@ namespace glissade::block_detail::two_axes {
 namespace {
 
 constexpr double zeros[8] = {};
-/// How far the roof's acceleration between nodes may exceed its largest at a
-/// node.
-constexpr double between_nodes = 1.2;
 
 }  // namespace
 

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "block/polynomial/power_series.hpp"
+
 namespace glissade::block_detail::two_axes {
 
 RoofPiece::RoofPiece(const HistoryState& state, const GroundNodes& ground,
@@ -25,8 +27,6 @@ RoofPiece::RoofPiece(const HistoryState& state, const GroundNodes& ground,
   terms_ = longest < 0.02 ? 6 : longest < 0.1 ? 8 : longest < 0.3 ? 10 : most_terms;  // 1e-12
   const double omega[] = {c.omega_1, c.omega_2}, damping[] = {c.twice_zeta_1, c.twice_zeta_2};
   const double omega_rho[] = {c.omega_rho_1, c.omega_rho_2};
-  constexpr double inverse[] = {0.0,     1.0,     1.0 / 2, 1.0 / 3, 1.0 / 4,  1.0 / 5,
-                                1.0 / 6, 1.0 / 7, 1.0 / 8, 1.0 / 9, 1.0 / 10, 1.0 / 11};
   for (std::size_t n = 0; n < 2; ++n) {
     const double phase = omega[n] * length_s_;
     const double forcing[] = {ground_[n], ground_end_[n] - ground_[n]};
@@ -40,7 +40,7 @@ RoofPiece::RoofPiece(const HistoryState& state, const GroundNodes& ground,
       const double rate = k < 4 ? y[k] - b[k] : y[k];
       a[k] = -(damping[n] * rate + x[k]) * c.per_mass;
       if (k + 1 == static_cast<std::size_t>(terms_)) break;
-      const double factor = phase * inverse[k + 1];
+      const double factor = phase * Series::inverse[k + 1];
       x[k + 1] = factor * rate;
       y[k + 1] = factor * (k < 2 ? a[k] - forcing[k] : a[k]);
     }

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "block/full_model/chord_deviation.hpp"
 #include "glissade/core/oscillator.hpp"
 
 namespace glissade::block_detail::two_axes {
@@ -72,7 +74,7 @@ FreeVibration::FreeVibration(double omega_radps, double twice_zeta, double per_m
     x_part_[k] = -(twice_zeta_ * near_[k].yx + near_[k].xx) * per_mass_;
     y_part_[k] = -(twice_zeta_ * near_[k].yy + near_[k].xy) * per_mass_;
   }
-  deviation_ = 0.125 * phase * phase * (1.0 + 4.0 * zeta) * (1.0 + 4.0 * zeta) * 1.2;
+  deviation_ = 0.125 * phase * phase * (1.0 + 4.0 * zeta) * (1.0 + 4.0 * zeta) * between_nodes;
 }
 
 AxisState FreeVibration::after(std::size_t steps, const AxisState& from) const {
@@ -88,57 +90,51 @@ double FreeVibration::bound(const AxisState& s) const {
 }
 
 RestTable::RestTable(const GroundNodes& ground, const Constants<double>& c, RoofKind roof) {
-  const std::size_t quiet = ground.quiet;
   for (std::size_t n = 0; n < 2; ++n) {
     a[n] = ground.a[n].data();
-    deviation[n].assign(tiles_of(quiet), 0.0);
-    double after = 0.0;
-    if (roof != RoofKind::rigid) {
-      const double omega = n == 0 ? c.omega_1 : c.omega_2;
-      const double twice_zeta = n == 0 ? c.twice_zeta_1 : c.twice_zeta_2;
-      free.emplace_back(omega, twice_zeta, c.per_mass, ground.dt_s, quiet);
-      const double root = 1.0 / std::sqrt(c.per_mass), mass = 1.0 / c.per_mass;
-      const OscillatorStep s = oscillator_step(omega * ground.dt_s / root, 0.5 * twice_zeta / root);
-      const double xy = s.xy * root, yx = s.xy / root;
-      const double x0 = mass * s.x_start, x1 = mass * s.x_end, y0 = root * s.y_start,
-                   y1 = root * s.y_end;
-      x[n].assign(quiet + 1, 0.0);
-      y[n].assign(quiet + 1, 0.0);
-      own_a[n].assign(quiet + 1 + padding, 0.0);
-      // From rest at the first sample, whatever its acceleration.
-      AxisState now;
-      const double* g = ground.a[n].data();
-      const double phase = omega * ground.dt_s;
-      double largest_deviation = 0.0;
-      for (std::size_t i = 0; i < quiet; ++i) {
-        const AxisState next{s.xx * now.x + xy * now.y - (x0 * g[i] + x1 * g[i + 1]),
-                             s.yy * now.y - yx * now.x - (y0 * g[i] + y1 * g[i + 1])};
-        // body_rest.cpp: what the motion can leave its chord by.
-        const double rise = std::abs(g[i + 1] - g[i]), y_now = std::abs(now.y);
-        const double z_now = std::abs(own_a[n][i] - g[i]);
-        const double per_left = 1.0 / (1.0 - (phase + twice_zeta) * phase * c.per_mass);
-        const double z = (z_now + phase * y_now * c.per_mass + rise) * per_left;
-        const double z_rate = phase * (y_now + (phase + twice_zeta) * z) * c.per_mass + rise;
-        const double leaves = 0.125 * phase * (phase * z + twice_zeta * z_rate) * c.per_mass;
-        largest_deviation = std::max(largest_deviation, leaves);
-        if (i % tile_nodes == tile_nodes - 1 || i + 1 == quiet) {
-          deviation[n][i / tile_nodes] = largest_deviation;
-          largest_deviation = 0.0;
-        }
-        now = next;
-        x[n][i + 1] = now.x;
-        y[n][i + 1] = now.y;
-        own_a[n][i + 1] = free[n].acceleration(now);
-      }
-      // A tile's first node ends the interval before.
-      for (std::size_t k = deviation[n].size(); k-- > 1;)
-        deviation[n][k] = std::max(deviation[n][k], deviation[n][k - 1]);
-      a[n] = own_a[n].data();
-      after = free[n].bound(now);
-    }
-    tile[n] = tile_maxima(a[n], quiet);
+    deviation[n].assign(tiles_of(ground.quiet), 0.0);
+    const double after = roof == RoofKind::rigid ? 0.0 : tabulate(n, ground, c);
+    tile[n] = tile_maxima(a[n], ground.quiet);
     coming[n] = suffix_maxima(tile[n], after);
   }
+}
+
+double RestTable::tabulate(std::size_t n, const GroundNodes& ground, const Constants<double>& c) {
+  const std::size_t quiet = ground.quiet;
+  const double omega = n == 0 ? c.omega_1 : c.omega_2;
+  const double twice_zeta = n == 0 ? c.twice_zeta_1 : c.twice_zeta_2;
+  free.emplace_back(omega, twice_zeta, c.per_mass, ground.dt_s, quiet);
+  const double root = 1.0 / std::sqrt(c.per_mass), mass = 1.0 / c.per_mass,
+               phase = omega * ground.dt_s;
+  const OscillatorStep s = oscillator_step(phase / root, 0.5 * twice_zeta / root);
+  const double xy = s.xy * root, yx = s.xy / root;
+  const double x0 = mass * s.x_start, x1 = mass * s.x_end, y0 = root * s.y_start,
+               y1 = root * s.y_end;
+  const double per_left = 1.0 / (1.0 - (phase + twice_zeta) * phase * c.per_mass);
+  x[n].assign(quiet + 1, 0.0);
+  y[n].assign(quiet + 1, 0.0);
+  own_a[n].assign(quiet + 1 + padding, 0.0);
+  AxisState now;  // from rest at the first sample, whatever its acceleration
+  const double* g = ground.a[n].data();
+  double largest = 0.0;  // departure in a tile
+  for (std::size_t i = 0; i < quiet; ++i) {
+    const ChordDeviation departs(phase, twice_zeta, c.per_mass, per_left,
+                                 std::abs(own_a[n][i] - g[i]), std::abs(now.y),
+                                 std::abs(g[i + 1] - g[i]));
+    largest = std::max(largest, departs.e * c.per_mass);
+    if (i % tile_nodes == tile_nodes - 1 || i + 1 == quiet)
+      deviation[n][i / tile_nodes] = std::exchange(largest, 0.0);
+    now = {s.xx * now.x + xy * now.y - (x0 * g[i] + x1 * g[i + 1]),
+           s.yy * now.y - yx * now.x - (y0 * g[i] + y1 * g[i + 1])};
+    x[n][i + 1] = now.x;
+    y[n][i + 1] = now.y;
+    own_a[n][i + 1] = free[n].acceleration(now);
+  }
+  // A tile's first node ends the interval before.
+  for (std::size_t k = deviation[n].size(); k-- > 1;)
+    deviation[n][k] = std::max(deviation[n][k], deviation[n][k - 1]);
+  a[n] = own_a[n].data();
+  return free[n].bound(now);
 }
 
 }  // namespace glissade::block_detail::two_axes

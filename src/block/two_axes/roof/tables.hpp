@@ -12,6 +12,9 @@ namespace glissade::block_detail::two_axes {
 /// Nodes of a tile: what one bound covers.
 constexpr std::size_t tile_nodes = 64;
 
+/// The roof's acceleration between nodes over its largest at a node, at most.
+constexpr double between_nodes = 1.2;
+
 /// A ground motion at its nodes, for all histories under it.
 struct GroundNodes {
   double dt_s = 0.0;
@@ -46,7 +49,6 @@ class FreeVibration {
   const std::array<double, 8>& y_part() const { return y_part_; }
   /// No |acceleration| to come is larger.
   double bound(const AxisState& state) const;
-  /// Of the bound, over 64 steps.
   double acceleration(const AxisState& s) const { return -(twice_zeta_ * s.y + s.x) * per_mass_; }
   /// How far an acceleration of this amplitude leaves its chord over a step, at
   /// most.
@@ -78,6 +80,11 @@ struct RestTable {
   AxisState state(std::size_t axis, std::size_t node) const {
     return {x[axis][node], y[axis][node]};
   }
+
+ private:
+  /// One axis of an oscillator.
+  /// @return bound of its |acceleration| after the ground has come to rest
+  double tabulate(std::size_t axis, const GroundNodes& ground, const Constants<double>& constants);
 };
 
 }  // namespace glissade::block_detail::two_axes
