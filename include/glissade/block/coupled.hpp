@@ -99,20 +99,19 @@ struct CoupledPoint {
 /// @param ground its vertical acceleration is that of the roof
 /// @pre coupling_is_regular(block, building.mass_ratio); friction that does not depend on speed;
 /// for a yielding spring: yield acceleration > 0, hardening ratio in [0, 1)
+///
+/// The first crossing of each threshold is exact to rounding. One that is reached only at the end
+/// of a phase of sliding is reached with speed 0.
+/// @param thresholds_m > 0, increasing
+/// @param crossings as many
 CoupledResult slide_coupled(const GroundMotion& ground, const MotionFactors& factors,
-                            const CoupledBuilding& building, const Block& block);
+                            const CoupledBuilding& building, const Block& block,
+                            std::span<const double> thresholds_m = {},
+                            std::span<Crossing> crossings = {});
 
 /// The same, with the history.
 CoupledResult slide_coupled(const GroundMotion& ground, const MotionFactors& factors,
                             const CoupledBuilding& building, const Block& block,
                             std::vector<CoupledPoint>& history);
-
-/// The same, with the first crossing of each displacement: exact to rounding. A displacement
-/// reached only at the end of a phase of sliding is reached with speed 0.
-/// @param thresholds_m > 0, increasing
-/// @param crossings as many
-CoupledResult slide_coupled(const GroundMotion& ground, const MotionFactors& factors,
-                            const CoupledBuilding& building, const Block& block,
-                            std::span<const double> thresholds_m, std::span<Crossing> crossings);
 
 }  // namespace glissade

@@ -47,26 +47,22 @@ class CoupledGround {
 /// bounds that miss none. Within 1e-10 of slide_coupled for slips above 1 um
 /// (tests/unit/block/coupled_slip_test.cpp). The same bits on every SIMD target, in any company.
 ///
+/// The first crossing of each threshold is as of slide_coupled(): only the phase of sliding in
+/// which it is reached is computed again, scalar.
+///
 /// Left to slide_coupled(): rigid buildings, more than 1 rad or less than 1 mrad of their
 /// vibration in a sample interval, damping near or beyond critical; springs that may yield;
 /// SlipDirections::downslope_only; static friction; critical friction; mu tan(slope) >= 1; and
 /// where the block may lift off.
 /// @param peaks as many as scenes; those of one building, block and ratio of factors best side by
 /// side
-void coupled_slip(CoupledGround& ground, std::span<const CoupledScene> scenes,
-                  std::span<CoupledPeak> peaks);
-void coupled_slip(const GroundMotion& ground, std::span<const CoupledScene> scenes,
-                  std::span<CoupledPeak> peaks);
-
-/// The same, and when the displacement first has each of these sizes, as of slide_coupled(): only
-/// the phase of sliding in which that is the case is gone through again, scalar.
 /// @param thresholds_m > 0, increasing
 /// @param crossings as many for each scene, scene after scene
 void coupled_slip(CoupledGround& ground, std::span<const CoupledScene> scenes,
-                  std::span<CoupledPeak> peaks, std::span<const double> thresholds_m,
-                  std::span<Crossing> crossings);
+                  std::span<CoupledPeak> peaks, std::span<const double> thresholds_m = {},
+                  std::span<Crossing> crossings = {});
 void coupled_slip(const GroundMotion& ground, std::span<const CoupledScene> scenes,
-                  std::span<CoupledPeak> peaks, std::span<const double> thresholds_m,
-                  std::span<Crossing> crossings);
+                  std::span<CoupledPeak> peaks, std::span<const double> thresholds_m = {},
+                  std::span<Crossing> crossings = {});
 
 }  // namespace glissade

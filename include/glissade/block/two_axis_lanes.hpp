@@ -55,10 +55,9 @@ class TwoAxisLanes {
   ~TwoAxisLanes();
 
   /// @param peaks as many as scenes
-  void slide(std::span<const TwoAxisScene> scenes, std::span<TwoAxisPeak> peaks);
   /// @param crossings for each scene as many as thresholds
   void slide(std::span<const TwoAxisScene> scenes, std::span<TwoAxisPeak> peaks,
-             std::span<const double> thresholds_m, std::span<Crossing> crossings);
+             std::span<const double> thresholds_m = {}, std::span<Crossing> crossings = {});
 
  private:
   struct State;

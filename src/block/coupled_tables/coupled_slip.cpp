@@ -133,16 +133,6 @@ void coupled_slip(CoupledGround& ground, std::span<const CoupledScene> scenes,
                      crossings.subspan(k * thresholds_m.size(), thresholds_m.size()));
 }
 
-void coupled_slip(CoupledGround& ground, std::span<const CoupledScene> scenes,
-                  std::span<CoupledPeak> peaks) {
-  coupled_slip(ground, scenes, peaks, {}, {});
-}
-
-void coupled_slip(const GroundMotion& ground, std::span<const CoupledScene> scenes,
-                  std::span<CoupledPeak> peaks) {
-  coupled_slip(ground, scenes, peaks, {}, {});
-}
-
 void coupled_slip(const GroundMotion& ground, std::span<const CoupledScene> scenes,
                   std::span<CoupledPeak> peaks, std::span<const double> thresholds_m,
                   std::span<Crossing> crossings) {

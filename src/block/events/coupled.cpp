@@ -104,11 +104,6 @@ bool coupling_is_regular(const Block& block, double mass_ratio) {
 }
 
 CoupledResult slide_coupled(const GroundMotion& ground, const MotionFactors& factors,
-                            const CoupledBuilding& building, const Block& block) {
-  return block_detail::walk_coupled(ground, factors, building, block, {});
-}
-
-CoupledResult slide_coupled(const GroundMotion& ground, const MotionFactors& factors,
                             const CoupledBuilding& building, const Block& block,
                             std::span<const double> thresholds_m, std::span<Crossing> crossings) {
   return block_detail::walk_coupled(ground, factors, building, block,

@@ -72,9 +72,7 @@ BuildingSlip slide_on_building(const BuildingGround& ground, const BuildingFacto
                                std::span<const double> thresholds_m, std::span<Crossing> crossings,
                                double tolerance) {
   check(ground, building, block);
-  GLISSADE_EXPECTS(crossings.size() == thresholds_m.size());
   GLISSADE_EXPECTS(tolerance >= 1e-11 && tolerance <= 1e-2);
-  std::fill(crossings.begin(), crossings.end(), Crossing{});
 
   const Excitation excitation(ground, factors);
   const double dt = excitation.dt_s();

@@ -2,28 +2,15 @@
 #include "block/slip_record/coupled_crossing.hpp"
 
 #include <algorithm>
-#include <functional>
-
-#include "glissade/core/contract.hpp"
 
 namespace glissade::block_detail {
 
-CoupledCrossings::CoupledCrossings(std::span<const double> thresholds_m,
-                                   std::span<Crossing> crossings, double cos_slope)
-    : thresholds_m_(thresholds_m), crossings_(crossings), cos_slope_(cos_slope) {
-  GLISSADE_EXPECTS(thresholds_m.size() == crossings.size());
-  GLISSADE_EXPECTS(thresholds_m.empty() || thresholds_m.front() > 0.0);
-  GLISSADE_EXPECTS(std::ranges::is_sorted(thresholds_m, std::less_equal<>()) ||
-                   thresholds_m.size() < 2);
-  std::ranges::fill(crossings_, Crossing{});
-}
-
 double CoupledCrossings::ahead_m(const SlipPath& path) const {
-  return thresholds_m_[next_] / cos_slope_ - path.direction * path.begin_m;
+  return crossings_.next_m() / cos_slope_ - path.direction * path.begin_m;
 }
 
 void CoupledCrossings::note(double time_s, double speed_mps) {
-  crossings_[next_++] = {time_s, speed_mps * cos_slope_};
+  crossings_.add({time_s, speed_mps * cos_slope_});
 }
 
 void CoupledCrossings::follow(const SlipPath& path, const Series& speed, double length_s,
@@ -33,7 +20,7 @@ void CoupledCrossings::follow(const SlipPath& path, const Series& speed, double 
     for (int k = 1; k < left.terms; ++k) left.c[k] = -left.c[k];
     left.c[0] = ahead_m(path);
     // Near a stop the root is no better than the square root of rounding.
-    const bool at_rest = stops && std::abs(path.end_m) * cos_slope_ == thresholds_m_[next_];
+    const bool at_rest = stops && std::abs(path.end_m) * cos_slope_ == crossings_.next_m();
     const double tau = at_rest ? fraction : std::min(first_fall(left), fraction);
     note(path.time_s + tau * length_s, at_rest ? 0.0 : std::max(speed.at(tau), 0.0));
   }

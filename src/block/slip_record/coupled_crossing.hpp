@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cstddef>
 #include <span>
 
 #include "block/polynomial/power_series.hpp"
-#include "glissade/block/crossing.hpp"
+#include "block/slip_record/distance_crossings.hpp"
 
 namespace glissade::block_detail {
 
@@ -21,13 +20,11 @@ struct SlipPath {
 class CoupledCrossings {
  public:
   CoupledCrossings() = default;
-  /// @param thresholds_m > 0, increasing
   CoupledCrossings(std::span<const double> thresholds_m, std::span<Crossing> crossings,
-                   double cos_slope);
+                   double cos_slope)
+      : crossings_(thresholds_m, crossings), cos_slope_(cos_slope) {}
 
-  bool reached(double slip_m) const {
-    return next_ < thresholds_m_.size() && std::abs(slip_m) * cos_slope_ >= thresholds_m_[next_];
-  }
+  bool reached(double slip_m) const { return crossings_.may_reach(std::abs(slip_m) * cos_slope_); }
   /// Over a fraction of a piece; at its end the block may have no speed.
   void follow(const SlipPath& path, const Series& speed, double length_s, double fraction,
               bool stops);
@@ -41,10 +38,8 @@ class CoupledCrossings {
   double ahead_m(const SlipPath& path) const;
   void note(double time_s, double speed_mps);
 
-  std::span<const double> thresholds_m_;
-  std::span<Crossing> crossings_;
+  DistanceCrossings crossings_;
   double cos_slope_ = 1.0;
-  std::size_t next_ = 0;
 };
 
 }  // namespace glissade::block_detail

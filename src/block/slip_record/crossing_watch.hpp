@@ -9,8 +9,7 @@
 
 #include "block/events/sliding_block.hpp"
 #include "block/polynomial/linear_piece.hpp"
-#include "glissade/block/crossing.hpp"
-#include "glissade/core/contract.hpp"
+#include "block/slip_record/distance_crossings.hpp"
 
 namespace glissade::block_detail {
 
@@ -46,27 +45,20 @@ class CrossingWatch {
   /// @param factor of the motion that the slip is divided by (see Scaled)
   CrossingWatch(std::span<const double> thresholds_m, std::span<Crossing> crossings,
                 double cos_slope, double factor = 1.0)
-      : thresholds_(thresholds_m), crossings_(crossings), cos_slope_(cos_slope), factor_(factor) {
-    GLISSADE_EXPECTS(thresholds_m.size() == crossings.size());
-    GLISSADE_EXPECTS(std::ranges::is_sorted(thresholds_m));
-    GLISSADE_EXPECTS(thresholds_m.empty() || thresholds_m.front() > 0.0);
-    std::ranges::fill(crossings, Crossing{});
-  }
+      : crossings_(thresholds_m, crossings), cos_slope_(cos_slope), factor_(factor) {}
 
   /// The next threshold is not beyond this slip. Rounded like peak displacements, so that a
   /// threshold is crossed exactly if the peak is at least as large, to the last bit.
-  bool passes(double slip) const {
-    return next_ < thresholds_.size() && in_plan(slip) >= thresholds_[next_];
-  }
+  bool passes(double slip) const { return crossings_.may_reach(in_plan(slip)); }
 
   /// A piece of sliding from `from`, up to its fraction `end`, where the block is at `to`.
   template <class Piece>
   void slides(const SlideState& from, const Piece& piece, double end, const SlideState& to) {
     while (passes(to.slip)) {
-      const double target = thresholds_[next_] / (factor_ * cos_slope_);
+      const double target = crossings_.next_m() / (factor_ * cos_slope_);
       const double distance = target - from.direction * from.slip;
       const double tau = fraction_at_distance(piece, from.speed, distance, end);
-      const bool at_end = tau >= end || in_plan(to.slip) == thresholds_[next_];
+      const bool at_end = tau >= end || in_plan(to.slip) == crossings_.next_m();
       note(at_end ? to.time : from.time + tau * piece.length_s,
            at_end ? to.speed : from.speed + piece.gain(tau));
     }
@@ -94,14 +86,10 @@ class CrossingWatch {
 
  private:
   double in_plan(double slip) const { return factor_ * (std::abs(slip) * cos_slope_); }
-  void note(double time, double speed) {
-    crossings_[next_++] = {time, in_plan(std::max(speed, 0.0))};
-  }
+  void note(double time, double speed) { crossings_.add({time, in_plan(std::max(speed, 0.0))}); }
 
-  std::span<const double> thresholds_;
-  std::span<Crossing> crossings_;
+  DistanceCrossings crossings_;
   double cos_slope_, factor_;
-  std::size_t next_ = 0;  // thresholds before it are crossed
 };
 
 /// Passes the pieces that a SlidingBlock computes itself to a watch, if there is one.

@@ -1,22 +1,29 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <limits>
 #include <span>
 
 #include "block/contact/plane_vector.hpp"
 #include "block/slip_record/first_reach.hpp"
 #include "glissade/block/crossing.hpp"
+#include "glissade/core/contract.hpp"
 
 namespace glissade::block_detail {
 
-/// Time and speed of the first crossing of each distance, for one history.
+/// Time and speed of the first crossing of each threshold, for one history.
 class DistanceCrossings {
  public:
   DistanceCrossings() = default;
-  /// @param thresholds_m increasing; @param crossings as many, none of which happened
+  /// @param thresholds_m > 0, increasing, in plan; @param crossings as many
   DistanceCrossings(std::span<const double> thresholds_m, std::span<Crossing> crossings)
-      : thresholds_m_(thresholds_m), crossings_(crossings) {}
+      : thresholds_m_(thresholds_m), crossings_(crossings) {
+    GLISSADE_EXPECTS(thresholds_m.size() == crossings.size());
+    GLISSADE_EXPECTS(std::ranges::is_sorted(thresholds_m));
+    GLISSADE_EXPECTS(thresholds_m.empty() || thresholds_m.front() > 0.0);
+    std::ranges::fill(crossings, Crossing{});
+  }
 
   /// A displacement of this length may reach the next threshold.
   bool may_reach(double distance_m) const { return distance_m >= next_m(); }

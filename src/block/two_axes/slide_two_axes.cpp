@@ -79,7 +79,6 @@ struct TwoAxisLanes::State {
 
   void by_reference(const Batch& batch, std::size_t k) const {
     const TwoAxisScene& scene = batch.scenes[k];
-    std::ranges::fill(batch.crossings_of(k), Crossing{});
     try {
       const TwoAxisResult r =
           slide_on_building(ground, scene.factors, scene.building, scene.block, batch.thresholds_m,
@@ -138,7 +137,6 @@ class Pool {
     while (next_ < tasks_.size()) {
       const std::size_t k = scene_[lane] = tasks_[next_++];
       const TwoAxisScene& scene = batch_.scenes[k];
-      std::ranges::fill(batch_.crossings_of(k), Crossing{});
       LaneHistory& history = histories_[lane].emplace(
           block_detail::two_axes::constants_of(scene, state_.tolerance), roof_, state_.nodes,
           state_.tables.of(scene, state_.nodes, roof_),
@@ -200,10 +198,6 @@ TwoAxisLanes::TwoAxisLanes(const BuildingGround& ground, double tolerance)
 }
 
 TwoAxisLanes::~TwoAxisLanes() = default;
-
-void TwoAxisLanes::slide(std::span<const TwoAxisScene> scenes, std::span<TwoAxisPeak> peaks) {
-  slide(scenes, peaks, {}, {});
-}
 
 void TwoAxisLanes::slide(std::span<const TwoAxisScene> scenes, std::span<TwoAxisPeak> peaks,
                          std::span<const double> thresholds_m, std::span<Crossing> crossings) {
