@@ -65,12 +65,12 @@ double BuildingContact::friction_bound(const Accelerance& m) const {
 }
 
 /// Newton's method on the factor k, with |v| falling by lambda f.v/|v| per k.
-Vector BuildingContact::holding_by_speed(Vector p, double lambda) const {
+Vector BuildingContact::implicit_friction_by_speed(Vector p, double lambda) const {
   const auto [low, high] = std::minmax({1.0, law_.mu_fast_over_slow});
   double k = factor(p);
   Vector f;
   for (int i = 0; i < 60; ++i) {
-    f = friction_.holding(p, lambda * k);
+    f = friction_.implicit_friction(p, lambda * k);
     const Vector v = p - (lambda * k) * f;
     const double size = length(v), cosine = loading_.cos_slope();
     const double decay = std::exp(-law_.rate_s_per_m * cosine * size);
@@ -82,7 +82,7 @@ Vector BuildingContact::holding_by_speed(Vector p, double lambda) const {
     k = next;
     if (change <= 4.0 * epsilon * k) break;
   }
-  return k * friction_.holding(p, lambda * k);
+  return k * friction_.implicit_friction(p, lambda * k);
 }
 
 ContactState BuildingContact::with_friction(Vector friction, const Axes& e, double w,
@@ -100,26 +100,28 @@ ContactState BuildingContact::with_friction(Vector friction, const Axes& e, doub
   return c;
 }
 
-ContactState BuildingContact::slide(Vector known, double own, const Axes& e, double w,
-                                    const Accelerance& m, Vector guess, double enough) const {
+ContactState BuildingContact::slide(Vector known, double gamma_h, const Axes& e, double w,
+                                    const Accelerance& m, Vector guess,
+                                    double permitted_error) const {
   const Load uncoupled = loading_.at(e[0], e[1], w);
   Vector f;
   if (uncoupled.normal > 0.0) {
     if (m.isotropic)
-      f = holding(known + own * uncoupled.drive, own * uncoupled.normal * (1.0 + m.mean));
+      f = implicit_friction(known + gamma_h * uncoupled.drive,
+                            gamma_h * uncoupled.normal * (1.0 + m.mean));
     else
-      f = iterate(known, own, uncoupled, m, guess, enough, e, w);
+      f = iterate(known, gamma_h, uncoupled, m, guess, permitted_error, e, w);
   }
   ContactState c = with_friction(f, e, w, m);
-  c.v = known + own * c.a;
+  c.v = known + gamma_h * c.a;
   return c;
 }
 
 /// The normal force and what is not isotropic in R are taken from the last iterate: each changes
 /// little with f.
-Vector BuildingContact::iterate(Vector known, double own, const Load& uncoupled,
-                                const Accelerance& m, Vector guess, double enough, const Axes& e,
-                                double w) const {
+Vector BuildingContact::iterate(Vector known, double gamma_h, const Load& uncoupled,
+                                const Accelerance& m, Vector guess, double permitted_error,
+                                const Axes& e, double w) const {
   const double tangent = loading_.tan_slope();
   const Vector slope{tangent, 0.0};
   Vector f = guess;
@@ -127,18 +129,19 @@ Vector BuildingContact::iterate(Vector known, double own, const Load& uncoupled,
   for (int i = 0; i < 100; ++i) {
     const Vector response = m * (slope - f);
     const double normal = uncoupled.normal / (1.0 + tangent * response.s);
-    const Vector p = known + own * (uncoupled.drive + normal * (response + m.mean * f));
-    const double lambda = own * normal * (1.0 + m.mean);
+    const Vector p = known + gamma_h * (uncoupled.drive + normal * (response + m.mean * f));
+    const double lambda = gamma_h * normal * (1.0 + m.mean);
     if (friction_.excess({p, lambda}) <= 0.0) {
-      const Held rests = held((-1.0 / own) * known, e, w, m);
+      const RoofAndLoad rests = with_acceleration((-1.0 / gamma_h) * known, e, w, m);
       if (friction_.may_rest(rests.load)) return (1.0 / rests.load.normal) * rests.load.drive;
     }
-    const Vector next = holding(p, lambda), change = next - f;
+    const Vector next = implicit_friction(p, lambda), change = next - f;
     const double size = length(change);
     if (size > 0.5 * last) relaxation = 0.5;
     f = f + relaxation * change;
     last = size;
-    if (lambda * size * std::min(m.coupling, 1.0) <= enough || size <= 8.0 * epsilon * length(f))
+    if (lambda * size * std::min(m.coupling, 1.0) <= permitted_error ||
+        size <= 8.0 * epsilon * length(f))
       break;
   }
   return f;
@@ -147,17 +150,18 @@ Vector BuildingContact::iterate(Vector known, double own, const Load& uncoupled,
 Vector BuildingContact::release_acceleration(const Axes& e, double w, const Accelerance& m) const {
   BuildingContact slow = *this;
   slow.law_ = {};
-  const Held rests = held({}, e, w, m);
+  const RoofAndLoad rests = with_acceleration({}, e, w, m);
   const Vector a = slow.slide({}, 1.0, e, w, m, {}, 0.0).v;
   const double rounding = 16.0 * epsilon * length(rests.load.drive);
   return length(a) > rounding ? a : Vector{};  // on the threshold it has no direction yet
 }
 
-BuildingContact::Held BuildingContact::held(Vector acceleration, const Axes& e, double w,
-                                            const Accelerance& m) const {
-  const Axes own = to_building(acceleration);
-  Held h;
-  for (std::size_t i = 0; i < 2; ++i) h.a[i] = (e[i] - m.axis[i] * own[i]) / (1.0 + m.axis[i]);
+BuildingContact::RoofAndLoad BuildingContact::with_acceleration(Vector acceleration, const Axes& e,
+                                                                double w,
+                                                                const Accelerance& m) const {
+  const Axes block = to_building(acceleration);
+  RoofAndLoad h;
+  for (std::size_t i = 0; i < 2; ++i) h.a[i] = (e[i] - m.axis[i] * block[i]) / (1.0 + m.axis[i]);
   h.load = loading_.at(h.a[0], h.a[1], w);
   h.load.drive = h.load.drive - acceleration;
   return h;

@@ -58,8 +58,8 @@ class BuildingContact {
   }
   /// The least of mu(|v|) / mu between this velocity and rest.
   double least_factor(Vector v) const { return std::min(1.0, factor(v)); }
-  /// Friction that decreases with speed must do so slowly enough for an implicit step to have one
-  /// solution.
+  /// Friction that decreases with speed must do so slowly permitted_error for an implicit step to
+  /// have one solution.
   double longest_step_s(const Load& load, const Accelerance& accelerance) const {
     const double falls =
         law_.depends_on_speed() ? (1.0 - law_.mu_fast_over_slow) * law_.rate_s_per_m : 0.0;
@@ -68,21 +68,23 @@ class BuildingContact {
     return rate > 0.0 ? 2.0 / (rate * loading_.cos_slope()) : never;
   }
 
-  /// The block that slides with v = known + own v'.
+  /// The block that slides with v = known + gamma_h v', an implicit stage of gamma_h = gamma times
+  /// the step.
   /// @param e, w the acceleration of the uncoupled roof, and the vertical one
   /// @param guess initial value of the friction
-  /// @param enough permitted error of v
-  ContactState slide(Vector known, double own, const Axes& e, double w,
-                     const Accelerance& accelerance, Vector guess, double enough) const;
+  /// @param permitted_error permitted error of v
+  ContactState slide(Vector known, double gamma_h, const Axes& e, double w,
+                     const Accelerance& accelerance, Vector guess, double permitted_error) const;
 
   /// The same on an uncoupled roof.
-  ContactState slide_uncoupled(Vector known, double own, const Load& load) const {
+  ContactState slide_uncoupled(Vector known, double gamma_h, const Load& load) const {
     ContactState c;
     c.normal = load.normal;
     const double normal = std::max(load.normal, 0.0);
-    if (normal > 0.0) c.friction = holding(known + own * load.drive, own * normal);
+    if (normal > 0.0)
+      c.friction = implicit_friction(known + gamma_h * load.drive, gamma_h * normal);
     c.a = load.drive - normal * c.friction;
-    c.v = known + own * c.a;
+    c.v = known + gamma_h * c.a;
     return c;
   }
 
@@ -94,11 +96,12 @@ class BuildingContact {
                              const Accelerance& accelerance) const;
 
   /// For given v', 0 at rest: the roof acceleration, and the load that friction must balance.
-  struct Held {
+  struct RoofAndLoad {
     Axes a;
     Load load;
   };
-  Held held(Vector acceleration, const Axes& e, double w, const Accelerance& accelerance) const;
+  RoofAndLoad with_acceleration(Vector acceleration, const Axes& e, double w,
+                                const Accelerance& accelerance) const;
 
   /// From an acceleration per cos(slope) to the building's axes.
   Axes to_building(Vector a) const {
@@ -113,12 +116,14 @@ class BuildingContact {
            (law_.mu_fast_over_slow - 1.0) * std::exp(-law_.rate_s_per_m * speed_mps);
   }
   /// Friction per normal force of v = p - lambda f(v); v = 0 if that is a solution.
-  Vector holding(Vector p, double lambda) const {
-    return law_.depends_on_speed() ? holding_by_speed(p, lambda) : friction_.holding(p, lambda);
+  Vector implicit_friction(Vector p, double lambda) const {
+    return law_.depends_on_speed() ? implicit_friction_by_speed(p, lambda)
+                                   : friction_.implicit_friction(p, lambda);
   }
-  Vector holding_by_speed(Vector p, double lambda) const;
-  Vector iterate(Vector known, double own, const Load& uncoupled, const Accelerance& accelerance,
-                 Vector guess, double enough, const Axes& e, double w) const;
+  Vector implicit_friction_by_speed(Vector p, double lambda) const;
+  Vector iterate(Vector known, double gamma_h, const Load& uncoupled,
+                 const Accelerance& accelerance, Vector guess, double permitted_error,
+                 const Axes& e, double w) const;
 
   TwoAxisLoading loading_;
   FrictionEllipse friction_, at_rest_;

@@ -81,7 +81,7 @@ class FrictionEllipse {
 
   /// The friction f per normal force of the velocity v = p - lambda f: on the ellipse against v, or
   /// p / lambda if the block then stops.
-  Vector holding(Vector p, double lambda) const {
+  Vector implicit_friction(Vector p, double lambda) const {
     if (is_circle()) {
       const double size = length(p);
       if (size > lambda * mu_.s) return (mu_.s / size) * p;

@@ -11,7 +11,7 @@
 
 namespace glissade::block_detail {
 
-/// Through a history by its tables: from one interval in which something can happen to the next.
+/// Through a history by its tables: from one interval in which an event is possible to the next.
 /// There, starts and stops that bounds on derivatives prove to be the only ones are solved in
 /// closed form between them; all else is left to the scalar scheme (CoupledBody) for that interval.
 class CoupledHistory {

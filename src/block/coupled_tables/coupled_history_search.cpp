@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The next interval of a history in which something can happen.
+// The next interval of a history in which an event is possible.
 #include <array>
 #include <cmath>
 #include <vector>

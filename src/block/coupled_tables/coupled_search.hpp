@@ -7,7 +7,7 @@
 
 namespace glissade::block_detail {
 
-// Searching a table for the next node where something can happen. In single precision, with bounds
+// Searching a table for the next node where an event is possible. In single precision, with bounds
 // on the safe side: what is found is looked at exactly, and what is passed over cannot matter.
 // Compiled once per SIMD target, chosen at run time; nodes and tiles as in CoupledTable.
 

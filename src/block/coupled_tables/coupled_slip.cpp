@@ -22,23 +22,19 @@ namespace {
 
 /// All that a table depends on but the motion.
 struct Shared {
-  Oscillator oscillator;
-  double mass_ratio, slope_rad, friction, gravity_mps2, sign, vertical_ratio;
+  double period_s, damping_ratio, mass_ratio, slope_rad, friction, gravity_mps2, sign,
+      vertical_ratio;
 
   explicit Shared(const CoupledScene& s, bool vertical)
-      : oscillator(s.building.horizontal),
+      : period_s(s.building.horizontal.period_s),
+        damping_ratio(s.building.horizontal.damping_ratio),
         mass_ratio(s.building.mass_ratio),
         slope_rad(std::abs(s.block.slope_rad)),
         friction(s.block.friction),
         gravity_mps2(s.block.gravity_mps2),
         sign((s.block.slope_rad < 0.0) == (s.factors.horizontal < 0.0) ? 1.0 : -1.0),
         vertical_ratio(vertical ? s.factors.vertical / std::abs(s.factors.horizontal) : 0.0) {}
-  bool operator==(const Shared& o) const {
-    return oscillator.period_s == o.oscillator.period_s &&
-           oscillator.damping_ratio == o.oscillator.damping_ratio && mass_ratio == o.mass_ratio &&
-           slope_rad == o.slope_rad && friction == o.friction && gravity_mps2 == o.gravity_mps2 &&
-           sign == o.sign && vertical_ratio == o.vertical_ratio;
-  }
+  bool operator==(const Shared&) const = default;
 };
 
 /// Of gravity. With a larger vertical the block may lift, and the limits of its rest, which are

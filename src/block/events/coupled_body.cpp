@@ -225,7 +225,7 @@ void CoupledBody::coast() {
   speed_ = 0.0;
 }
 
-/// Of the block's mass and the building's, elastic about where the spring pulls nothing.
+/// Of the block's mass and the building's, elastic about the position of zero spring force.
 Envelope CoupledBody::free_vibration() const {
   const double mass = contact_.stuck().mass, root = std::sqrt(mass);
   return free_vibration_envelope(spring_.force(roof_.x) / mass, roof_.y / root,

@@ -30,7 +30,7 @@ class CoupledBody {
   /// The roof is at rest from now on.
   void coast();
 
-  // A motion without events that was worked out elsewhere.
+  // A motion without events that was computed elsewhere.
   void resume(const RoofState& roof, double speed_mps, double time_s) {
     roof_ = roof;
     speed_ = speed_mps;

@@ -45,9 +45,10 @@ class SteppedBlock {
     const double relative = velocity_x_ - velocity_p_;  // eq 10
     const double g = g_ + r.w;
     const bool slow_enough = relative == 0.0 || relative * previous_relative_ < 0.0;
-    const bool held = std::abs(r.a * cos_ - g * sin_) < mu_ * std::abs(g * cos_ + r.a * sin_);
+    const bool below_friction =
+        std::abs(r.a * cos_ - g * sin_) < mu_ * std::abs(g * cos_ + r.a * sin_);
     const bool blocked = one_way_ && relative <= 0.0 && r.a * cos_ > g * sin_;
-    sticking_ = slow_enough && (held || blocked);
+    sticking_ = slow_enough && (below_friction || blocked);
     double acceleration_x = r.a;  // eq 4
     if (sticking_) {
       velocity_x_ = velocity_p_;               // eq 5

@@ -10,7 +10,7 @@
 
 namespace glissade::block_detail {
 
-/// The time, or fraction of a piece, of what does not happen in it.
+/// The time, or fraction of a piece, of an event that is not in it.
 constexpr double never = std::numeric_limits<double>::infinity();
 
 /// A function linear in time over what is left of a piece of a sample interval.
@@ -36,7 +36,7 @@ inline double time_to_stop(double u0, const Line& drive, double length) {
   return std::min(t, length);
 }
 
-/// Where a block that slides is on its way.
+/// State of a sliding block.
 struct SlideState {
   double time = 0.0;
   double slip = 0.0;   ///< along the slope, down positive
@@ -63,7 +63,7 @@ class SlidingBlock {
   double speed() const { return speed_; }
   double slip() const { return slip_; }
 
-  // A phase that was worked out elsewhere, in parts.
+  // A phase that was computed elsewhere, in parts.
   void start(int direction) {
     direction_ = direction;
     ++phases_;

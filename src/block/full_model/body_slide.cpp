@@ -115,7 +115,7 @@ AxisSeries FullModelBody::with_block(const UncoupledRoof& uncoupled, const Build
                                      std::size_t n, double length_s) const {
   if (accelerance_.axis[n] == 0.0) return uncoupled.axis[n];
   const Axes e = uncoupled.e(0.0);
-  const Axes a = contact_.held(now_.a, e, uncoupled.excitation.w(0.0), accelerance_).a;
+  const Axes a = contact_.with_acceleration(now_.a, e, uncoupled.excitation.w(0.0), accelerance_).a;
   return with_added(uncoupled.axis[n], axes_[n], step.added[n],
                     axes_[n].omega_radps() * (a[n] - e[n]), step.added_rate[n], length_s,
                     length_s / uncoupled.excitation.length_s);

@@ -89,9 +89,10 @@ Stop FullModelBody::find_stop(const UncoupledRoof& uncoupled, double left_s,
           allowed) {
     const double rate0 = straight.begin_rate, rate1 = straight.end_rate;
     const Vector along = straight.along;
-    const Axes a0 = contact_.held(rate0 * along, e0, piece.w(0.0), accelerance_).a;
+    const Axes a0 = contact_.with_acceleration(rate0 * along, e0, piece.w(0.0), accelerance_).a;
     const Axes e1 = uncoupled.e(t / piece.length_s);
-    const Axes a1 = contact_.held(rate1 * along, e1, piece.w(t / piece.length_s), accelerance_).a;
+    const Axes a1 =
+        contact_.with_acceleration(rate1 * along, e1, piece.w(t / piece.length_s), accelerance_).a;
     for (std::size_t n = 0; n < 2; ++n) interaction[n] = {e0[n] - a0[n], e1[n] - a1[n]};
     const double path = std::max(0.0, t * (speed + t * (rate0 / 3.0 + rate1 / 6.0)));
     const double fastest =
@@ -102,7 +103,9 @@ Stop FullModelBody::find_stop(const UncoupledRoof& uncoupled, double left_s,
   if (!contact_.friction().is_circle() || speed == 0.0) return {};
   const Stop curved = find_curved_stop(uncoupled, left_s, allowed);
   if (curved.time_s != never) {  // by the balance of momentum
-    const Axes a = contact_.held((-1.0 / curved.time_s) * now_.v, e0, piece.w(0.0), accelerance_).a;
+    const Axes a =
+        contact_.with_acceleration((-1.0 / curved.time_s) * now_.v, e0, piece.w(0.0), accelerance_)
+            .a;
     for (std::size_t n = 0; n < 2; ++n) interaction[n] = {e0[n] - a[n], e0[n] - a[n]};
   }
   return curved;
@@ -111,7 +114,8 @@ Stop FullModelBody::find_stop(const UncoupledRoof& uncoupled, double left_s,
 /// The load that friction must balance if the block rests after this time.
 Load FullModelBody::load_at_rest(const UncoupledRoof& uncoupled, double after_s) const {
   const double fraction = after_s / uncoupled.excitation.length_s;
-  return contact_.held({}, uncoupled.e(fraction), uncoupled.excitation.w(fraction), accelerance_)
+  return contact_
+      .with_acceleration({}, uncoupled.e(fraction), uncoupled.excitation.w(fraction), accelerance_)
       .load;
 }
 
@@ -165,8 +169,8 @@ Stop FullModelBody::find_curved_stop(const UncoupledRoof& uncoupled, double left
              : Stop{};
 }
 
-/// On its way to rest the velocity turns to the drive's direction: between the two, neither an axis
-/// nor the displacement's own direction is passed.
+/// Until the block rests the velocity turns to the drive's direction: between the two, neither an
+/// axis nor the displacement's own direction is passed.
 bool FullModelBody::passes_no_peak(Vector drive) const {
   const Vector v = now_.v, out = scaled(track_.displacement(), contact_.loading().to_plan());
   return v.s * drive.s >= 0.0 && v.y * drive.y >= 0.0 && dot(out, v) * dot(out, drive) >= 0.0;

@@ -34,19 +34,20 @@ struct StageLoads {
 /// exact (`loads`); only the effect of the block is integrated, xi'' + 2 zeta omega xi' + k xi =
 /// -interaction. In a stage xi follows from the interaction in closed form, which only changes e
 /// and R:
-///   a = [e + b / (1 + beta)] - interaction / (1 + beta),   beta = own omega (2 zeta + k own omega)
+///   a = [e + b / (1 + beta)] - interaction / (1 + beta),   beta = gamma_h omega (2 zeta + k
+///   gamma_h omega)
 /// By the balance of momentum an error in xi' is m/M times that in v, so v alone is controlled.
 template <bool kCoupled>
-BuildingStep building_sdirk4(Vector v, Vector guess, double length_s, double enough,
+BuildingStep building_sdirk4(Vector v, Vector guess, double length_s, double permitted_error,
                              const StageLoads& loads, const BuildingContact& contact,
                              const std::array<AxisResponse, 2>& axes, const Accelerance& at_once) {
   using S = Sdirk4;
-  const double own = S::gamma * length_s;
+  const double gamma_h = S::gamma * length_s;
   double spring[2] = {}, per_stage_mass[2] = {};
   Accelerance accelerance;
   if constexpr (kCoupled) {
     for (std::size_t n = 0; n < 2; ++n) {
-      const double phase = own * axes[n].omega_radps;
+      const double phase = gamma_h * axes[n].omega_radps;
       spring[n] = axes[n].twice_zeta + axes[n].stiffness * phase;
       per_stage_mass[n] = 1.0 / (1.0 + phase * spring[n]);
     }
@@ -71,17 +72,18 @@ BuildingStep building_sdirk4(Vector v, Vector guess, double length_s, double eno
         rest[n] = -(axes[n].stiffness * before[n].x + spring[n] * before[n].y) * per_stage_mass[n];
         e[n] += rest[n];
       }
-      step.end = contact.slide(known, own, e, loads.w[i], accelerance, guess, enough);
+      step.end = contact.slide(known, gamma_h, e, loads.w[i], accelerance, guess, permitted_error);
       for (std::size_t n = 0; n < 2; ++n) {
         rate[i][n].y = axes[n].omega_radps * (rest[n] - step.end.interaction[n]);
         step.added_rate[n] = rate[i][n].y;
-        step.added[n].y = before[n].y + own * rate[i][n].y;
+        step.added[n].y = before[n].y + gamma_h * rate[i][n].y;
         rate[i][n].x = axes[n].omega_radps * step.added[n].y;
-        step.added[n].x = before[n].x + own * rate[i][n].x;
+        step.added[n].x = before[n].x + gamma_h * rate[i][n].x;
       }
       guess = step.end.friction;
     } else {
-      step.end = contact.slide_uncoupled(known, own, contact.loading().at(e[0], e[1], loads.w[i]));
+      step.end =
+          contact.slide_uncoupled(known, gamma_h, contact.loading().at(e[0], e[1], loads.w[i]));
     }
     return step.end.a;
   };

@@ -29,16 +29,16 @@ struct SlidingStep {
   double error = 0.0;  ///< of end.v, estimated
 };
 
-/// Remainder of an error of the velocity after an implicit step of `own_s`: friction turns it
+/// Remainder of an error of the velocity after an implicit step of `gamma_h`: friction turns it
 /// toward v at the rate |f| N / |v|, which is large for small v (Hairer & Wanner 1996, IV.8: an
 /// estimate must not include the part that stiffness damps).
-inline Vector damped(Vector error, Vector v, double own_s, double normal,
+inline Vector damped(Vector error, Vector v, double gamma_h, double normal,
                      const FrictionEllipse& friction) {
   const double speed2 = dot(v, v);
   if (speed2 == 0.0) return error;
   const Vector along = (dot(error, v) / speed2) * v;
   const double stiffness = friction.smallest() * std::max(normal, 0.0) / std::sqrt(speed2);
-  return along + 1.0 / (1.0 + own_s * stiffness) * (error - along);
+  return along + 1.0 / (1.0 + gamma_h * stiffness) * (error - along);
 }
 
 /// By which to multiply the length of a step for its error to become `ratio` times as large, with
@@ -63,14 +63,14 @@ constexpr double shortest_step = 1e-9;
 constexpr double rounding_speed = 1e-9;
 
 /// SDIRK4 over `length_s` from velocity v.
-/// @param rate (stage, known, own_s) -> v' at a stage, where v = known + own_s v'
+/// @param rate (stage, known, gamma_h) -> v' at a stage, where v = known + gamma_h v'
 /// @param normal () -> normal force at the end, by which friction turns the velocity
 template <class Rate, class Normal>
 [[gnu::always_inline]] inline SlidingStep sdirk4(Vector v, double length_s,
                                                  const FrictionEllipse& friction, const Rate& rate,
                                                  const Normal& normal) {
   using S = Sdirk4;
-  const double own = S::gamma * length_s;
+  const double gamma_h = S::gamma * length_s;
   Vector k[S::stages], stage_v, error;
   // Unrolled and inline, the tableau's numbers are constants and its zeros vanish: a third faster.
 #pragma GCC unroll 5
@@ -79,12 +79,12 @@ template <class Rate, class Normal>
 #pragma GCC unroll 5
     for (int j = 0; j < i; ++j) known = known + S::a[i][j] * k[j];
     known = v + length_s * known;
-    k[i] = rate(i, known, own);
-    stage_v = known + own * k[i];
+    k[i] = rate(i, known, gamma_h);
+    stage_v = known + gamma_h * k[i];
     error = error + S::difference[i] * k[i];
   }
   return {{stage_v, k[S::stages - 1]},
-          length_s * length(damped(error, stage_v, own, normal(), friction))};
+          length_s * length(damped(error, stage_v, gamma_h, normal(), friction))};
 }
 
 }  // namespace glissade::block_detail

@@ -22,10 +22,10 @@ template <class Displacement, class Velocity>
 double first_reach(const Displacement& displacement, const Velocity& velocity, double radius_m) {
   const auto beyond = [&](double tau) { return length(displacement(tau)) - radius_m; };
   const auto recedes = [&](double tau) { return -dot(displacement(tau), velocity(tau)); };
-  constexpr int parts = 8;
+  constexpr int subintervals = 8;
   double from = 0.0;
-  for (int i = 1; i <= parts; ++i) {
-    const double to = static_cast<double>(i) / parts;
+  for (int i = 1; i <= subintervals; ++i) {
+    const double to = static_cast<double>(i) / subintervals;
     if (recedes(from) < 0.0 && recedes(to) > 0.0) {
       const double farthest = rise_between(recedes, from, to);
       if (beyond(farthest) >= 0.0) return rise_between(beyond, from, farthest);

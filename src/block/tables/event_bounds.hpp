@@ -17,7 +17,7 @@ struct Lines {
 };
 
 /// Intervals of the tables of a roof in which an event is possible and that peak_slip examines
-/// exactly. Shares ownership of the tables.
+/// exactly. The tables outlive it.
 class EventBounds {
  public:
   /// @param w null: no vertical

@@ -114,7 +114,7 @@ class EventKernel {
     double first = 1.0;
     int direction = 0;
     // The drive it did not stop under first: the two are never positive at once, so where that one
-    // pushes already the other need not be looked at.
+    // is positive already the other is not examined.
     for (const int candidate : {stopped > 0 ? -1 : 1, stopped > 0 ? 1 : -1}) {
       if (index(candidate) >= lines_.directions) continue;
       Piece& drive = rest_[index(candidate)];
@@ -222,7 +222,7 @@ class EventKernel {
     return still_sliding(last_);
   }
 
-  /// An interval in which the block may lift: the roof motion linear over parts of it.
+  /// An interval in which the block may lift: the roof motion linear over 64ths of it.
   std::size_t lifted(std::size_t i);
 
   const MotionTable& a_;
@@ -259,14 +259,14 @@ std::size_t EventKernel<Piece, History>::lifted(std::size_t i) {
   if constexpr (linear) {
     body_.interval(step_s_, time(i + 1), scaled(roof(i)), scaled(roof(i + 1)));
   } else {
-    constexpr int parts = 64;
+    constexpr int pieces = 64;
     const auto [a_after, w_after, vertical] = interval(i);
     const QuarticPiece a(a_after, step_s_), w(w_after, step_s_);
     Roof left = scaled({a.at(0.0), vertical ? w.at(0.0) : 0.0});
-    for (int part = 1; part <= parts; ++part) {
-      const double tau = static_cast<double>(part) / parts;
+    for (int k = 1; k <= pieces; ++k) {
+      const double tau = static_cast<double>(k) / pieces;
       const Roof right = scaled({a.at(tau), vertical ? w.at(tau) : 0.0});
-      body_.interval(step_s_ / parts, time(i) + tau * step_s_, left, right);
+      body_.interval(step_s_ / pieces, time(i) + tau * step_s_, left, right);
       left = right;
     }
   }

@@ -76,7 +76,7 @@ void LaneHistory::start(HistoryState& state, bool smoothly) {
   if (smoothly) start_smoothly(state);
 }
 
-/// The fraction of a piece after which friction holds the block no longer, or
+/// The fraction of a piece after which the block no longer sticks, or
 /// never.
 double LaneHistory::release(const RoofPiece& piece) const {
   const auto excess = [&](double tau) { return -friction_reserve(piece.load(tau), constants_); };
@@ -86,11 +86,11 @@ double LaneHistory::release(const RoofPiece& piece) const {
   if (end > 0.0) return rise_by_secant(excess, 0.0, 1.0, std::min(begin, 0.0), end);
   const double deviation = piece.deviation();
   if (deviation == 0.0 || -std::max(begin, end) > deviation) return never;
-  constexpr int parts = 16;
+  constexpr int subintervals = 16;
   double before = std::min(begin, 0.0);
-  for (int i = 1; i < parts; ++i) {
-    const double tau = static_cast<double>(i) / parts, value = excess(tau);
-    if (value > 0.0) return rise_by_secant(excess, tau - 1.0 / parts, tau, before, value);
+  for (int i = 1; i < subintervals; ++i) {
+    const double tau = static_cast<double>(i) / subintervals, value = excess(tau);
+    if (value > 0.0) return rise_by_secant(excess, tau - 1.0 / subintervals, tau, before, value);
     before = value;
   }
   return never;

@@ -19,9 +19,9 @@ constexpr double negligible_stop = 50.0;
 
 Vector velocity(const HistoryState& state) { return {state.motion.v_s, state.motion.v_y}; }
 
-/// Coulomb friction and a roof that the block may accelerate: V' from V = known + own V'.
-Vector stage(const Constants<double>& c, const FrictionEllipse& friction, Vector known, double own,
-             const Load& load, Vector guess) {
+/// Coulomb friction and a roof that the block may accelerate: V' from V = known + gamma_h V'.
+Vector stage(const Constants<double>& c, const FrictionEllipse& friction, Vector known,
+             double gamma_h, const Load& load, Vector guess) {
   const double per_kappa = c.per_kappa_y;
   const bool even = c.rho_sin_cos == 0.0;
   Vector a = guess;
@@ -31,10 +31,11 @@ Vector stage(const Constants<double>& c, const FrictionEllipse& friction, Vector
     const double effective = std::max(normal, 0.0) * per_kappa, lambda = c.mu * effective;
     const Vector drive =
         per_kappa * Vector{load.drive.s + (1.0 / per_kappa - c.kappa) * a.s, load.drive.y};
-    const Vector p = known + own * drive;
-    const bool slides = friction.excess({p, own * effective}) > 0.0;
-    const Vector next =
-        slides ? drive - effective * friction.holding(p, own * effective) : (-1.0 / own) * known;
+    const Vector p = known + gamma_h * drive;
+    const bool slides = friction.excess({p, gamma_h * effective}) > 0.0;
+    const Vector next = slides
+                            ? drive - effective * friction.implicit_friction(p, gamma_h * effective)
+                            : (-1.0 / gamma_h) * known;
     const double change = length(next - a);
     a = next;
     if (even || change <= 1e-13 * lambda) break;
@@ -47,9 +48,9 @@ SlidingStep sdirk4(const Constants<double>& c, const FrictionEllipse& friction, 
                    const RoofPiece& piece, double fraction) {
   Load load;
   Vector last;
-  const auto rate = [&](int i, Vector known, double own_s) {
+  const auto rate = [&](int i, Vector known, double gamma_h) {
     load = piece.load(fraction * Sdirk4::at[i]);
-    return last = stage(c, friction, known, own_s, load, last);
+    return last = stage(c, friction, known, gamma_h, load, last);
   };
   return sdirk4(v, fraction * piece.length_s(), friction, rate,
                 [&] { return c.per_kappa_y * load.normal; });

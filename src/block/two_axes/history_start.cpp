@@ -26,8 +26,8 @@ StartSeries expand(const Vector (&p)[terms + 1], const double (&n)[terms + 1], d
   Vector e[terms + 1];
   const Vector first{p[0].s, p[0].y / squared.y};
   e[0] = (1.0 / length(first)) * first;
-  const Vector across{-e[0].y, e[0].s}, held = scaled(squared, e[0]),
-                                        held_across = scaled(squared, across);
+  const Vector across{-e[0].y, e[0].s}, squared_e = scaled(squared, e[0]),
+                                        squared_across = scaled(squared, across);
   for (int m = 0; m < terms; ++m) {
     Vector known = p[m + 1], before{};
     double bend = 0.0;
@@ -35,10 +35,10 @@ StartSeries expand(const Vector (&p)[terms + 1], const double (&n)[terms + 1], d
     for (int j = 0; j < m; ++j) before = before + z.speed[j] * e[m - j];
     for (int j = 1; j <= m; ++j) bend -= 0.5 * dot(e[j], e[m + 1 - j]);
     const double order = m + 2.0;
-    const double rotation =
-        ((dot(known, across) - order * dot(before, across)) / n[0] - bend * dot(across, held)) /
-        dot(across, held_across);
-    const double friction = bend * dot(e[0], held) + rotation * dot(e[0], held_across);
+    const double rotation = ((dot(known, across) - order * dot(before, across)) / n[0] -
+                             bend * dot(across, squared_e)) /
+                            dot(across, squared_across);
+    const double friction = bend * dot(e[0], squared_e) + rotation * dot(e[0], squared_across);
     z.speed[m] = (dot(known, e[0]) - n[0] * friction) / order - dot(before, e[0]);
     z.w[m] = z.speed[m] * e[0] + before;
     e[m + 1] = bend * e[0] + rotation * across;

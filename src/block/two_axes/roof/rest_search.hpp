@@ -21,7 +21,7 @@ struct RestMotion {
   const double* w;
 };
 
-/// The first of eight nodes at which friction holds the block by less than
+/// The first of eight nodes at which the friction reserve is less than
 /// `needed`, or 8.
 std::size_t first_release(const RestMotion& motion, const Constants<double>& constants,
                           double needed);

@@ -26,9 +26,9 @@ class RoofAtRest {
   /// The bounds from this node on; after the record, the state too.
   void renew(std::size_t node);
 
-  /// Friction holds the block from this node on, whatever is still to come.
+  /// The block sticks from this node on, whatever is still to come.
   bool sticks_from(std::size_t node) const;
-  /// Friction holds the block from this node to `tile_end`.
+  /// The block sticks from this node to `tile_end`.
   bool sticks_in_tile(std::size_t node) const;
   std::size_t tile_end(std::size_t node) const;
   /// The first node, up to and including `end`, where friction might not hold
@@ -37,7 +37,7 @@ class RoofAtRest {
 
  private:
   bool rigid() const { return roof_ == RoofKind::rigid; }
-  /// Friction holds the block whatever the roof does within these bounds.
+  /// The block sticks whatever the roof does within these bounds.
   bool sticks(const std::array<double, 2>& a, double w) const;
   double factor(std::size_t axis) const {
     return axis == 0 ? constants_.factor_1 : constants_.factor_2;
