@@ -66,7 +66,7 @@ RoofState CoupledHistory::roof(std::size_t node) const {
 }
 
 /// Makes this node the reference of what follows.
-void CoupledHistory::be_at(std::size_t node, const RoofState& roof, double speed_mps) {
+void CoupledHistory::set_reference(std::size_t node, const RoofState& roof, double speed_mps) {
   const RegimeOscillator& r = regime();
   const CoupledTable::Response& response = table_.response(body_.direction());
   const double weight = r.contact.weight * r.gravity_mps2, table = ringing_down_ ? 0.0 : intensity_;
@@ -124,26 +124,26 @@ void CoupledHistory::set_reference_here() {
     body_at_phase_ = body_;
     phase_node_ = node_;
   }
-  be_at(node_, now, speed_now);
+  set_reference(node_, now, speed_now);
 }
 
 /// From here on the tables are zero, and the free vibration is all there is.
 void CoupledHistory::begin_ring_down() {
   set_reference_here();
   ringing_down_ = true;
-  be_at(node_, roof_from_, speed_from_);
+  set_reference(node_, roof_from_, speed_from_);
 }
 
-bool CoupledHistory::over() const {
+bool CoupledHistory::finished() const {
   return ringing_down_ && !body_.sliding() &&
          cannot_slip(block_, regime().s2.size() * free_.size(), 0.0);
 }
 
 bool CoupledHistory::run() {
-  be_at(0, {}, 0.0);
+  set_reference(0, {}, 0.0);
   while (node_ < end_ && fits_) {
     if (!ringing_down_ && node_ == quiet_from_) begin_ring_down();
-    if (over()) break;
+    if (finished()) break;
     const std::size_t to = std::min(
         end_, ringing_down_ ? node_ + CoupledTable::zeros - CoupledTable::tile : quiet_from_);
     node_ = phase_began_ ? node_ : next_interval(to);
@@ -188,7 +188,7 @@ void CoupledHistory::advance(CoupledBody& body, std::size_t interval,
 }
 
 /// The interval by the scalar scheme.
-void CoupledHistory::by_body(const IntervalState& now) {
+void CoupledHistory::by_reference_scheme(const IntervalState& now) {
   node_ = now.interval;
   set_reference_here();
   advance(body_, now.interval, now.ground);
@@ -196,7 +196,7 @@ void CoupledHistory::by_body(const IntervalState& now) {
     body_at_phase_ = body_;
     phase_node_ = now.interval + 1;
   }
-  be_at(now.interval + 1, body_.roof(), body_.speed());
+  set_reference(now.interval + 1, body_.roof(), body_.speed());
 }
 
 }  // namespace glissade::block_detail

@@ -51,10 +51,10 @@ class CoupledHistory {
   double travel(std::size_t node, const RoofState& roof) const;
   double speed(std::size_t node, const RoofState& roof) const;
 
-  void be_at(std::size_t node, const RoofState& roof, double speed_mps);
+  void set_reference(std::size_t node, const RoofState& roof, double speed_mps);
   void set_reference_here();
   void begin_ring_down();
-  bool over() const;
+  bool finished() const;
   std::size_t next_interval(std::size_t to) const;
   std::size_t next_start_in(std::size_t first, std::size_t last) const;
   std::size_t next_stop_in(std::size_t first, std::size_t last) const;
@@ -67,7 +67,7 @@ class CoupledHistory {
   void start(const IntervalState& now, const Begin& begin);
   bool rests(const IntervalState& now, double tau, Amplitude z) const;
   void slid(double distance_m, double duration_s, std::size_t end_interval);
-  void by_body(const IntervalState& now);
+  void by_reference_scheme(const IntervalState& now);
   void advance(CoupledBody& body, std::size_t interval, const LinearGround& ground) const;
 
   const CoupledTable& table_;

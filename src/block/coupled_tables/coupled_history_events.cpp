@@ -44,7 +44,7 @@ bool CoupledHistory::solve_interval(std::size_t interval) {
     if (body_.sliding()) body_before_->slid(travel(interval, now.roof), time_s(interval - from_));
     body_before_->resume(now.roof, now.speed, time_s(interval));
   }
-  if (!(body_.sliding() ? slide_in(now) : rest_in(now))) by_body(now);
+  if (!(body_.sliding() ? slide_in(now) : rest_in(now))) by_reference_scheme(now);
   return !body_.has_lifted();
 }
 
@@ -103,7 +103,7 @@ void CoupledHistory::start(const IntervalState& now, const Begin& phase) {
   }
   body_.start(phase.direction);
   slid(phase.distance, phase.duration, now.interval);
-  be_at(now.interval + 1, phase.roof, phase.speed);
+  set_reference(now.interval + 1, phase.roof, phase.speed);
   phase_began_ = true;
 }
 
@@ -144,8 +144,8 @@ bool CoupledHistory::slide_in(const IntervalState& now) {
   if (reversal) {
     start(now, *reversal);
   } else {
-    be_at(now.interval + 1,
-          stuck.state(z_stuck * stuck.after(1.0 - tau).power, now.ground.after(1.0)), 0.0);
+    set_reference(now.interval + 1,
+                  stuck.state(z_stuck * stuck.after(1.0 - tau).power, now.ground.after(1.0)), 0.0);
   }
   return true;
 }
