@@ -46,6 +46,27 @@ StartSeries expand(const Vector (&p)[terms + 1], const double (&n)[terms + 1], d
   return z;
 }
 
+/// The series under the load of a piece. What the block itself adds to the load is taken from the
+/// series `before`, null: nothing yet. All zero where the load has no direction.
+StartSeries series_under(const RoofPiece& piece, const Constants<double>& c,
+                         const StartSeries* before) {
+  const double left_s = piece.length_s(), anisotropy = 1.0 - c.per_kappa_y * c.kappa,
+               coupling = c.per_kappa_y * c.mu * c.rho_sin_cos;
+  Vector p[terms + 1];
+  double n[terms + 1];
+  for (int k = 0; k <= terms; ++k) {
+    const Load load = piece.term(k);
+    p[k] = (left_s * c.per_kappa_y) * Vector{load.drive.s, c.aspect * load.drive.y};
+    n[k] = left_s * c.per_kappa_y * c.mu * load.normal;
+    if (k == 0 || before == nullptr) continue;
+    const double rate_s = (k + 1.0) * before->w[k - 1].s;
+    p[k].s += anisotropy * rate_s;
+    n[k] -= coupling * rate_s;
+  }
+  n[0] = length({p[0].s, p[0].y * (c.per_aspect * c.per_aspect)});
+  return n[0] > 0.0 ? expand(p, n, c.aspect) : StartSeries{};
+}
+
 /// The elapsed fraction up to which the series is good: its last term below `allowed` of the speed
 /// so far, or of its own, and its terms falling. 0 where that is next to nothing.
 double usable_fraction(const StartSeries& z, double allowed, double fastest_mps) {
@@ -73,26 +94,11 @@ void LaneHistory::start_smoothly(HistoryState& state) {
   RoofPiece::BlockVelocity block_velocity;
   RoofPiece rest_of_interval = piece(state, block_velocity);
   const double left_s = rest_of_interval.length_s();
-  const double anisotropy = 1.0 - c.per_kappa_y * c.kappa,
-               coupling = c.per_kappa_y * c.mu * c.rho_sin_cos;
   const int passes = roof_ == RoofKind::coupled ? 3 : 1;
   StartSeries z;
   double tau = 0.0;
   for (int pass = 0; pass < passes; ++pass) {
-    Vector p[terms + 1];
-    double n[terms + 1];
-    for (int k = 0; k <= terms; ++k) {
-      const Load load = rest_of_interval.term(k);
-      p[k] = (left_s * c.per_kappa_y) * Vector{load.drive.s, c.aspect * load.drive.y};
-      n[k] = left_s * c.per_kappa_y * c.mu * load.normal;
-      if (k == 0 || pass == 0) continue;
-      const double rate_s = (k + 1.0) * z.w[k - 1].s;  // what is not the same in both directions
-      p[k].s += anisotropy * rate_s;
-      n[k] -= coupling * rate_s;
-    }
-    n[0] = length({p[0].s, p[0].y * (c.per_aspect * c.per_aspect)});
-    if (!(n[0] > 0.0)) return;
-    z = expand(p, n, c.aspect);
+    z = series_under(rest_of_interval, c, pass == 0 ? nullptr : &z);
     tau = usable_fraction(z, 0.1 * c.tolerance, m.fastest);
     if (tau == 0.0) return;
     if (passes == 1) break;
