@@ -9,6 +9,7 @@
 #include "checks.hpp"
 #include "glissade/core/contract.hpp"
 #include "glissade/core/quantile.hpp"
+#include "glissade/fragility/bootstrap.hpp"
 
 namespace glissade {
 namespace {
@@ -126,17 +127,6 @@ std::vector<Sensitivity> sensitivity_of(const Project& project, const Results& d
   for (Sensitivity& row : periods) row.is_governing = row.clearance_m == largest;
   if (periods.size() > 1) rows.insert(rows.end(), periods.begin(), periods.end());
   return rows;
-}
-
-/// At least as wide as a binomial's where none, or all, of as many trials as there are records
-/// exceed (Clopper & Pearson 1934).
-Interval widened(const Interval& interval, double probability, std::size_t records) {
-  const double none = std::pow(0.025, 1.0 / static_cast<double>(records));
-  Interval wide = interval;
-  if (std::isnan(interval.low) || std::isnan(interval.high)) wide = {probability, probability};
-  if (probability <= 0.5) wide.high = std::max(wide.high, 1.0 - none);
-  if (probability >= 0.5) wide.low = std::min(wide.low, none);
-  return wide;
 }
 
 }  // namespace

@@ -37,8 +37,9 @@ PrescribedValue asce7_16(const Project& project, const SiteValues& site) {
       .conditions = {condition("roof slope of 1 in 20 or less",
                                project.slope_deg.back() <= asce7_16_slope_limit_deg,
                                Provenance::recalled),
-                     condition("coefficient of friction of 0.4 or more",
-                               project.friction.design() >= 0.4, Provenance::recalled),
+                     condition(
+                         fmt::format("coefficient of friction of {:g} or more", asce7_16_mu_limit),
+                         project.friction.design() >= asce7_16_mu_limit, Provenance::recalled),
                      condition("risk category I, II or III", project.site.risk != RiskCategory::iv,
                                Provenance::recalled),
                      {"six storeys or fewer", std::nullopt, Provenance::recalled}},

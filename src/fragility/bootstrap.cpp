@@ -237,4 +237,13 @@ FitSummary fit_capacities_by_record(const std::vector<RecordCapacities>& records
   return fit_by_record(CapacityRecords(records, censored_at), options, band_intensities, band);
 }
 
+Interval widened(const Interval& interval, double probability, std::size_t records) {
+  const double none = std::pow(0.025, 1.0 / static_cast<double>(records));
+  Interval wide = interval;
+  if (std::isnan(interval.low) || std::isnan(interval.high)) wide = {probability, probability};
+  if (probability <= 0.5) wide.high = std::max(wide.high, 1.0 - none);
+  if (probability >= 0.5) wide.low = std::min(wide.low, none);
+  return wide;
+}
+
 }  // namespace glissade

@@ -68,4 +68,9 @@ Interval bootstrap_interval(std::size_t records,
                             const std::function<double(const std::vector<double>&)>& statistic,
                             const BootstrapOptions& options);
 
+/// The interval of a probability, at least as wide as a binomial's where none, or all, of as many
+/// trials as there are records exceed (Clopper & Pearson 1934). Without an interval that of the
+/// probability itself is widened.
+Interval widened(const Interval& interval, double probability, std::size_t records);
+
 }  // namespace glissade

@@ -30,6 +30,8 @@ inline constexpr double seaoc_slope_limit_deg = 3.0, seaoc_mu_limit = 0.4;
 
 /// ASCE 7-16 section 13.6.12 is for roofs up to 1 in 20 (recalled: verify against the standard).
 inline constexpr double asce7_16_slope_limit_deg = 2.8624052261117474;
+/// And for friction of this or more (recalled).
+inline constexpr double asce7_16_mu_limit = 0.4;
 
 /// SEAOC PV1-2012 design displacement: 60 (S_DS - 0.4)^2 in for SDC D, E, F (checked); not less
 /// than 6 in (recalled); 6 in for SDC A-C (recalled). S_DS < 0.4 g counts as 0.4.

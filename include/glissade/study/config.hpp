@@ -144,6 +144,12 @@ struct HazardConfig {
   std::vector<double> target_rates_per_year;  ///< > 0, falling
 };
 
+/// The probabilities of exceedance that prescribed displacements are judged by: the first is
+/// accepted at DBE.
+struct VerdictConfig {
+  std::vector<double> exceedance = {0.1, 0.05, 0.01};  ///< falling, (0, 1)
+};
+
 /// A study as its file states it: checked, defaults filled in, nothing read or run yet.
 struct StudyConfig {
   std::string name;
@@ -168,6 +174,7 @@ struct StudyConfig {
   std::optional<ChartConfig> chart;
   std::optional<ClearanceConfig> clearance;
   std::optional<HazardConfig> hazard;
+  std::optional<VerdictConfig> verdict;
   StandardsConfig standards;
   bool impact = false;               ///< when and how fast each threshold is first reached
   bool base_shear = false;           ///< two axes: peak base shear of the building

@@ -14,6 +14,7 @@
 #include "glissade/study/analysis/condition_table.hpp"
 #include "glissade/study/analysis/hazard.hpp"
 #include "glissade/study/analysis/tipping.hpp"
+#include "glissade/study/analysis/verdict.hpp"
 #include "glissade/study/cases/case_set.hpp"
 #include "glissade/study/config.hpp"
 #include "glissade/study/run/history_table.hpp"
@@ -208,6 +209,7 @@ struct Results {
   std::optional<BaseShearResults> base_shear;
   std::optional<TippingResults> tipping;
   std::optional<HazardResults> hazard;
+  std::optional<VerdictResults> verdict;
 };
 
 /// The histories of some cases in a row.

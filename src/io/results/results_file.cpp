@@ -178,6 +178,16 @@ void check_shape(const TippingResults& tipping, const Results& results) {
   }
 }
 
+void check_shape(const VerdictResults& verdict, const Results& results) {
+  expect_fit(!verdict.exceedance.empty(), "exceedance", "verdict");
+  for (const VerdictRow& row : verdict.rows) {
+    expect_fit(row.first_case < results.cases.size(), "first_case", "cases");
+    expect_fit(row.displacement_m.size() == verdict.exceedance.size() &&
+                   row.displacement_interval.size() == verdict.exceedance.size(),
+               "displacement_m", "exceedance");
+  }
+}
+
 /// With the conditions, which are made of the histories again.
 void check_analyses(Results& results) {
   if (results.chart) check_shape(*results.chart, results.levels.size());
@@ -185,6 +195,7 @@ void check_analyses(Results& results) {
   if (results.clearance) check_shape(*results.clearance, results);
   if (results.base_shear) check_shape(*results.base_shear, results);
   if (results.tipping) check_shape(*results.tipping, results);
+  if (results.verdict) check_shape(*results.verdict, results);
 }
 
 }  // namespace

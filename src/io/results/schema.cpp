@@ -8,6 +8,7 @@
 #include "results/analysis/fragility.hpp"
 #include "results/analysis/hazard.hpp"
 #include "results/analysis/tipping.hpp"
+#include "results/analysis/verdict.hpp"
 #include "results/archive.hpp"
 #include "results/shared_schema.hpp"
 
@@ -214,6 +215,8 @@ void exchange_analyses(const Archive& archive, const IntensityScale& scale, R& r
            [&](const auto& group, auto& found) { exchange_tipping(group, scale, found); });
   if_there(archive, "hazard", results.hazard,
            [&](const auto& group, auto& found) { exchange_hazard(group, scale, found); });
+  if_there(archive, "verdict", results.verdict,
+           [&](const auto& group, auto& found) { exchange_verdict(group, found); });
 }
 
 template <class Archive, class R>

@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "enum_names.hpp"
 #include "glissade/core/units.hpp"
+#include "glissade/study/analysis/verdict.hpp"
 #include "study/hazard_table.hpp"
 #include "text/scan.hpp"
 #include "toml/number_list.hpp"
@@ -172,7 +174,8 @@ void read_standards(const TomlTable& root, StudyConfig& study) {
         "standards.compare needs intensity.measure = \"sds_g\": the standards prescribe by S_DS",
         "measure by sds_g, or leave [standards] out");
   }
-  needs(root, "standards", root.has("fragility") || root.has("chart"), "[fragility] or [chart]");
+  needs(root, "standards", root.has("fragility") || root.has("chart") || root.has("verdict"),
+        "[fragility], [chart] or [verdict]");
 }
 
 void read_impact(const TomlTable& root, StudyConfig& study) {
@@ -192,6 +195,23 @@ void read_tipping(const TomlTable& root, StudyConfig& study) {
   base.width_m = table.required_number("base_width_m", above_zero);
 }
 
+void read_verdict(const TomlTable& root, StudyConfig& study) {
+  const TomlTable table = root.table("verdict");
+  constexpr NumberRule share_rule{"above 0 and below 1",
+                                  [](double x) { return x > 0.0 && x < 1.0; }};
+  std::vector<double>& exceedance = study.verdict.emplace().exceedance;
+  exceedance = table.numbers("exceedance", share_rule).value_or(exceedance);
+  if (exceedance.empty() || !std::ranges::is_sorted(exceedance, std::greater_equal<>()))
+    table.report("exceedance", "verdict.exceedance is not a falling list of probabilities",
+                 "for example exceedance = [0.1, 0.05, 0.01]");
+  needs(root, "verdict", root.has("standards"), "[standards] compare");
+  const std::vector<double>& levels = study.intensity.levels;
+  needs(root, "verdict",
+        std::ranges::any_of(levels,
+                            [&](double l) { return level_at(levels, 1.5 * l) < levels.size(); }),
+        "intensity.levels with 1.5 times one of them: the MCE of a design earthquake");
+}
+
 /// Which values of drawn friction an analysis reads, and no more are run than are read.
 void check_friction_values(const TomlTable& root, const StudyConfig& study) {
   if (!study.quantities.at("friction", "mu").is_drawn() &&
@@ -200,7 +220,7 @@ void check_friction_values(const TomlTable& root, const StudyConfig& study) {
   const auto runs = [&](FrictionValue value) {
     return std::ranges::find(study.friction.values, value) != study.friction.values.end();
   };
-  const bool by_combination = study.fragility || study.tipping,
+  const bool by_combination = study.fragility || study.tipping || study.verdict,
              by_condition = study.clearance || study.base_shear;
   const bool sampled = runs(FrictionValue::as_drawn), design = runs(FrictionValue::design);
   const auto report = [&](const char* what, const char* suggestion) {
@@ -232,7 +252,8 @@ constexpr AnalysisTable analysis_tables[] = {
     {"fragility", read_fragility, true, false}, {"chart", read_chart, true, true},
     {"clearance", read_clearance, true, true},  {"base_shear", read_base_shear, true, true},
     {"standards", read_standards, false, true}, {"impact", read_impact, false, true},
-    {"hazard", read_hazard, false, true},       {"tipping", read_tipping, false, false}};
+    {"hazard", read_hazard, false, true},       {"tipping", read_tipping, false, false},
+    {"verdict", read_verdict, true, true}};
 
 /// "[fragility], [chart] ..." of those for which a property holds.
 template <class Property>

@@ -171,6 +171,10 @@ void add_analyses(std::vector<GrammarKey>& keys) {
         "importance factor, 1 to 1.5"},
        {"standards", "seismic_design_category", "\"A\" to \"F\"", "\"D\"",
         "seismic design category"},
+       {"verdict", "exceedance", "list", "[0.1, 0.05, 0.01]",
+        "prescribed displacements are judged: the first probability of exceedance is accepted at "
+        "S_DS; the displacement of each is found; needs [standards], and levels of which 1.5 times "
+        "are listed too (MCE)"},
        {"chart", "shown", "{ slope_deg, mu, level }", "the middle; the highest level",
         "where the figures cut through the chart"},
        {"chart", "read", "[[chart.read]] with level, slope_deg and mu or displacement_m", "none",

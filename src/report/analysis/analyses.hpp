@@ -32,6 +32,7 @@ AnalysisReport impact_report();
 AnalysisReport chart_report();
 AnalysisReport tipping_report();
 AnalysisReport hazard_report();
+AnalysisReport verdict_report();
 
 /// What a part gives for each analysis, one after the other.
 template <class T>

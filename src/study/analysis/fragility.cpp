@@ -145,16 +145,6 @@ std::string friction_text(const StudyConfig& config, const Case& c, const std::s
   return listed.empty() ? text : text + "; " + listed;
 }
 
-std::vector<std::vector<double>> slips_at(const HistoryTable& histories, CaseSlice cases,
-                                          std::size_t level) {
-  std::vector<std::vector<double>> slips(histories.records);
-  for (std::size_t record = 0; record < slips.size(); ++record) {
-    for (std::size_t i = 0; i < cases.count; ++i)
-      slips[record].push_back(histories.displacement_m(record, cases.first + i, level));
-  }
-  return slips;
-}
-
 RunResults fragility_of(const StudyConfig& config, const Results& results,
                         std::size_t combination) {
   const std::vector<double>& levels = results.levels;
@@ -173,7 +163,7 @@ RunResults fragility_of(const StudyConfig& config, const Results& results,
 
   std::vector<PooledLevel> pooled;
   for (std::size_t level = 0; level < levels.size(); ++level) {
-    pooled.emplace_back(slips_at(results.histories, slice_of(run), level));
+    pooled.push_back(pooled_at(results.histories, slice_of(run), level));
     run.slip.push_back(statistics_of(pooled.back(), results, run, level, options));
   }
   if (config.impact)

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "glissade/fragility/bootstrap.hpp"
+#include "glissade/study/results.hpp"
 
 namespace glissade {
 
@@ -33,5 +34,8 @@ class PooledLevel {
   std::vector<double> bin_edges_;                       // slip at each bin's upper edge
   std::vector<std::vector<double>> record_cumulative_;  // [record][bin]: its slips up to the edge
 };
+
+/// The displacements of some cases at a level.
+PooledLevel pooled_at(const HistoryTable& histories, CaseSlice cases, std::size_t level);
 
 }  // namespace glissade

@@ -207,6 +207,7 @@ void analyse(const StudyConfig& study, Results& results) {
   if (study.base_shear) results.base_shear = base_shear_results(results);
   if (study.tipping) results.tipping = tipping_results(results, *study.tipping);
   if (study.hazard) results.hazard = hazard_results(study, results);
+  if (study.verdict) results.verdict = verdict_results(study, results);
 }
 
 }  // namespace

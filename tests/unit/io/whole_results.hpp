@@ -234,6 +234,31 @@ inline void add_hazard(Results& r) {
   }
 }
 
+inline void add_verdict(Results& r) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  VerdictResults& verdict = r.verdict.emplace();
+  verdict.exceedance = {0.1, 0.01};
+  for (const Standard standard : {Standard::seaoc_pv1_2012, Standard::asce7_16}) {
+    const double x = standard == Standard::asce7_16 ? 0.5 : 0.25;
+    verdict.rows.push_back({standard,
+                            x,
+                            {2.0 * x, Provenance::recalled, "clause"},
+                            r.cases.size() - 1,
+                            "at " + std::to_string(x),
+                            x / 2,
+                            7.0 * x,
+                            x < 0.4,
+                            x / 3,
+                            {0.0, x},
+                            1.0 + x,
+                            x / 4,
+                            {},
+                            2.0 + x,
+                            {x, infinity},
+                            {{0.1 * x, 2.0 * x}, {x, infinity}}});
+  }
+}
+
 /// Every analysis of one study.
 inline Results with_all() {
   Results r = whole_results(true);
@@ -244,6 +269,7 @@ inline Results with_all() {
   add_base_shear(r);
   add_tipping(r);
   add_hazard(r);
+  add_verdict(r);
   return r;
 }
 

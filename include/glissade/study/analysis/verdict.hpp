@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "glissade/fragility/fit.hpp"
+#include "glissade/standards/prescriptive.hpp"
+#include "glissade/study/config.hpp"
+
+// Prescribed displacements, judged by what was computed. Records are the independent unit of all
+// intervals (95 %).
+namespace glissade {
+
+struct Results;
+
+/// One prescribed displacement on arrays of one kind, in the building whose period makes each
+/// number largest. Histories of all records, samples and orientations count alike.
+struct VerdictRow {
+  Standard standard = Standard::seaoc_pv1_2012;
+  double sds_g = 0.0;  ///< at the design earthquake (DBE); 1.5 times that at the MCE
+  Prescription prescribed;
+  std::uint64_t first_case = 0;      ///< of the first building period
+  std::string condition;             ///< what the study lists of it but the building period
+  double mu = 0.0, slope_deg = 0.0;  ///< means over the samples
+  bool within_conditions = false;    ///< of the standard: slope and friction
+  double dbe_probability = 0.0;      ///< that displacement exceeds the prescribed one, at DBE
+  Interval dbe_interval;             ///< never narrower than that of a binomial, see widened()
+  double dbe_period_s = 0.0;         ///< where it is largest
+  double mce_probability = 0.0;      ///< the same at MCE
+  Interval mce_interval;
+  double mce_period_s = 0.0;
+  /// At DBE, exceeded with each probability of VerdictResults::exceedance; infinite where so many
+  /// histories slide freely.
+  std::vector<double> displacement_m;
+  std::vector<Interval> displacement_interval;
+};
+
+enum class Judgement {
+  exceeded,      ///< at DBE, with more than the largest probability of the list
+  sufficient,    ///< not so
+  conservative,  ///< more than twice the displacement that the least probability of the list has
+};
+
+struct VerdictResults {
+  std::vector<double> exceedance;  ///< falling, (0, 1)
+  std::vector<VerdictRow> rows;    ///< by (combination without the period, standard, level)
+};
+
+Judgement judgement(const VerdictResults& verdict, const VerdictRow& row);
+
+/// The interval of the probability at DBE leaves no doubt about being exceeded or not.
+bool is_certain(const VerdictResults& verdict, const VerdictRow& row);
+
+/// At every level of which 1.5 times is a level too, of the arrays that slide.
+VerdictResults verdict_results(const StudyConfig& config, const Results& results);
+
+/// Position of a level, found to 1e-9 of it; levels.size() where there is none.
+std::size_t level_at(const std::vector<double>& levels, double level);
+
+}  // namespace glissade

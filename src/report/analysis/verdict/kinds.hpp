@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "glissade/report/figure.hpp"
+#include "glissade/report/table.hpp"
+#include "glissade/study/results.hpp"
+
+namespace glissade {
+
+/// The rows of one kind of array and one standard, by S_DS.
+using VerdictKind = std::span<const VerdictRow>;
+std::vector<VerdictKind> verdict_kinds(const VerdictResults& verdict);
+
+/// "friction 0.4, slope 3 degrees"
+std::string kind_text(const VerdictRow& row);
+
+/// A row for each prescribed displacement.
+Table verdict_table(const Results& results);
+/// A row for each kind of array and standard.
+Table verdict_summary_table(const Results& results);
+
+/// The displacement with the accepted probability over the prescribed one, by S_DS.
+Figure verdict_figure(const Results& results);
+
+}  // namespace glissade

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "analysis/analyses.hpp"
+#include "analysis/verdict/kinds.hpp"
+#include "glissade/report/format.hpp"
+#include "page/page.hpp"
+#include "text/study_text.hpp"
+
+namespace glissade {
+namespace {
+
+struct Tally {
+  std::size_t rows = 0, exceeded = 0, certainly = 0, conservative = 0;
+  const VerdictRow* worst = nullptr;
+};
+
+template <class Counts>
+Tally tally(const VerdictResults& verdict, Counts counts) {
+  Tally t;
+  for (const VerdictRow& row : verdict.rows) {
+    if (!counts(row)) continue;
+    ++t.rows;
+    const Judgement found = judgement(verdict, row);
+    t.conservative += found == Judgement::conservative ? 1 : 0;
+    if (t.worst == nullptr || row.dbe_probability > t.worst->dbe_probability) t.worst = &row;
+    if (found != Judgement::exceeded) continue;
+    ++t.exceeded;
+    t.certainly += is_certain(verdict, row) ? 1 : 0;
+  }
+  return t;
+}
+
+std::string sentence(const VerdictResults& verdict, Standard standard, const std::string& where,
+                     const Tally& t) {
+  return fmt::format(
+      "{}, {}: of {} prescribed displacements {} are exceeded with more than {:g} % probability "
+      "at DBE ({} without doubt, by the 95 % interval over records), and {} are more than twice "
+      "the displacement that {:g} % of the histories exceed. The largest probability is {} [{} to "
+      "{}], at S_DS = {:.3g} g with {}.",
+      standard_name(standard), where, t.rows, t.exceeded, 100.0 * verdict.exceedance.front(),
+      t.certainly, t.conservative, 100.0 * verdict.exceedance.back(),
+      format_share(t.worst->dbe_probability), format_share(t.worst->dbe_interval.low),
+      format_share(t.worst->dbe_interval.high), t.worst->sds_g, kind_text(*t.worst));
+}
+
+std::vector<std::string> sentences(const Results& results) {
+  const VerdictResults& verdict = *results.verdict;
+  std::vector<std::string> texts;
+  for (const Standard standard : {Standard::seaoc_pv1_2012, Standard::asce7_16}) {
+    for (const bool within : {true, false}) {
+      const Tally t = tally(verdict, [&](const VerdictRow& row) {
+        return row.standard == standard && row.within_conditions == within;
+      });
+      if (t.rows == 0) continue;
+      texts.push_back(sentence(verdict, standard,
+                               within ? "within its conditions of slope and friction"
+                                      : "outside its conditions of slope and friction",
+                               t));
+    }
+  }
+  return texts;
+}
+
+std::string summary(const Results& results) {
+  std::string text;
+  for (const std::string& sentence : sentences(results)) text += wrapped(sentence);
+  return text + "\n" + to_text(verdict_summary_table(results).without("mce_probability"));
+}
+
+std::vector<Table> tables(const Results& results) {
+  return {verdict_summary_table(results), verdict_table(results)};
+}
+
+std::vector<Figure> figures(const Results& results) { return {verdict_figure(results)}; }
+
+Html section(const Results& results) {
+  return heading("Prescribed displacements: exceeded, sufficient or conservative") +
+         wide_table(verdict_summary_table(results)) +
+         paragraph(
+             "Probabilities are over records, samples and orientations, in the building whose "
+             "period makes each largest. An interval is never narrower than that of a binomial "
+             "with one trial for each record. Of displacements that 1 % of the histories exceed, "
+             "few records know little: read their intervals.");
+}
+
+}  // namespace
+
+AnalysisReport verdict_report() {
+  return {
+      .is_in =
+          [](const Results& results) { return results.verdict && !results.verdict->rows.empty(); },
+      .summary = summary,
+      .sentences = sentences,
+      .figures = figures,
+      .tables = tables,
+      .section = section};
+}
+
+}  // namespace glissade

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "analysis/verdict/kinds.hpp"
+#include "glissade/report/format.hpp"
+
+namespace glissade {
+namespace {
+
+std::string judgement_text(Judgement judgement) {
+  if (judgement == Judgement::exceeded) return "exceeded";
+  return judgement == Judgement::sufficient ? "sufficient" : "conservative";
+}
+
+/// "0.8 to 1.5": the S_DS at which the judgement is one, as ranges of neighbouring levels.
+std::string ranges_of(const VerdictResults& verdict, VerdictKind kind, Judgement wanted) {
+  std::string text;
+  for (std::size_t i = 0; i < kind.size(); ++i) {
+    if (judgement(verdict, kind[i]) != wanted) continue;
+    const std::size_t first = i;
+    while (i + 1 < kind.size() && judgement(verdict, kind[i + 1]) == wanted) ++i;
+    text += fmt::format("{}{:g}", text.empty() ? "" : ", ", kind[first].sds_g);
+    if (i > first) text += fmt::format(" to {:g}", kind[i].sds_g);
+  }
+  return text.empty() ? "-" : text;
+}
+
+const char* conditions_text(const VerdictRow& row) {
+  return row.within_conditions ? "within" : "outside";
+}
+
+std::string percent(double probability) { return fmt::format("{:g} %", 100.0 * probability); }
+
+}  // namespace
+
+std::vector<VerdictKind> verdict_kinds(const VerdictResults& verdict) {
+  std::vector<VerdictKind> kinds;
+  const auto same = [](const VerdictRow& a, const VerdictRow& b) {
+    return a.first_case == b.first_case && a.standard == b.standard;
+  };
+  for (std::size_t i = 0; i < verdict.rows.size();) {
+    std::size_t end = i + 1;
+    while (end < verdict.rows.size() && same(verdict.rows[i], verdict.rows[end])) ++end;
+    kinds.emplace_back(verdict.rows.data() + i, end - i);
+    i = end;
+  }
+  return kinds;
+}
+
+std::string kind_text(const VerdictRow& row) {
+  return fmt::format("friction {:.3g}, slope {:.3g} degrees", row.mu, row.slope_deg);
+}
+
+Table verdict_table(const Results& results) {
+  const VerdictResults& verdict = *results.verdict;
+  Table table{"verdict",
+              "Prescribed displacements, in the building whose period makes each number largest",
+              {text_column("condition", "Array"),
+               {"mu", "", "Friction"},
+               {"slope", "deg", "Slope, degrees"},
+               text_column("standard", "Standard"),
+               text_column("conditions", "Conditions"),
+               {"sds", "g", "S_DS, g"},
+               {"prescribed", "m", "Prescribed, m (in)", ColumnKind::length},
+               {"dbe_probability", "", "Exceeded at DBE [95 %]", ColumnKind::share, true},
+               {"dbe_period", "s", "Period, s"},
+               {"mce_probability", "", "Exceeded at MCE [95 %]", ColumnKind::share, true},
+               {"mce_period", "s", "Period, s"}},
+              {}};
+  for (const double p : verdict.exceedance)
+    table.columns.push_back({fmt::format("displacement_{:g}_percent", 100.0 * p), "m",
+                             percent(p) + " exceed, m (in) [95 %]", ColumnKind::length, true});
+  table.columns.push_back({"ratio", "", percent(verdict.exceedance.front()) + " over prescribed"});
+  table.columns.push_back(text_column("judgement", "Judgement"));
+  table.columns.push_back(text_column("certain", "Without doubt"));
+  for (const VerdictRow& row : verdict.rows) {
+    std::vector<Cell> cells{row.condition,
+                            row.mu,
+                            row.slope_deg,
+                            standard_name(row.standard),
+                            std::string(conditions_text(row)),
+                            row.sds_g,
+                            row.prescribed.value_m,
+                            Estimate{row.dbe_probability, row.dbe_interval},
+                            row.dbe_period_s,
+                            Estimate{row.mce_probability, row.mce_interval},
+                            row.mce_period_s};
+    for (std::size_t i = 0; i < row.displacement_m.size(); ++i)
+      cells.emplace_back(Estimate{row.displacement_m[i], row.displacement_interval[i]});
+    cells.emplace_back(row.displacement_m.front() / row.prescribed.value_m);
+    cells.emplace_back(judgement_text(judgement(verdict, row)));
+    cells.emplace_back(std::string(is_certain(verdict, row) ? "yes" : "no"));
+    table.add(std::move(cells));
+  }
+  return table;
+}
+
+Table verdict_summary_table(const Results& results) {
+  const VerdictResults& verdict = *results.verdict;
+  Table table{"verdict_summary",
+              "The prescribed displacement at the S_DS of the study",
+              {{"slope", "deg", "Slope, degrees"},
+               {"mu", "", "Friction"},
+               text_column("standard", "Standard"),
+               text_column("conditions", "Conditions"),
+               text_column("exceeded", "Exceeded at S_DS, g"),
+               text_column("conservative", "Conservative at S_DS, g"),
+               {"dbe_probability", "", "Largest at DBE [95 %]", ColumnKind::share, true},
+               {"mce_probability", "", "Largest at MCE [95 %]", ColumnKind::share, true}},
+              {}};
+  for (const VerdictKind kind : verdict_kinds(verdict)) {
+    const auto dbe = std::ranges::max_element(kind, {}, &VerdictRow::dbe_probability);
+    const auto mce = std::ranges::max_element(kind, {}, &VerdictRow::mce_probability);
+    table.add({kind.front().slope_deg, kind.front().mu, standard_name(kind.front().standard),
+               std::string(conditions_text(kind.front())),
+               ranges_of(verdict, kind, Judgement::exceeded),
+               ranges_of(verdict, kind, Judgement::conservative),
+               Estimate{dbe->dbe_probability, dbe->dbe_interval},
+               Estimate{mce->mce_probability, mce->mce_interval}});
+  }
+  table.notes = {
+      fmt::format("Exceeded: with more than {} probability at DBE. Conservative: more than twice "
+                  "the displacement that {} of the histories exceed at DBE. Conditions: slope and "
+                  "friction of the standard.",
+                  percent(verdict.exceedance.front()), percent(verdict.exceedance.back()))};
+  return table;
+}
+
+}  // namespace glissade

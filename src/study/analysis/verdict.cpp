@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glissade/study/analysis/verdict.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "analysis/pooled_level.hpp"
+#include "glissade/core/contract.hpp"
+#include "glissade/fragility/bootstrap.hpp"
+#include "glissade/study/results.hpp"
+
+namespace glissade {
+namespace {
+
+constexpr double mce_factor = 1.5;  // of DBE (ASCE 7-16, 11.4.5)
+
+bool is_within_conditions(Standard standard, double mu, double slope_deg) {
+  return standard == Standard::seaoc_pv1_2012
+             ? slope_deg < seaoc_slope_limit_deg && mu > seaoc_mu_limit
+             : slope_deg <= asce7_16_slope_limit_deg && mu >= asce7_16_mu_limit;
+}
+
+/// The displacements of one combination at every level.
+struct AtPeriod {
+  double period_s = 0.0;
+  std::vector<PooledLevel> levels;
+};
+
+/// All buildings on which arrays of one kind stand.
+class Buildings {
+ public:
+  Buildings(const StudyConfig& config, const Results& results, std::size_t combination)
+      : records_(results.records.size()),
+        options_{.seed = config.seed, .replicates = config.sampling.bootstrap_replicates} {
+    const CaseSet& set = results.cases;
+    const std::size_t axis = set.axis(period_key);
+    std::vector<std::size_t> places = set.places(combination);
+    const std::size_t periods = axis < set.axes.size() ? set.axes[axis].size() : 1;
+    for (std::size_t p = 0; p < periods; ++p) {
+      if (axis < places.size()) places[axis] = p;
+      const std::size_t first = set.index(set.combination(places), 0, 0);
+      AtPeriod at{set.cases[first].period_s, {}};
+      for (std::size_t level = 0; level < results.levels.size(); ++level)
+        at.levels.push_back(pooled_at(results.histories, {first, set.per_combination()}, level));
+      buildings_.push_back(std::move(at));
+    }
+  }
+
+  static constexpr const char* period_key = "building.period_s";
+
+  /// The largest probability that displacement exceeds a value.
+  void exceedance(std::size_t level, double value_m, double& probability, Interval& interval,
+                  double& period_s) const {
+    const AtPeriod& worst =
+        largest(level, [&](const PooledLevel& l) { return l.share_above(value_m); });
+    probability = worst.levels[level].share_above(value_m);
+    interval =
+        widened(worst.levels[level].share_interval(value_m, options_), probability, records_);
+    period_s = worst.period_s;
+  }
+
+  /// The largest displacement that is exceeded with a probability.
+  void displacement(std::size_t level, double probability, VerdictRow& row) const {
+    const double quantile = 1.0 - probability;
+    const AtPeriod& worst =
+        largest(level, [&](const PooledLevel& l) { return l.quantile_m(quantile); });
+    row.displacement_m.push_back(worst.levels[level].quantile_m(quantile));
+    row.displacement_interval.push_back(worst.levels[level].quantile_interval(quantile, options_));
+  }
+
+ private:
+  template <class Value>
+  const AtPeriod& largest(std::size_t level, Value value) const {
+    return *std::ranges::max_element(buildings_, {},
+                                     [&](const AtPeriod& at) { return value(at.levels[level]); });
+  }
+
+  std::size_t records_;
+  BootstrapOptions options_;
+  std::vector<AtPeriod> buildings_;
+};
+
+/// Of a combination that is the first of its building periods; with what does not depend on the
+/// standard and the level.
+VerdictRow kind_of_array(const CaseSet& set, std::size_t combination) {
+  VerdictRow row{.first_case = set.index(combination, 0, 0),
+                 .condition = set.describe(combination, Buildings::period_key)};
+  const auto cases = static_cast<double>(set.per_combination());
+  for (std::size_t i = 0; i < set.per_combination(); ++i) {
+    row.mu += set.cases[row.first_case + i].friction / cases;
+    row.slope_deg += set.cases[row.first_case + i].slope_deg / cases;
+  }
+  return row;
+}
+
+bool is_first_of_its_periods(const CaseSet& set, std::size_t combination) {
+  const std::size_t axis = set.axis(Buildings::period_key);
+  return axis == set.axes.size() || set.places(combination)[axis] == 0;
+}
+
+}  // namespace
+
+std::size_t level_at(const std::vector<double>& levels, double level) {
+  const auto found = std::ranges::find_if(
+      levels, [&](double l) { return std::abs(l - level) <= 1e-9 * std::abs(level); });
+  return static_cast<std::size_t>(found - levels.begin());
+}
+
+Judgement judgement(const VerdictResults& verdict, const VerdictRow& row) {
+  if (row.dbe_probability > verdict.exceedance.front()) return Judgement::exceeded;
+  return row.prescribed.value_m > 2.0 * row.displacement_m.back() ? Judgement::conservative
+                                                                  : Judgement::sufficient;
+}
+
+bool is_certain(const VerdictResults& verdict, const VerdictRow& row) {
+  const double accepted = verdict.exceedance.front();
+  return row.dbe_interval.low > accepted || row.dbe_interval.high <= accepted;
+}
+
+VerdictResults verdict_results(const StudyConfig& config, const Results& results) {
+  GLISSADE_EXPECTS(config.verdict.has_value());
+  const CaseSet& set = results.cases;
+  VerdictResults verdict{config.verdict->exceedance, {}};
+  for (std::size_t c = 0; c < set.combinations(); ++c) {
+    if (!is_first_of_its_periods(set, c) ||
+        set.cases[set.index(c, 0, 0)].support != ArraySupport::isolated)
+      continue;
+    const Buildings buildings(config, results, c);
+    const VerdictRow kind = kind_of_array(set, c);
+    for (const Standard standard : config.standards.compare) {
+      for (std::size_t dbe = 0; dbe < results.levels.size(); ++dbe) {
+        const std::size_t mce = level_at(results.levels, mce_factor * results.levels[dbe]);
+        if (mce == results.levels.size()) continue;
+        VerdictRow row = kind;
+        row.standard = standard;
+        row.sds_g = results.levels[dbe];
+        row.prescribed = prescribed_displacement(standard, row.sds_g, config.standards);
+        row.within_conditions = is_within_conditions(standard, row.mu, row.slope_deg);
+        const double value_m = row.prescribed.value_m;
+        buildings.exceedance(dbe, value_m, row.dbe_probability, row.dbe_interval, row.dbe_period_s);
+        buildings.exceedance(mce, value_m, row.mce_probability, row.mce_interval, row.mce_period_s);
+        for (const double probability : verdict.exceedance)
+          buildings.displacement(dbe, probability, row);
+        verdict.rows.push_back(std::move(row));
+      }
+    }
+  }
+  return verdict;
+}
+
+}  // namespace glissade

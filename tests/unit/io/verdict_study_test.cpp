@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// [verdict] in study files and results files.
+#include "study_texts.hpp"
+#include "whole_results.hpp"
+
+namespace glissade {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+class VerdictStudy : public StudyFile {
+ protected:
+  static std::string with(const std::string& tables) {
+    std::string text = needed;
+    const std::size_t at = text.find("[fragility]");
+    return text.substr(0, at) + tables;
+  }
+};
+constexpr auto standards = "[standards]\ncompare = [\"asce7_16\"]\n";
+
+TEST_F(VerdictStudy, stands_alone_beside_standards) {
+  const StudyConfig study = read(with(std::string(standards) + "[verdict]\n"));
+  ASSERT_TRUE(study.verdict);
+  EXPECT_THAT(study.verdict->exceedance, ElementsAre(0.1, 0.05, 0.01));
+  EXPECT_FALSE(study.fragility);
+}
+
+TEST_F(VerdictStudy, refuses_what_it_cannot_judge) {
+  EXPECT_THAT(error(with("[verdict]\n")), HasSubstr("[standards]"));
+  const std::string text = with(std::string(standards) + "[verdict]\nexceedance = ");
+  EXPECT_THAT(error(text + "[0.05, 0.1]\n"), HasSubstr("verdict.exceedance"));
+  EXPECT_THAT(error(text + "[0.05, 0.05]\n"), HasSubstr("verdict.exceedance"));
+  EXPECT_THAT(error(text + "[1.0]\n"), HasSubstr("verdict.exceedance"));
+  EXPECT_THAT(error(text + "[]\n"), HasSubstr("verdict.exceedance"));
+}
+
+TEST(verdict_results_file, refuses_rows_that_do_not_fit) {
+  Results results = with_all();
+  ASSERT_TRUE(results.verdict);
+  EXPECT_EQ(refusal_of(results), "");
+  results.verdict->rows[0].first_case = results.cases.size();
+  EXPECT_THAT(refusal_of(results), HasSubstr("first_case"));
+  results = with_all();
+  for (VerdictRow& row : results.verdict->rows) {
+    row.displacement_m.pop_back();
+    row.displacement_interval.pop_back();
+  }
+  EXPECT_THAT(refusal_of(results), HasSubstr("displacement_m"));
+}
+
+}  // namespace
+}  // namespace glissade

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gmock/gmock.h>
+
+#include <algorithm>
+
+#include "glissade/report/html.hpp"
+#include "glissade/report/summary.hpp"
+#include "glissade/report/tables.hpp"
+#include "made_up_results.hpp"
+
+namespace glissade {
+namespace {
+
+using testing::AllOf;
+using testing::Contains;
+using testing::HasSubstr;
+using testing::Not;
+
+/// Two frictions at 0.5, 0.75 and 1 g: the first is exceeded from 0.75 g on, the second slides
+/// a tenth of what is prescribed.
+Results made_up() {
+  Results r = made_up_chart_results();
+  VerdictResults& verdict = r.verdict.emplace();
+  verdict.exceedance = {0.1, 0.01};
+  for (const double mu : {0.3, 0.5}) {
+    for (const double sds_g : {0.5, 0.75, 1.0}) {
+      VerdictRow row;
+      row.standard = Standard::asce7_16;
+      row.sds_g = sds_g;
+      row.prescribed.value_m = 0.6;
+      row.first_case = mu == 0.3 ? 0 : 1;
+      row.mu = mu;
+      row.slope_deg = 2.0;
+      row.within_conditions = mu == 0.5;
+      row.dbe_probability = mu == 0.5 ? 0.0 : sds_g - 0.5;
+      row.dbe_interval = {row.dbe_probability / 2.0, row.dbe_probability + 0.125};
+      row.mce_probability = row.dbe_probability + 0.25;
+      row.mce_interval = {0.125, 0.875};
+      row.displacement_m = mu == 0.5 ? std::vector{0.03, 0.06} : std::vector{2.0 * sds_g, 3.0};
+      row.displacement_interval = {{0.01, 0.1}, {0.02, 0.2}};
+      verdict.rows.push_back(row);
+    }
+  }
+  return r;
+}
+
+std::vector<std::vector<Cell>> rows_of(const Results& results, const char* name) {
+  const std::vector<Table> tables = csv_tables(results);
+  return std::ranges::find(tables, FileName(name), &Table::name)->rows;
+}
+
+TEST(verdict_report, has_a_row_for_each_kind_of_array_and_one_for_each_value) {
+  const Results r = made_up();
+  EXPECT_EQ(rows_of(r, "verdict").size(), 6u);
+  const auto kinds = rows_of(r, "verdict_summary");
+  ASSERT_EQ(kinds.size(), 2u);
+  EXPECT_EQ(std::get<std::string>(kinds[0][3]), "outside");
+  EXPECT_EQ(std::get<std::string>(kinds[0][4]), "0.75 to 1");
+  EXPECT_EQ(std::get<std::string>(kinds[0][5]), "-");
+  EXPECT_EQ(std::get<Estimate>(kinds[0][6]).value, 0.5);
+  EXPECT_EQ(std::get<std::string>(kinds[1][4]), "-");
+  EXPECT_EQ(std::get<std::string>(kinds[1][5]), "0.5 to 1");
+}
+
+TEST(verdict_report, says_within_and_outside_the_conditions_apart) {
+  const std::vector<std::string> sentences = answer_sentences(made_up());
+  EXPECT_THAT(sentences, Contains(AllOf(HasSubstr("outside"), HasSubstr("of 3"), HasSubstr("2 are"),
+                                        HasSubstr("S_DS = 1 g"), HasSubstr("friction 0.3"))));
+  EXPECT_THAT(sentences,
+              Contains(AllOf(HasSubstr("within"), HasSubstr("0 are"), HasSubstr("3 are"))));
+  EXPECT_THAT(summary_text(made_up()), HasSubstr("0.75 to 1"));
+}
+
+TEST(verdict_report, is_absent_without_the_analysis) {
+  const Results r = made_up_chart_results();
+  EXPECT_THAT(summary_text(r), Not(HasSubstr("prescribed displacements")));
+}
+
+}  // namespace
+}  // namespace glissade

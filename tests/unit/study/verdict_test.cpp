@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Prescribed displacements judged by histories that can be followed by hand.
+#include "glissade/study/analysis/verdict.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "glissade/study/results.hpp"
+
+namespace glissade {
+namespace {
+
+/// Ten records, four samples, friction 0.5 and 0.3 on buildings of 0.2 and 1 s, at 1 g, 1.2 g and
+/// 1.5 g. SEAOC prescribes 60 x 0.36 in at 1 g.
+struct TwoFrictions {
+  static constexpr std::size_t records = 10, samples = 4;
+  StudyConfig config;
+  Results results;
+
+  TwoFrictions() {
+    config.verdict.emplace();
+    config.standards.compare = {Standard::seaoc_pv1_2012};
+    config.sampling.bootstrap_replicates = 200;
+    results.levels = {1.0, 1.2, 1.5};
+    results.records.resize(records);
+    CaseSet& set = results.cases;
+    set.axes = {{"building.period_s", "s", {0.2, 1.0}, {}}, {"friction.mu", "-", {0.5, 0.3}, {}}};
+    set.samples = samples;
+    for (const double period_s : {0.2, 1.0}) {
+      for (const double mu : {0.5, 0.3}) {
+        for (std::size_t i = 0; i < samples; ++i) {
+          Case c;
+          c.period_s = period_s;
+          c.friction = mu;
+          c.slope_deg = 1.0;
+          set.cases.push_back(c);
+        }
+      }
+    }
+    results.histories = {records, set.size(), results.levels.size(), 0, {}};
+    results.histories.fields.peak_displacement_m.assign(
+        records * set.size() * results.levels.size(), 0.1);
+  }
+  /// All histories of a record on a combination.
+  void slide(std::size_t record, std::size_t combination, std::size_t level, double peak_m) {
+    for (std::size_t i = 0; i < samples; ++i) {
+      const std::size_t at = results.histories.at(record, combination * samples + i, level);
+      results.histories.fields.peak_displacement_m[at] = peak_m;
+    }
+  }
+};
+
+constexpr double prescribed_m = 60.0 * 0.36 * 0.0254;  // 60 (S_DS - 0.4)^2 in
+
+TEST(verdict, is_on_levels_of_which_the_MCE_is_a_level_too) {
+  const TwoFrictions made;
+  const VerdictResults verdict = verdict_results(made.config, made.results);
+  ASSERT_EQ(verdict.rows.size(), 2u);  // 1 g for either friction; 1.2 and 1.5 g have no MCE
+  EXPECT_EQ(verdict.rows[0].mu, 0.5);
+  EXPECT_EQ(verdict.rows[1].mu, 0.3);
+  EXPECT_NEAR(verdict.rows[0].prescribed.value_m, prescribed_m, 1e-12);
+  EXPECT_TRUE(verdict.rows[0].within_conditions);
+  EXPECT_FALSE(verdict.rows[1].within_conditions);  // friction above 0.4
+}
+
+TEST(verdict, takes_the_building_that_makes_each_number_largest) {
+  TwoFrictions made;
+  made.slide(0, 0, 0, 2.0 * prescribed_m);  // 0.2 s, DBE
+  made.slide(1, 2, 0, 3.0 * prescribed_m);  // 1 s, DBE: two records
+  made.slide(2, 2, 0, 3.0 * prescribed_m);
+  for (std::size_t record = 0; record < 4; ++record) made.slide(record, 0, 2, 9.0);  // 0.2 s, MCE
+  const VerdictResults verdict = verdict_results(made.config, made.results);
+  const VerdictRow& row = verdict.rows[0];
+  EXPECT_DOUBLE_EQ(row.dbe_probability, 0.2);
+  EXPECT_EQ(row.dbe_period_s, 1.0);
+  EXPECT_DOUBLE_EQ(row.mce_probability, 0.4);
+  EXPECT_EQ(row.mce_period_s, 0.2);
+  EXPECT_LT(row.dbe_interval.low, 0.1);
+  EXPECT_GT(row.dbe_interval.high, 0.2);
+  EXPECT_EQ(judgement(verdict, row), Judgement::exceeded);
+  EXPECT_FALSE(is_certain(verdict, row));  // two records of ten
+  EXPECT_DOUBLE_EQ(row.displacement_m.at(2), 3.0 * prescribed_m);
+}
+
+TEST(verdict, of_nothing_exceeded_is_no_more_certain_than_the_records_are_many) {
+  const TwoFrictions made;
+  const VerdictResults verdict = verdict_results(made.config, made.results);
+  const VerdictRow& row = verdict.rows[0];
+  EXPECT_EQ(row.dbe_probability, 0.0);
+  EXPECT_NEAR(row.dbe_interval.high, 1.0 - std::pow(0.025, 0.1), 1e-12);  // 31 % of ten records
+  EXPECT_EQ(judgement(verdict, row), Judgement::conservative);            // 0.55 m against 0.1 m
+  EXPECT_FALSE(is_certain(verdict, row));
+}
+
+TEST(verdict, of_an_array_that_slides_freely_is_exceeded) {
+  TwoFrictions made;
+  for (std::size_t record = 0; record < TwoFrictions::records; ++record)
+    made.slide(record, 1, 0, std::numeric_limits<double>::infinity());
+  const VerdictResults verdict = verdict_results(made.config, made.results);
+  EXPECT_EQ(verdict.rows[1].dbe_probability, 1.0);
+  EXPECT_TRUE(std::isinf(verdict.rows[1].displacement_m.front()));
+  EXPECT_EQ(judgement(verdict, verdict.rows[1]), Judgement::exceeded);
+  EXPECT_TRUE(is_certain(verdict, verdict.rows[1]));
+  EXPECT_EQ(verdict.rows[0].dbe_probability, 0.0);
+}
+
+TEST(verdict, finds_levels_to_rounding) {
+  EXPECT_EQ(level_at({0.4, 0.6, 1.875}, 1.5 * 0.4), 1u);
+  EXPECT_EQ(level_at({0.4, 0.6, 1.875}, 1.5 * 1.25), 2u);
+  EXPECT_EQ(level_at({0.4, 0.6}, 0.5), 2u);
+}
+
+}  // namespace
+}  // namespace glissade
