@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <span>
 
 #include "analysis/pooled_level.hpp"
 #include "glissade/core/contract.hpp"
@@ -81,16 +81,22 @@ class Buildings {
   std::vector<AtPeriod> buildings_;
 };
 
+/// Exactly the value where all cases have the same.
+double mean_of(std::span<const Case> cases, double Case::*parameter) {
+  const double first = cases.front().*parameter;
+  double beyond = 0.0;
+  for (const Case& c : cases) beyond += c.*parameter - first;
+  return first + beyond / static_cast<double>(cases.size());
+}
+
 /// Of a combination that is the first of its building periods; with what does not depend on the
 /// standard and the level.
 VerdictRow kind_of_array(const CaseSet& set, std::size_t combination) {
   VerdictRow row{.first_case = set.index(combination, 0, 0),
                  .condition = set.describe(combination, Buildings::period_key)};
-  const auto cases = static_cast<double>(set.per_combination());
-  for (std::size_t i = 0; i < set.per_combination(); ++i) {
-    row.mu += set.cases[row.first_case + i].friction / cases;
-    row.slope_deg += set.cases[row.first_case + i].slope_deg / cases;
-  }
+  const std::span cases(set.cases.data() + row.first_case, set.per_combination());
+  row.mu = mean_of(cases, &Case::friction);
+  row.slope_deg = mean_of(cases, &Case::slope_deg);
   return row;
 }
 

@@ -106,6 +106,15 @@ TEST(verdict, of_an_array_that_slides_freely_is_exceeded) {
   EXPECT_EQ(verdict.rows[0].dbe_probability, 0.0);
 }
 
+TEST(verdict, has_the_exact_friction_of_cases_that_share_it) {
+  TwoFrictions made;  // six times 0.4 is not 2.4
+  made.config.standards.compare = {Standard::asce7_16};
+  for (Case& c : made.results.cases.cases) c.friction = 0.4;
+  const VerdictResults verdict = verdict_results(made.config, made.results);
+  EXPECT_EQ(verdict.rows[0].mu, 0.4);
+  EXPECT_TRUE(verdict.rows[0].within_conditions);  // of ASCE 7-16: 0.4 or more
+}
+
 TEST(verdict, finds_levels_to_rounding) {
   EXPECT_EQ(level_at({0.4, 0.6, 1.875}, 1.5 * 0.4), 1u);
   EXPECT_EQ(level_at({0.4, 0.6, 1.875}, 1.5 * 1.25), 2u);
