@@ -58,33 +58,36 @@ Figure verdict_figure(const Results& results) {
                   standard_name(standard)),
       counts_of(results) + "; the least favourable building period",
       fmt::format(
-          "Above 1 the prescribed displacement is exceeded with more than {:g} % "
+          "At the lines: coefficient of friction. Above 1 the prescribed displacement is exceeded "
+          "with more than {:g} % "
           "probability, given the design earthquake. Ratios below {:g} stand there; a line ends "
           "where the array slides freely. All frictions and slopes, with intervals: "
           "tables/verdict.csv.",
           accepted, least_ratio)};
+  const double highest_sds_g = verdict.rows.back().sds_g;
   double highest = std::log10(2.0);
   for (const double slope : some_of(slopes, most_panels)) {
     Panel panel{fmt::format("slope {:.3g} degrees", slope), {results.intensity_label}, {}};
     for (std::size_t i = 0; i < shown.size(); ++i) {
-      const std::string name = fmt::format("friction {:.3g}", shown[i]);
-      DataSeries line{DataSeries::Kind::line_and_points, family_look(i, shown.size()), name,
-                      slope == *slopes.begin() ? name : ""};
+      DataSeries line{DataSeries::Kind::line_and_points, family_look(i, shown.size()),
+                      fmt::format("friction {:.3g}", shown[i])};
       for (const VerdictRow& row : verdict.rows) {
         if (row.standard != standard || row.mu != shown[i] || row.slope_deg != slope) continue;
         line.x.push_back(row.sds_g);
         line.y.push_back(height(row));
         if (std::isfinite(line.y.back())) highest = std::max(highest, line.y.back() + 0.05);
       }
+      if (!line.x.empty() && std::isfinite(line.y.back()))
+        panel.notes.push_back({line.x.back() + 0.04 * highest_sds_g, line.y.back(),
+                               fmt::format("{:.3g}", shown[i]), line.look.colour,
+                               Note::Align::left});
       panel.series.push_back(std::move(line));
     }
-    panel.rules.push_back({Rule::Kind::horizontal, 0.0, look(Role::prescribed),
-                           slope == *slopes.begin() ? "prescribed" : ""});
-    panel.x.high = 1.05 * verdict.rows.back().sds_g;
+    panel.rules.push_back({Rule::Kind::horizontal, 0.0, look(Role::prescribed), ""});
+    panel.x.high = 1.2 * highest_sds_g;
     figure.panels.push_back(std::move(panel));
   }
   for (Panel& panel : figure.panels) panel.y = ratio_axis(highest);
-  figure.key_columns = 3;
   return figure;
 }
 
