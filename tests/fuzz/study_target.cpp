@@ -57,7 +57,7 @@ void check_chart(const glissade::StudyConfig& study) {
 }
 
 void check_analyses(const glissade::StudyConfig& study) {
-  check(study.fragility || study.chart || study.clearance || study.base_shear,
+  check(study.fragility || study.chart || study.clearance || study.base_shear || study.verdict,
         "there is an analysis");
   const std::vector<double>& levels = study.intensity.levels;
   check(increases(levels) && levels.front() >= 0.0 && levels.back() > 0.0, "levels increase");
@@ -67,6 +67,12 @@ void check_analyses(const glissade::StudyConfig& study) {
           "thresholds increase");
   }
   if (study.chart) check_chart(study);
+  if (study.verdict) {
+    const std::vector<double>& exceedance = study.verdict->exceedance;
+    check(!exceedance.empty() && exceedance.front() < 1.0 && exceedance.back() > 0.0 &&
+              std::ranges::adjacent_find(exceedance, std::less_equal<>()) == exceedance.end(),
+          "probabilities fall");
+  }
   if (study.clearance) check(study.clearance->factor >= 1.0, "the factor is 1 or more");
 }
 
