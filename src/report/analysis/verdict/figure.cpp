@@ -16,7 +16,7 @@ constexpr std::size_t most_lines = 4, most_panels = 4;
 
 /// Up to `count` of sorted values, evenly spread, both ends included.
 std::vector<double> some_of(const std::set<double>& values, std::size_t count) {
-  const std::vector<double> all(values.begin(), values.end());
+  std::vector<double> all(values.begin(), values.end());
   if (all.size() <= count) return all;
   std::vector<double> some;
   for (std::size_t i = 0; i < count; ++i) some.push_back(all[i * (all.size() - 1) / (count - 1)]);
