@@ -3,7 +3,6 @@
 #include <fmt/ranges.h>
 
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "commands.hpp"
@@ -31,41 +30,28 @@ struct InitOptions {
   bool has_site() const { return ss_g.has_value(); }
 };
 
-/// Text of the command line as a TOML string, which a JSON string is too.
-std::string quoted(const std::string& text) {
-  return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
-}
-
-std::string list_of(const std::vector<double>& values) {
-  return values.size() == 1 ? fmt::format("{}", values.front())
-                            : fmt::format("[{}]", fmt::join(values, ", "));
-}
-
-std::string path_from_file(const InitOptions& o, const std::string& path) {
-  return quoted(
-      fs::proximate(fs::absolute(path), fs::absolute(o.file).parent_path()).generic_string());
-}
-
 /// What a study and a project have in common.
 void set_common(const InitOptions& o, ExampleFile& file) {
+  const fs::path folder = fs::absolute(o.file).parent_path();
   const char* head = o.is_project() ? "project" : "study";
-  file.set(head, "name", quoted(o.name.empty() ? fs::path(o.file).stem().string() : o.name));
-  file.set(head, "units", quoted(o.units));
-  file.set("suite", "file", path_from_file(o, o.suite));
-  if (!o.period_s.empty()) file.set("building", "period_s", list_of(o.period_s));
-  if (!o.slope.empty()) file.set("roof", "slope_deg", quoted(o.slope));
-  if (!o.pull_tests.empty()) file.set("friction", "file", path_from_file(o, o.pull_tests));
-  if (!o.direction.empty()) file.set("friction", "direction", quoted(o.direction));
+  file.set_text(head, "name", o.name.empty() ? fs::path(o.file).stem().string() : o.name);
+  file.set_text(head, "units", o.units);
+  file.set_path("suite", "file", o.suite, folder);
+  if (!o.period_s.empty()) file.set_numbers("building", "period_s", o.period_s);
+  if (!o.slope.empty()) file.set_text("roof", "slope_deg", o.slope);
+  if (!o.pull_tests.empty()) file.set_path("friction", "file", o.pull_tests, folder);
+  if (!o.direction.empty()) file.set_text("friction", "direction", o.direction);
 }
 
 std::string study_text(const InitOptions& o) {
   ExampleFile file = ExampleFile::study();
   set_common(o, file);
-  file.set("study", "description", "\"\"");
+  file.set_text("study", "description", "");
   if (o.has_site())
     file.set("intensity", "target",
              fmt::format("{{ edition = {}, ss_g = {}, s1_g = {}, site_class = {} }}",
-                         quoted(o.edition), *o.ss_g, *o.s1_g, quoted(o.site_class)));
+                         ExampleFile::string_value(o.edition), *o.ss_g, *o.s1_g,
+                         ExampleFile::string_value(o.site_class)));
   if (!o.pull_tests.empty()) file.comment_out("friction", "mu");
   if (o.mu) file.set("friction", "mu", fmt::format("{{ mean = {}, std = {} }}", *o.mu, *o.mu_std));
   if (o.units == "us") file.set("fragility", "thresholds_m", R"(["6 in", "12 in", "24 in"])");
@@ -80,20 +66,20 @@ std::string project_text(const InitOptions& o) {
   for (const char* key : {"similar_array_m", "obstruction_m", "parapet_edge_m", "open_edge_m"})
     file.comment_out("clearances", key);
   file.comment_out("building", "storeys");
-  file.set("project", "address", "\"\"");
+  file.set_text("project", "address", "");
   file.set("result", "round_up_m", o.units == "us" ? "\"0.5 in\"" : "0.01");
   if (o.has_site()) {
-    file.set("site", "edition", quoted(o.edition));
-    file.set("site", "ss_g", fmt::format("{}", *o.ss_g));
-    file.set("site", "s1_g", fmt::format("{}", *o.s1_g));
-    file.set("site", "site_class", quoted(o.site_class));
+    file.set_text("site", "edition", o.edition);
+    file.set_numbers("site", "ss_g", {*o.ss_g});
+    file.set_numbers("site", "s1_g", {*o.s1_g});
+    file.set_text("site", "site_class", o.site_class);
   }
   if (!o.slope.empty()) file.comment_out("roof", "rise_in_12");
   if (!o.pull_tests.empty()) return file.text();
   file.comment_out("friction", "file");
-  file.set("friction", "mean", fmt::format("{}", o.mu.value_or(0.5)));
-  file.set("friction", "std", fmt::format("{}", o.mu_std.value_or(0.04)));
-  file.set("friction", "source", "\"not stated: name the test report\"");
+  file.set_numbers("friction", "mean", {o.mu.value_or(0.5)});
+  file.set_numbers("friction", "std", {o.mu_std.value_or(0.04)});
+  file.set_text("friction", "source", "not stated: name the test report");
   return file.text();
 }
 

@@ -193,7 +193,7 @@ DesignClearance design_clearance(const Project& project, const Results& demand) 
 }
 
 void add_exceedance(const Results& probability, DesignClearance& design) {
-  for (const auto& [name, share] : {std::pair{"DBE", 1.0}, std::pair{"MCE", 1.5}}) {
+  for (const auto& [name, share] : {std::pair{"DBE", 1.0}, std::pair{"MCE", mce_over_dbe}}) {
     const auto level = std::ranges::find(probability.levels, share * design.site.sds_g);
     GLISSADE_EXPECTS(level != probability.levels.end());
     const auto at = static_cast<std::size_t>(level - probability.levels.begin());

@@ -10,7 +10,7 @@ namespace {
 
 /// From S_MS = F_a S_S; of the class that governs.
 double coefficient(const DesignTarget& target, double design_g, double mapped_g) {
-  return target.is_mapped() ? 1.5 * design_g / mapped_g : 0.0;
+  return target.is_mapped() ? mce_over_dbe * design_g / mapped_g : 0.0;
 }
 
 CodeCondition condition(const std::string& text, bool is_met, Provenance provenance) {

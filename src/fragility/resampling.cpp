@@ -83,17 +83,34 @@ Interval log_std_interval(EstimateWithError log_log_std,
 
 }  // namespace fragility
 
+std::vector<Interval> bootstrap_intervals(
+    std::size_t records, std::size_t count,
+    const std::function<std::vector<double>(const std::vector<double>&)>& statistics,
+    const BootstrapOptions& options) {
+  GLISSADE_EXPECTS(options.replicates >= 100);
+  GLISSADE_EXPECTS(options.level > 0 && options.level < 1);
+  if (records < 2) return std::vector<Interval>(count);
+  std::vector<std::vector<double>> values(count);  // [statistic][replicate]
+  for (int r = 0; r < options.replicates; ++r) {
+    const std::vector<double> found = statistics(fragility::draw_records(records, options, r));
+    GLISSADE_EXPECTS(found.size() == count);
+    for (std::size_t i = 0; i < count; ++i) values[i].push_back(found[i]);
+  }
+  std::vector<Interval> intervals;
+  for (const std::vector<double>& of_one : values)
+    intervals.push_back(
+        fragility::percentile_interval(of_one, fragility::expanded_tail(records, options.level)));
+  return intervals;
+}
+
 Interval bootstrap_interval(std::size_t records,
                             const std::function<double(const std::vector<double>&)>& statistic,
                             const BootstrapOptions& options) {
-  GLISSADE_EXPECTS(options.replicates >= 100);
-  GLISSADE_EXPECTS(options.level > 0 && options.level < 1);
-  if (records < 2) return {};
-  std::vector<double> values;
-  for (int r = 0; r < options.replicates; ++r) {
-    values.push_back(statistic(fragility::draw_records(records, options, r)));
-  }
-  return fragility::percentile_interval(values, fragility::expanded_tail(records, options.level));
+  return bootstrap_intervals(
+             records, 1,
+             [&](const std::vector<double>& weights) { return std::vector{statistic(weights)}; },
+             options)
+      .front();
 }
 
 }  // namespace glissade

@@ -17,8 +17,8 @@ struct SiteValues {
   double fa = 0.0, fv = 0.0;  ///< of the class that governs; 0: the target is not mapped
   SeismicDesignCategory category = SeismicDesignCategory::d;
 
-  double sms_g() const { return 1.5 * sds_g; }
-  double sm1_g() const { return 1.5 * sd1_g; }
+  double sms_g() const { return mce_over_dbe * sds_g; }
+  double sm1_g() const { return mce_over_dbe * sd1_g; }
 };
 SiteValues site_values(const ProjectSite& site);
 

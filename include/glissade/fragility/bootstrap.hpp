@@ -68,6 +68,12 @@ Interval bootstrap_interval(std::size_t records,
                             const std::function<double(const std::vector<double>&)>& statistic,
                             const BootstrapOptions& options);
 
+/// Those of `count` statistics from the same resamples: the same intervals, one pass.
+std::vector<Interval> bootstrap_intervals(
+    std::size_t records, std::size_t count,
+    const std::function<std::vector<double>(const std::vector<double>&)>& statistics,
+    const BootstrapOptions& options);
+
 /// The interval of a probability, at least as wide as a binomial's where none, or all, of as many
 /// trials as there are records exceed (Clopper & Pearson 1934). Without an interval that of the
 /// probability itself is widened.

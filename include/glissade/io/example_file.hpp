@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -14,8 +15,16 @@ class ExampleFile {
   /// project_example().
   static ExampleFile project();
 
+  static std::string string_value(const std::string& text);  ///< as TOML
+
   /// `value` as TOML. A key that is commented out, or not there, is one of the file then.
   void set(const std::string& table, const std::string& key, const std::string& value);
+  void set_text(const std::string& table, const std::string& key, const std::string& text);
+  void set_numbers(const std::string& table, const std::string& key,
+                   const std::vector<double>& values);  ///< one: a number; else a list
+  /// As a path from `folder`.
+  void set_path(const std::string& table, const std::string& key, const std::filesystem::path& path,
+                const std::filesystem::path& folder);
   void comment_out(const std::string& table, const std::string& key);
   /// With each key's meaning above or beside it.
   std::string text() const;

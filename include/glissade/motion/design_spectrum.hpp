@@ -46,12 +46,15 @@ struct DesignTarget {
 
   bool is_mapped() const { return sds_g == 0.0 && period_s.empty(); }
 };
-/// The envelope over the site classes of the target. Multiply by 1.5 for MCE_R.
+/// MCE_R over the design earthquake (ASCE 7-16, 11.4.5).
+inline constexpr double mce_over_dbe = 1.5;
+
+/// The envelope over the site classes of the target.
 class TargetSpectrum {
  public:
   explicit TargetSpectrum(const DesignTarget& target);
   double design_sa_g(double period_s) const;  ///< DBE: 2/3 of MCE_R
-  double mce_sa_g(double period_s) const { return 1.5 * design_sa_g(period_s); }
+  double mce_sa_g(double period_s) const { return mce_over_dbe * design_sa_g(period_s); }
   /// Largest S_DS of the classes; of points 90 % of the largest acceleration from 0.2 to 5 s (ASCE
   /// 7-16, 21.4, recalled: verify against the standard).
   double sds_g() const;

@@ -27,6 +27,9 @@ struct Prescription {
 /// SEAOC PV1-2012 prescribes for slopes below and friction above these (checked: Rodriguez-Nikl et
 /// al. 2019).
 inline constexpr double seaoc_slope_limit_deg = 3.0, seaoc_mu_limit = 0.4;
+inline constexpr bool seaoc_pv1_2012_applies(double slope_deg, double mu) {
+  return slope_deg < seaoc_slope_limit_deg && mu > seaoc_mu_limit;
+}
 
 /// ASCE 7-16 section 13.6.12 is for roofs up to 1 in 20 (recalled: verify against the standard).
 inline constexpr double asce7_16_slope_limit_deg = 2.8624052261117474;

@@ -11,6 +11,7 @@
 #include "glissade/io/project_file.hpp"
 #include "study/grammar.hpp"
 #include "text/scan.hpp"
+#include "toml/toml_text.hpp"
 
 namespace glissade {
 namespace {
@@ -57,6 +58,23 @@ std::size_t ExampleFile::line_of(const std::string& table, const std::string& ke
 void ExampleFile::set(const std::string& table, const std::string& key, const std::string& value) {
   std::string& line = lines_[line_of(table, key)];
   line = fmt::format("{:<40} {}", key + " = " + value, comment_behind(line));
+}
+
+std::string ExampleFile::string_value(const std::string& text) { return quoted(text); }
+
+void ExampleFile::set_text(const std::string& table, const std::string& key,
+                           const std::string& text) {
+  set(table, key, string_value(text));
+}
+
+void ExampleFile::set_numbers(const std::string& table, const std::string& key,
+                              const std::vector<double>& values) {
+  set(table, key, list_of(values));
+}
+
+void ExampleFile::set_path(const std::string& table, const std::string& key,
+                           const std::filesystem::path& path, const std::filesystem::path& folder) {
+  set(table, key, path_from(path, folder));
 }
 
 void ExampleFile::comment_out(const std::string& table, const std::string& key) {

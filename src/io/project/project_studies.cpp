@@ -12,20 +12,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string list_of(const std::vector<double>& values) {
-  return values.size() == 1 ? fmt::format("{}", values.front())
-                            : fmt::format("[{}]", fmt::join(values, ", "));
-}
-
 /// Any value between the lowest and the highest.
 std::string between(const std::vector<double>& values) {
   if (values.size() == 1) return list_of(values);
   return fmt::format("{{ distribution = \"uniform\", min = {}, max = {} }}", values.front(),
                      values.back());
-}
-
-std::string path_from(const fs::path& file, const fs::path& folder) {
-  return quoted(fs::proximate(fs::absolute(file), fs::absolute(folder)).generic_string());
 }
 
 /// An inline table.
@@ -58,7 +49,7 @@ std::string demand_study(const Project& project, const fs::path& folder) {
   const ProjectFriction& mu = project.friction;
   std::vector<double> frictions{mu.design()};
   if (mu.std > 0.0) frictions = {mu.design(), mu.mean, mu.mean + 2.0 * mu.std};
-  return head_of(project, folder, "demand", "displacement demand", {sds_g, 1.5 * sds_g}) +
+  return head_of(project, folder, "demand", "displacement demand", {sds_g, mce_over_dbe * sds_g}) +
          fmt::format(
              "[building]\nperiod_s = {}\nmass_ratio = {}\ndamping = {}\n\n"
              "[vertical]\nuse = [\"none\", \"if_available\"]\n\n"

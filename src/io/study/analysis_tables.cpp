@@ -207,8 +207,8 @@ void read_verdict(const TomlTable& root, StudyConfig& study) {
   needs(root, "verdict", root.has("standards"), "[standards] compare");
   const std::vector<double>& levels = study.intensity.levels;
   needs(root, "verdict",
-        std::ranges::any_of(levels,
-                            [&](double l) { return level_at(levels, 1.5 * l) < levels.size(); }),
+        std::ranges::any_of(
+            levels, [&](double l) { return level_at(levels, mce_over_dbe * l) < levels.size(); }),
         "intensity.levels with 1.5 times one of them: the MCE of a design earthquake");
 }
 

@@ -23,6 +23,17 @@ std::string quoted(const std::string& text) {
   return result + '"';
 }
 
+std::string list_of(const std::vector<double>& values) {
+  return values.size() == 1 ? fmt::format("{}", values.front())
+                            : fmt::format("[{}]", fmt::join(values, ", "));
+}
+
+std::string path_from(const std::filesystem::path& file, const std::filesystem::path& folder) {
+  return quoted(
+      std::filesystem::proximate(std::filesystem::absolute(file), std::filesystem::absolute(folder))
+          .generic_string());
+}
+
 std::vector<std::string> target_fields(const DesignTarget& target) {
   GLISSADE_EXPECTS(target.period_s.empty());
   std::vector<std::string> fields{"edition = " + quoted(to_string(target.edition))};

@@ -138,21 +138,25 @@ std::vector<double> means_by_orientation(const Results& results, const MeanQuest
   return weighted_means(values, std::vector<double>(values.records().size(), 1.0));
 }
 
+double mean_by(OrientationRule rule, const std::vector<double>& means) {
+  return rule == OrientationRule::largest ? std::ranges::max(means) : quantile_of(means, 0.5);
+}
+
 OrientationRange over_orientations(const Results& results, const MeanQuestion& question,
                                    const Condition& at, Periods periods) {
   const Values values(results, question, at, periods);
   const std::size_t records = values.records().size();
   const std::vector<double> means = weighted_means(values, std::vector<double>(records, 1.0));
   const auto [low, high] = std::minmax_element(means.begin(), means.end());
-  const auto median = [&](const std::vector<double>& weights) {
-    return quantile_of(weighted_means(values, weights), 0.5);
-  };
-  const auto highest = [&](const std::vector<double>& weights) {
-    return std::ranges::max(weighted_means(values, weights));
-  };
-  return {*low, quantile_of(means, 0.5), *high,
-          bootstrap_interval(records, median, {.seed = results.seed}),
-          bootstrap_interval(records, highest, {.seed = results.seed})};
+  const std::vector<Interval> intervals =
+      bootstrap_intervals(records, 2,
+                          [&](const std::vector<double>& weights) {
+                            const std::vector<double> resampled = weighted_means(values, weights);
+                            return std::vector{mean_by(OrientationRule::median, resampled),
+                                               mean_by(OrientationRule::largest, resampled)};
+                          },
+                          {.seed = results.seed});
+  return {*low, mean_by(OrientationRule::median, means), *high, intervals[0], intervals[1]};
 }
 
 std::size_t governing_period(const Results& results, const MeanQuestion& question,
@@ -160,10 +164,9 @@ std::size_t governing_period(const Results& results, const MeanQuestion& questio
   std::size_t governing = 0;
   double largest = -1.0;
   for (std::size_t p = 0; p < results.conditions->grid.period_s.size(); ++p) {
-    const std::vector<double> means =
-        means_by_orientation(results, question, at.with(ConditionAxis::period, p), Periods::one);
-    const double mean =
-        rule == OrientationRule::largest ? std::ranges::max(means) : quantile_of(means, 0.5);
+    const double mean = mean_by(
+        rule,
+        means_by_orientation(results, question, at.with(ConditionAxis::period, p), Periods::one));
     if (mean > largest) {
       largest = mean;
       governing = p;

@@ -13,11 +13,9 @@
 namespace glissade {
 namespace {
 
-constexpr double mce_factor = 1.5;  // of DBE (ASCE 7-16, 11.4.5)
-
 bool is_within_conditions(Standard standard, double mu, double slope_deg) {
   return standard == Standard::seaoc_pv1_2012
-             ? slope_deg < seaoc_slope_limit_deg && mu > seaoc_mu_limit
+             ? seaoc_pv1_2012_applies(slope_deg, mu)
              : slope_deg <= asce7_16_slope_limit_deg && mu >= asce7_16_mu_limit;
 }
 
@@ -50,14 +48,13 @@ class Buildings {
   static constexpr const char* period_key = "building.period_s";
 
   /// The largest probability that displacement exceeds a value.
-  void exceedance(std::size_t level, double value_m, double& probability, Interval& interval,
-                  double& period_s) const {
+  VerdictProbability exceedance(std::size_t level, double value_m) const {
     const AtPeriod& worst =
         largest(level, [&](const PooledLevel& l) { return l.share_above(value_m); });
-    probability = worst.levels[level].share_above(value_m);
-    interval =
-        widened(worst.levels[level].share_interval(value_m, options_), probability, records_);
-    period_s = worst.period_s;
+    const PooledLevel& pooled = worst.levels[level];
+    const double probability = pooled.share_above(value_m);
+    return {probability, widened(pooled.share_interval(value_m, options_), probability, records_),
+            worst.period_s};
   }
 
   /// The largest displacement that is exceeded with a probability.
@@ -65,8 +62,9 @@ class Buildings {
     const double quantile = 1.0 - probability;
     const AtPeriod& worst =
         largest(level, [&](const PooledLevel& l) { return l.quantile_m(quantile); });
-    row.displacement_m.push_back(worst.levels[level].quantile_m(quantile));
-    row.displacement_interval.push_back(worst.levels[level].quantile_interval(quantile, options_));
+    const PooledLevel& pooled = worst.levels[level];
+    row.displacement_m.push_back(pooled.quantile_m(quantile));
+    row.displacement_interval.push_back(pooled.quantile_interval(quantile, options_));
   }
 
  private:
@@ -100,6 +98,22 @@ VerdictRow kind_of_array(const CaseSet& set, std::size_t combination) {
   return row;
 }
 
+/// What does not depend on the standard, at each S_DS of which the MCE is a level too.
+std::vector<VerdictRow> computed_rows(const Results& results, const Buildings& buildings,
+                                      std::size_t combination, const VerdictResults& verdict) {
+  std::vector<VerdictRow> rows;
+  const VerdictRow kind = kind_of_array(results.cases, combination);
+  for (std::size_t level = 0; level < results.levels.size(); ++level) {
+    const double sds_g = results.levels[level];
+    if (level_at(results.levels, mce_over_dbe * sds_g) == results.levels.size()) continue;
+    rows.push_back(kind);
+    rows.back().sds_g = sds_g;
+    for (const double probability : verdict.exceedance)
+      buildings.displacement(level, probability, rows.back());
+  }
+  return rows;
+}
+
 bool is_first_of_its_periods(const CaseSet& set, std::size_t combination) {
   const std::size_t axis = set.axis(Buildings::period_key);
   return axis == set.axes.size() || set.places(combination)[axis] == 0;
@@ -114,14 +128,14 @@ std::size_t level_at(const std::vector<double>& levels, double level) {
 }
 
 Judgement judgement(const VerdictResults& verdict, const VerdictRow& row) {
-  if (row.dbe_probability > verdict.exceedance.front()) return Judgement::exceeded;
+  if (row.dbe.probability > verdict.exceedance.front()) return Judgement::exceeded;
   return row.prescribed.value_m > 2.0 * row.displacement_m.back() ? Judgement::conservative
                                                                   : Judgement::sufficient;
 }
 
 bool is_certain(const VerdictResults& verdict, const VerdictRow& row) {
   const double accepted = verdict.exceedance.front();
-  return row.dbe_interval.low > accepted || row.dbe_interval.high <= accepted;
+  return row.dbe.interval.low > accepted || row.dbe.interval.high <= accepted;
 }
 
 VerdictResults verdict_results(const StudyConfig& config, const Results& results) {
@@ -133,21 +147,15 @@ VerdictResults verdict_results(const StudyConfig& config, const Results& results
         set.cases[set.index(c, 0, 0)].support != ArraySupport::isolated)
       continue;
     const Buildings buildings(config, results, c);
-    const VerdictRow kind = kind_of_array(set, c);
+    const std::vector<VerdictRow> computed = computed_rows(results, buildings, c, verdict);
     for (const Standard standard : config.standards.compare) {
-      for (std::size_t dbe = 0; dbe < results.levels.size(); ++dbe) {
-        const std::size_t mce = level_at(results.levels, mce_factor * results.levels[dbe]);
-        if (mce == results.levels.size()) continue;
-        VerdictRow row = kind;
+      for (VerdictRow row : computed) {
         row.standard = standard;
-        row.sds_g = results.levels[dbe];
         row.prescribed = prescribed_displacement(standard, row.sds_g, config.standards);
         row.within_conditions = is_within_conditions(standard, row.mu, row.slope_deg);
-        const double value_m = row.prescribed.value_m;
-        buildings.exceedance(dbe, value_m, row.dbe_probability, row.dbe_interval, row.dbe_period_s);
-        buildings.exceedance(mce, value_m, row.mce_probability, row.mce_interval, row.mce_period_s);
-        for (const double probability : verdict.exceedance)
-          buildings.displacement(dbe, probability, row);
+        row.dbe = buildings.exceedance(level_at(results.levels, row.sds_g), row.prescribed.value_m);
+        row.mce = buildings.exceedance(level_at(results.levels, mce_over_dbe * row.sds_g),
+                                       row.prescribed.value_m);
         verdict.rows.push_back(std::move(row));
       }
     }

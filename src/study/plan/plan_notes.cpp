@@ -47,7 +47,7 @@ std::vector<std::string> notes_on_standards(const Plan& plan) {
   const auto& compare = plan.config.standards.compare;
   if (std::ranges::find(compare, Standard::seaoc_pv1_2012) == compare.end()) return {};
   const auto outside = std::ranges::count_if(plan.cases.cases, [](const Case& c) {
-    return std::abs(c.slope_deg) >= seaoc_slope_limit_deg || c.friction <= seaoc_mu_limit;
+    return !seaoc_pv1_2012_applies(std::abs(c.slope_deg), c.friction);
   });
   if (outside == 0) return {};
   return {fmt::format(

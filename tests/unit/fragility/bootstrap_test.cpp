@@ -345,6 +345,35 @@ TEST(bootstrap_interval, covers_the_mean_of_20_normal_numbers) {
   EXPECT_LE(share, 0.98);
 }
 
+TEST(bootstrap, of_several_statistics_gives_the_intervals_of_each) {
+  const auto sum = [](const std::vector<double>& weights) {
+    double total = 0.0;
+    for (std::size_t i = 0; i < weights.size(); ++i) total += weights[i] * static_cast<double>(i);
+    return total;
+  };
+  const auto of_first = [](const std::vector<double>& weights) { return weights.front(); };
+  const BootstrapOptions options{.seed = 7, .replicates = 200};
+  const std::vector<Interval> both = bootstrap_intervals(
+      8, 2,
+      [&](const auto& weights) {
+        return std::vector{sum(weights), of_first(weights)};
+      },
+      options);
+  ASSERT_EQ(both.size(), 2u);
+  const Interval first = bootstrap_interval(8, sum, options),
+                 second = bootstrap_interval(8, of_first, options);
+  EXPECT_EQ(both[0].low, first.low);
+  EXPECT_EQ(both[0].high, first.high);
+  EXPECT_EQ(both[1].low, second.low);
+  EXPECT_EQ(both[1].high, second.high);
+  for (const Interval& none : bootstrap_intervals(1, 2,
+                                                  [](const auto&) {
+                                                    return std::vector{1.0, 1.0};
+                                                  },
+                                                  {}))
+    EXPECT_TRUE(std::isnan(none.low));
+}
+
 TEST(bootstrap_interval, is_empty_for_one_record) {
   EXPECT_TRUE(std::isnan(bootstrap_interval(1, [](const auto&) { return 1.0; }, {}).low));
 }

@@ -248,12 +248,8 @@ inline void add_verdict(Results& r) {
                             x / 2,
                             7.0 * x,
                             x < 0.4,
-                            x / 3,
-                            {0.0, x},
-                            1.0 + x,
-                            x / 4,
-                            {},
-                            2.0 + x,
+                            {x / 3, {0.0, x}, 1.0 + x},
+                            {x / 4, {}, 2.0 + x},
                             {x, infinity},
                             {{0.1 * x, 2.0 * x}, {x, infinity}}});
   }

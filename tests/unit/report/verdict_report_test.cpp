@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "analysis/verdict/kinds.hpp"
 #include "glissade/report/html.hpp"
 #include "glissade/report/summary.hpp"
 #include "glissade/report/tables.hpp"
@@ -32,10 +33,10 @@ Results made_up() {
       row.mu = mu;
       row.slope_deg = 2.0;
       row.within_conditions = mu == 0.5;
-      row.dbe_probability = mu == 0.5 ? 0.0 : sds_g - 0.5;
-      row.dbe_interval = {row.dbe_probability / 2.0, row.dbe_probability + 0.125};
-      row.mce_probability = row.dbe_probability + 0.25;
-      row.mce_interval = {0.125, 0.875};
+      row.dbe.probability = mu == 0.5 ? 0.0 : sds_g - 0.5;
+      row.dbe.interval = {row.dbe.probability / 2.0, row.dbe.probability + 0.125};
+      row.mce.probability = row.dbe.probability + 0.25;
+      row.mce.interval = {0.125, 0.875};
       row.displacement_m = mu == 0.5 ? std::vector{0.03, 0.06} : std::vector{2.0 * sds_g, 3.0};
       row.displacement_interval = {{0.01, 0.1}, {0.02, 0.2}};
       verdict.rows.push_back(row);
@@ -69,6 +70,21 @@ TEST(verdict_report, says_within_and_outside_the_conditions_apart) {
   EXPECT_THAT(sentences,
               Contains(AllOf(HasSubstr("within"), HasSubstr("0 are"), HasSubstr("3 are"))));
   EXPECT_THAT(summary_text(made_up()), HasSubstr("0.75 to 1"));
+}
+
+TEST(verdict_report, of_arrays_that_differ_in_more_names_them_and_draws_the_largest) {
+  Results r = made_up();
+  r.cases.axes = {{"building.mass_ratio", "-", {0.01, 0.1}, {}}};
+  VerdictRow heavier = r.verdict->rows.back();
+  heavier.first_case = 2;
+  heavier.condition = "mass ratio 0.1";
+  heavier.displacement_m.front() = 6.0;  // ten times what is prescribed
+  r.verdict->rows.push_back(heavier);
+  EXPECT_EQ(std::get<std::string>(rows_of(r, "verdict_summary").back().back()), "mass ratio 0.1");
+  const Figure figure = verdict_figure(r);
+  const DataSeries& line = figure.panels.at(0).series.at(1);  // friction 0.5
+  ASSERT_EQ(line.x.size(), 3u);
+  EXPECT_NEAR(line.y.back(), 1.0, 1e-12);  // the logarithm of 10
 }
 
 TEST(verdict_report, is_absent_without_the_analysis) {

@@ -73,12 +73,12 @@ TEST(verdict, takes_the_building_that_makes_each_number_largest) {
   for (std::size_t record = 0; record < 4; ++record) made.slide(record, 0, 2, 9.0);  // 0.2 s, MCE
   const VerdictResults verdict = verdict_results(made.config, made.results);
   const VerdictRow& row = verdict.rows[0];
-  EXPECT_DOUBLE_EQ(row.dbe_probability, 0.2);
-  EXPECT_EQ(row.dbe_period_s, 1.0);
-  EXPECT_DOUBLE_EQ(row.mce_probability, 0.4);
-  EXPECT_EQ(row.mce_period_s, 0.2);
-  EXPECT_LT(row.dbe_interval.low, 0.1);
-  EXPECT_GT(row.dbe_interval.high, 0.2);
+  EXPECT_DOUBLE_EQ(row.dbe.probability, 0.2);
+  EXPECT_EQ(row.dbe.period_s, 1.0);
+  EXPECT_DOUBLE_EQ(row.mce.probability, 0.4);
+  EXPECT_EQ(row.mce.period_s, 0.2);
+  EXPECT_LT(row.dbe.interval.low, 0.1);
+  EXPECT_GT(row.dbe.interval.high, 0.2);
   EXPECT_EQ(judgement(verdict, row), Judgement::exceeded);
   EXPECT_FALSE(is_certain(verdict, row));  // two records of ten
   EXPECT_DOUBLE_EQ(row.displacement_m.at(2), 3.0 * prescribed_m);
@@ -88,8 +88,8 @@ TEST(verdict, of_nothing_exceeded_is_no_more_certain_than_the_records_are_many) 
   const TwoFrictions made;
   const VerdictResults verdict = verdict_results(made.config, made.results);
   const VerdictRow& row = verdict.rows[0];
-  EXPECT_EQ(row.dbe_probability, 0.0);
-  EXPECT_NEAR(row.dbe_interval.high, 1.0 - std::pow(0.025, 0.1), 1e-12);  // 31 % of ten records
+  EXPECT_EQ(row.dbe.probability, 0.0);
+  EXPECT_NEAR(row.dbe.interval.high, 1.0 - std::pow(0.025, 0.1), 1e-12);  // 31 % of ten records
   EXPECT_EQ(judgement(verdict, row), Judgement::conservative);            // 0.55 m against 0.1 m
   EXPECT_FALSE(is_certain(verdict, row));
 }
@@ -99,11 +99,11 @@ TEST(verdict, of_an_array_that_slides_freely_is_exceeded) {
   for (std::size_t record = 0; record < TwoFrictions::records; ++record)
     made.slide(record, 1, 0, std::numeric_limits<double>::infinity());
   const VerdictResults verdict = verdict_results(made.config, made.results);
-  EXPECT_EQ(verdict.rows[1].dbe_probability, 1.0);
+  EXPECT_EQ(verdict.rows[1].dbe.probability, 1.0);
   EXPECT_TRUE(std::isinf(verdict.rows[1].displacement_m.front()));
   EXPECT_EQ(judgement(verdict, verdict.rows[1]), Judgement::exceeded);
   EXPECT_TRUE(is_certain(verdict, verdict.rows[1]));
-  EXPECT_EQ(verdict.rows[0].dbe_probability, 0.0);
+  EXPECT_EQ(verdict.rows[0].dbe.probability, 0.0);
 }
 
 TEST(verdict, has_the_exact_friction_of_cases_that_share_it) {

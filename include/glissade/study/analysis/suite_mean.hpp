@@ -47,6 +47,9 @@ enum class Periods { one, largest };
 std::vector<double> means_by_orientation(const Results& results, const MeanQuestion& question,
                                          const Condition& at, Periods periods);
 
+/// What a rule takes of the means by orientation.
+double mean_by(OrientationRule rule, const std::vector<double>& means);
+
 struct OrientationRange {
   double lowest = 0.0, median = 0.0, highest = 0.0;
   Interval interval;          ///< 95 % of the median, bootstrap over records; NaN for one record

@@ -15,6 +15,13 @@ namespace glissade {
 
 struct Results;
 
+/// That displacement exceeds the prescribed one, in the building whose period makes it largest.
+struct VerdictProbability {
+  double probability = 0.0;
+  Interval interval;  ///< never narrower than that of a binomial, see widened()
+  double period_s = 0.0;
+};
+
 /// One prescribed displacement on arrays of one kind, in the building whose period makes each
 /// number largest. Histories of all records, samples and orientations count alike.
 struct VerdictRow {
@@ -25,12 +32,7 @@ struct VerdictRow {
   std::string condition;             ///< what the study lists of it but the building period
   double mu = 0.0, slope_deg = 0.0;  ///< means over the samples
   bool within_conditions = false;    ///< of the standard: slope and friction
-  double dbe_probability = 0.0;      ///< that displacement exceeds the prescribed one, at DBE
-  Interval dbe_interval;             ///< never narrower than that of a binomial, see widened()
-  double dbe_period_s = 0.0;         ///< where it is largest
-  double mce_probability = 0.0;      ///< the same at MCE
-  Interval mce_interval;
-  double mce_period_s = 0.0;
+  VerdictProbability dbe, mce;
   /// At DBE, exceeded with each probability of VerdictResults::exceedance; infinite where so many
   /// histories slide freely.
   std::vector<double> displacement_m;
@@ -50,7 +52,7 @@ struct VerdictResults {
 
 Judgement judgement(const VerdictResults& verdict, const VerdictRow& row);
 
-/// The interval of the probability at DBE leaves no doubt about being exceeded or not.
+/// The interval of the probability at DBE lies on one side of the accepted one.
 bool is_certain(const VerdictResults& verdict, const VerdictRow& row);
 
 /// At every level of which 1.5 times is a level too, of the arrays that slide.

@@ -22,12 +22,17 @@ void exchange_verdict(const Archive& archive, T& verdict) {
   column("within_conditions", {"-", "1: slope and friction meet the standard's conditions"},
          &VerdictRow::within_conditions);
   column("dbe_probability", {"-", "that the prescribed displacement is exceeded at S_DS"},
-         &VerdictRow::dbe_probability);
-  column("dbe_probability", {"-", "95 % interval of that"}, &VerdictRow::dbe_interval);
-  column("dbe_period_s", {"s", "building period where it is largest"}, &VerdictRow::dbe_period_s);
-  column("mce_probability", {"-", "the same at 1.5 S_DS"}, &VerdictRow::mce_probability);
-  column("mce_probability", {"-", "95 % interval of that"}, &VerdictRow::mce_interval);
-  column("mce_period_s", {"s", "building period where it is largest"}, &VerdictRow::mce_period_s);
+         member(&VerdictRow::dbe, &VerdictProbability::probability));
+  column("dbe_probability", {"-", "95 % interval of that"},
+         member(&VerdictRow::dbe, &VerdictProbability::interval));
+  column("dbe_period_s", {"s", "building period where it is largest"},
+         member(&VerdictRow::dbe, &VerdictProbability::period_s));
+  column("mce_probability", {"-", "the same at 1.5 S_DS"},
+         member(&VerdictRow::mce, &VerdictProbability::probability));
+  column("mce_probability", {"-", "95 % interval of that"},
+         member(&VerdictRow::mce, &VerdictProbability::interval));
+  column("mce_period_s", {"s", "building period where it is largest"},
+         member(&VerdictRow::mce, &VerdictProbability::period_s));
   column("displacement_m", {"m", "exceeded at S_DS with each probability, by (row, probability)"},
          &VerdictRow::displacement_m);
   column("displacement_m", {"m", "95 % intervals of these"}, &VerdictRow::displacement_interval);

@@ -160,9 +160,8 @@ std::string limits_of(Standard standard) {
 }
 
 bool applies_at(Standard standard, double slope_deg, double mu) {
-  return standard == Standard::seaoc_pv1_2012
-             ? slope_deg < seaoc_slope_limit_deg && mu > seaoc_mu_limit
-             : slope_deg <= asce7_16_slope_limit_deg;
+  return standard == Standard::seaoc_pv1_2012 ? seaoc_pv1_2012_applies(slope_deg, mu)
+                                              : slope_deg <= asce7_16_slope_limit_deg;
 }
 
 double PrescribedLine::slope_limit_deg() const {

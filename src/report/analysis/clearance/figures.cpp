@@ -41,9 +41,9 @@ Figure period_figure(const Results& results) {
   Places members = places_of(grid, vertical, mass);
   double largest_m = 0.0;  // of all, drawn or not
   for (const Condition& at : members)
-    largest_m = std::max(
-        largest_m,
-        over_orientations(results, {}, at, Periods::largest).of(results.clearance->orientation));
+    largest_m =
+        std::max(largest_m, mean_by(results.clearance->orientation,
+                                    means_by_orientation(results, {}, at, Periods::largest)));
   if (members.size() > most_lines) members = shown_along(grid, mass);
   Family family(results, period_label, grid.period_s);
   for (std::size_t i = 0; i < members.size(); ++i) {

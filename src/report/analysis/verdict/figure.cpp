@@ -73,6 +73,13 @@ Figure verdict_figure(const Results& results) {
                       fmt::format("friction {:.3g}", shown[i])};
       for (const VerdictRow& row : verdict.rows) {
         if (row.standard != standard || row.mu != shown[i] || row.slope_deg != slope) continue;
+        // Of arrays that differ in something else the largest is drawn.
+        const auto at = std::ranges::find(line.x, row.sds_g);
+        if (at != line.x.end()) {
+          double& drawn = line.y[static_cast<std::size_t>(at - line.x.begin())];
+          drawn = std::max(drawn, height(row));
+          continue;
+        }
         line.x.push_back(row.sds_g);
         line.y.push_back(height(row));
         if (std::isfinite(line.y.back())) highest = std::max(highest, line.y.back() + 0.05);

@@ -25,7 +25,7 @@ Tally tally(const VerdictResults& verdict, Counts counts) {
     ++t.rows;
     const Judgement found = judgement(verdict, row);
     t.conservative += found == Judgement::conservative ? 1 : 0;
-    if (t.worst == nullptr || row.dbe_probability > t.worst->dbe_probability) t.worst = &row;
+    if (t.worst == nullptr || row.dbe.probability > t.worst->dbe.probability) t.worst = &row;
     if (found != Judgement::exceeded) continue;
     ++t.exceeded;
     t.certainly += is_certain(verdict, row) ? 1 : 0;
@@ -37,13 +37,14 @@ std::string sentence(const VerdictResults& verdict, Standard standard, const std
                      const Tally& t) {
   return fmt::format(
       "{}, {}: of {} prescribed displacements {} are exceeded with more than {:g} % probability "
-      "at DBE ({} without doubt, by the 95 % interval over records), and {} are more than twice "
-      "the displacement that {:g} % of the histories exceed. The largest probability is {} [{} to "
+      "at DBE ({} with the whole 95 % interval above that), and {} are, by estimate, more than "
+      "twice the displacement that {:g} % of the histories exceed. The largest probability is {} "
+      "[{} to "
       "{}], at S_DS = {:.3g} g with {}.",
       standard_name(standard), where, t.rows, t.exceeded, 100.0 * verdict.exceedance.front(),
       t.certainly, t.conservative, 100.0 * verdict.exceedance.back(),
-      format_share(t.worst->dbe_probability), format_share(t.worst->dbe_interval.low),
-      format_share(t.worst->dbe_interval.high), t.worst->sds_g, kind_text(*t.worst));
+      format_share(t.worst->dbe.probability), format_share(t.worst->dbe.interval.low),
+      format_share(t.worst->dbe.interval.high), t.worst->sds_g, kind_text(*t.worst));
 }
 
 std::vector<std::string> sentences(const Results& results) {

@@ -27,6 +27,12 @@ std::string ranges_of(const VerdictResults& verdict, VerdictKind kind, Judgement
   return text.empty() ? "-" : text;
 }
 
+VerdictProbability largest_of(VerdictKind kind, VerdictProbability VerdictRow::*at) {
+  return (*std::ranges::max_element(kind, {},
+                                    [&](const VerdictRow& row) { return (row.*at).probability; })).*
+         at;
+}
+
 const char* conditions_text(const VerdictRow& row) {
   return row.within_conditions ? "within" : "outside";
 }
@@ -74,7 +80,8 @@ Table verdict_table(const Results& results) {
                              percent(p) + " exceed, m (in) [95 %]", ColumnKind::length, true});
   table.columns.push_back({"ratio", "", percent(verdict.exceedance.front()) + " over prescribed"});
   table.columns.push_back(text_column("judgement", "Judgement"));
-  table.columns.push_back(text_column("certain", "Without doubt"));
+  table.columns.push_back(
+      text_column("certain", "Interval on one side of " + percent(verdict.exceedance.front())));
   for (const VerdictRow& row : verdict.rows) {
     std::vector<Cell> cells{row.condition,
                             row.mu,
@@ -83,10 +90,10 @@ Table verdict_table(const Results& results) {
                             std::string(conditions_text(row)),
                             row.sds_g,
                             row.prescribed.value_m,
-                            Estimate{row.dbe_probability, row.dbe_interval},
-                            row.dbe_period_s,
-                            Estimate{row.mce_probability, row.mce_interval},
-                            row.mce_period_s};
+                            Estimate{row.dbe.probability, row.dbe.interval},
+                            row.dbe.period_s,
+                            Estimate{row.mce.probability, row.mce.interval},
+                            row.mce.period_s};
     for (std::size_t i = 0; i < row.displacement_m.size(); ++i)
       cells.emplace_back(Estimate{row.displacement_m[i], row.displacement_interval[i]});
     cells.emplace_back(row.displacement_m.front() / row.prescribed.value_m);
@@ -108,24 +115,28 @@ Table verdict_summary_table(const Results& results) {
                text_column("exceeded", "Exceeded at S_DS, g"),
                text_column("conservative", "Conservative at S_DS, g"),
                {"dbe_probability", "", "Largest at DBE [95 %]", ColumnKind::share, true},
-               {"mce_probability", "", "Largest at MCE [95 %]", ColumnKind::share, true}},
+               {"mce_probability", "", "Largest at MCE [95 %]", ColumnKind::share, true},
+               text_column("condition", "Array")},
               {}};
   for (const VerdictKind kind : verdict_kinds(verdict)) {
-    const auto dbe = std::ranges::max_element(kind, {}, &VerdictRow::dbe_probability);
-    const auto mce = std::ranges::max_element(kind, {}, &VerdictRow::mce_probability);
-    table.add({kind.front().slope_deg, kind.front().mu, standard_name(kind.front().standard),
-               std::string(conditions_text(kind.front())),
-               ranges_of(verdict, kind, Judgement::exceeded),
-               ranges_of(verdict, kind, Judgement::conservative),
-               Estimate{dbe->dbe_probability, dbe->dbe_interval},
-               Estimate{mce->mce_probability, mce->mce_interval}});
+    const VerdictProbability dbe = largest_of(kind, &VerdictRow::dbe),
+                             mce = largest_of(kind, &VerdictRow::mce);
+    table.add(
+        {kind.front().slope_deg, kind.front().mu, standard_name(kind.front().standard),
+         std::string(conditions_text(kind.front())), ranges_of(verdict, kind, Judgement::exceeded),
+         ranges_of(verdict, kind, Judgement::conservative), Estimate{dbe.probability, dbe.interval},
+         Estimate{mce.probability, mce.interval}, kind.front().condition});
   }
   table.notes = {
       fmt::format("Exceeded: with more than {} probability at DBE. Conservative: more than twice "
                   "the displacement that {} of the histories exceed at DBE. Conditions: slope and "
                   "friction of the standard.",
                   percent(verdict.exceedance.front()), percent(verdict.exceedance.back()))};
-  return table;
+  const bool lists_more = std::ranges::any_of(results.cases.axes, [](const CaseAxis& axis) {
+    return axis.key != "friction.mu" && axis.key != "roof.slope_deg" &&
+           axis.key != "building.period_s";
+  });
+  return lists_more ? table : table.without("condition");
 }
 
 }  // namespace glissade
