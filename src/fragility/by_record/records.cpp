@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "records.hpp"
+#include "by_record/records.hpp"
 
 #include <cmath>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "profile.hpp"
+#include "lognormal/profile.hpp"
 
 #include <algorithm>
 #include <boost/math/distributions/chi_squared.hpp>

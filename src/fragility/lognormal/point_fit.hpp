@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "glissade/fragility/fit.hpp"
-#include "likelihood.hpp"
+#include "lognormal/likelihood.hpp"
 
 namespace glissade::fragility {
 

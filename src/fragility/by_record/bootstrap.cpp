@@ -4,10 +4,10 @@
 #include <cmath>
 #include <limits>
 
+#include "by_record/records.hpp"
+#include "by_record/resampling.hpp"
 #include "glissade/core/contract.hpp"
 #include "glissade/core/normal.hpp"
-#include "records.hpp"
-#include "resampling.hpp"
 
 namespace glissade {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <functional>
 
-#include "likelihood.hpp"
+#include "lognormal/likelihood.hpp"
 
 namespace glissade::fragility {
 

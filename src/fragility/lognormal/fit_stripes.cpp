@@ -2,9 +2,9 @@
 #include <cmath>
 
 #include "glissade/fragility/fit.hpp"
-#include "likelihood.hpp"
-#include "point_fit.hpp"
-#include "profile.hpp"
+#include "lognormal/likelihood.hpp"
+#include "lognormal/point_fit.hpp"
+#include "lognormal/profile.hpp"
 
 namespace glissade {
 namespace {

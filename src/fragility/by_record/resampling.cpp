@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "resampling.hpp"
+#include "by_record/resampling.hpp"
 
 #include <algorithm>
 #include <boost/math/distributions/chi_squared.hpp>

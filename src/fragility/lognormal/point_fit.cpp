@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "point_fit.hpp"
+#include "lognormal/point_fit.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "glissade/core/error.hpp"
-#include "profile.hpp"
+#include "lognormal/profile.hpp"
 
 namespace glissade::fragility {
 namespace {

@@ -6,9 +6,9 @@
 #include <numbers>
 
 #include "glissade/fragility/fit.hpp"
-#include "likelihood.hpp"
-#include "point_fit.hpp"
-#include "profile.hpp"
+#include "lognormal/likelihood.hpp"
+#include "lognormal/point_fit.hpp"
+#include "lognormal/profile.hpp"
 
 namespace glissade {
 namespace {

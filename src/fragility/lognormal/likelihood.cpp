@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "likelihood.hpp"
+#include "lognormal/likelihood.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "glissade/fragility/bootstrap.hpp"
-#include "point_fit.hpp"
+#include "lognormal/point_fit.hpp"
 
 namespace glissade::fragility {
 
