@@ -5,9 +5,12 @@
 #include <filesystem>
 
 #include "commands.hpp"
+#include "glissade/core/error.hpp"
 #include "glissade/io/results_file.hpp"
+#include "glissade/io/study_file.hpp"
 #include "glissade/report/summary.hpp"
 #include "glissade/report/write_report.hpp"
+#include "glissade/study/run/reduce.hpp"
 #include "output_rule.hpp"
 #include "run/run_record.hpp"
 
@@ -16,34 +19,54 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The report; its summary. An earlier one goes once the results are read.
-std::string report_again(const fs::path& file, const fs::path& out) {
-  const Results results = read_results(file);
+struct ReportOptions {
+  std::string results, study, out;
+  bool overwrite = false;
+
+  fs::path folder() const {
+    const fs::path folder = out.empty() ? fs::path(results).parent_path() : fs::path(out);
+    return folder.empty() ? fs::path(".") : folder;
+  }
+};
+
+/// The report; its summary. An earlier one goes once the results are read and analysed.
+std::string report_again(const ReportOptions& o) {
+  const fs::path file(o.results), out = o.folder();
+  Results results = read_results(file);
   const std::vector<Skip> skips = skips_in(file.parent_path() / "run.json");
+  if (!o.study.empty()) analyse_again(read_study_again(o.study, results.study_text), results);
   remove_report(out);
+  if (!o.study.empty()) {
+    fs::create_directories(out);
+    write_results(out / "results.h5", results);
+  }
   write_report(results, out, skips);
   return summary_text(results, skips);
+}
+
+void check_folder(const ReportOptions& o) {
+  if (o.study.empty()) return check_report_folder(o.folder(), o.overwrite);
+  if (o.out.empty())
+    throw InputError({"--study", "makes results of their own, which need a folder of their own",
+                      "give --out", ""});
+  check_output_folder(o.folder(), o.overwrite);
 }
 
 }  // namespace
 
 void add_report(CLI::App& program) {
-  struct ReportOptions {
-    std::string results, out;
-    bool overwrite = false;
-  };
   auto o = std::make_shared<ReportOptions>();
   CLI::App* command = program.add_subcommand(
       "report", "Make tables, figures and report.html again from a results file");
   command->add_option("results", o->results, "results.h5 of a run")->required();
+  command->add_option("--study", o->study,
+                      "the study of these results with other analyses, which are made of the "
+                      "histories that were run; needs --out");
   command->add_option("--out", o->out, "folder for the report [the results file's own]");
   add_overwrite(*command, o->overwrite);
   command->callback([o] {
-    const fs::path file(o->results);
-    const fs::path folder = o->out.empty() ? file.parent_path() : fs::path(o->out);
-    const fs::path out = folder.empty() ? fs::path(".") : folder;
-    check_report_folder(out, o->overwrite);
-    fmt::print("{}\nReport   {}\n", report_again(file, out), (out / "report.html").string());
+    check_folder(*o);
+    fmt::print("{}\nReport   {}\n", report_again(*o), (o->folder() / "report.html").string());
   });
 }
 

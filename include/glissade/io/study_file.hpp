@@ -13,4 +13,9 @@ namespace glissade {
 /// contradict each other.
 StudyConfig read_study(const std::filesystem::path& file);
 
+/// The study of finished results with other analyses. Throws InputError, beside what read_study()
+/// throws, where it differs from the text of the study that was run in more than the tables that
+/// are read from the same histories.
+StudyConfig read_study_again(const std::filesystem::path& file, const std::string& text_of_run);
+
 }  // namespace glissade

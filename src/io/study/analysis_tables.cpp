@@ -247,13 +247,17 @@ struct AnalysisTable {
   void (*read)(const TomlTable& root, StudyConfig& study);
   bool stands_alone;         ///< or is read beside one that does
   bool needs_every_history;  ///< those beyond the largest threshold too
+  bool of_any_run = false;   ///< can be added to finished results: every run keeps what it reads
 };
-constexpr AnalysisTable analysis_tables[] = {
-    {"fragility", read_fragility, true, false}, {"chart", read_chart, true, true},
-    {"clearance", read_clearance, true, true},  {"base_shear", read_base_shear, true, true},
-    {"standards", read_standards, false, true}, {"impact", read_impact, false, true},
-    {"hazard", read_hazard, false, true},       {"tipping", read_tipping, false, false},
-    {"verdict", read_verdict, true, true}};
+constexpr AnalysisTable analysis_tables[] = {{"fragility", read_fragility, true, false},
+                                             {"chart", read_chart, true, true},
+                                             {"clearance", read_clearance, true, true},
+                                             {"base_shear", read_base_shear, true, true},
+                                             {"standards", read_standards, false, true, true},
+                                             {"impact", read_impact, false, true},
+                                             {"hazard", read_hazard, false, true},
+                                             {"tipping", read_tipping, false, false},
+                                             {"verdict", read_verdict, true, true, true}};
 
 /// "[fragility], [chart] ..." of those for which a property holds.
 template <class Property>
@@ -266,6 +270,14 @@ std::string names_of(Property property) {
 }
 
 }  // namespace
+
+std::vector<std::string> tables_of_same_histories() {
+  std::vector<std::string> names;
+  for (const AnalysisTable& analysis : analysis_tables) {
+    if (analysis.of_any_run) names.emplace_back(analysis.name);
+  }
+  return names;
+}
 
 void read_analyses(const TomlTable& root, StudyConfig& study) {
   for (const AnalysisTable& analysis : analysis_tables) {

@@ -148,4 +148,14 @@ StudyConfig read_study(const std::filesystem::path& file) {
   return study;
 }
 
+StudyConfig read_study_again(const std::filesystem::path& file, const std::string& text_of_run) {
+  const std::vector<std::string> tables = tables_of_same_histories();
+  StudyConfig study = read_study(file);
+  if (toml_without(study.source_text, tables) == toml_without(text_of_run, tables)) return study;
+  std::string names;
+  for (const std::string& table : tables) names += (names.empty() ? "[" : ", [") + table + "]";
+  throw InputError({file.string(), "differs from the study that was run in more than " + names,
+                    "change or add these tables only, or run the study again", ""});
+}
+
 }  // namespace glissade

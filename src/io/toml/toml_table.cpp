@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <sstream>
 
 #include "glissade/core/file.hpp"
 #include "text/scan.hpp"
@@ -207,6 +208,18 @@ TomlDocument::TomlDocument(const std::filesystem::path& file) : state_(std::make
   } catch (const toml::parse_error& error) {
     throw InputError(state_->problem(error.source().begin, std::string(error.description()),
                                      "correct the TOML syntax"));
+  }
+}
+
+std::string toml_without(const std::string& text, const std::vector<std::string>& tables) {
+  try {
+    toml::table root = toml::parse(text);
+    for (const std::string& table : tables) root.erase(table);
+    std::ostringstream form;
+    form << root;
+    return form.str();
+  } catch (const toml::parse_error& error) {
+    throw InputError({"the study", "is not TOML: " + std::string(error.description()), "", ""});
   }
 }
 

@@ -41,6 +41,10 @@ struct RenamedKey {
 
 class TomlTable;
 
+/// The text of a TOML document in one form, without some of its tables: equal where two documents
+/// differ in these, in comments and in layout only. Throws InputError where it is not TOML.
+std::string toml_without(const std::string& text, const std::vector<std::string>& tables);
+
 /// A TOML file that is being read. Problems are collected while its tables are read; `finish` adds
 /// a problem for every key that was never read and throws them all, each with file:line and
 /// the user's own line.

@@ -222,6 +222,19 @@ Results reduce(const Plan& plan, const std::vector<UnitResult>& units) {
   return results;
 }
 
+void analyse_again(const StudyConfig& study, Results& results) {
+  results.study_text = study.source_text;
+  results.conditions.reset();
+  results.runs.clear();
+  results.chart.reset();
+  results.clearance.reset();
+  results.base_shear.reset();
+  results.tipping.reset();
+  results.hazard.reset();
+  results.verdict.reset();
+  analyse(study, results);
+}
+
 WorkCount total_count(const std::vector<UnitResult>& units) {
   WorkCount total;
   for (const UnitResult& unit : units) total += unit.count;

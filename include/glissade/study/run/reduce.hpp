@@ -12,6 +12,10 @@ namespace glissade {
 /// standards. `units` may come in any order; each unit of the plan must be there once.
 Results reduce(const Plan& plan, const std::vector<UnitResult>& units);
 
+/// Finished results with the analyses of `study`, which names the same histories. Warnings and notes
+/// stay, and new ones are added.
+void analyse_again(const StudyConfig& study, Results& results);
+
 WorkCount total_count(const std::vector<UnitResult>& units);
 
 /// What the plan left out, and what the units did not need to do.

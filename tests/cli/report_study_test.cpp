@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Other analyses of finished results: glissade report --study.
+#include "cli/one_run.hpp"
+#include "cli/small_study.hpp"
+
+namespace glissade::test {
+namespace {
+
+std::string without_standards() {
+  const std::string text = small_study();
+  return text.substr(0, text.find("[standards]"));
+}
+
+class ReportOfStudy : public OneRun<without_standards> {
+ protected:
+  Finished report(const std::string& study, const std::string& to) const {
+    return run_program({"report", (out() / "results.h5").string(), "--study",
+                        folder_->write("other.toml", study), "--out", folder_->path(to).string()});
+  }
+};
+
+TEST_F(ReportOfStudy, gives_what_a_run_of_that_study_gives) {
+  const std::string study = folder_->write("whole.toml", small_study());
+  ASSERT_EQ(run_program({"run", study, "--out", folder_->path("run").string()}).status, 0);
+  const Finished child = report(small_study(), "again");
+  ASSERT_EQ(child.status, 0) << child.err;
+  EXPECT_FALSE(std::filesystem::exists(out() / "tables/standards.csv"));
+  for (const char* table : {"tables/standards.csv", "tables/fragility.csv", "tables/slip.csv"})
+    EXPECT_EQ(read_file(folder_->path("again") / table), read_file(folder_->path("run") / table));
+  const Finished third =
+      run_program({"report", (folder_->path("again") / "results.h5").string(), "--overwrite"});
+  EXPECT_EQ(third.status, 0) << third.err;
+}
+
+TEST_F(ReportOfStudy, refuses_a_study_of_other_histories) {
+  const std::string before = read_file(out() / "results.h5");
+  const auto refused = [&](const Finished& child) {
+    EXPECT_EQ(child.status, 2);
+    EXPECT_EQ(child.out, "");
+    EXPECT_TRUE(read_file(out() / "results.h5") == before);
+  };
+  refused(report(replaced(small_study(), "mean = 0.3", "mean = 0.4"), "refused"));
+  refused(report(replaced(small_study(), "[0.05, 0.2]", "[0.05, 0.3]"), "refused"));
+  EXPECT_FALSE(std::filesystem::exists(folder_->path("refused")));
+  refused(run_program({"report", (out() / "results.h5").string(), "--study",
+                       folder_->write("other.toml", small_study())}));
+}
+
+}  // namespace
+}  // namespace glissade::test
