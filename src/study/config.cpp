@@ -19,14 +19,16 @@ const std::vector<double>& StudyConfig::thresholds_m() const {
   return fragility ? fragility->thresholds_m : none;
 }
 
+bool StudyConfig::samples_friction() const {
+  return std::ranges::find(friction.values, FrictionValue::as_drawn) != friction.values.end();
+}
+
 bool StudyConfig::draws() const {
   if (orientation.choice == OrientationChoice::random) return true;
-  const bool samples_friction =
-      std::ranges::find(friction.values, FrictionValue::as_drawn) != friction.values.end();
   for (std::size_t i = 0; i < parameters().size(); ++i) {
     const bool is_mu =
         i == parameter_index("friction", "mu") || i == parameter_index("friction", "across_mu");
-    if (quantities[i].is_drawn() && (samples_friction || !is_mu)) return true;
+    if (quantities[i].is_drawn() && (samples_friction() || !is_mu)) return true;
   }
   return false;
 }

@@ -176,6 +176,7 @@ struct StudyConfig {
   std::optional<HazardConfig> hazard;
   std::optional<VerdictConfig> verdict;
   StandardsConfig standards;
+  bool sensitivity = false;          ///< where the spread comes from
   bool impact = false;               ///< when and how fast each threshold is first reached
   bool base_shear = false;           ///< two axes: peak base shear of the building
   std::optional<RigidBase> tipping;  ///< of the array
@@ -183,6 +184,7 @@ struct StudyConfig {
   bool two_axes() const { return model.axes == SlidingAxes::two; }
   const std::vector<double>& thresholds_m() const;  ///< of the fragility; empty without one
   bool draws() const;                               ///< any quantity or the orientation
+  bool samples_friction() const;                    ///< runs friction as drawn
 };
 
 /// "largest", "median".

@@ -13,6 +13,7 @@
 #include "glissade/study/analysis/clearance.hpp"
 #include "glissade/study/analysis/condition_table.hpp"
 #include "glissade/study/analysis/hazard.hpp"
+#include "glissade/study/analysis/sensitivity.hpp"
 #include "glissade/study/analysis/tipping.hpp"
 #include "glissade/study/analysis/verdict.hpp"
 #include "glissade/study/cases/case_set.hpp"
@@ -210,6 +211,7 @@ struct Results {
   std::optional<TippingResults> tipping;
   std::optional<HazardResults> hazard;
   std::optional<VerdictResults> verdict;
+  std::optional<SensitivityResults> sensitivity;
 };
 
 /// The histories of some cases in a row.

@@ -188,6 +188,20 @@ void check_shape(const VerdictResults& verdict, const Results& results) {
   }
 }
 
+void check_shape(const SensitivityResults& found, const Results& results) {
+  const std::size_t factors = found.factors.size();
+  expect_fit(factors > 2, "factor", "sensitivity");
+  expect_fit(!found.rows.empty(), "spread", "sensitivity");
+  for (const SpreadRow& row : found.rows) {
+    expect_fit(row.first_case < results.cases.size(), "first_case", "cases");
+    expect_fit(row.first.size() == factors && row.first_interval.size() == factors &&
+                   row.total.size() == factors && row.total_interval.size() == factors,
+               "first and total", "factor");
+  }
+  for (const DesignFrictionRow& row : found.design_friction)
+    expect_fit(row.first_case < results.cases.size(), "first_case", "cases");
+}
+
 /// With the conditions, which are made of the histories again.
 void check_analyses(Results& results) {
   if (results.chart) check_shape(*results.chart, results.levels.size());
@@ -196,6 +210,7 @@ void check_analyses(Results& results) {
   if (results.base_shear) check_shape(*results.base_shear, results);
   if (results.tipping) check_shape(*results.tipping, results);
   if (results.verdict) check_shape(*results.verdict, results);
+  if (results.sensitivity) check_shape(*results.sensitivity, results);
 }
 
 }  // namespace

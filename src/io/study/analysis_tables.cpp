@@ -8,6 +8,7 @@
 #include "enum_names.hpp"
 #include "glissade/core/units.hpp"
 #include "glissade/study/analysis/verdict.hpp"
+#include "glissade/study/cases/sample_points.hpp"
 #include "study/hazard_table.hpp"
 #include "text/scan.hpp"
 #include "toml/number_list.hpp"
@@ -212,6 +213,19 @@ void read_verdict(const TomlTable& root, StudyConfig& study) {
         "intensity.levels with 1.5 times one of them: the MCE of a design earthquake");
 }
 
+void read_sensitivity(const TomlTable& root, StudyConfig& study) {
+  study.sensitivity = root.table("sensitivity").exists();
+  needs(root, "sensitivity", root.has("fragility"), "[fragility] thresholds_m");
+  needs(root, "sensitivity", !drawn_factors(study).empty(), "a quantity that is drawn");
+  needs(root, "sensitivity", study.sampling.samples >= 2, "sampling.samples of 2 or more");
+  needs(root, "sensitivity",
+        (study.orientation.choice == OrientationChoice::random ||
+         study.orientation.choice == OrientationChoice::as_recorded) &&
+            study.orientation.slope_axis.size() == 1,
+        "one orientation of a sample: orientation.choice = \"random\" or \"as_recorded\", one "
+        "slope_axis");
+}
+
 /// Which values of drawn friction an analysis reads, and no more are run than are read.
 void check_friction_values(const TomlTable& root, const StudyConfig& study) {
   if (!study.quantities.at("friction", "mu").is_drawn() &&
@@ -257,7 +271,8 @@ constexpr AnalysisTable analysis_tables[] = {{"fragility", read_fragility, true,
                                              {"impact", read_impact, false, true},
                                              {"hazard", read_hazard, false, true},
                                              {"tipping", read_tipping, false, false},
-                                             {"verdict", read_verdict, true, true, true}};
+                                             {"verdict", read_verdict, true, true, true},
+                                             {"sensitivity", read_sensitivity, false, false}};
 
 /// "[fragility], [chart] ..." of those for which a property holds.
 template <class Property>

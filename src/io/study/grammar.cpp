@@ -175,6 +175,10 @@ void add_analyses(std::vector<GrammarKey>& keys) {
         "prescribed displacements are judged: the first probability of exceedance is accepted at "
         "S_DS; the displacement of each is found; needs [standards], and levels of which 1.5 times "
         "are listed too (MCE)"},
+       {"sensitivity", "", "an empty table", "absent",
+        "where the spread comes from: Sobol indices of the records and of each drawn quantity; "
+        "runs "
+        "samples x (2 + drawn quantities) samples; needs [fragility]"},
        {"chart", "shown", "{ slope_deg, mu, level }", "the middle; the highest level",
         "where the figures cut through the chart"},
        {"chart", "read", "[[chart.read]] with level, slope_deg and mu or displacement_m", "none",

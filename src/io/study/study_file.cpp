@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "enum_names.hpp"
+#include "glissade/study/cases/sample_points.hpp"
 #include "study/analysis_tables.hpp"
 #include "study/case_tables.hpp"
 #include "study/grammar.hpp"
@@ -100,7 +101,7 @@ void check_size(const TomlTable& root, const StudyConfig& study) {
   constexpr double most = 5e7;
   double cases = static_cast<double>(study.intensity.levels.size()) *
                  static_cast<double>(study.support.size() * study.vertical.size()) *
-                 (study.draws() ? static_cast<double>(study.sampling.samples) : 1.0);
+                 static_cast<double>(SamplePoints(study).count());
   for (std::size_t i = 0; i < parameters().size(); ++i) {
     if (!study.quantities[i].is_drawn())
       cases *= static_cast<double>(study.quantities[i].values.size());

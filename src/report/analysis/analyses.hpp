@@ -33,6 +33,7 @@ AnalysisReport chart_report();
 AnalysisReport tipping_report();
 AnalysisReport hazard_report();
 AnalysisReport verdict_report();
+AnalysisReport sensitivity_report();
 
 /// What a part gives for each analysis, one after the other.
 template <class T>

@@ -10,6 +10,7 @@
 
 #include "glissade/core/contract.hpp"
 #include "glissade/core/units.hpp"
+#include "glissade/study/cases/sample_points.hpp"
 #include "glissade/study/config.hpp"
 
 namespace glissade {
@@ -62,8 +63,9 @@ std::vector<ListedQuantity> axes_of(const StudyConfig& config) {
 /// Draws the samples of everything uncertain; what is listed stays as a default case has it.
 class Draw {
  public:
-  explicit Draw(const StudyConfig& config)
-      : config_(config), points_(config.sampling.method, config.seed) {}
+  explicit Draw(const StudyConfig& config) : config_(config), points_(config) {}
+
+  std::size_t samples() const { return points_.count(); }
 
   void put(Case& c, std::size_t sample) const {
     for (std::size_t i = 0; i < parameters().size(); ++i) {
@@ -94,7 +96,7 @@ class Draw {
 
  private:
   const StudyConfig& config_;
-  PointSet points_;
+  SamplePoints points_;
 };
 
 /// Friction as the case has it: at its design value, along and across the slope.
@@ -242,7 +244,7 @@ CaseSet make_cases(const StudyConfig& config) {
   }
   const Draw draw(config);
   const std::vector<Orientation> orientations = orientations_of(config);
-  set.samples = config.draws() ? config.sampling.samples : 1;
+  set.samples = draw.samples();
   set.orientations = orientations.size();
   std::vector<Case> drawn(set.samples, usual);
   for (std::size_t sample = 0; sample < set.samples; ++sample) draw.put(drawn[sample], sample);

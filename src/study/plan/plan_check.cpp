@@ -172,6 +172,12 @@ void check_clearance(const Plan& plan) {
 void check_fit(const StudyConfig& config, const std::vector<Suite>& suites) {
   ProblemList problems;
   check_model(config, suites, problems);
+  constexpr std::size_t least_records = 3;
+  std::size_t records = 0;
+  for (const Suite& suite : suites) records += suite.motions.size();
+  if (config.sensitivity && records < least_records)
+    problems.add({config.file.string(), "[sensitivity] needs three records or more",
+                  "give more records, or leave out [sensitivity]", ""});
   for (std::size_t i = 0; i < suites.size(); ++i) {
     const std::string where = config.suite_files[i].string();
     if (suites[i].motions.empty())

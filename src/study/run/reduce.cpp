@@ -208,6 +208,7 @@ void analyse(const StudyConfig& study, Results& results) {
   if (study.tipping) results.tipping = tipping_results(results, *study.tipping);
   if (study.hazard) results.hazard = hazard_results(study, results);
   if (study.verdict) results.verdict = verdict_results(study, results);
+  if (study.sensitivity) results.sensitivity = sensitivity_results(study, results);
 }
 
 }  // namespace
@@ -232,6 +233,7 @@ void analyse_again(const StudyConfig& study, Results& results) {
   results.tipping.reset();
   results.hazard.reset();
   results.verdict.reset();
+  results.sensitivity.reset();
   analyse(study, results);
 }
 

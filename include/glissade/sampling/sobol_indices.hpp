@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+namespace glissade {
+
+/// A response at every point of a crossed design: all records by the samples of the pick-freeze
+/// matrices (Saltelli et al. 2010) A, B and, for each factor, A with that factor from B.
+class CrossedResponse {
+ public:
+  CrossedResponse(std::size_t records, std::size_t factors, std::size_t samples)
+      : records_(records), factors_(factors), samples_(samples) {
+    values_.resize(records * matrices() * samples);
+  }
+  std::size_t records() const { return records_; }
+  std::size_t factors() const { return factors_; }
+  std::size_t samples() const { return samples_; }
+  std::size_t matrices() const { return factors_ + 2; }
+  /// @param matrix 0: A, 1: B, 2 + i: A with factor i from B
+  double& operator()(std::size_t record, std::size_t matrix, std::size_t sample) {
+    return values_[(record * matrices() + matrix) * samples_ + sample];
+  }
+  double operator()(std::size_t record, std::size_t matrix, std::size_t sample) const {
+    return values_[(record * matrices() + matrix) * samples_ + sample];
+  }
+
+ private:
+  std::size_t records_, factors_, samples_;
+  std::vector<double> values_;
+};
+
+/// A share of the variance and its 95 % interval, which is within 0 and 1. The estimate of a small
+/// share may be below 0.
+struct VarianceShare {
+  double value = 0.0, low = 0.0, high = 0.0;
+};
+
+/// first: the part of the variance that goes if the factor is known, on average; total: the part
+/// that stays if all others are known. Their difference is interaction with the others.
+struct SobolIndex {
+  VarianceShare first, total;
+};
+
+struct SobolIndices {
+  double mean = 0.0, variance = 0.0;
+  SobolIndex records;  ///< the choice of the record, from a population of records
+  SobolIndex drawn;    ///< all factors together
+  std::vector<SobolIndex> factors;
+  /// Standard errors of the mean: of as many records as there are, with any number of samples; and
+  /// of as many independent samples, on these records.
+  double record_error = 0.0, sample_error = 0.0;
+};
+
+/// Unbiased for the population that the records are from: products of two responses are taken over
+/// pairs of different records. Records and all factors together: components of variance of the
+/// two-way design without replication, of A and B. A factor: first order by Saltelli et al. (2010),
+/// total by Jansen (1999). Equations: theory.md, 6.7. Intervals: jackknife over records (64
+/// groups at most) and over 16 groups of samples, both added (Sobol points in place of independent
+/// ones make them somewhat wide); Student t by Satterthwaite. All shares are NaN where the response
+/// does not vary. Three records or more, two samples or more.
+SobolIndices sobol_indices(const CrossedResponse& response);
+
+}  // namespace glissade

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "analysis/sensitivity/sensitivity.hpp"
+#include "glissade/report/format.hpp"
+#include "text/study_text.hpp"
+
+namespace glissade {
+namespace {
+
+constexpr std::size_t most_panels = 3;
+constexpr Colour dark{0x0072b2}, light{0xa9d3ec}, ink{0x222222};
+
+/// The records and each drawn quantity, the largest total index first.
+std::vector<std::size_t> by_size(const SensitivityResults& found, const SpreadRow& row) {
+  std::vector<std::size_t> factors(found.factors.size());
+  std::iota(factors.begin(), factors.end(), 0);
+  std::erase(factors, all_drawn_factor);
+  std::ranges::stable_sort(
+      factors, [&](std::size_t a, std::size_t b) { return row.total[a] > row.total[b]; });
+  return factors;
+}
+
+double percent(double share) { return 100.0 * std::clamp(share, 0.0, 1.0); }
+
+/// A line across, from one percentage to another.
+DataSeries stroke(const Look& look, const std::string& name, double y, double from, double to) {
+  return {DataSeries::Kind::line, look, name, "", {from, to}, {y, y}, {}, {}};
+}
+
+const Look wide_light{light, 16.0}, wide_dark{dark, 16.0}, thin{ink, 1.5};
+
+Panel bars_of(const SensitivityResults& found, const SpreadRow& row,
+              const std::vector<std::size_t>& factors) {
+  Panel panel{fmt::format("{}, log std {:.2f}", format_length(row.threshold_m), row.std),
+              {"Share of the variance (%)", 0.0, 100.0},
+              {"", 0.4, static_cast<double>(factors.size()) + 0.6}};
+  for (std::size_t i = 0; i < factors.size(); ++i) {
+    const std::size_t f = factors[i];
+    const double y = static_cast<double>(factors.size() - i);
+    const std::string& name = found.factors[f];
+    panel.y.ticks.push_back({y, name});
+    const double first = percent(row.first[f]), total = percent(row.total[f]);
+    if (!std::isfinite(first) || !std::isfinite(total)) continue;
+    panel.series.push_back(stroke(wide_light, name + " total", y, 0.0, total));
+    panel.series.push_back(stroke(wide_dark, name + " alone", y, 0.0, first));
+    const Interval& interval = row.first_interval[f];
+    const double high = percent(interval.high);
+    panel.series.push_back(stroke(thin, name + " interval", y, percent(interval.low), high));
+    panel.notes.push_back({std::max({first, total, high}) + 2.0, y,
+                           fmt::format("{:.0f} ({:.0f})", first, total), ink, Note::Align::left});
+  }
+  return panel;
+}
+
+}  // namespace
+
+Figure spread_figure(const Results& results) {
+  const SensitivityResults& found = *results.sensitivity;
+  const std::vector<const SpreadRow*> rows = first_capacity_rows(found, most_panels);
+  Figure figure{
+      "sensitivity", "Where the spread of the capacity comes from, by clearance",
+      "Dark: alone. Light, in brackets: with interactions. Line: 95 % interval of alone. " +
+          counts_of(results),
+      fmt::format("Capacity: the intensity ({}) at which slip reaches the clearance of "
+                  "the panel; log std: its logarithmic standard deviation. Bars: Sobol "
+                  "indices of ln capacity in percent of its variance. Dark: the part that "
+                  "goes if the factor is known. With light: the part that stays if all "
+                  "other factors are known.",
+                  results.intensity_label)};
+  const std::vector<std::size_t> factors = by_size(found, *rows.front());
+  for (const SpreadRow* row : rows) figure.panels.push_back(bars_of(found, *row, factors));
+  return figure;
+}
+
+Figure spread_over_intensity_figure(const Results& results) {
+  // Below and above these probabilities few histories decide.
+  constexpr double least = 0.05, most = 0.95;
+  const SensitivityResults& found = *results.sensitivity;
+  const std::vector<const SpreadRow*> rows = first_capacity_rows(found, most_panels);
+  const SpreadRow& shown = *rows[rows.size() / 2];
+  Figure figure{
+      "sensitivity_levels",
+      fmt::format("What decides whether slip reaches {}, by intensity",
+                  format_length(shown.threshold_m)),
+      counts_of(results),
+      fmt::format("Total Sobol indices of whether slip reaches the clearance (0 or 1); as "
+                  "they contain interactions they add to more than 100 %. Levels at which "
+                  "{:g} to {:g} % of the histories exceed. Other clearances, and "
+                  "intervals: tables/sensitivity_levels.csv.",
+                  100.0 * least, 100.0 * most)};
+  Panel panel{"",
+              {results.intensity_label, 0.0, results.levels.back()},
+              {"Total index (% of the variance)", 0.0, 100.0}};
+  const std::vector<std::size_t> factors = by_size(found, *rows.front());
+  for (std::size_t i = 0; i < factors.size(); ++i) {
+    const std::string& name = found.factors[factors[i]];
+    DataSeries line{DataSeries::Kind::line_and_points, family_look(i, factors.size()), name, name};
+    for (const SpreadRow& row : found.rows) {
+      if (row.is_capacity() || row.first_case != shown.first_case ||
+          row.threshold_m != shown.threshold_m || row.mean < least || row.mean > most)
+        continue;
+      line.x.push_back(row.level);
+      line.y.push_back(percent(row.total[factors[i]]));
+    }
+    panel.series.push_back(std::move(line));
+  }
+  figure.panels.push_back(std::move(panel));
+  figure.key_columns = 2;
+  return figure;
+}
+
+}  // namespace glissade

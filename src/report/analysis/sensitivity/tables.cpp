@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/sensitivity/sensitivity.hpp"
+#include "text/study_text.hpp"
+
+namespace glissade {
+namespace {
+
+std::vector<Cell> share_cells(const SpreadRow& row, std::size_t factor) {
+  return {Estimate{row.first[factor], row.first_interval[factor]},
+          Estimate{row.total[factor], row.total_interval[factor]}};
+}
+
+const Column first_column{"first", "", "Alone [95 %]", ColumnKind::share, true};
+const Column total_column{"total", "", "With interactions [95 %]", ColumnKind::share, true};
+
+std::vector<std::string> notes_on(const SensitivityResults& found) {
+  return {
+      "Alone: part of the variance that goes, on average, if the factor is known (first-order "
+      "Sobol index). With interactions: part that stays if all others are known (total index).",
+      std::to_string(found.samples) + " samples in each of " +
+          std::to_string(found.factors.size() - first_drawn_factor + 2) +
+          " pick-freeze matrices, each with all records."};
+}
+
+}  // namespace
+
+std::vector<const SpreadRow*> capacity_rows(const SensitivityResults& found) {
+  std::vector<const SpreadRow*> rows;
+  for (const SpreadRow& row : found.rows) {
+    if (row.is_capacity()) rows.push_back(&row);
+  }
+  return rows;
+}
+
+std::vector<const SpreadRow*> first_capacity_rows(const SensitivityResults& found,
+                                                  std::size_t count) {
+  std::vector<const SpreadRow*> first, some;
+  for (const SpreadRow* row : capacity_rows(found)) {
+    if (row->first_case == found.rows.front().first_case) first.push_back(row);
+  }
+  if (first.size() <= count) return first;
+  for (std::size_t i = 0; i < count; ++i)
+    some.push_back(first[i * (first.size() - 1) / (count - 1)]);
+  return some;
+}
+
+Table spread_table(const Results& results) {
+  const SensitivityResults& found = *results.sensitivity;
+  Table table{"sensitivity",
+              "Where the spread of ln capacity comes from: shares of its variance",
+              {text_column("condition", "Array"),
+               {"threshold", "m", "Threshold, m (in)", ColumnKind::length},
+               {"log_std", "", "Log std"},
+               text_column("factor", "Factor"),
+               first_column,
+               total_column,
+               {"share_below", "", "At the lowest level", ColumnKind::share},
+               {"share_above", "", "At the highest level", ColumnKind::share}},
+              {}};
+  for (const SpreadRow* row : capacity_rows(found)) {
+    for (std::size_t f = 0; f < found.factors.size(); ++f) {
+      std::vector<Cell> cells{row->condition, row->threshold_m, row->std, found.factors[f]};
+      for (Cell& cell : share_cells(*row, f)) cells.push_back(std::move(cell));
+      cells.insert(cells.end(), {row->share_below, row->share_above});
+      table.add(std::move(cells));
+    }
+  }
+  table.notes = notes_on(found);
+  table.notes.emplace_back(
+      "Capacities below the lowest level and above the highest are taken as these levels; the last "
+      "columns are their shares.");
+  return table;
+}
+
+Table exceedance_spread_table(const Results& results) {
+  const SensitivityResults& found = *results.sensitivity;
+  Table table{"sensitivity_levels",
+              "Where the spread of exceedance (0 or 1) comes from, at each level",
+              {text_column("condition", "Array"),
+               {"threshold", "m", "Threshold, m (in)", ColumnKind::length},
+               intensity_column(results, "level", "Level"),
+               {"probability", "", "Exceeded", ColumnKind::share},
+               text_column("factor", "Factor"),
+               first_column,
+               total_column},
+              {}};
+  for (const SpreadRow& row : found.rows) {
+    if (row.is_capacity() || !(row.std > 0.0)) continue;
+    for (std::size_t f = 0; f < found.factors.size(); ++f) {
+      std::vector<Cell> cells{row.condition, row.threshold_m, row.level, row.mean,
+                              found.factors[f]};
+      for (Cell& cell : share_cells(row, f)) cells.push_back(std::move(cell));
+      table.add(std::move(cells));
+    }
+  }
+  table.notes = notes_on(found);
+  return table;
+}
+
+Table design_friction_table(const Results& results) {
+  Table table{"design_friction",
+              "How often slip with drawn friction exceeds slip with the design value, mean - 2 std",
+              {text_column("condition", "Array"),
+               intensity_column(results, "level", "Level"),
+               {"same_motion", "", "Same motion and building [95 %]", ColumnKind::share, true},
+               {"design_mean", "m", "Mean slip with mean - 2 std, m (in)", ColumnKind::length},
+               {"above_mean", "", "Any slip above that mean [95 %]", ColumnKind::share, true}},
+              {}};
+  for (const DesignFrictionRow& row : results.sensitivity->design_friction)
+    table.add({row.condition, row.level, Estimate{row.same_motion, row.same_motion_interval},
+               row.design_mean_m, Estimate{row.above_mean, row.above_mean_interval}});
+  table.notes = {
+      "Normal friction is below mean - 2 std with a probability of 2.3 %.",
+      "Intervals are over records, and never narrower than that of a binomial with one trial for "
+      "each record."};
+  return table;
+}
+
+}  // namespace glissade

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glissade/sampling/sobol_indices.hpp"
+
+#include <algorithm>
+#include <boost/math/distributions/students_t.hpp>
+#include <cmath>
+#include <limits>
+
+#include "glissade/core/contract.hpp"
+
+namespace glissade {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+/// first <= i < end
+struct Range {
+  std::size_t first = 0, end = 0;
+  bool has(std::size_t i) const { return i >= first && i < end; }
+};
+
+/// What the jackknife leaves out.
+struct Omitted {
+  Range records, samples;
+};
+
+/// 0 to count in up to so many parts of even size.
+std::vector<Range> parts_of(std::size_t count, std::size_t most_parts) {
+  const std::size_t parts = std::min(most_parts, count);
+  std::vector<Range> ranges;
+  for (std::size_t g = 0; g < parts; ++g)
+    ranges.push_back({g * count / parts, (g + 1) * count / parts});
+  return ranges;
+}
+
+/// Components of variance and shares without intervals.
+struct Estimates {
+  double of_records = 0.0, of_samples = 0.0, of_both = 0.0;
+  std::vector<double> shares;  ///< first and total: of records, all drawn, each factor
+
+  double variance() const { return of_records + of_samples + of_both; }
+};
+
+class Estimator {
+ public:
+  Estimator(const CrossedResponse& response, const Omitted& omitted) : y_(response) {
+    for (std::size_t r = 0; r < response.records(); ++r) {
+      if (!omitted.records.has(r)) records_.push_back(r);
+    }
+    for (std::size_t k = 0; k < response.samples(); ++k) {
+      if (!omitted.samples.has(k)) samples_.push_back(k);
+    }
+  }
+
+  Estimates estimates() const {
+    Estimates e;
+    add_components(e);
+    const double v = e.variance();
+    e.shares = {e.of_records / v, (e.of_records + e.of_both) / v, e.of_samples / v,
+                (e.of_samples + e.of_both) / v};
+    for (std::size_t factor = 0; factor < y_.factors(); ++factor) add_factor(factor, v, e.shares);
+    return e;
+  }
+
+ private:
+  /// Of A and B, twice as many samples.
+  void add_components(Estimates& e) const {
+    const double n = static_cast<double>(records_.size()),
+                 m = 2.0 * static_cast<double>(samples_.size());
+    std::vector<double> of_record(records_.size()), of_sample(2 * samples_.size());
+    double all = 0.0, squares = 0.0;
+    for (std::size_t i = 0; i < records_.size(); ++i) {
+      for (std::size_t j = 0; j < of_sample.size(); ++j) {
+        const double y = y_(records_[i], j % 2, samples_[j / 2]);
+        of_record[i] += y / m;
+        of_sample[j] += y / n;
+        all += y / (n * m);
+        squares += y * y;
+      }
+    }
+    double between_records = 0.0, between_samples = 0.0;
+    for (const double mean : of_record) between_records += (mean - all) * (mean - all);
+    for (const double mean : of_sample) between_samples += (mean - all) * (mean - all);
+    const double rest = squares - n * m * all * all - m * between_records - n * between_samples;
+    e.of_both = std::max(0.0, rest) / ((n - 1.0) * (m - 1.0));
+    e.of_records = between_records / (n - 1.0) - e.of_both / m;
+    e.of_samples = between_samples / (m - 1.0) - e.of_both / n;
+  }
+
+  void add_factor(std::size_t factor, double variance, std::vector<double>& shares) const {
+    const double n = static_cast<double>(records_.size()),
+                 samples = static_cast<double>(samples_.size());
+    double first = 0.0, total = 0.0;
+    for (const std::size_t k : samples_) {
+      double b = 0.0, change = 0.0, same_record = 0.0;
+      for (const std::size_t r : records_) {
+        const double from_b = y_(r, 1, k), changed = y_(r, 2 + factor, k) - y_(r, 0, k);
+        b += from_b;
+        change += changed;
+        same_record += from_b * changed;
+        total += changed * changed;
+      }
+      first += b * change - same_record;
+    }
+    shares.push_back(first / (n * (n - 1.0) * samples) / variance);
+    shares.push_back(total / (2.0 * n * samples) / variance);
+  }
+
+  const CrossedResponse& y_;
+  std::vector<std::size_t> records_, samples_;
+};
+
+/// The variances of the shares by leaving out one part after the other (Efron & Stein 1981).
+std::vector<double> jackknife(const CrossedResponse& response, const std::vector<Omitted>& parts) {
+  std::vector<std::vector<double>> without;
+  for (const Omitted& part : parts) without.push_back(Estimator(response, part).estimates().shares);
+  const double g = static_cast<double>(parts.size());
+  std::vector<double> variances;
+  for (std::size_t i = 0; i < without.front().size(); ++i) {
+    double mean = 0.0, sum = 0.0;
+    for (const auto& shares : without) mean += shares[i] / g;
+    for (const auto& shares : without) sum += (shares[i] - mean) * (shares[i] - mean);
+    variances.push_back(sum * (g - 1.0) / g);
+  }
+  return variances;
+}
+
+struct Spread {
+  double of_records, of_samples;  ///< variances of an estimate
+  double records, groups;         ///< how many of them
+};
+
+VarianceShare share(double value, const Spread& spread) {
+  const double variance = spread.of_records + spread.of_samples;
+  if (!(variance > 0.0)) return {value, value, value};
+  const double freedom = variance * variance /
+                         (spread.of_records * spread.of_records / (spread.records - 1.0) +
+                          spread.of_samples * spread.of_samples / (spread.groups - 1.0));
+  const double half = std::sqrt(variance) * quantile(boost::math::students_t(freedom), 0.975);
+  return {value, std::clamp(value - half, 0.0, 1.0), std::clamp(value + half, 0.0, 1.0)};
+}
+
+double mean_of(const CrossedResponse& response) {
+  double sum = 0.0;
+  for (std::size_t r = 0; r < response.records(); ++r) {
+    for (std::size_t k = 0; k < response.samples(); ++k)
+      sum += response(r, 0, k) + response(r, 1, k);
+  }
+  return sum / static_cast<double>(2 * response.records() * response.samples());
+}
+
+/// Products then lose no digits, and estimates of small shares scatter least.
+CrossedResponse centred(CrossedResponse response, double mean) {
+  for (std::size_t r = 0; r < response.records(); ++r) {
+    for (std::size_t m = 0; m < response.matrices(); ++m) {
+      for (std::size_t k = 0; k < response.samples(); ++k) response(r, m, k) -= mean;
+    }
+  }
+  return response;
+}
+
+std::vector<VarianceShare> shares_of(const CrossedResponse& response, const Estimates& all) {
+  constexpr std::size_t most_groups = 16, most_record_groups = 64;
+  std::vector<Omitted> records, samples;
+  for (const Range& part : parts_of(response.records(), most_record_groups))
+    records.push_back({part, {}});
+  for (const Range& part : parts_of(response.samples(), most_groups)) samples.push_back({{}, part});
+  const std::vector<double> by_record = jackknife(response, records),
+                            by_sample = jackknife(response, samples);
+  std::vector<VarianceShare> shares;
+  for (std::size_t i = 0; i < all.shares.size(); ++i)
+    shares.push_back(
+        share(all.shares[i], {by_record[i], by_sample[i], static_cast<double>(records.size()),
+                              static_cast<double>(samples.size())}));
+  return shares;
+}
+
+bool varies(const CrossedResponse& response) {
+  for (std::size_t r = 0; r < response.records(); ++r) {
+    for (std::size_t m = 0; m < 2; ++m) {
+      for (std::size_t k = 0; k < response.samples(); ++k) {
+        if (response(r, m, k) != response(0, 0, 0)) return true;
+      }
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+SobolIndices sobol_indices(const CrossedResponse& response) {
+  GLISSADE_EXPECTS(response.records() >= 3 && response.samples() >= 2);
+  SobolIndices indices;
+  indices.mean = mean_of(response);
+  if (!varies(response)) {
+    const VarianceShare unknown{nan, nan, nan};
+    indices.records = indices.drawn = {unknown, unknown};
+    indices.factors.assign(response.factors(), indices.records);
+    return indices;
+  }
+  const CrossedResponse y = centred(response, indices.mean);
+  const Estimates all = Estimator(y, {}).estimates();
+  indices.variance = all.variance();
+  const double n = static_cast<double>(y.records()), m = 2.0 * static_cast<double>(y.samples());
+  indices.record_error = std::sqrt(std::max(0.0, all.of_records) / n);
+  indices.sample_error = std::sqrt(std::max(0.0, all.of_samples) / m + all.of_both / (n * m));
+  const std::vector<VarianceShare> shares = shares_of(y, all);
+  indices.records = {shares[0], shares[1]};
+  indices.drawn = {shares[2], shares[3]};
+  for (std::size_t i = 0; i < y.factors(); ++i)
+    indices.factors.push_back({shares[4 + 2 * i], shares[5 + 2 * i]});
+  return indices;
+}
+
+}  // namespace glissade

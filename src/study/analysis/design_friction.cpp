@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/design_friction.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "analysis/pooled_level.hpp"
+#include "glissade/fragility/bootstrap.hpp"
+#include "glissade/study/results.hpp"
+
+namespace glissade {
+namespace {
+
+/// The same cases with drawn and with design friction.
+struct FrictionPair {
+  std::size_t drawn = 0, design = 0, count = 0;  ///< first cases, and how many
+};
+
+double weighted_mean(const std::vector<double>& of_record, const std::vector<double>& weights) {
+  return std::inner_product(of_record.begin(), of_record.end(), weights.begin(), 0.0) /
+         std::accumulate(weights.begin(), weights.end(), 0.0);
+}
+
+class PairAtLevel {
+ public:
+  PairAtLevel(const Results& results, const FrictionPair& pair, std::size_t level) {
+    const HistoryTable& table = results.histories;
+    for (std::size_t record = 0; record < table.records; ++record) {
+      double above = 0.0, sum = 0.0;
+      std::vector<double>& slips = drawn_m_.emplace_back();
+      for (std::size_t i = 0; i < pair.count; ++i) {
+        const double drawn = table.displacement_m(record, pair.drawn + i, level),
+                     design = table.displacement_m(record, pair.design + i, level);
+        above += drawn > design ? 1.0 : 0.0;
+        sum += design;
+        slips.push_back(drawn);
+      }
+      std::ranges::sort(slips);
+      same_motion_.push_back(above / static_cast<double>(pair.count));
+      design_mean_m_.push_back(sum / static_cast<double>(pair.count));
+    }
+  }
+
+  double same_motion(const std::vector<double>& weights) const {
+    return weighted_mean(same_motion_, weights);
+  }
+  double design_mean_m(const std::vector<double>& weights) const {
+    return weighted_mean(design_mean_m_, weights);
+  }
+  double above_mean(const std::vector<double>& weights) const {
+    const double mean_m = design_mean_m(weights);
+    std::vector<double> shares;
+    for (const std::vector<double>& slips : drawn_m_) {
+      const auto above = slips.end() - std::ranges::upper_bound(slips, mean_m);
+      shares.push_back(static_cast<double>(above) / static_cast<double>(slips.size()));
+    }
+    return weighted_mean(shares, weights);
+  }
+
+ private:
+  std::vector<double> same_motion_, design_mean_m_;
+  std::vector<std::vector<double>> drawn_m_;  ///< sorted
+};
+
+DesignFrictionRow row_of(const Results& results, const FrictionPair& pair, std::size_t level,
+                         const BootstrapOptions& options) {
+  const PairAtLevel at(results, pair, level);
+  const std::size_t records = results.records.size();
+  const std::vector<double> once(records, 1.0);
+  DesignFrictionRow row{
+      .first_case = pair.drawn,
+      .condition = results.cases.describe(pair.drawn / pair.count, "friction.value"),
+      .level = results.levels[level],
+      .same_motion = at.same_motion(once),
+      .design_mean_m = at.design_mean_m(once),
+      .above_mean = at.above_mean(once)};
+  const std::vector<Interval> intervals = bootstrap_intervals(
+      records, 2,
+      [&](const std::vector<double>& weights) {
+        return std::vector{at.same_motion(weights), at.above_mean(weights)};
+      },
+      options);
+  // Every record has a part of it, so that their spread shows its error, but where none has.
+  const bool shows = row.same_motion > 0.0 && row.same_motion < 1.0;
+  row.same_motion_interval = shows ? intervals[0] : widened(intervals[0], row.same_motion, records);
+  row.above_mean_interval = widened(intervals[1], row.above_mean, records);
+  return row;
+}
+
+}  // namespace
+
+std::vector<DesignFrictionRow> design_friction_rows(const StudyConfig& config,
+                                                    const Results& results) {
+  const CaseSet& set = results.cases;
+  const std::size_t axis = set.axis("friction.value");
+  std::vector<DesignFrictionRow> rows;
+  if (axis == set.axes.size()) return rows;
+  const BootstrapOptions options{.seed = config.seed,
+                                 .replicates = config.sampling.bootstrap_replicates};
+  for (const RunResults& run : results.runs) {
+    if (set.cases[run.first_case].friction_value != FrictionValue::as_drawn) continue;
+    std::vector<std::size_t> places = set.places(run.first_case / run.cases);
+    places[axis] = 1 - places[axis];
+    const FrictionPair pair{run.first_case, set.combination(places) * run.cases, run.cases};
+    for (std::size_t level = 0; level < results.levels.size(); ++level)
+      rows.push_back(row_of(results, pair, level, options));
+  }
+  return rows;
+}
+
+}  // namespace glissade

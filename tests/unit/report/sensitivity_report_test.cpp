@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gmock/gmock.h>
+
+#include <algorithm>
+
+#include "figure_facts.hpp"
+#include "glissade/report/figures.hpp"
+#include "glissade/report/summary.hpp"
+#include "glissade/report/tables.hpp"
+#include "made_up_results.hpp"
+
+namespace glissade {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+/// Records 60 % alone, friction 20 %, slope 10 %; at one threshold and one level.
+Results made_up() {
+  Results r = made_up_results();
+  SensitivityResults& found = r.sensitivity.emplace();
+  found.factors = {"records", "all that is drawn", "slope", "friction"};
+  found.samples = 64;
+  SpreadRow row;
+  row.threshold_m = 0.3;
+  row.std = 0.5;
+  row.first = {0.6, 0.3, 0.1, 0.2};
+  row.total = {0.7, 0.4, 0.15, 0.25};
+  row.first_interval = {{0.4, 0.8}, {0.2, 0.4}, {0.0, 0.2}, {0.1, 0.3}};
+  row.total_interval = row.first_interval;
+  row.share_above = 0.125;
+  row.record_error = 0.25;
+  row.sample_error = 0.0625;
+  found.rows = {row, row};
+  found.rows[1].level = r.levels.front();
+  found.rows[1].mean = 0.5;
+  found.design_friction = {{0, "", 1.0, 0.02, {0.01, 0.03}, 0.4, 0.3, {0.2, 0.4}}};
+  return r;
+}
+
+std::vector<std::vector<Cell>> rows_of(const Results& results, const char* name) {
+  const std::vector<Table> tables = csv_tables(results);
+  return std::ranges::find(tables, FileName(name), &Table::name)->rows;
+}
+
+TEST(sensitivity_report, has_a_row_for_each_factor) {
+  const Results r = made_up();
+  const auto rows = rows_of(r, "sensitivity");
+  ASSERT_EQ(rows.size(), 4u);
+  EXPECT_EQ(std::get<std::string>(rows[3][3]), "friction");
+  EXPECT_EQ(std::get<Estimate>(rows[3][4]).value, 0.2);
+  EXPECT_EQ(std::get<Estimate>(rows[3][5]).value, 0.25);
+  EXPECT_EQ(rows_of(r, "sensitivity_levels").size(), 4u);
+  EXPECT_EQ(rows_of(r, "design_friction").size(), 1u);
+}
+
+TEST(sensitivity_report, states_shares_errors_and_limits) {
+  const std::string text = summary_text(made_up());
+  for (const char* fact : {"60 %", "0.250", "0.062", "12 %", "mean - 2 std", "30 %"})
+    EXPECT_THAT(text, HasSubstr(fact));
+  EXPECT_THAT(summary_text(made_up_results()), Not(HasSubstr("Spread of the capacity")));
+}
+
+TEST(sensitivity_report, draws_the_largest_factor_first) {
+  const std::vector<Figure> figures = make_figures(made_up());
+  const auto figure = std::ranges::find(figures, FileName("sensitivity"), &Figure::name);
+  ASSERT_NE(figure, figures.end());
+  ASSERT_EQ(figure->panels.size(), 1u);
+  const std::vector<Tick>& ticks = figure->panels[0].y.ticks;
+  ASSERT_EQ(ticks.size(), 3u);
+  EXPECT_EQ(ticks[0].label, "records");
+  EXPECT_EQ(ticks[1].label, "friction");
+  EXPECT_GT(ticks[0].at, ticks[1].at);
+}
+
+}  // namespace
+}  // namespace glissade
