@@ -29,7 +29,9 @@ TEST_F(SensitivityStudy, refuses_several_orientations_of_a_sample) {
 }
 
 TEST(sensitivity_results_file, comes_back_to_the_last_bit) {
-  const Results read = written_and_read(with_all());
+  const TemporaryFolder folder;
+  write_results(folder.path() / "results.h5", with_all());
+  const Results read = read_results(folder.path() / "results.h5");
   ASSERT_TRUE(read.sensitivity);
   const SensitivityResults &found = *read.sensitivity, made = *with_all().sensitivity;
   EXPECT_EQ(found.factors, made.factors);

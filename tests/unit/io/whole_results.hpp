@@ -255,6 +255,29 @@ inline void add_verdict(Results& r) {
   }
 }
 
+inline void add_sensitivity(Results& r) {
+  SensitivityResults& found = r.sensitivity.emplace();
+  found.factors = {"records", "all that is drawn", "friction"};
+  found.samples = 2;
+  for (const double x : {0.25, 0.5}) {
+    SpreadRow row{.first_case = 4, .condition = "sampled friction", .threshold_m = x};
+    if (x > 0.3) row.level = 1.5;
+    row.mean = -x;
+    row.std = 2.0 * x;
+    row.share_below = x / 8.0;
+    row.share_above = x / 4.0;
+    row.first = {x, -0.01 * x, std::nan("")};
+    row.total = {x + 0.1, x + 0.2, x + 0.3};
+    row.first_interval = {{0.0, x}, {x, 1.0}, {}};
+    row.total_interval = {{0.1, x}, {x, 0.9}, {0.2, 0.3}};
+    row.record_error = x / 16.0;
+    row.sample_error = x / 32.0;
+    found.rows.push_back(row);
+    found.design_friction.push_back(
+        {4, "flat", x, 0.02, {0.01, 0.03}, 3.0 * x, 0.1, {0.05 * x, 0.2}});
+  }
+}
+
 /// Every analysis of one study.
 inline Results with_all() {
   Results r = whole_results(true);
@@ -266,6 +289,7 @@ inline Results with_all() {
   add_tipping(r);
   add_hazard(r);
   add_verdict(r);
+  add_sensitivity(r);
   return r;
 }
 

@@ -93,9 +93,8 @@ Figure spread_over_intensity_figure(const Results& results) {
                   "{:g} to {:g} % of the histories exceed. Other clearances, and "
                   "intervals: tables/sensitivity_levels.csv.",
                   100.0 * least, 100.0 * most)};
-  Panel panel{"",
-              {results.intensity_label, 0.0, results.levels.back()},
-              {"Total index (% of the variance)", 0.0, 100.0}};
+  Panel panel{
+      "", {results.intensity_label, 0.0, 0.0}, {"Total index (% of the variance)", 0.0, 100.0}};
   const std::vector<std::size_t> factors = by_size(found, *rows.front());
   for (std::size_t i = 0; i < factors.size(); ++i) {
     const std::string& name = found.factors[factors[i]];
@@ -105,6 +104,7 @@ Figure spread_over_intensity_figure(const Results& results) {
           row.threshold_m != shown.threshold_m || row.mean < least || row.mean > most)
         continue;
       line.x.push_back(row.level);
+      panel.x.high = std::max(panel.x.high, 1.1 * row.level);
       line.y.push_back(percent(row.total[factors[i]]));
     }
     panel.series.push_back(std::move(line));

@@ -33,14 +33,18 @@ std::string spread_sentence(const SensitivityResults& found, const SpreadRow& ro
   }
   std::ranges::stable_sort(
       drawn, [&](std::size_t a, std::size_t b) { return row.first[a] > row.first[b]; });
+  const auto part = [&](const std::string& name, std::size_t f) {
+    return fmt::format("{} {} and {}", name,
+                       share_with_interval(row.first[f], row.first_interval[f]),
+                       format_share(row.total[f]));
+  };
   std::string text = fmt::format(
-      "Spread of the capacity at {} (log std {:.2f}): the record {} of the variance", clearance,
-      row.std, share_with_interval(row.first[records_factor], row.first_interval[records_factor]));
-  for (const std::size_t f : drawn)
-    text += fmt::format(", {} {}", found.factors[f],
-                        share_with_interval(row.first[f], row.first_interval[f]));
+      "Spread of the capacity at {} (log std {:.2f}), parts of its variance alone and with "
+      "interactions: {}",
+      clearance, row.std, part("the record", records_factor));
+  for (const std::size_t f : drawn) text += ", " + part(found.factors[f], f);
   text += fmt::format(
-      "; the rest, {}, is interaction. Standard error of the mean ln capacity: "
+      ". Interactions together: {}. Standard error of the mean ln capacity: "
       "{:.3f} from the number of records, {:.3f} from as many independent samples.",
       format_share(std::max(0.0, 1.0 - alone)), row.record_error, row.sample_error);
   if (row.share_below + row.share_above > notable_share)
