@@ -87,7 +87,8 @@ inline EnumNames<FitStatus> fit_status_names() {
       {"lower_bound", FitStatus::lower_bound},
       {"upper_bound", FitStatus::upper_bound},
       {"no_trend", FitStatus::no_trend},
-      {"always_exceeds", FitStatus::always_exceeds}};
+      {"always_exceeds", FitStatus::always_exceeds},
+      {"one_level", FitStatus::one_level}};
   return names;
 }
 

@@ -19,7 +19,8 @@ enum class RandomPurpose : std::uint32_t {
   motion_noise = 3,    ///< the white noise of simulated motions
   motion_parameters = 4,
   bootstrap = 5,
-  design_life = 6,  ///< earthquakes of a design life
+  design_life = 6,       ///< earthquakes of a design life
+  goodness_of_fit = 11,  ///< capacities of a null model
   test = 99,
 };
 

@@ -42,6 +42,7 @@ enum class FitStatus {
   upper_bound,         ///< every trial exceeded: an upper bound, median_interval begins at 0
   no_trend,            ///< the share of exceedances does not rise with intensity: no curve
   always_exceeds,      ///< every history exceeds without shaking: floor 1, no median, no log_std
+  one_level,           ///< all data are at one intensity: no curve
 };
 std::string to_string(FitStatus status);
 
@@ -58,6 +59,7 @@ struct FitSummary {
   std::string
       interval_method;  ///< "profile likelihood", "bootstrap over records (bootstrap-t)", ...
   std::string note;     ///< what a reader must know; may be empty
+  double effective_records = std::numeric_limits<double>::quiet_NaN();  ///< of a weighted fit
   bool converged() const {
     return status == FitStatus::maximum_likelihood || status == FitStatus::jeffreys_penalised;
   }
@@ -73,7 +75,7 @@ double stripe_log_likelihood(const std::vector<Stripe>& stripes, const Fragility
 /// Maximum likelihood on stripes with independent trials; 95 % intervals by profile likelihood.
 /// Separated data: Jeffreys penalised fit. No exceedance, or all exceeded: one-sided bound, trials
 /// taken as independent. Share that does not rise with intensity, or by so little that no finite
-/// median has a share of one half: no_trend. Failed, saying why: no trials, a single level.
+/// median has a share of one half: no_trend. A single level: one_level. Failed: no trials.
 /// Accuracy of the maximum about 1e-12.
 FitSummary fit_stripes(const std::vector<Stripe>& stripes);
 

@@ -177,6 +177,7 @@ struct StudyConfig {
   std::optional<VerdictConfig> verdict;
   StandardsConfig standards;
   bool sensitivity = false;          ///< where the spread comes from
+  bool shape = false;                ///< of the fragilities
   bool impact = false;               ///< when and how fast each threshold is first reached
   bool base_shear = false;           ///< two axes: peak base shear of the building
   std::optional<RigidBase> tipping;  ///< of the array

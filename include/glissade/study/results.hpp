@@ -8,12 +8,14 @@
 #include <vector>
 
 #include "glissade/fragility/bootstrap.hpp"
+#include "glissade/fragility/goodness_of_fit.hpp"
 #include "glissade/motion/suite_scaling.hpp"
 #include "glissade/study/analysis/base_shear.hpp"
 #include "glissade/study/analysis/clearance.hpp"
 #include "glissade/study/analysis/condition_table.hpp"
 #include "glissade/study/analysis/hazard.hpp"
 #include "glissade/study/analysis/sensitivity.hpp"
+#include "glissade/study/analysis/shape.hpp"
 #include "glissade/study/analysis/tipping.hpp"
 #include "glissade/study/analysis/verdict.hpp"
 #include "glissade/study/cases/case_set.hpp"
@@ -51,6 +53,7 @@ struct ThresholdFragility {
   std::vector<double> record_recross;  ///< 1 where any sample of the record recrosses
   double censored_share = 0.0;         ///< never reached it by the highest level
   double free_sliding_share = 0.0;     ///< slides with no shaking: no capacity
+  GoodnessOfFit lognormal;             ///< of the capacities
 };
 
 /// Slip at one level over records and samples, plan metres.
@@ -212,6 +215,7 @@ struct Results {
   std::optional<HazardResults> hazard;
   std::optional<VerdictResults> verdict;
   std::optional<SensitivityResults> sensitivity;
+  std::optional<ShapeResults> shape;
 };
 
 /// The histories of some cases in a row.

@@ -56,6 +56,8 @@ std::string to_string(FitStatus status) {
       return "no rise with intensity";
     case FitStatus::always_exceeds:
       return "exceeds at any intensity";
+    case FitStatus::one_level:
+      return "one level";
   }
   return "failed";
 }

@@ -6,6 +6,8 @@
 #include <limits>
 #include <numbers>
 
+#include "lognormal/newton_maximum.hpp"
+
 namespace glissade::fragility {
 namespace {
 
@@ -13,9 +15,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// ln Phi(z), with its derivative phi/Phi = `hazard` and minus its second derivative `curvature` =
 /// hazard (z + hazard).
-struct LogPhi {
-  double value, hazard, curvature;
-};
+using LogPhi = LogShares::Part;
 LogPhi log_phi(double z) {
   const double value = log_normal_cdf(z);
   const double log_density = -0.5 * z * z - 0.5 * std::log(2 * std::numbers::pi);
@@ -23,7 +23,29 @@ LogPhi log_phi(double z) {
   return {value, hazard, std::max(0.0, hazard * (z + hazard))};
 }
 
+/// ln of 1 / (1 + exp(-z)).
+LogShares::Part log_logistic(double z) {
+  const double rest = 1 / (1 + std::exp(z));
+  return {z < 0 ? z - std::log1p(std::exp(z)) : -std::log1p(std::exp(-z)), rest, rest * (1 - rest)};
+}
+
+/// ln of 1 - exp(-w), w = exp(z).
+LogShares::Part log_complementary(double z, double w) {
+  if (w < 1e-300) return {z, 1, 0};
+  const double hazard = w > 700 ? 0 : w / std::expm1(w);
+  return {std::log(-std::expm1(-w)), hazard, std::max(0.0, hazard * (w / -std::expm1(-w) - 1))};
+}
+
 }  // namespace
+
+LogShares log_shares(Link link, double z) {
+  if (link == Link::probit) return {log_phi(z), log_phi(-z)};
+  if (link == Link::logit) return {log_logistic(z), log_logistic(-z)};
+  const double w = std::exp(std::min(z, 700.0));
+  return {log_complementary(z, w), {-w, w, w}};
+}
+
+double share_at(Link link, double z) { return std::exp(log_shares(link, z).above.value); }
 
 ProbitLine to_line(const FragilityCurve& curve, double center) {
   return {(center - std::log(curve.median)) / curve.log_std, 1 / curve.log_std};
@@ -36,34 +58,16 @@ FragilityCurve to_curve(const ProbitLine& line, double center) {
 double hazard(double z) { return log_phi(z).hazard; }
 
 std::optional<ProbitLine> maximise(const Objective& objective, const ProbitLine& start) {
-  ProbitLine line = start;
-  Evaluation here = objective(line);
-  for (int iteration = 0; iteration < 200; ++iteration) {
-    ProbitLine step = here.information.ldlt().solve(here.gradient);
-    const double decrement = step.dot(here.gradient);  // twice the gain to expect
-    if (!step.allFinite() || !(decrement >= 0)) return std::nullopt;
-    if (decrement < 1e-20 || step.norm() < 1e-14 * line.norm()) return line + step;
-    Evaluation there = objective(line + step);
-    const double rounding = 1e-12 * (1 + std::abs(here.value));
-    for (int halving = 0; decrement > rounding && !(there.value > here.value - rounding);
-         ++halving) {
-      if (halving == 60) return std::nullopt;
-      step *= 0.5;
-      there = objective(line + step);
-    }
-    line += step;
-    here = there;
-  }
-  return std::nullopt;
+  return newton_maximum(objective, start);
 }
 
-Evaluation stripe_likelihood(const StripeData& data, const ProbitLine& line) {
+Evaluation stripe_likelihood(const StripeData& data, const ProbitLine& line, Link link) {
   Evaluation sum;
   for (Eigen::Index j = 0; j < data.y.size(); ++j) {
     const double k = data.exceedances[j], rest = data.trials[j] - k;
     const Eigen::Vector2d x{1, data.y[j]};
     const double z = line.dot(x);
-    const LogPhi above = log_phi(z), below = log_phi(-z);
+    const auto [above, below] = log_shares(link, z);
     if (k > 0) sum.value += k * above.value;
     if (rest > 0) sum.value += rest * below.value;
     sum.gradient += (k * above.hazard - rest * below.hazard) * x;

@@ -30,6 +30,19 @@ std::optional<ProbitLine> maximise(const Objective& objective, const ProbitLine&
 
 double hazard(double z);  ///< phi(z) / Phi(z), the derivative of ln Phi
 
+/// The share that exceeds at z: Phi(z), 1 / (1 + exp(-z)), 1 - exp(-exp(z)).
+enum class Link { probit, logit, complementary_log_log };
+double share_at(Link link, double z);
+
+/// ln of the share that exceeds and of the share that does not, each with its derivative away from
+/// 0 and minus its second derivative. Both are concave.
+struct LogShares {
+  struct Part {
+    double value, hazard, curvature;
+  } above, below;
+};
+LogShares log_shares(Link link, double z);
+
 /// Binomial stripes. `exceedances` and `trials` are per level, beside `y`.
 struct StripeData {
   Eigen::ArrayXd y, trials, exceedances;
@@ -37,7 +50,8 @@ struct StripeData {
 };
 
 /// Log likelihood without ln C(n, k); observed information.
-Evaluation stripe_likelihood(const StripeData& data, const ProbitLine& line);
+Evaluation stripe_likelihood(const StripeData& data, const ProbitLine& line,
+                             Link link = Link::probit);
 /// ... plus half the log determinant of the expected information, which is the information given
 /// (Firth 1993, Biometrika 80(1):27-38).
 Evaluation stripe_jeffreys(const StripeData& data, const ProbitLine& line);

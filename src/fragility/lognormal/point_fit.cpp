@@ -48,7 +48,7 @@ PointFit fit_point_jeffreys(const StripeData& data, const ProbitLine& start) {
     case StripeShape::empty:
       return {FitStatus::failed, none, "there are no trials"};
     case StripeShape::single_level:
-      return {FitStatus::failed, none,
+      return {FitStatus::one_level, none,
               "only one intensity level has trials: log_std cannot be determined"};
     case StripeShape::none_exceeded:
       return {FitStatus::lower_bound, none, ""};

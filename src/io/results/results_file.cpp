@@ -202,6 +202,22 @@ void check_shape(const SensitivityResults& found, const Results& results) {
     expect_fit(row.first_case < results.cases.size(), "first_case", "cases");
 }
 
+void check_shape(const ShapeResults& shape, const Results& results) {
+  expect_fit(shape.runs.size() == results.runs.size(), "shape", "runs");
+  for (const ShapeRun& run : shape.runs) {
+    expect_fit(run.thresholds.size() == results.thresholds_m.size(), "shape", "thresholds");
+    for (const ThresholdShape& t : run.thresholds) {
+      const std::size_t models = t.status == ComparisonStatus::compared ? shape_model_count : 0;
+      expect_fit(t.score.size() == models && t.difference.size() == models &&
+                     t.standard_error.size() == models,
+                 "score", "models");
+      expect_fit(t.probability.size() == models * results.levels.size() &&
+                     t.recrossed.size() == results.levels.size(),
+                 "probability", "models and levels");
+    }
+  }
+}
+
 /// With the conditions, which are made of the histories again.
 void check_analyses(Results& results) {
   if (results.chart) check_shape(*results.chart, results.levels.size());
@@ -211,6 +227,7 @@ void check_analyses(Results& results) {
   if (results.tipping) check_shape(*results.tipping, results);
   if (results.verdict) check_shape(*results.verdict, results);
   if (results.sensitivity) check_shape(*results.sensitivity, results);
+  if (results.shape) check_shape(*results.shape, results);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include "results/analysis/fragility.hpp"
 #include "results/analysis/hazard.hpp"
 #include "results/analysis/sensitivity.hpp"
+#include "results/analysis/shape.hpp"
 #include "results/analysis/tipping.hpp"
 #include "results/analysis/verdict.hpp"
 #include "results/archive.hpp"
@@ -220,6 +221,8 @@ void exchange_analyses(const Archive& archive, const IntensityScale& scale, R& r
            [&](const auto& group, auto& found) { exchange_verdict(group, found); });
   if_there(archive, "sensitivity", results.sensitivity,
            [&](const auto& group, auto& found) { exchange_sensitivity(group, scale, found); });
+  if_there(archive, "shape", results.shape,
+           [&](const auto& group, auto& found) { exchange_shape(group, scale, found); });
 }
 
 template <class Archive, class R>

@@ -184,6 +184,11 @@ void read_impact(const TomlTable& root, StudyConfig& study) {
   needs(root, "impact", root.has("fragility"), "[fragility] thresholds_m");
 }
 
+void read_shape(const TomlTable& root, StudyConfig& study) {
+  study.shape = root.table("shape").exists();
+  needs(root, "shape", root.has("fragility"), "[fragility] thresholds_m");
+}
+
 void read_base_shear(const TomlTable& root, StudyConfig& study) {
   study.base_shear = root.table("base_shear").exists();
   needs(root, "base_shear", study.two_axes(), "[model] axes = 2");
@@ -272,7 +277,8 @@ constexpr AnalysisTable analysis_tables[] = {{"fragility", read_fragility, true,
                                              {"hazard", read_hazard, false, true},
                                              {"tipping", read_tipping, false, false},
                                              {"verdict", read_verdict, true, true, true},
-                                             {"sensitivity", read_sensitivity, false, false}};
+                                             {"sensitivity", read_sensitivity, false, false},
+                                             {"shape", read_shape, false, false, true}};
 
 /// "[fragility], [chart] ..." of those for which a property holds.
 template <class Property>

@@ -192,6 +192,8 @@ void add_analyses(std::vector<GrammarKey>& keys) {
        {"clearance", "factor", "number", fmt::format("{:g}", ClearanceConfig{}.factor),
         "required clearance: this factor on the suite's mean displacement, the largest over the "
         "periods (Walters et al. 2012); also of a [chart]"},
+       {"shape", "", "an empty table", "absent",
+        "whether the fragilities are lognormal and what else they could be; needs [fragility]"},
        {"base_shear", "", "an empty table", "absent", "peak base shear; needs [model] axes = 2"},
        {"tipping", "centre_of_mass_height_m", "number", "required",
         "of the array above the roof, m: where the body begins to tip is checked"},

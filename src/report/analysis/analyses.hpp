@@ -32,6 +32,7 @@ AnalysisReport impact_report();
 AnalysisReport chart_report();
 AnalysisReport tipping_report();
 AnalysisReport hazard_report();
+AnalysisReport shape_report();
 AnalysisReport verdict_report();
 AnalysisReport sensitivity_report();
 

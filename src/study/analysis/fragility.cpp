@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "analysis/pooled_level.hpp"
+#include "analysis/shape/threshold_data.hpp"
 #include "glissade/study/analysis/impact.hpp"
 
 namespace glissade {
@@ -34,48 +35,35 @@ ThresholdFragility fit_threshold(const Results& results, const RunResults& run,
   ThresholdFragility fragility;
   fragility.threshold_m = results.thresholds_m[threshold];
 
-  std::vector<RecordStripes> stripes(records);
-  std::vector<RecordCapacities> capacities(records);
-  // Of all histories, by record and level. Those that slide freely are no part of the stripes.
+  const ThresholdData data = threshold_data(results, slice_of(run), threshold);
+  // Of all histories, by record and level.
   std::vector<std::vector<double>> exceeding(records, std::vector<double>(levels.size()));
   double reached = 0.0, recrossed = 0.0, censored = 0.0, free = 0.0;
   for (std::size_t record = 0; record < records; ++record) {
-    stripes[record].exceedances.assign(levels.size(), 0.0);
     double record_recrossed = 0.0;
     for (std::size_t i = run.first_case; i < run.first_case + run.cases; ++i) {
-      const double capacity = table.capacity(record, i, threshold);
       for (std::size_t level = 0; level < levels.size(); ++level) {
-        if (table.displacement_m(record, i, level) < fragility.threshold_m) continue;
-        exceeding[record][level] += 1.0;
-        if (capacity != 0.0) stripes[record].exceedances[level] += 1.0;
+        if (table.displacement_m(record, i, level) >= fragility.threshold_m)
+          exceeding[record][level] += 1.0;
       }
-      if (std::isinf(capacity)) {
-        capacities[record].censored += 1.0;
-        ++censored;
-      } else if (capacity == 0.0) {
-        capacities[record].free += 1.0;
-        ++free;
-      } else {
-        capacities[record].capacities.push_back(capacity);
-      }
-      if (!std::isinf(capacity)) ++reached;
+      if (!std::isinf(table.capacity(record, i, threshold))) ++reached;
       if (recrosses(table, record, i, fragility.threshold_m)) {
         ++recrossed;
         record_recrossed = 1.0;
       }
     }
-    stripes[record].free = capacities[record].free;
-    stripes[record].trials.assign(levels.size(),
-                                  static_cast<double>(run.cases) - stripes[record].free);
+    censored += data.capacities[record].censored;
+    free += data.capacities[record].free;
     fragility.record_recross.push_back(record_recrossed);
   }
   const double histories = static_cast<double>(records * run.cases);
   fragility.recross_share = reached > 0.0 ? recrossed / reached : 0.0;
   fragility.censored_share = censored / histories;
   fragility.free_sliding_share = free / histories;
-  fragility.stripes = fit_stripes_by_record(levels, stripes, options);
-  fragility.capacities = fit_capacities_by_record(capacities, levels.back(), options,
+  fragility.stripes = fit_stripes_by_record(levels, data.stripes, options);
+  fragility.capacities = fit_capacities_by_record(data.capacities, levels.back(), options,
                                                   run.band_intensities, &fragility.band);
+  fragility.lognormal = lognormal_goodness_of_fit(data.capacities, levels.back(), options);
   for (std::size_t level = 0; level < levels.size(); ++level) {
     double share = 0.0;
     for (const std::vector<double>& record : exceeding) share += record[level];

@@ -209,6 +209,7 @@ void analyse(const StudyConfig& study, Results& results) {
   if (study.hazard) results.hazard = hazard_results(study, results);
   if (study.verdict) results.verdict = verdict_results(study, results);
   if (study.sensitivity) results.sensitivity = sensitivity_results(study, results);
+  if (study.shape) results.shape = shape_results(results);
 }
 
 }  // namespace
@@ -218,6 +219,8 @@ Results reduce(const Plan& plan, const std::vector<UnitResult>& units) {
   results.histories = assemble(plan, units);
   analyse(plan.config, results);
   results.warnings = plan.warnings;
+  for (std::string& warning : warnings_on(results, plan.config))
+    results.warnings.push_back(std::move(warning));
   results.notes = plan.notes;
   for (std::string& note : notes_on(results, plan.config)) results.notes.push_back(std::move(note));
   return results;
@@ -234,6 +237,7 @@ void analyse_again(const StudyConfig& study, Results& results) {
   results.hazard.reset();
   results.verdict.reset();
   results.sensitivity.reset();
+  results.shape.reset();
   analyse(study, results);
 }
 

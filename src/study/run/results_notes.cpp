@@ -95,6 +95,38 @@ void note_suite(const SuiteSummary& suite, std::vector<std::string>& notes) {
 
 }  // namespace
 
+std::vector<std::string> warnings_on(const Results& results, const StudyConfig& config) {
+  std::size_t fitted = 0, refused = 0;
+  const ThresholdFragility* worst = nullptr;
+  std::vector<double> refused_m;
+  for (const RunResults& run : results.runs) {
+    for (const ThresholdFragility& fragility : run.fragilities) {
+      const GoodnessOfFit& fit = fragility.lognormal;
+      if (std::isnan(fit.p_value)) continue;
+      ++fitted;
+      if (!departs_from_lognormal(fit)) continue;
+      ++refused;
+      refused_m.push_back(fragility.threshold_m);
+      if (worst == nullptr || std::abs(fit.largest_gap) > std::abs(worst->lognormal.largest_gap))
+        worst = &fragility;
+    }
+  }
+  if (worst == nullptr) return {};
+  std::ranges::sort(refused_m);
+  refused_m.erase(std::unique(refused_m.begin(), refused_m.end()), refused_m.end());
+  const std::string unit = results.measure.unit();
+  return {fmt::format(
+      "{} of {} fragilities are not lognormal (goodness of fit, p < {:g}; gap {:g} or more), of "
+      "clearance {:g} m. At "
+      "{:g} m the observed probability is {:.2f} {} the curve at {} = {:.3g}{}. Use the observed "
+      "shares there; [shape] compares other curves",
+      refused, fitted, goodness_of_fit_level, goodness_of_fit_gap, fmt::join(refused_m, ", "),
+      worst->threshold_m, std::abs(worst->lognormal.largest_gap),
+      worst->lognormal.largest_gap > 0.0 ? "above" : "below",
+      results.measure.symbol(config.intensity), worst->lognormal.gap_intensity,
+      unit == "-" ? "" : " " + unit)};
+}
+
 std::vector<std::string> notes_on(const Results& results, const StudyConfig& config) {
   std::vector<std::string> notes;
   note_uplift(results, config, notes);

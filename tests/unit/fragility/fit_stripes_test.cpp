@@ -139,11 +139,16 @@ TEST(fit_stripes, bounds_the_median_from_above_when_all_exceeded) {
   EXPECT_EQ(upper.median_interval.high, upper.curve.median);
 }
 
+TEST(fit_stripes, has_no_curve_of_one_level) {
+  const FitSummary fit = fit_stripes({{0.5, 10, 4}});
+  EXPECT_EQ(fit.status, FitStatus::one_level);
+  EXPECT_FALSE(fit.converged());
+}
+
 TEST(fit_stripes, fails_with_a_reason_where_no_curve_can_be_told) {
   const std::vector<std::vector<Stripe>> hopeless = {
       {},                          // nothing
       {{0.5, 0, 0}, {1.0, 0, 0}},  // no trials
-      {{0.5, 10, 4}},              // one level
   };
   for (const auto& stripes : hopeless) {
     const FitSummary fit = fit_stripes(stripes);

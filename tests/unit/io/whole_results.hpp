@@ -59,6 +59,7 @@ inline ThresholdFragility whole_fragility(double threshold_m, std::size_t levels
   f.record_recross.assign(records, 1.0);
   f.censored_share = 0.5;
   f.free_sliding_share = 0.02;
+  f.lognormal = {0.001, 0.25, 0.5, -0.125, 0.75};
   return f;
 }
 
@@ -234,6 +235,30 @@ inline void add_hazard(Results& r) {
   }
 }
 
+inline void add_shape(Results& r) {
+  ShapeResults& shape = r.shape.emplace();
+  for (const RunResults& of : r.runs) {
+    ShapeRun run{of.label, {}, {}, {}, 0.3, {0.25, 0.5}};
+    double x = of.first_case == 0 ? 1.0 : 2.0;
+    for (const double threshold_m : r.thresholds_m) {
+      ThresholdShape t{threshold_m, ComparisonStatus::no_overlap, {}, {}, {}, {}, {}};
+      t.recrossed.assign(r.levels.size(), 0.125 * x);
+      if (x == 1.0) {
+        t.status = ComparisonStatus::compared;
+        t.score.assign(shape_model_count, -0.5 * x);
+        t.difference.assign(shape_model_count, 0.25 * x);
+        t.standard_error.assign(shape_model_count, std::nan(""));
+        t.probability.assign(shape_model_count * r.levels.size(), 0.75);
+      }
+      run.thresholds.push_back(t);
+      run.surface.push_back({threshold_m, 0.5 * x, {0.25 * x, x}});
+      x += 1.0;
+    }
+    run.crossings = {{r.thresholds_m[0], r.thresholds_m[1], 0.5 * x, 0.25, x > 3.5}};
+    shape.runs.push_back(run);
+  }
+}
+
 inline void add_verdict(Results& r) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   VerdictResults& verdict = r.verdict.emplace();
@@ -290,6 +315,7 @@ inline Results with_all() {
   add_hazard(r);
   add_verdict(r);
   add_sensitivity(r);
+  add_shape(r);
   return r;
 }
 

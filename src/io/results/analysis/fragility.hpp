@@ -63,6 +63,18 @@ void exchange_fragilities(const Archive& archive, const IntensityScale& scale, F
          &ThresholdFragility::censored_share);
   column("free_sliding_share", {"-", "share of histories that slide with no shaking"},
          &ThresholdFragility::free_sliding_share);
+  const auto lognormal = [](double GoodnessOfFit::*value) {
+    return member(&ThresholdFragility::lognormal, value);
+  };
+  column("lognormal_p_value", {"-", "goodness of fit of the lognormal; nan: no test"},
+         lognormal(&GoodnessOfFit::p_value));
+  column("lognormal_distance", {"-", "Cramer-von Mises distance of capacities and curve"},
+         lognormal(&GoodnessOfFit::distance));
+  column("record_correlation", {"-", "of the normal scores of a record's capacities"},
+         lognormal(&GoodnessOfFit::correlation));
+  column("largest_gap", {"-", "largest difference of observed share and curve"},
+         lognormal(&GoodnessOfFit::largest_gap));
+  column("gap_intensity", {scale.unit, "where that is"}, lognormal(&GoodnessOfFit::gap_intensity));
 }
 
 template <class Archive, class Slip>

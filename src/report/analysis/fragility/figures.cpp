@@ -74,7 +74,9 @@ void add_threshold(Panel& panel, const Results& results, const RunResults& run, 
   }
   DataSeries key{curve.x.empty() ? DataSeries::Kind::points : DataSeries::Kind::line_and_points,
                  colour};
-  key.label = format_length(fragility.threshold_m) + ": " + fit_text(results, fragility.capacities);
+  key.label = format_length(fragility.threshold_m) + ": " +
+              fit_text(results, fragility.capacities) +
+              (departs_from_lognormal(fragility.lognormal) ? ", not lognormal" : "");
   panel.series.insert(panel.series.begin(), std::move(band));
   for (DataSeries* series : {&curve, &observed, &key}) panel.series.push_back(std::move(*series));
 }

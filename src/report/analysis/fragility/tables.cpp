@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glissade/report/tables.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -45,14 +47,19 @@ double record_recross_share(const ThresholdFragility& fragility) {
 void add_fragility_row(Table& table, const RunResults& run, const ThresholdFragility& fragility,
                        const std::string& method, const FitSummary& fit) {
   table.add({run.label, fragility.threshold_m, method, median_of(fit), log_std_of(fit),
-             to_string(fit.status), fragility.recross_share, record_recross_share(fragility),
-             fragility.censored_share, floor_of(fit), p50_of(fit), fit.interval_method, fit.note});
+             to_string(fit.status), fragility.lognormal.p_value, fragility.recross_share,
+             record_recross_share(fragility), fragility.censored_share, floor_of(fit), p50_of(fit),
+             fit.interval_method, fit.note});
 }
 
 /// How the median came about, for people.
-std::string fit_label(const FitSummary& fit, double highest_level) {
+std::string fit_label(const ThresholdFragility& fragility, double highest_level) {
+  const FitSummary& fit = preferred_fit(fragility);
   const bool beyond = fit.converged() && fit.curve.median > highest_level;
-  return to_string(fit.status) + (beyond ? ", extrapolated beyond the levels" : "");
+  return to_string(fit.status) + (beyond ? ", extrapolated beyond the levels" : "") +
+         (departs_from_lognormal(fragility.lognormal)
+              ? fmt::format(", not lognormal (p = {:.2g})", fragility.lognormal.p_value)
+              : "");
 }
 
 double histories_per_level(const Results& results, const RunResults& run) {
@@ -78,6 +85,7 @@ Table fragility_table(const Results& results) {
        intensity_column(results, "median", "Median", true),
        {"log_std", "", "Log std [95 %]", ColumnKind::number, true},
        text_column("status", "Fit"),
+       {"lognormal_p", "", "Lognormal, p"},
        {"recross_share", "", "Histories that recross", ColumnKind::share},
        {"record_recross_share", "", "Records that recross", ColumnKind::share},
        {"censored_share", "", "Never reached", ColumnKind::share},
@@ -118,7 +126,7 @@ Table fragility_summary_table(const Results& results) {
       table.add({run.label, fragility.threshold_m, median_of(fit), log_std_of(fit), fit.curve.floor,
                  p50_of(fit), fragility.censored_share,
                  &fit == &fragility.stripes ? "stripes" : "capacities",
-                 fit_label(fit, results.levels.back())});
+                 fit_label(fragility, results.levels.back())});
     }
   }
   table = with_listed(results, table);

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+#include "glissade/fragility/fit.hpp"
+#include "glissade/fragility/two_part.hpp"
+
+// Fits of rows that have a weight each (importance sampling) and belong to records, the clusters.
+// The weighted likelihood sum w l is maximised; intervals are those of the cluster sandwich
+// n/(n - 1) A^-1 (sum s s^T) A^-1 over records, with Student's t of n_eff - 1 degrees of freedom
+// (theory.md, 6.3). Rows of weight 0 play no part. All throw InputError for weights that are
+// negative or all 0, and for counts or capacities out of range.
+namespace glissade {
+
+struct WeightedStripe {
+  Stripe stripe;
+  double weight = 1.0;
+  std::size_t record = 0;
+};
+
+/// A capacity above `low` and not above `high`; exact where they are equal. low = 0: reached by the
+/// first level; high infinite: not reached by `low`, the highest level of this record.
+struct CapacityBracket {
+  double low = 0.0, high = std::numeric_limits<double>::infinity();
+  double weight = 1.0;
+  std::size_t record = 0;
+};
+
+struct CloudPoint {
+  double intensity = 0.0, displacement = 0.0;  ///< > 0; 0 or more
+  double weight = 1.0;
+  std::size_t record = 0;
+};
+
+/// `summary.effective_records` is (sum W)^2 / sum W^2 over the records' weights W (Kish 1965).
+FitSummary fit_weighted_stripes(const std::vector<WeightedStripe>& rows);
+
+/// Lognormal maximum likelihood with ln[Phi(z_high) - Phi(z_low)] of each bracket. `independent`:
+/// each row is a record of its own and without a weight, and intervals are those of the profile
+/// likelihood. All above: lower_bound. All not above: upper_bound. Failed, saying why: one
+/// intensity is in every bracket, so that log_std would be 0.
+FitSummary fit_brackets(const std::vector<CapacityBracket>& rows, bool independent);
+
+/// A displacement's fragility by a cloud: the intensity at which half exceed it.
+struct CloudMedian {
+  double threshold = 0.0, p50 = std::numeric_limits<double>::quiet_NaN();
+  Interval p50_interval;
+};
+
+/// Intervals are NaN where fewer than two records have weight.
+struct CloudSummary {
+  TwoPartFit fit;
+  Interval any_median_interval, any_log_std_interval;
+  Interval intercept_interval, slope_interval, log_std_interval;
+  std::vector<CloudMedian> medians;
+  double effective_records = std::numeric_limits<double>::quiet_NaN();
+};
+
+/// The two-part model of a cloud of points; thresholds > 0.
+CloudSummary fit_cloud(const std::vector<CloudPoint>& points,
+                       const std::vector<double>& thresholds);
+
+}  // namespace glissade

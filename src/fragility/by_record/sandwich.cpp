@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "by_record/sandwich.hpp"
+
+#include <algorithm>
+#include <boost/math/distributions/students_t.hpp>
+
+namespace glissade::fragility {
+
+Eigen::MatrixXd cluster_sandwich(const Eigen::MatrixXd& scores,
+                                 const Eigen::MatrixXd& information) {
+  const auto n = static_cast<double>((scores.array() != 0).rowwise().any().count());
+  const Eigen::MatrixXd inverse = information.inverse();
+  return n / (n - 1) * inverse * (scores.transpose() * scores) * inverse;
+}
+
+double effective_number(const Eigen::VectorXd& weights) {
+  return weights.sum() * weights.sum() / weights.squaredNorm();
+}
+
+Interval t_interval(double value, double standard_error, double effective) {
+  const boost::math::students_t student(std::max(1.0, effective - 1));
+  const double reach = quantile(student, 0.975) * standard_error;
+  return {value - reach, value + reach};
+}
+
+}  // namespace glissade::fragility

@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glissade/fragility/weighted_fit.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "by_record/clusters.hpp"
+#include "by_record/sandwich.hpp"
+#include "lognormal/bracket_likelihood.hpp"
+#include "lognormal/newton_maximum.hpp"
+#include "lognormal/point_fit.hpp"
+#include "lognormal/profile.hpp"
+
+namespace glissade {
+namespace fragility {
+
+Clusters::Clusters(const std::vector<std::size_t>& records, const std::vector<double>& weights) {
+  check_weights(weights);
+  std::map<std::size_t, Eigen::Index> known;
+  for (std::size_t i = 0; i < records.size(); ++i) {
+    if (weights[i] == 0) {
+      of_row_.push_back(-1);
+      continue;
+    }
+    const auto [at, is_new] = known.emplace(records[i], static_cast<Eigen::Index>(known.size()));
+    of_row_.push_back(at->second);
+  }
+  weight_ = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(known.size()));
+  for (std::size_t i = 0; i < records.size(); ++i) {
+    if (of_row_[i] >= 0) weight_[of_row_[i]] += weights[i];
+  }
+}
+
+double Clusters::effective() const { return effective_number(weight_); }
+
+void check_weights(const std::vector<double>& weights) {
+  double sum = 0;
+  for (const double weight : weights) {
+    if (!(weight >= 0 && std::isfinite(weight)))
+      throw InputError(
+          {"weights", std::to_string(weight) + " is not a weight", "give 0 or more", ""});
+    sum += weight;
+  }
+  if (!weights.empty() && sum == 0)
+    throw InputError({"weights", "all of them are 0", "give at least one above 0", ""});
+}
+
+namespace {
+
+/// Curve and sandwich intervals of a line that maximises a weighted likelihood.
+void add_line(const ProbitLine& line, double center, const Eigen::MatrixXd& scores,
+              const Eigen::MatrixXd& information, const Clusters& clusters, FitSummary& summary) {
+  summary.curve = to_curve(line, center);
+  summary.effective_records = clusters.effective();
+  if (clusters.count() < 2) {
+    add_sentence(summary.note, "one record has weight: no interval");
+    return;
+  }
+  const Eigen::MatrixXd covariance = cluster_sandwich(scores, information);
+  const Eigen::Vector2d of_median{-1 / line[1], line[0] / (line[1] * line[1])};
+  const double median_error = std::sqrt(std::max(0.0, of_median.dot(covariance * of_median))),
+               log_std_error = std::sqrt(covariance(1, 1)) / line[1];
+  const auto in_x = [&](double value, double error) {
+    const Interval log = t_interval(value, error, clusters.effective());
+    return Interval{std::exp(log.low), std::exp(log.high)};
+  };
+  summary.median_interval = summary.p50_interval =
+      in_x(std::log(summary.curve.median), median_error);
+  summary.log_std_interval = in_x(std::log(summary.curve.log_std), log_std_error);
+  summary.interval_method = "cluster sandwich over records, Student t of n_eff - 1";
+  if (clusters.effective() < 5)
+    add_sentence(summary.note,
+                 "the weight is that of fewer than five records: the intervals are "
+                 "too short");
+}
+
+std::vector<LogBracket> in_logs(const std::vector<CapacityBracket>& rows, double& center) {
+  double sum = 0, ends = 0;
+  for (const CapacityBracket& row : rows) {
+    for (const double end : {row.low, row.high}) {
+      if (!(end > 0 && std::isfinite(end))) continue;
+      sum += std::log(end);
+      ++ends;
+    }
+  }
+  center = ends > 0 ? sum / ends : 0;
+  std::vector<LogBracket> brackets;
+  for (const CapacityBracket& row : rows)
+    brackets.push_back({std::log(row.low) - center, std::log(row.high) - center});
+  return brackets;
+}
+
+void check(const std::vector<CapacityBracket>& rows) {
+  ProblemList problems;
+  for (const CapacityBracket& row : rows) {
+    if (row.low >= 0 && row.high > 0 && row.low <= row.high && std::isfinite(row.low)) continue;
+    problems.add({"brackets",
+                  std::to_string(row.low) + " to " + std::to_string(row.high) +
+                      " is no range of intensities",
+                  "give 0 <= low <= high, high above 0", ""});
+  }
+  problems.throw_if_any();
+}
+
+/// None or all of the histories reached it, each record one trial.
+FitSummary bound_of(const std::vector<CapacityBracket>& rows, bool reached) {
+  std::map<std::size_t, double> limit;  // by record, the one that says most
+  for (const CapacityBracket& row : rows) {
+    const double end = reached ? row.high : row.low;
+    const auto [at, is_new] = limit.emplace(row.record, end);
+    if (!is_new) at->second = reached ? std::min(at->second, end) : std::max(at->second, end);
+  }
+  std::vector<Stripe> stripes;
+  for (const auto& [record, end] : limit) stripes.push_back({end, 1.0, reached ? 1.0 : 0.0});
+  return summarise_bound(to_data(stripes));
+}
+
+ProbitLine guess(const std::vector<LogBracket>& brackets) {
+  double n = 0, sum = 0, squares = 0;
+  for (const LogBracket& b : brackets) {
+    const double y = std::isinf(b.low)    ? b.high
+                     : std::isinf(b.high) ? b.low
+                                          : 0.5 * (b.low + b.high);
+    ++n;
+    sum += y;
+    squares += y * y;
+  }
+  const double mean = sum / n;
+  return ProbitLine(-mean, 1) / std::max(0.1, std::sqrt(std::max(0.0, squares / n - mean * mean)));
+}
+
+}  // namespace
+}  // namespace fragility
+
+using namespace fragility;
+
+FitSummary fit_weighted_stripes(const std::vector<WeightedStripe>& rows) {
+  std::vector<Stripe> stripes;
+  std::vector<std::size_t> records;
+  std::vector<double> weights;
+  for (const WeightedStripe& row : rows) {
+    stripes.push_back(row.stripe);
+    records.push_back(row.record);
+    weights.push_back(row.weight * row.stripe.trials);
+  }
+  check(stripes, "stripes");
+  const Clusters clusters(records, weights);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    stripes[i].trials *= rows[i].weight;
+    stripes[i].exceedances *= rows[i].weight;
+  }
+  const StripeData data = to_data(stripes);
+  const PointFit point = fit_point(data, first_guess(data));
+  if (point.is_bound()) return summarise_bound(data);
+  FitSummary summary;
+  summary.status = point.status;
+  summary.note = point.note;
+  if (!summary.converged()) return summary;
+  summary.method = to_string(point.status) + " of weighted stripes";
+  if (point.status == FitStatus::jeffreys_penalised) {
+    summary.curve = to_curve(point.line, data.center);
+    summary.note = "the stripes are separated by intensity: no interval";
+    return summary;
+  }
+  Eigen::MatrixXd scores = Eigen::MatrixXd::Zero(clusters.count(), 2);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    StripeData one = to_data({stripes[i]});
+    one.y += one.center - data.center;
+    if (clusters.has(i))
+      scores.row(clusters.of(i)) += stripe_likelihood(one, point.line).gradient.transpose();
+  }
+  const Evaluation at = stripe_likelihood(data, point.line);
+  add_line(point.line, data.center, scores, at.information, clusters, summary);
+  summary.log_likelihood = at.value;
+  return summary;
+}
+
+FitSummary fit_brackets(const std::vector<CapacityBracket>& all, bool independent) {
+  check(all);
+  std::vector<CapacityBracket> rows;
+  std::vector<double> weights;
+  for (const CapacityBracket& row : all) weights.push_back(row.weight);
+  check_weights(weights);
+  std::ranges::copy_if(all, std::back_inserter(rows),
+                       [](const CapacityBracket& row) { return row.weight > 0; });
+  FitSummary summary;
+  if (rows.empty()) {
+    summary.note = "there are no capacities";
+    return summary;
+  }
+  std::vector<std::size_t> records;
+  weights.clear();
+  double highest_low = 0, lowest_high = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (independent) rows[i].record = i;
+    records.push_back(rows[i].record);
+    weights.push_back(rows[i].weight);
+    highest_low = std::max(highest_low, rows[i].low);
+    lowest_high = std::min(lowest_high, rows[i].high);
+  }
+  if (std::isinf(lowest_high)) return bound_of(rows, false);
+  if (highest_low == 0) return bound_of(rows, true);
+  if (highest_low <= lowest_high) {
+    summary.note = "one intensity is in every bracket: log_std cannot be determined";
+    return summary;
+  }
+  double center = 0;
+  const std::vector<LogBracket> brackets = in_logs(rows, center);
+  const auto objective = [&](const ProbitLine& line) {
+    Evaluation sum;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      const Evaluation one = bracket_likelihood(brackets[i], line);
+      sum.value += rows[i].weight * one.value;
+      sum.gradient += rows[i].weight * one.gradient;
+      sum.information += rows[i].weight * one.information;
+    }
+    return sum;
+  };
+  const auto line = newton_maximum(objective, guess(brackets));
+  if (!line || !((*line)[1] > 0)) {
+    summary.status = line ? FitStatus::no_trend : FitStatus::failed;
+    summary.note =
+        line ? "the brackets do not rise with intensity" : "no greatest likelihood was found";
+    return summary;
+  }
+  summary.status = FitStatus::maximum_likelihood;
+  summary.method = "lognormal maximum likelihood on brackets of the capacity";
+  const Evaluation at = objective(*line);
+  summary.log_likelihood = at.value;
+  for (const CapacityBracket& row : rows) {  // densities of x
+    if (row.low == row.high) summary.log_likelihood -= row.weight * std::log(row.low);
+  }
+  if (independent) {
+    summary.curve = to_curve(*line, center);
+    const ProfileIntervals intervals = profile_intervals(
+        [&](const ProbitLine& other) { return objective(other).value; }, *line, center);
+    summary.median_interval = summary.p50_interval = intervals.median;
+    summary.log_std_interval = intervals.log_std;
+    summary.interval_method = "profile likelihood";
+    return summary;
+  }
+  const Clusters clusters(records, weights);
+  Eigen::MatrixXd scores = Eigen::MatrixXd::Zero(clusters.count(), 2);
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    scores.row(clusters.of(i)) +=
+        rows[i].weight * bracket_likelihood(brackets[i], *line).gradient.transpose();
+  add_line(*line, center, scores, at.information, clusters, summary);
+  return summary;
+}
+
+}  // namespace glissade

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glissade/fragility/goodness_of_fit.hpp"
+
+#include <algorithm>
+#include <boost/math/special_functions/owens_t.hpp>
+#include <boost/math/tools/toms748_solve.hpp>
+#include <cmath>
+#include <cstdint>
+
+#include "glissade/core/normal.hpp"
+#include "glissade/core/random.hpp"
+#include "lognormal/point_fit.hpp"
+
+namespace glissade {
+namespace {
+
+using namespace fragility;
+
+/// Capacities of all records as y = ln x - center, in rising order, and those censored.
+struct PooledCapacities {
+  std::vector<double> y = {};
+  double censored = 0.0, censored_at = std::numeric_limits<double>::infinity();  // as y
+
+  double count() const { return static_cast<double>(y.size()) + censored; }
+  CapacityData data() const {
+    CapacityData data{.count = static_cast<double>(y.size()), .censored = censored};
+    if (censored > 0) data.censored_at = censored_at;
+    for (const double value : y) {
+      data.sum += value;
+      data.sum_squares += value * value;
+    }
+    return data;
+  }
+};
+
+/// The integral of (share - u)^2 over u from `from` to `to`.
+double square_integral(double share, double from, double to) {
+  const auto cube = [](double x) { return x * x * x; };
+  return (cube(share - from) - cube(share - to)) / 3;
+}
+
+double distance_of(const PooledCapacities& sample, const ProbitLine& line) {
+  const auto curve = [&](double y) { return normal_cdf(line[0] + line[1] * y); };
+  const double n = sample.count();
+  double sum = 0, from = 0, share = 0;
+  for (const double y : sample.y) {
+    const double to = curve(y);
+    sum += square_integral(share, from, to);
+    from = to;
+    share += 1 / n;
+  }
+  return sum + square_integral(share, from, sample.censored > 0 ? curve(sample.censored_at) : 1);
+}
+
+/// Probability that two standard normal variables of this correlation are both below z.
+double both_below(double z, double correlation) {
+  const double slope = std::sqrt((1 - correlation) / (1 + correlation));
+  return normal_cdf(z) - 2 * boost::math::owens_t(z, slope);
+}
+
+/// By record, its rising capacities as y, and how many it has beside those censored.
+struct RecordSample {
+  std::vector<double> y;
+  double count = 0.0;
+  double share_below(double limit) const {
+    return static_cast<double>(std::ranges::upper_bound(y, limit) - y.begin());
+  }
+};
+
+/// Correlation of the normal scores of two capacities of one record: that of the bivariate normal
+/// which has as many pairs on one side of nine quantiles of the sample as the records have.
+/// Products between records, of which none is counted with itself, give the marginal share without
+/// bias.
+double correlation_in(const std::vector<RecordSample>& records, const std::vector<double>& pooled) {
+  std::vector<double> z, pairs_below;
+  for (int decile = 1; decile <= 9; ++decile) {
+    const std::size_t rank = static_cast<std::size_t>(decile) * pooled.size() / 10;
+    const double limit = pooled[std::min(rank, pooled.size() - 1)];
+    double within = 0, pairs = 0, sum = 0, squares = 0, all = 0, all_squares = 0;
+    for (const RecordSample& record : records) {
+      const double k = record.share_below(limit), n = record.count;
+      within += k * (k - 1);
+      pairs += n * (n - 1);
+      sum += k;
+      squares += k * k;
+      all += n;
+      all_squares += n * n;
+    }
+    const double between = (sum * sum - squares) / (all * all - all_squares);
+    if (pairs == 0 || !(between > 0 && between < 1)) continue;
+    z.push_back(normal_quantile(std::sqrt(between)));
+    pairs_below.push_back(within / pairs);
+  }
+  const auto excess = [&](double correlation) {
+    double sum = 0;
+    for (std::size_t i = 0; i < z.size(); ++i)
+      sum += both_below(z[i], correlation) - pairs_below[i];
+    return sum;
+  };
+  constexpr double largest = 0.999;
+  if (z.empty() || excess(0) >= 0) return 0;
+  if (excess(largest) <= 0) return largest;
+  std::uintmax_t iterations = 100;
+  const auto [low, high] = boost::math::tools::toms748_solve(
+      excess, 0.0, largest, boost::math::tools::eps_tolerance<double>(20), iterations);
+  return 0.5 * (low + high);
+}
+
+/// Capacities as the null model has them: lognormal, correlated within records. Of a record with
+/// more than `most` histories as many, one in each of equal parts of probability.
+class NullModel {
+ public:
+  NullModel(const std::vector<RecordSample>& records, double correlation, double z_censored,
+            std::uint64_t seed)
+      : records_(records), correlation_(correlation), z_censored_(z_censored), seed_(seed) {}
+
+  /// In units of z: the fitted median is 0 and log_std is 1.
+  PooledCapacities draw(std::uint64_t replicate) const {
+    constexpr std::uint32_t most = 64;
+    PooledCapacities sample{.censored_at = z_censored_};
+    for (std::size_t i = 0; i < records_.size(); ++i) {
+      const std::uint64_t item = replicate * records_.size() + i;
+      const auto uniform = [&](std::uint32_t index) {
+        return keyed_uniform(seed_, RandomPurpose::goodness_of_fit, item, index);
+      };
+      const double shift = std::sqrt(correlation_) * normal_quantile(uniform(0));
+      const auto count = static_cast<std::uint32_t>(std::min<double>(records_[i].count, most));
+      for (std::uint32_t j = 0; j < count; ++j) {
+        const double u = records_[i].count > most ? (j + uniform(1 + j)) / most : uniform(1 + j);
+        const double y = shift + std::sqrt(1 - correlation_) * normal_quantile(u);
+        if (y < z_censored_) {
+          sample.y.push_back(y);
+        } else {
+          ++sample.censored;
+        }
+      }
+    }
+    std::ranges::sort(sample.y);
+    return sample;
+  }
+
+ private:
+  const std::vector<RecordSample>& records_;
+  double correlation_, z_censored_;
+  std::uint64_t seed_;
+};
+
+/// Share of replicates, the data among them, at least as far from their fit.
+double p_value(const NullModel& null, double distance, int replicates) {
+  double fitted = 0, as_far = 0;
+  for (int r = 0; r < replicates; ++r) {
+    const PooledCapacities sample = null.draw(static_cast<std::uint64_t>(r));
+    const PointFit fit = fit_point(sample.data(), {0, 1});
+    if (fit.status != FitStatus::maximum_likelihood) continue;
+    ++fitted;
+    if (distance_of(sample, fit.line) >= distance) ++as_far;
+  }
+  return (as_far + 1) / (fitted + 1);
+}
+
+void find_gap(const PooledCapacities& sample, const ProbitLine& line, double center,
+              GoodnessOfFit& result) {
+  result.largest_gap = 0;
+  for (std::size_t i = 0; i < sample.y.size(); ++i) {
+    const double u = normal_cdf(line[0] + line[1] * sample.y[i]);
+    for (const std::size_t below : {i, i + 1}) {
+      const double gap = static_cast<double>(below) / sample.count() - u;
+      if (std::abs(gap) <= std::abs(result.largest_gap)) continue;
+      result.largest_gap = gap;
+      result.gap_intensity = std::exp(center + sample.y[i]);
+    }
+  }
+}
+
+}  // namespace
+
+bool departs_from_lognormal(const GoodnessOfFit& fit) {
+  return fit.p_value < goodness_of_fit_level && std::abs(fit.largest_gap) >= goodness_of_fit_gap;
+}
+
+GoodnessOfFit lognormal_goodness_of_fit(const std::vector<RecordCapacities>& records,
+                                        double censored_at, const BootstrapOptions& options) {
+  GoodnessOfFit result;
+  std::vector<double> all;
+  for (const RecordCapacities& record : records)
+    all.insert(all.end(), record.capacities.begin(), record.capacities.end());
+  const double center = mean_log(all);
+  PooledCapacities pooled;
+  std::vector<RecordSample> samples;
+  for (const RecordCapacities& record : records) {
+    RecordSample sample{{}, static_cast<double>(record.capacities.size()) + record.censored};
+    if (sample.count == 0) continue;
+    for (const double capacity : record.capacities) sample.y.push_back(std::log(capacity) - center);
+    std::ranges::sort(sample.y);
+    pooled.y.insert(pooled.y.end(), sample.y.begin(), sample.y.end());
+    pooled.censored += record.censored;
+    samples.push_back(std::move(sample));
+  }
+  if (pooled.censored > 0) pooled.censored_at = std::log(censored_at) - center;
+  std::ranges::sort(pooled.y);
+  const CapacityData data = pooled.data();
+  const PointFit fit = fit_point(data, first_guess(data));
+  if (samples.size() < 3 || fit.status != FitStatus::maximum_likelihood) return result;
+  result.distance = distance_of(pooled, fit.line);
+  result.correlation = correlation_in(samples, pooled.y);
+  find_gap(pooled, fit.line, center, result);
+  const NullModel null(samples, result.correlation, fit.line[0] + fit.line[1] * pooled.censored_at,
+                       options.seed);
+  result.p_value = p_value(null, result.distance, std::min(options.replicates, 199));
+  return result;
+}
+
+}  // namespace glissade

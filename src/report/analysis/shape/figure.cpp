@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "analysis/shape/shape.hpp"
+#include "glissade/report/format.hpp"
+#include "text/study_text.hpp"
+
+namespace glissade {
+namespace {
+
+constexpr int curve_points = 200;
+
+double gap_of(const ThresholdFragility& fragility) {
+  const double gap = std::abs(fragility.lognormal.largest_gap);
+  return std::isnan(gap) ? -1.0 : gap;
+}
+
+DataSeries observed(const Results& results, const ThresholdFragility& fragility) {
+  Look points = look(Role::record);
+  points = {{0x000000}, 1.5, 1, 7, 0.7};
+  DataSeries series{DataSeries::Kind::points, points, "observed"};
+  series.x = results.levels;
+  series.y = fragility.probability;
+  return series;
+}
+
+DataSeries interval_bars(const Results& results, const ThresholdFragility& fragility) {
+  DataSeries series{DataSeries::Kind::bars, {{0x777777}, 1.0}, "observed, 95 % interval"};
+  for (std::size_t l = 0; l < results.levels.size(); ++l) {
+    if (std::isnan(fragility.probability_interval[l].low)) continue;
+    series.x.push_back(results.levels[l]);
+    series.low.push_back(fragility.probability_interval[l].low);
+    series.high.push_back(fragility.probability_interval[l].high);
+  }
+  return series;
+}
+
+DataSeries lognormal(const Panel& panel, const ThresholdFragility& fragility) {
+  DataSeries series{DataSeries::Kind::line, distinct_look(0), "lognormal"};
+  series.look.width = 3.0;
+  const FitSummary& fit = fragility.capacities;
+  for (int i = 1; i <= curve_points && fit.converged(); ++i) {
+    series.x.push_back(panel.x.high * i / curve_points);
+    series.y.push_back(fit.curve.probability(series.x.back()));
+  }
+  return series;
+}
+
+DataSeries of_model(const Results& results, const ThresholdFragility& fragility,
+                    const ThresholdShape& shape, ShapeModel model, std::size_t look_index) {
+  DataSeries series{DataSeries::Kind::line, distinct_look(look_index), model_name(model)};
+  series.look.dash = static_cast<int>(look_index) + 1;
+  const double floor = fragility.capacities.curve.floor;
+  for (std::size_t l = 0; l < results.levels.size(); ++l) {
+    const double probability = shape.probability_at(model, l);
+    if (std::isnan(probability)) continue;
+    series.x.push_back(results.levels[l]);
+    series.y.push_back(floor + (1.0 - floor) * probability);
+  }
+  return series;
+}
+
+/// Where the observed share and the lognormal are farthest apart.
+void mark_gap(Panel& panel, const ThresholdFragility& fragility) {
+  const GoodnessOfFit& fit = fragility.lognormal;
+  if (!departs_from_lognormal(fit) || !(fit.gap_intensity < panel.x.high)) return;
+  const double curve = fragility.capacities.curve.probability(fit.gap_intensity),
+               floor = fragility.capacities.curve.floor;
+  const double share = curve + (1.0 - floor) * fit.largest_gap;
+  DataSeries gap{DataSeries::Kind::bars, {{0xcc0000}, 4.0}, "largest gap"};
+  gap.x = {fit.gap_intensity};
+  gap.low = {std::min(curve, share)};
+  gap.high = {std::max(curve, share)};
+  panel.series.push_back(std::move(gap));
+  panel.notes.push_back(
+      {0.98 * panel.x.high,
+       0.06,
+       fmt::format("largest gap: {:.2f} {} the lognormal", std::abs(fit.largest_gap),
+                   fit.largest_gap > 0.0 ? "above" : "below"),
+       {0xcc0000},
+       Note::Align::right});
+}
+
+/// The key is shared by the panels: lines by lognormal, logit and log-log; the rest.
+Panel panel_of(const Results& results, std::size_t threshold, bool key_of_lines) {
+  const ThresholdFragility& fragility = results.runs.front().fragilities[threshold];
+  const ThresholdShape& shape = results.shape->runs.front().thresholds[threshold];
+  const double p = fragility.lognormal.p_value;
+  Panel panel{
+      format_length(fragility.threshold_m) +
+          (std::isnan(p)
+               ? ""
+               : fmt::format(": {}lognormal (p = {:.2g})",
+                             departs_from_lognormal(fragility.lognormal) ? "not " : "nearly ", p)),
+      {results.intensity_label, 0.0, results.levels.back()},
+      {"Probability that slip exceeds the clearance", 0.0, 1.0}};
+  panel.series = {interval_bars(results, fragility),
+                  lognormal(panel, fragility),
+                  of_model(results, fragility, shape, ShapeModel::logit, 1),
+                  of_model(results, fragility, shape, ShapeModel::complementary_log_log, 2),
+                  of_model(results, fragility, shape, ShapeModel::two_part, 3),
+                  of_model(results, fragility, shape, ShapeModel::one_surface, 4),
+                  observed(results, fragility)};
+  mark_gap(panel, fragility);
+  for (DataSeries& series : panel.series) {
+    const bool is_line = series.name == "lognormal" || series.name == "logit" ||
+                         series.name == "complementary log-log";
+    if (is_line == key_of_lines && series.kind != DataSeries::Kind::bars)
+      series.label = series.name == "observed" ? "observed; bars: 95 % over records" : series.name;
+  }
+  return panel;
+}
+
+}  // namespace
+
+Figure shape_figure(const Results& results) {
+  const std::vector<ThresholdFragility>& fragilities = results.runs.front().fragilities;
+  const auto [best, worst] = std::ranges::minmax_element(fragilities, {}, gap_of);
+  Figure figure{
+      "shape", "Where the fragility is lognormal and where it is not",
+      counts_of(results) + "; " + friction_of(results, results.runs.front()),
+      "Points: observed share of histories that exceed the clearance. Lines: the lognormal fitted "
+      "to capacities, and other models fitted to the shares at the levels. Two-part: probability "
+      "of "
+      "any slip times that of its size. One surface: lognormals of all clearances with one log "
+      "std. Shown are the clearance where the observed share departs most from the lognormal, and "
+      "that where it departs least. p: goodness of fit. All clearances: tables/shape.csv and "
+      "tables/shape_levels.csv."};
+  figure.panels.push_back(
+      panel_of(results, static_cast<std::size_t>(worst - fragilities.begin()), true));
+  figure.panels.push_back(
+      panel_of(results, static_cast<std::size_t>(best - fragilities.begin()), false));
+  return figure;
+}
+
+}  // namespace glissade

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glissade/fragility/weighted_fit.hpp"
+
+#include <gtest/gtest.h>
+
+#include <boost/math/distributions/students_t.hpp>
+#include <cmath>
+
+#include "glissade/core/error.hpp"
+#include "glissade/core/normal.hpp"
+#include "glissade/core/random.hpp"
+#include "worked_examples.hpp"
+
+namespace glissade {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+double normal(std::uint64_t item, int index) {
+  return keyed_normal(31, RandomPurpose::test, item, static_cast<std::uint32_t>(index));
+}
+
+/// Baker's counts as rows of four records of ten trials at each level.
+std::vector<WeightedStripe> baker_by_record(double weight) {
+  std::vector<WeightedStripe> rows;
+  for (const Stripe& s : worked_examples::baker_2015()) {
+    for (std::size_t record = 0; record < 4; ++record)
+      rows.push_back({{s.intensity, s.trials / 4, s.exceedances / 4}, weight, record});
+  }
+  return rows;
+}
+
+TEST(fit_weighted_stripes, of_equal_weights_is_the_plain_fit) {
+  for (const double weight : {1.0, 0.25}) {
+    const FitSummary fit = fit_weighted_stripes(baker_by_record(weight));
+    EXPECT_EQ(fit.status, FitStatus::maximum_likelihood);
+    EXPECT_NEAR(fit.curve.median, 1.076115794, 5e-10);
+    EXPECT_NEAR(fit.curve.log_std, 0.4292372038, 5e-11);
+    EXPECT_NEAR(fit.effective_records, 4.0, 1e-12);
+  }
+}
+
+TEST(fit_weighted_stripes, weighs_as_often_as_a_row_is_repeated_and_without_weight_not_at_all) {
+  std::vector<WeightedStripe> weighted, repeated;
+  for (std::size_t record = 0; record < 6; ++record) {
+    const double k = static_cast<double>(record % 3);
+    const WeightedStripe low{{0.5, 9, k}, record == 0 ? 3.0 : 1.0, record},
+        high{{1.5, 9, 8 - std::floor(k / 2)}, record == 0 ? 3.0 : 1.0, record};
+    for (const WeightedStripe& row : {low, high}) {
+      weighted.push_back(row);
+      for (int i = 0; i < row.weight; ++i) repeated.push_back({row.stripe, 1.0, record});
+    }
+  }
+  weighted.push_back({{1.0, 9, 9}, 0.0, 17});
+  const FitSummary a = fit_weighted_stripes(weighted), b = fit_weighted_stripes(repeated);
+  EXPECT_NEAR(a.curve.median, b.curve.median, 1e-12);
+  EXPECT_NEAR(a.median_interval.low, b.median_interval.low, 1e-12);
+  EXPECT_NEAR(a.effective_records, 64.0 / 14.0, 1e-12);  // weights 3, 1, 1, 1, 1, 1: 8^2 / 14
+}
+
+TEST(fit_weighted_stripes, refuses_weights_that_are_all_zero_or_negative) {
+  EXPECT_THROW(fit_weighted_stripes(baker_by_record(0.0)), InputError);
+  EXPECT_THROW(fit_weighted_stripes(baker_by_record(-1.0)), InputError);
+}
+
+// Exact capacities, a record each: the sandwich with n/(n - 1) is the classic interval of a mean.
+TEST(fit_brackets, gives_students_interval_of_exact_capacities) {
+  std::vector<CapacityBracket> rows;
+  double sum = 0, squares = 0;
+  constexpr int n = 12;
+  for (int i = 0; i < n; ++i) {
+    const double y = 0.3 * normal(1, i);
+    rows.push_back({std::exp(y), std::exp(y), 2.5, static_cast<std::size_t>(i)});
+    sum += y;
+    squares += y * y;
+  }
+  const double mean = sum / n, s = std::sqrt((squares - sum * mean) / (n - 1));
+  const double reach = quantile(boost::math::students_t(n - 1), 0.975) * s / std::sqrt(n);
+  const FitSummary fit = fit_brackets(rows, false);
+  EXPECT_NEAR(std::log(fit.curve.median), mean, 1e-12);
+  EXPECT_NEAR(fit.curve.log_std, s * std::sqrt((n - 1.0) / n), 1e-12);
+  EXPECT_NEAR(std::log(fit.median_interval.low), mean - reach, 1e-10);
+  EXPECT_NEAR(std::log(fit.median_interval.high), mean + reach, 1e-10);
+}
+
+TEST(fit_brackets, is_truncated_incremental_dynamic_analysis_where_all_have_one_limit) {
+  CapacitySample sample{.capacities = {0.5, 0.8, 1.0, 1.2, 2.0}, .censored = 2, .censored_at = 2.5};
+  std::vector<CapacityBracket> rows;
+  for (const double c : sample.capacities) rows.push_back({c, c});
+  for (int i = 0; i < 2; ++i) rows.push_back({2.5, infinity});
+  const FitSummary a = fit_capacities(sample), b = fit_brackets(rows, true);
+  EXPECT_NEAR(a.curve.median, b.curve.median, 1e-10);
+  EXPECT_NEAR(a.curve.log_std, b.curve.log_std, 1e-10);
+  EXPECT_NEAR(a.log_likelihood, b.log_likelihood, 1e-9);
+  EXPECT_NEAR(a.median_interval.high, b.median_interval.high, 1e-8);
+  EXPECT_NEAR(a.log_std_interval.high, b.log_std_interval.high, 1e-8);
+}
+
+/// 4,000 capacities of median 0.9 and log_std 0.45, known to lie between levels 0.25 apart, to 2.
+std::vector<CapacityBracket> between_levels() {
+  std::vector<CapacityBracket> rows;
+  for (int i = 0; i < 4000; ++i) {
+    const double capacity = 0.9 * std::exp(0.45 * normal(2, i));
+    const double low = 0.25 * std::floor(capacity / 0.25);
+    rows.push_back({std::min(low, 2.0), capacity < 2.0 ? low + 0.25 : infinity, 1.0,
+                    static_cast<std::size_t>(i)});
+  }
+  return rows;
+}
+
+TEST(fit_brackets, recovers_a_lognormal_from_brackets) {
+  const FitSummary fit = fit_brackets(between_levels(), true);
+  EXPECT_NEAR(std::log(fit.curve.median / 0.9), 0.0, 0.03);  // 4 standard errors
+  EXPECT_NEAR(std::log(fit.curve.log_std / 0.45), 0.0, 0.06);
+  // Midpoints in place of brackets would be biased; the sandwich agrees with the likelihood.
+  const FitSummary clustered = fit_brackets(between_levels(), false);
+  EXPECT_EQ(clustered.curve.median, fit.curve.median);
+  EXPECT_NEAR(std::log(clustered.median_interval.high / clustered.median_interval.low) /
+                  std::log(fit.median_interval.high / fit.median_interval.low),
+              1.0, 0.05);
+}
+
+// Records drawn from a proposal of median 0.7 in place of 1, with the ratio of densities as weight.
+TEST(fit_brackets, corrects_importance_sampling_by_weights) {
+  std::vector<CapacityBracket> rows;
+  for (int i = 0; i < 4000; ++i) {
+    const double z = normal(3, i), y = std::log(0.7) + 0.4 * z;
+    const double weight = std::exp(-0.5 * std::pow(y / 0.4, 2) + 0.5 * z * z);
+    rows.push_back({std::exp(y), std::exp(y), weight, static_cast<std::size_t>(i)});
+  }
+  const FitSummary fit = fit_brackets(rows, false);
+  EXPECT_NEAR(std::log(fit.curve.median), 0.0, 0.05);
+  EXPECT_NEAR(std::log(fit.curve.log_std / 0.4), 0.0, 0.1);
+  EXPECT_LT(fit.effective_records, 3000.0);
+  EXPECT_LT(fit.median_interval.low, 1.0);
+  EXPECT_GT(fit.median_interval.high, 1.0);
+}
+
+TEST(fit_brackets, names_what_it_cannot_fit) {
+  EXPECT_EQ(fit_brackets({{1.0, infinity}, {2.0, infinity}}, true).status, FitStatus::lower_bound);
+  EXPECT_EQ(fit_brackets({{0.0, 0.5}, {0.0, 1.0}}, true).status, FitStatus::upper_bound);
+  const FitSummary one = fit_brackets({{0.5, 1.5}, {1.0, 2.0}}, true);
+  EXPECT_EQ(one.status, FitStatus::failed);
+  EXPECT_NE(one.note, "");
+  EXPECT_EQ(fit_brackets({}, true).status, FitStatus::failed);
+  EXPECT_THROW(fit_brackets({{2.0, 1.0}}, true), InputError);
+  EXPECT_THROW(fit_brackets({{1.0, 1.0, 0.0}}, false), InputError);
+  const FitSummary record = fit_brackets({{1.0, 1.0}, {2.0, 2.0}}, false);
+  EXPECT_EQ(record.status, FitStatus::maximum_likelihood);
+  EXPECT_TRUE(std::isnan(record.median_interval.low));
+}
+
+/// Points at intensities from 0.2 to 3: slip begins where ln x > 0.2 e, of size 0.1 x^1.5 with
+/// dispersions 0.3 by record and 0.4 within.
+std::vector<CloudPoint> cloud(int records, std::uint64_t item) {
+  std::vector<CloudPoint> points;
+  for (int i = 0; i < records; ++i) {
+    for (int s = 0; s < 15; ++s) {
+      const double x = 0.2 * std::pow(15.0, s / 14.0);
+      const bool slips = std::log(x / 0.6) > 0.2 * normal(item, 100 * i + 2 * s + 1);
+      const double ln_size = std::log(0.1) + 1.5 * std::log(x) + 0.3 * normal(item, 100 * i) +
+                             0.4 * normal(item, 100 * i + 2 * s + 2);
+      points.push_back({x, slips ? std::exp(ln_size) : 0.0, 1.0, static_cast<std::size_t>(i)});
+    }
+  }
+  return points;
+}
+
+TEST(fit_cloud, recovers_both_parts) {
+  const CloudSummary fit = fit_cloud(cloud(400, 5), {0.1, 0.01});
+  EXPECT_EQ(fit.fit.any_status, FitStatus::maximum_likelihood);
+  EXPECT_NEAR(fit.fit.any.median, 0.6, 0.02);
+  EXPECT_NEAR(fit.fit.any.log_std, 0.2, 0.03);
+  EXPECT_NEAR(fit.fit.intercept, std::log(0.1), 0.08);
+  EXPECT_NEAR(fit.fit.slope, 1.5, 0.06);
+  EXPECT_NEAR(fit.fit.log_std, 0.5, 0.02);
+  EXPECT_NEAR(fit.effective_records, 400.0, 1e-9);
+  // Half exceed 0.1 at x = 1, where all slip; of 0.01, where half slip at all.
+  EXPECT_NEAR(fit.medians[0].p50, 1.0, 0.04);
+  EXPECT_NEAR(fit.fit.probability(fit.medians[1].p50, 0.01), 0.5, 1e-10);
+  for (const CloudMedian& row : fit.medians) {
+    EXPECT_LT(row.p50_interval.low, row.p50);
+    EXPECT_GT(row.p50_interval.high, row.p50);
+  }
+}
+
+// 200 studies of 20 records: nominal 95 %, with a standard deviation of 1.5 %.
+TEST(fit_cloud, covers_slope_and_median_over_records) {
+  constexpr int studies = 200;
+  int slope = 0, median = 0;
+  for (int study = 0; study < studies; ++study) {
+    const CloudSummary fit = fit_cloud(cloud(20, 100u + static_cast<std::uint64_t>(study)), {0.2});
+    if (fit.slope_interval.low < 1.5 && fit.slope_interval.high > 1.5) ++slope;
+    // All slip there: 0.1 x^1.5 = 0.2.
+    const double truth = std::pow(2.0, 1 / 1.5);
+    if (fit.medians[0].p50_interval.low < truth && fit.medians[0].p50_interval.high > truth)
+      ++median;
+  }
+  EXPECT_NEAR(slope / static_cast<double>(studies), 0.95, 0.045);
+  EXPECT_NEAR(median / static_cast<double>(studies), 0.95, 0.045);
+}
+
+TEST(fit_cloud, names_what_it_cannot_fit) {
+  const std::vector<CloudPoint> one_level = {{1, 0.1, 1, 0}, {1, 0.2, 1, 1}, {1, 0.4, 1, 2}};
+  EXPECT_EQ(fit_cloud(one_level, {0.1}).fit.size_status, FitStatus::one_level);
+  const std::vector<CloudPoint> still = {{1, 0, 1, 0}, {2, 0, 1, 1}};
+  EXPECT_EQ(fit_cloud(still, {0.1}).fit.any_status, FitStatus::lower_bound);
+  EXPECT_TRUE(std::isnan(fit_cloud(still, {0.1}).medians[0].p50));
+  EXPECT_THROW(fit_cloud({{0, 1, 1, 0}}, {0.1}), InputError);
+  EXPECT_THROW(fit_cloud({{1, 1, 0, 0}}, {0.1}), InputError);
+  EXPECT_THROW(fit_cloud(one_level, {0.0}), InputError);
+}
+
+}  // namespace
+}  // namespace glissade

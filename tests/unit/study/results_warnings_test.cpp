@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gmock/gmock.h>
+
+#include "glissade/study/config.hpp"
+#include "run/results_notes.hpp"
+
+namespace glissade {
+namespace {
+
+/// One run of two thresholds with these tests of the lognormal.
+Results tested(const GoodnessOfFit& first, const GoodnessOfFit& second) {
+  Results r;
+  r.levels = {0.5, 1.0};
+  RunResults& run = r.runs.emplace_back();
+  for (const GoodnessOfFit& fit : {first, second}) {
+    run.fragilities.emplace_back().threshold_m = 0.25 * static_cast<double>(run.fragilities.size());
+    run.fragilities.back().lognormal = fit;
+  }
+  return r;
+}
+
+TEST(results_warnings, of_fragilities_that_are_not_lognormal_alone) {
+  const GoodnessOfFit good{0.001, 0.4, 0.5, 0.08, 1.0}, far{0.01, 0.01, 0.5, -0.12, 0.75},
+      tiny{0.001, 0.01, 0.5, 0.02, 1.0};
+  EXPECT_TRUE(warnings_on(tested(good, tiny), {}).empty());
+  EXPECT_TRUE(warnings_on(tested({}, {}), {}).empty());
+  const std::vector<std::string> warnings = warnings_on(tested(good, far), {});
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_THAT(warnings[0], testing::AllOf(testing::HasSubstr("1 of 2"), testing::HasSubstr("0.5 m"),
+                                          testing::HasSubstr("0.12 below")));
+}
+
+}  // namespace
+}  // namespace glissade
