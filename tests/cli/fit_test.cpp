@@ -118,6 +118,83 @@ TEST_F(Fit, capacities_of_zero_are_the_floor) {
   EXPECT_EQ(all["floor"], 1.0);
 }
 
+TEST_F(Fit, one_level_has_a_status_and_no_number_that_is_none) {
+  const std::string file = folder_.write("one.csv", "im,num_gms,num_exceed\n0.5,10,4\n");
+  EXPECT_EQ(fit_json({"--counts", file})["status"], "one level");
+  const Finished child = run_program({"fit", "--counts", file});
+  EXPECT_EQ(child.status, 0);
+  EXPECT_THAT(child.out, testing::Not(testing::HasSubstr("nan")));
+}
+
+TEST_F(Fit, records_give_intervals_over_records_and_a_test_of_the_lognormal) {
+  std::string capacities = "record,im_cap\n", counts = "im,num_gms,num_exceed,record\n";
+  for (int record = 0; record < 6; ++record) {
+    const std::string name = "RSN" + std::to_string(record);
+    for (const double x : {0.5, 0.8, 1.1})
+      capacities += name + "," + std::to_string(x * (1.0 + 0.1 * record)) + "\n";
+    for (int level = 1; level <= 3; ++level)
+      counts += std::to_string(0.4 * level) + ",10," + std::to_string(2 * level + record % 3) +
+                "," + name + "\n";
+  }
+  const Json by_record = fit_json({"--capacities", folder_.write("r.csv", capacities)});
+  EXPECT_THAT(by_record["interval_method"], testing::HasSubstr("bootstrap over records"));
+  EXPECT_GT(by_record["goodness_of_fit"]["p_value"], 0.0);
+  const Json models = fit_json({"--counts", folder_.write("n.csv", counts)})["models"];
+  EXPECT_EQ(models["status"], "compared");
+  EXPECT_EQ(models["lognormal"]["difference"], 0.0);
+  EXPECT_TRUE(models["logit"]["score"].is_number_float());
+  EXPECT_FALSE(models.contains("two_part"));
+}
+
+TEST_F(Fit, weights_give_the_sandwich_and_the_effective_records) {
+  const Json fit = fit_json({"--capacities", folder_.write("w.csv",
+                                                           "im_cap,weight\n0.5,1\n0.8,1\n1.2,2\n"
+                                                           "9,0\n")});
+  EXPECT_NEAR(fit["effective_records"], 16.0 / 6.0, 1e-12);
+  EXPECT_NEAR(std::log(fit["median"].get<double>()),
+              (std::log(0.5) + std::log(0.8) + 2 * std::log(1.2)) / 4, 1e-9);
+  EXPECT_THAT(fit["interval_method"], testing::HasSubstr("sandwich"));
+  expect_refused(
+      run_program({"fit", "--capacities", folder_.write("z.csv", "im_cap,weight\n0.5,0\n1,0\n")}),
+      {"z.csv", "weight"});
+  expect_refused(run_program({"fit", "--counts",
+                              folder_.write("c.csv",
+                                            "im,num_gms,num_exceed,weight\n"
+                                            "0.5,9,1,1\n1,9,5,1\n")}),
+                 {"weight", "record"});
+}
+
+TEST_F(Fit, brackets_of_the_capacity_are_fitted) {
+  const Json fit =
+      fit_json({"--capacities",
+                folder_.write("b.csv", "im_low,im_high\n0,0.5\n0.5,1\n0.5,1\n1,1.5\n1.5,inf\n")});
+  EXPECT_EQ(fit["status"], "maximum likelihood");
+  EXPECT_GT(fit["median"], 0.5);
+  EXPECT_LT(fit["median"], 1.2);
+  const Json none =
+      fit_json({"--capacities", folder_.write("n.csv", "im_low,im_high\n1,inf\n2,inf\n")});
+  EXPECT_EQ(none["status"], "lower bound");
+}
+
+TEST_F(Fit, a_cloud_gives_the_regression_and_the_half_of_each_threshold) {
+  // ln edp = 1 + 2 ln im -+ 0.3; all slip: half exceed e^1 at 1.
+  std::string text = "im,edp\n";
+  for (const double im : {0.5, 1.0, 2.0}) {
+    for (const double e : {-0.3, 0.3})
+      text += std::to_string(im) + "," + std::to_string(std::exp(1.0 + e) * im * im) + "\n";
+  }
+  const std::string file = folder_.write("cloud.csv", text);
+  const Json fit = fit_json({"--cloud", file, "--threshold", "2.718281828459045"});
+  EXPECT_EQ(fit["any_slip"]["status"], "upper bound");
+  EXPECT_NEAR(fit["size"]["slope"], 2.0, 1e-4);  // six decimals
+  EXPECT_NEAR(fit["size"]["intercept"], 1.0, 1e-4);
+  EXPECT_NEAR(fit["size"]["log_std"], std::sqrt(6 * 0.09 / 4), 1e-4);
+  EXPECT_NEAR(fit["thresholds"][0]["p50"], 1.0, 1e-4);
+  expect_refused(run_program({"fit", "--cloud", file}), {"--threshold"});
+  EXPECT_THAT(run_program({"fit", "--cloud", file, "--threshold", "1"}).out,
+              testing::Not(testing::HasSubstr("nan")));
+}
+
 TEST_F(Fit, text_shows_the_same) {
   const Finished child =
       run_program({"fit", "--capacities", folder_.write("c.csv", "im_cap\n1\n2\n4\n")});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What `glissade fit` reads: counts and capacities. Each input is tried as both.
+// What `glissade fit` reads: counts, capacities and clouds. Each input is tried as all of them.
 #include <cmath>
 
 #include "check.hpp"
@@ -8,10 +8,15 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace glissade::fuzz;
   const auto file = input_file(data, size);
+  const auto check_row = [](const auto& row) {
+    check(row.weight >= 0.0 && std::isfinite(row.weight), "weight is not below zero");
+  };
   may_refuse([&] {
-    const auto stripes = glissade::read_counts(file);
-    check(!stripes.empty(), "there is a level");
-    for (const glissade::Stripe& s : stripes) {
+    const auto counts = glissade::read_counts(file);
+    check(!counts.rows.empty(), "there is a level");
+    for (const glissade::WeightedStripe& row : counts.rows) {
+      const glissade::Stripe& s = row.stripe;
+      check_row(row);
       check(std::isfinite(s.intensity) && s.intensity > 0.0, "im is above zero");
       check(s.trials >= 1.0 && s.exceedances >= 0.0 && s.exceedances <= s.trials,
             "0 <= num_exceed <= num_gms");
@@ -19,9 +24,21 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   });
   may_refuse([&] {
     const auto capacities = glissade::read_capacities(file);
-    check(!capacities.empty(), "there is a capacity");
-    for (const double c : capacities)
-      check(std::isfinite(c) && c >= 0.0, "im_cap is not below zero");
+    check(!capacities.rows.empty(), "there is a capacity");
+    for (const glissade::CapacityBracket& row : capacities.rows) {
+      check_row(row);
+      check(std::isfinite(row.low) && row.low >= 0.0 && row.low <= row.high,
+            "0 <= im_low <= im_high");
+    }
+  });
+  may_refuse([&] {
+    const auto cloud = glissade::read_cloud(file);
+    check(!cloud.rows.empty(), "there is a point");
+    for (const glissade::CloudPoint& row : cloud.rows) {
+      check_row(row);
+      check(std::isfinite(row.intensity) && row.intensity > 0.0, "im is above zero");
+      check(std::isfinite(row.displacement) && row.displacement >= 0.0, "edp is not below zero");
+    }
   });
   return 0;
 }

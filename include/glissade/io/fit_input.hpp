@@ -4,17 +4,41 @@
 #include <filesystem>
 #include <vector>
 
-#include "glissade/fragility/fit.hpp"
+#include "glissade/fragility/weighted_fit.hpp"
 
+// The CSV files of `glissade fit`: a header that names the columns, in any order, then a row each.
+// All may have the columns `record` (any text; rows of one record are not independent) and `weight`
+// (0 or more). Lines that begin with # are comments. Every wrong line is reported by InputError.
 namespace glissade {
 
-/// Counts of exceedances at intensity levels: header `im,num_gms,num_exceed`, then a row per level,
-/// each level once; im > 0, num_gms a whole number above 0, num_exceed a whole number up to it.
-/// Lines that begin with # are comments. Throws InputError with every wrong line.
-std::vector<Stripe> read_counts(const std::filesystem::path& file);
+/// Which columns a file has beside those it needs.
+struct FitColumns {
+  bool record = false, weight = false;
+};
 
-/// Capacities: header `im_cap`, then one per line, >= 0 (0: exceeded without shaking, as by an
-/// array that slides freely). Lines that begin with # are comments.
-std::vector<double> read_capacities(const std::filesystem::path& file);
+/// Columns im, num_gms, num_exceed: im > 0, num_gms a whole number above 0, num_exceed a whole
+/// number up to it. Each im once (of each record).
+struct CountsInput {
+  FitColumns has;
+  std::vector<WeightedStripe> rows;
+};
+CountsInput read_counts(const std::filesystem::path& file);
+
+/// Column im_cap >= 0 (0: exceeded without shaking, as by an array that slides freely); or im_low
+/// and im_high: reached above im_low (0: by the first level) and not above im_high (inf or nothing:
+/// not reached by im_low).
+struct CapacitiesInput {
+  FitColumns has;
+  bool brackets = false;
+  std::vector<CapacityBracket> rows;  ///< low = high of im_cap
+};
+CapacitiesInput read_capacities(const std::filesystem::path& file);
+
+/// Columns im > 0 and edp >= 0.
+struct CloudInput {
+  FitColumns has;
+  std::vector<CloudPoint> rows;
+};
+CloudInput read_cloud(const std::filesystem::path& file);
 
 }  // namespace glissade

@@ -3,13 +3,14 @@
 
 #include <gmock/gmock.h>
 
+#include <cmath>
+
 #include "temporary_folder.hpp"
 
 namespace glissade {
 namespace {
 
 using testing::AllOf;
-using testing::ElementsAre;
 using testing::HasSubstr;
 
 std::string counts_error(const std::string& content) {
@@ -23,12 +24,13 @@ std::string capacities_error(const std::string& content) {
 
 TEST(counts_file, is_read_with_comments_blanks_and_either_line_end) {
   const TemporaryFolder folder;
-  const auto stripes = read_counts(folder.write(
+  const CountsInput counts = read_counts(folder.write(
       "c.csv", "# source\r\nim, num_gms ,num_exceed\r\n0.2,40,0\r\n\r\n 0.4 , 40 , 6\r\n"));
-  ASSERT_EQ(stripes.size(), 2u);
-  EXPECT_EQ(stripes[1].intensity, 0.4);
-  EXPECT_EQ(stripes[1].trials, 40.0);
-  EXPECT_EQ(stripes[1].exceedances, 6.0);
+  ASSERT_EQ(counts.rows.size(), 2u);
+  EXPECT_EQ(counts.rows[1].stripe.intensity, 0.4);
+  EXPECT_EQ(counts.rows[1].stripe.trials, 40.0);
+  EXPECT_EQ(counts.rows[1].stripe.exceedances, 6.0);
+  EXPECT_FALSE(counts.has.record || counts.has.weight);
 }
 
 TEST(counts_file, reports_every_wrong_row_with_its_line) {
@@ -53,12 +55,60 @@ TEST(counts_file, needs_its_header_and_rows) {
 
 TEST(capacities_file, is_one_column_of_positive_numbers) {
   const TemporaryFolder folder;
-  EXPECT_THAT(read_capacities(folder.write("c.csv", "# c\nim_cap\n0.5\n1.25\n0.5\n")),
-              ElementsAre(0.5, 1.25, 0.5));
+  const CapacitiesInput capacities =
+      read_capacities(folder.write("c.csv", "# c\nim_cap\n0.5\n1.25\n0.5\n"));
+  ASSERT_EQ(capacities.rows.size(), 3u);
+  EXPECT_EQ(capacities.rows[1].low, 1.25);
+  EXPECT_EQ(capacities.rows[1].high, 1.25);
+  EXPECT_FALSE(capacities.brackets);
   EXPECT_THAT(capacities_error("im_cap\n0.5\n-1\ninf\n"),
               AllOf(HasSubstr("capacities.csv:3: im_cap is below 0"),
                     HasSubstr("capacities.csv:4: 'inf'")));
   EXPECT_THAT(capacities_error("0.5\n"), HasSubstr("is not the header im_cap"));
+}
+
+TEST(fit_file, has_records_and_weights_in_any_column) {
+  const TemporaryFolder folder;
+  const CountsInput counts = read_counts(folder.write(
+      "c.csv",
+      "record,num_exceed,weight,im,num_gms\nRSN2,1,0.5,0.4,8\nRSN1,3,2,0.4,8\nRSN2,8,0,0.8,8\n"));
+  ASSERT_EQ(counts.rows.size(), 3u);
+  EXPECT_TRUE(counts.has.record && counts.has.weight);
+  EXPECT_EQ(counts.rows[0].record, counts.rows[2].record);
+  EXPECT_NE(counts.rows[0].record, counts.rows[1].record);
+  EXPECT_EQ(counts.rows[1].stripe.exceedances, 3.0);
+  EXPECT_EQ(counts.rows[1].weight, 2.0);
+  EXPECT_EQ(counts.rows[2].weight, 0.0);
+}
+
+TEST(fit_file, reports_weights_that_are_none_and_counts_given_twice) {
+  EXPECT_THAT(counts_error("im,num_gms,num_exceed,record,weight\n0.2,4,0,a,-1\n0.2,4,5,a,1\n"),
+              AllOf(HasSubstr("counts.csv:2: weight"), HasSubstr("counts.csv:3: num_exceed")));
+  EXPECT_THAT(counts_error("im,num_gms,num_exceed,record,weight\n0.2,4,0,a,0\n"),
+              HasSubstr("weight"));
+  EXPECT_THAT(counts_error("im,num_gms,num_exceed,record\n0.2,4,0,a\n0.2,4,1,b\n0.2,4,1,a\n"),
+              HasSubstr("counts.csv:4: this im is already on line 2"));
+}
+
+TEST(capacities_file, has_brackets) {
+  const TemporaryFolder folder;
+  const CapacitiesInput capacities =
+      read_capacities(folder.write("c.csv", "im_low,im_high\n0,0.5\n0.5,1\n2,inf\n"));
+  EXPECT_TRUE(capacities.brackets);
+  ASSERT_EQ(capacities.rows.size(), 3u);
+  EXPECT_EQ(capacities.rows[0].low, 0.0);
+  EXPECT_TRUE(std::isinf(capacities.rows[2].high));
+  EXPECT_THAT(capacities_error("im_low,im_high\n1,0.5\n0,0\n"),
+              AllOf(HasSubstr("capacities.csv:2"), HasSubstr("capacities.csv:3")));
+}
+
+TEST(cloud_file, is_intensities_and_displacements) {
+  const TemporaryFolder folder;
+  const CloudInput cloud = read_cloud(folder.write("c.csv", "im,edp\n0.5,0\n1,0.25\n"));
+  ASSERT_EQ(cloud.rows.size(), 2u);
+  EXPECT_EQ(cloud.rows[1].displacement, 0.25);
+  EXPECT_THAT(message_of([&] { read_cloud(folder.write("d.csv", "im,edp\n0,1\n1,-1\n")); }),
+              AllOf(HasSubstr("d.csv:2: im"), HasSubstr("d.csv:3: edp")));
 }
 
 }  // namespace

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "commands.hpp"
+#include "fit/fit_output.hpp"
+#include "glissade/core/error.hpp"
+#include "glissade/fragility/bootstrap.hpp"
+#include "glissade/io/fit_input.hpp"
+
+namespace glissade::cli {
+namespace {
+
+struct FitOptions {
+  std::string counts, capacities, cloud;
+  std::optional<double> censor_at;
+  std::vector<double> thresholds;
+  bool json = false;
+};
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+std::size_t record_count(const auto& rows) {
+  std::size_t count = 0;
+  for (const auto& row : rows) count = std::max(count, row.record + 1);
+  return count;
+}
+
+FitOutput fit_counts(const CountsInput& input) {
+  if (input.has.weight && !input.has.record)
+    throw InputError({"weight", "needs the column record: whose trials are not independent",
+                      "name the record of each row", ""});
+  if (input.has.weight) return {fit_weighted_stripes(input.rows)};
+  if (!input.has.record) {
+    std::vector<Stripe> stripes;
+    for (const WeightedStripe& row : input.rows) stripes.push_back(row.stripe);
+    return {fit_stripes(stripes)};
+  }
+  std::set<double> levels;
+  for (const WeightedStripe& row : input.rows) levels.insert(row.stripe.intensity);
+  ShapeData data{.intensities = {levels.begin(), levels.end()}, .thresholds_m = {1.0}};
+  data.stripes = {std::vector<RecordStripes>(
+      record_count(input.rows),
+      {std::vector<double>(levels.size()), std::vector<double>(levels.size())})};
+  data.capacities = {std::vector<RecordCapacities>(data.stripes[0].size())};
+  for (const WeightedStripe& row : input.rows) {
+    const auto level =
+        static_cast<std::size_t>(std::ranges::lower_bound(data.intensities, row.stripe.intensity) -
+                                 data.intensities.begin());
+    data.stripes[0][row.record].trials[level] = row.stripe.trials;
+    data.stripes[0][row.record].exceedances[level] = row.stripe.exceedances;
+  }
+  return {fit_stripes_by_record(data.intensities, data.stripes[0], {}),
+          {},
+          compare_shapes(data).front()};
+}
+
+/// Capacities at or above the limit were not reached by it: they count as censored there. A
+/// capacity of 0 is that of an array that slides freely.
+std::vector<RecordCapacities> by_record(const std::vector<CapacityBracket>& rows, double limit) {
+  std::vector<RecordCapacities> records(record_count(rows));
+  for (const CapacityBracket& row : rows) {
+    RecordCapacities& record = records[row.record];
+    if (row.low == 0.0) {
+      record.free += 1.0;
+    } else if (row.low < limit) {
+      record.capacities.push_back(row.low);
+    } else {
+      record.censored += 1.0;
+    }
+  }
+  return records;
+}
+
+FitOutput fit_capacities_of(CapacitiesInput input, const std::optional<double>& censor_at) {
+  const double limit = censor_at.value_or(infinity);
+  if (input.brackets && censor_at)
+    throw InputError({"--censor-at", "is for im_cap: brackets have their own limits",
+                      "give im_high = inf where im_low was not exceeded", ""});
+  if (input.brackets || input.has.weight) {
+    for (CapacityBracket& row : input.rows) {
+      if (!input.brackets && row.low >= limit) row = {limit, infinity, row.weight, row.record};
+      if (!input.has.record) row.record = static_cast<std::size_t>(&row - input.rows.data());
+    }
+    return {fit_brackets(input.rows, !input.has.record && !input.has.weight)};
+  }
+  const std::vector<RecordCapacities> records = by_record(input.rows, limit);
+  if (input.has.record)
+    return {fit_capacities_by_record(records, limit, {}),
+            lognormal_goodness_of_fit(records, limit, {})};
+  const RecordCapacities& all = records.front();
+  return {fit_capacities({all.capacities, all.censored, limit, all.free})};
+}
+
+void check_options(const FitOptions& o) {
+  if (o.counts.empty() + o.capacities.empty() + o.cloud.empty() != 2) {
+    throw InputError(
+        {"glissade fit", "needs one of --counts, --capacities and --cloud", "give one file", ""});
+  }
+  if (o.censor_at &&
+      (o.capacities.empty() || !(*o.censor_at > 0.0) || !std::isfinite(*o.censor_at))) {
+    throw InputError({"--censor-at",
+                      fmt::format("{:g} must be > 0 and needs --capacities", *o.censor_at), "",
+                      ""});
+  }
+  if (o.cloud.empty() != o.thresholds.empty())
+    throw InputError({"--threshold",
+                      "goes with --cloud: the displacements whose fragility is asked", "give both",
+                      ""});
+}
+
+void run(const FitOptions& o) {
+  check_options(o);
+  if (!o.cloud.empty()) {
+    CloudInput input = read_cloud(o.cloud);
+    for (std::size_t i = 0; i < input.rows.size() && !input.has.record; ++i)
+      input.rows[i].record = i;
+    return print(fit_cloud(input.rows, o.thresholds), o.json);
+  }
+  print(o.counts.empty() ? fit_capacities_of(read_capacities(o.capacities), o.censor_at)
+                         : fit_counts(read_counts(o.counts)),
+        o.json);
+}
+
+}  // namespace
+
+void add_fit(CLI::App& program) {
+  auto o = std::make_shared<FitOptions>();
+  CLI::App* command =
+      program.add_subcommand("fit", "Fit a fragility to counts, capacities or a cloud");
+  command->footer(
+      "Every file may have the columns record (rows of one record are not\n"
+      "independent: intervals are over records) and weight (importance weights).");
+  command->add_option("--counts", o->counts, "CSV with the header im,num_gms,num_exceed");
+  command->add_option("--capacities", o->capacities,
+                      "CSV with the header im_cap; 0: slides freely, without shaking. Or "
+                      "im_low,im_high: capacities between two levels (inf: not reached)");
+  command->add_option("--cloud", o->cloud,
+                      "CSV with the header im,edp: displacements at any intensities; 0: no slip");
+  command->add_option("--threshold", o->thresholds, "of --cloud: displacements to exceed, as edp");
+  command->add_option("--censor-at", o->censor_at,
+                      "highest intensity analysed: capacities at or above it are censored");
+  command->add_flag("--json", o->json, "print one JSON object");
+  command->callback([o] { run(*o); });
+}
+
+}  // namespace glissade::cli

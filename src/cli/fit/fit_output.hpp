@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+
+#include "glissade/fragility/goodness_of_fit.hpp"
+#include "glissade/fragility/shape.hpp"
+#include "glissade/fragility/weighted_fit.hpp"
+
+// What `glissade fit` prints: text, or one JSON object. A quantity that has no value is left out of
+// the text and is null in JSON; the status says why.
+namespace glissade::cli {
+
+struct FitOutput {
+  FitSummary fit;
+  GoodnessOfFit lognormal = {};                          ///< of capacities by record
+  std::optional<ShapeComparison> models = std::nullopt;  ///< of counts by record
+};
+
+void print(const FitOutput& output, bool json);
+void print(const CloudSummary& cloud, bool json);
+
+}  // namespace glissade::cli
