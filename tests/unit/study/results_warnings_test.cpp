@@ -13,8 +13,9 @@ Results tested(const GoodnessOfFit& first, const GoodnessOfFit& second) {
   r.levels = {0.5, 1.0};
   RunResults& run = r.runs.emplace_back();
   for (const GoodnessOfFit& fit : {first, second}) {
-    run.fragilities.emplace_back().threshold_m = 0.25 * static_cast<double>(run.fragilities.size());
-    run.fragilities.back().lognormal = fit;
+    ThresholdFragility& fragility = run.fragilities.emplace_back();
+    fragility.threshold_m = 0.25 * static_cast<double>(run.fragilities.size());
+    fragility.lognormal = fit;
   }
   return r;
 }
