@@ -91,6 +91,61 @@ std::vector<LogBracket> in_logs(const std::vector<CapacityBracket>& rows, double
   return brackets;
 }
 
+/// The rows that have weight, in logarithms.
+struct WeighedBrackets {
+  std::vector<CapacityBracket> rows;
+  std::vector<LogBracket> brackets;
+  double center = 0, highest_low = 0, lowest_high = std::numeric_limits<double>::infinity();
+
+  WeighedBrackets(const std::vector<CapacityBracket>& all, bool independent) {
+    std::vector<double> weights;
+    for (const CapacityBracket& row : all) weights.push_back(row.weight);
+    check_weights(weights);
+    for (const CapacityBracket& row : all) {
+      if (row.weight == 0) continue;
+      rows.push_back(row);
+      if (independent) rows.back().record = rows.size();
+      highest_low = std::max(highest_low, row.low);
+      lowest_high = std::min(lowest_high, row.high);
+    }
+    brackets = in_logs(rows, center);
+  }
+  Clusters clusters() const {
+    std::vector<std::size_t> records;
+    std::vector<double> weights;
+    for (const CapacityBracket& row : rows) {
+      records.push_back(row.record);
+      weights.push_back(row.weight);
+    }
+    return {records, weights};
+  }
+  Evaluation likelihood(const ProbitLine& line) const {
+    Evaluation sum;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      const Evaluation one = bracket_likelihood(brackets[i], line);
+      sum.value += rows[i].weight * one.value;
+      sum.gradient += rows[i].weight * one.gradient;
+      sum.information += rows[i].weight * one.information;
+    }
+    return sum;
+  }
+  Eigen::MatrixXd scores(const ProbitLine& line, const Clusters& clusters) const {
+    Eigen::MatrixXd sums = Eigen::MatrixXd::Zero(clusters.count(), 2);
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      sums.row(clusters.of(i)) +=
+          rows[i].weight * bracket_likelihood(brackets[i], line).gradient.transpose();
+    return sums;
+  }
+  /// From densities of ln x to those of x.
+  double log_of_exact() const {
+    double sum = 0;
+    for (const CapacityBracket& row : rows) {
+      if (row.low == row.high) sum += row.weight * std::log(row.low);
+    }
+    return sum;
+  }
+};
+
 void check(const std::vector<CapacityBracket>& rows) {
   ProblemList problems;
   for (const CapacityBracket& row : rows) {
@@ -178,46 +233,20 @@ FitSummary fit_weighted_stripes(const std::vector<WeightedStripe>& rows) {
 
 FitSummary fit_brackets(const std::vector<CapacityBracket>& all, bool independent) {
   check(all);
-  std::vector<CapacityBracket> rows;
-  std::vector<double> weights;
-  for (const CapacityBracket& row : all) weights.push_back(row.weight);
-  check_weights(weights);
-  std::ranges::copy_if(all, std::back_inserter(rows),
-                       [](const CapacityBracket& row) { return row.weight > 0; });
+  const WeighedBrackets data(all, independent);
   FitSummary summary;
-  if (rows.empty()) {
+  if (data.rows.empty()) {
     summary.note = "there are no capacities";
     return summary;
   }
-  std::vector<std::size_t> records;
-  weights.clear();
-  double highest_low = 0, lowest_high = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    if (independent) rows[i].record = i;
-    records.push_back(rows[i].record);
-    weights.push_back(rows[i].weight);
-    highest_low = std::max(highest_low, rows[i].low);
-    lowest_high = std::min(lowest_high, rows[i].high);
-  }
-  if (std::isinf(lowest_high)) return bound_of(rows, false);
-  if (highest_low == 0) return bound_of(rows, true);
-  if (highest_low <= lowest_high) {
+  if (std::isinf(data.lowest_high)) return bound_of(data.rows, false);
+  if (data.highest_low == 0) return bound_of(data.rows, true);
+  if (data.highest_low <= data.lowest_high) {
     summary.note = "one intensity is in every bracket: log_std cannot be determined";
     return summary;
   }
-  double center = 0;
-  const std::vector<LogBracket> brackets = in_logs(rows, center);
-  const auto objective = [&](const ProbitLine& line) {
-    Evaluation sum;
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-      const Evaluation one = bracket_likelihood(brackets[i], line);
-      sum.value += rows[i].weight * one.value;
-      sum.gradient += rows[i].weight * one.gradient;
-      sum.information += rows[i].weight * one.information;
-    }
-    return sum;
-  };
-  const auto line = newton_maximum(objective, guess(brackets));
+  const auto objective = [&](const ProbitLine& line) { return data.likelihood(line); };
+  const auto line = newton_maximum(objective, guess(data.brackets));
   if (!line || !((*line)[1] > 0)) {
     summary.status = line ? FitStatus::no_trend : FitStatus::failed;
     summary.note =
@@ -227,25 +256,18 @@ FitSummary fit_brackets(const std::vector<CapacityBracket>& all, bool independen
   summary.status = FitStatus::maximum_likelihood;
   summary.method = "lognormal maximum likelihood on brackets of the capacity";
   const Evaluation at = objective(*line);
-  summary.log_likelihood = at.value;
-  for (const CapacityBracket& row : rows) {  // densities of x
-    if (row.low == row.high) summary.log_likelihood -= row.weight * std::log(row.low);
-  }
-  if (independent) {
-    summary.curve = to_curve(*line, center);
-    const ProfileIntervals intervals = profile_intervals(
-        [&](const ProbitLine& other) { return objective(other).value; }, *line, center);
-    summary.median_interval = summary.p50_interval = intervals.median;
-    summary.log_std_interval = intervals.log_std;
-    summary.interval_method = "profile likelihood";
+  summary.log_likelihood = at.value - data.log_of_exact();
+  if (!independent) {
+    const Clusters clusters = data.clusters();
+    add_line(*line, data.center, data.scores(*line, clusters), at.information, clusters, summary);
     return summary;
   }
-  const Clusters clusters(records, weights);
-  Eigen::MatrixXd scores = Eigen::MatrixXd::Zero(clusters.count(), 2);
-  for (std::size_t i = 0; i < rows.size(); ++i)
-    scores.row(clusters.of(i)) +=
-        rows[i].weight * bracket_likelihood(brackets[i], *line).gradient.transpose();
-  add_line(*line, center, scores, at.information, clusters, summary);
+  summary.curve = to_curve(*line, data.center);
+  const ProfileIntervals intervals = profile_intervals(
+      [&](const ProbitLine& other) { return objective(other).value; }, *line, data.center);
+  summary.median_interval = summary.p50_interval = intervals.median;
+  summary.log_std_interval = intervals.log_std;
+  summary.interval_method = "profile likelihood";
   return summary;
 }
 
