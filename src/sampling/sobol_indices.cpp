@@ -14,20 +14,20 @@ namespace {
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// first <= i < end
-struct Range {
+struct IndexRange {
   std::size_t first = 0, end = 0;
   bool has(std::size_t i) const { return i >= first && i < end; }
 };
 
 /// What the jackknife leaves out.
 struct Omitted {
-  Range records, samples;
+  IndexRange records, samples;
 };
 
 /// 0 to count in up to so many parts of even size.
-std::vector<Range> parts_of(std::size_t count, std::size_t most_parts) {
+std::vector<IndexRange> parts_of(std::size_t count, std::size_t most_parts) {
   const std::size_t parts = std::min(most_parts, count);
-  std::vector<Range> ranges;
+  std::vector<IndexRange> ranges;
   for (std::size_t g = 0; g < parts; ++g)
     ranges.push_back({g * count / parts, (g + 1) * count / parts});
   return ranges;
@@ -125,12 +125,12 @@ std::vector<double> jackknife(const CrossedResponse& response, const std::vector
   return variances;
 }
 
-struct Spread {
+struct IndexError {
   double of_records, of_samples;  ///< variances of an estimate
   double records, groups;         ///< how many of them
 };
 
-VarianceShare share(double value, const Spread& spread) {
+VarianceShare share(double value, const IndexError& spread) {
   const double variance = spread.of_records + spread.of_samples;
   if (!(variance > 0.0)) return {value, value, value};
   const double freedom = variance * variance /
@@ -162,9 +162,10 @@ CrossedResponse centred(CrossedResponse response, double mean) {
 std::vector<VarianceShare> shares_of(const CrossedResponse& response, const Estimates& all) {
   constexpr std::size_t most_groups = 16, most_record_groups = 64;
   std::vector<Omitted> records, samples;
-  for (const Range& part : parts_of(response.records(), most_record_groups))
+  for (const IndexRange& part : parts_of(response.records(), most_record_groups))
     records.push_back({part, {}});
-  for (const Range& part : parts_of(response.samples(), most_groups)) samples.push_back({{}, part});
+  for (const IndexRange& part : parts_of(response.samples(), most_groups))
+    samples.push_back({{}, part});
   const std::vector<double> by_record = jackknife(response, records),
                             by_sample = jackknife(response, samples);
   std::vector<VarianceShare> shares;

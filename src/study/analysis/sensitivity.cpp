@@ -46,9 +46,9 @@ void fill(const CrossedResponse& response, SpreadRow& row) {
   for (const SobolIndex& index : indices.factors) add(index, row);
 }
 
-class Spread {
+class RunSpread {
  public:
-  Spread(const Results& results, const RunResults& run, std::size_t factors)
+  RunSpread(const Results& results, const RunResults& run, std::size_t factors)
       : results_(results), run_(run), factors_(factors) {}
 
   SpreadRow of_capacity(std::size_t threshold) const {
@@ -106,7 +106,7 @@ SensitivityResults sensitivity_results(const StudyConfig& config, const Results&
   for (const RunResults& run : results.runs) {
     const Case& first = results.cases.cases[run.first_case];
     if (first.friction_value == FrictionValue::design && config.samples_friction()) continue;
-    const Spread spread(results, run, factors.size());
+    const RunSpread spread(results, run, factors.size());
     for (std::size_t t = 0; t < results.thresholds_m.size(); ++t) {
       found.rows.push_back(spread.of_capacity(t));
       for (std::size_t level = 0; level < results.levels.size(); ++level)
