@@ -9,7 +9,7 @@
 #include "checks.hpp"
 #include "glissade/core/contract.hpp"
 #include "glissade/core/quantile.hpp"
-#include "glissade/fragility/bootstrap.hpp"
+#include "glissade/fragility/share.hpp"
 
 namespace glissade {
 namespace {

@@ -12,6 +12,7 @@ Chapter closed_form_solutions();  ///< pulses and harmonics, the block and the r
 Chapter event_kernel(const Folders& folders);  ///< the tabulated event search
 Chapter buildings(const Folders& folders);
 Chapter fragility();
+Chapter interval_coverage();  ///< nominal 95 % against simulated studies
 Chapter sampling();
 Chapter standards();
 Chapter simulated_motions(const Folders& folders);

@@ -2,8 +2,7 @@
 #include <cmath>
 
 #include "chapters.hpp"
-#include "glissade/core/random.hpp"
-#include "glissade/fragility/bootstrap.hpp"
+#include "glissade/fragility/fit.hpp"
 #include "unit/fragility/worked_examples.hpp"
 
 namespace glissade::verification {
@@ -67,92 +66,16 @@ void add_others(std::vector<Case>& cases) {
                 {apart.status == FitStatus::jeffreys_penalised ? 0 : 1, 1}));
 }
 
-// -- coverage: ln capacity = a(record) + e(record, sample) with deviations 0.35 and 0.20, median 1,
-// 50 samples, 8 stripes
-
-constexpr double between = 0.35, within_records = 0.20;
-constexpr int samples = 50, studies = 1000;
-
-std::vector<double> intensities() {
-  std::vector<double> x;
-  for (int j = 0; j < 8; ++j) x.push_back(0.4 * std::pow(2.5 / 0.4, j / 7.0));
-  return x;
-}
-
-std::vector<RecordStripes> simulated_study(std::uint64_t seed, std::uint64_t records) {
-  const auto levels = intensities();
-  std::vector<RecordStripes> result(records,
-                                    {std::vector<double>(8, 0.0), std::vector<double>(8, samples)});
-  for (std::uint64_t i = 0; i < records; ++i) {
-    const double a = between * keyed_normal(seed, RandomPurpose::test, i, 0);
-    for (std::uint32_t s = 1; s <= samples; ++s) {
-      const double capacity =
-          std::exp(a + within_records * keyed_normal(seed, RandomPurpose::test, i, s));
-      for (std::size_t j = 0; j < 8; ++j)
-        result[i].exceedances[j] += capacity < levels[j] ? 1.0 : 0.0;
-    }
-  }
-  return result;
-}
-
-std::vector<Stripe> pooled(const std::vector<RecordStripes>& records) {
-  std::vector<Stripe> stripes;
-  for (const double x : intensities()) stripes.push_back({x, 0.0, 0.0});
-  for (const RecordStripes& record : records)
-    for (std::size_t j = 0; j < stripes.size(); ++j) {
-      stripes[j].trials += record.trials[j];
-      stripes[j].exceedances += record.exceedances[j];
-    }
-  return stripes;
-}
-
-struct Coverage {
-  double median = 0.0, log_std = 0.0, naive_median = 0.0;
-};
-
-Coverage coverage(std::uint64_t records) {
-  const double total = std::hypot(between, within_records);
-  const auto covers = [](const Interval& i, double truth) {
-    return i.low <= truth && truth <= i.high ? 1.0 / studies : 0.0;
-  };
-  Coverage share;
-  for (std::uint64_t study = 0; study < studies; ++study) {
-    const auto data = simulated_study(10000 + study, records);
-    const FitSummary fit =
-        fit_stripes_by_record(intensities(), data, {.seed = 7, .replicates = 400});
-    share.median += covers(fit.median_interval, 1.0);
-    share.log_std += covers(fit.log_std_interval, total);
-    share.naive_median += covers(fit_stripes(pooled(data)).median_interval, 1.0);
-  }
-  return share;
-}
-
-void add_coverage(std::vector<Case>& cases) {
-  const std::string simulation = "1,000 simulated studies of 20 records x 50 samples x 8 stripes";
-  const Coverage share = coverage(20);
-  cases.push_back(within({simulation, "median, bootstrap over records", "nominal 95 %"},
-                         {"share of intervals that cover", share.median, 0.93, 0.97}));
-  cases.push_back(within({simulation, "log_std, bootstrap over records", "nominal 95 %"},
-                         {"share of intervals that cover", share.log_std, 0.93, 0.97}));
-  cases.push_back(within({simulation, "median, trials taken as independent",
-                          "14 % in a simulation of this kind: a trap, not used by studies"},
-                         {"share of intervals that cover", share.naive_median, 0.0, 0.25}));
-}
-
 }  // namespace
 
 Chapter fragility() {
   Chapter chapter{
-      "3. Fragility",
+      "3.1 Fragility: fits",
       R"(Fits of published data, each compared with the result of two independent programs, to the given
-digits. Then the intervals: samples of one record are no independent trials, so studies
-obtain them from resampled records. 1,000 studies are simulated with known parameters (dispersion 0.35
-between and 0.20 within records; 400 resamples each). If the coverage is exactly 95 %, 1,000
-studies give less than 93 or more than 97 % with probability 0.4 %.)",
+digits.)",
       {}};
   add_baker(chapter.cases);
   add_others(chapter.cases);
-  add_coverage(chapter.cases);
   return chapter;
 }
 

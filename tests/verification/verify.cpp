@@ -57,6 +57,7 @@ int main(int argc, char** argv) try {
                                    event_kernel(folders),
                                    buildings(folders),
                                    fragility(),
+                                   interval_coverage(),
                                    sampling(),
                                    standards(),
                                    simulated_motions(folders),

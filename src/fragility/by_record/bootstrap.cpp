@@ -97,7 +97,7 @@ class Resamples {
            100 * without_maximum_ <= replicates_.size();
   }
   Interval log_median() const {
-    return symmetric([](const ClusterFit& fit) { return fit.log_intensity_at(0); });
+    return interval_of([](const ClusterFit& fit) { return fit.log_intensity_at(0); });
   }
   /// Where half of all exceed; NaN where the floor is one half or more in all resamples.
   Interval log_p50() const {
@@ -107,7 +107,7 @@ class Resamples {
       });
     }
     if (pooled_.floor >= 0.5) return {};
-    return symmetric([&](const ClusterFit& fit) { return fit.log_p50(pooled_.floor); });
+    return interval_of([&](const ClusterFit& fit) { return fit.log_p50(pooled_.floor); });
   }
   Interval floor() const {
     if (!floor_varies_) return {};
@@ -128,7 +128,7 @@ class Resamples {
                                  nan};
       });
     }
-    const Interval probit = symmetric([y](const ClusterFit& fit) { return fit.probit_at(y); });
+    const Interval probit = interval_of([y](const ClusterFit& fit) { return fit.probit_at(y); });
     return {mixed(pooled_.floor, probit.low), mixed(pooled_.floor, probit.high)};
   }
 
@@ -155,8 +155,9 @@ class Resamples {
     for (const ClusterFit& replicate : replicates_) values.push_back(quantity(replicate).value);
     return percentile_interval(values, expanded_tail(records_, level_));
   }
-  Interval symmetric(const Quantity& quantity) const {
-    return studentised() ? symmetric_t_interval(quantity(pooled_), estimates(quantity), level_)
+  Interval interval_of(const Quantity& quantity) const {
+    return studentised() ? t_interval(quantity(pooled_), estimates(quantity),
+                                      widened_tail(records_, normal_quantile(0.5 + 0.5 * level_)))
                          : percentile(quantity);
   }
 
@@ -235,15 +236,6 @@ FitSummary fit_capacities_by_record(const std::vector<RecordCapacities>& records
                                     const std::vector<double>& band_intensities,
                                     std::vector<Interval>* band) {
   return fit_by_record(CapacityRecords(records, censored_at), options, band_intensities, band);
-}
-
-Interval widened(const Interval& interval, double probability, std::size_t records) {
-  const double none = std::pow(0.025, 1.0 / static_cast<double>(records));
-  Interval wide = interval;
-  if (std::isnan(interval.low) || std::isnan(interval.high)) wide = {probability, probability};
-  if (probability <= 0.5) wide.high = std::max(wide.high, 1.0 - none);
-  if (probability >= 0.5) wide.low = std::min(wide.low, none);
-  return wide;
 }
 
 }  // namespace glissade

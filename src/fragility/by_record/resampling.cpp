@@ -22,11 +22,6 @@ double t_of(EstimateWithError replicate, EstimateWithError center) {
   return std::isfinite(t) ? t : infinity;
 }
 
-double widened_tail(std::size_t records, double quantile) {
-  const double n = static_cast<double>(records);
-  return normal_cdf(-std::sqrt(n / (n - 1)) * quantile);
-}
-
 }  // namespace
 
 std::vector<double> draw_records(std::size_t records, const BootstrapOptions& options,
@@ -50,35 +45,35 @@ Interval percentile_interval(std::vector<double> values, double tail) {
   return {values[cut], values[values.size() - 1 - cut]};
 }
 
+double widened_tail(std::size_t records, double quantile) {
+  const double n = static_cast<double>(records);
+  return normal_cdf(-std::sqrt(n / (n - 1)) * quantile);
+}
+
 double expanded_tail(std::size_t records, double level) {
   const boost::math::students_t student(static_cast<double>(records) - 1);
   return widened_tail(records, quantile(student, 0.5 + 0.5 * level));
 }
 
-Interval symmetric_t_interval(EstimateWithError estimate,
-                              const std::vector<EstimateWithError>& replicates, double level) {
+Interval t_interval(EstimateWithError estimate, const std::vector<EstimateWithError>& replicates,
+                    double tail) {
   std::vector<double> t;
-  for (const EstimateWithError& replicate : replicates)
-    t.push_back(std::abs(t_of(replicate, estimate)));
-  const double greatest = percentile_interval(t, 1 - level).high;
-  return {estimate.value - greatest * estimate.standard_error,
-          estimate.value + greatest * estimate.standard_error};
+  for (const EstimateWithError& replicate : replicates) t.push_back(t_of(replicate, estimate));
+  const Interval range = percentile_interval(t, tail);
+  return {estimate.value - range.high * estimate.standard_error,
+          estimate.value - range.low * estimate.standard_error};
 }
 
 Interval log_std_interval(EstimateWithError log_log_std,
                           const std::vector<EstimateWithError>& replicates, std::size_t records,
                           double level) {
   const auto [value, error] = log_log_std;
-  std::vector<double> t;
-  for (const EstimateWithError& replicate : replicates) t.push_back(t_of(replicate, log_log_std));
-  const double z = normal_quantile(0.5 + 0.5 * level);
-  const Interval range = percentile_interval(t, widened_tail(records, z));
+  const Interval by_t = t_interval(log_log_std, replicates, 0.5 - 0.5 * level);
   const double freedom = std::min(0.5 / (error * error), static_cast<double>(records) - 1);
   const boost::math::chi_squared chi_squared(freedom);
   const double lowest = value + 0.5 * std::log(freedom / quantile(chi_squared, 0.5 + 0.5 * level));
   const double highest = value + 0.5 * std::log(freedom / quantile(chi_squared, 0.5 - 0.5 * level));
-  return {std::max(value - range.high * error, lowest),
-          std::min(value - range.low * error, highest)};
+  return {std::max(by_t.low, lowest), std::min(by_t.high, highest)};
 }
 
 }  // namespace fragility

@@ -24,17 +24,18 @@ Interval percentile_interval(std::vector<double> values, double tail);
 /// 69(4):371-386, section 3.3): Phi(-sqrt(n/(n-1)) t) with Student's t of n - 1 degrees of freedom.
 double expanded_tail(std::size_t records, double level);
 
-/// Symmetric bootstrap-t: estimate -+ standard error x the `level` quantile of |t| over replicates
-/// (Hall 1988, Annals of Statistics 16(3):927-953). A replicate without a standard error counts as
-/// an infinite |t|.
-Interval symmetric_t_interval(EstimateWithError estimate,
-                              const std::vector<EstimateWithError>& replicates, double level);
+/// Phi(-sqrt(n/(n-1)) quantile): a resample spreads by (n-1)/n less than a sample.
+double widened_tail(std::size_t records, double quantile);
 
-/// For ln log_std, whose estimate is biased low with few records: equal-tailed bootstrap-t (Efron &
-/// Tibshirani 1993, section 12.5) with the tails at Phi(-sqrt(n/(n-1)) z), as a resample spreads by
-/// (n-1)/n less than a sample. With few records its upper end runs away, so neither end goes beyond
-/// the chi-square interval of a normal sample of as many degrees of freedom as the standard error
-/// is worth, 1 / (2 se^2) (Satterthwaite 1946), but at most n - 1.
+/// Equal-tailed bootstrap-t (Efron & Tibshirani 1993, section 12.5). A replicate without a standard
+/// error counts as an infinite t.
+Interval t_interval(EstimateWithError estimate, const std::vector<EstimateWithError>& replicates,
+                    double tail);
+
+/// For ln log_std, whose estimate is biased low with few records: with few records the upper end of
+/// t_interval() runs away, so neither end goes beyond the chi-square interval of a normal sample of
+/// as many degrees of freedom as the standard error is worth, 1 / (2 se^2) (Satterthwaite 1946),
+/// but at most n - 1.
 Interval log_std_interval(EstimateWithError log_log_std,
                           const std::vector<EstimateWithError>& replicates, std::size_t records,
                           double level);

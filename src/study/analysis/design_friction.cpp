@@ -7,6 +7,7 @@
 
 #include "analysis/pooled_level.hpp"
 #include "glissade/fragility/bootstrap.hpp"
+#include "glissade/fragility/share.hpp"
 #include "glissade/study/results.hpp"
 
 namespace glissade {

@@ -8,6 +8,7 @@
 
 #include "analysis/pooled_level.hpp"
 #include "analysis/shape/threshold_data.hpp"
+#include "glissade/fragility/share.hpp"
 #include "glissade/study/analysis/impact.hpp"
 
 namespace glissade {
@@ -68,19 +69,14 @@ ThresholdFragility fit_threshold(const Results& results, const RunResults& run,
     double share = 0.0;
     for (const std::vector<double>& record : exceeding) share += record[level];
     fragility.probability.push_back(share / histories);
-    if (share == 0.0 || share == histories) {  // resampling shows nothing of what was never seen
+    if (share == 0.0 || share == histories) {  // no interval of what was never seen
       fragility.probability_interval.push_back({});
       continue;
     }
-    fragility.probability_interval.push_back(bootstrap_interval(
-        records,
-        [&](const std::vector<double>& weights) {
-          double count = 0.0;
-          for (std::size_t record = 0; record < records; ++record)
-            count += weights[record] * exceeding[record][level];
-          return count / histories;
-        },
-        options));
+    std::vector<double> shares;
+    for (const std::vector<double>& record : exceeding)
+      shares.push_back(record[level] / static_cast<double>(run.cases));
+    fragility.probability_interval.push_back(share_interval(shares));
   }
   return fragility;
 }
@@ -104,13 +100,13 @@ SlipStatistics statistics_of(const PooledLevel& pooled, const Results& results,
 }
 
 StandardComparison compare(Standard standard, double sds_g, const StandardsConfig& config,
-                           const PooledLevel& pooled, const BootstrapOptions& options) {
+                           const PooledLevel& pooled) {
   StandardComparison c;
   c.standard = standard;
   c.sds_g = sds_g;
   c.prescribed = prescribed_displacement(standard, sds_g, config);
   c.exceedance_probability = pooled.share_above(c.prescribed.value_m);
-  c.exceedance_interval = pooled.share_interval(c.prescribed.value_m, options);
+  c.exceedance_interval = pooled.share_interval(c.prescribed.value_m);
   return c;
 }
 
@@ -159,8 +155,7 @@ RunResults fragility_of(const StudyConfig& config, const Results& results,
         impact_statistics(results.histories, slice_of(run), levels, results.thresholds_m, options);
   for (const Standard standard : config.standards.compare) {
     for (std::size_t level = 0; level < levels.size(); ++level) {
-      run.standards.push_back(
-          compare(standard, levels[level], config.standards, pooled[level], options));
+      run.standards.push_back(compare(standard, levels[level], config.standards, pooled[level]));
     }
   }
   return run;

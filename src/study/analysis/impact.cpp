@@ -8,6 +8,7 @@
 #include "analysis/pooled_level.hpp"
 #include "glissade/core/contract.hpp"
 #include "glissade/core/quantile.hpp"
+#include "glissade/fragility/share.hpp"
 
 namespace glissade {
 namespace {
@@ -45,17 +46,11 @@ std::vector<double> sorted_together(const std::vector<std::vector<double>>& by_r
 }
 
 /// Of the share of histories that reach it.
-Interval share_interval(const Happened& happened, std::size_t samples,
-                        const BootstrapOptions& options) {
-  return bootstrap_interval(
-      happened.time_s.size(),
-      [&](const std::vector<double>& weights) {
-        double count = 0.0;
-        for (std::size_t record = 0; record < weights.size(); ++record)
-          count += weights[record] * static_cast<double>(happened.time_s[record].size());
-        return count / static_cast<double>(weights.size() * samples);
-      },
-      options);
+Interval reached_interval(const Happened& happened, std::size_t samples) {
+  std::vector<double> shares;
+  for (const std::vector<double>& times : happened.time_s)
+    shares.push_back(static_cast<double>(times.size()) / static_cast<double>(samples));
+  return share_interval(shares);
 }
 
 ImpactStatistics statistics_of(const Happened& happened, std::size_t samples,
@@ -73,8 +68,7 @@ ImpactStatistics statistics_of(const Happened& happened, std::size_t samples,
   s.time_p16_s = quantile_of_sorted(times, 0.16);
   s.time_p84_s = quantile_of_sorted(times, 0.84);
   if (happened.records() < fewest_records) return s;
-  // Where every history reaches it resampling gives no interval of the share.
-  if (times.size() < histories) s.reached_interval = share_interval(happened, samples, options);
+  if (times.size() < histories) s.reached_interval = reached_interval(happened, samples);
   const PooledLevel pooled(happened.speed_mps);
   s.speed_median_interval = pooled.quantile_interval(0.5, options);
   s.speed_p84_interval = pooled.quantile_interval(0.84, options);

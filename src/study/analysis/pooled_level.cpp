@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "glissade/core/quantile.hpp"
+#include "glissade/fragility/share.hpp"
 
 namespace glissade {
 namespace {
@@ -97,23 +98,16 @@ Interval PooledLevel::mean_interval(const BootstrapOptions& options) const {
       options);
 }
 
-Interval PooledLevel::share_interval(double slip_m, const BootstrapOptions& options) const {
+Interval PooledLevel::share_interval(double slip_m) const {
   std::vector<double> shares;
   for (const std::vector<double>& slips : by_record_) {
     const auto above = slips.end() - std::upper_bound(slips.begin(), slips.end(), slip_m);
     shares.push_back(static_cast<double>(above) / static_cast<double>(slips.size()));
   }
-  // Where no history exceeds, or every one does, resampling the records gives no interval:
-  // no interval.
+  // Where no history exceeds, or every one does: no interval.
   const double all = share_above(slip_m);
   if (all == 0.0 || all == 1.0) return {};
-  return bootstrap_interval(
-      shares.size(),
-      [&](const std::vector<double>& weights) {
-        return std::inner_product(weights.begin(), weights.end(), shares.begin(), 0.0) /
-               static_cast<double>(weights.size());
-      },
-      options);
+  return glissade::share_interval(shares);
 }
 
 PooledLevel pooled_at(const HistoryTable& histories, CaseSlice cases, std::size_t level) {

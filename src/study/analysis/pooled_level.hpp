@@ -25,7 +25,7 @@ class PooledLevel {
   /// their intervals.
   Interval quantile_interval(double probability, const BootstrapOptions& options) const;
   Interval mean_interval(const BootstrapOptions& options) const;
-  Interval share_interval(double slip_m, const BootstrapOptions& options) const;
+  Interval share_interval(double slip_m) const;
 
  private:
   std::vector<double> sorted_;

@@ -7,7 +7,7 @@
 
 #include "analysis/pooled_level.hpp"
 #include "glissade/core/contract.hpp"
-#include "glissade/fragility/bootstrap.hpp"
+#include "glissade/fragility/share.hpp"
 #include "glissade/study/results.hpp"
 
 namespace glissade {
@@ -53,7 +53,7 @@ class Buildings {
         largest(level, [&](const PooledLevel& l) { return l.share_above(value_m); });
     const PooledLevel& pooled = worst.levels[level];
     const double probability = pooled.share_above(value_m);
-    return {probability, widened(pooled.share_interval(value_m, options_), probability, records_),
+    return {probability, widened(pooled.share_interval(value_m), probability, records_),
             worst.period_s};
   }
 

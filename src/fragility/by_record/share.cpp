@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glissade/fragility/share.hpp"
+
+#include <algorithm>
+#include <boost/math/distributions/binomial.hpp>
+#include <boost/math/distributions/students_t.hpp>
+#include <cmath>
+#include <numeric>
+
+#include "glissade/core/contract.hpp"
+#include "glissade/core/normal.hpp"
+
+namespace glissade {
+namespace {
+
+/// How many shares a sum effectively has: n if all are equal, 1 if one is all of it.
+double contributing(const std::vector<double>& shares, double (*of)(double)) {
+  double sum = 0.0, squares = 0.0;
+  for (const double share : shares) {
+    sum += of(share);
+    squares += of(share) * of(share);
+  }
+  return sum * sum / squares;
+}
+
+/// How much smaller the standard error's worth in trials is with few degrees of freedom.
+double reduction(double freedom, double level) {
+  const double p = 0.5 + 0.5 * level;
+  const double ratio =
+      normal_quantile(p) / quantile(boost::math::students_t(std::max(1.0, freedom)), p);
+  return ratio * ratio;
+}
+
+double effective_trials(const std::vector<double>& shares, double mean, double level) {
+  const double n = static_cast<double>(shares.size());
+  double squares = 0.0;
+  for (const double share : shares) squares += (share - mean) * (share - mean);
+  const double trials = mean * (1.0 - mean) * n * (n - 1.0) / squares;
+  const double freedom = std::min({contributing(shares, [](double p) { return p; }),
+                                   contributing(shares, [](double p) { return 1.0 - p; }), n - 1});
+  return std::max(trials * reduction(freedom, level),
+                  std::min(trials, n) * reduction(n - 1.0, level));
+}
+
+}  // namespace
+
+Interval share_interval(const std::vector<double>& shares, double level) {
+  GLISSADE_EXPECTS(level > 0.0 && level < 1.0);
+  if (shares.size() < 2) return {};
+  const double n = static_cast<double>(shares.size());
+  const double mean = std::accumulate(shares.begin(), shares.end(), 0.0) / n;
+  const bool decided = mean <= 0.0 || mean >= 1.0;
+  if (!decided && std::ranges::count(shares, shares.front()) == std::ssize(shares))
+    return {mean, mean};
+  const double trials = decided ? n : effective_trials(shares, mean, level);
+  using Binomial = boost::math::binomial;
+  const double tail = 0.5 - 0.5 * level;
+  return {Binomial::find_lower_bound_on_p(trials, mean * trials, tail),
+          Binomial::find_upper_bound_on_p(trials, mean * trials, tail)};
+}
+
+Interval widened(const Interval& interval, double probability, std::size_t records) {
+  const double none = std::pow(0.025, 1.0 / static_cast<double>(records));
+  Interval wide = interval;
+  if (std::isnan(interval.low) || std::isnan(interval.high)) wide = {probability, probability};
+  if (probability <= 0.5) wide.high = std::max(wide.high, 1.0 - none);
+  if (probability >= 0.5) wide.low = std::min(wide.low, none);
+  return wide;
+}
+
+}  // namespace glissade

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glissade/fragility/share.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "glissade/core/normal.hpp"
+#include "glissade/core/random.hpp"
+
+namespace glissade {
+namespace {
+
+// With none of n trials the upper end p is where (1 - p)^n = 0.025.
+TEST(share_interval, counts_each_record_as_one_trial_where_none_exceeds) {
+  const Interval none = share_interval(std::vector(7, 0.0)),
+                 all = share_interval(std::vector(7, 1.0));
+  EXPECT_EQ(none.low, 0.0);
+  EXPECT_NEAR(none.high, 1.0 - std::pow(0.025, 1.0 / 7.0), 1e-12);
+  EXPECT_NEAR(all.low, std::pow(0.025, 1.0 / 7.0), 1e-12);
+  EXPECT_EQ(all.high, 1.0);
+}
+
+TEST(share_interval, is_the_share_where_all_records_have_the_same) {
+  const Interval interval = share_interval(std::vector(7, 0.125));
+  EXPECT_EQ(interval.low, 0.125);
+  EXPECT_EQ(interval.high, 0.125);
+}
+
+TEST(share_interval, of_the_histories_that_do_not_exceed_is_its_mirror_image) {
+  const Interval some = share_interval({0.0, 0.02, 0.3, 0.0, 0.1, 0.0, 0.8}),
+                 others = share_interval({1.0, 0.98, 0.7, 1.0, 0.9, 1.0, 0.2});
+  EXPECT_NEAR(some.low, 1.0 - others.high, 1e-12);
+  EXPECT_NEAR(some.high, 1.0 - others.low, 1e-12);
+}
+
+TEST(share_interval, is_that_of_the_binomial_for_the_trials_that_the_variance_is_worth) {
+  // 10 of 20 records, all or nothing: p (1 - p) / v = 19 trials, less Student's factor of 19
+  // degrees of freedom, (1.959963985 / 2.093024054)^2; the binomial's interval is symmetric here.
+  std::vector<double> shares(20, 0.0);
+  std::fill(shares.begin(), shares.begin() + 10, 1.0);
+  const Interval interval = share_interval(shares);
+  EXPECT_NEAR(interval.low + interval.high, 1.0, 1e-12);
+  // qbeta(0.025, x, x + 1) by quadrature of the density
+  const double x = 0.5 * 19.0 * std::pow(1.959963985 / 2.093024054, 2);
+  double below = 0.0, total = 0.0;
+  constexpr int steps = 200000;
+  for (int i = 0; i < steps; ++i) {
+    const double p = (i + 0.5) / steps;
+    const double density = std::pow(p, x - 1.0) * std::pow(1.0 - p, x);
+    total += density;
+    if (p < interval.low) below += density;
+  }
+  EXPECT_NEAR(below / total, 0.025, 1e-4);
+}
+
+TEST(share_interval, needs_two_records) { EXPECT_TRUE(std::isnan(share_interval({0.3}).low)); }
+
+// Records with dispersion 0.35, 50 samples each with 0.20 more: of expanded percentiles only 78 %
+// of 7 records and 88 % of 20 covered. 600 studies; the lower bound is 3 sigma below the 96 % of
+// the manual.
+TEST(share_interval, covers_a_share_of_one_tenth) {
+  const double level = std::hypot(0.35, 0.20) * normal_quantile(0.1);
+  for (const int records : {7, 20}) {
+    double covered = 0.0;
+    for (std::uint64_t study = 0; study < 600; ++study) {
+      std::vector<double> shares(records);
+      for (int i = 0; i < records; ++i) {
+        const double a = 0.35 * keyed_normal(study, RandomPurpose::test, i, 0);
+        for (std::uint32_t s = 1; s <= 50; ++s)
+          shares[i] +=
+              a + 0.20 * keyed_normal(study, RandomPurpose::test, i, s) < level ? 1.0 / 50.0 : 0.0;
+      }
+      const Interval interval = share_interval(shares);
+      covered += interval.low <= 0.1 && 0.1 <= interval.high ? 1.0 / 600.0 : 0.0;
+    }
+    RecordProperty("coverage_of_" + std::to_string(records), std::to_string(covered));
+    EXPECT_GE(covered, 0.935) << records;
+  }
+}
+
+}  // namespace
+}  // namespace glissade
