@@ -42,7 +42,8 @@ class CoupledGround {
 
 /// slide_coupled() for many histories under one ground motion. While its regime of contact lasts,
 /// the building is linear: intensity times its response to the motion from rest, which is tabulated
-/// once, plus the free vibration that the last event left, in closed form. So a history goes from
+/// once, plus the free vibration that the last event left, in closed form; a spring that yields has
+/// a second table, of its stiffness while it yields. So a history goes from
 /// event to event; the tables are searched for the next interval in which one is possible, by
 /// bounds that miss none. Within 1e-10 of slide_coupled for slips above 1 um
 /// (tests/unit/block/coupled_slip_test.cpp). The same bits on every SIMD target, in any company.
@@ -51,9 +52,9 @@ class CoupledGround {
 /// which it is reached is computed again, scalar.
 ///
 /// Left to slide_coupled(): rigid buildings, more than 1 rad or less than 1 mrad of their
-/// vibration in a sample interval, damping near or beyond critical; springs that may yield;
-/// SlipDirections::downslope_only; static friction; critical friction; mu tan(slope) >= 1; and
-/// where the block may lift off.
+/// vibration in a sample interval, damping near or beyond critical;
+/// SlipDirections::downslope_only; friction that depends on speed, or static friction where the
+/// block slides freely; critical friction; mu tan(slope) >= 1; and where the block lifts off.
 /// @param peaks as many as scenes; those of one building, block and ratio of factors best side by
 /// side
 /// @param thresholds_m > 0, increasing

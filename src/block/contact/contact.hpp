@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "glissade/block/slide.hpp"
@@ -80,6 +81,10 @@ class Contact {
   double gravity() const { return g_; }
   double cos_slope() const { return cos_; }
   double sin_slope() const { return sin_; }
+  /// Infinite on a flat roof.
+  double cot_slope() const {
+    return sin_ > 0.0 ? cos_ / sin_ : std::numeric_limits<double>::infinity();
+  }
   bool slides_at_rest() const { return gravity_down_ > 0.0; }
   bool stops_at_rest() const { return gravity_down_ < 0.0; }
 

@@ -66,6 +66,11 @@ struct RegimeOscillator {
   Amplitude amplitude(const RoofState& state, const LinearGround& ground) const {
     return free_amplitude(state - particular(ground));
   }
+  /// Of the roof, in a state under this vertical.
+  double acceleration_mps2(const RoofState& roof, double w) const {
+    const double resisting = -(roof.x + lag * omega_radps * dt_s * roof.y);
+    return (resisting - contact.weight * (gravity_mps2 + w)) / contact.mass;
+  }
   RoofState state(Amplitude z, const LinearGround& ground) const {
     return free_state(z) + particular(ground);
   }

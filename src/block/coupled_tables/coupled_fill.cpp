@@ -45,24 +45,29 @@ void ByTile(std::size_t nodes, float* most, const At_& at, const Size& size) {
   }
 }
 
-void FillAmplitude(AmplitudeFill& f, std::size_t nodes) {
+void FillAmplitude(const AmplitudeFill& f, std::size_t nodes) {
   const Doubles d;
-  Vector resisting = hn::Zero(d), largest_x = resisting;
   ByTile(
       nodes, f.amplitude,
       [&](std::size_t i) {
         const Vector x = hn::LoadU(d, f.x + i), y = hn::LoadU(d, f.y + i);
         const Vector p = At(f.forcing, i), rise = hn::Sub(At(f.forcing, i + 1), p);
-        resisting = hn::Max(resisting, hn::Abs(hn::Add(x, Times(f.twice_zeta, y))));
-        largest_x = hn::Max(largest_x, hn::Abs(x));
         const Vector re = hn::Sub(hn::Add(x, p), Times(f.lag, rise)),
                      rate = hn::Add(y, Times(f.per_step, rise)),
                      im = hn::Add(Times(f.c_x, re), Times(f.c_y, rate));
         return hn::Add(hn::Mul(re, re), hn::Mul(im, im));
       },
       [&](double square) { return f.per_mass * std::sqrt(square); });
-  f.resisting_bound = Largest(resisting);
-  f.largest_x = Largest(largest_x);
+  const auto same = [](double size) { return size; };
+  const auto x = [&](std::size_t i) { return hn::LoadU(d, f.x + i); };
+  ByTile(
+      nodes, f.resisting,
+      [&](std::size_t i) {
+        return hn::Abs(hn::Add(x(i), Times(f.twice_zeta, hn::LoadU(d, f.y + i))));
+      },
+      same);
+  ByTile(
+      nodes, f.x_size, [&](std::size_t i) { return hn::Abs(x(i)); }, same);
 }
 
 void FillLine(const LineFill& f, std::size_t nodes) {
@@ -99,7 +104,7 @@ HWY_EXPORT(FillAmplitude);
 HWY_EXPORT(FillLine);
 HWY_EXPORT(FillChange);
 
-void fill_amplitude(AmplitudeFill& fill, std::size_t nodes) {
+void fill_amplitude(const AmplitudeFill& fill, std::size_t nodes) {
   HWY_DYNAMIC_DISPATCH(FillAmplitude)(fill, nodes);
 }
 void fill_line(const LineFill& fill, std::size_t nodes) {

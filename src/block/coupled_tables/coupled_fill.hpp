@@ -20,10 +20,10 @@ struct AmplitudeFill {
   const double *x, *y;
   GroundLine forcing;
   double lag, per_step, c_x, c_y, per_mass, twice_zeta;
-  float* amplitude;  ///< by tile: the largest |s^2 z| at its nodes and the one before
-  double resisting_bound, largest_x;  ///< found: |x + 2 zeta y|, |x|, at nodes
+  /// By tile, the largest at its nodes and the one before: |s^2 z|, |x + 2 zeta y|, |x|.
+  float *amplitude, *resisting, *x_size;
 };
-void fill_amplitude(AmplitudeFill& fill, std::size_t nodes);
+void fill_amplitude(const AmplitudeFill& fill, std::size_t nodes);
 
 /// values[i] = x_factor x[i] + y_factor y[i] + ground line, and its extremes by tile.
 struct LineFill {

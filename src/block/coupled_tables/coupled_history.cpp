@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace glissade::block_detail {
 namespace {
@@ -22,32 +21,41 @@ Block downhill(Block block) {
 
 }  // namespace
 
-CoupledHistory::CoupledHistory(const CoupledTable& table, const CoupledContact& contact,
-                               const Subdivision& subdivision, const CoupledScene& scene,
-                               double intensity, std::span<const double> thresholds_m,
-                               std::span<Crossing> crossings)
-    : table_(table),
+CoupledHistory::CoupledHistory(const CoupledTable& table, const CoupledTable* yielding_table,
+                               const CoupledContact& contact, const Subdivision& subdivision,
+                               const CoupledScene& scene, double intensity,
+                               std::span<const double> thresholds_m, std::span<Crossing> crossings)
+    : elastic_table_(table),
+      yielding_table_(yielding_table),
+      table_(&table),
       contact_(contact),
       subdivision_(subdivision),
       block_(downhill(scene.block)),
       intensity_(intensity),
       w_factor_(scene.factors.vertical),
       step_s_(table.nodes().a.step_s()),
-      most_a_mps2_(std::numeric_limits<double>::infinity()),
-      most_x_mps2_(scene.building.yielding.yield_acceleration_mps2),
-      body_(contact, subdivision.building, block_, CoupledBody::Keeps::peaks),
+      cot_slope_(contact.cot_slope()),
+      has_limits_(contact.sin_slope() > 0.0 || scene.building.yielding.yields()),
+      body_(contact, subdivision.building, block_, CoupledBody::Keeps::peaks,
+            scene.building.yielding),
       watched_(!thresholds_m.empty()),
       quiet_from_(table.nodes().quiet),
       end_(contact.slides_at_rest() ? table.nodes().a.last_sample()
                                     : quiet_from_ + longest_ring_down(step_s_)) {
   body_.crossings() = {thresholds_m, crossings, contact_.cos_slope()};
-  const double g = contact_.gravity() - std::abs(w_factor_) * nodes().largest_w_mps2;
-  if (contact_.sin_slope() > 0.0) most_a_mps2_ = g * contact_.cos_slope() / contact_.sin_slope();
+  for (const int direction : {-1, 0, 1}) {
+    const auto margin = [&](const CoupledTable& of) {
+      return of.contact_margin_mps2(direction, intensity, w_factor_);
+    };
+    const auto k = static_cast<std::size_t>(direction + 1);
+    contact_margin_mps2_[0][k] = margin(table);
+    if (yielding_table != nullptr) contact_margin_mps2_[1][k] = margin(*yielding_table);
+  }
 }
 
 Roof CoupledHistory::ground(std::size_t node) const {
   if (ringing_down_) return {};
-  return {intensity_ * (table_.sign() * nodes().a.acceleration_mps2()[node]),
+  return {intensity_ * (table_->sign() * nodes().a.acceleration_mps2()[node]),
           nodes().vertical ? w_factor_ * nodes().w.acceleration_mps2()[node] : 0.0};
 }
 
@@ -61,14 +69,17 @@ RoofState CoupledHistory::roof(std::size_t node) const {
   RoofState state = r.free_state(free_ * r.power(node - from_));
   state.x -= r.contact.weight * r.gravity_mps2;
   if (ringing_down_) return state;
-  const CoupledTable::Response& response = table_.response(body_.direction());
+  const CoupledTable::Response& response = table_->response(body_.direction());
   return state + RoofState{intensity_ * response.x[node], intensity_ * response.y[node]};
 }
 
 /// Makes this node the reference of what follows.
 void CoupledHistory::set_reference(std::size_t node, const RoofState& roof, double speed_mps) {
+  yield_side_ = body_.yield_side();
+  table_ = yield_side_ != 0 && yielding_table_ != nullptr ? yielding_table_ : &elastic_table_;
+  by_scalar_scheme_ = yield_side_ != 0 && yielding_table_ == nullptr;
   const RegimeOscillator& r = regime();
-  const CoupledTable::Response& response = table_.response(body_.direction());
+  const CoupledTable::Response& response = table_->response(body_.direction());
   const double weight = r.contact.weight * r.gravity_mps2, table = ringing_down_ ? 0.0 : intensity_;
   node_ = from_ = node;
   RoofState free{roof.x + weight, roof.y};
@@ -77,22 +88,27 @@ void CoupledHistory::set_reference(std::size_t node, const RoofState& roof, doub
   free_ = r.free_amplitude(free);
   roof_from_ = roof;
   speed_from_ = speed_mps;
-  const double size = free_.size();
-  fits_ =
-      table * response.largest_a_mps2 + r.s2.size() * size < most_a_mps2_ &&
-      table * response.largest_x_mps2 + r.omega_radps * r.omega_radps * size + std::abs(weight) <
-          most_x_mps2_;
+  elastic_ = body_.spring_forces();
+  const auto k = static_cast<std::size_t>(body_.direction() + 1);
+  const double size = free_.size(), margin = ringing_down_
+                                                 ? contact_.gravity() * cot_slope_
+                                                 : contact_margin_mps2_[yield_side_ != 0][k];
+  may_lift_ = !(r.s2.size() * size < margin);
+  spring_may_change_ =
+      yield_side_ != 0 ||
+      !(table * response.largest_x_mps2 + r.omega_radps * r.omega_radps * size + std::abs(weight) <
+        std::min(-elastic_.lowest, elastic_.highest));
 }
 
 /// From the reference to a node.
 double CoupledHistory::speed(std::size_t node, const RoofState& now) const {
   const DriveLine& line = regime().contact.drive;
-  double roof_gain = (now.y - roof_from_.y) / subdivision_.building.omega_radps, fall = 0.0;
+  double roof_gain = (now.y - roof_from_.y) / regime().omega_radps, fall = 0.0;
   if (!ringing_down_) {
     const auto gain = [&](const GroundTable& of) {
       return of.velocity_mps()[node] - of.velocity_mps()[from_];
     };
-    roof_gain += intensity_ * (table_.sign() * gain(nodes().a));
+    roof_gain += intensity_ * (table_->sign() * gain(nodes().a));
     if (nodes().vertical) fall = w_factor_ * gain(nodes().w);
   }
   return speed_from_ + line.a * roof_gain + line.w * fall + line.constant * time_s(node - from_);
@@ -100,12 +116,12 @@ double CoupledHistory::speed(std::size_t node, const RoofState& now) const {
 
 double CoupledHistory::travel(std::size_t node, const RoofState& now) const {
   const DriveLine& line = regime().contact.drive;
-  const double t = time_s(node - from_), omega = subdivision_.building.omega_radps;
+  const double t = time_s(node - from_), omega = regime().omega_radps;
   double roof_displacement = (now.x - roof_from_.x) / (omega * omega) - roof_from_.y / omega * t,
          fall = 0.0;
   if (!ringing_down_) {
     roof_displacement +=
-        intensity_ * (table_.sign() * displacement_beyond(nodes().a, from_, node, t));
+        intensity_ * (table_->sign() * displacement_beyond(nodes().a, from_, node, t));
     if (nodes().vertical) fall = w_factor_ * displacement_beyond(nodes().w, from_, node, t);
   }
   return speed_from_ * t + line.a * roof_displacement + line.w * fall + 0.5 * line.constant * t * t;
@@ -135,22 +151,20 @@ void CoupledHistory::begin_ring_down() {
 }
 
 bool CoupledHistory::finished() const {
-  return ringing_down_ && !body_.sliding() &&
+  return ringing_down_ && !body_.sliding() && !spring_may_change_ &&
          cannot_slip(block_, regime().s2.size() * free_.size(), 0.0);
 }
 
 bool CoupledHistory::run() {
   set_reference(0, {}, 0.0);
-  while (node_ < end_ && fits_) {
+  while (node_ < end_) {
     if (!ringing_down_ && node_ == quiet_from_) begin_ring_down();
     if (finished()) break;
     const std::size_t to = std::min(
         end_, ringing_down_ ? node_ + CoupledTable::zeros - CoupledTable::tile : quiet_from_);
-    node_ = phase_began_ ? node_ : next_interval(to);
-    phase_began_ = false;
+    node_ = next_interval(to);
     if (node_ < to && !solve_interval(node_)) return false;
   }
-  if (!fits_) return false;
   set_reference_here();
   if (contact_.stops_at_rest()) body_.coast();
   return true;
@@ -190,13 +204,13 @@ void CoupledHistory::advance(CoupledBody& body, std::size_t interval,
 /// The interval by the scalar scheme.
 void CoupledHistory::by_reference_scheme(const IntervalState& now) {
   node_ = now.interval;
-  set_reference_here();
+  if (!by_scalar_scheme_) set_reference_here();
   advance(body_, now.interval, now.ground);
   if (watched_) {
     body_at_phase_ = body_;
     phase_node_ = now.interval + 1;
   }
-  set_reference(now.interval + 1, body_.roof(), body_.speed());
+  set_reference(now.interval + 1, body_.spring_roof(), body_.speed());
 }
 
 }  // namespace glissade::block_detail

@@ -44,7 +44,7 @@ bool CoupledHistory::solve_interval(std::size_t interval) {
     if (body_.sliding()) body_before_->slid(travel(interval, now.roof), time_s(interval - from_));
     body_before_->resume(now.roof, now.speed, time_s(interval));
   }
-  if (!(body_.sliding() ? slide_in(now) : rest_in(now))) by_reference_scheme(now);
+  if (limit_ahead_ || !(body_.sliding() ? slide_in(now) : rest_in(now))) by_reference_scheme(now);
   return !body_.has_lifted();
 }
 
@@ -54,8 +54,8 @@ bool CoupledHistory::rest_in(const IntervalState& now) {
   int direction = 0;
   BoundedCurve::Root root{};
   for (const int candidate : {+1, -1}) {
-    const Curve f =
-        drive(now.ground, r, candidate > 0 ? contact_.down() : contact_.up(), 0.0, now.z);
+    const DriveLine line = candidate > 0 ? contact_.at_rest().down() : contact_.at_rest().up();
+    const Curve f = drive(now.ground, r, line, 0.0, now.z);
     const BoundedCurve bounded(f, r, 1.0, r.per_interval());
     const Proof proof = bounded.proof();
     if (proof == Proof::negative) continue;
@@ -67,22 +67,24 @@ bool CoupledHistory::rest_in(const IntervalState& now) {
   node_ = now.interval + 1;
   if (direction == 0) return true;
   const RoofState at_start = r.state(now.z * root.power, now.ground.after(root.t));
-  const std::optional<Begin> phase = begin(now, root.t, at_start, direction, false);
+  const std::optional<Begin> phase =
+      begin(now, root.t, at_start, direction, block_.law.static_ratio > 1.0);
   if (phase) start(now, *phase);
   return phase.has_value();
 }
 
 /// Of a phase from the fraction tau on, if it is proven that it does not end in the interval.
+/// @param drive_jumps to above zero: after a reversal, or where static friction is exceeded
 std::optional<CoupledHistory::Begin> CoupledHistory::begin(const IntervalState& now, double tau,
                                                            const RoofState& roof, int direction,
-                                                           bool reverses) const {
-  const RegimeOscillator& r = table_.regime(direction);
+                                                           bool drive_jumps) const {
+  const RegimeOscillator& r = table_->regime(direction);
   const Amplitude z = r.amplitude(roof, now.ground.after(tau));
   const double left = 1.0 - tau;
   const RegimeOscillator::Growth growth = r.after(left);
   const Amplitude to_end = growth.power;
   const Curve f = drive(now.ground, r, r.contact.drive, tau, z), minus = -f;
-  if (reverses) {
+  if (drive_jumps) {
     if (BoundedCurve(minus, r, left, to_end).proof() != Proof::negative) return {};
   } else {
     const BoundedCurve bounded(f, r, left, to_end);
@@ -93,6 +95,7 @@ std::optional<CoupledHistory::Begin> CoupledHistory::begin(const IntervalState& 
   const Begin phase{direction, r.state(z * to_end, now.ground.after(1.0)), gained.distance,
                     gained.speed, left * step_s_};
   if (!(phase.speed > 0.0 && phase.distance >= 0.0)) return {};
+  if (has_limits_ && !within_limits(r, left, z, now.ground.after(tau), roof, phase.roof)) return {};
   return phase;
 }
 
@@ -126,9 +129,9 @@ bool CoupledHistory::slide_in(const IntervalState& now) {
   const RoofState at_stop = r.state(z, ground);
 
   // The other direction's drive decides: never the one it stopped in.
-  const RegimeOscillator& stuck = table_.regime(0);
+  const RegimeOscillator& stuck = table_->regime(0);
   const Amplitude z_stuck = stuck.amplitude(at_stop, ground);
-  const DriveLine other = direction > 0 ? contact_.up() : contact_.down();
+  const DriveLine other = direction > 0 ? contact_.at_rest().up() : contact_.at_rest().down();
   const Curve back = drive(now.ground, stuck, other, tau, z_stuck);
   std::optional<Begin> reversal;
   if (back.c0 + back.b.re > 0.0) {
@@ -150,11 +153,34 @@ bool CoupledHistory::slide_in(const IntervalState& now) {
   return true;
 }
 
+/// The same from here to the end of the interval, between two states.
+bool CoupledHistory::within_limits(const RegimeOscillator& r, double length, Amplitude z,
+                                   const LinearGround& ground, const RoofState& begin,
+                                   const RoofState& end) const {
+  const double phase = r.phase * length, bend = 0.125 * phase * phase * (r.s2 * z).size();
+  return within_limits(r, bend, begin, ground.at) &&
+         within_limits(r, bend, end, ground.after(length).at);
+}
+
+/// In contact, and elastic or yielding as now, at a node and beside it where a leaves its chord by
+/// no more than `bend`.
+bool CoupledHistory::within_limits(const RegimeOscillator& r, double bend, const RoofState& roof,
+                                   const Roof& at) const {
+  const double g = r.gravity_mps2 + at.w, bend_x = r.contact.mass * bend;
+  return g * cot_slope_ + r.acceleration_mps2(roof, at.w) > bend &&
+         roof.x - bend_x > elastic_.lowest && roof.x + bend_x < elastic_.highest &&
+         (yield_side_ == 0 || yield_side_ * roof.y > std::sqrt(r.contact.mass) * bend);
+}
+
 /// It stays at rest from the fraction tau to the interval's end.
 bool CoupledHistory::rests(const IntervalState& now, double tau, Amplitude z) const {
-  const RegimeOscillator& r = table_.regime(0);
+  const RegimeOscillator& r = table_->regime(0);
   const Amplitude to_end = r.after(1.0 - tau).power;
-  for (const DriveLine& line : {contact_.down(), contact_.up()}) {
+  const LinearGround ground = now.ground.after(tau);
+  if (has_limits_ && !within_limits(r, 1.0 - tau, z, ground, r.state(z, ground),
+                                    r.state(z * to_end, now.ground.after(1.0))))
+    return false;
+  for (const DriveLine& line : {contact_.at_rest().down(), contact_.at_rest().up()}) {
     const Curve f = drive(now.ground, r, line, tau, z);
     if (BoundedCurve(f, r, 1.0 - tau, to_end).proof() != Proof::negative) return false;
   }

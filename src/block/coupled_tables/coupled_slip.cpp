@@ -22,23 +22,24 @@ namespace {
 
 /// All that a table depends on but the motion.
 struct Shared {
-  double period_s, damping_ratio, mass_ratio, slope_rad, friction, gravity_mps2, sign,
+  double period_s, damping_ratio, mass_ratio, slope_rad, friction, static_ratio, gravity_mps2, sign,
       vertical_ratio;
 
-  explicit Shared(const CoupledScene& s, bool vertical)
-      : period_s(s.building.horizontal.period_s),
-        damping_ratio(s.building.horizontal.damping_ratio),
+  Shared(const CoupledScene& s, const Oscillator& oscillator, bool vertical)
+      : period_s(oscillator.period_s),
+        damping_ratio(oscillator.damping_ratio),
         mass_ratio(s.building.mass_ratio),
         slope_rad(std::abs(s.block.slope_rad)),
         friction(s.block.friction),
+        static_ratio(s.block.law.static_ratio),
         gravity_mps2(s.block.gravity_mps2),
         sign((s.block.slope_rad < 0.0) == (s.factors.horizontal < 0.0) ? 1.0 : -1.0),
         vertical_ratio(vertical ? s.factors.vertical / std::abs(s.factors.horizontal) : 0.0) {}
   bool operator==(const Shared&) const = default;
 };
 
-/// Of gravity. With a larger vertical the block may lift, and the limits of its rest, which are
-/// proportional to g + w, lose their digits.
+/// Of gravity. With a larger vertical acceleration downward the block may lift, and the limits of
+/// its rest, which are proportional to g + w, lose their digits.
 constexpr double most_vertical = 0.99;
 
 /// A period that its vibration shows between samples, and underdamped in every regime.
@@ -69,19 +70,33 @@ CoupledPeak by_reference(const GroundMotion& ground, const CoupledScene& scene,
 }  // namespace
 
 struct CoupledGround::Tables {
-  std::shared_ptr<const CoupledNodes> nodes;
-  std::optional<Shared> shared;  ///< what the table is of
-  std::optional<CoupledTable> table;
+  /// The last table.
+  struct Last {
+    std::optional<Shared> shared;  ///< what it is of
+    std::optional<CoupledTable> table;
 
-  const CoupledTable& of(const Shared& wanted, const CoupledContact& contact,
-                         const Subdivision& subdivision) {
-    if (!(shared == wanted)) {
-      table.emplace(*nodes, contact, subdivision.building, wanted.sign, wanted.vertical_ratio);
-      shared = wanted;
+    const CoupledTable& of(const CoupledNodes& nodes, const Shared& wanted,
+                           const CoupledContact& contact, const Subdivision& subdivision) {
+      if (!(shared == wanted)) {
+        table.emplace(nodes, contact, subdivision.building, wanted.sign, wanted.vertical_ratio);
+        shared = wanted;
+      }
+      return *table;
     }
-    return *table;
-  }
+  };
+  std::shared_ptr<const CoupledNodes> nodes;
+  Last elastic, yielding;
 };
+
+namespace {
+
+/// The building while its spring yields is an elastic one of the lower stiffness (theory.md, 2.3).
+Oscillator while_yielding(const CoupledBuilding& building) {
+  const double root = std::sqrt(building.yielding.hardening_ratio);
+  return {building.horizontal.period_s / root, building.horizontal.damping_ratio / root};
+}
+
+}  // namespace
 
 CoupledGround::CoupledGround(const GroundMotion& motion)
     : motion_(motion),
@@ -93,24 +108,45 @@ CoupledGround::~CoupledGround() = default;
 
 namespace {
 
+bool can_be_tabulated(const CoupledScene& scene, const CoupledContact& contact,
+                      const CoupledNodes& nodes) {
+  const bool law_fits = scene.block.law.is_coulomb() ||
+                        (contact.stops_at_rest() && !scene.block.law.depends_on_speed());
+  return scene.block.directions == SlipDirections::both && law_fits &&
+         scene.factors.horizontal != 0.0 && (contact.slides_at_rest() || contact.stops_at_rest()) &&
+         contact.up().a > 0.0 &&
+         -nodes.lowest_w(scene.factors.vertical) < most_vertical * scene.block.gravity_mps2;
+}
+
+/// Of the building while its spring yields; none if it has no such table.
+const CoupledTable* yielding_table(CoupledGround& ground, const CoupledScene& scene,
+                                   const CoupledContact& contact) {
+  const Yielding& spring = scene.building.yielding;
+  if (!spring.yields() || spring.hardening_ratio == 0.0) return nullptr;
+  const Oscillator oscillator = while_yielding(scene.building);
+  const GroundMotion& motion = ground.motion();
+  const Subdivision subdivision = block_detail::subdivide(oscillator, contact, motion.dt_s);
+  if (!can_be_tabulated(subdivision, contact, motion.dt_s)) return nullptr;
+  CoupledGround::Tables& tables = ground.tables();
+  return &tables.yielding.of(*tables.nodes,
+                             Shared(scene, oscillator, !motion.vertical_mps2.empty()), contact,
+                             subdivision);
+}
+
 CoupledPeak solve(CoupledGround& ground, const CoupledScene& scene,
                   std::span<const double> thresholds_m, std::span<Crossing> crossings) {
   block_detail::require_finite_scene(scene.building, scene.block, scene.factors);
   GLISSADE_EXPECTS(coupling_is_regular(scene.block, scene.building.mass_ratio));
   const GroundMotion& motion = ground.motion();
-  const CoupledNodes& nodes = *ground.tables().nodes;
   const CoupledContact contact(scene.block, scene.building.mass_ratio);
-  const Subdivision subdivision =
-      block_detail::subdivide(scene.building.horizontal, contact, motion.dt_s);
-  const bool fits = can_be_tabulated(subdivision, contact, motion.dt_s) &&
-                    scene.block.directions == SlipDirections::both &&
-                    scene.block.law.is_coulomb() && scene.factors.horizontal != 0.0 &&
-                    (contact.slides_at_rest() || contact.stops_at_rest()) && contact.up().a > 0.0 &&
-                    std::abs(scene.factors.vertical) * nodes.largest_w_mps2 <
-                        most_vertical * scene.block.gravity_mps2;
-  if (fits) {
-    const Shared shared(scene, !motion.vertical_mps2.empty());
-    CoupledHistory history(ground.tables().of(shared, contact, subdivision), contact, subdivision,
+  const Oscillator& oscillator = scene.building.horizontal;
+  const Subdivision subdivision = block_detail::subdivide(oscillator, contact, motion.dt_s);
+  CoupledGround::Tables& tables = ground.tables();
+  if (can_be_tabulated(subdivision, contact, motion.dt_s) &&
+      can_be_tabulated(scene, contact, *tables.nodes)) {
+    const Shared shared(scene, oscillator, !motion.vertical_mps2.empty());
+    const CoupledTable& table = tables.elastic.of(*tables.nodes, shared, contact, subdivision);
+    CoupledHistory history(table, yielding_table(ground, scene, contact), contact, subdivision,
                            scene, std::abs(scene.factors.horizontal), thresholds_m, crossings);
     if (history.run()) return {block_detail::in_metres(history.result(), 1.0), false};
   }

@@ -63,9 +63,22 @@ CoupledNodes::CoupledNodes(const GroundMotion& motion)
       w(motion.dt_s, vertical_or_zero(motion)),
       vertical(!motion.vertical_mps2.empty()),
       quiet(std::max(a.quiet_from(), vertical ? w.quiet_from() : 0)),
-      largest_w_mps2(w.peak_acceleration_mps2()) {
+      tile_lowest_w_mps2(tiles_of(quiet + 1)),
+      tile_highest_w_mps2(tiles_of(quiet + 1)) {
   a.extend(padded(quiet + 1));
-  if (vertical) w.extend(padded(quiet + 1));
+  if (!vertical) return;
+  w.extend(padded(quiet + 1));
+  for (std::size_t b = 0; b < tiles_of(quiet + 1); ++b) {
+    const auto values = w.acceleration_mps2().begin();
+    const std::size_t first = b * CoupledTable::tile;
+    const auto [lowest, highest] =
+        std::minmax_element(values + static_cast<std::ptrdiff_t>(first - (b > 0 ? 1 : 0)),
+                            values + static_cast<std::ptrdiff_t>(first + CoupledTable::tile));
+    tile_lowest_w_mps2[b] = *lowest;
+    tile_highest_w_mps2[b] = *highest;
+    lowest_w_mps2 = std::min(lowest_w_mps2, *lowest);
+    highest_w_mps2 = std::max(highest_w_mps2, *highest);
+  }
 }
 
 CoupledTable::CoupledTable(const CoupledNodes& nodes, const CoupledContact& contact,
@@ -73,8 +86,10 @@ CoupledTable::CoupledTable(const CoupledNodes& nodes, const CoupledContact& cont
     : nodes_(nodes),
       sign_(sign),
       vertical_ratio_(vertical_ratio),
-      lowest_per_g_(-contact.down().w / contact.down().a),
-      highest_per_g_(-contact.up().w / contact.up().a),
+      gravity_mps2_(contact.gravity()),
+      cot_slope_(contact.cot_slope()),
+      lowest_per_g_(-contact.at_rest().down().w / contact.at_rest().down().a),
+      highest_per_g_(-contact.at_rest().up().w / contact.at_rest().up().a),
       regimes_{
           RegimeOscillator(contact.stuck(), contact.gravity(), building, nodes.a.step_s()),
           RegimeOscillator(contact.sliding_down(), contact.gravity(), building, nodes.a.step_s()),
@@ -125,30 +140,37 @@ void CoupledTable::respond(const BuildingOscillator& building) {
 void CoupledTable::set_bounds(Response& response, const RegimeOscillator& r,
                               double damping_ratio) const {
   const std::size_t count = nodes_.quiet + 1;
-  response.amplitude = tile_values(count);
-  AmplitudeFill fill{response.x.data(),
-                     response.y.data(),
-                     accelerations(r.contact.mass * sign_, r.contact.weight * vertical_ratio_),
-                     r.lag,
-                     1.0 / (r.omega_radps * r.dt_s),
-                     r.alpha_radps / r.beta_radps,
-                     r.omega_radps / r.beta_radps,
-                     1.0 / r.contact.mass,
-                     2.0 * damping_ratio,
-                     response.amplitude.data(),
-                     0.0,
-                     0.0};
-  fill_amplitude(fill, count);
-  const double most = *std::max_element(response.amplitude.begin(), response.amplitude.end());
-  const double w = std::abs(r.contact.weight * vertical_ratio_) * nodes_.largest_w_mps2;
-  response.largest_a_mps2 =
-      ((fill.resisting_bound + w) / r.contact.mass + 0.125 * r.phase * r.phase * most) *
-      (1.0 + 1e-9);
-  const double step = r.omega_radps * r.dt_s;
-  response.largest_x_mps2 =
-      (fill.largest_x +
-       0.125 * step * step * (response.largest_a_mps2 + nodes_.a.peak_acceleration_mps2())) *
-      (1.0 + 1e-9);
+  for (std::vector<float>* values : {&response.amplitude, &response.a_mps2, &response.x_mps2})
+    *values = tile_values(count);
+  fill_amplitude({response.x.data(), response.y.data(),
+                  accelerations(r.contact.mass * sign_, r.contact.weight * vertical_ratio_), r.lag,
+                  1.0 / (r.omega_radps * r.dt_s), r.alpha_radps / r.beta_radps,
+                  r.omega_radps / r.beta_radps, 1.0 / r.contact.mass, 2.0 * damping_ratio,
+                  response.amplitude.data(), response.a_mps2.data(), response.x_mps2.data()},
+                 count);
+  const double per_w = r.contact.weight * vertical_ratio_, step = r.omega_radps * r.dt_s,
+               largest_a_g = nodes_.a.peak_acceleration_mps2();
+  for (std::size_t b = 0; b < tiles_of(count); ++b) {
+    const double w = std::abs(per_w) *
+                     std::max(-nodes_.tile_lowest_w_mps2[b], nodes_.tile_highest_w_mps2[b]),
+                 a = (response.a_mps2[b] + w) / r.contact.mass +
+                     0.125 * r.phase * r.phase * response.amplitude[b];
+    response.a_mps2[b] = static_cast<float>(a) * room;
+    response.x_mps2[b] =
+        (response.x_mps2[b] + static_cast<float>(0.125 * step * step * (a + largest_a_g))) * room;
+    response.largest_x_mps2 =
+        std::max(response.largest_x_mps2, static_cast<double>(response.x_mps2[b]));
+  }
+}
+
+double CoupledTable::contact_margin_mps2(int direction, double intensity, double w_factor) const {
+  if (cot_slope_ == never) return never;  // the condition on w alone is can_be_tabulated's
+  const Response& of = response(direction);
+  double least = never;
+  for (std::size_t b = 0; b < nodes_.tile_lowest_w_mps2.size(); ++b)
+    least = std::min(least, (gravity_mps2_ + nodes_.lowest_w(w_factor, b)) * cot_slope_ -
+                                intensity * of.a_mps2[b]);
+  return least;
 }
 
 void CoupledTable::set_rest(double damping_ratio) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <vector>
@@ -18,7 +19,16 @@ struct CoupledNodes {
   GroundTable a, w;  ///< w: nothing where there is no vertical
   bool vertical;
   std::size_t quiet;  ///< the first node from which on both are zero
-  double largest_w_mps2 = 0.0;
+  double lowest_w_mps2 = 0.0, highest_w_mps2 = 0.0;
+  std::vector<double> tile_lowest_w_mps2, tile_highest_w_mps2;  ///< between nodes too
+
+  /// Of a factor times the vertical acceleration.
+  double lowest_w(double factor) const {
+    return std::min(factor * lowest_w_mps2, factor * highest_w_mps2);
+  }
+  double lowest_w(double factor, std::size_t tile) const {
+    return std::min(factor * tile_lowest_w_mps2[tile], factor * tile_highest_w_mps2[tile]);
+  }
 };
 
 /// What the histories of a motion, building, slope and friction share, whatever the intensity: the
@@ -39,10 +49,10 @@ class CoupledTable {
   /// Of one oscillator.
   struct Response {
     std::vector<double> x, y;  ///< scaled state by node
-    std::vector<float>
-        amplitude;                ///< by tile: |s^2 z| from its nodes and the one before is no more
-    double largest_a_mps2 = 0.0;  ///< |a| is no more, but for what the vertical and the weight do
-    double largest_x_mps2 = 0.0;  ///< nor is |x|
+    // By tile: no more, from its nodes and the one before.
+    std::vector<float> amplitude;       ///< |s^2 z|
+    std::vector<float> a_mps2, x_mps2;  ///< |a|, |x|, between nodes too
+    double largest_x_mps2 = 0.0;
   };
   /// For the search while the block rests: a less what the vertical does to the limit below, and
   /// above. Without vertical the two are the same.
@@ -65,6 +75,9 @@ class CoupledTable {
   const Speed& speed(int direction) const { return *speeds_[index(direction)]; }
   const CoupledNodes& nodes() const { return nodes_; }
   double sign() const { return sign_; }
+  /// Normal force of the block per mass that the table leaves at this intensity, over sin(slope),
+  /// less what a free vibration |a| takes: it lifts where this is negative. Infinite: never.
+  double contact_margin_mps2(int direction, double intensity, double w_factor) const;
   /// a at which the block begins to slide, per (g + w): it rests between these.
   double lowest_per_g() const { return lowest_per_g_; }
   double highest_per_g() const { return highest_per_g_; }
@@ -78,7 +91,7 @@ class CoupledTable {
   std::shared_ptr<Speed> speed_of(int direction) const;
 
   const CoupledNodes& nodes_;
-  double sign_, vertical_ratio_;
+  double sign_, vertical_ratio_, gravity_mps2_, cot_slope_;
   double lowest_per_g_, highest_per_g_;
   std::array<RegimeOscillator, 3> regimes_;
   std::array<std::shared_ptr<Response>, 3> responses_;  // equal regimes share one

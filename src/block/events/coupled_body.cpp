@@ -11,17 +11,11 @@ namespace {
 
 constexpr int most_events = 64;  // in a piece of 1/16 period: some ten occur
 
-Block with_static_friction(Block block) {
-  block.friction *= block.law.static_ratio;
-  return block;
-}
-
 }  // namespace
 
 CoupledBody::CoupledBody(const CoupledContact& contact, const BuildingOscillator& building,
                          const Block& block, Keeps keeps, const Yielding& yielding)
     : contact_(contact),
-      at_rest_(with_static_friction(block), contact.mass_ratio()),
       building_(building),
       block_(block),
       keeps_(keeps),
@@ -56,8 +50,8 @@ SlipSeries CoupledBody::slip_series(const ContactRegime& regime, const RoofMotio
 double CoupledBody::start_fraction(const RoofMotionSeries& roof, double a_change,
                                    int direction) const {
   const DriveLine line = lifted_         ? contact_.frictionless(direction)
-                         : direction > 0 ? at_rest_.down()
-                                         : at_rest_.up();
+                         : direction > 0 ? contact_.at_rest().down()
+                                         : contact_.at_rest().up();
   if (roof.is_negative(line, a_change)) return never;
   Series drive = roof.line(line);
   if (after_.stopped_direction == direction) {

@@ -30,9 +30,10 @@ class CoupledBody {
   /// The roof is at rest from now on.
   void coast();
 
-  // A motion without events that was computed elsewhere.
+  // A motion without events that was computed elsewhere; the roof as spring_roof() is.
   void resume(const RoofState& roof, double speed_mps, double time_s) {
-    roof_ = roof;
+    if (const double ratio = spring_.frequency_ratio(); ratio > 0.0)
+      roof_ = {spring_.resume(roof_.x, roof.x), roof.y / ratio};
     speed_ = speed_mps;
     time_ = time_s;
   }
@@ -51,12 +52,19 @@ class CoupledBody {
     double resisting_mps2 = 0.0, x_mps2 = 0.0;
   };
 
-  const RoofState& roof() const { return roof_; }
+  /// Scaled state of an elastic building with the spring's stiffness of now, displaced from where
+  /// the force is zero: x is the force.
+  RoofState spring_roof() const {
+    return {spring_.force(roof_.x), spring_.frequency_ratio() * roof_.y};
+  }
+  /// +1 or -1 while the spring yields on this side, else 0.
+  int yield_side() const { return spring_.side(); }
+  Spring::Range spring_forces() const { return spring_.forces(roof_.x); }
   double speed() const { return speed_; }
   int direction() const { return direction_; }
   double slip() const { return slip_; }
   bool has_lifted() const { return lifted_ || result_.slip.uplift; }
-  bool slides_at_rest() const { return at_rest_.slides_at_rest(); }
+  bool slides_at_rest() const { return contact_.at_rest().slides_at_rest(); }
   bool sliding() const { return direction_ != 0; }
   /// While the block stays where it is and the ground is quiet.
   bool may_yield() const;
@@ -113,7 +121,7 @@ class CoupledBody {
   Envelope free_vibration() const;
   void record(const GroundPiece& ground) const;
 
-  CoupledContact contact_, at_rest_;  // with the friction of sliding, and static friction
+  CoupledContact contact_;
   BuildingOscillator building_;
   Block block_;
   Keeps keeps_;

@@ -26,7 +26,11 @@ struct ContactRegime {
 /// The contact equations of a coupled roof (theory.md, 2.2).
 class CoupledContact : public Contact {
  public:
-  CoupledContact(const Block& block, double mass_ratio) : Contact(block), mass_ratio_(mass_ratio) {}
+  CoupledContact(const Block& block, double mass_ratio)
+      : Contact(block), at_rest_(with_static_friction(block)), mass_ratio_(mass_ratio) {}
+
+  /// With static friction: the block starts to slide where one of its drives is positive.
+  const Contact& at_rest() const { return at_rest_; }
 
   ContactRegime stuck() const { return {1.0 + mass_ratio_, 0.0, {}}; }
   ContactRegime sliding_down() const { return sliding_regime(down(), down().w); }
@@ -41,10 +45,15 @@ class CoupledContact : public Contact {
   double mass_ratio() const { return mass_ratio_; }
 
  private:
+  static Block with_static_friction(Block block) {
+    block.friction *= block.law.static_ratio;
+    return block;
+  }
   /// @param q sin - sigma mu cos: the contact force pushes the roof by -m q N'/cos per N'
   ContactRegime sliding_regime(const DriveLine& drive, double q) const {
     return {1.0 + mass_ratio_ * sin_slope() * q, mass_ratio_ * cos_slope() * q, drive};
   }
+  Contact at_rest_;
   double mass_ratio_;
 };
 

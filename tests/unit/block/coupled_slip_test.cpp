@@ -6,6 +6,7 @@
 #include <hwy/targets.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <random>
 #include <string>
@@ -31,6 +32,19 @@ std::vector<CoupledScene> made_up_scenes(std::size_t count, unsigned seed, doubl
     s.block.slope_rad = uniform(random, -0.95, 0.95) * std::atan(s.block.friction);
     const double factor = std::exp(uniform(random, std::log(0.2), std::log(3.0)));
     s.factors = {random() % 2 == 0 ? factor : -factor, vertical * factor};
+  }
+  return scenes;
+}
+
+/// Every other building is given a spring that yields: without hardening, overdamped while it
+/// yields (0.002), and with tables of both stiffnesses.
+std::vector<CoupledScene> let_yield(std::vector<CoupledScene> scenes, unsigned seed) {
+  std::mt19937 random(seed);
+  constexpr std::array<double, 4> hardening{0.0, 0.002, 0.05, 0.3};
+  for (std::size_t k = 0; k < scenes.size(); k += 2) {
+    if (scenes[k].building.horizontal.period_s < 0.05) continue;  // as good as rigid
+    scenes[k].building.yielding = {std::exp(uniform(random, std::log(0.3), std::log(20.0))),
+                                   hardening[random() % hardening.size()]};
   }
   return scenes;
 }
@@ -82,6 +96,29 @@ TEST(coupled_slip, agrees_with_the_reference) {
   EXPECT_GT(expect_reference({0.01, a, w}, made_up_scenes(500, 4, 0.9)), 250);
 }
 
+TEST(coupled_slip, agrees_where_the_spring_yields) {
+  const auto a = made_up_record(1000, 18, 7.0), w = made_up_record(1000, 19, 3.0);
+  const auto flat = let_yield(made_up_scenes(500, 20, 0.0), 21),
+             shaken = let_yield(made_up_scenes(500, 22, 0.9), 23);
+  EXPECT_GT(expect_reference({0.01, a}, flat), 250);
+  EXPECT_GT(expect_reference({0.01, a, w}, shaken), 250);
+  int yielded = 0;
+  for (const CoupledScene& s : flat)
+    yielded += slide_coupled({0.01, a}, s.factors, s.building, s.block).ductility > 1.0 ? 1 : 0;
+  EXPECT_GT(yielded, 100);
+}
+
+TEST(coupled_slip, agrees_with_static_friction) {
+  const auto a = made_up_record(1000, 26, 7.0), w = made_up_record(1000, 27, 3.0);
+  auto scenes = let_yield(made_up_scenes(500, 28, 0.9), 29);
+  for (std::size_t k = 0; k < scenes.size(); ++k)
+    scenes[k].block.law.static_ratio = 1.0 + 0.1 * static_cast<double>(1 + k % 5);
+  EXPECT_GT(expect_reference({0.01, a, w}, scenes), 200);
+  int by_events = 0;
+  for (const CoupledPeak& p : solve({0.01, a, w}, scenes)) by_events += p.by_events ? 1 : 0;
+  EXPECT_LT(by_events, 100);  // as good as rigid, or lifted
+}
+
 TEST(coupled_slip, agrees_where_the_block_lifts) {
   const auto a = made_up_record(600, 5, 30.0), w = made_up_record(600, 6, 3.0);
   auto scenes = made_up_scenes(200, 7, 1.0);
@@ -129,7 +166,7 @@ TEST(coupled_slip, short_records_and_extreme_buildings_agree_too) {
 
 TEST(coupled_slip, company_changes_no_bit) {
   const auto a = made_up_record(700, 12, 7.0), w = made_up_record(700, 13, 3.0);
-  const auto scenes = made_up_scenes(50, 14, 0.7);
+  const auto scenes = let_yield(made_up_scenes(50, 14, 0.7), 24);
   const std::vector<CoupledPeak> together = solve({0.01, a, w}, scenes);
   for (std::size_t k = 0; k < scenes.size(); ++k) {
     const std::vector<CoupledPeak> alone = solve({0.01, a, w}, std::span(scenes).subspan(k, 1));
@@ -139,7 +176,7 @@ TEST(coupled_slip, company_changes_no_bit) {
 
 TEST(coupled_slip, all_simd_targets_give_the_same_bits) {
   const auto a = made_up_record(700, 15, 7.0), w = made_up_record(700, 16, 3.0);
-  const auto scenes = made_up_scenes(100, 17, 0.7);
+  const auto scenes = let_yield(made_up_scenes(100, 17, 0.7), 25);
   const auto use = [](std::int64_t targets) {
     hwy::SetSupportedTargetsForTest(targets);
     hwy::GetChosenTarget().Update(hwy::SupportedTargets());
