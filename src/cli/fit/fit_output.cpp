@@ -23,14 +23,25 @@ bool is_fitted(const ModelScore& model) { return !std::isnan(model.score); }
 
 void show(const char* name, double value, const Interval& interval) {
   if (std::isnan(value)) return;
-  fmt::print("{:<17}{:.6g}", name, value);
+  fmt::print("{:<19}{:.6g}", name, value);
   if (!std::isnan(interval.low))
     fmt::print("   95 % interval {:.4g} to {:.4g}", interval.low, interval.high);
   fmt::print("\n");
 }
 
 void show(const char* name, const std::string& text) {
-  if (!text.empty()) fmt::print("{:<17}{}\n", name, text);
+  if (!text.empty()) fmt::print("{:<19}{}\n", name, text);
+}
+
+std::string any_text(FitStatus status) {
+  if (status == FitStatus::lower_bound) return "none slips";
+  return status == FitStatus::upper_bound ? "all slip" : to_string(status);
+}
+
+std::string size_text(FitStatus status) {
+  return status == FitStatus::failed               ? "fewer than three slip, or all on one line"
+         : status == FitStatus::maximum_likelihood ? "least squares"
+                                                   : to_string(status);
 }
 
 Json json_of(const FitOutput& output) {
@@ -68,7 +79,7 @@ Json json_of(const FitOutput& output) {
 }
 
 void show_models(const ShapeComparison& comparison) {
-  fmt::print("models           {}\n", to_string(comparison.status));
+  fmt::print("models             {}\n", to_string(comparison.status));
   for (const ModelScore& model : comparison.models) {
     if (is_fitted(model))
       fmt::print("  {:<22} score {:.5f}, to lognormal {:+.5f} (standard error {:.5f})\n",
@@ -93,7 +104,7 @@ void print(const FitOutput& output, bool json) {
   show("intervals", f.interval_method);
   const GoodnessOfFit& fit = output.lognormal;
   if (!std::isnan(fit.p_value))
-    fmt::print("goodness of fit  p = {:.3g}, largest gap {:.3g} at {:.4g}{}\n", fit.p_value,
+    fmt::print("goodness of fit    p = {:.3g}, largest gap {:.3g} at {:.4g}{}\n", fit.p_value,
                fit.largest_gap, fit.gap_intensity,
                departs_from_lognormal(fit) ? ": not lognormal" : "");
   if (output.models) show_models(*output.models);
@@ -105,13 +116,13 @@ void print(const CloudSummary& cloud, bool json) {
   const TwoPartFit& f = cloud.fit;
   if (json) {
     Json of{{"any_slip",
-             {{"status", to_string(f.any_status)},
+             {{"status", any_text(f.any_status)},
               {"median", f.any.median},
               {"median_interval_95", to_json(cloud.any_median_interval)},
               {"log_std", f.any.log_std},
               {"log_std_interval_95", to_json(cloud.any_log_std_interval)}}},
             {"size",
-             {{"status", to_string(f.size_status)},
+             {{"status", size_text(f.size_status)},
               {"intercept", f.intercept},
               {"intercept_interval_95", to_json(cloud.intercept_interval)},
               {"slope", f.slope},
@@ -127,17 +138,17 @@ void print(const CloudSummary& cloud, bool json) {
                                   {"p50_interval_95", to_json(row.p50_interval)}});
     return fmt::print("{}\n", of.dump(2));
   }
-  fmt::print("any slip         {}\n", to_string(f.any_status));
+  fmt::print("any slip           {}\n", any_text(f.any_status));
   show("  median", f.any.median, cloud.any_median_interval);
   show("  log_std", f.any.log_std, cloud.any_log_std_interval);
-  fmt::print("size of slip     {}\n", to_string(f.size_status));
+  fmt::print("size of slip       {}\n", size_text(f.size_status));
   show("  intercept", f.intercept, cloud.intercept_interval);
   show("  slope", f.slope, cloud.slope_interval);
   show("  log_std", f.log_std, cloud.log_std_interval);
   for (const CloudMedian& row : cloud.medians)
     show(fmt::format("50 % above {:g} at", row.threshold).c_str(), row.p50, row.p50_interval);
   show("effective records", cloud.effective_records, {});
-  fmt::print("status           {}\n", f.has_curve() ? "two-part fit" : "no curve");
+  fmt::print("status             {}\n", f.has_curve() ? "two-part fit" : "no curve");
 }
 
 }  // namespace glissade::cli
