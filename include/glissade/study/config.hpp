@@ -93,6 +93,7 @@ struct OrientationConfig {
 struct SamplingConfig {
   SamplingMethod method = SamplingMethod::sobol;
   std::uint64_t samples = 1024;  ///< >= 1
+  std::uint64_t scrambles = 1;   ///< independent parts of the samples, of equal size
   int bootstrap_replicates = 1000;
 };
 
@@ -150,6 +151,12 @@ struct VerdictConfig {
   std::vector<double> exceedance = {0.1, 0.05, 0.01};  ///< falling, (0, 1)
 };
 
+/// Probabilities of small exceedance, with samples from wider distributions.
+struct RareConfig {
+  std::vector<double> thresholds_m;  ///< > 0, strictly increasing
+  double widening = 3.0;  ///< >= 1: on the standard normal numbers of unbounded quantities
+};
+
 /// A study as its file states it: checked, defaults filled in, nothing read or run yet.
 struct StudyConfig {
   std::string name;
@@ -175,6 +182,7 @@ struct StudyConfig {
   std::optional<ClearanceConfig> clearance;
   std::optional<HazardConfig> hazard;
   std::optional<VerdictConfig> verdict;
+  std::optional<RareConfig> rare;
   StandardsConfig standards;
   bool sensitivity = false;          ///< where the spread comes from
   bool shape = false;                ///< of the fragilities

@@ -14,6 +14,8 @@
 #include "glissade/study/analysis/clearance.hpp"
 #include "glissade/study/analysis/condition_table.hpp"
 #include "glissade/study/analysis/hazard.hpp"
+#include "glissade/study/analysis/rare.hpp"
+#include "glissade/study/analysis/sampling_error.hpp"
 #include "glissade/study/analysis/sensitivity.hpp"
 #include "glissade/study/analysis/shape.hpp"
 #include "glissade/study/analysis/tipping.hpp"
@@ -216,6 +218,8 @@ struct Results {
   std::optional<VerdictResults> verdict;
   std::optional<SensitivityResults> sensitivity;
   std::optional<ShapeResults> shape;
+  std::optional<RareResults> rare;
+  std::vector<SamplingErrorRow> sampling_errors;  ///< of the fragility; of two scrambles or more
 };
 
 /// The histories of some cases in a row.

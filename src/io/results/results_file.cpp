@@ -218,6 +218,12 @@ void check_shape(const ShapeResults& shape, const Results& results) {
   }
 }
 
+void check_shape(const RareResults& rare, const Results& results) {
+  expect_fit(!rare.rows.empty(), "rows", "rare");
+  for (const RareRow& row : rare.rows)
+    expect_fit(row.first_case < results.cases.size(), "first_case", "cases");
+}
+
 /// With the conditions, which are made of the histories again.
 void check_analyses(Results& results) {
   if (results.chart) check_shape(*results.chart, results.levels.size());
@@ -228,6 +234,7 @@ void check_analyses(Results& results) {
   if (results.verdict) check_shape(*results.verdict, results);
   if (results.sensitivity) check_shape(*results.sensitivity, results);
   if (results.shape) check_shape(*results.shape, results);
+  if (results.rare) check_shape(*results.rare, results);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "results/analysis/clearance.hpp"
 #include "results/analysis/fragility.hpp"
 #include "results/analysis/hazard.hpp"
+#include "results/analysis/rare.hpp"
 #include "results/analysis/sensitivity.hpp"
 #include "results/analysis/shape.hpp"
 #include "results/analysis/tipping.hpp"
@@ -223,6 +224,9 @@ void exchange_analyses(const Archive& archive, const IntensityScale& scale, R& r
            [&](const auto& group, auto& found) { exchange_sensitivity(group, scale, found); });
   if_there(archive, "shape", results.shape,
            [&](const auto& group, auto& found) { exchange_shape(group, scale, found); });
+  if_there(archive, "rare", results.rare,
+           [&](const auto& group, auto& found) { exchange_rare(group, scale, found); });
+  exchange_sampling_errors(archive, results.sampling_errors);
 }
 
 template <class Archive, class R>

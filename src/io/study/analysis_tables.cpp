@@ -231,6 +231,28 @@ void read_sensitivity(const TomlTable& root, StudyConfig& study) {
         "slope_axis");
 }
 
+void read_rare(const TomlTable& root, StudyConfig& study) {
+  const TomlTable table = root.table("rare");
+  constexpr std::uint64_t least_scrambles = 8;
+  constexpr NumberRule widening_rule{"from 1 to 10",
+                                     [](double x) { return x >= 1.0 && x <= 10.0; }};
+  RareConfig& rare = study.rare.emplace();
+  rare.thresholds_m = read_increasing(table, "thresholds_m", above_zero);
+  rare.widening = table.number("widening", widening_rule).value_or(rare.widening);
+  needs(root, "rare", study.samples_friction() && !unbounded_dimensions(study).empty(),
+        "a drawn quantity without bounds (normal or lognormal)");
+  needs(root, "rare", study.sampling.scrambles >= least_scrambles,
+        "sampling.scrambles of 8 or more, which give its sampling error");
+  for (const char* other :
+       {"fragility", "chart", "clearance", "base_shear", "tipping", "verdict", "sensitivity"}) {
+    if (root.has(other))
+      root.report("rare",
+                  std::string("[rare] draws from wider distributions, and [") + other +
+                      "] would count its samples as drawn",
+                  "divide the study into two");
+  }
+}
+
 /// Which values of drawn friction an analysis reads, and no more are run than are read.
 void check_friction_values(const TomlTable& root, const StudyConfig& study) {
   if (!study.quantities.at("friction", "mu").is_drawn() &&
@@ -278,7 +300,8 @@ constexpr AnalysisTable analysis_tables[] = {{"fragility", read_fragility, true,
                                              {"tipping", read_tipping, false, false},
                                              {"verdict", read_verdict, true, true, true},
                                              {"sensitivity", read_sensitivity, false, false},
-                                             {"shape", read_shape, false, false, true}};
+                                             {"shape", read_shape, false, false, true},
+                                             {"rare", read_rare, true, true}};
 
 /// "[fragility], [chart] ..." of those for which a property holds.
 template <class Property>

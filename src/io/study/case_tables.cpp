@@ -154,6 +154,13 @@ SamplingConfig read_sampling(const TomlTable& table) {
                  "take " + std::to_string(std::bit_floor(*samples)) + " or " +
                      std::to_string(std::bit_ceil(*samples)) + ", or method = \"monte_carlo\"");
   }
+  sampling.scrambles = table.whole("scrambles", 1, 1024).value_or(sampling.scrambles);
+  if (sampling.samples % sampling.scrambles != 0 ||
+      (sampling.method == SamplingMethod::sobol && !std::has_single_bit(sampling.scrambles)))
+    table.report("scrambles",
+                 "sampling.scrambles = " + std::to_string(sampling.scrambles) +
+                     " does not divide the samples into equal parts (of a power of two for Sobol)",
+                 "for example 16, with samples = 1024");
   sampling.bootstrap_replicates =
       static_cast<int>(table.whole("bootstrap_replicates", 100, 1000000)
                            .value_or(static_cast<std::uint64_t>(sampling.bootstrap_replicates)));

@@ -139,6 +139,9 @@ void add_cases(std::vector<GrammarKey>& keys) {
         "scrambled Sobol points, or independent ones"},
        {"sampling", "samples", "whole number", fmt::format("{}", usual.sampling.samples),
         "samples of what is drawn; for Sobol a power of two"},
+       {"sampling", "scrambles", "whole number", "1",
+        "independent parts of the samples; two or more give the sampling error beside that of the "
+        "records"},
        {"sampling", "bootstrap_replicates", "whole number",
         fmt::format("{}", usual.sampling.bootstrap_replicates),
         "resamples of whole records for the intervals"}});
@@ -179,6 +182,11 @@ void add_analyses(std::vector<GrammarKey>& keys) {
         "where the spread comes from: Sobol indices of the records and of each drawn quantity; "
         "runs "
         "samples x (2 + drawn quantities) samples; needs [fragility]"},
+       {"rare", "thresholds_m", "list or { from, to, count }", "required",
+        "clearances, m: small probabilities that displacement reaches each, at each level; drawn "
+        "quantities without bounds are drawn from wider distributions, with weights; stands alone"},
+       {"rare", "widening", "number", fmt::format("{:g}", RareConfig{}.widening),
+        "factor on the standard normal numbers of these quantities, 1 to 10"},
        {"chart", "shown", "{ slope_deg, mu, level }", "the middle; the highest level",
         "where the figures cut through the chart"},
        {"chart", "read", "[[chart.read]] with level, slope_deg and mu or displacement_m", "none",

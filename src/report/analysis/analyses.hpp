@@ -35,6 +35,8 @@ AnalysisReport hazard_report();
 AnalysisReport shape_report();
 AnalysisReport verdict_report();
 AnalysisReport sensitivity_report();
+AnalysisReport sampling_error_report();
+AnalysisReport rare_report();
 
 /// What a part gives for each analysis, one after the other.
 template <class T>

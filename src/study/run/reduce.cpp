@@ -210,6 +210,8 @@ void analyse(const StudyConfig& study, Results& results) {
   if (study.verdict) results.verdict = verdict_results(study, results);
   if (study.sensitivity) results.sensitivity = sensitivity_results(study, results);
   if (study.shape) results.shape = shape_results(results);
+  if (study.rare) results.rare = rare_results(study, results);
+  results.sampling_errors = sampling_error_rows(study, results);
 }
 
 }  // namespace
@@ -238,6 +240,7 @@ void analyse_again(const StudyConfig& study, Results& results) {
   results.verdict.reset();
   results.sensitivity.reset();
   results.shape.reset();
+  results.rare.reset();
   analyse(study, results);
 }
 

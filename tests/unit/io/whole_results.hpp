@@ -303,6 +303,16 @@ inline void add_sensitivity(Results& r) {
   }
 }
 
+inline void add_rare(Results& r) {
+  RareResults& rare = r.rare.emplace();
+  rare.widening = 3.0;
+  rare.weights = {0.5, 3.0};
+  for (const double x : {0.25, 0.5})
+    rare.rows.push_back(
+        {4, "flat", x, 2.0 * x, 1e-5 * x, {0.0, 2e-5}, {1e-6, x}, 8.0 * x, 1e6 * x});
+  r.sampling_errors = {{"sampled", 0.15, 1.25, 0.0625, 0.0078125}};
+}
+
 /// Every analysis of one study.
 inline Results with_all() {
   Results r = whole_results(true);
@@ -316,6 +326,7 @@ inline Results with_all() {
   add_verdict(r);
   add_sensitivity(r);
   add_shape(r);
+  add_rare(r);
   return r;
 }
 

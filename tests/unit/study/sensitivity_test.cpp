@@ -71,6 +71,7 @@ StudyConfig two_factor_config(std::uint64_t samples) {
   config.friction.values = {FrictionValue::as_drawn};
   config.intensity.levels = {0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 4.0, 8.0};
   config.sampling.samples = samples;
+  config.sampling.bootstrap_replicates = 100;
   config.fragility = FragilityConfig{.thresholds_m = {0.05}};
   return config;
 }
@@ -145,7 +146,7 @@ struct BruteForce {
 };
 
 TEST(sensitivity, of_a_slip_study_is_that_of_brute_force) {
-  const BruteForce exact(40);
+  const BruteForce exact(24);
   const Results results = test::run(small_plan(two_factor_config(512)));
   const SensitivityResults& found = *results.sensitivity;
   ASSERT_EQ(found.factors,

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "glissade/fragility/fit.hpp"
+
+namespace glissade {
+
+struct StudyConfig;
+struct Results;
+
+/// The probability, over records and samples, that displacement reaches a threshold at a level.
+struct RareRow {
+  std::uint64_t first_case = 0;  ///< of the histories' cases
+  std::string condition;         ///< which combination of what the study lists
+  double threshold_m = 0.0, level = 0.0;
+  double probability = 0.0;
+  Interval sampling_interval;  ///< 95 %, of the samples, on these records
+  Interval record_interval;    ///< 95 %, bootstrap over records
+  /// (sum p_r)^2 / sum p_r^2 of the records' probabilities p_r: the number that carries it. NaN at
+  /// 0.
+  double effective_records = 0.0;
+  double plain_samples = 0.0;  ///< samples of plain Monte Carlo with the same sampling error
+};
+
+struct RareResults {
+  double widening = 1.0;
+  std::vector<double> weights;  ///< by sample: probability over that of the widened distributions
+  std::vector<RareRow> rows;    ///< by (combination, threshold, level)
+};
+
+/// Precondition: config.rare.
+RareResults rare_results(const StudyConfig& config, const Results& results);
+
+}  // namespace glissade

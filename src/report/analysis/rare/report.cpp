@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "analysis/analyses.hpp"
+#include "glissade/report/format.hpp"
+#include "page/page.hpp"
+#include "text/study_text.hpp"
+
+namespace glissade {
+namespace {
+
+/// The lowest probability that is drawn.
+constexpr double least = 1e-7;
+
+std::string small(double probability) { return fmt::format("{:.2g}", probability); }
+
+Table rare_table(const Results& results) {
+  Table table{
+      "rare",
+      "Probability, given the level, that slip reaches the threshold",
+      {text_column("condition", "Array"),
+       {"threshold", "m", "Threshold, m (in)", ColumnKind::length},
+       intensity_column(results, "level", "Level"),
+       text_column("estimate", "Probability"),
+       text_column("samples", "95 %, samples"),
+       text_column("records", "95 %, records"),
+       {"effective_records", "", "Records that carry it"},
+       {"plain_samples", "", "Plain Monte Carlo samples", ColumnKind::number, false, -1, true},
+       {"probability", "", "Probability", ColumnKind::number, true, -1, true}},
+      {}};
+  const auto range = [](const Interval& i) {
+    return std::isnan(i.low) ? std::string("-") : small(i.low) + " to " + small(i.high);
+  };
+  for (const RareRow& row : results.rare->rows)
+    table.add({row.condition, row.threshold_m, row.level, small(row.probability),
+               range(row.sampling_interval), range(row.record_interval), row.effective_records,
+               row.plain_samples, Estimate{row.probability, row.record_interval}});
+  table.notes = {
+      "Samples: interval from independent scrambles, on these records. Records: bootstrap over "
+      "records. Records that carry it: (sum p)^2 / sum p^2 of the records' probabilities p; where "
+      "few do, the interval over records is too narrow.",
+      "Plain Monte Carlo samples: as many would be required for the same sampling error."};
+  return table;
+}
+
+/// The probability nearest 1e-5 that has an interval of the samples.
+const RareRow* shown_row(const RareResults& rare) {
+  const RareRow* found = nullptr;
+  const auto distance = [](const RareRow& row) {
+    return std::abs(std::log(row.probability) - std::log(1e-5));
+  };
+  for (const RareRow& row : rare.rows) {
+    if (row.probability > 0.0 && row.sampling_interval.low > 0.0 &&
+        (found == nullptr || distance(row) < distance(*found)))
+      found = &row;
+  }
+  return found;
+}
+
+std::vector<std::string> sentences(const Results& results) {
+  const RareRow* row = shown_row(*results.rare);
+  if (row == nullptr) return {};
+  return {fmt::format(
+      "At {} slip reaches {} with a probability of {} (95 %: {} to {} of the samples, {} to {} of "
+      "the records; {:.1f} of {} records carry it). Plain Monte Carlo would need {:.2g} samples "
+      "for "
+      "that sampling error; {} were run.",
+      at_intensity(results, row->level), format_length(row->threshold_m), small(row->probability),
+      small(row->sampling_interval.low), small(row->sampling_interval.high),
+      small(row->record_interval.low), small(row->record_interval.high), row->effective_records,
+      results.records.size(), row->plain_samples, results.cases.samples)};
+}
+
+std::string summary(const Results& results) {
+  std::string text = to_text(rare_table(results)) + "\n";
+  for (const std::string& sentence : sentences(results)) text += wrapped(sentence);
+  return text;
+}
+
+/// Of the first combination: a line for each threshold.
+Figure rare_figure(const Results& results) {
+  const RareResults& rare = *results.rare;
+  Figure figure{"rare", "Probability that slip reaches the clearance", counts_of(results),
+                "Lines: estimate. Bars: 95 % interval of the samples, from independent scrambles. "
+                "Shaded: 95 % interval over records. Quantities without bounds are drawn from "
+                "wider distributions, with weights."};
+  Panel panel{"",
+              {results.intensity_label, 0.0, 1.05 * results.levels.back()},
+              {"Probability", std::log10(least), 0.0}};
+  for (int decade = -7; decade <= 0; ++decade)
+    panel.y.ticks.push_back(
+        {static_cast<double>(decade), fmt::format("{:g}", std::pow(10.0, decade))});
+  std::vector<double> thresholds;
+  for (const RareRow& row : rare.rows) {
+    if (row.first_case == rare.rows.front().first_case &&
+        (thresholds.empty() || thresholds.back() != row.threshold_m))
+      thresholds.push_back(row.threshold_m);
+  }
+  const auto height = [](double p) { return std::log10(std::clamp(p, least, 1.0)); };
+  for (std::size_t t = 0; t < thresholds.size(); ++t) {
+    Look line_look = distinct_look(t), band_look = line_look;
+    line_look.symbol = 7;
+    for (unsigned shift = 0; shift < 24; shift += 8) {
+      const std::uint32_t channel = band_look.colour.rgb >> shift & 255u;
+      band_look.colour.rgb += (255u - channel) * 4u / 5u << shift;
+    }
+    const std::string name = format_length(thresholds[t]);
+    DataSeries band{DataSeries::Kind::band, band_look, name + " records"},
+        bars{DataSeries::Kind::bars, line_look, name + " samples"},
+        line{DataSeries::Kind::line_and_points, line_look, name, name};
+    for (const RareRow& row : rare.rows) {
+      if (row.first_case != rare.rows.front().first_case || row.threshold_m != thresholds[t] ||
+          row.probability < least)
+        continue;
+      line.x.push_back(row.level);
+      line.y.push_back(height(row.probability));
+      if (!std::isnan(row.sampling_interval.low)) {
+        bars.x.push_back(row.level);
+        bars.low.push_back(height(row.sampling_interval.low));
+        bars.high.push_back(height(row.sampling_interval.high));
+      }
+      if (!std::isnan(row.record_interval.low)) {
+        band.x.push_back(row.level);
+        band.low.push_back(height(row.record_interval.low));
+        band.high.push_back(height(row.record_interval.high));
+      }
+    }
+    panel.series.insert(panel.series.begin(), std::move(band));
+    panel.series.push_back(std::move(bars));
+    panel.series.push_back(std::move(line));
+  }
+  figure.panels.push_back(std::move(panel));
+  return figure;
+}
+
+Html section(const Results& results) {
+  return heading("Small probabilities") + wide_table(rare_table(results)) +
+         paragraph(fmt::format(
+             "Samples of quantities without bounds are from distributions whose standard normal "
+             "numbers are {:g} times those of the study; weights (results.h5, /rare/weight) make "
+             "up "
+             "for it. Friction, slip and other numbers in results.h5 are those of the samples.",
+             results.rare->widening));
+}
+
+std::vector<std::string> error_sentences(const Results& results) {
+  const SamplingErrorRow& row = results.sampling_errors.front();
+  const bool records = row.record_error > row.sampling_error;
+  return {fmt::format(
+      "The standard error of the median at {} is {:.1f} % from the number of records and {:.2f} % "
+      "from the samples: {}.",
+      format_length(row.threshold_m), 100.0 * row.record_error, 100.0 * row.sampling_error,
+      records ? "more records would make the result more certain, more samples would not"
+              : "more samples would make the result more certain")};
+}
+
+Table sampling_error_table(const Results& results) {
+  Table table{"sampling_error",
+              "Standard errors of the median capacity",
+              {text_column("run", "Friction"),
+               {"threshold", "m", "Threshold, m (in)", ColumnKind::length},
+               intensity_column(results, "median", "Median"),
+               {"record_error", "", "Of the records", ColumnKind::share},
+               {"sampling_error", "", "Of the samples", ColumnKind::share}},
+              {}};
+  for (const SamplingErrorRow& row : results.sampling_errors)
+    table.add({row.label, row.threshold_m, row.median, row.record_error, row.sampling_error});
+  return table;
+}
+
+}  // namespace
+
+AnalysisReport rare_report() {
+  return {.is_in = [](const Results& results) { return results.rare.has_value(); },
+          .summary = summary,
+          .sentences = sentences,
+          .figures = [](const Results& results) { return std::vector{rare_figure(results)}; },
+          .tables = [](const Results& results) { return std::vector{rare_table(results)}; },
+          .section = section};
+}
+
+AnalysisReport sampling_error_report() {
+  return {
+      .is_in = [](const Results& results) { return !results.sampling_errors.empty(); },
+      .summary =
+          [](const Results& results) {
+            return to_text(sampling_error_table(results)) + "\n" +
+                   wrapped(error_sentences(results).front());
+          },
+      .sentences = error_sentences,
+      .tables = [](const Results& results) { return std::vector{sampling_error_table(results)}; },
+      .section =
+          [](const Results& results) {
+            return heading("Error of the samples, error of the records") +
+                   wide_table(sampling_error_table(results));
+          }};
+}
+
+}  // namespace glissade

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// [rare] and sampling.scrambles in study files and results files.
+#include "study_texts.hpp"
+#include "whole_results.hpp"
+
+namespace glissade {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+class RareStudy : public StudyFile {
+ protected:
+  static std::string with(const std::string& tables) {
+    return study_part + suite_part + intensity_part + friction_part + tables;
+  }
+};
+
+constexpr auto rare = "[rare]\nthresholds_m = [0.1, 0.2]\n";
+
+TEST_F(RareStudy, stands_alone_with_scrambles) {
+  const StudyConfig study = read(with(std::string(rare) + "[sampling]\nscrambles = 16\n"));
+  ASSERT_TRUE(study.rare);
+  EXPECT_THAT(study.rare->thresholds_m, ElementsAre(0.1, 0.2));
+  EXPECT_EQ(study.rare->widening, 3.0);
+  EXPECT_EQ(study.sampling.scrambles, 16u);
+}
+
+TEST_F(RareStudy, refuses_what_it_cannot_weigh) {
+  const std::string sampling = "[sampling]\nscrambles = 16\n";
+  EXPECT_THAT(error(with(rare)), HasSubstr("scrambles"));
+  EXPECT_THAT(error(with(rare + sampling + fragility_part)), HasSubstr("[fragility]"));
+  EXPECT_THAT(
+      error(study_part + suite_part + intensity_part + "[friction]\nmu = 0.5\n" + rare + sampling),
+      HasSubstr("without bounds"));
+}
+
+TEST_F(RareStudy, refuses_scrambles_that_do_not_divide_the_samples) {
+  EXPECT_THAT(error(needed + "[sampling]\nsamples = 64\nscrambles = 3\n"),
+              HasSubstr("sampling.scrambles = 3"));
+  EXPECT_THAT(error(needed + "[sampling]\nsamples = 64\nscrambles = 128\n"),
+              HasSubstr("sampling.scrambles = 128"));
+}
+
+TEST(rare_results_file, comes_back_and_refuses_rows_that_do_not_fit) {
+  const TemporaryFolder folder;
+  Results results = with_all();
+  write_results(folder.path() / "results.h5", results);
+  const Results read = read_results(folder.path() / "results.h5");
+  ASSERT_TRUE(read.rare);
+  EXPECT_EQ(read.rare->weights, results.rare->weights);
+  EXPECT_EQ(read.rare->rows[1].probability, 5e-6);
+  EXPECT_EQ(read.rare->rows[1].record_interval.high, 0.5);
+  ASSERT_EQ(read.sampling_errors.size(), 1u);
+  EXPECT_EQ(read.sampling_errors[0].record_error, 0.0625);
+  results.rare->rows[0].first_case = results.cases.size();
+  EXPECT_THAT(refusal_of(results), HasSubstr("first_case"));
+}
+
+}  // namespace
+}  // namespace glissade
