@@ -4,8 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <numbers>
 
 #include "glissade/core/contract.hpp"
+#include "glissade/core/oscillator.hpp"
+#include "glissade/core/units.hpp"
 #include "glissade/motion/response_spectrum.hpp"
 
 namespace glissade {
@@ -19,6 +22,23 @@ double combined(const Motion& motion, HorizontalCombination combination, Measure
   const double first = measure(motion.horizontal_mps2[0]);
   return has_second(motion) ? combine(combination, first, measure(motion.horizontal_mps2[1]))
                             : first;
+}
+
+double peak_roof_velocity_mps(double dt_s, std::span<const double> acceleration_mps2,
+                              double period_s, double damping_ratio) {
+  const double omega = 2.0 * std::numbers::pi / period_s;
+  const OscillatorStep step = oscillator_step(omega * dt_s, damping_ratio);
+  double x = 0.0, y = 0.0, ground = 0.0, peak = 0.0;
+  for (std::size_t n = 0; n < acceleration_mps2.size(); ++n) {
+    const double a = acceleration_mps2[n];
+    const double b = n + 1 < acceleration_mps2.size() ? acceleration_mps2[n + 1] : 0.0;
+    const double x1 = step.xx * x + step.xy * y - (step.x_start * a + step.x_end * b);
+    y = -step.xy * x + step.yy * y - (step.y_start * a + step.y_end * b);
+    x = x1;
+    ground += 0.5 * dt_s * (a + b);
+    peak = std::max(peak, std::abs(ground + y / omega));
+  }
+  return peak;
 }
 
 }  // namespace
@@ -116,6 +136,35 @@ double horizontal_pgd_m(const Motion& motion, HorizontalCombination combination)
   return combined(motion, combination, [&](const std::vector<double>& component) {
     return peak_ground_displacement_m(motion.dt_s, component);
   });
+}
+
+double arias_intensity_mps(const Motion& motion) {
+  const auto of = [&](const std::vector<double>& a) {
+    double integral = 0.0;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+      const double next = i + 1 < a.size() ? a[i + 1] : 0.0;
+      integral += motion.dt_s / 3.0 * (a[i] * a[i] + a[i] * next + next * next);
+    }
+    return std::numbers::pi / (2.0 * standard_gravity_mps2) * integral;
+  };
+  const auto& [first, second] = motion.horizontal_mps2;
+  return second.empty() ? of(first)
+                        : combine(HorizontalCombination::geometric_mean, of(first), of(second));
+}
+
+std::vector<double> horizontal_roof_velocity_mps(const Motion& motion,
+                                                 std::span<const double> periods_s,
+                                                 double damping_ratio) {
+  std::vector<double> velocities;
+  for (const double period_s : periods_s) {
+    velocities.push_back(combined(
+        motion, HorizontalCombination::geometric_mean, [&](const std::vector<double>& component) {
+          return period_s > 0.0
+                     ? peak_roof_velocity_mps(motion.dt_s, component, period_s, damping_ratio)
+                     : peak_ground_velocity_mps(motion.dt_s, component);
+        }));
+  }
+  return velocities;
 }
 
 double average_sa_mps2(const Motion& motion, std::span<const double> periods_s,

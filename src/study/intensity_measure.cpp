@@ -5,7 +5,6 @@
 
 #include <array>
 #include <cmath>
-#include <numbers>
 
 #include "glissade/core/units.hpp"
 #include "glissade/motion/intensity.hpp"
@@ -27,22 +26,6 @@ struct MeasureRow {
 double geometric_mean_sa_mps2(const Motion& motion, double period_s) {
   return horizontal_spectrum_mps2(motion, {&period_s, 1}, HorizontalCombination::geometric_mean)
       .front();
-}
-
-/// pi/(2 g) times the integral of a^2 (Arias 1970), exact for a piecewise-linear record with its
-/// last interval to zero. Geometric mean of the horizontals, m/s.
-double arias_intensity_mps(const Motion& motion) {
-  const auto of = [&](const std::vector<double>& a) {
-    double integral = 0.0;
-    for (std::size_t i = 0; i < a.size(); ++i) {
-      const double next = i + 1 < a.size() ? a[i + 1] : 0.0;
-      integral += motion.dt_s / 3.0 * (a[i] * a[i] + a[i] * next + next * next);
-    }
-    return std::numbers::pi / (2.0 * standard_gravity_mps2) * integral;
-  };
-  const auto& [first, second] = motion.horizontal_mps2;
-  return second.empty() ? of(first)
-                        : combine(HorizontalCombination::geometric_mean, of(first), of(second));
 }
 
 const std::array rows = {

@@ -35,6 +35,16 @@ double horizontal_pga_mps2(const Motion& motion, HorizontalCombination combinati
 double horizontal_pgv_mps(const Motion& motion, HorizontalCombination combination);
 double horizontal_pgd_m(const Motion& motion, HorizontalCombination combination);
 
+/// pi/(2 g) times the integral of a^2 (Arias 1970), exact for a piecewise-linear record with its
+/// last interval to zero. Geometric mean of the horizontals, m/s.
+double arias_intensity_mps(const Motion& motion);
+
+/// Largest absolute velocity, at the samples, of a roof that is a linear oscillator on the ground,
+/// one per period; 0: of the ground. Geometric mean of the horizontals (scale not applied).
+std::vector<double> horizontal_roof_velocity_mps(const Motion& motion,
+                                                 std::span<const double> periods_s,
+                                                 double damping_ratio = 0.05);
+
 /// Average spectral acceleration: the geometric mean over the periods and both components (Eads,
 /// Miranda & Lignos 2015, EESD 44:2057-2073), m/s2.
 double average_sa_mps2(const Motion& motion, std::span<const double> periods_s,

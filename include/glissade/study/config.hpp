@@ -157,6 +157,11 @@ struct RareConfig {
   double widening = 3.0;  ///< >= 1: on the standard normal numbers of unbounded quantities
 };
 
+/// Intensity measures are ranked by what they say about the capacities of [fragility].
+struct IntensityMeasuresConfig {
+  std::vector<double> sa_periods_s = {0.2, 0.5, 1.0, 2.0};  ///< rising, 0.02 to 4
+};
+
 /// A study as its file states it: checked, defaults filled in, nothing read or run yet.
 struct StudyConfig {
   std::string name;
@@ -183,6 +188,7 @@ struct StudyConfig {
   std::optional<HazardConfig> hazard;
   std::optional<VerdictConfig> verdict;
   std::optional<RareConfig> rare;
+  std::optional<IntensityMeasuresConfig> intensity_measures;
   StandardsConfig standards;
   bool sensitivity = false;          ///< where the spread comes from
   bool shape = false;                ///< of the fragilities

@@ -14,6 +14,7 @@
 #include "glissade/study/analysis/clearance.hpp"
 #include "glissade/study/analysis/condition_table.hpp"
 #include "glissade/study/analysis/hazard.hpp"
+#include "glissade/study/analysis/intensity_measures.hpp"
 #include "glissade/study/analysis/rare.hpp"
 #include "glissade/study/analysis/sampling_error.hpp"
 #include "glissade/study/analysis/sensitivity.hpp"
@@ -164,6 +165,9 @@ struct RecordSummary {
   std::uint64_t samples = 0;
   bool has_second = false, has_vertical = false;
   std::uint64_t stronger = 0;  ///< the component with the larger integral of a^2: 0 or 1
+  /// As recorded, geometric means of the horizontals; NaN or empty in files of earlier versions.
+  double arias_mps = std::numeric_limits<double>::quiet_NaN();
+  std::vector<double> sa_g, roof_velocity_mps;  ///< 5 % damped, at Results::record_periods_s
 };
 
 /// 5 % spectra of the suite, scaled to `reference_level` (sds_g) or by the suite's own factors
@@ -204,6 +208,7 @@ struct Results {
   std::vector<double> levels, thresholds_m;
   CaseSet cases;
   std::vector<RecordSummary> records;        ///< those of one suite together
+  std::vector<double> record_periods_s;      ///< of their spectra as recorded
   HistoryTable histories;                    ///< by (record, case)
   std::optional<ConditionTable> conditions;  ///< of a study with [clearance] or [base_shear]
   std::vector<std::string> warnings;         ///< shown before the results
@@ -220,6 +225,7 @@ struct Results {
   std::optional<ShapeResults> shape;
   std::optional<RareResults> rare;
   std::vector<SamplingErrorRow> sampling_errors;  ///< of the fragility; of two scrambles or more
+  std::optional<std::vector<RankedMeasure>> intensity_measures;
 };
 
 /// The histories of some cases in a row.

@@ -63,6 +63,9 @@ void check_suites(const Results& results) {
     expect_fit(record.suite == suite || record.suite == suite + 1, "records", "suites");
     suite = record.suite;
     expect_fit(record.stronger <= 1, "stronger", "two components");
+    expect_fit(record.sa_g.size() == results.record_periods_s.size() &&
+                   record.roof_velocity_mps.size() == results.record_periods_s.size(),
+               "sa_g", "period_s");
   }
   expect_fit(suite + 1 == results.suites.size(), "records", "suites");
   for (std::size_t i = 0; i < results.suites.size(); ++i) {
@@ -178,6 +181,11 @@ void check_shape(const TippingResults& tipping, const Results& results) {
   }
 }
 
+void check_shape(const std::vector<RankedMeasure>& ranked, const Results& results) {
+  for (const RankedMeasure& row : ranked)
+    expect_fit(row.run < results.runs.size(), "run", "intensity_measures");
+}
+
 void check_shape(const VerdictResults& verdict, const Results& results) {
   expect_fit(!verdict.exceedance.empty(), "exceedance", "verdict");
   for (const VerdictRow& row : verdict.rows) {
@@ -235,6 +243,7 @@ void check_analyses(Results& results) {
   if (results.sensitivity) check_shape(*results.sensitivity, results);
   if (results.shape) check_shape(*results.shape, results);
   if (results.rare) check_shape(*results.rare, results);
+  if (results.intensity_measures) check_shape(*results.intensity_measures, results);
 }
 
 }  // namespace

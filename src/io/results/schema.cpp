@@ -7,6 +7,7 @@
 #include "results/analysis/clearance.hpp"
 #include "results/analysis/fragility.hpp"
 #include "results/analysis/hazard.hpp"
+#include "results/analysis/intensity_measures.hpp"
 #include "results/analysis/rare.hpp"
 #include "results/analysis/sensitivity.hpp"
 #include "results/analysis/shape.hpp"
@@ -101,8 +102,8 @@ void exchange_histories(const Archive& archive, const IntensityScale& scale, R& 
   });
 }
 
-template <class Archive, class Records>
-void exchange_records(const Archive& archive, Records& records) {
+template <class Archive, class Records, class Periods>
+void exchange_records(const Archive& archive, Records& records, Periods& periods_s) {
   const Columns column(archive, records, "id");
   column("id", {"-", "name of the motion in its suite"}, &RecordSummary::id);
   column("event", {"-", "earthquake"}, &RecordSummary::event);
@@ -137,6 +138,20 @@ void exchange_records(const Archive& archive, Records& records) {
   column("duration_s",
          {"s", "D5-95: from 5 to 95 % of the integral of a^2 of the horizontals together"},
          &RecordSummary::duration_s);
+  if constexpr (Archive::reads) {
+    if (!archive.has("arias_mps")) return;  // likewise
+  }
+  column("arias_mps", {"m/s", "geometric mean of the horizontals' Arias intensities, as recorded"},
+         &RecordSummary::arias_mps);
+  list(archive, "period_s", {"s", "periods of the spectra"}, periods_s);
+  matrix(
+      archive, "sa_g",
+      {"g", "geometric mean of the horizontals' 5 % spectra, as recorded, by (record, period)"},
+      records, [](auto& record) -> auto& { return record.sa_g; });
+  matrix(
+      archive, "roof_velocity_mps",
+      {"m/s", "the same of the largest absolute velocity of the oscillator"}, records,
+      [](auto& record) -> auto& { return record.roof_velocity_mps; });
 }
 
 template <class Archive, class Spectra>
@@ -227,6 +242,8 @@ void exchange_analyses(const Archive& archive, const IntensityScale& scale, R& r
   if_there(archive, "rare", results.rare,
            [&](const auto& group, auto& found) { exchange_rare(group, scale, found); });
   exchange_sampling_errors(archive, results.sampling_errors);
+  if_there(archive, "intensity_measures", results.intensity_measures,
+           [&](const auto& group, auto& rows) { exchange_intensity_measures(group, rows); });
 }
 
 template <class Archive, class R>
@@ -240,7 +257,7 @@ void exchange_all(const Archive& archive, R& results) {
        results.warnings);
   list(archive, "note", {"-", "remarks on the results"}, results.notes);
   exchange_cases(archive.group("cases"), results.cases);
-  exchange_records(archive.group("records"), results.records);
+  exchange_records(archive.group("records"), results.records, results.record_periods_s);
   exchange_suites(archive.group("suites"), scale, results.suites);
   exchange_histories(archive.group("histories"), scale, results);
   exchange_analyses(archive, scale, results);

@@ -253,6 +253,18 @@ void read_rare(const TomlTable& root, StudyConfig& study) {
   }
 }
 
+void read_intensity_measures(const TomlTable& root, StudyConfig& study) {
+  const TomlTable table = root.table("intensity_measures");
+  constexpr NumberRule period_rule{"from 0.02 to 4",
+                                   [](double x) { return x >= 0.02 && x <= 4.0; }};
+  IntensityMeasuresConfig& ranked = study.intensity_measures.emplace();
+  if (table.has("sa_periods_s"))
+    ranked.sa_periods_s = read_increasing(table, "sa_periods_s", period_rule);
+  needs(root, "intensity_measures", root.has("fragility"), "[fragility] thresholds_m");
+  needs(root, "intensity_measures", study.intensity.measure != IntensityMeasure::ppa_g,
+        "another intensity.measure than \"ppa_g\", whose factor on a record depends on the roof");
+}
+
 /// Which values of drawn friction an analysis reads, and no more are run than are read.
 void check_friction_values(const TomlTable& root, const StudyConfig& study) {
   if (!study.quantities.at("friction", "mu").is_drawn() &&
@@ -290,18 +302,20 @@ struct AnalysisTable {
   bool needs_every_history;  ///< those beyond the largest threshold too
   bool of_any_run = false;   ///< can be added to finished results: every run keeps what it reads
 };
-constexpr AnalysisTable analysis_tables[] = {{"fragility", read_fragility, true, false},
-                                             {"chart", read_chart, true, true},
-                                             {"clearance", read_clearance, true, true},
-                                             {"base_shear", read_base_shear, true, true},
-                                             {"standards", read_standards, false, true, true},
-                                             {"impact", read_impact, false, true},
-                                             {"hazard", read_hazard, false, true},
-                                             {"tipping", read_tipping, false, false},
-                                             {"verdict", read_verdict, true, true, true},
-                                             {"sensitivity", read_sensitivity, false, false},
-                                             {"shape", read_shape, false, false, true},
-                                             {"rare", read_rare, true, true}};
+constexpr AnalysisTable analysis_tables[] = {
+    {"fragility", read_fragility, true, false},
+    {"chart", read_chart, true, true},
+    {"clearance", read_clearance, true, true},
+    {"base_shear", read_base_shear, true, true},
+    {"standards", read_standards, false, true, true},
+    {"impact", read_impact, false, true},
+    {"hazard", read_hazard, false, true},
+    {"tipping", read_tipping, false, false},
+    {"verdict", read_verdict, true, true, true},
+    {"sensitivity", read_sensitivity, false, false},
+    {"shape", read_shape, false, false, true},
+    {"rare", read_rare, true, true},
+    {"intensity_measures", read_intensity_measures, false, false, true}};
 
 /// "[fragility], [chart] ..." of those for which a property holds.
 template <class Property>

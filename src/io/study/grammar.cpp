@@ -187,6 +187,10 @@ void add_analyses(std::vector<GrammarKey>& keys) {
         "quantities without bounds are drawn from wider distributions, with weights; stands alone"},
        {"rare", "widening", "number", fmt::format("{:g}", RareConfig{}.widening),
         "factor on the standard normal numbers of these quantities, 1 to 10"},
+       {"intensity_measures", "sa_periods_s", "list or { from, to, count }", "0.2, 0.5, 1, 2",
+        "intensity measures are ranked, spectral accelerations at these periods (0.02 to 4 s) "
+        "among "
+        "them; needs [fragility], and another measure than ppa_g"},
        {"chart", "shown", "{ slope_deg, mu, level }", "the middle; the highest level",
         "where the figures cut through the chart"},
        {"chart", "read", "[[chart.read]] with level, slope_deg and mu or displacement_m", "none",

@@ -37,6 +37,7 @@ AnalysisReport verdict_report();
 AnalysisReport sensitivity_report();
 AnalysisReport sampling_error_report();
 AnalysisReport rare_report();
+AnalysisReport intensity_measures_report();
 
 /// What a part gives for each analysis, one after the other.
 template <class T>

@@ -85,6 +85,20 @@ double integral_of_squares(const std::vector<double>& a) {
   return std::inner_product(a.begin(), a.end(), a.begin(), 0.0);
 }
 
+/// Periods at which spectra are shown: 0, then 0.02 to 4 s, equally spaced in the logarithm; of a
+/// suite that its file scales to MCE those of the rule it is scaled by, 0 to 2 s.
+std::vector<double> shown_periods_s(bool as_scaled_to_mce) {
+  std::vector<double> periods{0.0};
+  if (as_scaled_to_mce) {
+    constexpr int count = 200;
+    for (int i = 1; i <= count; ++i) periods.push_back(2.0 * i / count);
+    return periods;
+  }
+  constexpr int count = 80;
+  for (int i = 0; i < count; ++i) periods.push_back(0.02 * std::pow(200.0, i / (count - 1.0)));
+  return periods;
+}
+
 RecordSummary summary_of(const Plan& plan, std::size_t record) {
   const Motion& motion = plan.motion(record);
   const auto& [first, second] = motion.horizontal_mps2;
@@ -103,26 +117,17 @@ RecordSummary summary_of(const Plan& plan, std::size_t record) {
   r.pgv_mps = horizontal_pgv_mps(motion, HorizontalCombination::geometric_mean);
   r.pgd_m = horizontal_pgd_m(motion, HorizontalCombination::geometric_mean);
   r.duration_s = significant_duration_s(motion.dt_s, first, second);
+  r.arias_mps = arias_intensity_mps(motion);
+  r.sa_g = horizontal_spectrum_mps2(motion, shown_periods_s(false),
+                                    HorizontalCombination::geometric_mean);
+  for (double& sa : r.sa_g) sa /= standard_gravity_mps2;
+  r.roof_velocity_mps = horizontal_roof_velocity_mps(motion, shown_periods_s(false));
   r.dt_s = motion.dt_s;
   r.samples = first.size();
   r.has_second = !second.empty();
   r.has_vertical = !motion.vertical_mps2.empty();
   r.stronger = integral_of_squares(second) > integral_of_squares(first) ? 1 : 0;
   return r;
-}
-
-/// Periods at which spectra are shown: 0, then 0.02 to 4 s, equally spaced in the logarithm; of a
-/// suite that its file scales to MCE those of the rule it is scaled by, 0 to 2 s.
-std::vector<double> shown_periods_s(bool as_scaled_to_mce) {
-  std::vector<double> periods{0.0};
-  if (as_scaled_to_mce) {
-    constexpr int count = 200;
-    for (int i = 1; i <= count; ++i) periods.push_back(2.0 * i / count);
-    return periods;
-  }
-  constexpr int count = 80;
-  for (int i = 0; i < count; ++i) periods.push_back(0.02 * std::pow(200.0, i / (count - 1.0)));
-  return periods;
 }
 
 /// By S_DS at the level nearest 1 g, of a chart at the one it shows; else 0: as the suite file
@@ -196,6 +201,7 @@ Results header_of(const Plan& plan) {
         {plan.suites[s].name, plan.suites[s].description, spectra_of(plan, s)});
   for (std::size_t record = 0; record < plan.records.size(); ++record)
     results.records.push_back(summary_of(plan, record));
+  results.record_periods_s = shown_periods_s(false);
   return results;
 }
 
@@ -212,6 +218,8 @@ void analyse(const StudyConfig& study, Results& results) {
   if (study.shape) results.shape = shape_results(results);
   if (study.rare) results.rare = rare_results(study, results);
   results.sampling_errors = sampling_error_rows(study, results);
+  if (study.intensity_measures)
+    results.intensity_measures = rank_intensity_measures(study, results);
 }
 
 }  // namespace
@@ -241,6 +249,7 @@ void analyse_again(const StudyConfig& study, Results& results) {
   results.sensitivity.reset();
   results.shape.reset();
   results.rare.reset();
+  results.intensity_measures.reset();
   analyse(study, results);
 }
 

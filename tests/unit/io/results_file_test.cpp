@@ -80,6 +80,7 @@ TEST(results_file, of_every_analysis_comes_back_to_the_last_bit) {
     EXPECT_EQ(read.tipping.has_value(), written.tipping.has_value());
     EXPECT_EQ(read.hazard.has_value(), written.hazard.has_value());
     EXPECT_EQ(read.verdict.has_value(), written.verdict.has_value());
+    EXPECT_EQ(read.intensity_measures.has_value(), written.intensity_measures.has_value());
     EXPECT_EQ(read.sensitivity.has_value(), written.sensitivity.has_value());
     EXPECT_EQ(read.shape.has_value(), written.shape.has_value());
     EXPECT_EQ(read.conditions.has_value(), written.conditions.has_value());

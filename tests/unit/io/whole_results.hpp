@@ -313,6 +313,17 @@ inline void add_rare(Results& r) {
   r.sampling_errors = {{"sampled", 0.15, 1.25, 0.0625, 0.0078125}};
 }
 
+inline void add_intensity_measures(Results& r) {
+  r.record_periods_s = {0.0, 0.5};
+  for (RecordSummary& record : r.records) {
+    record.arias_mps = 1.5;
+    record.sa_g = {0.25, 0.5};
+    record.roof_velocity_mps = {0.125, 0.75};
+  }
+  r.intensity_measures = {{0, 0.25, "PGV", 0, 0.5, {0.25, 1.0}, 0.75, 0.1, 0.2, -0.3, 0.4, 2},
+                          {0, 0.25, "PGA and PGV", 1, 0.75, {}, 0.25}};
+}
+
 /// Every analysis of one study.
 inline Results with_all() {
   Results r = whole_results(true);
@@ -327,6 +338,7 @@ inline Results with_all() {
   add_sensitivity(r);
   add_shape(r);
   add_rare(r);
+  add_intensity_measures(r);
   return r;
 }
 

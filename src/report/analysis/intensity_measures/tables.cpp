@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+
+#include "analysis/intensity_measures/ranking.hpp"
+#include "text/study_text.hpp"
+
+namespace glissade {
+
+std::vector<Ranking> rankings_of(const Results& results) {
+  const std::vector<RankedMeasure>& rows = *results.intensity_measures;
+  std::vector<Ranking> rankings;
+  for (std::size_t i = 0; i < rows.size();) {
+    std::size_t end = i + 1;
+    while (end < rows.size() && rows[end].run == rows[i].run &&
+           rows[end].threshold_m == rows[i].threshold_m)
+      ++end;
+    rankings.emplace_back(rows.data() + i, end - i);
+    i = end;
+  }
+  return rankings;
+}
+
+Ranking shown_ranking(const Results& results) {
+  std::vector<Ranking> of_first = rankings_of(results);
+  std::erase_if(of_first, [&](const Ranking& ranking) {
+    return ranking.front().run != results.intensity_measures->front().run;
+  });
+  return of_first[of_first.size() / 2];
+}
+
+bool is_insufficient(const RankedMeasure& row) {
+  return row.magnitude_p < significant_p || row.distance_p < significant_p;
+}
+
+Table intensity_measures_table(const Results& results) {
+  Table table{
+      "intensity_measures",
+      "Intensity measures by the dispersion of ln capacity between records, the best first. " +
+          std::string(in_plan),
+      {text_column("run", "Run"),
+       {"threshold", "m", "Clearance, m (in)", ColumnKind::length},
+       text_column("measure", "Intensity measure"),
+       {"dispersion", "", "Dispersion [95 %]", ColumnKind::number, true},
+       {"smallest_share", "", "Ranks first in", ColumnKind::share},
+       {"magnitude_slope", "", "Slope on M"},
+       {"magnitude_p", "", "p"},
+       {"distance_slope", "", "Slope on ln R"},
+       {"distance_p", "", "p"},
+       {"censored_records", "", "Records not reached", ColumnKind::count}},
+      {}};
+  for (Column& column : table.columns)
+    column.detail = column.stem == "magnitude_slope" || column.stem == "distance_slope" ||
+                    column.stem == "censored_records";
+  for (const RankedMeasure& row : *results.intensity_measures)
+    table.add({results.runs[row.run].label, row.threshold_m, row.name,
+               Estimate{row.dispersion, row.interval}, row.smallest_share, row.magnitude_slope,
+               row.magnitude_p, row.distance_slope, row.distance_p,
+               static_cast<double>(row.censored_records)});
+  table.notes = {
+      "Ranks first in: that share of the resamples of the records. p: that the slope of ln "
+      "capacity on "
+      "magnitude or ln distance is 0; below 0.05 the measure is not sufficient."};
+  return with_listed(results, table);
+}
+
+}  // namespace glissade
