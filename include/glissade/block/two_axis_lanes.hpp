@@ -45,8 +45,8 @@ double srss_of_maxima_m(const TwoAxisPeak& peak);
 ///
 /// Friction laws other than Coulomb's, friction below 1.02 tan(slope), yielding, one rigid axis
 /// beside one that is not, damping outside [0.001, 0.5], periods below 7.4 sample intervals, an
-/// oscillating vertical or one above 0.9 g, and histories whose normal force falls below 6 % of the
-/// weight go through slide_on_building().
+/// oscillating vertical or one above 0.9 g downward, and histories whose normal force falls below 6
+/// % of the weight go through slide_on_building().
 class TwoAxisLanes {
  public:
   /// @param ground valid as long as this; the tables of the last buildings under it are kept

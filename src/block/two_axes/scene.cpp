@@ -12,7 +12,7 @@ constexpr double longest_phase = 0.85;  // over a sample interval: an eighth of 
 constexpr double least_aspect = 0.5, most_aspect = 2.0;  // of the friction ellipse
 constexpr double least_friction = 1.02;  // over tan(slope): less stops the block too late
 constexpr double most_friction = 2.0;
-constexpr double most_vertical = 0.9;  // of gravity: a tenth of the weight is left on the roof
+constexpr double least_vertical_weight = 0.1;  // of the array's, left on the roof by the vertical
 constexpr double least_damping = 1e-3, most_damping = 0.5;
 
 double omega_of(const Oscillator& oscillator) {
@@ -31,7 +31,7 @@ RoofKind roof_of(const TwoAxisScene& scene) {
   return scene.building.mass_ratio > 0.0 ? RoofKind::coupled : RoofKind::building;
 }
 
-bool fits_lanes(const TwoAxisScene& scene, const BuildingGround& ground) {
+bool fits_lanes(const TwoAxisScene& scene, const BuildingGround& ground, const GroundNodes& nodes) {
   const TwoAxisBlock& block = scene.block;
   const auto& [first, second] = scene.building.horizontal;
   if (!block.law.is_coulomb()) return false;
@@ -46,9 +46,10 @@ bool fits_lanes(const TwoAxisScene& scene, const BuildingGround& ground) {
   for (const Yielding& spring : scene.building.yielding)
     if (spring.yields()) return false;
   if (ground.vertical == nullptr) return true;
+  const double factor = scene.factors.vertical,
+               lowest = std::min(factor * nodes.lowest_w, factor * nodes.highest_w);
   return ground.vertical->rigid() &&
-         std::abs(scene.factors.vertical) * ground.vertical->ground->peak_acceleration_mps2() <
-             most_vertical * block.gravity_mps2;
+         block.gravity_mps2 + lowest > least_vertical_weight * block.gravity_mps2;
 }
 
 Constants<double> constants_of(const TwoAxisScene& scene, double tolerance) {
