@@ -124,7 +124,7 @@ TEST_F(Mpi, the_other_commands_answer_once_on_three_ranks) {
   const Finished child = run_on(3, {"standards", "--sds-g", "1.5", "--json"});
   EXPECT_EQ(child.status, 0) << child.err;
   EXPECT_EQ(child.out, run_program({"standards", "--sds-g", "1.5", "--json"}).out);
-  expect_refused_once(run_on(3, {"fit"}), "needs one of --counts and --capacities");
+  expect_refused_once(run_on(3, {"fit"}), "needs one of --counts");
 }
 
 TEST_F(Mpi, a_dry_run_prints_one_plan_on_three_ranks) {

@@ -47,7 +47,7 @@ CoupledHistory::CoupledHistory(const CoupledTable& table, const CoupledTable* yi
     const auto margin = [&](const CoupledTable& of) {
       return of.contact_margin_mps2(direction, intensity, w_factor_);
     };
-    const auto k = static_cast<std::size_t>(direction + 1);
+    const std::size_t k = CoupledTable::index(direction);
     contact_margin_mps2_[0][k] = margin(table);
     if (yielding_table != nullptr) contact_margin_mps2_[1][k] = margin(*yielding_table);
   }
@@ -89,7 +89,7 @@ void CoupledHistory::set_reference(std::size_t node, const RoofState& roof, doub
   roof_from_ = roof;
   speed_from_ = speed_mps;
   elastic_ = body_.spring_forces();
-  const auto k = static_cast<std::size_t>(body_.direction() + 1);
+  const std::size_t k = CoupledTable::index(body_.direction());
   const double size = free_.size(), margin = ringing_down_
                                                  ? contact_.gravity() * cot_slope_
                                                  : contact_margin_mps2_[yield_side_ != 0][k];

@@ -89,7 +89,7 @@ class CoupledHistory {
   double intensity_, w_factor_, step_s_;
   double cot_slope_;
   bool has_limits_;  // a slope on which it may lift, or a spring that may yield
-  // Elastic or yielding, by direction + 1: a free vibration may have less.
+  // Elastic or yielding, by CoupledTable::index: a free vibration may have less.
   std::array<std::array<double, 3>, 2> contact_margin_mps2_{};
   CoupledBody body_;
   std::optional<CoupledBody> body_before_;    // at the begin of the interval solved

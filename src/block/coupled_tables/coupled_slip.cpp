@@ -75,10 +75,10 @@ struct CoupledGround::Tables {
     std::optional<Shared> shared;  ///< what it is of
     std::optional<CoupledTable> table;
 
-    const CoupledTable& of(const CoupledNodes& nodes, const Shared& wanted,
+    const CoupledTable& of(const CoupledNodes& motion, const Shared& wanted,
                            const CoupledContact& contact, const Subdivision& subdivision) {
       if (!(shared == wanted)) {
-        table.emplace(nodes, contact, subdivision.building, wanted.sign, wanted.vertical_ratio);
+        table.emplace(motion, contact, subdivision.building, wanted.sign, wanted.vertical_ratio);
         shared = wanted;
       }
       return *table;

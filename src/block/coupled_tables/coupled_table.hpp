@@ -69,6 +69,7 @@ class CoupledTable {
   };
 
   /// Direction 0 stuck, +1 sliding down, -1 up.
+  static std::size_t index(int direction) { return direction == 0 ? 0 : direction > 0 ? 1 : 2; }
   const RegimeOscillator& regime(int direction) const { return regimes_[index(direction)]; }
   const Response& response(int direction) const { return *responses_[index(direction)]; }
   const Rest& rest() const { return rest_; }
@@ -83,7 +84,6 @@ class CoupledTable {
   double highest_per_g() const { return highest_per_g_; }
 
  private:
-  static std::size_t index(int direction) { return direction == 0 ? 0 : direction > 0 ? 1 : 2; }
   GroundLine accelerations(double a_factor, double w_factor) const;
   void respond(const BuildingOscillator& building);
   void set_bounds(Response& response, const RegimeOscillator& regime, double damping_ratio) const;
