@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "analysis/design_friction.hpp"
+#include "analysis/samples/design_friction.hpp"
 #include "glissade/core/contract.hpp"
 #include "glissade/sampling/sobol_indices.hpp"
 #include "glissade/study/cases/sample_points.hpp"

@@ -6,7 +6,7 @@
 #include <limits>
 #include <numeric>
 
-#include "analysis/design_life.hpp"
+#include "analysis/hazard/design_life.hpp"
 #include "cases/case_scene.hpp"
 #include "glissade/study/config.hpp"
 #include "glissade/study/results.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "analysis/design_friction.hpp"
+#include "analysis/samples/design_friction.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "analysis/design_life.hpp"
+#include "analysis/hazard/design_life.hpp"
 
 #include <algorithm>
 #include <array>
