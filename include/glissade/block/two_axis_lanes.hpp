@@ -43,10 +43,12 @@ double srss_of_maxima_m(const TwoAxisPeak& peak);
 /// The same bits on every SIMD target, in any order and whatever else is in the batch; but scenes
 /// on one building share its table, so give the levels and blocks of a building together.
 ///
+/// Where the normal force falls below 6 % of the weight, and while the block is lifted off, steps
+/// are SDIRK4 too; one ends where it lifts off or lands.
+///
 /// Friction laws other than Coulomb's, friction below 1.02 tan(slope), yielding, one rigid axis
-/// beside one that is not, damping outside [0.001, 0.5], periods below 7.4 sample intervals, an
-/// oscillating vertical or one above 0.9 g downward, and histories whose normal force falls below 6
-/// % of the weight go through slide_on_building().
+/// beside one that is not, damping outside [0.001, 0.5], periods below 7.4 sample intervals, and an
+/// oscillating vertical go through slide_on_building().
 class TwoAxisLanes {
  public:
   /// @param ground valid as long as this; the tables of the last buildings under it are kept

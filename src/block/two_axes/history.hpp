@@ -17,6 +17,27 @@ namespace glissade::block_detail::two_axes {
 
 class RoofAtRest;
 
+/// The root of a function, almost a line, that rises from at most zero at `low` to above zero at
+/// `high`: the secant rule, kept within the bracket.
+template <class Function>
+double rise_by_secant(const Function& f, double f_low, double f_high, double low = 0.0,
+                      double high = 1.0) {
+  double x0 = low, f0 = f_low, x1 = high, f1 = f_high;
+  for (int i = 0; i < 60; ++i) {
+    double x = x1 - f1 * (x1 - x0) / (f1 - f0);
+    if (!(x >= low && x <= high)) x = 0.5 * (low + high);
+    const double value = f(x);
+    (value > 0.0 ? high : low) = x;
+    const double moved = std::abs(x - x1);
+    x0 = x1;
+    f0 = f1;
+    x1 = x;
+    f1 = value;
+    if (moved < 1e-9 || value == 0.0 || high - low < 1e-13) break;
+  }
+  return x1;
+}
+
 /// One history: all of it but its smooth sliding, which the lanes do.
 class LaneHistory {
  public:
@@ -43,7 +64,7 @@ class LaneHistory {
   // Rest (history_rest.cpp).
   Next rest(HistoryState& state);
   Next rest_from_node(HistoryState& state);
-  double release(const RoofPiece& piece) const;
+  double release(const RoofPiece& piece);
   bool starts_after(std::size_t node, const RoofAtRest& roof, HistoryState& state);
   HistoryState resting_at(std::int64_t node, const std::array<AxisState, 2>& state) const;
   void start(HistoryState& state, bool smoothly);
@@ -60,6 +81,8 @@ class LaneHistory {
     return (static_cast<double>(state.node + 1) - state.motion.left) * ground_.dt_s;
   }
   void stiff_step(HistoryState& state);
+  double frictionless_normal(const Load& load) const;
+  double until_contact_changes(const RoofPiece& piece);
   double stiff_trial_s(const RoofPiece& rest_of_interval, Vector v, double fastest) const;
   void take_step(HistoryState& state, const RoofPiece& piece, double fraction, double length_s,
                  const Sliding& begin, const Sliding& end);
@@ -80,6 +103,7 @@ class LaneHistory {
   std::shared_ptr<const RestTable> table_;
   double step_s_ = never;  // the longest worth trying
   std::size_t phases_ = 0;
+  bool uplift_ = false;
   DistanceCrossings crossings_;
 };
 

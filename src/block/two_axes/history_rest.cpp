@@ -7,30 +7,6 @@
 #include "history.hpp"
 
 namespace glissade::block_detail::two_axes {
-namespace {
-
-/// The root of a function, almost a line, that rises from at most zero at `low`
-/// to above zero at `high`: the secant rule, kept within the bracket.
-template <class Function>
-double rise_by_secant(const Function& f, double low, double high, double f_low, double f_high) {
-  double x0 = low, f0 = f_low, x1 = high, f1 = f_high;
-  for (int i = 0; i < 60; ++i) {
-    double x = x1 - f1 * (x1 - x0) / (f1 - f0);
-    if (!(x >= low && x <= high)) x = 0.5 * (low + high);
-    const double value = f(x);
-    (value > 0.0 ? high : low) = x;
-    const double moved = std::abs(x - x1);
-    x0 = x1;
-    f0 = f1;
-    x1 = x;
-    f1 = value;
-    if (moved < 1e-9 || value == 0.0 || high - low < 1e-13) break;
-  }
-  return x1;
-}
-
-}  // namespace
-
 LaneHistory::LaneHistory(const Constants<double>& constants, RoofKind roof,
                          const GroundNodes& ground, std::shared_ptr<const RestTable> table,
                          const DistanceCrossings& crossings)
@@ -78,19 +54,20 @@ void LaneHistory::start(HistoryState& state, bool smoothly) {
 
 /// The fraction of a piece after which the block no longer sticks, or
 /// never.
-double LaneHistory::release(const RoofPiece& piece) const {
+double LaneHistory::release(const RoofPiece& piece) {
+  uplift_ = uplift_ || piece.load(0.0).normal < 0.0 || piece.load(1.0).normal < 0.0;
   const auto excess = [&](double tau) { return -friction_reserve(piece.load(tau), constants_); };
   const double begin = excess(0.0), end = excess(1.0);
   constexpr double rounding = 1e-13;  // of gravity, in the load
   if (begin > rounding * constants_.gravity) return 0.0;
-  if (end > 0.0) return rise_by_secant(excess, 0.0, 1.0, std::min(begin, 0.0), end);
+  if (end > 0.0) return rise_by_secant(excess, std::min(begin, 0.0), end);
   const double deviation = piece.deviation();
   if (deviation == 0.0 || -std::max(begin, end) > deviation) return never;
   constexpr int subintervals = 16;
   double before = std::min(begin, 0.0);
   for (int i = 1; i < subintervals; ++i) {
     const double tau = static_cast<double>(i) / subintervals, value = excess(tau);
-    if (value > 0.0) return rise_by_secant(excess, tau - 1.0 / subintervals, tau, before, value);
+    if (value > 0.0) return rise_by_secant(excess, before, value, tau - 1.0 / subintervals, tau);
     before = value;
   }
   return never;

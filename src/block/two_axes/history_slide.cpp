@@ -12,7 +12,8 @@
 namespace glissade::block_detail::two_axes {
 namespace {
 
-/// Of the weight: least_weight of the lanes, and a margin, so that they can go on from here.
+/// Of the weight: least_weight of the lanes, and a margin, so that they can go on from here. Below
+/// it, and where the block has lifted off, steps are SDIRK4.
 constexpr double least_event_weight = 1.2 * least_weight;
 /// Of the permitted error of a stop: a shorter path may pass a peak or a threshold unseen.
 constexpr double negligible_stop = 50.0;
@@ -38,7 +39,7 @@ Vector stage(const Constants<double>& c, const FrictionEllipse& friction, Vector
                             : (-1.0 / gamma_h) * known;
     const double change = length(next - a);
     a = next;
-    if (even || change <= 1e-13 * lambda) break;
+    if (even || change <= 1e-4 * c.tolerance * lambda) break;
   }
   return a;
 }
@@ -94,13 +95,14 @@ LaneHistory::Next LaneHistory::slide(HistoryState& state, bool from_lane) {
     const Vector v = velocity(state);
     RoofPiece rest_of_interval = piece(state, plan_velocity(v));
     const Load load = rest_of_interval.load(0.0);
-    if (!(load.normal > least_event_weight * constants_.gravity)) return Next::unsupported;
     const double speed = length(v);
-    if (speed > 0.0 && stop(state, rest_of_interval)) return rest(state);
-    if (speed > 0.0 && speed <= constants_.tolerance * m.fastest &&
-        reverse(state, rest_of_interval))
-      continue;
-    if (!first && constants_.mu * load.normal * rest_of_interval.length_s() <= stiffest * speed)
+    if (speed > 0.0 && frictionless_normal(load) > 0.0) {
+      if (stop(state, rest_of_interval)) return rest(state);
+      if (speed <= constants_.tolerance * m.fastest && reverse(state, rest_of_interval)) continue;
+    }
+    const double least_normal = std::min(load.normal, rest_of_interval.load(1.0).normal);
+    if (!first && least_normal > least_event_weight * constants_.gravity &&
+        constants_.mu * load.normal * rest_of_interval.length_s() <= stiffest * speed)
       return Next::slides;
     stiff_step(state);
     if (m.v_s == 0.0 && m.v_y == 0.0) return rest(state);
@@ -169,7 +171,8 @@ bool LaneHistory::reverse(HistoryState& state, const RoofPiece& piece) {
 
 /// By which the speed of v falls under a load.
 double LaneHistory::deceleration(const Load& load, Vector v) const {
-  const double along = dot(load.normal * ellipse_.sliding(v) - load.drive, v) / length(v);
+  const double normal = std::max(load.normal, 0.0),
+               along = dot(normal * ellipse_.sliding(v) - load.drive, v) / length(v);
   return constants_.per_kappa_y * along;
 }
 
@@ -202,13 +205,30 @@ void LaneHistory::take_stop(HistoryState& state, const RoofPiece& piece, const S
   displace(state, displacement, at, begin_s, stop.time_s);
 }
 
+/// The normal force of a block that slides without friction: it has the sign of that with friction.
+double LaneHistory::frictionless_normal(const Load& load) const {
+  return load.normal - constants_.rho_sin_cos / constants_.kappa * load.drive.s;
+}
+
+/// The fraction of a piece after which the block lifts off, or lands: a step ends there.
+double LaneHistory::until_contact_changes(const RoofPiece& piece) {
+  const auto lift = [&](double tau) { return -frictionless_normal(piece.load(tau)); };
+  const double begin = lift(0.0), end = lift(1.0);
+  uplift_ = uplift_ || begin > 0.0 || end > 0.0;
+  if ((begin > 0.0) == (end > 0.0)) return 1.0;
+  const double tau = begin > 0.0 ? rise_by_secant([&](double t) { return -lift(t); }, -begin, -end)
+                                 : rise_by_secant(lift, begin, end);
+  constexpr double at_once = 1e-9;  // it was at the end of the last step
+  return tau > at_once ? tau : 1.0;
+}
+
 /// The length to try first of what is left of the interval, `left_s`.
 double LaneHistory::stiff_trial_s(const RoofPiece& rest_of_interval, Vector v,
                                   double fastest) const {
   const double left_s = rest_of_interval.length_s(), speed = length(v);
   const Load now = rest_of_interval.load(0.0);
   double length_s = std::min(step_s_, left_s);
-  if (step_s_ == never && speed > 0.0)
+  if (step_s_ == never && speed > 0.0 && now.normal > 0.0)
     length_s = std::min(length_s, speed / (now.normal * dot(ellipse_.sliding(v), v) / speed));
   // A step at whose end the load would let the block rest may not see it slide at all.
   while (speed == 0.0 && length_s > 1e-6 * left_s &&
@@ -232,11 +252,13 @@ void LaneHistory::stiff_step(HistoryState& state) {
   const Load now = rest_of_interval.load(0.0);
   const Vector a = stage(c, ellipse_, v, shortest_step * left_s, now, {});
   const double rounding = rounding_of(now);
-  double length_s = stiff_trial_s(rest_of_interval, v, fastest), fraction = 1.0;
+  const double contact_s = left_s * until_contact_changes(rest_of_interval);
+  double length_s = std::min(stiff_trial_s(rest_of_interval, v, fastest), contact_s);
+  double fraction = 1.0;
   SlidingStep trial;
   for (;;) {
     // No remainder that is much shorter than the step.
-    if (length_s < left_s && length_s > 0.5 * left_s) length_s = 0.5 * left_s;
+    if (length_s < contact_s && length_s > 0.5 * contact_s) length_s = 0.5 * contact_s;
     fraction = length_s == left_s ? 1.0 : length_s / left_s;
     trial = sdirk4(c, ellipse_, v, rest_of_interval, fraction);
     const double allowed =
@@ -316,6 +338,7 @@ TwoAxisPeak LaneHistory::result(const HistoryState& state) const {
   peak.peak_upslope_m = m.back_s;
   peak.residual = {m.at_s, m.at_y};
   peak.slip_phases = phases_;
+  peak.uplift = uplift_;
   return peak;
 }
 

@@ -115,7 +115,8 @@ HWY_INLINE Mask CanStep(const StepSeries<roof>& z, const Constants<V>& c, const 
   const Mask stiff = hn::Gt(z.weight[0], Number(stiffest) * z.speed[0]);
   const V alignment = v_s * m.v_s + (c.aspect * v_y) * (c.aspect * m.v_y);
   const Mask straight = hn::Ge(alignment, Number(least_alignment) * (z.speed[0] * z.speed[0]));
-  const Mask stays = hn::Gt(z.weight[0], (Number(least_weight) * c.mu) * (c.gravity * h));
+  const V least = (Number(least_weight) * c.mu) * (c.gravity * h);
+  const Mask stays = hn::Gt(hn::Min(z.weight[0], z.weight[0] + z.weight[1]), least);
   return hn::AndNot(hn::Or(stops, stiff), hn::And(straight, stays));
 }
 

@@ -12,7 +12,6 @@ constexpr double longest_phase = 0.85;  // over a sample interval: an eighth of 
 constexpr double least_aspect = 0.5, most_aspect = 2.0;  // of the friction ellipse
 constexpr double least_friction = 1.02;  // over tan(slope): less stops the block too late
 constexpr double most_friction = 2.0;
-constexpr double least_vertical_weight = 0.1;  // of the array's, left on the roof by the vertical
 constexpr double least_damping = 1e-3, most_damping = 0.5;
 
 double omega_of(const Oscillator& oscillator) {
@@ -31,7 +30,7 @@ RoofKind roof_of(const TwoAxisScene& scene) {
   return scene.building.mass_ratio > 0.0 ? RoofKind::coupled : RoofKind::building;
 }
 
-bool fits_lanes(const TwoAxisScene& scene, const BuildingGround& ground, const GroundNodes& nodes) {
+bool fits_lanes(const TwoAxisScene& scene, const BuildingGround& ground) {
   const TwoAxisBlock& block = scene.block;
   const auto& [first, second] = scene.building.horizontal;
   if (!block.law.is_coulomb()) return false;
@@ -45,11 +44,7 @@ bool fits_lanes(const TwoAxisScene& scene, const BuildingGround& ground, const G
   if (first.period_s > 0.0 && !(fits_lanes(first, dt_s) && fits_lanes(second, dt_s))) return false;
   for (const Yielding& spring : scene.building.yielding)
     if (spring.yields()) return false;
-  if (ground.vertical == nullptr) return true;
-  const double factor = scene.factors.vertical,
-               lowest = std::min(factor * nodes.lowest_w, factor * nodes.highest_w);
-  return ground.vertical->rigid() &&
-         block.gravity_mps2 + lowest > least_vertical_weight * block.gravity_mps2;
+  return ground.vertical == nullptr || ground.vertical->rigid();
 }
 
 Constants<double> constants_of(const TwoAxisScene& scene, double tolerance) {

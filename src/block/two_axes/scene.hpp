@@ -7,10 +7,9 @@
 
 namespace glissade::block_detail::two_axes {
 
-/// Whether the lanes can take a history: a circle of Coulomb friction that
-/// stops the block, an elastic building of periods the ground's step resolves,
-/// a rigid vertical, and no uplift while the block rests.
-bool fits_lanes(const TwoAxisScene& scene, const BuildingGround& ground, const GroundNodes& nodes);
+/// Whether the lanes can take a history: Coulomb friction that stops the block, an elastic building
+/// of periods that the ground's step resolves, a rigid vertical.
+bool fits_lanes(const TwoAxisScene& scene, const BuildingGround& ground);
 
 RoofKind roof_of(const TwoAxisScene& scene);
 

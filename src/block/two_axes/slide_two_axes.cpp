@@ -206,7 +206,7 @@ void TwoAxisLanes::slide(std::span<const TwoAxisScene> scenes, std::span<TwoAxis
   const Batch batch{scenes, peaks, thresholds_m, crossings};
   std::array<std::vector<std::size_t>, 3> tasks;  // by roof
   for (std::size_t k = 0; k < scenes.size(); ++k) {
-    if (block_detail::two_axes::fits_lanes(scenes[k], state_->ground, state_->nodes))
+    if (block_detail::two_axes::fits_lanes(scenes[k], state_->ground))
       tasks[static_cast<std::size_t>(block_detail::two_axes::roof_of(scenes[k]))].push_back(k);
     else
       state_->by_reference(batch, k);

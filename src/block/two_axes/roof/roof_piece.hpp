@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <array>
 
 #include "block/contact/two_axis_contact.hpp"
@@ -57,9 +58,10 @@ class RoofPiece {
   double w_, w_end_;
 };
 
-/// Of a load: how much more friction could hold.
+/// Of a load: how much more friction could hold. Negative where it slides: without a drive it does
+/// not, even lifted off.
 inline double friction_reserve(const Load& load, const Constants<double>& c) {
-  return c.mu * load.normal - length({load.drive.s, c.per_aspect * load.drive.y});
+  return c.mu * std::max(load.normal, 0.0) - length({load.drive.s, c.per_aspect * load.drive.y});
 }
 
 }  // namespace glissade::block_detail::two_axes

@@ -49,9 +49,6 @@ GroundNodes::GroundNodes(const BuildingGround& ground) : dt_s(ground.horizontal[
     const std::size_t count = std::min(values.size(), tables[n]->quiet_from());
     for (std::size_t i = 0; i < count; ++i) nodes[4 * i + n] = (*rows[n])[i] = values[i];
   }
-  const auto [lowest, highest] = std::ranges::minmax(w);
-  lowest_w = lowest;
-  highest_w = highest;
   tile_w = tile_maxima(w.data(), quiet);
   coming_w = suffix_maxima(tile_w, 0.0);
 }

@@ -24,7 +24,6 @@ struct GroundNodes {
   std::vector<double> w;                 ///< the same
   std::vector<double> tile_w,
       coming_w;  ///< largest |w|: of a tile, of it and all after it
-  double lowest_w = 0.0, highest_w = 0.0;
 
   explicit GroundNodes(const BuildingGround& ground);
   double ground(std::size_t axis, std::size_t node) const {
