@@ -5,6 +5,11 @@
 
 namespace glissade::test {
 
+/// The text with `from`, which must be there, replaced.
+inline std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  return text.replace(text.find(from), from.size(), to);
+}
+
 /// A study of a second: seven built-in motions, eight samples, three levels. On few levels and
 /// records, so that it says little.
 inline std::string small_study() {
@@ -36,6 +41,13 @@ thresholds_m = [0.05, 0.2]
 [standards]
 compare = ["seaoc_pv1_2012"]
 )";
+}
+
+/// As small_study on one axis, ended where its samples are precise enough.
+inline std::string target_study() {
+  return replaced(
+      replaced(small_study(), "samples = 8", "samples = 512\nscrambles = 64\ntarget_error = 0.01"),
+      "[building]", "[model]\naxes = 1\n\n[building]");
 }
 
 /// A chart of a second on the same motions: slopes to one on which the array slides freely, and a
@@ -89,11 +101,6 @@ name = "one"
 id = "a"
 first = { file = "record.txt", dt_s = 0.02, units = "g" }
 )";
-}
-
-/// The text with `from`, which must be there, replaced.
-inline std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  return text.replace(text.find(from), from.size(), to);
 }
 
 }  // namespace glissade::test

@@ -34,6 +34,7 @@ void check_quantities(const glissade::StudyConfig& study) {
         "no list is empty");
   check(study.support.front() == glissade::ArraySupport::isolated, "the array slides");
   check(study.sampling.samples > 0, "there is a sample");
+  check(!study.sampling.target || study.sampling.target->error > 0.0, "an error is above zero");
 }
 
 void check_chart(const glissade::StudyConfig& study) {

@@ -39,6 +39,14 @@ TEST_F(Mpi, one_two_three_and_seven_ranks_give_the_bytes_of_none) {
     EXPECT_TRUE(results_on(ranks, study) == alone) << ranks << " ranks";
 }
 
+TEST_F(Mpi, a_target_error_ends_the_run_after_the_same_scramble_on_any_number_of_ranks) {
+  const std::string study = folder_.write("target.toml", target_study());
+  const std::string alone = results_on(0, study);
+  ASSERT_FALSE(alone.empty());
+  for (const int ranks : {1, 2, 3})
+    EXPECT_TRUE(results_on(ranks, study) == alone) << ranks << " ranks";
+}
+
 TEST_F(Mpi, a_chart_has_the_same_bytes_on_any_number_of_ranks) {
   const std::string study = folder_.write("chart.toml", small_chart());
   const std::string alone = results_on(0, study);

@@ -90,11 +90,29 @@ struct OrientationConfig {
   SignChoice second_sign = SignChoice::random;  ///< two axes
 };
 
+/// When a run may end before all scrambles are run.
+struct SamplingTarget {
+  double error = 0.0;  ///< > 0: half of the 95 % interval of ln median, of the samples alone
+  std::uint64_t most_scrambles = 0;  ///< where it is not reached
+};
+
 struct SamplingConfig {
   SamplingMethod method = SamplingMethod::sobol;
   std::uint64_t samples = 1024;  ///< >= 1
-  std::uint64_t scrambles = 1;   ///< independent parts of the samples, of equal size
+  std::uint64_t scrambles = 1;   ///< independent blocks of the samples, of equal size
+  std::optional<SamplingTarget> target;
   int bootstrap_replicates = 1000;
+
+  SampleBlocks blocks() const { return {scrambles, samples / scrambles}; }
+  /// Those that are run one after the other.
+  SampleBlocks blocks_in_turn() const { return target ? blocks() : SampleBlocks(); }
+  /// The samples of the first blocks.
+  SamplingConfig first_blocks(std::uint64_t blocks) const {
+    SamplingConfig first = *this;
+    first.samples = samples / scrambles * blocks;
+    first.scrambles = blocks;
+    return first;
+  }
 };
 
 enum class Standard { seaoc_pv1_2012, asce7_16 };

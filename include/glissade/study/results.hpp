@@ -225,6 +225,7 @@ struct Results {
   std::optional<ShapeResults> shape;
   std::optional<RareResults> rare;
   std::vector<SamplingErrorRow> sampling_errors;  ///< of the fragility; of two scrambles or more
+  std::optional<ReachedTarget> reached_target;    ///< with sampling.target_error
   std::optional<std::vector<RankedMeasure>> intensity_measures;
 };
 

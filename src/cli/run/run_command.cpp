@@ -43,9 +43,10 @@ std::vector<Suite> load_suites(const std::vector<fs::path>& files) {
 }
 
 /// What root does with the histories of all ranks.
-void write_all(const Plan& plan, const std::vector<UnitResult>& units, std::uint64_t resumed,
+void write_all(Plan whole, const std::vector<UnitResult>& units, std::uint64_t resumed,
                const RunOptions& options, StopRequest& stop, PhaseClock& clock, int ranks) {
   const fs::path out = options.folder();
+  const Plan plan = first_blocks(std::move(whole), units.size());
   const WorkCount count = total_count(units);
   const std::vector<Skip> skips = skipped(plan, count);
   const Results results = reduce(plan, units);
@@ -156,7 +157,7 @@ void run_study(RunOptions options, const Communicator& world) {
                 JournalWriter(out, world.rank(), identity), stop, out, world);
   clock.end_phase("histories");
   on_root(world, [&] {
-    write_all(plan, units, resumed, options, stop, clock, world.size());
+    write_all(std::move(plan), units, resumed, options, stop, clock, world.size());
     stopped.lock->remove_journals();
   });
 }

@@ -84,6 +84,15 @@ std::string run_json(const Results& results, const std::vector<Skip>& skips,
   json["units_of_earlier_sessions"] = resumed;
   add_phases(json, clock);
   json["warnings"] = results.warnings;
+  if (results.reached_target) {
+    const ReachedTarget& target = *results.reached_target;
+    json["sampling_target"] = {{"target_error", target.target_error},
+                               {"error", target.error},  // null: a median has no fit
+                               {"is_reached", target.is_reached()},
+                               {"scrambles", target.scrambles},
+                               {"most_scrambles", target.most_scrambles},
+                               {"samples", results.cases.samples}};
+  }
   if (results.clearance) {
     const auto [least, most] =
         std::ranges::minmax(results.clearance->required, {}, &RequiredClearance::clearance_m);

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run/run_units.hpp"
 
+#include <algorithm>
+
 #include "glissade/core/bytes.hpp"
 #include "glissade/study/run/exchange.hpp"
+#include "glissade/study/run/sampling_progress.hpp"
 #include "run/progress.hpp"
 #include "run/run_folder.hpp"
 
@@ -21,13 +24,13 @@ std::vector<std::uint64_t> missing_units(const Plan& plan, const Journal& earlie
   return missing;
 }
 
-/// Ends the run on all ranks where not every unit is done.
+/// Ends the run on all ranks where they have not done all of their `common` units.
 void end_if_stopped(const Plan& plan, std::uint64_t done_earlier, std::uint64_t mine,
-                    const StopRequest& stop, const std::filesystem::path& folder,
-                    const Communicator& world) {
+                    std::uint64_t common, const StopRequest& stop,
+                    const std::filesystem::path& folder, const Communicator& world) {
   const auto messages = world.gather(ByteWriter().put(mine).put(stop.reason()).take());
   on_root(world, [&] {
-    std::uint64_t done = done_earlier;
+    std::uint64_t done = 0;
     std::string reason;
     for (const std::vector<char>& message : messages) {
       std::uint64_t units = 0;
@@ -36,8 +39,15 @@ void end_if_stopped(const Plan& plan, std::uint64_t done_earlier, std::uint64_t 
       done += units;
       if (reason.empty()) reason = of_rank;
     }
-    if (done < plan.units.size()) end_stopped(folder, reason, done, plan.units.size());
+    if (done < common) end_stopped(folder, reason, done_earlier + done, plan.units.size());
   });
+}
+
+/// Whether root has enough; the same on every rank.
+bool agreed(bool is_enough, const Communicator& world) {
+  std::vector<char> message(1, is_enough ? 1 : 0);
+  world.broadcast(message);
+  return message.front() != 0;
 }
 
 }  // namespace
@@ -48,21 +58,31 @@ std::vector<UnitResult> run_units(const Plan& plan, Skipping skipping, Journal e
   const std::vector<std::uint64_t> missing = missing_units(plan, earlier, world);
   RoofStore roofs(plan, skipping);
   Progress progress(missing.size(), plan.histories() * missing.size() / plan.units.size());
-  std::vector<UnitResult> mine;
-  const auto work = [&](std::uint64_t i) {
-    mine.push_back(execute(plan, missing[i], roofs));
-    keeping_units(folder, [&] { writer.append(mine.back()); });
-    if (world.is_root())
-      progress.update(i);  // units go out in order: those before are done or under way
-  };
-  self_schedule(world, missing.size(), work, [&] { return stop.before_unit(); });
-  keeping_units(folder, [&] { writer.sync(); });
-  if (world.is_root()) progress.finish();
-  end_if_stopped(plan, earlier.units.size(), mine.size(), stop, folder, world);
-
+  SamplingProgress sampling(plan);
   std::vector<UnitResult> all = std::move(earlier.units);
-  for (const std::vector<char>& part : world.gather(pack(mine))) {
-    for (UnitResult& result : unpack_unit_results(part)) all.push_back(std::move(result));
+  auto first = missing.begin();
+  for (const std::size_t end : plan.unit_ends) {
+    const auto last = std::ranges::lower_bound(missing, end);
+    const auto count = static_cast<std::uint64_t>(last - first);
+    std::vector<UnitResult> mine;
+    const auto work = [&](std::uint64_t i) {
+      mine.push_back(execute(plan, first[static_cast<std::ptrdiff_t>(i)], roofs));
+      keeping_units(folder, [&] { writer.append(mine.back()); });
+      if (world.is_root())  // units go out in order: those before are done or under way
+        progress.update(static_cast<std::uint64_t>(first - missing.begin()) + i);
+    };
+    self_schedule(world, count, work, [&] { return stop.before_unit(); });
+    keeping_units(folder, [&] { writer.sync(); });
+    if (world.is_root()) progress.finish();
+    end_if_stopped(plan, all.size(), mine.size(), count, stop, folder, world);
+    for (const std::vector<char>& part : world.gather(pack(mine))) {
+      for (UnitResult& result : unpack_unit_results(part)) all.push_back(std::move(result));
+    }
+    if (world.is_root()) sampling.add_block(all);
+    first = last;
+    if (!agreed(sampling.is_enough(), world)) continue;
+    std::erase_if(all, [end](const UnitResult& result) { return result.unit >= end; });
+    break;
   }
   return all;
 }

@@ -232,6 +232,12 @@ void check_shape(const RareResults& rare, const Results& results) {
     expect_fit(row.first_case < results.cases.size(), "first_case", "cases");
 }
 
+void check_shape(const ReachedTarget& target, const Results& results) {
+  expect_fit(target.scrambles > 0 && target.scrambles <= target.most_scrambles &&
+                 results.cases.samples % target.scrambles == 0,
+             "scrambles", "samples");
+}
+
 /// With the conditions, which are made of the histories again.
 void check_analyses(Results& results) {
   if (results.chart) check_shape(*results.chart, results.levels.size());
@@ -243,6 +249,7 @@ void check_analyses(Results& results) {
   if (results.sensitivity) check_shape(*results.sensitivity, results);
   if (results.shape) check_shape(*results.shape, results);
   if (results.rare) check_shape(*results.rare, results);
+  if (results.reached_target) check_shape(*results.reached_target, results);
   if (results.intensity_measures) check_shape(*results.intensity_measures, results);
 }
 

@@ -242,6 +242,8 @@ void exchange_analyses(const Archive& archive, const IntensityScale& scale, R& r
   if_there(archive, "rare", results.rare,
            [&](const auto& group, auto& found) { exchange_rare(group, scale, found); });
   exchange_sampling_errors(archive, results.sampling_errors);
+  if_there(archive, "reached_target", results.reached_target,
+           [](const auto& group, auto& target) { exchange_reached_target(group, target); });
   if_there(archive, "intensity_measures", results.intensity_measures,
            [&](const auto& group, auto& rows) { exchange_intensity_measures(group, rows); });
 }

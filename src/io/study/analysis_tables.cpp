@@ -7,6 +7,7 @@
 
 #include "enum_names.hpp"
 #include "glissade/core/units.hpp"
+#include "glissade/study/analysis/sampling_error.hpp"
 #include "glissade/study/analysis/verdict.hpp"
 #include "glissade/study/cases/sample_points.hpp"
 #include "study/hazard_table.hpp"
@@ -233,7 +234,6 @@ void read_sensitivity(const TomlTable& root, StudyConfig& study) {
 
 void read_rare(const TomlTable& root, StudyConfig& study) {
   const TomlTable table = root.table("rare");
-  constexpr std::uint64_t least_scrambles = 8;
   constexpr NumberRule widening_rule{"from 1 to 10",
                                      [](double x) { return x >= 1.0 && x <= 10.0; }};
   RareConfig& rare = study.rare.emplace();

@@ -161,6 +161,10 @@ SamplingConfig read_sampling(const TomlTable& table) {
                  "sampling.scrambles = " + std::to_string(sampling.scrambles) +
                      " does not divide the samples into equal parts (of a power of two for Sobol)",
                  "for example 16, with samples = 1024");
+  constexpr NumberRule target_rule{"above 0 and below 1",
+                                   [](double x) { return x > 0.0 && x < 1.0; }};
+  if (const auto error = table.number("target_error", target_rule))
+    sampling.target = {*error, sampling.scrambles};
   sampling.bootstrap_replicates =
       static_cast<int>(table.whole("bootstrap_replicates", 100, 1000000)
                            .value_or(static_cast<std::uint64_t>(sampling.bootstrap_replicates)));

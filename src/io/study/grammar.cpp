@@ -142,6 +142,10 @@ void add_cases(std::vector<GrammarKey>& keys) {
        {"sampling", "scrambles", "whole number", "1",
         "independent parts of the samples; two or more give the sampling error beside that of the "
         "records"},
+       {"sampling", "target_error", "number", "none: all scrambles are run",
+        "ends the run after the scramble with which half of the 95 % interval of every median, of "
+        "the "
+        "samples alone, is this share of it or less: 0.01 is 1 %"},
        {"sampling", "bootstrap_replicates", "whole number",
         fmt::format("{}", usual.sampling.bootstrap_replicates),
         "resamples of whole records for the intervals"}});

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 
+#include "glissade/study/analysis/sampling_error.hpp"
 #include "study/grammar.hpp"
 
 namespace glissade {
@@ -85,6 +86,15 @@ std::vector<KeyNeeds> key_needs() {
       {"orientation", "second_sign", axes, two_axes},
       {"sampling", "method", drawn, draws},
       {"sampling", "samples", drawn, draws},
+      {"sampling", "target_error", drawn, draws},
+      {"sampling", "target_error", "[fragility]",
+       [](const TomlTable& root, const StudyConfig&) { return root.has("fragility"); }},
+      {"sampling", "target_error", "a study without [sensitivity]",
+       [](const TomlTable&, const StudyConfig& s) { return !s.sensitivity; }},
+      {"sampling", "target_error", "sampling.scrambles of 8 or more",
+       [](const TomlTable&, const StudyConfig& s) {
+         return s.sampling.scrambles >= least_scrambles;
+       }},
       {"sampling", "bootstrap_replicates", "[fragility] or [chart]",
        [](const TomlTable& root, const StudyConfig&) {
          return root.has("fragility") || root.has("chart");

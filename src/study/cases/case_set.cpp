@@ -269,9 +269,10 @@ CaseSet make_cases(const StudyConfig& config) {
   return set;
 }
 
-std::vector<std::size_t> same_as(const CaseSet& set, bool two_axes) {
-  const auto key_of = [two_axes](const Case& c) {
-    std::vector<double> key;
+std::vector<std::size_t> same_as(const CaseSet& set, bool two_axes, SampleBlocks blocks) {
+  const auto key_of = [&](std::size_t i) {
+    const Case& c = set.cases[i];
+    std::vector<double> key{static_cast<double>(set.block(i, blocks))};
     for (const Parameter& p : parameters()) {
       const bool counts =
           (two_axes || p.axes == Parameter::Axes::any) &&
@@ -296,7 +297,7 @@ std::vector<std::size_t> same_as(const CaseSet& set, bool two_axes) {
   std::map<std::vector<double>, std::size_t> first;
   std::vector<std::size_t> same;
   for (std::size_t i = 0; i < set.cases.size(); ++i)
-    same.push_back(first.try_emplace(key_of(set.cases[i]), i).first->second);
+    same.push_back(first.try_emplace(key_of(i), i).first->second);
   return same;
 }
 

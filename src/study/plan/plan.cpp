@@ -18,30 +18,41 @@
 namespace glissade {
 namespace {
 
-/// Numbers the distinct roofs in the order in which they come. A record's are kept where that saves
-/// roofs and takes no more memory than a hundred tables.
+std::size_t block_of(const Plan& plan, std::size_t i) {
+  return plan.cases.block(i, plan.config.sampling.blocks_in_turn());
+}
+
+/// Numbers the distinct roofs in the order in which they come, block by block of the samples, so
+/// that more blocks change nothing in the first ones. A record's are kept where that saves roofs
+/// and takes no more memory than a hundred tables.
 void number_buildings(Plan& plan) {
   constexpr std::size_t most_kept = 128;
   std::map<std::tuple<double, int, int, double, double, double, double, double, double, int>,
            std::size_t>
       numbers;
-  for (const Case& c : plan.cases.cases) {
+  std::vector<std::size_t> by_block(plan.cases.size());
+  std::iota(by_block.begin(), by_block.end(), 0);
+  std::ranges::stable_sort(by_block, {}, [&](std::size_t i) { return block_of(plan, i); });
+  plan.building.resize(plan.cases.size());
+  plan.order.clear();
+  for (const std::size_t i : by_block) {
+    const Case& c = plan.cases.cases[i];
     const bool mixed = !c.orientation.is_quarter_turn();
-    plan.building.push_back(numbers
-                                .try_emplace({mixed ? c.orientation.ground_azimuth_deg : -1.0,
-                                              mixed ? 0 : along_axis(c.orientation, 0).component,
-                                              static_cast<int>(c.vertical), c.vertical_period_s,
-                                              c.vertical_damping, c.period_s, c.period_ratio,
-                                              c.damping, c.mass_ratio, static_cast<int>(c.support)},
-                                             numbers.size())
-                                .first->second);
+    plan.building[i] = numbers
+                           .try_emplace({mixed ? c.orientation.ground_azimuth_deg : -1.0,
+                                         mixed ? 0 : along_axis(c.orientation, 0).component,
+                                         static_cast<int>(c.vertical), c.vertical_period_s,
+                                         c.vertical_damping, c.period_s, c.period_ratio, c.damping,
+                                         c.mass_ratio, static_cast<int>(c.support)},
+                                        numbers.size())
+                           .first->second;
+    if (plan.same_as[i] == i) plan.order.push_back(i);
   }
-  plan.cases_on.resize(numbers.size());
-  for (std::size_t i = 0; i < plan.cases.size(); ++i) {
-    if (plan.same_as[i] == i) plan.cases_on[plan.building[i]].push_back(i);
-  }
-  for (const std::vector<std::size_t>& on_one : plan.cases_on)
-    plan.order.insert(plan.order.end(), on_one.begin(), on_one.end());
+  std::ranges::stable_sort(plan.order, {}, [&](std::size_t i) {
+    return std::pair(block_of(plan, i), plan.building[i]);
+  });
+  plan.cases_on.assign(numbers.size(), {});
+  for (const std::size_t i : plan.order) plan.cases_on[plan.building[i]].push_back(i);
   plan.roofs_are_kept = numbers.size() <= most_kept &&
                         (numbers.size() <= 2 || 2 * numbers.size() <= plan.order.size());
   std::set<double> frictions;
@@ -70,22 +81,32 @@ double record_us(const Plan& plan, std::size_t record) {
          static_cast<double>(plan.config.intensity.levels.size());
 }
 
-/// Units of even predicted cost: some hundreds where the study has that many cases, so that many
-/// ranks share even a small one, none so small that its message and its roofs cost more, and none
-/// so large that a run which is stopped or killed loses more than seconds.
+/// Units of even predicted cost: some hundreds where the study (or a block of its samples) has that
+/// many cases, so that many ranks share even a small one, none so small that its message and its
+/// roofs cost more, and none so large that a run which is stopped or killed loses more than
+/// seconds.
 void cut_units(Plan& plan) {
   constexpr double least_us = 2000.0, most_us = 5e6, units_wanted = 512.0;
   constexpr std::size_t roofs_at_once = 16;
+  const std::size_t blocks = plan.config.sampling.blocks_in_turn().count;
   const bool makes_roofs = plan.kernel.kernel == Kernel::tables && !plan.roofs_are_kept;
   const double unit_us =
-      std::clamp(plan.predicted_seconds() * 1e6 / units_wanted, least_us, most_us);
-  for (std::size_t record = 0; record < plan.records.size(); ++record) {
-    const double cases = std::max(1.0, std::round(unit_us / record_us(plan, record)));
-    std::size_t count = static_cast<std::size_t>(
-        std::min(cases, static_cast<double>(std::max<std::size_t>(1, plan.order.size()))));
-    if (makes_roofs) count = (count + roofs_at_once - 1) / roofs_at_once * roofs_at_once;
-    for (std::size_t first = 0; first < plan.order.size(); first += count)
-      plan.units.push_back({record, first, std::min(count, plan.order.size() - first)});
+      std::clamp(plan.predicted_seconds() * 1e6 / (units_wanted * static_cast<double>(blocks)),
+                 least_us, most_us);
+  std::size_t begin = 0;
+  for (std::size_t block = 0; block < blocks; ++block) {
+    std::size_t end = begin;
+    while (end < plan.order.size() && block_of(plan, plan.order[end]) == block) ++end;
+    for (std::size_t record = 0; record < plan.records.size(); ++record) {
+      const double cases = std::max(1.0, std::round(unit_us / record_us(plan, record)));
+      std::size_t count = static_cast<std::size_t>(
+          std::min(cases, static_cast<double>(std::max<std::size_t>(1, plan.order.size()))));
+      if (makes_roofs) count = (count + roofs_at_once - 1) / roofs_at_once * roofs_at_once;
+      for (std::size_t first = begin; first < end; first += count)
+        plan.units.push_back({record, first, std::min(count, end - first)});
+    }
+    plan.unit_ends.push_back(plan.units.size());
+    begin = end;
   }
 }
 
@@ -98,6 +119,18 @@ void hash_target(Hasher& hasher, const std::optional<DesignTarget>& target) {
     hasher.number(target->sds_g).number(target->sd1_g);
     hasher.numbers(target->period_s).numbers(target->design_sa_g);
   }
+}
+
+/// The cases of the study, and what rests on them.
+void list_cases(Plan& plan) {
+  plan.cases = make_cases(plan.config);
+  check_cases(plan);
+  plan.same_as = same_as(plan.cases, plan.config.two_axes(), plan.config.sampling.blocks_in_turn());
+  number_buildings(plan);
+  check_clearance(plan);
+  plan.warnings = warnings_on(plan);
+  plan.notes = notes_on(plan);
+  plan.skips = skips_of(plan);
 }
 
 std::string hash_of(const Plan& plan) {
@@ -168,16 +201,21 @@ Plan make_plan(const StudyConfig& config, std::vector<Suite> suites) {
                                      factors.end());
   }
   plan.kernel = cheapest_exact_kernel(config);
-  plan.cases = make_cases(config);
-  check_cases(plan);
-  plan.same_as = same_as(plan.cases, config.two_axes());
-  number_buildings(plan);
-  check_clearance(plan);
-  plan.warnings = warnings_on(plan);
-  plan.notes = notes_on(plan);
-  plan.skips = skips_of(plan);
+  list_cases(plan);
   plan.hash = hash_of(plan);
   cut_units(plan);
+  return plan;
+}
+
+Plan first_blocks(Plan plan, std::size_t units) {
+  const auto end = std::ranges::find(plan.unit_ends, units);
+  GLISSADE_EXPECTS(end != plan.unit_ends.end());
+  const auto blocks = static_cast<std::size_t>(end - plan.unit_ends.begin()) + 1;
+  if (blocks == plan.unit_ends.size()) return plan;
+  plan.config.sampling = plan.config.sampling.first_blocks(blocks);
+  list_cases(plan);
+  plan.unit_ends.resize(blocks);
+  plan.units.resize(units);
   return plan;
 }
 

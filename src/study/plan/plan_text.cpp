@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "glissade/study/analysis/sampling_error.hpp"
 #include "glissade/study/plan/plan.hpp"
 
 namespace glissade {
@@ -48,6 +49,12 @@ std::string to_string(const Plan& plan) {
     text += fmt::format(
         "samples     {}, seed {}\n",
         c.sampling.method == SamplingMethod::sobol ? "scrambled Sobol" : "Monte Carlo", c.seed);
+    if (c.sampling.target) {
+      text += fmt::format(
+          "            fewer where {} to {} scrambles of {} give an error of {:g} (target_error)\n",
+          least_scrambles, c.sampling.scrambles, c.sampling.blocks().size,
+          c.sampling.target->error);
+    }
   }
   if (c.fragility) text += fmt::format("thresholds  {:g} m\n", fmt::join(c.thresholds_m(), ", "));
   text +=

@@ -218,6 +218,8 @@ void analyse(const StudyConfig& study, Results& results) {
   if (study.shape) results.shape = shape_results(results);
   if (study.rare) results.rare = rare_results(study, results);
   results.sampling_errors = sampling_error_rows(study, results);
+  if (study.sampling.target)
+    results.reached_target = reached_target(study, results.sampling_errors);
   if (study.intensity_measures)
     results.intensity_measures = rank_intensity_measures(study, results);
 }
@@ -236,7 +238,9 @@ Results reduce(const Plan& plan, const std::vector<UnitResult>& units) {
   return results;
 }
 
-void analyse_again(const StudyConfig& study, Results& results) {
+void analyse_again(StudyConfig study, Results& results) {
+  if (results.reached_target)
+    study.sampling = study.sampling.first_blocks(results.reached_target->scrambles);
   results.study_text = study.source_text;
   results.conditions.reset();
   results.runs.clear();

@@ -93,9 +93,9 @@ void note_suite(const SuiteSummary& suite, std::vector<std::string>& notes) {
                   suite.name, lowest.ratio, lowest.period_s, highest.ratio, highest.period_s));
 }
 
-}  // namespace
-
-std::vector<std::string> warnings_on(const Results& results, const StudyConfig& config) {
+/// Fragilities that are not lognormal.
+void warn_of_shape(const Results& results, const StudyConfig& config,
+                   std::vector<std::string>& warnings) {
   std::size_t fitted = 0, refused = 0;
   const ThresholdFragility* worst = nullptr;
   std::vector<double> refused_m;
@@ -111,11 +111,11 @@ std::vector<std::string> warnings_on(const Results& results, const StudyConfig& 
         worst = &fragility;
     }
   }
-  if (worst == nullptr) return {};
+  if (worst == nullptr) return;
   std::ranges::sort(refused_m);
   refused_m.erase(std::unique(refused_m.begin(), refused_m.end()), refused_m.end());
   const std::string unit = results.measure.unit();
-  return {fmt::format(
+  warnings.push_back(fmt::format(
       "{} of {} fragilities are not lognormal (goodness of fit, p < {:g}; gap {:g} or more), of "
       "clearance {:g} m. At "
       "{:g} m the observed probability is {:.2f} {} the curve at {} = {:.3g}{}. Use the observed "
@@ -124,7 +124,32 @@ std::vector<std::string> warnings_on(const Results& results, const StudyConfig& 
       worst->threshold_m, std::abs(worst->lognormal.largest_gap),
       worst->lognormal.largest_gap > 0.0 ? "above" : "below",
       results.measure.symbol(config.intensity), worst->lognormal.gap_intensity,
-      unit == "-" ? "" : " " + unit)};
+      unit == "-" ? "" : " " + unit));
+}
+
+/// The samples that the target would take: plain Monte Carlo, on the safe side.
+void warn_of_target(const Results& results, std::vector<std::string>& warnings) {
+  if (!results.reached_target || results.reached_target->is_reached()) return;
+  const ReachedTarget& target = *results.reached_target;
+  const std::string reached =
+      std::isinf(target.error)
+          ? "some scrambles have no fit: give higher levels, or more samples"
+          : fmt::format("the error of the samples is {:.2g}; some {:.0f} samples would be required",
+                        target.error,
+                        static_cast<double>(results.cases.samples) *
+                            std::pow(target.error / target.target_error, 2));
+  warnings.push_back(
+      fmt::format("sampling.target_error = {:g} is not reached after all {} scrambles: {}",
+                  target.target_error, target.scrambles, reached));
+}
+
+}  // namespace
+
+std::vector<std::string> warnings_on(const Results& results, const StudyConfig& config) {
+  std::vector<std::string> warnings;
+  warn_of_target(results, warnings);
+  warn_of_shape(results, config, warnings);
+  return warnings;
 }
 
 std::vector<std::string> notes_on(const Results& results, const StudyConfig& config) {

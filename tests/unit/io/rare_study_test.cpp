@@ -42,6 +42,22 @@ TEST_F(RareStudy, refuses_scrambles_that_do_not_divide_the_samples) {
               HasSubstr("sampling.scrambles = 128"));
 }
 
+TEST_F(RareStudy, a_target_error_ends_scrambles_of_a_fragility) {
+  const std::string sampling = "[sampling]\nsamples = 64\ntarget_error = 0.01\nscrambles = ";
+  const StudyConfig study = read(with(sampling + "16\n" + fragility_part));
+  ASSERT_TRUE(study.sampling.target);
+  EXPECT_EQ(study.sampling.target->error, 0.01);
+  EXPECT_EQ(study.sampling.target->most_scrambles, 16u);
+  EXPECT_THAT(error(with(sampling + "4\n" + fragility_part)), HasSubstr("scrambles of 8 or more"));
+  EXPECT_THAT(error(with(sampling + "16\n" + rare)), HasSubstr("needs [fragility]"));
+  EXPECT_THAT(error(with(sampling + "16\n[sensitivity]\n" + fragility_part)),
+              HasSubstr("without [sensitivity]"));
+  EXPECT_THAT(error(study_part + suite_part + intensity_part +
+                    "[friction]\nmu = 0.5\n[orientation]\nchoice = \"as_recorded\"\n" + sampling +
+                    "16\n" + fragility_part),
+              HasSubstr("drawn"));
+}
+
 TEST(rare_results_file, comes_back_and_refuses_rows_that_do_not_fit) {
   const TemporaryFolder folder;
   Results results = with_all();
@@ -53,6 +69,12 @@ TEST(rare_results_file, comes_back_and_refuses_rows_that_do_not_fit) {
   EXPECT_EQ(read.rare->rows[1].record_interval.high, 0.5);
   ASSERT_EQ(read.sampling_errors.size(), 1u);
   EXPECT_EQ(read.sampling_errors[0].record_error, 0.0625);
+  ASSERT_TRUE(read.reached_target);
+  EXPECT_EQ(read.reached_target->error, 0.015625);
+  EXPECT_EQ(read.reached_target->most_scrambles, 4u);
+  results.reached_target->scrambles = 0;
+  EXPECT_THAT(refusal_of(results), HasSubstr("scrambles"));
+  results.reached_target.reset();
   results.rare->rows[0].first_case = results.cases.size();
   EXPECT_THAT(refusal_of(results), HasSubstr("first_case"));
 }

@@ -311,6 +311,7 @@ inline void add_rare(Results& r) {
     rare.rows.push_back(
         {4, "flat", x, 2.0 * x, 1e-5 * x, {0.0, 2e-5}, {1e-6, x}, 8.0 * x, 1e6 * x});
   r.sampling_errors = {{"sampled", 0.15, 1.25, 0.0625, 0.0078125}};
+  r.reached_target = {0.02, 0.015625, 2, 4};
 }
 
 inline void add_intensity_measures(Results& r) {

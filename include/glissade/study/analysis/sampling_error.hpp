@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
 namespace glissade {
 
+struct CaseSet;
+struct SampleBlocks;
+struct HistoryTable;
 struct StudyConfig;
 struct Results;
 
@@ -21,5 +25,40 @@ struct SamplingErrorRow {
 /// By (run, threshold). None with one scramble, or without [fragility].
 std::vector<SamplingErrorRow> sampling_error_rows(const StudyConfig& config,
                                                   const Results& results);
+
+/// Fewer scrambles do not decide whether an error of the samples is small enough.
+inline constexpr std::uint64_t least_scrambles = 8;
+
+/// Where a run with sampling.target_error ended.
+struct ReachedTarget {
+  double target_error = 0.0;
+  double error = 0.0;  ///< largest half_width() of the medians; infinite: one has no fit
+  std::uint64_t scrambles = 0, most_scrambles = 0;
+
+  bool is_reached() const { return error <= target_error; }
+};
+
+/// @param study with the scrambles that were run
+ReachedTarget reached_target(const StudyConfig& study, const std::vector<SamplingErrorRow>& rows);
+
+/// ln medians of the fits on the capacities of the blocks of samples so far, by (combination in
+/// which the array slides, threshold).
+class BlockMedians {
+ public:
+  /// Adds the next of the blocks. Where it has no fit its median is NaN.
+  void add(const CaseSet& cases, const HistoryTable& histories, double highest_level,
+           SampleBlocks blocks);
+  std::uint64_t blocks() const { return blocks_; }  ///< added
+  std::size_t rows() const { return by_row_.size(); }
+  /// Of the mean of the blocks.
+  double standard_error(std::size_t row) const;
+
+ private:
+  std::uint64_t blocks_ = 0;
+  std::vector<std::vector<double>> by_row_;
+};
+
+/// Half of the 95 % interval of a mean over blocks (Student's t). NaN is infinite.
+double half_width(double standard_error, std::uint64_t blocks);
 
 }  // namespace glissade

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 
@@ -78,6 +79,11 @@ inline double value_of(const Parameter& parameter, const Case& c) {
 /// The places of what is drawn beside the parameters.
 inline constexpr std::uint32_t component_dimension = 4, sign_dimension = 5,
                                second_sign_dimension = 9;
+
+/// Blocks of the samples of a study, of equal size.
+struct SampleBlocks {
+  std::size_t count = 1, size = 1;
+};
 
 /// Whether friction cannot stop the array: tan(slope) at or above the friction along the slope.
 bool slides_freely(const Case& c);

@@ -39,6 +39,10 @@ struct CaseSet {
   std::size_t index(std::size_t combination, std::size_t sample, std::size_t orientation) const {
     return (combination * samples + sample) * orientations + orientation;
   }
+  /// Which of the blocks a case is of.
+  std::size_t block(std::size_t i, SampleBlocks blocks) const {
+    return i / orientations / blocks.size % blocks.count;
+  }
   /// A combination's place on each axis, and back.
   std::vector<std::size_t> places(std::size_t combination) const;
   std::size_t combination(const std::vector<std::size_t>& places) const;
@@ -56,6 +60,7 @@ CaseSet make_cases(const StudyConfig& config);
 
 /// By case: the first that has the same histories but for the sign of what moves across the slope.
 /// What acts across is then mirrored, or has no part in the model; a flat roof mirrored is itself.
-std::vector<std::size_t> same_as(const CaseSet& set, bool two_axes);
+/// It is of the same block.
+std::vector<std::size_t> same_as(const CaseSet& set, bool two_axes, SampleBlocks blocks = {});
 
 }  // namespace glissade

@@ -33,7 +33,7 @@ struct Plan {
   KernelChoice kernel;
   CaseSet cases;
   std::vector<std::size_t> same_as;  ///< by case: the first with the same histories
-  /// The cases that are run, those on one building together.
+  /// The cases that are run, block by block of the samples, those on one building together.
   std::vector<std::size_t> order;
   /// By case: which of the distinct roofs of a record it is on.
   std::vector<std::size_t> building;
@@ -42,7 +42,8 @@ struct Plan {
   bool frictions_repeat = false;                   ///< half of the frictions or fewer are different
   std::vector<double> factor_at_unit_level;  ///< by record: factor on the motion at level 1; 0
                                              ///< where it depends on the roof
-  std::vector<WorkUnit> units;
+  std::vector<WorkUnit> units;               ///< block by block of the samples that are run in turn
+  std::vector<std::size_t> unit_ends;        ///< by block: the end of its units
   std::vector<std::string> warnings;  ///< what is possible and not probable: first in every output
   std::vector<std::string> notes;     ///< remarks that belong to the results
   std::vector<Skip> skips;            ///< what the study does not need and is not run
@@ -64,6 +65,9 @@ struct Plan {
 /// Draws the samples, scales the suites, cuts the work. Throws InputError where study and suites do
 /// not fit (no second component, no vertical although required, no target for sds_g ...).
 Plan make_plan(const StudyConfig& config, std::vector<Suite> suites);
+
+/// The plan of the first blocks of samples, those with so many units: where a run ended.
+Plan first_blocks(Plan plan, std::size_t units);
 
 /// A page of text: what the plan would run (for --dry-run).
 std::string to_string(const Plan& plan);

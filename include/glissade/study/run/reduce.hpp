@@ -12,9 +12,10 @@ namespace glissade {
 /// standards. `units` may come in any order; each unit of the plan must be there once.
 Results reduce(const Plan& plan, const std::vector<UnitResult>& units);
 
-/// Finished results with the analyses of `study`, which names the same histories. Warnings and notes
+/// Finished results with the analyses of `study`, which names the same histories (or, with a
+/// sampling.target_error, those and more). Warnings and notes
 /// stay, and new ones are added.
-void analyse_again(const StudyConfig& study, Results& results);
+void analyse_again(StudyConfig study, Results& results);
 
 WorkCount total_count(const std::vector<UnitResult>& units);
 

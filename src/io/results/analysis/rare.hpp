@@ -47,4 +47,12 @@ void exchange_sampling_errors(const Archive& archive, Rows& rows) {
          &SamplingErrorRow::sampling_error);
 }
 
+template <class Archive, class T>
+void exchange_reached_target(const Archive& archive, T& target) {
+  archive.attribute("target_error", target.target_error);
+  archive.attribute("error", target.error);
+  archive.attribute("scrambles", target.scrambles);
+  archive.attribute("most_scrambles", target.most_scrambles);
+}
+
 }  // namespace glissade

@@ -149,12 +149,22 @@ Html section(const Results& results) {
 std::vector<std::string> error_sentences(const Results& results) {
   const SamplingErrorRow& row = results.sampling_errors.front();
   const bool records = row.record_error > row.sampling_error;
-  return {fmt::format(
+  std::vector<std::string> sentences{fmt::format(
       "The standard error of the median at {} is {:.1f} % from the number of records and {:.2f} % "
       "from the samples: {}.",
       format_length(row.threshold_m), 100.0 * row.record_error, 100.0 * row.sampling_error,
       records ? "more records would make the result more certain, more samples would not"
               : "more samples would make the result more certain")};
+  if (results.reached_target) {
+    const ReachedTarget& target = *results.reached_target;
+    sentences.push_back(fmt::format(
+        "{} of at most {} scrambles were run, {} samples: half of the 95 % interval of a median, "
+        "of "
+        "the samples alone, is {:.2g} % of it or less (target {:g} %, {}).",
+        target.scrambles, target.most_scrambles, results.cases.samples, 100.0 * target.error,
+        100.0 * target.target_error, target.is_reached() ? "reached" : "not reached"));
+  }
+  return sentences;
 }
 
 Table sampling_error_table(const Results& results) {
@@ -187,8 +197,9 @@ AnalysisReport sampling_error_report() {
       .is_in = [](const Results& results) { return !results.sampling_errors.empty(); },
       .summary =
           [](const Results& results) {
-            return to_text(sampling_error_table(results)) + "\n" +
-                   wrapped(error_sentences(results).front());
+            std::string text = to_text(sampling_error_table(results)) + "\n";
+            for (const std::string& sentence : error_sentences(results)) text += wrapped(sentence);
+            return text;
           },
       .sentences = error_sentences,
       .tables = [](const Results& results) { return std::vector{sampling_error_table(results)}; },

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glissade/study/analysis/sampling_error.hpp"
 
+#include <algorithm>
+#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -13,16 +15,14 @@ namespace {
 
 constexpr double width_of_95_percent = 3.92;  // standard errors
 
-/// ln median of the fit on the capacities of the samples that are in a block; NaN: no fit.
-double log_median(const Results& results, const RunResults& run, std::size_t threshold,
-                  const StudyConfig& config, std::uint64_t block) {
+/// ln median of the fit on some cases; NaN: no fit.
+double log_median(const HistoryTable& histories, const std::vector<std::size_t>& cases,
+                  std::size_t threshold, double highest_level) {
   CapacitySample sample;
-  sample.censored_at = results.levels.back();
-  const std::uint64_t samples = config.sampling.samples, size = samples / config.sampling.scrambles;
-  for (std::size_t record = 0; record < results.records.size(); ++record) {
-    for (std::size_t i = 0; i < run.cases; ++i) {
-      if (i / results.cases.orientations % samples / size != block) continue;
-      const double capacity = results.histories.capacity(record, run.first_case + i, threshold);
+  sample.censored_at = highest_level;
+  for (std::size_t record = 0; record < histories.records; ++record) {
+    for (const std::size_t i : cases) {
+      const double capacity = histories.capacity(record, i, threshold);
       if (std::isinf(capacity)) {
         sample.censored += 1.0;
       } else if (capacity == 0.0) {
@@ -38,28 +38,65 @@ double log_median(const Results& results, const RunResults& run, std::size_t thr
 
 }  // namespace
 
+void BlockMedians::add(const CaseSet& cases, const HistoryTable& histories, double highest_level,
+                       SampleBlocks blocks) {
+  std::size_t row = 0;
+  for (std::size_t combination = 0; combination < cases.combinations(); ++combination) {
+    const std::size_t first = cases.index(combination, 0, 0);
+    if (cases.cases[first].support != ArraySupport::isolated) continue;
+    std::vector<std::size_t> of_block;
+    for (std::size_t i = first; i < first + cases.per_combination(); ++i)
+      if (cases.block(i, blocks) == blocks_) of_block.push_back(i);
+    for (std::size_t t = 0; t < histories.thresholds; ++t, ++row) {
+      if (row == by_row_.size()) by_row_.emplace_back();
+      by_row_[row].push_back(log_median(histories, of_block, t, highest_level));
+    }
+  }
+  ++blocks_;
+}
+
+double BlockMedians::standard_error(std::size_t row) const {
+  const std::vector<double>& medians = by_row_[row];
+  const double count = static_cast<double>(medians.size()),
+               mean = std::accumulate(medians.begin(), medians.end(), 0.0) / count;
+  double spread = 0.0;
+  for (const double m : medians) spread += (m - mean) * (m - mean);
+  return std::sqrt(spread / (count * (count - 1.0)));
+}
+
+double half_width(double standard_error, std::uint64_t blocks) {
+  if (std::isnan(standard_error)) return std::numeric_limits<double>::infinity();
+  const boost::math::students_t student(static_cast<double>(blocks) - 1.0);
+  return quantile(student, 0.975) * standard_error;
+}
+
 std::vector<SamplingErrorRow> sampling_error_rows(const StudyConfig& config,
                                                   const Results& results) {
   std::vector<SamplingErrorRow> rows;
   const std::uint64_t blocks = config.sampling.scrambles;
-  if (blocks < 2 || !config.draws()) return rows;
+  if (blocks < 2 || !config.draws() || results.runs.empty()) return rows;
+  BlockMedians medians;
+  while (medians.blocks() < blocks)
+    medians.add(results.cases, results.histories, results.levels.back(), config.sampling.blocks());
   for (const RunResults& run : results.runs) {
-    for (std::size_t t = 0; t < run.fragilities.size(); ++t) {
-      std::vector<double> medians;
-      for (std::uint64_t block = 0; block < blocks; ++block)
-        medians.push_back(log_median(results, run, t, config, block));
-      const double count = static_cast<double>(blocks),
-                   mean = std::accumulate(medians.begin(), medians.end(), 0.0) / count;
-      double spread = 0.0;
-      for (const double m : medians) spread += (m - mean) * (m - mean);
-      const FitSummary& fit = run.fragilities[t].capacities;
+    for (const ThresholdFragility& fragility : run.fragilities) {
+      const FitSummary& fit = fragility.capacities;
       rows.push_back(
-          {run.label, run.fragilities[t].threshold_m, fit.curve.median,
+          {run.label, fragility.threshold_m, fit.curve.median,
            std::log(fit.median_interval.high / fit.median_interval.low) / width_of_95_percent,
-           std::sqrt(spread / (count * (count - 1.0)))});
+           medians.standard_error(rows.size())});
     }
   }
   return rows;
+}
+
+ReachedTarget reached_target(const StudyConfig& study, const std::vector<SamplingErrorRow>& rows) {
+  const SamplingConfig& sampling = study.sampling;
+  ReachedTarget reached{sampling.target->error, 0.0, sampling.scrambles,
+                        sampling.target->most_scrambles};
+  for (const SamplingErrorRow& row : rows)
+    reached.error = std::max(reached.error, half_width(row.sampling_error, sampling.scrambles));
+  return reached;
 }
 
 }  // namespace glissade
