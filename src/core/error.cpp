@@ -2,6 +2,7 @@
 #include "glissade/core/error.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cstddef>
 
 namespace glissade {
@@ -81,16 +82,33 @@ std::string usual_name(const std::string& word) {
   return word;
 }
 
+std::string in_lower_case(std::string text) {
+  std::ranges::transform(text, text.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
+}
+
+/// asce7_22 and asce7_10: two numbers, no slip of the pen.
+bool differ_in_digits_only(const std::string& a, const std::string& b) {
+  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+  return std::ranges::equal(a, b,
+                            [&](char x, char y) { return x == y || (is_digit(x) && is_digit(y)); });
+}
+
 }  // namespace
 
 std::string nearest_word(const std::string& word, const std::vector<std::string>& candidates) {
+  for (const std::string& candidate : candidates) {
+    if (in_lower_case(candidate) == in_lower_case(word)) return candidate;
+  }
   // A suggestion helps where the words begin with the same part (another unit), mean the same, or
-  // differ by a slip of the pen.
+  // differ by a slip of the pen: not in all letters, nor in the digits of a number.
   std::string best;
-  std::size_t best_distance = std::max<std::size_t>(2, word.size() / 3) + 1;
+  std::size_t best_distance = std::min(std::max<std::size_t>(2, word.size() / 3) + 1, word.size());
   bool best_shares = false;
   const std::string first = first_part(word), name = usual_name(first);
   for (const std::string& candidate : candidates) {
+    if (differ_in_digits_only(word, candidate)) continue;
     const std::size_t distance = edit_distance(word, candidate);
     const std::string part = first_part(candidate);
     const bool shares = part == first || part == name;

@@ -28,6 +28,10 @@ constexpr RecordedRange horizontal_pga{"PGA", "g", 0.001, 3.0,
     duration{"duration D5-95", "s", 0.5, 300.0, "recalled"},
     step{"time step", "s", 0.001, 0.05, "recalled: recorders take 20 to 1000 samples a second"};
 
+/// Of the PGA of one horizontal component to that of the other; the largest of the records in
+/// suites/ is 3.4.
+constexpr double most_probable_pga_ratio = 4.0;
+
 /// ASCE 7-16, 11.4.8 (recalled): where the mapped values and the site coefficients are not enough.
 bool needs_hazard_analysis(const DesignTarget& target, SiteClass site) {
   if (target.edition != AsceEdition::asce7_16) return false;
@@ -49,6 +53,16 @@ std::vector<std::string> improbable_values(const Motion& motion) {
   };
   const auto& [first, second] = motion.horizontal_mps2;
   if (first == second) found.emplace_back("the same motion as both horizontal components");
+  if (!second.empty()) {
+    const double one = peak_ground_acceleration_mps2(first),
+                 other = peak_ground_acceleration_mps2(second);
+    const double low = std::min(one, other), high = std::max(one, other);
+    if (high > most_probable_pga_ratio * low)
+      found.push_back(fmt::format(
+          "PGA of {:.3g} g and {:.3g} g along its two horizontal components, more than {:g} times "
+          "each other: is one in another unit?",
+          low / standard_gravity_mps2, high / standard_gravity_mps2, most_probable_pga_ratio));
+  }
   const auto largest = [&](auto measure) {
     return second.empty() ? measure(first) : std::max(measure(first), measure(second));
   };

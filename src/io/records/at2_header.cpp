@@ -52,6 +52,7 @@ void read_counts(std::string_view line, const std::string& lower, std::size_t np
     if (dt_at != std::string::npos) dt = word_at(line, dt_at + 2);
   }
   header.npts = parse_count(npts);
+  if (dt.empty()) return;  // a line above may have stated it
   header.dt_text = dt;
   header.dt_s = parse_number(dt);
 }

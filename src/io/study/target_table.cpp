@@ -1,10 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "study/target_table.hpp"
 
+#include <algorithm>
+
 #include "text/number_rows.hpp"
 
 namespace glissade {
 namespace {
+
+/// Class F has no coefficients; reported, with what is required in their place.
+bool is_class_f(const TomlTable& table, const char* key) {
+  const std::vector<std::string> names = table.is_array(key)
+                                             ? table.texts(key).value_or(std::vector<std::string>{})
+                                             : std::vector{table.text(key).value_or("")};
+  if (std::ranges::find(names, "F") == names.end()) return false;
+  table.report(key,
+               "site class F has no site coefficients: ASCE 7-16, 11.4.7 and 20.3.1 (recalled) "
+               "require a site response analysis",
+               "give the spectrum of that analysis as spectrum = \"FILE.csv\", in place of ss_g, "
+               "s1_g and the class");
+  return true;
+}
 
 void read_site_classes(const TomlTable& table, DesignTarget& target) {
   const EnumNames<SiteClass> classes = {{"A", SiteClass::a}, {"B", SiteClass::b},
@@ -13,6 +29,7 @@ void read_site_classes(const TomlTable& table, DesignTarget& target) {
   if (table.has("site_class") && table.has("site_classes")) {
     table.report("site_class", "both site_class and site_classes are given", "give one of them");
   }
+  if (is_class_f(table, "site_class") || is_class_f(table, "site_classes")) return;
   if (const auto one = table.choice<SiteClass>("site_class", classes)) {
     target.site_classes = {*one};
   }

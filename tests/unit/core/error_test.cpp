@@ -38,5 +38,16 @@ TEST(nearest_word, finds_the_key_with_a_wrong_unit_or_a_slip_of_the_pen) {
   EXPECT_EQ(nearest_word("--hlep", {"--help", "--out"}), "--help");
 }
 
+TEST(nearest_word, suggests_nothing_where_every_letter_or_only_digits_differ) {
+  const std::vector<std::string> classes = {"A", "B", "C", "D", "E", "default"};
+  EXPECT_EQ(nearest_word("F", classes), "");
+  EXPECT_EQ(nearest_word("d", classes), "D");
+  EXPECT_EQ(nearest_word("G", classes), "");
+  EXPECT_EQ(nearest_word("V", {"I", "II", "III", "IV"}), "");
+  EXPECT_EQ(nearest_word("asce7_22", {"asce7_10", "asce7_16"}), "");
+  EXPECT_EQ(nearest_word("asce_716", {"asce7_10", "asce7_16"}), "asce7_16");
+  EXPECT_EQ(nearest_word("SI", {"si", "us"}), "si");
+}
+
 }  // namespace
 }  // namespace glissade

@@ -185,6 +185,12 @@ TEST_F(RecordFile, units_that_are_not_stated_are_not_guessed) {
 TEST_F(RecordFile, comments_may_state_step_and_count_which_must_hold) {
   EXPECT_EQ(read("# DT = 0.02\n1\n2\n").dt_s, 0.02);
   EXPECT_EQ(read("# NPTS= 2, DT= .02 SEC\n1\n2\n").dt_s, 0.02);
+  for (const char* lines : {"# DT = 0.02\n# NPTS = 2\n", "# NPTS = 2\n# DT = 0.02\n"}) {
+    const std::string text = lines + std::string("1\n2\n");
+    EXPECT_EQ(read(text).dt_s, 0.02) << lines;
+    EXPECT_THAT(error(text, {.dt_s = 0.01, .units = {}}), HasSubstr("0.02")) << lines;
+    EXPECT_THAT(error(text + "3\n"), HasSubstr("contains 3")) << lines;
+  }
   EXPECT_THAT(error("# NPTS= 3, DT= .02 SEC\n1\n2\n"), HasSubstr("contains 2"));
   EXPECT_THAT(error("# DT = 0.02\n1\n2\n", {.dt_s = 0.01, .units = {}}), HasSubstr("0.02"));
   EXPECT_THAT(error("# DT = 0.02\n0 1\n0.01 2\n0.02 2\n"), HasSubstr("0.02"));

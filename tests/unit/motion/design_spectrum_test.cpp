@@ -129,6 +129,7 @@ TEST(site_class_and_edition, read_what_they_write) {
   }
   EXPECT_EQ(to_string(c), "C");
   EXPECT_THROW(parse_site_class("F"), InputError);
+  EXPECT_THROW(parse_site_class("G"), InputError);
   EXPECT_THROW(parse_asce_edition("7-16"), InputError);
 }
 

@@ -48,6 +48,14 @@ TEST(improbable_values, name_one_motion_as_both_horizontals) {
   EXPECT_THAT(improbable_values(twins), ElementsAre(HasSubstr("both horizontal")));
 }
 
+TEST(improbable_values, name_horizontals_whose_pga_differ_as_units_do) {
+  Motion motion = plausible();
+  motion.horizontal_mps2[1] = plausible(0.8).horizontal_mps2[0];
+  EXPECT_THAT(improbable_values(motion), IsEmpty());
+  motion.horizontal_mps2[1] = plausible(3.0 / 9.80665).horizontal_mps2[0];
+  EXPECT_THAT(improbable_values(motion), ElementsAre(HasSubstr("0.0312 g and 0.306 g")));
+}
+
 DesignTarget target(AsceEdition edition, double ss_g, double s1_g, SiteClass site) {
   DesignTarget t;
   t.edition = edition;
