@@ -67,16 +67,18 @@ Json to_json(const PullTestSummary& summary) {
             {"tests", Json::array()},
             {"notes", summary.notes}};
   for (const DirectionFriction& d : summary.directions) {
-    json["directions"].push_back({{"direction", d.direction},
-                                  {"sliding", to_json(d.sliding)},
-                                  {"breakaway", to_json(d.breakaway)}});
+    json["directions"].push_back(
+        {{"direction", d.direction},
+         {"sliding", to_json(d.sliding)},
+         {"breakaway", d.breakaway.tests > 0 ? to_json(d.breakaway) : Json()}});
   }
   for (const TraceFriction& test : summary.tests) json["tests"].push_back(to_json(test));
   return json;
 }
 
 void print(const PullTestSummary& summary) {
-  fmt::print("{}\n{}", to_text(pull_tests_table(summary)), to_text(friction_table(summary)));
+  if (!summary.tests.empty()) fmt::print("{}\n", to_text(pull_tests_table(summary)));
+  fmt::print("{}", to_text(friction_table(summary)));
   if (!summary.notes.empty()) fmt::print("\n");
   for (const std::string& note : summary.notes) fmt::print("note  {}\n", note);
 }
@@ -84,8 +86,7 @@ void print(const PullTestSummary& summary) {
 void run(const FrictionOptions& o) {
   check(o.rule);
   if (!o.out.empty()) check_output_folder(o.out, o.overwrite);
-  const std::vector<PullTest> tests = read_pull_tests(o.tests);
-  const PullTestSummary summary = summarise(tests, o.rule);
+  const auto [tests, summary] = read_pull_test_results(o.tests, o.rule);
   if (!o.out.empty()) write_friction_report(tests, summary, o.out);
   if (o.json) {
     fmt::print("{}\n", to_json(summary).dump(2));
@@ -100,7 +101,9 @@ void run(const FrictionOptions& o) {
 void add_friction(CLI::App& program) {
   auto o = std::make_shared<FrictionOptions>();
   CLI::App* command = program.add_subcommand("friction", "Effective friction from pull tests");
-  command->add_option("tests", o->tests, "CSV of pull tests (studies/README.md)")->required();
+  command
+      ->add_option("tests", o->tests, "CSV of pull tests, or of one column mu (studies/README.md)")
+      ->required();
   command->add_option("--slip-m", o->rule.slip_m,
                       "displacement up to which the rig stretches and the array does not slip");
   command->add_option("--sliding-from-m", o->rule.sliding_from_m,

@@ -108,6 +108,10 @@ std::vector<std::string> notes_on(const PullTestSummary& summary) {
 
 }  // namespace
 
+double lower_bound_95(double mean, double std, std::size_t tests) {
+  return std::max(0.0, mean - one_sided_tolerance_factor({tests, coverage, confidence}) * std);
+}
+
 MuStatistics statistics_of(const std::vector<double>& mu) {
   GLISSADE_EXPECTS(!mu.empty());
   const auto n = static_cast<double>(mu.size());
@@ -120,9 +124,8 @@ MuStatistics statistics_of(const std::vector<double>& mu) {
   double squares = 0.0;
   for (const double x : mu) squares += (x - s.mean) * (x - s.mean);
   s.std = std::sqrt(squares / (n - 1.0));
-  const double k = one_sided_tolerance_factor({mu.size(), coverage, confidence});
   s.mean_minus_2_std = std::max(0.0, s.mean - 2.0 * s.std);
-  s.lower_bound_95 = std::max(0.0, s.mean - k * s.std);
+  s.lower_bound_95 = glissade::lower_bound_95(s.mean, s.std, s.tests);
   constexpr std::size_t most_judged = 5000;
   if (mu.size() >= 3 && mu.size() <= most_judged && *least < *most) s.normality = shapiro_wilk(mu);
   return s;
@@ -148,6 +151,14 @@ PullTestSummary summarise(const std::vector<PullTest>& tests, const SlidingRule&
     summary.directions.push_back({direction, statistics(&TraceFriction::sliding_mu),
                                   statistics(&TraceFriction::breakaway_mu)});
   }
+  summary.notes = notes_on(summary);
+  return summary;
+}
+
+PullTestSummary summarise_values(const std::vector<double>& sliding_mu) {
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  PullTestSummary summary;
+  summary.directions.push_back({"all", statistics_of(sliding_mu), {0, none, none, none, none, {}}});
   summary.notes = notes_on(summary);
   return summary;
 }

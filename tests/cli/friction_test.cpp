@@ -152,5 +152,22 @@ TEST_F(Friction, of_the_example_serves_a_study_beside_it) {
   EXPECT_THAT(read_file(out / "report.html"), HasSubstr("friction from 6 pull tests"));
 }
 
+// 0.50, 0.54, 0.58: mean 0.54, std 0.04. The same sheet serves a project.
+TEST_F(Friction, of_a_sheet_of_values_is_evaluated_and_serves_a_study) {
+  const std::string sheet = folder_.write("sheet.csv", "# tests of May\nmu\n0.50\n0.54\n0.58\n");
+  const Json json = friction_json({sheet});
+  EXPECT_NEAR(json["directions"][0]["sliding"]["mean"], 0.54, 1e-12);
+  EXPECT_NEAR(json["directions"][0]["sliding"]["std"], 0.04, 1e-12);
+  EXPECT_TRUE(json["directions"][0]["breakaway"].is_null());
+  const fs::path out = folder_.path("out");
+  EXPECT_EQ(run_program({"friction", sheet, "--out", out.string()}).status, 0);
+  EXPECT_TRUE(fs::exists(out / "tables/friction.csv"));
+  const std::string text =
+      replaced(small_study(), "mu = { mean = 0.3, std = 0.03 }\n", "file = \"sheet.csv\"\n");
+  const Finished child = run_program({"check", folder_.write("study.toml", text)});
+  EXPECT_EQ(child.status, 0) << child.err;
+  EXPECT_THAT(child.out, HasSubstr("mean 0.54, std 0.04"));
+}
+
 }  // namespace
 }  // namespace glissade::test

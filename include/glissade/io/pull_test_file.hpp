@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "glissade/sampling/friction_statistics.hpp"
 #include "glissade/sampling/pull_test.hpp"
 
 namespace glissade {
@@ -13,5 +14,13 @@ namespace glissade {
 /// comments. Throws InputError with a message for each kind of wrong row, at the first such row:
 /// numbers that are none, time that goes back, normal force not above 0 ...
 std::vector<PullTest> read_pull_tests(const std::filesystem::path& file);
+
+/// Pull tests with what came out. The file may also be a sheet: one column mu with a test in each
+/// row; then there are no logs.
+struct PullTestResults {
+  std::vector<PullTest> tests;
+  PullTestSummary summary;
+};
+PullTestResults read_pull_test_results(const std::filesystem::path& file, const SlidingRule& rule);
 
 }  // namespace glissade

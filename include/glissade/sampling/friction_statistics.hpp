@@ -24,20 +24,25 @@ struct MuStatistics {
 };
 MuStatistics statistics_of(const std::vector<double>& mu);
 
+/// lower_bound_95 of `tests` (>= 2) tests with this mean and standard deviation.
+double lower_bound_95(double mean, double std, std::size_t tests);
+
 struct DirectionFriction {
   std::string direction;
-  MuStatistics sliding, breakaway;
+  MuStatistics sliding, breakaway;  ///< breakaway.tests = 0: it is not known
 };
 
 /// Results of a set of pull tests.
 struct PullTestSummary {
   SlidingRule rule;
-  std::vector<TraceFriction> tests;           ///< as given
+  std::vector<TraceFriction> tests;           ///< as given; none of a sheet of values
   std::vector<DirectionFriction> directions;  ///< as they first appear
   std::vector<std::string> notes;             ///< remarks for the user
 };
 
 /// Throws InputError with the problems of all tests.
 PullTestSummary summarise(const std::vector<PullTest>& tests, const SlidingRule& rule);
+/// Of one value for each test; the direction is "all".
+PullTestSummary summarise_values(const std::vector<double>& sliding_mu);
 
 }  // namespace glissade

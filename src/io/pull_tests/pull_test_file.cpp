@@ -9,6 +9,7 @@
 #include "glissade/core/error.hpp"
 #include "glissade/core/file.hpp"
 #include "pull_tests/pull_test_columns.hpp"
+#include "text/number_rows.hpp"
 #include "text/scan.hpp"
 
 namespace glissade {
@@ -140,7 +141,35 @@ class TestBuilder {
   std::optional<double> last_time_s_;
 };
 
+bool is_sheet(const std::filesystem::path& file) {
+  const std::string text = read_text_file(file);
+  LineReader reader(text);
+  while (reader.next()) {
+    if (!is_blank_or_comment(reader.line())) return trimmed(reader.line()) == "mu";
+  }
+  return false;
+}
+
+std::vector<double> read_sheet(const std::filesystem::path& file) {
+  constexpr double most_mu = 10.0;
+  std::vector<double> mu;
+  const auto take = [&](const std::vector<double>& row, std::size_t) -> std::string {
+    if (!(row[0] >= 0.0 && row[0] <= most_mu)) return "mu is not from 0 to 10";
+    mu.push_back(row[0]);
+    return "";
+  };
+  read_number_rows(file, {{{"mu"}, take}});
+  return mu;
+}
+
 }  // namespace
+
+PullTestResults read_pull_test_results(const std::filesystem::path& file, const SlidingRule& rule) {
+  if (is_sheet(file)) return {{}, summarise_values(read_sheet(file))};
+  PullTestResults results{read_pull_tests(file), {}};
+  results.summary = summarise(results.tests, rule);
+  return results;
+}
 
 std::vector<PullTest> read_pull_tests(const std::filesystem::path& file) {
   const std::string text = read_text_file(file);

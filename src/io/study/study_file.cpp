@@ -75,7 +75,7 @@ void read_suites(const TomlTable& table, StudyConfig& study) {
   table.text("file");
   const char* key = table.has("files") ? "files" : "file";
   for (const std::string& name : names) {
-    study.suite_files.push_back(study.file.parent_path() / name);
+    study.suite_files.push_back((study.file.parent_path() / name).lexically_normal());
     std::error_code ignored;
     if (!name.empty() && !std::filesystem::exists(study.suite_files.back(), ignored)) {
       table.report(key, "there is no suite " + study.suite_files.back().string(),

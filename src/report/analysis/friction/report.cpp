@@ -53,13 +53,14 @@ Table friction_table(const PullTestSummary& summary) {
               {}};
   for (const DirectionFriction& d : summary.directions) {
     add_row(table, d.direction, "sliding", d.sliding);
-    add_row(table, d.direction, "breakaway", d.breakaway);
+    if (d.breakaway.tests > 0) add_row(table, d.direction, "breakaway", d.breakaway);
   }
   return table;
 }
 
 void write_friction_report(const std::vector<PullTest>& tests, const PullTestSummary& summary,
                            const std::filesystem::path& out_dir) {
+  if (tests.empty()) return write_tables({friction_table(summary)}, out_dir);
   write_tables({friction_table(summary), pull_tests_table(summary)}, out_dir);
   render_figure(friction_figure(tests, summary), out_dir / "figures");
 }
