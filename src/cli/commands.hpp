@@ -2,6 +2,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
 
 #include "glissade/parallel/communicator.hpp"
 
@@ -19,6 +20,12 @@ void add_standards(CLI::App& program);
 void add_report(CLI::App& program);
 void add_explain(CLI::App& program);
 void add_init(CLI::App& program);
+
+/// What `glissade check` prints of a project. Throws InputError where it cannot run.
+void check_project(const std::filesystem::path& file, const std::filesystem::path& out);
+
+/// Throws InputError where a calculation cannot begin in the folder.
+void check_calculation_folder(const std::filesystem::path& out, bool overwrite);
 
 /// An error that root has already reported; every rank leaves with this status.
 struct ExitStatus {

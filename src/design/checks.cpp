@@ -7,8 +7,15 @@
 #include <cmath>
 #include <limits>
 
+#include "glissade/core/contract.hpp"
+#include "glissade/core/units.hpp"
+
 namespace glissade {
 namespace {
+
+std::string both_units(double length_m) {
+  return fmt::format("{:.3g} m ({:.3g} ft)", length_m, length_m / foot_m);
+}
 
 /// The lowest ratio of the suite's average spectrum to the design spectrum in (from, to].
 double lowest_ratio(const SuiteSpectra& spectra, double from_s, double to_s) {
@@ -39,6 +46,33 @@ std::vector<DesignCheck> spectrum_checks(const Project& project, const Results& 
   return checks;
 }
 
+/// Outside of what buildings have. All limits are recalled.
+std::vector<std::string> improbable_values(const ProjectBuilding& building) {
+  constexpr double most_storeys = 163.0;                        // Burj Khalifa
+  constexpr double least_storey_m = 2.2, most_storey_m = 8.0;   // height of a storey
+  constexpr double most_single_storey_m = 30.0;                 // a hall
+  constexpr double least_period_s = 0.02, most_period_s = 0.5;  // for each storey
+  if (!building.storeys) return {};
+  const double storeys = *building.storeys;
+  std::vector<std::string> texts;
+  if (storeys > most_storeys)
+    texts.push_back(fmt::format("{:g} storeys are more than any building has", storeys));
+  const double most_m = storeys == 1.0 ? most_single_storey_m : most_storey_m;
+  const double storey_m = building.height_m.value_or(0.0) / storeys;
+  if (building.height_m && (storey_m < least_storey_m || storey_m > most_m))
+    texts.push_back(fmt::format("{:g} storeys in a height of {}: {} for each is improbable",
+                                storeys, both_units(*building.height_m), both_units(storey_m)));
+  const auto add_period = [&](double period_s, bool is_improbable) {
+    if (is_improbable)
+      texts.push_back(fmt::format("a building period of {:.3g} s is improbable with {:g} storeys",
+                                  period_s, storeys));
+  };
+  const double shortest_s = building.period_s.front(), longest_s = building.period_s.back();
+  add_period(shortest_s, shortest_s > most_period_s * storeys);
+  add_period(longest_s, longest_s < least_period_s * storeys);
+  return texts;
+}
+
 /// What the project states that makes the result smaller, or that is improbable.
 std::vector<std::string> choices_of(const Project& project, const DesignClearance& design) {
   std::vector<std::string> texts;
@@ -55,9 +89,17 @@ std::vector<std::string> choices_of(const Project& project, const DesignClearanc
   add(project.importance < importance_factor(project.site.risk),
       fmt::format("the importance factor {:g} is below that of risk category {}",
                   project.importance, to_string(project.site.risk)));
-  add(!is_within_standard(project, design),
-      "the project is outside the conditions of its standard, or does not state them all: an "
-      "unanchored array then needs the approval of the authority");
+  if (const std::string not_met = of_standard(project, design).not_met(); !not_met.empty())
+    texts.push_back(
+        fmt::format("conditions of the standard are not met or not stated ({}): an unanchored "
+                    "array then requires the approval of the authority",
+                    not_met));
+  add(!project.site.states_tl && project.site.target.period_s.empty(),
+      fmt::format("site.tl_s is not stated: T_L = {:g} s is assumed", project.site.target.tl_s));
+  add(project.friction.mean < 2.0 * project.friction.std,
+      fmt::format("mean - 2 std of the friction is {:.3g}: 0 is taken",
+                  project.friction.mean - 2.0 * project.friction.std));
+  for (std::string& text : improbable_values(project.building)) texts.push_back(std::move(text));
   add(project.friction.std == 0.0,
       "the friction has no scatter (std 0): its design value is the mean");
   add(project.friction.design() > 1.0,
@@ -66,6 +108,25 @@ std::vector<std::string> choices_of(const Project& project, const DesignClearanc
 }
 
 }  // namespace
+
+const PrescribedValue& of_standard(const Project& project, const DesignClearance& design) {
+  const auto value =
+      std::ranges::find(design.prescribed, project.standard, &PrescribedValue::standard);
+  GLISSADE_EXPECTS(value != design.prescribed.end());
+  return *value;
+}
+
+std::vector<std::string> reservations_on(const Project& project, const DesignClearance& design) {
+  std::vector<std::string> found;
+  if (const std::string not_met = of_standard(project, design).not_met(); !not_met.empty())
+    found.push_back("conditions of the standard that are not met or not stated: " + not_met);
+  for (const DesignCheck& check : design.checks) {
+    if (!check.is_met)
+      found.push_back(fmt::format("a check that is not met: {}: {}; required: {}", check.what,
+                                  check.found, check.criterion));
+  }
+  return found;
+}
 
 std::vector<DesignCheck> checks_of(const Project& project, const Results& demand,
                                    const DesignClearance& design) {
@@ -97,6 +158,11 @@ std::vector<DesignCheck> checks_of(const Project& project, const Results& demand
                                   "confidence",
                                   *mu.lower_bound),
                       mu.design() <= *mu.lower_bound});
+  } else {
+    checks.push_back({"tests behind the friction", "number not stated",
+                      "stated (friction.tests), so that the friction that they support with 95 % "
+                      "confidence is known",
+                      false});
   }
   return checks;
 }
@@ -110,12 +176,19 @@ std::vector<std::string> warnings_on(const Project& project, const Results& dema
       warnings.push_back(fmt::format("a check is not met: {}: {}; required: {}", check.what,
                                      check.found, check.criterion));
   }
-  if (design.period_s == design.demand.front().period_s ||
-      design.period_s == design.demand.back().period_s)
+  const bool moves = design.demand.back().largest_m > 0.0 || design.analysis_m > 0.0;
+  if (moves && design.demand.size() == 1) {
+    warnings.push_back(
+        fmt::format("one building period is given, {:.3g} s: at others the displacement may be "
+                    "larger",
+                    design.period_s));
+  } else if (moves && (design.period_s == design.demand.front().period_s ||
+                       design.period_s == design.demand.back().period_s)) {
     warnings.push_back(
         fmt::format("the displacement is largest at an end of the range of periods, {:.3g} s: "
                     "outside the range it may be larger",
                     design.period_s));
+  }
   for (const ProjectSeparation& s : design.separations) {
     if (s.available_m && *s.available_m < s.required.value_m)
       warnings.push_back("the clearance at hand is not sufficient " + s.required.what);

@@ -39,7 +39,10 @@ const RequiredClearance& governing_condition(const Project& project, const Resul
   const RequiredClearance* governing = nullptr;
   for (const RequiredClearance& required : demand.clearance->required) {
     const Inputs inputs = inputs_of(demand, required.largest);
-    if (inputs.friction != project.friction.design() || inputs.level != demand.levels.front())
+    const bool is_of_project =
+        std::ranges::find(project.slope_deg, inputs.slope_deg) != project.slope_deg.end();
+    if (inputs.friction != project.friction.design() || inputs.level != demand.levels.front() ||
+        !is_of_project)
       continue;
     if (governing == nullptr || required_m(demand, required) > required_m(demand, *governing))
       governing = &required;
@@ -97,15 +100,13 @@ class SensitivityTable {
 std::vector<Sensitivity> sensitivity_of(const Project& project, const Results& demand,
                                         const Inputs& governing, double factor) {
   SensitivityTable table(demand, governing);
-  const ProjectFriction& mu = project.friction;
+  const std::vector<StudiedFriction> frictions = frictions_of(project);
   table.vary("friction", &Inputs::friction, [&](double value) {
-    const char* which = value < mu.mean   ? "mean - 2 std"
-                        : value > mu.mean ? "mean + 2 std"
-                                          : "mean";
-    return fmt::format("{:.3g} ({})", value, which);
+    const auto which = std::ranges::find(frictions, value, &StudiedFriction::value);
+    return fmt::format("{:.3f} ({})", value, which->what);
   });
   table.vary("roof slope", &Inputs::slope_deg,
-             [](double value) { return fmt::format("{:.3g} deg", value); });
+             [](double value) { return fmt::format("{:.3g} degrees", value); });
   table.vary("mass ratio", &Inputs::mass_ratio,
              [](double value) { return fmt::format("{:g}", value); });
   table.vary("vertical motion", &Inputs::vertical, [](VerticalChoice use) -> std::string {
@@ -130,12 +131,6 @@ std::vector<Sensitivity> sensitivity_of(const Project& project, const Results& d
 }
 
 }  // namespace
-
-bool is_within_standard(const Project& project, const DesignClearance& design) {
-  const auto value =
-      std::ranges::find(design.prescribed, project.standard, &PrescribedValue::standard);
-  return value != design.prescribed.end() && value->may_be_used();
-}
 
 const ExceedanceAt& largest_exceedance(const DesignClearance& design, const std::string& level) {
   const ExceedanceAt* largest = nullptr;

@@ -13,8 +13,17 @@ double coefficient(const DesignTarget& target, double design_g, double mapped_g)
   return target.is_mapped() ? mce_over_dbe * design_g / mapped_g : 0.0;
 }
 
-CodeCondition condition(const std::string& text, bool is_met, Provenance provenance) {
-  return {text, is_met, provenance};
+CodeCondition condition(const std::string& text, const std::string& found, bool is_met,
+                        Provenance provenance) {
+  return {text, found, is_met, provenance};
+}
+
+std::string steepest_text(const Project& project) {
+  return fmt::format("{:.3g} degrees", project.slope_deg.back());
+}
+
+std::string friction_text(const Project& project) {
+  return fmt::format("{:.3f}", project.friction.design());
 }
 
 PrescribedValue seaoc(const Project& project, const SiteValues& site) {
@@ -23,9 +32,11 @@ PrescribedValue seaoc(const Project& project, const SiteValues& site) {
       .standard = Standard::seaoc_pv1_2012,
       .prescribed = seaoc_pv1_2012_displacement(site.sds_g, site.category),
       .conditions = {condition(fmt::format("roof slope below {:g} degrees", seaoc_slope_limit_deg),
-                               steepest < seaoc_slope_limit_deg, Provenance::checked),
+                               steepest_text(project), steepest < seaoc_slope_limit_deg,
+                               Provenance::checked),
                      condition(fmt::format("coefficient of friction above {:g}", seaoc_mu_limit),
-                               project.friction.design() > seaoc_mu_limit, Provenance::checked)},
+                               friction_text(project), project.friction.design() > seaoc_mu_limit,
+                               Provenance::checked)},
       .floor_share = 0.5,
       .floor_basis = "half of the prescribed value, unless the analysis is peer reviewed"};
 }
@@ -34,18 +45,22 @@ PrescribedValue asce7_16(const Project& project, const SiteValues& site) {
   PrescribedValue value{
       .standard = Standard::asce7_16,
       .prescribed = asce7_16_displacement(site.sds_g, project.importance),
-      .conditions = {condition("roof slope of 1 in 20 or less",
+      .conditions = {condition("roof slope of 1 in 20 or less", steepest_text(project),
                                project.slope_deg.back() <= asce7_16_slope_limit_deg,
                                Provenance::recalled),
                      condition(
                          fmt::format("coefficient of friction of {:g} or more", asce7_16_mu_limit),
-                         project.friction.design() >= asce7_16_mu_limit, Provenance::recalled),
-                     condition("risk category I, II or III", project.site.risk != RiskCategory::iv,
-                               Provenance::recalled),
-                     {"six storeys or fewer", std::nullopt, Provenance::recalled}},
+                         friction_text(project), project.friction.design() >= asce7_16_mu_limit,
+                         Provenance::recalled),
+                     condition("risk category I, II or III", to_string(project.site.risk),
+                               project.site.risk != RiskCategory::iv, Provenance::recalled),
+                     {"six storeys or fewer", "not stated", std::nullopt, Provenance::recalled}},
       .floor_share = 0.8,
       .floor_basis = "80 % of the prescribed value, unless the analysis is peer reviewed"};
-  if (project.building.storeys) value.conditions.back().is_met = *project.building.storeys <= 6.0;
+  if (const auto storeys = project.building.storeys) {
+    value.conditions.back().is_met = *storeys <= 6.0;
+    value.conditions.back().found = fmt::format("{:g}", *storeys);
+  }
   return value;
 }
 
@@ -66,6 +81,15 @@ SiteValues site_values(const ProjectSite& site) {
 bool PrescribedValue::may_be_used() const {
   return std::ranges::all_of(conditions,
                              [](const CodeCondition& c) { return c.is_met.value_or(false); });
+}
+
+std::string PrescribedValue::not_met() const {
+  std::string text;
+  for (const CodeCondition& c : conditions) {
+    if (!c.is_met.value_or(false))
+      text += fmt::format("{}{}: {}", text.empty() ? "" : "; ", c.text, c.found);
+  }
+  return text;
 }
 
 std::vector<PrescribedValue> prescribed_values(const Project& project, const SiteValues& site) {

@@ -35,6 +35,7 @@ struct PeriodDemand {
 /// A condition of a prescriptive value. Not known: nothing.
 struct CodeCondition {
   std::string text;
+  std::string found;  ///< "10", "not stated"
   std::optional<bool> is_met;
   Provenance provenance;
 };
@@ -49,6 +50,8 @@ struct PrescribedValue {
   std::string floor_basis;
 
   bool may_be_used() const;
+  /// "six storeys or fewer: 10": of the conditions that are not met or not known; else empty.
+  std::string not_met() const;
 };
 std::vector<PrescribedValue> prescribed_values(const Project& project, const SiteValues& site);
 
@@ -108,8 +111,22 @@ DesignClearance design_clearance(const Project& project, const Results& demand);
 /// That of the period with the largest probability.
 const ExceedanceAt& largest_exceedance(const DesignClearance& design, const std::string& level);
 
-/// Whether every condition of the project's standard is met.
-bool is_within_standard(const Project& project, const DesignClearance& design);
+/// The prescriptive value of the project's standard.
+const PrescribedValue& of_standard(const Project& project, const DesignClearance& design);
+
+/// Why a clearance that is large enough may still not be accepted: conditions of the standard and
+/// checks that are not met.
+std::vector<std::string> reservations_on(const Project& project, const DesignClearance& design);
+
+/// The frictions of the demand study, with what each is, increasing.
+struct StudiedFriction {
+  double value = 0.0;
+  std::string what;  ///< "mean - 2 std"
+};
+std::vector<StudiedFriction> frictions_of(const Project& project);
+
+/// The slopes of the demand study: those of the project, and beside a single one a steeper one.
+std::vector<double> slopes_of(const Project& project);
 
 /// Adds what the results of probability_study() give.
 void add_exceedance(const Results& probability, DesignClearance& design);

@@ -20,12 +20,14 @@ struct TitleBlock {
 
 struct ProjectSite {
   DesignTarget target;
+  bool states_tl = true;  ///< or T_L is as usual
   RiskCategory risk = RiskCategory::ii;
 };
 
 struct ProjectBuilding {
   std::vector<double> period_s;    ///< increasing, > 0
   std::string period_basis;        ///< "given", or the equation with its numbers
+  std::optional<double> height_m;  ///< where the period comes from it
   std::optional<double> storeys;   ///< above ground, where given
   std::vector<double> mass_ratio;  ///< of the array to the building, increasing
   double damping = 0.05;
@@ -33,7 +35,8 @@ struct ProjectBuilding {
 
 struct ProjectFriction {
   double mean = 0.5, std = 0.0;
-  std::optional<double> lower_bound;  ///< 95 % confidence bound of MuStatistics, of tests
+  std::optional<double> lower_bound;  ///< 95 % confidence bound of MuStatistics; none: the number
+                                      ///< of tests is not known
   std::string source;                 ///< "7 pull tests in pulls.csv (SHA-256 ...)"
 
   /// mean - 2 std (Walters et al. 2012), not below 0.

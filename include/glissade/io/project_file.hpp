@@ -13,6 +13,10 @@ namespace glissade {
 /// or missing, each with an example line.
 Project read_project(const std::filesystem::path& file);
 
+/// Whether the file has the [project] of a project file, and is not a study. Throws InputError
+/// where it is not TOML.
+bool is_project(const std::filesystem::path& file);
+
 /// A project file with every key, commented: what `glissade clearance --example` prints.
 std::string project_example();
 

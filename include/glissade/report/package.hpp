@@ -26,7 +26,11 @@ struct CalculationPackage {
   const Results& probability;
   std::vector<ComponentFile> files;  ///< empty: the motions of the suite are simulated
   std::string project_sha256;
+  std::string build;  ///< commit and compiler
 };
+
+/// Those of the calculation, and that simulated motions do not serve for a permit.
+std::vector<std::string> warnings_of(const CalculationPackage& package);
 
 /// Within 80 columns, in plain ASCII.
 std::string package_screen(const CalculationPackage& package);

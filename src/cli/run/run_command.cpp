@@ -8,6 +8,7 @@
 #include "commands.hpp"
 #include "glissade/core/file.hpp"
 #include "glissade/io/journal.hpp"
+#include "glissade/io/project_file.hpp"
 #include "glissade/io/results_file.hpp"
 #include "glissade/io/study_file.hpp"
 #include "glissade/io/suite_file.hpp"
@@ -196,10 +197,20 @@ void add_run(CLI::App& program, const Communicator& world) {
   });
 
   CLI::App* check = program.add_subcommand(
-      "check", "What a study would run, its cost and warnings; nothing is run or written");
-  check->add_option("study", options->study, "study file (TOML); see studies/")->required();
+      "check",
+      "What a study or project would run, its cost and warnings; nothing is run or written");
+  check->add_option("study", options->study, "study or project file (TOML); see studies/")
+      ->required();
   check->add_option("--results", options->out, "folder that is to be free [as of run]");
   check->callback([options, world] {
+    bool of_project = false;
+    on_root(world, [&] {
+      of_project = is_project(options->study);
+      if (of_project) check_project(options->study, options->folder());
+    });
+    std::vector<char> ends(1, of_project ? 1 : 0);
+    world.broadcast(ends);
+    if (ends[0] != 0) return;
     options->dry_run = true;
     run_study(*options, world);
   });

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run/run_folder.hpp"
 
+#include "clearance/calculation_record.hpp"
 #include "glissade/core/file.hpp"
 #include "glissade/study/run/exchange.hpp"
 #include "output_rule.hpp"
@@ -59,7 +60,10 @@ void remove_what_a_run_left(const fs::path& folder) {
 }  // namespace
 
 std::string resume_command(const fs::path& folder) {
-  return "glissade run --resume " + folder.string();
+  const fs::path above = folder.parent_path();  // of a calculation, with its package
+  return is_calculation(above) && !is_finished_calculation(above)
+             ? resume_calculation_command(above)
+             : "glissade run --resume " + folder.string();
 }
 
 void check_run_folder(const fs::path& folder, bool overwrite) {

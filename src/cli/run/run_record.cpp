@@ -13,6 +13,10 @@
 
 namespace glissade::cli {
 
+std::string now_utc() {
+  return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
+}
+
 void PhaseClock::end_phase(const std::string& name) {
   const auto now = std::chrono::steady_clock::now();
   phases_.emplace_back(name, std::chrono::duration<double>(now - last_).count());
@@ -25,10 +29,6 @@ std::string host_name() {
   std::array<char, 256> host{};
   gethostname(host.data(), host.size() - 1);
   return host.data();
-}
-
-std::string now_utc() {
-  return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
 }
 
 using Json = nlohmann::ordered_json;

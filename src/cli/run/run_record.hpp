@@ -25,6 +25,9 @@ class PhaseClock {
   std::vector<std::pair<std::string, double>> phases_;
 };
 
+/// "2026-01-31T12:00:00Z".
+std::string now_utc();
+
 /// run.json while a run is under way, or was killed: its folder is taken.
 std::string started_json(const std::string& study_name, const std::string& plan_hash);
 

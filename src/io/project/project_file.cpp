@@ -16,8 +16,6 @@
 #include "glissade/sampling/friction_statistics.hpp"
 #include "project/project_keys.hpp"
 #include "study/target_table.hpp"
-#include "text/number_rows.hpp"
-#include "text/scan.hpp"
 #include "toml/toml_table.hpp"
 
 namespace glissade {
@@ -82,6 +80,19 @@ TitleBlock read_title(const TomlTable& table, Project& project) {
           table.text("engineer").value_or(""), table.text("date").value_or("")};
 }
 
+/// Maps give them in percent of g.
+void check_accelerations(const TomlTable& table) {
+  constexpr double most_possible_g = 10.0;
+  for (const char* key : {"ss_g", "s1_g", "sds_g", "sd1_g"}) {
+    const double value = table.number(key).value_or(0.0);
+    if (value > most_possible_g)
+      table.report(key,
+                   fmt::format("site.{} = {:g} is in g: no site has more than {:g} g", key, value,
+                               most_possible_g),
+                   fmt::format("if it is in percent of g, give {:g}", value / 100.0));
+  }
+}
+
 void read_site(const TomlTable& table, Project& project) {
   const auto has = [&](const char* key) { return table.has(key); };
   project.site.risk = table
@@ -96,6 +107,8 @@ void read_site(const TomlTable& table, Project& project) {
   if (!is_whole) return table.ignore_unknown();  // what is missing has been reported
   const std::size_t before = table.problem_count();
   project.site.target = read_target(table, project.file.parent_path());
+  project.site.states_tl = has("tl_s");
+  check_accelerations(table);
   if (table.problem_count() > before) return;
   try {
     static_cast<void>(TargetSpectrum(project.site.target));
@@ -120,6 +133,7 @@ void periods_of_system(const TomlTable& table, ProjectBuilding& building) {
                  example("building", "period_bounds"));
     bounds = {1.0, 1.0};
   }
+  building.height_m = height_m;
   const double period_s = approximate_period_s(*system, height_m);
   constexpr int count = 5;
   for (int i = 0; i < count; ++i) {
@@ -149,7 +163,9 @@ ProjectBuilding read_building(const TomlTable& table) {
   }
   building.mass_ratio = read_values(table, "mass_ratio",
                                     {"from 0 to 1", [](double x) { return x >= 0.0 && x <= 1.0; }});
-  building.storeys = table.number("storeys", above_zero);
+  building.storeys = table.number("storeys", {"a whole number above 0", [](double x) {
+                                                return x >= 1.0 && std::floor(x) == x;
+                                              }});
   building.damping =
       table.number("damping", {"from 0 to 0.999", [](double x) { return x >= 0.0 && x <= 0.999; }})
           .value_or(building.damping);
@@ -168,67 +184,40 @@ std::vector<double> read_slopes(const TomlTable& table) {
   return slopes;
 }
 
-/// One column, mu, a test in each row.
-std::vector<double> read_test_values(const fs::path& file) {
-  std::vector<double> mu;
-  const auto take = [&](const std::vector<double>& row, std::size_t) -> std::string {
-    if (!friction_rule.is_met(row[0])) return "mu is not from 0 to 10";
-    mu.push_back(row[0]);
-    return "";
-  };
-  read_number_rows(file, {{{"mu"}, take}});
-  return mu;
-}
-
-bool has_one_column(const fs::path& file) {
-  const std::string text = read_text_file(file);
-  LineReader reader(text);
-  while (reader.next()) {
-    if (!is_blank_or_comment(reader.line())) return trimmed(reader.line()) == "mu";
-  }
-  return false;
-}
-
-/// Sliding friction, a value for each test.
-std::vector<double> read_logged_tests(const TomlTable& table, const fs::path& file) {
-  const PullTestSummary summary = summarise(read_pull_tests(file), SlidingRule{});
-  std::string direction = table.text("direction").value_or("");
-  if (direction.empty() && summary.directions.size() == 1)
-    direction = summary.directions.front().direction;
-  std::vector<double> mu;
+/// Sliding friction in the direction of the project; null where there is none, which is reported.
+const MuStatistics* tested_friction(const TomlTable& table, const PullTestSummary& summary) {
+  const auto& directions = summary.directions;
+  const std::string name = table.text("direction").value_or("");
+  if (name.empty() && directions.size() == 1) return &directions.front().sliding;
+  const auto at = std::ranges::find(directions, name, &DirectionFriction::direction);
+  if (at != directions.end()) return &at->sliding;
   std::string known;
-  for (const DirectionFriction& d : summary.directions)
-    known += (known.empty() ? "" : ", ") + d.direction;
-  for (const TraceFriction& test : summary.tests) {
-    if (test.direction == direction) mu.push_back(test.sliding_mu);
-  }
-  if (mu.empty())
-    table.report("direction", "the pull tests have several directions, or not the one given",
-                 "give friction.direction as one of: " + known);
-  return mu;
+  for (const DirectionFriction& d : directions) known += (known.empty() ? "" : ", ") + d.direction;
+  table.report("direction", "the pull tests have several directions, or not the one given",
+               "give friction.direction as one of: " + known);
+  return nullptr;
 }
 
 void take_tests(const TomlTable& table, const fs::path& folder, ProjectFriction& friction) {
   const std::string name = table.text("file").value_or("");
-  for (const char* key : {"mean", "std", "source"}) {
+  for (const char* key : {"mean", "std", "source", "tests"}) {
     if (table.has(key))
       table.report(key, fmt::format("friction.file and friction.{} are both given", key),
                    "give the file of pull tests, or mean, std and source");
   }
   try {
-    const bool is_summary = has_one_column(folder / name);
-    const std::vector<double> mu =
-        is_summary ? read_test_values(folder / name) : read_logged_tests(table, folder / name);
-    if (mu.empty()) return;
-    if (mu.size() < 2) {
+    const PullTestResults results = read_pull_test_results(folder / name, SlidingRule{});
+    const MuStatistics* found = tested_friction(table, results.summary);
+    if (found == nullptr) return;
+    const MuStatistics& statistics = *found;
+    if (statistics.tests < 2) {
       table.report("file", "one pull test gives no standard deviation", "test more");
       return;
     }
-    const MuStatistics statistics = statistics_of(mu);
     friction.mean = statistics.mean;
     friction.std = statistics.std;
     friction.lower_bound = statistics.lower_bound_95;
-    friction.source = fmt::format("{} pull tests, {} (SHA-256 {})", mu.size(), name,
+    friction.source = fmt::format("{} pull tests, {} (SHA-256 {})", statistics.tests, name,
                                   sha256_of_file(folder / name));
   } catch (const InputError& error) {
     table.report("file", error);
@@ -245,6 +234,10 @@ ProjectFriction read_project_friction(const TomlTable& table, const fs::path& fo
   friction.mean = table.number("mean", friction_rule).value_or(friction.mean);
   friction.std = table.number("std", not_negative).value_or(friction.std);
   friction.source = table.text("source").value_or("-");
+  if (const auto tests = table.whole("tests", 2, 1000)) {
+    friction.lower_bound = lower_bound_95(friction.mean, friction.std, *tests);
+    friction.source += fmt::format(" ({} tests)", *tests);
+  }
   if (friction.source.empty())
     table.report("source", "friction.source is empty", example("friction", "source"));
   return friction;
@@ -252,7 +245,11 @@ ProjectFriction read_project_friction(const TomlTable& table, const fs::path& fo
 
 void read_rest(const TomlTable& root, Project& project) {
   const TomlTable suite = root.table("suite");
-  project.suite = project.file.parent_path() / suite.text("file").value_or("");
+  project.suite = (project.file.parent_path() / suite.text("file").value_or("")).lexically_normal();
+  std::error_code error;
+  if (suite.has("file") && !fs::is_regular_file(project.suite, error))
+    suite.report("file", "there is no suite " + project.suite.string(),
+                 "give the path of a suite file, relative to the project file (suites/README.md)");
   project.samples = suite.whole("samples", 2, 1 << 20).value_or(project.samples);
   if (!std::has_single_bit(project.samples))
     suite.report("samples", "suite.samples is not a power of two", example("suite", "samples"));
@@ -279,15 +276,22 @@ void read_rest(const TomlTable& root, Project& project) {
 /// What no analysis can answer.
 void check_project(const TomlTable& root, const Project& project) {
   const double tangent = std::tan(project.slope_deg.back() * rad_per_deg);
+  const ProjectFriction& mu = project.friction;
   if (project.friction.design() <= tangent)
-    root.report("friction",
-                fmt::format("the design friction, mean - 2 std = {:.3g}, is not above tan(slope) = "
-                            "{:.3g}: the array slides without an earthquake",
-                            project.friction.design(), tangent),
-                "anchor the array, or state a higher friction or a flatter roof");
+    root.report(
+        "friction",
+        fmt::format("the design friction, mean - 2 std = {:.3g} - 2 x {:.3g} = {:.3g}, is not "
+                    "above tan(slope) = {:.3g}: the array slides without an earthquake",
+                    mu.mean, mu.std, mu.mean - 2.0 * mu.std, tangent),
+        "anchor the array, or state a higher friction or a flatter roof");
 }
 
 }  // namespace
+
+bool is_project(const std::filesystem::path& file) {
+  TomlDocument document(file);
+  return document.root().has("project") && !document.root().has("study");
+}
 
 Project read_project(const std::filesystem::path& file) {
   TomlDocument document(file);

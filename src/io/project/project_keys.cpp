@@ -54,6 +54,8 @@ constexpr std::array keys{
                "of the pull tests, where there are several"},
     ProjectKey{"friction", "mean", "0.50", alternative, "mean coefficient of friction"},
     ProjectKey{"friction", "std", "0.04", alternative, "its standard deviation between tests"},
+    ProjectKey{"friction", "tests", "7", alternative,
+               "the number of tests behind mean and std, which bounds what they support"},
     ProjectKey{"friction", "source", "\"test report 123\"", alternative,
                "where mean and std come from"},
     ProjectKey{"suite", "file", "\"suite.toml\"", required,

@@ -37,28 +37,34 @@ std::string head_of(const Project& project, const fs::path& folder, const std::s
       "[suite]\nfile = {}\n\n"
       "[intensity]\nmeasure = \"sds_g\"\nlevels = [{}]\ntarget = {}\n\n",
       quoted(project.file.filename().string()), quoted(name),
-      quoted(project.title.name + ": " + what), project.seed,
-      project.units == UnitSystem::us_customary ? "us" : "si", path_from(project.suite, folder),
-      fmt::join(levels, ", "), target_of(project, folder));
+      quoted(project.title.name + ": " + what +
+             ". Part of a calculation: the governing displacement is in package.html, one folder "
+             "above"),
+      project.seed, project.units == UnitSystem::us_customary ? "us" : "si",
+      path_from(project.suite, folder), fmt::join(levels, ", "), target_of(project, folder));
 }
 
 }  // namespace
 
 std::string demand_study(const Project& project, const fs::path& folder) {
   const double sds_g = site_values(project.site).sds_g;
-  const ProjectFriction& mu = project.friction;
-  std::vector<double> frictions{mu.design()};
-  if (mu.std > 0.0) frictions = {mu.design(), mu.mean, mu.mean + 2.0 * mu.std};
+  std::vector<double> frictions;
+  std::vector<std::string> what;
+  for (const StudiedFriction& mu : frictions_of(project)) {
+    frictions.push_back(mu.value);
+    what.push_back(mu.what);
+  }
   return head_of(project, folder, "demand", "displacement demand", {sds_g, mce_over_dbe * sds_g}) +
          fmt::format(
              "[building]\nperiod_s = {}\nmass_ratio = {}\ndamping = {}\n\n"
              "[vertical]\nuse = [\"none\", \"if_available\"]\n\n"
              "[roof]\nslope_deg = {}\n\n"
-             "[friction]\nmu = {}   # mean - 2 std, mean, mean + 2 std\n\n"
+             "[friction]\nmu = {}   # {}\n\n"
              "[orientation]\nchoice = \"all_permutations\"\n\n"
              "[clearance]\n",
              list_of(project.building.period_s), list_of(project.building.mass_ratio),
-             project.building.damping, list_of(project.slope_deg), list_of(frictions));
+             project.building.damping, list_of(slopes_of(project)), list_of(frictions),
+             fmt::join(what, ", "));
 }
 
 std::string probability_study(const Project& project, const fs::path& folder,

@@ -90,11 +90,15 @@ Html result_html(const CalculationPackage& package) {
           design.factor, design.of_largest ? "single" : "mean", design.demand.size(),
           length_in_both(design.analysis_m), design.period_s,
           length_in_both(design.median_analysis_m))};
-  if (!is_within_standard(package.project, design))
+  const PrescribedValue& standard = of_standard(package.project, design);
+  answers.push_back(fmt::format(
+      "The full value that {} prescribes is {}: {}.", standard_name(standard.standard),
+      length_in_both(standard.prescribed.value_m),
+      standard.may_be_used() ? "all conditions of its use are met"
+                             : "not met or not stated for its use are: " + standard.not_met()));
+  if (!standard.may_be_used())
     answers.push_back(
-        "The project is outside the conditions of its standard, or does not state them all "
-        "(section "
-        "6): an unanchored array then needs the approval of the authority.");
+        "Outside these conditions an unanchored array requires the approval of the authority.");
   for (const char* level : {"DBE", "MCE"}) {
     const ExceedanceAt& e = largest_exceedance(design, level);
     answers.push_back(fmt::format(
@@ -207,12 +211,13 @@ Html long_table(const Table& table) {
 }
 
 Html records_html(const CalculationPackage& package) {
-  Html html = section_heading(9) +
-              paragraph(fmt::format("glissade {}; plan of the demand study {}, of the probability "
-                                    "study {}; project file SHA-256 {}. The same files and version "
-                                    "give the same numbers.",
-                                    package.demand.program_version, package.demand.plan_hash,
-                                    package.probability.plan_hash, package.project_sha256));
+  Html html =
+      section_heading(9) +
+      paragraph(fmt::format("glissade {} ({}); plan of the demand study {}, of the probability "
+                            "study {}; project file SHA-256 {}. The same files and version "
+                            "give the same numbers.",
+                            package.demand.program_version, package.build, package.demand.plan_hash,
+                            package.probability.plan_hash, package.project_sha256));
   if (!package.files.empty()) html += long_table(files_table(package));
   return html + "<h3>Project file</h3>\n" + study_file(package.project.source_text);
 }

@@ -53,7 +53,9 @@ std::string governing_lines(const CalculationPackage& package) {
   for (const PrescribedValue& value : design.prescribed) {
     text += fmt::format("{:<15}prescribes {}; conditions {}\n", standard_name(value.standard),
                         length_in_both(value.prescribed.value_m),
-                        value.may_be_used() ? "met" : "NOT all met or stated");
+                        value.may_be_used() ? "met" : "NOT met or not stated:");
+    if (!value.may_be_used())
+      text += std::string(15, ' ') + wrapped(value.not_met(), terminal_width, 15) + "\n";
   }
   text += line("GOVERNING", fmt::format("{}, rounded up to {}", length_in_both(design.governing_m),
                                         length_in_both(design.rounded_m)));
@@ -71,6 +73,8 @@ std::string separation_lines(const CalculationPackage& package) {
     text += fmt::format("  {:.1f} x  {:>10}  {}{}\n", s.required.factor,
                         length_in(s.required.value_m), s.required.what, verdict);
   }
+  if (!reservations_on(package.project, package.design).empty())
+    text += "  with reservation: conditions or checks are not met, see the warnings\n";
   text += "\nProbability that the governing displacement is exceeded\n";
   for (const char* level : {"DBE", "MCE"}) {
     const ExceedanceAt& e = largest_exceedance(package.design, level);

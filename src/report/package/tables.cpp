@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 #include "glissade/core/units.hpp"
@@ -59,6 +60,12 @@ double displacement_of(const CalculationPackage& package, std::size_t record) {
   return largest;
 }
 
+/// "12.7 in (1.06 ft)", or "0.322 m".
+std::string prescribed_separation(double length_m) {
+  return in_inches() ? fmt::format("{} ({})", length_in(length_m), separation_in(length_m))
+                     : length_in(length_m);
+}
+
 std::string not_given(double value, const std::string& text) { return value > 0.0 ? text : "-"; }
 
 }  // namespace
@@ -69,6 +76,11 @@ std::vector<std::string> warnings_of(const CalculationPackage& package) {
     warnings.insert(warnings.begin(),
                     "the motions of this suite are simulated and do not serve for a permit: repeat "
                     "the calculation with recorded motions");
+  for (std::string& warning : warnings) {  // a sentence, but for the name of a key
+    const std::string first = warning.substr(0, warning.find(' '));
+    if (first.find_first_of("._") == std::string::npos)
+      warning[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(warning[0])));
+  }
   return warnings;
 }
 
@@ -158,6 +170,9 @@ Table site_table(const CalculationPackage& package) {
       points               ? "largest of S_a T, 1 to 5 s (21.4, recalled)"
       : target.is_mapped() ? "2/3 S_M1"
                            : "as given");
+  if (!points)
+    add("T_L", fmt::format("{:g} s", target.tl_s),
+        package.project.site.states_tl ? "project file" : "NOT STATED: assumed");
   add("Seismic design category", to_string(site.category),
       "ASCE 7, tables 11.6-1 and 11.6-2 (recalled)");
   return table;
@@ -184,8 +199,9 @@ Table scaled_motions_table(const CalculationPackage& package) {
       "Ground motions as recorded, factor to DBE, and displacement of the array",
       {text_column("id", "Record"), text_column("pga", "PGA, g"),
        text_column("pgv", in_inches() ? "PGV, in/s" : "PGV, m/s"), text_column("step", "Step, s"),
-       text_column("length", "Length, s"), text_column("suite_scale", "Scale of the suite"),
-       text_column("factor", "Factor to DBE"), text_column("displacement", "Displacement")},
+       text_column("length", "Length, s"), text_column("duration", "D5-95, s"),
+       text_column("suite_scale", "Scale of the suite"), text_column("factor", "Factor to DBE"),
+       text_column("displacement", "Displacement")},
       {}};
   for (std::size_t i = 0; i < package.demand.records.size(); ++i) {
     const RecordSummary& r = package.demand.records[i];
@@ -194,15 +210,15 @@ Table scaled_motions_table(const CalculationPackage& package) {
          in_inches() ? fmt::format("{:.1f}", r.pgv_mps / inch_m) : fmt::format("{:.3f}", r.pgv_mps),
          fmt::format("{:g}", r.dt_s),
          fmt::format("{:.0f}", r.dt_s * static_cast<double>(r.samples - 1)),
-         fmt::format("{:.3g}", r.suite_scale),
+         fmt::format("{:.1f}", r.duration_s), fmt::format("{:.3g}", r.suite_scale),
          fmt::format("{:.3f}", r.factor_at_unit_level * package.design.site.sds_g),
          length_in(displacement_of(package, i))});
   }
   table.notes.push_back(
-      "PGA and PGV: geometric mean of both horizontal components, as recorded. The factor to DBE "
-      "contains the scale of the suite and is "
-      "on "
-      "all components. Displacement: in the governing case at DBE, the largest of the "
+      "PGA and PGV: geometric mean of both horizontal components, as recorded. D5-95: from 5 % to "
+      "95 % of the Arias intensity of both together. The factor to DBE "
+      "contains the scale of the suite and is on all components. Displacement: in the governing "
+      "case at DBE, the largest of the "
       "orientations.");
   return table;
 }
@@ -244,17 +260,17 @@ Table prescribed_table(const CalculationPackage& package) {
   Table table{"prescribed",
               "Prescribed displacements, their conditions, and the least value of an analysis",
               {text_column("standard", "Standard"), text_column("value", "Prescribed"),
-               text_column("conditions", "Conditions"),
+               text_column("conditions", "Conditions of its use"),
                text_column("floor", "Least of an analysis"), text_column("basis", "Basis")},
               {}};
   for (const PrescribedValue& value : package.design.prescribed) {
     std::string conditions;
     for (const CodeCondition& c : value.conditions) {
-      conditions += fmt::format("{}{}{}: {}", conditions.empty() ? "" : "; ", c.text,
-                                provenance_mark(c.provenance),
-                                !c.is_met   ? "not stated"
-                                : *c.is_met ? "met"
-                                            : "NOT MET");
+      conditions += fmt::format("{}{}{}: {}{}", conditions.empty() ? "" : "; ", c.text,
+                                provenance_mark(c.provenance), c.found,
+                                !c.is_met   ? ""
+                                : *c.is_met ? ", met"
+                                            : ", NOT MET");
     }
     table.add({standard_name(value.standard) +
                    (value.standard == package.project.standard ? " (of the project)" : ""),
@@ -268,23 +284,34 @@ Table prescribed_table(const CalculationPackage& package) {
 }
 
 Table separations_table(const CalculationPackage& package) {
+  const Prescription& prescribed = of_standard(package.project, package.design).prescribed;
   Table table{
       "separations",
       fmt::format("Required separations: parts of the governing displacement, {}, rounded up",
                   length_in_both(package.design.governing_m)),
       {text_column("separation", "Separation"), text_column("factor", "Factor"),
        text_column("required", "Required"), text_column("required_ft", "Required"),
+       text_column("prescribed", fmt::format("By the full prescribed value, {}, {}",
+                                             standard_name(package.project.standard),
+                                             length_in(prescribed.value_m))),
        text_column("available", "Available"), text_column("verdict", "Verdict")},
       {}};
+  const std::vector<Separation> of_prescribed = asce7_16_separations(prescribed.value_m);
+  const std::vector<std::string> reservations = reservations_on(package.project, package.design);
+  std::size_t row = 0;
   for (const ProjectSeparation& s : package.design.separations) {
     const bool known = s.available_m.has_value();
     table.add({s.required.what, fmt::format("{:.1f}", s.required.factor),
                length_in_both(s.required.value_m), separation_in(s.required.value_m),
+               prescribed_separation(of_prescribed.at(row++).value_m),
                known ? length_in_both(*s.available_m) : "not stated",
-               !known                                 ? std::string("-")
-               : *s.available_m >= s.required.value_m ? std::string("sufficient")
-                                                      : std::string("NOT SUFFICIENT")});
+               std::string(!known                                ? "-"
+                           : *s.available_m < s.required.value_m ? "NOT SUFFICIENT"
+                           : reservations.empty()                ? "sufficient"
+                                                  : "sufficient, with reservation")});
   }
+  for (const std::string& reservation : reservations)
+    table.notes.push_back("Reservation: " + reservation + ".");
   return in_inches() ? table : table.without("required_ft");
 }
 
@@ -301,6 +328,14 @@ Table sensitivity_table(const CalculationPackage& package) {
                fmt::format("{:.2f}", row.clearance_m / package.design.analysis_m)});
   }
   table.notes.push_back("*: as in the governing case.");
+  const ProjectFriction& mu = package.project.friction;
+  const auto has_bound = [&](const StudiedFriction& f) { return f.value == mu.lower_bound; };
+  if (mu.lower_bound && *mu.lower_bound < mu.design() &&
+      std::ranges::none_of(frictions_of(package.project), has_bound))
+    table.notes.push_back(
+        fmt::format("With the friction that the tests support with 95 % confidence, {:.3f}, the "
+                    "array slides without an earthquake on the steepest slope: no displacement.",
+                    *mu.lower_bound));
   return table;
 }
 

@@ -24,8 +24,6 @@ Table checks_table(const CalculationPackage& package);
 
 /// "ASCE 7-16, 80 % of its displacement", "nonlinear response history analysis".
 std::string governed_by(const CalculationPackage& package);
-/// Those of the calculation, and that simulated motions do not serve for a permit.
-std::vector<std::string> warnings_of(const CalculationPackage& package);
 /// "1.19 degrees", "1.19 to 2.39 degrees".
 std::string range_text(const std::vector<double>& values, const char* unit);
 

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "glissade/design/design_clearance.hpp"
 #include "temporary_folder.hpp"
 
 namespace glissade {
@@ -37,6 +38,7 @@ file = "suite.toml"
 
 class ProjectFile : public testing::Test {
  protected:
+  ProjectFile() { folder_.write("suite.toml", ""); }
   Project read(const std::string& text) { return read_project(folder_.write("p.toml", text)); }
   std::vector<Problem> problems_of(const std::string& text) {
     try {
@@ -115,11 +117,52 @@ TEST_F(ProjectFile, unknown_keys_and_contradictions_are_refused) {
   EXPECT_EQ(problems_of(changed("site_class = \"default\"", "site_class = \"Z\"")).size(), 1u);
 }
 
+// A wrong hint is a number ready to be copied: A is hard rock.
+TEST_F(ProjectFile, of_site_class_f_requires_a_site_response_analysis) {
+  const auto problem_of = [&](const std::string& site) {
+    const auto problems = problems_of(changed("\"default\"", site));
+    EXPECT_EQ(problems.size(), 1u) << site;
+    return problems.empty() ? "" : to_string(problems.front());
+  };
+  EXPECT_THAT(problem_of("\"F\""), HasSubstr("20.3.1"));
+  EXPECT_THAT(problem_of("\"G\""),
+              testing::AllOf(testing::Not(HasSubstr("did you mean")), HasSubstr("A, B, C, D, E")));
+  EXPECT_THAT(problem_of("\"d\""), HasSubstr("did you mean \"D\""));
+}
+
+TEST_F(ProjectFile, the_number_of_tests_bounds_a_friction_that_is_typed) {
+  EXPECT_FALSE(read(whole).friction.lower_bound.has_value());
+  const Project project = read(changed("std = 0.04", "std = 0.04\ntests = 7"));
+  // k of 7 tests with 95 % confidence: 3.399 for 95 % of the population, 4.641 for 99 %
+  // (NIST/SEMATECH e-Handbook, 7.2.6.3); here 97.7 %.
+  EXPECT_LT(*project.friction.lower_bound, 0.5 - 3.399 * 0.04);
+  EXPECT_GT(*project.friction.lower_bound, 0.5 - 4.641 * 0.04);
+  const std::vector<StudiedFriction> frictions = frictions_of(project);
+  ASSERT_EQ(frictions.size(), 4u);
+  EXPECT_EQ(frictions[0].value, *project.friction.lower_bound);
+  EXPECT_EQ(frictions[1].value, project.friction.design());
+}
+
+// The suite of a project is named at its own line, not at that of a study that is made of it.
+TEST_F(ProjectFile, of_a_suite_that_is_not_there_names_its_line) {
+  const auto problems = problems_of(changed("\"suite.toml\"", "\"nowhere.toml\""));
+  ASSERT_EQ(problems.size(), 1u);
+  EXPECT_THAT(problems.front().where, HasSubstr("p.toml:19"));
+  EXPECT_THAT(problems.front().what, HasSubstr("nowhere.toml"));
+}
+
+TEST_F(ProjectFile, values_that_no_building_or_site_has_are_refused) {
+  EXPECT_EQ(problems_of(changed("mass_ratio", "storeys = 2.5\nmass_ratio")).size(), 1u);
+  const auto problems = problems_of(changed("ss_g = 1.313", "ss_g = 131.3"));
+  ASSERT_EQ(problems.size(), 1u);
+  EXPECT_THAT(problems.front().suggestion, HasSubstr("1.313"));
+}
+
 // The studies that are made are study files: the plan of their numbers.
 TEST_F(ProjectFile, studies_state_the_projects_numbers) {
   const Project project = read(whole);
   const std::string demand = demand_study(project, folder_.path());
-  for (const char* part : {"period_s = [0.5, 1]", "mu = [0.42, 0.5, 0.58]"})
+  for (const char* part : {"period_s = [0.5, 1]", "mu = [0.42, 0.5, 0.58]", "slope_deg = [1.19"})
     EXPECT_THAT(demand, HasSubstr(part));
   const std::string probability = probability_study(project, folder_.path(), {0.5});
   EXPECT_THAT(probability, HasSubstr("thresholds_m = [0.5]"));

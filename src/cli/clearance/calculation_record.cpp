@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "clearance/calculation_record.hpp"
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "glissade/core/error.hpp"
+#include "glissade/core/file.hpp"
+#include "run/run_record.hpp"
+
+namespace glissade::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using CalculationJson = nlohmann::ordered_json;
+
+/// Null where run.json is not there or is not of a calculation.
+CalculationJson record_in(const fs::path& folder) {
+  std::ifstream in(folder / "run.json");
+  const CalculationJson json = CalculationJson::parse(in, nullptr, /*allow_exceptions=*/false);
+  const bool is_ours = json.is_object() && json.value("command", "") == "clearance";
+  return is_ours ? json : CalculationJson();
+}
+
+CalculationJson head_of_calculation(const CalculationIdentity& identity, const char* status) {
+  return {{"command", "clearance"},
+          {"project", identity.project.string()},
+          {"project_sha256", identity.project_sha256},
+          {"status", status}};
+}
+
+void add_results(CalculationJson& json, const DesignClearance& design) {
+  json["governing_m"] = design.governing_m;
+  json["rounded_m"] = design.rounded_m;
+  for (const ProjectSeparation& s : design.separations)
+    json["separations"].push_back({{"between", s.required.what},
+                                   {"factor", s.required.factor},
+                                   {"required_m", s.required.value_m}});
+}
+
+CalculationJson prescribed_json(const PrescribedValue& value) {
+  const bool is_asce = value.standard == Standard::asce7_16;
+  CalculationJson json{{"standard", is_asce ? "asce7_16" : "seaoc_pv1_2012"},
+                       {"value_m", value.prescribed.value_m},
+                       {"conditions_met", value.may_be_used()},
+                       {"conditions_not_met", value.not_met()}};
+  for (const Separation& s : asce7_16_separations(value.prescribed.value_m))
+    json["separations_m"].push_back(s.value_m);
+  return json;
+}
+
+std::string numbers_json(const CalculationPackage& package) {
+  const DesignClearance& design = package.design;
+  CalculationJson json{{"sds_g", design.site.sds_g},
+                       {"sd1_g", design.site.sd1_g},
+                       {"seismic_design_category", to_string(design.site.category)},
+                       {"slope_deg", design.slope_deg},
+                       {"mass_ratio", design.mass_ratio},
+                       {"period_s", design.period_s},
+                       {"analysis_m", design.analysis_m},
+                       {"least_value_m", design.floor_m}};
+  add_results(json, design);
+  for (const PrescribedValue& value : design.prescribed)
+    json["prescribed"].push_back(prescribed_json(value));
+  for (const PeriodDemand& d : design.demand)
+    json["demand"].push_back({{"period_s", d.period_s},
+                              {"mean_m", d.mean_m},
+                              {"p84_m", d.p84_m},
+                              {"p95_m", d.p95_m},
+                              {"largest_m", d.largest_m}});
+  for (const Sensitivity& s : design.sensitivity)
+    json["sensitivity"].push_back(
+        {{"input", s.what}, {"value", s.value}, {"required_m", s.clearance_m}});
+  for (const ExceedanceAt& e : design.exceedance)
+    json["exceedance"].push_back({{"level", e.level},
+                                  {"sds_g", e.sds_g},
+                                  {"period_s", e.period_s},
+                                  {"probability", e.probability},
+                                  {"low95", e.interval.low},
+                                  {"high95", e.interval.high}});
+  for (const DesignCheck& check : design.checks)
+    json["checks"].push_back(
+        {{"check", check.what}, {"found", check.found}, {"is_met", check.is_met}});
+  json["warnings"] = warnings_of(package);
+  return json.dump(2) + "\n";
+}
+
+}  // namespace
+
+bool is_calculation(const fs::path& folder) { return !record_in(folder).is_null(); }
+
+bool is_finished_calculation(const fs::path& folder) {
+  const CalculationJson json = record_in(folder);
+  return json.is_object() && json.value("status", "") == "finished";
+}
+
+CalculationIdentity read_calculation(const fs::path& folder) {
+  const CalculationJson json = record_in(folder);
+  if (json.is_null())
+    throw InputError({"--resume", folder.string() + " holds no calculation that was begun",
+                      "give the --out of an earlier glissade clearance", ""});
+  return {json.value("project", ""), json.value("project_sha256", "")};
+}
+
+void write_begun_calculation(const CalculationIdentity& identity, const char* status,
+                             const fs::path& folder) {
+  CalculationJson json = head_of_calculation(identity, status);
+  json["what_to_do"] = resume_calculation_command(folder);
+  write_text_file(folder / "run.json", json.dump(2) + "\n");
+}
+
+void write_finished_calculation(const CalculationIdentity& identity,
+                                const CalculationPackage& package, int ranks,
+                                const fs::path& folder) {
+  write_text_file(folder / "package.json", numbers_json(package));
+  CalculationJson json = head_of_calculation(identity, "finished");
+  json["program_version"] = package.demand.program_version;
+  json["build"] = package.build;
+  json["finished_utc"] = now_utc();
+  json["ranks"] = ranks;
+  json["studies"] = {"demand/run.json", "probability/run.json"};
+  add_results(json, package.design);
+  json["warnings"] = warnings_of(package);
+  write_text_file(folder / "run.json", json.dump(2) + "\n");
+}
+
+std::string resume_calculation_command(const fs::path& folder) {
+  return "glissade clearance --resume " + (folder.empty() ? fs::path(".") : folder).string();
+}
+
+}  // namespace glissade::cli

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "glissade/report/package.hpp"
+
+// run.json and package.json of a calculation, in the folder above those of its two studies.
+namespace glissade::cli {
+
+/// What a calculation rests on.
+struct CalculationIdentity {
+  std::filesystem::path project;  ///< absolute
+  std::string project_sha256;
+};
+
+/// Whether `glissade clearance` began in the folder.
+bool is_calculation(const std::filesystem::path& folder);
+bool is_finished_calculation(const std::filesystem::path& folder);
+
+/// Throws InputError where none began in the folder.
+CalculationIdentity read_calculation(const std::filesystem::path& folder);
+
+/// "started", or "stopped" with what goes on with it.
+void write_begun_calculation(const CalculationIdentity& identity, const char* status,
+                             const std::filesystem::path& folder);
+
+/// run.json, and package.json: what a program takes from the calculation, all digits, metres.
+void write_finished_calculation(const CalculationIdentity& identity,
+                                const CalculationPackage& package, int ranks,
+                                const std::filesystem::path& folder);
+
+/// "glissade clearance --resume DIR".
+std::string resume_calculation_command(const std::filesystem::path& folder);
+
+}  // namespace glissade::cli

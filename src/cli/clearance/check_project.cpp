@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "commands.hpp"
+#include "glissade/core/error.hpp"
+#include "glissade/core/file.hpp"
+#include "glissade/core/wrap.hpp"
+#include "glissade/design/design_clearance.hpp"
+#include "glissade/io/project_file.hpp"
+#include "glissade/io/study_file.hpp"
+#include "glissade/io/suite_file.hpp"
+#include "glissade/report/format.hpp"
+#include "glissade/study/plan/plan.hpp"
+#include "output_rule.hpp"
+
+namespace glissade::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A folder of the system's temporary ones, removed in the end.
+class TrialFolder {
+ public:
+  TrialFolder() : path_(fs::temp_directory_path() / fmt::format("glissade-check-{}", getpid())) {
+    fs::create_directories(path_);
+  }
+  ~TrialFolder() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  TrialFolder(const TrialFolder&) = delete;
+  TrialFolder& operator=(const TrialFolder&) = delete;
+  const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+};
+
+Plan plan_of(const fs::path& file, const std::string& study, const Suite& suite) {
+  write_text_file(file, study);
+  return make_plan(read_study(file), {suite});
+}
+
+void print_plan(const char* name, const Plan& plan) {
+  fmt::print("{:<12}{} records x {} cases x {} levels, roughly {:.0f} s on one core\n", name,
+             plan.records.size(), plan.cases.size(), plan.config.intensity.levels.size(),
+             std::ceil(plan.predicted_seconds()));
+}
+
+void print_prescribed(const std::vector<PrescribedValue>& prescribed) {
+  for (const PrescribedValue& value : prescribed) {
+    fmt::print(
+        "{:<16}{}\n", standard_name(value.standard),
+        wrapped(fmt::format("prescribes {}; {}", format_length(value.prescribed.value_m),
+                            value.may_be_used() ? "its conditions are met"
+                                                : "not met or not stated: " + value.not_met()),
+                terminal_width, 16));
+  }
+}
+
+}  // namespace
+
+void check_project(const fs::path& file, const fs::path& out) {
+  const Project project = read_project(file);
+  const LengthUnits units(project.units);
+  const SiteValues site = site_values(project.site);
+  const std::vector<PrescribedValue> prescribed = prescribed_values(project, site);
+  const Suite suite = load_suite(project.suite);
+  const TrialFolder trial;
+  const Plan demand =
+      plan_of(trial.path() / "demand.toml", demand_study(project, trial.path()), suite);
+  const Plan probability = plan_of(
+      trial.path() / "probability.toml",
+      probability_study(project, trial.path(), {prescribed.front().prescribed.value_m}), suite);
+
+  fmt::print("{:<12}{}\n", "project", project.title.name);
+  fmt::print("{:<12}S_DS {:.3f} g, S_D1 {:.3f} g, category {}\n", "site", site.sds_g, site.sd1_g,
+             to_string(site.category));
+  fmt::print("{:<12}mean {:.3f}, std {:.3f}, design {:.3f}\n", "friction", project.friction.mean,
+             project.friction.std, project.friction.design());
+  print_prescribed(prescribed);
+  print_plan("demand", demand);
+  print_plan("probability", probability);
+  std::vector<std::string> warnings = demand.warnings;
+  for (const std::string& warning : probability.warnings) {
+    if (std::ranges::find(warnings, warning) == warnings.end()) warnings.push_back(warning);
+  }
+  for (const std::string& warning : warnings)
+    fmt::print("{}\n", wrapped("WARNING: " + warning, terminal_width, 2));
+  std::fflush(stdout);
+  check_calculation_folder(out, false);
+  fmt::print("{:<12}{}: free\n{:<12}glissade clearance {}\n", "folder", out.string(), "next",
+             file.string());
+}
+
+}  // namespace glissade::cli
