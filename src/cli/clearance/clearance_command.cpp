@@ -231,7 +231,7 @@ void add_clearance(CLI::App& program, const Communicator& world) {
   for (CLI::Option* other : {project, out, command->get_option("--overwrite")})
     resume->excludes(other);
   command->footer(
-      "Ctrl-C stops a calculation, as it does a run: exit status 75, and --resume goes on.\n"
+      "Ctrl-C stops a calculation: exit status 75, and --resume goes on with it.\n"
       "`glissade check PROJECT` says what would run.");
   command->callback([o, world] {
     if (o->example) {
