@@ -48,19 +48,19 @@ void make_folder(const fs::path& out) {
 }
 
 /// How far a study of the calculation is.
-enum class Progress : char { none, begun, finished };
+enum class StudyProgress : char { none, begun, finished };
 
 /// Expects the study as the project now gives it. Throws InputError where a finished one differs.
-Progress progress_of(const fs::path& file, const std::string& text) {
+StudyProgress progress_of(const fs::path& file, const std::string& text) {
   const fs::path folder = file.parent_path() / file.stem();
   std::error_code ignored;
   if (is_finished(folder / "run.json") && fs::exists(folder / "results.h5", ignored)) {
     if (read_text_file(file) != text)
       throw InputError({file.string(), "is not as the project now gives it",
                         "undo the change of its files, or begin again with --overwrite", ""});
-    return Progress::finished;
+    return StudyProgress::finished;
   }
-  return has_identity(folder) ? Progress::begun : Progress::none;
+  return has_identity(folder) ? StudyProgress::begun : StudyProgress::none;
 }
 
 /// A study of the calculation: the file is written on root, and run on all ranks.
@@ -79,10 +79,10 @@ class MadeStudy {
       write_text_file(file, study);
     });
     world_.broadcast(progress);
-    const auto at = static_cast<Progress>(progress[0]);
-    if (at == Progress::finished) return;
+    const auto at = static_cast<StudyProgress>(progress[0]);
+    if (at == StudyProgress::finished) return;
     const std::string folder = (file.parent_path() / file.stem()).string();
-    const bool go_on = at == Progress::begun;
+    const bool go_on = at == StudyProgress::begun;
     try {
       run_study({.study = file.string(),
                  .out = go_on ? "" : folder,
