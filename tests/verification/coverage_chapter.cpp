@@ -68,8 +68,11 @@ std::vector<Stripe> pooled(const std::vector<RecordStripes>& records) {
   return stripes;
 }
 
+constexpr std::array band_probabilities = {0.02, 0.10, 0.50, 0.90};
+
 struct FitCoverage {
-  double median = 0.0, log_std = 0.0, probability = 0.0;
+  double median = 0.0, log_std = 0.0;
+  std::array<double, band_probabilities.size()> band = {};
 };
 struct Coverage {
   FitCoverage stripes, capacities;
@@ -83,20 +86,24 @@ double covers(const Interval& interval, double truth) {
 void add(FitCoverage& share, const FitSummary& fit, const std::vector<Interval>& band) {
   share.median += covers(fit.median_interval, 1.0);
   share.log_std += covers(fit.log_std_interval, total_log_std);
-  share.probability += covers(band.front(), dbe_probability);
+  for (std::size_t i = 0; i < band.size(); ++i)
+    share.band[i] += covers(band[i], band_probabilities[i]);
 }
 
 Coverage coverage(std::size_t records) {
   Coverage share;
   const BootstrapOptions options{.seed = 7, .replicates = 400};
   const auto x = intensities();
+  std::vector<double> at;
+  for (const double probability : band_probabilities)
+    at.push_back(std::exp(total_log_std * normal_quantile(probability)));
   for (std::uint64_t i = 0; i < studies; ++i) {
     const Study study = simulated_study(10000 + i, records);
     std::vector<Interval> band;
-    const FitSummary by_stripes = fit_stripes_by_record(x, study.stripes, options, {dbe}, &band);
+    const FitSummary by_stripes = fit_stripes_by_record(x, study.stripes, options, at, &band);
     add(share.stripes, by_stripes, band);
     const FitSummary by_capacities =
-        fit_capacities_by_record(study.capacities, x.back(), options, {dbe}, &band);
+        fit_capacities_by_record(study.capacities, x.back(), options, at, &band);
     add(share.capacities, by_capacities, band);
     share.share += covers(share_interval(study.shares), dbe_probability);
     share.naive_median += covers(fit_stripes(pooled(study.stripes)).median_interval, 1.0);
@@ -116,7 +123,10 @@ void add_cases(std::vector<Case>& cases, std::size_t records) {
     const std::string fitted = std::string(", fitted on ") + data;
     row("median" + fitted, fit.median);
     row("log_std" + fitted, fit.log_std);
-    row("probability at DBE" + fitted, fit.probability);
+    for (std::size_t i = 0; i < band_probabilities.size(); ++i)
+      row("probability of " + std::to_string(std::lround(100 * band_probabilities[i])) + " %" +
+              fitted,
+          fit.band[i]);
   }
   row("probability at DBE, share of the histories", share.share, 0.99);
   if (records != 20) return;
@@ -133,9 +143,9 @@ Chapter interval_coverage() {
       R"(How often do the intervals of a study contain the true value? Samples of one record are no independent
 trials: the record is the unit. 2,000 studies each of 7, 20 and 44 records with 50 samples
 are simulated with known parameters: dispersion 0.35 between and 0.20 within records, 8 stripes from 0.4 to
-2.5 medians, capacities censored at the last stripe. At the design earthquake (DBE) 10 % of the
-histories exceed. Fits have bootstrap-t intervals from resampled records (400 resamples each), the share of
-the histories that exceed the interval of Korn & Graubard (1998): theory, 6.3. It contains a Clopper-Pearson interval, which
+2.5 medians, capacities censored at the last stripe. The band of the fitted curve is read where the true
+probability is 2, 10, 50 and 90 %. At the design earthquake (DBE) 10 % of the histories exceed; the share of
+those that do has the interval of Korn & Graubard (1998): theory, 6.3. It contains a Clopper-Pearson interval, which
 covers at least its nominal level, so up to 99 % is permitted. If the coverage is
 exactly 95 %, 2,000 studies give less than 93 or more than 97 % with probability 1 in 20,000.)",
       {}};

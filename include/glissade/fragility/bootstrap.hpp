@@ -29,23 +29,18 @@ struct BootstrapOptions {
   double level = 0.95;    ///< in (0, 1)
 };
 
-/// Pooled maximum likelihood, with intervals from resampling whole records: bootstrap-t with the
-/// cluster sandwich standard error, equal-tailed; with widened tails for ln median and Phi^-1 of
-/// the probability, for ln log_std bounded by a chi-square interval
-/// (src/fragility/by_record/resampling.hpp). The naive binomial interval would cover a small
-/// fraction of its nominal level (theory.md, 6.3). Measured coverage of the nominal 95 %: 93 to 97
-/// % (manual, 3.2), but for log_std 91 % where stripes end at 1.2 medians. Of expanded percentiles:
-/// 92-95 % for the median and 68-84 % for log_std. Where the pooled data, or more than 1 % of the
-/// resamples, have no finite maximum of the likelihood (separated, or none or all exceeded),
-/// expanded percentiles of what can be fitted instead: Jeffreys penalised where separated, a median
-/// of infinity where none exceeded and of 0 where all did (log_std: without those); `note` counts
-/// them. The interval may then be open. No exceedance in any record: a bound with one trial per
-/// record and level. One record: no interval (NaN). The share of `free` histories is the curve's
-/// floor. Where it is the same in all records (slope and friction decide it, which records share)
-/// resampling them does not show how uncertain it is: it has no interval, and the other intervals
-/// take it as known. Else expanded percentiles for it, p50_interval and band (covered in 95, 94 and
-/// 90 % of 600 studies of 12 records). `band` (if not null) receives, per given intensity, the
-/// pointwise interval of the probability (NaN where there is none). Throws InputError for counts or
+/// Pooled maximum likelihood, with intervals from the variance between records: quantiles over
+/// lines that the data allow (theory.md, 6.3). The naive binomial interval would cover a small
+/// fraction of its nominal level. Separated data: expanded percentiles of resampled records, of
+/// what can be fitted: Jeffreys penalised where separated, a median of infinity where none exceeded
+/// and of 0 where all did (log_std: without those); `note` counts them. The interval may then be
+/// open. No exceedance in any record: a bound with one trial per record and level. One record: no
+/// interval (NaN). The share of `free` histories is the curve's floor. Where it is the same in all
+/// records (slope and friction decide it, which records share) they do not show how uncertain it
+/// is: it has no interval, and the other intervals take it as known. Else the floors are those of
+/// resampled records, their departures expanded. `band` (if not null) receives, per given
+/// intensity, the pointwise interval of the probability (NaN where there is none): both ends rise
+/// with intensity, and cross 1/2 where p50_interval ends. Throws InputError for counts or
 /// capacities out of range.
 FitSummary fit_stripes_by_record(const std::vector<double>& intensities,
                                  const std::vector<RecordStripes>& records,

@@ -55,10 +55,10 @@ struct FitSummary {
   Interval floor_interval;  ///< NaN: floor 0, or the same in all records
   Interval p50_interval;    ///< of curve.intensity_at(0.5); median_interval where floor is 0
   double log_likelihood = std::numeric_limits<double>::quiet_NaN();  ///< without those of `floor`
-  std::string method;  ///< "probit maximum likelihood on stripes", ...
-  std::string
-      interval_method;  ///< "profile likelihood", "bootstrap over records (bootstrap-t)", ...
-  std::string note;     ///< what a reader must know; may be empty
+  std::string method;           ///< "probit maximum likelihood on stripes", ...
+  std::string interval_method;  ///< "profile likelihood", "bootstrap over records (expanded
+                                ///< percentile)", ...
+  std::string note;             ///< what a reader must know; may be empty
   double effective_records = std::numeric_limits<double>::quiet_NaN();  ///< of a weighted fit
   bool converged() const {
     return status == FitStatus::maximum_likelihood || status == FitStatus::jeffreys_penalised;

@@ -45,14 +45,10 @@ Interval percentile_interval(std::vector<double> values, double tail) {
   return {values[cut], values[values.size() - 1 - cut]};
 }
 
-double widened_tail(std::size_t records, double quantile) {
-  const double n = static_cast<double>(records);
-  return normal_cdf(-std::sqrt(n / (n - 1)) * quantile);
-}
-
 double expanded_tail(std::size_t records, double level) {
-  const boost::math::students_t student(static_cast<double>(records) - 1);
-  return widened_tail(records, quantile(student, 0.5 + 0.5 * level));
+  const double n = static_cast<double>(records);
+  const boost::math::students_t student(n - 1);
+  return normal_cdf(-std::sqrt(n / (n - 1)) * quantile(student, 0.5 + 0.5 * level));
 }
 
 Interval t_interval(EstimateWithError estimate, const std::vector<EstimateWithError>& replicates,

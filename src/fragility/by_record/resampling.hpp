@@ -24,9 +24,6 @@ Interval percentile_interval(std::vector<double> values, double tail);
 /// 69(4):371-386, section 3.3): Phi(-sqrt(n/(n-1)) t) with Student's t of n - 1 degrees of freedom.
 double expanded_tail(std::size_t records, double level);
 
-/// Phi(-sqrt(n/(n-1)) quantile): a resample spreads by (n-1)/n less than a sample.
-double widened_tail(std::size_t records, double quantile);
-
 /// Equal-tailed bootstrap-t (Efron & Tibshirani 1993, section 12.5). A replicate without a standard
 /// error counts as an infinite t.
 Interval t_interval(EstimateWithError estimate, const std::vector<EstimateWithError>& replicates,

@@ -38,8 +38,14 @@ double effective_trials(const std::vector<double>& shares, double mean, double l
   const double trials = mean * (1.0 - mean) * n * (n - 1.0) / squares;
   const double freedom = std::min({contributing(shares, [](double p) { return p; }),
                                    contributing(shares, [](double p) { return 1.0 - p; }), n - 1});
-  return std::max(trials * reduction(freedom, level),
-                  std::min(trials, n) * reduction(n - 1.0, level));
+  return std::max(trials * reduction(freedom, level), std::min(trials, n));
+}
+
+/// The lower end for `successes` of `trials`, which are no whole numbers: with less than one
+/// success that of none.
+double lower_end(double trials, double successes, double tail) {
+  return successes < 1.0 ? 0.0
+                         : boost::math::binomial::find_lower_bound_on_p(trials, successes, tail);
 }
 
 }  // namespace
@@ -53,10 +59,20 @@ Interval share_interval(const std::vector<double>& shares, double level) {
   if (!decided && std::ranges::count(shares, shares.front()) == std::ssize(shares))
     return {mean, mean};
   const double trials = decided ? n : effective_trials(shares, mean, level);
-  using Binomial = boost::math::binomial;
   const double tail = 0.5 - 0.5 * level;
-  return {Binomial::find_lower_bound_on_p(trials, mean * trials, tail),
-          Binomial::find_upper_bound_on_p(trials, mean * trials, tail)};
+  return {lower_end(trials, mean * trials, tail),
+          1.0 - lower_end(trials, (1.0 - mean) * trials, tail)};
+}
+
+void order_intervals(const std::vector<double>& shares, std::vector<Interval>& intervals) {
+  GLISSADE_EXPECTS(shares.size() == intervals.size());
+  std::vector<std::size_t> order(shares.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::stable_sort(order, {}, [&](std::size_t i) { return shares[i]; });
+  double high = 0.0, low = 1.0;
+  for (const std::size_t i : order) high = intervals[i].high = std::fmax(intervals[i].high, high);
+  std::ranges::reverse(order);
+  for (const std::size_t i : order) low = intervals[i].low = std::fmin(intervals[i].low, low);
 }
 
 Interval widened(const Interval& interval, double probability, std::size_t records) {

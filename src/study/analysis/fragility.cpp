@@ -69,15 +69,12 @@ ThresholdFragility fit_threshold(const Results& results, const RunResults& run,
     double share = 0.0;
     for (const std::vector<double>& record : exceeding) share += record[level];
     fragility.probability.push_back(share / histories);
-    if (share == 0.0 || share == histories) {  // no interval of what was never seen
-      fragility.probability_interval.push_back({});
-      continue;
-    }
     std::vector<double> shares;
     for (const std::vector<double>& record : exceeding)
       shares.push_back(record[level] / static_cast<double>(run.cases));
     fragility.probability_interval.push_back(share_interval(shares));
   }
+  order_intervals(fragility.probability, fragility.probability_interval);
   return fragility;
 }
 

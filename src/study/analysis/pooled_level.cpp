@@ -104,9 +104,6 @@ Interval PooledLevel::share_interval(double slip_m) const {
     const auto above = slips.end() - std::upper_bound(slips.begin(), slips.end(), slip_m);
     shares.push_back(static_cast<double>(above) / static_cast<double>(slips.size()));
   }
-  // Where no history exceeds, or every one does: no interval.
-  const double all = share_above(slip_m);
-  if (all == 0.0 || all == 1.0) return {};
   return glissade::share_interval(shares);
 }
 

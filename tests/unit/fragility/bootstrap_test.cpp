@@ -127,13 +127,11 @@ TEST(fit_stripes_by_record, has_the_curve_of_the_pooled_stripes) {
   EXPECT_NEAR(by_record.log_likelihood, pooled.log_likelihood, 1e-8);
 }
 
-TEST(fit_stripes_by_record, gives_the_same_bits_again_and_others_for_another_seed) {
+TEST(fit_stripes_by_record, gives_the_same_bits_again) {
   const auto data = simulated_stripes(20, 1);
   const FitSummary one = fit_stripes_by_record(intensities(), data, {.seed = 1});
   EXPECT_EQ(one.median_interval.low,
             fit_stripes_by_record(intensities(), data, {.seed = 1}).median_interval.low);
-  EXPECT_NE(one.median_interval.low,
-            fit_stripes_by_record(intensities(), data, {.seed = 2}).median_interval.low);
 }
 
 // Samples of one record are no new evidence: counting each of them ten times changes nothing.
@@ -162,13 +160,54 @@ TEST(fit_stripes_by_record,
     EXPECT_LT(band[i].high, 1.0);
     EXPECT_TRUE(covers(band[i], fit.curve.probability(at[i]))) << at[i];
   }
-  // At an end of the interval of the median, one half is at an end of the band: the same question
-  // asked twice, by statistics that differ to second order.
+  // At an end of the interval of the median, one half is at an end of the band.
   std::vector<Interval> ends;
   fit_stripes_by_record(intensities(), data, {},
                         {fit.median_interval.low, fit.median_interval.high}, &ends);
-  EXPECT_NEAR(ends[0].high, 0.5, 0.1);
-  EXPECT_NEAR(ends[1].low, 0.5, 0.1);
+  EXPECT_NEAR(ends[0].high, 0.5, 1e-9);
+  EXPECT_NEAR(ends[1].low, 0.5, 1e-9);
+}
+
+/// Capacities of a clearance `ratio` times as strong, known up to the intensity 2.
+std::vector<RecordCapacities> cut_at_two(std::vector<RecordCapacities> records, double ratio) {
+  for (RecordCapacities& record : records) {
+    for (double& capacity : record.capacities) capacity *= ratio;
+    record.censored += static_cast<double>(
+        std::erase_if(record.capacities, [](double capacity) { return capacity >= 2.0; }));
+  }
+  return records;
+}
+
+// 40 studies of 7 records: three clearances, of which the last is rarely reached.
+TEST(fit_capacities_by_record, bands_rise_with_intensity_and_keep_the_order_of_their_curves) {
+  std::vector<double> at;
+  for (int i = 0; i < 200; ++i) at.push_back(0.02 * (i + 1));
+  for (int study = 0; study < 40; ++study) {
+    const auto first = simulated_capacities(7, 300 + study);
+    std::vector<Interval> lower;
+    FragilityCurve lower_curve;
+    for (const double ratio : {1.0, 1.3, 1.9}) {
+      std::vector<Interval> band;
+      const FitSummary fit =
+          fit_capacities_by_record(cut_at_two(first, ratio), 2.0, {.replicates = 200}, at, &band);
+      if (fit.status != FitStatus::maximum_likelihood) continue;
+      for (std::size_t i = 0; i < at.size(); ++i) {
+        const double p = fit.curve.probability(at[i]);
+        EXPECT_TRUE(covers(band[i], p)) << study << " " << ratio << " " << at[i];
+        if (i == 0) continue;
+        EXPECT_GE(band[i].low, band[i - 1].low) << study << " " << ratio << " " << at[i];
+        EXPECT_GE(band[i].high, band[i - 1].high) << study << " " << ratio << " " << at[i];
+      }
+      for (std::size_t i = 0; i < lower.size(); ++i) {
+        const double p = fit.curve.probability(at[i]);
+        if (at[i] > 2.0 || p < 0.02 || lower_curve.probability(at[i]) - p < 0.05) continue;
+        EXPECT_LE(band[i].low, lower[i].low + 0.01) << study << " " << ratio << " " << at[i];
+        EXPECT_LE(band[i].high, lower[i].high + 0.01) << study << " " << ratio << " " << at[i];
+      }
+      lower = band;
+      lower_curve = fit.curve;
+    }
+  }
 }
 
 TEST(fit_stripes_by_record, bounds_with_one_trial_per_record_where_nothing_exceeded) {
@@ -187,16 +226,14 @@ TEST(fit_capacities_by_record,
   EXPECT_NEAR(fit.curve.median, fit_stripes({{1.0, 7, 0}}).curve.median, 1e-12);
 }
 
-// Only one of seven records exceeds: a third of the resamples, (6/7)^7, miss it, so no upper end
-// can be given.
-TEST(fit_stripes_by_record, leaves_the_median_open_above_where_many_resamples_do_not_exceed) {
+// Only one of seven records exceeds: the interval reaches far beyond the levels.
+TEST(fit_stripes_by_record, leaves_the_median_uncertain_where_one_record_exceeds) {
   std::vector<RecordStripes> records(7, {{0.0, 0.0, 0.0}, {10.0, 10.0, 10.0}});
   records[3].exceedances = {1.0, 3.0, 6.0};
   const FitSummary fit = fit_stripes_by_record({0.5, 1.0, 2.0}, records, {});
   EXPECT_EQ(fit.status, FitStatus::maximum_likelihood);
-  EXPECT_TRUE(std::isinf(fit.median_interval.high));
-  EXPECT_NE(fit.note, "");
-  EXPECT_NE(fit.interval_method.find("percentile"), std::string::npos);
+  EXPECT_GT(fit.median_interval.high, 2.0 * fit.curve.median);
+  EXPECT_GT(fit.curve.median, 2.0);
 }
 
 TEST(fit_stripes_by_record, penalises_separated_records_and_says_so) {

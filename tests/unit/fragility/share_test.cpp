@@ -35,14 +35,13 @@ TEST(share_interval, of_the_histories_that_do_not_exceed_is_its_mirror_image) {
 }
 
 TEST(share_interval, is_that_of_the_binomial_for_the_trials_that_the_variance_is_worth) {
-  // 10 of 20 records, all or nothing: p (1 - p) / v = 19 trials, less Student's factor of 19
-  // degrees of freedom, (1.959963985 / 2.093024054)^2; the binomial's interval is symmetric here.
+  // 10 of 20 records, all or nothing: p (1 - p) / v = 19 trials; the interval is symmetric here.
   std::vector<double> shares(20, 0.0);
   std::fill(shares.begin(), shares.begin() + 10, 1.0);
   const Interval interval = share_interval(shares);
   EXPECT_NEAR(interval.low + interval.high, 1.0, 1e-12);
   // qbeta(0.025, x, x + 1) by quadrature of the density
-  const double x = 0.5 * 19.0 * std::pow(1.959963985 / 2.093024054, 2);
+  const double x = 0.5 * 19.0;
   double below = 0.0, total = 0.0;
   constexpr int steps = 200000;
   for (int i = 0; i < steps; ++i) {
@@ -52,6 +51,24 @@ TEST(share_interval, is_that_of_the_binomial_for_the_trials_that_the_variance_is
     if (p < interval.low) below += density;
   }
   EXPECT_NEAR(below / total, 0.025, 1e-4);
+}
+
+// 2 of 448 histories, both of one of seven records: it is not known that more than none exceed.
+TEST(share_interval, begins_at_0_where_less_than_one_trial_exceeds) {
+  const Interval interval = share_interval({2.0 / 64.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0});
+  EXPECT_EQ(interval.low, 0.0);
+  EXPECT_GT(interval.high, 0.4);
+  EXPECT_LT(interval.high, 0.5);
+}
+
+TEST(order_intervals, lets_no_larger_share_end_lower) {
+  std::vector<Interval> intervals = {{0.0, 0.42}, {0.3, 0.9}, {0.1, 0.3}, {0.2, 0.8}};
+  order_intervals({0.0, 0.6, 0.2, 0.7}, intervals);
+  const std::vector<Interval> expected = {{0.0, 0.42}, {0.2, 0.9}, {0.1, 0.42}, {0.2, 0.9}};
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    EXPECT_EQ(intervals[i].low, expected[i].low) << i;
+    EXPECT_EQ(intervals[i].high, expected[i].high) << i;
+  }
 }
 
 TEST(share_interval, needs_two_records) { EXPECT_TRUE(std::isnan(share_interval({0.3}).low)); }

@@ -111,7 +111,8 @@ std::vector<Assumption> reading_assumptions(const Results& results) {
        "The lowest intensity at which the slip first reaches the clearance. Slip does not always "
        "grow with intensity; the share that falls below again is given as 'recross'."},
       {"Independence",
-       "Records are the independent unit. Intervals come from resampling whole records, so a suite "
+       "Records are the independent unit. Intervals are from the variance between records, so a "
+       "suite "
        "of few records gives wide intervals however many samples there are."}};
 }
 

@@ -95,8 +95,8 @@ Figure fragility_figure(const Results& results, const RunResults& run) {
           ". Lines: lognormal curves fitted to the lowest intensity at which each history reaches "
           "the clearance (histories that never reach it are treated as censored; the share that "
           "slides freely, without shaking, is in the curve at every intensity). Points: share of "
-          "histories that exceed it at each level. Shaded: 95 % interval from resampling whole "
-          "records, because histories of one record are not independent."};
+          "histories that exceed it at each level. Shaded: 95 % interval from the variance "
+          "between records, because histories of one record are not independent."};
   Panel panel{"",
               {results.intensity_label, 0.0, results.levels.back()},
               {"Probability that slip in plan exceeds the clearance", 0.0, 1.0}};
@@ -105,7 +105,7 @@ Figure fragility_figure(const Results& results, const RunResults& run) {
     add_direct_label(panel, run, t);
   }
   panel.series.push_back({DataSeries::Kind::band, look(Role::largest), "",
-                          "shaded and [ ]: 95 % interval from resampling records; points: observed "
+                          "shaded and [ ]: 95 % interval over records; points: observed "
                           "shares"});
   figure.panels = {std::move(panel)};
   return figure;
