@@ -27,9 +27,12 @@ std::string fit_sentence(const Results& results, const FitSummary& fit,
           "A clearance of {} has a chance of 50 % or more of being exceeded at any intensity.",
           clearance);
     return fmt::format(
-        "A clearance of {} has a 50 % chance of being exceeded at {} (95 % interval {}){}.",
-        clearance, at_intensity(results, p50),
-        with_unit(results, format_interval(fit.p50_interval)),
+        "A clearance of {} has a 50 % chance of being exceeded at {}{}{}.", clearance,
+        at_intensity(results, p50),
+        std::isnan(fit.p50_interval.low)
+            ? ""
+            : fmt::format(" (95 % interval {})",
+                          with_unit(results, format_interval(fit.p50_interval))),
         p50 > results.levels.back() ? ", which extrapolates beyond the highest level studied" : "");
   }
   if (fit.status == FitStatus::upper_bound) {

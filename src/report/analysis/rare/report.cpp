@@ -148,6 +148,9 @@ Html section(const Results& results) {
 
 std::vector<std::string> error_sentences(const Results& results) {
   const SamplingErrorRow& row = results.sampling_errors.front();
+  if (!std::isfinite(row.record_error) || !std::isfinite(row.sampling_error))
+    return {fmt::format("The median at {} has no standard error: too few histories reach it.",
+                        format_length(row.threshold_m))};
   const bool records = row.record_error > row.sampling_error;
   std::vector<std::string> sentences{fmt::format(
       "The standard error of the median at {} is {:.1f} % from the number of records and {:.2f} % "
