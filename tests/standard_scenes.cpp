@@ -69,8 +69,8 @@ std::string StandardScene::describe(const std::vector<Component>& components) co
                      vertical ? ", vertical" : "");
 }
 
-RoofAcceleration StandardScene::felt(const std::vector<Component>& components,
-                                     const RoofMotion& roof) const {
+RoofAcceleration StandardScene::excitation(const std::vector<Component>& components,
+                                           const RoofMotion& roof) const {
   const bool slides_freely = resting_deceleration_mps2(block) == 0.0;
   const auto part = [&](std::span<const double> samples) {
     return slides_freely ? samples.first(roof.record_samples) : samples;

@@ -34,9 +34,10 @@ struct StandardScene {
   double factor(const std::vector<Component>& components) const;  ///< on the motion
   /// "synthetic_level2/level2_1/first, T 0.5 s, PGA 1 g, mu 0.3, slope -4 deg, vertical".
   std::string describe(const std::vector<Component>& components) const;
-  /// What the block feels of a roof motion made of roof_input(); a free slider's ends with the
-  /// record.
-  RoofAcceleration felt(const std::vector<Component>& components, const RoofMotion& roof) const;
+  /// The part of a roof motion made of roof_input() that acts on the block; a free slider's ends
+  /// with the record.
+  RoofAcceleration excitation(const std::vector<Component>& components,
+                              const RoofMotion& roof) const;
 };
 
 /// The scenes that schemes are timed and judged on, the same wherever the records are: PGA 0.2,
@@ -57,7 +58,7 @@ StandardScenes standard_scenes(const std::filesystem::path& suites,
 /// Those of the built-in suite only, on the first `components` of its 14.
 StandardScenes built_in_scenes(const std::filesystem::path& suites, std::size_t components = 14);
 
-/// Every how manieth of so many standard scenes makes about `count` of them: without a factor in
+/// The stride through so many standard scenes that takes about `count` of them: without a factor in
 /// common with the number of scenes or of any parameter's values, so that every value comes up with
 /// every other. Always the same.
 std::size_t thinning(std::size_t scenes, std::size_t count);

@@ -95,7 +95,7 @@ bool bench_coupled(const Options& options) {
   const test::StandardScenes all = scenes(options);
   const std::vector<SchemeResult> results = coupled_precision(all, options.scenes, options.quick);
   bool good = show_trial("coupled",
-                         "Array and building that feel each other: time of a history of 8,000 "
+                         "Coupled array and building: time of a history of 8,000 "
                          "samples against its error, on " +
                              all.motions,
                          results, 0.6, options.out);

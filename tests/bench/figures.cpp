@@ -31,8 +31,8 @@ void gnuplot(const std::filesystem::path& svg, const std::string& script) {
   std::filesystem::remove(script_file);
 }
 
-/// By family, in the order of the table: colours that colour-blind readers tell apart (Okabe & Ito
-/// 2008).
+/// By family, in the order of the table: colours that colour-blind readers can distinguish (Okabe &
+/// Ito 2008).
 constexpr std::array colours{"#0072b2", "#d55e00", "#009e73", "#b05090", "#333333", "#9a6a00"};
 
 /// A family's points: (mean time of a history that slides, error, label).
@@ -43,7 +43,7 @@ struct Curve {
 };
 
 /// "64" at P = 64. Where the Newmark curves begin their first points are too close for labels;
-/// curves by tolerance have the same ones, told along the first.
+/// curves by tolerance have the same ones, stated along the first.
 std::string point_label(const SchemeResult& scheme) {
   const std::size_t sign = scheme.label.find(" = ");
   if (sign == std::string::npos) return "";

@@ -17,9 +17,9 @@ auto on_samples(PeakScheme peak) {
   return [peak = std::move(peak)](const Roof&) { return peak; };
 }
 
-/// The kernel on the roof's samples, linear between them, as the other schemes see them.
+/// The kernel on the roof's samples, linear between them, as the other schemes take them.
 PeakScheme kernel_on_samples(const Roof& roof) {
-  // A free slider is told at the end of the record, and its table ends there.
+  // A free slider is reported at the end of the record, and its table ends there.
   const auto table = [&](bool vertical, std::size_t samples) {
     const std::span<const double> a = roof.motion.horizontal_mps2, w = roof.motion.vertical_mps2;
     return RoofTable(roof.motion.dt_s, a.first(samples),
@@ -29,7 +29,7 @@ PeakScheme kernel_on_samples(const Roof& roof) {
   const std::array tables{table(false, all), table(true, all), table(false, record),
                           table(true, record)};
   return [=](const History& h) {
-    const bool ends_with_record = h.felt.horizontal_mps2.size() < all;
+    const bool ends_with_record = h.excitation.horizontal_mps2.size() < all;
     return peak_slip(tables[(h.vertical ? 1u : 0u) + (ends_with_record ? 2u : 0u)], h.block,
                      {h.factor, h.factor})
         .peak_displacement_m;
@@ -54,16 +54,17 @@ std::string substeps_label(int substeps) { return "P = " + std::to_string(subste
 
 std::vector<Scheme> schemes(bool quick) {
   std::vector<Scheme> all;
-  all.push_back(
-      {.family = "one maximum-pass",
-       .label = max_pass_target(),
-       .on_roof = on_samples([](const History& h) { return max_pass(h.felt.horizontal_mps2); }),
-       .problem = Problem::none,
-       .exact = true});
+  all.push_back({.family = "one maximum-pass",
+                 .label = max_pass_target(),
+                 .on_roof = on_samples(
+                     [](const History& h) { return max_pass(h.excitation.horizontal_mps2); }),
+                 .problem = Problem::none,
+                 .exact = true});
   all.push_back({.family = "slide",
                  .label = "events",
-                 .on_roof = on_samples(
-                     [](const History& h) { return slide(h.felt, h.block).peak_displacement_m; }),
+                 .on_roof = on_samples([](const History& h) {
+                   return slide(h.excitation, h.block).peak_displacement_m;
+                 }),
                  .exact = true});
   all.push_back(
       {.family = "peak_slip", .label = "samples", .on_roof = kernel_on_samples, .exact = true});
@@ -73,11 +74,12 @@ std::vector<Scheme> schemes(bool quick) {
                  .problem = Problem::oscillator,
                  .exact = true});
   for (int substeps = 1; substeps <= (quick ? 4 : 256); substeps *= 2) {
-    all.push_back({.family = "Rodriguez-Nikl et al. 2019",
-                   .label = substeps_label(substeps),
-                   .on_roof = on_samples([substeps](const History& h) {
-                     return slide_rodriguez_nikl(h.felt, h.block, substeps).peak_displacement_m;
-                   })});
+    all.push_back(
+        {.family = "Rodriguez-Nikl et al. 2019",
+         .label = substeps_label(substeps),
+         .on_roof = on_samples([substeps](const History& h) {
+           return slide_rodriguez_nikl(h.excitation, h.block, substeps).peak_displacement_m;
+         })});
   }
   for (const bool one_way : {false, true}) {
     for (int substeps = 1; substeps <= (quick ? 4 : 64); substeps *= 4) {
@@ -86,7 +88,7 @@ std::vector<Scheme> schemes(bool quick) {
                      .on_roof = on_samples([=](const History& h) {
                        Block block = h.block;
                        if (one_way) block.directions = SlipDirections::downslope_only;
-                       return newmark_trapezoid_peak_m(h.felt, block, substeps);
+                       return newmark_trapezoid_peak_m(h.excitation, block, substeps);
                      }),
                      .problem = one_way ? Problem::one_way_samples : Problem::samples});
     }

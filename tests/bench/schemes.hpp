@@ -15,7 +15,8 @@ struct History {
   Block block;
   double factor = 1.0;  ///< on the roof's motion, both components
   bool vertical = false;
-  RoofAcceleration felt;  ///< the samples of the roof motion that the block feels, and the factor
+  RoofAcceleration
+      excitation;  ///< the samples of the roof motion that act on the block, and the factor
 };
 
 /// Peak displacement of a history, in plan, m.

@@ -21,13 +21,13 @@ Truth truth_of(const StandardScene& scene, const StandardScenes& all) {
   const Component& component = all.components[scene.component];
   const test::RoofInput input = test::roof_input(component, scene.period_s);
   const RoofMotion roof = roof_motion(input.ground, input.building, input.follow);
-  RoofAcceleration felt = scene.felt(all.components, roof);
+  RoofAcceleration excitation = scene.excitation(all.components, roof);
   Block block = scene.block;
   double factor = scene.factor(all.components);
-  const test::Reference exact(felt, block);
+  const test::Reference exact(excitation, block);
   if (block.slope_rad < 0.0) {  // mirrored: the oscillator's reference takes slopes >= 0
     block.slope_rad = -block.slope_rad;
-    felt.horizontal_factor = -felt.horizontal_factor;
+    excitation.horizontal_factor = -excitation.horizontal_factor;
     factor = -factor;
   }
   Truth truth{.samples_m = static_cast<double>(exact.down > exact.up ? exact.down : exact.up),
@@ -43,7 +43,7 @@ Truth truth_of(const StandardScene& scene, const StandardScenes& all) {
     truth.oscillator_m = std::max(smooth.down, smooth.up);
   }
   block.directions = SlipDirections::downslope_only;
-  truth.one_way_m = slide(felt, block).peak_displacement_m;
+  truth.one_way_m = slide(excitation, block).peak_displacement_m;
   return truth;
 }
 

@@ -58,7 +58,7 @@ Measured measure(const StandardScenes& all, const std::vector<bool>& chosen,
     std::vector<std::size_t> every, some;
     for (std::size_t i = 0; i < here.size(); ++i) {
       histories.push_back({here[i].block, here[i].factor(all.components), here[i].vertical,
-                           here[i].felt(all.components, roof.motion)});
+                           here[i].excitation(all.components, roof.motion)});
       every.push_back(i);
       if (chosen[first + i]) some.push_back(i);
     }

@@ -50,7 +50,7 @@ struct WorkPrecision {
 };
 
 /// @param all scenes to time the exact schemes and the floor on
-/// @param stride all schemes are timed and judged on every so manieth of them
+/// @param stride all schemes are timed and judged on every stride-th of them
 WorkPrecision work_precision(const test::StandardScenes& all, std::size_t stride, bool quick);
 
 }  // namespace glissade::bench

@@ -77,7 +77,7 @@ TEST_F(Slide, a_steady_push_on_a_flat_roof_has_its_closed_form) {
   EXPECT_NEAR(json["residual_displacement_m"], -distance, 1e-12 * distance);
   EXPECT_NEAR(json["peak_displacement_m"], distance, 1e-12 * distance);
   EXPECT_NEAR(json["slip_duration_s"], t + dt_s + v2 / hold, 1e-11);
-  const double fade = dt_s * (1 - hold / push);  // until the push falls to what friction holds
+  const double fade = dt_s * (1 - hold / push);  // until the push falls to the friction
   EXPECT_NEAR(json["peak_velocity_mps"],
               v1 + push * (fade - fade * fade / (2 * dt_s)) - hold * fade, 1e-12);
   EXPECT_EQ(json["slip_phases"], 1);
@@ -123,8 +123,8 @@ TEST_F(Slide, pga_g_scales_to_that_peak) {
 }
 
 TEST_F(Slide, an_undamped_building_doubles_a_sudden_push) {
-  // Absolute acceleration A (1 - cos 2 pi t / T): peak 2 A at T/2, a sample. Friction 0.75 holds
-  // 0.5 g and not 1 g.
+  // Absolute acceleration A (1 - cos 2 pi t / T): peak 2 A at T/2, a sample. The array does not
+  // slide at 0.5 g with friction 0.75, and slides at 1 g.
   const std::string push = folder_.write("push.txt", two_columns(std::vector<double>(101, 0.5)));
   const Json rigid = slide_json(push, {"--mu", "0.75", "--slope-deg", "0"});
   const Json soft =

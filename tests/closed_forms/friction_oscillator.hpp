@@ -7,8 +7,8 @@
 namespace glissade::closed_forms {
 
 /// An undamped oscillator (natural frequency omega, mass M) on a base that moves by
-/// a cos(drive t), under a level body of mass r M held by friction mu alone: the steady motion in
-/// which the body never rests.
+/// a cos(drive t), under a level body of mass r M connected by friction mu alone: the steady motion
+/// in which the body never rests.
 ///
 /// Over the half cycle in which the body moves toward +x on the oscillator, with
 /// f = r mu g / omega^2, V = 1 / (1 - (drive/omega)^2), psi = pi omega / drive:
@@ -35,7 +35,7 @@ struct FrictionOscillator {
   }
 };
 
-/// Den Hartog's oscillator when it stops once every half cycle, on fixed rubbing ground: x is held
+/// Den Hartog's oscillator when it stops once every half cycle, on fixed rubbing ground: x stays
 /// at `amplitude` until the force reaches k (amplitude - x_f), then slides to -amplitude.
 /// @param friction_m x_f = friction force over stiffness; @param force_m force amplitude over k
 struct OneStop {

@@ -111,8 +111,8 @@ struct SteadyState {
   double drift_m() const { return strokes.down_m - strokes.up_m; }
 };
 
-/// Going down it feels A sin(phase), going up A sin(phase - pi), each from rest and with its own
-/// eta = yield / A. For a block that yields sooner down than up (else mirror it).
+/// The excitation is A sin(phase) going down, A sin(phase - pi) going up, each from rest and with
+/// its own eta = yield / A. For a block that yields sooner down than up (else mirror it).
 ///
 /// With a rest before it, slip down starts at asin(eta_d) whatever came before, so the first cycle
 /// is steady. Slip up starts where that stops, or pi + asin(eta_u) if later; not at all if alpha

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The sliding block. The bytes are a scene: README.md tells which byte is what.
+// The sliding block. The bytes are a scene: README.md states the meaning of each byte.
 #include <cmath>
 
 #include "bytes.hpp"

@@ -40,7 +40,7 @@ void may_refuse(const Read& read) {
   try {
     read();
   } catch (const InputError& error) {
-    check(!error.problems().empty(), "a refusal tells at least one problem");
+    check(!error.problems().empty(), "a refusal names at least one problem");
   }
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Record files: AT2, one column, two columns. Each input is read as it is, with a step told, and
-// with step and units told.
+// Record files: AT2, one column, two columns. Each input is read as it is, with a time step
+// given, and with time step and units given.
 #include <algorithm>
 #include <cmath>
 

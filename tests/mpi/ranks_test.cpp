@@ -106,7 +106,7 @@ void expect_refused_once(const Finished& child, const std::string& part) {
   EXPECT_THAT(child.err, testing::HasSubstr(part));
 }
 
-TEST_F(Mpi, an_input_error_is_told_once_by_three_ranks) {
+TEST_F(Mpi, an_input_error_is_reported_once_by_three_ranks) {
   const std::string study =
       folder_.write("study.toml", replaced(small_study(), "[0.05, 0.2]", "[-0.05]"));
   const std::string out = folder_.path("out").string();
@@ -115,12 +115,12 @@ TEST_F(Mpi, an_input_error_is_told_once_by_three_ranks) {
   EXPECT_EQ(folder_.contents(), std::vector<std::string>{"study.toml"});
 }
 
-TEST_F(Mpi, a_command_line_error_is_told_once_by_three_ranks) {
+TEST_F(Mpi, a_command_line_error_is_reported_once_by_three_ranks) {
   expect_refused_once(run_on(3, {"run"}), "study is required");
   expect_refused_once(run_on(3, {"slid"}), "did you mean slide?");
 }
 
-TEST_F(Mpi, a_results_folder_in_use_is_told_once_by_three_ranks) {
+TEST_F(Mpi, a_results_folder_in_use_is_reported_once_by_three_ranks) {
   const std::string study = folder_.write("study.toml", small_study());
   std::filesystem::create_directory(folder_.path("out"));
   folder_.write("out/results.h5", "an earlier run");

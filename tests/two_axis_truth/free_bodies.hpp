@@ -137,15 +137,15 @@ class FreeBodies {
   }
 
   /// Direction in which a block begins to slide, as a velocity too small for (3.11): friction is
-  /// against the force that held it.
+  /// against the force that resisted it.
   Two release_direction(Long t, const State& y) const {
     const Resting s = resting(t, dt(), y);
     const Two a = to_slope({s.roof[0][0], s.roof[1][0]});
     const Long gravity = scene_.block.gravity_mps2 + vertical_.at(t / dt());
-    const Two held{(gravity * sine_ - a[0] * cosine_) / (mu_[0] * mu_[0]),
-                   -a[1] / (mu_[1] * mu_[1])};
-    const Long size = length(held);
-    return {1e-20L * held[0] / size, 1e-20L * held[1] / size};
+    const Two resisted{(gravity * sine_ - a[0] * cosine_) / (mu_[0] * mu_[0]),
+                       -a[1] / (mu_[1] * mu_[1])};
+    const Long size = length(resisted);
+    return {1e-20L * resisted[0] / size, 1e-20L * resisted[1] / size};
   }
 
  private:

@@ -72,10 +72,10 @@ std::string page(const std::vector<Chapter>& chapters) {
 
 Does glissade solve its equations right? Each row compares a result with a reference that does not
 come from the code that is verified: a closed form, a published number, another method, or an exact
-law of the physics. {} of {} cases pass. Where the published scheme or an elastic link is compared
-with `slide()`, that other method is the witness.
+law of the physics. {} of {} cases pass.
 
-Cases whose reference is another part of glissade are in chapter 10, Consistency: {} of {} pass.
+Cases whose reference is another part of glissade are in chapter 10, Consistency: {} of {} pass. The
+published scheme and the elastic link are there where they are compared with `slide()`.
 
 This page is generated; do not edit it. From the top folder, after `cmake --preset dev`:
 

@@ -21,7 +21,7 @@ Column intensity_column(const Results& results, const std::string& stem, const s
 /// The column of a quantity: "Building period, s".
 Column listed_column(const CaseAxis& axis);
 Column listed_column(const char* table, const char* key);
-/// The label of a run is not all that tells it from the others.
+/// The label of a run is not all that distinguishes it from the others.
 bool lists_more_than_friction_value(const Results& results);
 /// A table whose rows begin with the label of a run, with a column for each quantity that the study
 /// lists after it.

@@ -23,14 +23,14 @@ RoofMotionOptions follow_roof(std::span<const Block> blocks, double largest_fact
 }
 
 RoofAcceleration felt_by(const Block& block, const RoofMotion& roof, const MotionFactors& factors) {
-  RoofAcceleration felt{roof.dt_s, roof.horizontal_mps2, roof.vertical_mps2, factors.horizontal,
-                        factors.vertical};
+  RoofAcceleration excitation{roof.dt_s, roof.horizontal_mps2, roof.vertical_mps2,
+                              factors.horizontal, factors.vertical};
   if (resting_deceleration_mps2(block) == 0.0) {
-    felt.horizontal_mps2 = felt.horizontal_mps2.first(roof.record_samples);
-    if (!felt.vertical_mps2.empty())
-      felt.vertical_mps2 = felt.vertical_mps2.first(roof.record_samples);
+    excitation.horizontal_mps2 = excitation.horizontal_mps2.first(roof.record_samples);
+    if (!excitation.vertical_mps2.empty())
+      excitation.vertical_mps2 = excitation.vertical_mps2.first(roof.record_samples);
   }
-  return felt;
+  return excitation;
 }
 
 BuildingGround building_ground(const Motion& motion, const Oscillator& vertical,

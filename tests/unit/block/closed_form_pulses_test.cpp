@@ -53,7 +53,7 @@ void expect_single_slips(const Pulse& pulse, const Solver& solver, Block block,
     EXPECT_EQ(r.slip_phases, 1u);
   }
   EXPECT_EQ(under({pulse.dt_s, alpha}, Against::up, block, solver).slip_phases,
-            0u);  // held upslope
+            0u);  // does not slide upslope
   block.directions = SlipDirections::both;
   const Outcome r = under({pulse.dt_s, alpha}, Against::up, block, solver);
   expect_relative(r.residual_displacement_m, -sliding.plan * slip(pulse, sliding.up));

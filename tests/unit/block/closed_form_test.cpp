@@ -89,7 +89,7 @@ TEST(closed_form, trapezoidal_pulse_on_a_flat_roof) {
   });
 }
 
-// The same pulse, of which slide() tells the velocity too: it gains n / 2 over the rise, n over the
+// The same pulse, of which slide() gives the velocity too: it gains n / 2 over the rise, n over the
 // plateau and n^2 / (2 A / dt) until the last ramp passes the yield acceleration.
 TEST(closed_form, trapezoidal_pulse_is_fastest_where_it_falls_through_the_yield) {
   const double A = 4.0, dt = 0.1, n = A - 0.2 * g, rise = dt * n / A;

@@ -80,9 +80,10 @@ TEST(coupled_limits, a_rigid_building_does_not_feel_the_array) {
 // An array that never moves makes the building heavier by 1 + r and longer in period by its root.
 TEST(coupled_limits, a_held_array_is_an_anchored_one) {
   const double r = 0.25, root = std::sqrt(1.0 + r);
-  const Block held{.friction = 10.0, .slope_rad = 0.05};
-  const CoupledResult stuck = slide_coupled(ground, {}, {{0.5, 0.05}, r}, held);
-  const CoupledResult heavier = slide_coupled(ground, {}, {{0.5 * root, 0.05 / root}, 0.0}, held);
+  const Block sticking{.friction = 10.0, .slope_rad = 0.05};
+  const CoupledResult stuck = slide_coupled(ground, {}, {{0.5, 0.05}, r}, sticking);
+  const CoupledResult heavier =
+      slide_coupled(ground, {}, {{0.5 * root, 0.05 / root}, 0.0}, sticking);
   EXPECT_EQ(stuck.slip.slip_phases, 0u);
   EXPECT_NEAR(stuck.peak_base_shear, (1.0 + r) * heavier.peak_base_shear, 1e-12);
   EXPECT_NEAR(stuck.peak_roof_displacement_m, heavier.peak_roof_displacement_m, 1e-12);

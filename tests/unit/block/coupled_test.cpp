@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The block on a building that feels it, against 50 digits and against what must not change.
+// The block on a building coupled with it, against 50 digits and against what must not change.
 #include "glissade/block/coupled.hpp"
 
 #include <gtest/gtest.h>

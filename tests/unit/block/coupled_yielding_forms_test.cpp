@@ -18,7 +18,7 @@ namespace {
 using test::made_up_record;
 
 constexpr double g = standard_gravity_mps2;
-const Block held{.friction = 10.0};
+const Block sticking{.friction = 10.0};
 const Block slippery{.friction = 0.15, .slope_rad = 0.04};
 const auto a = made_up_record(600, 1, 7.0), w = made_up_record(600, 2, 3.0);
 const GroundMotion ground{0.01, a, w};
@@ -43,7 +43,7 @@ TEST(yielding_oscillator, has_the_peak_of_its_step_response) {
   for (const double alpha : {0.0, 0.05, 0.3}) {
     for (const double level : {2.2, 2.7, 3.5}) {
       const CoupledResult r =
-          slide_coupled({0.01, step}, {}, {{period_s, 0.0}, 0.0, {level, alpha}}, held);
+          slide_coupled({0.01, step}, {}, {{period_s, 0.0}, 0.0, {level, alpha}}, sticking);
       const double past = alpha == 0.0 ? level * (2.0 - 0.5 * level) / (level - 2.0)
                                        : (2.0 - level +
                                           std::sqrt((2.0 - level) * (2.0 - level) +
@@ -63,14 +63,14 @@ TEST(yielding_oscillator, has_the_peak_of_its_step_response) {
 TEST(yielding_oscillator, keeps_the_plastic_part_of_its_step_response) {
   const std::vector<double> step(800, -2.0);
   const CoupledBuilding building{{0.5, 0.0}, 0.0, {2.7, 0.0}};
-  const CoupledResult r = slide_coupled({0.005, step}, {}, building, held);
+  const CoupledResult r = slide_coupled({0.005, step}, {}, building, sticking);
   const double per_omega2 = 1.0 / (omega(building) * omega(building));
   const double plastic = 2.7 * (2.0 - 0.5 * 2.7) / 0.7;
   EXPECT_NEAR(r.residual_roof_displacement_m, plastic * per_omega2, 1e-13 * plastic);
   EXPECT_NEAR(r.energy.hysteretic_m2ps2, 2.7 * plastic * per_omega2, 1e-13);
   EXPECT_NEAR(r.peak_base_shear, 2.7 / g, 1e-15);
   // The mirror image yields the other way.
-  const CoupledResult m = slide_coupled({0.005, step}, {-1.0, 1.0}, building, held);
+  const CoupledResult m = slide_coupled({0.005, step}, {-1.0, 1.0}, building, sticking);
   EXPECT_EQ(m.residual_roof_displacement_m, -r.residual_roof_displacement_m);
 }
 
@@ -81,7 +81,7 @@ TEST(yielding_oscillator, drifts_along_a_cubic_under_a_growing_pulse) {
   std::vector<double> pulse(50);
   for (std::size_t i = 0; i < pulse.size(); ++i) pulse[i] = -0.1 * static_cast<double>(i);
   std::vector<CoupledPoint> history;
-  slide_coupled({0.01, pulse}, {}, building, held, history);
+  slide_coupled({0.01, pulse}, {}, building, sticking, history);
   const double w0 = omega(building), q = 10.0 / w0, level = 1.5;
   double low = 0.0, high = std::numbers::pi;
   for (int i = 0; i < 100; ++i) {
@@ -203,7 +203,7 @@ TEST(coupled_yielding_limits, mirrors_mirror_and_zeros_after_the_record_change_n
   EXPECT_EQ(r.residual_roof_displacement_m, p.residual_roof_displacement_m);
 }
 
-/// A bilinear oscillator by central differences, its hysteretic part held at its limit by hand: an
+/// A bilinear oscillator by central differences, its hysteretic part set to its limit: an
 /// independent scheme, off by (omega h)^2 / 24.
 std::vector<double> stepped_roof(const CoupledBuilding& b, int per_sample, double follow_s) {
   const double w0 = omega(b), zeta = b.horizontal.damping_ratio, h = ground.dt_s / per_sample;

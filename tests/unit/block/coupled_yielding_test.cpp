@@ -20,7 +20,7 @@ using test::CoupledReference;
 using test::made_up_record;
 using test::uniform;
 
-/// With a yield level below what the building would feel elastic, and blocks that slide below it.
+/// With a yield level below the force of the elastic building, and blocks that slide below it.
 struct Scene {
   double dt_s;
   std::vector<double> a, w;

@@ -18,7 +18,7 @@ TEST(crossing_on_standard_scenes, is_the_same_by_either_solver) {
       [&](const test::RoofInput& input, std::span<const test::StandardScene> here) {
         const RoofMotion motion = roof_motion(input.ground, input.building, input.follow);
         for (const test::StandardScene& scene : here) {
-          const RoofAcceleration roof = scene.felt(all.components, motion);
+          const RoofAcceleration roof = scene.excitation(all.components, motion);
           const double peak_m = slide(roof, scene.block).peak_displacement_m;
           if (peak_m < 1e-6) continue;
           SCOPED_TRACE(scene.describe(all.components));

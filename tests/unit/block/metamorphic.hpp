@@ -151,7 +151,7 @@ inline void expect_one_way_beyond_two_way(const Scene& scene, const Solver& solv
             both.peak_displacement_m);
 }
 
-/// Runs a relation over scenes and solvers; tells how many scenes slipped.
+/// Runs a relation over scenes and solvers; returns how many scenes slipped.
 template <class Relation>
 int over(const std::vector<Scene>& scenes, const Relation& relation) {
   int slipped = 0;

@@ -19,7 +19,7 @@ fs::path records_folder() {
   return named != nullptr ? fs::path(named) : fs::path(GLISSADE_SOURCE_DIR "/../shared/records");
 }
 
-/// The acceleration in a file, at 0.005 s in g if it does not tell; none if it holds no
+/// The acceleration in a file, at 0.005 s in g if it states none; none if it has no
 /// acceleration.
 std::vector<double> read_samples(const fs::path& file, double& dt_s) {
   constexpr auto g = AccelerationUnits::g;

@@ -51,8 +51,8 @@ double difference(const BuildingSlip& two, const CoupledResult& one) {
                        one.peak_roof_displacement_m)});
 }
 
-// slide_coupled() is exact. Every third roof falls the other way, every fifth does not feel the
-// block, every seventh lets go of it.
+// slide_coupled() is exact. Every third roof falls the other way, every fifth is not coupled with
+// the block, every seventh lets go of it.
 TEST(slide_on_building, is_slide_coupled_where_the_ground_moves_along_the_slope) {
   for (const double tolerance : {1e-5, 1e-6, 1e-7}) {
     std::mt19937 random(3);

@@ -15,7 +15,7 @@ using test::OnBuilding;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// A building without damping on ground that is thrown sideways by a jerk of no duration, so that
-/// it starts with this velocity; the block is held by friction.
+/// it starts with this velocity; the block does not slide.
 struct Kicked {
   double velocity_mps = 0.5, period_s = 0.8, mass_ratio = 0.0;
   Yielding yielding{2.0, 0.0};

@@ -126,7 +126,7 @@ struct Reference {
         sigma = reverses ? -sigma : 0;
       }
     };
-    // A lifted block feels no friction: the interval is cut where the normal force, a line, is
+    // On a lifted block no friction acts: the interval is cut where the normal force, a line, is
     // zero.
     const auto interval = [&](std::size_t sample, const Real& a0, const Real& w0, const Real& a1,
                               const Real& w1) {

@@ -85,7 +85,7 @@ TEST(slide, agrees_with_fifty_digits_where_the_block_lifts_off_and_lands) {
 }
 
 // Records rounded to 0.01 g with mu a multiple of 0.05: samples lie exactly on the thresholds,
-// where a phase may start at the last instant of an interval and be held at the first of the next.
+// where a phase may start at the last instant of an interval and end at the first of the next.
 TEST(slide, agrees_with_fifty_digits_where_samples_lie_on_the_thresholds) {
   for (unsigned seed = 1; seed <= 150; ++seed) {
     std::mt19937 generator(seed);
@@ -226,21 +226,21 @@ TEST(slide, records_a_history_that_ends_where_the_result_says) {
 }
 
 TEST(cannot_slip, never_says_so_of_a_block_that_slips) {
-  int held = 0, slipped = 0;
+  int sticking = 0, slipped = 0;
   for (unsigned seed = 1; seed < 30; ++seed) {
     const auto a = made_up_record(300, seed, 3.0), w = made_up_record(300, seed + 50, 1.5);
     for (const double mu : {0.2, 0.3, 0.4, 0.6}) {
       const Block block{mu, 2 * rad_per_deg};
       const SlipResult r = slide({0.01, a, w}, block);
       if (cannot_slip(block, 3.0, 1.5)) {
-        ++held;
+        ++sticking;
         EXPECT_EQ(r.slip_phases, 0u);
       } else if (r.slip_phases > 0) {
         ++slipped;
       }
     }
   }
-  EXPECT_GT(held, 10);
+  EXPECT_GT(sticking, 10);
   EXPECT_GT(slipped, 10);
 }
 

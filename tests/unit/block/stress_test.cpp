@@ -26,7 +26,7 @@ constexpr double g = standard_gravity_mps2, eps = std::numeric_limits<double>::e
 /// the last digit of the input (a block at its critical friction, say), no double can be near it
 /// relative to a peak that may be zero. But Coulomb friction only ever brings two histories closer,
 /// so an acceleration that is off by its rounding, all the time, is the worst there is: eps A t in
-/// velocity, eps A t^2 in slip. Those scenes are held to that bound, and say why.
+/// velocity, eps A t^2 in slip. Those scenes must stay within that bound, and state why.
 constexpr double relative_tolerance = 1e-12;
 
 struct Scene {
@@ -124,7 +124,8 @@ TEST(stress, no_friction_and_enormous_friction) {
   EXPECT_GT(expect_all_stand(scenes), 10);
 }
 
-// A block that coasts to a stop under a tiny deceleration d goes v^2/(2 d): far, but told exactly.
+// A block that coasts to a stop under a tiny deceleration d goes v^2/(2 d): far, and computed
+// exactly.
 TEST(stress, coasting_far_on_almost_no_friction) {
   const std::vector<double> a = {-1.0, -1.0, -1.0, 0.0};
   std::vector<Scene> scenes;
@@ -154,8 +155,8 @@ TEST(stress, critical_friction_and_its_last_digits) {
 }
 
 // Still moving at the end, 1e-12 above critical friction it coasts v^2/(2 g cos 1e-12) = 1e10 m.
-// That hangs on tan(slope) - mu, of which a double of 0.07 knows 1.4e-17/1e-12 = 1.4e-5. Nearer than
-// 1e-12 of mu, friction is critical (input_rules_test.cpp).
+// That hangs on tan(slope) - mu, of which a double of 0.07 knows 1.4e-17/1e-12 = 1.4e-5. Nearer
+// than 1e-12 of mu, friction is critical (input_rules_test.cpp).
 TEST(stress, coasting_just_above_critical_friction_ends_and_below_is_flagged) {
   const auto a = joined(made_up_record(400, 3, 3.0), constant(50, -2.0));
   const double slope = 4 * rad_per_deg;
@@ -204,14 +205,16 @@ TEST(stress, samples_on_the_thresholds) {
 TEST(stress, an_acceleration_that_stays_on_a_threshold) {
   const double yield = 0.3 * g;
   const std::vector<double> push = {0.0, -2 * yield, -2 * yield};
-  const char* why = "a is the yield acceleration up to its rounding: drawn by that, or held";
+  const char* why =
+      "a is the yield acceleration up to its rounding: by that it slides, or does not";
   std::vector<Scene> scenes;
   for (const double sign : {1.0, -1.0}) {
-    const auto held = constant(300, sign * yield);
-    scenes.push_back({"from rest", held, {}, {.friction = 0.3}, 0.005, why});
-    scenes.push_back({"pushed first", joined(push, held), {}, {.friction = 0.3}, 0.005, why});
+    const auto at_threshold = constant(300, sign * yield);
+    scenes.push_back({"from rest", at_threshold, {}, {.friction = 0.3}, 0.005, why});
+    scenes.push_back(
+        {"pushed first", joined(push, at_threshold), {}, {.friction = 0.3}, 0.005, why});
     scenes.push_back({"then released",
-                      joined(joined(push, held), {0.0, 0.0, 1.0}),
+                      joined(joined(push, at_threshold), {0.0, 0.0, 1.0}),
                       {},
                       {.friction = 0.3},
                       0.005,
@@ -221,7 +224,7 @@ TEST(stress, an_acceleration_that_stays_on_a_threshold) {
     scenes.push_back({"slope", joined({0.0, -4.0, -4.0}, on_slope), {}, {0.3, 0.1}, 0.005, why});
   }
   EXPECT_GE(expect_all_stand(scenes), 6);
-  for (const Solver& solver : solvers())  // held at exactly mu g: rests, whatever the rounding
+  for (const Solver& solver : solvers())  // at exactly mu g: rests, whatever the rounding
     EXPECT_EQ(solver.solve({0.005, scenes[0].a}, {.friction = 0.3}).slip_phases, 0u) << solver.name;
 }
 
@@ -310,9 +313,9 @@ TEST(stress, subnormal_samples) {
   for (const Solver& solver : solvers()) {
     SCOPED_TRACE(solver.name);
     for (const double slope : {0.0, 0.1}) {
-      const Outcome held = solver.solve({0.005, a}, {.friction = 0.3, .slope_rad = slope});
-      EXPECT_EQ(held.peak_displacement_m, 0.0);
-      EXPECT_EQ(held.slip_phases, 0u);
+      const Outcome sticking = solver.solve({0.005, a}, {.friction = 0.3, .slope_rad = slope});
+      EXPECT_EQ(sticking.peak_displacement_m, 0.0);
+      EXPECT_EQ(sticking.slip_phases, 0u);
     }
     const Outcome loose = solver.solve({0.005, a}, {.friction = 0.0});
     expect_finite_and_bounded({"", a}, loose);

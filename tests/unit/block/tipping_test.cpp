@@ -36,7 +36,7 @@ struct Scene {
   Block block;
 };
 
-/// Runs `check` on made-up motions, buildings, slopes both ways and frictions; tells how many.
+/// Runs `check` on made-up motions, buildings, slopes both ways and frictions; returns how many.
 int for_each_scene(const std::function<void(const Scene&)>& check) {
   int scenes = 0;
   for (const unsigned seed : {1u, 2u, 3u, 4u}) {
@@ -95,10 +95,11 @@ TEST(slip_onset, without_horizontal_motion_comes_when_the_block_lifts) {
 }
 
 TEST(slip_onset, is_zero_where_gravity_moves_the_block_and_never_where_nothing_does) {
-  const Block held{.friction = 0.4, .slope_rad = 0.1}, sliding{.friction = 0.4, .slope_rad = 0.5},
+  const Block sticking{.friction = 0.4, .slope_rad = 0.1},
+      sliding{.friction = 0.4, .slope_rad = 0.5},
       critical{.friction = std::tan(0.1), .slope_rad = 0.1};
   const RoofTable still(dt_s, std::vector<double>(5, 0.0)), pushed(dt_s, triangle(-1.0));
-  EXPECT_EQ(slip_onset_factor(still, held), never);
+  EXPECT_EQ(slip_onset_factor(still, sticking), never);
   EXPECT_EQ(slip_onset_factor(still, sliding), 0.0);
   EXPECT_EQ(slip_onset_factor(still, critical), never);
   EXPECT_EQ(slip_onset_factor(pushed, critical), 0.0);

@@ -61,8 +61,8 @@ TEST(slide_on_building, does_not_stop_a_block_that_the_load_moves_on) {
 }
 
 // Of 900 scenes those that were off by the most: on coupled buildings by 2e-5 to 5e-5 at 1e-6 and
-// 3e-6 at 1e-8, as the building felt a straight line for the velocity in a stiff step; 1e-4 where
-// the errors of many short steps added up; 4e-6 at every tolerance where a start was missed.
+// 3e-6 at 1e-8, as the velocity acted on the building as a straight line in a stiff step; 1e-4
+// where the errors of many short steps added up; 4e-6 at every tolerance where a start was missed.
 TEST(slide_two_axes, is_the_independent_solver_where_that_is_hard) {
   for (const Hard& hard : {Hard{Roof::coupled, Law::ellipse, 69},
                            {Roof::coupled, Law::ellipse, 119},

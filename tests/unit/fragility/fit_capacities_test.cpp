@@ -92,7 +92,7 @@ TEST(fit_capacities, bounds_the_median_where_no_history_reached_the_threshold) {
   EXPECT_EQ(fit.curve.median, stripes.curve.median);
 }
 
-TEST(fit_capacities, fails_with_a_reason_where_no_curve_can_be_told) {
+TEST(fit_capacities, fails_with_a_reason_where_no_curve_can_be_fitted) {
   for (const CapacitySample& sample :
        {CapacitySample{}, CapacitySample{{0.7}}, CapacitySample{{0.7, 0.7}},
         CapacitySample{{0.7, 0.7}, 2.0, 0.7}}) {

@@ -64,7 +64,7 @@ TEST(fit_stripes, penalises_separated_stripes_and_says_so) {
   EXPECT_NE(fit.note, "");
   EXPECT_NEAR(fit.curve.median, 0.6928211161, 5e-11);
   EXPECT_NEAR(fit.curve.log_std, 0.06843924275, 5e-12);
-  EXPECT_GT(fit.median_interval.low, 0.6);  // no trial tells 0.6 and 0.8 apart
+  EXPECT_GT(fit.median_interval.low, 0.6);  // no trial lies between 0.6 and 0.8
   EXPECT_LT(fit.median_interval.high, 0.8);
   EXPECT_LT(fit.log_std_interval.low, fit.curve.log_std);
   EXPECT_GT(fit.log_std_interval.high, fit.curve.log_std);
@@ -145,7 +145,7 @@ TEST(fit_stripes, has_no_curve_of_one_level) {
   EXPECT_FALSE(fit.converged());
 }
 
-TEST(fit_stripes, fails_with_a_reason_where_no_curve_can_be_told) {
+TEST(fit_stripes, fails_with_a_reason_where_no_curve_can_be_fitted) {
   const std::vector<std::vector<Stripe>> hopeless = {
       {},                          // nothing
       {{0.5, 0, 0}, {1.0, 0, 0}},  // no trials

@@ -147,13 +147,13 @@ TEST(scale_suite_to_target, holds_motions_at_the_limit_and_lets_the_others_make_
   const std::vector<double> periods_s = walters_periods_s();
   const SuiteScaling free = scale_suite_to_target(suite, target_sa_g, periods_s, 1e3);
   const double limit = 0.8 * free.largest_factor;  // that of the weak second motion
-  const SuiteScaling held = scale_suite_to_target(suite, target_sa_g, periods_s, limit);
-  EXPECT_EQ(held.factors[1], limit);
-  EXPECT_EQ(held.largest_factor, limit);
-  EXPECT_GT(held.factors[0], free.factors[0]);
-  EXPECT_GT(held.factors[2], free.factors[2]);
-  EXPECT_NEAR(held.factors[0] / held.factors[2], free.factors[0] / free.factors[2], 1e-13);
-  EXPECT_NEAR(std::ranges::min(average_over_target(suite, held.factors, periods_s)), 1.0, 1e-13);
+  const SuiteScaling limited = scale_suite_to_target(suite, target_sa_g, periods_s, limit);
+  EXPECT_EQ(limited.factors[1], limit);
+  EXPECT_EQ(limited.largest_factor, limit);
+  EXPECT_GT(limited.factors[0], free.factors[0]);
+  EXPECT_GT(limited.factors[2], free.factors[2]);
+  EXPECT_NEAR(limited.factors[0] / limited.factors[2], free.factors[0] / free.factors[2], 1e-13);
+  EXPECT_NEAR(std::ranges::min(average_over_target(suite, limited.factors, periods_s)), 1.0, 1e-13);
 }
 
 TEST(scale_suite_to_target, reaches_the_target_with_all_motions_but_one_at_the_limit) {

@@ -64,18 +64,18 @@ TEST(friction_over_tests, is_not_below_zero) {
 TEST(friction_over_tests, has_a_bound_that_holds_in_95_of_100_programmes) {
   constexpr int programmes = 20000;
   const double truth = 0.55 - 2.0 * 0.02;
-  int held = 0, held_by_two_std = 0;
+  int bounds_met = 0, met_by_two_std = 0;
   for (int i = 0; i < programmes; ++i) {
     std::vector<double> mu;
     for (std::uint32_t j = 0; j < 5; ++j)
       mu.push_back(0.55 +
                    0.02 * keyed_normal(1, RandomPurpose::test, static_cast<std::uint64_t>(i), j));
     const MuStatistics s = statistics_of(mu);
-    if (s.lower_bound_95 <= truth) ++held;
-    if (s.mean_minus_2_std <= truth) ++held_by_two_std;
+    if (s.lower_bound_95 <= truth) ++bounds_met;
+    if (s.mean_minus_2_std <= truth) ++met_by_two_std;
   }
-  EXPECT_NEAR(held / static_cast<double>(programmes), 0.95, 0.007);
-  EXPECT_LT(held_by_two_std / static_cast<double>(programmes), 0.6);
+  EXPECT_NEAR(bounds_met / static_cast<double>(programmes), 0.95, 0.007);
+  EXPECT_LT(met_by_two_std / static_cast<double>(programmes), 0.6);
 }
 
 TEST(pull_tests, are_gathered_by_direction_in_order_of_appearance) {

@@ -98,7 +98,7 @@ TEST(prescriptive_input, negative_or_non_finite_numbers_are_input_errors) {
   }
 }
 
-TEST(prescriptive_input, all_problems_are_told_at_once) {
+TEST(prescriptive_input, all_problems_are_reported_at_once) {
   try {
     asce7_16_displacement(nan, -1.0);
     FAIL() << "nothing thrown";

@@ -35,18 +35,18 @@ std::vector<double> still(int seconds) {
 
 // -- 1: slope 30 deg, mu 1.0
 
-/// The smallest peak of a triangular pulse that loosens the block, by bisection.
-double loosening_mps2(const Solver& solver, const Block& block, double sign) {
-  double holds = 0.0, slips = 10.0 * g;
+/// The smallest peak of a triangular pulse under which the block slides, by bisection.
+double slip_onset_mps2(const Solver& solver, const Block& block, double sign) {
+  double sticks = 0.0, slips = 10.0 * g;
   for (int i = 0; i < 60; ++i) {
-    const double peak = 0.5 * (holds + slips);
+    const double peak = 0.5 * (sticks + slips);
     const std::vector<double> pulse = {0.0, sign * peak, 0.0};
-    (solver.solve({0.01, pulse}, block).slip_phases > 0 ? slips : holds) = peak;
+    (solver.solve({0.01, pulse}, block).slip_phases > 0 ? slips : sticks) = peak;
   }
   return slips;
 }
 
-std::vector<Case> holds_until_knocked_loose() {
+std::vector<Case> sticks_until_a_peak_acceleration() {
   const Block block{1.0, 30.0 * rad_per_deg};
   int moved = 0;
   double downslope = 0.0, upslope = 0.0;
@@ -54,16 +54,16 @@ std::vector<Case> holds_until_knocked_loose() {
     for (const double slope_rad : {block.slope_rad, -block.slope_rad})
       moved += solver.solve({0.01, still(10)}, {block.friction, slope_rad}).slip_phases > 0 ? 1 : 0;
     const auto off = [&](double sign, double expected) {
-      return std::abs(loosening_mps2(solver, block, sign) / expected - 1.0);
+      return std::abs(slip_onset_mps2(solver, block, sign) / expected - 1.0);
     };
     downslope = worse(downslope, off(-1.0, g * std::tan(15.0 * rad_per_deg)));
     upslope = worse(upslope, off(1.0, g * std::tan(75.0 * rad_per_deg)));
   }
   const std::string worst = "largest relative difference of three solvers";
-  return {all_equal({"holds on a still slope of +-30 deg with mu 1.0, 10 s", "slip phases",
+  return {all_equal({"does not slide on a still slope of +-30 deg with mu 1.0, 10 s", "slip phases",
                      check + "1: none"},
                     {moved, 6}),
-          limit({"and is knocked loose down the slope", "smallest peak acceleration",
+          limit({"and starts to slide down the slope", "smallest peak acceleration",
                  check + "1; g tan(45 - 30 deg) = 0.268 g"},
                 {worst, downslope, 1e-12}),
           limit({"and up the slope", "smallest peak acceleration",
@@ -138,7 +138,8 @@ std::vector<Case> differs_by_the_slopes_sign(const Suite& suite) {
   return {
       within({name, "peak slips", check + "3: they differ"}, {least, peak, 1e-3, INFINITY}),
       within({name, "residual slips", check + "3: they differ"}, {least, residual, 1e-3, INFINITY}),
-      limit({name, "peak slip on +4 deg", "slide(); the scheme's 0.48 % at P = 64, its fig. 5"},
+      limit({name, "peak slip on +4 deg", "slide(); the scheme's 0.48 % at P = 64, its fig. 5",
+             ReferenceFrom::this_code},
             {"largest relative difference of three solvers", agree, 0.0048})};
 }
 
@@ -202,8 +203,8 @@ is smaller: rounding decides whether it rests, as in the paper, or moves by its 
 without friction.)",
       {}};
   for (const std::vector<Case>& cases :
-       {holds_until_knocked_loose(), slides_down_a_still_slope(), differs_by_the_slopes_sign(suite),
-        slides_below_the_critical_friction()})
+       {sticks_until_a_peak_acceleration(), slides_down_a_still_slope(),
+        differs_by_the_slopes_sign(suite), slides_below_the_critical_friction()})
     chapter.cases.insert(chapter.cases.end(), cases.begin(), cases.end());
   return chapter;
 }

@@ -70,7 +70,8 @@ std::vector<Case> in_equilibrium(const std::vector<LinkRun>& runs) {
                        .peak_displacement_m,
                    0.0, 1e-12, Metric::absolute}),
           limit({"slope of 4 deg, mu 0.1, the paper's link, 7 motions", "residual slip",
-                 "slide(); there SAP 2000 was off; 1.69 %, the paper's mean on the flat roof"},
+                 "slide(); there SAP 2000 was off; 1.69 %, the paper's mean on the flat roof",
+                 ReferenceFrom::this_code},
                 {"largest relative difference", low_friction, 0.0169})};
 }
 
@@ -80,27 +81,31 @@ std::vector<Case> cases(const std::vector<LinkRun>& runs) {
     all.push_back(
         limit({link_models()[model].name, "residual slip",
                "slide(); 2 mu g / omega, the velocity error of a vibrating link, "
-               "times the time of sliding"},
+               "times the time of sliding",
+               ReferenceFrom::this_code},
               {"largest share of that bound, of 112", largest_share_of_bound(runs, model), 1.0}));
   const std::string series = "elastic link from 100 to 10,000 N/mm, ";
   const std::string quantity = "mean error of residual slip over 1/stiffness";
-  all.push_back(
-      within({series + "flat roof", quantity, "slide(); 1/2, as of a velocity over omega"},
-             {"observed order", order_in_stiffness(runs, Roof::flat), 0.4, 0.6}));
+  all.push_back(within({series + "flat roof", quantity, "slide(); 1/2, as of a velocity over omega",
+                        ReferenceFrom::this_code},
+                       {"observed order", order_in_stiffness(runs, Roof::flat), 0.4, 0.6}));
   all.push_back(within(
-      {series + "4 deg", quantity, "slide(); between 1/2 and the 1 of the springs' own deflection"},
+      {series + "4 deg", quantity, "slide(); between 1/2 and the 1 of the springs' own deflection",
+       ReferenceFrom::this_code},
       {"observed order", order_in_stiffness(runs, Roof::sloping), 0.4, 1.0}));
   for (const Roof roof : {Roof::flat, Roof::sloping})
     all.push_back(
         limit({link_models()[stiffest].name + (roof == Roof::flat ? ", flat" : ", 4 deg"),
                "mean error of residual slip / peak slip",
-               "slide(); a tenth of the 1.2 % of the paper's link, and twice that allowed"},
+               "slide(); a tenth of the 1.2 % of the paper's link, and twice that allowed",
+               ReferenceFrom::this_code},
               {"mean relative difference", mean_error_of_peak(runs, roof, stiffest), 0.0024}));
   for (const Roof roof : {Roof::flat, Roof::sloping})
-    all.push_back(limit(
-        {link_models()[scheme_64].name + (roof == Roof::flat ? ", flat" : ", 4 deg"),
-         "mean error of residual slip / peak slip", "slide(); worst 0.48 % in the paper's fig. 5"},
-        {"mean relative difference", mean_error_of_peak(runs, roof, scheme_64), 0.0048}));
+    all.push_back(
+        limit({link_models()[scheme_64].name + (roof == Roof::flat ? ", flat" : ", 4 deg"),
+               "mean error of residual slip / peak slip",
+               "slide(); worst 0.48 % in the paper's fig. 5", ReferenceFrom::this_code},
+              {"mean relative difference", mean_error_of_peak(runs, roof, scheme_64), 0.0048}));
   all.push_back(
       within({link_models()[unstable].name + ", 4 deg: omega dt = 3.13", "peak slip",
               "an explicit scheme is stable for omega dt < 2: it fails"},

@@ -22,7 +22,7 @@ struct MadeUpGround {
 };
 
 /// Linear buildings from a few samples a period to a third of the record, m/M up to 0.5, slopes to
-/// either side of which friction holds the block, motions from weak to strong.
+/// either side of which the block does not slide, motions from weak to strong.
 inline std::vector<CoupledScene> coupled_scenes(std::size_t count, unsigned seed) {
   std::mt19937 random(seed);
   std::vector<CoupledScene> scenes(count);

@@ -75,7 +75,7 @@ Case coupled_one_axis() {
 
 // -- which way it lies, and Walters et al.'s measure
 
-/// A building alike on both axes, which feels a block that slides by decimetres on its round
+/// A building alike on both axes, coupled with a block that slides by decimetres on its round
 /// friction.
 OnBuilding round_building(double slope_deg) {
   OnBuilding scene;

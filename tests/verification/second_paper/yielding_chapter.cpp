@@ -13,7 +13,7 @@ namespace glissade::verification {
 namespace {
 
 constexpr double g = standard_gravity_mps2;
-const Block held{.friction = 10.0};
+const Block sticking{.friction = 10.0};
 
 double omega_radps(double period_s) { return 2.0 * std::numbers::pi / period_s; }
 
@@ -35,7 +35,7 @@ std::vector<Case> suddenly_applied() {
   for (const double level : {2.2, 2.7, 3.5})
     for (const double alpha : {0.0, 0.05, 0.3}) {
       const CoupledResult r =
-          slide_coupled({0.005, step}, {}, {{0.5, 0.0}, 0.0, {level, alpha}}, held);
+          slide_coupled({0.005, step}, {}, {{0.5, 0.0}, 0.0, {level, alpha}}, sticking);
       const double past = plastic_mps2(2.0, level, alpha);
       ductility = worse(ductility, relative(r.ductility, 1.0 + past / level));
       if (alpha != 0.0) continue;
@@ -67,7 +67,7 @@ Case growing_pulse() {
   std::vector<double> pulse(50);
   for (std::size_t i = 0; i < pulse.size(); ++i) pulse[i] = -0.1 * static_cast<double>(i);
   std::vector<CoupledPoint> history;
-  slide_coupled({0.01, pulse}, {}, {{0.5, 0.0}, 0.0, {level, 0.0}}, held, history);
+  slide_coupled({0.01, pulse}, {}, {{0.5, 0.0}, 0.0, {level, 0.0}}, sticking, history);
   double low = 0.0, high = std::numbers::pi;
   for (int i = 0; i < 100; ++i) {
     const double middle = 0.5 * (low + high);

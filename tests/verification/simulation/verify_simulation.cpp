@@ -2,7 +2,7 @@
 // Simulated spectra against BSSA14 (and BSSA14 times the V/H of Gulerce & Abrahamson): four
 // scenarios, 200 simulations each. Writes simulated_spectra.csv, .md and two figures into the
 // folder that is given. Ends with 1 if a median or a dispersion is off by more than the tolerance
-// (the vertical's dispersion, too, is held against BSSA14's sigma).
+// (the vertical's dispersion, too, is compared with BSSA14's sigma).
 
 #include <fmt/format.h>
 

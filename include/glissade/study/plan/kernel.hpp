@@ -10,7 +10,7 @@ namespace glissade {
 /// What computes the histories of a study.
 enum class Kernel {
   tables,   ///< peak_slip(): the roof's motion does not depend on the block, one axis
-  coupled,  ///< coupled_slip(): the array's mass is felt by a linear building, one axis
+  coupled,  ///< coupled_slip(): array coupled with a linear building, one axis
   events,   ///< slide_coupled(): the building yields, or friction is stronger at rest, one axis
   full      ///< slide_on_building(): two axes, any friction law, and all that the others have
 };

@@ -105,7 +105,7 @@ TEST_P(BuiltInSuite, is_written_as_it_is_read) {
   EXPECT_EQ(recipe_toml(read_recipe(path), "a test"), text);
 }
 
-TEST(walters_level, is_told_to_be_from_0_to_4) {
+TEST(walters_level, is_refused_outside_0_to_4) {
   EXPECT_THROW(walters_level(5), InputError);
   EXPECT_THROW(walters_level(-1), InputError);
 }
