@@ -144,7 +144,7 @@ std::vector<DesignCheck> checks_of(const Project& project, const Results& demand
     const HistoryTable& histories = demand.histories;
     const double share = mean_of(histories, histories.fields.uplift, {0, histories.cases}, level);
     checks.push_back({fmt::format("histories at {} in which the array lifts off", name),
-                      fmt::format("{:.2g} %", 100.0 * share), "0 %: uplift is outside the model",
+                      fmt::format("{:.3g} %", 100.0 * share), "0 %: uplift is outside the model",
                       share == 0.0});
   }
   const bool finite = std::ranges::all_of(

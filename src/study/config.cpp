@@ -7,6 +7,8 @@
 #include <cmath>
 #include <variant>
 
+#include "glissade/core/units.hpp"
+
 namespace glissade {
 
 Quantities::Quantities() {
@@ -79,9 +81,11 @@ std::string describe(const Distribution& distribution) {
   return std::visit(Describe{}, distribution);
 }
 
+double slope_of_rise_deg(double rise) { return std::atan(rise / 12.0) / rad_per_deg; }
+
 std::string describe(const Quantity& quantity) {
-  return quantity.drawn ? describe(*quantity.drawn)
-                        : fmt::format("{:g}", fmt::join(quantity.values, ", "));
+  if (!quantity.drawn) return fmt::format("{:g}", fmt::join(quantity.values, ", "));
+  return (quantity.drawn_as_rise_in_12 ? "rise in 12 " : "") + describe(*quantity.drawn);
 }
 
 namespace {

@@ -79,7 +79,7 @@ TEST_F(SlideModel, a_second_component_of_zero_changes_nothing) {
   EXPECT_EQ(two["peak_y_m"], 0.0);
 }
 
-TEST_F(SlideModel, a_building_that_feels_the_array_gives_what_the_library_gives) {
+TEST_F(SlideModel, a_coupled_building_gives_what_the_library_gives) {
   const std::vector<double> a = times(standard_gravity_mps2, first_g_);
   for (const bool yields : {false, true}) {
     CoupledBuilding building{{0.4, 0.03}, 0.25};
@@ -159,6 +159,9 @@ TEST_F(SlideModel, each_bad_input_gets_one_clear_message) {
   expect_refused(run({"--rate-s-per-m", "10"}), {"--rate-s-per-m: is one half"});
   expect_refused(run({"--mass-ratio", "0.1"}), {"--mass-ratio: has no effect without a building"});
   expect_refused(run({"--vertical-period-s", "0.2"}), {"needs --vertical"});
+  expect_refused(run({"--vertical-damping", "0.3"}), {"--vertical-damping"});
+  expect_refused(run({"--damping", "0.2"}), {"--damping"});
+  expect_refused(run({"--substeps", "64"}), {"--substeps"});
   expect_refused(run({"--second", second_, "--history", folder_.path("h.csv").string()}),
                  {"--history: needs one axis"});
   expect_refused(run({"--period-s", "0.5", "--mass-ratio", "0.1", "--method", "rodriguez-nikl"}),

@@ -47,6 +47,7 @@ struct ModelConfig {
 struct Quantity {
   std::vector<double> values;         ///< strictly increasing; empty where it is drawn
   std::optional<Distribution> drawn;  ///< never Fixed
+  bool drawn_as_rise_in_12 = false;   ///< a slope: a rise in 12 is drawn, not an angle
 
   bool is_drawn() const { return drawn.has_value(); }
   bool is_always(double value) const {
@@ -55,6 +56,9 @@ struct Quantity {
   /// No value is above this.
   double largest() const { return drawn ? support(*drawn).max : values.back(); }
 };
+
+/// The angle of a slope that rises so much in 12.
+double slope_of_rise_deg(double rise);
 
 /// A quantity for each row of parameters().
 class Quantities {

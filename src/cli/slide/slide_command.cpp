@@ -87,7 +87,7 @@ Json to_json(const SlideOptions& o, const SlideHistory& h, const Motion& motion,
                {"mu", o.mu},
                {"slope_deg", o.slope_deg},
                {"period_s", o.period_s},
-               {"damping", o.damping},
+               {"damping", o.damping()},
                {"vertical", !motion.vertical_mps2.empty()},
                {"method", o.method}});
   if (h.plane) {

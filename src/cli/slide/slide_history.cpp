@@ -89,7 +89,7 @@ double tipping_scale(const GroundMotion& ground, const Building& building, const
 SlideHistory on_known_roof(const SlideOptions& o, const Motion& motion, double factor) {
   const Block block = block_of(o);
   const GroundMotion ground = ground_of(motion);
-  const Building building{{o.period_s, o.damping}, {o.vertical_period_s, o.vertical_damping}};
+  const Building building{{o.period_s, o.damping()}, {o.vertical_period_s, o.vertical_damping()}};
   RoofMotionOptions follow = follow_roof({&block, 1}, factor);
   // Straight lines between so many samples of a period leave 1e-7 of the slip; a history, which has
   // a row for each, is sampled as roof_motion() does by itself.
@@ -99,7 +99,7 @@ SlideHistory on_known_roof(const SlideOptions& o, const Motion& motion, double f
 
   SlideHistory h;
   if (o.method != "event") {
-    h.slip = slide_rodriguez_nikl(roof, block, o.substeps);
+    h.slip = slide_rodriguez_nikl(roof, block, o.substeps());
   } else if (o.history.empty()) {
     h.slip = slide(roof, block);
   } else {
@@ -124,7 +124,7 @@ SlideHistory on_coupled_building(const SlideOptions& o, const Motion& motion, do
                       "coupled equations have no solution",
                       "give a smaller mass ratio, friction or slope", ""});
   }
-  const CoupledBuilding building{{o.period_s, o.damping}, o.mass_ratio, yielding_of(o)};
+  const CoupledBuilding building{{o.period_s, o.damping()}, o.mass_ratio, yielding_of(o)};
   const GroundMotion ground = ground_of(motion);
   const MotionFactors factors{factor, factor};
   std::vector<CoupledPoint> points;
@@ -156,13 +156,13 @@ SlideHistory in_full_model(const SlideOptions& o, const Motion& motion, double f
                            .slope_rad = std::abs(o.slope_deg) * rad_per_deg,
                            .azimuth_rad = o.azimuth_deg * rad_per_deg + turn,
                            .law = o.law};
-  BiaxialBuilding building{.horizontal = {Oscillator{o.period_s, o.damping},
-                                          Oscillator{o.period_ratio * o.period_s, o.damping}},
+  BiaxialBuilding building{.horizontal = {Oscillator{o.period_s, o.damping()},
+                                          Oscillator{o.period_ratio * o.period_s, o.damping()}},
                            .yielding = {yielding_of(o), yielding_of(o)},
                            .mass_ratio = o.mass_ratio};
   const Block weakest{.friction = std::min(block.friction.along, block.friction.across),
                       .slope_rad = block.slope_rad};
-  const BuildingGround ground = building_ground(motion, {o.vertical_period_s, o.vertical_damping},
+  const BuildingGround ground = building_ground(motion, {o.vertical_period_s, o.vertical_damping()},
                                                 follow_roof({&weakest, 1}, factor));
   SlideHistory h;
   const std::span<const double> thresholds =

@@ -41,8 +41,8 @@ void check_model(const SlideOptions& o, ProblemList& problems) {
   require(o.hardening_ratio >= 0.0 && o.hardening_ratio < 1.0, "--hardening-ratio",
           o.hardening_ratio, "must be a ratio in [0, 1)");
   require(o.vertical_period_s >= 0.0, "--vertical-period-s", o.vertical_period_s, "must be >= 0");
-  require(o.vertical_damping >= 0.0 && o.vertical_damping < 1.0, "--vertical-damping",
-          o.vertical_damping, "must be a ratio in [0, 1)");
+  require(o.vertical_damping() >= 0.0 && o.vertical_damping() < 1.0, "--vertical-damping",
+          o.vertical_damping(), "must be a ratio in [0, 1)");
   require(o.law.static_ratio >= 1.0, "--static-over-sliding", o.law.static_ratio,
           "must be >= 1: static friction is not below sliding friction");
   require(o.law.mu_fast_over_slow > 0.0, "--fast-over-slow", o.law.mu_fast_over_slow,
@@ -64,6 +64,12 @@ void check_model(const SlideOptions& o, ProblemList& problems) {
   needs(o.hardening_ratio != 0.0, "--hardening-ratio", o.yield_coefficient.has_value(),
         "needs --yield-coefficient");
   needs(o.vertical_period_s != 0.0, "--vertical-period-s", !o.vertical.empty(), "needs --vertical");
+  needs(o.given_vertical_damping.has_value(), "--vertical-damping", o.vertical_period_s != 0.0,
+        "needs --vertical-period-s above 0");
+  needs(o.given_damping.has_value(), "--damping", o.period_s != 0.0,
+        "has no effect without a building: --period-s above 0");
+  needs(o.given_substeps.has_value(), "--substeps", o.method != "event",
+        "needs --method rodriguez-nikl");
   needs(o.mass_ratio != 0.0, "--mass-ratio", o.period_s > 0.0,
         "has no effect without a building: --period-s above 0");
   needs(o.yield_coefficient.has_value(), "--yield-coefficient", o.period_s > 0.0,
@@ -117,7 +123,8 @@ void check(const SlideOptions& o) {
   require(std::abs(o.slope_deg) < 90.0, "--slope-deg", o.slope_deg,
           "is not a roof: it must be between -90 and 90");
   require(o.period_s >= 0.0, "--period-s", o.period_s, "must be >= 0 (0: rigid building)");
-  require(o.damping >= 0.0 && o.damping < 1.0, "--damping", o.damping, "must be a ratio in [0, 1)");
+  require(o.damping() >= 0.0 && o.damping() < 1.0, "--damping", o.damping(),
+          "must be a ratio in [0, 1)");
   if (o.scale) require(*o.scale > 0.0, "--scale", *o.scale, "must be > 0");
   if (o.pga_g) require(*o.pga_g > 0.0, "--pga-g", *o.pga_g, "must be > 0");
   if (o.dt_s) require(*o.dt_s > 0.0, "--dt-s", *o.dt_s, "must be > 0");
@@ -132,7 +139,7 @@ void check(const SlideOptions& o) {
                   ""});
   }
   if (o.clearance_m) require(*o.clearance_m > 0.0, "--clearance-m", *o.clearance_m, "must be > 0");
-  require(o.substeps >= 1, "--substeps", o.substeps, "must be at least 1");
+  require(o.substeps() >= 1, "--substeps", o.substeps(), "must be at least 1");
   if (o.method != "event" && o.method != "rodriguez-nikl") {
     problems.add({"--method", o.method + " is not a method", "give event or rodriguez-nikl", ""});
   }
@@ -169,7 +176,7 @@ void add_options(CLI::App& command, SlideOptions& o) {
   command.add_option("--pga-g", o.pga_g, "scale so that the horizontal peaks at this")
       ->excludes(scale);
   command.add_option("--period-s", o.period_s, "building period; 0: rigid");
-  command.add_option("--damping", o.damping, "building damping ratio");
+  command.add_option("--damping", o.given_damping, "building damping ratio [0.05]");
   command.add_option("--period-ratio", o.period_ratio,
                      "with --second: building period along the second axis over the first [1]");
   command.add_option("--mass-ratio", o.mass_ratio,
@@ -180,7 +187,7 @@ void add_options(CLI::App& command, SlideOptions& o) {
                      "stiffness after yielding over before [0]");
   command.add_option("--vertical-period-s", o.vertical_period_s,
                      "period of the roof's vertical motion; 0: rigid [0]");
-  command.add_option("--vertical-damping", o.vertical_damping, "its damping ratio [0.05]");
+  command.add_option("--vertical-damping", o.given_vertical_damping, "its damping ratio [0.05]");
   command.add_option("--azimuth-deg", o.azimuth_deg,
                      "with --second: from the first component to where the roof falls, toward the "
                      "second [0]");
@@ -200,7 +207,7 @@ void add_options(CLI::App& command, SlideOptions& o) {
                      "width of the base along the slope, the centre of mass midway");
   command.add_option("--method", o.method,
                      "event (exact) or rodriguez-nikl (published time stepping)");
-  command.add_option("--substeps", o.substeps, "substeps P of rodriguez-nikl");
+  command.add_option("--substeps", o.given_substeps, "substeps P of rodriguez-nikl [64]");
   command.add_flag("--one-way", o.one_way, "no upslope slip (classical Newmark)");
   command.add_option("--dt-s", o.dt_s, "time step of files without one; overrides an AT2 header");
   command.add_option("--units", o.units, "units of files that do not state theirs: g, m/s2, cm/s2");

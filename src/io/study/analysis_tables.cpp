@@ -23,9 +23,6 @@ bool each_once(std::vector<T> values) {
   return !values.empty() && std::ranges::adjacent_find(values) == values.end();
 }
 
-constexpr NumberRule slope_read_rule{"in degrees, 0 to 89.9",
-                                     [](double x) { return x >= 0.0 && x <= 89.9; }};
-
 bool same(double a, double b) { return std::abs(a - b) <= 1e-9 * std::max(1.0, std::abs(b)); }
 
 /// A negative slope counts for its mirror image, which must be there; with every orientation both
@@ -49,10 +46,28 @@ void mirror_exactly(const TomlTable& root, StudyConfig& study) {
   }
 }
 
-/// A value of an axis, to be read from a key; `otherwise` where the key is not there.
-double read_on_axis(const TomlTable& table, const char* key, const std::vector<double>& axis,
-                    double otherwise) {
-  const auto value = table.number(key);
+/// A number, and the key that gives it.
+struct Given {
+  const char* key;
+  std::optional<double> value;
+};
+
+/// A slope in degrees, given as slope_deg or as rise_in_12.
+Given read_slope(const TomlTable& table) {
+  if (!table.has("rise_in_12")) return {"slope_deg", table.number("slope_deg")};
+  if (table.has("slope_deg"))
+    table.report(
+        "slope_deg",
+        table.name_of("slope_deg") + " and " + table.name_of("rise_in_12") + " are both given",
+        "give the slope one way");
+  const auto rise = table.number("rise_in_12");
+  return {"rise_in_12", rise ? std::optional(slope_of_rise_deg(*rise)) : std::nullopt};
+}
+
+/// A value of an axis; `otherwise` where the key is not there.
+double on_axis(const TomlTable& table, const Given& given, const std::vector<double>& axis,
+               double otherwise) {
+  const auto& [key, value] = given;
   if (!value || axis.empty()) return otherwise;
   const auto found =
       std::find_if(axis.begin(), axis.end(), [&](double x) { return same(x, *value); });
@@ -64,10 +79,11 @@ double read_on_axis(const TomlTable& table, const char* key, const std::vector<d
 }
 
 /// A value within an axis.
-double read_within(const TomlTable& table, const char* key, const std::vector<double>& axis,
-                   const NumberRule& rule) {
-  const double value = table.required_number(key, rule);
-  if (!table.has(key) || axis.empty() || same(value, axis.front())) return value;
+double within_axis(const TomlTable& table, const Given& given, const std::vector<double>& axis) {
+  const char* key = given.key;
+  if (!table.has(key)) table.report_missing(key);
+  const double value = given.value.value_or(0.0);
+  if (!given.value || axis.empty() || same(value, axis.front())) return value;
   if (value < axis.front() || value > axis.back()) {
     table.report(key,
                  table.name_of(key) + " = " + shortest_decimal(value) + " is outside the chart",
@@ -80,15 +96,16 @@ double read_within(const TomlTable& table, const char* key, const std::vector<do
 ChartQuestion read_question(const TomlTable& table, const std::vector<double>& mu,
                             const std::vector<double>& slopes, const std::vector<double>& levels) {
   ChartQuestion question;
-  question.level = read_on_axis(table, "level", levels, levels.empty() ? 0.0 : levels.back());
-  question.slope_deg = read_within(table, "slope_deg", slopes, slope_read_rule);
+  question.level = on_axis(table, {"level", table.number("level")}, levels,
+                           levels.empty() ? 0.0 : levels.back());
+  question.slope_deg = within_axis(table, read_slope(table), slopes);
   if (table.has("mu") == table.has("displacement_m")) {
     table.report("", "a [[chart.read]] gives a displacement or a friction",
                  "give mu (and read the displacement), or displacement_m (and read the friction)");
     table.number("mu");
     table.number("displacement_m");
   } else if (table.has("mu")) {
-    question.mu = read_within(table, "mu", mu, friction_rule);
+    question.mu = within_axis(table, {"mu", table.number("mu", friction_rule)}, mu);
   } else {
     question.displacement_m = table.required_number("displacement_m", above_zero);
   }
@@ -117,9 +134,10 @@ void read_chart(const TomlTable& root, StudyConfig& study) {
     return axis.empty() ? 0.0 : axis[axis.size() / 2];
   };
   const TomlTable shown = table.table("shown");
-  chart.shown_slope_deg = read_on_axis(shown, "slope_deg", slopes, middle(slopes));
-  chart.shown_mu = read_on_axis(shown, "mu", mu, middle(mu));
-  chart.shown_level = read_on_axis(shown, "level", levels, levels.empty() ? 0.0 : levels.back());
+  chart.shown_slope_deg = on_axis(shown, read_slope(shown), slopes, middle(slopes));
+  chart.shown_mu = on_axis(shown, {"mu", shown.number("mu")}, mu, middle(mu));
+  chart.shown_level = on_axis(shown, {"level", shown.number("level")}, levels,
+                              levels.empty() ? 0.0 : levels.back());
   for (const TomlTable& read : table.tables("read"))
     chart.questions.push_back(read_question(read, mu, slopes, levels));
   study.chart = chart;

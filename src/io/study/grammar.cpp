@@ -95,8 +95,7 @@ void add_quantities(std::vector<GrammarKey>& keys) {
                                     : std::string(", ") + p.unit,
                                 p.range.text)});
   }
-  keys.push_back({"roof", "rise_in_12", "number, list or discrete distribution", "slope_deg",
-                  "the slope as a rise in 12"});
+  keys.push_back({"roof", "rise_in_12", quantity_value, "slope_deg", "the slope as a rise in 12"});
 }
 
 void add_cases(std::vector<GrammarKey>& keys) {
@@ -195,9 +194,10 @@ void add_analyses(std::vector<GrammarKey>& keys) {
         "intensity measures are ranked, spectral accelerations at these periods (0.02 to 4 s) "
         "among "
         "them; needs [fragility], and another measure than ppa_g"},
-       {"chart", "shown", "{ slope_deg, mu, level }", "the middle; the highest level",
+       {"chart", "shown", "{ slope_deg or rise_in_12, mu, level }", "the middle; the highest level",
         "where the figures cut through the chart"},
-       {"chart", "read", "[[chart.read]] with level, slope_deg and mu or displacement_m", "none",
+       {"chart", "read",
+        "[[chart.read]] with level, slope_deg or rise_in_12, and mu or displacement_m", "none",
         "a displacement, or the friction required for one, read off the chart"},
        {"clearance", "without_target", "true or false", "false",
         "a clearance also of a suite that is not scaled to a design spectrum: not for design"},
@@ -240,43 +240,6 @@ std::vector<GrammarKey> grammar() {
     return std::pair(std::ranges::find(tables, key.table) - tables.begin(), rank);
   });
   return keys;
-}
-
-std::vector<RenamedKey> renamed_keys() {
-  const char* moments = "write friction.mu = { mean = ..., std = ... }";
-  const char* across = "write friction.across_mu = { mean = ..., std = ... }";
-  const char* thresholds = "it is in [fragility] now";
-  const char* both = "it is \"random\" now: drawn for each sample";
-  const char* tipping = "[array] is [tipping] for this key now";
-  const char* grid =
-      "[clearance_study] is gone: its quantities are in [building], [roof], "
-      "[friction], [vertical] and [orientation], each a number, a list or a "
-      "distribution; give [clearance], and [model] axes = 2. fraction_of_mce is "
-      "intensity.levels with measure = \"mce_fraction\", mu_e_w and mu_n_s are friction.mu and "
-      "across_mu, vertical_damping is vertical.damping, clearance_factor is clearance.factor, "
-      "orientations = \"sixteen\" and \"stated\" are orientation.choice = \"all_permutations\" "
-      "and \"as_recorded\"; response_modification = 1 was an elastic building, which is 0 now";
-  return {{"friction.mean", moments},
-          {"friction.std", moments},
-          {"friction.across_mean", across},
-          {"friction.across_std", across},
-          {"friction.static_ratio", "it is friction.static_over_sliding now"},
-          {"friction.fast_ratio", "it is friction.fast_over_slow now"},
-          {"friction.rate_spm", "it is friction.rate_s_per_m now"},
-          {"friction.design_run", "it is friction.value now: \"sampled\", \"design\" or both"},
-          {"clearance.thresholds_m", thresholds},
-          {"clearance.stop_at_largest", thresholds},
-          {"clearance.impact", "give an empty table [impact]"},
-          {"array.centre_of_mass_height_m", tipping},
-          {"array.base_width_m", tipping},
-          {"chart.slope_deg", "it is roof.slope_deg now, a list"},
-          {"chart.mu", "it is friction.mu now, a list"},
-          {"chart.period_s", "it is building.period_s now, a list"},
-          {"orientation.component = \"both\"", both},
-          {"orientation.sign = \"both\"", both},
-          {"clearance_study", grid},
-          {"paper", "published statements are compared in tests/verification now: leave it out"},
-          {"convergence", "the convergence of the published scheme is a program under tests now"}};
 }
 
 std::string grammar_text(const std::string& wanted) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <set>
 
 #include "glissade/study/analysis/sampling_error.hpp"
 #include "study/grammar.hpp"
@@ -43,6 +44,10 @@ bool uses_target(const TomlTable&, const StudyConfig& study) {
          !is_always(study, "building", "response_modification", 0.0);
 }
 
+bool has_one_of(const TomlTable& root, std::initializer_list<const char*> tables) {
+  return std::ranges::any_of(tables, [&](const char* table) { return root.has(table); });
+}
+
 template <Standard standard>
 bool compares(const TomlTable&, const StudyConfig& study) {
   return std::ranges::find(study.standards.compare, standard) != study.standards.compare.end();
@@ -58,6 +63,10 @@ std::vector<KeyNeeds> key_needs() {
       {"intensity", "target",
        "measure = \"sds_g\" or \"mce_fraction\", or building.response_modification", uses_target},
       {"model", "displacement", axes, two_axes},
+      {"model", "displacement", "[fragility], [chart], [clearance], [verdict] or [rare]",
+       [](const TomlTable& root, const StudyConfig&) {
+         return has_one_of(root, {"fragility", "chart", "clearance", "verdict", "rare"});
+       }},
       {"building", "hardening_ratio", "response_modification or yield_coefficient", yields},
       {"friction", "value", "friction that is drawn", draws_friction},
       {"friction", "direction", file, has_pull_tests},
@@ -95,9 +104,14 @@ std::vector<KeyNeeds> key_needs() {
        [](const TomlTable&, const StudyConfig& s) {
          return s.sampling.scrambles >= least_scrambles;
        }},
+      {"sampling", "scrambles", drawn, draws},
+      {"sampling", "scrambles", "[fragility] or [rare]",
+       [](const TomlTable& root, const StudyConfig&) {
+         return has_one_of(root, {"fragility", "rare"});
+       }},
       {"sampling", "bootstrap_replicates", "[fragility] or [chart]",
        [](const TomlTable& root, const StudyConfig&) {
-         return root.has("fragility") || root.has("chart");
+         return has_one_of(root, {"fragility", "chart"});
        }},
       {"standards", "importance", "\"asce7_16\" in compare", compares<Standard::asce7_16>},
       {"standards", "seismic_design_category", "\"seaoc_pv1_2012\" in compare",
@@ -119,12 +133,14 @@ std::vector<KeyNeeds> key_needs() {
 }
 
 void refuse_idle_keys(const TomlTable& root, const StudyConfig& study) {
+  std::set<std::string> reported;
   for (const KeyNeeds& key : key_needs()) {
     if (!root.has(key.table) || !root.is_table(key.table)) continue;
     const TomlTable table = root.table(key.table);
-    if (!table.has(key.key) || key.are_met(root, study)) continue;
-    table.report(key.key, table.name_of(key.key) + " needs " + key.needs,
-                 "it has no effect here: leave it out");
+    if (!table.has(key.key) || key.are_met(root, study) ||
+        !reported.insert(table.name_of(key.key)).second)
+      continue;
+    table.report_idle(key.key, table.name_of(key.key) + " needs " + key.needs);
   }
 }
 

@@ -135,8 +135,6 @@ std::optional<Quantity> read_moments(const TomlTable& table, const char* key,
                   TruncatedNormal{mean, std, range.min, std::numeric_limits<double>::infinity()}};
 }
 
-double slope_of_rise_deg(double rise) { return std::atan(rise / 12.0) / rad_per_deg; }
-
 }  // namespace
 
 Quantity quantity_of(const Distribution& distribution) {
@@ -161,17 +159,10 @@ std::optional<Quantity> read_rise_in_12(const TomlTable& table) {
   constexpr ParameterRange rises{-100.0, 100.0, "a rise in 12, -100 to 100"};
   std::optional<Quantity> quantity = read_quantity(table, "rise_in_12", rises);
   if (!quantity) return std::nullopt;
-  std::vector<double>* values = &quantity->values;
-  if (quantity->drawn) {
-    auto* discrete = std::get_if<Discrete>(&*quantity->drawn);
-    if (discrete == nullptr) {
-      table.report("rise_in_12", table.name_of("rise_in_12") + " is drawn from a continuum",
-                   "give a number, a list or a discrete distribution, or slope_deg");
-      return std::nullopt;
-    }
-    values = &discrete->values;
-  }
-  std::ranges::transform(*values, values->begin(), slope_of_rise_deg);
+  auto* discrete = quantity->drawn ? std::get_if<Discrete>(&*quantity->drawn) : nullptr;
+  std::vector<double>& values = discrete != nullptr ? discrete->values : quantity->values;
+  std::ranges::transform(values, values.begin(), slope_of_rise_deg);
+  quantity->drawn_as_rise_in_12 = quantity->is_drawn() && discrete == nullptr;
   return quantity;
 }
 

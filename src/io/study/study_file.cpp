@@ -116,7 +116,7 @@ void check_size(const TomlTable& root, const StudyConfig& study) {
 
 StudyConfig read_study(const std::filesystem::path& file) {
   TomlDocument document(file);
-  document.explain_old_keys(renamed_keys());
+  document.explain_old_keys(renamed_keys(), changed_keys());
   const TomlTable root = document.root();
   const TomlTable head = root.required_table("study");
   StudyConfig study;

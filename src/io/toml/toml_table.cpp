@@ -23,7 +23,7 @@ struct TomlDocument::State {
   struct Found {
     Problem problem;
     std::string table;
-    enum class Kind { old_key, unknown_key, value } kind;
+    enum class Kind { old_key, unknown_key, value, idle } kind;
   };
   std::vector<Found> found;
   /// Keys that were read, by table; only tables that are being read are here. Never iterated: order
@@ -31,6 +31,7 @@ struct TomlDocument::State {
   std::map<const void*, std::set<std::string, std::less<>>> read;
   std::set<const void*> not_checked;
   std::vector<RenamedKey> renamed;
+  std::vector<ChangedKey> changed;
   /// Quantities written with a unit: where their text begins, and the number.
   std::map<std::size_t, double> written;
 
@@ -41,8 +42,12 @@ struct TomlDocument::State {
     return old == renamed.end() ? nullptr : &*old;
   }
   void find_unknown_keys(const toml::table& table, const std::string& path);
-  /// Old keys first; what was found in their tables, or of a whole study, may come from them and is
-  /// left out.
+  /// The keys of a table that is gone.
+  void find_old_keys(const toml::table& table, const std::string& path);
+  /// With old keys, those whose meaning has changed.
+  void find_changed_keys();
+  /// Old keys first; what was found in their tables, or of a whole study, and keys without effect
+  /// may come from them and are left out.
   void throw_if_any() const;
 };
 
@@ -182,6 +187,36 @@ void TomlDocument::State::find_unknown_keys(const toml::table& table, const std:
     }
     found.push_back({problem(at, path + name + " is not a known key", suggestion), table_of(path),
                      old != nullptr ? Found::Kind::old_key : Found::Kind::unknown_key});
+    const toml::table* gone = old != nullptr ? table[name].as_table() : nullptr;
+    if (gone != nullptr) find_old_keys(*gone, path + name + ".");
+  }
+}
+
+void TomlDocument::State::find_old_keys(const toml::table& table, const std::string& path) {
+  for (const auto& [key, node] : table) {
+    const std::string name = path + std::string(key.str());
+    if (const RenamedKey* old = renamed_key(name))
+      found.push_back({problem(key.source().begin, name + " is not a known key", old->now),
+                       table_of(path), Found::Kind::old_key});
+  }
+}
+
+void TomlDocument::State::find_changed_keys() {
+  const auto is_old = [](const Found& f) { return f.kind == Found::Kind::old_key; };
+  if (std::ranges::none_of(found, is_old)) return;
+  for (const ChangedKey& key : changed) {
+    const toml::node* node = root.at_path(key.name).node();
+    const bool is_reported = std::ranges::any_of(found, [&](const Found& f) {
+      return is_old(f) && f.problem.what.starts_with(key.name + " ");
+    });
+    if (is_reported || (node != nullptr) != (key.where == ChangedKey::Where::given) ||
+        (!key.beside.empty() && !root.contains(key.beside)) ||
+        (!key.without.empty() && root.contains(key.without)))
+      continue;
+    const toml::source_position at =
+        node != nullptr ? node->source().begin : toml::source_position{};
+    found.push_back({problem(at, key.name + " " + key.what, key.now),
+                     table_of(key.name.substr(0, key.name.rfind('.') + 1)), Found::Kind::old_key});
   }
 }
 
@@ -194,7 +229,8 @@ void TomlDocument::State::throw_if_any() const {
     old_tables.insert({f.table, ""});
   }
   for (const Found& f : found) {
-    const bool follows = f.kind == Found::Kind::value && old_tables.contains(f.table);
+    const bool follows = (f.kind == Found::Kind::value && old_tables.contains(f.table)) ||
+                         (f.kind == Found::Kind::idle && !old_tables.empty());
     if (f.kind != Found::Kind::old_key && !follows) problems.add(f.problem);
   }
   problems.throw_if_any();
@@ -225,8 +261,9 @@ std::string toml_without(const std::string& text, const std::vector<std::string>
 
 TomlDocument::~TomlDocument() = default;
 
-void TomlDocument::explain_old_keys(std::vector<RenamedKey> keys) {
+void TomlDocument::explain_old_keys(std::vector<RenamedKey> keys, std::vector<ChangedKey> changed) {
   state_->renamed = std::move(keys);
+  state_->changed = std::move(changed);
 }
 
 TomlTable TomlDocument::root() {
@@ -256,6 +293,7 @@ void TomlDocument::add(Problem problem) {
 
 void TomlDocument::finish() {
   state_->find_unknown_keys(state_->root, "");
+  state_->find_changed_keys();
   state_->throw_if_any();
 }
 
@@ -287,15 +325,16 @@ bool TomlTable::is_array(std::string_view key) const {
 }
 
 void TomlTable::report(std::string_view key, std::string what, std::string suggestion,
-                       bool is_old) const {
-  using Kind = TomlDocument::State::Found::Kind;
+                       Kind kind) const {
+  using Found = TomlDocument::State::Found;
+  constexpr Found::Kind kinds[] = {Found::Kind::value, Found::Kind::old_key, Found::Kind::idle};
   toml::source_position at{};
   if (node_ != nullptr) {
     const toml::node* node = key.empty() ? nullptr : as_table(node_).get(key);
     at = (node != nullptr ? node->source() : as_table(node_).source()).begin;
   }
   document_->found.push_back({document_->problem(at, std::move(what), std::move(suggestion)),
-                              table_of(path_), is_old ? Kind::old_key : Kind::value});
+                              table_of(path_), kinds[static_cast<std::size_t>(kind)]});
 }
 
 void TomlTable::report(std::string_view key, const InputError& error) const {
@@ -314,7 +353,7 @@ void TomlTable::report_unknown_word(std::string_view key, const std::string& wor
                                     const std::vector<std::string>& known) const {
   const std::string given = name_of(key) + " = \"" + word + "\"";
   if (const RenamedKey* old = document_->renamed_key(given))
-    return report(key, given + " is not known", old->now, true);
+    return report(key, given + " is not known", old->now, Kind::old_key);
   const std::string nearest = nearest_word(word, known);
   std::string suggestion = nearest.empty() ? "" : "did you mean \"" + nearest + "\"? ";
   for (std::size_t i = 0; i < known.size(); ++i)

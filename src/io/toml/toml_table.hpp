@@ -39,6 +39,16 @@ struct RenamedKey {
   std::string now;   ///< "write friction.mu = { mean = ..., std = ... }"
 };
 
+/// A key that is read otherwise than in an earlier grammar. Reported in a file with old keys, where
+/// it is given or absent, beside a table and without another one ("": any).
+struct ChangedKey {
+  std::string name;
+  enum class Where { given, absent } where;
+  std::string beside, without;
+  std::string what;  ///< "was 1 where absent, and is 2 now"
+  std::string now;   ///< what to write for the same numbers
+};
+
 class TomlTable;
 
 /// The text of a TOML document in one form, without some of its tables: equal where two documents
@@ -62,8 +72,8 @@ class TomlDocument {
   /// of its key: "18 in" of a length in metres is 0.4572.
   std::string text_in_key_units() const;
   void add(Problem problem);  ///< one that belongs to no key
-  /// What to suggest for keys that are not known any more.
-  void explain_old_keys(std::vector<RenamedKey> keys);
+  /// What to suggest for keys that are not known any more, and what else to report with them.
+  void explain_old_keys(std::vector<RenamedKey> keys, std::vector<ChangedKey> changed);
   void finish();
 
   struct State;
@@ -115,7 +125,11 @@ class TomlTable {
 
   /// Notes a problem at the value of `key` ("" or an absent key: at the table).
   void report(std::string_view key, std::string what, std::string suggestion = "") const {
-    report(key, std::move(what), std::move(suggestion), false);
+    report(key, std::move(what), std::move(suggestion), Kind::value);
+  }
+  /// Notes that a key has no effect.
+  void report_idle(std::string_view key, std::string what) const {
+    report(key, std::move(what), "it has no effect here: leave it out", Kind::idle);
   }
   /// Notes problems reported without a place (validate(...)) at the value of `key`.
   void report(std::string_view key, const InputError& error) const;
@@ -144,7 +158,8 @@ class TomlTable {
   }
   void report_unknown_word(std::string_view key, const std::string& word,
                            const std::vector<std::string>& known) const;
-  void report(std::string_view key, std::string what, std::string suggestion, bool is_old) const;
+  enum class Kind { value, old_key, idle };
+  void report(std::string_view key, std::string what, std::string suggestion, Kind kind) const;
 
   TomlDocument::State* document_;
   const void* node_;  ///< a toml::table, or null

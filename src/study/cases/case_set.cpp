@@ -72,9 +72,10 @@ class Draw {
       const Parameter& p = parameters()[i];
       const Quantity& quantity = config_.quantities[i];
       if (!quantity.is_drawn()) continue;
+      double value = quantile(*quantity.drawn, points_.coordinate(sample, p.dimension));
+      if (quantity.drawn_as_rise_in_12) value = slope_of_rise_deg(value);
       // Tails outside the physical range (less than one in a million) are put at its ends.
-      p.of(c) = std::clamp(quantile(*quantity.drawn, points_.coordinate(sample, p.dimension)),
-                           p.range.min, p.range.max);
+      p.of(c) = std::clamp(value, p.range.min, p.range.max);
     }
   }
 

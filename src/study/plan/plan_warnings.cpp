@@ -83,7 +83,7 @@ Warnings free_sliding(const Plan& plan) {
   const auto free = std::ranges::count_if(plan.cases.cases, slides_freely);
   if (free == 0 || plan.config.rare) return {};  // of wider distributions it is no share
   return {fmt::format(
-      "{:.2g} % of the cases slide without an earthquake: tan(slope) is friction or more",
+      "{:.3g} % of the cases slide without an earthquake: tan(slope) is friction or more",
       100.0 * static_cast<double>(free) / static_cast<double>(plan.cases.size()))};
 }
 

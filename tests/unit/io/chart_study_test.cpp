@@ -25,6 +25,15 @@ class ChartStudy : public testing::Test {
   TemporaryFolder folder_;
 };
 
+TEST_F(ChartStudy, slopes_of_cuts_and_questions_may_be_rises_in_12) {
+  const StudyConfig study = read(head + intensity +
+                                 "[roof]\nrise_in_12 = [0, 0.25, 1]\n[friction]\n"
+                                 "mu = [0.3, 0.5]\n[chart]\nshown = { rise_in_12 = \"0.25:12\" }\n"
+                                 "[[chart.read]]\nrise_in_12 = 0.5\nmu = 0.4\n");
+  EXPECT_EQ(study.chart->shown_slope_deg, study.quantities.at("roof", "slope_deg").values[1]);
+  EXPECT_EQ(study.chart->questions.at(0).slope_deg, slope_of_rise_deg(0.5));
+}
+
 TEST_F(ChartStudy, axes_cuts_and_questions_are_read) {
   const StudyConfig study = read(chart + R"([chart.shown]
 slope_deg = 2

@@ -11,11 +11,16 @@ namespace glissade {
 namespace {
 
 using testing::AllOf;
+using testing::ElementsAre;
 using testing::HasSubstr;
 
 std::string counts_error(const std::string& content) {
   const TemporaryFolder folder;
   return message_of([&] { read_counts(folder.write("counts.csv", content)); });
+}
+std::vector<std::size_t> counts_lines(const std::string& content) {
+  const TemporaryFolder folder;
+  return lines_of([&] { read_counts(folder.write("counts.csv", content)); });
 }
 std::string capacities_error(const std::string& content) {
   const TemporaryFolder folder;
@@ -34,16 +39,9 @@ TEST(counts_file, is_read_with_comments_blanks_and_either_line_end) {
 }
 
 TEST(counts_file, reports_every_wrong_row_with_its_line) {
-  EXPECT_THAT(counts_error("im,num_gms,num_exceed\n0.2,40,41\n0,40,1\n0.3,40,-1\n0.4,40,1.5\n0.5,0,"
+  EXPECT_THAT(counts_lines("im,num_gms,num_exceed\n0.2,40,41\n0,40,1\n0.3,40,-1\n0.4,40,1.5\n0.5,0,"
                            "0\n0.6,40\n0.7,40,x\n0.8,9,1\n0.8,9,2\nnan,1,1\n"),
-              AllOf(HasSubstr("counts.csv:2: num_exceed is larger"),
-                    HasSubstr("counts.csv:3: im is not above 0"),
-                    HasSubstr("counts.csv:4: num_exceed is not a whole"),
-                    HasSubstr("counts.csv:5: num_exceed is not a whole"),
-                    HasSubstr("counts.csv:6: num_gms is not"),
-                    HasSubstr("counts.csv:7: 2 column(s)"), HasSubstr("counts.csv:8: 'x' is not"),
-                    HasSubstr("counts.csv:10: this im is already on line 9"),
-                    HasSubstr("counts.csv:11: 'nan'")));
+              ElementsAre(2, 3, 4, 5, 6, 7, 8, 10, 11));
 }
 
 TEST(counts_file, needs_its_header_and_rows) {
@@ -62,9 +60,8 @@ TEST(capacities_file, is_one_column_of_positive_numbers) {
   EXPECT_EQ(capacities.rows[1].high, 1.25);
   EXPECT_FALSE(capacities.brackets);
   EXPECT_THAT(capacities_error("im_cap\n0.5\n-1\ninf\n"),
-              AllOf(HasSubstr("capacities.csv:3: im_cap is below 0"),
-                    HasSubstr("capacities.csv:4: 'inf'")));
-  EXPECT_THAT(capacities_error("0.5\n"), HasSubstr("is not the header im_cap"));
+              AllOf(HasSubstr("capacities.csv:3: im_cap"), HasSubstr("capacities.csv:4: 'inf'")));
+  EXPECT_THAT(capacities_error("0.5\n"), HasSubstr("im_cap"));
 }
 
 TEST(fit_file, has_records_and_weights_in_any_column) {
@@ -87,7 +84,7 @@ TEST(fit_file, reports_weights_that_are_none_and_counts_given_twice) {
   EXPECT_THAT(counts_error("im,num_gms,num_exceed,record,weight\n0.2,4,0,a,0\n"),
               HasSubstr("weight"));
   EXPECT_THAT(counts_error("im,num_gms,num_exceed,record\n0.2,4,0,a\n0.2,4,1,b\n0.2,4,1,a\n"),
-              HasSubstr("counts.csv:4: this im is already on line 2"));
+              AllOf(HasSubstr("counts.csv:4"), HasSubstr("line 2")));
 }
 
 TEST(capacities_file, has_brackets) {

@@ -189,13 +189,11 @@ TEST_F(Grammar, an_old_key_comes_first_and_alone_of_what_follows_from_it) {
                      "measure = \"pga_g\"\nlevels = [-1]\n[friction]\nmean = 0.5\nstd = 0.1\n"
                      "[chart]\nslope_deg = [0, 1]\nmu = [0.4]\n"),
               testing::UnorderedElementsAre("chart.slope_deg", "chart.mu", "friction.mean",
-                                            "friction.std", "intensity.levels"));
-  const std::vector<std::string> old = places("[clearance_study]\nfraction_of_mce = [1]\n");
-  EXPECT_THAT(old, testing::ElementsAre("clearance_study"));
+                                            "friction.std", "intensity.levels", "model.axes"));
   EXPECT_THAT(places("[study]\nname = \"s\"\nsed = 1\n[suite]\nfile = \"suite.toml\"\n"
                      "[intensity]\nmeasure = \"pga_g\"\nlevels = [1]\n[friction]\nmu = 0.5\n"
                      "[fragility]\nthresholds_m = [1]\n[orientation]\nsign = \"both\"\n"),
-              testing::ElementsAre("orientation.sign", "study.sed"));
+              testing::ElementsAre("orientation.sign", "model.axes", "study.sed"));
 }
 
 TEST_F(Grammar, every_key_with_a_need_is_a_key) {

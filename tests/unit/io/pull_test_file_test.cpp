@@ -18,6 +18,7 @@ using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Not;
+using testing::UnorderedElementsAre;
 
 const std::string header = "test,direction,time_s,displacement_m,force_n,normal_n\n";
 
@@ -27,6 +28,9 @@ std::vector<PullTest> read(const std::string& content) {
 }
 std::string error(const std::string& content) {
   return message_of([&] { read(content); });
+}
+std::vector<std::size_t> lines(const std::string& content) {
+  return lines_of([&] { read(content); });
 }
 
 TEST(pull_test_file, is_read_with_comments_blanks_quotes_and_either_line_end) {
@@ -52,26 +56,20 @@ TEST(pull_test_file, may_have_its_columns_in_any_order_case_and_known_unit) {
 }
 
 TEST(pull_test_file, with_time_that_goes_back_is_refused_once) {
-  EXPECT_THAT(error(header + "1,a,0,0,0,9\n1,a,0.2,0,0,9\n1,a,0.1,0,0,9\n1,a,0.3,0,0,9\n"
+  EXPECT_THAT(lines(header + "1,a,0,0,0,9\n1,a,0.2,0,0,9\n1,a,0.1,0,0,9\n1,a,0.3,0,0,9\n"
                              "1,a,0.2,0,0,9\n"),
-              AllOf(HasSubstr("tests.csv:4: time goes back in test 1 a, from 0.2 to 0.1 s"),
-                    HasSubstr("(and so 1 more)"), Not(HasSubstr("tests.csv:6"))));
+              ElementsAre(4));
   EXPECT_EQ(error(header + "1,a,5,0,0,9\n1,a,5,0,0,9\n2,a,0,0,0,9\n"), "");  // equal; another test
 }
 
 TEST(pull_test_file, with_a_normal_force_not_above_zero_is_refused_once) {
-  EXPECT_THAT(error(header + "1,a,0,0,0,-9\n1,a,0,0,0,0\n"),
-              AllOf(HasSubstr("tests.csv:2: the normal force of test 1 a, -9 N, is not above 0"),
-                    HasSubstr("(and so 1 more)")));
-  EXPECT_THAT(error(header + "1,a,0,0,0,0\n"), HasSubstr("0 N, is not above 0"));
+  EXPECT_THAT(lines(header + "1,a,0,0,0,-9\n1,a,0,0,0,0\n"), ElementsAre(2));
+  EXPECT_THAT(lines(header + "1,a,0,0,0,0\n"), ElementsAre(2));
 }
 
 TEST(pull_test_file, reports_every_kind_of_wrong_row) {
-  EXPECT_THAT(error(header + "1,a,0,0,x,9\n1,a,0,0,0\n1,,0,0,0,9\n1,a,0,nan,0,9\n1,a,0,0,0,-1\n"),
-              AllOf(HasSubstr("tests.csv:2: 'x' is not a finite number (and so 1 more)"),
-                    HasSubstr("tests.csv:3: 5 column(s) where the header has 6"),
-                    HasSubstr("tests.csv:4: test or direction is empty"),
-                    HasSubstr("tests.csv:6: the normal force")));
+  EXPECT_THAT(lines(header + "1,a,0,0,x,9\n1,a,0,0,0\n1,,0,0,0,9\n1,a,0,nan,0,9\n1,a,0,0,0,-1\n"),
+              UnorderedElementsAre(2, 3, 4, 6));  // those of one kind once
 }
 
 TEST(pull_test_file, has_names_in_utf_8) {
@@ -80,23 +78,20 @@ TEST(pull_test_file, has_names_in_utf_8) {
   // Latin-1; a control character; cut short; overlong; a surrogate; beyond Unicode.
   for (const char* name : {"\xe9t\xe9", "a\x1b[0m", "\xe2\x80", "\xc0\xaf", "\xe0\x80\xaf",
                            "\xed\xa0\x80", "\xf4\x90\x80\x80", "\x80"}) {
-    EXPECT_THAT(error(header + "x" + name + ",a,0,0,0,9\n"), HasSubstr("tests.csv:2: test or"));
+    EXPECT_THAT(lines(header + "x" + name + ",a,0,0,0,9\n"), ElementsAre(2));
   }
 }
 
 TEST(pull_test_file, keeps_the_rows_of_a_test_together) {
-  EXPECT_THAT(
-      error(header + "1,a,0,0,0,9\n2,a,0,0,0,9\n1,a,1,0,0,9\n1,a,2,0,0,9\n"),
-      AllOf(HasSubstr("tests.csv:4: test 1 a already began on line 2"), Not(HasSubstr("more)"))));
+  EXPECT_THAT(lines(header + "1,a,0,0,0,9\n2,a,0,0,0,9\n1,a,1,0,0,9\n1,a,2,0,0,9\n"),
+              ElementsAre(4));
 }
 
 TEST(pull_test_file, needs_its_columns_each_once) {
   EXPECT_THAT(error("test,displacement,force_n,normal_n,force_kn\n1,0,0,9,0\n"),
-              AllOf(HasSubstr("tests.csv:1: the column direction is missing"),
-                    HasSubstr("'displacement' is not known; did you mean displacement_m"),
-                    HasSubstr("displacement_m, displacement_mm or displacement_in is missing"),
-                    HasSubstr("force_n, force_kn or force_lbf is there more than once")));
-  EXPECT_THAT(error("1,a,0,0,0,9\n"), HasSubstr("the column test is missing"));
+              AllOf(HasSubstr("tests.csv:1"), HasSubstr("direction"), HasSubstr("'displacement'"),
+                    HasSubstr("displacement_mm"), HasSubstr("force_lbf")));
+  EXPECT_THAT(error("1,a,0,0,0,9\n"), HasSubstr("test"));
 }
 
 TEST(pull_test_file, needs_rows) {
@@ -189,10 +184,9 @@ TEST_F(StudyWithPullTests, takes_the_direction_it_names) {
   folder_.write("tests.csv", traces("along", {0.5, 0.6}) + rows("across", {0.7, 0.8}));
   EXPECT_NEAR(mean_mu(read("file = \"tests.csv\"\ndirection = \"across\"\n"), "mu"), 0.75, 1e-6);
   EXPECT_THAT(error("file = \"tests.csv\"\n"),
-              AllOf(HasSubstr("study.toml:"), HasSubstr("tests in 2 directions"),
-                    HasSubstr("\"along\", \"across\"")));
+              AllOf(HasSubstr("study.toml:"), HasSubstr("\"along\", \"across\"")));
   EXPECT_THAT(error("file = \"tests.csv\"\ndirection = \"up\"\n"),
-              AllOf(HasSubstr("\"up\" is not in the pull tests"), HasSubstr("\"along\"")));
+              AllOf(HasSubstr("friction.direction = \"up\""), HasSubstr("\"along\"")));
 }
 
 TEST_F(StudyWithPullTests, takes_a_direction_for_each_of_two_axes) {
@@ -204,9 +198,9 @@ TEST_F(StudyWithPullTests, takes_a_direction_for_each_of_two_axes) {
   EXPECT_TRUE(study.friction.across_is_given);
   EXPECT_NEAR(mean_mu(study, "across_mu"), 0.75, 1e-6);
   EXPECT_THAT(study.friction.note, HasSubstr("direction across"));
-  EXPECT_THAT(error(both + "[model]\naxes = 1\n"), HasSubstr("needs [model] axes = 2"));
+  EXPECT_THAT(error(both + "[model]\naxes = 1\n"), HasSubstr("friction.across_direction"));
   EXPECT_THAT(error(along + "across_direction = \"up\"\n[model]\naxes = 2\n"),
-              HasSubstr("friction.across_direction = \"up\" is not in the pull tests"));
+              HasSubstr("friction.across_direction = \"up\""));
 }
 
 TEST_F(StudyWithPullTests, takes_equal_tests_as_one_number) {
@@ -216,12 +210,12 @@ TEST_F(StudyWithPullTests, takes_equal_tests_as_one_number) {
 
 TEST_F(StudyWithPullTests, needs_two_tests) {
   folder_.write("tests.csv", traces("along", {0.5}));
-  EXPECT_THAT(error("file = \"tests.csv\"\n"), HasSubstr("one test in direction \"along\""));
+  EXPECT_THAT(error("file = \"tests.csv\"\n"), HasSubstr("friction.file"));
 }
 
 TEST_F(StudyWithPullTests, refuses_friction_given_twice_and_nothing_else) {
   const std::string text = error("file = \"tests.csv\"\nmu = 0.5\n");
-  EXPECT_THAT(text, HasSubstr("friction.file and friction.mu are both given"));
+  EXPECT_THAT(text, AllOf(HasSubstr("friction.file"), HasSubstr("friction.mu")));
   EXPECT_THAT(text, Not(HasSubstr("not a known key")));
 }
 

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <cmath>
 
 #include "../../../src/io/text/scan.hpp"
+#include "glissade/core/units.hpp"
+#include "glissade/study/cases/case_set.hpp"
 #include "study_texts.hpp"
 
 namespace glissade {
@@ -217,6 +220,14 @@ TEST_F(StudyFile, a_slope_may_be_given_as_a_rise_in_12) {
       std::get<Discrete>(*slope("{ distribution = \"discrete\", values = [-12, 12] }").drawn)
           .values,
       ElementsAre(DoubleEq(-45.0), DoubleEq(45.0)));
+  const std::string uniform = "{ distribution = \"uniform\", min = 0, max = 12 }";
+  EXPECT_TRUE(slope(uniform).drawn_as_rise_in_12);
+  // The rise is uniform, not the angle: its median is 6 in 12.
+  const CaseSet cases = make_cases(
+      read(needed + "[roof]\nrise_in_12 = " + uniform + "\n[sampling]\nsamples = 1024\n"));
+  const auto below = std::ranges::count_if(
+      cases.cases, [](const Case& c) { return std::tan(c.slope_deg * rad_per_deg) < 0.5; });
+  EXPECT_EQ(static_cast<std::size_t>(below) * 2, cases.size());
 }
 
 TEST_F(StudyFile, several_suites_and_some_records_can_be_named) {

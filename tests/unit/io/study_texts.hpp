@@ -39,6 +39,10 @@ class StudyFile : public testing::Test {
   std::string error(const std::string& content) const {
     return message_of([&] { read(content); });
   }
+  /// "14 building.period_s" of each problem.
+  std::vector<std::string> faults(const std::string& content) const {
+    return faults_of([&] { read(content); });
+  }
   TemporaryFolder folder_;
 };
 

@@ -116,6 +116,38 @@ std::string largest_over(const Results& results) {
   return text;
 }
 
+/// "mean 0.549, standard deviation 0.041" over the samples.
+std::string moments_over_samples(const CaseSet& set, double Case::*of) {
+  double count = 0.0, mean = 0.0, squares = 0.0;
+  for (const Case& c : set.cases) {
+    if (c.friction_value != FrictionValue::as_drawn ||
+        c.orientation.slope_axis != set.cases.front().orientation.slope_axis)
+      continue;
+    const double before = c.*of - mean;
+    mean += before / ++count;
+    squares += before * (c.*of - mean);
+  }
+  return fmt::format("mean {:.3g}, standard deviation {:.3g}", mean, std::sqrt(squares / count));
+}
+
+/// How friction is drawn, where it is.
+std::string drawn_friction(const Results& results) {
+  const CaseSet& set = results.cases;
+  const auto varies = [&](double Case::*of) {
+    return std::ranges::any_of(set.cases, [&](const Case& c) {
+      return c.friction_value == FrictionValue::as_drawn && c.*of != set.cases.front().*of;
+    });
+  };
+  if (set.axis("friction.mu") < set.axes.size() || !varies(&Case::friction)) return "";
+  return fmt::format(
+      " Friction is drawn for each sample ({} samples): {}{}. The friction in the chart is the "
+      "mean.",
+      set.samples, moments_over_samples(set, &Case::friction),
+      slides_on_two_axes(results)
+          ? "; across the slope " + moments_over_samples(set, &Case::friction_across)
+          : "");
+}
+
 }  // namespace
 
 std::string how_counted(const Results& results) {
@@ -130,9 +162,11 @@ std::string how_counted(const Results& results) {
   const std::string largest = largest_over(results);
   const std::string of_each = largest.empty() ? "in its orientation" : "with " + largest;
   if (is_one_record(results)) {
-    return fmt::format(
-        "The peak slip of the one record {}, {}{}, {}; in plan.", results.records.front().id,
-        of_each, samples > 1 ? fmt::format(", the largest of {} samples", samples) : "", building);
+    return fmt::format("The peak slip of the one record {}, {}{}, {}; in plan.",
+                       results.records.front().id, of_each,
+                       samples > 1 ? fmt::format(", the largest of {} samples", samples) : "",
+                       building) +
+           drawn_friction(results);
   }
   std::string text = fmt::format(
       "{} records, each counted {}; {}; {}; in plan.", results.records.size(), of_each, building,
@@ -144,7 +178,7 @@ std::string how_counted(const Results& results) {
         "the largest are over records and samples pooled, which are not independent.",
         samples);
   }
-  return text;
+  return text + drawn_friction(results);
 }
 
 std::string seaoc_limits() {

@@ -122,12 +122,26 @@ std::string other_run_sentence(const Results& results, const RunResults& run) {
                      medians);
 }
 
+/// The run in which most histories slip more than is prescribed, over all levels; where only the
+/// value of friction is listed the first, friction as drawn.
+const RunResults& run_of_standards(const Results& results) {
+  if (!lists_more_than_friction_value(results)) return results.runs.front();
+  const auto exceeded = [](const RunResults& run) {
+    double sum = 0.0;
+    for (const StandardComparison& c : run.standards) sum += c.exceedance_probability;
+    return sum;
+  };
+  return *std::ranges::max_element(results.runs, {}, exceeded);
+}
+
 /// The standards table at a handful of levels, narrow enough for a terminal: the rest is in
 /// standards.csv.
 std::string brief_standards(const Results& results, const RunResults& run) {
   std::string recalled;
   Table table{"standards_brief",
-              "Standards and computed slip (" + first_run(results) + "; displacements in plan)",
+              fmt::format("Standards and computed slip ({}{}; displacements in plan)",
+                          results.runs.size() > 1 ? "the combination that exceeds most: " : "",
+                          friction_of(results, run)),
               {{"standard", "", "Standard", ColumnKind::text},
                {"sds", "g", "S_DS, g", ColumnKind::number},
                {"prescribed", "m", "Prescribed, m (in)", ColumnKind::length},
@@ -183,7 +197,7 @@ std::string fragility_summary(const Results& results) {
   if (rows > most_rows)
     text += fmt::format("  {} rows more are in tables/fragility.csv\n", rows - most_rows);
   if (!results.runs.empty() && !results.runs.front().standards.empty()) {
-    text += "\n" + brief_standards(results, results.runs.front());
+    text += "\n" + brief_standards(results, run_of_standards(results));
   }
   return text;
 }
