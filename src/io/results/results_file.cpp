@@ -91,6 +91,12 @@ void check_histories(const Results& results) {
   const auto whole_or_none = [&](const auto& field) {
     return field.empty() || field.size() == size;
   };
+  const auto is_not_rising = [](double a, double b) { return !(a < b); };
+  if (!std::ranges::all_of(results.levels, [](double l) { return std::isfinite(l); }) ||
+      std::ranges::adjacent_find(results.levels, is_not_rising) != results.levels.end())
+    throw Hdf5Error("take levels that do not rise");
+  if (std::ranges::any_of(f.peak_displacement_m, [](double d) { return std::isnan(d); }))
+    throw Hdf5Error("take a displacement that is not a number");
   expect_fit(size > 0 && f.peak_displacement_m.size() == size, "peak_displacement_m",
              "records, cases and levels");
   expect_fit(f.uplift.size() == size && f.failed.size() == size, "uplift",

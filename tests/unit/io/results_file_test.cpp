@@ -370,6 +370,16 @@ TEST(results_file, parts_that_do_not_fit_each_other_are_refused) {
               of("impact"));
 }
 
+TEST(results_file, refuses_levels_that_do_not_rise_and_displacements_that_are_no_numbers) {
+  Results results = with_all();
+  EXPECT_EQ(refusal_of(results), "");
+  std::ranges::reverse(results.levels);
+  EXPECT_THAT(refusal_of(results), HasSubstr("levels"));
+  results = with_all();
+  results.histories.fields.peak_displacement_m.front() = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THAT(refusal_of(results), HasSubstr("displacement"));
+}
+
 TEST(results_file, names_of_what_is_listed_that_could_act_in_a_script_or_page_are_refused) {
   for (const char* name : {"`touch pwned`", "'; system('x'); '", "a\nb", "<script>", "../design"}) {
     Results results = with_fragility();

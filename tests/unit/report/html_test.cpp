@@ -41,7 +41,7 @@ TEST(html_report, says_rigid_where_the_samples_have_no_period) {
   Results results = made_up_results();
   for (Case& c : results.cases.cases) c.period_s = 0.0;
   const std::string html = html_report(results, {});
-  EXPECT_THAT(html, HasSubstr("Rigid: the roof moves as the ground does"));
+  EXPECT_THAT(html, HasSubstr("Rigid"));
   EXPECT_THAT(html, Not(HasSubstr("mass is neglected")));
 }
 

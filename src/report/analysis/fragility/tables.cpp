@@ -103,6 +103,15 @@ Table fragility_table(const Results& results) {
   return with_listed(results, table);
 }
 
+/// What the names of the values of friction mean, where they are shown.
+std::vector<std::string> friction_names(const Results& results) {
+  const std::string label = results.runs.empty() ? "" : results.runs.front().label;
+  const bool shown = results.cases.axis("friction.value") < results.cases.axes.size() ||
+                     label == "sampled" || label == "design";
+  if (!shown) return {};
+  return {"sampled: friction is drawn for each sample; design: friction is mean - 2 std."};
+}
+
 Table fragility_summary_table(const Results& results) {
   Table table{"fragility_summary",
               "Fragility by clearance: intensity with a 50 % chance of exceedance." +
@@ -133,6 +142,7 @@ Table fragility_summary_table(const Results& results) {
   if (lists_more_than_friction_value(results)) table = table.without("run");
   for (Column& column : table.columns)
     column.detail = column.stem == "method" || column.stem == "status";
+  table.notes = friction_names(results);
   if (largest_floor == 0.0) return table.without("free_sliding_share").without("p50");
   table.notes.push_back(
       least_floor == 1.0

@@ -71,7 +71,7 @@ TEST(bssa14, reproduces_the_peak_velocities_of_OpenQuake) {
   EXPECT_NEAR(bssa14_median_pgv_mps({7.0, 20.0, 200.0}), 0.277635, 1e-4 * 0.278);
 }
 
-// Section 5 of the page: sqrt(tau2^2 + phi2^2) for M >= 5.5, Vs30 >= 300, R <= 79.
+// Boore et al. (2014): sqrt(tau2^2 + phi2^2) for M >= 5.5, Vs30 >= 300, R <= 79.
 TEST(bssa14, has_the_published_dispersion) {
   const Scenario scenario{7.0, 20.0, 400.0};
   EXPECT_NEAR(bssa14_dispersion(scenario, 0.0).total(), std::hypot(0.348, 0.495), 1e-12);

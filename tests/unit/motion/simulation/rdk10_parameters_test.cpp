@@ -47,7 +47,7 @@ TEST(rdk10_parameters, stay_within_their_published_bounds) {
   }
 }
 
-// P(f' < 0) = (c/b)(1 - exp(-2b)) = 0.71627 with the page's b and c: the score of zero slope is
+// P(f' < 0) = (c/b)(1 - exp(-2b)) = 0.71627 with b and c of Rezaeian & Der Kiureghian (2010): the score of zero slope is
 // 0.5718.
 TEST(rdk10_parameters, give_zero_slope_at_the_probability_of_negative_slopes) {
   EXPECT_NEAR(rdk10_parameters({0, 0, 0, 0, 0.5718, 0}).frequency_slope_hzps, 0.0, 1e-4);

@@ -52,7 +52,7 @@ TEST(rdk10_envelope, begins_at_its_peak_where_the_duration_is_too_long_for_the_m
   EXPECT_NEAR(arias_until(q, 60.0), early.arias_g2s, 1e-8);
 }
 
-// Section 1 of the page, term by term: no recurrence, no truncation.
+// The sum of Rezaeian & Der Kiureghian (2010), term by term: no recurrence, no truncation.
 TEST(rdk10_process, is_the_filtered_noise_of_its_definition) {
   constexpr double dt_s = 0.01;
   const std::vector<double> u = noise(1203, 0);
