@@ -32,9 +32,12 @@ nlohmann::ordered_json to_json(const Prescription& p) {
       {"value_m", p.value_m}, {"provenance", provenance_label(p.provenance)}, {"basis", p.basis}};
 }
 
+/// Equal values differ in their last bit: the half is rounded up for all.
+double inches(double length_m) { return length_m / inch_m * (1.0 + 1e-12); }
+
 void print(const char* name, const Prescription& p) {
   fmt::print(
-      "{:<16} {:8.3f} m  ({:.1f} in)\n  {}\n", name, p.value_m, p.value_m / inch_m,
+      "{:<16} {:8.3f} m  ({:.1f} in)\n  {}\n", name, p.value_m, inches(p.value_m),
       wrapped(fmt::format("{} [{}]", p.basis, provenance_label(p.provenance)), terminal_width, 2));
 }
 
@@ -77,7 +80,7 @@ void run(const StandardsOptions& o) {
   fmt::print("ASCE 7-16 separations\n");
   for (const Separation& s : separations)
     fmt::print("  {:.1f} x  {:8.3f} m  ({:.1f} in) {} [{}]\n", s.factor, s.value_m,
-               s.value_m / inch_m, s.what, provenance_label(s.provenance));
+               inches(s.value_m), s.what, provenance_label(s.provenance));
 }
 
 }  // namespace

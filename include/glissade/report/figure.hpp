@@ -92,11 +92,8 @@ struct Axis {
   std::string label;  ///< with its unit: "Period (s)"
   double low = 0.0, high = 1.0;
   std::vector<Tick> ticks;  ///< empty: at round numbers
-  /// The same places in another unit, on the opposite side.
-  std::string opposite_label;
-  std::vector<Tick> opposite_ticks;
 };
-/// A displacement from 0 m on; inches stand on the opposite side.
+/// A displacement from 0 m on, in the unit that stands first.
 Axis length_axis(const std::string& label, double high_m);
 /// 1, 2 or 5 times a power of ten: about `count` ticks over the range.
 double round_step(double range, double count);
@@ -114,7 +111,7 @@ struct Figure {
   std::string title;               ///< one line: what is shown
   std::string below;               ///< a smaller line: of what
   std::string caption;             ///< what to read from it and how it was made
-  std::vector<Panel> panels = {};  ///< side by side
+  std::vector<Panel> panels = {};  ///< two in a row
   int key_columns = 1;
 };
 

@@ -32,6 +32,9 @@ class LengthUnits {
 };
 /// "0.300 m (11.8 in)", or "11.8 in (0.300 m)"; "-" for what is not finite.
 std::string format_length(double length_m);
+/// "0.300", "11.8": three significant digits, at most 0.1 mm or 0.001 in; "< 0.001" and "< 0.02"
+/// below 0.5 mm.
+std::string length_number(double length_m, UnitSystem units);
 /// "0.300 m", or "11.8 in".
 std::string short_length(double length_m);
 /// "0.276 to 0.393 m", "10.9 to 15.5 in"; "no interval" where an end is NaN.
@@ -51,7 +54,7 @@ std::string provenance_label(Provenance provenance);
 /// "1234 histories ...: why"; without the number where nothing was counted.
 std::string format_skip(const Skip& skip);
 
-/// A paragraph for the terminal, indented, broken between words.
+/// A paragraph for the terminal, indented, in lines of at most 80 characters.
 std::string wrapped(const std::string& text);
 
 }  // namespace glissade

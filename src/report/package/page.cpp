@@ -20,19 +20,16 @@ namespace {
 constexpr Markup letter = "@page { size: letter; }";
 constexpr Markup a4 = "@page { size: A4; }";
 constexpr Markup style = R"(
-@page { margin: 20mm 17mm 18mm; @bottom-right { content: "Page " counter(page) " of " counter(pages); font: 9pt Arial, sans-serif; }
-  @bottom-left { content: "Seismic displacement of an unanchored solar array"; font: 9pt Arial, sans-serif; } }
+@page { margin: 20mm 17mm 18mm; @bottom-left { content: "Seismic displacement of an unanchored solar array"; font: 9pt Arial, sans-serif; } }
 h2 { counter-increment: section; } h2::before { content: counter(section) ". "; }
-.contents { columns: 2; } .contents a { color: inherit; text-decoration: none; }
+.contents { columns: 20em 2; } .contents a { color: inherit; text-decoration: none; }
 .equation { font-family: "Times New Roman", serif; font-size: 1.15em; margin: .4em 0 .4em 2em; }
-.sha { font-family: monospace; }
 caption { font-weight: bold; color: #222; }
+.files td:last-child { font-family: monospace; overflow-wrap: anywhere; }
 @media print {
-  body { font-size: 10pt; line-height: 1.35; } table { font-size: 9pt; width: 100%; } thead { display: table-header-group; break-after: avoid; }
-  table, .wide, .answer, figure, figcaption { break-inside: avoid; } .long table, .long .wide { break-inside: auto; }
-  caption { break-after: avoid; } h2 { margin-top: 1.2em; } .contents a::after { content: " " leader(".") " " target-counter(attr(href), page); }
-  figure { max-width: 13.5cm; margin: .5em 0; }
-  th, td, td:not(.number) { overflow-wrap: break-word; min-width: 0; } .long td:first-child { white-space: nowrap; } .long td:last-child { overflow-wrap: anywhere; }
+  table, .wide, .answer { break-inside: avoid; } .long table, .long .wide { break-inside: auto; } .long td:last-child { overflow-wrap: anywhere; }
+  h2 { margin-top: 1.2em; } .contents a::after { content: " " leader(".") " " target-counter(attr(href), page); }
+  .files td:last-child { white-space: nowrap; } .files td { overflow-wrap: anywhere; }
 }
 )";
 
@@ -205,9 +202,23 @@ Html checks_html(const CalculationPackage& package) {
                "Statements marked (recalled) are from memory of the standard: verify them."});
 }
 
-/// A table that may go over a page and has hashes in its last column.
+/// A table that may go over a page.
 Html long_table(const Table& table) {
   return Html("<div class=\"long\">\n") + wide_table(table) + "</div>\n";
+}
+
+/// Two columns, so that a hash stands on one line: "rsn169 first: RSN169_1.AT2".
+Html files_html(const Table& files) {
+  Table page{files.name,
+             files.title,
+             {text_column("file", "Record, component: file"), text_column("sha256", "SHA-256")},
+             {}};
+  const auto text = [](const Cell& cell) { return std::get<std::string>(cell); };
+  for (const std::vector<Cell>& row : files.rows) {
+    const std::string file = std::filesystem::path(text(row[2])).filename().string();
+    page.add({text(row[0]) + " " + text(row[1]) + ": " + file, row[3]});
+  }
+  return Html("<div class=\"long files\">\n") + wide_table(page) + "</div>\n";
 }
 
 Html records_html(const CalculationPackage& package) {
@@ -218,7 +229,7 @@ Html records_html(const CalculationPackage& package) {
                             "give the same numbers.",
                             package.demand.program_version, package.build, package.demand.plan_hash,
                             package.probability.plan_hash, package.project_sha256));
-  if (!package.files.empty()) html += long_table(files_table(package));
+  if (!package.files.empty()) html += files_html(files_table(package));
   return html + "<h3>Project file</h3>\n" + study_file(package.project.source_text);
 }
 

@@ -9,23 +9,27 @@ namespace glissade {
 namespace {
 
 constexpr Markup style = R"(
-body { font: 16px/1.5 Arial, Helvetica, sans-serif; color: #222; max-width: 68em; margin: 2em auto; padding: 0 1em; }
+body { font: 16px/1.5 Arial, Helvetica, sans-serif; color: #222; max-width: 68em; margin: 2em auto; padding: 0 1em; overflow-wrap: anywhere; }
 h1 { margin-bottom: 0; } h2 { margin-top: 2em; border-bottom: 1px solid #ccc; }
 .answer { background: #eef4fa; border-left: 4px solid #0072b2; padding: .6em 1em; }
 .answer p { margin: .4em 0; }
 .warning { background: #fff4e0; border-left: 4px solid #e69f00; padding: .4em 1em; }
-figure { margin: 1.5em auto; max-width: 60em; } figure svg { width: 100%; height: auto; }
+figure { margin: 1.5em auto; max-width: 46em; } figure svg { width: 100%; height: auto; }
 figcaption, caption { color: #444; font-size: .9em; text-align: left; padding: .3em 0; }
 .wide { overflow-x: auto; }
 table { border-collapse: collapse; font-size: .85em; margin: 1em 0; }
-th, td { border-bottom: 1px solid #ddd; padding: .2em .6em; text-align: left; vertical-align: top; }
+th, td { border-bottom: 1px solid #ddd; padding: .2em .6em; text-align: left; vertical-align: top; overflow-wrap: break-word; }
 th { background: #f4f4f4; vertical-align: bottom; } .number { text-align: right; white-space: nowrap; }
 td:not(.number) { min-width: 7em; }
 dt { font-weight: bold; } dd { margin: 0 0 .5em 1.5em; }
 pre { background: #f7f7f7; border: 1px solid #ddd; padding: .8em; white-space: pre-wrap; overflow-wrap: anywhere; font-size: .85em; }
+@page { margin: 18mm 15mm; @bottom-right { content: "Page " counter(page) " of " counter(pages); font: 9pt Arial, sans-serif; } }
 @media print {
-  body { max-width: none; margin: 0; font-size: 10pt; } h2, figcaption { break-after: avoid; }
-  figure { max-width: 14cm; } figure, tr { break-inside: avoid; } .wide { overflow: visible; } table { font-size: 7pt; }
+  body { max-width: none; margin: 0; padding: 0; font-size: 10pt; line-height: 1.35; } h2, h3, figcaption { break-after: avoid; }
+  figure { max-width: 16cm; margin: .5em auto; } figure, tr, caption { break-inside: avoid; } caption { break-after: avoid; }
+  .wide { overflow: visible; } table, pre, figcaption, caption { font-size: 9pt; } table { width: 100%; } thead { display: table-header-group; }
+  th, td { padding: .15em .35em; } th.number, td.number { white-space: normal; }
+  td:not(.number) { min-width: 0; } .many th, .many td { overflow-wrap: anywhere; } p, li { orphans: 3; widows: 3; }
 }
 )";
 
@@ -44,7 +48,13 @@ Html paragraph(const std::string& text) { return enclosed("<p>", text, "</p>\n")
 
 Html heading(const std::string& text) { return enclosed("<h2>", text, "</h2>\n"); }
 
-Html wide_table(const Table& table) { return "<div class=\"wide\">" + to_html(table) + "</div>\n"; }
+Html wide_table(const Table& table) {
+  constexpr std::size_t many =
+      9;  // columns: more do not fit a printed page unless words are broken
+  return (table.columns.size() > many ? Html("<div class=\"wide many\">")
+                                      : Html("<div class=\"wide\">")) +
+         to_html(table) + "</div>\n";
+}
 
 Html table_or_file(const Table& table) {
   constexpr std::size_t most_rows = 60;

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "analysis/analyses.hpp"
+#include "glissade/core/wrap.hpp"
 #include "glissade/report/format.hpp"
 
 namespace glissade {
@@ -15,18 +16,22 @@ std::vector<std::string> answer_sentences(const Results& results) {
 std::string summary_text(const Results& results, const std::vector<Skip>& skips) {
   const LengthUnits units(results.units);
   const bool draws = results.cases.samples > 1;
-  std::string text = fmt::format(
-      "{}: {} records x {} {} x {} levels, displacements in plan\nModel: {}\n", results.study_name,
-      results.records.size(), draws ? results.cases.samples : results.cases.size(),
-      draws ? "samples" : "cases", results.levels.size(), results.model.kernel);
-  for (const std::string& warning : results.warnings) text += "WARNING: " + warning + "\n";
+  const auto line = [](const std::string& whole) {
+    return wrapped(whole, terminal_width, 2) + "\n";
+  };
+  std::string text = line(fmt::format("{}: {} records x {} {} x {} levels, displacements in plan",
+                                      results.study_name, results.records.size(),
+                                      draws ? results.cases.samples : results.cases.size(),
+                                      draws ? "samples" : "cases", results.levels.size())) +
+                     line("Model: " + results.model.kernel);
+  for (const std::string& warning : results.warnings) text += line("WARNING: " + warning);
   for (const AnalysisReport& analysis : analyses_in(results)) {
     if (analysis.summary != nullptr) text += "\n" + analysis.summary(results);
   }
   if (!skips.empty()) text += "\nNot computed, because not needed\n";
-  for (const Skip& skip : skips) text += "  " + format_skip(skip) + "\n";
+  for (const Skip& skip : skips) text += wrapped(format_skip(skip));
   if (!results.notes.empty()) text += "\nNotes\n";
-  for (const std::string& note : results.notes) text += "  " + note + "\n";
+  for (const std::string& note : results.notes) text += wrapped(note);
   return text;
 }
 

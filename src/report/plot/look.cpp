@@ -34,7 +34,7 @@ Look look(Role role) {
     case Role::bound:
       return {{0x555555}, 1.8, 2, 0, 0.0};
     case Role::target:
-      return {orange, 2.5, 2, 0, 0.0};
+      return {orange, 4.0, 2, 0, 0.0};
     case Role::prescribed:
       return {orange, 2.5, 5, 4, 1.2};
     case Role::reference:
@@ -66,7 +66,12 @@ Look family_look(std::size_t index, std::size_t count) {
 Look distinct_look(std::size_t index) {
   constexpr std::array<std::uint32_t, 6> colours = {0x0072b2, 0xd55e00, 0x009e73,
                                                     0xcc79a7, 0xe69f00, 0x56b4e9};
-  return {.colour = {colours[index % colours.size()]}, .width = 3.0};
+  constexpr std::array<int, 6> symbols = {7, 5, 9, 13, 11, 4};
+  const std::size_t one = index % colours.size();
+  return {.colour = {colours[one]},
+          .width = 3.0,
+          .dash = static_cast<int>(one % 5) + 1,
+          .symbol = symbols[one]};
 }
 
 double round_step(double range, double count) {
@@ -84,8 +89,8 @@ Axis length_axis(const std::string& label, double high_m) {
     return ticks;
   };
   if (LengthUnits::first() == UnitSystem::us_customary)
-    return {label + " (in)", 0.0, high_m, ticks_every(inch_m), label + " (m)", ticks_every(1.0)};
-  return {label + " (m)", 0.0, high_m, {}, label + " (in)", ticks_every(inch_m)};
+    return {label + " (in)", 0.0, high_m, ticks_every(inch_m)};
+  return {label + " (m)", 0.0, high_m, {}};
 }
 
 }  // namespace glissade

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "glissade/core/wrap.hpp"
 #include "glissade/report/format.hpp"
 
 namespace glissade::gnuplot {
@@ -36,11 +37,22 @@ void add_ticks(Script& script, const std::vector<Tick>& ticks) {
   script.add(")\n");
 }
 
-void add_axis(Script& script, Word which, const Axis& axis) {
+/// Characters in a line of a heading that is as wide as the figure.
+constexpr std::size_t title_width = 88, below_width = 98;
+
+/// The text in lines no longer than the figure is wide.
+void add_lines(Script& script, const std::string& text, std::size_t width, Quoted::Weight weight) {
+  const std::vector<std::string> lines = wrapped(text, width);
+  for (std::size_t i = 0; i < lines.size(); ++i)
+    script.add("{}{}", i == 0 ? Word("") : Word(".\"\\n\"."), Quoted(lines[i], weight));
+}
+
+void add_axis(Script& script, Word which, const Axis& axis, std::size_t label_width) {
   const std::string_view name = which.text;
   // An empty second line below the x axis keeps the key away from it.
-  script.add("set {}label {}{}\n", which, Quoted(axis.label),
-             name == "x" ? Word(".\"\\n \"") : Word(""));
+  script.add("set {}label ", which);
+  add_lines(script, axis.label, label_width, Quoted::Weight::plain);
+  script.add("{}\n", name == "x" ? Word(".\"\\n \"") : Word(""));
   script.add("set {}range [{}:{}]\n", which, axis.low, axis.high);
   script.add("set {}tics out nomirror ", which);
   if (axis.ticks.empty()) {
@@ -50,14 +62,6 @@ void add_axis(Script& script, Word which, const Axis& axis) {
     script.add("{}", turned ? Word("rotate by 30 right ") : Word(""));
     add_ticks(script, axis.ticks);
   }
-  if (axis.opposite_ticks.empty()) {
-    script.add("unset {0}2tics\nunset {0}2label\n", which);
-    return;
-  }
-  script.add("set {}2label {}\n", which, Quoted(axis.opposite_label));
-  script.add("set {}2range [{}:{}]\n", which, axis.low, axis.high);
-  script.add("set {}2tics out nomirror ", which);
-  add_ticks(script, axis.opposite_ticks);
 }
 
 /// Lines across and text; the key of a rule is a key entry.
@@ -144,23 +148,33 @@ void add_plot(Script& script, const FileName& name, const Panel& panel, int& ind
   script.add("\n");
 }
 
+int panel_columns(const Figure& figure) { return figure.panels.size() > 1 ? 2 : 1; }
+int panel_rows(const Figure& figure) {
+  return (static_cast<int>(figure.panels.size()) + 1) / panel_columns(figure);
+}
+
 void add_panels(Script& script, const Figure& figure) {
   const bool several = figure.panels.size() > 1;
   if (several)
-    script.add("set multiplot layout 1,{} title ", figure.panels.size());
+    script.add("set multiplot layout {},{} title ", panel_rows(figure), panel_columns(figure));
   else
     script.add("set title ");
-  script.add("{}.\"\\n\".{}\n", Quoted(figure.title, Quoted::Weight::bold),
-             Quoted(figure.below, Quoted::Weight::small));
+  add_lines(script, figure.title, title_width, Quoted::Weight::bold);
+  script.add(".\"\\n\".");
+  add_lines(script, figure.below, below_width, Quoted::Weight::plain);
+  script.add("\n");
   int index = 0;
   for (Panel panel : figure.panels) {
     panel.x = drawable(panel.x);
     panel.y = drawable(panel.y);
-    if (several) script.add("set title {}\n", Quoted(panel.title, Quoted::Weight::bold));
-    const bool top = !panel.x.opposite_ticks.empty(), right = !panel.y.opposite_ticks.empty();
-    script.add("set border {} lc rgb '#444444'\n", 3 + (top ? 4 : 0) + (right ? 8 : 0));
-    add_axis(script, "x", panel.x);
-    add_axis(script, "y", panel.y);
+    if (several) {
+      script.add("set title ");
+      add_lines(script, panel.title, title_width / 2, Quoted::Weight::bold);
+      script.add("\n");
+    }
+    script.add("set border 3 lc rgb '#444444'\n");
+    add_axis(script, "x", panel.x, several ? 44 : below_width);
+    add_axis(script, "y", panel.y, several ? 34 : 54);
     add_rules_and_notes(script, panel);
     add_plot(script, figure.name, panel, index);
   }
@@ -177,11 +191,11 @@ FileName identifier(const FileName& name) {
 }  // namespace
 
 Quoted::Quoted(std::string_view plain, Weight weight) {
-  quoted_ = weight == Weight::bold ? "'{/:Bold " : weight == Weight::small ? "'{/*0.9 " : "'";
+  quoted_ = weight == Weight::bold ? "'{/:Bold " : "'";
   for (std::size_t i = 0; i < plain.size(); ++i) {
     const char c = plain[i];
     if (plain.substr(i).starts_with("S_DS")) {
-      quoted_ += "S_{DS}";
+      quoted_ += "S_{/*1.15 DS}";  // gnuplot sets a subscript at 0.8 of the size
       i += 3;
       if (plain.substr(i + 1).starts_with(' ')) {
         quoted_ += "\u00a0";  // SVG readers drop a plain space at the end of a subscript
@@ -202,8 +216,10 @@ std::string script_of(const Figure& figure) {
   int entries = 0;
   for (const Panel& panel : figure.panels) entries = std::max(entries, key_entries(panel));
   const int rows = (entries + figure.key_columns - 1) / figure.key_columns;
-  const int width_px = std::max(900, 480 * static_cast<int>(figure.panels.size()));
-  const int height_px = 640 + 25 * rows;
+  // As wide as a printed page has room for letters of 9 pt and more.
+  const int width_px = 840;
+  const int height_px =
+      figure.panels.size() > 1 ? 60 + panel_rows(figure) * (460 + 28 * rows) : 640 + 28 * rows;
   Script script;
   script.add(
       "# Draw again with: gnuplot {}.gp\n"

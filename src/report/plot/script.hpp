@@ -17,7 +17,7 @@ namespace glissade::gnuplot {
 /// acting as markup; `S_DS` is set as a symbol, a quote as an apostrophe.
 class Quoted {
  public:
-  enum class Weight { plain, bold, small };
+  enum class Weight { plain, bold };
   explicit Quoted(std::string_view plain, Weight weight = Weight::plain);
   const std::string& str() const { return quoted_; }
 

@@ -23,8 +23,8 @@ std::string number_text(ColumnKind kind, double value, int decimals = -1) {
       return fmt::format("{:.0f}", value);
     case ColumnKind::length: {
       const bool si = LengthUnits::first() == UnitSystem::si;
-      return format_number(in_first_unit(value)) + " (" +
-             format_number(si ? value / inch_m : value) + ")";
+      return length_number(value, LengthUnits::first()) + " (" +
+             length_number(value, si ? UnitSystem::us_customary : UnitSystem::si) + ")";
     }
     case ColumnKind::share:
       return format_share(value);
@@ -42,7 +42,7 @@ std::string estimate_text(ColumnKind kind, const Estimate& estimate) {
   // The interval in the value's first unit only: a range of metres and inches together is hard to
   // read.
   const auto end = [&](double number) {
-    return kind == ColumnKind::length ? format_number(in_first_unit(number))
+    return kind == ColumnKind::length ? length_number(number, LengthUnits::first())
                                       : number_text(kind, number);
   };
   return value + " [" + end(estimate.interval.low) + ", " + end(estimate.interval.high) + "]";

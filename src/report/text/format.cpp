@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "glissade/core/units.hpp"
+#include "glissade/core/wrap.hpp"
 
 namespace glissade {
 
@@ -30,9 +31,28 @@ std::string format_exact(double value) {
 namespace {
 UnitSystem first_unit = UnitSystem::si;
 
-std::string metres(double length_m) { return format_number(length_m) + " m"; }
-std::string inches(double length_m) { return format_number(length_m / inch_m) + " in"; }
+/// Below this a length is not distinguished from none.
+constexpr double least_length_m = 0.0005;
+
+bool is_small(double length_m) { return length_m > 0.0 && length_m < least_length_m; }
+
+std::string metres(double length_m) { return length_number(length_m, UnitSystem::si) + " m"; }
+std::string inches(double length_m) {
+  return length_number(length_m, UnitSystem::us_customary) + " in";
+}
 }  // namespace
+
+std::string length_number(double length_m, UnitSystem units) {
+  const bool si = units == UnitSystem::si;
+  if (is_small(length_m)) return si ? "< 0.001" : "< 0.02";
+  const double value = si ? length_m : length_m / inch_m;
+  const int decimals = si ? 4 : 3;
+  const std::string text = format_number(value);
+  const std::size_t point = text.find('.');
+  if (point == std::string::npos || text.size() - point - 1 <= static_cast<std::size_t>(decimals))
+    return text;
+  return fmt::format("{:.{}f}", value, decimals);
+}
 
 LengthUnits::LengthUnits(UnitSystem units) : before_(std::exchange(first_unit, units)) {}
 LengthUnits::~LengthUnits() { first_unit = before_; }
@@ -49,7 +69,7 @@ double in_first_unit(double length_m) {
 std::string format_length(double length_m) {
   if (!std::isfinite(length_m)) return "-";
   const bool si = first_unit == UnitSystem::si;
-  if (length_m > 0.0 && length_m < 0.0005) return si ? "less than 1 mm" : "less than 0.02 in";
+  if (is_small(length_m)) return si ? "less than 1 mm" : "less than 0.02 in";
   return short_length(length_m) + " (" + (si ? inches(length_m) : metres(length_m)) + ")";
 }
 
@@ -92,23 +112,7 @@ std::string format_skip(const Skip& skip) {
 }
 
 std::string wrapped(const std::string& text) {
-  constexpr std::size_t width = 100;
-  std::string lines = "  ";
-  std::size_t column = 2, at = 0;
-  while (at < text.size()) {
-    const std::size_t end = std::min(text.find(' ', at), text.size());
-    if (column > 2 && column + 1 + (end - at) > width) {
-      lines += "\n    ";
-      column = 4;
-    } else if (column > 2) {
-      lines += ' ';
-      ++column;
-    }
-    lines += text.substr(at, end - at);
-    column += end - at;
-    at = end + 1;
-  }
-  return lines + "\n";
+  return "  " + wrapped(text, terminal_width, 4) + "\n";
 }
 
 }  // namespace glissade

@@ -2,6 +2,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <sstream>
+
+#include "glissade/core/wrap.hpp"
 #include "glissade/study/analysis/sampling_error.hpp"
 #include "glissade/study/plan/plan.hpp"
 
@@ -28,6 +31,19 @@ std::string cases_text(const Plan& plan) {
                         p.unit == std::string("-") ? "" : std::string(" ") + p.unit);
   }
   return text;
+}
+
+/// Every line within the terminal; what goes on in the next begins below its value.
+std::string in_terminal_width(const std::string& text) {
+  constexpr std::size_t values_at = 12;
+  std::string all;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.size() > terminal_width)
+      line = line.substr(0, values_at) + wrapped(line.substr(values_at), terminal_width, values_at);
+    all += line + "\n";
+  }
+  return all;
 }
 
 }  // namespace
@@ -64,7 +80,7 @@ std::string to_string(const Plan& plan) {
     text += fmt::format("not run     {}: {}\n", skip.what, skip.why);
   for (const std::string& warning : plan.warnings) text += fmt::format("warning     {}\n", warning);
   for (const std::string& note : plan.notes) text += fmt::format("note        {}\n", note);
-  return text;
+  return in_terminal_width(text);
 }
 
 }  // namespace glissade

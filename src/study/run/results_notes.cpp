@@ -8,6 +8,8 @@
 #include <cmath>
 #include <limits>
 
+#include "glissade/core/units.hpp"
+
 namespace glissade {
 namespace {
 
@@ -93,6 +95,43 @@ void note_suite(const SuiteSummary& suite, std::vector<std::string>& notes) {
                   suite.name, lowest.ratio, lowest.period_s, highest.ratio, highest.period_s));
 }
 
+const char* unit_of(const StudyConfig& config) {
+  return config.units == UnitSystem::si ? "m" : "in";
+}
+
+/// Three significant digits, in the unit of the report.
+std::vector<std::string> in_unit(const std::vector<double>& lengths_m, const StudyConfig& config) {
+  std::vector<std::string> texts;
+  for (const double length_m : lengths_m)
+    texts.push_back(
+        fmt::format("{:.3g}", config.units == UnitSystem::si ? length_m : length_m / inch_m));
+  return texts;
+}
+
+/// Annual rates that rest on shaking above the highest level.
+void warn_of_rates_beyond(const Results& results, const StudyConfig& config,
+                          std::vector<std::string>& warnings) {
+  constexpr double notable_share = 0.2;
+  if (!results.hazard) return;
+  double largest = 0.0;
+  std::vector<double> concerned_m;
+  for (const HazardRun& run : results.hazard->runs) {
+    for (const ThresholdRate& row : run.thresholds) {
+      if (!(row.beyond_share >= notable_share)) continue;
+      largest = std::max(largest, row.beyond_share);
+      concerned_m.push_back(row.threshold_m);
+    }
+  }
+  if (concerned_m.empty()) return;
+  std::ranges::sort(concerned_m);
+  concerned_m.erase(std::unique(concerned_m.begin(), concerned_m.end()), concerned_m.end());
+  warnings.push_back(fmt::format(
+      "annual rates: up to {:.0f} % of the rate of clearance {} {} is the assumption that any "
+      "shaking above the highest level exceeds it. The rate is an upper estimate; add higher "
+      "levels (intensity.levels)",
+      100.0 * largest, fmt::join(in_unit(concerned_m, config), ", "), unit_of(config)));
+}
+
 /// Fragilities that are not lognormal.
 void warn_of_shape(const Results& results, const StudyConfig& config,
                    std::vector<std::string>& warnings) {
@@ -117,11 +156,13 @@ void warn_of_shape(const Results& results, const StudyConfig& config,
   const std::string unit = results.measure.unit();
   warnings.push_back(fmt::format(
       "{} of {} fragilities are not lognormal (goodness of fit, p < {:g}; gap {:g} or more), of "
-      "clearance {:g} m. At "
-      "{:g} m the observed probability is {:.2f} {} the curve at {} = {:.3g}{}. Use the observed "
+      "clearance {} {}. At "
+      "{} {} the observed probability is {:.2f} {} the curve at {} = {:.3g}{}. Use the observed "
       "shares there; [shape] compares other curves",
-      refused, fitted, goodness_of_fit_level, goodness_of_fit_gap, fmt::join(refused_m, ", "),
-      worst->threshold_m, std::abs(worst->lognormal.largest_gap),
+      refused, fitted, goodness_of_fit_level, goodness_of_fit_gap,
+      fmt::join(in_unit(refused_m, config), ", "), unit_of(config),
+      in_unit({worst->threshold_m}, config).front(), unit_of(config),
+      std::abs(worst->lognormal.largest_gap),
       worst->lognormal.largest_gap > 0.0 ? "above" : "below",
       results.measure.symbol(config.intensity), worst->lognormal.gap_intensity,
       unit == "-" ? "" : " " + unit));
@@ -149,6 +190,7 @@ std::vector<std::string> warnings_on(const Results& results, const StudyConfig& 
   std::vector<std::string> warnings;
   warn_of_target(results, warnings);
   warn_of_shape(results, config, warnings);
+  warn_of_rates_beyond(results, config, warnings);
   return warnings;
 }
 

@@ -70,7 +70,7 @@ TEST(hazard_report, tables_of_the_summary_fit_eighty_columns) {
   EXPECT_GE(rows, 8u);
 }
 
-TEST(hazard_report, figure_has_a_line_and_a_band_for_each_run_and_decades_as_ticks) {
+TEST(hazard_report, figure_has_a_line_for_each_run_and_decades_as_ticks) {
   const Results r = made_up_hazard();
   const Figure figure = figure_named(make_figures(r), "hazard");
   ASSERT_EQ(figure.panels.size(), 1u);

@@ -31,5 +31,22 @@ TEST(results_warnings, of_fragilities_that_are_not_lognormal_alone) {
                                           testing::HasSubstr("0.12 below")));
 }
 
+TEST(results_warnings, of_annual_rates_that_rest_on_shaking_above_the_levels) {
+  const auto of_share = [](double beyond_share) {
+    Results r;
+    r.levels = {0.5, 1.0};
+    ThresholdRate& rate = r.hazard.emplace().runs.emplace_back().thresholds.emplace_back();
+    rate.threshold_m = 0.254;
+    rate.beyond_share = beyond_share;
+    StudyConfig config;
+    config.units = UnitSystem::us_customary;
+    return warnings_on(r, config);
+  };
+  EXPECT_TRUE(of_share(0.19).empty());
+  ASSERT_EQ(of_share(0.53).size(), 1u);
+  EXPECT_THAT(of_share(0.53)[0],
+              testing::AllOf(testing::HasSubstr("53 %"), testing::HasSubstr("10 in")));
+}
+
 }  // namespace
 }  // namespace glissade

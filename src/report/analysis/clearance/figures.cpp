@@ -47,21 +47,10 @@ Figure period_figure(const Results& results) {
   if (members.size() > most_lines) members = shown_along(grid, mass);
   Family family(results, period_label, grid.period_s);
   for (std::size_t i = 0; i < members.size(); ++i) {
-    const std::string label =
-        distinguished(grid, members[i], {slope, level, response_modification, support, period});
+    const std::string label = distinguished(
+        grid, members[i], {slope, level, response_modification, support, period, listed});
     family.add(label.empty() ? "median of the orientations" : label, family_look(i, members.size()),
                along(grid, period, members[i]));
-  }
-  if (results.conditions->orientations.size() > 1) {
-    std::vector<double> low, high;
-    for (const Condition& at : shown_along(grid, period)) {
-      const PerRecordBounds bounds = per_record_bounds(results, {}, at, Periods::one);
-      low.push_back(bounds.lowest);
-      high.push_back(bounds.highest);
-    }
-    family.add_line("bounds, orientation chosen record by record (first line)", look(Role::bound),
-                    low);
-    family.add_line("", look(Role::bound), high);
   }
   const double clearance_m = results.clearance->factor * largest_m;
   Look rule = look(Role::clearance);
@@ -72,7 +61,9 @@ Figure period_figure(const Results& results) {
       fmt::format("clearance, {:g} x the largest mean{}: {}", results.clearance->factor,
                   rule_text(results), format_length(clearance_m)),
       rule);
-  return {"period", "Displacement over the building's period, and the clearance",
+  return {"period",
+          "Displacement over the building's period at " +
+              label_of(grid, level, shown_condition(grid)[level]) + ", and the clearance",
           below_text(results, {mass, vertical}),
           after_walters(results, 13,
                         ". All records have the same orientation: the median over the orientations "
@@ -172,10 +163,10 @@ Figure mce_figure(const Results& results) {
   const OrientationRange largest = over_orientations(results, {}, shown, Periods::largest);
   Look rule = family_look(shown[level], levels.size());
   rule.dash = 2;
-  family.add_level(
-      largest.median,
-      "largest at " + label_of(grid, level, shown[level]) + ": " + format_length(largest.median),
-      rule);
+  family.add_level(largest.highest,
+                   fmt::format("largest over periods and orientations at {}: {}",
+                               label_of(grid, level, shown[level]), format_length(largest.highest)),
+                   rule);
   return {"mce", "Displacement at several levels of shaking", below_text(results, {level}),
           after_walters(results, 18), family.displacements()};
 }

@@ -11,28 +11,47 @@
 namespace glissade {
 namespace {
 
+/// "falls E-W: down the slope +first, across -second".
+std::string line_label(const Results& results, const Orientation& orientation) {
+  std::string text = orientation_text(results, orientation);
+  const std::string along = ", along it ", slope = "slope ";
+  const std::size_t at = text.find(along);
+  if (at == std::string::npos || !text.starts_with(slope)) return text;
+  text.replace(at, along.size(), ": down the slope ");
+  return "falls " + text.substr(slope.size());
+}
+
 /// The distinct orientations, a line each over the period.
 Figure each_orientation_figure(const Results& results, const std::vector<std::size_t>& distinct) {
-  Family family(results, period_label, results.conditions->grid.period_s, Spread::none);
-  for (std::size_t i = 0; i < distinct.size(); ++i) {
-    const auto alike = std::ranges::count(results.conditions->same_as, distinct[i]);
-    std::vector<double> means;
-    for (const Condition& at : shown_along(results.conditions->grid, ConditionAxis::period))
-      means.push_back(suite_mean(results, {}, distinct[i], at));
-    family.add_line(
-        orientation_text(results, results.conditions->orientations[distinct[i]]) +
-            (alike > 1 ? fmt::format(" (and {} more that give the same)", alike - 1) : ""),
-        family_look(i, distinct.size()), means);
+  constexpr std::size_t most_in_panel = 4;
+  std::vector<Panel> panels;
+  double top = 0.0;
+  for (std::size_t first = 0; first < distinct.size(); first += most_in_panel) {
+    Family family(results, period_label, results.conditions->grid.period_s, Spread::none);
+    const std::size_t count = std::min(most_in_panel, distinct.size() - first);
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::size_t orientation = distinct[first + i];
+      std::vector<double> means;
+      for (const Condition& at : shown_along(results.conditions->grid, ConditionAxis::period))
+        means.push_back(suite_mean(results, {}, orientation, at));
+      family.add_line(line_label(results, results.conditions->orientations[orientation]),
+                      family_look(i, count), means);
+    }
+    panels.push_back(family.displacements().front());
+    top = std::max(top, panels.back().y.high);
   }
+  for (Panel& panel : panels) panel.y = length_axis("Displacement, mean of the suite", top);
   return {"orientations", "Orientation of the records to the roof: each choice by itself",
           below_text(results),
-          what_is_averaged(results) + ". +: a component as recorded; -: with its sign changed." +
+          what_is_averaged(results) +
+              ". +: a component as recorded; -: with its sign changed. Of orientations that give "
+              "the same, one is drawn." +
               (slides_on_two_axes(results)
                    ? " A change of sign across the slope mirrors the history and changes no peak; "
                      "where friction is the same in both directions of the array it does not "
                      "matter along which of them the roof falls."
                    : ""),
-          family.displacements()};
+          panels};
 }
 
 /// Clearance for each slope along either axis, by m/M.

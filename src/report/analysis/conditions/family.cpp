@@ -27,16 +27,23 @@ Family::Family(const Results& results, const std::string& x_label, std::vector<d
       x_(std::move(x)),
       spread_(results.conditions->orientations.size() > 1 ? spread : Spread::none) {
   const auto [first, last] = std::ranges::minmax(x_);
-  const double room = 0.05 * std::max(last - first, 1e-9);
+  const double room = (spread == Spread::bars ? 0.3 : 0.05) * std::max(last - first, 1e-9);
   panel_.x = {x_label, first - room, last + room};
 }
 
 void Family::add_range(const std::string& label, Look look, const std::vector<double>& lowest,
                        const std::vector<double>& median, const std::vector<double>& highest) {
-  panel_.series.push_back({DataSeries::Kind::line_and_points, look, label, label, x_, median});
+  const bool bars = spread_ == Spread::bars;
+  std::vector<double> x = x_;
+  // Places that are names have nothing between them: points, side by side.
+  if (bars)
+    for (double& at : x) at += 0.05 * static_cast<double>(spreads_.size());
+  panel_.series.push_back({bars ? DataSeries::Kind::points : DataSeries::Kind::line_and_points,
+                           look, label, label, x, median});
+  if (bars) panel_.series.back().look.symbol_size = 1.4;
   if (spread_ == Spread::none) return;
-  const auto kind = spread_ == Spread::bars ? DataSeries::Kind::bars : DataSeries::Kind::band;
-  spreads_.push_back({kind, look, label + ": lowest and highest", "", x_, {}, lowest, highest});
+  const auto kind = bars ? DataSeries::Kind::bars : DataSeries::Kind::band;
+  spreads_.push_back({kind, look, label + ": lowest and highest", "", x, {}, lowest, highest});
 }
 
 void Family::add(const std::string& label, Look look, const Places& places,
@@ -108,10 +115,11 @@ std::vector<Panel> Family::ratios(const std::string& label, From from) {
   const bool bars = spread_ == Spread::bars, all = bars || spreads_.size() <= 3;
   panel.series.insert(panel.series.begin(), spreads_.begin(),
                       all ? spreads_.end() : spreads_.begin() + 1);
-  panel.series.push_back(
-      {bars ? DataSeries::Kind::bars : DataSeries::Kind::band, look(Role::largest), "",
-       fmt::format("{}: lowest to highest of the {}{}; lines: median", bars ? "bars" : "shaded",
-                   orientations_text(results_), all ? "" : " (first line)")});
+  panel.series.push_back({bars ? DataSeries::Kind::bars : DataSeries::Kind::band,
+                          look(Role::largest), "",
+                          fmt::format("{}: lowest to highest of the {}{}; {}: median",
+                                      bars ? "bars" : "shaded", orientations_text(results_),
+                                      all ? "" : " (first line)", bars ? "points" : "lines")});
   return {panel};
 }
 

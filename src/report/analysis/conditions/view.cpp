@@ -127,6 +127,10 @@ std::string conditions_text(const Results& results, const Condition& at,
   std::vector<ConditionAxis> left_out = without;
   if (!has_several(results.conditions->grid, ConditionAxis::support))
     left_out.push_back(ConditionAxis::support);
+  const std::vector<std::string>& listed = results.conditions->grid.listed;
+  const std::size_t place = at[ConditionAxis::listed];
+  if (place < listed.size() && listed[place].starts_with("friction"))
+    left_out.push_back(ConditionAxis::listed);  // it follows
   return joined(results.conditions->grid, at, left_out, 1) + ", friction " +
          friction_text(results, at);
 }

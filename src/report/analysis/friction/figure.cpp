@@ -86,7 +86,6 @@ Figure friction_figure(const std::vector<PullTest>& tests, const PullTestSummary
     Panel panel{direction.direction,
                 length_axis("Displacement", width_m),
                 {"Pull / normal force", 0.0, 1.1 * top_mu}};
-    panel.x.opposite_ticks.clear();
     for (int i = 0; width_m > 0.0 && i * round_step(width_m, 4.0) <= width_m; ++i)
       panel.x.ticks.push_back(
           {i * round_step(width_m, 4.0), fmt::format("{:g}", i * round_step(width_m, 4.0))});

@@ -30,7 +30,7 @@ double right_end_m(const Results& results) {
   return 1.15 * right;
 }
 
-void add_run(Panel& panel, const HazardRun& run, const std::string& name, Look look) {
+void add_run(Panel& panel, const HazardRun& run, const std::string& name, Look look, bool shaded) {
   DataSeries band{DataSeries::Kind::band, look, run.label + ": 95 % interval"};
   DataSeries line{DataSeries::Kind::line, look, run.label, name};
   for (const DisplacementRate& row : run.curve) {
@@ -38,12 +38,12 @@ void add_run(Panel& panel, const HazardRun& run, const std::string& name, Look l
       continue;
     line.x.push_back(row.displacement_m);
     line.y.push_back(height(row.annual_rate));
-    if (std::isnan(row.rate_interval.low)) continue;
+    if (!shaded || std::isnan(row.rate_interval.low)) continue;
     band.x.push_back(row.displacement_m);
     band.low.push_back(height(row.rate_interval.low));
     band.high.push_back(height(row.rate_interval.high));
   }
-  panel.series.insert(panel.series.begin(), std::move(band));
+  if (shaded) panel.series.insert(panel.series.begin(), std::move(band));
   panel.series.push_back(std::move(line));
 }
 
@@ -76,14 +76,18 @@ Figure hazard_figure(const Results& results) {
   Figure figure{
       "hazard", "Annual rate of exceeding a displacement",
       counts_of(results) + "; hazard curve " + hazard.source,
-      fmt::format("Shaded: 95 % interval over records. Where a curve becomes level it is that of "
+      fmt::format("Shaded: 95 % interval over records, of the first curve. Drawn to {} (farther: "
+                  "tables/hazard_curve.csv). Where a curve becomes level it is that of "
                   "shaking above the highest level of the study, {}, all of which counts as "
                   "exceeding (rate {:.3g} a year). All runs: tables/hazard_curve.csv.",
-                  at_intensity(results, results.levels.back()), hazard.beyond_rate)};
+                  format_length(right_end_m(results)), at_intensity(results, results.levels.back()),
+                  hazard.beyond_rate)};
   Panel panel{"", length_axis("Displacement in plan", room_for_rates * right_end_m(results))};
   panel.y.label = "Annual rate of exceedance";
   for (std::size_t i = 0; i < lines; ++i)
-    add_run(panel, hazard.runs[i], run_name(results, results.runs[i]), distinct_look(i));
+    add_run(panel, hazard.runs[i],
+            run_name(results, results.runs[i]) + (i == 0 ? " (shaded: 95 % interval)" : ""),
+            distinct_look(i), i == 0);
   scale_rates(panel, hazard);
   for (const TargetDisplacement& row : hazard.runs.front().targets) {
     const double y = height(row.annual_rate);

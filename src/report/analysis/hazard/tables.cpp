@@ -59,9 +59,9 @@ Table hazard_table(const Results& results) {
        {"threshold", "m", "Clearance, m (in)", ColumnKind::length},
        {"annual_rate", "per_year", "Annual rate [95 %]", ColumnKind::number, true},
        {"return_period", "years", "Return period, years [95 %]", ColumnKind::number, true},
+       {"beyond_share", "", "Beyond levels", ColumnKind::share},
        {"life_probability", "", "In " + life_text(hazard) + " [95 %]", ColumnKind::share, true},
-       {"fit_rate", "per_year", "Annual rate by the lognormal fit"},
-       {"beyond_share", "", "Beyond levels", ColumnKind::share}},
+       {"fit_rate", "per_year", "Annual rate by the lognormal fit"}},
       {}};
   for (Column& column : table.columns)
     column.detail = column.stem == "annual_rate" || column.stem == "fit_rate";
@@ -71,8 +71,8 @@ Table hazard_table(const Results& results) {
       if (row.beyond_share == 1.0) period.sign = "> ";
       table.add({run.label, row.threshold_m,
                  Estimate{row.annual_rate, row.rate_interval, sign_of(row)}, period,
-                 Estimate{row.life_probability, row.life_interval, sign_of(row)}, row.fit_rate,
-                 row.beyond_share});
+                 row.beyond_share, Estimate{row.life_probability, row.life_interval, sign_of(row)},
+                 row.fit_rate});
     }
   }
   table.notes = {

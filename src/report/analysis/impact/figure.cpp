@@ -79,7 +79,6 @@ Figure impact_figure(const Results& results, const RunResults& run) {
   if (levels.empty()) return figure;
   const double right_m = 1.08 * (results.thresholds_m.empty() ? 1.0 : results.thresholds_m.back());
   Panel panel{"", length_axis("Clearance: distance in plan from the initial position", right_m)};
-  panel.x.opposite_label = "Clearance (in)";
   double top_mps = 0.0;
   for (std::size_t k = 0; k < levels.size(); ++k) {
     const auto level = std::ranges::find(results.levels, levels[k]) - results.levels.begin();

@@ -163,7 +163,7 @@ std::vector<std::string> error_sentences(const Results& results) {
     sentences.push_back(fmt::format(
         "{} of at most {} scrambles were run, {} samples: half of the 95 % interval of a median, "
         "of "
-        "the samples alone, is {:.2g} % of it or less (target {:g} %, {}).",
+        "the samples alone, is {:.3g} % of it or less (target {:g} %, {}).",
         target.scrambles, target.most_scrambles, results.cases.samples, 100.0 * target.error,
         100.0 * target.target_error, target.is_reached() ? "reached" : "not reached"));
   }

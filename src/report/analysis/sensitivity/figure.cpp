@@ -13,7 +13,7 @@ namespace glissade {
 namespace {
 
 constexpr std::size_t most_panels = 3;
-constexpr Colour dark{0x0072b2}, light{0xa9d3ec}, ink{0x222222};
+constexpr Colour dark{0x0072b2}, light{0xb9dcf0}, ink{0x222222};
 
 /// The records and each drawn quantity, the largest total index first.
 std::vector<std::size_t> by_size(const SensitivityResults& found, const SpreadRow& row) {
@@ -27,18 +27,23 @@ std::vector<std::size_t> by_size(const SensitivityResults& found, const SpreadRo
 
 double percent(double share) { return 100.0 * std::clamp(share, 0.0, 1.0); }
 
+/// Beyond 100 % stand the numbers.
+constexpr double right_end_percent = 138.0;
+
 /// A line across, from one percentage to another.
 DataSeries stroke(const Look& look, const std::string& name, double y, double from, double to) {
   return {DataSeries::Kind::line, look, name, "", {from, to}, {y, y}, {}, {}};
 }
 
-const Look wide_light{light, 16.0}, wide_dark{dark, 16.0}, thin{ink, 1.5};
+const Look wide_light{light, 18.0}, wide_dark{dark, 9.0}, thin{ink, 2.0};
 
 Panel bars_of(const SensitivityResults& found, const SpreadRow& row,
               const std::vector<std::size_t>& factors) {
   Panel panel{fmt::format("{}, log std {:.2f}", format_length(row.threshold_m), row.std),
-              {"Share of the variance (%)", 0.0, 100.0},
+              {"Share of the variance (%)", 0.0, right_end_percent},
               {"", 0.4, static_cast<double>(factors.size()) + 0.6}};
+  for (int at = 0; at <= 100; at += 20)
+    panel.x.ticks.push_back({static_cast<double>(at), fmt::format("{}", at)});
   for (std::size_t i = 0; i < factors.size(); ++i) {
     const std::size_t f = factors[i];
     const double y = static_cast<double>(factors.size() - i);
@@ -50,9 +55,12 @@ Panel bars_of(const SensitivityResults& found, const SpreadRow& row,
     panel.series.push_back(stroke(wide_dark, name + " alone", y, 0.0, first));
     const Interval& interval = row.first_interval[f];
     const double high = percent(interval.high);
-    panel.series.push_back(stroke(thin, name + " interval", y, percent(interval.low), high));
-    panel.notes.push_back({std::max({first, total, high}) + 2.0, y,
-                           fmt::format("{:.0f} ({:.0f})", first, total), ink, Note::Align::left});
+    // Below the bar, where it is on white.
+    constexpr double below = 0.3;
+    panel.series.push_back(
+        stroke(thin, name + " interval", y - below, percent(interval.low), high));
+    panel.notes.push_back(
+        {104.0, y, fmt::format("{:.0f} ({:.0f})", first, total), ink, Note::Align::left});
   }
   return panel;
 }
@@ -64,7 +72,7 @@ Figure spread_figure(const Results& results) {
   const std::vector<const SpreadRow*> rows = first_capacity_rows(found, most_panels);
   Figure figure{
       "sensitivity", "Where the spread of the capacity comes from, by clearance",
-      "Dark: alone. Light, in brackets: with interactions. Line: 95 % interval of alone. " +
+      "Dark: alone. Light, in brackets: with interactions. Line below: 95 % interval of alone. " +
           counts_of(results),
       fmt::format("Capacity: the intensity ({}) at which slip reaches the clearance of "
                   "the panel; log std: its logarithmic standard deviation. Bars: Sobol "
@@ -88,13 +96,16 @@ Figure spread_over_intensity_figure(const Results& results) {
       fmt::format("What decides whether slip reaches {}, by intensity",
                   format_length(shown.threshold_m)),
       counts_of(results),
-      fmt::format("Total Sobol indices of whether slip reaches the clearance (0 or 1); as "
+      fmt::format("The part of the variance that stays if all other quantities are known (total "
+                  "Sobol index) of whether slip reaches the clearance (0 or 1); as "
                   "they contain interactions they add to more than 100 %. Levels at which "
                   "{:g} to {:g} % of the histories exceed. Other clearances, and "
                   "intervals: tables/sensitivity_levels.csv.",
                   100.0 * least, 100.0 * most)};
-  Panel panel{
-      "", {results.intensity_label, 0.0, 0.0}, {"Total index (% of the variance)", 0.0, 100.0}};
+  Panel panel{"",
+              {results.intensity_label, 0.0, 0.0},
+              {"Share with interactions (% of the variance)", 0.0, 105.0}};
+  panel.x.low = results.levels.back();
   const std::vector<std::size_t> factors = by_size(found, *rows.front());
   for (std::size_t i = 0; i < factors.size(); ++i) {
     const std::string& name = found.factors[factors[i]];
@@ -104,7 +115,8 @@ Figure spread_over_intensity_figure(const Results& results) {
           row.threshold_m != shown.threshold_m || row.mean < least || row.mean > most)
         continue;
       line.x.push_back(row.level);
-      panel.x.high = std::max(panel.x.high, 1.1 * row.level);
+      panel.x.low = std::min(panel.x.low, 0.97 * row.level);
+      panel.x.high = std::max(panel.x.high, 1.03 * row.level);
       line.y.push_back(percent(row.total[factors[i]]));
     }
     panel.series.push_back(std::move(line));

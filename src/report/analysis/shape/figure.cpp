@@ -84,8 +84,18 @@ void mark_gap(Panel& panel, const ThresholdFragility& fragility) {
        Note::Align::right});
 }
 
-/// The key is shared by the panels: lines by lognormal, logit and log-log; the rest.
-Panel panel_of(const Results& results, std::size_t threshold, bool key_of_lines) {
+/// Below this difference from the lognormal a model is not drawn: the lines would be one.
+constexpr double visible_difference = 0.03;
+
+bool differs_from_lognormal(const DataSeries& model, const ThresholdFragility& fragility) {
+  for (std::size_t i = 0; i < model.x.size(); ++i) {
+    const double lognormal = fragility.capacities.curve.probability(model.x[i]);
+    if (std::abs(model.y[i] - lognormal) > visible_difference) return true;
+  }
+  return !fragility.capacities.converged();
+}
+
+Panel panel_of(const Results& results, std::size_t threshold) {
   const ThresholdFragility& fragility = results.runs.front().fragilities[threshold];
   const ThresholdShape& shape = results.shape->runs.front().thresholds[threshold];
   const double p = fragility.lognormal.p_value;
@@ -97,18 +107,17 @@ Panel panel_of(const Results& results, std::size_t threshold, bool key_of_lines)
                              departs_from_lognormal(fragility.lognormal) ? "not " : "nearly ", p)),
       {results.intensity_label, 0.0, results.levels.back()},
       {"Probability that slip exceeds the clearance", 0.0, 1.0}};
-  panel.series = {interval_bars(results, fragility),
-                  lognormal(panel, fragility),
-                  of_model(results, fragility, shape, ShapeModel::logit, 1),
-                  of_model(results, fragility, shape, ShapeModel::complementary_log_log, 2),
-                  of_model(results, fragility, shape, ShapeModel::two_part, 3),
-                  of_model(results, fragility, shape, ShapeModel::one_surface, 4),
-                  observed(results, fragility)};
+  panel.series = {interval_bars(results, fragility), lognormal(panel, fragility)};
+  std::size_t look_index = 1;
+  for (const ShapeModel model : {ShapeModel::logit, ShapeModel::complementary_log_log,
+                                 ShapeModel::two_part, ShapeModel::one_surface}) {
+    DataSeries line = of_model(results, fragility, shape, model, look_index++);
+    if (differs_from_lognormal(line, fragility)) panel.series.push_back(std::move(line));
+  }
+  panel.series.push_back(observed(results, fragility));
   mark_gap(panel, fragility);
   for (DataSeries& series : panel.series) {
-    const bool is_line = series.name == "lognormal" || series.name == "logit" ||
-                         series.name == "complementary log-log";
-    if (is_line == key_of_lines && series.kind != DataSeries::Kind::bars)
+    if (series.kind != DataSeries::Kind::bars)
       series.label = series.name == "observed" ? "observed; bars: 95 % over records" : series.name;
   }
   return panel;
@@ -120,19 +129,22 @@ Figure shape_figure(const Results& results) {
   const std::vector<ThresholdFragility>& fragilities = results.runs.front().fragilities;
   const auto [best, worst] = std::ranges::minmax_element(fragilities, {}, gap_of);
   Figure figure{
-      "shape", "Where the fragility is lognormal and where it is not",
+      "shape", "Observed probability of exceedance, the lognormal, and models that differ from it",
       counts_of(results) + "; " + friction_of(results, results.runs.front()),
       "Points: observed share of histories that exceed the clearance. Lines: the lognormal fitted "
       "to capacities, and other models fitted to the shares at the levels. Two-part: probability "
       "of "
       "any slip times that of its size. One surface: lognormals of all clearances with one log "
       "std. Shown are the clearance where the observed share departs most from the lognormal, and "
-      "that where it departs least. p: goodness of fit. All clearances: tables/shape.csv and "
+      "that where it departs least. Models within 0.03 of the lognormal at every level are not "
+      "drawn. "
+      "p: goodness of fit. All clearances: tables/shape.csv and "
       "tables/shape_levels.csv."};
-  figure.panels.push_back(
-      panel_of(results, static_cast<std::size_t>(worst - fragilities.begin()), true));
-  figure.panels.push_back(
-      panel_of(results, static_cast<std::size_t>(best - fragilities.begin()), false));
+  for (const auto shown : {worst, best}) {
+    if (shown == best && best == worst && !figure.panels.empty()) break;
+    figure.panels.push_back(
+        panel_of(results, static_cast<std::size_t>(shown - fragilities.begin())));
+  }
   return figure;
 }
 

@@ -34,11 +34,8 @@ void add_standard(Panel& panel, const RunResults& run, Standard standard, Look s
     }
     if (points.x.empty()) continue;
     panel.series.push_back(points);
-    panel.series.push_back(
-        {DataSeries::Kind::line_and_points, look, "",
-         name + ", prescribed" +
-             (recalled ? " (hollow: recalled, verify against the standard)" : "")});
   }
+  panel.series.push_back({DataSeries::Kind::line_and_points, style, "", name});
 }
 
 struct Statistic {
@@ -81,9 +78,10 @@ Figure slip_vs_sds_figure(const Results& results, const RunResults& run) {
                     run.friction_description + "."};
   if (has_standards) {
     figure.caption +=
-        " With points: displacements prescribed by the standards; hollow points rest on provisions "
-        "recalled from memory and must be verified against the standard. Where they leave the "
-        "figure at the top, tables/standards.csv has them.";
+        " On the right: displacements prescribed by the standards; hollow points rest on "
+        "provisions "
+        "recalled from memory and must be verified against the standard. Values: "
+        "tables/standards.csv.";
   }
   double top_m = 0.0, prescribed_m = 0.0;
   for (const SlipStatistics& s : run.slip) {
@@ -92,23 +90,32 @@ Figure slip_vs_sds_figure(const Results& results, const RunResults& run) {
   }
   for (const StandardComparison& c : run.standards)
     prescribed_m = std::max(prescribed_m, c.prescribed.value_m);
-  // The prescribed values may leave the figure at the top: slip must stay readable.
-  top_m = std::max(top_m, std::min(prescribed_m, 1.8 * top_m));
-  Panel panel{"",
-              {results.intensity_label, 0.0, results.levels.back()},
-              length_axis("Peak slip in plan", top_m > 0.0 ? 1.05 * top_m : 1.0)};
-  for (const Statistic& statistic :
-       {Statistic{Role::p95, "95th percentile of slip", &SlipStatistics::p95_m, nullptr},
-        Statistic{Role::p84, "84th percentile (shaded: 95 % interval)", &SlipStatistics::p84_m,
-                  &SlipStatistics::p84_interval},
-        Statistic{Role::mean, "mean", &SlipStatistics::mean_m, nullptr},
-        Statistic{Role::median, "median (shaded: 95 % interval)", &SlipStatistics::median_m,
-                  &SlipStatistics::median_interval}})
-    add_statistic(panel, run, statistic, top_m);
+  const auto panel_to = [&](const char* title, double high_m) {
+    return Panel{title,
+                 {results.intensity_label, 0.0, results.levels.back()},
+                 length_axis("Peak slip in plan", high_m > 0.0 ? 1.05 * high_m : 1.0)};
+  };
+  const Statistic p95{Role::p95, "95th percentile", &SlipStatistics::p95_m, nullptr},
+      p84{Role::p84, "84th percentile, 95 % interval", &SlipStatistics::p84_m,
+          &SlipStatistics::p84_interval},
+      mean{Role::mean, "mean", &SlipStatistics::mean_m, nullptr},
+      median{Role::median, "median, 95 % interval", &SlipStatistics::median_m,
+             &SlipStatistics::median_interval};
+  Panel slip = panel_to("Slip", top_m);
+  for (const Statistic& statistic : {p95, p84, mean, median})
+    add_statistic(slip, run, statistic, top_m);
+  figure.panels.push_back(std::move(slip));
+  if (!has_standards) return figure;
+  Panel compared = panel_to("Slip and prescribed displacements", std::max(top_m, prescribed_m));
+  Statistic median_line = median;
+  median_line.label = "median";
+  median_line.interval = nullptr;
+  for (const Statistic& statistic : {p95, median_line})
+    add_statistic(compared, run, statistic, top_m);
   // The two standards agree over a wide range: the wide line is drawn below the narrow one.
-  add_standard(panel, run, Standard::asce7_16, {{0x999999}, 5.0, 1, 5, 1.5}, 4);
-  add_standard(panel, run, Standard::seaoc_pv1_2012, {{0x5e3c99}, 1.5, 5, 7, 0.8}, 6);
-  figure.panels = {std::move(panel)};
+  add_standard(compared, run, Standard::asce7_16, {{0x999999}, 5.0, 1, 5, 1.5}, 4);
+  add_standard(compared, run, Standard::seaoc_pv1_2012, {{0x5e3c99}, 1.5, 5, 7, 0.8}, 6);
+  figure.panels.push_back(std::move(compared));
   return figure;
 }
 

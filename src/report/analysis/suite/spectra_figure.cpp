@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "glissade/report/figures.hpp"
 #include "glissade/report/format.hpp"
@@ -12,12 +13,14 @@
 namespace glissade {
 
 Figure spectra_figure(const SuiteSpectra& spectra, const SpectraTexts& texts) {
-  Figure figure{"spectra", "Response spectra of the ground motions, " + texts.scaled,
-                fmt::format("suite {}; {} records", texts.suite, spectra.srss_g.size()),
-                "Pseudo-acceleration spectra at 5 % damping: square root of the sum of squares "
-                "(SRSS) of the two horizontal components of each record (grey), their average" +
-                    std::string(spectra.target_g.empty() ? "" : ", and the target spectrum") +
-                    ". Suite: " + texts.suite + ", " + texts.scaled + "."};
+  Figure figure{
+      "spectra", "Response spectra of the ground motions, " + texts.scaled,
+      fmt::format("suite {}; {} records", texts.suite, spectra.srss_g.size()),
+      "Pseudo-acceleration spectra at 5 % damping: square root of the sum of squares "
+      "(SRSS) of the two horizontal components of each record (grey; its number is its row in the "
+      "table of records), their average" +
+          std::string(spectra.target_g.empty() ? "" : ", and the target spectrum") +
+          ". Suite: " + texts.suite + ", " + texts.scaled + "."};
   DataSeries records{DataSeries::Kind::line, look(Role::record), "records",
                      "each record, SRSS of its horizontal components"};
   for (const std::vector<double>& record : spectra.srss_g) {
@@ -36,6 +39,17 @@ Figure spectra_figure(const SuiteSpectra& spectra, const SpectraTexts& texts) {
               {records,
                {DataSeries::Kind::line, average, "average", "average of the records",
                 spectra.periods_s, spectra.average_srss_g}}};
+  // Each record's number on its line, at a period of its own.
+  const double count = static_cast<double>(spectra.srss_g.size());
+  for (std::size_t r = 0; r < spectra.srss_g.size() && !spectra.periods_s.empty(); ++r) {
+    const double period_s =
+        panel.x.high * std::pow((static_cast<double>(r) + 1.0) / (count + 1.0), 1.4);
+    const auto at = std::ranges::lower_bound(spectra.periods_s, period_s);
+    const auto p = static_cast<std::size_t>(at - spectra.periods_s.begin());
+    if (p < spectra.srss_g[r].size())
+      panel.notes.push_back(
+          {spectra.periods_s[p], spectra.srss_g[r][p], fmt::format("{}", r + 1), {0x444444}});
+  }
   if (!spectra.target_g.empty())
     panel.series.push_back({DataSeries::Kind::line, look(Role::target), "target", texts.target,
                             spectra.periods_s, spectra.target_g});
