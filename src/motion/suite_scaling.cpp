@@ -15,9 +15,8 @@ namespace glissade {
 namespace {
 
 /// A row per motion.
-std::vector<std::vector<double>> srss_spectra_g(const Suite& suite,
-                                                const std::vector<double>& periods_s) {
-  std::vector<std::vector<double>> spectra;
+SpectrumRows srss_spectra_g(const Suite& suite, const std::vector<double>& periods_s) {
+  SpectrumRows spectra;
   for (const Motion& motion : suite.motions) spectra.push_back(srss_spectrum_g(motion, periods_s));
   return spectra;
 }
@@ -46,19 +45,40 @@ std::vector<double> walters_periods_s() {
   return periods_s;
 }
 
-double suite_average_factor(const Suite& suite, const std::function<double(double)>& target_sa_g,
-                            const std::vector<double>& periods_s) {
-  GLISSADE_EXPECTS(!periods_s.empty());
+std::vector<double> walters_spectrum_g(const Motion& motion) {
+  return srss_spectrum_g(motion, walters_periods_s());
+}
+
+namespace {
+
+void refuse_improper(const Suite& suite) {
   ProblemList problems;
   check_suite(suite, problems);
   problems.throw_if_any();
+}
 
-  const std::vector<std::vector<double>> rows = srss_spectra_g(suite, periods_s);
+double average_factor(const Suite& suite, const std::function<double(double)>& target_sa_g,
+                      const std::vector<double>& periods_s, const SpectrumRows& rows) {
   const Spectra spectra(rows.begin(), rows.end());
   const std::vector<double> target_g = target_at(target_sa_g, periods_s);
   std::vector<double> own_scales(suite.motions.size());
   std::ranges::transform(suite.motions, own_scales.begin(), &Motion::scale);
   return 1.0 / lowest_ratio(own_scales, spectra, target_g).ratio;
+}
+
+}  // namespace
+
+double suite_average_factor(const Suite& suite, const std::function<double(double)>& target_sa_g,
+                            const std::vector<double>& periods_s) {
+  GLISSADE_EXPECTS(!periods_s.empty());
+  refuse_improper(suite);
+  return average_factor(suite, target_sa_g, periods_s, srss_spectra_g(suite, periods_s));
+}
+
+double suite_average_factor(const Suite& suite, const std::function<double(double)>& target_sa_g,
+                            const SpectrumRows& walters_spectra_g) {
+  refuse_improper(suite);
+  return average_factor(suite, target_sa_g, walters_periods_s(), walters_spectra_g);
 }
 
 namespace {
@@ -99,11 +119,19 @@ SpectralRatio least_ratio(const RatiosAt& ratios_at, const std::vector<double>& 
 
 SpectralRatios ratios_to_target(const Suite& suite, const std::vector<double>& factors,
                                 const std::function<double(double)>& target_sa_g) {
+  return ratios_to_target(suite, factors, target_sa_g, srss_spectra_g(suite, walters_periods_s()));
+}
+
+SpectralRatios ratios_to_target(const Suite& suite, const std::vector<double>& factors,
+                                const std::function<double(double)>& target_sa_g,
+                                const SpectrumRows& walters_spectra_g) {
   GLISSADE_EXPECTS(factors.size() == suite.motions.size() && !factors.empty());
-  const auto ratios_at = [&](const std::vector<double>& periods_s) {
-    const std::vector<std::vector<double>> rows = srss_spectra_g(suite, periods_s);
+  const auto ratios_of = [&](const SpectrumRows& rows, const std::vector<double>& periods_s) {
     return average_ratios(factors, Spectra(rows.begin(), rows.end()),
                           target_at(target_sa_g, periods_s));
+  };
+  const auto ratios_at = [&](const std::vector<double>& periods_s) {
+    return ratios_of(srss_spectra_g(suite, periods_s), periods_s);
   };
   const auto negated_at = [&](const std::vector<double>& periods_s) {
     std::vector<double> ratios = ratios_at(periods_s);
@@ -111,7 +139,7 @@ SpectralRatios ratios_to_target(const Suite& suite, const std::vector<double>& f
     return ratios;
   };
   const std::vector<double> periods_s = walters_periods_s();
-  std::vector<double> ratios = ratios_at(periods_s);
+  std::vector<double> ratios = ratios_of(walters_spectra_g, periods_s);
   const SpectralRatio lowest = least_ratio(ratios_at, periods_s, ratios);
   for (double& ratio : ratios) ratio = -ratio;
   const SpectralRatio highest = least_ratio(negated_at, periods_s, ratios);
@@ -130,7 +158,7 @@ SuiteScaling scale_suite_to_target(const Suite& suite,
   }
   problems.throw_if_any();
 
-  const std::vector<std::vector<double>> rows = srss_spectra_g(suite, periods_s);
+  const SpectrumRows rows = srss_spectra_g(suite, periods_s);
   const Spectra spectra(rows.begin(), rows.end());
   const std::vector<double> target_g = target_at(target_sa_g, periods_s);
   const std::vector<double> limits(spectra.size(), max_factor);

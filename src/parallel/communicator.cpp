@@ -5,10 +5,13 @@
 #include <mpi.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <stdexcept>
+#include <thread>
 
+#include "glissade/core/bytes.hpp"
 #include "glissade/core/error.hpp"
 
 namespace glissade {
@@ -31,6 +34,18 @@ namespace {
 // MPI counts are ints: messages are sent in pieces well below 2^31 bytes.
 constexpr std::size_t piece_bytes = std::size_t{1} << 30;
 
+/// A rank that waits for rank 0 may wait for minutes: it leaves its core to others.
+void wait_quietly(MPI_Request request) {
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point begin = Clock::now();
+  for (int done = 0;;) {
+    MPI_Test(&request, &done, MPI_STATUS_IGNORE);
+    if (done != 0) return;
+    if (Clock::now() - begin > std::chrono::milliseconds(20))
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+}
+
 template <class Transfer>
 void in_pieces(std::vector<char>& bytes, Transfer transfer) {
   for (std::size_t at = 0; at < bytes.size(); at += piece_bytes) {
@@ -43,31 +58,53 @@ void in_pieces(std::vector<char>& bytes, Transfer transfer) {
 void Communicator::broadcast(std::vector<char>& bytes) const {
   if (size() == 1) return;
   std::uint64_t count = bytes.size();
-  MPI_Bcast(&count, 1, MPI_UINT64_T, 0, state_->group);
+  MPI_Request request = MPI_REQUEST_NULL;
+  MPI_Ibcast(&count, 1, MPI_UINT64_T, 0, state_->group, &request);
+  wait_quietly(request);
   bytes.resize(count);
   in_pieces(bytes, [&](char* data, int n) { MPI_Bcast(data, n, MPI_CHAR, 0, state_->group); });
 }
 
+namespace {
+
+void send_to_root(MPI_Comm group, std::vector<char> bytes) {
+  const std::uint64_t count = bytes.size();
+  MPI_Send(&count, 1, MPI_UINT64_T, 0, 0, group);
+  in_pieces(bytes, [&](char* data, int n) { MPI_Send(data, n, MPI_CHAR, 0, 1, group); });
+}
+
+std::vector<char> receive_from(MPI_Comm group, int rank) {
+  std::uint64_t count = 0;
+  MPI_Recv(&count, 1, MPI_UINT64_T, rank, 0, group, MPI_STATUS_IGNORE);
+  std::vector<char> bytes(count);
+  in_pieces(bytes, [&](char* data, int n) {
+    MPI_Recv(data, n, MPI_CHAR, rank, 1, group, MPI_STATUS_IGNORE);
+  });
+  return bytes;
+}
+
+}  // namespace
+
 std::vector<std::vector<char>> Communicator::gather(const std::vector<char>& bytes) const {
-  if (size() == 1) return {bytes};
-  std::vector<char> own = bytes;
+  std::vector<std::vector<char>> all;
+  if (is_root()) all.push_back(bytes);
+  collect({bytes}, [&](std::vector<char> message) { all.push_back(std::move(message)); });
+  return all;
+}
+
+void Communicator::collect(std::vector<std::vector<char>> messages,
+                           const std::function<void(std::vector<char>)>& receive) const {
   if (!is_root()) {
-    const std::uint64_t count = own.size();
+    const std::uint64_t count = messages.size();
     MPI_Send(&count, 1, MPI_UINT64_T, 0, 0, state_->group);
-    in_pieces(own, [&](char* data, int n) { MPI_Send(data, n, MPI_CHAR, 0, 1, state_->group); });
-    return {};
+    for (std::vector<char>& message : messages) send_to_root(state_->group, std::move(message));
+    return;
   }
-  std::vector<std::vector<char>> all{std::move(own)};
   for (int rank = 1; rank < size(); ++rank) {
     std::uint64_t count = 0;
     MPI_Recv(&count, 1, MPI_UINT64_T, rank, 0, state_->group, MPI_STATUS_IGNORE);
-    std::vector<char> part(count);
-    in_pieces(part, [&](char* data, int n) {
-      MPI_Recv(data, n, MPI_CHAR, rank, 1, state_->group, MPI_STATUS_IGNORE);
-    });
-    all.push_back(std::move(part));
+    for (; count > 0; --count) receive(receive_from(state_->group, rank));
   }
-  return all;
 }
 
 void Communicator::before_abort(std::function<void()> clean_up) const {
@@ -80,12 +117,20 @@ void Communicator::abort(int exit_status) const {
   std::exit(exit_status);
 }
 
-/// A counter on rank 0 that all ranks fetch and increment (MPI-3 one-sided), or a plain number.
+/// A counter on rank 0 that all ranks fetch and increment (MPI-3 one-sided), or a plain number. The
+/// next number is fetched while the last one's work is done: on a network without remote atomics
+/// rank 0 answers only between two units of its own.
 struct Communicator::Ticket::State {
   MPI_Comm group = MPI_COMM_NULL;
   MPI_Win window = MPI_WIN_NULL;
   std::uint64_t* counter = nullptr;
   std::uint64_t alone = 0;
+  std::uint64_t fetched = 0;  ///< when the window is flushed
+
+  void fetch() {
+    static constexpr std::uint64_t one = 1;
+    MPI_Fetch_and_op(&one, &fetched, MPI_UINT64_T, 0, 0, MPI_SUM, window);
+  }
 };
 
 Communicator::Ticket::Ticket(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -102,32 +147,25 @@ Communicator::Ticket Communicator::make_ticket() const {
     if (is_root()) *state->counter = 0;
     MPI_Win_sync(state->window);
     MPI_Barrier(state->group);
+    state->fetch();
   }
   return Ticket(std::move(state));
 }
 
-namespace {
-
-/// The counter before `more` is added to it.
-std::uint64_t fetch_and_add(MPI_Win window, std::uint64_t more) {
-  std::uint64_t before = 0;
-  MPI_Fetch_and_op(&more, &before, MPI_UINT64_T, 0, 0, MPI_SUM, window);
-  MPI_Win_flush(0, window);
-  return before;
-}
-
-}  // namespace
-
 std::uint64_t Communicator::Ticket::next() {
   if (state_->window == MPI_WIN_NULL) return state_->alone++;
-  return fetch_and_add(state_->window, 1);
+  MPI_Win_flush(0, state_->window);
+  const std::uint64_t item = state_->fetched;
+  state_->fetch();
+  return item;
 }
 
 void Communicator::Ticket::close(std::uint64_t count) {
   if (state_->window == MPI_WIN_NULL) {
     state_->alone += count;
   } else {
-    fetch_and_add(state_->window, count);
+    MPI_Accumulate(&count, 1, MPI_UINT64_T, 0, 0, 1, MPI_UINT64_T, MPI_SUM, state_->window);
+    MPI_Win_flush(0, state_->window);
   }
 }
 
@@ -165,6 +203,31 @@ void self_schedule(const Communicator& world, std::uint64_t count,
       throw;
     }
   }
+}
+
+std::vector<std::vector<double>> numbered_parts(std::size_t count,
+                                                const std::vector<std::vector<char>>& messages) {
+  std::vector<std::vector<double>> parts(count);
+  for (const std::vector<char>& message : messages) {
+    ByteReader in(message);
+    for (std::uint64_t i = 0; !in.at_end();) {
+      in.get(i);
+      in.get(parts.at(i));
+    }
+  }
+  return parts;
+}
+
+std::vector<std::vector<double>> share_parts(
+    const Communicator& world, std::size_t count,
+    const std::function<std::vector<double>(std::size_t)>& part) {
+  ByteWriter mine;
+  self_schedule(world, count, [&](std::uint64_t i) { mine.put(i).put(part(i)); });
+  std::vector<char> all;
+  for (const std::vector<char>& message : world.gather(mine.take()))
+    all.insert(all.end(), message.begin(), message.end());
+  world.broadcast(all);
+  return numbered_parts(count, {all});
 }
 
 MpiSession::MpiSession(int& argc, char**& argv) {

@@ -78,12 +78,13 @@ const std::array rows = {
 const MeasureRow& row_of(std::size_t row) { return rows.at(row); }
 
 /// Walters's rule, on the suite as its file scales its records.
-std::vector<double> factors_at_unit_sds(const IntensityConfig& intensity, const Suite& suite) {
+std::vector<double> factors_at_unit_sds(const IntensityConfig& intensity, const Suite& suite,
+                                        const SpectrumRows& walters_spectra_g) {
   const TargetSpectrum spectrum(intensity.target ? *intensity.target : *suite.target);
   const auto unit_design = [&](double period) {
     return spectrum.design_sa_g(period) / spectrum.sds_g();
   };
-  const double common = suite_average_factor(suite, unit_design, walters_periods_s());
+  const double common = suite_average_factor(suite, unit_design, walters_spectra_g);
   std::vector<double> factors;
   for (const Motion& motion : suite.motions) factors.push_back(common * motion.scale);
   return factors;
@@ -108,9 +109,10 @@ std::string IntensityMeasure::symbol(const IntensityConfig& c) const {
   return row_of(row_).symbol(c);
 }
 
-std::vector<double> IntensityMeasure::factors_at_unit_level(const IntensityConfig& intensity,
-                                                            const Suite& suite) const {
-  if (*this == sds_g) return factors_at_unit_sds(intensity, suite);
+std::vector<double> IntensityMeasure::factors_at_unit_level(
+    const IntensityConfig& intensity, const Suite& suite,
+    const SpectrumRows& walters_spectra_g) const {
+  if (*this == sds_g) return factors_at_unit_sds(intensity, suite, walters_spectra_g);
   std::vector<double> factors;
   for (const Motion& motion : suite.motions)
     factors.push_back(*this == ppa_g ? 0.0 : row_of(row_).factor(intensity, motion));

@@ -13,6 +13,11 @@ namespace glissade {
 /// 2012; the steps are not from there): to 0.2 s by 0.001, to 0.5 s by 0.0025, to 2 s by 0.005.
 std::vector<double> walters_periods_s();
 
+/// 5 % SRSS spectra of the unscaled horizontals in g: by motion, then by period.
+using SpectrumRows = std::vector<std::vector<double>>;
+/// At walters_periods_s().
+std::vector<double> walters_spectrum_g(const Motion& motion);
+
 /// The one factor on the whole suite (each motion's own `scale` applied first) for which the
 /// average over motions of the SRSS spectra of their horizontals (5 %) is nowhere below
 /// `target_sa_g` over `periods_s` and equal to it at one period at least (Walters et al. 2012).
@@ -21,6 +26,9 @@ std::vector<double> walters_periods_s();
 /// with one that is zero throughout.
 double suite_average_factor(const Suite& suite, const std::function<double(double)>& target_sa_g,
                             const std::vector<double>& periods_s);
+/// The same over walters_periods_s(), at which the spectra of the motions are given.
+double suite_average_factor(const Suite& suite, const std::function<double(double)>& target_sa_g,
+                            const SpectrumRows& walters_spectra_g);
 
 /// An average spectrum over its target, at a period.
 struct SpectralRatio {
@@ -38,6 +46,10 @@ struct SpectralRatios {
 /// extreme, to a thousandth of their step. `factors`: one per motion, in place of Motion::scale.
 SpectralRatios ratios_to_target(const Suite& suite, const std::vector<double>& factors,
                                 const std::function<double(double)>& target_sa_g);
+/// The same with the spectra of the motions at walters_periods_s() given.
+SpectralRatios ratios_to_target(const Suite& suite, const std::vector<double>& factors,
+                                const std::function<double(double)>& target_sa_g,
+                                const SpectrumRows& walters_spectra_g);
 
 struct SuiteScaling {
   std::vector<double> factors;  ///< per motion, on all its components

@@ -22,6 +22,10 @@ class Communicator {
   void broadcast(std::vector<char>& bytes) const;
   /// Collects the bytes of all ranks on rank 0, by rank; empty on the others.
   std::vector<std::vector<char>> gather(const std::vector<char>& bytes) const;
+  /// Rank 0 receives the messages of all other ranks, by rank, one at a time; a sender frees each
+  /// when it is sent. Those of rank 0 are not used. Collective.
+  void collect(std::vector<std::vector<char>> messages,
+               const std::function<void(std::vector<char>)>& receive) const;
   /// Ends every rank at once (an error on one of them), after `clean_up` on this one.
   [[noreturn]] void abort(int exit_status) const;
   /// What abort() does first; in place of what was set before. It must not throw.
@@ -36,7 +40,8 @@ class Communicator {
     ~Ticket();
     Ticket(Ticket&&) noexcept;
     std::uint64_t next();
-    /// No rank gets a number below `count` any more. Not collective.
+    /// No rank gets a number below `count` any more, but for one that it has fetched ahead. Not
+    /// collective.
     void close(std::uint64_t count);
 
    private:
@@ -53,11 +58,22 @@ class Communicator {
 };
 
 /// Calls work(item) for every item below `count`, each on one rank, the next free one. Every rank
-/// calls `stop` before it takes an item: where it is true, no rank takes a further one. Collective.
+/// calls `stop` before it takes an item: where it is true it takes none, and the others none but
+/// one that they have fetched ahead. Collective.
 /// An exception on one of several ranks ends them all, an InputError with status 2.
 void self_schedule(
     const Communicator& world, std::uint64_t count, const std::function<void(std::uint64_t)>& work,
     const std::function<bool()>& stop = [] { return false; });
+
+/// Parts from messages of their numbers and values, each `put(number).put(values)`.
+std::vector<std::vector<double>> numbered_parts(std::size_t count,
+                                                const std::vector<std::vector<char>>& messages);
+
+/// What `part` gives for every number below `count`, on every rank; each computed by one.
+/// Collective.
+std::vector<std::vector<double>> share_parts(
+    const Communicator& world, std::size_t count,
+    const std::function<std::vector<double>(std::size_t)>& part);
 
 /// Starts MPI for the lifetime of the object if the program runs under mpirun (or srun); otherwise
 /// does nothing.

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "glissade/motion/motion.hpp"
+#include "glissade/motion/suite_scaling.hpp"
 
 namespace glissade {
 
@@ -32,8 +33,9 @@ class IntensityMeasure {
   /// For axes and texts: "S_DS", "Sa(1 s)".
   std::string symbol(const IntensityConfig& intensity) const;
   /// One factor on each record at level 1; 0 where it depends on the roof. All of one suite.
-  std::vector<double> factors_at_unit_level(const IntensityConfig& intensity,
-                                            const Suite& suite) const;
+  /// @param walters_spectra_g of the suite's motions, of sds_g
+  std::vector<double> factors_at_unit_level(const IntensityConfig& intensity, const Suite& suite,
+                                            const SpectrumRows& walters_spectra_g) const;
   /// The factor on a record at a level over that at level 1: the level, or its root for measures
   /// that go with a power of the motion.
   double factor_of_level(double level) const;

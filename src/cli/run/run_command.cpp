@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 #include <filesystem>
+#include <optional>
 
 #include "commands.hpp"
 #include "glissade/core/file.hpp"
@@ -44,21 +45,23 @@ std::vector<Suite> load_suites(const std::vector<fs::path>& files) {
 }
 
 /// What root does with the histories of all ranks.
-void write_all(Plan whole, const std::vector<UnitResult>& units, std::uint64_t resumed,
-               const RunOptions& options, StopRequest& stop, PhaseClock& clock, int ranks) {
+void write_all(Plan whole, RunParts parts, std::uint64_t resumed, const RunOptions& options,
+               StopRequest& stop, PhaseClock& clock, int ranks) {
   const fs::path out = options.folder();
-  const Plan plan = first_blocks(std::move(whole), units.size());
-  const WorkCount count = total_count(units);
+  const std::size_t done = parts.units.size();
+  const Plan plan = first_blocks(std::move(whole), done);
+  const WorkCount count = total_count(parts.units);
   const std::vector<Skip> skips = skipped(plan, count);
-  const Results results = reduce(plan, units);
+  const Results results = reduce(plan, std::move(parts.units), parts.motion_parts);
   clock.end_phase("analyses");
-  if (stop.requested()) end_stopped(out, stop.reason(), units.size(), units.size());
+  if (stop.requested()) end_stopped(out, stop.reason(), done, done);
   keeping_units(out, [&] { write_results(out / "results.h5", results); });
   clock.end_phase("results file");
   write_beside_results(out, [&] { write_report(results, out, skips); });
   clock.end_phase("report");
   write_beside_results(out, [&] {
-    write_text_file(out / "run.json", run_json(results, skips, clock, ranks, count, resumed));
+    write_text_file(out / "run.json",
+                    run_json(results, skips, clock, ranks, count, resumed, parts.other_ranks_mb));
   });
   if (options.quiet) return;
   fmt::print("{}\n", summary_text(results, skips));
@@ -87,6 +90,25 @@ std::vector<Suite> prepare_motions(RunOptions& options, StoppedRun& stopped,
   options.study.assign(study.begin(), study.end());
   share(suites, world);
   return suites;
+}
+
+/// The same on every rank. The ranks share its spectra; input that is invalid is so on all of them.
+Plan make_shared_plan(const std::string& study, std::vector<Suite> suites,
+                      const Communicator& world) {
+  Plan plan;
+  std::optional<InputError> invalid;
+  try {
+    plan = make_plan(
+        read_study(study), std::move(suites),
+        [&](std::size_t count, const Part& part) { return share_parts(world, count, part); });
+  } catch (const InputError& error) {
+    invalid = error;
+  }
+  on_root(world, [&] {
+    if (invalid) throw *invalid;
+  });
+  check_same_plan(plan.hash, world);
+  return plan;
 }
 
 /// The units of earlier sessions, on root.
@@ -125,16 +147,14 @@ void run_study(RunOptions options, const Communicator& world) {
   const auto start = std::chrono::steady_clock::now();
   PhaseClock clock;
   StoppedRun stopped;  // on root, where it is resumed
-  const std::vector<Suite> suites = prepare_motions(options, stopped, world);
+  std::vector<Suite> suites = prepare_motions(options, stopped, world);
   const fs::path out = options.folder();
   clock.end_phase("motions");
 
-  Plan plan;  // the same on every rank
-  RunIdentity identity;
+  Plan plan = make_shared_plan(options.study, std::move(suites), world);
+  const RunIdentity identity = identity_of(plan, GLISSADE_VERSION);
   Journal journal;
   on_root(world, [&] {
-    plan = make_plan(read_study(options.study), suites);
-    identity = identity_of(plan, GLISSADE_VERSION);
     if (options.dry_run) return check_study(plan, out, options.overwrite);
     if (stopped.lock) {
       journal = open_journals(out, stopped, identity, plan);
@@ -143,22 +163,17 @@ void run_study(RunOptions options, const Communicator& world) {
     }
   });
   const RunFolderGuard guard(options.dry_run ? fs::path() : out, world);
-  if (!world.is_root()) {
-    plan = make_plan(read_study(options.study), suites);
-    identity = identity_of(plan, GLISSADE_VERSION);
-  }
-  check_same_plan(plan.hash, world);
   clock.end_phase("plan");
   if (options.dry_run) return;
 
   StopRequest stop(world.is_root() ? out / "stop" : fs::path(), options.walltime_s, start);
   const std::uint64_t resumed = journal.units.size();
-  const std::vector<UnitResult> units =
+  RunParts parts =
       run_units(plan, options.no_skip ? Skipping::none : Skipping::all, std::move(journal),
                 JournalWriter(out, world.rank(), identity), stop, out, world);
   clock.end_phase("histories");
   on_root(world, [&] {
-    write_all(std::move(plan), units, resumed, options, stop, clock, world.size());
+    write_all(std::move(plan), std::move(parts), resumed, options, stop, clock, world.size());
     stopped.lock->remove_journals();
   });
 }

@@ -2,6 +2,7 @@
 #include "run/run_record.hpp"
 
 #include <fmt/chrono.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <array>
@@ -63,6 +64,12 @@ Json parsed(const std::filesystem::path& run_json_file) {
 
 }  // namespace
 
+double peak_memory_mb() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) * 1024.0 / 1e6;
+}
+
 std::string started_json(const std::string& study_name, const std::string& plan_hash) {
   const Json json{{"study", study_name},
                   {"plan_hash", plan_hash},
@@ -74,7 +81,7 @@ std::string started_json(const std::string& study_name, const std::string& plan_
 
 std::string run_json(const Results& results, const std::vector<Skip>& skips,
                      const PhaseClock& clock, int ranks, const WorkCount& count,
-                     std::uint64_t resumed) {
+                     std::uint64_t resumed, double other_ranks_mb) {
   Json json = finished({results.study_name, results.plan_hash, results.program_version}, ranks);
   json["histories_integrated"] = count.integrated + count.searched;
   json["histories_at_levels"] = count.integrated;
@@ -83,6 +90,8 @@ std::string run_json(const Results& results, const std::vector<Skip>& skips,
   json["roof_motions"] = count.roofs;
   json["units_of_earlier_sessions"] = resumed;
   add_phases(json, clock);
+  json["peak_memory_mb"]["first_rank"] = peak_memory_mb();
+  if (other_ranks_mb > 0.0) json["peak_memory_mb"]["largest_of_others"] = other_ranks_mb;
   json["warnings"] = results.warnings;
   if (results.reached_target) {
     const ReachedTarget& target = *results.reached_target;

@@ -49,9 +49,13 @@ std::string unreported_json(const std::filesystem::path& run_json_file,
 /// run.json: when, where, on how many ranks, how long, and what was skipped: all that results.h5
 /// must not contain.
 /// @param resumed units that earlier sessions of the run had finished
+/// @param other_ranks_mb the largest peak_memory_mb() of ranks other than this; 0: there are none
 std::string run_json(const Results& results, const std::vector<Skip>& skips,
                      const PhaseClock& clock, int ranks, const WorkCount& count,
-                     std::uint64_t resumed);
+                     std::uint64_t resumed, double other_ranks_mb);
+
+/// The largest memory that this process has had so far.
+double peak_memory_mb();
 
 /// The skips in a run.json; none where there is no such file. Throws InputError where the file
 /// is not one that a run wrote.

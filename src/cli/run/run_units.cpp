@@ -2,26 +2,37 @@
 #include "run/run_units.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "glissade/core/bytes.hpp"
 #include "glissade/study/run/exchange.hpp"
+#include "glissade/study/run/motion_parts.hpp"
 #include "glissade/study/run/sampling_progress.hpp"
 #include "run/progress.hpp"
 #include "run/run_folder.hpp"
+#include "run/run_record.hpp"
 
 namespace glissade::cli {
 namespace {
 
-/// The units that no journal holds, on every rank.
-std::vector<std::uint64_t> missing_units(const Plan& plan, const Journal& earlier,
-                                         const Communicator& world) {
+/// By unit: whether a journal holds it. On every rank.
+std::vector<char> done_units(const Plan& plan, const Journal& earlier, const Communicator& world) {
   std::vector<char> done(plan.units.size(), 0);
   for (const UnitResult& unit : earlier.units) done[unit.unit] = 1;
   world.broadcast(done);
-  std::vector<std::uint64_t> missing;
-  for (std::uint64_t unit = 0; unit < done.size(); ++unit)
-    if (done[unit] == 0) missing.push_back(unit);
-  return missing;
+  return done;
+}
+
+/// The largest memory of a rank other than root; on root.
+double largest_of_others_mb(const Communicator& world) {
+  const auto memories = world.gather(ByteWriter().put(peak_memory_mb()).take());
+  double largest_mb = 0.0;
+  for (std::size_t rank = 1; rank < memories.size(); ++rank) {
+    double mb = 0.0;
+    ByteReader(memories[rank]).get(mb);
+    largest_mb = std::max(largest_mb, mb);
+  }
+  return largest_mb;
 }
 
 /// Ends the run on all ranks where they have not done all of their `common` units.
@@ -52,38 +63,60 @@ bool agreed(bool is_enough, const Communicator& world) {
 
 }  // namespace
 
-std::vector<UnitResult> run_units(const Plan& plan, Skipping skipping, Journal earlier,
-                                  JournalWriter writer, StopRequest& stop,
-                                  const std::filesystem::path& folder, const Communicator& world) {
-  const std::vector<std::uint64_t> missing = missing_units(plan, earlier, world);
+RunParts run_units(const Plan& plan, Skipping skipping, Journal earlier, JournalWriter writer,
+                   StopRequest& stop, const std::filesystem::path& folder,
+                   const Communicator& world) {
+  const std::vector<char> done = done_units(plan, earlier, world);
+  const auto missing_in_all = static_cast<std::uint64_t>(std::ranges::count(done, 0));
   RoofStore roofs(plan, skipping);
-  Progress progress(missing.size(), plan.histories() * missing.size() / plan.units.size());
+  Progress progress(missing_in_all, plan.histories() * missing_in_all / plan.units.size());
   SamplingProgress sampling(plan);
-  std::vector<UnitResult> all = std::move(earlier.units);
-  auto first = missing.begin();
-  for (const std::size_t end : plan.unit_ends) {
-    const auto last = std::ranges::lower_bound(missing, end);
-    const auto count = static_cast<std::uint64_t>(last - first);
-    std::vector<UnitResult> mine;
+  RunParts all{std::move(earlier.units), {}};
+  ByteWriter my_motion_parts;
+  std::size_t motion_parts = motion_part_count(plan);  // that are left
+  bool begun = false;                                  // a unit, on this rank
+  std::uint64_t before = 0;                            // units of blocks before
+  for (std::size_t block = 0; block < plan.unit_ends.size(); ++block) {
+    std::vector<std::size_t> missing = longest_first(plan, block);
+    std::erase_if(missing, [&](std::size_t unit) { return done[unit] != 0; });
+    std::vector<std::vector<char>> to_root;
+    std::uint64_t mine = 0;
     const auto work = [&](std::uint64_t i) {
-      mine.push_back(execute(plan, first[static_cast<std::ptrdiff_t>(i)], roofs));
-      keeping_units(folder, [&] { writer.append(mine.back()); });
-      if (world.is_root())  // units go out in order: those before are done or under way
-        progress.update(static_cast<std::uint64_t>(first - missing.begin()) + i);
+      if (i < motion_parts) {
+        my_motion_parts.put(i).put(motion_part(plan, i));
+        return;
+      }
+      i -= motion_parts;
+      if (!std::exchange(begun, true)) stop.before_unit();  // the first unit is always begun
+      UnitResult unit = execute(plan, missing[i], roofs);
+      keeping_units(folder, [&] { writer.append(unit); });
+      ++mine;
+      if (!world.is_root()) return to_root.push_back(pack(unit));
+      all.units.push_back(std::move(unit));
+      progress.update(before + i);  // units go out in order: those before are done or under way
     };
-    self_schedule(world, count, work, [&] { return stop.before_unit(); });
+    const std::size_t units_before = all.units.size();
+    self_schedule(world, motion_parts + missing.size(), work,
+                  [&] { return begun ? stop.before_unit() : stop.requested(); });
+    motion_parts = 0;
     keeping_units(folder, [&] { writer.sync(); });
     if (world.is_root()) progress.finish();
-    end_if_stopped(plan, all.size(), mine.size(), count, stop, folder, world);
-    for (const std::vector<char>& part : world.gather(pack(mine))) {
-      for (UnitResult& result : unpack_unit_results(part)) all.push_back(std::move(result));
-    }
-    if (world.is_root()) sampling.add_block(all);
-    first = last;
+    end_if_stopped(plan, units_before, mine, missing.size(), stop, folder, world);
+    world.collect(std::move(to_root), [&](const std::vector<char>& unit) {
+      all.units.push_back(unpack_unit_result(unit));
+    });
+    if (world.is_root()) sampling.add_block(all.units);
+    before += missing.size();
     if (!agreed(sampling.is_enough(), world)) continue;
-    std::erase_if(all, [end](const UnitResult& result) { return result.unit >= end; });
+    std::erase_if(all.units,
+                  [&](const UnitResult& unit) { return unit.unit >= plan.unit_ends[block]; });
     break;
   }
+  all.motion_parts = numbered_parts(motion_part_count(plan), world.gather(my_motion_parts.take()));
+  for (std::size_t i = 0; world.is_root() && i < all.motion_parts.size(); ++i)
+    if (all.motion_parts[i].empty())  // the run was to stop, and all units were done
+      all.motion_parts[i] = motion_part(plan, i);
+  all.other_ranks_mb = largest_of_others_mb(world);
   return all;
 }
 

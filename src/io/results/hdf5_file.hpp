@@ -3,7 +3,9 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "results/hdf5_handle.hpp"
@@ -22,11 +24,16 @@ using Dims = std::vector<hsize_t>;
 class Hdf5Image {
  public:
   Hdf5Image();
-  hid_t root() const { return file_; }
-  std::string bytes() const;
+  ~Hdf5Image();
+  Hdf5Image(const Hdf5Image&) = delete;
+  Hdf5Image& operator=(const Hdf5Image&) = delete;
+  hid_t root() const { return *file_; }
+  /// Closes the file: the only copy of it, valid as long as this.
+  std::string_view bytes();
 
  private:
-  Hdf5Handle file_;
+  void* memory_ = nullptr;  ///< of the closed file
+  std::optional<Hdf5Handle> file_;
 };
 
 /// Writes into one group. No times are stored, and sizes and types are fixed: the same content

@@ -142,19 +142,19 @@ RunResults fragility_of(const StudyConfig& config, const Results& results,
   for (std::size_t t = 0; t < results.thresholds_m.size(); ++t)
     run.fragilities.push_back(fit_threshold(results, run, t, options));
 
-  std::vector<PooledLevel> pooled;
+  const std::vector<Standard>& standards = config.standards.compare;
+  run.standards.resize(standards.size() * levels.size());
   for (std::size_t level = 0; level < levels.size(); ++level) {
-    pooled.push_back(pooled_at(results.histories, slice_of(run), level));
-    run.slip.push_back(statistics_of(pooled.back(), results, run, level, options));
+    const PooledLevel pooled = pooled_at(results.histories, slice_of(run), level);
+    run.slip.push_back(statistics_of(pooled, results, run, level, options));
+    for (std::size_t s = 0; s < standards.size(); ++s) {
+      run.standards[s * levels.size() + level] =
+          compare(standards[s], levels[level], config.standards, pooled);
+    }
   }
   if (config.impact)
     run.impact =
         impact_statistics(results.histories, slice_of(run), levels, results.thresholds_m, options);
-  for (const Standard standard : config.standards.compare) {
-    for (std::size_t level = 0; level < levels.size(); ++level) {
-      run.standards.push_back(compare(standard, levels[level], config.standards, pooled[level]));
-    }
-  }
   return run;
 }
 

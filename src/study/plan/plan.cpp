@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <numeric>
 #include <set>
@@ -110,6 +111,24 @@ void cut_units(Plan& plan) {
   }
 }
 
+/// The factor on each record at level 1.
+void scale_suites(Plan& plan, const ComputeParts& compute_parts) {
+  const IntensityConfig& intensity = plan.config.intensity;
+  plan.walters_spectra_g.resize(plan.suites.size());
+  if (intensity.measure == IntensityMeasure::sds_g) {
+    std::vector<std::vector<double>> rows = compute_parts(
+        plan.records.size(), [&](std::size_t i) { return walters_spectrum_g(plan.motion(i)); });
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      plan.walters_spectra_g[plan.records[i].suite].push_back(std::move(rows[i]));
+  }
+  for (std::size_t s = 0; s < plan.suites.size(); ++s) {
+    const std::vector<double> factors = intensity.measure.factors_at_unit_level(
+        intensity, plan.suites[s], plan.walters_spectra_g[s]);
+    plan.factor_at_unit_level.insert(plan.factor_at_unit_level.end(), factors.begin(),
+                                     factors.end());
+  }
+}
+
 void hash_target(Hasher& hasher, const std::optional<DesignTarget>& target) {
   if (!target) return;
   hasher.text("target").number(static_cast<double>(target->edition)).number(target->ss_g);
@@ -179,7 +198,25 @@ double Plan::predicted_seconds() const {
   return 1e-6 * us;
 }
 
-Plan make_plan(const StudyConfig& config, std::vector<Suite> suites) {
+std::vector<std::size_t> longest_first(const Plan& plan, std::size_t block) {
+  const std::size_t begin = block == 0 ? 0 : plan.unit_ends[block - 1];
+  std::vector<std::size_t> units(plan.unit_ends[block] - begin);
+  std::iota(units.begin(), units.end(), begin);
+  std::ranges::stable_sort(units, std::greater{}, [&](std::size_t i) {
+    const WorkUnit& unit = plan.units[i];
+    return record_us(plan, unit.record) * static_cast<double>(unit.count);
+  });
+  return units;
+}
+
+std::vector<std::vector<double>> compute_parts_here(std::size_t count, const Part& part) {
+  std::vector<std::vector<double>> parts;
+  for (std::size_t i = 0; i < count; ++i) parts.push_back(part(i));
+  return parts;
+}
+
+Plan make_plan(const StudyConfig& config, std::vector<Suite> suites,
+               const ComputeParts& compute_parts) {
   GLISSADE_EXPECTS(!suites.empty());
   GLISSADE_EXPECTS(config.suite_files.empty() || config.suite_files.size() == suites.size());
   Plan plan;
@@ -194,12 +231,7 @@ Plan make_plan(const StudyConfig& config, std::vector<Suite> suites) {
     for (std::size_t m = 0; m < plan.suites[s].motions.size(); ++m) plan.records.push_back({s, m});
   }
   check_fit(plan.config, plan.suites);
-  for (const Suite& suite : plan.suites) {
-    const std::vector<double> factors =
-        config.intensity.measure.factors_at_unit_level(config.intensity, suite);
-    plan.factor_at_unit_level.insert(plan.factor_at_unit_level.end(), factors.begin(),
-                                     factors.end());
-  }
+  scale_suites(plan, compute_parts);
   plan.kernel = cheapest_exact_kernel(config);
   list_cases(plan);
   plan.hash = hash_of(plan);

@@ -78,22 +78,6 @@ UnitResult unpack_unit_result(std::span<const char> bytes) {
   return result;
 }
 
-std::vector<char> pack(const std::vector<UnitResult>& results) {
-  ByteWriter out;
-  for (const UnitResult& result : results) out.put(pack(result));
-  return out.take();
-}
-
-std::vector<UnitResult> unpack_unit_results(const std::vector<char>& bytes) {
-  ByteReader in(bytes);
-  std::vector<UnitResult> results;
-  for (std::vector<char> one; !in.at_end();) {
-    in.get(one);
-    results.push_back(unpack_unit_result(one));
-  }
-  return results;
-}
-
 bool fits(const Plan& plan, const UnitResult& result) {
   if (result.unit >= plan.units.size()) return false;
   const KeptFields kept(plan.config);

@@ -2,14 +2,12 @@
 #include "glissade/study/run/reduce.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <numeric>
-#include <stdexcept>
+#include <utility>
 
 #include "analysis/fragility.hpp"
-#include "glissade/core/units.hpp"
-#include "glissade/motion/intensity.hpp"
 #include "glissade/study/analysis/chart.hpp"
+#include "glissade/study/run/history_assembly.hpp"
+#include "glissade/study/run/motion_parts.hpp"
 #include "plan/model_text.hpp"
 #include "run/results_notes.hpp"
 
@@ -20,165 +18,8 @@
 namespace glissade {
 namespace {
 
-/// The units in plan order. Each must be there once.
-std::vector<const UnitResult*> in_plan_order(const Plan& plan,
-                                             const std::vector<UnitResult>& units) {
-  std::vector<const UnitResult*> in_order(plan.units.size(), nullptr);
-  for (const UnitResult& unit : units) in_order.at(unit.unit) = &unit;
-  if (std::ranges::find(in_order, nullptr) != in_order.end())
-    throw std::logic_error("reduce: a unit of the plan is missing");
-  return in_order;
-}
-
-/// A mirrored history ends on the other side.
-void mirror_residuals(const Plan& plan, HistoryTable& table) {
-  std::vector<double>& across = table.fields.residual_across_m;
-  if (across.empty()) return;
-  for (std::size_t i = 0; i < table.cases; ++i) {
-    const Orientation& run = plan.cases.cases[plan.same_as[i]].orientation;
-    if (plan.cases.cases[i].orientation.across_sign == run.across_sign) continue;
-    for (std::size_t record = 0; record < table.records; ++record) {
-      for (std::size_t level = 0; level < table.levels; ++level) {
-        double& residual = across[table.at(record, i, level)];
-        residual = residual == 0.0 ? 0.0 : -residual;
-      }
-    }
-  }
-}
-
-HistoryTable assemble(const Plan& plan, const std::vector<UnitResult>& units) {
-  HistoryTable table{plan.records.size(),
-                     plan.cases.size(),
-                     plan.config.intensity.levels.size(),
-                     plan.config.thresholds_m().size(),
-                     {}};
-  // By (record, case that is run): its unit and its place there.
-  struct Place {
-    const UnitResult* unit = nullptr;
-    std::size_t position = 0;
-  };
-  std::vector<Place> place(table.records * table.cases);
-  for (const UnitResult* unit : in_plan_order(plan, units)) {
-    const WorkUnit& work = plan.units[unit->unit];
-    for (std::size_t i = 0; i < work.count; ++i)
-      place[work.record * table.cases + plan.order[work.first + i]] = {unit, i};
-  }
-  for_each_history_field([&](auto field) {
-    const std::size_t depth = table.depth(field.depth);
-    if (depth == 0 || (units.front().fields.*field.of).empty()) return;
-    auto& values = table.fields.*field.of;
-    values.resize(place.size() * depth);
-    for (std::size_t at = 0; at < place.size(); ++at) {
-      const std::size_t row = at - at % table.cases;  // of the record
-      const Place& from = place[row + plan.same_as[at % table.cases]];
-      const auto begin = (from.unit->fields.*field.of).begin() +
-                         static_cast<std::ptrdiff_t>(from.position * depth);
-      std::copy(begin, begin + static_cast<std::ptrdiff_t>(depth),
-                values.begin() + static_cast<std::ptrdiff_t>(at * depth));
-    }
-  });
-  mirror_residuals(plan, table);
-  return table;
-}
-
-double integral_of_squares(const std::vector<double>& a) {
-  return std::inner_product(a.begin(), a.end(), a.begin(), 0.0);
-}
-
-/// Periods at which spectra are shown: 0, then 0.02 to 4 s, equally spaced in the logarithm; of a
-/// suite that its file scales to MCE those of the rule it is scaled by, 0 to 2 s.
-std::vector<double> shown_periods_s(bool as_scaled_to_mce) {
-  std::vector<double> periods{0.0};
-  if (as_scaled_to_mce) {
-    constexpr int count = 200;
-    for (int i = 1; i <= count; ++i) periods.push_back(2.0 * i / count);
-    return periods;
-  }
-  constexpr int count = 80;
-  for (int i = 0; i < count; ++i) periods.push_back(0.02 * std::pow(200.0, i / (count - 1.0)));
-  return periods;
-}
-
-RecordSummary summary_of(const Plan& plan, std::size_t record) {
-  const Motion& motion = plan.motion(record);
-  const auto& [first, second] = motion.horizontal_mps2;
-  RecordSummary r;
-  r.suite = plan.records[record].suite;
-  r.id = motion.id;
-  r.event = motion.event;
-  r.station = motion.station;
-  r.magnitude = motion.magnitude;
-  r.distance_km = motion.distance_km;
-  r.vs30_mps = motion.vs30_mps;
-  r.suite_scale = motion.scale;
-  r.factor_at_unit_level = plan.factor_at_unit_level[record];
-  r.pga_g =
-      horizontal_pga_mps2(motion, HorizontalCombination::geometric_mean) / standard_gravity_mps2;
-  r.pgv_mps = horizontal_pgv_mps(motion, HorizontalCombination::geometric_mean);
-  r.pgd_m = horizontal_pgd_m(motion, HorizontalCombination::geometric_mean);
-  r.duration_s = significant_duration_s(motion.dt_s, first, second);
-  r.arias_mps = arias_intensity_mps(motion);
-  r.sa_g = horizontal_spectrum_mps2(motion, shown_periods_s(false),
-                                    HorizontalCombination::geometric_mean);
-  for (double& sa : r.sa_g) sa /= standard_gravity_mps2;
-  r.roof_velocity_mps = horizontal_roof_velocity_mps(motion, shown_periods_s(false));
-  r.dt_s = motion.dt_s;
-  r.samples = first.size();
-  r.has_second = !second.empty();
-  r.has_vertical = !motion.vertical_mps2.empty();
-  r.stronger = integral_of_squares(second) > integral_of_squares(first) ? 1 : 0;
-  return r;
-}
-
-/// By S_DS at the level nearest 1 g, of a chart at the one it shows; else 0: as the suite file
-/// scales it, beside its MCE target.
-double reference_level(const StudyConfig& config) {
-  const std::vector<double>& levels = config.intensity.levels;
-  if (config.intensity.measure != IntensityMeasure::sds_g) return 0.0;
-  if (config.chart) return config.chart->shown_level;
-  return *std::ranges::min_element(
-      levels, [](double a, double b) { return std::abs(a - 1.0) < std::abs(b - 1.0); });
-}
-
-SuiteSpectra spectra_of(const Plan& plan, std::size_t suite) {
-  const IntensityConfig& intensity = plan.config.intensity;
-  const bool by_sds = intensity.measure == IntensityMeasure::sds_g;
-  SuiteSpectra spectra;
-  spectra.periods_s = shown_periods_s(intensity.measure == IntensityMeasure::mce_fraction);
-  spectra.reference_level = reference_level(plan.config);
-  spectra.average_srss_g.assign(spectra.periods_s.size(), 0.0);
-  const double motions = static_cast<double>(plan.suites[suite].motions.size());
-  std::vector<double> factors;
-  std::size_t first = 0;
-  while (plan.records[first].suite != suite) ++first;
-  for (std::size_t record = first; record < first + plan.suites[suite].motions.size(); ++record) {
-    const Motion& motion = plan.motion(record);
-    const double factor =
-        by_sds ? spectra.reference_level * plan.factor_at_unit_level[record] : motion.scale;
-    factors.push_back(factor);
-    std::vector<double> srss =
-        horizontal_spectrum_mps2(motion, spectra.periods_s, HorizontalCombination::srss);
-    for (std::size_t p = 0; p < srss.size(); ++p) {
-      srss[p] *= factor / standard_gravity_mps2;
-      spectra.average_srss_g[p] += srss[p] / motions;
-    }
-    spectra.srss_g.push_back(std::move(srss));
-  }
-  const DesignTarget* target = plan.target_of(suite);
-  if (target == nullptr) return spectra;
-  const TargetSpectrum shape(*target);
-  const auto target_sa_g = [&](double period) {
-    return by_sds ? spectra.reference_level * shape.design_sa_g(period) / shape.sds_g()
-                  : shape.mce_sa_g(period);
-  };
-  for (const double period : spectra.periods_s) spectra.target_g.push_back(target_sa_g(period));
-  if (!by_sds || spectra.reference_level > 0.0)
-    spectra.to_target = ratios_to_target(plan.suites[suite], factors, target_sa_g);
-  return spectra;
-}
-
 /// The plan's part of the results.
-Results header_of(const Plan& plan) {
+Results header_of(const Plan& plan, const std::vector<std::vector<double>>& motion_parts) {
   const StudyConfig& c = plan.config;
   Results results;
   results.study_name = c.name;
@@ -196,12 +37,7 @@ Results header_of(const Plan& plan) {
   results.levels = c.intensity.levels;
   results.thresholds_m = c.thresholds_m();
   results.cases = plan.cases;
-  for (std::size_t s = 0; s < plan.suites.size(); ++s)
-    results.suites.push_back(
-        {plan.suites[s].name, plan.suites[s].description, spectra_of(plan, s)});
-  for (std::size_t record = 0; record < plan.records.size(); ++record)
-    results.records.push_back(summary_of(plan, record));
-  results.record_periods_s = shown_periods_s(false);
+  put_motions(plan, motion_parts, results);
   return results;
 }
 
@@ -227,8 +63,16 @@ void analyse(const StudyConfig& study, Results& results) {
 }  // namespace
 
 Results reduce(const Plan& plan, const std::vector<UnitResult>& units) {
-  Results results = header_of(plan);
-  results.histories = assemble(plan, units);
+  const auto part = [&](std::size_t i) { return motion_part(plan, i); };
+  return reduce(plan, std::vector(units), compute_parts_here(motion_part_count(plan), part));
+}
+
+Results reduce(const Plan& plan, std::vector<UnitResult>&& units,
+               const std::vector<std::vector<double>>& motion_parts) {
+  Results results = header_of(plan, motion_parts);
+  HistoryAssembly histories(plan);
+  for (UnitResult& unit : units) histories.add(std::exchange(unit, {}));
+  results.histories = histories.take();
   analyse(plan.config, results);
   results.warnings = plan.warnings;
   for (std::string& warning : warnings_on(results, plan.config))

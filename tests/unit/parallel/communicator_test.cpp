@@ -5,6 +5,8 @@
 
 #include <stdexcept>
 
+#include "glissade/core/bytes.hpp"
+
 namespace glissade {
 namespace {
 
@@ -39,6 +41,21 @@ TEST(self_schedule, passes_an_exception_on) {
   EXPECT_THROW(self_schedule(Communicator::serial(), 2,
                              [](std::uint64_t) { throw std::runtime_error("broken"); }),
                std::runtime_error);
+}
+
+TEST(share_parts, alone_computes_every_part) {
+  const auto part = [](std::size_t i) { return std::vector<double>(i, 0.5); };
+  EXPECT_EQ(share_parts(Communicator::serial(), 3, part),
+            (std::vector<std::vector<double>>{{}, {0.5}, {0.5, 0.5}}));
+}
+
+TEST(numbered_parts, come_in_any_order_from_any_rank) {
+  const std::vector<double> one{1.0, 2.0}, two{3.0};
+  const auto message = [](std::uint64_t i, const std::vector<double>& part) {
+    return ByteWriter().put(i).put(part).take();
+  };
+  EXPECT_EQ(numbered_parts(2, {message(1, two), message(0, one)}),
+            (std::vector<std::vector<double>>{one, two}));
 }
 
 }  // namespace

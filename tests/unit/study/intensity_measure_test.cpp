@@ -26,7 +26,8 @@ Suite two_pulses() {
 
 double factor(const char* key, double level) {
   const IntensityMeasure measure = *IntensityMeasure::named(key);
-  return measure.factors_at_unit_level({}, two_pulses()).front() * measure.factor_of_level(level);
+  return measure.factors_at_unit_level({}, two_pulses(), {}).front() *
+         measure.factor_of_level(level);
 }
 
 TEST(IntensityMeasure, pgv_is_reached_at_the_factor) {

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <functional>
+#include <set>
 
 #include "glissade/core/error.hpp"
 #include "glissade/core/units.hpp"
@@ -92,6 +94,34 @@ TEST(plan, units_of_a_long_study_are_predicted_to_take_seconds) {
   const Plan plan = make_plan(config, {small_suite()});
   ASSERT_GT(plan.predicted_seconds(), 10.0 * 512.0);
   EXPECT_LE(plan.predicted_seconds() / static_cast<double>(plan.units.size()), 6.0);
+}
+
+TEST(plan, gives_out_the_longest_units_first) {
+  Suite suite = small_suite();
+  // The last record is three times as long as it was.
+  for (std::vector<double>& motion : suite.motions.back().horizontal_mps2)
+    motion.resize(3 * motion.size());
+  const Plan plan = make_plan(small_config(), {suite});
+  const std::vector<std::size_t> order = longest_first(plan, 0);
+  ASSERT_EQ(std::set(order.begin(), order.end()).size(), plan.units.size());
+  EXPECT_EQ(order.size(), plan.units.size());
+  const auto cost = [&](std::size_t unit) {
+    const WorkUnit& u = plan.units[unit];
+    return u.count * plan.motion(u.record).horizontal_mps2[0].size();
+  };
+  EXPECT_TRUE(std::ranges::is_sorted(order, std::greater{}, cost));
+}
+
+TEST(plan, is_the_same_whoever_computes_its_spectra) {
+  const auto backwards = [](std::size_t count, const Part& part) {
+    std::vector<std::vector<double>> parts(count);
+    for (std::size_t i = count; i > 0; --i) parts[i - 1] = part(i - 1);
+    return parts;
+  };
+  const Plan plan = small_plan(small_config());
+  const Plan shared = make_plan(small_config(), {small_suite()}, backwards);
+  EXPECT_EQ(shared.hash, plan.hash);
+  EXPECT_EQ(shared.factor_at_unit_level, plan.factor_at_unit_level);
 }
 
 TEST(plan, gives_a_sample_its_numbers_whatever_else_is_sampled) {

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "glissade/study/run/history_assembly.hpp"
 #include "unit/study/small_study.hpp"
 
 namespace glissade {
@@ -48,6 +49,18 @@ TEST_F(reduce_of_a_small_study, does_not_depend_on_the_order_in_which_units_came
                 results->runs[r].fragilities[t].capacities.median_interval.low);
     }
   }
+}
+
+TEST_F(reduce_of_a_small_study, needs_no_unit_once_it_is_added) {
+  HistoryAssembly histories(*plan);
+  WorkCount count;
+  for (UnitResult unit : *units) {
+    histories.add(unit);
+    count += unit.count;
+  }
+  EXPECT_EQ(histories.units(), plan->units.size());
+  EXPECT_EQ(histories.count(), count);
+  EXPECT_EQ(test::bits_of(histories.take()), test::bits_of(results->histories));
 }
 
 TEST_F(reduce_of_a_small_study, refuses_an_incomplete_set_of_units) {

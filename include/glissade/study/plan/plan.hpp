@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -44,6 +45,7 @@ struct Plan {
                                              ///< where it depends on the roof
   std::vector<WorkUnit> units;               ///< block by block of the samples that are run in turn
   std::vector<std::size_t> unit_ends;        ///< by block: the end of its units
+  std::vector<SpectrumRows> walters_spectra_g;  ///< by suite; empty unless the levels are S_DS
   std::vector<std::string> warnings;  ///< what is possible and not probable: first in every output
   std::vector<std::string> notes;     ///< remarks that belong to the results
   std::vector<Skip> skips;            ///< what the study does not need and is not run
@@ -62,9 +64,19 @@ struct Plan {
   double predicted_seconds() const;
 };
 
+/// Numbers that are computed part by part: which process computes a part changes nothing.
+using Part = std::function<std::vector<double>(std::size_t)>;
+using ComputeParts =
+    std::function<std::vector<std::vector<double>>(std::size_t count, const Part& part)>;
+std::vector<std::vector<double>> compute_parts_here(std::size_t count, const Part& part);
+
 /// Draws the samples, scales the suites, cuts the work. Throws InputError where study and suites do
 /// not fit (no second component, no vertical although required, no target for sds_g ...).
-Plan make_plan(const StudyConfig& config, std::vector<Suite> suites);
+Plan make_plan(const StudyConfig& config, std::vector<Suite> suites,
+               const ComputeParts& compute_parts = compute_parts_here);
+
+/// The units of a block in the order in which ranks take them: the longest first, as predicted.
+std::vector<std::size_t> longest_first(const Plan& plan, std::size_t block);
 
 /// The plan of the first blocks of samples, those with so many units: where a run ended.
 Plan first_blocks(Plan plan, std::size_t units);

@@ -15,8 +15,6 @@ std::vector<char> pack(const std::vector<Suite>& suites);
 std::vector<Suite> unpack_suites(const std::vector<char>& bytes);
 std::vector<char> pack(const UnitResult& result);
 UnitResult unpack_unit_result(std::span<const char> bytes);
-std::vector<char> pack(const std::vector<UnitResult>& results);
-std::vector<UnitResult> unpack_unit_results(const std::vector<char>& bytes);
 
 /// Whether a result is one of this plan, with all that is kept of each history: `reduce` relies on
 /// it.

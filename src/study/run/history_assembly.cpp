@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glissade/study/run/history_assembly.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+#include "glissade/core/contract.hpp"
+
+namespace glissade {
+namespace {
+
+/// Copies `count` values of every field that is kept, of one case of one record.
+void copy_case(const HistoryTable& table, const HistoryFields& from, std::size_t from_case,
+               HistoryFields& to, std::size_t to_case) {
+  for_each_history_field([&](auto field) {
+    if ((to.*field.of).empty()) return;
+    const auto depth = static_cast<std::ptrdiff_t>(table.depth(field.depth));
+    std::copy_n((from.*field.of).begin() + static_cast<std::ptrdiff_t>(from_case) * depth, depth,
+                (to.*field.of).begin() + static_cast<std::ptrdiff_t>(to_case) * depth);
+  });
+}
+
+/// A mirrored history ends on the other side.
+void mirror_residuals(const Plan& plan, HistoryTable& table) {
+  std::vector<double>& across = table.fields.residual_across_m;
+  if (across.empty()) return;
+  for (std::size_t i = 0; i < table.cases; ++i) {
+    const Orientation& run = plan.cases.cases[plan.same_as[i]].orientation;
+    if (plan.cases.cases[i].orientation.across_sign == run.across_sign) continue;
+    for (std::size_t record = 0; record < table.records; ++record) {
+      for (std::size_t level = 0; level < table.levels; ++level) {
+        double& residual = across[table.at(record, i, level)];
+        residual = residual == 0.0 ? 0.0 : -residual;
+      }
+    }
+  }
+}
+
+}  // namespace
+
+HistoryAssembly::HistoryAssembly(const Plan& plan)
+    : plan_(plan),
+      table_{plan.records.size(),
+             plan.cases.size(),
+             plan.config.intensity.levels.size(),
+             plan.config.thresholds_m().size(),
+             {}},
+      has_(plan.units.size(), false) {
+  const KeptFields kept(plan.config);
+  for_each_history_field([&](auto field) {
+    if (kept.has(field))
+      (table_.fields.*field.of).resize(table_.records * table_.cases * table_.depth(field.depth));
+  });
+}
+
+void HistoryAssembly::add(const UnitResult& unit) {
+  const WorkUnit& work = plan_.units.at(unit.unit);
+  GLISSADE_EXPECTS(!has_[unit.unit]);
+  for (std::size_t i = 0; i < work.count; ++i) {
+    copy_case(table_, unit.fields, i, table_.fields,
+              work.record * table_.cases + plan_.order[work.first + i]);
+  }
+  has_[unit.unit] = true;
+  ++units_;
+  count_ += unit.count;
+}
+
+HistoryTable HistoryAssembly::take() {
+  if (units_ < has_.size()) throw std::logic_error("reduce: a unit of the plan is missing");
+  for (std::size_t record = 0; record < table_.records; ++record) {
+    const std::size_t row = record * table_.cases;
+    for (std::size_t i = 0; i < table_.cases; ++i) {
+      if (plan_.same_as[i] != i)
+        copy_case(table_, table_.fields, row + plan_.same_as[i], table_.fields, row + i);
+    }
+  }
+  mirror_residuals(plan_, table_);
+  return std::move(table_);
+}
+
+}  // namespace glissade

@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How well studies use many ranks: the scheduler simulated with measured costs, beside real runs.
+// See README.md in this folder.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <exception>
+#include <fstream>
+#include <iostream>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "cli/child.hpp"
+#include "glissade/core/file.hpp"
+#include "glissade/report/figure.hpp"
+#include "glissade/report/table.hpp"
+#include "mpi/mpirun.hpp"
+#include "study_costs.hpp"
+
+namespace glissade::test {
+namespace {
+
+// A cluster's network: 2 us one way, a remote atomic in 0.2 us, 5 GB/s; and TCP, whose requests
+// rank 0 itself answers.
+constexpr Network fabric{2e-6, 0.2e-6, true, 5e9};
+constexpr Network tcp{30e-6, 2e-6, false, 1e9};
+
+void show(const Table& table, const std::filesystem::path& out) {
+  write_text_file(out / (table.name + ".csv"), to_csv(table));
+  std::cout << to_text(table) << '\n';
+}
+
+/// Least, over the tries, of what run.json says.
+PredictedRun real_run(const std::filesystem::path& study, int ranks, int tries) {
+  PredictedRun least{INFINITY, INFINITY};
+  for (int i = 0; i < tries; ++i) {
+    const ScratchFolder folder;
+    const std::string out = folder.path("run").string();
+    const Finished run = run_on(ranks, {"run", study.string(), "--out", out});
+    if (run.status != 0) throw std::runtime_error(run.err);
+    std::ifstream in(out + "/run.json");
+    PredictedRun seconds;
+    for (const auto& [phase, s] : nlohmann::json::parse(in)["seconds"].items()) {
+      seconds.total_s += s.get<double>();
+      if (phase == "histories") seconds.histories_s = s;
+    }
+    if (seconds.total_s < least.total_s) least = seconds;
+  }
+  return least;
+}
+
+Table cost_table() {
+  return {"costs",
+          "What the studies cost, seconds of one core",
+          {text_column("study", "Study"),
+           {"histories", "", "Histories", ColumnKind::count},
+           {"units", "", "Units", ColumnKind::count},
+           {"shared_time", "s", "Shared by the ranks, s"},
+           {"longest_time", "s", "longest part, s"},
+           {"every_rank_time", "s", "On every rank, s"},
+           {"root_time", "s", "On rank 0 alone, s"},
+           {"report_time", "s", "of these the report, s"},
+           {"result_size", "byte", "Results, byte a history"}},
+          {}};
+}
+
+void add_costs(const StudyCosts& c, Table& table) {
+  double plan_parts_s = 0.0;
+  for (const double s : c.plan_parts_s) plan_parts_s += s;
+  table.add({c.name, c.histories, static_cast<double>(c.work_s.size() - c.motion_parts),
+             c.histories_s() + plan_parts_s, std::ranges::max(c.work_s), c.plan_s,
+             c.motions_s + c.tail_s + c.report_s, c.report_s, c.result_bytes / c.histories});
+}
+
+Table check_table() {
+  return {"check",
+          "Simulated and real runs on this machine",
+          {text_column("study", "Study"),
+           {"ranks", "", "Ranks", ColumnKind::count},
+           {"simulated_histories_time", "s", "Histories, s: simulated"},
+           {"histories_time", "s", "real"},
+           {"simulated_total_time", "s", "All, s: simulated"},
+           {"total_time", "s", "real"},
+           {"simulated_efficiency", "", "Efficiency: simulated", ColumnKind::share},
+           {"efficiency", "", "real", ColumnKind::share}},
+          {}};
+}
+
+/// @param cores of this machine; more ranks share them
+void check(const std::filesystem::path& study, const StudyCosts& costs, int cores, int tries,
+           Table& table) {
+  const PredictedRun one = real_run(study, 1, tries), simulated_one = predict(costs, 1, cores, {});
+  for (const int ranks : {1, 2, 4, 8}) {
+    const PredictedRun real = ranks == 1 ? one : real_run(study, ranks, tries);
+    const PredictedRun simulated = predict(costs, ranks, cores, {});
+    const double used = std::min(ranks, cores);
+    table.add({costs.name, static_cast<double>(ranks), simulated.histories_s, real.histories_s,
+               simulated.total_s, real.total_s, simulated_one.total_s / (used * simulated.total_s),
+               one.total_s / (used * real.total_s)});
+  }
+}
+
+constexpr int least_log2 = 0, first_shown_log2 = 6, most_log2 = 14;
+
+/// Efficiency over the ranks, of one way of growing.
+struct Scaling {
+  std::string name, label;
+  std::vector<double> efficiency;  ///< by log2 of the ranks, from 0 on
+};
+
+std::vector<Scaling> scalings(const StudyCosts& costs) {
+  std::vector<Scaling> all{{"strong", "samples of the study", {}},
+                           {"strong_1000", "1,000 times the samples", {}},
+                           {"weak", "samples in proportion to the ranks", {}},
+                           {"tcp", "1,000 times, without remote atomics", {}},
+                           {"tcp_when_free", "the same, nothing fetched ahead", {}}};
+  const StudyCosts large = grown(costs, 1000.0);
+  for (int log2 = least_log2; log2 <= most_log2; ++log2) {
+    const int ranks = 1 << log2;
+    all[0].efficiency.push_back(efficiency(costs, ranks, fabric));
+    all[1].efficiency.push_back(efficiency(large, ranks, fabric));
+    all[2].efficiency.push_back(efficiency(grown(costs, ranks), ranks, fabric));
+    all[3].efficiency.push_back(efficiency(large, ranks, tcp));
+    all[4].efficiency.push_back(efficiency(large, ranks, tcp, Fetch::when_free));
+  }
+  return all;
+}
+
+Table scaling_table() {
+  Table table{"scaling",
+              "Simulated efficiency on a cluster, every rank on a core of its own",
+              {text_column("study", "Study"), text_column("scaling", "Size of the study")},
+              {}};
+  for (int log2 = first_shown_log2; log2 <= most_log2; log2 += 2) {
+    table.columns.push_back(
+        {fmt::format("ranks_{}", 1 << log2), "", fmt::format("{}", 1 << log2), ColumnKind::share});
+  }
+  table.columns.push_back({"last_above", "", "80 % up to, ranks", ColumnKind::count});
+  return table;
+}
+
+void add_scaling(const StudyCosts& costs, const Scaling& scaling, Table& table) {
+  std::vector<Cell> row{costs.name, scaling.label};
+  for (int log2 = first_shown_log2; log2 <= most_log2; log2 += 2)
+    row.emplace_back(scaling.efficiency[static_cast<std::size_t>(log2)]);
+  int log2 = 0;
+  while (log2 < most_log2 && scaling.efficiency[static_cast<std::size_t>(log2 + 1)] >= 0.8) ++log2;
+  row.emplace_back(static_cast<double>(1 << log2));
+  table.add(std::move(row));
+}
+
+Panel panel(const StudyCosts& costs, const std::vector<Scaling>& all) {
+  Panel panel;
+  panel.title = costs.name;
+  panel.x = {"Ranks", 0.0, static_cast<double>(most_log2), {}, "", {}};
+  for (int log2 = 0; log2 <= most_log2; log2 += 2)
+    panel.x.ticks.push_back({static_cast<double>(log2), fmt::format("{}", 1 << log2)});
+  panel.y = {"Efficiency (%)", 0.0, 105.0, {}, "", {}};
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    DataSeries series;
+    series.kind = DataSeries::Kind::line_and_points;
+    series.look = distinct_look(i);
+    series.name = all[i].name;
+    series.label = all[i].label;
+    for (std::size_t log2 = 0; log2 < all[i].efficiency.size(); ++log2) {
+      series.x.push_back(static_cast<double>(log2));
+      series.y.push_back(100.0 * all[i].efficiency[log2]);
+    }
+    panel.series.push_back(std::move(series));
+  }
+  panel.rules.push_back({Rule::Kind::horizontal, 80.0, look(Role::reference), "80 %"});
+  return panel;
+}
+
+}  // namespace
+}  // namespace glissade::test
+
+int main(int argc, char** argv) try {
+  using namespace glissade;
+  using namespace glissade::test;
+  std::filesystem::path out;
+  std::vector<std::filesystem::path> studies;
+  int cores = 2, tries = 1;
+  CLI::App program{"Efficiency of studies on many ranks: simulated, and real on this machine"};
+  program.option_defaults()->always_capture_default();
+  program.add_option("--out", out, "folder for CSV and SVG; files there are replaced")->required();
+  program.add_option("studies", studies, "study files")->required();
+  program.add_option("--cores", cores, "of this machine")->check(CLI::PositiveNumber);
+  program.add_option("--tries", tries, "real runs, of which the quickest counts; 0: none")
+      ->check(CLI::NonNegativeNumber);
+  CLI11_PARSE(program, argc, argv);
+  std::filesystem::create_directories(out);
+
+  Table costs_of_all = cost_table(), checks = check_table(), scaling = scaling_table();
+  Figure figure{.name = "scaling",
+                .title = "Efficiency over the number of ranks, simulated with measured costs",
+                .below = "one core's time over the time of all ranks",
+                .caption = "",
+                .key_columns = 2};
+  for (const std::filesystem::path& study : studies) {
+    const ScratchFolder scratch;
+    std::filesystem::create_directories(scratch.path(""));
+    const StudyCosts costs = measure_study(study, scratch.path(""));
+    add_costs(costs, costs_of_all);
+    if (tries > 0 && mpirun_is_there()) check(study, costs, cores, tries, checks);
+    const std::vector<Scaling> all = scalings(costs);
+    for (const Scaling& one : all) add_scaling(costs, one, scaling);
+    figure.panels.push_back(panel(costs, all));
+  }
+  show(costs_of_all, out);
+  if (!checks.rows.empty()) show(checks, out);
+  show(scaling, out);
+  render_figure(figure, out);
+  return 0;
+} catch (const std::exception& error) {
+  std::cerr << "scaling: " << error.what() << '\n';
+  return 2;
+}

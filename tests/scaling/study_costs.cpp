@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "study_costs.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <ctime>
+#include <numeric>
+
+#include "glissade/io/results_file.hpp"
+#include "glissade/io/study_file.hpp"
+#include "glissade/io/suite_file.hpp"
+#include "glissade/report/write_report.hpp"
+#include "glissade/study/run/exchange.hpp"
+#include "glissade/study/run/motion_parts.hpp"
+#include "glissade/study/run/reduce.hpp"
+
+namespace glissade::test {
+namespace {
+
+double core_s() {
+  timespec t{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+}
+
+template <class Work>
+double core_seconds_of(Work work) {
+  const double begin = core_s();
+  work();
+  return core_s() - begin;
+}
+
+double sum(const std::vector<double>& x) { return std::accumulate(x.begin(), x.end(), 0.0); }
+
+}  // namespace
+
+double StudyCosts::histories_s() const { return sum(work_s); }
+
+StudyCosts measure_study(const std::filesystem::path& study, const std::filesystem::path& scratch) {
+  StudyCosts costs;
+  const StudyConfig config = read_study(study);
+  std::vector<Suite> suites;
+  costs.motions_s = core_seconds_of([&] {
+    for (const auto& file : config.suite_files) suites.push_back(load_suite(file));
+  });
+  costs.motion_bytes = static_cast<double>(pack(suites).size());
+  Plan plan;
+  costs.plan_s = core_seconds_of([&] {
+    plan = make_plan(config, std::move(suites), [&](std::size_t count, const Part& part) {
+      return compute_parts_here(count, [&](std::size_t i) {
+        std::vector<double> numbers;
+        costs.plan_parts_s.push_back(core_seconds_of([&] { numbers = part(i); }));
+        return numbers;
+      });
+    });
+  });
+  costs.plan_s -= sum(costs.plan_parts_s);
+  costs.name = config.name;
+  costs.histories = static_cast<double>(plan.histories());
+
+  std::vector<std::vector<double>> parts;
+  costs.motion_parts = motion_part_count(plan);
+  for (std::size_t i = 0; i < costs.motion_parts; ++i)
+    costs.work_s.push_back(core_seconds_of([&] { parts.push_back(motion_part(plan, i)); }));
+  RoofStore roofs(plan, Skipping::all);
+  std::vector<UnitResult> units;
+  for (const std::size_t number : longest_first(plan, 0)) {
+    UnitResult unit;
+    costs.work_s.push_back(core_seconds_of([&] { unit = execute(plan, number, roofs); }));
+    costs.result_bytes += static_cast<double>(pack(unit).size());
+    units.push_back(std::move(unit));
+  }
+  Results results;
+  costs.tail_s = core_seconds_of([&] {
+    results = reduce(plan, std::move(units), parts);
+    write_results(scratch / "results.h5", results);
+  });
+  const auto begin = std::chrono::steady_clock::now();
+  write_report(results, scratch, {});
+  costs.report_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return costs;
+}
+
+StudyCosts grown(const StudyCosts& costs, double factor) {
+  // As cut_units() in study/plan: 512 units, of 2 ms to 5 s.
+  const double units = static_cast<double>(costs.work_s.size() - costs.motion_parts);
+  const double units_s =
+      std::accumulate(costs.work_s.begin() + static_cast<std::ptrdiff_t>(costs.motion_parts),
+                      costs.work_s.end(), 0.0);
+  const double unit_s = std::clamp(units_s * factor / 512.0, 2e-3, 5.0);
+  const double longer = std::max(1.0, unit_s / (units_s / units));
+  StudyCosts more = costs;
+  more.histories *= factor;
+  more.plan_s *= factor;
+  more.tail_s *= factor;
+  more.result_bytes *= factor;
+  more.work_s.resize(costs.motion_parts);
+  const auto count = static_cast<std::size_t>(std::max(1.0, std::round(units * factor / longer)));
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t like = i % (costs.work_s.size() - costs.motion_parts);
+    more.work_s.push_back(longer * costs.work_s[costs.motion_parts + like]);
+  }
+  return more;
+}
+
+PredictedRun predict(const StudyCosts& costs, int ranks, int cores, const Network& network,
+                     Fetch fetch) {
+  const double slowdown = std::max(1.0, static_cast<double>(ranks) / cores);
+  const double others = ranks - 1, rounds = std::ceil(std::log2(ranks));
+  PredictedRun run;
+  run.histories_s = makespan_s(costs.work_s, ranks, network, fetch, slowdown) +
+                    costs.result_bytes * others / ranks / network.bytes_per_s +
+                    others * 2.0 * network.latency_s;
+  run.total_s = costs.motions_s + rounds * costs.motion_bytes / network.bytes_per_s +
+                makespan_s(costs.plan_parts_s, ranks, network, fetch, slowdown) +
+                slowdown * costs.plan_s + run.histories_s + costs.tail_s + costs.report_s;
+  return run;
+}
+
+double efficiency(const StudyCosts& costs, int ranks, const Network& network, Fetch fetch) {
+  return predict(costs, 1, 1, network, fetch).total_s /
+         (ranks * predict(costs, ranks, ranks, network, fetch).total_s);
+}
+
+}  // namespace glissade::test

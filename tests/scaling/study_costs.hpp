@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "schedule.hpp"
+
+namespace glissade::test {
+
+/// What a study costs by part, in seconds of one core.
+struct StudyCosts {
+  std::string name;
+  double histories = 0.0;
+  double motions_s = 0.0;            ///< rank 0 alone
+  std::vector<double> plan_parts_s;  ///< shared
+  double plan_s = 0.0;               ///< the rest, on every rank
+  std::vector<double> work_s;        ///< motion parts and units, as they go out
+  std::size_t motion_parts = 0;      ///< of work_s, first
+  double tail_s = 0.0;               ///< analyses and results file, rank 0 alone
+  double report_s = 0.0;             ///< tables, figures and report, rank 0 alone
+  double motion_bytes = 0.0, result_bytes = 0.0;
+
+  double histories_s() const;  ///< of work_s, the sum
+};
+
+/// Runs every part of a study by itself and measures its time on the core, so that other programs
+/// on the machine count little; of the report the time that passes.
+StudyCosts measure_study(const std::filesystem::path& study, const std::filesystem::path& scratch);
+
+/// The study with `factor` times the samples: its units are cut as those of the plan are.
+StudyCosts grown(const StudyCosts& costs, double factor);
+
+struct PredictedRun {
+  double histories_s = 0.0, total_s = 0.0;
+};
+/// @param cores that the ranks share
+PredictedRun predict(const StudyCosts& costs, int ranks, int cores, const Network& network,
+                     Fetch fetch = Fetch::ahead);
+/// One core's time over what all ranks take.
+double efficiency(const StudyCosts& costs, int ranks, const Network& network,
+                  Fetch fetch = Fetch::ahead);
+
+}  // namespace glissade::test
