@@ -101,7 +101,8 @@ TEST(suite_average_factor, at_period_zero_compares_the_srss_of_the_peaks) {
   suite.motions.resize(1);
   suite.motions[0].dt_s = 0.01;
   suite.motions[0].horizontal_mps2 = {{{0.0, 3.0}, {0.0, -4.0}}};
-  const double factor = suite_average_factor(suite, [](double) { return 1.0; }, {0.0});
+  const double factor = suite_average_factor(
+      suite, [](double) { return 1.0; }, std::vector<double>{0.0});
   EXPECT_NEAR(factor, standard_gravity_mps2 / 5.0, 1e-15);
 }
 

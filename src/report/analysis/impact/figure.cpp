@@ -45,27 +45,14 @@ DataSeries speeds_at(const Results& results, const RunResults& run, std::size_t 
   return points;
 }
 
-/// Kinetic energy by mass on the axis of speeds, in round numbers with space between them.
-std::vector<Tick> energy_ticks(double largest_mps) {
-  std::vector<Tick> ticks{{0.0, "0"}};
-  for (int power = -5; power < 5; ++power) {
-    for (const int digit : {1, 2, 3, 5, 7}) {
-      const double energy = digit * std::pow(10.0, power), speed = std::sqrt(2.0 * energy);
-      if (speed <= largest_mps && speed - ticks.back().at >= 0.07 * largest_mps)
-        ticks.push_back({speed, fmt::format("{:g}", energy)});
-    }
-  }
-  return ticks;
-}
-
 }  // namespace
 
 Figure impact_figure(const Results& results, const RunResults& run) {
   Figure figure{
       "impact", "Speed of the array when it first reaches a clearance",
       "given that it is reached; " + counts_of(results) + "; " + friction_of(results, run),
-      "Speed (left) and kinetic energy by mass (right: what a parapet there must absorb for each "
-      "kilogram that moves together). " +
+      "Half its square is the energy in J that a parapet there must absorb for each kilogram that "
+      "moves together. " +
           impact_explained() +
           " Points: median over all histories (records and samples together) that reach it, at "
           "three levels of intensity at most; bars: 16th to 84th percentile. Clearances that fewer "
@@ -100,12 +87,7 @@ Figure impact_figure(const Results& results, const RunResults& run) {
   panel.series.push_back({DataSeries::Kind::bars, look(Role::largest), "",
                           "bars: 16th to 84th percentile of the histories that reach it"});
   const double shown_mps = top_mps > 0.0 ? 1.08 * top_mps : 1.0;
-  panel.y = {"Speed in plan, relative to the roof (m/s)",
-             0.0,
-             shown_mps,
-             {},
-             "Kinetic energy by mass, v²/2 (J/kg)",
-             energy_ticks(shown_mps)};
+  panel.y = {"Speed in plan, relative to the roof (m/s)", 0.0, shown_mps};
   figure.panels = {std::move(panel)};
   return figure;
 }
