@@ -153,9 +153,11 @@ Figure ida_figure(const Results& results, const RunResults& run) {
   panel.x = length_axis("Peak slip in plan", 1.25 * (widest_m > 0.0 ? widest_m : 1.0));
   for (const double threshold_m : results.thresholds_m) {
     panel.rules.push_back({Rule::Kind::vertical, threshold_m, look(Role::reference)});
-    if (threshold_m < panel.x.high)
-      panel.notes.push_back({threshold_m, 0.05 * panel.y.high, short_length(threshold_m),
-                             look(Role::reference).colour});
+    if (threshold_m >= panel.x.high) continue;
+    const double height =
+        0.04 + 0.05 * static_cast<double>(panel.notes.size() % 3);  // side by side
+    panel.notes.push_back({threshold_m, height * panel.y.high, short_length(threshold_m),
+                           look(Role::reference).colour});
   }
   if (!panel.rules.empty())
     panel.rules.front().label = "clearances: " + list_of_lengths(results.thresholds_m);
