@@ -75,11 +75,11 @@ Hdf5Image::~Hdf5Image() {
 
 std::string_view Hdf5Image::bytes() {
   checked(H5Fflush(*file_, H5F_SCOPE_GLOBAL), "flush the file");
-  hsize_t size = 0;
-  checked(H5Fget_filesize(*file_, &size), "size the file");
+  // Without the memory that its last growth left over.
+  const ssize_t size = checked(H5Fget_file_image(*file_, nullptr, 0), "size the file");
   file_.reset();
   if (memory_ == nullptr) throw Hdf5Error("close the file");
-  return {static_cast<const char*>(memory_), size};
+  return {static_cast<const char*>(memory_), static_cast<std::size_t>(size)};
 }
 
 Hdf5Writer Hdf5Writer::group(const std::string& name) const {
