@@ -22,7 +22,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// One curve of many that the data allow; a bound has no line.
-struct Candidate {
+struct CandidateFit {
   PointFit point;
   double floor = 0.0;
 
@@ -49,8 +49,8 @@ struct Candidate {
   }
 };
 
-Candidate fit_weighted(const Records& records, const Eigen::VectorXd& weights,
-                       const ProbitLine& start) {
+CandidateFit fit_weighted(const Records& records, const Eigen::VectorXd& weights,
+                          const ProbitLine& start) {
   const double floor = records.floor(weights);
   if (floor == 1) return {{FitStatus::always_exceeds}, 1};
   return {records.fit(weights, start), floor};
@@ -59,15 +59,15 @@ Candidate fit_weighted(const Records& records, const Eigen::VectorXd& weights,
 /// Curves that the data allow, in families: an interval of any quantity goes from the lowest end of
 /// its families to the highest. As the curves rise, so do the ends of the interval of P over
 /// intensity; and that of P = 1/2 is crossed where the interval of the intensity of P = 1/2 ends.
-class Candidates {
+class CandidateFits {
  public:
-  Candidates(const Records& records, const Candidate& pooled, const BootstrapOptions& options)
+  CandidateFits(const Records& records, const CandidateFit& pooled, const BootstrapOptions& options)
       : floor_varies_(records.floor_varies()), floor_(pooled.floor) {
     const auto count = static_cast<std::size_t>(records.count());
     const double tail = 0.5 - 0.5 * options.level;
     const bool drawn = pooled.point.status == FitStatus::maximum_likelihood;
     const double expanded = expanded_tail(count, options.level);
-    std::vector<Candidate> resamples;
+    std::vector<CandidateFit> resamples;
     for (int r = 0; r < options.replicates && (floor_varies_ || !drawn); ++r) {
       const std::vector<double> times = draw_records(count, options, r);
       const Eigen::Map<const Eigen::VectorXd> weights(times.data(), records.count());
@@ -92,7 +92,7 @@ class Candidates {
       method_ = "variance between records (sandwich, chi-square)";
     } else {
       tail_ = expanded;
-      const auto without = std::ranges::count_if(resamples, [](const Candidate& resample) {
+      const auto without = std::ranges::count_if(resamples, [](const CandidateFit& resample) {
         return resample.point.status != FitStatus::maximum_likelihood;
       });
       note_ = std::to_string(without) + " of " + std::to_string(resamples.size()) +
@@ -103,18 +103,18 @@ class Candidates {
   }
 
   Interval log_median() const {
-    return interval_of([](const Candidate& c) { return c.log_intensity_at(0); });
+    return interval_of([](const CandidateFit& c) { return c.log_intensity_at(0); });
   }
   /// NaN where the floor is one half or more in all.
   Interval log_p50() const {
-    return !floor_varies_ && floor_ >= 0.5 ? Interval{} : interval_of(&Candidate::log_p50);
+    return !floor_varies_ && floor_ >= 0.5 ? Interval{} : interval_of(&CandidateFit::log_p50);
   }
   Interval floor() const {
-    return floor_varies_ ? interval_of([](const Candidate& c) { return c.floor; }) : Interval{};
+    return floor_varies_ ? interval_of([](const CandidateFit& c) { return c.floor; }) : Interval{};
   }
-  Interval log_log_std() const { return interval_of(&Candidate::log_log_std); }
+  Interval log_log_std() const { return interval_of(&CandidateFit::log_log_std); }
   Interval probability_at(double y) const {
-    return interval_of([y](const Candidate& c) { return c.probability_at(y); });
+    return interval_of([y](const CandidateFit& c) { return c.probability_at(y); });
   }
   const std::string& method() const { return method_; }
   const std::string& note() const { return note_; }
@@ -128,9 +128,10 @@ class Candidates {
   }
   Interval interval_of(const auto& quantity) const {
     Interval whole;
-    for (const std::vector<Candidate>& family : families_) {
+    for (const std::vector<CandidateFit>& family : families_) {
       std::vector<double> values;
-      for (const Candidate& candidate : family) values.push_back(std::invoke(quantity, candidate));
+      for (const CandidateFit& candidate : family)
+        values.push_back(std::invoke(quantity, candidate));
       const Interval one = percentile_interval(std::move(values), tail_);
       whole = {std::fmin(whole.low, one.low), std::fmax(whole.high, one.high)};
     }
@@ -139,7 +140,7 @@ class Candidates {
 
   bool floor_varies_;
   double floor_, tail_ = 0.0;
-  std::vector<std::vector<Candidate>> families_;
+  std::vector<std::vector<CandidateFit>> families_;
   std::string method_, note_;
 };
 
@@ -148,7 +149,7 @@ FitSummary fit_by_record(const Records& records, const BootstrapOptions& options
   GLISSADE_EXPECTS(options.replicates >= 100);
   GLISSADE_EXPECTS(options.level > 0 && options.level < 1);
   if (band != nullptr) band->assign(band_intensities.size(), Interval{});
-  const Candidate pooled =
+  const CandidateFit pooled =
       fit_weighted(records, Eigen::VectorXd::Ones(records.count()), records.first_guess());
   FitSummary summary;
   if (pooled.floor == 1) return summarise_always();
@@ -176,7 +177,7 @@ FitSummary fit_by_record(const Records& records, const BootstrapOptions& options
     add_sentence(summary.note, "one record: no interval");
     return summary;
   }
-  const Candidates candidates(records, pooled, options);
+  const CandidateFits candidates(records, pooled, options);
   const Interval log_median = candidates.log_median(), log_log_std = candidates.log_log_std();
   summary.median_interval = {std::exp(records.center() + log_median.low),
                              std::exp(records.center() + log_median.high)};

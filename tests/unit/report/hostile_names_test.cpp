@@ -42,7 +42,7 @@ TEST(gnuplot_script, quotes_what_could_end_or_act_in_a_string) {
   EXPECT_EQ(Quoted("it's").str(), "'it\u2019s'");
   EXPECT_EQ(Quoted("a\nb\rc\td").str(), "'a b c d'");
   EXPECT_EQ(Quoted("{x}_1^2@&~\\").str(), "'\\{x\\}\\_1\\^2\\@\\&\\~\\\\'");
-  EXPECT_EQ(Quoted("S_DS (g)").str(), "'S_{DS}\u00a0(g)'");
+  EXPECT_EQ(Quoted("S_DS (g)").str(), "'S_{/*1.15 DS}\u00a0(g)'");
   EXPECT_EQ(Quoted("b", Quoted::Weight::bold).str(), "'{/:Bold b}'");
 }
 
