@@ -2,8 +2,6 @@
 #include "results/envelope.hpp"
 
 #include <new>
-#include <optional>
-#include <string_view>
 
 #include "glissade/core/error.hpp"
 #include "glissade/core/file.hpp"
@@ -33,17 +31,16 @@ void check_type_and_version(const ResultsKind& kind, const Hdf5Reader& root) {
 void write_results_of(const ResultsKind& kind, const std::filesystem::path& file,
                       const std::function<void(const Hdf5Writer&)>& content) {
   const Hdf5Silence silence;
-  std::optional<Hdf5Image> image;
-  std::string_view bytes;
+  std::string bytes;
   try {
-    image.emplace();
+    const Hdf5Image image;
     {
-      const Hdf5Writer root(*image);
+      const Hdf5Writer root(image);
       root.attribute("file_type", std::string(kind.file_type));
       root.attribute("format_version", static_cast<std::uint64_t>(kind.format_version));
       content(root);
     }
-    bytes = image->bytes();
+    bytes = image.bytes();
   } catch (const Hdf5Error& error) {
     throw InputError({file.string(),
                       std::string("the results could not be put together: cannot ") + error.what(),

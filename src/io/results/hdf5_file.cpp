@@ -2,7 +2,6 @@
 #include "results/hdf5_file.hpp"
 
 #include <algorithm>
-#include <cstdlib>
 #include <cstring>
 
 namespace glissade {
@@ -21,25 +20,12 @@ Hdf5Handle timeless(hid_t property_class) {
   return properties;
 }
 
-// The memory of a file outlives its closing: the user's data is where its address is left.
-void* allocate(std::size_t size, H5FD_file_image_op_t, void*) { return std::malloc(size); }
-void* reallocate(void* memory, std::size_t size, H5FD_file_image_op_t, void*) {
-  return std::realloc(memory, size);
-}
-herr_t leave(void* memory, H5FD_file_image_op_t, void* address) {
-  *static_cast<void**>(address) = memory;
-  return 0;
-}
-void* same(void* address) { return address; }
-herr_t keep(void*) { return 0; }
-
-/// @param memory gets the address of the file's bytes when it is closed
-Hdf5Handle create_in_memory(void** memory) {
+Hdf5Handle create_in_memory() {
   constexpr std::size_t growth_bytes = std::size_t{1} << 22;
   const Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "make properties");
   checked(H5Pset_fapl_core(access, growth_bytes, false), "write into memory");
-  H5FD_file_image_callbacks_t callbacks{allocate, nullptr, reallocate, leave, same, keep, memory};
-  checked(H5Pset_file_image_callbacks(access, &callbacks), "write into memory of its own");
+  // The oldest superblock: H5Fget_file_image (1.10) clears the open mark of newer ones without
+  // renewing their checksum.
   checked(H5Pset_libver_bounds(access, H5F_LIBVER_EARLIEST, H5F_LIBVER_V18), "fix the format");
   const Hdf5Handle creation = timeless(H5P_FILE_CREATE);
   // Gives the root group the newer object header, whose attributes may be longer than 64 KiB (the
@@ -66,20 +52,14 @@ void write_text_attribute(hid_t object, const std::string& name, const std::stri
 
 }  // namespace
 
-Hdf5Image::Hdf5Image() : file_(create_in_memory(&memory_)) {}
+Hdf5Image::Hdf5Image() : file_(create_in_memory()) {}
 
-Hdf5Image::~Hdf5Image() {
-  file_.reset();
-  std::free(memory_);
-}
-
-std::string_view Hdf5Image::bytes() {
-  checked(H5Fflush(*file_, H5F_SCOPE_GLOBAL), "flush the file");
-  // Without the memory that its last growth left over.
-  const ssize_t size = checked(H5Fget_file_image(*file_, nullptr, 0), "size the file");
-  file_.reset();
-  if (memory_ == nullptr) throw Hdf5Error("close the file");
-  return {static_cast<const char*>(memory_), static_cast<std::size_t>(size)};
+std::string Hdf5Image::bytes() const {
+  checked(H5Fflush(file_, H5F_SCOPE_GLOBAL), "flush the file");
+  const ssize_t size = checked(H5Fget_file_image(file_, nullptr, 0), "size the file");
+  std::string bytes(static_cast<std::size_t>(size), '\0');
+  checked(H5Fget_file_image(file_, bytes.data(), bytes.size()), "copy the file");
+  return bytes;
 }
 
 Hdf5Writer Hdf5Writer::group(const std::string& name) const {

@@ -3,9 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "results/hdf5_handle.hpp"
@@ -24,16 +22,11 @@ using Dims = std::vector<hsize_t>;
 class Hdf5Image {
  public:
   Hdf5Image();
-  ~Hdf5Image();
-  Hdf5Image(const Hdf5Image&) = delete;
-  Hdf5Image& operator=(const Hdf5Image&) = delete;
-  hid_t root() const { return *file_; }
-  /// Closes the file: the only copy of it, valid as long as this.
-  std::string_view bytes();
+  hid_t root() const { return file_; }
+  std::string bytes() const;
 
  private:
-  void* memory_ = nullptr;  ///< of the closed file
-  std::optional<Hdf5Handle> file_;
+  Hdf5Handle file_;
 };
 
 /// Writes into one group. No times are stored, and sizes and types are fixed: the same content
