@@ -47,7 +47,7 @@ std::string length_number(double length_m, UnitSystem units) {
   if (is_small(length_m)) return si ? "< 0.001" : "< 0.02";
   const double value = si ? length_m : length_m / inch_m;
   const int decimals = si ? 4 : 3;
-  const std::string text = format_number(value);
+  std::string text = format_number(value);
   const std::size_t point = text.find('.');
   if (point == std::string::npos || text.size() - point - 1 <= static_cast<std::size_t>(decimals))
     return text;
