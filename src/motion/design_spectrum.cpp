@@ -209,10 +209,7 @@ double TargetSpectrum::sd1_g() const {
 
 SiteClass parse_site_class(const std::string& text) {
   if (text == "F")
-    throw InputError({"",
-                      "site class F has no site coefficients: ASCE 7-16, 11.4.7 and 20.3.1 "
-                      "(recalled) require a site response analysis",
-                      "use the spectrum of that analysis", ""});
+    throw InputError({"", site_class_f_refusal, "use the spectrum of that analysis", ""});
   return parse<SiteClass>(text, site_class_names, "a site class");
 }
 

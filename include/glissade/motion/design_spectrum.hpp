@@ -68,6 +68,10 @@ class TargetSpectrum {
 };
 
 /// "A" ... "E", "default"; InputError otherwise.
+/// What is said of site class F, which the enumeration has not.
+inline constexpr const char* site_class_f_refusal =
+    "site class F has no site coefficients: ASCE 7-16, 11.4.7 and 20.3.1 (recalled) require a site "
+    "response analysis";
 SiteClass parse_site_class(const std::string& text);
 std::string to_string(SiteClass site);
 AsceEdition parse_asce_edition(const std::string& text);  ///< "asce7_10", "asce7_16"

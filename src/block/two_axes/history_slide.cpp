@@ -17,6 +17,8 @@ namespace {
 constexpr double least_event_weight = 1.2 * least_weight;
 /// Of the permitted error of a stop: a shorter path may pass a peak or a threshold unseen.
 constexpr double negligible_stop = 50.0;
+/// Of the permitted error of a step's acceleration: where the iteration of a stage ends.
+constexpr double stage_tolerance = 1e-4;
 
 Vector velocity(const HistoryState& state) { return {state.motion.v_s, state.motion.v_y}; }
 
@@ -39,7 +41,7 @@ Vector stage(const Constants<double>& c, const FrictionEllipse& friction, Vector
                             : (-1.0 / gamma_h) * known;
     const double change = length(next - a);
     a = next;
-    if (even || change <= 1e-4 * c.tolerance * lambda) break;
+    if (even || change <= stage_tolerance * c.tolerance * lambda) break;
   }
   return a;
 }

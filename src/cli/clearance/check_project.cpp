@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 #include "commands.hpp"
 #include "glissade/core/error.hpp"
@@ -25,8 +24,11 @@ namespace fs = std::filesystem;
 /// A folder of the system's temporary ones, removed in the end.
 class TrialFolder {
  public:
-  TrialFolder() : path_(fs::temp_directory_path() / fmt::format("glissade-check-{}", getpid())) {
-    fs::create_directories(path_);
+  TrialFolder() {
+    std::string name = (fs::temp_directory_path() / "glissade-check-XXXXXX").string();
+    if (mkdtemp(name.data()) == nullptr)
+      throw InputError({name, "cannot be made", "set TMPDIR to a folder you may write to", ""});
+    path_ = name;
   }
   ~TrialFolder() {
     std::error_code ignored;

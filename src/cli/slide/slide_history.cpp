@@ -95,7 +95,7 @@ SlideHistory on_known_roof(const SlideOptions& o, const Motion& motion, double f
   // a row for each, is sampled as roof_motion() does by itself.
   if (o.history.empty()) follow.steps_per_period = 8000;
   const RoofMotion roof_table = roof_motion(ground, building, follow);
-  const RoofAcceleration roof = felt_by(block, roof_table, {factor, factor});
+  const RoofAcceleration roof = excitation_of(block, roof_table, {factor, factor});
 
   SlideHistory h;
   if (o.method != "event") {

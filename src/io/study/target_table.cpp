@@ -14,9 +14,7 @@ bool is_class_f(const TomlTable& table, const char* key) {
                                              ? table.texts(key).value_or(std::vector<std::string>{})
                                              : std::vector{table.text(key).value_or("")};
   if (std::ranges::find(names, "F") == names.end()) return false;
-  table.report(key,
-               "site class F has no site coefficients: ASCE 7-16, 11.4.7 and 20.3.1 (recalled) "
-               "require a site response analysis",
+  table.report(key, site_class_f_refusal,
                "give the spectrum of that analysis as spectrum = \"FILE.csv\", in place of ss_g, "
                "s1_g and the class");
   return true;

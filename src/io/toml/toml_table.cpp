@@ -23,7 +23,7 @@ struct TomlDocument::State {
   struct Found {
     Problem problem;
     std::string table;
-    enum class Kind { old_key, unknown_key, value, idle } kind;
+    ProblemKind kind;
   };
   std::vector<Found> found;
   /// Keys that were read, by table; only tables that are being read are here. Never iterated: order
@@ -186,7 +186,7 @@ void TomlDocument::State::find_unknown_keys(const toml::table& table, const std:
         suggestion += (suggestion.empty() ? "known are " : ", ") + word;
     }
     found.push_back({problem(at, path + name + " is not a known key", suggestion), table_of(path),
-                     old != nullptr ? Found::Kind::old_key : Found::Kind::unknown_key});
+                     old != nullptr ? ProblemKind::old_key : ProblemKind::unknown_key});
     const toml::table* gone = old != nullptr ? table[name].as_table() : nullptr;
     if (gone != nullptr) find_old_keys(*gone, path + name + ".");
   }
@@ -197,12 +197,12 @@ void TomlDocument::State::find_old_keys(const toml::table& table, const std::str
     const std::string name = path + std::string(key.str());
     if (const RenamedKey* old = renamed_key(name))
       found.push_back({problem(key.source().begin, name + " is not a known key", old->now),
-                       table_of(path), Found::Kind::old_key});
+                       table_of(path), ProblemKind::old_key});
   }
 }
 
 void TomlDocument::State::find_changed_keys() {
-  const auto is_old = [](const Found& f) { return f.kind == Found::Kind::old_key; };
+  const auto is_old = [](const Found& f) { return f.kind == ProblemKind::old_key; };
   if (std::ranges::none_of(found, is_old)) return;
   for (const ChangedKey& key : changed) {
     const toml::node* node = root.at_path(key.name).node();
@@ -216,7 +216,7 @@ void TomlDocument::State::find_changed_keys() {
     const toml::source_position at =
         node != nullptr ? node->source().begin : toml::source_position{};
     found.push_back({problem(at, key.name + " " + key.what, key.now),
-                     table_of(key.name.substr(0, key.name.rfind('.') + 1)), Found::Kind::old_key});
+                     table_of(key.name.substr(0, key.name.rfind('.') + 1)), ProblemKind::old_key});
   }
 }
 
@@ -224,14 +224,14 @@ void TomlDocument::State::throw_if_any() const {
   ProblemList problems;
   std::set<std::string> old_tables;
   for (const Found& f : found) {
-    if (f.kind != Found::Kind::old_key) continue;
+    if (f.kind != ProblemKind::old_key) continue;
     problems.add(f.problem);
     old_tables.insert({f.table, ""});
   }
   for (const Found& f : found) {
-    const bool follows = (f.kind == Found::Kind::value && old_tables.contains(f.table)) ||
-                         (f.kind == Found::Kind::idle && !old_tables.empty());
-    if (f.kind != Found::Kind::old_key && !follows) problems.add(f.problem);
+    const bool follows = (f.kind == ProblemKind::value && old_tables.contains(f.table)) ||
+                         (f.kind == ProblemKind::idle && !old_tables.empty());
+    if (f.kind != ProblemKind::old_key && !follows) problems.add(f.problem);
   }
   problems.throw_if_any();
 }
@@ -288,7 +288,7 @@ std::string TomlDocument::text_in_key_units() const {
 }
 
 void TomlDocument::add(Problem problem) {
-  state_->found.push_back({std::move(problem), "", State::Found::Kind::unknown_key});
+  state_->found.push_back({std::move(problem), "", ProblemKind::unknown_key});
 }
 
 void TomlDocument::finish() {
@@ -325,16 +325,14 @@ bool TomlTable::is_array(std::string_view key) const {
 }
 
 void TomlTable::report(std::string_view key, std::string what, std::string suggestion,
-                       Kind kind) const {
-  using Found = TomlDocument::State::Found;
-  constexpr Found::Kind kinds[] = {Found::Kind::value, Found::Kind::old_key, Found::Kind::idle};
+                       ProblemKind kind) const {
   toml::source_position at{};
   if (node_ != nullptr) {
     const toml::node* node = key.empty() ? nullptr : as_table(node_).get(key);
     at = (node != nullptr ? node->source() : as_table(node_).source()).begin;
   }
   document_->found.push_back({document_->problem(at, std::move(what), std::move(suggestion)),
-                              table_of(path_), kinds[static_cast<std::size_t>(kind)]});
+                              table_of(path_), kind});
 }
 
 void TomlTable::report(std::string_view key, const InputError& error) const {

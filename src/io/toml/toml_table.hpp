@@ -49,6 +49,10 @@ struct ChangedKey {
   std::string now;   ///< what to write for the same numbers
 };
 
+/// What a problem is of: a key of the grammar (`value`), of an earlier one, of none, or one that has
+/// no effect.
+enum class ProblemKind { value, old_key, unknown_key, idle };
+
 class TomlTable;
 
 /// The text of a TOML document in one form, without some of its tables: equal where two documents
@@ -125,11 +129,11 @@ class TomlTable {
 
   /// Notes a problem at the value of `key` ("" or an absent key: at the table).
   void report(std::string_view key, std::string what, std::string suggestion = "") const {
-    report(key, std::move(what), std::move(suggestion), Kind::value);
+    report(key, std::move(what), std::move(suggestion), ProblemKind::value);
   }
   /// Notes that a key has no effect.
   void report_idle(std::string_view key, std::string what) const {
-    report(key, std::move(what), "it has no effect here: leave it out", Kind::idle);
+    report(key, std::move(what), "it has no effect here: leave it out", ProblemKind::idle);
   }
   /// Notes problems reported without a place (validate(...)) at the value of `key`.
   void report(std::string_view key, const InputError& error) const;
@@ -158,8 +162,7 @@ class TomlTable {
   }
   void report_unknown_word(std::string_view key, const std::string& word,
                            const std::vector<std::string>& known) const;
-  enum class Kind { value, old_key, idle };
-  void report(std::string_view key, std::string what, std::string suggestion, Kind kind) const;
+  void report(std::string_view key, std::string what, std::string suggestion, ProblemKind kind) const;
 
   TomlDocument::State* document_;
   const void* node_;  ///< a toml::table, or null

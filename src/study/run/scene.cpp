@@ -22,7 +22,7 @@ RoofMotionOptions follow_roof(std::span<const Block> blocks, double largest_fact
           .settle_deceleration_mps2 = deceleration / largest_factor};
 }
 
-RoofAcceleration felt_by(const Block& block, const RoofMotion& roof, const MotionFactors& factors) {
+RoofAcceleration excitation_of(const Block& block, const RoofMotion& roof, const MotionFactors& factors) {
   RoofAcceleration excitation{roof.dt_s, roof.horizontal_mps2, roof.vertical_mps2,
                               factors.horizontal, factors.vertical};
   if (resting_deceleration_mps2(block) == 0.0) {

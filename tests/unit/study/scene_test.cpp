@@ -17,7 +17,7 @@ using test::made_up_record;
 SlipResult slide_on(const Building& building, const GroundMotion& ground, const Block& block,
                     double factor, RoofMotionOptions options) {
   const RoofMotion roof = roof_motion(ground, building, options);
-  return slide(felt_by(block, roof, {factor, factor}), block);
+  return slide(excitation_of(block, roof, {factor, factor}), block);
 }
 
 TEST(scene, follows_the_ring_down_far_enough_for_a_block_still_on_its_way) {
@@ -57,8 +57,8 @@ TEST(scene, ends_a_free_slider_with_the_record) {
                                   {.friction = 0.5}};
   const RoofMotion roof = roof_motion(ground, building, follow_roof(blocks, 1.0));
   ASSERT_GT(roof.horizontal_mps2.size(), roof.record_samples);  // the other block needs a ring-down
-  EXPECT_EQ(felt_by(blocks[0], roof, {}).horizontal_mps2.size(), roof.record_samples);
-  EXPECT_EQ(felt_by(blocks[1], roof, {}).horizontal_mps2.size(), roof.horizontal_mps2.size());
+  EXPECT_EQ(excitation_of(blocks[0], roof, {}).horizontal_mps2.size(), roof.record_samples);
+  EXPECT_EQ(excitation_of(blocks[1], roof, {}).horizontal_mps2.size(), roof.horizontal_mps2.size());
   EXPECT_NEAR(static_cast<double>(roof.record_samples - 1) * roof.dt_s, 2.99, 1e-9);
 }
 

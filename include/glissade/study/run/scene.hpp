@@ -20,7 +20,7 @@ RoofMotionOptions follow_roof(std::span<const Block> blocks, double largest_fact
 
 /// The roof motion that acts on a block: all of it, or for a free slider the part up to the
 /// record's last sample, where its displacement is reported.
-RoofAcceleration felt_by(const Block& block, const RoofMotion& roof, const MotionFactors& factors);
+RoofAcceleration excitation_of(const Block& block, const RoofMotion& roof, const MotionFactors& factors);
 
 /// What moves a building under a motion: both horizontals, and the vertical through its own
 /// oscillator (period 0: unchanged), in steps short enough for that.

@@ -24,9 +24,8 @@ std::string impact_explained() {
   return "Each number is conditional on impact: histories that do not reach the "
          "clearance are left out, and the share that reaches it is given beside it. The speed is "
          "that of the array relative to the roof, in plan, as it first reaches that distance from "
-         "where it "
-         "lay; its kinetic energy is v^2/2 for each kilogram that moves together. The histories "
-         "slide on as if nothing stood there: a parapet that stops the array changes what follows.";
+         "where it lay. The kinetic energy (J) of each kilogram that moves together is half the "
+         "square of the speed; a parapet there must absorb it. The histories slide on as if nothing stood there: a parapet that stops the array changes what follows.";
 }
 
 Table impact_table(const Results& results) {
