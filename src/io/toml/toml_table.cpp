@@ -351,7 +351,7 @@ void TomlTable::report_unknown_word(std::string_view key, const std::string& wor
                                     const std::vector<std::string>& known) const {
   const std::string given = name_of(key) + " = \"" + word + "\"";
   if (const RenamedKey* old = document_->renamed_key(given))
-    return report(key, given + " is not known", old->now, Kind::old_key);
+    return report(key, given + " is not known", old->now, ProblemKind::old_key);
   const std::string nearest = nearest_word(word, known);
   std::string suggestion = nearest.empty() ? "" : "did you mean \"" + nearest + "\"? ";
   for (std::size_t i = 0; i < known.size(); ++i)
