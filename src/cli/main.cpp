@@ -123,7 +123,8 @@ int main(int argc, char** argv) {
     const glissade::MpiSession mpi(argc, argv);
     const glissade::Communicator world = mpi.world();
     const std::string_view command = argc > 1 ? argv[1] : "run";
-    if (!world.is_root() && command != "run" && command != "check" && command != "clearance")
+    if (!world.is_root() && command != "run" && command != "merge" && command != "check" &&
+        command != "clearance")
       return 0;  // the other commands are for one
     try {
       return run_program(argc, argv, world);

@@ -22,6 +22,7 @@ struct RunIdentity {
   std::string layout;  ///< unit_layout() of the plan
   std::filesystem::path study_file;
   std::string study_text;
+  PlanPart part = {};
 };
 
 RunIdentity identity_of(const Plan& plan, const std::string& program_version);
@@ -36,6 +37,9 @@ bool has_identity(const std::filesystem::path& run_folder);
 /// resumed.
 void check_same_run(const RunIdentity& begun, const RunIdentity& now,
                     const std::filesystem::path& run_folder);
+
+/// Copies the journals of one run folder beside those of another.
+void copy_journals(const std::filesystem::path& from, const std::filesystem::path& to);
 
 /// Whether any unit is in the journals.
 bool has_units(const std::filesystem::path& run_folder);

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
+#include <charconv>
 #include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <optional>
 
 #include "commands.hpp"
+#include "glissade/core/bytes.hpp"
 #include "glissade/core/file.hpp"
 #include "glissade/io/journal.hpp"
 #include "glissade/io/project_file.hpp"
@@ -72,22 +74,44 @@ void write_all(Plan whole, RunParts parts, std::uint64_t resumed, const RunOptio
   print_where(out);
 }
 
-/// Reads and simulates once, on root; the study's path to everybody.
+/// Else --overwrite would remove what is to be merged.
+void check_is_none_of(const std::vector<FinishedPart>& parts, const fs::path& out) {
+  for (const FinishedPart& part : parts) {
+    std::error_code ignored;
+    if (fs::equivalent(part.folder, out, ignored))
+      throw InputError({"--out", out.string() + " is one of the parts", "give another --out", ""});
+  }
+}
+
+/// A part cannot know what the others have found.
+void check_has_parts(const Plan& plan, const PlanPart& part) {
+  if (part.is_all() || !plan.config.sampling.target) return;
+  throw InputError({"--part", "sampling.target_error ends a run by the results of all its units",
+                    "run the study without --part, or state samples and scrambles instead", ""});
+}
+
+/// Reads and simulates once, on root; the study's path and the part to everybody.
 std::vector<Suite> prepare_motions(RunOptions& options, StoppedRun& stopped,
-                                   const Communicator& world) {
+                                   std::vector<FinishedPart>& parts, const Communicator& world) {
   std::vector<Suite> suites;
   on_root(world, [&] {
     if (!options.resume.empty()) {
       stopped = take_stopped_run(options.resume);
       if (options.study.empty()) options.study = stopped.begun.study_file.string();
+      options.part = stopped.begun.part;
     } else if (!options.dry_run) {
+      if (!options.merge.empty()) {
+        parts = read_parts(options.merge);
+        check_is_none_of(parts, options.folder());
+        if (options.study.empty()) options.study = parts.front().begun.study_file.string();
+      }
       check_run_folder(options.folder(), options.overwrite);
     }
     suites = load_suites(read_study(options.study).suite_files);
   });
-  std::vector<char> study(options.study.begin(), options.study.end());
-  world.broadcast(study);
-  options.study.assign(study.begin(), study.end());
+  std::vector<char> run = ByteWriter().put(options.study).put(options.part).take();
+  world.broadcast(run);
+  ByteReader(run).get(options.study).get(options.part);
   share(suites, world);
   return suites;
 }
@@ -111,14 +135,13 @@ Plan make_shared_plan(const std::string& study, std::vector<Suite> suites,
   return plan;
 }
 
-/// The units of earlier sessions, on root.
-Journal open_journals(const fs::path& out, const StoppedRun& stopped, const RunIdentity& run,
+/// The units of earlier sessions, or of the parts, on root.
+Journal open_journals(const char* how, const fs::path& out, const RunIdentity& run,
                       const Plan& plan) {
-  check_same_run(stopped.begun, run, out);
   Journal journal = read_journals(out, run, plan);
   write_text_file(out / "run.json", started_json(plan.config.name, plan.hash));
-  fmt::print("Resumed: {} of {} units are in the journals", journal.units.size(),
-             plan.units.size());
+  fmt::print("{}: {} of {} units are in the journals", how, journal.units.size(),
+             units_of(plan, run.part).size());
   if (journal.bytes_not_read > 0)
     fmt::print(", beside {} bytes that are not whole records", journal.bytes_not_read);
   fmt::print("\n");
@@ -136,6 +159,32 @@ void check_study(const Plan& plan, const fs::path& out, bool overwrite) {
   fmt::print("folder      {}: free\n", out.string());
 }
 
+/// "2/8".
+PlanPart part_of(const std::string& text) {
+  PlanPart part;
+  const char* end = text.data() + text.size();
+  const auto number = std::from_chars(text.data(), end, part.number);
+  const bool is_fraction = number.ec == std::errc() && number.ptr != end && *number.ptr == '/';
+  const auto count = is_fraction ? std::from_chars(number.ptr + 1, end, part.count) : number;
+  if (!is_fraction || count.ec != std::errc() || count.ptr != end || part.number < 1 ||
+      part.number > part.count)
+    throw CLI::ValidationError("--part", text + " is not K/N with K from 1 to N, for example 2/8");
+  return part;
+}
+
+void add_merge(CLI::App& program, const Communicator& world) {
+  auto options = std::make_shared<RunOptions>();
+  CLI::App* command = program.add_subcommand(
+      "merge",
+      "Put the parts of a run together that `run --part` made on several machines or jobs");
+  command->add_option("parts", options->merge, "the results folder of every part")->required();
+  command->add_option("--out", options->out, "results folder, new or empty")->required();
+  command->add_option("--study", options->study,
+                      "study file, where it has moved since [as of the first part]");
+  add_overwrite(*command, options->overwrite);
+  command->callback([options, world] { run_study(*options, world); });
+}
+
 }  // namespace
 
 fs::path RunOptions::folder() const {
@@ -146,20 +195,26 @@ fs::path RunOptions::folder() const {
 void run_study(RunOptions options, const Communicator& world) {
   const auto start = std::chrono::steady_clock::now();
   PhaseClock clock;
-  StoppedRun stopped;  // on root, where it is resumed
-  std::vector<Suite> suites = prepare_motions(options, stopped, world);
+  StoppedRun stopped;               // on root, where it is resumed
+  std::vector<FinishedPart> parts;  // on root, where they are merged
+  std::vector<Suite> suites = prepare_motions(options, stopped, parts, world);
   const fs::path out = options.folder();
   clock.end_phase("motions");
 
   Plan plan = make_shared_plan(options.study, std::move(suites), world);
-  const RunIdentity identity = identity_of(plan, GLISSADE_VERSION);
+  RunIdentity identity = identity_of(plan, GLISSADE_VERSION);
+  identity.part = options.part;
   Journal journal;
   on_root(world, [&] {
     if (options.dry_run) return check_study(plan, out, options.overwrite);
+    check_has_parts(plan, options.part);
     if (stopped.lock) {
-      journal = open_journals(out, stopped, identity, plan);
+      check_same_run(stopped.begun, identity, out);
+      journal = open_journals("Resumed", out, identity, plan);
     } else {
-      stopped.lock = take_run_folder(out, plan, identity, options.overwrite);
+      check_parts(parts, identity);
+      stopped.lock = take_run_folder(out, plan, identity, options.overwrite, parts);
+      if (!parts.empty()) journal = open_journals("Merged", out, identity, plan);
     }
   });
   const RunFolderGuard guard(options.dry_run ? fs::path() : out, world);
@@ -168,12 +223,13 @@ void run_study(RunOptions options, const Communicator& world) {
 
   StopRequest stop(world.is_root() ? out / "stop" : fs::path(), options.walltime_s, start);
   const std::uint64_t resumed = journal.units.size();
-  RunParts parts =
-      run_units(plan, options.no_skip ? Skipping::none : Skipping::all, std::move(journal),
-                JournalWriter(out, world.rank(), identity), stop, out, world);
+  RunParts done =
+      run_units(plan, options.part, options.no_skip ? Skipping::none : Skipping::all,
+                std::move(journal), JournalWriter(out, world.rank(), identity), stop, out, world);
   clock.end_phase("histories");
   on_root(world, [&] {
-    write_all(std::move(plan), std::move(parts), resumed, options, stop, clock, world.size());
+    if (!options.part.is_all()) return end_part(out, options.part, done.units.size());
+    write_all(std::move(plan), std::move(done), resumed, options, stop, clock, world.size());
     stopped.lock->remove_journals();
   });
 }
@@ -190,6 +246,13 @@ void add_run(CLI::App& program, const Communicator& world) {
       "--resume", options->resume,
       "go on with the run in this results folder, which was stopped or killed; on any number of "
       "ranks, the results are the same to the last bit");
+  CLI::Option* part =
+      command
+          ->add_option_function<std::string>(
+              "--part", [options](const std::string& text) { options->part = part_of(text); },
+              "run part K of N of the work only, in a folder of its own; glissade merge puts the "
+              "parts together")
+          ->type_name("K/N");
   command
       ->add_option("--walltime-s", options->walltime_s,
                    "stop by itself before so many seconds are over; the run can be resumed")
@@ -200,8 +263,9 @@ void add_run(CLI::App& program, const Communicator& world) {
   command->add_flag("--no-skip", options->no_skip,
                     "compute also what the study does not need: much slower, the same results to "
                     "the last bit");
-  for (CLI::Option* other : {out, dry_run, command->get_option("--overwrite")})
+  for (CLI::Option* other : {out, dry_run, command->get_option("--overwrite"), part})
     resume->excludes(other);
+  part->excludes(dry_run);
   command->footer(
       "SIGINT (Ctrl-C), SIGTERM, SIGUSR1 or a file named stop in the results folder\n"
       "stop a run: exit status 75, and --resume goes on with it.");
@@ -210,6 +274,8 @@ void add_run(CLI::App& program, const Communicator& world) {
       throw CLI::RequiredError(study->get_name());
     run_study(*options, world);
   });
+
+  add_merge(program, world);
 
   CLI::App* check = program.add_subcommand(
       "check",

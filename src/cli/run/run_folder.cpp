@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run/run_folder.hpp"
 
+#include <map>
+
 #include "clearance/calculation_record.hpp"
 #include "glissade/core/file.hpp"
 #include "glissade/study/run/exchange.hpp"
@@ -72,7 +74,8 @@ void check_run_folder(const fs::path& folder, bool overwrite) {
                       "wait until it ends, or give another --out", ""});
   }
   if (!overwrite && has_identity(folder) && !is_finished(folder / "run.json")) {
-    throw InputError({"--out", folder.string() + " holds a run that was stopped or killed",
+    throw InputError({"--out",
+                      folder.string() + " holds a run that was stopped or killed, or a part of one",
                       "go on with: " + resume_command(folder) +
                           ", or give another --out, or "
                           "--overwrite",
@@ -82,7 +85,8 @@ void check_run_folder(const fs::path& folder, bool overwrite) {
 }
 
 std::unique_ptr<RunLock> take_run_folder(const fs::path& folder, const Plan& plan,
-                                         const RunIdentity& run, bool overwrite) {
+                                         const RunIdentity& run, bool overwrite,
+                                         const std::vector<FinishedPart>& parts) {
   check_run_folder(folder, overwrite);
   // The journals hold what the results hold.
   check_room(folder, 2.0 * bytes_of(plan.config, plan.records.size(), plan.cases.size()));
@@ -94,6 +98,7 @@ std::unique_ptr<RunLock> take_run_folder(const fs::path& folder, const Plan& pla
     lock = std::make_unique<RunLock>(folder);
   }
   try {
+    for (const FinishedPart& part : parts) copy_journals(part.folder, folder);
     write_identity(folder, run);
     create_text_file(folder / "run.json", started_json(plan.config.name, plan.hash));
   } catch (...) {
@@ -159,6 +164,85 @@ void end_stopped(const fs::path& folder, const std::string& reason, std::uint64_
   fmt::print(stderr, "glissade: stopped by {}; {} of {} units are done and kept. Go on with: {}\n",
              reason, done_units, units, resume_command(folder));
   throw ExitStatus{stopped_status};
+}
+
+namespace {
+
+/// What is wrong with a folder as a part; empty: nothing.
+Problem part_problem(const fs::path& folder, const RunIdentity& begun) {
+  if (is_running(folder))
+    return {folder.string(), "a run is going on in it", "wait until it ends", ""};
+  if (begun.part.is_all())
+    return {folder.string(), "holds a whole run, not a part of one",
+            "give folders of glissade run --part", ""};
+  if (!is_finished_part(folder / "run.json"))
+    return {folder.string(), "its part of the run is not finished",
+            "go on with: " + resume_command(folder), ""};
+  return {};
+}
+
+}  // namespace
+
+std::vector<FinishedPart> read_parts(const std::vector<std::string>& folders) {
+  ProblemList problems;
+  std::vector<FinishedPart> parts;
+  std::map<std::uint64_t, std::string> folder_of;  // by number of the part
+  for (const std::string& folder : folders) {
+    try {
+      parts.push_back({folder, read_identity(folder)});
+    } catch (const InputError& error) {
+      problems.add(error);
+      continue;
+    }
+    const RunIdentity& begun = parts.back().begun;
+    const Problem problem = part_problem(folder, begun);
+    if (!problem.what.empty()) {
+      problems.add(problem);
+      continue;
+    }
+    if (begun.part.count != parts.front().begun.part.count) {
+      problems.add({folder,
+                    fmt::format("is a part of {}, {} a part of {}", begun.part.count,
+                                folders.front(), parts.front().begun.part.count),
+                    "merge the parts of one run", ""});
+    }
+    const auto [first, is_new] = folder_of.emplace(begun.part.number, folder);
+    if (!is_new) {
+      problems.add({folder,
+                    fmt::format("is part {} of {}, as {} is", begun.part.number, begun.part.count,
+                                first->second),
+                    "give each part once", ""});
+    }
+  }
+  problems.throw_if_any();
+  const std::uint64_t count = parts.front().begun.part.count;
+  for (std::uint64_t number = 1; number <= count; ++number) {
+    if (folder_of.contains(number)) continue;
+    problems.add({"merge", fmt::format("part {} of {} is missing", number, count),
+                  fmt::format("give its folder, or run it with --part {}/{}", number, count), ""});
+  }
+  problems.throw_if_any();
+  return parts;
+}
+
+void check_parts(const std::vector<FinishedPart>& parts, const RunIdentity& run) {
+  ProblemList problems;
+  for (const FinishedPart& part : parts) {
+    try {
+      check_same_run(part.begun, run, part.folder);
+    } catch (const InputError& error) {
+      problems.add(error);
+    }
+  }
+  problems.throw_if_any();
+}
+
+void end_part(const fs::path& folder, const PlanPart& part, std::uint64_t units) {
+  write_text_file(folder / "run.json", part_json(folder / "run.json", units));
+  fmt::print(
+      "Part {} of {} is finished: {} units are kept in {}. When all parts are, merge them with: "
+      "glissade merge FOLDERS OF THE PARTS --out DIR\n",
+      part.number, part.count, units, folder.string());
 }
 
 void print_seconds(const PhaseClock& clock, int ranks) {

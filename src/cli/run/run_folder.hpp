@@ -50,10 +50,26 @@ void check_same_plan(const std::string& hash, const Communicator& world);
 /// stopped or killed and can be resumed, or it holds other files.
 void check_run_folder(const std::filesystem::path& folder, bool overwrite);
 
+/// A folder that `run --part` left.
+struct FinishedPart {
+  std::filesystem::path folder;
+  RunIdentity begun;
+};
+
+/// For `merge`: throws InputError unless the folders are all parts of one run, and finished.
+std::vector<FinishedPart> read_parts(const std::vector<std::string>& folders);
+
+/// Throws InputError that names each difference of a part from the run that they are merged to.
+void check_parts(const std::vector<FinishedPart>& parts, const RunIdentity& run);
+
+/// Ends a part of a run, on root: run.json and a line state what is done with it.
+void end_part(const std::filesystem::path& folder, const PlanPart& part, std::uint64_t units);
+
 /// Before hours of work: the folder is there, has room for the results, and no other run can take
-/// it. With `overwrite` an earlier run in it is removed.
+/// it. With `overwrite` an earlier run in it is removed. The run begins with the units of `parts`.
 std::unique_ptr<RunLock> take_run_folder(const std::filesystem::path& folder, const Plan& plan,
-                                         const RunIdentity& run, bool overwrite);
+                                         const RunIdentity& run, bool overwrite,
+                                         const std::vector<FinishedPart>& parts);
 
 /// The folder of a run that was stopped or killed, for its resumption.
 struct StoppedRun {

@@ -35,6 +35,7 @@ std::string host_name() {
 using Json = nlohmann::ordered_json;
 
 constexpr const char* unreported = "results written, report failed";
+constexpr const char* part_finished = "part finished";
 
 struct RunHead {
   std::string study, plan_hash, program_version;
@@ -145,6 +146,18 @@ std::string stopped_json(const std::filesystem::path& run_json_file, const std::
   json["units"] = units;
   json["what_to_do"] = what_to_do;
   return json.dump(2) + "\n";
+}
+
+std::string part_json(const std::filesystem::path& run_json_file, std::uint64_t units) {
+  Json json = parsed(run_json_file);
+  json["status"] = part_finished;
+  json["units_done"] = units;
+  json["finished_utc"] = now_utc();
+  return json.dump(2) + "\n";
+}
+
+bool is_finished_part(const std::filesystem::path& run_json_file) {
+  return status_in(run_json_file) == part_finished;
 }
 
 std::string unreported_json(const std::filesystem::path& run_json_file,

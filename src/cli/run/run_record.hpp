@@ -39,6 +39,10 @@ std::string stopped_json(const std::filesystem::path& run_json_file, const std::
                          std::uint64_t done_units, std::uint64_t units,
                          const std::string& what_to_do);
 
+/// A started run.json as it is where a part of a run is done.
+std::string part_json(const std::filesystem::path& run_json_file, std::uint64_t units);
+bool is_finished_part(const std::filesystem::path& run_json_file);
+
 /// Whether a run.json is that of a run with results.
 bool is_finished(const std::filesystem::path& run_json_file);
 

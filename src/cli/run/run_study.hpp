@@ -4,14 +4,18 @@
 #include <filesystem>
 #include <limits>
 #include <string>
+#include <vector>
 
 #include "glissade/parallel/communicator.hpp"
+#include "glissade/study/plan/plan.hpp"
 
 namespace glissade::cli {
 
 struct RunOptions {
   std::string study, out;
-  std::string resume;  ///< the folder of a run to go on with; then `out` is empty
+  std::string resume;              ///< the folder of a run to go on with; then `out` is empty
+  std::vector<std::string> merge;  ///< the folders of finished parts of the run
+  PlanPart part;                   ///< to run; the folder then holds its journals only
   double walltime_s = std::numeric_limits<double>::infinity();
   bool dry_run = false;
   bool no_skip = false;

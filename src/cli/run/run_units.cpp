@@ -15,9 +15,11 @@
 namespace glissade::cli {
 namespace {
 
-/// By unit: whether a journal holds it. On every rank.
-std::vector<char> done_units(const Plan& plan, const Journal& earlier, const Communicator& world) {
-  std::vector<char> done(plan.units.size(), 0);
+/// By unit: whether a journal holds it, or it is of another part. On every rank.
+std::vector<char> done_units(const Plan& plan, const PlanPart& part, const Journal& earlier,
+                             const Communicator& world) {
+  std::vector<char> done(plan.units.size(), 1);
+  for (const std::size_t unit : units_of(plan, part)) done[unit] = 0;
   for (const UnitResult& unit : earlier.units) done[unit.unit] = 1;
   world.broadcast(done);
   return done;
@@ -35,8 +37,8 @@ double largest_of_others_mb(const Communicator& world) {
   return largest_mb;
 }
 
-/// Ends the run on all ranks where they have not done all of their `common` units.
-void end_if_stopped(const Plan& plan, std::uint64_t done_earlier, std::uint64_t mine,
+/// Ends the run of `all` units on all ranks where they have not done all of their `common` units.
+void end_if_stopped(std::uint64_t all, std::uint64_t done_earlier, std::uint64_t mine,
                     std::uint64_t common, const StopRequest& stop,
                     const std::filesystem::path& folder, const Communicator& world) {
   const auto messages = world.gather(ByteWriter().put(mine).put(stop.reason()).take());
@@ -50,7 +52,7 @@ void end_if_stopped(const Plan& plan, std::uint64_t done_earlier, std::uint64_t 
       done += units;
       if (reason.empty()) reason = of_rank;
     }
-    if (done < common) end_stopped(folder, reason, done_earlier + done, plan.units.size());
+    if (done < common) end_stopped(folder, reason, done_earlier + done, all);
   });
 }
 
@@ -63,19 +65,21 @@ bool agreed(bool is_enough, const Communicator& world) {
 
 }  // namespace
 
-RunParts run_units(const Plan& plan, Skipping skipping, Journal earlier, JournalWriter writer,
-                   StopRequest& stop, const std::filesystem::path& folder,
+RunParts run_units(const Plan& plan, const PlanPart& part, Skipping skipping, Journal earlier,
+                   JournalWriter writer, StopRequest& stop, const std::filesystem::path& folder,
                    const Communicator& world) {
-  const std::vector<char> done = done_units(plan, earlier, world);
+  const std::vector<char> done = done_units(plan, part, earlier, world);
   const auto missing_in_all = static_cast<std::uint64_t>(std::ranges::count(done, 0));
+  const std::uint64_t wanted = earlier.units.size() + missing_in_all;
   RoofStore roofs(plan, skipping);
   Progress progress(missing_in_all, plan.histories() * missing_in_all / plan.units.size());
   SamplingProgress sampling(plan);
   RunParts all{std::move(earlier.units), {}};
   ByteWriter my_motion_parts;
-  std::size_t motion_parts = motion_part_count(plan);  // that are left
-  bool begun = false;                                  // a unit, on this rank
-  std::uint64_t before = 0;                            // units of blocks before
+  // That are left; the analyses need them, which a part of the plan has not.
+  std::size_t motion_parts = part.is_all() ? motion_part_count(plan) : 0;
+  bool begun = false;        // a unit, on this rank
+  std::uint64_t before = 0;  // units of blocks before
   for (std::size_t block = 0; block < plan.unit_ends.size(); ++block) {
     std::vector<std::size_t> missing = longest_first(plan, block);
     std::erase_if(missing, [&](std::size_t unit) { return done[unit] != 0; });
@@ -101,7 +105,7 @@ RunParts run_units(const Plan& plan, Skipping skipping, Journal earlier, Journal
     motion_parts = 0;
     keeping_units(folder, [&] { writer.sync(); });
     if (world.is_root()) progress.finish();
-    end_if_stopped(plan, units_before, mine, missing.size(), stop, folder, world);
+    end_if_stopped(wanted, units_before, mine, missing.size(), stop, folder, world);
     world.collect(std::move(to_root), [&](const std::vector<char>& unit) {
       all.units.push_back(unpack_unit_result(unit));
     });
@@ -112,6 +116,7 @@ RunParts run_units(const Plan& plan, Skipping skipping, Journal earlier, Journal
                   [&](const UnitResult& unit) { return unit.unit >= plan.unit_ends[block]; });
     break;
   }
+  if (!part.is_all()) return all;
   all.motion_parts = numbered_parts(motion_part_count(plan), world.gather(my_motion_parts.take()));
   for (std::size_t i = 0; world.is_root() && i < all.motion_parts.size(); ++i)
     if (all.motion_parts[i].empty())  // the run was to stop, and all units were done

@@ -10,7 +10,8 @@ namespace glissade::cli {
 
 /// What the ranks have computed, on root.
 struct RunParts {
-  std::vector<UnitResult> units;  ///< of the plan, or of its first blocks where these are enough
+  std::vector<UnitResult>
+      units;  ///< of the part of the plan, or of its first blocks where these are enough
   std::vector<std::vector<double>> motion_parts;  ///< for reduce()
   double other_ranks_mb = 0.0;                    ///< the largest memory of a rank other than root
 };
@@ -18,8 +19,8 @@ struct RunParts {
 /// The units are those of earlier sessions, and the others, which the ranks share and journal.
 /// Collective. Throws ExitStatus on every rank where the run is stopped before all are done.
 /// @param earlier on root
-RunParts run_units(const Plan& plan, Skipping skipping, Journal earlier, JournalWriter writer,
-                   StopRequest& stop, const std::filesystem::path& folder,
+RunParts run_units(const Plan& plan, const PlanPart& part, Skipping skipping, Journal earlier,
+                   JournalWriter writer, StopRequest& stop, const std::filesystem::path& folder,
                    const Communicator& world);
 
 }  // namespace glissade::cli

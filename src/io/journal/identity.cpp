@@ -43,7 +43,7 @@ std::string units_head(const RunIdentity& run) {
 
 namespace {
 
-constexpr const char* identity_format = "glissade run 1";
+constexpr const char* identity_format = "glissade run 2";
 constexpr std::uint64_t most_identity_bytes = 64u << 20;
 
 /// The line at which two texts first differ.
@@ -67,8 +67,8 @@ Difference first_difference(const std::string& was, const std::string& is) {
 }  // namespace
 
 RunIdentity identity_of(const Plan& plan, const std::string& program_version) {
-  return {program_version, plan.hash, unit_layout(plan), fs::absolute(plan.config.file),
-          plan.config.source_text};
+  return {program_version,         plan.hash, unit_layout(plan), fs::absolute(plan.config.file),
+          plan.config.source_text, {}};
 }
 
 void write_identity(const fs::path& run_folder, const RunIdentity& run) {
@@ -79,6 +79,7 @@ void write_identity(const fs::path& run_folder, const RunIdentity& run) {
                                         .put(run.layout)
                                         .put(run.study_file.string())
                                         .put(run.study_text)
+                                        .put(run.part)
                                         .take();
   write_text_file(JournalNames(run_folder).identity, framed(content));
 }
@@ -103,7 +104,9 @@ RunIdentity read_identity(const fs::path& run_folder) {
     in.get(format);
     if (format != identity_format) throw ShortMessage();
     in.get(run.program_version).get(run.plan_hash).get(run.layout);
-    in.get(study_file).get(run.study_text);
+    in.get(study_file).get(run.study_text).get(run.part);
+    if (run.part.number > run.part.count || (run.part.number == 0 && !run.part.is_all()))
+      throw ShortMessage();
   } catch (const ShortMessage&) {
     throw InputError({file.string(), "is damaged, or of another version of glissade",
                       "run the study anew, with --overwrite or in another folder", ""});
@@ -128,7 +131,8 @@ void check_same_run(const RunIdentity& begun, const RunIdentity& now, const fs::
   if (begun.study_text != now.study_text) {
     const Difference d = first_difference(begun.study_text, now.study_text);
     report(fmt::format("{}:{}", now.study_file.string(), d.line),
-           fmt::format("the study has changed since the run began: \"{}\" was \"{}\"", d.is, d.was),
+           fmt::format("the study has changed since the run in {} began: \"{}\" was \"{}\"",
+                       run_folder.string(), d.is, d.was),
            "restore the study file" + anew);
   } else if (begun.plan_hash != now.plan_hash) {
     report(run_folder.string(),

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <condition_variable>
 #include <exception>
+#include <fstream>
 #include <mutex>
 #include <optional>
 #include <thread>
@@ -20,6 +21,21 @@ namespace glissade {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+/// By a name that no writer had before.
+void open_new(const JournalNames& names, int rank, std::optional<OutputFile>& file) {
+  int session = 1, fd = -1;
+  fs::path path;
+  do {
+    path = names.units(rank, session++);
+    fd = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_APPEND | O_CLOEXEC, 0666);
+  } while (fd < 0 && errno == EEXIST);
+  file.emplace(fd, path);
+}
+
+}  // namespace
+
 /// The file, and a thread that flushes it to the disk: a unit that takes long must not keep the
 /// one before it waiting.
 struct JournalWriter::State {
@@ -34,13 +50,7 @@ struct JournalWriter::State {
   std::jthread thread;         // last: it ends before what it uses
 
   void open() {
-    int session = 1, fd = -1;
-    fs::path path;
-    do {
-      path = names.units(rank, session++);
-      fd = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_APPEND | O_CLOEXEC, 0666);
-    } while (fd < 0 && errno == EEXIST);
-    file.emplace(fd, path);
+    open_new(names, rank, file);
     file->write(head);
     sync_folder(names.folder);
     thread = std::jthread([this](const std::stop_token& stop) { flush_now_and_then(stop); });
@@ -88,6 +98,22 @@ void JournalWriter::sync() {
   if (!state_->file) return;
   state_->throw_failure();
   state_->file->sync();
+}
+
+void copy_journals(const fs::path& from, const fs::path& to) {
+  for (const fs::path& units : JournalNames(from).all_units()) {
+    std::ifstream in(units, std::ios::binary);
+    std::optional<OutputFile> out;
+    open_new(JournalNames(to), 0, out);
+    std::string block(1u << 20, '\0');
+    do {
+      in.read(block.data(), static_cast<std::streamsize>(block.size()));
+      out->write(std::string_view(block).substr(0, static_cast<std::size_t>(in.gcount())));
+    } while (in);
+    if (!in.eof()) throw_io_error(units, "cannot be read", errno);
+    out->sync();
+    out->close();
+  }
 }
 
 }  // namespace glissade

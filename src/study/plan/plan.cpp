@@ -209,6 +209,15 @@ std::vector<std::size_t> longest_first(const Plan& plan, std::size_t block) {
   return units;
 }
 
+std::vector<std::size_t> units_of(const Plan& plan, const PlanPart& part) {
+  std::vector<std::size_t> all, units;
+  for (std::size_t block = 0; block < plan.unit_ends.size(); ++block)
+    std::ranges::copy(longest_first(plan, block), std::back_inserter(all));
+  if (part.is_all()) return all;
+  for (std::size_t i = part.number - 1; i < all.size(); i += part.count) units.push_back(all[i]);
+  return units;
+}
+
 std::vector<std::vector<double>> compute_parts_here(std::size_t count, const Part& part) {
   std::vector<std::vector<double>> parts;
   for (std::size_t i = 0; i < count; ++i) parts.push_back(part(i));

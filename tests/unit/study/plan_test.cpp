@@ -112,6 +112,33 @@ TEST(plan, gives_out_the_longest_units_first) {
   EXPECT_TRUE(std::ranges::is_sorted(order, std::greater{}, cost));
 }
 
+TEST(plan, has_parts_of_even_cost_that_are_all_of_it) {
+  Suite suite = small_suite();
+  for (std::vector<double>& motion : suite.motions.back().horizontal_mps2)
+    motion.resize(3 * motion.size());
+  const Plan plan = make_plan(small_config(), {suite});
+  const auto cost = [&](const std::vector<std::size_t>& units) {
+    std::size_t samples = 0;
+    for (const std::size_t unit : units) {
+      const WorkUnit& u = plan.units[unit];
+      samples += u.count * plan.motion(u.record).horizontal_mps2[0].size();
+    }
+    return samples;
+  };
+  const std::vector<std::size_t> all = units_of(plan, {});
+  EXPECT_EQ(all, longest_first(plan, 0));
+  for (const std::uint64_t count : {1u, 2u, 3u, 1000u}) {
+    std::multiset<std::size_t> together, costs;
+    for (std::uint64_t number = 1; number <= count; ++number) {
+      const std::vector<std::size_t> units = units_of(plan, {number, count});
+      together.insert(units.begin(), units.end());
+      costs.insert(cost(units));
+    }
+    EXPECT_EQ(together, std::multiset(all.begin(), all.end())) << count;
+    EXPECT_LE(*costs.rbegin() - *costs.begin(), cost({all.front()})) << count;
+  }
+}
+
 TEST(plan, is_the_same_whoever_computes_its_spectra) {
   const auto backwards = [](std::size_t count, const Part& part) {
     std::vector<std::vector<double>> parts(count);

@@ -78,6 +78,16 @@ Plan make_plan(const StudyConfig& config, std::vector<Suite> suites,
 /// The units of a block in the order in which ranks take them: the longest first, as predicted.
 std::vector<std::size_t> longest_first(const Plan& plan, std::size_t block);
 
+/// Part `number`, from 1, of `count` parts of a plan; 0 of 0: all of it.
+struct PlanPart {
+  std::uint64_t number = 0, count = 0;
+  bool is_all() const { return count == 0; }
+};
+
+/// The units of a part, the longest first: every `count`-th of them, so that the predicted costs of
+/// two parts differ by one unit at most.
+std::vector<std::size_t> units_of(const Plan& plan, const PlanPart& part);
+
 /// The plan of the first blocks of samples, those with so many units: where a run ended.
 Plan first_blocks(Plan plan, std::size_t units);
 
