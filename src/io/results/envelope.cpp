@@ -1,13 +1,50 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "results/envelope.hpp"
 
+#include <algorithm>
+#include <fstream>
 #include <new>
+#include <span>
+#include <string_view>
 
 #include "glissade/core/error.hpp"
 #include "glissade/core/file.hpp"
+#include "glissade/core/hash.hpp"
 
 namespace glissade {
 namespace {
+
+/// The end of a results file. HDF5 knows where its own data end; programs that change them cut the
+/// rest off.
+constexpr std::string_view checksum_key = "\nglissade checksum ";
+constexpr std::size_t checksum_bytes = checksum_key.size() + 17;
+
+std::string checksum_line(const Hasher& hasher) {
+  return std::string(checksum_key) + to_hex(hasher.value()) + '\n';
+}
+
+/// Before libhdf5 opens a file: it does not stand every damage. Damage of the checksum itself,
+/// which is taken for none, is none of the results.
+bool has_wrong_checksum(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  const std::uintmax_t size = std::filesystem::file_size(file);
+  if (size < checksum_bytes) return false;
+  std::string block(checksum_bytes, '\0');
+  in.seekg(static_cast<std::streamoff>(size - checksum_bytes));
+  in.read(block.data(), static_cast<std::streamsize>(block.size()));
+  if (!in || !block.starts_with(checksum_key)) return false;
+  const std::string line = block;
+  Hasher hasher;
+  in.seekg(0);
+  block.resize(std::size_t{1} << 20);
+  for (std::uintmax_t left = size - checksum_bytes; left > 0;) {
+    const std::size_t part = std::min<std::uintmax_t>(left, block.size());
+    if (!in.read(block.data(), static_cast<std::streamsize>(part))) return true;
+    hasher.bytes(std::as_bytes(std::span(block.data(), part)));
+    left -= part;
+  }
+  return line != checksum_line(hasher);
+}
 
 std::string file_type_of(const Hdf5Reader& root) {
   std::string file_type;
@@ -47,7 +84,7 @@ void write_results_of(const ResultsKind& kind, const std::filesystem::path& file
                       "check that there is memory enough, or take fewer samples, levels or records",
                       ""});
   }
-  write_text_file(file, bytes);
+  write_text_file(file, bytes + checksum_line(Hasher().bytes(std::as_bytes(std::span(bytes)))));
 }
 
 void read_results_of(const ResultsKind& kind, const std::filesystem::path& file,
@@ -62,6 +99,10 @@ void read_results_of(const ResultsKind& kind, const std::filesystem::path& file,
   if (!std::filesystem::exists(file, ignored))
     throw InputError({file.string(), "no such file", "check the path", ""});
   if (!std::filesystem::is_regular_file(file, ignored)) throw fail("read what is no ordinary file");
+  if (has_wrong_checksum(file)) {
+    throw InputError({file.string(), "is damaged: its content does not have its checksum",
+                      "take another copy of the file, or run the study again", ""});
+  }
   try {
     const Hdf5Reader root(file);
     check_type_and_version(kind, root);
@@ -70,17 +111,6 @@ void read_results_of(const ResultsKind& kind, const std::filesystem::path& file,
     throw fail(error.what());
   } catch (const std::bad_alloc&) {
     throw fail("hold it in memory");
-  }
-}
-
-bool is_results_of(const ResultsKind& kind, const std::filesystem::path& file) {
-  const Hdf5Silence silence;
-  std::error_code ignored;
-  if (!std::filesystem::is_regular_file(file, ignored)) return false;
-  try {
-    return file_type_of(Hdf5Reader(file)) == kind.file_type;
-  } catch (const Hdf5Error&) {
-    return false;
   }
 }
 

@@ -18,17 +18,15 @@ struct ResultsKind {
 };
 
 /// Puts an HDF5 file together in memory, then writes it to a temporary name and renames it when
-/// complete: the same content gives the same bytes. Throws InputError; an older file stays as it
-/// was.
+/// complete: the same content gives the same bytes. Behind what HDF5 reads stands a checksum of it.
+/// Throws InputError; an older file stays as it was.
 void write_results_of(const ResultsKind& kind, const std::filesystem::path& file,
                       const std::function<void(const Hdf5Writer&)>& content);
 
-/// Throws InputError for files of another kind or version, cut short or damaged.
+/// Throws InputError for files of another kind or version, cut short or damaged. A file without a
+/// checksum was written by another program, which drops it, and is read.
 void read_results_of(const ResultsKind& kind, const std::filesystem::path& file,
                      const std::function<void(const Hdf5Reader&)>& content);
-
-/// Whether a file is of that kind; false also where it cannot be read.
-bool is_results_of(const ResultsKind& kind, const std::filesystem::path& file);
 
 /// Parts of a file that do not fit each other.
 inline void expect_fit(bool fits, const char* part, const char* whole) {

@@ -219,7 +219,9 @@ TEST(results_file, cut_damaged_and_foreign_files_are_refused) {
     const auto file = folder.write("x.h5", content);
     return message_of([&] { read_results(file); });
   };
-  const std::string whole = bytes_of(with_fragility(), folder, "a.h5");
+  std::string whole = bytes_of(with_fragility(), folder, "a.h5");
+  whole.erase(whole.rfind("\nglissade checksum "));  // as a file that HDF5 has written over
+  EXPECT_EQ(refusal(whole), "");
   for (const std::size_t length :
        {std::size_t{0}, std::size_t{100}, whole.size() / 2, whole.size() - 1}) {
     EXPECT_THAT(refusal(whole.substr(0, length)),
@@ -236,6 +238,24 @@ TEST(results_file, cut_damaged_and_foreign_files_are_refused) {
   EXPECT_THAT(message_of([&] { read_results(folder.path() / "none.h5"); }),
               HasSubstr("no such file"));
   EXPECT_THAT(message_of([&] { read_results(folder.path()); }), HasSubstr("no ordinary file"));
+}
+
+TEST(results_file, a_flipped_bit_anywhere_is_found_by_the_checksum) {
+  const TemporaryFolder folder;
+  const std::string whole = bytes_of(with_fragility(), folder, "a.h5");
+  const std::size_t end = whole.rfind("\nglissade checksum ");
+  ASSERT_LT(end, whole.size());
+  for (std::size_t at = 0; at < whole.size(); at += at < end ? 101 : 1) {
+    std::string flipped = whole;
+    flipped[at] = static_cast<char>(flipped[at] ^ (1 << at % 8));
+    const auto file = folder.write("x.h5", flipped);
+    const std::string message = message_of([&] { read_results(file); });
+    if (at >= end && at < whole.size() - 17) {
+      EXPECT_EQ(message, "") << at;  // of the words before the checksum: the results are whole
+    } else {
+      EXPECT_THAT(message, HasSubstr("is damaged")) << at;
+    }
+  }
 }
 
 /// A good file in which one dataset has been replaced by one of numbers with these sides, no value
