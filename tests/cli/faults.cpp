@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Loaded into glissade by LD_PRELOAD, not into its children: a disk to which nothing can be written
+// from some call on, and a clock that is set while the program runs.
+//   FAULT_ERRNO=28 FAULT_FROM=17   from the 17th writing call on, each fails with that error
+//   FAULT_IN=out/journal           of those in paths with these words
+//   FAULT_COUNT=FILE               how many writing calls there were
+//   FAULT_CLOCK=1                  the time of day jumps by days between two calls
+#include <dlfcn.h>
+#include <errno.h>
+#include <fcntl.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <sys/time.h>
+#include <time.h>
+#include <unistd.h>
+
+#include <atomic>
+
+namespace {
+
+std::atomic<long> calls = 0, clock_calls = 0;
+
+bool is_glissade() { return strcmp(program_invocation_short_name, "glissade") == 0; }
+
+long number(const char* name) {
+  const char* text = is_glissade() ? getenv(name) : nullptr;
+  return text == nullptr ? 0 : atol(text);
+}
+
+bool fails() {
+  static const long from = number("FAULT_FROM");
+  static const int error = static_cast<int>(number("FAULT_ERRNO"));
+  const long call = ++calls;
+  if (from == 0 || call < from) return false;
+  errno = error;
+  return true;
+}
+
+/// A full disk still has names removed.
+bool removal_fails() {
+  static const bool is_read_only = number("FAULT_ERRNO") == EROFS;
+  return is_read_only && fails();
+}
+
+bool is_meant(const char* path) {
+  static const char* const words = getenv("FAULT_IN");
+  return words == nullptr || strstr(path, words) != nullptr;
+}
+
+bool is_meant(int fd) {
+  struct stat status = {};
+  if (fd <= STDERR_FILENO || fstat(fd, &status) != 0 || !S_ISREG(status.st_mode)) return false;
+  char link[64], path[4096] = {};
+  snprintf(link, sizeof link, "/proc/self/fd/%d", fd);
+  return readlink(link, path, sizeof path - 1) > 0 && is_meant(path);
+}
+
+template <class Function>
+Function next(const char* name) {
+  return reinterpret_cast<Function>(dlsym(RTLD_NEXT, name));
+}
+
+int open_next(const char* name, const char* path, int flags, mode_t mode) {
+  const bool is_device = strncmp(path, "/dev/", 5) == 0;
+  if ((flags & O_ACCMODE) != O_RDONLY && !is_device && is_meant(path) && fails()) return -1;
+  return next<int (*)(const char*, int, ...)>(name)(path, flags, mode);
+}
+
+time_t jump() {
+  static const bool jumps = number("FAULT_CLOCK") != 0;
+  constexpr time_t day_s = 86400;
+  return jumps ? (7 * ++clock_calls % 11 - 5) * day_s : 0;
+}
+
+struct Count {
+  ~Count() {
+    const char* file = is_glissade() ? getenv("FAULT_COUNT") : nullptr;
+    if (file == nullptr) return;
+    const long so_far = calls;
+    FILE* out = fopen(file, "w");
+    if (out != nullptr) fprintf(out, "%ld\n", so_far);
+    if (out != nullptr) fclose(out);
+  }
+} count;
+
+}  // namespace
+
+extern "C" {
+
+int open(const char* path, int flags, ...) {
+  va_list rest;
+  va_start(rest, flags);
+  const mode_t mode = va_arg(rest, mode_t);
+  va_end(rest);
+  return open_next("open", path, flags, mode);
+}
+ssize_t write(int fd, const void* data, size_t size) {
+  if (is_meant(fd) && fails()) return -1;
+  return next<ssize_t (*)(int, const void*, size_t)>("write")(fd, data, size);
+}
+int fsync(int fd) { return is_meant(fd) && fails() ? -1 : next<int (*)(int)>("fsync")(fd); }
+int mkdir(const char* path, mode_t mode) noexcept {
+  return is_meant(path) && fails() ? -1 : next<int (*)(const char*, mode_t)>("mkdir")(path, mode);
+}
+int rename(const char* from, const char* to) noexcept {
+  return is_meant(to) && fails() ? -1 : next<int (*)(const char*, const char*)>("rename")(from, to);
+}
+int remove(const char* path) noexcept {
+  return is_meant(path) && removal_fails() ? -1 : next<int (*)(const char*)>("remove")(path);
+}
+int unlink(const char* path) noexcept {
+  return is_meant(path) && removal_fails() ? -1 : next<int (*)(const char*)>("unlink")(path);
+}
+
+int clock_gettime(clockid_t clock, timespec* now) noexcept {
+  const int status = next<int (*)(clockid_t, timespec*)>("clock_gettime")(clock, now);
+  if (clock == CLOCK_REALTIME) now->tv_sec += jump();
+  return status;
+}
+int gettimeofday(timeval* __restrict now, void* __restrict zone) noexcept {
+  const int status = next<int (*)(timeval*, void*)>("gettimeofday")(now, zone);
+  now->tv_sec += jump();
+  return status;
+}
+time_t time(time_t* result) noexcept {
+  const time_t now = next<time_t (*)(time_t*)>("time")(nullptr) + jump();
+  if (result != nullptr) *result = now;
+  return now;
+}
+}

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdlib>
+
+#include "cli/child.hpp"
+#include "cli/one_run.hpp"
+#include "cli/small_study.hpp"
+
+// Runs beside which the disk fills or becomes read-only at some call of the system, or the clock is
+// set (faults.cpp). GLISSADE_FAULTS=all: at every call, for tests/README.md.
+namespace glissade::test {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+/// A tenth of a second.
+std::string short_study() {
+  return replaced(replaced(small_study(), "samples = 8", "samples = 2"), "[building]",
+                  "[model]\naxes = 1\n\n[building]");
+}
+
+class Faults : public OneRun<short_study> {
+ protected:
+  ~Faults() override { fs::remove_all(again_); }
+
+  Finished run_with(const std::string& variables, const std::string& options = "") const {
+    return run_shell(variables + " LD_PRELOAD=" GLISSADE_FAULTS_LIBRARY " \"$0\" run '" + study_ +
+                     "' --out '" + again_.string() + "' " + options);
+  }
+  int writing_calls() const {
+    const std::string count = folder_->path("count").string();
+    EXPECT_EQ(run_with("FAULT_COUNT='" + count + "'").status, 0);
+    fs::remove_all(again_);
+    return std::stoi("0" + read_file(count));
+  }
+  /// What is left is whole, and what the message says makes the rest.
+  void expect_mended(const Finished& failed) const {
+    const std::string out = again_.string();
+    std::vector<std::string> mend{"run", study_, "--out", out, "--overwrite"};
+    if (fs::exists(again_ / "results.h5")) {
+      EXPECT_TRUE(read_file(again_ / "results.h5") == read_file(this->out() / "results.h5"));
+      if (failed.status == 0) return;
+      EXPECT_THAT(failed.err, HasSubstr("is complete"));
+      mend = {"report", "--overwrite", out + "/results.h5"};
+    } else if (fs::exists(again_ / "journal/run")) {
+      mend = {"run", "--resume", out};
+    }
+    EXPECT_EQ(failed.status, 2) << failed.err;
+    EXPECT_THAT(failed.err, testing::StartsWith("glissade: "));
+    const Finished mended = run_program(mend);
+    EXPECT_EQ(mended.status, 0) << mended.err;
+    EXPECT_TRUE(read_file(again_ / "results.h5") == read_file(this->out() / "results.h5"));
+    EXPECT_THAT(read_file(again_ / "report.html"), HasSubstr("</html>"));
+  }
+  /// At the first calls, in which the folder is taken, and at some of the others; or at all.
+  void expect_mended_at_every_stage(int error) const {
+    const int calls = writing_calls();
+    ASSERT_GT(calls, 20);
+    const bool every_call = getenv("GLISSADE_FAULTS") != nullptr;
+    int stages = 0;
+    for (int at = 1; at <= calls; at += every_call || at < 8 ? 1 : std::max(1, calls / 6)) {
+      const Finished failed =
+          run_with("FAULT_ERRNO=" + std::to_string(error) + " FAULT_FROM=" + std::to_string(at));
+      SCOPED_TRACE("call " + std::to_string(at) + " of " + std::to_string(calls) + ": " +
+                   failed.err);
+      expect_mended(failed);
+      fs::remove_all(again_);
+      ++stages;
+    }
+    std::printf("%d of %d writing calls failed\n", stages, calls);
+  }
+
+  fs::path again_ = folder_->path("again");
+};
+
+TEST_F(Faults, a_disk_that_fills_at_any_stage_leaves_what_is_whole_and_a_way_on) {
+  expect_mended_at_every_stage(ENOSPC);
+}
+TEST_F(Faults, a_disk_that_becomes_read_only_at_any_stage_leaves_what_is_whole_and_a_way_on) {
+  expect_mended_at_every_stage(EROFS);
+}
+
+TEST_F(Faults, a_clock_that_is_set_during_the_run_neither_stops_it_nor_changes_its_results) {
+  const Finished child = run_with("FAULT_CLOCK=1", "--walltime-s 3600");
+  EXPECT_EQ(child.status, 0) << child.err;
+  EXPECT_TRUE(read_file(again_ / "results.h5") == read_file(out() / "results.h5"));
+  EXPECT_EQ(child.out.find("-86"), std::string::npos) << child.out;  // no seconds of a day
+}
+
+}  // namespace
+}  // namespace glissade::test
