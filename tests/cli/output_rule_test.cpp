@@ -46,8 +46,8 @@ TEST(OutputRule, is_the_same_of_all_commands) {
     if (writes) writing.push_back(name);
   }
   EXPECT_THAT(writing, testing::UnorderedElementsAre(
-                           "init", "run", "clearance", "report", "friction", "slide", "suite show",
-                           "suite spectra", "suite design", "suite select"));
+                           "init", "run", "merge", "clearance", "report", "friction", "slide",
+                           "suite show", "suite spectra", "suite design", "suite select"));
 }
 
 TEST(OutputRule, a_file_is_written_over_with_overwrite_only) {
