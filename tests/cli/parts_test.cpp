@@ -83,24 +83,18 @@ TEST_F(Parts, a_unit_that_is_damaged_in_a_part_is_computed_again) {
   expect_merged(child);
 }
 
-TEST_F(Parts, a_missing_part_and_a_part_given_twice_are_refused) {
-  run_parts({1, 2});
-  expect_refused(merge({2}), {"part 1 of 3 is missing", "part 3 of 3 is missing", "--part 3/3"});
-  expect_refused(merge({1, 2, 1}), {folder(1), "is part 1 of 3, as " + folder(1) + " is"});
-  EXPECT_FALSE(fs::exists(merged_));
-}
-
-TEST_F(Parts, a_part_of_another_study_is_refused_with_the_line_that_differs) {
-  run_parts({1, 3});
-  run_part(2, folder_->write("other.toml", replaced(longer_study(), "seed = 7", "seed = 8")));
-  expect_refused(merge({1, 2, 3}), {"small.toml:3", folder(2), "seed = 7", "seed = 8"});
-  EXPECT_FALSE(fs::exists(merged_));
-}
-
-TEST_F(Parts, folders_that_are_no_parts_are_refused) {
+TEST_F(Parts, parts_that_are_not_those_of_one_run_are_refused_with_each_difference) {
   run_part(1);
   folder_->write("2", "a file");
   expect_refused(merge({1, 2, 3}), {folder(2) + ": holds no run", folder(3) + ": holds no run"});
+  expect_refused(merge({1}), {"part 2 of 3 is missing", "part 3 of 3 is missing", "--part 3/3"});
+  expect_refused(merge({1, 1}), {folder(1), "is part 1 of 3, as " + folder(1) + " is"});
+  fs::remove(folder(2));
+  const std::string other =
+      folder_->write("other.toml", replaced(longer_study(), "seed = 7", "seed = 8"));
+  for (const int part : {2, 3}) run_part(part, other);
+  expect_refused(merge({1, 2, 3}), {"small.toml:3", folder(2), folder(3), "seed = 7", "seed = 8"});
+  EXPECT_FALSE(fs::exists(merged_));
 }
 
 TEST_F(Parts, a_folder_that_is_taken_is_refused) {
@@ -116,21 +110,15 @@ TEST_F(Parts, a_folder_that_is_taken_is_refused) {
   expect_merged(merge({1, 2, 3}, {"--overwrite"}));
 }
 
-TEST_F(Parts, more_parts_than_units_leave_some_without_work) {
+TEST_F(Parts, a_division_that_cannot_be_is_refused_and_an_empty_part_is_none) {
+  const std::string target = folder_->write("target.toml", target_study());
+  expect_refused(run_program(part_command(1, target)), {"--part", "sampling.target_error"});
+  for (const char* part : {"0/3", "4/3", "2", "2/", "/3", "a/b", "1/3x", "-1/3"})
+    expect_refused(run_program({"run", study_, "--out", folder(1), "--part", part}), {"--part"});
+  EXPECT_FALSE(fs::exists(folder(1)));
   const std::string few = folder_->write("few.toml", small_chart());
   ASSERT_EQ(run_program({"run", few, "--out", folder(1), "--part", "1000000/1000000"}).status, 0);
   EXPECT_EQ(Json::parse(read_file(folder(1) + "/run.json")).at("units_done"), 0);
-}
-
-TEST_F(Parts, a_run_that_its_results_end_has_no_parts) {
-  const std::string target = folder_->write("target.toml", target_study());
-  expect_refused(run_program(part_command(1, target)), {"--part", "sampling.target_error"});
-  EXPECT_FALSE(fs::exists(folder(1)));
-}
-
-TEST_F(Parts, a_part_that_does_not_exist_is_refused) {
-  for (const char* part : {"0/3", "4/3", "2", "2/", "/3", "a/b", "1/3x", "-1/3"})
-    expect_refused(run_program({"run", study_, "--out", folder(1), "--part", part}), {"--part"});
 }
 
 }  // namespace
