@@ -77,6 +77,17 @@ TEST_F(Mpi, a_clearance_study_has_the_same_bytes_on_any_number_of_ranks) {
     EXPECT_TRUE(results_on(ranks, study) == alone) << ranks << " ranks";
 }
 
+TEST_F(Mpi, parts_of_different_numbers_of_ranks_are_merged_on_three_to_the_same_bytes) {
+  const std::string study = folder_.write("study.toml", small_study());
+  const std::string alone = results_on(0, study), first = folder_.path("1").string(),
+                    second = folder_.path("2").string(), out = folder_.path("merged").string();
+  ASSERT_EQ(run_program({"run", study, "--out", first, "--part", "1/2"}).status, 0);
+  ASSERT_EQ(run_on(2, {"run", study, "--out", second, "--part", "2/2"}).status, 0);
+  const Finished child = run_on(3, {"merge", first, second, "--out", out});
+  EXPECT_EQ(child.status, 0) << child.err;
+  EXPECT_TRUE(read_file(out + "/results.h5") == alone);
+}
+
 TEST_F(Mpi, more_ranks_than_units_of_work_give_the_same_bytes) {
   std::string record;
   for (int i = 0; i < 500; ++i) record += i % 40 < 20 ? "0.5\n" : "-0.5\n";
