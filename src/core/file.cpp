@@ -50,15 +50,16 @@ fs::path partial_name(const fs::path& path, int attempt) {
 }
 
 /// Creates a file that was not there and writes to it; its name.
-fs::path write_new_beside(const fs::path& path, std::string_view text) {
+fs::path write_new_beside(const fs::path& path, const WriteFile& write) {
   constexpr int attempts = 100;
   for (int attempt = 0;; ++attempt) {
     fs::path partial = partial_name(path, attempt);
-    const int fd = ::open(partial.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    const int fd =
+        ::open(partial.c_str(), O_WRONLY | O_APPEND | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (fd < 0 && errno == EEXIST && attempt + 1 < attempts) continue;
     OutputFile file(fd, path);
     try {
-      file.write(text);
+      write(file, partial);
       file.sync();
       file.close();
     } catch (...) {
@@ -69,8 +70,8 @@ fs::path write_new_beside(const fs::path& path, std::string_view text) {
   }
 }
 
-void write_and_rename(const fs::path& path, std::string_view text) {
-  const fs::path partial = write_new_beside(path, text);
+void write_and_rename(const fs::path& path, const WriteFile& write) {
+  const fs::path partial = write_new_beside(path, write);
   if (::rename(partial.c_str(), path.c_str()) != 0) {
     const int error_number = errno;
     ::unlink(partial.c_str());
@@ -112,18 +113,25 @@ void create_text_file(const fs::path& path, std::string_view text) {
   file.close();
 }
 
-void write_text_file(const fs::path& path, std::string_view text) {
+void write_file(const fs::path& path, const WriteFile& write) {
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
   if (fs::is_directory(status)) throw_io_error(path, "cannot be written", EISDIR);
-  if (must_be_written_directly(path, status)) return write_directly(path, text);
-
+  if (fs::exists(status) && !fs::is_regular_file(status))
+    throw_io_error(path, "is no regular file", EINVAL);
   const fs::path target = fs::is_symlink(path, error) ? fs::weakly_canonical(path, error) : path;
   if (target.has_parent_path()) {
     fs::create_directories(target.parent_path(), error);
     if (error) throw_io_error(target.parent_path(), "cannot be made", error.value());
   }
-  write_and_rename(target, text);
+  write_and_rename(target, write);
+}
+
+void write_text_file(const fs::path& path, std::string_view text) {
+  std::error_code error;
+  if (must_be_written_directly(path, fs::status(path, error)) && !fs::is_directory(path, error))
+    return write_directly(path, text);
+  write_file(path, [&](OutputFile& file, const fs::path&) { file.write(text); });
 }
 
 }  // namespace glissade

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glissade/core/output_file.hpp"
 
+#include <fcntl.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -37,6 +40,21 @@ void OutputFile::write(std::string_view text) {
 
 void OutputFile::sync() {
   if (::fsync(fd_) != 0) throw_io_error(path_, "cannot be flushed to the disk", errno);
+}
+
+void OutputFile::reserve(std::uint64_t bytes) {
+  rlimit limit{};
+  if (::getrlimit(RLIMIT_FSIZE, &limit) == 0 && bytes > limit.rlim_cur)
+    throw_io_error(path_, "cannot be written", EFBIG);
+  if (::fallocate(fd_, FALLOC_FL_KEEP_SIZE, 0, static_cast<off_t>(bytes)) == 0) return;
+  if (errno == ENOSPC || errno == EDQUOT || errno == EFBIG)
+    throw_io_error(path_, "cannot be written", errno);
+}
+
+void OutputFile::release() {
+  struct stat status {};
+  if (::fstat(fd_, &status) != 0 || ::ftruncate(fd_, status.st_size) != 0)
+    throw_io_error(path_, "cannot be written", errno);
 }
 
 void OutputFile::close() {

@@ -89,20 +89,20 @@ std::vector<char> receive_from(MPI_Comm group, int rank) {
 std::vector<std::vector<char>> Communicator::gather(const std::vector<char>& bytes) const {
   std::vector<std::vector<char>> all;
   if (is_root()) all.push_back(bytes);
-  collect({bytes}, [&](std::vector<char> message) { all.push_back(std::move(message)); });
+  collect(
+      1, [&] { return bytes; },
+      [&](std::vector<char> message) { all.push_back(std::move(message)); });
   return all;
 }
 
-void Communicator::collect(std::vector<std::vector<char>> messages,
+void Communicator::collect(std::uint64_t count, const std::function<std::vector<char>()>& next,
                            const std::function<void(std::vector<char>)>& receive) const {
   if (!is_root()) {
-    const std::uint64_t count = messages.size();
     MPI_Send(&count, 1, MPI_UINT64_T, 0, 0, state_->group);
-    for (std::vector<char>& message : messages) send_to_root(state_->group, std::move(message));
+    for (; count > 0; --count) send_to_root(state_->group, next());
     return;
   }
   for (int rank = 1; rank < size(); ++rank) {
-    std::uint64_t count = 0;
     MPI_Recv(&count, 1, MPI_UINT64_T, rank, 0, state_->group, MPI_STATUS_IGNORE);
     for (; count > 0; --count) receive(receive_from(state_->group, rank));
   }

@@ -12,6 +12,7 @@
 #include "glissade/io/suite_file.hpp"
 #include "glissade/report/write_report.hpp"
 #include "glissade/study/run/exchange.hpp"
+#include "glissade/study/run/history_assembly.hpp"
 #include "glissade/study/run/motion_parts.hpp"
 #include "glissade/study/run/reduce.hpp"
 
@@ -64,16 +65,16 @@ StudyCosts measure_study(const std::filesystem::path& study, const std::filesyst
   for (std::size_t i = 0; i < costs.motion_parts; ++i)
     costs.work_s.push_back(core_seconds_of([&] { parts.push_back(motion_part(plan, i)); }));
   RoofStore roofs(plan, Skipping::all);
-  std::vector<UnitResult> units;
+  HistoryAssembly histories(plan);
   for (const std::size_t number : longest_first(plan, 0)) {
     UnitResult unit;
     costs.work_s.push_back(core_seconds_of([&] { unit = execute(plan, number, roofs); }));
     costs.result_bytes += static_cast<double>(pack(unit).size());
-    units.push_back(std::move(unit));
+    costs.tail_s += core_seconds_of([&] { histories.add(unit); });
   }
   Results results;
-  costs.tail_s = core_seconds_of([&] {
-    results = reduce(plan, std::move(units), parts);
+  costs.tail_s += core_seconds_of([&] {
+    results = reduce(plan, histories.take(plan), parts);
     write_results(scratch / "results.h5", results);
   });
   const auto begin = std::chrono::steady_clock::now();

@@ -2,10 +2,13 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <string_view>
 
 namespace glissade {
+
+class OutputFile;
 
 /// The whole file, byte for byte. Throws InputError when it cannot be read.
 std::string read_text_file(const std::filesystem::path& path);
@@ -17,6 +20,11 @@ std::string read_text_file(const std::filesystem::path& path);
 /// (/dev/stdout, /dev/full, a pipe) is written to directly; a symbolic link is followed. Missing
 /// folders are made. Throws InputError telling the path, the system's reason and what to do.
 void write_text_file(const std::filesystem::path& path, std::string_view text);
+
+/// The same of regular files only, with a function that writes the partial file, which is there and
+/// empty: by its name, or through `file`, which appends.
+using WriteFile = std::function<void(OutputFile& file, const std::filesystem::path& partial)>;
+void write_file(const std::filesystem::path& path, const WriteFile& write);
 
 /// Makes a file that must not be there yet; of several processes that try, one succeeds. Throws
 /// InputError for the others.

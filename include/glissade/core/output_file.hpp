@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -24,6 +25,10 @@ class OutputFile {
   void write(std::string_view text);
   void sync();  ///< what was written is on the disk on return
   void close();
+  /// Takes disk space for the first `bytes` of the file, whose size stays: what is written there
+  /// later cannot meet a full disk. Without effect on file systems that cannot.
+  void reserve(std::uint64_t bytes);
+  void release();  ///< gives back what is reserved behind the file's end
   int descriptor() const { return fd_; }
 
  private:

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -78,21 +79,20 @@ class JournalWriter {
   ~JournalWriter();
   void append(const UnitResult& unit);
   void sync();  ///< all units are on the disk on return
+  /// The message of the next unit that was appended, from the first on: a rank does not hold what
+  /// its journal holds. Precondition: there is one.
+  std::vector<char> read_next();
 
  private:
   struct State;
   std::unique_ptr<State> state_;
 };
 
-/// What the journals of a run contain.
-struct Journal {
-  std::vector<UnitResult> units;     ///< each once
-  std::uint64_t bytes_not_read = 0;  ///< behind the last whole record of each file
-};
-
-/// Reads every journal of the folder. Throws InputError for those of another run. Files may hold
-/// anything: nothing larger than a unit of the plan is allocated for a record.
-Journal read_journals(const std::filesystem::path& run_folder, const RunIdentity& run,
-                      const Plan& plan);
+/// Reads every journal of the folder and gives each of its units once. Throws InputError for those
+/// of another run. Files may hold anything: nothing larger than a unit of the plan is allocated for
+/// a record. @return the bytes behind the last whole record of each file
+std::uint64_t read_journals(const std::filesystem::path& run_folder, const RunIdentity& run,
+                            const Plan& plan,
+                            const std::function<void(const UnitResult&)>& take);
 
 }  // namespace glissade

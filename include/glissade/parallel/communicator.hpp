@@ -22,9 +22,9 @@ class Communicator {
   void broadcast(std::vector<char>& bytes) const;
   /// Collects the bytes of all ranks on rank 0, by rank; empty on the others.
   std::vector<std::vector<char>> gather(const std::vector<char>& bytes) const;
-  /// Rank 0 receives the messages of all other ranks, by rank, one at a time; a sender frees each
-  /// when it is sent. Those of rank 0 are not used. Collective.
-  void collect(std::vector<std::vector<char>> messages,
+  /// Rank 0 receives the messages of all other ranks, by rank, one at a time. A sender makes each,
+  /// `count` in all, when it is due; those of rank 0 are not made. Collective.
+  void collect(std::uint64_t count, const std::function<std::vector<char>()>& next,
                const std::function<void(std::vector<char>)>& receive) const;
   /// Ends every rank at once (an error on one of them), after `clean_up` on this one.
   [[noreturn]] void abort(int exit_status) const;

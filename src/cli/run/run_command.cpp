@@ -47,23 +47,24 @@ std::vector<Suite> load_suites(const std::vector<fs::path>& files) {
 }
 
 /// What root does with the histories of all ranks.
-void write_all(Plan whole, RunParts parts, std::uint64_t resumed, const RunOptions& options,
-               StopRequest& stop, PhaseClock& clock, int ranks) {
+void write_all(const Plan& whole, RunHistories& all, std::uint64_t resumed,
+               const RunOptions& options, StopRequest& stop, PhaseClock& clock, int ranks) {
   const fs::path out = options.folder();
-  const std::size_t done = parts.units.size();
-  const Plan plan = first_blocks(std::move(whole), done);
-  const WorkCount count = total_count(parts.units);
+  std::optional<Plan> ended;
+  if (all.units < whole.units.size()) ended = first_blocks(whole, all.units);
+  const Plan& plan = ended ? *ended : whole;
+  const WorkCount count = all.histories.count();
   const std::vector<Skip> skips = skipped(plan, count);
-  const Results results = reduce(plan, std::move(parts.units), parts.motion_parts);
+  const Results results = reduce(plan, all.histories.take(plan), all.motion_parts);
   clock.end_phase("analyses");
-  if (stop.requested()) end_stopped(out, stop.reason(), done, done);
+  if (stop.requested()) end_stopped(out, stop.reason(), all.units, all.units);
   keeping_units(out, [&] { write_results(out / "results.h5", results); });
   clock.end_phase("results file");
   write_beside_results(out, [&] { write_report(results, out, skips); });
   clock.end_phase("report");
   write_beside_results(out, [&] {
     write_text_file(out / "run.json",
-                    run_json(results, skips, clock, ranks, count, resumed, parts.other_ranks_mb));
+                    run_json(results, skips, clock, ranks, count, resumed, all.other_ranks_mb));
   });
   if (options.quiet) return;
   fmt::print("{}\n", summary_text(results, skips));
@@ -135,17 +136,16 @@ Plan make_shared_plan(const std::string& study, std::vector<Suite> suites,
   return plan;
 }
 
-/// The units of earlier sessions, or of the parts, on root.
-Journal open_journals(const char* how, const fs::path& out, const RunIdentity& run,
-                      const Plan& plan) {
-  Journal journal = read_journals(out, run, plan);
+/// Adds the units of earlier sessions, or of the parts, on root.
+void read_earlier_units(const char* how, const fs::path& out, const RunIdentity& run,
+                        const Plan& plan, RunHistories& done) {
+  const std::uint64_t bytes_not_read =
+      read_journals(out, run, plan, [&](const UnitResult& unit) { done.add(unit); });
   write_text_file(out / "run.json", started_json(plan.config.name, plan.hash));
-  fmt::print("{}: {} of {} units are in the journals", how, journal.units.size(),
+  fmt::print("{}: {} of {} units are in the journals", how, done.units,
              units_of(plan, run.part).size());
-  if (journal.bytes_not_read > 0)
-    fmt::print(", beside {} bytes that are not whole records", journal.bytes_not_read);
+  if (bytes_not_read > 0) fmt::print(", beside {} bytes that are not whole records", bytes_not_read);
   fmt::print("\n");
-  return journal;
 }
 
 /// What would run, what it would cost, and whether its folder is free; if not, that is an error.
@@ -201,35 +201,35 @@ void run_study(RunOptions options, const Communicator& world) {
   const fs::path out = options.folder();
   clock.end_phase("motions");
 
-  Plan plan = make_shared_plan(options.study, std::move(suites), world);
+  const Plan plan = make_shared_plan(options.study, std::move(suites), world);
   RunIdentity identity = identity_of(plan, GLISSADE_VERSION);
   identity.part = options.part;
-  Journal journal;
+  std::optional<RunHistories> done;  // on root
   on_root(world, [&] {
     if (options.dry_run) return check_study(plan, out, options.overwrite);
     check_has_parts(plan, options.part);
     if (stopped.lock) {
       check_same_run(stopped.begun, identity, out);
-      journal = open_journals("Resumed", out, identity, plan);
     } else {
       check_parts(parts, identity);
       stopped.lock = take_run_folder(out, plan, identity, options.overwrite, parts);
-      if (!parts.empty()) journal = open_journals("Merged", out, identity, plan);
     }
+    done.emplace(plan);
+    if (!options.resume.empty() || !parts.empty())
+      read_earlier_units(parts.empty() ? "Resumed" : "Merged", out, identity, plan, *done);
   });
   const RunFolderGuard guard(options.dry_run ? fs::path() : out, world);
   clock.end_phase("plan");
   if (options.dry_run) return;
 
   StopRequest stop(world.is_root() ? out / "stop" : fs::path(), options.walltime_s, start);
-  const std::uint64_t resumed = journal.units.size();
-  RunParts done =
-      run_units(plan, options.part, options.no_skip ? Skipping::none : Skipping::all,
-                std::move(journal), JournalWriter(out, world.rank(), identity), stop, out, world);
+  const std::uint64_t resumed = done ? done->units : 0;
+  run_units(plan, options.part, options.no_skip ? Skipping::none : Skipping::all,
+            done ? &*done : nullptr, JournalWriter(out, world.rank(), identity), stop, out, world);
   clock.end_phase("histories");
   on_root(world, [&] {
-    if (!options.part.is_all()) return end_part(out, options.part, done.units.size());
-    write_all(std::move(plan), std::move(done), resumed, options, stop, clock, world.size());
+    if (!options.part.is_all()) return end_part(out, options.part, done->units);
+    write_all(plan, *done, resumed, options, stop, clock, world.size());
     stopped.lock->remove_journals();
   });
 }

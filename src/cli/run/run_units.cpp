@@ -7,7 +7,6 @@
 #include "glissade/core/bytes.hpp"
 #include "glissade/study/run/exchange.hpp"
 #include "glissade/study/run/motion_parts.hpp"
-#include "glissade/study/run/sampling_progress.hpp"
 #include "run/progress.hpp"
 #include "run/run_folder.hpp"
 #include "run/run_record.hpp"
@@ -16,11 +15,11 @@ namespace glissade::cli {
 namespace {
 
 /// By unit: whether a journal holds it, or it is of another part. On every rank.
-std::vector<char> done_units(const Plan& plan, const PlanPart& part, const Journal& earlier,
+std::vector<char> done_units(const Plan& plan, const PlanPart& part, const RunHistories* all,
                              const Communicator& world) {
   std::vector<char> done(plan.units.size(), 1);
-  for (const std::size_t unit : units_of(plan, part)) done[unit] = 0;
-  for (const UnitResult& unit : earlier.units) done[unit.unit] = 1;
+  for (const std::size_t unit : units_of(plan, part))
+    done[unit] = all != nullptr && all->histories.has(unit) ? 1 : 0;
   world.broadcast(done);
   return done;
 }
@@ -65,16 +64,14 @@ bool agreed(bool is_enough, const Communicator& world) {
 
 }  // namespace
 
-RunParts run_units(const Plan& plan, const PlanPart& part, Skipping skipping, Journal earlier,
-                   JournalWriter writer, StopRequest& stop, const std::filesystem::path& folder,
-                   const Communicator& world) {
-  const std::vector<char> done = done_units(plan, part, earlier, world);
+void run_units(const Plan& plan, const PlanPart& part, Skipping skipping, RunHistories* all,
+               JournalWriter writer, StopRequest& stop, const std::filesystem::path& folder,
+               const Communicator& world) {
+  const std::vector<char> done = done_units(plan, part, all, world);
   const auto missing_in_all = static_cast<std::uint64_t>(std::ranges::count(done, 0));
-  const std::uint64_t wanted = earlier.units.size() + missing_in_all;
+  const std::uint64_t wanted = (all != nullptr ? all->units : 0) + missing_in_all;
   RoofStore roofs(plan, skipping);
   Progress progress(missing_in_all, plan.histories() * missing_in_all / plan.units.size());
-  SamplingProgress sampling(plan);
-  RunParts all{std::move(earlier.units), {}};
   ByteWriter my_motion_parts;
   // That are left; the analyses need them, which a part of the plan has not.
   std::size_t motion_parts = part.is_all() ? motion_part_count(plan) : 0;
@@ -83,7 +80,6 @@ RunParts run_units(const Plan& plan, const PlanPart& part, Skipping skipping, Jo
   for (std::size_t block = 0; block < plan.unit_ends.size(); ++block) {
     std::vector<std::size_t> missing = longest_first(plan, block);
     std::erase_if(missing, [&](std::size_t unit) { return done[unit] != 0; });
-    std::vector<std::vector<char>> to_root;
     std::uint64_t mine = 0;
     const auto work = [&](std::uint64_t i) {
       if (i < motion_parts) {
@@ -92,37 +88,35 @@ RunParts run_units(const Plan& plan, const PlanPart& part, Skipping skipping, Jo
       }
       i -= motion_parts;
       if (!std::exchange(begun, true)) stop.before_unit();  // the first unit is always begun
-      UnitResult unit = execute(plan, missing[i], roofs);
+      const UnitResult unit = execute(plan, missing[i], roofs);
       keeping_units(folder, [&] { writer.append(unit); });
       ++mine;
-      if (!world.is_root()) return to_root.push_back(pack(unit));
-      all.units.push_back(std::move(unit));
+      if (all == nullptr) return;
+      all->add(unit);
       progress.update(before + i);  // units go out in order: those before are done or under way
     };
-    const std::size_t units_before = all.units.size();
+    const std::size_t units_before = all != nullptr ? all->units : 0;
     self_schedule(world, motion_parts + missing.size(), work,
                   [&] { return begun ? stop.before_unit() : stop.requested(); });
     motion_parts = 0;
     keeping_units(folder, [&] { writer.sync(); });
     if (world.is_root()) progress.finish();
     end_if_stopped(wanted, units_before, mine, missing.size(), stop, folder, world);
-    world.collect(std::move(to_root), [&](const std::vector<char>& unit) {
-      all.units.push_back(unpack_unit_result(unit));
-    });
-    if (world.is_root()) sampling.add_block(all.units);
+    world.collect(
+        mine, [&] { return writer.read_next(); },
+        [&](const std::vector<char>& unit) { all->add(unpack_unit_result(unit)); });
+    if (all != nullptr) all->sampling.end_block();
     before += missing.size();
-    if (!agreed(sampling.is_enough(), world)) continue;
-    std::erase_if(all.units,
-                  [&](const UnitResult& unit) { return unit.unit >= plan.unit_ends[block]; });
-    break;
+    if (agreed(all != nullptr && all->sampling.is_enough(), world)) break;
   }
-  if (!part.is_all()) return all;
-  all.motion_parts = numbered_parts(motion_part_count(plan), world.gather(my_motion_parts.take()));
-  for (std::size_t i = 0; world.is_root() && i < all.motion_parts.size(); ++i)
-    if (all.motion_parts[i].empty())  // the run was to stop, and all units were done
-      all.motion_parts[i] = motion_part(plan, i);
-  all.other_ranks_mb = largest_of_others_mb(world);
-  return all;
+  if (!part.is_all()) return;
+  auto numbers = numbered_parts(motion_part_count(plan), world.gather(my_motion_parts.take()));
+  const double other_ranks_mb = largest_of_others_mb(world);
+  if (all == nullptr) return;
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+    if (numbers[i].empty()) numbers[i] = motion_part(plan, i);  // it was to stop, and all was done
+  all->motion_parts = std::move(numbers);
+  all->other_ranks_mb = other_ranks_mb;
 }
 
 }  // namespace glissade::cli

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "journal/frame.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <system_error>
 
@@ -24,7 +25,8 @@ std::string framed(std::span<const char> content) {
   return frame.append(content.data(), content.size());
 }
 
-FrameReader::FrameReader(const std::filesystem::path& file, std::uint64_t most_bytes)
+FrameReader::FrameReader(const std::filesystem::path& file, std::uint64_t most_bytes,
+                         std::uint64_t from)
     : in_(file, std::ios::binary), most_bytes_(most_bytes) {
   std::error_code error;
   left_ = std::filesystem::file_size(file, error);
@@ -33,6 +35,9 @@ FrameReader::FrameReader(const std::filesystem::path& file, std::uint64_t most_b
     throw InputError({file.string(), "cannot be read: " + std::generic_category().message(reason),
                       "check that you may read it", ""});
   }
+  from = std::min(from, left_);
+  in_.seekg(static_cast<std::streamoff>(from));
+  left_ -= from;
 }
 
 std::optional<std::vector<char>> FrameReader::next() {

@@ -18,7 +18,8 @@ std::string framed(std::span<const char> content);
 class FrameReader {
  public:
   /// @param most_bytes longer records are not whole
-  FrameReader(const std::filesystem::path& file, std::uint64_t most_bytes);
+  /// @param from where the first record begins
+  FrameReader(const std::filesystem::path& file, std::uint64_t most_bytes, std::uint64_t from = 0);
   /// Nothing: no whole record follows.
   std::optional<std::vector<char>> next();
   std::uint64_t bytes_left() const { return left_; }

@@ -21,8 +21,9 @@ std::uint64_t most_unit_bytes(const Plan& plan) {
   return static_cast<std::uint64_t>(bytes_of(plan.config, 1, cases) + beside_histories);
 }
 
-void read_units(const fs::path& file, const std::string& head, const Plan& plan,
-                std::vector<bool>& done, Journal& journal) {
+std::uint64_t read_units(const fs::path& file, const std::string& head, const Plan& plan,
+                         std::vector<bool>& done,
+                         const std::function<void(const UnitResult&)>& take) {
   FrameReader in(file, std::max<std::uint64_t>(most_unit_bytes(plan), head.size()));
   const auto first = in.next();
   if (first && framed(*first) != head) {
@@ -42,21 +43,22 @@ void read_units(const fs::path& file, const std::string& head, const Plan& plan,
       not_read = in.bytes_left();
       if (done[unit.unit]) continue;
       done[unit.unit] = true;
-      journal.units.push_back(std::move(unit));
+      take(unit);
     }
   }
-  journal.bytes_not_read += not_read;
+  return not_read;
 }
 
 }  // namespace
 
-Journal read_journals(const fs::path& run_folder, const RunIdentity& run, const Plan& plan) {
-  Journal journal;
+std::uint64_t read_journals(const fs::path& run_folder, const RunIdentity& run, const Plan& plan,
+                            const std::function<void(const UnitResult&)>& take) {
+  std::uint64_t bytes_not_read = 0;
   std::vector<bool> done(plan.units.size(), false);
   const std::string head = units_head(run);
   for (const fs::path& file : JournalNames(run_folder).all_units())
-    read_units(file, head, plan, done, journal);
-  return journal;
+    bytes_not_read += read_units(file, head, plan, done, take);
+  return bytes_not_read;
 }
 
 bool has_units(const fs::path& run_folder) {

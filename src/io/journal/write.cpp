@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fcntl.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <condition_variable>
 #include <exception>
 #include <fstream>
+#include <limits>
 #include <mutex>
 #include <optional>
 #include <thread>
 
+#include "glissade/core/error.hpp"
 #include "glissade/core/file.hpp"
 #include "glissade/core/output_file.hpp"
 #include "glissade/io/journal.hpp"
@@ -23,8 +26,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// By a name that no writer had before.
-void open_new(const JournalNames& names, int rank, std::optional<OutputFile>& file) {
+/// By a name that no writer had before, which is returned.
+fs::path open_new(const JournalNames& names, int rank, std::optional<OutputFile>& file) {
   int session = 1, fd = -1;
   fs::path path;
   do {
@@ -32,6 +35,7 @@ void open_new(const JournalNames& names, int rank, std::optional<OutputFile>& fi
     fd = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_APPEND | O_CLOEXEC, 0666);
   } while (fd < 0 && errno == EEXIST);
   file.emplace(fd, path);
+  return path;
 }
 
 }  // namespace
@@ -43,6 +47,9 @@ struct JournalWriter::State {
   int rank;
   std::string head;
   std::optional<OutputFile> file;
+  fs::path path;                      ///< of the file
+  std::optional<FrameReader> reader;  ///< of what was appended when it was opened
+  std::uint64_t read_bytes = 0;
   std::mutex mutex;  // of the three below
   std::condition_variable_any wake;
   bool dirty = false;
@@ -50,7 +57,7 @@ struct JournalWriter::State {
   std::jthread thread;         // last: it ends before what it uses
 
   void open() {
-    open_new(names, rank, file);
+    path = open_new(names, rank, file);
     file->write(head);
     sync_folder(names.folder);
     thread = std::jthread([this](const std::stop_token& stop) { flush_now_and_then(stop); });
@@ -92,6 +99,21 @@ void JournalWriter::append(const UnitResult& unit) {
   state_->file->write(framed(pack(unit)));
   const std::lock_guard lock(state_->mutex);
   state_->dirty = true;
+}
+
+std::vector<char> JournalWriter::read_next() {
+  State& s = *state_;
+  if (!s.reader || s.reader->bytes_left() == 0) {
+    s.read_bytes = std::max(s.read_bytes, std::uint64_t{s.head.size()});
+    s.reader.emplace(s.path, std::numeric_limits<std::uint64_t>::max(), s.read_bytes);
+  }
+  std::optional<std::vector<char>> unit = s.reader->next();
+  if (!unit) {
+    throw InputError({s.path.string(), "does not hold any more what was written to it",
+                      "check the disk, and go on with --resume", ""});
+  }
+  s.read_bytes += frame_head_bytes + unit->size();
+  return std::move(*unit);
 }
 
 void JournalWriter::sync() {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <iterator>
 #include <new>
 #include <span>
 #include <string_view>
@@ -19,31 +20,30 @@ namespace {
 constexpr std::string_view checksum_key = "\nglissade checksum ";
 constexpr std::size_t checksum_bytes = checksum_key.size() + 17;
 
-std::string checksum_line(const Hasher& hasher) {
+/// Of the first `size` bytes of a file.
+std::string checksum_line(const std::filesystem::path& file, std::uintmax_t size) {
+  Hasher hasher;
+  std::ifstream in(file, std::ios::binary);
+  std::string block(std::size_t{1} << 20, '\0');
+  while (size > 0) {
+    const std::size_t part = std::min<std::uintmax_t>(size, block.size());
+    if (!in.read(block.data(), static_cast<std::streamsize>(part)))
+      throw InputError({file.string(), "cannot be read to its end", "check the disk", ""});
+    hasher.bytes(std::as_bytes(std::span(block.data(), part)));
+    size -= part;
+  }
   return std::string(checksum_key) + to_hex(hasher.value()) + '\n';
 }
 
 /// Before libhdf5 opens a file: it does not stand every damage. Damage of the checksum itself,
 /// which is taken for none, is none of the results.
 bool has_wrong_checksum(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
   const std::uintmax_t size = std::filesystem::file_size(file);
   if (size < checksum_bytes) return false;
-  std::string block(checksum_bytes, '\0');
+  std::ifstream in(file, std::ios::binary);
   in.seekg(static_cast<std::streamoff>(size - checksum_bytes));
-  in.read(block.data(), static_cast<std::streamsize>(block.size()));
-  if (!in || !block.starts_with(checksum_key)) return false;
-  const std::string line = block;
-  Hasher hasher;
-  in.seekg(0);
-  block.resize(std::size_t{1} << 20);
-  for (std::uintmax_t left = size - checksum_bytes; left > 0;) {
-    const std::size_t part = std::min<std::uintmax_t>(left, block.size());
-    if (!in.read(block.data(), static_cast<std::streamsize>(part))) return true;
-    hasher.bytes(std::as_bytes(std::span(block.data(), part)));
-    left -= part;
-  }
-  return line != checksum_line(hasher);
+  const std::string line{std::istreambuf_iterator<char>(in), {}};
+  return line.starts_with(checksum_key) && line != checksum_line(file, size - checksum_bytes);
 }
 
 std::string file_type_of(const Hdf5Reader& root) {
@@ -68,23 +68,23 @@ void check_type_and_version(const ResultsKind& kind, const Hdf5Reader& root) {
 void write_results_of(const ResultsKind& kind, const std::filesystem::path& file,
                       const std::function<void(const Hdf5Writer&)>& content) {
   const Hdf5Silence silence;
-  std::string bytes;
-  try {
-    const Hdf5Image image;
-    {
-      const Hdf5Writer root(image);
-      root.attribute("file_type", std::string(kind.file_type));
-      root.attribute("format_version", static_cast<std::uint64_t>(kind.format_version));
-      content(root);
+  write_file(file, [&](OutputFile& output, const std::filesystem::path& partial) {
+    try {
+      Hdf5OutputFile hdf5(partial, output);
+      {
+        const Hdf5Writer root(hdf5);
+        root.attribute("file_type", std::string(kind.file_type));
+        root.attribute("format_version", static_cast<std::uint64_t>(kind.format_version));
+        content(root);
+      }
+      hdf5.close();
+    } catch (const Hdf5Error& error) {
+      throw InputError({file.string(), std::string("cannot be written: cannot ") + error.what(),
+                        "check that there are memory and disk space enough", ""});
     }
-    bytes = image.bytes();
-  } catch (const Hdf5Error& error) {
-    throw InputError({file.string(),
-                      std::string("the results could not be put together: cannot ") + error.what(),
-                      "check that there is memory enough, or take fewer samples, levels or records",
-                      ""});
-  }
-  write_text_file(file, bytes + checksum_line(Hasher().bytes(std::as_bytes(std::span(bytes)))));
+    output.write(checksum_line(partial, std::filesystem::file_size(partial)));
+    output.release();
+  });
 }
 
 void read_results_of(const ResultsKind& kind, const std::filesystem::path& file,

@@ -17,9 +17,9 @@ struct ResultsKind {
   const char* name;  ///< "glissade results file"
 };
 
-/// Puts an HDF5 file together in memory, then writes it to a temporary name and renames it when
-/// complete: the same content gives the same bytes. Behind what HDF5 reads stands a checksum of it.
-/// Throws InputError; an older file stays as it was.
+/// Writes an HDF5 file, and behind what HDF5 reads a checksum of it, to a temporary name, and
+/// renames it when complete: the same content gives the same bytes. Throws InputError; an older
+/// file stays as it was.
 void write_results_of(const ResultsKind& kind, const std::filesystem::path& file,
                       const std::function<void(const Hdf5Writer&)>& content);
 

@@ -20,20 +20,18 @@ Hdf5Handle timeless(hid_t property_class) {
   return properties;
 }
 
-Hdf5Handle create_in_memory() {
-  constexpr std::size_t growth_bytes = std::size_t{1} << 22;
+Hdf5Handle create(const std::filesystem::path& file) {
   const Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "make properties");
-  checked(H5Pset_fapl_core(access, growth_bytes, false), "write into memory");
-  // The oldest superblock: H5Fget_file_image (1.10) clears the open mark of newer ones without
-  // renewing their checksum.
+  checked(H5Pset_fclose_degree(access, H5F_CLOSE_STRONG), "close all with the file");
+  // Nobody else knows the file, and some shared file systems cannot lock.
+  checked(H5Pset_file_locking(access, false, true), "leave locks out");
   checked(H5Pset_libver_bounds(access, H5F_LIBVER_EARLIEST, H5F_LIBVER_V18), "fix the format");
   const Hdf5Handle creation = timeless(H5P_FILE_CREATE);
   // Gives the root group the newer object header, whose attributes may be longer than 64 KiB (the
   // study file).
   checked(H5Pset_attr_creation_order(creation, H5P_CRT_ORDER_TRACKED),
           "keep the order of attributes");
-  return {H5Fcreate("glissade results", H5F_ACC_TRUNC, creation, access), H5Fclose,
-          "begin the file"};
+  return {H5Fcreate(file.c_str(), H5F_ACC_TRUNC, creation, access), H5Fclose, "begin the file"};
 }
 
 void write_attribute(hid_t object, const std::string& name, hid_t in_file, hid_t in_memory,
@@ -45,27 +43,42 @@ void write_attribute(hid_t object, const std::string& name, hid_t in_file, hid_t
   checked(H5Awrite(attribute, in_memory, data), "write the attribute " + name);
 }
 
-void write_text_attribute(hid_t object, const std::string& name, const std::string& text) {
+}  // namespace
+
+namespace {
+
+/// Headers of an object, and its part of the index of its group.
+constexpr std::size_t beside_bytes = 16384;
+
+}  // namespace
+
+Hdf5OutputFile::Hdf5OutputFile(const std::filesystem::path& partial, OutputFile& file)
+    : output_(file), file_([&] {
+        output_.reserve(beside_bytes);
+        return create(partial);
+      }()) {}
+
+void Hdf5OutputFile::reserve(std::size_t bytes) const {
+  hsize_t size = 0;
+  checked(H5Fget_filesize(file_, &size), "size the file");
+  output_.reserve(size + bytes + beside_bytes);
+}
+
+void Hdf5OutputFile::close() { file_.close_now("close the file"); }
+
+void Hdf5Writer::write_text_attribute(hid_t object, const std::string& name,
+                                      const std::string& text) const {
+  file_.reserve(text.size());
   const Hdf5Handle type = text_type(text.size());
   write_attribute(object, name, type, type, text.empty() ? "\0" : text.data());
 }
 
-}  // namespace
-
-Hdf5Image::Hdf5Image() : file_(create_in_memory()) {}
-
-std::string Hdf5Image::bytes() const {
-  checked(H5Fflush(file_, H5F_SCOPE_GLOBAL), "flush the file");
-  const ssize_t size = checked(H5Fget_file_image(file_, nullptr, 0), "size the file");
-  std::string bytes(static_cast<std::size_t>(size), '\0');
-  checked(H5Fget_file_image(file_, bytes.data(), bytes.size()), "copy the file");
-  return bytes;
-}
-
 Hdf5Writer Hdf5Writer::group(const std::string& name) const {
+  file_.reserve(0);
   const Hdf5Handle creation = timeless(H5P_GROUP_CREATE);
-  return Hdf5Writer(Hdf5Handle(H5Gcreate2(group_, name.c_str(), H5P_DEFAULT, creation, H5P_DEFAULT),
-                               H5Gclose, "make the group " + name));
+  return {Hdf5Handle(H5Gcreate2(group_, name.c_str(), H5P_DEFAULT, creation, H5P_DEFAULT), H5Gclose,
+                     "make the group " + name),
+          file_};
 }
 
 void Hdf5Writer::attribute(const std::string& name, const std::string& text) const {
@@ -81,6 +94,8 @@ void Hdf5Writer::attribute(const std::string& name, std::uint64_t value) const {
 void Hdf5Writer::write(const std::string& name, const Label& label, const Dims& dims, hid_t in_file,
                        hid_t in_memory, const void* data) const {
   const Hdf5Handle space = make_space(dims);
+  file_.reserve(H5Tget_size(in_file) *
+                static_cast<std::size_t>(H5Sget_simple_extent_npoints(space)));
   const Hdf5Handle creation = timeless(H5P_DATASET_CREATE);
   const Hdf5Handle dataset(
       H5Dcreate2(group_, name.c_str(), in_file, space, H5P_DEFAULT, creation, H5P_DEFAULT),

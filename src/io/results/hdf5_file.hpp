@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "glissade/core/output_file.hpp"
 #include "results/hdf5_handle.hpp"
 
 namespace glissade {
@@ -18,14 +19,19 @@ struct Label {
 
 using Dims = std::vector<hsize_t>;
 
-/// An HDF5 file put together in memory.
-class Hdf5Image {
+/// An HDF5 file while it is written. Disk space is reserved before HDF5 needs it: HDF5 cannot close
+/// a file that met a full disk.
+class Hdf5OutputFile {
  public:
-  Hdf5Image();
+  /// @param partial an empty file, which `file` has open
+  Hdf5OutputFile(const std::filesystem::path& partial, OutputFile& file);
   hid_t root() const { return file_; }
-  std::string bytes() const;
+  /// Before so many bytes of content are written, and what HDF5 writes beside them.
+  void reserve(std::size_t bytes) const;
+  void close();
 
  private:
+  OutputFile& output_;
   Hdf5Handle file_;
 };
 
@@ -34,8 +40,8 @@ class Hdf5Image {
 class Hdf5Writer {
  public:
   static constexpr bool reads = false;
-  explicit Hdf5Writer(const Hdf5Image& image)
-      : group_(H5Gopen2(image.root(), "/", H5P_DEFAULT), H5Gclose, "open /") {}
+  explicit Hdf5Writer(const Hdf5OutputFile& file)
+      : group_(H5Gopen2(file.root(), "/", H5P_DEFAULT), H5Gclose, "open /"), file_(file) {}
 
   Hdf5Writer group(const std::string& name) const;
   void attribute(const std::string& name, const std::string& text) const;
@@ -48,10 +54,13 @@ class Hdf5Writer {
              const std::vector<std::string>& values) const;
 
  private:
-  explicit Hdf5Writer(Hdf5Handle group) : group_(std::move(group)) {}
+  Hdf5Writer(Hdf5Handle group, const Hdf5OutputFile& file)
+      : group_(std::move(group)), file_(file) {}
   void write(const std::string& name, const Label& label, const Dims& dims, hid_t in_file,
              hid_t in_memory, const void* data) const;
+  void write_text_attribute(hid_t object, const std::string& name, const std::string& text) const;
   Hdf5Handle group_;
+  const Hdf5OutputFile& file_;
 };
 
 /// Reads from one group of a file; every trouble is an Hdf5Error that names the dataset.

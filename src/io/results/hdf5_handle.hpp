@@ -39,6 +39,9 @@ class Hdf5Handle {
     if (id_ >= 0) close_(id_);
   }
   operator hid_t() const { return id_; }
+  void close_now(const std::string& doing) {
+    checked(close_(std::exchange(id_, H5I_INVALID_HID)), doing);
+  }
 
  private:
   hid_t id_;

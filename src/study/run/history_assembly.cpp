@@ -2,6 +2,7 @@
 #include "glissade/study/run/history_assembly.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <stdexcept>
 #include <utility>
 
@@ -37,6 +38,23 @@ void mirror_residuals(const Plan& plan, HistoryTable& table) {
   }
 }
 
+/// Leaves the cases of the first samples of each combination.
+void keep_first_samples(const CaseSet& all, const CaseSet& first, HistoryTable& table) {
+  for (std::size_t record = 0; record < table.records; ++record) {
+    for (std::size_t i = 0; i < first.size(); ++i) {
+      const std::size_t combination = i / first.per_combination(),
+                        from = combination * all.per_combination() + i % first.per_combination();
+      copy_case(table, table.fields, record * table.cases + from, table.fields,
+                record * first.size() + i);  // never behind what is still to be copied
+    }
+  }
+  table.cases = first.size();
+  for_each_history_field([&](auto field) {
+    auto& values = table.fields.*field.of;
+    if (!values.empty()) values.resize(table.records * table.cases * table.depth(field.depth));
+  });
+}
+
 }  // namespace
 
 HistoryAssembly::HistoryAssembly(const Plan& plan)
@@ -62,12 +80,13 @@ void HistoryAssembly::add(const UnitResult& unit) {
               work.record * table_.cases + plan_.order[work.first + i]);
   }
   has_[unit.unit] = true;
-  ++units_;
   count_ += unit.count;
 }
 
-HistoryTable HistoryAssembly::take() {
-  if (units_ < has_.size()) throw std::logic_error("reduce: a unit of the plan is missing");
+HistoryTable HistoryAssembly::take(const Plan& plan) {
+  if (!std::all_of(has_.begin(), has_.begin() + static_cast<std::ptrdiff_t>(plan.units.size()),
+                   std::identity{}))
+    throw std::logic_error("reduce: a unit of the plan is missing");
   for (std::size_t record = 0; record < table_.records; ++record) {
     const std::size_t row = record * table_.cases;
     for (std::size_t i = 0; i < table_.cases; ++i) {
@@ -76,6 +95,7 @@ HistoryTable HistoryAssembly::take() {
     }
   }
   mirror_residuals(plan_, table_);
+  if (plan.cases.samples < plan_.cases.samples) keep_first_samples(plan_.cases, plan.cases, table_);
   return std::move(table_);
 }
 

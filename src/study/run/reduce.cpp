@@ -64,15 +64,15 @@ void analyse(const StudyConfig& study, Results& results) {
 
 Results reduce(const Plan& plan, const std::vector<UnitResult>& units) {
   const auto part = [&](std::size_t i) { return motion_part(plan, i); };
-  return reduce(plan, std::vector(units), compute_parts_here(motion_part_count(plan), part));
+  HistoryAssembly histories(plan);
+  for (const UnitResult& unit : units) histories.add(unit);
+  return reduce(plan, histories.take(plan), compute_parts_here(motion_part_count(plan), part));
 }
 
-Results reduce(const Plan& plan, std::vector<UnitResult>&& units,
+Results reduce(const Plan& plan, HistoryTable histories,
                const std::vector<std::vector<double>>& motion_parts) {
   Results results = header_of(plan, motion_parts);
-  HistoryAssembly histories(plan);
-  for (UnitResult& unit : units) histories.add(std::exchange(unit, {}));
-  results.histories = histories.take();
+  results.histories = std::move(histories);
   analyse(plan.config, results);
   results.warnings = plan.warnings;
   for (std::string& warning : warnings_on(results, plan.config))

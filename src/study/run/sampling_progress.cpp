@@ -5,28 +5,39 @@
 
 namespace glissade {
 
-void SamplingProgress::add_block(const std::vector<UnitResult>& units) {
+SamplingProgress::SamplingProgress(const Plan& plan)
+    : plan_(plan),
+      capacities_{plan.records.size(),
+                  plan.cases.size(),
+                  plan.config.intensity.levels.size(),
+                  plan.config.thresholds_m().size(),
+                  {}} {
+  if (plan.config.sampling.target)
+    capacities_.fields.capacity.resize(capacities_.records * capacities_.cases *
+                                       capacities_.thresholds);
+}
+
+std::vector<double>::iterator SamplingProgress::place(std::size_t record, std::size_t c) {
+  return capacities_.fields.capacity.begin() +
+         static_cast<std::ptrdiff_t>((record * capacities_.cases + c) * capacities_.thresholds);
+}
+
+void SamplingProgress::add(const UnitResult& unit) {
   if (!plan_.config.sampling.target) return;
-  const std::uint64_t block = medians_.blocks();
+  const WorkUnit& work = plan_.units[unit.unit];
+  const auto depth = static_cast<std::ptrdiff_t>(capacities_.thresholds);
+  auto from = unit.fields.capacity.begin();
+  for (std::size_t i = 0; i < work.count; ++i, from += depth)
+    std::copy_n(from, depth, place(work.record, plan_.order[work.first + i]));
+}
+
+void SamplingProgress::end_block() {
+  if (!plan_.config.sampling.target) return;
   const SampleBlocks blocks = plan_.config.sampling.blocks();
-  const std::size_t begin = block == 0 ? 0 : plan_.unit_ends[block - 1],
-                    depth = capacities_.thresholds;
-  std::vector<double>& all = capacities_.fields.capacity;
-  all.resize(capacities_.records * capacities_.cases * depth);
-  const auto place = [&](std::size_t record, std::size_t c) {
-    return all.begin() + static_cast<std::ptrdiff_t>((record * capacities_.cases + c) * depth);
-  };
-  for (const UnitResult& unit : units) {
-    if (unit.unit < begin || unit.unit >= plan_.unit_ends[block]) continue;
-    const WorkUnit& work = plan_.units[unit.unit];
-    auto from = unit.fields.capacity.begin();
-    for (std::size_t i = 0; i < work.count; ++i, from += static_cast<std::ptrdiff_t>(depth))
-      std::copy_n(from, depth, place(work.record, plan_.order[work.first + i]));
-  }
   for (std::size_t i = 0; i < plan_.cases.size(); ++i) {
-    if (plan_.same_as[i] == i || plan_.cases.block(i, blocks) != block) continue;
+    if (plan_.same_as[i] == i || plan_.cases.block(i, blocks) != medians_.blocks()) continue;
     for (std::size_t record = 0; record < plan_.records.size(); ++record)
-      std::copy_n(place(record, plan_.same_as[i]), depth, place(record, i));
+      std::copy_n(place(record, plan_.same_as[i]), capacities_.thresholds, place(record, i));
   }
   medians_.add(plan_.cases, capacities_, plan_.config.intensity.levels.back(), blocks);
 }

@@ -30,8 +30,11 @@ std::vector<UnitResult> run_to_target(const Plan& plan) {
   RoofStore roofs(plan, Skipping::all);
   std::vector<UnitResult> units;
   for (const std::size_t end : plan.unit_ends) {
-    while (units.size() < end) units.push_back(execute(plan, units.size(), roofs));
-    progress.add_block(units);
+    while (units.size() < end) {
+      units.push_back(execute(plan, units.size(), roofs));
+      progress.add(units.back());
+    }
+    progress.end_block();
     if (progress.is_enough()) break;
   }
   return units;
@@ -93,8 +96,9 @@ TEST(sampling_target, is_decided_by_the_blocks_alone) {
   while (units.size() < plan.unit_ends.back()) units.push_back(execute(plan, units.size(), roofs));
   std::ranges::reverse(units);
   SamplingProgress progress(plan);
+  for (const UnitResult& unit : units) progress.add(unit);
   std::size_t block = 0;
-  do progress.add_block(units);
+  do progress.end_block();
   while (!progress.is_enough() && ++block < plan.unit_ends.size());
   EXPECT_EQ(plan.unit_ends[block], enough);
 }

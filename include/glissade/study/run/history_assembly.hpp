@@ -13,16 +13,16 @@ class HistoryAssembly {
  public:
   explicit HistoryAssembly(const Plan& plan);
   void add(const UnitResult& unit);
-  std::size_t units() const { return units_; }
+  bool has(std::size_t unit) const { return has_[unit]; }
   const WorkCount& count() const { return count_; }
-  /// The whole table. Throws std::logic_error where a unit of the plan is missing.
-  HistoryTable take();
+  /// The whole table of `plan`: this one, or that of its first blocks of samples. Throws
+  /// std::logic_error where a unit is missing.
+  HistoryTable take(const Plan& plan);
 
  private:
   const Plan& plan_;
   HistoryTable table_;
   std::vector<bool> has_;
-  std::size_t units_ = 0;
   WorkCount count_;
 };
 

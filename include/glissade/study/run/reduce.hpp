@@ -8,12 +8,12 @@
 
 namespace glissade {
 
-/// Puts the units' results together in plan order, fits the fragilities, compares with the
-/// standards. `units` may come in any order; each unit of the plan must be there once.
-Results reduce(const Plan& plan, const std::vector<UnitResult>& units);
-/// The same with what motion_part() gave for each part. Each unit is freed when it is added.
-Results reduce(const Plan& plan, std::vector<UnitResult>&& units,
+/// The analyses of the plan's histories.
+/// @param motion_parts what motion_part() gave for each part
+Results reduce(const Plan& plan, HistoryTable histories,
                const std::vector<std::vector<double>>& motion_parts);
+/// The same of units in any order; each unit of the plan must be there once.
+Results reduce(const Plan& plan, const std::vector<UnitResult>& units);
 
 /// Finished results with the analyses of `study`, which names the same histories (or, with a
 /// sampling.target_error, those and more). Warnings and notes

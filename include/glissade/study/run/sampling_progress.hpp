@@ -14,20 +14,16 @@ namespace glissade {
 /// function of the complete blocks, whichever ranks and sessions ran them.
 class SamplingProgress {
  public:
-  explicit SamplingProgress(const Plan& plan)
-      : plan_(plan),
-        capacities_{plan.records.size(),
-                    plan.cases.size(),
-                    plan.config.intensity.levels.size(),
-                    plan.config.thresholds_m().size(),
-                    {}} {}
-  /// Takes the units of the next block, which must all be there; others are left.
-  void add_block(const std::vector<UnitResult>& units);
+  explicit SamplingProgress(const Plan& plan);
+  void add(const UnitResult& unit);
+  /// The units of the next block are all added.
+  void end_block();
   bool is_enough() const;
 
  private:
+  std::vector<double>::iterator place(std::size_t record, std::size_t c);
   const Plan& plan_;
-  HistoryTable capacities_;  ///< of the blocks that were taken; nothing else
+  HistoryTable capacities_;  ///< of the units that were added; nothing else
   BlockMedians medians_;
 };
 
