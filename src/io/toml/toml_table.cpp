@@ -331,8 +331,8 @@ void TomlTable::report(std::string_view key, std::string what, std::string sugge
     const toml::node* node = key.empty() ? nullptr : as_table(node_).get(key);
     at = (node != nullptr ? node->source() : as_table(node_).source()).begin;
   }
-  document_->found.push_back({document_->problem(at, std::move(what), std::move(suggestion)),
-                              table_of(path_), kind});
+  document_->found.push_back(
+      {document_->problem(at, std::move(what), std::move(suggestion)), table_of(path_), kind});
 }
 
 void TomlTable::report(std::string_view key, const InputError& error) const {
