@@ -92,7 +92,8 @@ TEST_F(SuiteSelect, writes_a_suite_file_elsewhere_that_scales_to_the_same_factor
   const Finished child = select(with(a_site, {"--count", "3", "--out", out, "--json"}));
   EXPECT_EQ(child.status, 0) << child.err;
   const json records = json::parse(child.out)["records"];
-  EXPECT_EQ(run_program({"suite", "show", out}).status, 0);
+  EXPECT_THAT(run_program({"suite", "show", out}).out,
+              HasSubstr("selected as the nearest to a target spectrum"));
   const Finished scaled = run_program({"suite", "scale", out, "--max-factor", "50"});
   EXPECT_EQ(scaled.status, 0) << scaled.err;
   const std::vector<std::string> lines = lines_of(scaled.out);
@@ -134,6 +135,12 @@ TEST_F(SuiteSelect, a_shortfall_is_reported_and_is_no_error) {
   EXPECT_THAT(read_file(folder_.path("short.toml")), HasSubstr("falls below the target"));
 }
 
+TEST_F(SuiteSelect, a_site_may_state_its_one_class) {
+  const Finished child = select(with(a_site, {"--site-class", "C", "--count", "2", "--json"}));
+  EXPECT_EQ(child.status, 0) << child.err;
+  EXPECT_EQ(json::parse(child.out)["target"]["site_classes"], json({"C"}));
+}
+
 TEST_F(SuiteSelect, mistakes_are_refused) {
   expect_refused(select({"--level", "2", "--ss-g", "1"}), {"--level", "--ss-g"});
   expect_refused(select({}), {"--ss-g", "--s1-g", "--level", "--edition"});
@@ -143,7 +150,8 @@ TEST_F(SuiteSelect, mistakes_are_refused) {
   expect_refused(select({"--ss-g", "-1", "--s1-g", "0.2"}), {"--ss-g", "not above 0"});
   expect_refused(select({"--level", "9"}), {"9", "0 to 4"});
   expect_refused(select({"--level", "2", "--site-class", "C"}), {"--site-class", "A to D"});
-  expect_refused(select(with(a_site, {"--site-class", "E"})), {"--site-classes"});
+  expect_refused(select(with(a_site, {"--site-class", "E", "--site-classes", "D"})),
+                 {"--site-class", "one of them"});
   expect_refused(select(with(a_site, {"--site-classes", "A,F"})), {"F"});
   expect_refused(select(with(a_site, {"--min-magnitude", "7", "--max-magnitude", "6"})),
                  {"--min-magnitude", "admits nothing"});

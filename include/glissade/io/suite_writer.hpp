@@ -20,6 +20,7 @@ struct SuiteHead {
   std::string name, description;
   DesignTarget target;
   std::vector<std::string> comments;  ///< lines at the head of the file
+  bool nearest_to_target = false;     ///< as that of Suite
 };
 
 /// The suite file, to be written into `folder`, of some [[record]] entries of the suite file

@@ -49,6 +49,9 @@ struct Suite {
   std::string description;
   std::vector<Motion> motions;
   std::optional<DesignTarget> target;  ///< design spectrum of the suite
+  /// The file states that its records were selected as the nearest to a target spectrum: they
+  /// scatter less than recorded motions. Known to the rank that read the file.
+  bool nearest_to_target = false;
 };
 
 }  // namespace glissade

@@ -70,6 +70,8 @@ void show(const SuiteOptions& o) {
     fmt::print("\n");
     for (const std::string& warning : improbable_values(*suite.target)) warn(warning);
   }
+  if (suite.nearest_to_target)
+    fmt::print("selected as the nearest to a target spectrum: the motions scatter less\n");
   for (const Motion& motion : suite.motions) {
     for (const std::string& value : improbable_values(motion)) warn(motion.id + ": " + value);
   }

@@ -77,6 +77,8 @@ DesignTarget target_of_site(const SelectOptions& o) {
       .ss_g = mapped(o.ss_g, "--ss-g"),
       .s1_g = mapped(o.s1_g, "--s1-g")};
   target.site_classes.clear();
+  if (!o.site_class.empty())
+    target.site_classes.push_back(site_class_of("--site-class", o.site_class));
   for (const std::string& name : o.site_classes)
     target.site_classes.push_back(site_class_of("--site-classes", name));
   if (target.site_classes.empty())
@@ -96,8 +98,8 @@ Task task_of(const SelectOptions& o) {
   if (o.level && of_a_site)
     throw InputError({"--level", "has its own S_s, S_1 and site classes",
                       "leave out --ss-g, --s1-g and --site-classes, or the level", ""});
-  if (!o.level && !o.site_class.empty())
-    throw InputError({"--site-class", "is of a level", "give --site-classes with --ss-g", ""});
+  if (!o.site_class.empty() && !o.site_classes.empty())
+    throw InputError({"--site-class", "is given beside --site-classes", "give one of them", ""});
   if (o.level && !o.edition.empty())
     throw InputError({"--edition", "a level is of ASCE 7-10, after Walters et al. (2012)",
                       "leave it out, or give --ss-g and --s1-g in place of the level", ""});
@@ -253,7 +255,8 @@ std::string suite_text(const SelectOptions& o, const Suite& library, const Task&
                              target_line(task.target)),
                  task.target,
                  {"Made by: glissade suite select, from " + fs::path(o.library).filename().string(),
-                  "average of the SRSS spectra: " + average_line(s)}};
+                  "average of the SRSS spectra: " + average_line(s)},
+                 true};
   if (!s.reaches_target()) head.comments.push_back(shortfall_line(s, task.criteria.max_scale));
   std::vector<ScaledRecord> records;
   for (const SelectedRecord& r : s.records)
@@ -286,7 +289,7 @@ void add_suite_select(CLI::App& suite) {
   command->add_option("--count", o->criteria.count, "how many records");
   command->add_option("--level", o->level,
                       "Walters's Seismic Intensity Level, 0 to 4: its target and its limits");
-  command->add_option("--site-class", o->site_class, "E: the level's suite for class E [A to D]");
+  command->add_option("--site-class", o->site_class, "class of the site; of a level: E [A to D]");
   command->add_option("--ss-g", o->ss_g, "the site's own mapped S_s");
   command->add_option("--s1-g", o->s1_g, "the site's own mapped S_1");
   command->add_option("--edition", o->edition, "asce7_10 or asce7_16; required with --ss-g");

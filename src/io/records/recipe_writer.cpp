@@ -40,6 +40,7 @@ std::string recipe_toml(const SyntheticRecipe& recipe, const std::string& origin
       "[suite]\n"
       "name = {}\n"
       "description = {}\n"
+      "{}"
       "\n"
       "{}"
       "\n"
@@ -53,8 +54,9 @@ std::string recipe_toml(const SyntheticRecipe& recipe, const std::string& origin
       "frequency_hz = {}\n"
       "horizontal = {}\n"
       "vertical = {}\n",
-      origin, quoted(recipe.name), quoted(recipe.description), target_toml(recipe.target),
-      recipe.seed, recipe.dt_s,
+      origin, quoted(recipe.name), quoted(recipe.description),
+      recipe.nearest_to_target ? "selection = \"nearest_to_target\"\n" : "",
+      target_toml(recipe.target), recipe.seed, recipe.dt_s,
       // Zero where the recipe does not state it.
       recipe.max_scale > 0.0 ? fmt::format("max_scale = {}\n", recipe.max_scale) : "",
       numbers(recipe.gain_frequencies_hz), numbers(recipe.horizontal_gain),

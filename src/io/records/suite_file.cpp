@@ -24,6 +24,10 @@ std::optional<DesignTarget> read_optional_target(const TomlTable& root,
   return read_target(table, folder);
 }
 
+bool read_selection(const TomlTable& head) {
+  return head.choice<bool>("selection", {{"nearest_to_target", true}}).value_or(false);
+}
+
 /// Ids name motions in results: each once.
 void check_ids(const std::vector<TomlTable>& tables) {
   std::set<std::string> seen;
@@ -98,6 +102,7 @@ Suite read_recorded_suite(const std::filesystem::path& file, TomlDocument& docum
   Suite suite;
   suite.name = head.required_text("name");
   suite.description = head.text("description").value_or("");
+  suite.nearest_to_target = read_selection(head);
   suite.target = read_optional_target(root, file.parent_path());
   const std::vector<TomlTable> records = root.tables("record");
   if (records.empty())
@@ -175,6 +180,7 @@ SyntheticRecipe read_recipe(TomlDocument& document, const std::filesystem::path&
   SyntheticRecipe recipe;
   recipe.name = head.required_text("name");
   recipe.description = head.text("description").value_or("");
+  recipe.nearest_to_target = read_selection(head);
   recipe.target = read_target(root.required_table("target"), folder);
 
   if (!recipe.target.period_s.empty())

@@ -78,9 +78,10 @@ std::string suite_of_records_toml(const fs::path& library, const SuiteHead& head
   const auto [units, entries] = read_library(library);
   std::string text;
   for (const std::string& comment : head.comments) text += "# " + comment + "\n";
-  text += fmt::format("\n[suite]\nname = {}\ndescription = {}\n{}\n{}", quoted(head.name),
-                      quoted(head.description), line("units", units ? to_string(*units) : ""),
-                      target_toml(head.target));
+  text += fmt::format("\n[suite]\nname = {}\ndescription = {}\n{}{}\n{}", quoted(head.name),
+                      quoted(head.description),
+                      line("selection", head.nearest_to_target ? "nearest_to_target" : ""),
+                      line("units", units ? to_string(*units) : ""), target_toml(head.target));
   for (const ScaledRecord& record : records) {
     const auto found = entries.find(record.id);
     if (found == entries.end()) {

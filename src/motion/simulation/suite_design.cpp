@@ -65,6 +65,7 @@ double rounded(double value) {
 SyntheticRecipe recipe_of_level(int level, std::uint64_t seed) {
   SyntheticRecipe recipe;
   recipe.name = "synthetic_level" + std::to_string(level);
+  recipe.nearest_to_target = true;
   recipe.description =
       "Seven simulated three-component motions scaled to the MCE of Intensity Level " +
       std::to_string(level) + " of Walters et al. (2012), site classes A-D";

@@ -36,7 +36,8 @@ Suite simulate_suite(const SyntheticRecipe& recipe) {
   Suite suite{.name = recipe.name,
               .description = recipe.description,
               .motions = {},
-              .target = recipe.target};
+              .target = recipe.target,
+              .nearest_to_target = recipe.nearest_to_target};
   for (const SyntheticMotion& motion : recipe.motions)
     suite.motions.push_back(simulate_motion(recipe, motion));
   return suite;

@@ -42,6 +42,22 @@ Warnings strong_levels(const Plan& plan) {
                       intensity.measure.key(), highest, unit == "-" ? "" : " " + unit, most)};
 }
 
+/// Probabilities need the scatter between records that such a suite has not.
+Warnings nearest_records(const Plan& plan) {
+  if (!plan.config.fragility && !plan.config.rare) return {};
+  Warnings warnings;
+  for (const Suite& suite : plan.suites) {
+    if (suite.nearest_to_target)
+      warnings.push_back(fmt::format(
+          "the records of {} were selected as the nearest to a target spectrum "
+          "(suite.selection): they scatter less than recorded motions, so that small "
+          "probabilities are too small, and the log standard deviation and all intervals too "
+          "narrow",
+          suite.name));
+  }
+  return warnings;
+}
+
 /// Of the targets, each once.
 Warnings target_values(const Plan& plan) {
   Warnings warnings;
@@ -110,8 +126,9 @@ Warnings motions(const Plan& plan) {
 
 std::vector<std::string> warnings_on(const Plan& plan) {
   std::vector<std::string> warnings;
-  for (const auto warning : {without_target, one_axis, strong_levels, target_values, long_periods,
-                             large_clearances, low_friction, free_sliding, motions}) {
+  for (const auto warning :
+       {without_target, one_axis, nearest_records, strong_levels, target_values, long_periods,
+        large_clearances, low_friction, free_sliding, motions}) {
     for (std::string& text : warning(plan)) warnings.push_back(std::move(text));
   }
   return warnings;

@@ -45,6 +45,7 @@ class SuiteWriter : public testing::Test {
   }
   std::string text_for(const std::string& out_folder, const std::vector<ScaledRecord>& records) {
     SuiteHead head{"selected", "some records", {.ss_g = 1.95, .s1_g = 0.8}, {"Made by a test"}};
+    head.nearest_to_target = true;
     head.target.site_classes = {SiteClass::a, SiteClass::e};
     return suite_of_records_toml(library_, head, records, folder_.path() / out_folder);
   }
@@ -57,6 +58,7 @@ TEST_F(SuiteWriter, writes_a_suite_that_loads_from_another_folder_with_the_same_
   EXPECT_THAT(text, testing::StartsWith("# Made by a test\n"));
   const Suite suite = load_suite(folder_.write("elsewhere/deep/selected.toml", text));
   EXPECT_EQ(suite.name, "selected");
+  EXPECT_TRUE(suite.nearest_to_target);
   EXPECT_EQ(suite.target->ss_g, 1.95);
   EXPECT_THAT(suite.target->site_classes, ElementsAre(SiteClass::a, SiteClass::e));
   ASSERT_EQ(suite.motions.size(), 1u);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glissade/study/plan/plan.hpp"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include <algorithm>
 #include <functional>
@@ -339,6 +339,18 @@ TEST(plan, warns_of_what_is_possible_and_not_probable) {
   EXPECT_EQ(make_plan(small_config(), {twins}).warnings.size(), twins.motions.size() + 1);
   for (Motion& motion : twins.motions) motion.dt_s = 0.5;  // five are named, the others counted
   EXPECT_EQ(make_plan(small_config(), {twins}).warnings.size(), 5u + 1u + 1u);
+}
+
+TEST(plan, warns_of_probabilities_from_records_that_are_the_nearest_to_a_target) {
+  Suite suite = small_suite();
+  suite.nearest_to_target = true;
+  StudyConfig config = small_config();
+  const auto warnings = [&] { return make_plan(config, {suite}).warnings; };
+  const auto of_selection = testing::HasSubstr("nearest to a target spectrum");
+  EXPECT_THAT(warnings(), testing::Contains(of_selection));
+  config.fragility.reset();
+  config.standards.compare.clear();
+  EXPECT_THAT(warnings(), testing::Not(testing::Contains(of_selection)));
 }
 
 TEST(plan, refuses_a_clearance_of_a_suite_that_does_not_meet_its_target) {

@@ -24,6 +24,7 @@ struct SyntheticMotion {
 /// Recipe of a built-in suite (suites/synthetic_*.toml).
 struct SyntheticRecipe {
   std::string name, description;
+  bool nearest_to_target = false;  ///< as that of Suite
   std::uint64_t seed = 0;
   double dt_s = 0.005;
   double max_scale = 0.0;  ///< Walters (2012) Table 2
