@@ -181,12 +181,13 @@ struct SuiteSpectra {
   SpectralRatios to_target;                 ///< of the average, 0 to 2 s; NaN without a target
 };
 
-/// The suite and the friction in sentences. Empty where there is nothing to report.
+/// The model in sentences, empty where there is nothing to report, and the earthquakes it is under.
 struct ModelText {
   std::string kernel;        ///< what computed the histories
   std::string building;      ///< how it yields
   std::string friction;      ///< what differs from Coulomb's law
   std::string displacement;  ///< of two axes: what a history's displacement is
+  double dbe_level = 0.0;    ///< S_DS of the one design target of a study by sds_g; else 0
 };
 
 struct SuiteSummary {

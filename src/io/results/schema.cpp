@@ -199,6 +199,7 @@ void exchange_head(const Archive& archive, R& results) {
   archive.attribute("model_building", results.model.building);
   archive.attribute("model_friction", results.model.friction);
   archive.attribute("model_displacement", results.model.displacement);
+  archive.attribute("dbe_level", results.model.dbe_level);
   name_attribute<SlidingAxes>(archive, "axes", axes_names(), results.axes);
   name_attribute<DisplacementMeasure>(archive, "displacement", displacement_names(),
                                       results.displacement);

@@ -19,8 +19,16 @@ std::string with_unit(const Results& results, const std::string& value) {
 }
 
 std::string at_intensity(const Results& results, double value) {
+  const std::string name = earthquake_name(value, results.model.dbe_level);
   return results.intensity_label.substr(0, results.intensity_label.rfind(" (")) + " = " +
-         with_unit(results, format_number(value));
+         with_unit(results, format_number(value)) + (name.empty() ? "" : " (" + name + ")");
+}
+
+std::string earthquake_name(double level, double dbe_level) {
+  constexpr double same = 1e-3;
+  if (!(dbe_level > 0.0)) return "";
+  if (std::abs(level / dbe_level - 1.0) < same) return "DBE";
+  return std::abs(level / dbe_level - mce_over_dbe) < same ? "MCE" : "";
 }
 
 Column intensity_column(const Results& results, const std::string& stem, const std::string& heading,

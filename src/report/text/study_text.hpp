@@ -26,8 +26,10 @@ bool lists_more_than_friction_value(const Results& results);
 /// A table whose rows begin with the label of a run, with a column for each quantity that the study
 /// lists after it.
 Table with_listed(const Results& results, const Table& table);
-/// "S_DS = 0.840 g" from the axis label "S_DS (g)".
+/// "S_DS = 0.840 g" from the axis label "S_DS (g)"; with " (DBE)" or " (MCE)" where it is that.
 std::string at_intensity(const Results& results, double value);
+/// "DBE", "MCE" (1.5 times that), or empty: another level, or that of the DBE is not known (0).
+std::string earthquake_name(double level, double dbe_level);
 /// "22 records x 1024 samples"
 std::string counts_of(const Results& results);
 /// Which combination of what the study lists a run is.

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include "glissade/motion/design_spectrum.hpp"
+
 namespace glissade {
 namespace {
 
@@ -50,12 +52,26 @@ std::string displacement_text(const ModelConfig& model) {
          "is not less than the longest displacement vector. ";
 }
 
+/// Suites that differ in S_DS have no common one.
+double dbe_level(const Plan& plan) {
+  if (plan.config.intensity.measure != IntensityMeasure::sds_g) return 0.0;
+  double level = 0.0;
+  for (std::size_t suite = 0; suite < plan.suites.size(); ++suite) {
+    const DesignTarget* target = plan.target_of(suite);
+    const double sds_g = target == nullptr ? 0.0 : TargetSpectrum(*target).sds_g();
+    if (suite > 0 && sds_g != level) return 0.0;
+    level = sds_g;
+  }
+  return level;
+}
+
 }  // namespace
 
 ModelText model_text(const Plan& plan) {
   const Quantities& q = plan.config.quantities;
   return {describe(plan.kernel.kernel, plan.config.base_shear) + "; because " + plan.kernel.reason,
-          building_text(q), friction_text(q), displacement_text(plan.config.model)};
+          building_text(q), friction_text(q), displacement_text(plan.config.model),
+          dbe_level(plan)};
 }
 
 }  // namespace glissade

@@ -172,7 +172,12 @@ TEST(clearance_report, shows_the_design_earthquake_else_the_highest_level) {
   }
   grid.level = {0.5, 2.0 / 3, 1.0};
   grid.level_symbol = "S_DS";  // 2/3 g is no design earthquake
+  grid.dbe_level = 0.0;
   EXPECT_EQ(shown_condition(grid)[ConditionAxis::level], 2u);
+  grid.dbe_level = 2.0 / 3;  // of a target with this S_DS it is
+  EXPECT_EQ(shown_condition(grid)[ConditionAxis::level], 1u);
+  EXPECT_EQ(label_of(grid, ConditionAxis::level, 1), "DBE, S_DS = 0.667");
+  EXPECT_EQ(label_of(grid, ConditionAxis::level, 2), "MCE, S_DS = 1.00");
 }
 
 TEST(clearance_report, of_one_axis_does_not_mention_two) {

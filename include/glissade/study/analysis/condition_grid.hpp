@@ -62,6 +62,7 @@ struct ConditionGrid {
   std::vector<double> level = {2.0 / 3};
   std::string level_symbol;  ///< "S_DS"; empty: levels are fractions of the suite scaled to MCE
   std::string level_unit = "-";
+  double dbe_level = 2.0 / 3;    ///< of `level`; 0: not known
   std::vector<double> period_s;  ///< of the building, along both axes; 0: rigid
 
   std::size_t size(ConditionAxis axis) const;

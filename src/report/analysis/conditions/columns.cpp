@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/conditions/columns.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "analysis/conditions/view.hpp"
+#include "glissade/report/format.hpp"
 #include "text/study_text.hpp"
 
 namespace glissade {
@@ -13,7 +16,14 @@ Column level_column(const Results& results) {
   const ConditionGrid& grid = results.conditions->grid;
   if (grid.level_symbol.empty()) return {"fraction_of_mce", "", "Of MCE"};
   const std::string suffix = unit_suffix(grid.level_unit);
-  return {"level", suffix.empty() ? "" : suffix.substr(1), grid.level_symbol};
+  std::string names;
+  for (const double level : grid.level) {
+    const std::string name = earthquake_name(level, grid.dbe_level);
+    if (!name.empty())
+      names += fmt::format("{}{} {}", names.empty() ? "" : ", ", name, format_number(level));
+  }
+  return {"level", suffix.empty() ? "" : suffix.substr(1),
+          grid.level_symbol + (names.empty() ? "" : " (" + names + ")")};
 }
 
 }  // namespace

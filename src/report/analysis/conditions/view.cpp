@@ -8,20 +8,18 @@
 
 #include "glissade/core/units.hpp"
 #include "glissade/report/format.hpp"
+#include "text/study_text.hpp"
 
 namespace glissade {
 namespace {
 
-bool is_design_earthquake(double fraction) { return std::abs(fraction - 2.0 / 3) < 1e-3; }
-
-std::string level_text(const ConditionGrid& grid, double fraction) {
+std::string level_text(const ConditionGrid& grid, double level) {
+  const std::string name = earthquake_name(level, grid.dbe_level);
   if (!grid.level_symbol.empty()) {
-    return fmt::format("{} = {}{}", grid.level_symbol, format_number(fraction),
-                       grid.level_unit == "-" ? "" : " " + grid.level_unit);
+    return fmt::format("{}{} = {}{}", name.empty() ? "" : name + ", ", grid.level_symbol,
+                       format_number(level), grid.level_unit == "-" ? "" : " " + grid.level_unit);
   }
-  if (is_design_earthquake(fraction)) return "DBE";
-  if (fraction == 1.0) return "MCE";
-  return fmt::format("{:.3g} MCE", fraction);
+  return name.empty() ? fmt::format("{:.3g} MCE", level) : name;
 }
 
 std::string value_text(double value) {
@@ -142,10 +140,9 @@ std::string clearance_text(double clearance_m) {
 
 Condition shown_condition(const ConditionGrid& grid) {
   std::size_t level = grid.level.size() - 1;
-  if (grid.level_symbol.empty()) {
-    const auto design = std::ranges::find_if(grid.level, is_design_earthquake);
-    if (design != grid.level.end()) level = static_cast<std::size_t>(design - grid.level.begin());
-  }
+  const auto design = std::ranges::find_if(
+      grid.level, [&](double one) { return earthquake_name(one, grid.dbe_level) == "DBE"; });
+  if (design != grid.level.end()) level = static_cast<std::size_t>(design - grid.level.begin());
   return Condition().with(ConditionAxis::level, level);
 }
 

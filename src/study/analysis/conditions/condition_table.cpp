@@ -83,6 +83,8 @@ ConditionGrid grid_of(const Results& results, const GridAxes& axes) {
   grid.level = results.levels;
   if (results.measure != IntensityMeasure::mce_fraction)
     grid.level_symbol = results.intensity_label.substr(0, results.intensity_label.rfind(" ("));
+  grid.dbe_level =
+      results.measure == IntensityMeasure::mce_fraction ? 2.0 / 3 : results.model.dbe_level;
   grid.level_unit = results.measure.unit();
   grid.period_s = values_on(set, axes.period, only_value(set, &Case::period_s));
   return grid;
