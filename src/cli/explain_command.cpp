@@ -13,8 +13,11 @@ void add_explain(CLI::App& program) {
     bool markdown = false;
   };
   auto o = std::make_shared<Options>();
-  CLI::App* command = program.add_subcommand("explain", "Explain the keys of a study file");
-  command->add_option("key", o->key, "a table or a key: building, building.period_s [all]");
+  CLI::App* command =
+      program.add_subcommand("explain", "Explain the keys of a study or project file");
+  command->add_option("key", o->key,
+                      "a table, a key, a value or a measure: building,\nperiod_s, random, sa_g "
+                      "[all keys of a study]");
   command->add_flag("--markdown", o->markdown, "print the page studies/GRAMMAR.md");
   command->callback([o] {
     if (o->markdown) {
@@ -24,7 +27,10 @@ void add_explain(CLI::App& program) {
     const std::string text = grammar_text(o->key);
     if (text.empty()) {
       throw InputError(
-          {"", "there is no table or key " + o->key, "`glissade explain` lists all of them", ""});
+          {"", "there is no table, key, value or measure " + o->key,
+           "`glissade explain` lists those of a study, `glissade clearance --example` those of a "
+           "project",
+           ""});
     }
     fmt::print("{}", text);
   });

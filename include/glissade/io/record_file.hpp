@@ -42,7 +42,8 @@ struct RecordFileOptions {
 ///
 /// Throws InputError (file:line, value, rule, what to do) for anything else, for values that are no
 /// finite numbers, for counts that differ from NPTS, for units that are not stated, and for a
-/// column that begins with its count or its step.
+/// column that begins with its count or its step. The options have the names of a suite's keys
+/// there: dt_s, units.
 Record read_record(const std::filesystem::path& file, const RecordFileOptions& options = {});
 
 }  // namespace glissade

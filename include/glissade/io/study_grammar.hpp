@@ -6,7 +6,9 @@
 namespace glissade {
 
 /// The keys of a study file with their meaning, as text for a terminal. @param wanted a table
-/// ("building") or a key ("building.period_s"); empty: all. Empty text where there is no such.
+/// ("building"), a key ("building.period_s", "period_s"), a value ("random") or an intensity
+/// measure ("sa_g", "sa"), with the keys of a project file of that name; empty: all of a study.
+/// Empty text where there is no such.
 std::string grammar_text(const std::string& wanted);
 
 /// The same as a page in Markdown: studies/GRAMMAR.md.

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <cstring>
 #include <nlohmann/json.hpp>
 
 #include "commands.hpp"
@@ -16,14 +17,36 @@
 namespace glissade::cli {
 namespace {
 
+/// A text on the keys of a suite, on the options of this command.
+std::string with_options(std::string text) {
+  for (const auto& [key, option] : {std::pair{"dt_s", "--dt-s"},
+                                    {"give units", "give --units"},
+                                    {"units says", "--units says"}}) {
+    if (const std::size_t at = text.find(key); at != std::string::npos)
+      text.replace(at, std::strlen(key), option);
+  }
+  return text;
+}
+
+Record read_component(const std::string& file, const RecordFileOptions& options) {
+  try {
+    return read_record(file, options);
+  } catch (const InputError& error) {
+    std::vector<Problem> problems = error.problems();
+    for (Problem& p : problems)
+      p.what = with_options(p.what), p.suggestion = with_options(p.suggestion);
+    throw InputError(problems);
+  }
+}
+
 Motion read_motion(const SlideOptions& o) {
   RecordFileOptions file;
   file.dt_s = o.dt_s;
   if (!o.units.empty()) file.units = parse_acceleration_units(o.units);
-  const TimedRecord first{read_record(o.record, file), 0.0};
+  const TimedRecord first{read_component(o.record, file), 0.0};
   std::optional<TimedRecord> second, vertical;
-  if (!o.second.empty()) second = TimedRecord{read_record(o.second, file), 0.0};
-  if (!o.vertical.empty()) vertical = TimedRecord{read_record(o.vertical, file), 0.0};
+  if (!o.second.empty()) second = TimedRecord{read_component(o.second, file), 0.0};
+  if (!o.vertical.empty()) vertical = TimedRecord{read_component(o.vertical, file), 0.0};
   return assemble_motion({}, first, second, vertical);
 }
 

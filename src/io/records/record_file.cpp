@@ -55,14 +55,13 @@ double at2_step(const std::filesystem::path& file, const At2Header& header,
       throw InputError(
           {place(file, header.lines),
            "the header's DT = " + header.dt_text + " is not dt_s = " + shortest_decimal(*wanted),
-           "leave dt_s (--dt-s) out: the file states its step", ""});
+           "leave dt_s out: the file states its step", ""});
     }
     return *wanted;
   }
   const std::string where = place(file, header.lines);
   if (header.dt_text.empty()) {
-    throw InputError(
-        {where, "the header has NPTS but no DT", "give the step with dt_s (--dt-s)", ""});
+    throw InputError({where, "the header has NPTS but no DT", "give the step with dt_s", ""});
   }
   check_step(where, header.dt_text, header.dt_s.value_or(0.0));
   return *header.dt_s;
@@ -120,8 +119,8 @@ At2Header comments_of(std::string_view text) {
 double column_step(const std::filesystem::path& file, const At2Header& header,
                    const RecordFileOptions& options) {
   if (!options.dt_s && !header.dt_s) {
-    throw InputError({file.string(), "one column does not give the time step",
-                      "give it with dt_s (--dt-s)", ""});
+    throw InputError(
+        {file.string(), "one column does not give the time step", "give it with dt_s", ""});
   }
   return at2_step(file, header, options.dt_s);
 }

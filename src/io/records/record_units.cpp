@@ -65,7 +65,7 @@ AccelerationUnits units_of(const std::filesystem::path& file, const At2Header& h
   };
   const auto agreed = [&](AccelerationUnits stated) {
     if (options.units && *options.units != stated) {
-      refuse("the header says the units are " + in_quotes(header.units) + ", the option says " +
+      refuse("the header says the units are " + in_quotes(header.units) + ", units says " +
                  to_string(*options.units),
              "leave the units out, or correct the file");
     }
@@ -96,7 +96,7 @@ AccelerationUnits units_of(const std::filesystem::path& file, const At2Header& h
   }
   if (!options.units && !options.units_if_not_stated) {
     refuse("does not state the units of its accelerations",
-           "give units (--units) as g, m/s2 or cm/s2, or a first line \"# units: g\"");
+           "give units as g, m/s2 or cm/s2, or a first line \"# units: g\"");
   }
   return options.units ? *options.units : *options.units_if_not_stated;
 }

@@ -51,7 +51,7 @@ void check_even(const std::filesystem::path& file, const TimeColumn& column, dou
 void check_step(const std::string& where, const std::string& text, double dt_s) {
   if (std::isfinite(dt_s) && dt_s > 0.0) return;
   throw InputError({where, "the time step dt = " + text + " s is not above 0",
-                    "give the true step with dt_s (--dt-s)", ""});
+                    "give the true step with dt_s", ""});
 }
 
 void TimeColumn::add(double time_s, std::string_view token, std::size_t line) {
@@ -72,8 +72,8 @@ double step_of(const std::filesystem::path& file, const TimeColumn& column,
   const std::vector<double>& t = column.times_s;
   if (t.size() < 2) {
     if (wanted) return *wanted;
-    throw InputError({file.string(), "one sample does not give the time step",
-                      "give it with dt_s (--dt-s)", ""});
+    throw InputError(
+        {file.string(), "one sample does not give the time step", "give it with dt_s", ""});
   }
   const auto intervals = static_cast<double>(t.size() - 1);
   const double mean_s = (t.back() - t.front()) / intervals;

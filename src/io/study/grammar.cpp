@@ -9,6 +9,7 @@
 #include "glissade/core/wrap.hpp"
 #include "glissade/io/study_grammar.hpp"
 #include "glissade/study/config.hpp"
+#include "project/project_keys.hpp"
 #include "toml/written_units.hpp"
 
 namespace glissade {
@@ -216,6 +217,54 @@ void add_analyses(std::vector<GrammarKey>& keys) {
        {"tipping", "base_width_m", "number", "required", "of the array along the slope, m"}});
 }
 
+/// A table, a key with or without its table, or one of its values.
+bool is_meant(const GrammarKey& key, const std::string& wanted) {
+  return wanted.empty() || key.table == wanted || key.name() == wanted || key.key == wanted ||
+         key.value.find('"' + wanted + '"') != std::string::npos;
+}
+
+std::string explained(const std::string& name, const std::string& value,
+                      const std::vector<std::string>& lines) {
+  std::string text = fmt::format("  {:<24} {}\n", name, wrapped(value, terminal_width, 27));
+  for (const std::string& line : lines)
+    text += fmt::format("{:27}{}\n", "", wrapped(line, terminal_width, 27));
+  return text;
+}
+
+/// Of "sa_g" or "sa"; else empty.
+std::string measure_text(const std::string& wanted) {
+  for (std::size_t i = 0; i < IntensityMeasure::count(); ++i) {
+    const IntensityMeasure m = IntensityMeasure::number(i);
+    const std::string key = m.key();
+    if (key != wanted && (wanted.empty() || !key.starts_with(wanted + "_"))) continue;
+    std::vector<std::string> lines{m.meaning()};
+    if (m.own_key() != nullptr)
+      lines.push_back(fmt::format("with the key intensity.{}", m.own_key()));
+    return "[intensity]\n" +
+           explained("measure",
+                     fmt::format("\"{}\", levels in {}", key,
+                                 m.unit() == std::string("-") ? "parts" : m.unit()),
+                     lines);
+  }
+  return "";
+}
+
+/// Keys of a project file.
+std::string project_text(const std::string& wanted) {
+  std::string text, table;
+  for (const ProjectKey& key : project_keys()) {
+    if (wanted != key.table && wanted != key.key &&
+        wanted != fmt::format("{}.{}", key.table, key.key))
+      continue;
+    if (table != key.table)
+      text += fmt::format("{}[{}] of a project (glissade clearance)\n", text.empty() ? "" : "\n",
+                          key.table);
+    table = key.table;
+    text += explained(key.key, fmt::format("for example {}", key.example), {key.meaning});
+  }
+  return text;
+}
+
 }  // namespace
 
 std::vector<GrammarKey> grammar() {
@@ -243,20 +292,19 @@ std::vector<GrammarKey> grammar() {
 }
 
 std::string grammar_text(const std::string& wanted) {
+  if (const std::string measure = measure_text(wanted); !measure.empty()) return measure;
   std::string text, table;
   for (const GrammarKey& key : grammar()) {
-    if (!wanted.empty() && key.table != wanted && key.name() != wanted) continue;
+    if (!is_meant(key, wanted)) continue;
     if (key.table != table) text += fmt::format("{}[{}]\n", text.empty() ? "" : "\n", key.table);
     table = key.table;
-    text += fmt::format("  {:<24} {}\n", key.key.empty() ? "(no keys)" : key.key,
-                        wrapped(key.value, terminal_width, 27));
     std::vector<std::string> lines{"usual: " + key.usual, key.meaning};
     if (const KeyUnits* units = units_of_key(key.key))
       lines.push_back("units, in quotes: " + units->names());
-    for (const std::string& line : lines)
-      text += fmt::format("{:27}{}\n", "", wrapped(line, terminal_width, 27));
+    text += explained(key.key.empty() ? "(no keys)" : key.key, key.value, lines);
   }
-  return text;
+  const std::string of_project = project_text(wanted);
+  return text + (text.empty() || of_project.empty() ? "" : "\n") + of_project;
 }
 
 std::string grammar_page() {

@@ -113,7 +113,7 @@ TEST_F(RecordFile, steps_that_are_not_above_zero_or_missing_are_refused) {
   EXPECT_THAT(error(at2_head + "NPTS= 1, DT= 0.0 SEC\n1\n"), HasSubstr("not above 0"));
   EXPECT_THAT(error(at2_head + "NPTS= 1, DT= -.01 SEC\n1\n"), HasSubstr("not above 0"));
   EXPECT_THAT(error(at2_head + "NPTS= 1\n1\n"), HasSubstr("no DT"));
-  EXPECT_THAT(error("1\n2\n"), HasSubstr("--dt-s"));
+  EXPECT_THAT(error("1\n2\n"), HasSubstr("give it with dt_s"));
   EXPECT_THAT(error("1\n2\n", {.dt_s = -1.0, .units = {}}), HasSubstr("not above 0"));
 }
 
