@@ -30,6 +30,10 @@ struct InitOptions {
   bool has_site() const { return ss_g.has_value(); }
 };
 
+const std::string study_head =
+    "# Made by `glissade init`. `glissade check FILE` says what it would run; other keys:\n"
+    "# `glissade explain`. A number may have a unit, in quotes: \"18 in\", \"0.25:12\".\n";
+
 /// What a study and a project have in common.
 void set_common(const InitOptions& o, ExampleFile& file) {
   const fs::path folder = fs::absolute(o.file).parent_path();
@@ -43,7 +47,7 @@ void set_common(const InitOptions& o, ExampleFile& file) {
   if (!o.direction.empty()) file.set_text("friction", "direction", o.direction);
 }
 
-std::string study_text(const InitOptions& o) {
+ExampleFile study_file(const InitOptions& o) {
   ExampleFile file = ExampleFile::study();
   set_common(o, file);
   file.set_text("study", "description", "");
@@ -54,20 +58,19 @@ std::string study_text(const InitOptions& o) {
                          ExampleFile::string_value(o.site_class)));
   if (!o.pull_tests.empty()) file.comment_out("friction", "mu");
   if (o.mu) file.set("friction", "mu", fmt::format("{{ mean = {}, std = {} }}", *o.mu, *o.mu_std));
-  if (o.units == "us") file.set("fragility", "thresholds_m", R"(["6 in", "12 in", "24 in"])");
-  return "# Made by `glissade init`. `glissade check FILE` says what it would run; other keys:\n"
-         "# `glissade explain`. A number may have a unit, in quotes: \"18 in\", \"0.25:12\".\n" +
-         file.text();
+  if (o.units == "us")
+    file.set_example("fragility", "thresholds_m", R"(["6 in", "12 in", "24 in"])");
+  return file;
 }
 
-std::string project_text(const InitOptions& o) {
+ExampleFile project_file(const InitOptions& o) {
   ExampleFile file = ExampleFile::project();
   set_common(o, file);
   for (const char* key : {"similar_array_m", "obstruction_m", "parapet_edge_m", "open_edge_m"})
     file.comment_out("clearances", key);
   file.comment_out("building", "storeys");
   file.set_text("project", "address", "");
-  file.set("result", "round_up_m", o.units == "us" ? "\"0.5 in\"" : "0.01");
+  file.set_example("result", "round_up_m", o.units == "us" ? "\"0.5 in\"" : "0.01");
   if (o.has_site()) {
     file.set_text("site", "edition", o.edition);
     file.set_numbers("site", "ss_g", {*o.ss_g});
@@ -75,12 +78,33 @@ std::string project_text(const InitOptions& o) {
     file.set_text("site", "site_class", o.site_class);
   }
   if (!o.slope.empty()) file.comment_out("roof", "rise_in_12");
-  if (!o.pull_tests.empty()) return file.text();
+  if (!o.pull_tests.empty()) return file;
   file.comment_out("friction", "file");
-  file.set_numbers("friction", "mean", {o.mu.value_or(0.5)});
-  file.set_numbers("friction", "std", {o.mu_std.value_or(0.04)});
-  file.set_text("friction", "source", "not stated: name the test report");
-  return file.text();
+  if (o.mu) {
+    file.set_numbers("friction", "mean", {*o.mu});
+    file.set_numbers("friction", "std", {*o.mu_std});
+  } else {
+    file.take_example("friction", "mean");
+    file.take_example("friction", "std");
+  }
+  file.set_example("friction", "source", "\"not stated: name the test report\"");
+  return file;
+}
+
+/// The option whose value a problem of the file is about.
+std::string option_of(const std::string& what) {
+  for (const auto& [key, option] : {std::pair{"site_class", "--site-class"},
+                                    {"edition", "--edition"},
+                                    {"ss_g", "--ss-g"},
+                                    {"s1_g", "--s1-g"},
+                                    {"slope_deg", "--slope"},
+                                    {"period_s", "--period-s"},
+                                    {"direction", "--direction"},
+                                    {"pull test", "--pull-tests"},
+                                    {"friction", "--mu"}}) {
+    if (what.find(key) != std::string::npos) return option;
+  }
+  return "init";
 }
 
 /// Written only if it is read without an error.
@@ -95,7 +119,7 @@ void write_checked(const InitOptions& o, const std::string& text) {
   } catch (const InputError& error) {
     fs::remove(trial);
     std::vector<Problem> problems = error.problems();
-    for (Problem& problem : problems) problem.where = "init";
+    for (Problem& problem : problems) problem.where = option_of(problem.what);
     throw InputError(problems);
   }
   fs::rename(trial, o.file);
@@ -104,18 +128,10 @@ void write_checked(const InitOptions& o, const std::string& text) {
 void init(InitOptions o) {
   if (o.file.empty()) o.file = o.kind + ".toml";
   check_output_file(o.file, "file", o.overwrite);
-  write_checked(o, o.is_project() ? project_text(o) : study_text(o));
-  std::vector<std::string> examples;
-  if (o.is_project() && !o.has_site()) examples.emplace_back("site");
-  if (o.period_s.empty()) examples.emplace_back("building.period_s");
-  if (o.slope.empty()) examples.emplace_back("roof");
-  if (!o.mu && o.pull_tests.empty()) examples.emplace_back("friction");
-  examples.emplace_back(o.is_project() ? "building.mass_ratio" : "fragility.thresholds_m");
-  fmt::print("File    {}\n{}\nNext    glissade {} {}\n", o.file,
-             wrapped(fmt::format("Values of the example, to be replaced by yours: {}",
-                                 fmt::join(examples, ", ")),
-                     terminal_width, 2),
-             o.is_project() ? "clearance" : "check", o.file);
+  const ExampleFile file = o.is_project() ? project_file(o) : study_file(o);
+  write_checked(o, (o.is_project() ? "" : study_head) + file.text());
+  fmt::print("File    {}\nValues of the example, not yours yet:\n{}Next    glissade {} {}\n",
+             o.file, file.of_example(), o.is_project() ? "clearance" : "check", o.file);
 }
 
 }  // namespace

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gmock/gmock.h>
 
+#include <set>
+#include <sstream>
+
 #include "cli/child.hpp"
 
 namespace glissade::test {
@@ -67,6 +70,63 @@ TEST(Init, pull_tests_take_the_place_of_a_mean) {
   const std::string text = written(folder, {"--kind", "project", "--pull-tests", tests});
   EXPECT_THAT(text, HasSubstr("\nfile = \"tests.csv\""));
   EXPECT_THAT(text, Not(HasSubstr("\nmean =")));
+}
+
+/// Of the text: "building.period_s" of each key with a value.
+std::set<std::string> keys_in(const std::string& text) {
+  std::set<std::string> keys;
+  std::string table;
+  for (const std::string& line : lines_of(text)) {
+    if (line.starts_with("[")) table = line.substr(1, line.find(']') - 1) + ".";
+    const std::size_t equals = line.find(" =");
+    if (!line.starts_with("#") && equals != std::string::npos &&
+        line.find("= \"\"") == std::string::npos)
+      keys.insert(table + line.substr(0, equals));
+  }
+  return keys;
+}
+
+/// "roof        slope_deg" of what init prints.
+std::set<std::string> keys_listed(const std::string& out) {
+  std::set<std::string> keys;
+  std::string table;
+  for (const std::string& line : lines_of(out)) {
+    if (!line.starts_with("  ")) continue;
+    std::istringstream words(line);
+    if (line[2] != ' ') words >> table;
+    for (std::string key; words >> key;) keys.insert(table + "." + key.substr(0, key.find(',')));
+  }
+  return keys;
+}
+
+TEST(Init, lists_every_key_that_still_has_the_value_of_the_example) {
+  const ScratchFolder folder;
+  const std::string out = folder.path("my.toml").string();
+  const std::vector<std::string> mine = {
+      "--name", "mine", "--slope", "0.25:12", "--mu",      "0.55",     "--mu-std",     "0.03",
+      "--ss-g", "1.4",  "--s1-g",  "0.5",     "--edition", "asce7_10", "--site-class", "C"};
+  for (const std::string kind : {"study", "project"}) {
+    std::vector<std::string> options = {"init", out,           "--suite",    suite,    "--kind",
+                                        kind,   "--overwrite", "--period-s", "0.3,0.6"};
+    options.insert(options.end(), mine.begin(), mine.end());
+    const Finished child = run_program(options);
+    EXPECT_EQ(child.status, 0) << child.err;
+    std::set<std::string> all = keys_in(read_file(out));
+    for (const char* given :
+         {"study.name", "study.units", "project.name", "project.units", "suite.file",
+          "building.period_s", "roof.slope_deg", "friction.mu", "friction.mean", "friction.std",
+          "site.edition", "site.ss_g", "site.s1_g", "site.site_class", "intensity.target"})
+      all.erase(given);
+    EXPECT_EQ(keys_listed(child.out), all) << child.out;
+  }
+}
+
+TEST(Init, a_problem_is_that_of_the_option) {
+  const ScratchFolder folder;
+  expect_refused(
+      run_program({"init", folder.path("my.toml").string(), "--suite", suite, "--ss-g", "1.4",
+                   "--s1-g", "0.5", "--edition", "asce7_16", "--site-class", "Q"}),
+      {"--site-class", "\"Q\""});
 }
 
 TEST(Init, what_cannot_be_read_is_refused_and_not_written) {

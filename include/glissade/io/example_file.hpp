@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,8 @@ class ExampleFile {
 
   /// `value` as TOML. A key that is commented out, or not there, is one of the file then.
   void set(const std::string& table, const std::string& key, const std::string& value);
+  /// The same, of a value that is still of the example.
+  void set_example(const std::string& table, const std::string& key, const std::string& value);
   void set_text(const std::string& table, const std::string& key, const std::string& text);
   void set_numbers(const std::string& table, const std::string& key,
                    const std::vector<double>& values);  ///< one: a number; else a list
@@ -26,6 +29,11 @@ class ExampleFile {
   void set_path(const std::string& table, const std::string& key, const std::filesystem::path& path,
                 const std::filesystem::path& folder);
   void comment_out(const std::string& table, const std::string& key);
+  /// A key of the example that was commented out is one of the file.
+  void take_example(const std::string& table, const std::string& key);
+  /// A line for each table, "building    damping, mass_ratio": the keys of the file whose values
+  /// are still those of the example. Empty texts count as left open, not as values.
+  std::string of_example() const;
   /// With each key's meaning above or beside it.
   std::string text() const;
 
@@ -36,6 +44,7 @@ class ExampleFile {
   std::size_t line_of(const std::string& table, const std::string& key);
 
   std::vector<std::string> lines_;
+  std::set<std::string> given_;  ///< "building.period_s"
   Comments comments_;
 };
 

@@ -56,6 +56,12 @@ std::size_t ExampleFile::line_of(const std::string& table, const std::string& ke
 }
 
 void ExampleFile::set(const std::string& table, const std::string& key, const std::string& value) {
+  set_example(table, key, value);
+  given_.insert(table + "." + key);
+}
+
+void ExampleFile::set_example(const std::string& table, const std::string& key,
+                              const std::string& value) {
   std::string& line = lines_[line_of(table, key)];
   line = fmt::format("{:<40} {}", key + " = " + value, comment_behind(line));
 }
@@ -82,6 +88,32 @@ void ExampleFile::comment_out(const std::string& table, const std::string& key) 
   if (!line.starts_with("#"))
     line = fmt::format("{:<40} {}", "# " + std::string(trimmed(line.substr(0, line.find(" # ")))),
                        comment_behind(line));
+}
+
+void ExampleFile::take_example(const std::string& table, const std::string& key) {
+  std::string& line = lines_[line_of(table, key)];
+  if (line.starts_with("# ")) line.erase(0, 2);
+}
+
+std::string ExampleFile::of_example() const {
+  std::string text, table, keys;
+  const auto end_table = [&] {
+    if (!keys.empty())
+      text += fmt::format("  {:<12}{}\n", table, wrapped(keys, terminal_width, 14));
+    keys.clear();
+  };
+  for (const std::string& line : lines_) {
+    if (line.starts_with("[")) {
+      end_table();
+      table = line.substr(1, line.find(']') - 1);
+    }
+    const std::string key = line.starts_with("#") ? "" : key_of(line);
+    if (key.empty() || given_.contains(table + "." + key) || line.starts_with(key + " = \"\""))
+      continue;
+    keys += (keys.empty() ? "" : ", ") + key;
+  }
+  end_table();
+  return text;
 }
 
 std::string ExampleFile::text() const {
