@@ -10,6 +10,7 @@
 #include "commands.hpp"
 #include "glissade/core/error.hpp"
 #include "glissade/core/not_converged.hpp"
+#include "glissade/io/written_number.hpp"
 #include "help_formatter.hpp"
 
 namespace {
@@ -69,6 +70,18 @@ void refuse_empty_arguments(int argc, char** argv) {
   }
 }
 
+/// Options with a unit at the end of their name take numbers with units, as the keys of files do.
+void take_units(CLI::App& command) {
+  for (CLI::Option* option : command.get_options()) {
+    if (option->get_items_expected() == 0 || option->get_lnames().empty()) continue;
+    const std::string name = "--" + option->get_lnames().front();
+    option->transform(
+        [name](const std::string& text) { return glissade::number_in_unit_of(name, text); }, "");
+  }
+  for (CLI::App* below : command.get_subcommands([](CLI::App*) { return true; }))
+    take_units(*below);
+}
+
 int run_program(int argc, char** argv, const glissade::Communicator& world) {
   CLI::App program{"glissade: slip fragility of unanchored rooftop solar arrays"};
   program.set_version_flag("--version", "glissade " GLISSADE_VERSION);
@@ -85,6 +98,7 @@ int run_program(int argc, char** argv, const glissade::Communicator& world) {
   glissade::cli::add_standards(program);
   glissade::cli::add_report(program);
   glissade::cli::add_explain(program);
+  take_units(program);
   try {
     refuse_empty_arguments(argc, argv);
     program.parse(argc, argv);

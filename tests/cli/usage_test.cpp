@@ -45,6 +45,26 @@ TEST(Usage, help_fits_a_terminal) {
   for (const std::string& line : lines_of(run_program({"explain"}).out))
     EXPECT_LE(line.size(), 80u);
 }
+TEST(Usage, explain_answers_for_a_measure_a_value_and_a_key_without_its_table) {
+  using testing::HasSubstr;
+  const auto explained = [](const char* word) { return run_program({"explain", word}).out; };
+  EXPECT_THAT(explained("sa"), HasSubstr("\"sa_g\""));
+  EXPECT_THAT(explained("sa"), HasSubstr("intensity.sa_period_s"));
+  EXPECT_THAT(explained("pgv"), HasSubstr("peak ground velocity"));
+  EXPECT_THAT(explained("all_permutations"), HasSubstr("[orientation]"));
+  EXPECT_THAT(explained("period_s"), HasSubstr("[building] of a project"));
+  EXPECT_THAT(explained("obstruction_m"), HasSubstr("[clearances] of a project"));
+  expect_refused(run_program({"explain", "sb"}), {"sb", "glissade explain"});
+}
+TEST(Usage, options_take_numbers_with_units_as_files_do) {
+  const auto standards = [](const char* sds) {
+    return run_program({"standards", "--sds-g", sds}).out;
+  };
+  EXPECT_NE(standards("1.2"), "");
+  EXPECT_EQ(standards("1.2 g"), standards("1.2"));
+  EXPECT_EQ(standards("11.76798 m/s2"), standards("1.2"));
+  expect_refused(run_program({"standards", "--sds-g", "1.2 in"}), {"--sds-g", "an acceleration"});
+}
 TEST(Usage, so_is_a_misspelt_command_of_suite) {
   expect_refused(run_program({"suite", "sho", "x"}),
                  {"sho is not a command", "did you mean show?"});

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "written_units.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 
+#include "glissade/core/error.hpp"
 #include "glissade/core/units.hpp"
+#include "glissade/io/written_number.hpp"
 #include "text/scan.hpp"
 
 namespace glissade {
@@ -93,5 +97,15 @@ const KeyUnits* units_of_key(std::string_view key) {
 }
 
 std::span<const KeyUnits> all_key_units() { return rows; }
+
+std::string number_in_unit_of(std::string key, const std::string& text) {
+  const std::string name = key;
+  std::ranges::replace(key, '-', '_');
+  const KeyUnits* units = units_of_key(key);
+  if (units == nullptr || parse_number(trimmed(text))) return text;
+  if (const auto value = units->value_of(text)) return fmt::format("{}", *value);
+  throw InputError({name, "\"" + text + "\" is not " + units->what,
+                    "give a number, or one with a unit in quotes: " + units->names(), ""});
+}
 
 }  // namespace glissade
