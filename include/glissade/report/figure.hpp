@@ -113,6 +113,7 @@ struct Figure {
   std::string caption;             ///< what to read from it and how it was made
   std::vector<Panel> panels = {};  ///< two in a row
   int key_columns = 1;
+  int plot_height_px = 640;  ///< of a single panel with its axes, of 840 in width
 };
 
 /// Writes NAME.gp and NAME.dat and runs gnuplot on them: NAME.svg and NAME.pdf in `folder`. The

@@ -8,6 +8,7 @@
 #include "glissade/report/figures.hpp"
 #include "package/tables.hpp"
 #include "package/units.hpp"
+#include "text/study_text.hpp"
 
 namespace glissade {
 namespace {
@@ -67,6 +68,17 @@ std::vector<Figure> package_figures(const CalculationPackage& package) {
   figures.back().title = fmt::format(
       "Probability that the governing displacement is exceeded, building period {:.3g} s",
       period_s);
+  const ProjectFriction& mu = package.project.friction;
+  figures.back().below = fmt::format("{}; friction {:.3g}, std {:.2g}",
+                                     counts_of(package.probability), mu.mean, mu.std);
+  figures.back().caption += fmt::format(
+      " DBE is S_DS = {:.3f} g, MCE {:.3f} g; the levels end at {:.3g} g.",
+      package.design.site.sds_g, package.design.site.sms_g(), package.probability.levels.back());
+  // Lower than in a report, and with y labels as long as that.
+  constexpr int of_a_printed_page_px = 470;
+  figures.front().panels.front().y.label = "Spectral acceleration (g)";
+  figures.back().panels.front().y.label = "Probability of exceedance";
+  for (Figure& figure : figures) figure.plot_height_px = of_a_printed_page_px;
   return figures;
 }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 
+#include "analysis/hazard/hazard.hpp"
 #include "glissade/core/file.hpp"
 #include "glissade/report/format.hpp"
 #include "glissade/report/package.hpp"
@@ -24,12 +25,12 @@ constexpr Markup style = R"(
 h2 { counter-increment: section; } h2::before { content: counter(section) ". "; }
 .contents { columns: 20em 2; } .contents a { color: inherit; text-decoration: none; }
 .equation { font-family: "Times New Roman", serif; font-size: 1.15em; margin: .4em 0 .4em 2em; }
-caption { font-weight: bold; color: #222; }
+caption { font-weight: bold; color: #222; } .note { font-weight: normal; }
 .files td:last-child { font-family: monospace; overflow-wrap: anywhere; }
 @media print {
-  table, .wide, .answer { break-inside: avoid; } .long table, .long .wide { break-inside: auto; } .long td:last-child { overflow-wrap: anywhere; }
+  .short { break-inside: avoid; } .wide td:last-child { overflow-wrap: anywhere; }
   h2 { margin-top: 1.2em; } .contents a::after { content: " " leader(".") " " target-counter(attr(href), page); }
-  .files td:last-child { white-space: nowrap; } .files td { overflow-wrap: anywhere; }
+  figure { max-width: 17cm; } .files td:last-child { white-space: nowrap; } .files td { overflow-wrap: anywhere; }
 }
 )";
 
@@ -61,6 +62,13 @@ Html contents_html() {
 
 Html section_heading(std::size_t number) {
   return enclosed(sections.at(number).open, sections.at(number).title, "</h2>\n");
+}
+
+/// Rows are whole; a short table is on one page, a longer one may go on with its header repeated.
+Html page_table(const Table& table) {
+  constexpr std::size_t most_rows = 8;
+  return table.rows.size() > most_rows ? wide_table(table)
+                                       : "<div class=\"short\">\n" + wide_table(table) + "</div>\n";
 }
 
 Html equation(const std::string& text) {
@@ -104,13 +112,14 @@ Html result_html(const CalculationPackage& package) {
         level, format_share(e.probability), format_share(e.interval.low),
         format_share(e.interval.high), e.period_s));
   }
+  answers.push_back(hazard_sentence(package));
   return section_heading(0) + "<div class=\"answer\">\n" + list(answers) + "</div>\n" +
-         wide_table(separations_table(package));
+         page_table(separations_table(package));
 }
 
 Html motions_html(const CalculationPackage& package, const std::vector<DrawnFigure>& figures) {
   const SpectralRatios& ratios = package.demand.suites.front().spectra.to_target;
-  return section_heading(2) + wide_table(site_table(package)) +
+  return section_heading(2) + page_table(site_table(package)) +
          paragraph(fmt::format(
              "Suite: {}: {}. The suite, with its own scales, is multiplied by one factor, so that "
              "its "
@@ -120,8 +129,8 @@ Html motions_html(const CalculationPackage& package, const std::vector<DrawnFigu
              package.demand.suites.front().name, package.demand.suites.front().description,
              ratios.lowest.ratio, ratios.lowest.period_s, ratios.highest.ratio,
              ratios.highest.period_s)) +
-         figure_html(figures.front(), 1) + wide_table(motions_table(package)) +
-         wide_table(scaled_motions_table(package));
+         page_table(motions_table(package)) + page_table(scaled_motions_table(package)) +
+         figure_html(figures.front(), 1);
 }
 
 Html model_html() {
@@ -183,11 +192,11 @@ Html required_html(const CalculationPackage& package) {
   steps.push_back(fmt::format("Governing displacement: the larger, {}; rounded up to {}.",
                               length_in_both(design.governing_m),
                               length_in_both(design.rounded_m)));
-  return section_heading(5) + list(steps) + wide_table(prescribed_table(package));
+  return section_heading(5) + list(steps) + page_table(prescribed_table(package));
 }
 
 Html checks_html(const CalculationPackage& package) {
-  return section_heading(8) + wide_table(checks_table(package)) +
+  return section_heading(8) + page_table(checks_table(package)) +
          paragraph(fmt::format(
              "The solver of glissade {} is verified against closed forms, solutions with 50 digits "
              "and both published papers; every comparison is in its verification manual "
@@ -196,15 +205,23 @@ Html checks_html(const CalculationPackage& package) {
          list({"The array is rigid and stays in contact with the roof: no tipping, no uplift.",
                "Friction is Coulomb's: it does not change with speed, temperature or wear.",
                "The building is elastic with one mode along each axis, without torsion.",
-               "The displacement is that of one earthquake. Displacements of several earthquakes "
-               "during the design life add up, and are not included.",
+               std::string("The governing displacement is that of one earthquake. Displacements of "
+                           "several earthquakes during the design life add up, and are not in it") +
+                   (package.probability.hazard ? ": section 8." : "."),
                "The array does not strike anything and no cable restrains it.",
                "Statements marked (recalled) are from memory of the standard: verify them."});
 }
 
-/// A table that may go over a page.
-Html long_table(const Table& table) {
-  return Html("<div class=\"long\">\n") + wide_table(table) + "</div>\n";
+/// What the hazard section of a report has in tables.
+Html hazard_html(const CalculationPackage& package) {
+  if (!package.probability.hazard) return paragraph(hazard_sentence(package));
+  return paragraph(
+             "Annual rates: the mean of the hazard curve over the capacities of the histories. "
+             "Over "
+             "the design life earthquakes are a Poisson process with the rates of the hazard "
+             "curve; residual displacements add up as vectors, and the array is not put back.") +
+         page_table(hazard_table(package.probability)) +
+         page_table(design_life_table(package.probability));
 }
 
 /// Two columns, so that a hash stands on one line: "rsn169 first: RSN169_1.AT2".
@@ -218,7 +235,7 @@ Html files_html(const Table& files) {
     const std::string file = std::filesystem::path(text(row[2])).filename().string();
     page.add({text(row[0]) + " " + text(row[1]) + ": " + file, row[3]});
   }
-  return Html("<div class=\"long files\">\n") + wide_table(page) + "</div>\n";
+  return Html("<div class=\"files\">\n") + page_table(page) + "</div>\n";
 }
 
 Html records_html(const CalculationPackage& package) {
@@ -252,14 +269,14 @@ void write_package(const CalculationPackage& package, const std::filesystem::pat
       paragraph(
           "Calculation of the seismic displacement of an unanchored rooftop solar array, and "
           "of its required separations") +
-      wide_table(title_table(package.project)) + warnings_html(package) + contents_html() +
-      result_html(package) + section_heading(1) + long_table(inputs_table(package)) +
+      page_table(title_table(package.project)) + warnings_html(package) + contents_html() +
+      result_html(package) + section_heading(1) + page_table(inputs_table(package)) +
       motions_html(package, figures) + model_html() + section_heading(4) +
-      wide_table(demand_table(package)) +
+      page_table(demand_table(package)) +
       (has_demand_figure ? figure_html(figures.at(1), 2) : Html()) + required_html(package) +
-      section_heading(6) + wide_table(sensitivity_table(package)) + section_heading(7) +
-      wide_table(exceedance_table(package)) + figure_html(figures.back(), figures.size()) +
-      checks_html(package) + records_html(package) + page_foot();
+      section_heading(6) + page_table(sensitivity_table(package)) + section_heading(7) +
+      page_table(exceedance_table(package)) + figure_html(figures.back(), figures.size()) +
+      hazard_html(package) + checks_html(package) + records_html(package) + page_foot();
   write_text_file(out_dir / "package.html", page.str());
 }
 

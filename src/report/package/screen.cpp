@@ -82,7 +82,7 @@ std::string separation_lines(const CalculationPackage& package) {
                         format_share(e.probability), format_share(e.interval.low),
                         format_share(e.interval.high), e.period_s);
   }
-  return text;
+  return text + wrapped(hazard_sentence(package), terminal_width, 0) + "\n";
 }
 
 }  // namespace

@@ -7,7 +7,9 @@
 #include <cctype>
 #include <cmath>
 
+#include "analysis/hazard/hazard.hpp"
 #include "glissade/core/units.hpp"
+#include "glissade/fragility/hazard.hpp"
 #include "glissade/report/format.hpp"
 #include "package/units.hpp"
 
@@ -98,6 +100,27 @@ std::string governed_by(const CalculationPackage& package) {
                      100.0 * value->floor_share);
 }
 
+std::string hazard_sentence(const CalculationPackage& package) {
+  if (!package.probability.hazard)
+    return "Annual rates and the displacement that adds up over the design life are not computed: "
+           "give [hazard] in the project file (curve, or k0 and k; design_life_years).";
+  const HazardResults& hazard = *package.probability.hazard;
+  const HazardRun& run = *std::ranges::max_element(
+      hazard.runs, {}, [](const HazardRun& r) { return r.thresholds.front().annual_rate; });
+  const double rate = run.thresholds.front().annual_rate;
+  const LifeDisplacement& sum = run.life.at(static_cast<std::size_t>(LifeQuantity::accumulated));
+  const auto length = [](double length_m) {
+    return std::isfinite(length_m) ? length_in_both(length_m) : "beyond the levels of the study";
+  };
+  return fmt::format(
+      "With the hazard curve {}, at the period with the largest rate: the governing displacement "
+      "is exceeded {} once in {} years, in 50 years with a probability of {}. Displacement that "
+      "adds up over {}, the array not put back: median {}, 95th percentile {}.",
+      hazard.source, run.thresholds.front().beyond_share == 1.0 ? "less than" : "about",
+      format_number(1.0 / rate), format_share(probability_in(50.0, rate)), life_text(hazard),
+      length(sum.median_m), length(sum.p95_m));
+}
+
 Table title_table(const Project& project) {
   Table table{"title", "Project", {text_column("item", ""), text_column("value", "")}, {}};
   table.add({std::string("Project"), or_blank(project.title.name)});
@@ -178,19 +201,35 @@ Table site_table(const CalculationPackage& package) {
   return table;
 }
 
+/// "730" of a component "walters/gukasian_RSN730/RSN730_SPITAK_GUK000.AT2": the record sequence
+/// number of NGA-West2; "-" where the files do not have one in their names.
+std::string rsn_of(const std::vector<ComponentFile>& files, const std::string& record) {
+  for (const ComponentFile& f : files) {
+    const std::string name = std::filesystem::path(f.file).filename().string();
+    if (f.record != record || !name.starts_with("RSN")) continue;
+    return name.substr(3, name.find_first_not_of("0123456789", 3) - 3);
+  }
+  return "-";
+}
+
 Table motions_table(const CalculationPackage& package) {
-  Table table{"motions",
-              "Ground motions",
-              {text_column("id", "Record"), text_column("event", "Event"),
-               text_column("station", "Station"), text_column("magnitude", "M"),
-               text_column("distance", "R, km"), text_column("vs30", "Vs30, m/s")},
-              {}};
+  Table table{
+      "motions",
+      "Ground motions",
+      {text_column("id", "Record"), text_column("rsn", "RSN"), text_column("event", "Event"),
+       text_column("station", "Station"), text_column("magnitude", "M"),
+       text_column("distance", "R, km"), text_column("vs30", "Vs30, m/s")},
+      {}};
+  bool has_rsn = false;
   for (const RecordSummary& r : package.demand.records) {
-    table.add({r.id, r.event, r.station, not_given(r.magnitude, fmt::format("{:.1f}", r.magnitude)),
+    const std::string rsn = rsn_of(package.files, r.id);
+    has_rsn = has_rsn || rsn != "-";
+    table.add({r.id, rsn, r.event, r.station,
+               not_given(r.magnitude, fmt::format("{:.1f}", r.magnitude)),
                not_given(r.distance_km, fmt::format("{:.1f}", r.distance_km)),
                not_given(r.vs30_mps, fmt::format("{:.0f}", r.vs30_mps))});
   }
-  return table;
+  return has_rsn ? table : table.without("rsn");
 }
 
 Table scaled_motions_table(const CalculationPackage& package) {

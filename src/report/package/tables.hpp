@@ -24,6 +24,9 @@ Table checks_table(const CalculationPackage& package);
 
 /// "ASCE 7-16, 80 % of its displacement", "nonlinear response history analysis".
 std::string governed_by(const CalculationPackage& package);
+/// How often the governing displacement is exceeded and what adds up over the design life; or which
+/// key of the project would give it.
+std::string hazard_sentence(const CalculationPackage& package);
 /// "1.19 degrees", "1.19 to 2.39 degrees".
 std::string range_text(const std::vector<double>& values, const char* unit);
 

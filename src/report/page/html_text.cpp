@@ -23,10 +23,11 @@ Html Html::text(std::string_view plain) {
 Html Html::drawing(const std::string& svg, std::string_view label) {
   Html html;
   html.page_ = svg.substr(std::min(svg.find("<svg"), svg.size()));
-  // gnuplot's title, which browsers show as a tooltip.
-  const std::string_view title = "<title>Gnuplot</title>";
-  const std::size_t at = html.page_.find(title);
-  if (at != std::string::npos) html.page_.erase(at, title.size());
+  // gnuplot's title, its name of the terminal, which browsers show over all of the drawing.
+  const std::string_view begin = "<title>", end = "</title>";
+  const std::size_t at = html.page_.find(begin);
+  if (at < html.page_.find("<g ") && html.page_.find("GNUPLOT") != std::string::npos)
+    html.page_.erase(at, html.page_.find(end, at) + end.size() - at);
   if (html.page_.starts_with("<svg"))
     html.page_.insert(4, " role=\"img\" aria-label=\"" + text(label).page_ + "\"");
   return html;

@@ -218,8 +218,8 @@ std::string script_of(const Figure& figure) {
   const int rows = (entries + figure.key_columns - 1) / figure.key_columns;
   // As wide as a printed page has room for letters of 9 pt and more.
   const int width_px = 840;
-  const int height_px =
-      figure.panels.size() > 1 ? 60 + panel_rows(figure) * (460 + 28 * rows) : 640 + 28 * rows;
+  const int height_px = figure.panels.size() > 1 ? 60 + panel_rows(figure) * (460 + 28 * rows)
+                                                 : figure.plot_height_px + 28 * rows;
   Script script;
   script.add(
       "# Draw again with: gnuplot {}.gp\n"

@@ -59,6 +59,21 @@ TEST(figures, draw_without_the_fits_that_failed) {
   EXPECT_NO_THROW(render_figure(figure, fresh_folder("failed_fit")));
 }
 
+TEST(figures, say_what_each_point_is) {
+  DataSeries means{DataSeries::Kind::points, look(Role::median), "means", "mean"};
+  means.x = {0.5, 1.0, 9.0};  // the last is outside of the plot
+  means.y = {0.0254, 0.0508, 0.0254};
+  Panel panel{"", {"Building period (s)", 0.0, 2.0}, length_axis("Displacement", 0.1), {means}};
+  const fs::path folder = fresh_folder("points");
+  render_figure({"points", "", "", "", {panel}}, folder);
+  const std::string svg = read_text_file(folder / "points.svg");
+  EXPECT_THAT(svg,
+              HasSubstr("<title>mean: Building period (s) 0.500, Displacement 0.0254 m (1.00 in)"));
+  EXPECT_THAT(svg, HasSubstr("<title>mean: Building period (s) 1.00, Displacement 0.0508 m (2.00 in)"));
+  EXPECT_THAT(svg, testing::Not(HasSubstr("(s) 9")));
+  EXPECT_THAT(svg, testing::Not(HasSubstr("points_plot_1</title>")));
+}
+
 TEST(figures, may_have_a_minus_in_their_name) {  // gnuplot allows none in a terminal's
   Figure figure = make_figures(made_up_results()).front();
   figure.name = "fragility_slope_deg_-4";

@@ -72,11 +72,27 @@ Figure period_figure(const Results& results) {
           family.displacements()};
 }
 
-/// A line for each building period over the places of another axis.
-void add_buildings(const Results& results, ConditionAxis axis, Family& family) {
-  const Places buildings = shown_along(results.conditions->grid, period);
+/// Of the building periods as many as a panel takes, from the shortest to the longest.
+Places drawn_buildings(const Results& results, std::size_t most) {
+  const Places all = shown_along(results.conditions->grid, period);
+  if (all.size() <= most) return all;
+  Places drawn;
+  for (std::size_t i = 0; i < most; ++i) drawn.push_back(all[i * (all.size() - 1) / (most - 1)]);
+  return drawn;
+}
+
+std::string left_out_text(const Results& results, std::size_t most) {
+  const std::size_t periods = results.conditions->grid.period_s.size();
+  if (periods <= most) return "";
+  return fmt::format(" Of {} building periods {} are drawn; all are in tables/by_period.csv.",
+                     periods, most);
+}
+
+/// A line for each of these periods over the places of another axis.
+void add_buildings(const Results& results, ConditionAxis axis, std::size_t most, Family& family) {
+  const Places buildings = drawn_buildings(results, most);
   for (std::size_t i = 0; i < buildings.size(); ++i) {
-    family.add("building of " + label_of(results.conditions->grid, period, i),
+    family.add("building of " + label_of(results.conditions->grid, period, buildings[i][period]),
                family_look(i, buildings.size()),
                along(results.conditions->grid, axis, buildings[i]));
   }
@@ -145,9 +161,10 @@ Figure slope_figure(const Results& results) {
   Look thick = look(Role::median);
   thick.width = 3.5;
   family.add("largest over the periods", thick, shown_along(grid, slope), {}, Periods::largest);
-  if (has_several(grid, period)) add_buildings(results, slope, family);
+  constexpr std::size_t most = 3;  // beside the largest
+  if (has_several(grid, period)) add_buildings(results, slope, most, family);
   return {"slope", "Displacement over the roof's slope", below_text(results, {slope}),
-          after_walters(results, 17), family.displacements()};
+          after_walters(results, 17) + left_out_text(results, most), family.displacements()};
 }
 
 /// Fig. 18: displacement over the period by level.
@@ -183,12 +200,13 @@ Figure vertical_figure(const Results& results) {
   }
   Family family(results, "Vertical motion of the roof", x, Spread::bars);
   family.name_ticks(ticks);
-  add_buildings(results, vertical, family);
+  constexpr std::size_t most = 4;
+  add_buildings(results, vertical, most, family);
   return {"vertical", "Effect of the roof's vertical motion on the displacement",
           below_text(results, {vertical}),
           "None: no vertical motion. Rigid: the roof moves vertically with the ground, as Walters "
           "et al. (2012) assume. Else: with its own vertical period, with the study's damping. " +
-              what_is_averaged(results) + ".",
+              what_is_averaged(results) + "." + left_out_text(results, most),
           family.displacements()};
 }
 
