@@ -202,7 +202,11 @@ void add_exceedance(const Results& probability, DesignClearance& design) {
            widened(threshold->probability_interval[at], found, probability.records.size())});
     }
   }
-  for (const std::string& warning : probability.warnings) {
+  for (std::string warning : probability.warnings) {
+    for (const std::string key : {"[shape]", "intensity.levels"}) {  // a project has none
+      if (const std::size_t at = warning.find(key); at != std::string::npos)
+        warning.insert(at + key.size(), " in probability.toml");
+    }
     if (std::ranges::find(design.warnings, warning) == design.warnings.end())
       design.warnings.push_back(warning);
   }

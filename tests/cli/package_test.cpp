@@ -121,14 +121,48 @@ TEST_F(Package, simulated_motions_are_a_warning_on_the_screen_and_the_page) {
     EXPECT_THAT(text, HasSubstr("simulated"));
 }
 
+TEST_F(Package, names_the_earthquakes_and_warns_of_records_that_are_the_nearest_to_a_target) {
+  EXPECT_THAT(finished_.out, HasSubstr("nearest to a"));
+  const std::string report = read_file(out() / "demand/report.html");
+  EXPECT_THAT(report, HasSubstr("DBE, S_DS = 1.05 g"));
+  EXPECT_THAT(report, HasSubstr("MCE, S_DS = 1.58 g"));
+  EXPECT_THAT(report, Not(HasSubstr("nearest to a target")));  // it gives no probability
+}
+
+TEST_F(Package, says_which_key_gives_annual_rates_and_the_displacement_that_adds_up) {
+  EXPECT_THAT(finished_.out, HasSubstr("[hazard]"));
+  EXPECT_FALSE(numbers().contains("annual_rate"));
+}
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  return text.replace(text.find(from), from.size(), to);
+}
+
+/// The example in another folder.
+std::string moved_project() {
+  return replaced(replaced(read_file(project_file), "data/pull_tests.csv",
+                           GLISSADE_SOURCE_DIR "/studies/data/pull_tests.csv"),
+                  "../suites/", GLISSADE_SOURCE_DIR "/suites/");
+}
+
+TEST_F(Package, of_a_hazard_curve_has_annual_rates_and_the_displacement_that_adds_up) {
+  const fs::path other = folder_->path("hazard");
+  const std::string text = replaced(moved_project(), "[clearances]",
+                                    "[hazard]\nk0 = 1e-3\nk = 2.2\ndesign_life_years = 25\n\n"
+                                    "[clearances]");
+  const Finished child =
+      run_program({"clearance", folder_->write("hazard.toml", text), "--out", other.string()});
+  ASSERT_EQ(child.status, 0) << child.err;
+  EXPECT_THAT(child.out, HasSubstr("in 50 years with a"));
+  EXPECT_THAT(read_file(other / "package.html"), HasSubstr("Slip over 25 years"));
+  const auto json = nlohmann::json::parse(read_file(other / "package.json"));
+  ASSERT_EQ(json.at("annual_rate").size(), 5u);  // by period
+  for (const auto& rate : json.at("annual_rate")) EXPECT_GT(rate.get<double>(), 0.0);
+}
+
 TEST_F(Package, a_page_holds_text_of_the_project_as_text) {
-  const std::string name = "<script>alert(1)</script>";
-  std::string text = read_file(project_file);
-  for (const auto& [from, to] :
-       {std::pair<std::string, std::string>{"Office building, roof array (example)", name},
-        {"data/pull_tests.csv", GLISSADE_SOURCE_DIR "/studies/data/pull_tests.csv"},
-        {"../suites/", GLISSADE_SOURCE_DIR "/suites/"}})
-    text.replace(text.find(from), from.size(), to);
+  const std::string text = replaced(moved_project(), "Office building, roof array (example)",
+                                    "<script>alert(1)</script>");
   const fs::path other = folder_->path("other");
   const Finished child =
       run_program({"clearance", folder_->write("script.toml", text), "--out", other.string()});

@@ -50,6 +50,14 @@ struct ProjectSeparation {
   std::optional<double> available_m;
 };
 
+/// How often the site has shaking of each S_DS. Of `curve`, a file relative to the project's, or
+/// k0 x^-k.
+struct ProjectHazard {
+  std::string curve;
+  double k0 = 0.0, k = 0.0;
+  double design_life_years = 0.0;
+};
+
 struct Project {
   std::filesystem::path file;
   std::string source_text;  ///< of the file, verbatim
@@ -62,6 +70,7 @@ struct Project {
   std::string spectrum_file;    ///< of a target by points, relative to the project file
   std::filesystem::path suite;  ///< suite file
   std::uint64_t samples = 128, seed = 1;
+  std::optional<ProjectHazard> hazard;
   std::vector<std::optional<double>> available_m;  ///< by separation of asce7_16_separations()
   Standard standard = Standard::asce7_16;
   double importance = 1.0;

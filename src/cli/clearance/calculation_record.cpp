@@ -78,6 +78,10 @@ std::string numbers_json(const CalculationPackage& package) {
                                   {"probability", e.probability},
                                   {"low95", e.interval.low},
                                   {"high95", e.interval.high}});
+  if (package.probability.hazard) {
+    for (const HazardRun& run : package.probability.hazard->runs)
+      json["annual_rate"].push_back(run.thresholds.front().annual_rate);
+  }
   for (const DesignCheck& check : design.checks)
     json["checks"].push_back(
         {{"check", check.what}, {"found", check.found}, {"is_met", check.is_met}});

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 
@@ -15,6 +16,7 @@
 #include "glissade/io/sha256.hpp"
 #include "glissade/sampling/friction_statistics.hpp"
 #include "project/project_keys.hpp"
+#include "study/hazard_table.hpp"
 #include "study/target_table.hpp"
 #include "toml/toml_table.hpp"
 
@@ -243,7 +245,20 @@ ProjectFriction read_project_friction(const TomlTable& table, const fs::path& fo
   return friction;
 }
 
+/// An empty table, as in the example, is as none.
+std::optional<ProjectHazard> read_project_hazard(const TomlTable& table, const fs::path& folder) {
+  const bool is_given = std::ranges::any_of(std::array{"curve", "k0", "k", "design_life_years"},
+                                            [&](const char* key) { return table.has(key); });
+  if (!is_given) return std::nullopt;
+  const auto config = read_hazard(table, IntensityMeasure::sds_g.key(), folder);
+  if (!config) return std::nullopt;
+  return ProjectHazard{table.text("curve").value_or(""),
+                       table.number("k0", above_zero).value_or(0.0),
+                       table.number("k", above_zero).value_or(0.0), config->design_life_years};
+}
+
 void read_rest(const TomlTable& root, Project& project) {
+  project.hazard = read_project_hazard(root.table("hazard"), project.file.parent_path());
   const TomlTable suite = root.table("suite");
   project.suite = (project.file.parent_path() / suite.text("file").value_or("")).lexically_normal();
   std::error_code error;

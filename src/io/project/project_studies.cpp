@@ -5,6 +5,7 @@
 #include "glissade/core/contract.hpp"
 #include "glissade/design/design_clearance.hpp"
 #include "glissade/io/project_file.hpp"
+#include "glissade/motion/improbable.hpp"
 #include "toml/toml_text.hpp"
 
 namespace glissade {
@@ -26,6 +27,29 @@ std::string target_of(const Project& project, const fs::path& folder) {
     return fmt::format("{{ {} }}", fmt::join(target_fields(target), ", "));
   return fmt::format("{{ edition = {}, spectrum = {} }}", quoted(to_string(target.edition)),
                      path_from(project.file.parent_path() / project.spectrum_file, folder));
+}
+
+/// As parts of S_DS: DBE and MCE, what shows the curves from 0 to near 1, and what a hazard curve
+/// is followed through, from where little slides.
+std::vector<double> levels_of(const Project& project) {
+  std::vector<double> shares = {0.25, 0.5, 0.75, 1.0, 1.25, mce_over_dbe, 2.0, 2.5, 3.0, 3.75};
+  if (project.hazard) shares.insert(shares.begin(), {0.1, 0.15, 0.2});
+  const double sds_g = site_values(project.site).sds_g;
+  std::vector<double> levels;
+  for (const double share : shares) {
+    if (share <= mce_over_dbe || share * sds_g <= most_probable_g) levels.push_back(share * sds_g);
+  }
+  return levels;
+}
+
+std::string hazard_of(const Project& project, const fs::path& folder) {
+  if (!project.hazard) return "";
+  const ProjectHazard& hazard = *project.hazard;
+  const std::string curve =
+      hazard.curve.empty()
+          ? fmt::format("k0 = {}\nk = {}", hazard.k0, hazard.k)
+          : "curve = " + path_from(project.file.parent_path() / hazard.curve, folder);
+  return fmt::format("\n[hazard]\n{}\ndesign_life_years = {}\n", curve, hazard.design_life_years);
 }
 
 /// What both studies have in common.
@@ -70,14 +94,11 @@ std::string demand_study(const Project& project, const fs::path& folder) {
 std::string probability_study(const Project& project, const fs::path& folder,
                               const std::vector<double>& thresholds_m) {
   GLISSADE_EXPECTS(!thresholds_m.empty());
-  const double sds_g = site_values(project.site).sds_g;
-  std::vector<double> levels;
-  for (const double share : {0.5, 0.75, 1.0, 1.25, 1.5, 2.0}) levels.push_back(share * sds_g);
   const ProjectFriction& mu = project.friction;
   const std::string friction = mu.std > 0.0
                                    ? fmt::format("{{ mean = {}, std = {} }}", mu.mean, mu.std)
                                    : fmt::format("{}", mu.mean);
-  return head_of(project, folder, "probability", "probability of exceedance", levels) +
+  return head_of(project, folder, "probability", "probability of exceedance", levels_of(project)) +
          fmt::format(
              "[building]\nperiod_s = {}\nmass_ratio = {}\ndamping = {}\n\n"
              "[roof]\nslope_deg = {}\n\n"
@@ -88,7 +109,8 @@ std::string probability_study(const Project& project, const fs::path& folder,
              list_of(project.building.period_s), between(project.building.mass_ratio),
              project.building.damping, between(project.slope_deg), friction,
              mu.std > 0.0 ? "value = \"sampled\"\n" : "", project.samples,
-             fmt::join(thresholds_m, ", "));
+             fmt::join(thresholds_m, ", ")) +
+         hazard_of(project, folder);
 }
 
 }  // namespace glissade

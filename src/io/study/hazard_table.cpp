@@ -16,7 +16,8 @@ namespace {
 constexpr double most_events = 1000.0;
 
 /// The columns are the study's intensity measure and the annual rate of exceeding it.
-std::optional<HazardCurve> read_curve(const TomlTable& table, const StudyConfig& study) {
+std::optional<HazardCurve> read_curve(const TomlTable& table, const std::string& measure,
+                                      const std::filesystem::path& folder) {
   const std::string name = table.required_text("curve");
   if (name.empty()) return {};
   std::vector<HazardPoint> points;
@@ -30,8 +31,7 @@ std::optional<HazardCurve> read_curve(const TomlTable& table, const StudyConfig&
     return "";
   };
   try {
-    read_number_rows(study.file.parent_path() / name,
-                     {{{study.intensity.measure.key(), "annual_rate"}, take}});
+    read_number_rows(folder / name, {{{measure, "annual_rate"}, take}});
     return HazardCurve(points);
   } catch (const InputError& error) {
     table.report("curve", error);
@@ -57,8 +57,8 @@ void check_events(const TomlTable& table, const StudyConfig& study) {
 
 }  // namespace
 
-void read_hazard(const TomlTable& root, StudyConfig& study) {
-  const TomlTable table = root.table("hazard");
+std::optional<HazardConfig> read_hazard(const TomlTable& table, const std::string& measure,
+                                        const std::filesystem::path& folder) {
   const bool by_file = table.has("curve"), by_law = table.has("k0") || table.has("k");
   std::optional<HazardCurve> curve;
   std::string source;
@@ -66,7 +66,7 @@ void read_hazard(const TomlTable& root, StudyConfig& study) {
     table.report(by_file ? "curve" : "", "[hazard] needs one hazard curve",
                  "give curve = \"FILE.csv\", or k0 and k of the annual rate k0 x^-k");
   if (by_file) {
-    curve = read_curve(table, study);
+    curve = read_curve(table, measure, folder);
     source = table.text("curve").value_or("");
   }
   if (by_law) {
@@ -76,6 +76,13 @@ void read_hazard(const TomlTable& root, StudyConfig& study) {
     source = fmt::format("{:g} x^-{:g}", k0, k);
   }
   const double years = table.required_number("design_life_years", above_zero);
+  if (!curve || !(years > 0.0)) return std::nullopt;
+  return HazardConfig{*curve, source, years, {}};
+}
+
+void read_hazard(const TomlTable& root, StudyConfig& study) {
+  const TomlTable table = root.table("hazard");
+  study.hazard = read_hazard(table, study.intensity.measure.key(), study.file.parent_path());
   std::vector<double> targets = {rate_of(0.01, 50.0), 1.0 / 2475.0, 1.0 / 700.0};
   if (table.has("target_rates_per_year"))
     targets = read_increasing(table, "target_rates_per_year", above_zero);
@@ -83,8 +90,8 @@ void read_hazard(const TomlTable& root, StudyConfig& study) {
   if (!root.has("fragility"))
     root.report("hazard", "[hazard] needs [fragility] thresholds_m",
                 "give it, or leave out [hazard]");
-  if (!curve || !(years > 0.0)) return;
-  study.hazard = HazardConfig{*curve, source, years, targets};
+  if (!study.hazard) return;
+  study.hazard->target_rates_per_year = targets;
   check_events(table, study);
 }
 

@@ -6,7 +6,11 @@
 
 namespace glissade {
 
-/// [hazard]. Reads after the intensity.
+/// [hazard] of a study or project. @param measure the column of the curve's file beside annual_rate
+/// @param folder that of the file. Nothing where a problem is reported.
+std::optional<HazardConfig> read_hazard(const TomlTable& table, const std::string& measure,
+                                        const std::filesystem::path& folder);
+/// Of a study. Reads after the intensity.
 void read_hazard(const TomlTable& root, StudyConfig& study);
 
 }  // namespace glissade
