@@ -71,11 +71,15 @@ std::vector<Figure> package_figures(const CalculationPackage& package) {
   const ProjectFriction& mu = package.project.friction;
   figures.back().below = fmt::format("{}; friction {:.3g}, std {:.2g}",
                                      counts_of(package.probability), mu.mean, mu.std);
-  figures.back().caption += fmt::format(
-      " DBE is S_DS = {:.3f} g, MCE {:.3f} g; the levels end at {:.3g} g.",
+  figures.back().caption = fmt::format(
+      "Line: lognormal curve, fitted to the lowest intensity at which each history reaches the "
+      "displacement. Points: share of the histories that exceed it at a level. Shaded: 95 % "
+      "interval from the variance between records. DBE is S_DS = {:.3f} g, MCE {:.3f} g; the "
+      "levels "
+      "end at {:.3g} g.",
       package.design.site.sds_g, package.design.site.sms_g(), package.probability.levels.back());
   // Lower than in a report, and with y labels as long as that.
-  constexpr int of_a_printed_page_px = 470;
+  constexpr int of_a_printed_page_px = 420;
   figures.front().panels.front().y.label = "Spectral acceleration (g)";
   figures.back().panels.front().y.label = "Probability of exceedance";
   for (Figure& figure : figures) figure.plot_height_px = of_a_printed_page_px;

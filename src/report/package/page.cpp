@@ -215,13 +215,17 @@ Html checks_html(const CalculationPackage& package) {
 /// What the hazard section of a report has in tables.
 Html hazard_html(const CalculationPackage& package) {
   if (!package.probability.hazard) return paragraph(hazard_sentence(package));
+  // The building period names the run, where there are several.
+  const auto of_periods = [&](const Table& table) {
+    return package.probability.runs.size() > 1 ? table.without("run") : table;
+  };
   return paragraph(
              "Annual rates: the mean of the hazard curve over the capacities of the histories. "
              "Over "
              "the design life earthquakes are a Poisson process with the rates of the hazard "
              "curve; residual displacements add up as vectors, and the array is not put back.") +
-         page_table(hazard_table(package.probability)) +
-         page_table(design_life_table(package.probability));
+         page_table(of_periods(hazard_table(package.probability))) +
+         page_table(of_periods(design_life_table(package.probability)));
 }
 
 /// Two columns, so that a hash stands on one line: "rsn169 first: RSN169_1.AT2".
