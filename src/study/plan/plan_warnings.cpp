@@ -49,7 +49,7 @@ Warnings nearest_records(const Plan& plan) {
   for (const Suite& suite : plan.suites) {
     if (suite.nearest_to_target)
       warnings.push_back(fmt::format(
-          "the records of {} were selected as the nearest to a target spectrum "
+          "the records of the suite {} were selected as the nearest to a target spectrum "
           "(suite.selection): they scatter less than recorded motions, so that small "
           "probabilities are too small, and the log standard deviation and all intervals too "
           "narrow",
