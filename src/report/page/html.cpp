@@ -10,6 +10,7 @@
 #include "glissade/report/summary.hpp"
 #include "glissade/report/tables.hpp"
 #include "page/page.hpp"
+#include "text/study_text.hpp"
 
 namespace glissade {
 namespace {
@@ -62,6 +63,10 @@ std::string what_was_run(const Results& results) {
       "displacement is in plan.",
       results.records.size(), set.combinations(), set.samples, set.orientations,
       results.levels.size(), results.intensity_label);
+  if (const double dbe = results.model.dbe_level; dbe > 0.0)
+    text += fmt::format(" Of the design target, DBE is S_DS = {} and MCE {}.",
+                        with_unit(results, format_number(dbe)),
+                        with_unit(results, format_number(mce_over_dbe * dbe)));
   if (results.chart) text += " Chart: " + chart_size(results) + ". " + how_counted(results);
   return text;
 }

@@ -22,6 +22,13 @@ TEST(html_report, escapes_the_study_and_the_records) {
   EXPECT_THAT(html, HasSubstr("Kobold &lt;1995&gt;"));
 }
 
+TEST(html_report, names_the_earthquakes_of_a_design_target) {
+  Results results = made_up_results();
+  EXPECT_THAT(html_report(results, {}), Not(HasSubstr("DBE is")));
+  results.model.dbe_level = 1.0;
+  EXPECT_THAT(html_report(results, {}), HasSubstr("DBE is S_DS = 1.00 g and MCE 1.50 g"));
+}
+
 TEST(html_report, needs_nothing_from_outside) {
   const std::string html = html_report(made_up_results(), {});
   for (const char* reference : {"src=", "href=", "@import", "url("})
