@@ -10,7 +10,7 @@
 #include "unit/block/each_solver.hpp"
 
 namespace glissade {
-namespace {
+namespace closed_form_pulses_test {
 
 using namespace closed_forms;
 using test::for_each_solver;
@@ -129,5 +129,5 @@ TEST(rectangular_pulse, gives_newmarks_standardised_displacement) {
   EXPECT_NEAR(slip(pulse, slider({.friction = N}).down), newmark - A * g * 1e-4 / 24, 1e-15);
 }
 
-}  // namespace
+}  // namespace closed_form_pulses_test
 }  // namespace glissade

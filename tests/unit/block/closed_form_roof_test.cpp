@@ -11,7 +11,7 @@
 #include "glissade/building/roof_motion.hpp"
 
 namespace glissade {
-namespace {
+namespace closed_form_roof_test {
 
 using namespace closed_forms;
 
@@ -68,5 +68,5 @@ TEST(roof_under_a_harmonic, is_loudest_at_the_ratio_of_the_peak) {
   }
 }
 
-}  // namespace
+}  // namespace closed_form_roof_test
 }  // namespace glissade

@@ -11,7 +11,7 @@
 #include "unit/block/each_solver.hpp"
 
 namespace glissade {
-namespace {
+namespace closed_form_sine_test {
 
 using namespace closed_forms;
 using test::for_each_solver;
@@ -195,5 +195,5 @@ TEST(slope_with_vertical_in_phase, drifts_as_its_two_ways_say) {
                       Regime::no_stop);
 }
 
-}  // namespace
+}  // namespace closed_form_sine_test
 }  // namespace glissade

@@ -9,7 +9,7 @@
 #include "unit/block/reference.hpp"
 
 namespace glissade {
-namespace {
+namespace closed_form_test {
 
 using test::for_each_solver;
 using test::Outcome;
@@ -132,5 +132,5 @@ TEST(closed_form, a_frictionless_block_stays_where_it_is_in_space) {
   });
 }
 
-}  // namespace
+}  // namespace closed_form_test
 }  // namespace glissade

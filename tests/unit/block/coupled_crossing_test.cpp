@@ -12,7 +12,7 @@
 #include "unit/block/coupled_reference.hpp"
 
 namespace glissade {
-namespace {
+namespace coupled_crossing_test {
 
 using test::CoupledReference;
 using test::made_up_record;
@@ -132,5 +132,5 @@ TEST(coupled_crossing, of_the_kernel_is_that_of_the_reference) {
   EXPECT_GT(crossed, 300);
 }
 
-}  // namespace
+}  // namespace coupled_crossing_test
 }  // namespace glissade

@@ -9,7 +9,7 @@
 #include "closed_forms/steady_slip.hpp"
 
 namespace glissade {
-namespace {
+namespace coupled_den_hartog_test {
 
 using closed_forms::FrictionOscillator;
 using closed_forms::OneStop;
@@ -52,5 +52,5 @@ TEST(den_hartog, stops_once_every_half_cycle_as_in_closed_form) {
   }
 }
 
-}  // namespace
+}  // namespace coupled_den_hartog_test
 }  // namespace glissade

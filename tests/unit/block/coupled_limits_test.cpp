@@ -9,7 +9,7 @@
 #include "unit/block/reference.hpp"
 
 namespace glissade {
-namespace {
+namespace coupled_limits_test {
 
 using test::made_up_record;
 
@@ -172,5 +172,5 @@ TEST(coupled_limits, coupling_is_regular_up_to_the_friction_that_locks) {
   }
 }
 
-}  // namespace
+}  // namespace coupled_limits_test
 }  // namespace glissade

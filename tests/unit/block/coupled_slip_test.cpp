@@ -15,7 +15,7 @@
 #include "unit/block/reference.hpp"
 
 namespace glissade {
-namespace {
+namespace coupled_slip_test {
 
 using test::made_up_record;
 using test::uniform;
@@ -189,5 +189,5 @@ TEST(coupled_slip, all_simd_targets_give_the_same_bits) {
   use(0);
 }
 
-}  // namespace
+}  // namespace coupled_slip_test
 }  // namespace glissade

@@ -12,7 +12,7 @@
 #include "unit/block/coupled_reference.hpp"
 
 namespace glissade {
-namespace {
+namespace coupled_static_test {
 
 using test::CoupledReference;
 using test::made_up_record;
@@ -106,5 +106,5 @@ TEST(coupled_static_friction, enough_of_it_holds_the_block_and_too_steep_a_roof_
   EXPECT_TRUE(loose.free_sliding);
 }
 
-}  // namespace
+}  // namespace coupled_static_test
 }  // namespace glissade

@@ -13,7 +13,7 @@
 #include "unit/block/coupled_reference.hpp"
 
 namespace glissade {
-namespace {
+namespace coupled_test {
 
 using test::CoupledReference;
 using test::made_up_record;
@@ -104,5 +104,5 @@ TEST(coupled, input_and_gravity_are_stored_damped_and_rubbed_away) {
   EXPECT_GT(friction, 200.0);  // a tenth of the energy and more, over all
 }
 
-}  // namespace
+}  // namespace coupled_test
 }  // namespace glissade

@@ -13,7 +13,7 @@
 #include "unit/block/reference.hpp"
 
 namespace glissade {
-namespace {
+namespace coupled_yielding_forms_test {
 
 using test::made_up_record;
 
@@ -321,5 +321,5 @@ TEST(yielding_for, is_a_share_of_the_weight_or_of_the_elastic_demand) {
   EXPECT_TRUE(yielding_for(ReducedDemand{.elastic_mps2 = 12.0}).yields());
 }
 
-}  // namespace
+}  // namespace coupled_yielding_forms_test
 }  // namespace glissade

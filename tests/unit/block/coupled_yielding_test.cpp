@@ -14,7 +14,7 @@
 #include "unit/block/coupled_reference.hpp"
 
 namespace glissade {
-namespace {
+namespace coupled_yielding_test {
 
 using test::CoupledReference;
 using test::made_up_record;
@@ -110,5 +110,5 @@ TEST(coupled_yielding, energy_is_balanced_with_what_yielding_took) {
   EXPECT_GT(hysteretic, 150.0);  // a tenth of the energy and more, over all
 }
 
-}  // namespace
+}  // namespace coupled_yielding_test
 }  // namespace glissade

@@ -7,7 +7,7 @@
 #include "unit/block/crossings.hpp"
 
 namespace glissade {
-namespace {
+namespace crossing_standard_test {
 
 // On the same samples both are exact: what differs is rounding.
 TEST(crossing_on_standard_scenes, is_the_same_by_either_solver) {
@@ -43,5 +43,5 @@ TEST(crossing_on_standard_scenes, is_the_same_by_either_solver) {
   EXPECT_GT(beyond, 200);
 }
 
-}  // namespace
+}  // namespace crossing_standard_test
 }  // namespace glissade

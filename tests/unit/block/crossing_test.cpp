@@ -14,7 +14,7 @@
 #include "unit/block/reference.hpp"
 
 namespace glissade {
-namespace {
+namespace crossing_test {
 
 using test::expect_alike;
 using test::made_up_record;
@@ -242,5 +242,5 @@ TEST(crossing, on_a_building_agrees_with_the_closed_form_between_samples) {
   EXPECT_GE(crossed, 24);
 }
 
-}  // namespace
+}  // namespace crossing_test
 }  // namespace glissade

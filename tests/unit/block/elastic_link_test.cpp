@@ -8,7 +8,7 @@
 #include "unit/block/reference.hpp"
 
 namespace glissade::test {
-namespace {
+namespace elastic_link_test {
 
 constexpr double g = standard_gravity_mps2;
 
@@ -102,5 +102,5 @@ TEST(elastic_link, converges_to_the_rigid_block_at_least_as_one_over_omega) {
   }
 }
 
-}  // namespace
+}  // namespace elastic_link_test
 }  // namespace glissade::test

@@ -6,7 +6,7 @@
 #include "two_axis_truth/radau.hpp"
 
 namespace glissade::block_detail::two_axes {
-namespace {
+namespace elliptic_stop_test {
 
 using test::Long;
 
@@ -69,5 +69,5 @@ TEST(elliptic_stop, does_not_come_where_the_load_exceeds_friction) {
   EXPECT_NE(stop_on_an_ellipse({0.1, 0.1}, {0.0, 1.9}, 2.5, 0.8, 1e-9).stop.time_s, never);
 }
 
-}  // namespace
+}  // namespace elliptic_stop_test
 }  // namespace glissade::block_detail::two_axes

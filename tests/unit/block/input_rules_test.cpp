@@ -16,7 +16,7 @@
 #include "unit/block/reference.hpp"
 
 namespace glissade {
-namespace {
+namespace input_rules_test {
 
 using test::made_up_record;
 
@@ -119,5 +119,5 @@ TEST(input_that_is_not_finite, is_refused_by_every_model) {
   }
 }
 
-}  // namespace
+}  // namespace input_rules_test
 }  // namespace glissade

@@ -18,7 +18,7 @@
 #include "unit/block/reference.hpp"
 
 namespace glissade {
-namespace {
+namespace kernel_faults_test {
 
 using test::made_up_record;
 
@@ -188,5 +188,5 @@ TEST(a_step_of_a_nanosecond, is_refused_by_the_tables_of_a_building_instead_of_f
   EXPECT_NO_THROW(tabulate_roof({1e-9, record}, {}, {}));
 }
 
-}  // namespace
+}  // namespace kernel_faults_test
 }  // namespace glissade

@@ -9,7 +9,7 @@
 #include "unit/block/metamorphic.hpp"
 
 namespace glissade {
-namespace {
+namespace metamorphic_recorded_test {
 
 namespace fs = std::filesystem;
 using test::Scene;
@@ -94,5 +94,5 @@ TEST_F(RecordedMetamorphic, one_way_slip_is_never_behind_two_way_slip) {
   expect_of_all(test::expect_one_way_beyond_two_way);
 }
 
-}  // namespace
+}  // namespace metamorphic_recorded_test
 }  // namespace glissade

@@ -5,7 +5,7 @@
 #include "unit/block/reference.hpp"
 
 namespace glissade {
-namespace {
+namespace metamorphic_test {
 
 using test::made_up_record;
 using test::Scene;
@@ -95,5 +95,5 @@ TEST(metamorphic, slip_is_not_monotone_in_intensity_or_friction) {
   }
 }
 
-}  // namespace
+}  // namespace metamorphic_test
 }  // namespace glissade

@@ -8,7 +8,7 @@
 #include "unit/block/on_building_scene.hpp"
 
 namespace glissade {
-namespace {
+namespace on_building_friction_test {
 
 using test::OnBuilding;
 constexpr double g = standard_gravity_mps2;
@@ -146,5 +146,5 @@ TEST(slide_on_building, what_only_static_friction_holds_never_stops_again) {
   EXPECT_TRUE(scene.result().slip.free_sliding);
 }
 
-}  // namespace
+}  // namespace on_building_friction_test
 }  // namespace glissade

@@ -8,7 +8,7 @@
 #include "unit/block/on_building_scene.hpp"
 
 namespace glissade {
-namespace {
+namespace on_building_stress_test {
 
 using test::OnBuilding;
 
@@ -90,5 +90,5 @@ TEST(slide_on_building, ends_with_numbers_that_can_be_in_any_scene) {
   EXPECT_GT(free, 30);
 }
 
-}  // namespace
+}  // namespace on_building_stress_test
 }  // namespace glissade

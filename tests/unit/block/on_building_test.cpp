@@ -12,7 +12,7 @@
 #include "unit/block/on_building_scene.hpp"
 
 namespace glissade {
-namespace {
+namespace on_building_test {
 
 using test::made_up_record;
 using test::OnBuilding;
@@ -274,5 +274,5 @@ TEST(coupling_is_regular, is_that_of_one_axis_where_both_axes_move) {
       coupling_is_regular({{9.0, 9.0}, 0.7}, {{Oscillator{0.0}, Oscillator{0.0}}, {}, 1.0}));
 }
 
-}  // namespace
+}  // namespace on_building_test
 }  // namespace glissade

@@ -7,7 +7,7 @@
 #include "unit/block/on_building_reference.hpp"
 
 namespace glissade {
-namespace {
+namespace on_building_truth_test {
 
 using test::OnBuilding;
 using test::OnBuildingReference;
@@ -127,5 +127,5 @@ TEST(slide_on_building, converges_with_its_tolerance) {
   }
 }
 
-}  // namespace
+}  // namespace on_building_truth_test
 }  // namespace glissade

@@ -8,7 +8,7 @@
 #include "unit/block/on_building_scene.hpp"
 
 namespace glissade {
-namespace {
+namespace on_building_yielding_test {
 
 using test::OnBuilding;
 
@@ -117,5 +117,5 @@ TEST(slide_on_building, full_hardening_is_elastic) {
               1e-6 * elastic.peak_roof_displacement_m[1]);
 }
 
-}  // namespace
+}  // namespace on_building_yielding_test
 }  // namespace glissade

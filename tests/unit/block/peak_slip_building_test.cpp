@@ -8,7 +8,7 @@
 #include "unit/block/reference.hpp"
 
 namespace glissade {
-namespace {
+namespace peak_slip_building_test {
 
 using test::made_up_record;
 using test::OscillatorReference;
@@ -122,5 +122,5 @@ TEST(peak_slip_on_a_building, passes_nothing_over_that_looking_into_every_interv
   EXPECT_GT(lifted, 5);
 }
 
-}  // namespace
+}  // namespace peak_slip_building_test
 }  // namespace glissade

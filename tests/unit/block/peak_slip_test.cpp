@@ -9,7 +9,7 @@
 #include "unit/block/solvers.hpp"
 
 namespace glissade {
-namespace {
+namespace peak_slip_test {
 
 using test::made_up_record;
 using test::Reference;
@@ -136,5 +136,5 @@ TEST(peak_slip, needs_no_more_than_two_samples) {
               slide({0.1, one}, block).peak_displacement_m, 1e-15);
 }
 
-}  // namespace
+}  // namespace peak_slip_test
 }  // namespace glissade

@@ -8,7 +8,7 @@
 #include "unit/block/reference.hpp"
 
 namespace glissade {
-namespace {
+namespace rodriguez_nikl_test {
 
 using test::made_up_record;
 
@@ -60,5 +60,5 @@ TEST(rodriguez_nikl, sticks_and_slips_as_the_paper_checks) {
       1e-12);
 }
 
-}  // namespace
+}  // namespace rodriguez_nikl_test
 }  // namespace glissade

@@ -10,7 +10,7 @@
 #include "unit/block/reference.hpp"
 
 namespace glissade {
-namespace {
+namespace simd_targets_test {
 
 using test::made_up_record;
 
@@ -72,5 +72,5 @@ TEST(simd_targets, all_give_the_same_bits) {
   RecordProperty("targets", ran);
 }
 
-}  // namespace
+}  // namespace simd_targets_test
 }  // namespace glissade

@@ -8,7 +8,7 @@
 #include "unit/block/reference.hpp"
 
 namespace glissade {
-namespace {
+namespace slide_test {
 
 using test::made_up_record;
 using test::Reference;
@@ -279,5 +279,5 @@ TEST(slide, one_way_never_goes_upslope_however_small_the_motion) {
   }
 }
 
-}  // namespace
+}  // namespace slide_test
 }  // namespace glissade

@@ -9,7 +9,7 @@
 #include "unit/block/reference.hpp"
 
 namespace glissade {
-namespace {
+namespace stress_roof_test {
 
 using test::made_up_record;
 
@@ -77,5 +77,5 @@ TEST(stress_on_a_building, a_building_much_slower_than_the_record_isolates) {
   }
 }
 
-}  // namespace
+}  // namespace stress_roof_test
 }  // namespace glissade

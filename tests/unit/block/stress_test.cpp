@@ -12,7 +12,7 @@
 #include "unit/block/solvers.hpp"
 
 namespace glissade {
-namespace {
+namespace stress_test {
 
 using test::made_up_record;
 using test::Outcome;
@@ -356,5 +356,5 @@ TEST(stress, ten_million_samples) {
   }
 }
 
-}  // namespace
+}  // namespace stress_test
 }  // namespace glissade

@@ -13,7 +13,7 @@
 #include "unit/block/reference.hpp"
 
 namespace glissade {
-namespace {
+namespace tipping_test {
 
 using test::made_up_record;
 
@@ -293,5 +293,5 @@ TEST(slip_onset, finds_a_peak_between_nodes) {
   EXPECT_NEAR(slip_onset_factor(roof, {.friction = 0.3}), 0.3 * g / peak, 2e-12);
 }
 
-}  // namespace
+}  // namespace tipping_test
 }  // namespace glissade

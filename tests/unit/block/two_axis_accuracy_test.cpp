@@ -6,7 +6,7 @@
 #include "unit/block/truth_scenes.hpp"
 
 namespace glissade {
-namespace {
+namespace two_axis_accuracy_test {
 
 using test::all_laws;
 using test::all_roofs;
@@ -83,5 +83,5 @@ TEST(slide_two_axes, is_the_independent_solver_where_that_is_hard) {
   }
 }
 
-}  // namespace
+}  // namespace two_axis_accuracy_test
 }  // namespace glissade

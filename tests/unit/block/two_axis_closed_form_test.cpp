@@ -7,7 +7,7 @@
 #include "glissade/block/two_axis.hpp"
 
 namespace glissade {
-namespace {
+namespace two_axis_closed_form_test {
 
 constexpr double g = standard_gravity_mps2;
 
@@ -76,5 +76,5 @@ TEST(slide_two_axis, without_friction_the_block_stays_where_it_is_while_the_roof
   EXPECT_NEAR(r.residual.across_m, -roof_displacement_m(y), 1e-14);
 }
 
-}  // namespace
+}  // namespace two_axis_closed_form_test
 }  // namespace glissade

@@ -6,7 +6,7 @@
 #include "unit/block/truth_scenes.hpp"
 
 namespace glissade {
-namespace {
+namespace two_axis_default_tolerance_test {
 
 using test::Law;
 
@@ -52,5 +52,5 @@ TEST(default_tolerance, keeps_the_error_that_the_headers_state) {
   }
 }
 
-}  // namespace
+}  // namespace two_axis_default_tolerance_test
 }  // namespace glissade

@@ -10,7 +10,7 @@
 #include "standard_scenes.hpp"
 
 namespace glissade {
-namespace {
+namespace two_axis_lanes_standard_test {
 
 using test::Component;
 
@@ -65,5 +65,5 @@ TEST(two_axis_lanes_on_standard_motions, keeps_the_tolerance) {
   EXPECT_LT(errors.back(), 1e-5);
 }
 
-}  // namespace
+}  // namespace two_axis_lanes_standard_test
 }  // namespace glissade

@@ -14,7 +14,7 @@
 #include "unit/block/on_building_scene.hpp"
 
 namespace glissade {
-namespace {
+namespace two_axis_lanes_test {
 
 using test::OnBuilding;
 using test::uniform;
@@ -348,5 +348,5 @@ TEST(slide_two_axes, all_simd_targets_give_the_same_bits) {
   }
 }
 
-}  // namespace
+}  // namespace two_axis_lanes_test
 }  // namespace glissade

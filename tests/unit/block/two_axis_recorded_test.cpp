@@ -10,7 +10,7 @@
 #include "unit/block/truth_scenes.hpp"
 
 namespace glissade {
-namespace {
+namespace two_axis_recorded_test {
 
 std::filesystem::path recorded() {
   const char* chosen = std::getenv("GLISSADE_RECORDS");
@@ -56,5 +56,5 @@ TEST(two_axes_recorded, is_the_independent_solver_where_the_load_is_near_frictio
   }
 }
 
-}  // namespace
+}  // namespace two_axis_recorded_test
 }  // namespace glissade

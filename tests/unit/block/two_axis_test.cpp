@@ -10,7 +10,7 @@
 #include "unit/block/reference.hpp"
 
 namespace glissade {
-namespace {
+namespace two_axis_test {
 
 using test::made_up_record;
 constexpr double g = standard_gravity_mps2;
@@ -216,5 +216,5 @@ TEST(slide_two_axis, the_history_holds_the_peak_and_ends_where_the_result_does) 
   EXPECT_EQ(history.back().displacement.along_m, r.residual.along_m);
 }
 
-}  // namespace
+}  // namespace two_axis_test
 }  // namespace glissade

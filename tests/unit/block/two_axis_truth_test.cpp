@@ -10,7 +10,7 @@
 #include "unit/block/truth_scenes.hpp"
 
 namespace glissade {
-namespace {
+namespace two_axis_truth_test {
 
 using test::Long;
 using test::TruthScene;
@@ -102,5 +102,5 @@ TEST(two_axis_truth, is_the_same_with_half_the_step) {
     }
 }
 
-}  // namespace
+}  // namespace two_axis_truth_test
 }  // namespace glissade
