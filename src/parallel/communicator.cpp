@@ -233,8 +233,8 @@ std::vector<std::vector<double>> share_parts(
 
 namespace {
 
-/// Open MPI 4.1 with UCX takes it for windows between machines that are linked by TCP only, and then
-/// cannot make them (its issues 9871, 11466). What the user states to Open MPI is left.
+/// Open MPI 4.1 with UCX takes it for windows between machines that are linked by TCP only, and
+/// then cannot make them (its issues 9871, 11466). What the user states to Open MPI is left.
 void leave_out_ucx_without_its_devices() {
   std::error_code ignored;
   const std::filesystem::path devices = "/sys/class/infiniband";

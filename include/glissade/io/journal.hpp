@@ -92,7 +92,6 @@ class JournalWriter {
 /// of another run. Files may hold anything: nothing larger than a unit of the plan is allocated for
 /// a record. @return the bytes behind the last whole record of each file
 std::uint64_t read_journals(const std::filesystem::path& run_folder, const RunIdentity& run,
-                            const Plan& plan,
-                            const std::function<void(const UnitResult&)>& take);
+                            const Plan& plan, const std::function<void(const UnitResult&)>& take);
 
 }  // namespace glissade

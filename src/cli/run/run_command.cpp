@@ -144,7 +144,8 @@ void read_earlier_units(const char* how, const fs::path& out, const RunIdentity&
   write_text_file(out / "run.json", started_json(plan.config.name, plan.hash));
   fmt::print("{}: {} of {} units are in the journals", how, done.units,
              units_of(plan, run.part).size());
-  if (bytes_not_read > 0) fmt::print(", beside {} bytes that are not whole records", bytes_not_read);
+  if (bytes_not_read > 0)
+    fmt::print(", beside {} bytes that are not whole records", bytes_not_read);
   fmt::print("\n");
 }
 

@@ -69,7 +69,8 @@ TEST(figures, say_what_each_point_is) {
   const std::string svg = read_text_file(folder / "points.svg");
   EXPECT_THAT(svg,
               HasSubstr("<title>mean: Building period (s) 0.500, Displacement 0.0254 m (1.00 in)"));
-  EXPECT_THAT(svg, HasSubstr("<title>mean: Building period (s) 1.00, Displacement 0.0508 m (2.00 in)"));
+  EXPECT_THAT(svg,
+              HasSubstr("<title>mean: Building period (s) 1.00, Displacement 0.0508 m (2.00 in)"));
   EXPECT_THAT(svg, testing::Not(HasSubstr("(s) 9")));
   EXPECT_THAT(svg, testing::Not(HasSubstr("points_plot_1</title>")));
 }
