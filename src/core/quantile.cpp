@@ -7,19 +7,38 @@
 
 namespace glissade {
 
-double quantile_of_sorted(std::span<const double> sorted, double probability) {
-  if (sorted.empty()) return std::numeric_limits<double>::quiet_NaN();
-  const double position = probability * static_cast<double>(sorted.size() - 1);
+namespace {
+
+/// Where a quantile lies among n sorted values (Hyndman & Fan 1996, type 7).
+struct Place {
+  std::size_t below;
+  double share;
+};
+
+Place place_of(std::size_t n, double probability) {
+  const double position = probability * static_cast<double>(n - 1);
   const auto below = static_cast<std::size_t>(position);
-  const double low = sorted[below], share = position - static_cast<double>(below);
-  if (share == 0.0) return low;
-  const double high = sorted[below + 1];
+  return {below, position - static_cast<double>(below)};
+}
+
+double between(double low, double high, double share) {
   return std::isinf(high) ? high : low + share * (high - low);
 }
 
+}  // namespace
+
+double quantile_of_sorted(std::span<const double> sorted, double probability) {
+  if (sorted.empty()) return std::numeric_limits<double>::quiet_NaN();
+  const auto [below, share] = place_of(sorted.size(), probability);
+  return share == 0.0 ? sorted[below] : between(sorted[below], sorted[below + 1], share);
+}
+
 double quantile_of(std::vector<double> values, double probability) {
-  std::sort(values.begin(), values.end());
-  return quantile_of_sorted(values, probability);
+  if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
+  const auto [below, share] = place_of(values.size(), probability);
+  const auto low = values.begin() + static_cast<std::ptrdiff_t>(below);
+  std::nth_element(values.begin(), low, values.end());
+  return share == 0.0 ? *low : between(*low, *std::min_element(low + 1, values.end()), share);
 }
 
 }  // namespace glissade

@@ -6,7 +6,6 @@
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <exception>
-#include <fstream>
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
@@ -39,9 +38,9 @@ PredictedRun real_run(const std::filesystem::path& study, int ranks, int tries) 
     const std::string out = folder.path("run").string();
     const Finished run = run_on(ranks, {"run", study.string(), "--out", out});
     if (run.status != 0) throw std::runtime_error(run.err);
-    std::ifstream in(out + "/run.json");
+    const nlohmann::json stated = nlohmann::json::parse(read_text_file(out + "/run.json"));
     PredictedRun seconds;
-    for (const auto& [phase, s] : nlohmann::json::parse(in)["seconds"].items()) {
+    for (const auto& [phase, s] : stated.at("seconds").items()) {
       seconds.total_s += s.get<double>();
       if (phase == "histories") seconds.histories_s = s;
     }
@@ -153,10 +152,10 @@ void add_scaling(const StudyCosts& costs, const Scaling& scaling, Table& table) 
 Panel panel(const StudyCosts& costs, const std::vector<Scaling>& all) {
   Panel panel;
   panel.title = costs.name;
-  panel.x = {"Ranks", 0.0, static_cast<double>(most_log2), {}, "", {}};
+  panel.x = {"Ranks", 0.0, static_cast<double>(most_log2), {}};
   for (int log2 = 0; log2 <= most_log2; log2 += 2)
     panel.x.ticks.push_back({static_cast<double>(log2), fmt::format("{}", 1 << log2)});
-  panel.y = {"Efficiency (%)", 0.0, 105.0, {}, "", {}};
+  panel.y = {"Efficiency (%)", 0.0, 105.0, {}};
   for (std::size_t i = 0; i < all.size(); ++i) {
     DataSeries series;
     series.kind = DataSeries::Kind::line_and_points;

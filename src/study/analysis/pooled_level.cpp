@@ -24,15 +24,30 @@ double mean_of(const std::vector<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
+/// The values of sorted lists, sorted.
+std::vector<double> merged(const std::vector<std::vector<double>>& lists) {
+  std::vector<double> all;
+  std::vector<std::ptrdiff_t> ends{0};
+  for (const std::vector<double>& list : lists) {
+    all.insert(all.end(), list.begin(), list.end());
+    ends.push_back(static_cast<std::ptrdiff_t>(all.size()));
+  }
+  for (std::size_t step = 1; step < lists.size(); step *= 2) {
+    for (std::size_t i = 0; i + step < lists.size(); i += 2 * step)
+      std::inplace_merge(all.begin() + ends[i], all.begin() + ends[i + step],
+                         all.begin() + ends[std::min(i + 2 * step, lists.size())]);
+  }
+  return all;
+}
+
 }  // namespace
 
 PooledLevel::PooledLevel(const std::vector<std::vector<double>>& slips_m) : by_record_(slips_m) {
   for (std::vector<double>& slips : by_record_) {
     record_means_.push_back(mean_of(slips));
     std::sort(slips.begin(), slips.end());
-    sorted_.insert(sorted_.end(), slips.begin(), slips.end());
   }
-  std::sort(sorted_.begin(), sorted_.end());
+  sorted_ = merged(by_record_);
   for (std::size_t bin = 1; bin <= bins; ++bin)
     bin_edges_.push_back(sorted_[(sorted_.size() * bin - 1) / bins]);
   for (const std::vector<double>& slips : by_record_) {

@@ -6,9 +6,10 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <map>
+#include <unordered_set>
 
 #include "glissade/core/contract.hpp"
+#include "glissade/core/hash.hpp"
 #include "glissade/core/units.hpp"
 #include "glissade/study/cases/sample_points.hpp"
 #include "glissade/study/config.hpp"
@@ -247,15 +248,14 @@ CaseSet make_cases(const StudyConfig& config) {
   const std::vector<Orientation> orientations = orientations_of(config);
   set.samples = draw.samples();
   set.orientations = orientations.size();
-  std::vector<Case> drawn(set.samples, usual);
-  for (std::size_t sample = 0; sample < set.samples; ++sample) draw.put(drawn[sample], sample);
   const std::size_t combinations = set.combinations();
   set.cases.reserve(combinations * set.per_combination());
   for (std::size_t combination = 0; combination < combinations; ++combination) {
     const std::vector<std::size_t> place = set.places(combination);
     for (std::size_t sample = 0; sample < set.samples; ++sample) {
       for (const Orientation& orientation : orientations) {
-        Case c = drawn[sample];
+        Case c = usual;
+        draw.put(c, sample);
         for (std::size_t i = 0; i < varied.size(); ++i) varied[i]->put(c, place[i]);
         c.orientation = orientation;
         if (config.orientation.choice == OrientationChoice::random) {
@@ -278,7 +278,7 @@ std::vector<std::size_t> same_as(const CaseSet& set, bool two_axes, SampleBlocks
       const bool counts =
           (two_axes || p.axes == Parameter::Axes::any) &&
           (c.vertical != VerticalChoice::none || p.table != std::string("vertical"));
-      key.push_back(counts ? value_of(p, c) : 0.0);
+      key.push_back(counts ? value_of(p, c) + 0.0 : 0.0);  // -0 is 0
     }
     key.push_back(static_cast<double>(c.support));
     key.push_back(static_cast<double>(c.vertical));
@@ -295,10 +295,13 @@ std::vector<std::size_t> same_as(const CaseSet& set, bool two_axes, SampleBlocks
     }
     return key;
   };
-  std::map<std::vector<double>, std::size_t> first;
-  std::vector<std::size_t> same;
-  for (std::size_t i = 0; i < set.cases.size(); ++i)
-    same.push_back(first.try_emplace(key_of(i), i).first->second);
+  // The first case of each key, without the keys: they take more memory than the cases.
+  const auto hash = [&](std::size_t i) { return Hasher().numbers(key_of(i)).value(); };
+  const auto equal = [&](std::size_t i, std::size_t j) { return key_of(i) == key_of(j); };
+  std::unordered_set<std::size_t, decltype(hash), decltype(equal)> first(set.cases.size(), hash,
+                                                                         equal);
+  std::vector<std::size_t> same(set.cases.size());
+  for (std::size_t i = 0; i < set.cases.size(); ++i) same[i] = *first.insert(i).first;
   return same;
 }
 

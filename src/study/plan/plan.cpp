@@ -6,7 +6,6 @@
 #include <functional>
 #include <map>
 #include <numeric>
-#include <set>
 #include <tuple>
 
 #include "glissade/core/contract.hpp"
@@ -56,8 +55,10 @@ void number_buildings(Plan& plan) {
   for (const std::size_t i : plan.order) plan.cases_on[plan.building[i]].push_back(i);
   plan.roofs_are_kept = numbers.size() <= most_kept &&
                         (numbers.size() <= 2 || 2 * numbers.size() <= plan.order.size());
-  std::set<double> frictions;
-  for (const std::size_t i : plan.order) frictions.insert(plan.cases.cases[i].friction);
+  std::vector<double> frictions;
+  for (const std::size_t i : plan.order) frictions.push_back(plan.cases.cases[i].friction);
+  std::ranges::sort(frictions);
+  frictions.erase(std::ranges::unique(frictions).begin(), frictions.end());
   plan.frictions_repeat = 2 * frictions.size() <= plan.order.size();
 }
 

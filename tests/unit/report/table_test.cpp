@@ -135,6 +135,15 @@ TEST(samples_table, has_a_row_for_each_sample_and_a_column_for_each_parameter) {
             results.cases.cases[3].orientation.ground_azimuth_deg);
 }
 
+TEST(samples_table, of_very_many_samples_has_the_first) {
+  Results results = made_up_results();
+  results.cases.samples = 5000;
+  results.cases.cases.resize(results.cases.combinations() * results.cases.per_combination());
+  const Table table = samples_table(results);
+  EXPECT_EQ(table.rows.size(), 4096u);
+  EXPECT_THAT(table.title, testing::HasSubstr("4096 of 5000"));
+}
+
 TEST(fragility_table, leaves_failed_fits_empty_and_the_summary_uses_the_fit_that_converged) {
   Results results = made_up_results();
   FitSummary& fit = results.runs[0].fragilities[0].capacities;

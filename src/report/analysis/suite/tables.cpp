@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glissade/report/tables.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+
 #include "glissade/report/format.hpp"
 #include "text/study_text.hpp"
 
@@ -66,8 +70,14 @@ Table spectra_table(const Results& results) {
 }
 
 Table samples_table(const Results& results) {
+  // A row takes ten times the memory of the sample's histories.
+  constexpr std::size_t most = 4096;
+  const std::size_t samples = results.cases.samples;
   Table table{"samples",
-              "The samples of the first combination.",
+              samples <= most ? "The samples of the first combination."
+                              : fmt::format("The first {} of {} samples of the first combination; "
+                                            "all are in results.h5, group cases.",
+                                            most, samples),
               {{"sample", "", "Sample", ColumnKind::count}},
               {}};
   std::vector<const Parameter*> shown;
@@ -81,7 +91,7 @@ Table samples_table(const Results& results) {
   }
   table.columns.push_back({"ground_azimuth_deg", "", "Ground azimuth, deg"});
   table.columns.push_back({"across_sign", "", "Sign across", ColumnKind::count});
-  for (std::size_t j = 0; j < results.cases.samples; ++j) {
+  for (std::size_t j = 0; j < std::min(samples, most); ++j) {
     const Case& c = results.cases.cases[results.cases.index(0, j, 0)];
     std::vector<Cell> row{static_cast<double>(j)};
     for (const Parameter* p : shown) row.emplace_back(value_of(*p, c));
