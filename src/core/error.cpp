@@ -7,13 +7,35 @@
 
 namespace glissade {
 
+namespace {
+
+/// Text of files may hold what a terminal acts on.
+std::string without_control_characters(std::string text) {
+  for (char& c : text) {
+    if (static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\t') c = '?';
+    if (c == 0x7f) c = '?';
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string quoted_for_shell(const std::string& word) {
+  constexpr const char* plain =
+      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./+-=:,@%";
+  if (!word.empty() && word.find_first_not_of(plain) == std::string::npos) return word;
+  std::string quoted = "'";
+  for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return quoted + "'";
+}
+
 std::string to_string(const Problem& problem) {
   std::string text;
   if (!problem.where.empty()) text += problem.where + ": ";
   text += problem.what;
   if (!problem.suggestion.empty()) text += "; " + problem.suggestion;
   if (!problem.excerpt.empty()) text += "\n" + problem.excerpt;
-  return text;
+  return without_control_characters(std::move(text));
 }
 
 namespace {

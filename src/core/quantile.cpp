@@ -10,12 +10,12 @@ namespace glissade {
 namespace {
 
 /// Where a quantile lies among n sorted values (Hyndman & Fan 1996, type 7).
-struct Place {
+struct SortedPlace {
   std::size_t below;
   double share;
 };
 
-Place place_of(std::size_t n, double probability) {
+SortedPlace place_of(std::size_t n, double probability) {
   const double position = probability * static_cast<double>(n - 1);
   const auto below = static_cast<std::size_t>(position);
   return {below, position - static_cast<double>(below)};

@@ -110,15 +110,16 @@ TEST_F(Parts, a_folder_that_is_taken_is_refused) {
   expect_merged(merge({1, 2, 3}, {"--overwrite"}));
 }
 
-TEST_F(Parts, a_division_that_cannot_be_is_refused_and_an_empty_part_is_none) {
+TEST_F(Parts, a_division_that_cannot_be_is_refused) {
   const std::string target = folder_->write("target.toml", target_study());
   expect_refused(run_program(part_command(1, target)), {"--part", "sampling.target_error"});
   for (const char* part : {"0/3", "4/3", "2", "2/", "/3", "a/b", "1/3x", "-1/3"})
     expect_refused(run_program({"run", study_, "--out", folder(1), "--part", part}), {"--part"});
   EXPECT_FALSE(fs::exists(folder(1)));
   const std::string few = folder_->write("few.toml", small_chart());
-  ASSERT_EQ(run_program({"run", few, "--out", folder(1), "--part", "1000000/1000000"}).status, 0);
-  EXPECT_EQ(Json::parse(read_file(folder(1) + "/run.json")).at("units_done"), 0);
+  expect_refused(run_program({"run", few, "--out", folder(1), "--part", "1000000/1000000"}),
+                 {"--part", "units of work"});
+  EXPECT_FALSE(fs::exists(folder(1)));
 }
 
 }  // namespace

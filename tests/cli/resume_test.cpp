@@ -5,6 +5,7 @@
 
 #include "cli/killed_run.hpp"
 #include "cli/one_run.hpp"
+#include "glissade/core/file.hpp"
 
 namespace glissade::test {
 namespace {
@@ -191,6 +192,23 @@ TEST_F(Resume, a_run_whose_results_do_not_fit_goes_on_when_there_is_room) {
   expect_refused(run_shell("ulimit -f " + std::to_string(blocks - 1) + "; " + limited),
                  {"results.h5", "File too large", "glissade run --resume"});
   expect_resumed();
+}
+
+TEST(ResumeOfAStrangeFolder, changes_nothing_that_a_link_leads_to) {
+  ScratchFolder folder;
+  const fs::path victim = folder.path("victim"), run = folder.path("run");
+  fs::create_directories(victim);
+  fs::create_directories(run);
+  for (const char* name : {"run", "lock", "0-1.units"}) write_text_file(victim / name, "mine");
+  write_text_file(run / "run.json", "{\"status\": \"finished\"}");
+  fs::create_directory_symlink(victim, run / "journal");
+  run_program({"run", "--resume", run.string()});
+  for (const char* name : {"run", "lock", "0-1.units"})
+    EXPECT_EQ(read_file(victim / name), "mine") << name;
+  fs::remove(run / "run.json");
+  fs::create_symlink(victim / "run", run / "run.json");
+  expect_refused(run_program({"run", "--resume", run.string()}), {"run.json", "no regular file"});
+  EXPECT_EQ(read_file(victim / "run"), "mine");
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include "glissade/report/summary.hpp"
 #include "glissade/report/tables.hpp"
 #include "results_edit.hpp"
+#include "unit/io/renew_checksum.hpp"
 #include "unit/io/whole_results.hpp"
 
 namespace {
@@ -61,6 +62,7 @@ void edit_and_read(const std::string& good, const std::uint8_t* data, std::size_
     fuzz::Bytes bytes(data, std::min<std::size_t>(size, 4096));
     while (bytes.left() > 0) editor.edit(bytes);
   }
+  test::renew_checksum(file);
   std::optional<Results> results;
   fuzz::may_refuse([&] { results = read_results(file); });
   if (!results) return;

@@ -43,6 +43,9 @@ class ProblemList {
   std::vector<Problem> problems_;
 };
 
+/// A word of a command line that a user may copy: in quotes where the shell requires them.
+std::string quoted_for_shell(const std::string& word);
+
 /// The candidate nearest to `word` by edit distance, or "" if none is near enough to suggest.
 std::string nearest_word(const std::string& word, const std::vector<std::string>& candidates);
 

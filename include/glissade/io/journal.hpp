@@ -90,7 +90,7 @@ class JournalWriter {
 
 /// Reads every journal of the folder and gives each of its units once. Throws InputError for those
 /// of another run. Files may hold anything: nothing larger than a unit of the plan is allocated for
-/// a record. @return the bytes behind the last whole record of each file
+/// a record. @return the bytes that are not whole records
 std::uint64_t read_journals(const std::filesystem::path& run_folder, const RunIdentity& run,
                             const Plan& plan, const std::function<void(const UnitResult&)>& take);
 

@@ -129,7 +129,7 @@ void write_finished_calculation(const CalculationIdentity& identity,
 }
 
 std::string resume_calculation_command(const fs::path& folder) {
-  return "glissade clearance --resume " + (folder.empty() ? fs::path(".") : folder).string();
+  return "glissade clearance --resume " + quoted_for_shell(folder.empty() ? "." : folder.string());
 }
 
 }  // namespace glissade::cli

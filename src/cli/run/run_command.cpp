@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "build.hpp"
 #include "commands.hpp"
 #include "glissade/core/bytes.hpp"
 #include "glissade/core/file.hpp"
@@ -86,6 +87,12 @@ void check_is_none_of(const std::vector<FinishedPart>& parts, const fs::path& ou
 
 /// A part cannot know what the others have found.
 void check_has_parts(const Plan& plan, const PlanPart& part) {
+  if (part.count > plan.units.size()) {
+    throw InputError({"--part",
+                      fmt::format("the study has {} units of work, fewer than {} parts",
+                                  plan.units.size(), part.count),
+                      "take fewer parts", ""});
+  }
   if (part.is_all() || !plan.config.sampling.target) return;
   throw InputError({"--part", "sampling.target_error ends a run by the results of all its units",
                     "run the study without --part, or state samples and scrambles instead", ""});
@@ -196,6 +203,10 @@ fs::path RunOptions::folder() const {
 void run_study(RunOptions options, const Communicator& world) {
   const auto start = std::chrono::steady_clock::now();
   PhaseClock clock;
+  std::optional<StopRequest> stop;  // signals are taken from here on
+  if (!options.dry_run)
+    stop.emplace(world.is_root() ? options.folder() / "stop" : fs::path(), options.walltime_s,
+                 start);
   StoppedRun stopped;               // on root, where it is resumed
   std::vector<FinishedPart> parts;  // on root, where they are merged
   std::vector<Suite> suites = prepare_motions(options, stopped, parts, world);
@@ -203,7 +214,7 @@ void run_study(RunOptions options, const Communicator& world) {
   clock.end_phase("motions");
 
   const Plan plan = make_shared_plan(options.study, std::move(suites), world);
-  RunIdentity identity = identity_of(plan, GLISSADE_VERSION);
+  RunIdentity identity = identity_of(plan, GLISSADE_VERSION ", " + build_text());
   identity.part = options.part;
   std::optional<RunHistories> done;  // on root
   on_root(world, [&] {
@@ -223,14 +234,13 @@ void run_study(RunOptions options, const Communicator& world) {
   clock.end_phase("plan");
   if (options.dry_run) return;
 
-  StopRequest stop(world.is_root() ? out / "stop" : fs::path(), options.walltime_s, start);
   const std::uint64_t resumed = done ? done->units : 0;
   run_units(plan, options.part, options.no_skip ? Skipping::none : Skipping::all,
-            done ? &*done : nullptr, JournalWriter(out, world.rank(), identity), stop, out, world);
+            done ? &*done : nullptr, JournalWriter(out, world.rank(), identity), *stop, out, world);
   clock.end_phase("histories");
   on_root(world, [&] {
     if (!options.part.is_all()) return end_part(out, options.part, done->units);
-    write_all(plan, *done, resumed, options, stop, clock, world.size());
+    write_all(plan, *done, resumed, options, *stop, clock, world.size());
     stopped.lock->remove_journals();
   });
 }

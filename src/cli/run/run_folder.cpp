@@ -49,6 +49,17 @@ void check_room(const fs::path& folder, double bytes_of_results) {
   }
 }
 
+/// What a run reads or replaces by its name is a file of its own: no link, pipe or device.
+void check_own_files(const fs::path& folder) {
+  for (const char* name : {"run.json", "journal/run", "journal/lock", "results.h5"}) {
+    std::error_code ignored;
+    const fs::file_status status = fs::symlink_status(folder / name, ignored);
+    if (!fs::exists(status) || fs::is_regular_file(status)) continue;
+    throw InputError({(folder / name).string(), "is no regular file",
+                      "remove it, or give the folder of a run", ""});
+  }
+}
+
 void remove_what_a_run_left(const fs::path& folder) {
   std::error_code ignored;
   for (const auto& entry : fs::directory_iterator(folder, ignored)) {
@@ -65,10 +76,11 @@ std::string resume_command(const fs::path& folder) {
   const fs::path above = folder.parent_path();  // of a calculation, with its package
   return is_calculation(above) && !is_finished_calculation(above)
              ? resume_calculation_command(above)
-             : "glissade run --resume " + folder.string();
+             : "glissade run --resume " + quoted_for_shell(folder.string());
 }
 
 void check_run_folder(const fs::path& folder, bool overwrite) {
+  check_own_files(folder);
   if (is_running(folder)) {
     throw InputError({"--out", folder.string() + ": a run is going on in it",
                       "wait until it ends, or give another --out", ""});
@@ -111,6 +123,7 @@ std::unique_ptr<RunLock> take_run_folder(const fs::path& folder, const Plan& pla
 }
 
 StoppedRun take_stopped_run(const fs::path& folder) {
+  check_own_files(folder);
   if (is_finished(folder / "run.json")) {
     if (!is_running(folder)) remove_journals(folder);  // of a run killed when it removed them
     fmt::print("{} is finished\n", folder.string());

@@ -58,8 +58,14 @@ void add_phases(Json& json, const PhaseClock& clock) {
 
 /// Null where the file is not there or is not JSON.
 Json parsed(const std::filesystem::path& run_json_file) {
+  constexpr std::uintmax_t most_bytes = 1u << 20;
+  constexpr int most_depth = 16;  // JSON is copied and freed by recursion
+  std::error_code error;
+  if (std::filesystem::file_size(run_json_file, error) > most_bytes || error) return {};
   std::ifstream in(run_json_file);
-  Json json = Json::parse(in, nullptr, /*allow_exceptions=*/false);
+  Json json = Json::parse(
+      in, [](int depth, Json::parse_event_t, Json&) { return depth <= most_depth; },
+      /*allow_exceptions=*/false);
   return json.is_discarded() ? Json() : json;
 }
 
@@ -164,7 +170,7 @@ std::string unreported_json(const std::filesystem::path& run_json_file,
                             const std::filesystem::path& results_file) {
   Json json = parsed(run_json_file);
   json["status"] = unreported;
-  json["what_to_do"] = "glissade report --overwrite " + results_file.string();
+  json["what_to_do"] = "glissade report --overwrite " + quoted_for_shell(results_file.string());
   return json.dump(2) + "\n";
 }
 

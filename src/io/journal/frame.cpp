@@ -41,16 +41,18 @@ FrameReader::FrameReader(const std::filesystem::path& file, std::uint64_t most_b
 }
 
 std::optional<std::vector<char>> FrameReader::next() {
-  std::vector<char> head(frame_head_bytes);
-  if (left_ < head.size() || !in_.read(head.data(), frame_head_bytes)) return std::nullopt;
-  std::uint64_t size = 0, check = 0;
-  ByteReader(head).get(size).get(check);
-  if (size > most_bytes_ || size > left_ - frame_head_bytes) return std::nullopt;
-  std::vector<char> content(size);
-  if (!in_.read(content.data(), static_cast<std::streamsize>(size))) return std::nullopt;
-  if (checksum(content) != check) return std::nullopt;
-  left_ -= frame_head_bytes + size;
-  return content;
+  std::vector<char> head(frame_head_bytes), content;
+  while (left_ >= head.size() && in_.read(head.data(), frame_head_bytes)) {
+    std::uint64_t size = 0, check = 0;
+    ByteReader(head).get(size).get(check);
+    if (size > most_bytes_ || size > left_ - frame_head_bytes) return std::nullopt;
+    content.resize(size);
+    if (!in_.read(content.data(), static_cast<std::streamsize>(size))) return std::nullopt;
+    left_ -= frame_head_bytes + size;
+    if (checksum(content) == check) return content;
+    damaged_ += frame_head_bytes + size;
+  }
+  return std::nullopt;
 }
 
 }  // namespace glissade

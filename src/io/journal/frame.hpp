@@ -14,7 +14,8 @@ namespace glissade {
 /// A record of a journal: length, checksum of length and content (8 bytes each), content.
 std::string framed(std::span<const char> content);
 
-/// Reads the records of a file up to the last whole one.
+/// Reads the records of a file up to the last whole one. One whose checksum is wrong is passed
+/// over, by its length.
 class FrameReader {
  public:
   /// @param most_bytes longer records are not whole
@@ -23,13 +24,14 @@ class FrameReader {
   /// Nothing: no whole record follows.
   std::optional<std::vector<char>> next();
   std::uint64_t bytes_left() const { return left_; }
+  std::uint64_t bytes_damaged() const { return damaged_; }
 
  private:
   std::ifstream in_;
-  std::uint64_t most_bytes_, left_;
+  std::uint64_t most_bytes_, left_, damaged_ = 0;
 };
 
-/// The checksum finds every change of one byte, and others with a probability of 1 - 2^-64.
+/// The checksum (FNV-1a) finds every change of one byte. It is none against intent.
 inline constexpr std::uint64_t frame_head_bytes = 16;
 
 }  // namespace glissade

@@ -105,7 +105,9 @@ RunIdentity read_identity(const fs::path& run_folder) {
     if (format != identity_format) throw ShortMessage();
     in.get(run.program_version).get(run.plan_hash).get(run.layout);
     in.get(study_file).get(run.study_text).get(run.part);
-    if (run.part.number > run.part.count || (run.part.number == 0 && !run.part.is_all()))
+    constexpr std::uint64_t most_parts = 1000000;
+    if (run.part.count > most_parts || run.part.number > run.part.count ||
+        (run.part.number == 0 && !run.part.is_all()))
       throw ShortMessage();
   } catch (const ShortMessage&) {
     throw InputError({file.string(), "is damaged, or of another version of glissade",

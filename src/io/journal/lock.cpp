@@ -26,14 +26,22 @@ bool is_still(int fd, const fs::path& path) {
          open.st_ino == named.st_ino && open.st_dev == named.st_dev;
 }
 
+/// Not a link to a folder of somebody else.
+bool is_own(const fs::path& folder) {
+  std::error_code ignored;
+  return fs::is_directory(fs::symlink_status(folder, ignored));
+}
+
 void remove_files(const JournalNames& names) {
   std::error_code ignored;
+  if (!is_own(names.folder)) return;
   for (const fs::path& file : names.all_units()) fs::remove(file, ignored);
   fs::remove(names.identity, ignored);
 }
 
 void remove_folder(const JournalNames& names) {
   std::error_code ignored;
+  if (!is_own(names.folder)) return;
   fs::remove(names.lock, ignored);
   fs::remove(names.folder, ignored);  // if empty
 }
@@ -48,7 +56,11 @@ RunLock::RunLock(const fs::path& run_folder) : folder_(run_folder) {
     throw InputError({run_folder.string(), "cannot be made: " + error.message(),
                       "give a folder you may write to with --out", ""});
   }
-  fd_ = ::open(names.lock.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+  if (!is_own(names.folder)) {
+    throw InputError(
+        {names.folder.string(), "is a link", "remove it, or give another folder with --out", ""});
+  }
+  fd_ = ::open(names.lock.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666);
   if (fd_ < 0) throw_io_error(names.lock, "cannot be opened for writing", errno);
   if (lock_now(fd_) && is_still(fd_, names.lock)) return;
   ::close(fd_);
@@ -69,7 +81,7 @@ void RunLock::remove_journals() {
 }
 
 bool is_running(const fs::path& run_folder) {
-  const int fd = ::open(JournalNames(run_folder).lock.c_str(), O_RDWR | O_CLOEXEC);
+  const int fd = ::open(JournalNames(run_folder).lock.c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW);
   if (fd < 0) return false;
   const bool free = lock_now(fd);
   ::close(fd);

@@ -25,26 +25,26 @@ std::uint64_t read_units(const fs::path& file, const std::string& head, const Pl
                          std::vector<bool>& done,
                          const std::function<void(const UnitResult&)>& take) {
   FrameReader in(file, std::max<std::uint64_t>(most_unit_bytes(plan), head.size()));
+  std::uint64_t not_read = in.bytes_left();
   const auto first = in.next();
-  if (first && framed(*first) != head) {
+  if (!first || in.bytes_damaged() > 0) return not_read;
+  if (framed(*first) != head) {
     throw InputError({file.string(), "is the journal of another run",
                       "move it out of the folder, or run the study in another folder", ""});
   }
-  std::uint64_t not_read = in.bytes_left();
-  if (first) {
-    while (const auto record = in.next()) {
-      UnitResult unit;
-      try {
-        unit = unpack_unit_result(*record);
-      } catch (const ShortMessage&) {
-        break;
-      }
-      if (!fits(plan, unit)) break;
-      not_read = in.bytes_left();
-      if (done[unit.unit]) continue;
-      done[unit.unit] = true;
-      take(unit);
+  not_read -= head.size();
+  while (const auto record = in.next()) {
+    UnitResult unit;
+    try {
+      unit = unpack_unit_result(*record);
+    } catch (const ShortMessage&) {
+      continue;
     }
+    if (!fits(plan, unit)) continue;
+    not_read -= frame_head_bytes + record->size();
+    if (done[unit.unit]) continue;
+    done[unit.unit] = true;
+    take(unit);
   }
   return not_read;
 }

@@ -35,15 +35,19 @@ std::string checksum_line(const std::filesystem::path& file, std::uintmax_t size
   return std::string(checksum_key) + to_hex(hasher.value()) + '\n';
 }
 
-/// Before libhdf5 opens a file: it does not stand every damage. Damage of the checksum itself,
-/// which is taken for none, is none of the results.
-bool has_wrong_checksum(const std::filesystem::path& file) {
+/// Before libhdf5 opens a file: it does not stand every damage. What is wrong; empty: nothing.
+std::string checksum_fault(const std::filesystem::path& file) {
   const std::uintmax_t size = std::filesystem::file_size(file);
-  if (size < checksum_bytes) return false;
+  if (size < checksum_bytes) return "is too short for its checksum";
   std::ifstream in(file, std::ios::binary);
   in.seekg(static_cast<std::streamoff>(size - checksum_bytes));
   const std::string line{std::istreambuf_iterator<char>(in), {}};
-  return line.starts_with(checksum_key) && line != checksum_line(file, size - checksum_bytes);
+  if (!line.starts_with(checksum_key))
+    return "has no checksum: it was cut short, changed by another program, or is of another "
+           "version";
+  if (line != checksum_line(file, size - checksum_bytes))
+    return "is damaged: its content does not have its checksum";
+  return "";
 }
 
 std::string file_type_of(const Hdf5Reader& root) {
@@ -82,9 +86,13 @@ void write_results_of(const ResultsKind& kind, const std::filesystem::path& file
       throw InputError({file.string(), std::string("cannot be written: cannot ") + error.what(),
                         "check that there are memory and disk space enough", ""});
     }
-    output.write(checksum_line(partial, std::filesystem::file_size(partial)));
+    append_checksum(partial, output);
     output.release();
   });
+}
+
+void append_checksum(const std::filesystem::path& file, OutputFile& output) {
+  output.write(checksum_line(file, std::filesystem::file_size(file)));
 }
 
 void read_results_of(const ResultsKind& kind, const std::filesystem::path& file,
@@ -99,10 +107,10 @@ void read_results_of(const ResultsKind& kind, const std::filesystem::path& file,
   if (!std::filesystem::exists(file, ignored))
     throw InputError({file.string(), "no such file", "check the path", ""});
   if (!std::filesystem::is_regular_file(file, ignored)) throw fail("read what is no ordinary file");
-  if (has_wrong_checksum(file)) {
-    throw InputError({file.string(), "is damaged: its content does not have its checksum",
-                      "take another copy of the file, or run the study again", ""});
-  }
+  const std::string fault = checksum_fault(file);
+  if (!fault.empty())
+    throw InputError(
+        {file.string(), fault, "take another copy of the file, or run the study again", ""});
   try {
     const Hdf5Reader root(file);
     check_type_and_version(kind, root);

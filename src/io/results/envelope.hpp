@@ -23,8 +23,10 @@ struct ResultsKind {
 void write_results_of(const ResultsKind& kind, const std::filesystem::path& file,
                       const std::function<void(const Hdf5Writer&)>& content);
 
-/// Throws InputError for files of another kind or version, cut short or damaged. A file without a
-/// checksum was written by another program, which drops it, and is read.
+/// Puts the checksum behind a file that ends with its HDF5 content, which `output` has open.
+void append_checksum(const std::filesystem::path& file, OutputFile& output);
+
+/// Throws InputError for files of another kind or version, cut short, damaged or changed.
 void read_results_of(const ResultsKind& kind, const std::filesystem::path& file,
                      const std::function<void(const Hdf5Reader&)>& content);
 

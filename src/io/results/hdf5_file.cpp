@@ -175,6 +175,7 @@ Hdf5Reader::Hdf5Reader(const std::filesystem::path& file)
       file_size_(std::filesystem::file_size(file)) {}
 
 Hdf5Reader Hdf5Reader::group(const std::string& name) const {
+  expect_own(name);
   return {
       Hdf5Handle(H5Gopen2(group_, name.c_str(), H5P_DEFAULT), H5Gclose, "find the group " + name),
       file_size_};
@@ -199,9 +200,31 @@ void Hdf5Reader::attribute(const std::string& name, std::uint64_t& value) const 
   read_number_attribute(group_, name, value);
 }
 
+/// Links and storage outside the file could show any file of the reader's, and a compressed piece
+/// be of any size: this program writes neither.
+void Hdf5Reader::expect_own(const std::string& name) const {
+  H5L_info_t link;
+  checked(H5Lget_info(group_, name.c_str(), &link, H5P_DEFAULT), "find " + name);
+  if (link.type != H5L_TYPE_HARD) throw Hdf5Error("follow " + name + ", which is a link");
+}
+
+namespace {
+
+void expect_plain(hid_t dataset, const std::string& name) {
+  const Hdf5Handle creation(H5Dget_create_plist(dataset), H5Pclose, "read the dataset " + name);
+  const H5D_layout_t layout = H5Pget_layout(creation);
+  if ((layout != H5D_CONTIGUOUS && layout != H5D_COMPACT) || H5Pget_external_count(creation) != 0 ||
+      H5Pget_nfilters(creation) != 0)
+    throw Hdf5Error("read the dataset " + name + ", which is not stored in one piece in the file");
+}
+
+}  // namespace
+
 Hdf5Handle Hdf5Reader::open_array(const std::string& name, Dims& dims, std::size_t& count) const {
+  expect_own(name);
   Hdf5Handle dataset(H5Dopen2(group_, name.c_str(), H5P_DEFAULT), H5Dclose,
                      "find the dataset " + name);
+  expect_plain(dataset, name);
   const Hdf5Handle space(H5Dget_space(dataset), H5Sclose, "read the dataset " + name);
   const int rank = checked(H5Sget_simple_extent_ndims(space), "size the dataset " + name);
   if (rank != static_cast<int>(dims.size())) {

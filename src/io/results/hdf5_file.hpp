@@ -83,6 +83,7 @@ class Hdf5Reader {
  private:
   Hdf5Reader(Hdf5Handle group, std::uintmax_t file_size)
       : group_(std::move(group)), file_size_(file_size) {}
+  void expect_own(const std::string& name) const;
   Hdf5Handle open_array(const std::string& name, Dims& dims, std::size_t& count) const;
   Hdf5Handle group_;
   std::uintmax_t file_size_;  ///< no dataset can hold more bytes

@@ -456,7 +456,15 @@ std::optional<std::string> TomlTable::text(std::string_view key) const {
   if (node == nullptr) return std::nullopt;
   if (!node->is_string())
     report(key, name_of(key) + " is " + kind_of(*node) + ", not a text", "put it in quotes");
-  return node->value_exact<std::string>();
+  std::optional<std::string> text = node->value_exact<std::string>();
+  const auto acts_on_a_terminal = [](char c) {
+    return (static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\t') || c == 0x7f;
+  };
+  if (text && std::ranges::any_of(*text, acts_on_a_terminal)) {
+    report(key, name_of(key) + " has a control character", "leave it out");
+    return std::nullopt;
+  }
+  return text;
 }
 
 std::string TomlTable::required_text(std::string_view key) const {

@@ -110,6 +110,17 @@ TEST_F(JournalTest, a_length_beyond_the_file_or_a_unit_is_not_believed) {
   }
 }
 
+TEST_F(JournalTest, one_damaged_record_does_not_hide_the_others) {
+  write(0, {0, 1, 2});
+  std::string bytes = read_text_file(file("0-1.units"));
+  const std::size_t of_last = pack(journal_unit(plan_, 2)).size() + 16,
+                    of_middle = pack(journal_unit(plan_, 1)).size() + 16;
+  bytes[bytes.size() - of_last - 8] ^= 1;
+  replace("0-1.units", bytes);
+  EXPECT_THAT(read_units(), testing::ElementsAre(0, 2));
+  EXPECT_EQ(bytes_not_read_, of_middle);
+}
+
 TEST_F(JournalTest, a_record_that_does_not_fit_the_plan_is_not_read) {
   for (int fault = 0; fault < 4; ++fault) {
     JournalWriter writer(folder_.path(), 0, run_);

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 
+#include "renew_checksum.hpp"
 #include "whole_results.hpp"
 
 namespace glissade {
@@ -219,22 +220,21 @@ TEST(results_file, cut_damaged_and_foreign_files_are_refused) {
     const auto file = folder.write("x.h5", content);
     return message_of([&] { read_results(file); });
   };
-  std::string whole = bytes_of(with_fragility(), folder, "a.h5");
-  whole.erase(whole.rfind("\nglissade checksum "));  // as a file that HDF5 has written over
+  const std::string whole = bytes_of(with_fragility(), folder, "a.h5");
   EXPECT_EQ(refusal(whole), "");
+  EXPECT_THAT(refusal(whole.substr(0, whole.rfind("\nglissade checksum "))),
+              HasSubstr("has no checksum"));  // as a file that HDF5 has written over
+  EXPECT_THAT(refusal(whole + "\n"), HasSubstr("has no checksum"));
   for (const std::size_t length :
        {std::size_t{0}, std::size_t{100}, whole.size() / 2, whole.size() - 1}) {
-    EXPECT_THAT(refusal(whole.substr(0, length)),
-                HasSubstr("is not a complete glissade results file"))
-        << length;
+    EXPECT_THAT(refusal(whole.substr(0, length)), HasSubstr("checksum")) << length;
   }
-  EXPECT_THAT(refusal("im,num_gms,num_exceed\n"),
-              HasSubstr("is not a complete glissade results file"));
+  EXPECT_THAT(refusal("im,num_gms,num_exceed\n"), HasSubstr("checksum"));
   std::string other = whole;
   const std::size_t at = other.find("glissade results");
   ASSERT_NE(at, std::string::npos);
   other[at] = 'G';
-  EXPECT_THAT(refusal(other), HasSubstr("is not a complete glissade results file"));
+  EXPECT_THAT(refusal(other), HasSubstr("is damaged"));
   EXPECT_THAT(message_of([&] { read_results(folder.path() / "none.h5"); }),
               HasSubstr("no such file"));
   EXPECT_THAT(message_of([&] { read_results(folder.path()); }), HasSubstr("no ordinary file"));
@@ -250,11 +250,8 @@ TEST(results_file, a_flipped_bit_anywhere_is_found_by_the_checksum) {
     flipped[at] = static_cast<char>(flipped[at] ^ (1 << at % 8));
     const auto file = folder.write("x.h5", flipped);
     const std::string message = message_of([&] { read_results(file); });
-    if (at >= end && at < whole.size() - 17) {
-      EXPECT_EQ(message, "") << at;  // of the words before the checksum: the results are whole
-    } else {
-      EXPECT_THAT(message, HasSubstr("is damaged")) << at;
-    }
+    const bool of_its_words = at >= end && at < whole.size() - 17;
+    EXPECT_THAT(message, HasSubstr(of_its_words ? "has no checksum" : "is damaged")) << at;
   }
 }
 
@@ -273,7 +270,53 @@ std::filesystem::path file_with(const TemporaryFolder& folder, const char* datas
   H5Dclose(set);
   H5Sclose(space);
   EXPECT_GE(H5Fclose(file), 0);
+  test::renew_checksum(path);
   return path;
+}
+
+/// A good file whose levels are stored otherwise: by other properties, or behind a link.
+std::filesystem::path file_with_levels(const TemporaryFolder& folder, hid_t properties,
+                                       const char* external_link) {
+  const auto path = folder.path() / "edited.h5";
+  write_results(path, with_fragility());
+  const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
+  const auto levels = static_cast<hsize_t>(with_fragility().levels.size());
+  const std::string name = "level_g";
+  EXPECT_GE(H5Ldelete(file, name.c_str(), H5P_DEFAULT), 0);
+  if (external_link != nullptr) {
+    EXPECT_GE(
+        H5Lcreate_external(external_link, "/level_g", file, name.c_str(), H5P_DEFAULT, H5P_DEFAULT),
+        0);
+  } else {
+    const hid_t space = H5Screate_simple(1, &levels, nullptr);
+    const hid_t set =
+        H5Dcreate2(file, name.c_str(), H5T_IEEE_F64LE, space, H5P_DEFAULT, properties, H5P_DEFAULT);
+    EXPECT_GE(set, 0);
+    H5Dclose(set);
+    H5Sclose(space);
+  }
+  EXPECT_GE(H5Fclose(file), 0);
+  test::renew_checksum(path);
+  return path;
+}
+
+TEST(results_file, what_is_stored_outside_the_file_or_compressed_is_refused) {
+  const TemporaryFolder folder;
+  const auto refusal = [&](hid_t properties, const char* link) {
+    const auto file = file_with_levels(folder, properties, link);
+    const std::string message = message_of([&] { read_results(file); });
+    H5Pclose(properties);
+    return message;
+  };
+  const hid_t external = H5Pcreate(H5P_DATASET_CREATE);
+  H5Pset_external(external, "/etc/hostname", 0, H5F_UNLIMITED);
+  EXPECT_THAT(refusal(external, nullptr), HasSubstr("not stored in one piece"));
+  const hid_t chunked = H5Pcreate(H5P_DATASET_CREATE);
+  const hsize_t one = 1;
+  H5Pset_chunk(chunked, 1, &one);
+  H5Pset_deflate(chunked, 1);
+  EXPECT_THAT(refusal(chunked, nullptr), HasSubstr("not stored in one piece"));
+  EXPECT_THAT(refusal(H5Pcreate(H5P_DATASET_CREATE), "other.h5"), HasSubstr("is a link"));
 }
 
 TEST(results_file, datasets_that_claim_more_than_the_file_can_hold_are_refused) {
@@ -432,6 +475,7 @@ std::filesystem::path file_with_label(const TemporaryFolder& folder, const std::
   H5Tclose(type);
   H5Gclose(runs);
   EXPECT_GE(H5Fclose(file), 0);
+  test::renew_checksum(path);
   return path;
 }
 
