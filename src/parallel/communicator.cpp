@@ -3,6 +3,7 @@
 
 #define OMPI_SKIP_MPICXX
 #include <mpi.h>
+#include <sched.h>
 
 #include <algorithm>
 #include <chrono>
@@ -229,6 +230,31 @@ std::vector<std::vector<double>> share_parts(
     all.insert(all.end(), message.begin(), message.end());
   world.broadcast(all);
   return numbered_parts(count, {all});
+}
+
+/// Launchers bind a rank to processors of its own, and its threads with it.
+struct LentProcessors::Processors {
+  cpu_set_t set;
+};
+
+LentProcessors::LentProcessors(const Communicator& world) {
+  if (world.size() == 1) return;
+  MPI_Comm machine = MPI_COMM_NULL;
+  MPI_Comm_split_type(world.state_->group, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &machine);
+  MPI_Comm_size(machine, &ranks_);
+  cpu_set_t mine, all;
+  CPU_ZERO(&mine);
+  CPU_ZERO(&all);
+  sched_getaffinity(0, sizeof mine, &mine);
+  MPI_Reduce(&mine, &all, sizeof mine, MPI_BYTE, MPI_BOR, 0, machine);
+  MPI_Comm_free(&machine);
+  if (!world.is_root()) return;
+  own_ = std::make_unique<Processors>(mine);
+  sched_setaffinity(0, sizeof all, &all);
+}
+
+LentProcessors::~LentProcessors() {
+  if (own_) sched_setaffinity(0, sizeof own_->set, &own_->set);
 }
 
 namespace {

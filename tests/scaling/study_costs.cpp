@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "study_costs.hpp"
 
+#include <tbb/task_arena.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -73,10 +75,12 @@ StudyCosts measure_study(const std::filesystem::path& study, const std::filesyst
     costs.tail_s += core_seconds_of([&] { histories.add(unit); });
   }
   Results results;
-  costs.tail_s += core_seconds_of([&] {
-    results = reduce(plan, histories.take(plan), parts);
-    write_results(scratch / "results.h5", results);
+  tbb::task_arena(1).execute([&] {
+    costs.analyses_s =
+        core_seconds_of([&] { results = reduce(plan, histories.take(plan), parts); });
   });
+  costs.pieces = static_cast<double>(plan.cases.combinations() * config.intensity.levels.size());
+  costs.tail_s += core_seconds_of([&] { write_results(scratch / "results.h5", results); });
   const auto begin = std::chrono::steady_clock::now();
   write_report(results, scratch, {});
   costs.report_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
@@ -95,6 +99,7 @@ StudyCosts grown(const StudyCosts& costs, double factor) {
   more.histories *= factor;
   more.plan_s *= factor;
   more.tail_s *= factor;
+  more.analyses_s *= factor;
   more.result_bytes *= factor;
   more.work_s.resize(costs.motion_parts);
   const auto count = static_cast<std::size_t>(std::max(1.0, std::round(units * factor / longer)));
@@ -108,6 +113,7 @@ StudyCosts grown(const StudyCosts& costs, double factor) {
 PredictedRun predict(const StudyCosts& costs, int ranks, int cores, const Network& network,
                      Fetch fetch) {
   const double slowdown = std::max(1.0, static_cast<double>(ranks) / cores);
+  const double on_one_machine = std::min({ranks, cores, 64});
   const double others = ranks - 1, rounds = std::ceil(std::log2(ranks));
   PredictedRun run;
   run.histories_s = makespan_s(costs.work_s, ranks, network, fetch, slowdown) +
@@ -115,7 +121,8 @@ PredictedRun predict(const StudyCosts& costs, int ranks, int cores, const Networ
                     others * 2.0 * network.latency_s;
   run.total_s = costs.motions_s + rounds * costs.motion_bytes / network.bytes_per_s +
                 makespan_s(costs.plan_parts_s, ranks, network, fetch, slowdown) +
-                slowdown * costs.plan_s + run.histories_s + costs.tail_s + costs.report_s;
+                slowdown * costs.plan_s + run.histories_s + costs.tail_s +
+                costs.analyses_s / std::min(on_one_machine, costs.pieces) + costs.report_s;
   return run;
 }
 

@@ -18,7 +18,9 @@ struct StudyCosts {
   double plan_s = 0.0;               ///< the rest, on every rank
   std::vector<double> work_s;        ///< motion parts and units, as they go out
   std::size_t motion_parts = 0;      ///< of work_s, first
-  double tail_s = 0.0;               ///< analyses and results file, rank 0 alone
+  double tail_s = 0.0;               ///< histories into their table, results file: rank 0 alone
+  double analyses_s = 0.0;           ///< shared by the ranks of rank 0's machine
+  double pieces = 1.0;               ///< of the analyses, about
   double report_s = 0.0;             ///< tables, figures and report, rank 0 alone
   double motion_bytes = 0.0, result_bytes = 0.0;
 
@@ -35,7 +37,7 @@ StudyCosts grown(const StudyCosts& costs, double factor);
 struct PredictedRun {
   double histories_s = 0.0, total_s = 0.0;
 };
-/// @param cores that the ranks share
+/// @param cores that the ranks share, 64 at most on one machine
 PredictedRun predict(const StudyCosts& costs, int ranks, int cores, const Network& network,
                      Fetch fetch = Fetch::ahead);
 /// One core's time over what all ranks take.

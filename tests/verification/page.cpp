@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <sstream>
 
+#include "glissade/core/file.hpp"
+
 namespace glissade::verification {
 namespace {
 
@@ -63,6 +65,16 @@ either is right; what they agree with is verified in the chapters above. Each ca
     std::erase_if(chapter.cases, [](const Case& c) { return c.from == ReferenceFrom::this_code; });
   }
   return own;
+}
+
+Chapter reliability() {
+  return {.title = "11. Reliability",
+          .text =
+              "What was done to runs and files, by which command, and what came of it. These "
+              "commands take minutes to hours; `reliability.md` is made by hand from what "
+              "they print.",
+          .cases = {},
+          .measured = read_text_file(GLISSADE_SOURCE_DIR "/tests/verification/reliability.md")};
 }
 
 std::string page(const std::vector<Chapter>& chapters) {

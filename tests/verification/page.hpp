@@ -12,6 +12,9 @@ namespace glissade::verification {
 /// their own.
 Chapter consistency(std::vector<Chapter>& chapters);
 
+/// Kills, full disks, damaged files: figures of commands that are too long for this program.
+Chapter reliability();
+
 /// The manual in Markdown.
 std::string page(const std::vector<Chapter>& chapters);
 

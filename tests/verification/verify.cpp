@@ -75,6 +75,7 @@ int main(int argc, char** argv) try {
                                    second_paper_vertical(folders),
                                    second_paper_statements(folders)};
   chapters.push_back(consistency(chapters));
+  chapters.push_back(reliability());
   const std::string text = page(chapters);
   write_text_file(folder / "README.md", text);
   const bool good = report_failures(chapters);

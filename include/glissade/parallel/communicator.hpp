@@ -55,6 +55,7 @@ class Communicator {
   explicit Communicator(std::shared_ptr<State> state);
   std::shared_ptr<State> state_;
   friend class MpiSession;
+  friend class LentProcessors;
 };
 
 /// Calls work(item) for every item below `count`, each on one rank, the next free one. Every rank
@@ -74,6 +75,23 @@ std::vector<std::vector<double>> numbered_parts(std::size_t count,
 std::vector<std::vector<double>> share_parts(
     const Communicator& world, std::size_t count,
     const std::function<std::vector<double>(std::size_t)>& part);
+
+/// While it lives, threads that rank 0 starts run on the processors of all ranks of its machine,
+/// which are to wait for it. Construction is collective.
+class LentProcessors {
+ public:
+  explicit LentProcessors(const Communicator& world);
+  ~LentProcessors();
+  LentProcessors(const LentProcessors&) = delete;
+  LentProcessors& operator=(const LentProcessors&) = delete;
+  /// The ranks of this machine.
+  int ranks() const { return ranks_; }
+
+ private:
+  struct Processors;
+  int ranks_ = 1;
+  std::unique_ptr<Processors> own_;  ///< of rank 0, where it has borrowed others
+};
 
 /// Starts MPI for the lifetime of the object if the program runs under mpirun (or srun); otherwise
 /// does nothing.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
+#include <tbb/task_arena.h>
 
 #include <charconv>
 #include <chrono>
@@ -45,6 +46,13 @@ std::vector<Suite> load_suites(const std::vector<fs::path>& files) {
   }
   problems.throw_if_any();
   return suites;
+}
+
+/// On root, by threads on the processors of all ranks of its machine.
+void on_root_threads(const Communicator& world, const std::function<void()>& work) {
+  const LentProcessors lent(world);
+  tbb::task_arena threads(lent.ranks());
+  on_root(world, [&] { threads.execute(work); });
 }
 
 /// What root does with the histories of all ranks.
@@ -102,7 +110,7 @@ void check_has_parts(const Plan& plan, const PlanPart& part) {
 std::vector<Suite> prepare_motions(RunOptions& options, StoppedRun& stopped,
                                    std::vector<FinishedPart>& parts, const Communicator& world) {
   std::vector<Suite> suites;
-  on_root(world, [&] {
+  on_root_threads(world, [&] {
     if (!options.resume.empty()) {
       stopped = take_stopped_run(options.resume);
       if (options.study.empty()) options.study = stopped.begun.study_file.string();
@@ -238,7 +246,7 @@ void run_study(RunOptions options, const Communicator& world) {
   run_units(plan, options.part, options.no_skip ? Skipping::none : Skipping::all,
             done ? &*done : nullptr, JournalWriter(out, world.rank(), identity), *stop, out, world);
   clock.end_phase("histories");
-  on_root(world, [&] {
+  on_root_threads(world, [&] {
     if (!options.part.is_all()) return end_part(out, options.part, done->units);
     write_all(plan, *done, resumed, options, *stop, clock, world.size());
     stopped.lock->remove_journals();

@@ -38,15 +38,14 @@ std::string checksum_line(const std::filesystem::path& file, std::uintmax_t size
 /// Before libhdf5 opens a file: it does not stand every damage. What is wrong; empty: nothing.
 std::string checksum_fault(const std::filesystem::path& file) {
   const std::uintmax_t size = std::filesystem::file_size(file);
-  if (size < checksum_bytes) return "is too short for its checksum";
   std::ifstream in(file, std::ios::binary);
-  in.seekg(static_cast<std::streamoff>(size - checksum_bytes));
+  in.seekg(static_cast<std::streamoff>(size - std::min<std::uintmax_t>(size, checksum_bytes)));
   const std::string line{std::istreambuf_iterator<char>(in), {}};
   if (!line.starts_with(checksum_key))
-    return "has no checksum: it was cut short, changed by another program, or is of another "
-           "version";
+    return "it does not end with a checksum (cut short, changed by another program, or of another "
+           "version)";
   if (line != checksum_line(file, size - checksum_bytes))
-    return "is damaged: its content does not have its checksum";
+    return "it is damaged: its content does not have its checksum";
   return "";
 }
 
@@ -99,26 +98,23 @@ void read_results_of(const ResultsKind& kind, const std::filesystem::path& file,
                      const std::function<void(const Hdf5Reader&)>& content) {
   const Hdf5Silence silence;
   const auto fail = [&](const std::string& reason) {
-    return InputError({file.string(),
-                       std::string("is not a complete ") + kind.name + ": cannot " + reason,
+    return InputError({file.string(), std::string("is not a complete ") + kind.name + ": " + reason,
                        "give a results file of `glissade run`, or run the study again", ""});
   };
   std::error_code ignored;
   if (!std::filesystem::exists(file, ignored))
     throw InputError({file.string(), "no such file", "check the path", ""});
-  if (!std::filesystem::is_regular_file(file, ignored)) throw fail("read what is no ordinary file");
+  if (!std::filesystem::is_regular_file(file, ignored)) throw fail("it is no ordinary file");
   const std::string fault = checksum_fault(file);
-  if (!fault.empty())
-    throw InputError(
-        {file.string(), fault, "take another copy of the file, or run the study again", ""});
+  if (!fault.empty()) throw fail(fault);
   try {
     const Hdf5Reader root(file);
     check_type_and_version(kind, root);
     content(root);
   } catch (const Hdf5Error& error) {
-    throw fail(error.what());
+    throw fail(std::string("cannot ") + error.what());
   } catch (const std::bad_alloc&) {
-    throw fail("hold it in memory");
+    throw fail("cannot hold it in memory");
   }
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glissade/motion/simulation/suite_design.hpp"
 
+#include <tbb/parallel_for.h>
+
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
@@ -106,7 +108,7 @@ void set_gain(SyntheticRecipe& recipe, const std::vector<SyntheticMotion>& candi
 
 /// SRSS spectrum of a candidate over the MCE spectrum, scaled as close to one as possible.
 struct SpectralFit {
-  double scale;             ///< that factor
+  double scale = 1.0;       ///< that factor
   Eigen::ArrayXd ratio;     ///< per period, scaled
   double log_square = 0.0;  ///< mean square of ln ratio
 };
@@ -190,9 +192,10 @@ SyntheticRecipe design_suite(int level, std::uint64_t seed) {
 
   const TargetSpectrum target(recipe.target);
   const std::vector<double> periods_s = walters_periods_s();
-  std::vector<SpectralFit> fits;
-  for (const SyntheticMotion& candidate : candidates)
-    fits.push_back(fit_to_target(simulate_motion(recipe, candidate), target, periods_s));
+  std::vector<SpectralFit> fits(candidates.size());
+  tbb::parallel_for(std::size_t{0}, fits.size(), [&](std::size_t i) {
+    fits[i] = fit_to_target(simulate_motion(recipe, candidates[i]), target, periods_s);
+  });
   for (const std::size_t k : choose(fits, recipe.max_scale)) {
     recipe.motions.push_back(candidates[k]);
     recipe.motions.back().id =

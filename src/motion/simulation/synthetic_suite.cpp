@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glissade/motion/simulation/synthetic_suite.hpp"
 
+#include <tbb/parallel_for.h>
+
 #include "glissade/motion/simulation/components.hpp"
 
 namespace glissade {
@@ -38,8 +40,10 @@ Suite simulate_suite(const SyntheticRecipe& recipe) {
               .motions = {},
               .target = recipe.target,
               .nearest_to_target = recipe.nearest_to_target};
-  for (const SyntheticMotion& motion : recipe.motions)
-    suite.motions.push_back(simulate_motion(recipe, motion));
+  suite.motions.resize(recipe.motions.size());
+  tbb::parallel_for(std::size_t{0}, recipe.motions.size(), [&](std::size_t i) {
+    suite.motions[i] = simulate_motion(recipe, recipe.motions[i]);
+  });
   return suite;
 }
 

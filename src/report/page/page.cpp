@@ -2,6 +2,7 @@
 #include "page/page.hpp"
 
 #include <fmt/format.h>
+#include <tbb/parallel_for.h>
 
 #include "glissade/core/file.hpp"
 
@@ -92,12 +93,12 @@ void write_tables(const std::vector<Table>& tables, const std::filesystem::path&
 }
 
 std::vector<DrawnFigure> draw(std::vector<Figure> figures, const std::filesystem::path& out_dir) {
-  std::vector<DrawnFigure> drawn;
-  for (Figure& figure : figures) {
-    render_figure(figure, out_dir / "figures");
-    std::string svg = read_text_file(out_dir / "figures" / (figure.name + ".svg"));
-    drawn.push_back({std::move(figure), std::move(svg)});
-  }
+  std::vector<DrawnFigure> drawn(figures.size());
+  tbb::parallel_for(std::size_t{0}, figures.size(), [&](std::size_t i) {
+    render_figure(figures[i], out_dir / "figures");
+    std::string svg = read_text_file(out_dir / "figures" / (figures[i].name + ".svg"));
+    drawn[i] = {std::move(figures[i]), std::move(svg)};
+  });
   return drawn;
 }
 

@@ -2,6 +2,7 @@
 #include "analysis/fragility.hpp"
 
 #include <fmt/format.h>
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
@@ -139,19 +140,22 @@ RunResults fragility_of(const StudyConfig& config, const Results& results,
                                            results.cases.describe(combination, "friction.value"));
   for (std::size_t i = 0; i < band_points; ++i)
     run.band_intensities.push_back(levels.back() * static_cast<double>(i + 1) / band_points);
-  for (std::size_t t = 0; t < results.thresholds_m.size(); ++t)
-    run.fragilities.push_back(fit_threshold(results, run, t, options));
+  run.fragilities.resize(results.thresholds_m.size());
+  tbb::parallel_for(std::size_t{0}, run.fragilities.size(), [&](std::size_t t) {
+    run.fragilities[t] = fit_threshold(results, run, t, options);
+  });
 
   const std::vector<Standard>& standards = config.standards.compare;
   run.standards.resize(standards.size() * levels.size());
-  for (std::size_t level = 0; level < levels.size(); ++level) {
+  run.slip.resize(levels.size());
+  tbb::parallel_for(std::size_t{0}, levels.size(), [&](std::size_t level) {
     const PooledLevel pooled = pooled_at(results.histories, slice_of(run), level);
-    run.slip.push_back(statistics_of(pooled, results, run, level, options));
+    run.slip[level] = statistics_of(pooled, results, run, level, options);
     for (std::size_t s = 0; s < standards.size(); ++s) {
       run.standards[s * levels.size() + level] =
           compare(standards[s], levels[level], config.standards, pooled);
     }
-  }
+  });
   if (config.impact)
     run.impact =
         impact_statistics(results.histories, slice_of(run), levels, results.thresholds_m, options);
@@ -161,12 +165,13 @@ RunResults fragility_of(const StudyConfig& config, const Results& results,
 }  // namespace
 
 std::vector<RunResults> fragility_runs(const StudyConfig& config, const Results& results) {
-  std::vector<RunResults> runs;
   const CaseSet& set = results.cases;
-  for (std::size_t i = 0; i < set.combinations(); ++i) {
-    if (set.cases[set.index(i, 0, 0)].support == ArraySupport::isolated)
-      runs.push_back(fragility_of(config, results, i));
-  }
+  std::vector<std::size_t> isolated;
+  for (std::size_t i = 0; i < set.combinations(); ++i)
+    if (set.cases[set.index(i, 0, 0)].support == ArraySupport::isolated) isolated.push_back(i);
+  std::vector<RunResults> runs(isolated.size());
+  tbb::parallel_for(std::size_t{0}, runs.size(),
+                    [&](std::size_t i) { runs[i] = fragility_of(config, results, isolated[i]); });
   return runs;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glissade/study/analysis/impact.hpp"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -82,14 +84,13 @@ std::vector<ImpactStatistics> impact_statistics(const HistoryTable& histories, C
                                                 std::span<const double> thresholds_m,
                                                 const BootstrapOptions& options) {
   GLISSADE_EXPECTS(histories.records > 0 && cases.count > 0);
-  std::vector<ImpactStatistics> all;
-  for (std::size_t t = 0; t < thresholds_m.size(); ++t) {
-    for (std::size_t l = 0; l < levels.size(); ++l) {
-      all.push_back(statistics_of(Happened(histories, cases, l, t), cases.count, options));
-      all.back().level = levels[l];
-      all.back().threshold_m = thresholds_m[t];
-    }
-  }
+  std::vector<ImpactStatistics> all(thresholds_m.size() * levels.size());
+  tbb::parallel_for(std::size_t{0}, all.size(), [&](std::size_t i) {
+    const std::size_t t = i / levels.size(), l = i % levels.size();
+    all[i] = statistics_of(Happened(histories, cases, l, t), cases.count, options);
+    all[i].level = levels[l];
+    all[i].threshold_m = thresholds_m[t];
+  });
   return all;
 }
 
