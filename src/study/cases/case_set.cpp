@@ -6,7 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <unordered_set>
+#include <string_view>
+#include <utility>
 
 #include "glissade/core/contract.hpp"
 #include "glissade/core/hash.hpp"
@@ -55,8 +56,9 @@ std::vector<ListedQuantity> axes_of(const StudyConfig& config) {
     const Parameter& p = parameters()[i];
     const Quantity& quantity = config.quantities[i];
     if (quantity.is_drawn()) continue;
-    axes.push_back({{std::string(p.table) + "." + p.key, p.unit, quantity.values, {}},
-                    [&p, &quantity](Case& c, std::size_t k) { p.of(c) = quantity.values[k]; }});
+    axes.push_back(
+        {{std::string(p.table) + "." + p.key, p.unit, quantity.values, {}},
+         [&p, values = quantity.values](Case& c, std::size_t k) { p.of(c) = values[k]; }});
   }
   return axes;
 }
@@ -68,16 +70,13 @@ class Draw {
 
   std::size_t samples() const { return points_.count(); }
 
-  void put(Case& c, std::size_t sample) const {
-    for (std::size_t i = 0; i < parameters().size(); ++i) {
-      const Parameter& p = parameters()[i];
-      const Quantity& quantity = config_.quantities[i];
-      if (!quantity.is_drawn()) continue;
-      double value = quantile(*quantity.drawn, points_.coordinate(sample, p.dimension));
-      if (quantity.drawn_as_rise_in_12) value = slope_of_rise_deg(value);
-      // Tails outside the physical range (less than one in a million) are put at its ends.
-      p.of(c) = std::clamp(value, p.range.min, p.range.max);
-    }
+  double value(std::size_t parameter, std::size_t sample) const {
+    const Parameter& p = parameters()[parameter];
+    const Quantity& quantity = config_.quantities[parameter];
+    double value = quantile(*quantity.drawn, points_.coordinate(sample, p.dimension));
+    if (quantity.drawn_as_rise_in_12) value = slope_of_rise_deg(value);
+    // Tails outside the physical range (less than one in a million) are put at its ends.
+    return std::clamp(value, p.range.min, p.range.max);
   }
 
   Orientation orientation(std::size_t sample) const {
@@ -101,20 +100,6 @@ class Draw {
   SamplePoints points_;
 };
 
-/// Friction as the case has it: at its design value, along and across the slope.
-void settle_friction(const StudyConfig& config, Case& c) {
-  const Quantity& along = config.quantities.at("friction", "mu");
-  const Quantity& across = config.quantities.at("friction", "across_mu");
-  const bool design = c.friction_value == FrictionValue::design;
-  if (design && along.is_drawn()) c.friction = design_friction(*along.drawn);
-  if (!config.friction.across_is_given) {
-    c.friction_across = c.friction;
-  } else if (design && across.is_drawn()) {
-    c.friction_across = design_friction(*across.drawn);
-  }
-  if (c.orientation.slope_axis == SlopeAxis::n_s) std::swap(c.friction, c.friction_across);
-}
-
 std::vector<Orientation> orientations_of(const StudyConfig& config) {
   const OrientationConfig& o = config.orientation;
   if (o.choice == OrientationChoice::random) {
@@ -131,13 +116,13 @@ std::vector<Orientation> orientations_of(const StudyConfig& config) {
 
 }  // namespace
 
-std::size_t CaseSet::combinations() const {
+std::size_t CaseGrid::combinations() const {
   std::size_t count = 1;
   for (const CaseAxis& axis : axes) count *= axis.size();
   return count;
 }
 
-std::vector<std::size_t> CaseSet::places(std::size_t combination) const {
+std::vector<std::size_t> CaseGrid::places(std::size_t combination) const {
   std::vector<std::size_t> places(axes.size());
   for (std::size_t i = axes.size(); i > 0; --i) {
     places[i - 1] = combination % axes[i - 1].size();
@@ -146,7 +131,7 @@ std::vector<std::size_t> CaseSet::places(std::size_t combination) const {
   return places;
 }
 
-std::size_t CaseSet::combination(const std::vector<std::size_t>& places) const {
+std::size_t CaseGrid::combination(const std::vector<std::size_t>& places) const {
   GLISSADE_EXPECTS(places.size() == axes.size());
   std::size_t combination = 0;
   for (std::size_t i = 0; i < axes.size(); ++i)
@@ -154,7 +139,7 @@ std::size_t CaseSet::combination(const std::vector<std::size_t>& places) const {
   return combination;
 }
 
-std::size_t CaseSet::axis(const std::string& key) const {
+std::size_t CaseGrid::axis(const std::string& key) const {
   return static_cast<std::size_t>(std::ranges::find(axes, key, &CaseAxis::key) - axes.begin());
 }
 
@@ -223,7 +208,7 @@ std::string CaseAxis::describe(std::size_t i) const {
   return key == "vertical.use" ? words() + " " + name : name + " " + words();
 }
 
-std::string CaseSet::describe(std::size_t combination, const std::string& without) const {
+std::string CaseGrid::describe(std::size_t combination, const std::string& without) const {
   std::string text;
   const std::vector<std::size_t> place = places(combination);
   for (std::size_t i = 0; i < axes.size(); ++i) {
@@ -233,51 +218,100 @@ std::string CaseSet::describe(std::size_t combination, const std::string& withou
   return text;
 }
 
-CaseSet make_cases(const StudyConfig& config) {
-  const std::vector<ListedQuantity> axes = axes_of(config);
-  CaseSet set;
-  std::vector<const ListedQuantity*> varied;
-  Case usual;
-  for (const ListedQuantity& axis : axes) {
-    axis.put(usual, 0);
+PlannedCases::PlannedCases(const StudyConfig& config) {
+  for (ListedQuantity& axis : axes_of(config)) {
+    axis.put(usual_, 0);
     if (axis.axis.size() < 2) continue;
-    varied.push_back(&axis);
-    set.axes.push_back(axis.axis);
+    put_.push_back(std::move(axis.put));
+    axes.push_back(std::move(axis.axis));
   }
+  for (std::size_t i = 0; i < parameters().size(); ++i)
+    if (config.quantities[i].is_drawn()) drawn_.push_back(i);
   const Draw draw(config);
-  const std::vector<Orientation> orientations = orientations_of(config);
-  set.samples = draw.samples();
-  set.orientations = orientations.size();
-  const std::size_t combinations = set.combinations();
-  set.cases.reserve(combinations * set.per_combination());
-  for (std::size_t combination = 0; combination < combinations; ++combination) {
-    const std::vector<std::size_t> place = set.places(combination);
-    for (std::size_t sample = 0; sample < set.samples; ++sample) {
-      for (const Orientation& orientation : orientations) {
-        Case c = usual;
-        draw.put(c, sample);
-        for (std::size_t i = 0; i < varied.size(); ++i) varied[i]->put(c, place[i]);
-        c.orientation = orientation;
-        if (config.orientation.choice == OrientationChoice::random) {
-          c.orientation = draw.orientation(sample);
-          c.orientation.slope_axis = orientation.slope_axis;
-        }
-        settle_friction(config, c);
-        set.cases.push_back(c);
-      }
-    }
+  samples = draw.samples();
+  values_.reserve(samples * drawn_.size());
+  for (std::size_t sample = 0; sample < samples; ++sample)
+    for (const std::size_t i : drawn_) values_.push_back(draw.value(i, sample));
+
+  orientations_ = orientations_of(config);
+  orientations = orientations_.size();
+  if (config.orientation.choice == OrientationChoice::random)
+    for (std::size_t sample = 0; sample < samples; ++sample)
+      drawn_orientations_.push_back(draw.orientation(sample));
+
+  const Quantity& along = config.quantities.at("friction", "mu");
+  const Quantity& across = config.quantities.at("friction", "across_mu");
+  across_is_given_ = config.friction.across_is_given;
+  if (along.is_drawn()) design_along_ = design_friction(*along.drawn);
+  if (across.is_drawn()) design_across_ = design_friction(*across.drawn);
+}
+
+Case PlannedCases::operator[](std::size_t i) const {
+  Case c = usual_;
+  const std::size_t sample = i / orientations % samples;
+  for (std::size_t k = 0; k < drawn_.size(); ++k)
+    parameters()[drawn_[k]].of(c) = values_[sample * drawn_.size() + k];
+  std::size_t place = i / per_combination();
+  for (std::size_t axis = axes.size(); axis > 0; --axis) {
+    put_[axis - 1](c, place % axes[axis - 1].size());
+    place /= axes[axis - 1].size();
   }
+  c.orientation = orientations_[i % orientations];
+  if (!drawn_orientations_.empty()) {
+    const SlopeAxis slope_axis = c.orientation.slope_axis;
+    c.orientation = drawn_orientations_[sample];
+    c.orientation.slope_axis = slope_axis;
+  }
+  const bool design = c.friction_value == FrictionValue::design;
+  if (design && design_along_) c.friction = *design_along_;
+  if (design && design_across_) c.friction_across = *design_across_;
+  if (!across_is_given_) c.friction_across = c.friction;
+  if (c.orientation.slope_axis == SlopeAxis::n_s) std::swap(c.friction, c.friction_across);
+  return c;
+}
+
+CaseSet PlannedCases::stored() const {
+  CaseSet set{*this, {}};
+  set.cases.reserve(size());
+  for (const Case& c : all()) set.cases.push_back(c);
   return set;
 }
 
-std::vector<std::size_t> same_as(const CaseSet& set, bool two_axes, SampleBlocks blocks) {
-  const auto key_of = [&](std::size_t i) {
-    const Case& c = set.cases[i];
-    std::vector<double> key{static_cast<double>(set.block(i, blocks))};
+std::vector<std::size_t> first_with_same_key(
+    std::size_t count, const std::function<std::vector<double>(std::size_t)>& key_of) {
+  std::vector<std::pair<std::uint64_t, std::size_t>> by_hash(count);
+  for (std::size_t i = 0; i < count; ++i) by_hash[i] = {Hasher().numbers(key_of(i)).value(), i};
+  std::ranges::sort(by_hash);
+  std::vector<std::size_t> first(count);
+  for (std::size_t begin = 0, end = 0; begin < count; begin = end) {
+    while (end < count && by_hash[end].first == by_hash[begin].first) ++end;
+    // Of one hash; different keys are possible.
+    std::vector<std::pair<std::vector<double>, std::size_t>> firsts;
+    for (std::size_t k = begin; k < end; ++k) {
+      const std::size_t i = by_hash[k].second;
+      first[i] = i;
+      if (end - begin == 1) break;
+      std::vector<double> key = key_of(i);
+      const auto same = std::ranges::find(firsts, key, [](const auto& f) { return f.first; });
+      if (same != firsts.end())
+        first[i] = same->second;
+      else
+        firsts.emplace_back(std::move(key), i);
+    }
+  }
+  return first;
+}
+
+std::vector<std::size_t> same_as(const CaseGrid& cases,
+                                 const std::function<Case(std::size_t)>& case_of, bool two_axes,
+                                 SampleBlocks blocks) {
+  return first_with_same_key(cases.size(), [&](std::size_t i) {
+    const Case c = case_of(i);
+    std::vector<double> key{static_cast<double>(cases.block(i, blocks))};
     for (const Parameter& p : parameters()) {
       const bool counts =
           (two_axes || p.axes == Parameter::Axes::any) &&
-          (c.vertical != VerticalChoice::none || p.table != std::string("vertical"));
+          (c.vertical != VerticalChoice::none || p.table != std::string_view("vertical"));
       key.push_back(counts ? value_of(p, c) + 0.0 : 0.0);  // -0 is 0
     }
     key.push_back(static_cast<double>(c.support));
@@ -294,15 +328,7 @@ std::vector<std::size_t> same_as(const CaseSet& set, bool two_axes, SampleBlocks
       key.push_back(2.0 + c.orientation.ground_azimuth_deg);
     }
     return key;
-  };
-  // The first case of each key, without the keys: they take more memory than the cases.
-  const auto hash = [&](std::size_t i) { return Hasher().numbers(key_of(i)).value(); };
-  const auto equal = [&](std::size_t i, std::size_t j) { return key_of(i) == key_of(j); };
-  std::unordered_set<std::size_t, decltype(hash), decltype(equal)> first(set.cases.size(), hash,
-                                                                         equal);
-  std::vector<std::size_t> same(set.cases.size());
-  for (std::size_t i = 0; i < set.cases.size(); ++i) same[i] = *first.insert(i).first;
-  return same;
+  });
 }
 
 }  // namespace glissade

@@ -4,9 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <map>
+#include <limits>
 #include <numeric>
-#include <tuple>
 
 #include "glissade/core/contract.hpp"
 #include "glissade/core/hash.hpp"
@@ -27,36 +26,41 @@ std::size_t block_of(const Plan& plan, std::size_t i) {
 /// and takes no more memory than a hundred tables.
 void number_buildings(Plan& plan) {
   constexpr std::size_t most_kept = 128;
-  std::map<std::tuple<double, int, int, double, double, double, double, double, double, int>,
-           std::size_t>
-      numbers;
-  std::vector<std::size_t> by_block(plan.cases.size());
+  const std::vector<std::size_t> first = first_with_same_key(plan.cases.size(), [&](std::size_t i) {
+    const Case c = plan.cases[i];
+    const bool mixed = !c.orientation.is_quarter_turn();
+    return std::vector<double>{mixed ? c.orientation.ground_azimuth_deg : -1.0,
+                               mixed ? 0.0 : along_axis(c.orientation, 0).component,
+                               static_cast<double>(c.vertical),
+                               c.vertical_period_s,
+                               c.vertical_damping,
+                               c.period_s,
+                               c.period_ratio,
+                               c.damping,
+                               c.mass_ratio,
+                               static_cast<double>(c.support)};
+  });
+  std::vector<std::size_t>& by_block = plan.order;
+  by_block.resize(plan.cases.size());
   std::iota(by_block.begin(), by_block.end(), 0);
   std::ranges::stable_sort(by_block, {}, [&](std::size_t i) { return block_of(plan, i); });
-  plan.building.resize(plan.cases.size());
-  plan.order.clear();
+  constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+  plan.building.assign(plan.cases.size(), none);
+  std::size_t buildings = 0;
   for (const std::size_t i : by_block) {
-    const Case& c = plan.cases.cases[i];
-    const bool mixed = !c.orientation.is_quarter_turn();
-    plan.building[i] = numbers
-                           .try_emplace({mixed ? c.orientation.ground_azimuth_deg : -1.0,
-                                         mixed ? 0 : along_axis(c.orientation, 0).component,
-                                         static_cast<int>(c.vertical), c.vertical_period_s,
-                                         c.vertical_damping, c.period_s, c.period_ratio, c.damping,
-                                         c.mass_ratio, static_cast<int>(c.support)},
-                                        numbers.size())
-                           .first->second;
-    if (plan.same_as[i] == i) plan.order.push_back(i);
+    // The first by number need not be the first by block.
+    if (plan.building[first[i]] == none) plan.building[first[i]] = buildings++;
+    plan.building[i] = plan.building[first[i]];
   }
+  std::erase_if(plan.order, [&](std::size_t i) { return plan.same_as[i] != i; });
   std::ranges::stable_sort(plan.order, {}, [&](std::size_t i) {
     return std::pair(block_of(plan, i), plan.building[i]);
   });
-  plan.cases_on.assign(numbers.size(), {});
-  for (const std::size_t i : plan.order) plan.cases_on[plan.building[i]].push_back(i);
-  plan.roofs_are_kept = numbers.size() <= most_kept &&
-                        (numbers.size() <= 2 || 2 * numbers.size() <= plan.order.size());
+  plan.list_by_building(buildings);
+  plan.roofs_are_kept =
+      buildings <= most_kept && (buildings <= 2 || 2 * buildings <= plan.order.size());
   std::vector<double> frictions;
-  for (const std::size_t i : plan.order) frictions.push_back(plan.cases.cases[i].friction);
+  for (const std::size_t i : plan.order) frictions.push_back(plan.cases[i].friction);
   std::ranges::sort(frictions);
   frictions.erase(std::ranges::unique(frictions).begin(), frictions.end());
   plan.frictions_repeat = 2 * frictions.size() <= plan.order.size();
@@ -143,9 +147,10 @@ void hash_target(Hasher& hasher, const std::optional<DesignTarget>& target) {
 
 /// The cases of the study, and what rests on them.
 void list_cases(Plan& plan) {
-  plan.cases = make_cases(plan.config);
+  plan.cases = PlannedCases(plan.config);
   check_cases(plan);
-  plan.same_as = same_as(plan.cases, plan.config.two_axes(), plan.config.sampling.blocks_in_turn());
+  plan.same_as = same_as(plan.cases, std::cref(plan.cases), plan.config.two_axes(),
+                         plan.config.sampling.blocks_in_turn());
   number_buildings(plan);
   check_clearance(plan);
   plan.warnings = warnings_on(plan);
@@ -170,7 +175,7 @@ std::string hash_of(const Plan& plan) {
       hasher.numbers(motion.vertical_mps2);
     }
   }
-  for (const Case& c : plan.cases.cases) {
+  for (const Case& c : plan.cases.all()) {
     for (const Parameter& p : parameters()) hasher.number(value_of(p, c));
     hasher.number(static_cast<double>(c.support)).number(static_cast<double>(c.vertical));
     hasher.number(c.orientation.ground_azimuth_deg);
@@ -186,6 +191,19 @@ const DesignTarget* Plan::target_of(std::size_t suite) const {
   if (own) return &*own;
   const auto& suites_own = suites[suite].target;
   return suites_own ? &*suites_own : nullptr;
+}
+
+void Plan::list_by_building(std::size_t buildings) {
+  by_building_ = order;
+  std::ranges::stable_sort(by_building_, {}, [&](std::size_t i) { return building[i]; });
+  first_on_.assign(buildings + 1, 0);
+  for (const std::size_t i : order) ++first_on_[building[i] + 1];
+  std::partial_sum(first_on_.begin(), first_on_.end(), first_on_.begin());
+}
+
+std::span<const std::size_t> Plan::cases_on(std::size_t number) const {
+  return std::span(by_building_)
+      .subspan(first_on_[number], first_on_[number + 1] - first_on_[number]);
 }
 
 std::uint64_t Plan::histories() const {

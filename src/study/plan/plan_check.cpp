@@ -188,7 +188,7 @@ void check_fit(const StudyConfig& config, const std::vector<Suite>& suites) {
 }
 
 void check_cases(const Plan& plan) {
-  for (const Case& c : plan.cases.cases) {
+  for (const Case& c : plan.cases.all()) {
     if (const auto problem = problem_of(plan, c))
       throw InputError({plan.config.file.string(), *problem, "", ""});
   }

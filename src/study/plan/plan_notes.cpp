@@ -46,7 +46,7 @@ std::vector<std::string> notes_on_records(const Plan& plan) {
 std::vector<std::string> notes_on_standards(const Plan& plan) {
   const auto& compare = plan.config.standards.compare;
   if (std::ranges::find(compare, Standard::seaoc_pv1_2012) == compare.end()) return {};
-  const auto outside = std::ranges::count_if(plan.cases.cases, [](const Case& c) {
+  const auto outside = std::ranges::count_if(plan.cases.all(), [](const Case& c) {
     return !seaoc_pv1_2012_applies(std::abs(c.slope_deg), c.friction);
   });
   if (outside == 0) return {};
@@ -128,7 +128,7 @@ std::vector<Skip> skips_of(const Plan& plan) {
   const std::uint64_t pairs = plan.records.size() * plan.cases.size();
   if (config.vertical == std::vector{VerticalChoice::none})
     skips.push_back({"vertical ground motion", "[vertical] use = \"none\"", pairs});
-  if (std::ranges::all_of(plan.cases.cases, [](const Case& c) { return c.period_s == 0.0; }))
+  if (std::ranges::all_of(plan.cases.all(), [](const Case& c) { return c.period_s == 0.0; }))
     skips.push_back({"roof motions filtered by a building", "the building is rigid", pairs});
   if (plan.order.size() < plan.cases.size()) {
     skips.push_back({"cases that mirror another, or are the same",

@@ -74,7 +74,7 @@ Warnings target_values(const Plan& plan) {
 
 Warnings long_periods(const Plan& plan) {
   double longest_s = 0.0;
-  for (const Case& c : plan.cases.cases) longest_s = std::max(longest_s, c.period_s);
+  for (const Case& c : plan.cases.all()) longest_s = std::max(longest_s, c.period_s);
   if (longest_s <= longest_probable_period_s) return {};
   return {
       fmt::format("a building period of {:g} s is longer than that of any building", longest_s)};
@@ -96,7 +96,7 @@ Warnings low_friction(const Plan& plan) {
 }
 
 Warnings free_sliding(const Plan& plan) {
-  const auto free = std::ranges::count_if(plan.cases.cases, slides_freely);
+  const auto free = std::ranges::count_if(plan.cases.all(), slides_freely);
   if (free == 0 || plan.config.rare) return {};  // of wider distributions it is no share
   return {fmt::format(
       "{:.3g} % of the cases slide without an earthquake: tan(slope) is friction or more",

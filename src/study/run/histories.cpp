@@ -18,7 +18,7 @@ namespace {
 /// A case under a record, as every kernel needs it.
 struct Scene {
   const Plan& plan;
-  const Case& c;
+  Case c;
   std::size_t record;
   const CaseRoof& roof;
   bool skips;
@@ -218,7 +218,7 @@ class FullHistories : public NoTipping {
 std::unique_ptr<Histories> histories_of(const Plan& plan, RoofStore& roofs, std::size_t record,
                                         std::size_t case_number, const CaseRoof& roof,
                                         TwoAxisBatch& batch, const std::function<void()>& remake) {
-  const Case& c = plan.cases.cases[case_number];
+  const Case c = plan.cases[case_number];
   const Scene scene{plan, c, record, roof, roofs.skipping() == Skipping::all};
   switch (plan.kernel.kernel) {
     case Kernel::tables:

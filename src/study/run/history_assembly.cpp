@@ -27,8 +27,8 @@ void mirror_residuals(const Plan& plan, HistoryTable& table) {
   std::vector<double>& across = table.fields.residual_across_m;
   if (across.empty()) return;
   for (std::size_t i = 0; i < table.cases; ++i) {
-    const Orientation& run = plan.cases.cases[plan.same_as[i]].orientation;
-    if (plan.cases.cases[i].orientation.across_sign == run.across_sign) continue;
+    const Orientation run = plan.cases[plan.same_as[i]].orientation;
+    if (plan.cases[i].orientation.across_sign == run.across_sign) continue;
     for (std::size_t record = 0; record < table.records; ++record) {
       for (std::size_t level = 0; level < table.levels; ++level) {
         double& residual = across[table.at(record, i, level)];
@@ -39,7 +39,7 @@ void mirror_residuals(const Plan& plan, HistoryTable& table) {
 }
 
 /// Leaves the cases of the first samples of each combination.
-void keep_first_samples(const CaseSet& all, const CaseSet& first, HistoryTable& table) {
+void keep_first_samples(const CaseGrid& all, const CaseGrid& first, HistoryTable& table) {
   for (std::size_t record = 0; record < table.records; ++record) {
     for (std::size_t i = 0; i < first.size(); ++i) {
       const std::size_t combination = i / first.per_combination(),

@@ -36,7 +36,7 @@ Results header_of(const Plan& plan, const std::vector<std::vector<double>>& moti
   results.displacement = c.model.displacement;
   results.levels = c.intensity.levels;
   results.thresholds_m = c.thresholds_m();
-  results.cases = plan.cases;
+  results.cases = plan.cases.stored();
   put_motions(plan, motion_parts, results);
   return results;
 }

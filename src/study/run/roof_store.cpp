@@ -41,8 +41,8 @@ std::vector<double> mix(const Motion& motion, const AxisMotion& axis) {
 
 RoofStore::RoofStore(const Plan& plan, Skipping skipping) : plan_(plan), skipping_(skipping) {}
 
-const Case& RoofStore::case_on(std::size_t building) const {
-  return plan_.cases.cases[plan_.cases_on[building].front()];
+Case RoofStore::case_on(std::size_t building) const {
+  return plan_.cases[plan_.cases_on(building).front()];
 }
 
 std::span<const CaseRoof> RoofStore::under(std::size_t record,
@@ -50,9 +50,9 @@ std::span<const CaseRoof> RoofStore::under(std::size_t record,
   GLISSADE_EXPECTS(buildings.size() <= most_at_once);
   if (record != record_ || skipping_ == Skipping::none) turn_to(record);
   roofs_.assign(buildings.size(), {});
-  const auto yields = [&](std::size_t number) { return plan_.cases.cases[number].yields(); };
+  const auto yields = [&](std::size_t number) { return plan_.cases[number].yields(); };
   const bool all_yield = std::ranges::all_of(buildings, [&](std::size_t building) {
-    return std::ranges::all_of(plan_.cases_on[building], yields);
+    return std::ranges::all_of(plan_.cases_on(building), yields);
   });
   if (all_yield) {
     for (CaseRoof& roof : roofs_) roof.factor_at_unit_level = plan_.factor_at_unit_level[record];
@@ -65,7 +65,7 @@ std::span<const CaseRoof> RoofStore::under(std::size_t record,
 }
 
 SlipCurve* RoofStore::curve(std::size_t case_number) {
-  const Case& c = plan_.cases.cases[case_number];
+  const Case c = plan_.cases[case_number];
   const bool holds = plan_.roofs_are_kept && plan_.frictions_repeat && skipping_ == Skipping::all &&
                      c.slope_deg == 0.0 && vertical_motion(c).empty();
   return holds ? &curve_[plan_.building[case_number]] : nullptr;
@@ -137,7 +137,7 @@ RoofMotionOptions RoofStore::follow(std::span<const std::size_t> cases, double f
   std::vector<Block> blocks;
   const bool two_axes = plan_.config.two_axes();
   for (const std::size_t i : cases) {
-    const Case& c = plan_.cases.cases[i];
+    const Case c = plan_.cases[i];
     Block block{.friction = two_axes ? std::min(c.friction, c.friction_across) : c.friction,
                 .slope_rad = c.slope_deg * rad_per_deg};
     blocks.push_back(block);
@@ -172,7 +172,7 @@ void RoofStore::make(std::span<const std::size_t> buildings, std::span<CaseRoof>
     for (CaseRoof& roof : roofs) roof.factor_at_unit_level = plan_.factor_at_unit_level[record_];
   }
   for (std::size_t i = 0; i < roofs.size(); ++i)
-    options[i] = follow(plan_.cases_on[buildings[i]], roofs[i].factor_at_unit_level);
+    options[i] = follow(plan_.cases_on(buildings[i]), roofs[i].factor_at_unit_level);
   make(buildings, options, roofs);
 }
 

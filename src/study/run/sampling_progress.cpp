@@ -2,6 +2,7 @@
 #include "glissade/study/run/sampling_progress.hpp"
 
 #include <algorithm>
+#include <functional>
 
 namespace glissade {
 
@@ -39,7 +40,8 @@ void SamplingProgress::end_block() {
     for (std::size_t record = 0; record < plan_.records.size(); ++record)
       std::copy_n(place(record, plan_.same_as[i]), capacities_.thresholds, place(record, i));
   }
-  medians_.add(plan_.cases, capacities_, plan_.config.intensity.levels.back(), blocks);
+  medians_.add(plan_.cases, std::cref(plan_.cases), capacities_,
+               plan_.config.intensity.levels.back(), blocks);
 }
 
 bool SamplingProgress::is_enough() const {

@@ -223,10 +223,10 @@ TEST_F(StudyFile, a_slope_may_be_given_as_a_rise_in_12) {
   const std::string uniform = "{ distribution = \"uniform\", min = 0, max = 12 }";
   EXPECT_TRUE(slope(uniform).drawn_as_rise_in_12);
   // The rise is uniform, not the angle: its median is 6 in 12.
-  const CaseSet cases = make_cases(
+  const PlannedCases cases(
       read(needed + "[roof]\nrise_in_12 = " + uniform + "\n[sampling]\nsamples = 1024\n"));
   const auto below = std::ranges::count_if(
-      cases.cases, [](const Case& c) { return std::tan(c.slope_deg * rad_per_deg) < 0.5; });
+      cases.all(), [](const Case& c) { return std::tan(c.slope_deg * rad_per_deg) < 0.5; });
   EXPECT_EQ(static_cast<std::size_t>(below) * 2, cases.size());
 }
 

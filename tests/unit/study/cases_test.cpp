@@ -26,7 +26,7 @@ StudyConfig mixed_config() {
 }
 
 TEST(cases, are_combinations_by_samples_by_orientations) {
-  const CaseSet set = make_cases(mixed_config());
+  const CaseSet set = PlannedCases(mixed_config()).stored();
   ASSERT_EQ(set.axes.size(), 3u);
   EXPECT_EQ(set.axes[0].key, "friction.value");
   EXPECT_EQ(set.axes[1].key, "building.period_s");
@@ -59,7 +59,7 @@ TEST(cases, are_combinations_by_samples_by_orientations) {
 }
 
 TEST(cases, are_described_in_words_and_not_in_keys) {
-  const CaseSet set = make_cases(mixed_config());
+  const CaseSet set = PlannedCases(mixed_config()).stored();
   EXPECT_EQ(set.describe(0), "sampled friction, building period 0.25 s, slope -2.5 deg");
   EXPECT_EQ(set.describe(0, "friction.value"), "building period 0.25 s, slope -2.5 deg");
   for (const Parameter& p : parameters()) {
@@ -70,7 +70,7 @@ TEST(cases, are_described_in_words_and_not_in_keys) {
 
 TEST(cases, friction_value_is_that_of_the_sample_or_mean_less_two_standard_deviations) {
   StudyConfig config = small_config();
-  CaseSet set = make_cases(config);
+  CaseSet set = PlannedCases(config).stored();
   ASSERT_EQ(set.combinations(), 2u);
   EXPECT_EQ(set.label(0), "sampled");
   EXPECT_EQ(set.label(1), "design");
@@ -82,14 +82,14 @@ TEST(cases, friction_value_is_that_of_the_sample_or_mean_less_two_standard_devia
   }
   EXPECT_EQ(frictions.size(), 40u);
   config.friction.values = {FrictionValue::design};
-  set = make_cases(config);
+  set = PlannedCases(config).stored();
   EXPECT_EQ(set.combinations(), 1u);
   for (const Case& c : set.cases) EXPECT_DOUBLE_EQ(c.friction, 0.3);
   EXPECT_EQ(set.label(0), "design");
   config = small_config();
   config.quantities.at("friction", "mu") = fixed(0.4);  // one number: nothing to choose from
-  EXPECT_EQ(make_cases(config).combinations(), 1u);
-  EXPECT_EQ(make_cases(config).label(0), "constant");
+  EXPECT_EQ(PlannedCases(config).stored().combinations(), 1u);
+  EXPECT_EQ(PlannedCases(config).stored().label(0), "constant");
 }
 
 TEST(cases, friction_across_the_slope_goes_along_it_where_the_slope_lies_along_n_s) {
@@ -99,7 +99,7 @@ TEST(cases, friction_across_the_slope_goes_along_it_where_the_slope_lies_along_n
   config.quantities.at("friction", "across_mu") = fixed(0.3);
   config.friction.across_is_given = true;
   config.orientation.slope_axis = {SlopeAxis::e_w, SlopeAxis::n_s};
-  const CaseSet set = make_cases(config);
+  const CaseSet set = PlannedCases(config).stored();
   EXPECT_EQ(set.orientations, 2u);
   EXPECT_EQ(set.cases[0].friction, 0.4);
   EXPECT_EQ(set.cases[0].friction_across, 0.3);
@@ -115,7 +115,7 @@ TEST(cases, labels_are_different_and_fit_for_file_names) {
       config.quantities.at("building", "mass_ratio") = listed({0.0123456, 0.1});
       config.quantities.at("building", "yield_coefficient") = listed({0.123456, 0.2});
     }
-    const CaseSet set = make_cases(config);
+    const CaseSet set = PlannedCases(config).stored();
     std::set<std::string> labels;
     for (std::size_t i = 0; i < set.combinations(); ++i) {
       EXPECT_TRUE(std::regex_match(set.label(i), std::regex("[a-z0-9_-]+"))) << set.label(i);
@@ -128,9 +128,18 @@ TEST(cases, labels_are_different_and_fit_for_file_names) {
 
 // -- cases with the same histories
 
+TEST(first_with_same_key, is_the_lowest_number) {
+  const std::vector<double> of{3.0, 1.0, 3.0, 2.0, 1.0, 3.0};
+  EXPECT_EQ(first_with_same_key(of.size(),
+                                [&](std::size_t i) {
+                                  return std::vector{of[i], 0.5};
+                                }),
+            (std::vector<std::size_t>{0, 1, 0, 3, 1, 0}));
+}
+
 std::size_t different(const StudyConfig& config) {
-  const CaseSet set = make_cases(config);
-  const std::vector<std::size_t> same = same_as(set, config.two_axes());
+  const PlannedCases set(config);
+  const std::vector<std::size_t> same = same_as(set, set, config.two_axes());
   std::size_t count = 0;
   for (std::size_t i = 0; i < set.size(); ++i) {
     EXPECT_LE(same[i], i);
@@ -162,7 +171,7 @@ TEST(same_as, two_axes_mirror_what_acts_across_a_roof_that_falls_along_an_axis) 
   config.quantities.at("roof", "slope_deg") = fixed(2.0);
   config.model.axes = SlidingAxes::two;
   config.orientation.choice = OrientationChoice::all_permutations;
-  EXPECT_EQ(make_cases(config).size(), 8u);
+  EXPECT_EQ(PlannedCases(config).stored().size(), 8u);
   EXPECT_EQ(different(config), 4u);
   config.orientation.slope_axis = {SlopeAxis::e_w, SlopeAxis::n_s};
   EXPECT_EQ(different(config), 4u);  // one friction along both

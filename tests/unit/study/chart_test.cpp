@@ -160,7 +160,7 @@ TEST(chart, flags_histories_in_which_the_body_begins_to_tip) {
   int tipped = 0, stood = 0;
   test::for_each_history(
       results.histories, [&](std::size_t record, std::size_t i, std::size_t level) {
-        const Case& c = plan.cases.cases[i];
+        const Case c = plan.cases[i];
         if (c.period_s != 0.0 || c.slope_deg != 0.0) return;
         double peak = 0.0;
         for (const double a : test::ground_of(plan, record, c, plan.config.intensity.levels[level])

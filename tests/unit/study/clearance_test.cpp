@@ -154,9 +154,8 @@ TEST(clearance, orientations_that_are_not_run_would_have_given_the_same) {
   ASSERT_EQ(skipped.conditions->orientations.size(), 16u);
   std::iota(plan.same_as.begin(), plan.same_as.end(), 0u);
   plan.order = plan.same_as;
-  for (auto& cases : plan.cases_on) cases.clear();
-  for (const std::size_t i : plan.order) plan.cases_on[plan.building[i]].push_back(i);
   std::ranges::stable_sort(plan.order, {}, [&](std::size_t i) { return plan.building[i]; });
+  plan.list_by_building(std::ranges::max(plan.building) + 1);
   plan.units.assign(1, {0, 0, plan.order.size()});
   const Results all = run(plan);
   for (std::size_t o = 0; o < all.conditions->orientations.size(); ++o) {

@@ -33,7 +33,7 @@ TEST(execute, gives_the_slip_that_building_and_block_give) {
   int slid = 0;
   test::for_each_history(table, [&](std::size_t record, std::size_t c, std::size_t level) {
     const SlipResult expected =
-        by_hand(plan, record, plan.cases.cases[c], plan.config.intensity.levels[level]);
+        by_hand(plan, record, plan.cases[c], plan.config.intensity.levels[level]);
     // The reference is linear between samples, at least 1,000 a period.
     EXPECT_NEAR(table.displacement_m(record, c, level), expected.peak_displacement_m,
                 (expected.uplift ? 1e-3 : 2e-5) * expected.peak_displacement_m + 2e-6);
@@ -61,8 +61,7 @@ TEST(execute, finds_capacities_at_which_slip_equals_the_clearance) {
         }
         ++reached;
         // Slip grows about as (x - x_yield)^2: 1e-4 of intensity is well below 1 % of slip here.
-        const double slip =
-            by_hand(plan, record, plan.cases.cases[c], capacity).peak_displacement_m;
+        const double slip = by_hand(plan, record, plan.cases[c], capacity).peak_displacement_m;
         EXPECT_NEAR(slip, thresholds[t], 0.01 * thresholds[t]);
         if (t > 0) {
           EXPECT_GE(capacity, table.capacity(record, c, t - 1));

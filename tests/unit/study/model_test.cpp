@@ -97,7 +97,7 @@ TEST(execute_coupled, gives_the_slip_of_the_readable_scheme) {
   const HistoryTable table = test::run(plan).histories;
   int slid = 0;
   for_each_history(table, [&](std::size_t record, std::size_t i, std::size_t level) {
-    const Case& c = plan.cases.cases[i];
+    const Case c = plan.cases[i];
     const auto ground = ground_of(plan, record, c, config.intensity.levels[level]);
     const CoupledResult expected =
         slide_coupled(ground.motion, ground.factors, {{c.period_s, c.damping}, c.mass_ratio},
@@ -136,7 +136,7 @@ TEST(execute_yielding, r_is_the_design_spectrum_s_demand_over_the_strength) {
     const TargetSpectrum design(*plan.suites[0].target);
     int differ = 0;
     for_each_history(table, [&](std::size_t record, std::size_t i, std::size_t level) {
-      const Case& c = plan.cases.cases[i];
+      const Case c = plan.cases[i];
       const auto ground = ground_of(plan, record, c, config.intensity.levels[level]);
       CoupledBuilding building{{c.period_s, c.damping}, 0.01};
       const Block block{.friction = c.friction, .slope_rad = c.slope_deg * rad_per_deg};
@@ -166,7 +166,7 @@ TEST(execute_two_axes, gives_the_slip_of_the_full_model_by_the_study_s_measure) 
   const HistoryTable srss = test::run(plan).histories;
   int slid = 0;
   for_each_history(srss, [&](std::size_t record, std::size_t i, std::size_t level) {
-    const Case& c = plan.cases.cases[i];
+    const Case c = plan.cases[i];
     Motion m = plan.motion(record);
     const SignedComponent along = along_axis(c.orientation, 0),
                           across = along_axis(c.orientation, 1);

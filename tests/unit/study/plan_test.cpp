@@ -158,9 +158,9 @@ TEST(plan, gives_a_sample_its_numbers_whatever_else_is_sampled) {
   config.quantities.at("building", "period_s") = fixed(0.3);
   const Plan other = small_plan(config);
   for (std::size_t i = 0; i < 40; ++i) {
-    EXPECT_EQ(plan.cases.cases[i].friction, other.cases.cases[i].friction);
-    EXPECT_EQ(plan.cases.cases[i].slope_deg, other.cases.cases[i].slope_deg);
-    EXPECT_EQ(plan.cases.cases[i].orientation, other.cases.cases[i].orientation);
+    EXPECT_EQ(plan.cases[i].friction, other.cases[i].friction);
+    EXPECT_EQ(plan.cases[i].slope_deg, other.cases[i].slope_deg);
+    EXPECT_EQ(plan.cases[i].orientation, other.cases[i].orientation);
   }
 }
 

@@ -35,7 +35,7 @@ TEST(sensitivity, runs_the_samples_of_pick_freeze_matrices) {
   EXPECT_EQ(factors[1].name, "slope");
   EXPECT_EQ(factors[2].name, "friction");
   EXPECT_EQ(factors[3].name, "orientation");
-  const CaseSet set = make_cases(config);
+  const CaseSet set = PlannedCases(config).stored();
   constexpr std::size_t n = 8;
   ASSERT_EQ(set.samples, n * 6);
   const auto at = [&](std::size_t matrix, std::size_t k) { return set.cases[matrix * n + k]; };
@@ -55,9 +55,9 @@ TEST(sensitivity, runs_the_samples_of_pick_freeze_matrices) {
 
 TEST(sensitivity, leaves_the_samples_of_other_studies_as_they_are) {
   StudyConfig config = sensitivity_config();
-  const CaseSet with = make_cases(config);
+  const CaseSet with = PlannedCases(config).stored();
   config.sensitivity = false;
-  const CaseSet without = make_cases(config);
+  const CaseSet without = PlannedCases(config).stored();
   for (std::size_t k = 0; k < 8; ++k) EXPECT_EQ(with.cases[k].friction, without.cases[k].friction);
 }
 

@@ -21,7 +21,7 @@ double difference_from_slide(const Plan& plan, const Results& results) {
   double peak = 0.0, worst = 0.0;
   for (const double x : a) peak = std::max(peak, std::abs(x));
   for (std::size_t i = 0; i < plan.cases.size(); ++i) {
-    const glissade::Case& c = plan.cases.cases[i];
+    const glissade::Case c = plan.cases[i];
     for (std::size_t level = 0; level < results.levels.size(); ++level) {
       const double factor = results.levels[level] * standard_gravity_mps2 / peak;
       const double exact =

@@ -2,12 +2,14 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
 namespace glissade {
 
-struct CaseSet;
+struct Case;
+struct CaseGrid;
 struct SampleBlocks;
 struct HistoryTable;
 struct StudyConfig;
@@ -46,8 +48,8 @@ ReachedTarget reached_target(const StudyConfig& study, const std::vector<Samplin
 class BlockMedians {
  public:
   /// Adds the next of the blocks. Where it has no fit its median is NaN.
-  void add(const CaseSet& cases, const HistoryTable& histories, double highest_level,
-           SampleBlocks blocks);
+  void add(const CaseGrid& cases, const std::function<Case(std::size_t)>& case_of,
+           const HistoryTable& histories, double highest_level, SampleBlocks blocks);
   std::uint64_t blocks() const { return blocks_; }  ///< added
   std::size_t rows() const { return by_row_.size(); }
   /// Of the mean of the blocks.

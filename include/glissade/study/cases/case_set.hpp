@@ -2,6 +2,9 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
+#include <optional>
+#include <ranges>
 #include <string>
 #include <vector>
 
@@ -25,15 +28,14 @@ struct CaseAxis {
   bool operator==(const CaseAxis&) const = default;
 };
 
-/// The cases of a study: every combination of what it lists, each with all its samples, each of
-/// these in all its orientations.
-struct CaseSet {
+/// How the cases of a study are numbered: every combination of what it lists, each with all its
+/// samples, each of these in all its orientations.
+struct CaseGrid {
   std::vector<CaseAxis> axes;  ///< those with two values or more, the first varies slowest
   std::size_t samples = 1;
   std::size_t orientations = 1;  ///< of every sample; 1 where one is drawn
-  std::vector<Case> cases;       ///< by (combination, sample, orientation)
 
-  std::size_t size() const { return cases.size(); }
+  std::size_t size() const { return combinations() * per_combination(); }
   std::size_t combinations() const;
   std::size_t per_combination() const { return samples * orientations; }
   std::size_t index(std::size_t combination, std::size_t sample, std::size_t orientation) const {
@@ -48,19 +50,56 @@ struct CaseSet {
   std::size_t combination(const std::vector<std::size_t>& places) const;
   /// Position of an axis; axes.size() where the study has one value.
   std::size_t axis(const std::string& key) const;
-  /// "sampled", "design", "period_s_0_5", where one is long "combination_1" and so on: fit for a
-  /// file's name (a to z, 0 to 9, _ and -). Where nothing is listed what friction is: "constant",
-  /// "sampled" or "design".
-  std::string label(std::size_t combination) const;
   /// "design friction, building period 0.5 s", without one axis; empty where nothing is listed.
   std::string describe(std::size_t combination, const std::string& without = "") const;
 };
 
-CaseSet make_cases(const StudyConfig& config);
+/// The cases of results, stored.
+struct CaseSet : CaseGrid {
+  std::vector<Case> cases;  ///< by (combination, sample, orientation)
+
+  std::size_t size() const { return cases.size(); }
+  /// "sampled", "design", "period_s_0_5", where one is long "combination_1" and so on: fit for a
+  /// file's name (a to z, 0 to 9, _ and -). Where nothing is listed what friction is: "constant",
+  /// "sampled" or "design".
+  std::string label(std::size_t combination) const;
+};
+
+/// The cases of a plan: of a sample only what is drawn is stored, since every rank has it.
+class PlannedCases : public CaseGrid {
+ public:
+  PlannedCases() = default;
+  explicit PlannedCases(const StudyConfig& config);
+  /// By (combination, sample, orientation).
+  Case operator[](std::size_t i) const;
+  Case operator()(std::size_t i) const { return (*this)[i]; }
+  auto all() const {
+    return std::views::iota(std::size_t{0}, size()) |
+           std::views::transform([this](std::size_t i) { return (*this)[i]; });
+  }
+  CaseSet stored() const;
+
+ private:
+  Case usual_;                                                ///< with all that has one value
+  std::vector<std::function<void(Case&, std::size_t)>> put_;  ///< by axis: one of its values
+  std::vector<std::size_t> drawn_;                            ///< parameters
+  std::vector<double> values_;                                ///< by (sample, drawn parameter)
+  std::vector<Orientation> orientations_;                     ///< of each sample
+  std::vector<Orientation> drawn_orientations_;               ///< by sample; empty: none is drawn
+  bool across_is_given_ = false;
+  std::optional<double> design_along_, design_across_;  ///< of drawn friction: mean - 2 std
+};
 
 /// By case: the first that has the same histories but for the sign of what moves across the slope.
 /// What acts across is then mirrored, or has no part in the model; a flat roof mirrored is itself.
 /// It is of the same block.
-std::vector<std::size_t> same_as(const CaseSet& set, bool two_axes, SampleBlocks blocks = {});
+std::vector<std::size_t> same_as(const CaseGrid& cases,
+                                 const std::function<Case(std::size_t)>& case_of, bool two_axes,
+                                 SampleBlocks blocks = {});
+
+/// By number below `count`: the first with an equal key.
+/// @param key_of a number's key, made each time: all of them would take more memory than the cases
+std::vector<std::size_t> first_with_same_key(
+    std::size_t count, const std::function<std::vector<double>(std::size_t)>& key_of);
 
 }  // namespace glissade

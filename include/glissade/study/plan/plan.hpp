@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -32,15 +33,14 @@ struct Plan {
   std::vector<Suite> suites;           ///< with the records that are run
   std::vector<PlannedRecord> records;  ///< of all suites, in their order
   KernelChoice kernel;
-  CaseSet cases;
+  PlannedCases cases;
   std::vector<std::size_t> same_as;  ///< by case: the first with the same histories
   /// The cases that are run, block by block of the samples, those on one building together.
   std::vector<std::size_t> order;
   /// By case: which of the distinct roofs of a record it is on.
   std::vector<std::size_t> building;
-  std::vector<std::vector<std::size_t>> cases_on;  ///< by building, of those that are run
-  bool roofs_are_kept = false;                     ///< so few of them that a record's are all kept
-  bool frictions_repeat = false;                   ///< half of the frictions or fewer are different
+  bool roofs_are_kept = false;               ///< so few of them that a record's are all kept
+  bool frictions_repeat = false;             ///< half of the frictions or fewer are different
   std::vector<double> factor_at_unit_level;  ///< by record: factor on the motion at level 1; 0
                                              ///< where it depends on the roof
   std::vector<WorkUnit> units;               ///< block by block of the samples that are run in turn
@@ -50,6 +50,11 @@ struct Plan {
   std::vector<std::string> notes;     ///< remarks that belong to the results
   std::vector<Skip> skips;            ///< what the study does not need and is not run
   std::string hash;                   ///< of everything that decides the results
+
+  /// On a building, of those that are run, in their order.
+  std::span<const std::size_t> cases_on(std::size_t number) const;
+  /// Lists them, of so many buildings.
+  void list_by_building(std::size_t buildings);
 
   const Suite& suite_of(std::size_t record) const { return suites[records[record].suite]; }
   const Motion& motion(std::size_t record) const {
@@ -62,6 +67,9 @@ struct Plan {
   std::uint64_t histories() const;
   /// Predicted seconds of one core.
   double predicted_seconds() const;
+
+ private:
+  std::vector<std::size_t> by_building_, first_on_;
 };
 
 /// Numbers that are computed part by part: which process computes a part changes nothing.

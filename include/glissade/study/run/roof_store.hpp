@@ -86,7 +86,7 @@ class RoofStore {
             std::span<CaseRoof> roofs);
   RoofTable stand_on(std::shared_ptr<MotionTable> horizontal,
                      const std::shared_ptr<MotionTable>& up);
-  const Case& case_on(std::size_t building) const;
+  Case case_on(std::size_t building) const;
 
   const Plan& plan_;
   Skipping skipping_;

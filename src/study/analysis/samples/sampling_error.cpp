@@ -38,12 +38,12 @@ double log_median(const HistoryTable& histories, const std::vector<std::size_t>&
 
 }  // namespace
 
-void BlockMedians::add(const CaseSet& cases, const HistoryTable& histories, double highest_level,
-                       SampleBlocks blocks) {
+void BlockMedians::add(const CaseGrid& cases, const std::function<Case(std::size_t)>& case_of,
+                       const HistoryTable& histories, double highest_level, SampleBlocks blocks) {
   std::size_t row = 0;
   for (std::size_t combination = 0; combination < cases.combinations(); ++combination) {
     const std::size_t first = cases.index(combination, 0, 0);
-    if (cases.cases[first].support != ArraySupport::isolated) continue;
+    if (case_of(first).support != ArraySupport::isolated) continue;
     std::vector<std::size_t> of_block;
     for (std::size_t i = first; i < first + cases.per_combination(); ++i)
       if (cases.block(i, blocks) == blocks_) of_block.push_back(i);
@@ -77,7 +77,9 @@ std::vector<SamplingErrorRow> sampling_error_rows(const StudyConfig& config,
   if (blocks < 2 || !config.draws() || results.runs.empty()) return rows;
   BlockMedians medians;
   while (medians.blocks() < blocks)
-    medians.add(results.cases, results.histories, results.levels.back(), config.sampling.blocks());
+    medians.add(
+        results.cases, [&](std::size_t i) { return results.cases.cases[i]; }, results.histories,
+        results.levels.back(), config.sampling.blocks());
   for (const RunResults& run : results.runs) {
     for (const ThresholdFragility& fragility : run.fragilities) {
       const FitSummary& fit = fragility.capacities;
