@@ -164,7 +164,7 @@ Stop FullModelBody::find_curved_stop(const UncoupledRoof& uncoupled, double left
       t * t * (jerk * t / 12.0 + 0.5 * residual_speed) <= allowed &&
       certain_rest_s(fast, stop.time_s, left_s, contact_.friction(), load) != never;
   return is_exact && (stop.path <= allowed ||
-                      (passes_no_peak(third.drive) && !track_.may_cross(stop.path)))
+                      (passes_no_peak(third.drive) && !track_.is_wanted(stop.path)))
              ? stop
              : Stop{};
 }

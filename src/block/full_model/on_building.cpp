@@ -17,6 +17,7 @@ using block_detail::BuildingAxis;
 using block_detail::BuildingContact;
 using block_detail::Excitation;
 using block_detail::FullModelBody;
+using block_detail::PathPiece;
 using block_detail::TwoAxisTrack;
 
 int pieces(const Oscillator& oscillator, double dt_s) {
@@ -54,23 +55,15 @@ block_detail::Accelerance accelerance(const BuildingContact& contact,
   return contact.accelerance(by_axis);
 }
 
-}  // namespace
-
-bool coupling_is_regular(const TwoAxisBlock& block, const BiaxialBuilding& building) {
-  const BuildingContact contact(block);
-  return building.mass_ratio >= 0.0 && contact.is_regular(accelerance(contact, building));
+TwoAxisTrack track_of(const TwoAxisBlock& block, std::span<const double> thresholds_m = {},
+                      std::span<Crossing> crossings = {}) {
+  return {BuildingContact(block).loading().to_plan(), thresholds_m, crossings};
 }
 
-BuildingSlip slide_on_building(const BuildingGround& ground, const BuildingFactors& factors,
-                               const BiaxialBuilding& building, const TwoAxisBlock& block,
-                               double tolerance) {
-  return slide_on_building(ground, factors, building, block, {}, {}, tolerance);
-}
-
-BuildingSlip slide_on_building(const BuildingGround& ground, const BuildingFactors& factors,
-                               const BiaxialBuilding& building, const TwoAxisBlock& block,
-                               std::span<const double> thresholds_m, std::span<Crossing> crossings,
-                               double tolerance) {
+/// @param track of the block
+BuildingSlip slide_along(const TwoAxisTrack& track, const BuildingGround& ground,
+                         const BuildingFactors& factors, const BiaxialBuilding& building,
+                         const TwoAxisBlock& block, double tolerance) {
   check(ground, building, block);
   GLISSADE_EXPECTS(tolerance >= 1e-11 && tolerance <= 1e-2);
 
@@ -92,8 +85,7 @@ BuildingSlip slide_on_building(const BuildingGround& ground, const BuildingFacto
   FullModelBody body(contact,
                      {BuildingAxis(oscillators[0], building.yielding[0], r, piece_s),
                       BuildingAxis(oscillators[1], building.yielding[1], r, piece_s)},
-                     r, pieces_per_interval, tolerance,
-                     TwoAxisTrack(contact.loading().to_plan(), thresholds_m, crossings));
+                     r, pieces_per_interval, tolerance, track);
 
   body.follow(excitation, longest_period_s);
 
@@ -106,6 +98,43 @@ BuildingSlip slide_on_building(const BuildingGround& ground, const BuildingFacto
     result.peak_roof_displacement_m[k] = body.peaks().x[k] / (omega * omega);
   }
   return result;
+}
+
+}  // namespace
+
+bool coupling_is_regular(const TwoAxisBlock& block, const BiaxialBuilding& building) {
+  const BuildingContact contact(block);
+  return building.mass_ratio >= 0.0 && contact.is_regular(accelerance(contact, building));
+}
+
+BuildingSlip slide_on_building(const BuildingGround& ground, const BuildingFactors& factors,
+                               const BiaxialBuilding& building, const TwoAxisBlock& block,
+                               double tolerance) {
+  return slide_on_building(ground, factors, building, block, {}, {}, tolerance);
+}
+
+BuildingSlip slide_on_building(const BuildingGround& ground, const BuildingFactors& factors,
+                               const BiaxialBuilding& building, const TwoAxisBlock& block,
+                               std::span<const double> thresholds_m, std::span<Crossing> crossings,
+                               double tolerance) {
+  return slide_along(track_of(block, thresholds_m, crossings), ground, factors, building, block,
+                     tolerance);
+}
+
+PlanVector closing_on_building(const BuildingGround& ground, const BuildingFactors& factors,
+                               const BiaxialBuilding& building, const TwoAxisBlock& block,
+                               const TwoAxisBlock& neighbour, double tolerance) {
+  GLISSADE_EXPECTS(block.slope_rad == neighbour.slope_rad &&
+                   block.azimuth_rad == neighbour.azimuth_rad);
+  std::array<std::vector<PathPiece>, 2> paths;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const TwoAxisBlock& one = i == 0 ? block : neighbour;
+    TwoAxisTrack track = track_of(one);
+    track.keep(&paths[i]);
+    slide_along(track, ground, factors, building, one, tolerance);
+  }
+  const block_detail::Vector lead = largest_lead(paths[0], paths[1]);
+  return {lead.s, lead.y};
 }
 
 }  // namespace glissade

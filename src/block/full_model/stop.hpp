@@ -30,6 +30,11 @@ struct Stop {
     const double c = begin - 2.0, b = 1.0 - begin - c;
     return {tau * (begin + tau * (b + tau * c)), begin + tau * (2.0 * b + tau * 3.0 * c)};
   }
+  /// The same cubic by its Bernstein coefficients of degree 4.
+  std::array<double, 5> path_points(double speed) const {
+    const double begin = path > 0.0 ? speed * time_s / path : 0.0;
+    return {0.0, 0.25 * begin, 0.5 + begin / 6.0, 1.0, 1.0};
+  }
 };
 
 /// With d and n = mu N constant on a circle (two_axis.hpp): never, where |d| >= n.

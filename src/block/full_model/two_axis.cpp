@@ -15,6 +15,7 @@ using block_detail::BuildingAxis;
 using block_detail::BuildingContact;
 using block_detail::Excitation;
 using block_detail::FullModelBody;
+using block_detail::PathPiece;
 using block_detail::TwoAxisTrack;
 
 [[maybe_unused]] bool is_whole(std::span<const double> component, std::size_t samples) {
@@ -33,13 +34,13 @@ void check(const TwoAxisAcceleration& roof, const TwoAxisBlock& block) {
 }
 
 TwoAxisResult slide_with(const TwoAxisAcceleration& roof, const TwoAxisBlock& block,
-                         double tolerance, std::vector<TwoAxisPoint>* history) {
+                         double tolerance, std::vector<PathPiece>* path) {
   check(roof, block);
   GLISSADE_EXPECTS(tolerance >= 1e-11 && tolerance <= 1e-2);
   const BuildingContact contact(block);
   const BuildingAxis rigid({}, {}, 0.0, roof.dt_s);
   TwoAxisTrack track(contact.loading().to_plan(), {}, {});
-  track.keep(history);
+  track.keep(path);
   FullModelBody body(contact, {rigid, rigid}, 0.0, 1, tolerance, track);
   body.follow(Excitation(roof), 0.0);
   return body.result();
@@ -58,8 +59,17 @@ TwoAxisResult slide_two_axis(const TwoAxisAcceleration& roof, const TwoAxisBlock
 
 TwoAxisResult slide_two_axis(const TwoAxisAcceleration& roof, const TwoAxisBlock& block,
                              std::vector<TwoAxisPoint>& history, double tolerance) {
+  std::vector<PathPiece> path;
+  const TwoAxisResult result = slide_with(roof, block, tolerance, &path);
   history.assign(1, TwoAxisPoint{});
-  return slide_with(roof, block, tolerance, &history);
+  const auto add = [&](double time_s, block_detail::Vector d) {
+    history.push_back({time_s, {d.s, d.y}});
+  };
+  for (const PathPiece& piece : path) {
+    if (piece.begin_s > history.back().time_s) add(piece.begin_s, piece.points.front());
+    add(piece.end_s, piece.points.back());
+  }
+  return result;
 }
 
 }  // namespace glissade

@@ -3,12 +3,7 @@
 
 namespace glissade::block_detail {
 
-void TwoAxisTrack::note(double time_s) {
-  if (history_ != nullptr) history_->push_back({time_s, {displacement_.s, displacement_.y}});
-}
-
 void TwoAxisTrack::slide(const Sliding& from, const Sliding& to, double length_s, double begin_s) {
-  if (from.v.s == 0.0 && from.v.y == 0.0) note(begin_s);
   const Path path(length_s, displacement_, scaled(from.v, to_plan_), scaled(from.a, to_plan_),
                   scaled(to.v, to_plan_), scaled(to.a, to_plan_));
   extremes_.along(path);
@@ -17,10 +12,11 @@ void TwoAxisTrack::slide(const Sliding& from, const Sliding& to, double length_s
         return PathPoint{path.displacement(tau), path.velocity(tau)};
       },
       begin_s, length_s, extremes_.displacement());
+  if (pieces_ != nullptr)
+    pieces_->push_back({begin_s, begin_s + length_s, path.displacement_points()});
   displacement_ = path.end;
   path_length_ += path.path_length();
   duration_s_ += length_s;
-  note(begin_s + length_s);
 }
 
 void TwoAxisTrack::stop(const Stop& stop, double speed, double begin_s) {
@@ -33,7 +29,12 @@ void TwoAxisTrack::stop(const Stop& stop, double speed, double begin_s) {
     extremes_.at_speed(stop.fastest * in_plan / straight);
   }
   duration_s_ += stop.time_s;
-  note(begin_s + stop.time_s);
+  if (pieces_ != nullptr) {
+    PathPiece& piece = pieces_->emplace_back(PathPiece{begin_s, begin_s + stop.time_s, {}});
+    const std::array<double, 5> fractions = stop.path_points(speed);
+    for (std::size_t k = 0; k < fractions.size(); ++k)
+      piece.points[k] = from + fractions[k] * displacement;
+  }
   while (crossings_.may_reach(length(displacement_))) {
     const auto at = [&](double fraction) { return stop.path_fraction(fraction, speed); };
     const auto beyond = [&](double fraction) {
@@ -44,8 +45,9 @@ void TwoAxisTrack::stop(const Stop& stop, double speed, double begin_s) {
   }
 }
 
-bool TwoAxisTrack::may_cross(double path_length) const {
-  return crossings_.may_reach(length(displacement_) +
+bool TwoAxisTrack::is_wanted(double path_length) const {
+  return pieces_ != nullptr ||
+         crossings_.may_reach(length(displacement_) +
                               path_length * std::max(to_plan_.s, to_plan_.y));
 }
 

@@ -7,6 +7,7 @@
 #include "block/full_model/sdirk4.hpp"
 #include "block/full_model/stop.hpp"
 #include "block/slip_record/distance_crossings.hpp"
+#include "block/slip_record/path_piece.hpp"
 #include "block/slip_record/two_axis_extremes.hpp"
 #include "glissade/block/two_axis.hpp"
 
@@ -19,8 +20,8 @@ class TwoAxisTrack {
   TwoAxisTrack(Vector to_plan, std::span<const double> thresholds_m, std::span<Crossing> crossings)
       : to_plan_(to_plan), crossings_(thresholds_m, crossings) {}
 
-  /// The points of the path are appended to `history`.
-  void keep(std::vector<TwoAxisPoint>* history) { history_ = history; }
+  /// The pieces of the path are appended to `path`.
+  void keep(std::vector<PathPiece>* path) { pieces_ = path; }
 
   Vector displacement() const { return displacement_; }
   double path_length() const { return path_length_; }
@@ -29,16 +30,14 @@ class TwoAxisTrack {
   void slide(const Sliding& from, const Sliding& to, double length_s, double begin_s);
   /// The path to the stop, straight or short enough to be taken as straight.
   void stop(const Stop& stop, double speed, double begin_s);
-  /// Whether a path of this length may reach a threshold.
-  bool may_cross(double path_length) const;
+  /// Whether a path of this length must be resolved: it is kept, or may reach a threshold.
+  bool is_wanted(double path_length) const;
   /// In TwoAxisResult: all but phases and flags.
   TwoAxisResult result() const;
 
  private:
-  void note(double time_s);
-
   Vector to_plan_;
-  std::vector<TwoAxisPoint>* history_ = nullptr;
+  std::vector<PathPiece>* pieces_ = nullptr;
   DistanceCrossings crossings_;
   Vector displacement_;
   Extremes extremes_;
