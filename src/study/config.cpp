@@ -35,6 +35,10 @@ bool StudyConfig::draws() const {
   return false;
 }
 
+bool StudyConfig::has_neighbours() const {
+  return !quantities.at("friction", "neighbour_mu").is_always(0.0);
+}
+
 const char* to_string(OrientationRule rule) {
   return rule == OrientationRule::largest ? "largest" : "median";
 }

@@ -222,6 +222,7 @@ struct StudyConfig {
   const std::vector<double>& thresholds_m() const;  ///< of the fragility; empty without one
   bool draws() const;                               ///< any quantity or the orientation
   bool samples_friction() const;                    ///< runs friction as drawn
+  bool has_neighbours() const;                      ///< arrays have a second one beside them
 };
 
 /// "largest", "median".

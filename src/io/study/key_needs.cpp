@@ -69,6 +69,8 @@ std::vector<KeyNeeds> key_needs() {
        }},
       {"building", "hardening_ratio", "response_modification or yield_coefficient", yields},
       {"friction", "value", "friction that is drawn", draws_friction},
+      {"friction", "neighbour_mu", "[verdict]",
+       [](const TomlTable& root, const StudyConfig&) { return root.has("verdict"); }},
       {"friction", "direction", file, has_pull_tests},
       {"friction", "across_direction", file, has_pull_tests},
       {"friction", "across_direction", axes, two_axes},

@@ -33,6 +33,14 @@ TwoAxisBlock two_axis_block(const Case& c) {
           .law = c.law};
 }
 
+TwoAxisBlock neighbour_block(const Case& c) {
+  const bool turned = c.orientation.slope_axis == SlopeAxis::n_s;
+  const double ratio = c.neighbour_friction / (turned ? c.friction_across : c.friction);
+  TwoAxisBlock block = two_axis_block(c);
+  block.friction = {ratio * block.friction.along, ratio * block.friction.across};
+  return block;
+}
+
 BiaxialBuilding biaxial_building(const Case& c, const DesignTarget* target) {
   const double second_s = c.period_ratio * c.period_s;
   return {.horizontal = {Oscillator{c.period_s, c.damping}, Oscillator{second_s, c.damping}},

@@ -16,6 +16,8 @@ Yielding strength_of(const Case& c, double period_s, const DesignTarget* target)
 
 Block block_of(const Case& c);
 TwoAxisBlock two_axis_block(const Case& c);
+/// Of an array that has a neighbour.
+TwoAxisBlock neighbour_block(const Case& c);
 BiaxialBuilding biaxial_building(const Case& c, const DesignTarget* target);
 
 /// Of an array that does not slide: what friction nothing overcomes does on a flat roof that does

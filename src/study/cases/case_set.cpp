@@ -241,9 +241,11 @@ PlannedCases::PlannedCases(const StudyConfig& config) {
 
   const Quantity& along = config.quantities.at("friction", "mu");
   const Quantity& across = config.quantities.at("friction", "across_mu");
+  const Quantity& neighbour = config.quantities.at("friction", "neighbour_mu");
   across_is_given_ = config.friction.across_is_given;
   if (along.is_drawn()) design_along_ = design_friction(*along.drawn);
   if (across.is_drawn()) design_across_ = design_friction(*across.drawn);
+  if (neighbour.is_drawn()) design_neighbour_ = design_friction(*neighbour.drawn);
 }
 
 Case PlannedCases::operator[](std::size_t i) const {
@@ -265,6 +267,7 @@ Case PlannedCases::operator[](std::size_t i) const {
   const bool design = c.friction_value == FrictionValue::design;
   if (design && design_along_) c.friction = *design_along_;
   if (design && design_across_) c.friction_across = *design_across_;
+  if (design && design_neighbour_) c.neighbour_friction = *design_neighbour_;
   if (!across_is_given_) c.friction_across = c.friction;
   if (c.orientation.slope_axis == SlopeAxis::n_s) std::swap(c.friction, c.friction_across);
   return c;
@@ -316,7 +319,8 @@ std::vector<std::size_t> same_as(const CaseGrid& cases,
     }
     key.push_back(static_cast<double>(c.support));
     key.push_back(static_cast<double>(c.vertical));
-    const bool mirrors_across = c.azimuth_deg == 0.0;
+    // A neighbour's place is not mirrored.
+    const bool mirrors_across = c.azimuth_deg == 0.0 && c.neighbour_friction == 0.0;
     if (two_axes) {
       key.push_back(c.orientation.ground_azimuth_deg);
       key.push_back(mirrors_across ? 1.0 : c.orientation.across_sign);

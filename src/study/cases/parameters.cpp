@@ -126,6 +126,10 @@ const std::array table = {
     Parameter{"friction", "across_mu", "friction across", "-", coefficient, 6,
               "coefficient of friction across the slope",
               [](Case& c) -> double& { return c.friction_across; }, Parameter::Axes::two},
+    Parameter{"friction", "neighbour_mu", "friction of the neighbour", "-", coefficient, 19,
+              "coefficient of friction along the slope of a second, similar array on the roof, "
+              "below or beside the first; 0: there is none",
+              [](Case& c) -> double& { return c.neighbour_friction; }, Parameter::Axes::two},
 };
 
 }  // namespace

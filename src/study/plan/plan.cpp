@@ -83,7 +83,8 @@ double history_us(Kernel kernel) {
 
 double record_us(const Plan& plan, std::size_t record) {
   const double samples = static_cast<double>(plan.motion(record).horizontal_mps2[0].size());
-  return history_us(plan.kernel.kernel) * samples / 8000.0 *
+  const double runs = plan.config.has_neighbours() ? 3.0 : 1.0;  // both arrays, by themselves too
+  return runs * history_us(plan.kernel.kernel) * samples / 8000.0 *
          static_cast<double>(plan.config.intensity.levels.size());
 }
 

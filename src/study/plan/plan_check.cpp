@@ -91,7 +91,9 @@ bool is_regular(const Plan& plan, const Case& c) {
   if (plan.kernel.kernel == Kernel::full) {
     Case elastic = c;
     elastic.response_modification = elastic.yield_coefficient = 0.0;
-    return coupling_is_regular(two_axis_block(c), biaxial_building(elastic, nullptr));
+    const BiaxialBuilding building = biaxial_building(elastic, nullptr);
+    return coupling_is_regular(two_axis_block(c), building) &&
+           (c.neighbour_friction == 0.0 || coupling_is_regular(neighbour_block(c), building));
   }
   return coupling_is_regular(block_of(c), c.mass_ratio);
 }

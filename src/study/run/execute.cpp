@@ -64,9 +64,24 @@ void keep(const History& history, const KeptFields& kept, HistoryFields& fields)
     fields.residual_along_m.push_back(history.residual_m[0]);
     fields.residual_across_m.push_back(history.residual_m[1]);
   }
+  if (kept.closing) {
+    fields.closing_along_m.push_back(history.closing_m[0]);
+    fields.closing_across_m.push_back(history.closing_m[1]);
+  }
   if (kept.base_shear) {
     fields.shear_along.push_back(history.base_shear[0]);
     fields.shear_across.push_back(history.base_shear[1]);
+  }
+}
+
+/// Its failure is one of the history.
+void run_neighbour(const Histories& histories, double level, History& history, WorkCount& count) {
+  try {
+    history.closing_m = histories.closing_m(level);
+  } catch (const NotConverged&) {
+    if (!history.failed) ++count.failed;
+    history.failed = true;
+    history.closing_m = {infinity, infinity};
   }
 }
 
@@ -93,6 +108,7 @@ void run_levels(const Plan& plan, Histories& histories, Skipping skipping, Histo
       history = run_history(histories, level, crossings, count);
       beyond = stops && history.peak_displacement_m >= config.thresholds_m().back();
     }
+    if (kept.closing) run_neighbour(histories, level, history, count);
     keep(history, kept, fields);
     for (const Crossing& crossing : crossings) {
       fields.crossing_time_s.push_back(crossing.time_s);

@@ -50,7 +50,14 @@ bool is_below_yield(const Scene& scene, double friction, double level) {
                      up != nullptr ? scene.factor(level) * up->acceleration_bound_mps2 : 0.0);
 }
 
-class TableHistories : public Histories {
+class OneAxis : public Histories {
+ public:
+  std::array<double, 2> closing_m(double) const override {
+    throw std::logic_error("closing_m: not in a plan with this kernel");
+  }
+};
+
+class TableHistories : public OneAxis {
  public:
   TableHistories(const Scene& scene, SlipCurve* curve, std::function<void()> remake)
       : scene_(scene), curve_(curve), remake_(std::move(remake)) {}
@@ -103,7 +110,8 @@ class TableHistories : public Histories {
   std::function<void()> remake_;
 };
 
-class NoTipping : public Histories {
+template <class Base>
+class NoTipping : public Base {
  public:
   double tipping_level(const RigidBase&) const override {
     throw std::logic_error("tipping_level: not in a plan with this kernel");
@@ -111,7 +119,7 @@ class NoTipping : public Histories {
 };
 
 /// One axis on a coupled building, which may yield.
-class CoupledHistories : public NoTipping {
+class CoupledHistories : public NoTipping<OneAxis> {
  public:
   CoupledHistories(const Scene& scene, CoupledGround& ground)
       : scene_(scene),
@@ -141,7 +149,7 @@ class CoupledHistories : public NoTipping {
 };
 
 /// The full model.
-class FullHistories : public NoTipping {
+class FullHistories : public NoTipping<Histories> {
  public:
   FullHistories(const Scene& scene, BuildingGround ground, TwoAxisBatch& batch)
       : scene_(scene),
@@ -156,6 +164,16 @@ class FullHistories : public NoTipping {
 
   bool does_not_slide(double level) const override {
     return is_below_yield(scene_, std::min(block_.friction.along, block_.friction.across), level);
+  }
+
+  std::array<double, 2> closing_m(double level) const override {
+    if (scene_.c.support != ArraySupport::isolated || scene_.c.neighbour_friction == 0.0) return {};
+    const TwoAxisBlock neighbour = neighbour_block(scene_.c);
+    const EllipticFriction &a = block_.friction, &b = neighbour.friction;
+    if (is_below_yield(scene_, std::min({a.along, a.across, b.along, b.across}), level)) return {};
+    const PlanVector closing =
+        closing_on_building(ground_, factors(level), building_, block_, neighbour);
+    return {closing.along_m, closing.across_m};
   }
 
   void prepare(double level) override {

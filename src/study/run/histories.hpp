@@ -19,7 +19,7 @@ struct History {
   double peak_displacement_m = 0.0;  ///< by the study's measure
   double peak_vector_m = 0.0;        ///< two axes: the longest displacement vector
   // Two axes, along the slope and across it:
-  std::array<double, 2> peak_by_axis_m{}, residual_m{}, base_shear{};
+  std::array<double, 2> peak_by_axis_m{}, residual_m{}, closing_m{}, base_shear{};
   bool uplift = false;
   /// The scheme did not converge: the displacement is unknown, and reported as infinite.
   bool failed = false;
@@ -38,6 +38,9 @@ class Histories {
   virtual bool is_ready(double) const { return true; }
   /// @param crossings as many as the study's thresholds, or none
   virtual History at(double level, std::span<Crossing> crossings, WorkCount& count) = 0;
+  /// By how much the gaps to a neighbour along and across the slope close at most; 0 without one
+  /// (Kernel::full only).
+  virtual std::array<double, 2> closing_m(double level) const = 0;
   /// The level above which the body begins to rock on its base (Kernel::tables only).
   virtual double tipping_level(const RigidBase& base) const = 0;
 };

@@ -8,6 +8,7 @@ namespace glissade {
 KeptFields::KeptFields(const StudyConfig& config)
     : vector(config.two_axes()),
       by_axis(config.two_axes() && (config.clearance || config.hazard)),
+      closing(config.has_neighbours()),
       base_shear(config.base_shear),
       tips(config.tipping.has_value()),
       crossings(config.impact) {}

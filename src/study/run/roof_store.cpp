@@ -138,7 +138,12 @@ RoofMotionOptions RoofStore::follow(std::span<const std::size_t> cases, double f
   const bool two_axes = plan_.config.two_axes();
   for (const std::size_t i : cases) {
     const Case c = plan_.cases[i];
-    Block block{.friction = two_axes ? std::min(c.friction, c.friction_across) : c.friction,
+    double least = two_axes ? std::min(c.friction, c.friction_across) : c.friction;
+    if (c.neighbour_friction > 0.0) {
+      const EllipticFriction neighbour = neighbour_block(c).friction;
+      least = std::min({least, neighbour.along, neighbour.across});
+    }
+    Block block{.friction = least,
                 .slope_rad = c.slope_deg * rad_per_deg};
     blocks.push_back(block);
     if (!plan_.config.tipping) continue;

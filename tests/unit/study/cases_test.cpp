@@ -182,6 +182,16 @@ TEST(same_as, two_axes_mirror_what_acts_across_a_roof_that_falls_along_an_axis) 
   EXPECT_EQ(different(config), 16u);
 }
 
+TEST(same_as, a_neighbour_across_the_slope_is_not_mirrored) {
+  StudyConfig config = small_config();
+  config.quantities = Quantities();
+  config.model.axes = SlidingAxes::two;
+  config.orientation.choice = OrientationChoice::all_permutations;
+  EXPECT_EQ(different(config), 4u);
+  config.quantities.at("friction", "neighbour_mu") = fixed(0.4);
+  EXPECT_EQ(different(config), 8u);
+}
+
 // -- orientations
 
 TEST(orientation, quarter_turns_and_signed_components_are_each_others_inverse) {

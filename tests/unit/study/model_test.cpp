@@ -159,6 +159,32 @@ TEST(execute_yielding, r_is_the_design_spectrum_s_demand_over_the_strength) {
   }
 }
 
+/// A history of a two_axis_config(), by hand.
+struct OnTwoAxes {
+  BuildingGround ground;
+  BuildingFactors factors;
+  BiaxialBuilding building;
+  TwoAxisBlock block;
+
+  OnTwoAxes(const Plan& plan, std::size_t record, std::size_t i, std::size_t level) {
+    const Case& c = plan.cases.cases[i];
+    Motion m = plan.motion(record);
+    const SignedComponent along = along_axis(c.orientation, 0),
+                          across = along_axis(c.orientation, 1);
+    EXPECT_NE(along.component, across.component);
+    if (along.component == 1) std::swap(m.horizontal_mps2[0], m.horizontal_mps2[1]);
+    const double factor = test::factor_of(plan, record, plan.config.intensity.levels[level]);
+    ground = building_ground(m, {}, {});
+    factors = {{along.sign * factor, across.sign * factor}, factor};
+    building = {.horizontal = {Oscillator{c.period_s, c.damping},
+                               Oscillator{0.7 * c.period_s, c.damping}},
+                .mass_ratio = c.mass_ratio};
+    block = {.friction = {c.friction, c.friction_across},
+             .slope_rad = c.slope_deg * rad_per_deg,
+             .azimuth_rad = c.azimuth_deg * rad_per_deg};
+  }
+};
+
 TEST(execute_two_axes, gives_the_slip_of_the_full_model_by_the_study_s_measure) {
   StudyConfig config = two_axis_config();
   const Plan plan = small_plan(config);
@@ -166,23 +192,9 @@ TEST(execute_two_axes, gives_the_slip_of_the_full_model_by_the_study_s_measure) 
   const HistoryTable srss = test::run(plan).histories;
   int slid = 0;
   for_each_history(srss, [&](std::size_t record, std::size_t i, std::size_t level) {
-    const Case c = plan.cases[i];
-    Motion m = plan.motion(record);
-    const SignedComponent along = along_axis(c.orientation, 0),
-                          across = along_axis(c.orientation, 1);
-    ASSERT_NE(along.component, across.component);
-    if (along.component == 1) std::swap(m.horizontal_mps2[0], m.horizontal_mps2[1]);
-    const double factor = test::factor_of(plan, record, config.intensity.levels[level]);
+    const OnTwoAxes by_hand(plan, record, i, level);
     const TwoAxisResult expected =
-        slide_on_building(building_ground(m, {}, {}),
-                          {{along.sign * factor, across.sign * factor}, factor},
-                          {.horizontal = {Oscillator{c.period_s, c.damping},
-                                          Oscillator{0.7 * c.period_s, c.damping}},
-                           .mass_ratio = c.mass_ratio},
-                          {.friction = {c.friction, c.friction_across},
-                           .slope_rad = c.slope_deg * rad_per_deg,
-                           .azimuth_rad = c.azimuth_deg * rad_per_deg})
-            .slip;
+        slide_on_building(by_hand.ground, by_hand.factors, by_hand.building, by_hand.block).slip;
     EXPECT_NEAR(srss.displacement_m(record, i, level), srss_of_maxima_m(expected),
                 1e-5 * srss_of_maxima_m(expected));
     EXPECT_NEAR(srss.fields.peak_vector_m[srss.at(record, i, level)], expected.peak_displacement_m,
@@ -194,6 +206,43 @@ TEST(execute_two_axes, gives_the_slip_of_the_full_model_by_the_study_s_measure) 
   const HistoryFields vector = test::run(small_plan(config)).histories.fields;
   EXPECT_EQ(vector.peak_displacement_m, vector.peak_vector_m);
   EXPECT_EQ(vector.peak_vector_m, srss.fields.peak_vector_m);
+}
+
+TEST(execute_two_axes, gives_the_closing_of_the_gaps_to_a_neighbour_and_changes_nothing_else) {
+  StudyConfig config = two_axis_config();
+  const HistoryTable alone = test::run(small_plan(config)).histories;
+  EXPECT_TRUE(alone.fields.closing_along_m.empty());
+  config.quantities.at("friction", "neighbour_mu") = drawn(TruncatedNormal{0.4, 0.05, 0.0, INFINITY});
+  const Plan plan = small_plan(config);
+  HistoryTable table = test::run(plan).histories;
+  int close = 0;
+  for_each_history(table, [&](std::size_t record, std::size_t i, std::size_t level) {
+    const OnTwoAxes by_hand(plan, record, i, level);
+    const Case& c = plan.cases.cases[i];
+    EXPECT_NE(c.neighbour_friction, c.friction);  // drawn by itself
+    TwoAxisBlock neighbour = by_hand.block;
+    neighbour.friction = {c.neighbour_friction,
+                          c.neighbour_friction / c.friction * c.friction_across};
+    const PlanVector expected = closing_on_building(by_hand.ground, by_hand.factors,
+                                                    by_hand.building, by_hand.block, neighbour);
+    const std::size_t at = table.at(record, i, level);
+    EXPECT_NEAR(table.fields.closing_along_m[at], expected.along_m, 1e-9 * expected.along_m);
+    EXPECT_NEAR(table.fields.closing_across_m[at], expected.across_m, 1e-9 * expected.across_m);
+    close += expected.along_m > 1e-3 ? 1 : 0;
+  });
+  EXPECT_GT(close, 20);
+  table.fields.closing_along_m.clear();
+  table.fields.closing_across_m.clear();
+  EXPECT_EQ(test::bits_of(table), test::bits_of(alone));
+}
+
+TEST(execute_two_axes, a_neighbour_of_equal_friction_never_comes_closer) {
+  StudyConfig config = two_axis_config();
+  config.quantities.at("friction", "mu") = config.quantities.at("friction", "neighbour_mu") =
+      fixed(0.35);
+  const HistoryFields fields = test::run(small_plan(config)).histories.fields;
+  for (const auto* closing : {&fields.closing_along_m, &fields.closing_across_m})
+    for (const double closing_m : *closing) EXPECT_EQ(closing_m, 0.0);
 }
 
 TEST(execute_two_axes, a_roof_that_falls_the_other_way_is_turned_by_half_a_turn) {
@@ -215,6 +264,7 @@ std::vector<StudyConfig> study_of_each_kernel() {
               full = two_axis_config();
   coupled.quantities.at("building", "mass_ratio") = fixed(0.1);
   full.quantities.at("building", "mass_ratio") = fixed(0.1);
+  full.quantities.at("friction", "neighbour_mu") = drawn(Uniform{0.1, 0.4});
   events.quantities.at("friction", "static_over_sliding") = fixed(1.2);
   std::vector<StudyConfig> all{tables, coupled, events, full};
   for (StudyConfig& config : all) {

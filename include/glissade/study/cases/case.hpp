@@ -26,6 +26,8 @@ enum class FrictionValue { as_drawn, design };
 struct Case {
   double friction = 0.5;         ///< along the slope
   double friction_across = 0.5;  ///< across it; counts on two axes only
+  double neighbour_friction = 0.0;  ///< two axes: of a second array on the same roof, with the same
+                                    ///< ratio of both axes; 0: there is none
   FrictionLaw law;
   double slope_deg = 0.0;     ///< falls toward the building's first axis; < 0: the other way
   double azimuth_deg = 0.0;   ///< two axes: from the building's first axis to where the roof falls

@@ -87,7 +87,8 @@ class PlannedCases : public CaseGrid {
   std::vector<Orientation> orientations_;                     ///< of each sample
   std::vector<Orientation> drawn_orientations_;               ///< by sample; empty: none is drawn
   bool across_is_given_ = false;
-  std::optional<double> design_along_, design_across_;  ///< of drawn friction: mean - 2 std
+  /// Of drawn friction: mean - 2 std.
+  std::optional<double> design_along_, design_across_, design_neighbour_;
 };
 
 /// By case: the first that has the same histories but for the sign of what moves across the slope.
