@@ -61,8 +61,8 @@ Vector largest_lead(std::span<const PathPiece> first, std::span<const PathPiece>
   constexpr double rounding = 1e-12;  // of the displacements
   Walk one(first), other(second);
   Vector lead;
-  for (double from_s = 0.0, to_s; (to_s = std::min(one.go_on(from_s), other.go_on(from_s))) != never;
-       from_s = to_s) {
+  for (double from_s = 0.0, to_s;
+       (to_s = std::min(one.go_on(from_s), other.go_on(from_s))) != never; from_s = to_s) {
     const auto by = [&](double Vector::*axis) {
       return [axis](Vector a, Vector b) { return a.*axis < b.*axis; };
     };

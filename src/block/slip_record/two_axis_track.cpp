@@ -46,9 +46,8 @@ void TwoAxisTrack::stop(const Stop& stop, double speed, double begin_s) {
 }
 
 bool TwoAxisTrack::is_wanted(double path_length) const {
-  return pieces_ != nullptr ||
-         crossings_.may_reach(length(displacement_) +
-                              path_length * std::max(to_plan_.s, to_plan_.y));
+  return pieces_ != nullptr || crossings_.may_reach(length(displacement_) +
+                                                    path_length * std::max(to_plan_.s, to_plan_.y));
 }
 
 TwoAxisResult TwoAxisTrack::result() const {

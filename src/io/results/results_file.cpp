@@ -200,6 +200,8 @@ void check_shape(const VerdictResults& verdict, const Results& results) {
                    row.displacement_interval.size() == verdict.exceedance.size(),
                "displacement_m", "exceedance");
   }
+  for (const VerdictSeparation& separation : verdict.separations)
+    expect_fit(separation.row < verdict.rows.size(), "row", "verdict");
 }
 
 void check_shape(const SensitivityResults& found, const Results& results) {

@@ -122,11 +122,13 @@ Interval PooledLevel::share_interval(double slip_m) const {
   return glissade::share_interval(shares);
 }
 
-PooledLevel pooled_at(const HistoryTable& histories, CaseSlice cases, std::size_t level) {
+PooledLevel pooled_at(const HistoryTable& histories, CaseSlice cases, std::size_t level,
+                      std::vector<double> HistoryFields::*field) {
   std::vector<std::vector<double>> slips(histories.records);
   for (std::size_t record = 0; record < slips.size(); ++record) {
     for (std::size_t i = 0; i < cases.count; ++i)
-      slips[record].push_back(histories.displacement_m(record, cases.first + i, level));
+      slips[record].push_back(
+          (histories.fields.*field)[histories.at(record, cases.first + i, level)]);
   }
   return PooledLevel(slips);
 }

@@ -35,7 +35,9 @@ class PooledLevel {
   std::vector<std::vector<double>> record_cumulative_;  // [record][bin]: its slips up to the edge
 };
 
-/// The displacements of some cases at a level.
-PooledLevel pooled_at(const HistoryTable& histories, CaseSlice cases, std::size_t level);
+/// The displacements of some cases at a level, or another field of the histories.
+PooledLevel pooled_at(
+    const HistoryTable& histories, CaseSlice cases, std::size_t level,
+    std::vector<double> HistoryFields::*field = &HistoryFields::peak_displacement_m);
 
 }  // namespace glissade

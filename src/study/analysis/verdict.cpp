@@ -19,7 +19,11 @@ bool is_within_conditions(Standard standard, double mu, double slope_deg) {
              : slope_deg <= asce7_16_slope_limit_deg && mu >= asce7_16_mu_limit;
 }
 
-/// The displacements of one combination at every level.
+/// What is compared with prescribed values.
+using Field = std::vector<double> HistoryFields::*;
+constexpr Field displacement = &HistoryFields::peak_displacement_m;
+
+/// A field of one combination at every level.
 struct AtPeriod {
   double period_s = 0.0;
   std::vector<PooledLevel> levels;
@@ -28,7 +32,7 @@ struct AtPeriod {
 /// All buildings on which arrays of one kind stand.
 class Buildings {
  public:
-  Buildings(const StudyConfig& config, const Results& results, std::size_t combination)
+  Buildings(const StudyConfig& config, const Results& results, std::size_t combination, Field field)
       : records_(results.records.size()),
         options_{.seed = config.seed, .replicates = config.sampling.bootstrap_replicates} {
     const CaseSet& set = results.cases;
@@ -40,14 +44,15 @@ class Buildings {
       const std::size_t first = set.index(set.combination(places), 0, 0);
       AtPeriod at{set.cases[first].period_s, {}};
       for (std::size_t level = 0; level < results.levels.size(); ++level)
-        at.levels.push_back(pooled_at(results.histories, {first, set.per_combination()}, level));
+        at.levels.push_back(
+            pooled_at(results.histories, {first, set.per_combination()}, level, field));
       buildings_.push_back(std::move(at));
     }
   }
 
   static constexpr const char* period_key = "building.period_s";
 
-  /// The largest probability that displacement exceeds a value.
+  /// The largest probability that the field exceeds a value.
   VerdictProbability exceedance(std::size_t level, double value_m) const {
     const AtPeriod& worst =
         largest(level, [&](const PooledLevel& l) { return l.share_above(value_m); });
@@ -114,6 +119,41 @@ std::vector<VerdictRow> computed_rows(const Results& results, const Buildings& b
   return rows;
 }
 
+/// The separations of the last row.
+class Separations {
+ public:
+  Separations(const StudyConfig& config, const Results& results, std::size_t combination)
+      : levels_(results.levels) {
+    const auto add = [&](const char* where, Field field) {
+      gaps_.emplace_back(where, Buildings(config, results, combination, field));
+    };
+    const CaseSet& set = results.cases;
+    if (set.cases[set.index(combination, 0, 0)].neighbour_friction == 0.0) return;
+    add(", along the slope", &HistoryFields::closing_along_m);
+    add(", across the slope", &HistoryFields::closing_across_m);
+  }
+
+  void add_to(VerdictResults& verdict, const Buildings& displacements) const {
+    const VerdictRow& row = verdict.rows.back();
+    const std::vector<Separation> all = asce7_16_separations(row.prescribed.value_m);
+    const auto add = [&](const Separation& separation, const std::string& where,
+                         const Buildings& buildings) {
+      const auto exceedance = [&](double sds_g) {
+        return buildings.exceedance(level_at(levels_, sds_g), separation.value_m);
+      };
+      verdict.separations.push_back({verdict.rows.size() - 1, separation.what + where,
+                                     separation.factor, separation.value_m, exceedance(row.sds_g),
+                                     exceedance(mce_over_dbe * row.sds_g)});
+    };
+    for (const auto& [where, buildings] : gaps_) add(all.front(), where, buildings);
+    for (std::size_t i = 1; i < all.size(); ++i) add(all[i], "", displacements);
+  }
+
+ private:
+  const std::vector<double>& levels_;
+  std::vector<std::pair<const char*, Buildings>> gaps_;
+};
+
 bool is_first_of_its_periods(const CaseSet& set, std::size_t combination) {
   const std::size_t axis = set.axis(Buildings::period_key);
   return axis == set.axes.size() || set.places(combination)[axis] == 0;
@@ -141,12 +181,13 @@ bool is_certain(const VerdictResults& verdict, const VerdictRow& row) {
 VerdictResults verdict_results(const StudyConfig& config, const Results& results) {
   GLISSADE_EXPECTS(config.verdict.has_value());
   const CaseSet& set = results.cases;
-  VerdictResults verdict{config.verdict->exceedance, {}};
+  VerdictResults verdict{config.verdict->exceedance, {}, {}};
   for (std::size_t c = 0; c < set.combinations(); ++c) {
     if (!is_first_of_its_periods(set, c) ||
         set.cases[set.index(c, 0, 0)].support != ArraySupport::isolated)
       continue;
-    const Buildings buildings(config, results, c);
+    const Buildings buildings(config, results, c, displacement);
+    const Separations separations(config, results, c);
     const std::vector<VerdictRow> computed = computed_rows(results, buildings, c, verdict);
     for (const Standard standard : config.standards.compare) {
       for (VerdictRow row : computed) {
@@ -157,6 +198,7 @@ VerdictResults verdict_results(const StudyConfig& config, const Results& results
         row.mce = buildings.exceedance(level_at(results.levels, mce_over_dbe * row.sds_g),
                                        row.prescribed.value_m);
         verdict.rows.push_back(std::move(row));
+        separations.add_to(verdict, buildings);
       }
     }
   }

@@ -143,8 +143,7 @@ RoofMotionOptions RoofStore::follow(std::span<const std::size_t> cases, double f
       const EllipticFriction neighbour = neighbour_block(c).friction;
       least = std::min({least, neighbour.along, neighbour.across});
     }
-    Block block{.friction = least,
-                .slope_rad = c.slope_deg * rad_per_deg};
+    Block block{.friction = least, .slope_rad = c.slope_deg * rad_per_deg};
     blocks.push_back(block);
     if (!plan_.config.tipping) continue;
     const Block rocking = rocking_block(block, *plan_.config.tipping);

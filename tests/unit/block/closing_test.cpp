@@ -61,7 +61,8 @@ TEST(closing_on_building, of_equal_arrays_is_exactly_zero) {
   EXPECT_GT(closing(scene, 1.5, 1.0).along_m, 0.0);
 }
 
-/// Displacement at a time, exact on a rigid roof: between the points of its history slip is a cubic.
+/// Displacement at a time, exact on a rigid roof: between the points of its history slip is a
+/// cubic.
 double displacement_at(const std::vector<SlipPoint>& history, double time_s) {
   const auto after = std::ranges::upper_bound(history, time_s, {}, &SlipPoint::time_s);
   if (after == history.end()) return history.back().displacement_m;
@@ -85,8 +86,9 @@ TEST(closing_on_building, is_that_of_two_exact_histories_on_one_axis) {
     for (const std::size_t i : {0u, 1u}) {
       const Block block{.friction = (i == 0 ? 1.0 : 1.2) * scene.block.friction.along,
                         .slope_rad = scene.block.slope_rad};
-      peak_m = std::max(peak_m, slide({scene.dt_s, scene.first, scene.up}, block, histories[i])
-                                    .peak_displacement_m);
+      peak_m = std::max(
+          peak_m,
+          slide({scene.dt_s, scene.first, scene.up}, block, histories[i]).peak_displacement_m);
       end_s = std::max(end_s, histories[i].back().time_s);
     }
     double ahead_m = 0.0, behind_m = 0.0;
@@ -109,10 +111,10 @@ TEST(closing_on_building, is_that_of_two_fine_histories_on_two_axes) {
     std::array<std::vector<TwoAxisPoint>, 2> fine;
     double peak_m = 0.0;
     for (const std::size_t i : {0u, 1u})
-      peak_m = std::max(peak_m, slide_two_axis({scene.dt_s, {scene.first, scene.second}, scene.up},
-                                               with_friction(scene.block, i == 0 ? 1.3 : 1.0),
-                                               fine[i], 1e-11)
-                                    .peak_displacement_m);
+      peak_m = std::max(
+          peak_m, slide_two_axis({scene.dt_s, {scene.first, scene.second}, scene.up},
+                                 with_friction(scene.block, i == 0 ? 1.3 : 1.0), fine[i], 1e-11)
+                      .peak_displacement_m);
     PlanVector ahead;
     std::size_t k = 0;
     for (const TwoAxisPoint& at : fine[0]) {
@@ -120,8 +122,8 @@ TEST(closing_on_building, is_that_of_two_fine_histories_on_two_axes) {
       const TwoAxisPoint &a = fine[1][k], &b = fine[1][k + 1];
       const double share = std::min(1.0, (at.time_s - a.time_s) / (b.time_s - a.time_s));
       const auto raise = [&](double PlanVector::*axis) {
-        const double other = a.displacement.*axis +
-                             share * (b.displacement.*axis - a.displacement.*axis);
+        const double other =
+            a.displacement.*axis + share * (b.displacement.*axis - a.displacement.*axis);
         ahead.*axis = std::max(ahead.*axis, at.displacement.*axis - other);
       };
       raise(&PlanVector::along_m);

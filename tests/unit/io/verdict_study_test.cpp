@@ -47,6 +47,9 @@ TEST(verdict_results_file, refuses_rows_that_do_not_fit) {
     row.displacement_interval.pop_back();
   }
   EXPECT_THAT(refusal_of(results), HasSubstr("displacement_m"));
+  results = with_all();
+  results.verdict->separations[1].row = 2;
+  EXPECT_THAT(refusal_of(results), HasSubstr("row"));
 }
 
 }  // namespace

@@ -277,6 +277,12 @@ inline void add_verdict(Results& r) {
                             {x / 4, {}, 2.0 + x},
                             {x, infinity},
                             {{0.1 * x, 2.0 * x}, {x, infinity}}});
+    verdict.separations.push_back({verdict.rows.size() - 1,
+                                   "between " + std::to_string(x),
+                                   x,
+                                   3.0 * x,
+                                   {x / 5, {0.0, x / 2}, 3.0 + x},
+                                   {x / 6, {}, 4.0 + x}});
   }
 }
 

@@ -39,6 +39,20 @@ Results made_up() {
       row.mce.interval = {0.125, 0.875};
       row.displacement_m = mu == 0.5 ? std::vector{0.03, 0.06} : std::vector{2.0 * sds_g, 3.0};
       row.displacement_interval = {{0.01, 0.1}, {0.02, 0.2}};
+      for (const double factor : {0.5, 0.5, 2.0}) {
+        VerdictSeparation s{verdict.rows.size(),
+                            factor < 1.0 ? "between arrays" : "to an edge",
+                            factor,
+                            factor * 0.6,
+                            {},
+                            {}};
+        s.dbe.probability = factor * row.dbe.probability;
+        s.dbe.interval = {0.0, 0.5};
+        verdict.separations.push_back(s);
+      }
+      verdict.separations.back().dbe.probability = 0.0;
+      verdict.separations[verdict.separations.size() - 2].what = "between arrays, across";
+      if (sds_g == 1.0) verdict.separations[verdict.separations.size() - 2].dbe.probability = 0.375;
       verdict.rows.push_back(row);
     }
   }
@@ -70,6 +84,19 @@ TEST(verdict_report, says_within_and_outside_the_conditions_apart) {
   EXPECT_THAT(sentences,
               Contains(AllOf(HasSubstr("within"), HasSubstr("0 are"), HasSubstr("3 are"))));
   EXPECT_THAT(summary_text(made_up()), HasSubstr("0.75 to 1"));
+}
+
+TEST(verdict_report, says_how_probably_two_arrays_meet_beside_the_figures_of_one) {
+  const Results r = made_up();
+  EXPECT_EQ(rows_of(r, "verdict_separations").size(), 18u);
+  const auto kinds = rows_of(r, "verdict_separations_summary");
+  ASSERT_EQ(kinds.size(), 2u);
+  EXPECT_EQ(std::get<Estimate>(kinds[0][4]).value, 0.375);  // the worse of both gaps
+  EXPECT_EQ(std::get<Estimate>(kinds[0][5]).value, 0.0);
+  EXPECT_THAT(answer_sentences(r),
+              Contains(AllOf(HasSubstr("outside"), HasSubstr("meet"), HasSubstr("2 of 3"),
+                             HasSubstr("38 % [0 % to 50 %]"), HasSubstr("between arrays, across"),
+                             HasSubstr("0 of 3"))));
 }
 
 TEST(verdict_report, of_arrays_that_differ_in_more_names_them_and_draws_the_largest) {

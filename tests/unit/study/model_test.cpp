@@ -176,9 +176,9 @@ struct OnTwoAxes {
     const double factor = test::factor_of(plan, record, plan.config.intensity.levels[level]);
     ground = building_ground(m, {}, {});
     factors = {{along.sign * factor, across.sign * factor}, factor};
-    building = {.horizontal = {Oscillator{c.period_s, c.damping},
-                               Oscillator{0.7 * c.period_s, c.damping}},
-                .mass_ratio = c.mass_ratio};
+    building = {
+        .horizontal = {Oscillator{c.period_s, c.damping}, Oscillator{0.7 * c.period_s, c.damping}},
+        .mass_ratio = c.mass_ratio};
     block = {.friction = {c.friction, c.friction_across},
              .slope_rad = c.slope_deg * rad_per_deg,
              .azimuth_rad = c.azimuth_deg * rad_per_deg};
@@ -212,7 +212,8 @@ TEST(execute_two_axes, gives_the_closing_of_the_gaps_to_a_neighbour_and_changes_
   StudyConfig config = two_axis_config();
   const HistoryTable alone = test::run(small_plan(config)).histories;
   EXPECT_TRUE(alone.fields.closing_along_m.empty());
-  config.quantities.at("friction", "neighbour_mu") = drawn(TruncatedNormal{0.4, 0.05, 0.0, INFINITY});
+  config.quantities.at("friction", "neighbour_mu") =
+      drawn(TruncatedNormal{0.4, 0.05, 0.0, INFINITY});
   const Plan plan = small_plan(config);
   HistoryTable table = test::run(plan).histories;
   int close = 0;

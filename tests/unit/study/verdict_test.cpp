@@ -2,7 +2,7 @@
 // Prescribed displacements judged by histories that can be followed by hand.
 #include "glissade/study/analysis/verdict.hpp"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include <cmath>
 #include <limits>
@@ -113,6 +113,37 @@ TEST(verdict, has_the_exact_friction_of_cases_that_share_it) {
   const VerdictResults verdict = verdict_results(made.config, made.results);
   EXPECT_EQ(verdict.rows[0].mu, 0.4);
   EXPECT_TRUE(verdict.rows[0].within_conditions);  // of ASCE 7-16: 0.4 or more
+}
+
+TEST(verdict, has_the_four_separations_and_between_arrays_those_of_neighbours) {
+  TwoFrictions made;
+  made.slide(0, 0, 0, 3.0 * prescribed_m);  // one record of ten beyond twice the value
+  made.slide(1, 0, 0, 1.5 * prescribed_m);
+  const auto found = verdict_results(made.config, made.results).separations;
+  ASSERT_EQ(found.size(), 6u);  // two rows, no neighbours
+  EXPECT_EQ(found[0].factor, 1.0);
+  EXPECT_DOUBLE_EQ(found[0].dbe.probability, 0.2);
+  EXPECT_EQ(found[2].factor, 2.0);
+  EXPECT_NEAR(found[2].value_m, 2.0 * prescribed_m, 1e-12);
+  EXPECT_DOUBLE_EQ(found[2].dbe.probability, 0.1);
+  EXPECT_EQ(found[5].row, 1u);
+
+  HistoryFields& fields = made.results.histories.fields;
+  fields.closing_along_m.assign(fields.peak_displacement_m.size(), 0.0);
+  fields.closing_across_m = fields.closing_along_m;
+  for (Case& c : made.results.cases.cases) c.neighbour_friction = 0.4;
+  for (std::size_t i = 0; i < TwoFrictions::samples; ++i)  // 1 s, MCE
+    fields.closing_across_m[made.results.histories.at(4, 2 * TwoFrictions::samples + i, 2)] =
+        0.51 * prescribed_m;
+  const VerdictResults both = verdict_results(made.config, made.results);
+  ASSERT_EQ(both.separations.size(), 10u);
+  EXPECT_THAT(both.separations[0].what, testing::HasSubstr("along the slope"));
+  EXPECT_EQ(both.separations[0].mce.probability, 0.0);
+  EXPECT_THAT(both.separations[1].what, testing::HasSubstr("across the slope"));
+  EXPECT_EQ(both.separations[1].factor, 0.5);
+  EXPECT_EQ(both.separations[1].dbe.probability, 0.0);
+  EXPECT_DOUBLE_EQ(both.separations[1].mce.probability, 0.1);
+  EXPECT_EQ(both.separations[1].mce.period_s, 1.0);
 }
 
 TEST(verdict, finds_levels_to_rounding) {

@@ -39,6 +39,16 @@ struct VerdictRow {
   std::vector<Interval> displacement_interval;
 };
 
+/// One of the separations that the standard requires of a prescribed displacement, on the same
+/// arrays. Between arrays: that the gap to a neighbour closes by more, where they have one.
+struct VerdictSeparation {
+  std::uint64_t row = 0;  ///< of VerdictResults::rows
+  std::string what;       ///< "between similar arrays, along the slope"
+  double factor = 0.0;    ///< on the prescribed displacement
+  double value_m = 0.0;
+  VerdictProbability dbe, mce;  ///< that more is needed
+};
+
 enum class Judgement {
   exceeded,      ///< at DBE, with more than the largest probability of the list
   sufficient,    ///< not so
@@ -48,6 +58,7 @@ enum class Judgement {
 struct VerdictResults {
   std::vector<double> exceedance;  ///< falling, (0, 1)
   std::vector<VerdictRow> rows;    ///< by (combination without the period, standard, level)
+  std::vector<VerdictSeparation> separations;  ///< by (row, separation)
 };
 
 Judgement judgement(const VerdictResults& verdict, const VerdictRow& row);

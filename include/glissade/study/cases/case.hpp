@@ -24,8 +24,8 @@ enum class FrictionValue { as_drawn, design };
 
 /// All that is particular to one array on one building.
 struct Case {
-  double friction = 0.5;         ///< along the slope
-  double friction_across = 0.5;  ///< across it; counts on two axes only
+  double friction = 0.5;            ///< along the slope
+  double friction_across = 0.5;     ///< across it; counts on two axes only
   double neighbour_friction = 0.0;  ///< two axes: of a second array on the same roof, with the same
                                     ///< ratio of both axes; 0: there is none
   FrictionLaw law;

@@ -28,7 +28,8 @@ enum class Depth { levels, thresholds, levels_and_thresholds };
 
 /// Which fields a study keeps, beside those that every study has.
 struct KeptFields {
-  bool vector = false, by_axis = false, closing = false, base_shear = false, tips = false, crossings = false;
+  bool vector = false, by_axis = false, closing = false, base_shear = false, tips = false,
+       crossings = false;
   explicit KeptFields(const StudyConfig& config);
   bool has(const auto& field) const { return field.kept_with == nullptr || this->*field.kept_with; }
 };
@@ -63,9 +64,10 @@ void for_each_history_field(Visit visit) {
                Depth::levels, &HistoryFields::residual_along_m, &KeptFields::by_axis});
   visit(Number{"residual_across_m", "m", "two axes: the same across the slope", Depth::levels,
                &HistoryFields::residual_across_m, &KeptFields::by_axis});
-  visit(Number{"closing_along_m", "m",
-               "by how much the gap to a neighbour below closes at most, in plan; inf: not converged",
-               Depth::levels, &HistoryFields::closing_along_m, &KeptFields::closing});
+  visit(
+      Number{"closing_along_m", "m",
+             "by how much the gap to a neighbour below closes at most, in plan; inf: not converged",
+             Depth::levels, &HistoryFields::closing_along_m, &KeptFields::closing});
   visit(Number{"closing_across_m", "m", "the same of a neighbour across the slope", Depth::levels,
                &HistoryFields::closing_across_m, &KeptFields::closing});
   visit(Number{"shear_along", "-",

@@ -15,6 +15,12 @@ namespace glissade {
 using VerdictKind = std::span<const VerdictRow>;
 std::vector<VerdictKind> verdict_kinds(const VerdictResults& verdict);
 
+/// Of a row, by its position: "between arrays" first, where they have neighbours.
+std::span<const VerdictSeparation> separations_of(const VerdictResults& verdict, std::size_t row);
+/// Of some, the one that most probably is too small at DBE; null of none.
+/// @param factor on the prescribed displacement
+const VerdictSeparation* worst_of(std::span<const VerdictSeparation> separations, double factor);
+
 /// "friction 0.4, slope 3 degrees"
 std::string kind_text(const VerdictRow& row);
 
@@ -22,6 +28,11 @@ std::string kind_text(const VerdictRow& row);
 Table verdict_table(const Results& results);
 /// A row for each kind of array and standard.
 Table verdict_summary_table(const Results& results);
+
+/// A row for each separation of each prescribed displacement.
+Table verdict_separations_table(const Results& results);
+/// A row for each kind of array and standard: the largest probabilities.
+Table verdict_separations_summary_table(const Results& results);
 
 /// The displacement with the accepted probability over the prescribed one, by S_DS.
 Figure verdict_figure(const Results& results);

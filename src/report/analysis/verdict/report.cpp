@@ -47,19 +47,68 @@ std::string sentence(const VerdictResults& verdict, Standard standard, const std
       format_share(t.worst->dbe.interval.high), t.worst->sds_g, kind_text(*t.worst));
 }
 
+/// Of a separation, the rows in which it is too small with more than the accepted probability.
+struct Shortfall {
+  std::size_t rows = 0, exceeded = 0;
+  const VerdictSeparation* worst = nullptr;
+
+  std::string words(const VerdictResults& verdict) const {
+    const VerdictRow& row = verdict.rows[worst->row];
+    return fmt::format("{} of {} (largest probability {} [{} to {}], at S_DS = {:.3g} g with {})",
+                       exceeded, rows, format_share(worst->dbe.probability),
+                       format_share(worst->dbe.interval.low),
+                       format_share(worst->dbe.interval.high), row.sds_g, kind_text(row));
+  }
+};
+
+template <class Counts>
+Shortfall shortfall(const VerdictResults& verdict, double factor, Counts counts) {
+  Shortfall found;
+  for (std::size_t i = 0; i < verdict.rows.size(); ++i) {
+    const VerdictSeparation* worst = worst_of(separations_of(verdict, i), factor);
+    if (worst == nullptr || !counts(verdict.rows[i])) continue;
+    ++found.rows;
+    found.exceeded += worst->dbe.probability > verdict.exceedance.front() ? 1 : 0;
+    if (found.worst == nullptr || worst->dbe.probability > found.worst->dbe.probability)
+      found.worst = worst;
+  }
+  return found;
+}
+
+/// Of the separations that are not the prescribed displacement itself.
+template <class Counts>
+std::string separations_sentence(const VerdictResults& verdict, Standard standard,
+                                 const std::string& where, Counts counts) {
+  const Shortfall edge = shortfall(verdict, 2.0, counts), arrays = shortfall(verdict, 0.5, counts);
+  if (edge.rows == 0) return "";
+  const std::string accepted = fmt::format("{:g} %", 100.0 * verdict.exceedance.front());
+  std::string text = fmt::format("{}, {}: ", standard_name(standard), where);
+  if (arrays.rows > 0)
+    text += fmt::format(
+        "two similar arrays, each with a friction of its own, meet across half of the prescribed "
+        "displacement with more than {} probability at DBE in {}, {}. ",
+        accepted, arrays.words(verdict), arrays.worst->what);
+  return text + fmt::format(
+                    "To an edge without a parapet, twice the prescribed displacement is exceeded "
+                    "with more than {} probability at DBE in {}.",
+                    accepted, edge.words(verdict));
+}
+
 std::vector<std::string> sentences(const Results& results) {
   const VerdictResults& verdict = *results.verdict;
   std::vector<std::string> texts;
   for (const Standard standard : {Standard::seaoc_pv1_2012, Standard::asce7_16}) {
     for (const bool within : {true, false}) {
-      const Tally t = tally(verdict, [&](const VerdictRow& row) {
+      const auto counts = [&](const VerdictRow& row) {
         return row.standard == standard && row.within_conditions == within;
-      });
+      };
+      const Tally t = tally(verdict, counts);
       if (t.rows == 0) continue;
-      texts.push_back(sentence(verdict, standard,
-                               within ? "within its conditions of slope and friction"
-                                      : "outside its conditions of slope and friction",
-                               t));
+      const std::string where = within ? "within its conditions of slope and friction"
+                                       : "outside its conditions of slope and friction";
+      texts.push_back(sentence(verdict, standard, where, t));
+      const std::string separations = separations_sentence(verdict, standard, where, counts);
+      if (!separations.empty()) texts.push_back(separations);
     }
   }
   return texts;
@@ -72,7 +121,8 @@ std::string summary(const Results& results) {
 }
 
 std::vector<Table> tables(const Results& results) {
-  return {verdict_summary_table(results), verdict_table(results)};
+  return {verdict_summary_table(results), verdict_table(results),
+          verdict_separations_summary_table(results), verdict_separations_table(results)};
 }
 
 std::vector<Figure> figures(const Results& results) { return {verdict_figure(results)}; }
@@ -80,6 +130,7 @@ std::vector<Figure> figures(const Results& results) { return {verdict_figure(res
 Html section(const Results& results) {
   return heading("Prescribed displacements: exceeded, sufficient or conservative") +
          wide_table(verdict_summary_table(results)) +
+         wide_table(verdict_separations_summary_table(results)) +
          paragraph(
              "Probabilities are over records, samples and orientations, in the building whose "
              "period makes each largest. An interval is never narrower than that of a binomial "

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "analysis/verdict/kinds.hpp"
 #include "glissade/report/format.hpp"
@@ -53,6 +54,19 @@ std::vector<VerdictKind> verdict_kinds(const VerdictResults& verdict) {
     i = end;
   }
   return kinds;
+}
+
+std::span<const VerdictSeparation> separations_of(const VerdictResults& verdict, std::size_t row) {
+  return std::ranges::equal_range(verdict.separations, row, {}, &VerdictSeparation::row);
+}
+
+const VerdictSeparation* worst_of(std::span<const VerdictSeparation> separations, double factor) {
+  const VerdictSeparation* worst = nullptr;
+  for (const VerdictSeparation& s : separations) {
+    if (s.factor == factor && (worst == nullptr || s.dbe.probability > worst->dbe.probability))
+      worst = &s;
+  }
+  return worst;
 }
 
 std::string kind_text(const VerdictRow& row) {
@@ -137,6 +151,81 @@ Table verdict_summary_table(const Results& results) {
            axis.key != "building.period_s";
   });
   return lists_more ? table : table.without("condition");
+}
+
+namespace {
+
+/// Those of all rows of a kind.
+std::span<const VerdictSeparation> all_of(const VerdictResults& verdict, VerdictKind kind) {
+  const auto first = static_cast<std::size_t>(kind.data() - verdict.rows.data());
+  const auto begin = separations_of(verdict, first),
+             end = separations_of(verdict, first + kind.size() - 1);
+  return {begin.data(), end.data() + end.size()};
+}
+
+Estimate estimate(const VerdictProbability& of) { return {of.probability, of.interval}; }
+
+}  // namespace
+
+Table verdict_separations_table(const Results& results) {
+  const VerdictResults& verdict = *results.verdict;
+  Table table{"verdict_separations",
+              "Probability that more than a separation is needed",
+              {text_column("condition", "Array"),
+               {"mu", "", "Friction"},
+               {"slope", "deg", "Slope, degrees"},
+               text_column("standard", "Standard"),
+               text_column("conditions", "Conditions"),
+               {"sds", "g", "S_DS, g"},
+               text_column("separation", "Separation"),
+               {"value", "m", "Separation, m (in)", ColumnKind::length},
+               {"dbe_probability", "", "At DBE [95 %]", ColumnKind::share, true},
+               {"dbe_period", "s", "Period, s"},
+               {"mce_probability", "", "At MCE [95 %]", ColumnKind::share, true},
+               {"mce_period", "s", "Period, s"}},
+              {}};
+  for (const VerdictSeparation& s : verdict.separations) {
+    const VerdictRow& row = verdict.rows[s.row];
+    table.add({row.condition, row.mu, row.slope_deg, standard_name(row.standard),
+               std::string(conditions_text(row)), row.sds_g, s.what, s.value_m, estimate(s.dbe),
+               s.dbe.period_s, estimate(s.mce), s.mce.period_s});
+  }
+  return table;
+}
+
+Table verdict_separations_summary_table(const Results& results) {
+  const VerdictResults& verdict = *results.verdict;
+  Table table{"verdict_separations_summary",
+              "The separations: largest probability at DBE that more is needed",
+              {{"slope", "deg", "Slope, degrees"},
+               {"mu", "", "Friction"},
+               text_column("standard", "Standard"),
+               text_column("conditions", "Conditions")},
+              {}};
+  std::vector<double> factors;
+  for (const VerdictSeparation& s : verdict.separations) {
+    if (std::ranges::find(factors, s.factor) == factors.end()) factors.push_back(s.factor);
+  }
+  std::ranges::sort(factors);
+  for (const double factor : factors)
+    table.columns.push_back({fmt::format("dbe_probability_{:g}", factor), "",
+                             fmt::format("{:g} x prescribed [95 %]", factor), ColumnKind::share,
+                             true});
+  for (const VerdictKind kind : verdict_kinds(verdict)) {
+    std::vector<Cell> cells{kind.front().slope_deg, kind.front().mu,
+                            standard_name(kind.front().standard),
+                            std::string(conditions_text(kind.front()))};
+    for (const double factor : factors) {
+      const VerdictSeparation* worst = worst_of(all_of(verdict, kind), factor);
+      cells.emplace_back(worst != nullptr ? estimate(worst->dbe) : Estimate{std::nan(""), {}});
+    }
+    table.add(std::move(cells));
+  }
+  table.notes = {
+      "0.5: between similar arrays, each with a friction of its own, the larger of the gaps along "
+      "and across the slope. 1: to a fixed object or an edge with a parapet. 2: to an edge "
+      "without."};
+  return table;
 }
 
 }  // namespace glissade
