@@ -69,6 +69,17 @@ TEST_F(Mpi, every_model_has_the_same_bytes_on_any_number_of_ranks) {
   }
 }
 
+TEST_F(Mpi, a_verdict_on_neighbouring_arrays_has_the_same_bytes_on_any_number_of_ranks) {
+  std::string text =
+      replaced(small_study(), "levels = [0.5, 1.0, 2.0]", "levels = [0.5, 1.0, 1.5]");
+  text = replaced(text, "[sampling]", "neighbour_mu = { mean = 0.3, std = 0.03 }\n[sampling]");
+  const std::string study = folder_.write("verdict.toml", text + "[verdict]\n");
+  const std::string alone = results_on(0, study);
+  ASSERT_FALSE(alone.empty());
+  for (const int ranks : {2, 3})
+    EXPECT_TRUE(results_on(ranks, study) == alone) << ranks << " ranks";
+}
+
 TEST_F(Mpi, a_clearance_study_has_the_same_bytes_on_any_number_of_ranks) {
   const std::string study = folder_.write("clearance.toml", small_clearance());
   const std::string alone = results_on(0, study);

@@ -128,7 +128,9 @@ class Separations {
       gaps_.emplace_back(where, Buildings(config, results, combination, field));
     };
     const CaseSet& set = results.cases;
-    if (set.cases[set.index(combination, 0, 0)].neighbour_friction == 0.0) return;
+    if (set.cases[set.index(combination, 0, 0)].neighbour_friction == 0.0 ||
+        results.histories.fields.closing_along_m.empty())
+      return;
     add(", along the slope", &HistoryFields::closing_along_m);
     add(", across the slope", &HistoryFields::closing_across_m);
   }
