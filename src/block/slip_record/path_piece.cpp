@@ -21,9 +21,9 @@ Vector polar(Points curve, const std::array<double, 4>& at) {
 }
 
 /// A path through rising times.
-class Walk {
+class PathWalk {
  public:
-  explicit Walk(std::span<const PathPiece> path) : path_(path) {}
+  explicit PathWalk(std::span<const PathPiece> path) : path_(path) {}
 
   /// Where the piece, or the rest, that follows `time_s` ends.
   double go_on(double time_s) {
@@ -59,7 +59,7 @@ class Walk {
 
 Vector largest_lead(std::span<const PathPiece> first, std::span<const PathPiece> second) {
   constexpr double rounding = 1e-12;  // of the displacements
-  Walk one(first), other(second);
+  PathWalk one(first), other(second);
   Vector lead;
   for (double from_s = 0.0, to_s;
        (to_s = std::min(one.go_on(from_s), other.go_on(from_s))) != never; from_s = to_s) {

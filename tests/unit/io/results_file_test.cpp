@@ -391,6 +391,8 @@ TEST(results_file, parts_that_do_not_fit_each_other_are_refused) {
   EXPECT_THAT(refusal([](Results& r) { r.axes = SlidingAxes::one; }), of("peak_vector_m"));
   EXPECT_THAT(refusal([](Results& r) { r.histories.fields.residual_across_m.clear(); }),
               of("peak_along_m"));
+  EXPECT_THAT(refusal([](Results& r) { r.histories.fields.closing_across_m.clear(); }),
+              of("closing_along_m"));
   EXPECT_THAT(refusal([](Results& r) { r.histories.fields.shear_across.clear(); }),
               of("shear_along"));
   EXPECT_THAT(refusal([](Results& r) { r.histories.fields.uplift.clear(); }), of("uplift"));

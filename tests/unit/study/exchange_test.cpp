@@ -34,6 +34,7 @@ TEST(exchange, brings_every_field_of_a_unit_result_over_to_the_last_bit) {
   config.intensity.levels = {1.0, 2.0};
   config.clearance = ClearanceConfig{};
   config.impact = config.base_shear = true;
+  config.quantities.at("friction", "neighbour_mu") = test::fixed(0.3);
   const Plan plan = small_plan(config);
   UnitResult unit = execute(plan, 2);
   unit.fields.tips = {1, 0};  // in no study on two axes
