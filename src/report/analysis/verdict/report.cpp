@@ -54,10 +54,10 @@ struct Shortfall {
 
   std::string words(const VerdictResults& verdict) const {
     const VerdictRow& row = verdict.rows[worst->row];
-    return fmt::format("{} of {} (largest probability {} [{} to {}], at S_DS = {:.3g} g with {})",
-                       exceeded, rows, format_share(worst->dbe.probability),
-                       format_share(worst->dbe.interval.low),
-                       format_share(worst->dbe.interval.high), row.sds_g, kind_text(row));
+    return fmt::format(
+        "{} of {} (largest probability {} [{} to {}], at S_DS = {:.3g} g with {}; {})", exceeded,
+        rows, format_share(worst->dbe.probability), format_share(worst->dbe.interval.low),
+        format_share(worst->dbe.interval.high), row.sds_g, kind_text(row), worst->what);
   }
 };
 
@@ -86,11 +86,11 @@ std::string separations_sentence(const VerdictResults& verdict, Standard standar
   if (arrays.rows > 0)
     text += fmt::format(
         "two similar arrays, each with a friction of its own, meet across half of the prescribed "
-        "displacement with more than {} probability at DBE in {}, {}. ",
-        accepted, arrays.words(verdict), arrays.worst->what);
+        "displacement with more than {} probability at DBE in {}. ",
+        accepted, arrays.words(verdict));
   return text + fmt::format(
-                    "To an edge without a parapet, twice the prescribed displacement is exceeded "
-                    "with more than {} probability at DBE in {}.",
+                    "Twice the prescribed displacement is exceeded with more than {} probability "
+                    "at DBE in {}.",
                     accepted, edge.words(verdict));
 }
 
