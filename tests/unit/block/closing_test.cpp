@@ -152,7 +152,7 @@ TEST(closing_on_building, is_within_its_tolerance_on_any_building) {
   }
   EXPECT_GT(compared, 40u);
   EXPECT_LT(largest, 1e-5);
-  RecordProperty("largest", std::to_string(largest));
+  RecordProperty("largest_e9", std::to_string(1e9 * largest));
 }
 
 TEST(closing_on_building, changes_sides_with_the_mirrored_ground) {

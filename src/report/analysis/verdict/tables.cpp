@@ -224,7 +224,7 @@ Table verdict_separations_summary_table(const Results& results) {
   table.notes = {
       "0.5: between similar arrays, each with a friction of its own, the larger of the gaps along "
       "and across the slope. 1: to a fixed object or an edge with a parapet. 2: to an edge "
-      "without."};
+      "without. Two arrays move under the same motion, each as if it were alone on the building."};
   return table;
 }
 
