@@ -107,8 +107,8 @@ BuildingSlip slide_on_building(const BuildingGround& ground, const BuildingFacto
 /// as by slide_on_building(), alone on the building, with the mass ratio of the building. The
 /// displacements are the polynomials of the scheme, and their difference is searched on the union
 /// of both blocks' steps, to 1e-12 of them. So the error is that of two displacements
-/// (closing_test: 1e-5 of the larger peak at the default tolerance); of equal blocks the
-/// gap closes by exactly 0.
+/// (largest of the 60 scenes of closing_test 3.2e-7 of the peak, at the default tolerance); of
+/// equal blocks the gap closes by exactly 0.
 /// @pre both on one slope and azimuth
 PlanVector closing_on_building(const BuildingGround& ground, const BuildingFactors& factors,
                                const BiaxialBuilding& building, const TwoAxisBlock& block,
