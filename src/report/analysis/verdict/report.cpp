@@ -86,10 +86,10 @@ std::string separations_sentence(const VerdictResults& verdict, Standard standar
   if (arrays.rows > 0)
     text += fmt::format(
         "two similar arrays, each with a friction of its own, meet across half of the prescribed "
-        "displacement with more than {} probability at DBE in {}. ",
+        "displacement with more than {} probability at DBE in {}; ",
         accepted, arrays.words(verdict));
   return text + fmt::format(
-                    "Twice the prescribed displacement is exceeded with more than {} probability "
+                    "twice the prescribed displacement is exceeded with more than {} probability "
                     "at DBE in {}.",
                     accepted, edge.words(verdict));
 }
