@@ -167,7 +167,7 @@ struct OnTwoAxes {
   TwoAxisBlock block;
 
   OnTwoAxes(const Plan& plan, std::size_t record, std::size_t i, std::size_t level) {
-    const Case& c = plan.cases.cases[i];
+    const Case c = plan.cases[i];
     Motion m = plan.motion(record);
     const SignedComponent along = along_axis(c.orientation, 0),
                           across = along_axis(c.orientation, 1);
@@ -219,7 +219,7 @@ TEST(execute_two_axes, gives_the_closing_of_the_gaps_to_a_neighbour_and_changes_
   int close = 0;
   for_each_history(table, [&](std::size_t record, std::size_t i, std::size_t level) {
     const OnTwoAxes by_hand(plan, record, i, level);
-    const Case& c = plan.cases.cases[i];
+    const Case c = plan.cases[i];
     EXPECT_NE(c.neighbour_friction, c.friction);  // drawn by itself
     TwoAxisBlock neighbour = by_hand.block;
     neighbour.friction = {c.neighbour_friction,
