@@ -109,9 +109,9 @@ void check_histories(const Results& results) {
                  f.residual_along_m.size() == f.peak_along_m.size() &&
                  f.residual_across_m.size() == f.peak_along_m.size(),
              "peak_along_m", "other displacements");
-  expect_fit(whole_or_none(f.closing_along_m) &&
-                 f.closing_along_m.size() == f.closing_across_m.size(),
-             "closing_along_m", "histories");
+  expect_fit(
+      whole_or_none(f.closing_along_m) && f.closing_along_m.size() == f.closing_across_m.size(),
+      "closing_along_m", "histories");
   expect_fit(whole_or_none(f.shear_along) && f.shear_along.size() == f.shear_across.size(),
              "shear_along", "histories");
   expect_fit(f.crossing_time_s.size() == f.crossing_speed_mps.size(), "crossing_time_s",
