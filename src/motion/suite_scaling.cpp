@@ -146,6 +146,16 @@ SpectralRatios ratios_to_target(const Suite& suite, const std::vector<double>& f
   return {lowest, {-highest.ratio, highest.period_s}};
 }
 
+SpectralRatio lowest_ratio_to_target(const Suite& suite, const std::vector<double>& factors,
+                                     const std::function<double(double)>& target_sa_g,
+                                     const std::vector<double>& periods_s) {
+  GLISSADE_EXPECTS(factors.size() == suite.motions.size() && !periods_s.empty());
+  const SpectrumRows rows = srss_spectra_g(suite, periods_s);
+  const AverageRatio lowest = lowest_ratio(factors, Spectra(rows.begin(), rows.end()),
+                                           target_at(target_sa_g, periods_s));
+  return {lowest.ratio, periods_s[lowest.period]};
+}
+
 SuiteScaling scale_suite_to_target(const Suite& suite,
                                    const std::function<double(double)>& target_sa_g,
                                    const std::vector<double>& periods_s, double max_factor) {

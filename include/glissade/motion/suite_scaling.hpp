@@ -9,6 +9,12 @@
 
 namespace glissade {
 
+/// Of Walters et al. (2012), who scale from 0 to here.
+inline constexpr double longest_scaled_period_s = 2.0;
+/// The least average SRSS spectrum over the target of a suite that meets it: up to there (nowhere
+/// below, but for rounding of the factors), and beyond (ASCE 7-16, 16.2, recalled).
+inline constexpr double least_over_target = 0.98, least_over_target_beyond = 0.9;
+
 /// The periods at which the suite average must not be below the target (0 to 2 s, Walters et al.
 /// 2012; the steps are not from there): to 0.2 s by 0.001, to 0.5 s by 0.0025, to 2 s by 0.005.
 std::vector<double> walters_periods_s();
@@ -50,6 +56,11 @@ SpectralRatios ratios_to_target(const Suite& suite, const std::vector<double>& f
 SpectralRatios ratios_to_target(const Suite& suite, const std::vector<double>& factors,
                                 const std::function<double(double)>& target_sa_g,
                                 const SpectrumRows& walters_spectra_g);
+
+/// The same over `periods_s` (>= 0, one at least), and at these only: the lowest.
+SpectralRatio lowest_ratio_to_target(const Suite& suite, const std::vector<double>& factors,
+                                     const std::function<double(double)>& target_sa_g,
+                                     const std::vector<double>& periods_s);
 
 struct SuiteScaling {
   std::vector<double> factors;  ///< per motion, on all its components

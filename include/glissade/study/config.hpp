@@ -138,6 +138,7 @@ struct ChartQuestion {
 struct ChartConfig {
   double shown_slope_deg = 0.0, shown_mu = 0.0, shown_level = 0.0;  ///< where figures cut through
   std::vector<ChartQuestion> questions;
+  bool without_target = false;  ///< also of a suite that does not meet its target
 };
 
 /// Which of the orientations of the records a required clearance is of: the largest, or the median,
@@ -218,6 +219,10 @@ struct StudyConfig {
   bool base_shear = false;           ///< two axes: peak base shear of the building
   std::optional<RigidBase> tipping;  ///< of the array
 
+  /// A clearance also of a suite that does not meet its target: not for design.
+  bool is_without_target() const {
+    return (clearance && clearance->without_target) || (chart && chart->without_target);
+  }
   bool two_axes() const { return model.axes == SlidingAxes::two; }
   const std::vector<double>& thresholds_m() const;  ///< of the fragility; empty without one
   bool draws() const;                               ///< any quantity or the orientation

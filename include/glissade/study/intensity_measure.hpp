@@ -40,6 +40,9 @@ class IntensityMeasure {
   /// that go with a power of the motion.
   double factor_of_level(double level) const;
 
+  /// Scales the suite to a design spectrum: sds_g and mce_fraction.
+  bool is_of_design_spectrum() const { return *this == sds_g || *this == mce_fraction; }
+
   bool operator==(const IntensityMeasure&) const = default;
 
  private:

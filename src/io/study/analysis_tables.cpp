@@ -140,6 +140,7 @@ void read_chart(const TomlTable& root, StudyConfig& study) {
                               levels.empty() ? 0.0 : levels.back());
   for (const TomlTable& read : table.tables("read"))
     chart.questions.push_back(read_question(read, mu, slopes, levels));
+  chart.without_target = table.flag("without_target").value_or(chart.without_target);
   study.chart = chart;
 }
 

@@ -200,8 +200,10 @@ void add_analyses(std::vector<GrammarKey>& keys) {
        {"chart", "read",
         "[[chart.read]] with level, slope_deg or rise_in_12, and mu or displacement_m", "none",
         "a displacement, or the friction required for one, read off the chart"},
+       {"chart", "without_target", "true or false", "false",
+        "chart clearances also of a suite that does not meet its design spectrum: not for design"},
        {"clearance", "without_target", "true or false", "false",
-        "a clearance also of a suite that is not scaled to a design spectrum: not for design"},
+        "a clearance also of a suite that does not meet a design spectrum: not for design"},
        {"clearance", "orientation", one_of(orientation_rule_names()),
         quoted(orientation_rule_names(), ClearanceConfig{}.orientation),
         "of the suite's means, each with all records in one orientation, the one that is the "

@@ -39,8 +39,7 @@ bool draws_orientation(const TomlTable&, const StudyConfig& study) {
 bool draws(const TomlTable&, const StudyConfig& study) { return study.draws(); }
 
 bool uses_target(const TomlTable&, const StudyConfig& study) {
-  return study.intensity.measure == IntensityMeasure::sds_g ||
-         study.intensity.measure == IntensityMeasure::mce_fraction ||
+  return study.intensity.measure.is_of_design_spectrum() ||
          !is_always(study, "building", "response_modification", 0.0);
 }
 
@@ -51,6 +50,14 @@ bool has_one_of(const TomlTable& root, std::initializer_list<const char*> tables
 template <Standard standard>
 bool compares(const TomlTable&, const StudyConfig& study) {
   return std::ranges::find(study.standards.compare, standard) != study.standards.compare.end();
+}
+
+/// The suite: it is not scaled by the study at all, or not to the study's longest period.
+bool may_miss_target(const StudyConfig& study) {
+  return study.intensity.measure != IntensityMeasure::sds_g ||
+         study.quantities.at("building", "period_s").largest() *
+                 study.quantities.at("building", "period_ratio").largest() >
+             longest_scaled_period_s;
 }
 
 }  // namespace
@@ -124,10 +131,13 @@ std::vector<KeyNeeds> key_needs() {
                 s.orientation.choice == OrientationChoice::azimuths ||
                 s.orientation.slope_axis.size() > 1;
        }},
-      {"clearance", "without_target", "a measure other than \"sds_g\", which scales to the target",
+      {"chart", "without_target", "measure = \"mce_fraction\", or a building period above 2 s",
        [](const TomlTable&, const StudyConfig& s) {
-         return s.intensity.measure != IntensityMeasure::sds_g;
-       }}};
+         return s.intensity.measure.is_of_design_spectrum() && may_miss_target(s);
+       }},
+      {"clearance", "without_target",
+       "a measure other than \"sds_g\", which scales to the target, or a building period above 2 s",
+       [](const TomlTable&, const StudyConfig& s) { return may_miss_target(s); }}};
   for (const Parameter& p : parameters()) {
     if (p.axes == Parameter::Axes::two) needs.push_back({p.table, p.key, axes, two_axes});
   }

@@ -22,11 +22,10 @@ Warnings one_axis(const Plan& plan) {
 }
 
 Warnings without_target(const Plan& plan) {
-  const auto& clearance = plan.config.clearance;
-  if (!clearance || !clearance->without_target) return {};
+  if (!plan.config.is_without_target()) return {};
   return {
       "NOT FOR DESIGN: the clearance is of a suite that need not meet a design spectrum "
-      "(clearance.without_target = true)"};
+      "(without_target = true)"};
 }
 
 Warnings strong_levels(const Plan& plan) {

@@ -389,6 +389,38 @@ TEST(plan, refuses_a_clearance_of_a_suite_that_does_not_meet_its_target) {
   EXPECT_NE(refusal(), "");
   config.intensity.measure = IntensityMeasure::sds_g;  // the study scales the suite
   EXPECT_EQ(refusal(), "");
+
+  // to 2 s: of a longer building the suite must have motion at its period too
+  config.quantities.at("building", "period_s") = listed({0.5, 4.0});
+  EXPECT_THAT(refusal(), testing::HasSubstr("for a building period of 4 s it must be 0.9 times"));
+  EXPECT_THAT(refusal(), testing::HasSubstr("multiply the levels by "));
+  config.clearance->without_target = true;
+  EXPECT_EQ(refusal(), "");
+}
+
+TEST(plan, refuses_a_chart_clearance_alike) {
+  StudyConfig config = small_config();
+  config.intensity.measure = IntensityMeasure::mce_fraction;
+  config.intensity.levels = {1.0};
+  config.standards.compare.clear();
+  config.chart = ChartConfig{};
+  const auto refusal = [&]() -> std::string {
+    try {
+      make_plan(config, {small_suite()});
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_THAT(refusal(), testing::AllOf(testing::HasSubstr("[chart]: the suite's average"),
+                                        testing::HasSubstr("chart.without_target = true")));
+  config.chart->without_target = true;
+  EXPECT_EQ(refusal(), "");
+  EXPECT_THAT(make_plan(config, {small_suite()}).warnings,
+              testing::Contains(testing::StartsWith("NOT FOR DESIGN")));
+  config.chart->without_target = false;
+  config.intensity.measure = IntensityMeasure::pga_g;  // its chart has no clearance
+  EXPECT_EQ(refusal(), "");
 }
 
 TEST(plan, runs_the_records_a_study_names) {

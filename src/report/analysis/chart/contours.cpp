@@ -165,13 +165,13 @@ Figure chart_contours_figure(const Results& results) {
   Figure figure{
       "chart_contours",
       one_record ? "Peak slip over friction and roof slope"
-                 : "Chart clearance over friction and roof slope",
+                 : design_title(results) + " over friction and roof slope",
       at_intensity(results, results.levels[level]),
       (one_record ? "Lines of equal peak slip"
-                  : "Lines of equal chart clearance, " + clearance_rule(results)) +
+                  : "Lines of equal " + design_name(results) + ", " + clearance_rule(results)) +
           "; what linear interpolation in tables/chart.csv gives. Find the coefficient of friction "
           "below and the slope at the left: the line through that point is the " +
-          (one_record ? "slip" : "clearance") +
+          (one_record ? "slip" : design_name(results)) +
           "; or follow a line to the friction that a slope needs. Grey: friction cannot stop the "
           "array. " +
           how_counted(results)};

@@ -28,15 +28,11 @@ Shown shown_place(const Results& results) {
 
 std::string friction_text(double mu) { return "friction " + brief(mu); }
 
-/// What is drawn where there is one curve for each of several: "chart clearance" or "peak slip".
-std::string what_is_read(const Results& results) {
-  return is_one_record(results) ? "peak slip" : "chart clearance";
-}
-
 std::string y_label(const Results& results) {
-  return is_one_record(results)
-             ? "Peak slip in plan"
-             : fmt::format("Chart clearance, {:g} x mean slip in plan", clearance_factor(results));
+  const std::string name = design_name(results);
+  return name == "chart clearance"
+             ? fmt::format("Chart clearance, {:g} x mean slip in plan", clearance_factor(results))
+             : design_title(results) + " in plan";
 }
 
 std::string caption_of(const Results& results, const std::string& reading) {
@@ -144,7 +140,7 @@ Figure chart_slope_figure(const Results& results) {
   }
   const std::string reading = is_one_record(results)
                                   ? "Peak slip at each slope."
-                                  : "Thick: the chart clearance, " + clearance_rule(results) +
+                                  : "Thick: the " + design_name(results) + ", " + clearance_rule(results) +
                                         "; thin: the mean itself, percentiles, and the largest.";
   return {"chart_slope",
           "Slip over the slope of the roof",
@@ -172,12 +168,12 @@ Figure chart_friction_figure(const Results& results) {
   }
   return {"chart_friction",
           is_one_record(results) ? "Peak slip over friction, by roof slope"
-                                 : "Chart clearance over friction and roof slope",
+                                 : design_title(results) + " over friction and roof slope",
           at_intensity(results, level),
           caption_of(results,
                      "Read up from the coefficient of friction to the curve of the roof's "
                      "slope, then left (m) or right (in): the " +
-                         what_is_read(results) + "."),
+                         design_name(results) + "."),
           drawn(plot),
           2};
 }
@@ -196,7 +192,7 @@ Figure chart_intensity_figure(const Results& results) {
   return {"chart_intensity",
           "Slip over intensity, by friction",
           "slope " + degrees(chart.slope_deg[shown.slope]),
-          caption_of(results, "The " + what_is_read(results) +
+          caption_of(results, "The " + design_name(results) +
                                   " over intensity, a curve for each coefficient of friction: none "
                                   "up to a level that grows with friction."),
           drawn(plot),
@@ -218,7 +214,7 @@ Figure chart_slope_levels_figure(const Results& results) {
       "chart_slope_levels",
       "Slip over the slope of the roof, by intensity",
       friction_text(chart.mu[shown.friction]) + "; a curve per level, " + results.intensity_label,
-      caption_of(results, "The " + what_is_read(results) +
+      caption_of(results, "The " + design_name(results) +
                               " over slope, a curve for each level of intensity."),
       drawn(plot),
       4};
@@ -262,9 +258,9 @@ Figure chart_period_figure(const Results& results) {
       caption_of(results, one_record
                               ? "Peak slip by building period; thick: the largest, "
                                 "which the chart shows."
-                              : fmt::format("Slip by building period. Thick: the chart clearance, "
+                              : fmt::format("Slip by building period. Thick: the {}, "
                                             "{:g} x the largest of the means.",
-                                            clearance_factor(results))),
+                                            design_name(results), clearance_factor(results))),
       drawn(plot),
       2};
 }

@@ -29,9 +29,9 @@ std::string shown_sentence(const Results& results) {
                                    ? ""
                                    : ", 95 % interval " + format_length_interval(p.mean_interval);
   return fmt::format(
-      "{}, the chart clearance is {}: {:g} x the mean over {} records, {}{}. Over {} the 84th "
+      "{}, the {} is {}: {:g} x the mean over {} records, {}{}. Over {} the 84th "
       "percentile is {}, the 95th {}, the largest {}.{}",
-      where, format_length(p.clearance_m), clearance_factor(results), results.records.size(),
+      where, design_name(results), format_length(p.clearance_m), clearance_factor(results), results.records.size(),
       format_length(p.largest.mean_m), interval,
       results.cases.samples > 1 ? "records and samples pooled" : "the records",
       format_length(p.largest.p84_m), format_length(p.largest.p95_m),
@@ -47,7 +47,7 @@ std::string standard_sentence(const Results& results, const ChartPrescription& p
     sentence += " (recalled: verify against the standard)";
   if (std::isfinite(design_m) && design_m > 0.0) {
     sentence += fmt::format(", {} x {}", format_number(prescription.prescribed.value_m / design_m),
-                            is_one_record(results) ? "this slip" : "the chart clearance");
+                            is_one_record(results) ? "this slip" : "the " + design_name(results));
   }
   if (!applies_at(prescription.standard, p.slope_deg, p.mu))
     sentence += "; it is for " + limits_of(prescription.standard);
@@ -135,7 +135,7 @@ std::vector<std::string> chart_sentences(const Results& results) {
   const Chart& chart = *results.chart;
   std::vector<std::string> sentences = {shown_sentence(results)};
   if (!is_one_record(results))
-    sentences.push_back("Chart clearance: " + clearance_rule(results) + ".");
+    sentences.push_back(design_title(results) + ": " + clearance_rule(results) + ".");
   for (const ChartPrescription& p : chart.standards) {
     if (p.sds_g == chart.shown_level) sentences.push_back(standard_sentence(results, p));
   }

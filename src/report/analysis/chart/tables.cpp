@@ -47,7 +47,7 @@ std::vector<std::string> reading_notes(const Results& results) {
       "next larger slope and the next smaller mu.",
       gravity_note};
   if (!is_one_record(results)) {
-    notes.push_back("Chart clearance: " + clearance_rule(results) +
+    notes.push_back(design_title(results) + ": " + clearance_rule(results) +
                     "; p84, p95 and "
                     "envelope (the largest " +
                     std::string(results.cases.samples > 1 ? "history" : "record") +

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 #include "glissade/report/format.hpp"
@@ -14,6 +15,19 @@ bool is_one_record(const Results& results) { return results.records.size() == 1;
 
 double clearance_factor(const Results& results) {
   return results.clearance ? results.clearance->factor : ClearanceConfig{}.factor;
+}
+
+std::string design_name(const Results& results) {
+  if (is_one_record(results)) return "peak slip";
+  return results.measure.is_of_design_spectrum()
+             ? "chart clearance"
+             : fmt::format("{:g} x mean slip", clearance_factor(results));
+}
+
+std::string design_title(const Results& results) {
+  std::string name = design_name(results);
+  name[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(name[0])));
+  return name;
 }
 
 std::string clearance_rule(const Results& results) {
@@ -38,8 +52,11 @@ std::vector<ChartStatistic> chart_statistics(const Results& results) {
     peak.heading = "Peak slip of the record";
     return {peak};
   }
-  return {{"clearance", fmt::format("Chart clearance ({:g} x mean)", clearance_factor(results)),
-           "chart clearance", [](const ChartPoint& p) { return p.clearance_m; },
+  const bool is_clearance = design_name(results) == "chart clearance";
+  return {{is_clearance ? "clearance" : "factored_mean_slip",
+           is_clearance ? fmt::format("Chart clearance ({:g} x mean)", clearance_factor(results))
+                        : design_title(results),
+           design_name(results), [](const ChartPoint& p) { return p.clearance_m; },
            &ChartReading::clearance},
           {"mean_slip", "Mean over records", "mean",
            [](const ChartPoint& p) { return p.largest.mean_m; }, &ChartReading::mean},

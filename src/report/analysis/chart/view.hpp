@@ -21,6 +21,11 @@ struct ChartStatistic {
   double (*slip_m)(const ChartPoint&);
   double ChartReading::*reading;
 };
+/// What is drawn where there is one curve for each of several: "chart clearance", "peak slip", or
+/// "1.1 x mean slip" where the levels scale the suite to no design spectrum.
+std::string design_name(const Results& results);
+/// The same as the begin of a title.
+std::string design_title(const Results& results);
 /// On the mean: that of [clearance], else 1.1 (Walters et al. 2012).
 double clearance_factor(const Results& results);
 /// "1.1 x the mean over the records, each in the orientation that slides farthest": not the rule of
