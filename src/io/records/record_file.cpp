@@ -92,18 +92,26 @@ Record read_at2(const std::filesystem::path& file, std::string_view text, const 
 }
 
 /// The first of the values without a time is no sample where it is the number of those after it, of
-/// them and the step, or the step: a header that is no comment.
+/// them and the step, or the step: a header that is no comment. Nor are the first two where a count
+/// (of components, of parts) and the step, or their reverse, come first.
 void refuse_header(const Record& record, double unit_mps2) {
   const std::vector<double>& a = record.acceleration_mps2;
   const double first = a.front() / unit_mps2, after = static_cast<double>(a.size() - 1);
   const bool is_count =
       a.size() >= 8 && (std::round(first) == after || std::round(first) == after - 1.0);
-  const bool is_step = std::abs(first - record.dt_s) <= 1e-9 * record.dt_s;
-  if (!is_count && !is_step) return;
+  const auto equals_step = [&](double value) {
+    return std::abs(value - record.dt_s) <= 1e-9 * record.dt_s;
+  };
+  const bool is_step = equals_step(first);
+  const bool is_count_and_step =
+      a.size() >= 8 && first >= 1.0 && std::round(first) == first && equals_step(a[1] / unit_mps2);
+  if (!is_count && !is_step && !is_count_and_step) return;
   throw InputError(
       {record.name,
        fmt::format("begins with {:g}, {}: a header, not an acceleration", first,
-                   is_count ? "the number of values that follow" : "the time step"),
+                   is_count  ? "the number of values that follow"
+                   : is_step ? "the time step"
+                             : "a count, and the time step"),
        "put # before the lines of the header; a sample of that value needs a column of times", ""});
 }
 

@@ -199,6 +199,8 @@ TEST_F(RecordFile, comments_may_state_step_and_count_which_must_hold) {
 TEST_F(RecordFile, a_header_that_is_no_comment_is_not_taken_for_samples) {
   EXPECT_THAT(error("0.01\n1\n2\n", {.dt_s = 0.01, .units = {}}), HasSubstr("begins with 0.01"));
   const std::string samples = "1\n2\n3\n2\n1\n0\n-1\n-2\n";
+  EXPECT_THAT(error("1\n0.01\n" + samples, {.dt_s = 0.01, .units = AccelerationUnits::g}),
+              HasSubstr("begins with 1, a count, and the time step"));
   EXPECT_THAT(error("8\n" + samples, {.dt_s = 0.01, .units = {}}), HasSubstr("begins with 8"));
   EXPECT_THAT(error("8 0.01\n" + samples, {.dt_s = 0.01, .units = {}}), HasSubstr("1 column"));
 }
