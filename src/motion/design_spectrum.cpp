@@ -75,10 +75,12 @@ double site_coefficient(const SiteTable& table, SiteClass site, double value_g) 
   if (row.size() < columns.size() && value_g > columns[last]) {
     throw InputError(
         {"",
-         fmt::format("{} = {} is above {} for site class {}, where ASCE 7-16 requires a "
-                     "site-specific study",
+         fmt::format("{} = {} is above {}, up to which ASCE 7-16 has a coefficient for site class "
+                     "{}; 11.4.8 (recalled: verify) requires a ground motion hazard analysis of "
+                     "the site from S_S = 1 g or S_1 = 0.2 g on",
                      table.parameter, value_g, columns[last], to_string(site)),
-         "scale to a site-specific spectrum, or leave the class out", ""});
+         "give the spectrum of such an analysis (spectrum = \"FILE.csv\"), or sds_g and sd1_g",
+         ""});
   }
   if (value_g <= columns.front()) return row.front();
   if (value_g >= columns[last]) return row[last];
@@ -99,7 +101,7 @@ Enum parse(const std::string& text, const std::array<const char*, n>& names, con
 }
 
 constexpr std::array<const char*, 6> site_class_names = {"A", "B", "C", "D", "E", "default"};
-constexpr std::array<const char*, 2> edition_names = {"asce7_10", "asce7_16"};
+constexpr std::array<const char*, 3> edition_names = {"asce7_10", "asce7_16", "asce7_22"};
 
 }  // namespace
 
@@ -146,6 +148,12 @@ TargetSpectrum::TargetSpectrum(const DesignTarget& target)
   }
   if (target.site_classes.empty()) {
     problems.add({"", "the design target has no site class", "give one or more of A to E", ""});
+  }
+  if (target.edition == AsceEdition::asce7_22) {
+    problems.add({"", "ASCE 7-22 has no site coefficients for S_S and S_1",
+                  "give the multi-period spectrum (spectrum = \"FILE.csv\"), or sds_g and sd1_g",
+                  ""});
+    problems.throw_if_any();
   }
   for (const SiteClass site : target.site_classes) {
     try {

@@ -19,7 +19,7 @@ struct RecordedRange {
   const char* source;
 };
 
-constexpr RecordedRange horizontal_pga{"PGA", "g", 0.001, 3.0,
+constexpr RecordedRange horizontal_pga{"PGA", "g", 0.001, most_probable_pga_g,
                                        "largest horizontal: station MYG004, Tohoku 2011, 2.7 g"},
     vertical_pga{"vertical PGA", "g", 0.0, 4.0,
                  "largest: station IWTH25, Iwate-Miyagi 2008, 4.3 g of all components together"},
@@ -53,6 +53,9 @@ std::vector<std::string> improbable_values(const Motion& motion) {
   };
   const auto& [first, second] = motion.horizontal_mps2;
   if (first == second) found.emplace_back("the same motion as both horizontal components");
+  if (!motion.vertical_mps2.empty() &&
+      (motion.vertical_mps2 == first || motion.vertical_mps2 == second))
+    found.emplace_back("the same motion as vertical and as horizontal component");
   if (!second.empty()) {
     const double one = peak_ground_acceleration_mps2(first),
                  other = peak_ground_acceleration_mps2(second);

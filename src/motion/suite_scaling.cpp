@@ -151,8 +151,8 @@ SpectralRatio lowest_ratio_to_target(const Suite& suite, const std::vector<doubl
                                      const std::vector<double>& periods_s) {
   GLISSADE_EXPECTS(factors.size() == suite.motions.size() && !periods_s.empty());
   const SpectrumRows rows = srss_spectra_g(suite, periods_s);
-  const AverageRatio lowest = lowest_ratio(factors, Spectra(rows.begin(), rows.end()),
-                                           target_at(target_sa_g, periods_s));
+  const AverageRatio lowest =
+      lowest_ratio(factors, Spectra(rows.begin(), rows.end()), target_at(target_sa_g, periods_s));
   return {lowest.ratio, periods_s[lowest.period]};
 }
 

@@ -7,7 +7,8 @@
 
 namespace glissade {
 
-enum class AsceEdition { asce7_10, asce7_16 };
+/// Of ASCE 7-22, which has no site coefficients, a target is a spectrum by points or S_DS and S_D1.
+enum class AsceEdition { asce7_10, asce7_16, asce7_22 };
 /// `unknown`: the default class, D with F_a of at least 1.2 (ASCE 7-16, 11.4.3 and 11.4.4,
 /// recalled; F_a and F_v of a published calculation); D in ASCE 7-10.
 enum class SiteClass { a, b, c, d, e, unknown };
@@ -74,7 +75,7 @@ inline constexpr const char* site_class_f_refusal =
     "response analysis";
 SiteClass parse_site_class(const std::string& text);
 std::string to_string(SiteClass site);
-AsceEdition parse_asce_edition(const std::string& text);  ///< "asce7_10", "asce7_16"
+AsceEdition parse_asce_edition(const std::string& text);  ///< "asce7_10" ...
 std::string to_string(AsceEdition edition);
 /// "asce7_16 S_S 1.5 g, S_1 0.6 g, site classes C, D", "asce7_16 S_DS 1 g, S_D1 0.6 g", "asce7_16
 /// spectrum of 22 points".

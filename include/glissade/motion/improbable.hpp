@@ -13,6 +13,12 @@ namespace glissade {
 /// recorded peak ground acceleration near 4 g.
 inline constexpr double most_probable_g = 4.0;
 
+/// The largest recorded of one horizontal component is that of station MYG004, Tohoku 2011, 2.7 g.
+inline constexpr double most_probable_pga_g = 3.0;
+
+/// More is an error of units: maps give percent of g, other programs m/s2.
+inline constexpr double most_possible_g = 10.0;
+
 /// No building of two hundred storeys has a longer one.
 inline constexpr double longest_probable_period_s = 10.0;
 

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "study/target_table.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
+#include "glissade/motion/improbable.hpp"
 #include "text/number_rows.hpp"
 
 namespace glissade {
@@ -49,6 +52,9 @@ void read_spectrum(const TomlTable& table, const std::filesystem::path& folder,
       if (!target.period_s.empty() && row[0] <= target.period_s.back())
         return "periods must increase from row to row";
       if (!(row[1] > 0.0)) return "the acceleration is not above 0";
+      if (row[1] > most_possible_g)
+        return fmt::format("the acceleration is in g: no site has more than {:g} g",
+                           most_possible_g);
       target.period_s.push_back(row[0]);
       target.design_sa_g.push_back(row[1] / mce_factor);
       return "";
@@ -73,10 +79,12 @@ void read_spectrum(const TomlTable& table, const std::filesystem::path& folder,
 
 DesignTarget read_target(const TomlTable& table, const std::filesystem::path& folder) {
   const EnumNames<AsceEdition> editions = {{"asce7_10", AsceEdition::asce7_10},
-                                           {"asce7_16", AsceEdition::asce7_16}};
+                                           {"asce7_16", AsceEdition::asce7_16},
+                                           {"asce7_22", AsceEdition::asce7_22}};
   DesignTarget target;
   if (!table.has("edition"))
-    table.report_missing("edition", "asce7_10 or asce7_16: their site coefficients differ");
+    table.report_missing("edition",
+                         "asce7_10, asce7_16 or asce7_22: their site coefficients differ");
   target.edition = table.choice<AsceEdition>("edition", editions).value_or(target.edition);
   if (table.has("spectrum")) {
     read_spectrum(table, folder, target);

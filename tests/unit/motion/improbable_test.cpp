@@ -46,6 +46,9 @@ TEST(improbable_values, name_one_motion_as_both_horizontals) {
   Motion twins = plausible();
   twins.horizontal_mps2[1] = twins.horizontal_mps2[0];
   EXPECT_THAT(improbable_values(twins), ElementsAre(HasSubstr("both horizontal")));
+  Motion upward = plausible();
+  upward.vertical_mps2 = upward.horizontal_mps2[0];
+  EXPECT_THAT(improbable_values(upward), ElementsAre(HasSubstr("as vertical and as horizontal")));
 }
 
 TEST(improbable_values, name_horizontals_whose_pga_differ_as_units_do) {
