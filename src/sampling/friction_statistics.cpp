@@ -53,6 +53,13 @@ std::string note_on_number(const DirectionFriction& d) {
       one_sided_tolerance_factor({s.tests, coverage, confidence}));
 }
 
+std::string note_on_design(const DirectionFriction& d) {
+  const MuStatistics& s = d.sliding;
+  const double design = s.mean - 2.0 * s.std;
+  if (!(design < 0.0)) return "";
+  return fmt::format("{}: mean - 2 std = {:.3f} is below 0: 0 is taken", d.direction, design);
+}
+
 std::string note_on_normality(const DirectionFriction& d) {
   const MuStatistics& s = d.sliding;
   if (!s.normality) {
@@ -98,7 +105,9 @@ std::vector<std::string> notes_on_trace(const TraceFriction& t) {
 std::vector<std::string> notes_on(const PullTestSummary& summary) {
   std::vector<std::string> notes;
   for (const DirectionFriction& d : summary.directions) {
+    for (std::string& note : outliers_in(d)) notes.push_back(std::move(note));
     notes.push_back(note_on_number(d));
+    if (std::string note = note_on_design(d); !note.empty()) notes.push_back(std::move(note));
     if (std::string note = note_on_normality(d); !note.empty()) notes.push_back(std::move(note));
   }
   for (const TraceFriction& test : summary.tests)
@@ -107,6 +116,22 @@ std::vector<std::string> notes_on(const PullTestSummary& summary) {
 }
 
 }  // namespace
+
+std::vector<std::string> outliers_in(const DirectionFriction& d) {
+  constexpr double most_deviation = 0.4;  // of the median; pulls of one roof scatter by 0.1 or so
+  std::vector<double> sorted = d.sliding_mu;
+  std::ranges::sort(sorted);
+  const double median = 0.5 * (sorted[(sorted.size() - 1) / 2] + sorted[sorted.size() / 2]);
+  std::vector<std::string> notes;
+  for (std::size_t i = 0; i < d.sliding_mu.size(); ++i) {
+    if (std::abs(d.sliding_mu[i] - median) > most_deviation * median)
+      notes.push_back(fmt::format(
+          "{}: test {} of {} has friction {:.3g}, {:.2g} times the median {:.3g}: check it",
+          d.direction, i + 1, d.sliding_mu.size(), d.sliding_mu[i], d.sliding_mu[i] / median,
+          median));
+  }
+  return notes;
+}
 
 double lower_bound_95(double mean, double std, std::size_t tests) {
   return std::max(0.0, mean - one_sided_tolerance_factor({tests, coverage, confidence}) * std);
@@ -149,7 +174,8 @@ PullTestSummary summarise(const std::vector<PullTest>& tests, const SlidingRule&
       return statistics_of(values_of(summary.tests, direction, mu));
     };
     summary.directions.push_back({direction, statistics(&TraceFriction::sliding_mu),
-                                  statistics(&TraceFriction::breakaway_mu)});
+                                  statistics(&TraceFriction::breakaway_mu),
+                                  values_of(summary.tests, direction, &TraceFriction::sliding_mu)});
   }
   summary.notes = notes_on(summary);
   return summary;
@@ -158,7 +184,8 @@ PullTestSummary summarise(const std::vector<PullTest>& tests, const SlidingRule&
 PullTestSummary summarise_values(const std::vector<double>& sliding_mu) {
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
   PullTestSummary summary;
-  summary.directions.push_back({"all", statistics_of(sliding_mu), {0, none, none, none, none, {}}});
+  summary.directions.push_back(
+      {"all", statistics_of(sliding_mu), {0, none, none, none, none, {}}, sliding_mu});
   summary.notes = notes_on(summary);
   return summary;
 }

@@ -14,8 +14,6 @@
 namespace glissade {
 namespace {
 
-constexpr double largest_mu = 10.0;  // rubber on glass has less
-
 [[noreturn]] void refuse(const PullTest& test, const std::string& what,
                          const std::string& suggestion) {
   throw InputError(
@@ -86,11 +84,11 @@ double mean_over_displacement(const std::vector<double>& mu, const std::vector<d
 }
 
 void check_mu(const PullTest& test, const char* which, double mu) {
-  if (mu > 0.0 && mu <= largest_mu) return;
+  if (mu > 0.0 && mu <= largest_friction) return;
   refuse(test,
          fmt::format("force over normal force, {}, is {:.4g}, which is no coefficient of friction "
                      "(0 to {:g})",
-                     which, mu, largest_mu),
+                     which, mu, largest_friction),
          "see whether the units in the columns' names are right, and whether the pull is positive");
 }
 

@@ -30,7 +30,11 @@ double lower_bound_95(double mean, double std, std::size_t tests);
 struct DirectionFriction {
   std::string direction;
   MuStatistics sliding, breakaway;  ///< breakaway.tests = 0: it is not known
+  std::vector<double> sliding_mu;   ///< of each test, as given
 };
+
+/// Remarks on tests whose friction is far from that of the others of the direction.
+std::vector<std::string> outliers_in(const DirectionFriction& direction);
 
 /// Results of a set of pull tests.
 struct PullTestSummary {

@@ -7,6 +7,12 @@
 
 namespace glissade {
 
+/// Pulls over roof membranes have shown 0.3 to 1 (recalled).
+inline constexpr double most_probable_friction = 1.2;
+/// No pull of an array over a roof has shown more: a larger coefficient is an error of units or of
+/// a decimal point.
+inline constexpr double largest_friction = 2.0;
+
 /// One pull of an array, or of a part of one, over a roof membrane, as logged.
 struct PullTest {
   std::string test;                    ///< name given by the user; unique within a direction
@@ -42,7 +48,7 @@ struct TraceFriction {
 };
 
 /// Throws InputError at the place of the test if the array does not slide or is pushed backwards,
-/// or if the friction is not between 0 and 10.
+/// or if the friction is not between 0 and largest_friction.
 TraceFriction friction_of(const PullTest& test, const SlidingRule& rule);
 
 }  // namespace glissade

@@ -12,6 +12,7 @@
 #include "glissade/io/record_file.hpp"
 #include "glissade/motion/improbable.hpp"
 #include "glissade/motion/intensity.hpp"
+#include "glissade/sampling/pull_test.hpp"
 #include "slide/slide_history.hpp"
 
 namespace glissade::cli {
@@ -56,8 +57,16 @@ using Json = nlohmann::ordered_json;
 Json number_or_null(double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); }
 
 /// What is possible and not probable.
-std::vector<std::string> warnings_on(const SlideOptions& o, const Motion& motion) {
+std::vector<std::string> warnings_on(const SlideOptions& o, const Motion& motion, double pga_g) {
   std::vector<std::string> warnings = improbable_values(motion);
+  if ((o.scale || o.pga_g) && pga_g > most_probable_pga_g)
+    warnings.push_back(
+        fmt::format("a PGA of {:.3g} g, with its factor, is above {:g} g: no recorded "
+                    "motion has it",
+                    pga_g, most_probable_pga_g));
+  if (o.mu > most_probable_friction)
+    warnings.push_back(fmt::format("a friction of {:.3g} is above {:g}: no roof is known for it",
+                                   o.mu, most_probable_friction));
   if (o.period_s > longest_probable_period_s)
     warnings.push_back(
         fmt::format("a building period of {:g} s is longer than that of any building", o.period_s));
@@ -140,7 +149,7 @@ Json to_json(const SlideOptions& o, const SlideHistory& h, const Motion& motion,
   }
   json["model"] = model_of(o);
   json["as_recorded"] = components_json(o, motion);
-  json["warnings"] = warnings_on(o, motion);
+  json["warnings"] = warnings_on(o, motion, pga_g);
   return json;
 }
 
@@ -179,7 +188,7 @@ void print_building(const SlideHistory& h) {
 }
 
 /// What was read: the user sees whether step and units are as they should be.
-void print_record(const SlideOptions& o, const Motion& motion) {
+void print_record(const SlideOptions& o, const Motion& motion, double pga_g) {
   for (const auto& [name, file, a] : components_of(o, motion)) {
     fmt::print(
         "{}\n  {} samples at {:g} s, PGA {:.3g} g, PGV {:.3g} m/s, PGD {:.3g} m, D5-95 {:.3g} s\n",
@@ -187,13 +196,14 @@ void print_record(const SlideOptions& o, const Motion& motion) {
         peak_ground_velocity_mps(motion.dt_s, a), peak_ground_displacement_m(motion.dt_s, a),
         significant_duration_s(motion.dt_s, a));
   }
-  for (const std::string& warning : warnings_on(o, motion)) fmt::print("WARNING: {}\n", warning);
+  for (const std::string& warning : warnings_on(o, motion, pga_g))
+    fmt::print("WARNING: {}\n", warning);
 }
 
 void print_text(const SlideOptions& o, const SlideHistory& h, const Motion& motion, double factor,
                 double pga_g) {
   const SlipResult& r = h.slip;
-  print_record(o, motion);
+  print_record(o, motion, pga_g);
   fmt::print("Factor {:.4g}: PGA {:.4g} g{}\n", factor, pga_g,
              h.ppa_g ? fmt::format(", peak roof acceleration {:.4g} g", *h.ppa_g) : "");
   fmt::print("Model: {}\n", model_of(o));

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glissade/io/pull_test_file.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -151,10 +153,10 @@ bool is_sheet(const std::filesystem::path& file) {
 }
 
 std::vector<double> read_sheet(const std::filesystem::path& file) {
-  constexpr double most_mu = 10.0;
   std::vector<double> mu;
   const auto take = [&](const std::vector<double>& row, std::size_t) -> std::string {
-    if (!(row[0] >= 0.0 && row[0] <= most_mu)) return "mu is not from 0 to 10";
+    if (!(row[0] >= 0.0 && row[0] <= largest_friction))
+      return fmt::format("mu is not from 0 to {:g}", largest_friction);
     mu.push_back(row[0]);
     return "";
   };

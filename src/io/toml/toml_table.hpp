@@ -27,7 +27,7 @@ inline constexpr NumberRule any_finite{"finite", [](double) { return true; }};
 inline constexpr NumberRule above_zero{"above 0", [](double x) { return x > 0.0; }};
 inline constexpr NumberRule not_negative{"0 or more", [](double x) { return x >= 0.0; }};
 inline constexpr NumberRule friction_rule{
-    "from 0 to 10", [](double x) { return x >= 0.0 && x <= 10.0; }, "no two surfaces have more"};
+    "from 0 to 2", [](double x) { return x >= 0.0 && x <= 2.0; }, "no roof has more"};
 
 /// The names an enumeration has in files.
 template <class E>

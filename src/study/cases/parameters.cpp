@@ -10,7 +10,7 @@ namespace glissade {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr ParameterRange coefficient{0.0, 10.0, "0 to 10"};
+constexpr ParameterRange coefficient{0.0, 2.0, "0 to 2: no roof has more"};
 constexpr ParameterRange damping_ratio{0.0, 0.999, "0 to 0.999"};
 
 /// In the order in which lists vary, the first slowest.

@@ -110,8 +110,9 @@ std::optional<std::string> problem_of(const Plan& plan, const Case& c) {
   }
   if (two_axes && !(c.friction > 0.0 && c.friction_across > 0.0)) {
     return fmt::format(
-        "an axis of the friction ellipse is zero (mu {:g} along the slope, {:g} "
-        "across): give friction above zero in both directions",
+        "friction.mu is {:g} along the slope and {:g} across, and must be above 0 on two axes: of "
+        "friction that is drawn the design value is mean - 2 std, and 0 where that is below 0; "
+        "give a larger mean or a smaller std",
         c.friction, c.friction_across);
   }
   if (plan.kernel.kernel != Kernel::tables && !is_regular(plan, c)) {
@@ -127,9 +128,8 @@ std::optional<std::string> problem_of(const Plan& plan, const Case& c) {
 /// Of one record there is no mean, and levels of other measures scale to no spectrum: their charts
 /// have no clearance.
 bool gives_clearance(const Plan& plan) {
-  return plan.config.clearance ||
-         (plan.config.chart && plan.records.size() > 1 &&
-          plan.config.intensity.measure.is_of_design_spectrum());
+  return plan.config.clearance || (plan.config.chart && plan.records.size() > 1 &&
+                                   plan.config.intensity.measure.is_of_design_spectrum());
 }
 
 double longest_period_s(const Plan& plan) {
@@ -155,10 +155,10 @@ std::optional<Problem> shortfall(const Plan& plan, std::size_t suite) {
   const std::string file = plan.config.suite_files[suite].string();
   const std::string table = plan.config.clearance ? "clearance" : "chart";
   const auto refused = [&](const std::string& what, const std::string& todo) {
-    return Problem{file, fmt::format("[{}]: {}", table, what),
-                   fmt::format("{}, or set {}.without_target = true, which every output states",
-                               todo, table),
-                   ""};
+    return Problem{
+        file, fmt::format("[{}]: {}", table, what),
+        fmt::format("{}, or set {}.without_target = true, which every output states", todo, table),
+        ""};
   };
   const bool by_sds = plan.config.intensity.measure == IntensityMeasure::sds_g;
   if (!plan.config.intensity.measure.is_of_design_spectrum())
@@ -186,7 +186,8 @@ std::optional<Problem> shortfall(const Plan& plan, std::size_t suite) {
   }
   if (longest_s <= longest_scaled_period_s) return {};
   const double scaled = by_sds ? lowest.ratio : 1.0;  // the study divides by it
-  lowest = lowest_ratio_to_target(plan.suites[suite], scales, mce_g, periods_beyond_scaled_s(longest_s));
+  lowest =
+      lowest_ratio_to_target(plan.suites[suite], scales, mce_g, periods_beyond_scaled_s(longest_s));
   lowest.ratio /= scaled;
   if (lowest.ratio >= least_over_target_beyond) return {};
   return refused(

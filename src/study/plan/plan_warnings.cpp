@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "glissade/motion/improbable.hpp"
+#include "glissade/sampling/pull_test.hpp"
 
 namespace glissade {
 namespace {
@@ -94,12 +95,50 @@ Warnings low_friction(const Plan& plan) {
   return {};
 }
 
+/// Of what is drawn the mean, as a tail may be wide.
+Warnings high_friction(const Plan& plan) {
+  for (const char* key : {"mu", "across_mu"}) {
+    const Quantity& mu = plan.config.quantities.at("friction", key);
+    const double largest = mu.is_drawn() ? mean(*mu.drawn) : mu.largest();
+    if (largest > most_probable_friction)
+      return {fmt::format("friction.{} of {:.3g} is above {:g}: no roof is known for it", key,
+                          largest, most_probable_friction)};
+  }
+  return {};
+}
+
 Warnings free_sliding(const Plan& plan) {
   const auto free = std::ranges::count_if(plan.cases.all(), slides_freely);
   if (free == 0 || plan.config.rare) return {};  // of wider distributions it is no share
   return {fmt::format(
       "{:.3g} % of the cases slide without an earthquake: tan(slope) is friction or more",
       100.0 * static_cast<double>(free) / static_cast<double>(plan.cases.size()))};
+}
+
+/// Each counts as a record of its own in means and intervals.
+Warnings same_motions(const Plan& plan) {
+  Warnings warnings;
+  for (std::size_t i = 0; i < plan.records.size(); ++i) {
+    for (std::size_t j = i + 1; j < plan.records.size(); ++j) {
+      const Motion &a = plan.motion(i), &b = plan.motion(j);
+      if (a.dt_s == b.dt_s && a.horizontal_mps2 == b.horizontal_mps2)
+        warnings.push_back(
+            fmt::format("records {} and {} are the same motion: it counts twice", a.id, b.id));
+    }
+  }
+  return warnings;
+}
+
+/// The target of the study replaces it.
+Warnings other_targets(const Plan& plan) {
+  Warnings warnings;
+  for (const Suite& suite : plan.suites) {
+    const auto& target = plan.config.intensity.target;
+    if (target && suite.target && to_string(*target) != to_string(*suite.target))
+      warnings.push_back(fmt::format("the suite {} is made for {}; it is used for {}", suite.name,
+                                     to_string(*suite.target), to_string(*target)));
+  }
+  return warnings;
 }
 
 Warnings motions(const Plan& plan) {
@@ -125,9 +164,9 @@ Warnings motions(const Plan& plan) {
 
 std::vector<std::string> warnings_on(const Plan& plan) {
   std::vector<std::string> warnings;
-  for (const auto warning :
-       {without_target, one_axis, nearest_records, strong_levels, target_values, long_periods,
-        large_clearances, low_friction, free_sliding, motions}) {
+  for (const auto warning : {without_target, one_axis, nearest_records, strong_levels,
+                             target_values, long_periods, large_clearances, low_friction,
+                             high_friction, free_sliding, other_targets, same_motions, motions}) {
     for (std::string& text : warning(plan)) warnings.push_back(std::move(text));
   }
   return warnings;

@@ -321,9 +321,11 @@ TEST(plan, warns_of_what_is_possible_and_not_probable) {
   EXPECT_EQ(warnings([](StudyConfig&) {}), 0u);
   EXPECT_EQ(warnings([](StudyConfig& c) { c.model.axes = SlidingAxes::one; }), 1u);
   EXPECT_EQ(warnings([](StudyConfig& c) { c.intensity.levels.push_back(50.0); }), 1u);
-  EXPECT_EQ(warnings([](StudyConfig& c) { c.intensity.target = {.ss_g = 1.0, .s1_g = 1.5}; }), 1u);
+  // and that the suite is made for another target
+  EXPECT_EQ(warnings([](StudyConfig& c) { c.intensity.target = {.ss_g = 1.0, .s1_g = 1.5}; }), 2u);
   EXPECT_EQ(warnings([](StudyConfig& c) { c.intensity.target = {.ss_g = 150.0, .s1_g = 0.6}; }),
-            1u);
+            2u);
+  EXPECT_EQ(warnings([](StudyConfig& c) { c.quantities.at("friction", "mu") = fixed(1.5); }), 1u);
   EXPECT_EQ(
       warnings([](StudyConfig& c) { c.quantities.at("building", "period_s") = fixed(300.0); }), 1u);
   EXPECT_EQ(warnings([](StudyConfig& c) { c.fragility->thresholds_m.push_back(50.0); }), 1u);
@@ -339,6 +341,14 @@ TEST(plan, warns_of_what_is_possible_and_not_probable) {
   EXPECT_EQ(make_plan(small_config(), {twins}).warnings.size(), twins.motions.size() + 1);
   for (Motion& motion : twins.motions) motion.dt_s = 0.5;  // five are named, the others counted
   EXPECT_EQ(make_plan(small_config(), {twins}).warnings.size(), 5u + 1u + 1u);
+}
+
+TEST(plan, warns_of_one_motion_under_two_ids) {
+  Suite suite = small_suite();
+  suite.motions.push_back(suite.motions.front());
+  suite.motions.back().id = "again";
+  EXPECT_THAT(make_plan(small_config(), {suite}).warnings,
+              testing::Contains("records motion0 and again are the same motion: it counts twice"));
 }
 
 TEST(plan, warns_of_probabilities_from_records_that_are_the_nearest_to_a_target) {
