@@ -3,6 +3,7 @@
 
 #include "analysis/analyses.hpp"
 #include "glissade/report/figures.hpp"
+#include "text/study_text.hpp"
 
 namespace glissade {
 
@@ -14,6 +15,11 @@ std::vector<Figure> make_figures(const Results& results) {
   if (has_spectra && std::ranges::none_of(figures, is_spectra))
     figures.push_back(spectra_figure(results));
   std::erase_if(figures, [](const Figure& figure) { return figure.panels.empty(); });
+  const std::string one_axis = one_axis_text(results);
+  for (Figure& figure : figures) {
+    if (!one_axis.empty() && !is_spectra(figure))
+      figure.below += (figure.below.empty() ? "" : "; ") + one_axis;
+  }
   return figures;
 }
 

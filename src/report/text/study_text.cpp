@@ -13,6 +13,16 @@
 
 namespace glissade {
 
+std::string in_plan(const Results& results) {
+  const std::string one_axis = one_axis_text(results);
+  return "Displacements are in plan (horizontal)" +
+         (one_axis.empty() ? "." : ", along " + one_axis + ".");
+}
+
+std::string one_axis_text(const Results& results) {
+  return slides_on_two_axes(results) ? "" : "one axis only (model.axes = 1)";
+}
+
 std::string with_unit(const Results& results, const std::string& value) {
   const std::string unit = results.measure.unit();
   return unit == "-" ? value : value + " " + unit;

@@ -12,7 +12,9 @@
 namespace glissade {
 
 /// In the notes of every table with displacements.
-constexpr auto in_plan = "Displacements are in plan (horizontal).";
+std::string in_plan(const Results& results);
+/// "one axis only (model.axes = 1)" of a study whose array slides along one; else "".
+std::string one_axis_text(const Results& results);
 /// "1.2 g": a value of the intensity measure.
 std::string with_unit(const Results& results, const std::string& value);
 /// A column of intensities, its unit in name and heading.

@@ -26,6 +26,18 @@ std::string chart_table_heading(const Results& results) {
   return "";
 }
 
+// Levels that scale each record by itself: the factored mean is no clearance.
+TEST(chart_summary, of_a_measure_that_is_no_design_spectrum_names_no_clearance) {
+  Results results = made_up_chart_results();
+  results.measure = IntensityMeasure::pga_g;
+  EXPECT_THAT(answer_sentences(results)[0], HasSubstr("the 1.1 x mean slip is"));
+  EXPECT_EQ(chart_table_heading(results), "1.1 x mean slip, m (in)");
+  EXPECT_THAT(summary_text(results), Not(HasSubstr("hart clearance")));
+  for (const Figure& figure : make_figures(results)) {
+    EXPECT_THAT(figure.title + figure.caption, Not(HasSubstr("hart clearance"))) << figure.title;
+  }
+}
+
 TEST(chart_summary, reports_the_clearance_beside_what_is_prescribed_in_ascii) {
   Results results = made_up_chart_results();
   results.chart->shown_slope_deg = 0.0;

@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "glissade/core/wrap.hpp"
+#include "glissade/report/figures.hpp"
 #include "glissade/report/tables.hpp"
 #include "made_up_results.hpp"
 
@@ -88,6 +89,25 @@ TEST(tables, have_as_many_fields_in_every_row_as_in_the_header_and_say_where_the
       EXPECT_EQ(fields(line), expected) << table.name.text() << ": " << line;
     EXPECT_EQ(rows, table.rows.size());
     EXPECT_GT(rows, 0u) << table.name.text();
+  }
+}
+
+TEST(tables, and_figures_of_one_axis_say_so) {
+  Results results = made_up_results();
+  for (const SlidingAxes axes : {SlidingAxes::one, SlidingAxes::two}) {
+    results.axes = axes;
+    const auto says = [&](const std::string& text) {
+      return (text.find("one axis only") != std::string::npos) == (axes == SlidingAxes::one);
+    };
+    for (const Table& table : csv_tables(results)) {
+      if (table.name.text() == "fragility" || table.name.text() == "slip" ||
+          table.name.text() == "stripes") {
+        EXPECT_TRUE(says(table.title)) << table.title;
+      }
+    }
+    for (const Figure& figure : make_figures(results)) {
+      EXPECT_TRUE(figure.name == FileName("spectra") || says(figure.below)) << figure.title;
+    }
   }
 }
 

@@ -140,7 +140,8 @@ Figure chart_slope_figure(const Results& results) {
   }
   const std::string reading = is_one_record(results)
                                   ? "Peak slip at each slope."
-                                  : "Thick: the " + design_name(results) + ", " + clearance_rule(results) +
+                                  : "Thick: the " + design_name(results) + ", " +
+                                        clearance_rule(results) +
                                         "; thin: the mean itself, percentiles, and the largest.";
   return {"chart_slope",
           "Slip over the slope of the roof",
@@ -250,19 +251,18 @@ Figure chart_period_figure(const Results& results) {
     });
     if (applies) plot.prescribed.push_back({line, {plot.x.front(), plot.x.back()}});
   }
-  return {
-      "chart_period",
-      "Slip over the period of the building",
-      fmt::format("{}; slope {}; {}", at_intensity(results, results.levels[shown.level]),
-                  degrees(point.slope_deg), friction_text(point.mu)),
-      caption_of(results, one_record
-                              ? "Peak slip by building period; thick: the largest, "
-                                "which the chart shows."
-                              : fmt::format("Slip by building period. Thick: the {}, "
-                                            "{:g} x the largest of the means.",
-                                            design_name(results), clearance_factor(results))),
-      drawn(plot),
-      2};
+  return {"chart_period",
+          "Slip over the period of the building",
+          fmt::format("{}; slope {}; {}", at_intensity(results, results.levels[shown.level]),
+                      degrees(point.slope_deg), friction_text(point.mu)),
+          caption_of(results, one_record
+                                  ? "Peak slip by building period; thick: the largest, "
+                                    "which the chart shows."
+                                  : fmt::format("Slip by building period. Thick: the {}, "
+                                                "{:g} x the largest of the means.",
+                                                design_name(results), clearance_factor(results))),
+          drawn(plot),
+          2};
 }
 
 }  // namespace

@@ -31,8 +31,8 @@ std::string shown_sentence(const Results& results) {
   return fmt::format(
       "{}, the {} is {}: {:g} x the mean over {} records, {}{}. Over {} the 84th "
       "percentile is {}, the 95th {}, the largest {}.{}",
-      where, design_name(results), format_length(p.clearance_m), clearance_factor(results), results.records.size(),
-      format_length(p.largest.mean_m), interval,
+      where, design_name(results), format_length(p.clearance_m), clearance_factor(results),
+      results.records.size(), format_length(p.largest.mean_m), interval,
       results.cases.samples > 1 ? "records and samples pooled" : "the records",
       format_length(p.largest.p84_m), format_length(p.largest.p95_m),
       format_length(p.largest.envelope_m), period);

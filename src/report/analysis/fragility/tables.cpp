@@ -78,7 +78,7 @@ Table fragility_table(const Results& results) {
       "fragility",
       "Fragilities by clearance threshold: P = p0 + (1 - p0) Phi(ln(x / median) / log_std), "
       "p0 the share that slides freely, without shaking; half of all exceed at p50." +
-          measured_by(results) + "log_std and shares are dimensionless. " + in_plan,
+          measured_by(results) + "log_std and shares are dimensionless. " + in_plan(results),
       {text_column("run", "Run"),
        {"threshold", "m", "Clearance, m (in)", ColumnKind::length},
        text_column("method", "Fitted on"),
@@ -115,7 +115,7 @@ std::vector<std::string> friction_names(const Results& results) {
 Table fragility_summary_table(const Results& results) {
   Table table{"fragility_summary",
               "Fragility by clearance: intensity with a 50 % chance of exceedance." +
-                  measured_by(results) + in_plan,
+                  measured_by(results) + in_plan(results),
               {text_column("run", "Run"),
                {"threshold", "m", "Clearance, m (in)", ColumnKind::length},
                intensity_column(results, "median", "Median", true),
@@ -154,17 +154,18 @@ Table fragility_summary_table(const Results& results) {
 }
 
 Table slip_table(const Results& results) {
-  Table table{"slip",
-              "Peak slip over records and samples, by level." + measured_by(results) + in_plan,
-              {text_column("run", "Run"),
-               intensity_column(results, "level", "Level"),
-               {"median_slip", "m", "Median, m (in) [95 %, m]", ColumnKind::length, true},
-               {"p84_slip", "m", "84th percentile, m (in) [95 %, m]", ColumnKind::length, true},
-               {"p95_slip", "m", "95th percentile, m (in)", ColumnKind::length},
-               {"mean_slip", "m", "Mean, m (in) [95 %, m]", ColumnKind::length, true},
-               {"mean_vector", "m", "Mean longest vector, m (in)", ColumnKind::length},
-               {"uplift_share", "", "Uplift", ColumnKind::share}},
-              {}};
+  Table table{
+      "slip",
+      "Peak slip over records and samples, by level." + measured_by(results) + in_plan(results),
+      {text_column("run", "Run"),
+       intensity_column(results, "level", "Level"),
+       {"median_slip", "m", "Median, m (in) [95 %, m]", ColumnKind::length, true},
+       {"p84_slip", "m", "84th percentile, m (in) [95 %, m]", ColumnKind::length, true},
+       {"p95_slip", "m", "95th percentile, m (in)", ColumnKind::length},
+       {"mean_slip", "m", "Mean, m (in) [95 %, m]", ColumnKind::length, true},
+       {"mean_vector", "m", "Mean longest vector, m (in)", ColumnKind::length},
+       {"uplift_share", "", "Uplift", ColumnKind::share}},
+      {}};
   bool two_axes = false;
   for (const RunResults& run : results.runs) {
     for (const SlipStatistics& slip : run.slip) {
@@ -182,7 +183,7 @@ Table stripes_table(const Results& results) {
   Table table{
       "stripes",
       "Histories whose slip exceeds the threshold, by level: what the fit on stripes rests on." +
-          measured_by(results) + in_plan,
+          measured_by(results) + in_plan(results),
       {text_column("run", "Run"),
        {"threshold", "m", "Clearance, m (in)", ColumnKind::length},
        intensity_column(results, "level", "Level"),

@@ -54,7 +54,7 @@ Table hazard_table(const Results& results) {
   const HazardResults& hazard = *results.hazard;
   Table table{
       "hazard",
-      "How often each clearance is exceeded." + by_curve(results) + in_plan,
+      "How often each clearance is exceeded." + by_curve(results) + in_plan(results),
       {text_column("run", "Run"),
        {"threshold", "m", "Clearance, m (in)", ColumnKind::length},
        {"annual_rate", "per_year", "Annual rate [95 %]", ColumnKind::number, true},
@@ -83,7 +83,7 @@ Table hazard_table(const Results& results) {
 
 Table hazard_curve_table(const Results& results) {
   Table table{"hazard_curve",
-              "Annual rate of exceeding a displacement." + by_curve(results) + in_plan,
+              "Annual rate of exceeding a displacement." + by_curve(results) + in_plan(results),
               {text_column("run", "Run"),
                {"displacement", "m", "Displacement, m (in)", ColumnKind::length},
                {"annual_rate", "per_year", "Annual rate [95 %]", ColumnKind::number, true}},
@@ -97,7 +97,8 @@ Table hazard_curve_table(const Results& results) {
 
 Table hazard_targets_table(const Results& results) {
   Table table{"hazard_targets",
-              "Displacement that is exceeded at a given annual rate." + by_curve(results) + in_plan,
+              "Displacement that is exceeded at a given annual rate." + by_curve(results) +
+                  in_plan(results),
               {text_column("run", "Run"),
                text_column("target", "Rate"),
                {"annual_rate", "per_year", "Annual rate"},
@@ -116,7 +117,7 @@ Table hazard_targets_table(const Results& results) {
 Table design_life_table(const Results& results) {
   Table table{"design_life",
               "Slip over " + life_text(*results.hazard) + ", the array never put back." +
-                  by_curve(results) + in_plan,
+                  by_curve(results) + in_plan(results),
               {text_column("run", "Run"),
                text_column("quantity", "Slip"),
                {"median", "m", "Median, m (in) [95 %, m]", ColumnKind::length, true},

@@ -36,7 +36,7 @@ Table intensity_measures_table(const Results& results) {
   Table table{
       "intensity_measures",
       "Intensity measures by the dispersion of ln capacity between records, the best first. " +
-          std::string(in_plan),
+          in_plan(results),
       {text_column("run", "Run"),
        {"threshold", "m", "Clearance, m (in)", ColumnKind::length},
        text_column("measure", "Intensity measure"),

@@ -62,7 +62,7 @@ bool differs_clearly(const ThresholdShape& shape, ShapeModel model) {
 
 Table shape_table(const Results& results) {
   Table table{"shape",
-              "Is a lognormal the right fragility? " + std::string(in_plan),
+              "Is a lognormal the right fragility? " + in_plan(results),
               {text_column("run", "Run"),
                {"threshold", "m", "Clearance, m (in)", ColumnKind::length},
                {"p_value", "", "Goodness of fit, p", ColumnKind::number, false, 3},

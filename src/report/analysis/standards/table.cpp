@@ -20,21 +20,21 @@ const SlipStatistics* slip_at(const RunResults& run, double level) {
 }  // namespace
 
 Table standards_table(const Results& results) {
-  Table table{
-      "standards",
-      std::string("Displacements prescribed by standards beside the computed slip. ") + in_plan,
-      {text_column("run", "Run"),
-       text_column("standard", "Standard"),
-       {"sds", "g", "S_DS, g"},
-       {"prescribed", "m", "Prescribed, m (in)", ColumnKind::length},
-       {"median_slip", "m", "Median, m (in)", ColumnKind::length},
-       {"p84_slip", "m", "84th, m (in)", ColumnKind::length},
-       {"p95_slip", "m", "95th, m (in)", ColumnKind::length},
-       {"mean_slip", "m", "Mean, m (in)", ColumnKind::length},
-       {"exceedance_share", "", "Slip > prescribed [95 %]", ColumnKind::share, true},
-       text_column("provenance", "Provision"),
-       text_column("basis", "Basis")},
-      {}};
+  Table table{"standards",
+              std::string("Displacements prescribed by standards beside the computed slip. ") +
+                  in_plan(results),
+              {text_column("run", "Run"),
+               text_column("standard", "Standard"),
+               {"sds", "g", "S_DS, g"},
+               {"prescribed", "m", "Prescribed, m (in)", ColumnKind::length},
+               {"median_slip", "m", "Median, m (in)", ColumnKind::length},
+               {"p84_slip", "m", "84th, m (in)", ColumnKind::length},
+               {"p95_slip", "m", "95th, m (in)", ColumnKind::length},
+               {"mean_slip", "m", "Mean, m (in)", ColumnKind::length},
+               {"exceedance_share", "", "Slip > prescribed [95 %]", ColumnKind::share, true},
+               text_column("provenance", "Provision"),
+               text_column("basis", "Basis")},
+              {}};
   for (const RunResults& run : results.runs) {
     for (const StandardComparison& comparison : run.standards) {
       const SlipStatistics* found = slip_at(run, comparison.sds_g);
