@@ -130,8 +130,11 @@ void init(InitOptions o) {
   check_output_file(o.file, "file", o.overwrite);
   const ExampleFile file = o.is_project() ? project_file(o) : study_file(o);
   write_checked(o, (o.is_project() ? "" : study_head) + file.text());
-  fmt::print("File    {}\nValues of the example, not yours yet:\n{}Next    glissade {} {}\n",
-             o.file, file.of_example(), o.is_project() ? "clearance" : "check", o.file);
+  fmt::print("File    {}\nValues of the example, not yours yet:\n{}", o.file, file.of_example());
+  if (!o.is_project() && !o.has_site())
+    fmt::print("  intensity.target: none; {} needs a [target], or give --ss-g and its site\n",
+               o.suite.empty() ? "the suite" : o.suite);
+  fmt::print("Next    glissade {} {}\n", o.is_project() ? "clearance" : "check", o.file);
 }
 
 }  // namespace

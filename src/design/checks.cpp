@@ -9,6 +9,7 @@
 
 #include "glissade/core/contract.hpp"
 #include "glissade/core/units.hpp"
+#include "glissade/sampling/pull_test.hpp"
 
 namespace glissade {
 namespace {
@@ -75,8 +76,23 @@ std::vector<std::string> improbable_values(const ProjectBuilding& building) {
   return texts;
 }
 
-/// What the project states that makes the result smaller, or that is improbable.
-std::vector<std::string> choices_of(const Project& project, const DesignClearance& design) {
+/// Of pull tests: a direction that is not the least favourable, and values to check.
+std::vector<std::string> choices_of(const ProjectFriction& friction) {
+  std::vector<std::string> texts;
+  for (const DirectionFriction& d : friction.tested) {
+    if (d.sliding.mean_minus_2_std < friction.design())
+      texts.push_back(fmt::format(
+          "friction.direction = \"{}\" has the design friction {:.3f}, direction {} only {:.3f}: "
+          "the array slides in both",
+          friction.direction, friction.design(), d.direction, d.sliding.mean_minus_2_std));
+    for (const std::string& note : outliers_in(d)) texts.push_back("pull tests " + note);
+  }
+  return texts;
+}
+
+}  // namespace
+
+std::vector<std::string> choices_of(const Project& project) {
   std::vector<std::string> texts;
   const auto add = [&](bool met, const std::string& text) {
     if (met) texts.push_back(text);
@@ -91,7 +107,9 @@ std::vector<std::string> choices_of(const Project& project, const DesignClearanc
   add(project.importance < importance_factor(project.site.risk),
       fmt::format("the importance factor {:g} is below that of risk category {}",
                   project.importance, to_string(project.site.risk)));
-  if (const std::string not_met = of_standard(project, design).not_met(); !not_met.empty())
+  const auto prescribed = prescribed_values(project, site_values(project.site));
+  const auto standard = std::ranges::find(prescribed, project.standard, &PrescribedValue::standard);
+  if (const std::string not_met = standard->not_met(); !not_met.empty())
     texts.push_back(
         fmt::format("conditions of the standard are not met or not stated ({}): an unanchored "
                     "array then requires the approval of the authority",
@@ -104,12 +122,12 @@ std::vector<std::string> choices_of(const Project& project, const DesignClearanc
   for (std::string& text : improbable_values(project.building)) texts.push_back(std::move(text));
   add(project.friction.std == 0.0,
       "the friction has no scatter (std 0): its design value is the mean");
-  add(project.friction.design() > 1.0,
-      fmt::format("a friction of {:.3g} is improbable", project.friction.design()));
+  add(project.friction.mean > most_probable_friction,
+      fmt::format("a mean friction of {:.3g} is above {:g}: no roof is known for it",
+                  project.friction.mean, most_probable_friction));
+  for (std::string& text : choices_of(project.friction)) texts.push_back(std::move(text));
   return texts;
 }
-
-}  // namespace
 
 const PrescribedValue& of_standard(const Project& project, const DesignClearance& design) {
   const auto value =
@@ -155,11 +173,12 @@ std::vector<DesignCheck> checks_of(const Project& project, const Results& demand
       {"histories without a finite displacement", finite ? "none" : "some", "none", finite});
   const ProjectFriction& mu = project.friction;
   if (mu.lower_bound) {
-    checks.push_back({"design friction", fmt::format("{:.3f}", mu.design()),
-                      fmt::format("not above {:.3f}, which this number of tests supports with 95 % "
-                                  "confidence",
-                                  *mu.lower_bound),
-                      mu.design() <= *mu.lower_bound});
+    // A note: mean - 2 std is above it for any number of tests.
+    checks.push_back(
+        {"design friction, mean - 2 std (Walters et al. 2012)",
+         fmt::format("{:.3f}; this number of tests supports {:.3f} with 95 % confidence",
+                     mu.design(), *mu.lower_bound),
+         "number of tests stated", true});
   } else {
     checks.push_back({"tests behind the friction", "number not stated",
                       "stated (friction.tests), so that the friction that they support with 95 % "
@@ -171,7 +190,7 @@ std::vector<DesignCheck> checks_of(const Project& project, const Results& demand
 
 std::vector<std::string> warnings_on(const Project& project, const Results& demand,
                                      const DesignClearance& design) {
-  std::vector<std::string> warnings = choices_of(project, design);
+  std::vector<std::string> warnings = choices_of(project);
   warnings.insert(warnings.end(), demand.warnings.begin(), demand.warnings.end());
   for (const DesignCheck& check : design.checks) {
     if (!check.is_met)

@@ -26,19 +26,35 @@ std::string friction_text(const Project& project) {
   return fmt::format("{:.3f}", project.friction.design());
 }
 
+/// Both standards have them.
+std::vector<CodeCondition> building_conditions(const Project& project) {
+  CodeCondition low{"six storeys or fewer", "not stated", std::nullopt, Provenance::recalled};
+  if (const auto storeys = project.building.storeys) {
+    low.is_met = *storeys <= 6.0;
+    low.found = fmt::format("{:g}", *storeys);
+  }
+  return {condition("risk category I, II or III", to_string(project.site.risk),
+                    project.site.risk != RiskCategory::iv, Provenance::recalled),
+          low};
+}
+
 PrescribedValue seaoc(const Project& project, const SiteValues& site) {
   const double steepest = project.slope_deg.back();
-  return {
+  // Slope and friction as Walters et al. (2012) quote them, which is not the standard itself.
+  PrescribedValue value{
       .standard = Standard::seaoc_pv1_2012,
       .prescribed = seaoc_pv1_2012_displacement(site.sds_g, site.category),
       .conditions = {condition(fmt::format("roof slope below {:g} degrees", seaoc_slope_limit_deg),
                                steepest_text(project), steepest < seaoc_slope_limit_deg,
-                               Provenance::checked),
+                               Provenance::recalled),
                      condition(fmt::format("coefficient of friction above {:g}", seaoc_mu_limit),
                                friction_text(project), project.friction.design() > seaoc_mu_limit,
-                               Provenance::checked)},
+                               Provenance::recalled)},
       .floor_share = 0.5,
       .floor_basis = "half of the prescribed value, unless the analysis is peer reviewed"};
+  const std::vector<CodeCondition> of_building = building_conditions(project);
+  value.conditions.insert(value.conditions.end(), of_building.begin(), of_building.end());
+  return value;
 }
 
 PrescribedValue asce7_16(const Project& project, const SiteValues& site) {
@@ -51,16 +67,11 @@ PrescribedValue asce7_16(const Project& project, const SiteValues& site) {
                      condition(
                          fmt::format("coefficient of friction of {:g} or more", asce7_16_mu_limit),
                          friction_text(project), project.friction.design() >= asce7_16_mu_limit,
-                         Provenance::recalled),
-                     condition("risk category I, II or III", to_string(project.site.risk),
-                               project.site.risk != RiskCategory::iv, Provenance::recalled),
-                     {"six storeys or fewer", "not stated", std::nullopt, Provenance::recalled}},
+                         Provenance::recalled)},
       .floor_share = 0.8,
       .floor_basis = "80 % of the prescribed value, unless the analysis is peer reviewed"};
-  if (const auto storeys = project.building.storeys) {
-    value.conditions.back().is_met = *storeys <= 6.0;
-    value.conditions.back().found = fmt::format("{:g}", *storeys);
-  }
+  const std::vector<CodeCondition> of_building = building_conditions(project);
+  value.conditions.insert(value.conditions.end(), of_building.begin(), of_building.end());
   return value;
 }
 

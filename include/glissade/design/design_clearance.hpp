@@ -118,6 +118,10 @@ const PrescribedValue& of_standard(const Project& project, const DesignClearance
 /// checks that are not met.
 std::vector<std::string> reservations_on(const Project& project, const DesignClearance& design);
 
+/// What the project states that makes the result smaller, or that is improbable: warnings that need
+/// no analysis.
+std::vector<std::string> choices_of(const Project& project);
+
 /// The frictions of the demand study, with what each is, increasing.
 struct StudiedFriction {
   double value = 0.0;

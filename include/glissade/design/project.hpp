@@ -7,7 +7,9 @@
 #include <vector>
 
 #include "glissade/core/units.hpp"
+#include "glissade/fragility/hazard.hpp"
 #include "glissade/motion/design_spectrum.hpp"
+#include "glissade/sampling/friction_statistics.hpp"
 #include "glissade/standards/code_values.hpp"
 #include "glissade/study/config.hpp"
 
@@ -38,6 +40,8 @@ struct ProjectFriction {
   std::optional<double> lower_bound;  ///< 95 % confidence bound of MuStatistics; none: the number
                                       ///< of tests is not known
   std::string source;                 ///< "7 pull tests in pulls.csv (SHA-256 ...)"
+  std::vector<DirectionFriction> tested;  ///< of pull tests, each direction; empty: mean, std given
+  std::string direction;                  ///< the one of them that is taken
 
   /// mean - 2 std (Walters et al. 2012), not below 0.
   double design() const;
@@ -53,7 +57,8 @@ struct ProjectSeparation {
 /// How often the site has shaking of each S_DS. Of `curve`, a file relative to the project's, or
 /// k0 x^-k.
 struct ProjectHazard {
-  std::string curve;
+  std::string curve, sha256;
+  std::vector<HazardPoint> points;
   double k0 = 0.0, k = 0.0;
   double design_life_years = 0.0;
 };
@@ -67,7 +72,8 @@ struct Project {
   ProjectBuilding building;
   std::vector<double> slope_deg;  ///< increasing, >= 0
   ProjectFriction friction;
-  std::string spectrum_file;    ///< of a target by points, relative to the project file
+  std::string spectrum_file;  ///< of a target by points, relative to the project file
+  std::string spectrum_sha256;
   std::filesystem::path suite;  ///< suite file
   std::uint64_t samples = 128, seed = 1;
   std::optional<ProjectHazard> hazard;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -58,7 +59,7 @@ void print_prescribed(const std::vector<PrescribedValue>& prescribed) {
     fmt::print(
         "{:<16}{}\n", standard_name(value.standard),
         wrapped(fmt::format("prescribes {}; {}", format_length(value.prescribed.value_m),
-                            value.may_be_used() ? "its conditions are met"
+                            value.may_be_used() ? "the conditions known here (recalled) are met"
                                                 : "not met or not stated: " + value.not_met()),
                 terminal_width, 16));
   }
@@ -87,9 +88,11 @@ void check_project(const fs::path& file, const fs::path& out) {
   print_prescribed(prescribed);
   print_plan("demand", demand);
   print_plan("probability", probability);
-  std::vector<std::string> warnings = demand.warnings;
-  for (const std::string& warning : probability.warnings) {
-    if (std::ranges::find(warnings, warning) == warnings.end()) warnings.push_back(warning);
+  std::vector<std::string> warnings = choices_of(project);
+  for (const Plan* plan : {&demand, &probability}) {
+    for (const std::string& warning : plan->warnings) {
+      if (std::ranges::find(warnings, warning) == warnings.end()) warnings.push_back(warning);
+    }
   }
   for (const std::string& warning : warnings)
     fmt::print("{}\n", wrapped("WARNING: " + warning, terminal_width, 2));

@@ -14,6 +14,7 @@
 #include "glissade/design/design_clearance.hpp"
 #include "glissade/io/pull_test_file.hpp"
 #include "glissade/io/sha256.hpp"
+#include "glissade/motion/improbable.hpp"
 #include "glissade/sampling/friction_statistics.hpp"
 #include "project/project_keys.hpp"
 #include "study/hazard_table.hpp"
@@ -84,7 +85,6 @@ TitleBlock read_title(const TomlTable& table, Project& project) {
 
 /// Maps give them in percent of g.
 void check_accelerations(const TomlTable& table) {
-  constexpr double most_possible_g = 10.0;
   for (const char* key : {"ss_g", "s1_g", "sds_g", "sd1_g"}) {
     const double value = table.number(key).value_or(0.0);
     if (value > most_possible_g)
@@ -112,6 +112,8 @@ void read_site(const TomlTable& table, Project& project) {
   project.site.states_tl = has("tl_s");
   check_accelerations(table);
   if (table.problem_count() > before) return;
+  if (has("spectrum"))
+    project.spectrum_sha256 = sha256_of_file(project.file.parent_path() / project.spectrum_file);
   try {
     static_cast<void>(TargetSpectrum(project.site.target));
   } catch (const InputError& error) {
@@ -144,7 +146,7 @@ void periods_of_system(const TomlTable& table, ProjectBuilding& building) {
   }
   building.period_s.erase(std::ranges::unique(building.period_s).begin(), building.period_s.end());
   building.period_basis = fmt::format(
-      "T_a = C_t h^x = {:g} ({:.4g} ft)^{:g} = {:.3f} s, {} (ASCE 7-16, 12.8-7{}); {:g} to {:g} "
+      "T_a = C_t h^x = {:g} ({:.4g} ft)^{:g} = {:.3f} s, {} (ASCE 7, 12.8-7{}); {:g} to {:g} "
       "times "
       "that",
       system->ct, height_m / foot_m, system->exponent, period_s, system->text,
@@ -186,16 +188,19 @@ std::vector<double> read_slopes(const TomlTable& table) {
   return slopes;
 }
 
-/// Sliding friction in the direction of the project; null where there is none, which is reported.
-const MuStatistics* tested_friction(const TomlTable& table, const PullTestSummary& summary) {
+double design_of(const DirectionFriction& d) { return d.sliding.mean_minus_2_std; }
+
+/// In the direction of the project, or the one with the lowest design value, as the array slides
+/// in all; null where there is none, which is reported.
+const DirectionFriction* tested_friction(const TomlTable& table, const PullTestSummary& summary) {
   const auto& directions = summary.directions;
+  if (!table.has("direction")) return &*std::ranges::min_element(directions, {}, design_of);
   const std::string name = table.text("direction").value_or("");
-  if (name.empty() && directions.size() == 1) return &directions.front().sliding;
   const auto at = std::ranges::find(directions, name, &DirectionFriction::direction);
-  if (at != directions.end()) return &at->sliding;
+  if (at != directions.end()) return &*at;
   std::string known;
   for (const DirectionFriction& d : directions) known += (known.empty() ? "" : ", ") + d.direction;
-  table.report("direction", "the pull tests have several directions, or not the one given",
+  table.report("direction", "the pull tests do not have the direction given",
                "give friction.direction as one of: " + known);
   return nullptr;
 }
@@ -209,9 +214,11 @@ void take_tests(const TomlTable& table, const fs::path& folder, ProjectFriction&
   }
   try {
     const PullTestResults results = read_pull_test_results(folder / name, SlidingRule{});
-    const MuStatistics* found = tested_friction(table, results.summary);
+    const DirectionFriction* found = tested_friction(table, results.summary);
     if (found == nullptr) return;
-    const MuStatistics& statistics = *found;
+    const MuStatistics& statistics = found->sliding;
+    friction.tested = results.summary.directions;
+    friction.direction = found->direction;
     if (statistics.tests < 2) {
       table.report("file", "one pull test gives no standard deviation", "test more");
       return;
@@ -219,8 +226,8 @@ void take_tests(const TomlTable& table, const fs::path& folder, ProjectFriction&
     friction.mean = statistics.mean;
     friction.std = statistics.std;
     friction.lower_bound = statistics.lower_bound_95;
-    friction.source = fmt::format("{} pull tests, {} (SHA-256 {})", statistics.tests, name,
-                                  sha256_of_file(folder / name));
+    friction.source = fmt::format("{} pull tests, direction {}, {} (SHA-256 {})", statistics.tests,
+                                  found->direction, name, sha256_of_file(folder / name));
   } catch (const InputError& error) {
     table.report("file", error);
   }
@@ -252,9 +259,13 @@ std::optional<ProjectHazard> read_project_hazard(const TomlTable& table, const f
   if (!is_given) return std::nullopt;
   const auto config = read_hazard(table, IntensityMeasure::sds_g.key(), folder);
   if (!config) return std::nullopt;
-  return ProjectHazard{table.text("curve").value_or(""),
+  const std::string curve = table.text("curve").value_or("");
+  return ProjectHazard{curve,
+                       curve.empty() ? "" : sha256_of_file(folder / curve),
+                       config->curve.points(),
                        table.number("k0", above_zero).value_or(0.0),
-                       table.number("k", above_zero).value_or(0.0), config->design_life_years};
+                       table.number("k", above_zero).value_or(0.0),
+                       config->design_life_years};
 }
 
 void read_rest(const TomlTable& root, Project& project) {
@@ -288,6 +299,16 @@ void read_rest(const TomlTable& root, Project& project) {
                            .value_or(project.units == UnitSystem::si ? 0.01 : 0.5 * inch_m);
 }
 
+/// Of the direction that is taken: what may be the reason of a low design value.
+std::string outliers_of(const ProjectFriction& mu) {
+  std::string text;
+  for (const DirectionFriction& d : mu.tested) {
+    if (d.direction != mu.direction) continue;
+    for (const std::string& note : outliers_in(d)) text += "; " + note;
+  }
+  return text;
+}
+
 /// What no analysis can answer.
 void check_project(const TomlTable& root, const Project& project) {
   const double tangent = std::tan(project.slope_deg.back() * rad_per_deg);
@@ -296,8 +317,8 @@ void check_project(const TomlTable& root, const Project& project) {
     root.report(
         "friction",
         fmt::format("the design friction, mean - 2 std = {:.3g} - 2 x {:.3g} = {:.3g}, is not "
-                    "above tan(slope) = {:.3g}: the array slides without an earthquake",
-                    mu.mean, mu.std, mu.mean - 2.0 * mu.std, tangent),
+                    "above tan(slope) = {:.3g}: the array slides without an earthquake{}",
+                    mu.mean, mu.std, mu.mean - 2.0 * mu.std, tangent, outliers_of(mu)),
         "anchor the array, or state a higher friction or a flatter roof");
 }
 

@@ -75,7 +75,9 @@ std::optional<HazardConfig> read_hazard(const TomlTable& table, const std::strin
     if (k0 > 0.0 && k > 0.0) curve = HazardCurve::power_law(k0, k);
     source = fmt::format("{:g} x^-{:g}", k0, k);
   }
-  const double years = table.required_number("design_life_years", above_zero);
+  if (!table.has("design_life_years"))
+    table.report_missing("design_life_years", "for example: design_life_years = 25");
+  const double years = table.number("design_life_years", above_zero).value_or(0.0);
   if (!curve || !(years > 0.0)) return std::nullopt;
   return HazardConfig{*curve, source, years, {}};
 }

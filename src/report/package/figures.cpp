@@ -25,7 +25,6 @@ Figure demand_figure(const CalculationPackage& package) {
   for (const Line& line :
        {Line{&PeriodDemand::largest_m, Role::largest, "largest record, any orientation"},
         Line{&PeriodDemand::p95_m, Role::p95, "95th percentile"},
-        Line{&PeriodDemand::p84_m, Role::p84, "84th percentile"},
         Line{&PeriodDemand::mean_m, Role::median, "mean"}}) {
     DataSeries series{DataSeries::Kind::line_and_points, look(line.role), line.label, line.label};
     for (const PeriodDemand& d : design.demand) {
@@ -44,14 +43,15 @@ Figure demand_figure(const CalculationPackage& package) {
   governing.width = 3.0;
   panel.rules.push_back({Rule::Kind::horizontal, design.governing_m, governing,
                          "governing displacement: " + length_in_both(design.governing_m)});
-  return {"demand",
-          "Displacement at DBE over the building's period",
-          fmt::format("S_DS = {:.3f} g; friction {:.3g}; slope {:.3g} degrees; {} records",
-                      design.site.sds_g, package.project.friction.design(), design.slope_deg,
-                      package.demand.records.size()),
-          "Mean and percentiles: all records have the orientation that is least favourable at the "
-          "period.",
-          {panel}};
+  return {
+      "demand",
+      "Displacement at DBE over the building's period",
+      fmt::format("S_DS = {:.3f} g; friction {:.3g}; slope {:.3g} degrees; {} records",
+                  design.site.sds_g, package.project.friction.design(), design.slope_deg,
+                  package.demand.records.size()),
+      "Mean and 95th percentile: all records have the orientation that is least favourable at the "
+      "period.",
+      {panel}};
 }
 
 }  // namespace

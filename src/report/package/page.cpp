@@ -22,7 +22,7 @@ constexpr Markup letter = "@page { size: letter; }";
 constexpr Markup a4 = "@page { size: A4; }";
 constexpr Markup style = R"(
 @page { margin: 20mm 17mm 18mm; @bottom-left { content: "Seismic displacement of an unanchored solar array"; font: 9pt Arial, sans-serif; } }
-h2 { counter-increment: section; } h2::before { content: counter(section) ". "; }
+h2 { counter-increment: section; break-after: avoid; } h2::before { content: counter(section) ". "; }
 .contents { columns: 20em 2; } .contents a { color: inherit; text-decoration: none; }
 .equation { font-family: "Times New Roman", serif; font-size: 1.15em; margin: .4em 0 .4em 2em; }
 caption { font-weight: bold; color: #222; } .note { font-weight: normal; }
@@ -96,11 +96,12 @@ Html result_html(const CalculationPackage& package) {
           length_in_both(design.analysis_m), design.period_s,
           length_in_both(design.median_analysis_m))};
   const PrescribedValue& standard = of_standard(package.project, design);
-  answers.push_back(fmt::format(
-      "The full value that {} prescribes is {}: {}.", standard_name(standard.standard),
-      length_in_both(standard.prescribed.value_m),
-      standard.may_be_used() ? "all conditions of its use are met"
-                             : "not met or not stated for its use are: " + standard.not_met()));
+  answers.push_back(
+      fmt::format("The full value that {} prescribes is {}: {}.", standard_name(standard.standard),
+                  length_in_both(standard.prescribed.value_m),
+                  standard.may_be_used()
+                      ? "those conditions of its use that are known here (recalled: verify) are met"
+                      : "not met or not stated for its use are: " + standard.not_met()));
   if (!standard.may_be_used())
     answers.push_back(
         "Outside these conditions an unanchored array requires the approval of the authority.");
@@ -113,8 +114,28 @@ Html result_html(const CalculationPackage& package) {
         format_share(e.interval.high), e.period_s));
   }
   answers.push_back(hazard_sentence(package));
+  // Beside the table, which scrolls on a narrow screen.
+  Table separations = separations_table(package);
+  Html reservations;
+  for (const std::string& note : separations.notes) reservations += paragraph(note);
+  separations.notes.clear();
   return section_heading(0) + "<div class=\"answer\">\n" + list(answers) + "</div>\n" +
-         page_table(separations_table(package));
+         page_table(separations) + reservations;
+}
+
+/// What the project gives by points.
+std::vector<Table> given_curves(const Project& project) {
+  std::vector<Table> tables;
+  if (!project.site.target.period_s.empty()) tables.push_back(spectrum_table(project));
+  if (project.hazard && !project.hazard->curve.empty())
+    tables.push_back(hazard_curve_table(*project.hazard));
+  return tables;
+}
+
+Html given_curves_html(const Project& project) {
+  Html html;
+  for (const Table& table : given_curves(project)) html += page_table(table);
+  return html;
 }
 
 Html motions_html(const CalculationPackage& package, const std::vector<DrawnFigure>& figures) {
@@ -258,11 +279,12 @@ Html records_html(const CalculationPackage& package) {
 
 void write_package(const CalculationPackage& package, const std::filesystem::path& out_dir) {
   const LengthUnits units(package.project.units);
-  const std::vector<Table> tables{
+  std::vector<Table> tables{
       title_table(package.project), inputs_table(package),      site_table(package),
       motions_table(package),       files_table(package),       demand_table(package),
       prescribed_table(package),    separations_table(package), sensitivity_table(package),
       exceedance_table(package),    checks_table(package)};
+  for (Table& table : given_curves(package.project)) tables.push_back(std::move(table));
   write_tables(tables, out_dir);
   const std::vector<DrawnFigure> figures = draw(package_figures(package), out_dir);
   const bool has_demand_figure = figures.size() > 2;
@@ -275,8 +297,8 @@ void write_package(const CalculationPackage& package, const std::filesystem::pat
           "of its required separations") +
       page_table(title_table(package.project)) + warnings_html(package) + contents_html() +
       result_html(package) + section_heading(1) + page_table(inputs_table(package)) +
-      motions_html(package, figures) + model_html() + section_heading(4) +
-      page_table(demand_table(package)) +
+      given_curves_html(package.project) + motions_html(package, figures) + model_html() +
+      section_heading(4) + page_table(demand_table(package)) +
       (has_demand_figure ? figure_html(figures.at(1), 2) : Html()) + required_html(package) +
       section_heading(6) + page_table(sensitivity_table(package)) + section_heading(7) +
       page_table(exceedance_table(package)) + figure_html(figures.back(), figures.size()) +

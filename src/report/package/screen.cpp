@@ -39,8 +39,8 @@ std::string demand_lines(const CalculationPackage& package) {
       "\nDisplacement at DBE, least favourable orientation\n{:>10}{:>12}{:>12}{:>12}{:>12}\n",
       "period, s", "mean", "84th", "95th", "largest");
   for (const PeriodDemand& d : package.design.demand) {
-    text += fmt::format("{:>10.3g}{:>12}{:>12}{:>12}{:>12}\n", d.period_s, length_in(d.mean_m),
-                        length_in(d.p84_m), length_in(d.p95_m), length_in(d.largest_m));
+    text += fmt::format("{:>10.3g}{:>12}{:>12}{:>12}{:>12}\n", d.period_s, slip_in(d.mean_m),
+                        slip_in(d.p84_m), slip_in(d.p95_m), slip_in(d.largest_m));
   }
   return text;
 }
@@ -51,9 +51,10 @@ std::string governing_lines(const CalculationPackage& package) {
                                                          design.of_largest ? "record" : "mean",
                                                          length_in_both(design.analysis_m)));
   for (const PrescribedValue& value : design.prescribed) {
-    text += fmt::format("{:<15}prescribes {}; conditions {}\n", standard_name(value.standard),
+    text += fmt::format("{:<15}prescribes {}; {}\n", standard_name(value.standard),
                         length_in_both(value.prescribed.value_m),
-                        value.may_be_used() ? "met" : "NOT met or not stated:");
+                        value.may_be_used() ? "conditions known here (recalled) met"
+                                            : "conditions NOT met or not stated:");
     if (!value.may_be_used())
       text += std::string(15, ' ') + wrapped(value.not_met(), terminal_width, 15) + "\n";
   }
@@ -67,11 +68,14 @@ std::string separation_lines(const CalculationPackage& package) {
   for (const ProjectSeparation& s : package.design.separations) {
     std::string verdict;
     if (s.available_m) {
-      verdict = fmt::format("  available {}{}", length_in(*s.available_m),
+      verdict = fmt::format("available {}{}", length_in(*s.available_m),
                             *s.available_m < s.required.value_m ? ": NOT SUFFICIENT" : "");
     }
-    text += fmt::format("  {:.1f} x  {:>10}  {}{}\n", s.required.factor,
-                        length_in(s.required.value_m), s.required.what, verdict);
+    const std::string required = fmt::format("  {:.1f} x  {:>10}  {}", s.required.factor,
+                                             length_in(s.required.value_m), s.required.what);
+    const bool fits = required.size() + 2 + verdict.size() <= terminal_width;
+    text += required +
+            (verdict.empty() ? "" : (fits ? "  " : "\n" + std::string(21, ' ')) + verdict) + "\n";
   }
   if (!reservations_on(package.project, package.design).empty())
     text += "  with reservation: conditions or checks are not met, see the warnings\n";

@@ -2,6 +2,7 @@
 #include "package/tables.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cctype>
@@ -26,7 +27,15 @@ std::string provenance_mark(Provenance provenance) {
 
 /// "asce7_16" as people write it.
 std::string edition_text(AsceEdition edition) {
-  return edition == AsceEdition::asce7_10 ? "ASCE 7-10" : "ASCE 7-16";
+  switch (edition) {
+    case AsceEdition::asce7_10:
+      return "ASCE 7-10";
+    case AsceEdition::asce7_16:
+      return "ASCE 7-16";
+    case AsceEdition::asce7_22:
+      break;
+  }
+  return "ASCE 7-22";
 }
 
 std::string target_text(const Project& project) {
@@ -110,7 +119,9 @@ std::string hazard_sentence(const CalculationPackage& package) {
   const double rate = run.thresholds.front().annual_rate;
   const LifeDisplacement& sum = run.life.at(static_cast<std::size_t>(LifeQuantity::accumulated));
   const auto length = [](double length_m) {
-    return std::isfinite(length_m) ? length_in_both(length_m) : "beyond the levels of the study";
+    return length_m == 0.0           ? "none"
+           : std::isfinite(length_m) ? length_in_both(length_m)
+                                     : "beyond the levels of the study";
   };
   return fmt::format(
       "With the hazard curve {}, at the period with the largest rate: the governing displacement "
@@ -149,14 +160,22 @@ Table inputs_table(const CalculationPackage& package) {
   if (p.building.storeys) add("Storeys", fmt::format("{:g}", *p.building.storeys), "project file");
   add("Damping of the building", fmt::format("{:g} %", 100.0 * p.building.damping), "project file");
   add("Mass of array over building", range_text(p.building.mass_ratio, ""), "project file");
+  std::vector<double> rises;
+  for (const double slope_deg : p.slope_deg)
+    rises.push_back(12.0 * std::tan(slope_deg * rad_per_deg));
   add("Roof slope",
-      range_text(p.slope_deg, " degrees") +
-          fmt::format(" (rise in 12: {:.3g})", 12.0 * std::tan(p.slope_deg.back() * rad_per_deg)),
+      fmt::format("{} (rise in 12: {})", range_text(p.slope_deg, " degrees"),
+                  range_text(rises, "")),
       "project file");
   add("Coefficient of friction, mean", fmt::format("{:.3f}", p.friction.mean), p.friction.source);
   add("its standard deviation", fmt::format("{:.3f}", p.friction.std), p.friction.source);
   add("its design value", fmt::format("{:.3f}", p.friction.design()),
       "mean - 2 std (Walters et al. 2012)");
+  for (const DirectionFriction& d : p.friction.tested)
+    add(d.direction == p.friction.direction ? "Pull tests, taken" : "Pull tests",
+        fmt::format("{}: mean {:.3f}, std {:.3f}, mean - 2 std {:.3f}", d.direction, d.sliding.mean,
+                    d.sliding.std, d.sliding.mean_minus_2_std),
+        fmt::format("each test, as in the file: {:.3f}", fmt::join(d.sliding_mu, ", ")));
   if (p.friction.lower_bound)
     add("its lower bound", fmt::format("{:.3f}", *p.friction.lower_bound),
         "with 95 % confidence, 97.7 % of pulls have more (normal friction, this number of tests)");
@@ -174,14 +193,21 @@ Table site_table(const CalculationPackage& package) {
               {text_column("quantity", "Quantity"), text_column("value", "Value"),
                text_column("basis", "Basis")},
               {}};
-  const auto add = [&](const char* quantity, const std::string& value, const char* basis) {
-    table.add({std::string(quantity), value, std::string(basis)});
+  const auto add = [&](const char* quantity, const std::string& value, const std::string& basis) {
+    table.add({std::string(quantity), value, basis});
   };
-  if (site.fa > 0.0) {
-    add("F_a", fmt::format("{:.3f}", site.fa), "ASCE 7, table 11.4-1");
-    add("F_v", fmt::format("{:.3f}", site.fv), "ASCE 7, table 11.4-2");
-  }
   const DesignTarget& target = package.project.site.target;
+  if (site.fa > 0.0) {
+    const std::string edition = edition_text(target.edition);
+    const bool is_default = target.site_classes == std::vector{SiteClass::unknown};
+    add("F_a", fmt::format("{:.3f}", site.fa),
+        edition + ", table 11.4-1" +
+            (!is_default                               ? ""
+             : target.edition == AsceEdition::asce7_16 ? ", class D, and 1.2 or more"
+                                                       : ", class D"));
+    add("F_v", fmt::format("{:.3f}", site.fv),
+        edition + ", table 11.4-2" + (is_default ? ", class D" : ""));
+  }
   const bool points = !target.period_s.empty();
   add("S_MS", fmt::format("{:.3f} g", site.sms_g()), target.is_mapped() ? "F_a S_S" : "1.5 S_DS");
   add("S_M1", fmt::format("{:.3f} g", site.sm1_g()), target.is_mapped() ? "F_v S_1" : "1.5 S_D1");
@@ -201,14 +227,45 @@ Table site_table(const CalculationPackage& package) {
   return table;
 }
 
+Table spectrum_table(const Project& project) {
+  const DesignTarget& target = project.site.target;
+  Table table{"spectrum",
+              fmt::format("Target spectrum as given, {} (SHA-256 {})", project.spectrum_file,
+                          project.spectrum_sha256),
+              {text_column("period", "Period, s"), text_column("design", "Design S_a, g"),
+               text_column("mce", "MCE_R S_a, g")},
+              {}};
+  for (std::size_t i = 0; i < target.period_s.size(); ++i)
+    table.add({fmt::format("{:g}", target.period_s[i]),
+               fmt::format("{:.4g}", target.design_sa_g[i]),
+               fmt::format("{:.4g}", mce_over_dbe * target.design_sa_g[i])});
+  table.notes.push_back(
+      "A site-specific design spectrum is nowhere below 80 % of that of the site class (ASCE 7-16, "
+      "21.3, recalled: verify): not checked here.");
+  return table;
+}
+
+Table hazard_curve_table(const ProjectHazard& hazard) {
+  Table table{"hazard_curve",
+              fmt::format("Hazard curve of the site as given, {} (SHA-256 {})", hazard.curve,
+                          hazard.sha256),
+              {text_column("sds", "S_DS, g"), text_column("rate", "Annual rate")},
+              {}};
+  for (const HazardPoint& point : hazard.points)
+    table.add({fmt::format("{:.4g}", point.intensity), fmt::format("{:.4g}", point.annual_rate)});
+  return table;
+}
+
 /// "730" of a component "walters/gukasian_RSN730/RSN730_SPITAK_GUK000.AT2": the record sequence
-/// number of NGA-West2; "-" where the files do not have one in their names.
+/// number of NGA-West2; else that of the id "rsn730", else "-".
 std::string rsn_of(const std::vector<ComponentFile>& files, const std::string& record) {
   for (const ComponentFile& f : files) {
     const std::string name = std::filesystem::path(f.file).filename().string();
     if (f.record != record || !name.starts_with("RSN")) continue;
     return name.substr(3, name.find_first_not_of("0123456789", 3) - 3);
   }
+  if (record.starts_with("rsn") && record.find_first_not_of("0123456789", 3) == std::string::npos)
+    return record.substr(3);
   return "-";
 }
 
@@ -247,11 +304,11 @@ Table scaled_motions_table(const CalculationPackage& package) {
     table.add(
         {r.id, fmt::format("{:.3f}", r.pga_g),
          in_inches() ? fmt::format("{:.1f}", r.pgv_mps / inch_m) : fmt::format("{:.3f}", r.pgv_mps),
-         fmt::format("{:g}", r.dt_s),
+         fmt::format("{:.3g}", r.dt_s),
          fmt::format("{:.0f}", r.dt_s * static_cast<double>(r.samples - 1)),
          fmt::format("{:.1f}", r.duration_s), fmt::format("{:.3g}", r.suite_scale),
          fmt::format("{:.3f}", r.factor_at_unit_level * package.design.site.sds_g),
-         length_in(displacement_of(package, i))});
+         slip_in(displacement_of(package, i))});
   }
   table.notes.push_back(
       "PGA and PGV: geometric mean of both horizontal components, as recorded. D5-95: from 5 % to "
@@ -285,8 +342,8 @@ Table demand_table(const CalculationPackage& package) {
                text_column("orientation", "Least favourable orientation")},
               {}};
   for (const PeriodDemand& d : package.design.demand) {
-    table.add({fmt::format("{:.3g} s", d.period_s), length_in(d.mean_m), length_in(d.p84_m),
-               length_in(d.p95_m), length_in(d.largest_m), length_in(d.median_orientation_m),
+    table.add({fmt::format("{:.3g} s", d.period_s), slip_in(d.mean_m), slip_in(d.p84_m),
+               slip_in(d.p95_m), slip_in(d.largest_m), slip_in(d.median_orientation_m),
                d.orientation});
   }
   table.notes.push_back(
@@ -318,7 +375,10 @@ Table prescribed_table(const CalculationPackage& package) {
                    " (recalled)",
                value.prescribed.basis});
   }
-  table.notes.push_back("(recalled): from memory of the standard. Verify against the standard.");
+  table.notes.push_back(
+      "(recalled): from memory of the standard. Verify against the standard: it may have "
+      "conditions "
+      "that are not listed here.");
   return table;
 }
 
@@ -329,7 +389,7 @@ Table separations_table(const CalculationPackage& package) {
       fmt::format("Required separations: parts of the governing displacement, {}, rounded up",
                   length_in_both(package.design.governing_m)),
       {text_column("separation", "Separation"), text_column("factor", "Factor"),
-       text_column("required", "Required"), text_column("required_ft", "Required"),
+       text_column("required", "Required"), text_column("required_ft", "Required, ft"),
        text_column("prescribed", fmt::format("By the full prescribed value, {}, {}",
                                              standard_name(package.project.standard),
                                              length_in(prescribed.value_m))),

@@ -11,6 +11,9 @@ namespace glissade {
 
 Table title_table(const Project& project);
 Table inputs_table(const CalculationPackage& package);
+/// What the project gives by points: a target spectrum, a hazard curve.
+Table spectrum_table(const Project& project);
+Table hazard_curve_table(const ProjectHazard& hazard);
 Table site_table(const CalculationPackage& package);
 Table motions_table(const CalculationPackage& package);
 Table scaled_motions_table(const CalculationPackage& package);

@@ -20,6 +20,11 @@ inline std::string length_in(UnitSystem units, double length_m) {
 }
 inline std::string length_in(double length_m) { return length_in(LengthUnits::first(), length_m); }
 
+/// The same of a displacement; "none" of 0.
+inline std::string slip_in(double length_m) {
+  return length_m == 0.0 ? "none" : length_in(length_m);
+}
+
 /// "12.5 in (0.318 m)", or "0.318 m (12.5 in)".
 inline std::string length_in_both(double length_m) {
   const UnitSystem other = in_inches() ? UnitSystem::si : UnitSystem::us_customary;

@@ -158,6 +158,80 @@ TEST_F(ProjectFile, values_that_no_building_or_site_has_are_refused) {
   EXPECT_THAT(problems.front().suggestion, HasSubstr("1.313"));
 }
 
+// The array slides in every direction of the pull tests.
+TEST_F(ProjectFile, of_several_directions_the_lowest_design_friction_counts) {
+  std::string logs = "test,direction,displacement_m,force_n,normal_n\n";
+  for (const auto& [direction, first] : {std::pair{"across", 55}, std::pair{"along", 50}}) {
+    for (int test = 0; test < 3; ++test) {
+      for (const char* at : {"0", "0.01", "0.02", "0.03", "0.04", "0.05", "0.06"})
+        logs += direction[1] + std::to_string(test) + "," + direction + "," + at + "," +
+                std::to_string(first + test) + ",100\n";
+    }
+  }
+  folder_.write("pulls.csv", logs);
+  const std::string tested =
+      changed("mean = 0.5\nstd = 0.04\nsource = \"report 7\"", "file = \"pulls.csv\"");
+  const Project project = read(tested);
+  EXPECT_EQ(project.friction.direction, "along");
+  EXPECT_NEAR(project.friction.mean, 0.51, 1e-12);
+  ASSERT_EQ(project.friction.tested.size(), 2u);
+  EXPECT_THAT(
+      project.friction.tested[0].sliding_mu,
+      ElementsAre(DoubleNear(0.55, 1e-12), DoubleNear(0.56, 1e-12), DoubleNear(0.57, 1e-12)));
+  const auto better = testing::Contains(HasSubstr("direction along only 0.490"));
+  EXPECT_THAT(choices_of(project), testing::Not(better));
+  std::string across = tested;
+  across.replace(across.find("[suite]"), 0, "direction = \"across\"\n");
+  EXPECT_THAT(choices_of(read(across)), better);
+}
+
+TEST_F(ProjectFile, friction_that_no_roof_has_is_refused_or_a_warning) {
+  const auto problems = problems_of(changed("mean = 0.5", "mean = 5.0"));
+  ASSERT_EQ(problems.size(), 1u);
+  EXPECT_THAT(problems.front().what, HasSubstr("from 0 to 2"));
+  EXPECT_THAT(choices_of(read(changed("mean = 0.5", "mean = 1.5"))),
+              testing::Contains(HasSubstr("no roof is known for it")));
+
+  const std::string tested =
+      changed("mean = 0.5\nstd = 0.04\nsource = \"report 7\"", "file = \"pulls.csv\"");
+  folder_.write("pulls.csv", "mu\n0.50\n0.54\n5.3\n");
+  EXPECT_THAT(to_string(problems_of(tested).front()), HasSubstr("pulls.csv:4"));
+  folder_.write("pulls.csv", "mu\n0.50\n0.54\n0.51\n0.52\n0.84\n");
+  EXPECT_THAT(choices_of(read(tested)),
+              testing::Contains(HasSubstr("all: test 5 of 5 has friction 0.84")));
+  folder_.write("pulls.csv", "mu\n0.50\n0.54\n0.51\n0.52\n1.9\n");  // a design value below 0
+  EXPECT_THAT(to_string(problems_of(tested).front()),
+              HasSubstr("all: test 5 of 5 has friction 1.9"));
+}
+
+// Only what is known here, and all of it from memory.
+TEST_F(ProjectFile, conditions_of_both_standards_are_of_storeys_and_risk_too) {
+  std::string text = changed("\"III\"", "\"IV\"");
+  text.replace(text.find("mass_ratio"), 0, "storeys = 10\n");
+  const Project project = read(text);
+  for (const PrescribedValue& value : prescribed_values(project, site_values(project.site))) {
+    EXPECT_THAT(value.not_met(), testing::AllOf(HasSubstr("storeys"), HasSubstr("risk category")));
+    for (const CodeCondition& c : value.conditions) EXPECT_EQ(c.provenance, Provenance::recalled);
+  }
+}
+
+TEST_F(ProjectFile, a_spectrum_by_points_is_of_its_edition_and_in_g) {
+  const auto site = [&](const std::string& edition) {
+    std::string text = changed("edition = \"asce7_16\"\nss_g = 1.313\ns1_g = 0.471\n",
+                               "edition = \"" + edition + "\"\nspectrum = \"site.csv\"\n");
+    return text.erase(text.find("site_class"), std::string("site_class = \"default\"\n").size());
+  };
+  folder_.write("site.csv", "period_s,mce_sa_g\n0.01,0.7\n0.2,1.8\n1,0.9\n5,0.15\n");
+  const Project project = read(site("asce7_22"));
+  EXPECT_EQ(to_string(project.site.target), "asce7_22 spectrum of 4 points");
+  EXPECT_EQ(project.spectrum_sha256.size(), 64u);
+  folder_.write("site.csv", "period_s,mce_sa_g\n0.01,70\n0.2,180\n1,90\n5,15\n");
+  EXPECT_THAT(to_string(problems_of(site("asce7_16")).front()),
+              HasSubstr("no site has more than 10 g"));
+  EXPECT_THAT(to_string(problems_of(changed("asce7_16", "asce7_22")).front()),
+              HasSubstr("ASCE 7-22 has no site coefficients"));
+}
+
 // The studies that are made are study files: the plan of their numbers.
 TEST_F(ProjectFile, studies_state_the_projects_numbers) {
   const Project project = read(whole);
