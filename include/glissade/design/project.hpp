@@ -75,6 +75,7 @@ struct Project {
   std::string spectrum_file;  ///< of a target by points, relative to the project file
   std::string spectrum_sha256;
   std::filesystem::path suite;  ///< suite file
+  bool without_target = false;  ///< also one that falls short at periods above 2 s
   std::uint64_t samples = 128, seed = 1;
   std::optional<ProjectHazard> hazard;
   std::vector<std::optional<double>> available_m;  ///< by separation of asce7_16_separations()

@@ -15,6 +15,7 @@
 #include "glissade/io/pull_test_file.hpp"
 #include "glissade/io/sha256.hpp"
 #include "glissade/motion/improbable.hpp"
+#include "glissade/motion/suite_scaling.hpp"
 #include "glissade/sampling/friction_statistics.hpp"
 #include "project/project_keys.hpp"
 #include "study/hazard_table.hpp"
@@ -277,6 +278,10 @@ void read_rest(const TomlTable& root, Project& project) {
     suite.report("file", "there is no suite " + project.suite.string(),
                  "give the path of a suite file, relative to the project file (suites/README.md)");
   project.samples = suite.whole("samples", 2, 1 << 20).value_or(project.samples);
+  project.without_target = suite.flag("without_target").value_or(false);
+  if (project.without_target && !project.building.period_s.empty() &&
+      project.building.period_s.back() <= longest_scaled_period_s)
+    suite.report_idle("without_target", "suite.without_target needs a building period above 2 s");
   if (!std::has_single_bit(project.samples))
     suite.report("samples", "suite.samples is not a power of two", example("suite", "samples"));
 

@@ -85,10 +85,10 @@ std::string demand_study(const Project& project, const fs::path& folder) {
              "[roof]\nslope_deg = {}\n\n"
              "[friction]\nmu = {}   # {}\n\n"
              "[orientation]\nchoice = \"all_permutations\"\n\n"
-             "[clearance]\n",
+             "[clearance]\n{}",
              list_of(project.building.period_s), list_of(project.building.mass_ratio),
              project.building.damping, list_of(slopes_of(project)), list_of(frictions),
-             fmt::join(what, ", "));
+             fmt::join(what, ", "), project.without_target ? "without_target = true\n" : "");
 }
 
 std::string probability_study(const Project& project, const fs::path& folder,

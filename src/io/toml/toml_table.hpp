@@ -49,8 +49,8 @@ struct ChangedKey {
   std::string now;   ///< what to write for the same numbers
 };
 
-/// What a problem is of: a key of the grammar (`value`), of an earlier one, of none, or one that has
-/// no effect.
+/// What a problem is of: a key of the grammar (`value`), of an earlier one, of none, or one that
+/// has no effect.
 enum class ProblemKind { value, old_key, unknown_key, idle };
 
 class TomlTable;
@@ -162,7 +162,8 @@ class TomlTable {
   }
   void report_unknown_word(std::string_view key, const std::string& word,
                            const std::vector<std::string>& known) const;
-  void report(std::string_view key, std::string what, std::string suggestion, ProblemKind kind) const;
+  void report(std::string_view key, std::string what, std::string suggestion,
+              ProblemKind kind) const;
 
   TomlDocument::State* document_;
   const void* node_;  ///< a toml::table, or null

@@ -157,7 +157,8 @@ std::optional<Problem> shortfall(const Plan& plan, std::size_t suite) {
   const auto refused = [&](const std::string& what, const std::string& todo) {
     return Problem{
         file, fmt::format("[{}]: {}", table, what),
-        fmt::format("{}, or set {}.without_target = true, which every output states", todo, table),
+        fmt::format("{}, or set {}.without_target = true{}, which every output states", todo, table,
+                    plan.config.clearance ? " (of a project: suite.without_target)" : ""),
         ""};
   };
   const bool by_sds = plan.config.intensity.measure == IntensityMeasure::sds_g;

@@ -232,6 +232,14 @@ TEST_F(ProjectFile, a_spectrum_by_points_is_of_its_edition_and_in_g) {
               HasSubstr("ASCE 7-22 has no site coefficients"));
 }
 
+// Without leave the demand study is refused, as any study is.
+TEST_F(ProjectFile, a_suite_that_falls_short_beyond_2_s_needs_leave) {
+  std::string text = changed("[suite]", "[suite]\nwithout_target = true");
+  EXPECT_EQ(problems_of(text).size(), 1u);  // it has no effect up to 2 s
+  text.replace(text.find("[1.0, 0.5]"), 10, "[1.0, 2.5]");
+  EXPECT_THAT(demand_study(read(text), folder_.path()), HasSubstr("without_target = true"));
+}
+
 // The studies that are made are study files: the plan of their numbers.
 TEST_F(ProjectFile, studies_state_the_projects_numbers) {
   const Project project = read(whole);
