@@ -134,7 +134,7 @@ bool gives_clearance(const Plan& plan) {
 
 double longest_period_s(const Plan& plan) {
   double longest_s = 0.0;
-  for (const Case& c : plan.cases.cases)
+  for (const Case& c : plan.cases.all())
     longest_s = std::max(longest_s, c.period_s * std::max(1.0, c.period_ratio));
   return longest_s;
 }
