@@ -27,7 +27,7 @@ pre { background: #f7f7f7; border: 1px solid #ddd; padding: .8em; white-space: p
 @page { margin: 18mm 15mm; @bottom-right { content: "Page " counter(page) " of " counter(pages); font: 9pt Arial, sans-serif; } }
 @media print {
   body { max-width: none; margin: 0; padding: 0; font-size: 10pt; line-height: 1.35; } h2, h3 { break-after: avoid; } figcaption { break-before: avoid; }
-  figure { max-width: 16cm; margin: .5em auto; } figure, tr, caption { break-inside: avoid; } caption { break-after: avoid; }
+  figure { max-width: 16cm; margin: .5em auto; } figure, tr, caption { break-inside: avoid; } caption, thead, tbody tr:first-child { break-after: avoid; } tbody tr:last-child { break-before: avoid; }
   .wide { overflow: visible; } table, pre, figcaption, caption { font-size: 9pt; } table { width: 100%; } thead { display: table-header-group; }
   th, td { padding: .15em .35em; } th.number, td.number { white-space: normal; }
   td:not(.number) { min-width: 0; } .many th, .many td { overflow-wrap: anywhere; } p, li { orphans: 3; widows: 3; }
