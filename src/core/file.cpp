@@ -83,12 +83,21 @@ void write_and_rename(const fs::path& path, const WriteFile& write) {
 }  // namespace
 
 std::string read_text_file(const fs::path& path) {
+  constexpr std::size_t most_bytes = std::size_t{1} << 28, block_bytes = std::size_t{1} << 20;
   errno = 0;
   std::ifstream file(path, std::ios::binary);
   std::string text;
   if (file && !fs::is_directory(path)) {
     try {  // the stream buffer throws where the system refuses a read
-      text.assign(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>());
+      while (file && text.size() <= most_bytes) {
+        const std::size_t size = text.size();
+        text.resize(size + block_bytes);
+        file.read(text.data() + size, block_bytes);
+        text.resize(size + static_cast<std::size_t>(file.gcount()));
+      }
+      if (text.size() > most_bytes)  // or without an end, as /dev/zero
+        throw InputError(
+            {path.string(), "has more than 256 MiB of text", "take a smaller file", ""});
       if (!file.bad()) return text;
     } catch (const std::ios_base::failure&) {
     }

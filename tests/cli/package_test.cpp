@@ -206,9 +206,10 @@ TEST_F(Package, a_stopped_calculation_goes_on_to_the_same_package) {
   const fs::path other = folder_->path("stopped");
   Child child({GLISSADE_PROGRAM, "clearance", project_file, "--out", other.string()});
   ASSERT_TRUE(reaches(child, [&] { return some_units_are_done(other / "demand"); }));
-  ::kill(child.pid(), SIGINT);
+  folder_->write("stopped/stop", "");
   const Finished stopped = child.wait();
   ASSERT_EQ(stopped.status, 75);
+  EXPECT_FALSE(fs::exists(other / "stop"));
   const std::string command = "clearance --resume " + other.string();
   EXPECT_THAT(stopped.err, HasSubstr(command));
   expect_refused(run_program({"clearance", project_file, "--out", other.string()}), {command});

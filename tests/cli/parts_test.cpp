@@ -49,6 +49,14 @@ class Parts : public OneRun<longer_study> {
   std::string merged_ = folder_->path("merged").string();
 };
 
+TEST_F(Parts, a_merge_that_was_killed_while_it_copied_is_repeated) {
+  run_parts({1, 2, 3});
+  fs::create_directories(merged_ + "/journal");
+  folder_->write("merged/journal/lock", "");
+  folder_->write("merged/journal/0-1.units", "half of a unit");
+  expect_merged(merge({1, 2, 3}));
+}
+
 TEST_F(Parts, a_part_that_was_killed_goes_on_and_the_merged_run_has_the_bits_of_the_whole) {
   run_parts({1, 3});
   std::vector<std::string> second = part_command(2);

@@ -66,11 +66,16 @@ StudyCosts measure_study(const std::filesystem::path& study, const std::filesyst
   costs.motion_parts = motion_part_count(plan);
   for (std::size_t i = 0; i < costs.motion_parts; ++i)
     costs.work_s.push_back(core_seconds_of([&] { parts.push_back(motion_part(plan, i)); }));
+  double longest_s = 0.0;
   RoofStore roofs(plan, Skipping::all);
   HistoryAssembly histories(plan);
   for (const std::size_t number : longest_first(plan, 0)) {
     UnitResult unit;
     costs.work_s.push_back(core_seconds_of([&] { unit = execute(plan, number, roofs); }));
+    if (costs.work_s.back() > longest_s) {
+      longest_s = costs.work_s.back();
+      costs.longest = plan.motion(plan.units[number].record).id;
+    }
     costs.result_bytes += static_cast<double>(pack(unit).size());
     costs.tail_s += core_seconds_of([&] { histories.add(unit); });
   }

@@ -18,6 +18,7 @@ struct StudyCosts {
   double plan_s = 0.0;               ///< the rest, on every rank
   std::vector<double> work_s;        ///< motion parts and units, as they go out
   std::size_t motion_parts = 0;      ///< of work_s, first
+  std::string longest;               ///< of work_s: the record
   double tail_s = 0.0;               ///< histories into their table, results file: rank 0 alone
   double analyses_s = 0.0;           ///< shared by the ranks of rank 0's machine
   double pieces = 1.0;               ///< of the analyses, about

@@ -10,7 +10,8 @@ namespace glissade {
 
 class OutputFile;
 
-/// The whole file, byte for byte. Throws InputError when it cannot be read.
+/// The whole file, byte for byte. Throws InputError when it cannot be read, or has more than 256
+/// MiB.
 std::string read_text_file(const std::filesystem::path& path);
 
 /// Writes a file whole or not at all: to a new file, `path` + ".partial.<process id>", flushed to

@@ -88,7 +88,8 @@ class MadeStudy {
                  .out = go_on ? "" : folder,
                  .resume = go_on ? folder : "",
                  .overwrite = options_.overwrite || !options_.resume.empty(),
-                 .quiet = true},
+                 .quiet = true,
+                 .stop_file = file.parent_path() / "stop"},
                 world_);
     } catch (const ExitStatus& exit) {
       if (world_.is_root() && exit.status == 2) put_back(file, earlier);
@@ -187,6 +188,7 @@ class Calculation {
   /// A refused calculation that has nothing gives its folder back.
   void leave(int status) const {
     std::error_code ignored;
+    fs::remove(out_ / "stop", ignored);
     const bool has_study = fs::exists(out_ / "demand", ignored);
     if (status == 2 && !has_study) {
       fs::remove(out_ / "run.json", ignored);

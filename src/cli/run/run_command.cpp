@@ -172,6 +172,7 @@ void check_study(const Plan& plan, const fs::path& out, bool overwrite) {
              bytes_of(plan.config, plan.records.size(), plan.cases.size()) / 1e6);
   std::fflush(stdout);
   check_run_folder(out, overwrite);
+  check_room(out, plan);
   fmt::print("folder      {}: free\n", out.string());
 }
 
@@ -212,9 +213,12 @@ void run_study(RunOptions options, const Communicator& world) {
   const auto start = std::chrono::steady_clock::now();
   PhaseClock clock;
   std::optional<StopRequest> stop;  // signals are taken from here on
-  if (!options.dry_run)
-    stop.emplace(world.is_root() ? options.folder() / "stop" : fs::path(), options.walltime_s,
-                 start);
+  if (!options.dry_run) {
+    std::vector<fs::path> stop_files;
+    if (world.is_root()) stop_files = {options.folder() / "stop"};
+    if (world.is_root() && !options.stop_file.empty()) stop_files.push_back(options.stop_file);
+    stop.emplace(std::move(stop_files), options.walltime_s, start);
+  }
   StoppedRun stopped;               // on root, where it is resumed
   std::vector<FinishedPart> parts;  // on root, where they are merged
   std::vector<Suite> suites = prepare_motions(options, stopped, parts, world);
@@ -275,7 +279,7 @@ void add_run(CLI::App& program, const Communicator& world) {
   command
       ->add_option("--walltime-s", options->walltime_s,
                    "stop by itself before so many seconds are over; the run can be resumed")
-      ->check(CLI::PositiveNumber);
+      ->check(CLI::Range(0.0, 1e9));
   add_overwrite(*command, options->overwrite);
   CLI::Option* dry_run =
       command->add_flag("--dry-run", options->dry_run, "the same as `glissade check`");

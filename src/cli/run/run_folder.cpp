@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run/run_folder.hpp"
 
+#include <algorithm>
 #include <map>
 
 #include "clearance/calculation_record.hpp"
@@ -31,10 +32,9 @@ void check_same_plan(const std::string& hash, const Communicator& world) {
   });
 }
 
-namespace {
-
-void check_room(const fs::path& folder, double bytes_of_results) {
-  const double needed = bytes_of_results + 20e6;  // figures, tables, report
+void check_room(const fs::path& folder, const Plan& plan) {
+  // The journals hold what the results hold; and figures, tables, report.
+  const double needed = 2.0 * bytes_of(plan.config, plan.records.size(), plan.cases.size()) + 20e6;
   std::error_code error;
   fs::path existing = fs::absolute(folder);
   while (!fs::exists(existing, error) && existing.has_relative_path())
@@ -47,6 +47,23 @@ void check_room(const fs::path& folder, double bytes_of_results) {
                      static_cast<double>(space.available) / 1e6, needed / 1e6),
          "make room, or give a folder on another disk with --out", ""});
   }
+}
+
+namespace {
+
+/// A run, or a merge that copied journals, was killed before it stated what it is.
+bool was_killed_at_its_begin(const fs::path& folder) {
+  std::error_code ignored;
+  const auto others = [&](const fs::path& in, auto is_own) {
+    return std::ranges::any_of(fs::directory_iterator(in, ignored),
+                               [&](const auto& entry) { return !is_own(entry.path()); });
+  };
+  const fs::path journal = folder / "journal";
+  return fs::is_directory(fs::symlink_status(journal, ignored)) &&
+         !others(folder, [](const fs::path& file) { return file.filename() == "journal"; }) &&
+         !others(journal, [](const fs::path& file) {
+           return file.filename() == "lock" || file.extension() == ".units";
+         });
 }
 
 /// What a run reads or replaces by its name is a file of its own: no link, pipe or device.
@@ -93,17 +110,17 @@ void check_run_folder(const fs::path& folder, bool overwrite) {
                           "--overwrite",
                       ""});
   }
-  check_output_folder(folder, overwrite);
+  if (!was_killed_at_its_begin(folder)) check_output_folder(folder, overwrite);
 }
 
 std::unique_ptr<RunLock> take_run_folder(const fs::path& folder, const Plan& plan,
                                          const RunIdentity& run, bool overwrite,
                                          const std::vector<FinishedPart>& parts) {
   check_run_folder(folder, overwrite);
-  // The journals hold what the results hold.
-  check_room(folder, 2.0 * bytes_of(plan.config, plan.records.size(), plan.cases.size()));
+  check_room(folder, plan);
+  const bool begins_anew = overwrite || was_killed_at_its_begin(folder);
   auto lock = std::make_unique<RunLock>(folder);
-  if (overwrite) {
+  if (begins_anew) {
     lock->remove_journals();
     remove_run(folder);
     remove_what_a_run_left(folder);

@@ -46,6 +46,9 @@ void share(std::vector<Suite>& suites, const Communicator& world);
 /// Every rank makes the plan itself; other processors or mathematical libraries could make another.
 void check_same_plan(const std::string& hash, const Communicator& world);
 
+/// Throws InputError where the disk of the folder has too little room for what the plan leaves.
+void check_room(const std::filesystem::path& folder, const Plan& plan);
+
 /// Throws InputError where a run cannot begin in the folder: a run is going on in it, one was
 /// stopped or killed and can be resumed, or it holds other files.
 void check_run_folder(const std::filesystem::path& folder, bool overwrite);

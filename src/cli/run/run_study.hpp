@@ -20,7 +20,8 @@ struct RunOptions {
   bool dry_run = false;
   bool no_skip = false;
   bool overwrite = false;
-  bool quiet = false;  ///< no summary on the screen
+  bool quiet = false;                    ///< no summary on the screen
+  std::filesystem::path stop_file = {};  ///< beside `stop` in the folder; empty: none
 
   std::filesystem::path folder() const;  ///< of the results
 };

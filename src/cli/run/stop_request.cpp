@@ -39,9 +39,9 @@ double seconds_between(auto from, auto to) {
 
 }  // namespace
 
-StopRequest::StopRequest(std::filesystem::path stop_file, double walltime_s,
+StopRequest::StopRequest(std::vector<std::filesystem::path> stop_files, double walltime_s,
                          Clock::time_point start)
-    : stop_file_(std::move(stop_file)), walltime_s_(walltime_s), start_(start) {
+    : stop_files_(std::move(stop_files)), walltime_s_(walltime_s), start_(start) {
   for (const StopSignal& signal : stop_signals) receive_from_now_on(signal);
 }
 
@@ -51,10 +51,11 @@ bool StopRequest::requested() {
     if (received == signal.number) reason_ = signal.name;
   }
   const auto now = Clock::now();
-  if (!stop_file_.empty() && now - looked_ > std::chrono::milliseconds(500)) {
+  if (now - looked_ > std::chrono::milliseconds(500)) {
     looked_ = now;
     std::error_code ignored;
-    if (std::filesystem::exists(stop_file_, ignored)) reason_ = "the file " + stop_file_.string();
+    for (const std::filesystem::path& file : stop_files_)
+      if (std::filesystem::exists(file, ignored)) reason_ = "the file " + file.string();
   }
   return !reason_.empty();
 }

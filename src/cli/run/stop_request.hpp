@@ -4,6 +4,7 @@
 #include <chrono>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace glissade::cli {
 
@@ -13,8 +14,8 @@ namespace glissade::cli {
 class StopRequest {
  public:
   /// From here on the signals no longer end the process. The wall time begins at `start`.
-  /// @param stop_file empty: none is looked for
-  StopRequest(std::filesystem::path stop_file, double walltime_s,
+  /// @param stop_files any of them stops the run
+  StopRequest(std::vector<std::filesystem::path> stop_files, double walltime_s,
               std::chrono::steady_clock::time_point start);
 
   /// Called before every unit. A unit that takes twice as long as the longest so far still ends
@@ -25,7 +26,7 @@ class StopRequest {
 
  private:
   using Clock = std::chrono::steady_clock;
-  std::filesystem::path stop_file_;
+  std::vector<std::filesystem::path> stop_files_;
   double walltime_s_, longest_unit_s_ = 0.0;
   Clock::time_point start_, last_unit_ = {}, looked_ = {};
   std::string reason_;

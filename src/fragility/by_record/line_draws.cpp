@@ -18,6 +18,29 @@ double even(int i, double step) {
   return x - std::floor(x);
 }
 
+struct StandardDraw {
+  double variance_ratio;  ///< of the records in the sample over the true one
+  double normal;
+};
+
+/// The same for every fit on so many records, so they are made when their number changes only:
+/// quantiles of chi-square take longer than the rest of an interval.
+const std::vector<StandardDraw>& standard_draws(Eigen::Index records) {
+  static thread_local Eigen::Index made_for = 0;
+  static thread_local std::vector<StandardDraw> made;
+  if (made_for == records) return made;
+  const boost::math::chi_squared chi_squared(static_cast<double>(records) - 1.0);
+  made_for = 0;
+  made.clear();
+  for (int i = 0; i < draws; ++i) {
+    made.push_back(
+        {quantile(chi_squared, even(i, 0.7548776662466927)) / static_cast<double>(records),
+         normal_quantile(even(i, 0.5698402909980532))});
+  }
+  made_for = records;
+  return made;
+}
+
 /// Lines about y, where the variance of the height is that of the sandwich.
 class LinesAbout {
  public:
@@ -30,8 +53,8 @@ class LinesAbout {
     error_ = std::sqrt(variance * freedom / (freedom + 1.0));
     slope_error_ = std::sqrt(2.0 * freedom * fit.sandwich(1, 1)) / (slope_ * share_);
   }
-  /// `variance_ratio`: of the records in the sample over the true one.
-  ProbitLine draw(double variance_ratio, double normal, double power) const {
+  ProbitLine draw(const StandardDraw& standard, double power) const {
+    const auto [variance_ratio, normal] = standard;
     const double all = share_ + (1.0 - share_) * variance_ratio;
     const double slope = slope_ * std::pow(variance_ratio / all, 0.5 * power);
     return {height_ + error_ * normal / std::sqrt(all) - slope * y_, slope};
@@ -50,14 +73,10 @@ class LinesAbout {
 LineDraws draw_lines(const LineWithErrors& fit) {
   const LinesAbout median(fit, -fit.line[0] / fit.line[1]);
   const LinesAbout data(fit, -fit.inverse(0, 1) / fit.inverse(1, 1));
-  const double records = static_cast<double>(fit.records);
-  const boost::math::chi_squared chi_squared(records - 1.0);
   LineDraws lines;
-  for (int i = 0; i < draws; ++i) {
-    const double ratio = quantile(chi_squared, even(i, 0.7548776662466927)) / records;
-    const double normal = normal_quantile(even(i, 0.5698402909980532));
-    lines.about_median.push_back(median.draw(ratio, normal, 1.0));
-    lines.about_data.push_back(data.draw(ratio, normal, data.power()));
+  for (const StandardDraw& standard : standard_draws(fit.records)) {
+    lines.about_median.push_back(median.draw(standard, 1.0));
+    lines.about_data.push_back(data.draw(standard, data.power()));
   }
   return lines;
 }

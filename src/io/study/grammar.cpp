@@ -294,7 +294,7 @@ std::vector<GrammarKey> grammar() {
 }
 
 std::string grammar_text(const std::string& wanted) {
-  if (const std::string measure = measure_text(wanted); !measure.empty()) return measure;
+  if (std::string measure = measure_text(wanted); !measure.empty()) return measure;
   std::string text, table;
   for (const GrammarKey& key : grammar()) {
     if (!is_meant(key, wanted)) continue;

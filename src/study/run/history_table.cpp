@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glissade/study/run/history_table.hpp"
 
+#include "glissade/study/cases/case.hpp"
 #include "glissade/study/config.hpp"
 
 namespace glissade {
@@ -26,7 +27,8 @@ double bytes_of(const StudyConfig& config, std::size_t records, std::size_t case
   for_each_history_field([&]<class T>(const HistoryField<T>& field) {
     if (kept.has(field)) bytes += static_cast<double>(depth_of(config, field.depth) * sizeof(T));
   });
-  return bytes * static_cast<double>(records) * static_cast<double>(cases);
+  const double of_a_case = static_cast<double>(parameters().size() * sizeof(double));
+  return (bytes * static_cast<double>(records) + of_a_case) * static_cast<double>(cases);
 }
 
 }  // namespace glissade

@@ -94,5 +94,9 @@ TEST(read_text_file, tells_of_a_file_that_is_not_there) {
   EXPECT_THROW(read_text_file(fs::path(testing::TempDir()) / "glissade_no_such_file"), InputError);
 }
 
+TEST(read_text_file, ends_where_a_file_does_not) {
+  EXPECT_THROW(read_text_file("/dev/zero"), InputError);
+}
+
 }  // namespace
 }  // namespace glissade
