@@ -132,8 +132,10 @@ void init(InitOptions o) {
   write_checked(o, (o.is_project() ? "" : study_head) + file.text());
   fmt::print("File    {}\nValues of the example, not yours yet:\n{}", o.file, file.of_example());
   if (!o.is_project() && !o.has_site())
-    fmt::print("  intensity.target: none; {} needs a [target], or give --ss-g and its site\n",
-               o.suite.empty() ? "the suite" : o.suite);
+    fmt::print("  {}\n", wrapped(fmt::format("intensity.target: none; {} needs a [target], or give "
+                                             "--ss-g and its site",
+                                             o.suite.empty() ? "the suite" : o.suite),
+                                 terminal_width, 4));
   fmt::print("Next    glissade {} {}\n", o.is_project() ? "clearance" : "check", o.file);
 }
 

@@ -56,7 +56,9 @@ void add_overwrite(CLI::App& command, bool& overwrite) {
 
 void check_output_file(const fs::path& file, const std::string& option, bool overwrite) {
   std::error_code ignored;
-  if (!overwrite && fs::is_regular_file(file, ignored)) refuse(option, file, "is there already");
+  const bool leads_nowhere = fs::is_symlink(file, ignored) && !fs::exists(file, ignored);
+  if (!overwrite && (leads_nowhere || fs::is_regular_file(file, ignored)))
+    refuse(option, file, "is there already");
 }
 
 void check_output_folder(const fs::path& folder, bool overwrite) {

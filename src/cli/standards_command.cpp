@@ -74,13 +74,16 @@ void run(const StandardsOptions& o) {
     return;
   }
   fmt::print("Prescribed displacement of an unanchored array at S_DS = {:g} g, in plan\n", o.sds_g);
-  for (const std::string& warning : warnings_on(o)) fmt::print("WARNING: {}\n", warning);
+  for (const std::string& warning : warnings_on(o))
+    fmt::print("{}\n", wrapped("WARNING: " + warning, terminal_width, 2));
   print("SEAOC PV1-2012", seaoc);
   print("ASCE 7-16", asce);
   fmt::print("ASCE 7-16 separations\n");
   for (const Separation& s : separations)
-    fmt::print("  {:.1f} x  {:8.3f} m  ({:.1f} in) {} [{}]\n", s.factor, s.value_m,
-               inches(s.value_m), s.what, provenance_label(s.provenance));
+    fmt::print("  {}\n",
+               wrapped(fmt::format("{:.1f} x  {:.3f} m ({:.1f} in) {} [{}]", s.factor, s.value_m,
+                                   inches(s.value_m), s.what, provenance_label(s.provenance)),
+                       terminal_width, 9));
 }
 
 }  // namespace

@@ -49,6 +49,8 @@ std::vector<DesignCheck> spectrum_checks(const Project& project, const Results& 
   return checks;
 }
 
+constexpr double most_rounding_m = foot_m;
+
 /// Outside of what buildings have. All limits are recalled.
 std::vector<std::string> improbable_values(const ProjectBuilding& building) {
   constexpr double most_storeys = 163.0;                        // Burj Khalifa
@@ -120,6 +122,8 @@ std::vector<std::string> choices_of(const Project& project) {
       fmt::format("mean - 2 std of the friction is {:.3g}: 0 is taken",
                   project.friction.mean - 2.0 * project.friction.std));
   for (std::string& text : improbable_values(project.building)) texts.push_back(std::move(text));
+  add(project.round_up_m > most_rounding_m,
+      fmt::format("displacements are rounded up to steps of {}", both_units(project.round_up_m)));
   add(project.friction.std == 0.0,
       "the friction has no scatter (std 0): its design value is the mean");
   add(project.friction.mean > most_probable_friction,

@@ -203,9 +203,9 @@ void add_exceedance(const Results& probability, DesignClearance& design) {
     }
   }
   for (std::string warning : probability.warnings) {
-    for (const std::string key : {"[shape]", "intensity.levels"}) {  // a project has none
+    for (const std::string key : {"; [shape] compares other curves", " (intensity.levels)"}) {
       if (const std::size_t at = warning.find(key); at != std::string::npos)
-        warning.insert(at + key.size(), " in probability.toml");
+        warning.erase(at, key.size());  // a project has no such key
     }
     if (std::ranges::find(design.warnings, warning) == design.warnings.end())
       design.warnings.push_back(warning);

@@ -231,15 +231,19 @@ std::string to_string(AsceEdition edition) {
   return edition_names[static_cast<std::size_t>(edition)];
 }
 
+std::string edition_name(AsceEdition edition) {
+  return "ASCE 7-" + to_string(edition).substr(std::string_view("asce7_").size());
+}
+
 std::string to_string(const DesignTarget& target) {
-  const std::string edition = to_string(target.edition);
+  const std::string edition = edition_name(target.edition);
   if (!target.period_s.empty())
-    return fmt::format("{} spectrum of {} points", edition, target.period_s.size());
+    return fmt::format("{}, spectrum of {} points", edition, target.period_s.size());
   if (target.sds_g > 0.0)
-    return fmt::format("{} S_DS {:g} g, S_D1 {:g} g", edition, target.sds_g, target.sd1_g);
+    return fmt::format("{}, S_DS {:g} g, S_D1 {:g} g", edition, target.sds_g, target.sd1_g);
   std::vector<std::string> classes;
   for (const SiteClass site : target.site_classes) classes.push_back(to_string(site));
-  return fmt::format("{} S_S {:g} g, S_1 {:g} g, site class{} {}", edition, target.ss_g,
+  return fmt::format("{}, S_S {:g} g, S_1 {:g} g, site class{} {}", edition, target.ss_g,
                      target.s1_g, classes.size() > 1 ? "es" : "", fmt::join(classes, ", "));
 }
 

@@ -69,6 +69,16 @@ TEST(OutputRule, a_file_is_written_over_with_overwrite_only) {
       "--history", out);
 }
 
+TEST(OutputRule, a_link_to_no_file_is_there_already) {
+  const ScratchFolder folder;
+  const fs::path link = folder.path("link");
+  fs::create_symlink(folder.path("nowhere"), link);
+  const std::string out = link.string();
+  expect_refused(run_program({"suite", "spectra", built_in_suite, "--out", out}),
+                 {"--out", out, "--overwrite"});
+  EXPECT_TRUE(fs::is_symlink(link));
+}
+
 TEST(OutputRule, a_folder_that_is_not_empty_is_refused_before_anything_is_run) {
   const ScratchFolder folder;
   fs::create_directory(folder.path("out"));

@@ -42,8 +42,12 @@ TEST(Usage, help_fits_a_terminal) {
     for (const std::string& line : lines_of(run_program(arguments).out))
       EXPECT_LE(line.size(), 80u) << line;
   }
-  for (const std::string& line : lines_of(run_program({"explain"}).out))
-    EXPECT_LE(line.size(), 80u);
+  for (const std::vector<std::string>& arguments : {std::vector<std::string>{"explain"},
+                                                    {"clearance", "--example"},
+                                                    {"standards", "--sds-g", "1.566"}}) {
+    for (const std::string& line : lines_of(run_program(arguments).out))
+      EXPECT_LE(line.size(), 80u) << line;
+  }
 }
 TEST(Usage, explain_answers_for_a_measure_a_value_and_a_key_without_its_table) {
   using testing::HasSubstr;

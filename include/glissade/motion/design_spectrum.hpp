@@ -77,6 +77,7 @@ SiteClass parse_site_class(const std::string& text);
 std::string to_string(SiteClass site);
 AsceEdition parse_asce_edition(const std::string& text);  ///< "asce7_10" ...
 std::string to_string(AsceEdition edition);
+std::string edition_name(AsceEdition edition);  ///< "ASCE 7-10"
 /// "asce7_16 S_S 1.5 g, S_1 0.6 g, site classes C, D", "asce7_16 S_DS 1 g, S_D1 0.6 g", "asce7_16
 /// spectrum of 22 points".
 std::string to_string(const DesignTarget& target);

@@ -106,6 +106,11 @@ struct Panel {
   std::vector<Note> notes;
 };
 
+/// Labels of lines in a margin that the panel gets beside them, this share of its width, each near
+/// its height and none over another.
+enum class Side { left, right };
+void add_side_labels(Panel& panel, std::vector<Note> labels, double share, Side side);
+
 struct Figure {
   FileName name = "figure";        ///< of its files: "fragility"
   std::string title;               ///< one line: what is shown

@@ -12,6 +12,7 @@
 #include "glissade/core/error.hpp"
 #include "glissade/core/file.hpp"
 #include "glissade/design/design_clearance.hpp"
+#include "glissade/io/example_file.hpp"
 #include "glissade/io/journal.hpp"
 #include "glissade/io/project_file.hpp"
 #include "glissade/io/results_file.hpp"
@@ -237,7 +238,7 @@ void add_clearance(CLI::App& program, const Communicator& world) {
       "`glissade check PROJECT` says what would run.");
   command->callback([o, world] {
     if (o->example) {
-      if (world.is_root()) fmt::print("{}", project_example());
+      if (world.is_root()) fmt::print("{}", ExampleFile::project().text());
       return;
     }
     if (o->project.empty() && o->resume.empty())

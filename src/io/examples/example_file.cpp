@@ -124,11 +124,17 @@ std::string ExampleFile::text() const {
       table = line.substr(1, line.find(']') - 1);
       text += "\n";
     }
-    const std::string value =
-        comments_ == Comments::of_the_grammar ? line.substr(0, line.find(" # ")) : line;
+    const bool is_long = line.size() > terminal_width && !comment_behind(line).empty();
+    const std::string value = comments_ == Comments::of_the_grammar || is_long
+                                  ? line.substr(0, line.find(" # ", 2))
+                                  : line;
+    if (comments_ == Comments::as_they_are && is_long)
+      for (const std::string& part : wrapped(comment_behind(line).substr(2), terminal_width - 2))
+        text += "# " + part + "\n";
     const auto known = std::ranges::find(keys, table + "." + key_of(line), &GrammarKey::name);
     if (known != keys.end()) {
-      for (const std::string& part : wrapped(known->meaning, 98)) text += "# " + part + "\n";
+      for (const std::string& part : wrapped(known->meaning, terminal_width - 2))
+        text += "# " + part + "\n";
     }
     text += value.substr(0, value.find_last_not_of(' ') + 1) + "\n";
   }

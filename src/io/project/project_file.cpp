@@ -123,7 +123,7 @@ void read_site(const TomlTable& table, Project& project) {
 }
 
 /// T_a and values between its bounds.
-void periods_of_system(const TomlTable& table, ProjectBuilding& building) {
+void periods_of_system(const TomlTable& table, const Project& project, ProjectBuilding& building) {
   const double height_m = table.number("height_m", above_zero).value_or(10.0);
   EnumNames<const StructuralSystem*> names = {{structural_systems[0].name, &structural_systems[0]},
                                               {structural_systems[1].name, &structural_systems[1]},
@@ -146,22 +146,25 @@ void periods_of_system(const TomlTable& table, ProjectBuilding& building) {
     building.period_s.push_back(std::round(1e3 * factor * period_s) / 1e3);
   }
   building.period_s.erase(std::ranges::unique(building.period_s).begin(), building.period_s.end());
+  // C_t in metres is the table's too, to three digits.
+  const double unit_m = project.units == UnitSystem::si ? 1.0 : foot_m;
   building.period_basis = fmt::format(
-      "T_a = C_t h^x = {:g} ({:.4g} ft)^{:g} = {:.3f} s, {} (ASCE 7, 12.8-7{}); {:g} to {:g} "
-      "times "
+      "T_a = C_t h^x = {:.3g} ({:.4g} {})^{:g} = {:.3f} s, {} ({}, 12.8-7{}); {:g} to {:g} times "
       "that",
-      system->ct, height_m / foot_m, system->exponent, period_s, system->text,
+      system->ct * std::pow(unit_m / foot_m, system->exponent), height_m / unit_m,
+      unit_m == 1.0 ? "m" : "ft", system->exponent, period_s, system->text,
+      edition_name(project.site.target.edition),
       system->provenance == Provenance::checked ? "" : ", recalled: verify against the standard",
       bounds[0], bounds[1]);
 }
 
-ProjectBuilding read_building(const TomlTable& table) {
+ProjectBuilding read_building(const TomlTable& table, const Project& project) {
   ProjectBuilding building;
   if (table.has("period_s") && table.has("system"))
     table.report("period_s", "building.period_s and building.system are both given",
                  "give the period, or the system and the height");
   if (table.has("system")) {
-    periods_of_system(table, building);
+    periods_of_system(table, project, building);
   } else {
     building.period_s = read_values(table, "period_s", above_zero);
     building.period_basis = "as given";
@@ -343,7 +346,7 @@ Project read_project(const std::filesystem::path& file) {
   project.source_text = document.text();
   project.title = read_title(root.table("project"), project);
   read_site(root.table("site"), project);
-  project.building = read_building(root.table("building"));
+  project.building = read_building(root.table("building"), project);
   project.slope_deg = read_slopes(root.table("roof"));
   project.friction = read_project_friction(root.table("friction"), file.parent_path());
   read_rest(root, project);

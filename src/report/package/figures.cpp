@@ -13,6 +13,7 @@
 namespace glissade {
 namespace {
 
+/// The displacements alone give the height where the governing one is far above them.
 Figure demand_figure(const CalculationPackage& package) {
   const DesignClearance& design = package.design;
   struct Line {
@@ -20,38 +21,47 @@ Figure demand_figure(const CalculationPackage& package) {
     Role role;
     const char* label;
   };
-  Panel panel{"", {"Building period (s)"}, {}};
-  double top_m = design.governing_m;
-  for (const Line& line :
-       {Line{&PeriodDemand::largest_m, Role::largest, "largest record, any orientation"},
-        Line{&PeriodDemand::p95_m, Role::p95, "95th percentile"},
-        Line{&PeriodDemand::mean_m, Role::median, "mean"}}) {
-    DataSeries series{DataSeries::Kind::line_and_points, look(line.role), line.label, line.label};
+  const PeriodDemand &first = design.demand.front(), &last = design.demand.back();
+  const Side side = first.largest_m >= last.largest_m ? Side::left : Side::right;
+  const PeriodDemand& labelled = side == Side::left ? first : last;
+  Panel panel{"", {"Building period (s)", first.period_s, last.period_s}, {}};
+  std::vector<Note> labels;
+  double top_m = 0.0;
+  for (const Line& line : {Line{&PeriodDemand::largest_m, Role::largest, "largest record"},
+                           Line{&PeriodDemand::p95_m, Role::p95, "95th percentile"},
+                           Line{&PeriodDemand::mean_m, Role::median, "mean"}}) {
+    DataSeries series{DataSeries::Kind::line_and_points, look(line.role), line.label};
     for (const PeriodDemand& d : design.demand) {
       series.x.push_back(d.period_s);
       series.y.push_back(d.*line.value);
       top_m = std::max(top_m, d.*line.value);
     }
+    labels.push_back({0.0, labelled.*line.value, line.label, look(line.role).colour});
     panel.series.push_back(std::move(series));
   }
-  const double lowest_s = design.demand.front().period_s, highest_s = design.demand.back().period_s;
-  const double margin_s = 0.05 * (highest_s - lowest_s);
-  panel.x.low = lowest_s - margin_s;
-  panel.x.high = highest_s + margin_s;
-  panel.y = length_axis("Displacement in plan", 1.4 * top_m);
-  Look governing = look(Role::clearance);
-  governing.width = 3.0;
-  panel.rules.push_back({Rule::Kind::horizontal, design.governing_m, governing,
-                         "governing displacement: " + length_in_both(design.governing_m)});
-  return {
-      "demand",
-      "Displacement at DBE over the building's period",
-      fmt::format("S_DS = {:.3f} g; friction {:.3g}; slope {:.3g} degrees; {} records",
-                  design.site.sds_g, package.project.friction.design(), design.slope_deg,
-                  package.demand.records.size()),
-      "Mean and 95th percentile: all records have the orientation that is least favourable at the "
-      "period.",
-      {panel}};
+  const bool is_above = top_m > 0.0 && design.governing_m > 2.0 * top_m;
+  if (!is_above) {
+    Look governing = look(Role::clearance);
+    governing.width = 3.0;
+    panel.rules.push_back(
+        {Rule::Kind::horizontal, design.governing_m, governing, "", first.period_s, last.period_s});
+    labels.push_back(
+        {0.0, design.governing_m, "governing: " + length_in(design.governing_m), governing.colour});
+    top_m = std::max(top_m, design.governing_m);
+  }
+  panel.y = length_axis("Displacement in plan", 1.15 * top_m);
+  add_side_labels(panel, std::move(labels), 0.3, side);
+  return {"demand",
+          "Displacement at DBE over the building's period",
+          fmt::format("S_DS = {:.3f} g; friction {:.3g}; slope {:.3g} degrees; {} records{}",
+                      design.site.sds_g, package.project.friction.design(), design.slope_deg,
+                      package.demand.records.size(),
+                      is_above ? "; governing displacement above the figure: " +
+                                     length_in_both(design.governing_m)
+                               : ""),
+          "Largest: of any orientation. Mean and 95th percentile: all records have the orientation "
+          "that is least favourable at the period.",
+          {panel}};
 }
 
 }  // namespace

@@ -28,7 +28,7 @@ h2 { counter-increment: section; break-after: avoid; } h2::before { content: cou
 caption { font-weight: bold; color: #222; } .note { font-weight: normal; }
 .files td:last-child { font-family: monospace; overflow-wrap: anywhere; }
 @media print {
-  .short { break-inside: avoid; } .wide td:last-child { overflow-wrap: anywhere; }
+  .short, .answer { break-inside: avoid; } h1 { font-size: 1.6em; } .answer ul, .warning ul { margin: .3em 0; } .wide td:last-child { overflow-wrap: anywhere; }
   h2 { margin-top: 1.2em; } .contents a::after { content: " " leader(".") " " target-counter(attr(href), page); }
   figure { max-width: 17cm; } .files td:last-child { white-space: nowrap; } .files td { overflow-wrap: anywhere; }
 }
@@ -213,7 +213,8 @@ Html required_html(const CalculationPackage& package) {
   steps.push_back(fmt::format("Governing displacement: the larger, {}; rounded up to {}.",
                               length_in_both(design.governing_m),
                               length_in_both(design.rounded_m)));
-  return section_heading(5) + list(steps) + page_table(prescribed_table(package));
+  return "<div class=\"short\">\n" + section_heading(5) + list(steps) + "</div>\n" +
+         page_table(prescribed_table(package));
 }
 
 Html checks_html(const CalculationPackage& package) {
@@ -295,8 +296,8 @@ void write_package(const CalculationPackage& package, const std::filesystem::pat
       paragraph(
           "Calculation of the seismic displacement of an unanchored rooftop solar array, and "
           "of its required separations") +
-      page_table(title_table(package.project)) + warnings_html(package) + contents_html() +
-      result_html(package) + section_heading(1) + page_table(inputs_table(package)) +
+      page_table(title_table(package.project)) + warnings_html(package) + result_html(package) +
+      contents_html() + section_heading(1) + page_table(inputs_table(package)) +
       given_curves_html(package.project) + motions_html(package, figures) + model_html() +
       section_heading(4) + page_table(demand_table(package)) +
       (has_demand_figure ? figure_html(figures.at(1), 2) : Html()) + required_html(package) +

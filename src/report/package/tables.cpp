@@ -25,32 +25,19 @@ std::string provenance_mark(Provenance provenance) {
   return provenance == Provenance::checked ? "" : " (recalled)";
 }
 
-/// "asce7_16" as people write it.
-std::string edition_text(AsceEdition edition) {
-  switch (edition) {
-    case AsceEdition::asce7_10:
-      return "ASCE 7-10";
-    case AsceEdition::asce7_16:
-      return "ASCE 7-16";
-    case AsceEdition::asce7_22:
-      break;
-  }
-  return "ASCE 7-22";
-}
-
 std::string target_text(const Project& project) {
   const DesignTarget& target = project.site.target;
   if (!target.period_s.empty())
-    return fmt::format("{}, spectrum of {} points, {}", edition_text(target.edition),
+    return fmt::format("{}, spectrum of {} points, {}", edition_name(target.edition),
                        target.period_s.size(), project.spectrum_file);
   if (target.sds_g > 0.0)
-    return fmt::format("{}, S_DS {:.3f} g and S_D1 {:.3f} g as given", edition_text(target.edition),
+    return fmt::format("{}, S_DS {:.3f} g and S_D1 {:.3f} g as given", edition_name(target.edition),
                        target.sds_g, target.sd1_g);
   std::string classes;
   for (const SiteClass site : target.site_classes)
     classes += (classes.empty() ? "" : ", ") + to_string(site);
   return fmt::format("{}, S_S {:.3f} g, S_1 {:.3f} g, site class {}{}",
-                     edition_text(target.edition), target.ss_g, target.s1_g, classes,
+                     edition_name(target.edition), target.ss_g, target.s1_g, classes,
                      target.site_classes.size() > 1 ? " (the largest)" : "");
 }
 
@@ -76,6 +63,8 @@ std::string prescribed_separation(double length_m) {
   return in_inches() ? fmt::format("{} ({})", length_in(length_m), separation_in(length_m))
                      : length_in(length_m);
 }
+
+double two_digits(double value) { return std::stod(fmt::format("{:.1e}", value)); }
 
 std::string not_given(double value, const std::string& text) { return value > 0.0 ? text : "-"; }
 
@@ -128,8 +117,8 @@ std::string hazard_sentence(const CalculationPackage& package) {
       "is exceeded {} once in {} years, in 50 years with a probability of {}. Displacement that "
       "adds up over {}, the array not put back: median {}, 95th percentile {}.",
       hazard.source, run.thresholds.front().beyond_share == 1.0 ? "less than" : "about",
-      format_number(1.0 / rate), format_share(probability_in(50.0, rate)), life_text(hazard),
-      length(sum.median_m), length(sum.p95_m));
+      format_number(two_digits(1.0 / rate)), format_share(probability_in(50.0, rate)),
+      life_text(hazard), length(sum.median_m), length(sum.p95_m));
 }
 
 Table title_table(const Project& project) {
@@ -198,7 +187,7 @@ Table site_table(const CalculationPackage& package) {
   };
   const DesignTarget& target = package.project.site.target;
   if (site.fa > 0.0) {
-    const std::string edition = edition_text(target.edition);
+    const std::string edition = edition_name(target.edition);
     const bool is_default = target.site_classes == std::vector{SiteClass::unknown};
     add("F_a", fmt::format("{:.3f}", site.fa),
         edition + ", table 11.4-1" +
@@ -223,7 +212,7 @@ Table site_table(const CalculationPackage& package) {
     add("T_L", fmt::format("{:g} s", target.tl_s),
         package.project.site.states_tl ? "project file" : "NOT STATED: assumed");
   add("Seismic design category", to_string(site.category),
-      "ASCE 7, tables 11.6-1 and 11.6-2 (recalled)");
+      edition_name(target.edition) + ", tables 11.6-1 and 11.6-2 (recalled)");
   return table;
 }
 
@@ -389,7 +378,7 @@ Table separations_table(const CalculationPackage& package) {
       fmt::format("Required separations: parts of the governing displacement, {}, rounded up",
                   length_in_both(package.design.governing_m)),
       {text_column("separation", "Separation"), text_column("factor", "Factor"),
-       text_column("required", "Required"), text_column("required_ft", "Required, ft"),
+       text_column("required", "Required"), text_column("required_ft", "In feet"),
        text_column("prescribed", fmt::format("By the full prescribed value, {}, {}",
                                              standard_name(package.project.standard),
                                              length_in(prescribed.value_m))),

@@ -17,7 +17,8 @@ h1 { margin-bottom: 0; } h2 { margin-top: 2em; border-bottom: 1px solid #ccc; }
 .warning { background: #fff4e0; border-left: 4px solid #e69f00; padding: .4em 1em; }
 figure { margin: 1.5em auto; max-width: 46em; } figure svg { width: 100%; height: auto; }
 figcaption, caption { color: #444; font-size: .9em; text-align: left; padding: .3em 0; }
-.wide { overflow-x: auto; }
+.wide { overflow-x: auto; container-type: inline-size; }
+caption div { position: sticky; left: 0; width: fit-content; max-width: 100cqw; }
 table { border-collapse: collapse; font-size: .85em; margin: 1em 0; }
 th, td { border-bottom: 1px solid #ddd; padding: .2em .6em; text-align: left; vertical-align: top; overflow-wrap: break-word; }
 th { background: #f4f4f4; vertical-align: bottom; } .number { text-align: right; white-space: nowrap; }
@@ -28,7 +29,7 @@ pre { background: #f7f7f7; border: 1px solid #ddd; padding: .8em; white-space: p
 @media print {
   body { max-width: none; margin: 0; padding: 0; font-size: 10pt; line-height: 1.35; } h2, h3 { break-after: avoid; } figcaption { break-before: avoid; }
   figure { max-width: 16cm; margin: .5em auto; } figure, tr, caption { break-inside: avoid; } caption, thead, tbody tr:first-child { break-after: avoid; } tbody tr:last-child { break-before: avoid; }
-  .wide { overflow: visible; } table, pre, figcaption, caption { font-size: 9pt; } table { width: 100%; } thead { display: table-header-group; }
+  .wide { overflow: visible; container-type: normal; } caption div { max-width: none; } pre { box-decoration-break: clone; -webkit-box-decoration-break: clone; margin-right: 1px; } table, pre, figcaption, caption { font-size: 9pt; } table { width: 100%; } thead { display: table-header-group; }
   th, td { padding: .15em .35em; } th.number, td.number { white-space: normal; }
   td:not(.number) { min-width: 0; } .many th, .many td { overflow-wrap: anywhere; } p, li { orphans: 3; widows: 3; }
 }

@@ -38,7 +38,7 @@ void add_ticks(Script& script, const std::vector<Tick>& ticks) {
 }
 
 /// Characters in a line of a heading that is as wide as the figure.
-constexpr std::size_t title_width = 88, below_width = 98;
+constexpr std::size_t title_width = 78, panel_title_width = 34, below_width = 90;
 
 /// The text in lines no longer than the figure is wide.
 void add_lines(Script& script, const std::string& text, std::size_t width, Quoted::Weight weight) {
@@ -169,7 +169,7 @@ void add_panels(Script& script, const Figure& figure) {
     panel.y = drawable(panel.y);
     if (several) {
       script.add("set title ");
-      add_lines(script, panel.title, title_width / 2, Quoted::Weight::bold);
+      add_lines(script, panel.title, panel_title_width, Quoted::Weight::bold);
       script.add("\n");
     }
     script.add("set border 3 lc rgb '#444444'\n");

@@ -236,10 +236,10 @@ Html to_html(const Table& table) {
                         Markup end) {
     return enclosed(table.columns[c].kind == ColumnKind::text ? text : number, content, end);
   };
-  Html html = enclosed("<table>\n<caption>", table.title, "");
+  Html html = enclosed("<table>\n<caption><div>", table.title, "");
   for (const std::string& note : table.notes)
     html += enclosed("<br><span class=\"note\">", note, "</span>");
-  html += "</caption>\n<thead><tr>";
+  html += "</div></caption>\n<thead><tr>";
   for (std::size_t c = 0; c < table.columns.size(); ++c)
     html += cell("<th scope=\"col\">", "<th scope=\"col\" class=\"number\">", c,
                  heading_of(table.columns[c]), "</th>");

@@ -7,6 +7,7 @@
 #include "glissade/core/wrap.hpp"
 #include "glissade/study/analysis/sampling_error.hpp"
 #include "glissade/study/plan/plan.hpp"
+#include "plan/length_unit.hpp"
 
 namespace glissade {
 namespace {
@@ -72,7 +73,12 @@ std::string to_string(const Plan& plan) {
           c.sampling.target->error);
     }
   }
-  if (c.fragility) text += fmt::format("thresholds  {:g} m\n", fmt::join(c.thresholds_m(), ", "));
+  if (c.fragility) {
+    std::vector<double> thresholds;
+    for (const double length_m : c.thresholds_m())
+      thresholds.push_back(length_value(length_m, c.units));
+    text += fmt::format("thresholds  {:g} {}\n", fmt::join(thresholds, ", "), length_unit(c.units));
+  }
   text +=
       fmt::format("work        {} histories in {} units{}\n", plan.histories(), plan.units.size(),
                   c.fragility ? ", and the search for capacities on top" : "");

@@ -7,6 +7,7 @@
 
 #include "glissade/motion/improbable.hpp"
 #include "glissade/sampling/pull_test.hpp"
+#include "plan/length_unit.hpp"
 
 namespace glissade {
 namespace {
@@ -49,8 +50,8 @@ Warnings nearest_records(const Plan& plan) {
   for (const Suite& suite : plan.suites) {
     if (suite.nearest_to_target)
       warnings.push_back(fmt::format(
-          "the records of the suite {} were selected as the nearest to a target spectrum "
-          "(suite.selection): they scatter less than recorded motions, so that small "
+          "the records of the suite {} were selected as the nearest to a target spectrum: "
+          "they scatter less than recorded motions, so that small "
           "probabilities are too small, and the log standard deviation and all intervals too "
           "narrow",
           suite.name));
@@ -83,7 +84,9 @@ Warnings long_periods(const Plan& plan) {
 Warnings large_clearances(const Plan& plan) {
   const std::vector<double>& thresholds_m = plan.config.thresholds_m();
   if (thresholds_m.empty() || thresholds_m.back() <= largest_probable_clearance_m) return {};
-  return {fmt::format("a clearance of {:g} m is more than a roof has", thresholds_m.back())};
+  const UnitSystem units = plan.config.units;
+  return {fmt::format("a clearance of {:.3g} {} is more than a roof has",
+                      length_value(thresholds_m.back(), units), length_unit(units))};
 }
 
 Warnings low_friction(const Plan& plan) {

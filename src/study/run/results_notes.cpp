@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-#include "glissade/core/units.hpp"
+#include "plan/length_unit.hpp"
 
 namespace glissade {
 namespace {
@@ -95,16 +95,11 @@ void note_suite(const SuiteSummary& suite, std::vector<std::string>& notes) {
                   suite.name, lowest.ratio, lowest.period_s, highest.ratio, highest.period_s));
 }
 
-const char* unit_of(const StudyConfig& config) {
-  return config.units == UnitSystem::si ? "m" : "in";
-}
-
 /// Three significant digits, in the unit of the report.
 std::vector<std::string> in_unit(const std::vector<double>& lengths_m, const StudyConfig& config) {
   std::vector<std::string> texts;
   for (const double length_m : lengths_m)
-    texts.push_back(
-        fmt::format("{:.3g}", config.units == UnitSystem::si ? length_m : length_m / inch_m));
+    texts.push_back(fmt::format("{:.3g}", length_value(length_m, config.units)));
   return texts;
 }
 
@@ -129,7 +124,7 @@ void warn_of_rates_beyond(const Results& results, const StudyConfig& config,
       "annual rates: up to {:.0f} % of the rate of clearance {} {} is the assumption that any "
       "shaking above the highest level exceeds it. The rate is an upper estimate; add higher "
       "levels (intensity.levels)",
-      100.0 * largest, fmt::join(in_unit(concerned_m, config), ", "), unit_of(config)));
+      100.0 * largest, fmt::join(in_unit(concerned_m, config), ", "), length_unit(config.units)));
 }
 
 /// Fragilities that are not lognormal.
@@ -160,8 +155,8 @@ void warn_of_shape(const Results& results, const StudyConfig& config,
       "{} {} the observed probability is {:.2f} {} the curve at {} = {:.3g}{}. Use the observed "
       "shares there; [shape] compares other curves",
       refused, fitted, goodness_of_fit_level, goodness_of_fit_gap,
-      fmt::join(in_unit(refused_m, config), ", "), unit_of(config),
-      in_unit({worst->threshold_m}, config).front(), unit_of(config),
+      fmt::join(in_unit(refused_m, config), ", "), length_unit(config.units),
+      in_unit({worst->threshold_m}, config).front(), length_unit(config.units),
       std::abs(worst->lognormal.largest_gap),
       worst->lognormal.largest_gap > 0.0 ? "above" : "below",
       results.measure.symbol(config.intensity), worst->lognormal.gap_intensity,

@@ -97,12 +97,18 @@ TEST_F(ProjectFile, numbers_may_have_units) {
 }
 
 TEST_F(ProjectFile, a_period_comes_from_system_and_height) {
-  const Project project =
-      read(changed("period_s = [1.0, 0.5]",
-                   "system = \"other\"\nheight_m = 10.668\nperiod_bounds = [1.0, 2.0]"));
+  const std::string text = changed(
+      "period_s = [1.0, 0.5]", "system = \"other\"\nheight_m = 10.668\nperiod_bounds = [1.0, 2.0]");
+  const Project project = read(text);
   ASSERT_EQ(project.building.period_s.size(), 5u);
   EXPECT_NEAR(project.building.period_s.front(), 0.288, 1e-3);
   EXPECT_NEAR(project.building.period_s.back(), 0.576, 2e-3);
+  EXPECT_THAT(project.building.period_basis, HasSubstr("0.02 (35 ft)^0.75"));
+  EXPECT_THAT(project.building.period_basis, HasSubstr("ASCE 7-16, 12.8-7"));
+  // C_t of the table in metres
+  EXPECT_THAT(
+      read(std::string(text).insert(text.find("[site]"), "units = \"si\"\n")).building.period_basis,
+      HasSubstr("0.0488 (10.67 m)^0.75"));
 }
 
 TEST_F(ProjectFile, an_array_that_slides_without_an_earthquake_is_refused) {
@@ -185,6 +191,14 @@ TEST_F(ProjectFile, of_several_directions_the_lowest_design_friction_counts) {
   EXPECT_THAT(choices_of(read(across)), better);
 }
 
+TEST_F(ProjectFile, warns_of_a_height_in_feet_and_of_coarse_rounding) {
+  EXPECT_THAT(choices_of(read(whole + "[result]\nround_up_m = \"10 ft\"\n")),
+              testing::Contains(HasSubstr("rounded up to steps of 3.05 m (10 ft)")));
+  EXPECT_THAT(choices_of(read(changed("period_s = [1.0, 0.5]",
+                                      "system = \"other\"\nheight_m = 130\nstoreys = 2"))),
+              testing::Contains(HasSubstr("65 m (213 ft) for each is improbable")));
+}
+
 TEST_F(ProjectFile, friction_that_no_roof_has_is_refused_or_a_warning) {
   const auto problems = problems_of(changed("mean = 0.5", "mean = 5.0"));
   ASSERT_EQ(problems.size(), 1u);
@@ -223,7 +237,7 @@ TEST_F(ProjectFile, a_spectrum_by_points_is_of_its_edition_and_in_g) {
   };
   folder_.write("site.csv", "period_s,mce_sa_g\n0.01,0.7\n0.2,1.8\n1,0.9\n5,0.15\n");
   const Project project = read(site("asce7_22"));
-  EXPECT_EQ(to_string(project.site.target), "asce7_22 spectrum of 4 points");
+  EXPECT_EQ(to_string(project.site.target), "ASCE 7-22, spectrum of 4 points");
   EXPECT_EQ(project.spectrum_sha256.size(), 64u);
   folder_.write("site.csv", "period_s,mce_sa_g\n0.01,70\n0.2,180\n1,90\n5,15\n");
   EXPECT_THAT(to_string(problems_of(site("asce7_16")).front()),

@@ -48,7 +48,7 @@ TEST(table, becomes_aligned_text_with_inches_and_dashes) {
 TEST(table, becomes_escaped_html) {
   const std::string html = to_html(small_table()).str();
   EXPECT_THAT(html, HasSubstr("<td>&lt;c&gt;</td>"));
-  EXPECT_THAT(html, HasSubstr("<caption>Two\nrows</caption>"));
+  EXPECT_THAT(html, HasSubstr("<caption><div>Two\nrows</div></caption>"));
 }
 
 TEST(table, says_that_a_one_sided_median_is_a_lower_bound) {

@@ -329,6 +329,11 @@ TEST(plan, warns_of_what_is_possible_and_not_probable) {
   EXPECT_EQ(
       warnings([](StudyConfig& c) { c.quantities.at("building", "period_s") = fixed(300.0); }), 1u);
   EXPECT_EQ(warnings([](StudyConfig& c) { c.fragility->thresholds_m.push_back(50.0); }), 1u);
+  StudyConfig us = small_config();
+  us.units = UnitSystem::us_customary;
+  us.fragility->thresholds_m = {0.1524, 12.7};
+  EXPECT_THAT(to_string(small_plan(us)), testing::HasSubstr("thresholds  6, 500 in"));
+  EXPECT_THAT(to_string(small_plan(us)), testing::HasSubstr("a clearance of 500 in"));
   EXPECT_EQ(warnings([](StudyConfig& c) {
               c.quantities.at("friction", "mu") = drawn(TruncatedNormal{0.3, 0.2, 0.0, INFINITY});
               c.model.axes = SlidingAxes::one;

@@ -64,8 +64,7 @@ class ContourPlot {
       end_line(series);
     }
     panel_.series.push_back(std::move(series));
-    if (const auto place = place_of_label(lines, text))
-      panel_.notes.push_back({place->x, place->y, text, look.colour});
+    labels_.push_back({text, look.colour, lines});
     return true;
   }
 
@@ -75,29 +74,59 @@ class ContourPlot {
     panel_.series.push_back(std::move(series));
   }
 
-  const Panel& panel() const { return panel_; }
+  /// With a label on each contour, where there is room.
+  Panel labelled() {
+    for (const Label& label : labels_) {
+      if (const auto place = place_of(label))
+        panel_.notes.push_back({place->x, place->y, label.text, label.colour});
+    }
+    return panel_;
+  }
 
  private:
+  struct Label {
+    std::string text;
+    Colour colour;
+    std::vector<Polyline> lines;
+  };
+
   PlanePoint share(const PlanePoint& p) const {
     return {(p.x - grid_.x.front()) / (grid_.x.back() - grid_.x.front()),
             (p.y - grid_.y.front()) / (grid_.y.back() - grid_.y.front())};
   }
 
-  /// On the longest line, clear of other text, as near as can be to the falling diagonal, which all
-  /// lines cross: slip grows with slope and falls with friction.
-  std::optional<PlanePoint> place_of_label(const std::vector<Polyline>& lines,
-                                           const std::string& text) {
-    TextBox box = text_box(text);
+  /// At points of the line that are close to each other.
+  bool crosses(const TextBox& box, const Polyline& line) const {
+    constexpr int parts = 8;
+    for (std::size_t i = 1; i < line.size(); ++i) {
+      for (int part = 0; part <= parts; ++part) {
+        const double along = static_cast<double>(part) / parts;
+        if (overlap(box, {share({std::lerp(line[i - 1].x, line[i].x, along),
+                                 std::lerp(line[i - 1].y, line[i].y, along)})}))
+          return true;
+      }
+    }
+    return false;
+  }
+
+  /// On the longest line, clear of other text, if possible of other lines, and as near as can be to
+  /// the falling diagonal, which all lines cross: slip grows with slope and falls with friction.
+  std::optional<PlanePoint> place_of(const Label& label) {
+    TextBox box = text_box(label.text);
     std::optional<PlanePoint> best;
-    double least = 2.0;
-    const Polyline& longest = *std::ranges::max_element(lines, {}, &Polyline::size);
-    for (const PlanePoint& point : longest) {
+    double least = 4.0;
+    for (const PlanePoint& point : *std::ranges::max_element(label.lines, {}, &Polyline::size)) {
       box.centre = share(point);
-      const double off = std::abs(box.centre.x + box.centre.y - 1.0);
-      const bool clear = inside(box) && std::ranges::none_of(taken_, [&](const TextBox& other) {
-                           return overlap(box, other);
-                         });
-      if (!clear || off >= least) continue;
+      const bool is_clear = inside(box) && std::ranges::none_of(taken_, [&](const TextBox& other) {
+                              return overlap(box, other);
+                            });
+      const bool hides = std::ranges::any_of(labels_, [&](const Label& other) {
+        return &other != &label && std::ranges::any_of(other.lines, [&](const Polyline& line) {
+          return crosses(box, line);
+        });
+      });
+      const double off = std::abs(box.centre.x + box.centre.y - 1.0) + (hides ? 2.0 : 0.0);
+      if (!is_clear || off >= least) continue;
       least = off;
       best = point;
     }
@@ -110,6 +139,7 @@ class ContourPlot {
 
   GridValues grid_;
   Panel panel_;
+  std::vector<Label> labels_;
   std::vector<TextBox> taken_;
 };
 
@@ -122,6 +152,14 @@ GridValues slip_grid(const Results& results, std::size_t level) {
       grid.z.push_back(design.slip_m(chart.at(level, s, m)));
   }
   return grid;
+}
+
+/// "buildings of T 0.2 to 2 s".
+std::string building_text(const Chart& chart) {
+  const auto [low, high] = std::ranges::minmax(chart.period_s);
+  if (high == 0.0) return "rigid building";
+  return low == high ? fmt::format("building of T {:g} s", low)
+                     : fmt::format("buildings of T {:g} to {:g} s", low, high);
 }
 
 /// The region where friction cannot hold the array: mu <= tan(slope).
@@ -166,7 +204,8 @@ Figure chart_contours_figure(const Results& results) {
       "chart_contours",
       one_record ? "Peak slip over friction and roof slope"
                  : design_title(results) + " over friction and roof slope",
-      at_intensity(results, results.levels[level]),
+      at_intensity(results, results.levels[level]) + "; " + results.suites.front().name + "; " +
+          building_text(chart),
       (one_record ? "Lines of equal peak slip"
                   : "Lines of equal " + design_name(results) + ", " + clearance_rule(results)) +
           "; what linear interpolation in tables/chart.csv gives. Find the coefficient of friction "
@@ -180,12 +219,14 @@ Figure chart_contours_figure(const Results& results) {
   add_gravity_region(chart, plot);
   if (std::ranges::count(standards_of(chart), Standard::seaoc_pv1_2012) > 0)
     add_seaoc_limits(chart, plot);
-  for (const PrescribedLine& line : prescribed_at(chart, results.levels[level])) {
+  const std::vector<PrescribedLine> prescribed = prescribed_at(chart, results.levels[level]);
+  for (const PrescribedLine& line : prescribed) {
+    const std::string name = prescribed.size() == 1 ? "prescribed" : line.names();
     Look thick = look(Role::prescribed);
     thick.dash = 1;
     thick.width = 4.0;
     const bool crosses = plot.add("prescribed " + line.names(), line.value_m,
-                                  line.names() + ": " + short_length(line.value_m), thick);
+                                  name + ": " + short_length(line.value_m), thick);
     figure.caption +=
         crosses ? " Thick: where the chart requires what is prescribed, " + line.label() + "."
                 : everywhere(grid, line);
@@ -204,7 +245,7 @@ Figure chart_contours_figure(const Results& results) {
     figure.caption += fmt::format(" No line from {} to {} m crosses the chart: see chart.csv.",
                                   round_values_m.front(), round_values_m.back());
   }
-  figure.panels = {plot.panel()};
+  figure.panels = {plot.labelled()};
   return figure;
 }
 

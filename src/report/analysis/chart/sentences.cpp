@@ -6,6 +6,7 @@
 
 #include "analysis/chart/report.hpp"
 #include "analysis/chart/view.hpp"
+#include "glissade/core/wrap.hpp"
 #include "glissade/report/format.hpp"
 #include "text/study_text.hpp"
 
@@ -151,8 +152,8 @@ std::vector<std::string> chart_sentences(const Results& results) {
 
 std::string chart_summary(const Results& results) {
   constexpr std::size_t most = 9;
-  std::string text =
-      fmt::format("Design chart: {}\n{}\n", chart_size(results), wrapped(how_counted(results)));
+  std::string text = wrapped("Design chart: " + chart_size(results), terminal_width, 2) + "\n" +
+                     wrapped(how_counted(results)) + "\n";
   text += to_text(chart_matrix_table(results, most)) + "\n";
   for (const std::string& sentence : chart_sentences(results)) text += wrapped(sentence);
   return text;

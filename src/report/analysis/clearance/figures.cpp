@@ -11,6 +11,7 @@
 #include "glissade/core/units.hpp"
 #include "glissade/report/clearance_report.hpp"
 #include "glissade/report/format.hpp"
+#include "text/study_text.hpp"
 
 namespace glissade {
 namespace {
@@ -37,7 +38,7 @@ std::string after_walters(const Results& results, int figure, const char* more =
 /// Fig. 13: displacement over the building's period, by m/M and vertical.
 Figure period_figure(const Results& results) {
   const ConditionGrid& grid = results.conditions->grid;
-  constexpr std::size_t most_lines = 4;
+  constexpr std::size_t most_lines = 3;  // beside the clearance
   Places members = places_of(grid, vertical, mass);
   double largest_m = 0.0;  // of all, drawn or not
   for (const Condition& at : members)
@@ -98,16 +99,25 @@ void add_buildings(const Results& results, ConditionAxis axis, std::size_t most,
   }
 }
 
+/// S_DS of the design spectrum that the suite is scaled to the MCE of; 0: it is not.
+double sds_of(const SuiteSummary& suite) {
+  const bool is_mce = suite.spectra.reference_level == 0.0;
+  return is_mce ? largest(suite.spectra.target_g) / mce_over_dbe : 0.0;
+}
+
 /// Fig. 14: displacement over the suites.
 Figure level_figure(const Results& results) {
-  std::vector<double> x;
+  std::vector<double> sds_g, place;
   std::vector<std::string> names;
   for (const SuiteSummary& suite : results.suites) {
-    x.push_back(static_cast<double>(x.size()));
+    sds_g.push_back(sds_of(suite));
+    place.push_back(static_cast<double>(place.size()));
     names.push_back(suite.name);
   }
-  Family family(results, "Suite", x);
-  family.name_ticks(names);
+  const bool by_sds = std::ranges::min(sds_g) > 0.0;
+  Family family(results, by_sds ? "S_DS of the suite's design spectrum (g)" : "Suite",
+                by_sds ? sds_g : place);
+  if (!by_sds) family.name_ticks(names);
   const Places buildings = shown_along(results.conditions->grid, period);
   for (std::size_t i = 0; i < buildings.size(); ++i) {
     std::vector<std::vector<double>> by_suite;
@@ -119,7 +129,7 @@ Figure level_figure(const Results& results) {
     family.add_numbers("building of " + label_of(results.conditions->grid, period, i),
                        family_look(i, buildings.size()), by_suite);
   }
-  return {"level", "Displacement over the seismic level",
+  return {"level", "Displacement over the design spectral acceleration",
           conditions_text(results, shown_condition(results.conditions->grid), {period, support}),
           after_walters(results, 14), family.displacements()};
 }

@@ -38,16 +38,17 @@ bool has_curve(const ThresholdFragility& fragility) {
          fragility.capacities.status == FitStatus::always_exceeds;
 }
 
-/// The clearance on its curve, where the curves are few; each at its own height, so that no two
-/// overlap.
-void add_direct_label(Panel& panel, const RunResults& run, std::size_t t) {
-  const ThresholdFragility& fragility = run.fragilities[t];
-  if (run.fragilities.size() > 5 || !fragility.capacities.converged()) return;
-  const double probability = 0.7 - 0.1 * static_cast<double>(t);
-  const double intensity = fragility.capacities.curve.intensity_at(probability);
-  if (!(intensity > panel.x.low && intensity < panel.x.high)) return;
-  panel.notes.push_back({intensity, probability, short_length(fragility.threshold_m),
-                         family_look(t, run.fragilities.size()).colour});
+/// The clearances at the ends of their curves, where these are a few.
+void add_direct_labels(Panel& panel, const RunResults& run) {
+  const std::size_t count = run.fragilities.size();
+  std::vector<Note> labels;
+  for (std::size_t t = 0; t < count; ++t) {
+    const ThresholdFragility& fragility = run.fragilities[t];
+    if (fragility.capacities.converged())
+      labels.push_back({0.0, fragility.capacities.curve.probability(panel.x.high),
+                        short_length(fragility.threshold_m), family_look(t, count).colour});
+  }
+  if (count > 1 && count <= 5) add_side_labels(panel, std::move(labels), 0.15, Side::right);
 }
 
 /// Band, curve and observed shares of one clearance. One key entry for all points.
@@ -100,10 +101,8 @@ Figure fragility_figure(const Results& results, const RunResults& run) {
   Panel panel{"",
               {results.intensity_label, 0.0, results.levels.back()},
               {"Probability that slip in plan exceeds the clearance", 0.0, 1.0}};
-  for (std::size_t t = 0; t < run.fragilities.size(); ++t) {
-    add_threshold(panel, results, run, t);
-    add_direct_label(panel, run, t);
-  }
+  for (std::size_t t = 0; t < run.fragilities.size(); ++t) add_threshold(panel, results, run, t);
+  add_direct_labels(panel, run);
   panel.series.push_back({DataSeries::Kind::band, look(Role::largest), "",
                           "shaded and [ ]: 95 % interval over records; points: observed "
                           "shares"});

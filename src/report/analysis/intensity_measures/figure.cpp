@@ -49,8 +49,7 @@ Figure intensity_measures_figure(const Results& results) {
   panel.series = {std::move(bars), std::move(sufficient), std::move(insufficient)};
   Figure figure{
       "intensity_measures",
-      "Intensity measures ranked: which one says most about slip of " +
-          format_length(ranking.front().threshold_m),
+      "Intensity measures ranked, for slip of " + format_length(ranking.front().threshold_m),
       counts_of(results) + "; " + run_name(results, run),
       "Capacity: the intensity at which half the samples of a record reach that displacement. A "
       "small "

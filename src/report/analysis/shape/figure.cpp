@@ -75,24 +75,37 @@ void mark_gap(Panel& panel, const ThresholdFragility& fragility) {
   gap.low = {std::min(curve, share)};
   gap.high = {std::max(curve, share)};
   panel.series.push_back(std::move(gap));
-  panel.notes.push_back(
-      {0.98 * panel.x.high,
-       0.06,
-       fmt::format("largest gap: {:.2f} {} the lognormal", std::abs(fit.largest_gap),
-                   fit.largest_gap > 0.0 ? "above" : "below"),
-       {0xcc0000},
-       Note::Align::right});
+  panel.title += fmt::format("; gap (red) {:.2f}", std::abs(fit.largest_gap));
 }
 
 /// Below this difference from the lognormal a model is not drawn: the lines would be one.
 constexpr double visible_difference = 0.03;
 
-bool differs_from_lognormal(const DataSeries& model, const ThresholdFragility& fragility) {
-  for (std::size_t i = 0; i < model.x.size(); ++i) {
-    const double lognormal = fragility.capacities.curve.probability(model.x[i]);
-    if (std::abs(model.y[i] - lognormal) > visible_difference) return true;
+double difference_from_lognormal(const DataSeries& model, const ThresholdFragility& fragility) {
+  double largest = fragility.capacities.converged() ? 0.0 : 1.0;
+  for (std::size_t i = 0; i < model.x.size(); ++i)
+    largest = std::max(largest,
+                       std::abs(model.y[i] - fragility.capacities.curve.probability(model.x[i])));
+  return largest;
+}
+
+/// The three that differ most from the lognormal.
+std::vector<DataSeries> shown_models(const Results& results, const ThresholdFragility& fragility,
+                                     const ThresholdShape& shape) {
+  constexpr std::size_t most = 3;
+  std::vector<std::pair<double, DataSeries>> lines;
+  std::size_t look_index = 1;
+  for (const ShapeModel model : {ShapeModel::logit, ShapeModel::complementary_log_log,
+                                 ShapeModel::two_part, ShapeModel::one_surface}) {
+    DataSeries line = of_model(results, fragility, shape, model, look_index++);
+    if (const double by = difference_from_lognormal(line, fragility); by > visible_difference)
+      lines.emplace_back(by, std::move(line));
   }
-  return !fragility.capacities.converged();
+  if (lines.size() > most)
+    lines.erase(std::ranges::min_element(lines, {}, &std::pair<double, DataSeries>::first));
+  std::vector<DataSeries> shown;
+  for (auto& [by, line] : lines) shown.push_back(std::move(line));
+  return shown;
 }
 
 Panel panel_of(const Results& results, std::size_t threshold) {
@@ -108,17 +121,13 @@ Panel panel_of(const Results& results, std::size_t threshold) {
       {results.intensity_label, 0.0, results.levels.back()},
       {"Probability that slip exceeds the clearance", 0.0, 1.0}};
   panel.series = {interval_bars(results, fragility), lognormal(panel, fragility)};
-  std::size_t look_index = 1;
-  for (const ShapeModel model : {ShapeModel::logit, ShapeModel::complementary_log_log,
-                                 ShapeModel::two_part, ShapeModel::one_surface}) {
-    DataSeries line = of_model(results, fragility, shape, model, look_index++);
-    if (differs_from_lognormal(line, fragility)) panel.series.push_back(std::move(line));
-  }
+  for (DataSeries& line : shown_models(results, fragility, shape))
+    panel.series.push_back(std::move(line));
   panel.series.push_back(observed(results, fragility));
   mark_gap(panel, fragility);
   for (DataSeries& series : panel.series) {
     if (series.kind != DataSeries::Kind::bars)
-      series.label = series.name == "observed" ? "observed; bars: 95 % over records" : series.name;
+      series.label = series.name == "observed" ? "observed, 95 % interval" : series.name;
   }
   return panel;
 }
@@ -129,15 +138,15 @@ Figure shape_figure(const Results& results) {
   const std::vector<ThresholdFragility>& fragilities = results.runs.front().fragilities;
   const auto [best, worst] = std::ranges::minmax_element(fragilities, {}, gap_of);
   Figure figure{
-      "shape", "Observed probability of exceedance, the lognormal, and models that differ from it",
+      "shape", "Observed exceedance, the lognormal, and models that differ from it",
       counts_of(results) + "; " + friction_of(results, results.runs.front()),
       "Points: observed share of histories that exceed the clearance. Lines: the lognormal fitted "
       "to capacities, and other models fitted to the shares at the levels. Two-part: probability "
       "of "
       "any slip times that of its size. One surface: lognormals of all clearances with one log "
       "std. Shown are the clearance where the observed share departs most from the lognormal, and "
-      "that where it departs least. Models within 0.03 of the lognormal at every level are not "
-      "drawn. "
+      "that where it departs least. Of the models at most three are drawn, those that differ most "
+      "from the lognormal, and by 0.03 or more. "
       "p: goodness of fit. All clearances: tables/shape.csv and "
       "tables/shape_levels.csv."};
   for (const auto shown : {worst, best}) {
