@@ -106,10 +106,14 @@ struct Panel {
   std::vector<Note> notes;
 };
 
-/// Labels of lines in a margin that the panel gets beside them, this share of its width, each near
-/// its height and none over another.
+/// Labels of lines in a margin that the panel gets beside them, each near its height and none over
+/// another. Both sizes are shares of the panel.
 enum class Side { left, right };
-void add_side_labels(Panel& panel, std::vector<Note> labels, double share, Side side);
+struct LabelMargin {
+  Side side;
+  double width, line;  ///< line: from one label to the next
+};
+void add_side_labels(Panel& panel, std::vector<Note> labels, const LabelMargin& margin);
 
 struct Figure {
   FileName name = "figure";        ///< of its files: "fragility"

@@ -49,8 +49,8 @@ Figure demand_figure(const CalculationPackage& package) {
         {0.0, design.governing_m, "governing: " + length_in(design.governing_m), governing.colour});
     top_m = std::max(top_m, design.governing_m);
   }
-  panel.y = length_axis("Displacement in plan", 1.15 * top_m);
-  add_side_labels(panel, std::move(labels), 0.3, side);
+  panel.y = length_axis("Displacement in plan", 1.2 * top_m);
+  add_side_labels(panel, std::move(labels), {side, 0.34, 0.11});
   return {"demand",
           "Displacement at DBE over the building's period",
           fmt::format("S_DS = {:.3f} g; friction {:.3g}; slope {:.3g} degrees; {} records{}",
@@ -75,12 +75,10 @@ std::vector<Figure> package_figures(const CalculationPackage& package) {
   });
   figures.push_back(fragility_figure(package.probability, *run));
   figures.back().name = "exceedance";
-  figures.back().title = fmt::format(
-      "Probability that the governing displacement is exceeded, building period {:.3g} s",
-      period_s);
+  figures.back().title = "Probability that the governing displacement is exceeded";
   const ProjectFriction& mu = package.project.friction;
-  figures.back().below = fmt::format("{}; friction {:.3g}, std {:.2g}",
-                                     counts_of(package.probability), mu.mean, mu.std);
+  figures.back().below = fmt::format("building period {:.3g} s; {}; friction {:.3g}, std {:.2g}",
+                                     period_s, counts_of(package.probability), mu.mean, mu.std);
   figures.back().caption = fmt::format(
       "Line: lognormal curve, fitted to the lowest intensity at which each history reaches the "
       "displacement. Points: share of the histories that exceed it at a level. Shaded: 95 % "

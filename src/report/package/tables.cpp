@@ -390,7 +390,8 @@ Table separations_table(const CalculationPackage& package) {
   for (const ProjectSeparation& s : package.design.separations) {
     const bool known = s.available_m.has_value();
     table.add({s.required.what, fmt::format("{:.1f}", s.required.factor),
-               length_in_both(s.required.value_m), separation_in(s.required.value_m),
+               length_in_both(s.required.value_m),
+               fmt::format("{:.2f}", s.required.value_m / foot_m),
                prescribed_separation(of_prescribed.at(row++).value_m),
                known ? length_in_both(*s.available_m) : "not stated",
                std::string(!known                                ? "-"

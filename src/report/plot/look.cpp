@@ -93,20 +93,21 @@ Axis length_axis(const std::string& label, double high_m) {
   return {label + " (m)", 0.0, high_m, {}};
 }
 
-void add_side_labels(Panel& panel, std::vector<Note> labels, double share, Side side) {
+void add_side_labels(Panel& panel, std::vector<Note> labels, const LabelMargin& margin) {
   const double width = panel.x.high - panel.x.low;
-  const double line = 0.07 * (panel.y.high - panel.y.low);
-  const bool left = side == Side::left;
-  const double x = left ? panel.x.low - 0.02 * width : panel.x.high + 0.02 * width;
+  const double line = margin.line * (panel.y.high - panel.y.low);
+  const bool left = margin.side == Side::left;
+  double& edge = left ? panel.x.low : panel.x.high;
+  const double outward = left ? -width : width;
   std::ranges::sort(labels, std::ranges::greater{}, &Note::y);
   double above = panel.y.high + line;
   for (std::size_t i = 0; i < labels.size(); ++i) {
     const double least = panel.y.low + line * static_cast<double>(labels.size() - 1 - i);
     above = std::max(least, std::min(labels[i].y, above - line));
-    panel.notes.push_back({x, above, labels[i].text, labels[i].colour,
+    panel.notes.push_back({edge + 0.02 * outward, above, labels[i].text, labels[i].colour,
                            left ? Note::Align::right : Note::Align::left});
   }
-  (left ? panel.x.low : panel.x.high) += (left ? -share : share) * width;
+  edge += margin.width * outward;
 }
 
 }  // namespace glissade

@@ -55,10 +55,11 @@ class ContourPlot {
   }
 
   /// Lines at a value with their label, and whether there are any.
-  bool add(const std::string& name, double value_m, const std::string& text, const Look& look) {
+  bool add(const std::string& name, double value_m, const std::string& text, const Look& look,
+           const std::string& key = "") {
     const std::vector<Polyline> lines = contour_lines(grid_, value_m);
     if (lines.empty()) return false;
-    DataSeries series{DataSeries::Kind::line, look, name};
+    DataSeries series{DataSeries::Kind::line, look, name, key};
     for (const Polyline& line : lines) {
       append(series, line);
       end_line(series);
@@ -219,14 +220,13 @@ Figure chart_contours_figure(const Results& results) {
   add_gravity_region(chart, plot);
   if (std::ranges::count(standards_of(chart), Standard::seaoc_pv1_2012) > 0)
     add_seaoc_limits(chart, plot);
-  const std::vector<PrescribedLine> prescribed = prescribed_at(chart, results.levels[level]);
-  for (const PrescribedLine& line : prescribed) {
-    const std::string name = prescribed.size() == 1 ? "prescribed" : line.names();
+  for (const PrescribedLine& line : prescribed_at(chart, results.levels[level])) {
     Look thick = look(Role::prescribed);
     thick.dash = 1;
     thick.width = 4.0;
-    const bool crosses = plot.add("prescribed " + line.names(), line.value_m,
-                                  name + ": " + short_length(line.value_m), thick);
+    const bool crosses =
+        plot.add("prescribed " + line.names(), line.value_m, short_length(line.value_m), thick,
+                 "prescribed by " + line.names());
     figure.caption +=
         crosses ? " Thick: where the chart requires what is prescribed, " + line.label() + "."
                 : everywhere(grid, line);

@@ -110,7 +110,13 @@ std::vector<Panel> Family::ratios(const std::string& label, From from) {
   Panel panel = panel_;
   panel.y = {label, from == From::zero ? 0.0 : 0.97 * smallest_y(), largest_y()};
   if (from == From::lowest) panel.y.high *= 1.03 / 1.12;
-  if (spreads_.empty()) return {panel};
+  const double visible = 0.01 * (panel.y.high - panel.y.low);
+  const auto is_thin = [&](const DataSeries& spread) {
+    for (std::size_t i = 0; i < spread.high.size(); ++i)
+      if (spread.high[i] - spread.low[i] > visible) return false;
+    return true;
+  };
+  if (std::ranges::all_of(spreads_, is_thin)) return {panel};
   // More than a few bands over one another cannot be distinguished: then the first alone has one.
   const bool bars = spread_ == Spread::bars, all = bars || spreads_.size() <= 3;
   panel.series.insert(panel.series.begin(), spreads_.begin(),

@@ -48,7 +48,7 @@ void add_direct_labels(Panel& panel, const RunResults& run) {
       labels.push_back({0.0, fragility.capacities.curve.probability(panel.x.high),
                         short_length(fragility.threshold_m), family_look(t, count).colour});
   }
-  if (count > 1 && count <= 5) add_side_labels(panel, std::move(labels), 0.15, Side::right);
+  if (count > 1 && count <= 5) add_side_labels(panel, std::move(labels), {Side::right, 0.15, 0.07});
 }
 
 /// Band, curve and observed shares of one clearance. One key entry for all points.
