@@ -102,7 +102,7 @@ const char* project_example_of(const char* table, const char* key) {
 std::string project_example() {
   std::string text =
       "# A project: glissade clearance FILE\n"
-      "# A number may have a unit, in quotes: height_m = \"30 ft\", rise_in_12 = \"0.25:12\"\n";
+      "# A number may have a unit in quotes: height_m = \"30 ft\", rise_in_12 = \"0.25:12\"\n";
   std::string table;
   for (const ProjectKey& row : keys) {
     if (table != row.table) {
