@@ -20,13 +20,15 @@ class ReportOfStudy : public OneRun<without_standards> {
 };
 
 TEST_F(ReportOfStudy, gives_what_a_run_of_that_study_gives) {
-  const std::string text = small_study() + "[shape]\n", study = folder_->write("whole.toml", text);
+  const std::string text = small_study() +
+                           "[shape]\n[hazard]\nk0 = 1e-4\nk = 2.0\ndesign_life_years = 25.0\n",
+                    study = folder_->write("whole.toml", text);
   ASSERT_EQ(run_program({"run", study, "--out", folder_->path("run").string()}).status, 0);
   const Finished child = report(text, "again");
   ASSERT_EQ(child.status, 0) << child.err;
   EXPECT_FALSE(std::filesystem::exists(out() / "tables/standards.csv"));
   for (const char* table : {"tables/standards.csv", "tables/fragility.csv", "tables/slip.csv",
-                            "tables/shape.csv", "tables/shape_models.csv"})
+                            "tables/shape.csv", "tables/shape_models.csv", "tables/hazard.csv"})
     EXPECT_EQ(read_file(folder_->path("again") / table), read_file(folder_->path("run") / table));
   const Finished third =
       run_program({"report", (folder_->path("again") / "results.h5").string(), "--overwrite"});

@@ -328,7 +328,7 @@ constexpr AnalysisTable analysis_tables[] = {
     {"base_shear", read_base_shear, true, true},
     {"standards", read_standards, false, true, true},
     {"impact", read_impact, false, true},
-    {"hazard", read_hazard, false, true},
+    {"hazard", read_hazard, false, true, true},
     {"tipping", read_tipping, false, false},
     {"verdict", read_verdict, true, true, true},
     {"sensitivity", read_sensitivity, false, false},

@@ -6,10 +6,12 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <string_view>
 #include <utility>
 
 #include "glissade/core/contract.hpp"
+#include "glissade/core/error.hpp"
 #include "glissade/core/hash.hpp"
 #include "glissade/core/units.hpp"
 #include "glissade/study/cases/sample_points.hpp"
@@ -62,43 +64,6 @@ std::vector<ListedQuantity> axes_of(const StudyConfig& config) {
   }
   return axes;
 }
-
-/// Draws the samples of everything uncertain; what is listed stays as a default case has it.
-class Draw {
- public:
-  explicit Draw(const StudyConfig& config) : config_(config), points_(config) {}
-
-  std::size_t samples() const { return points_.count(); }
-
-  double value(std::size_t parameter, std::size_t sample) const {
-    const Parameter& p = parameters()[parameter];
-    const Quantity& quantity = config_.quantities[parameter];
-    double value = quantile(*quantity.drawn, points_.coordinate(sample, p.dimension));
-    if (quantity.drawn_as_rise_in_12) value = slope_of_rise_deg(value);
-    // Tails outside the physical range (less than one in a million) are put at its ends.
-    return std::clamp(value, p.range.min, p.range.max);
-  }
-
-  Orientation orientation(std::size_t sample) const {
-    const OrientationConfig& o = config_.orientation;
-    const auto coin = [&](std::uint32_t dimension) {
-      return points_.coordinate(sample, dimension) < 0.5;
-    };
-    const auto sign = [&](SignChoice choice, std::uint32_t dimension) {
-      if (choice == SignChoice::positive) return 1;
-      if (choice == SignChoice::negative) return -1;
-      return coin(dimension) ? 1 : -1;
-    };
-    int component = o.component == ComponentChoice::second ? 1 : 0;
-    if (o.component == ComponentChoice::random) component = coin(component_dimension) ? 0 : 1;
-    return quarter_turn({component, sign(o.sign, sign_dimension)},
-                        config_.two_axes() ? sign(o.second_sign, second_sign_dimension) : 1);
-  }
-
- private:
-  const StudyConfig& config_;
-  SamplePoints points_;
-};
 
 std::vector<Orientation> orientations_of(const StudyConfig& config) {
   const OrientationConfig& o = config.orientation;
@@ -218,6 +183,55 @@ std::string CaseGrid::describe(std::size_t combination, const std::string& witho
   return text;
 }
 
+/// Draws a sample of everything uncertain by its number; what is listed stays as it is.
+class SampleDraw {
+ public:
+  explicit SampleDraw(const StudyConfig& config) : config_(config), points_(config) {
+    for (std::size_t i = 0; i < parameters().size(); ++i)
+      if (config.quantities[i].is_drawn()) drawn_.push_back(i);
+  }
+
+  std::size_t samples() const { return points_.count(); }
+
+  void put(Case& c, std::size_t sample) const {
+    for (const std::size_t i : drawn_) parameters()[i].of(c) = value(i, sample);
+    if (config_.orientation.choice != OrientationChoice::random) return;
+    const SlopeAxis slope_axis = c.orientation.slope_axis;
+    c.orientation = orientation(sample);
+    c.orientation.slope_axis = slope_axis;
+  }
+
+ private:
+  double value(std::size_t parameter, std::size_t sample) const {
+    const Parameter& p = parameters()[parameter];
+    const Quantity& quantity = config_.quantities[parameter];
+    double value = quantile(*quantity.drawn, points_.coordinate(sample, p.dimension));
+    if (quantity.drawn_as_rise_in_12) value = slope_of_rise_deg(value);
+    // Tails outside the physical range (less than one in a million) are put at its ends.
+    return std::clamp(value, p.range.min, p.range.max);
+  }
+
+  Orientation orientation(std::size_t sample) const {
+    const OrientationConfig& o = config_.orientation;
+    const auto coin = [&](std::uint32_t dimension) {
+      return points_.coordinate(sample, dimension) < 0.5;
+    };
+    const auto sign = [&](SignChoice choice, std::uint32_t dimension) {
+      if (choice == SignChoice::positive) return 1;
+      if (choice == SignChoice::negative) return -1;
+      return coin(dimension) ? 1 : -1;
+    };
+    int component = o.component == ComponentChoice::second ? 1 : 0;
+    if (o.component == ComponentChoice::random) component = coin(component_dimension) ? 0 : 1;
+    return quarter_turn({component, sign(o.sign, sign_dimension)},
+                        config_.two_axes() ? sign(o.second_sign, second_sign_dimension) : 1);
+  }
+
+  StudyConfig config_;
+  SamplePoints points_;
+  std::vector<std::size_t> drawn_;  ///< parameters
+};
+
 PlannedCases::PlannedCases(const StudyConfig& config) {
   for (ListedQuantity& axis : axes_of(config)) {
     axis.put(usual_, 0);
@@ -225,19 +239,13 @@ PlannedCases::PlannedCases(const StudyConfig& config) {
     put_.push_back(std::move(axis.put));
     axes.push_back(std::move(axis.axis));
   }
-  for (std::size_t i = 0; i < parameters().size(); ++i)
-    if (config.quantities[i].is_drawn()) drawn_.push_back(i);
-  const Draw draw(config);
-  samples = draw.samples();
-  values_.reserve(samples * drawn_.size());
-  for (std::size_t sample = 0; sample < samples; ++sample)
-    for (const std::size_t i : drawn_) values_.push_back(draw.value(i, sample));
-
+  draw_ = std::make_shared<const SampleDraw>(config);
+  samples = draw_->samples();
   orientations_ = orientations_of(config);
   orientations = orientations_.size();
-  if (config.orientation.choice == OrientationChoice::random)
-    for (std::size_t sample = 0; sample < samples; ++sample)
-      drawn_orientations_.push_back(draw.orientation(sample));
+  if (size() > std::numeric_limits<CaseNumber>::max())
+    throw InputError({config.file, fmt::format("has {:.3g} cases", static_cast<double>(size())),
+                      "take fewer samples or combinations: at most 4.29e9 cases", ""});
 
   const Quantity& along = config.quantities.at("friction", "mu");
   const Quantity& across = config.quantities.at("friction", "across_mu");
@@ -250,19 +258,12 @@ PlannedCases::PlannedCases(const StudyConfig& config) {
 
 Case PlannedCases::operator[](std::size_t i) const {
   Case c = usual_;
-  const std::size_t sample = i / orientations % samples;
-  for (std::size_t k = 0; k < drawn_.size(); ++k)
-    parameters()[drawn_[k]].of(c) = values_[sample * drawn_.size() + k];
+  c.orientation = orientations_[i % orientations];
+  draw_->put(c, i / orientations % samples);
   std::size_t place = i / per_combination();
   for (std::size_t axis = axes.size(); axis > 0; --axis) {
     put_[axis - 1](c, place % axes[axis - 1].size());
     place /= axes[axis - 1].size();
-  }
-  c.orientation = orientations_[i % orientations];
-  if (!drawn_orientations_.empty()) {
-    const SlopeAxis slope_axis = c.orientation.slope_axis;
-    c.orientation = drawn_orientations_[sample];
-    c.orientation.slope_axis = slope_axis;
   }
   const bool design = c.friction_value == FrictionValue::design;
   if (design && design_along_) c.friction = *design_along_;
@@ -280,18 +281,20 @@ CaseSet PlannedCases::stored() const {
   return set;
 }
 
-std::vector<std::size_t> first_with_same_key(
-    std::size_t count, const std::function<std::vector<double>(std::size_t)>& key_of) {
-  std::vector<std::pair<std::uint64_t, std::size_t>> by_hash(count);
-  for (std::size_t i = 0; i < count; ++i) by_hash[i] = {Hasher().numbers(key_of(i)).value(), i};
+std::vector<CaseNumber> first_with_same_key(
+    std::size_t count, const std::function<std::vector<double>(CaseNumber)>& key_of) {
+  std::vector<std::pair<std::uint64_t, CaseNumber>> by_hash;
+  by_hash.reserve(count);
+  for (const CaseNumber i : std::views::iota(CaseNumber{0}, static_cast<CaseNumber>(count)))
+    by_hash.emplace_back(Hasher().numbers(key_of(i)).value(), i);
   std::ranges::sort(by_hash);
-  std::vector<std::size_t> first(count);
+  std::vector<CaseNumber> first(count);
   for (std::size_t begin = 0, end = 0; begin < count; begin = end) {
     while (end < count && by_hash[end].first == by_hash[begin].first) ++end;
     // Of one hash; different keys are possible.
-    std::vector<std::pair<std::vector<double>, std::size_t>> firsts;
+    std::vector<std::pair<std::vector<double>, CaseNumber>> firsts;
     for (std::size_t k = begin; k < end; ++k) {
-      const std::size_t i = by_hash[k].second;
+      const CaseNumber i = by_hash[k].second;
       first[i] = i;
       if (end - begin == 1) break;
       std::vector<double> key = key_of(i);
@@ -305,10 +308,10 @@ std::vector<std::size_t> first_with_same_key(
   return first;
 }
 
-std::vector<std::size_t> same_as(const CaseGrid& cases,
-                                 const std::function<Case(std::size_t)>& case_of, bool two_axes,
-                                 SampleBlocks blocks) {
-  return first_with_same_key(cases.size(), [&](std::size_t i) {
+std::vector<CaseNumber> same_as(const CaseGrid& cases,
+                                const std::function<Case(std::size_t)>& case_of, bool two_axes,
+                                SampleBlocks blocks) {
+  return first_with_same_key(cases.size(), [&](CaseNumber i) {
     const Case c = case_of(i);
     std::vector<double> key{static_cast<double>(cases.block(i, blocks))};
     for (const Parameter& p : parameters()) {

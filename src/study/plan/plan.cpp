@@ -26,7 +26,7 @@ std::size_t block_of(const Plan& plan, std::size_t i) {
 /// and takes no more memory than a hundred tables.
 void number_buildings(Plan& plan) {
   constexpr std::size_t most_kept = 128;
-  const std::vector<std::size_t> first = first_with_same_key(plan.cases.size(), [&](std::size_t i) {
+  const std::vector<CaseNumber> first = first_with_same_key(plan.cases.size(), [&](CaseNumber i) {
     const Case c = plan.cases[i];
     const bool mixed = !c.orientation.is_quarter_turn();
     return std::vector<double>{mixed ? c.orientation.ground_azimuth_deg : -1.0,
@@ -40,14 +40,14 @@ void number_buildings(Plan& plan) {
                                c.mass_ratio,
                                static_cast<double>(c.support)};
   });
-  std::vector<std::size_t>& by_block = plan.order;
+  std::vector<CaseNumber>& by_block = plan.order;
   by_block.resize(plan.cases.size());
   std::iota(by_block.begin(), by_block.end(), 0);
   std::ranges::stable_sort(by_block, {}, [&](std::size_t i) { return block_of(plan, i); });
-  constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+  constexpr CaseNumber none = std::numeric_limits<CaseNumber>::max();
   plan.building.assign(plan.cases.size(), none);
-  std::size_t buildings = 0;
-  for (const std::size_t i : by_block) {
+  CaseNumber buildings = 0;
+  for (const CaseNumber i : by_block) {
     // The first by number need not be the first by block.
     if (plan.building[first[i]] == none) plan.building[first[i]] = buildings++;
     plan.building[i] = plan.building[first[i]];
@@ -202,7 +202,7 @@ void Plan::list_by_building(std::size_t buildings) {
   std::partial_sum(first_on_.begin(), first_on_.end(), first_on_.begin());
 }
 
-std::span<const std::size_t> Plan::cases_on(std::size_t number) const {
+std::span<const CaseNumber> Plan::cases_on(std::size_t number) const {
   return std::span(by_building_)
       .subspan(first_on_[number], first_on_[number + 1] - first_on_[number]);
 }

@@ -60,6 +60,13 @@ void analyse(const StudyConfig& study, Results& results) {
     results.intensity_measures = rank_intensity_measures(study, results);
 }
 
+void add(const std::vector<std::string>& some, std::vector<std::string>& all) {
+  all.insert(all.end(), some.begin(), some.end());
+}
+void remove(const std::vector<std::string>& some, std::vector<std::string>& all) {
+  std::erase_if(all, [&](const std::string& s) { return std::ranges::count(some, s) > 0; });
+}
+
 }  // namespace
 
 Results reduce(const Plan& plan, const std::vector<UnitResult>& units) {
@@ -75,10 +82,9 @@ Results reduce(const Plan& plan, HistoryTable histories,
   results.histories = std::move(histories);
   analyse(plan.config, results);
   results.warnings = plan.warnings;
-  for (std::string& warning : warnings_on(results, plan.config))
-    results.warnings.push_back(std::move(warning));
   results.notes = plan.notes;
-  for (std::string& note : notes_on(results, plan.config)) results.notes.push_back(std::move(note));
+  add(warnings_on(results, plan.config), results.warnings);
+  add(notes_on(results, plan.config), results.notes);
   return results;
 }
 
@@ -86,6 +92,8 @@ void analyse_again(StudyConfig study, Results& results) {
   if (results.reached_target)
     study.sampling = study.sampling.first_blocks(results.reached_target->scrambles);
   results.study_text = study.source_text;
+  remove(warnings_on(results, study), results.warnings);
+  remove(notes_on(results, study), results.notes);
   results.conditions.reset();
   results.runs.clear();
   results.chart.reset();
@@ -99,6 +107,8 @@ void analyse_again(StudyConfig study, Results& results) {
   results.rare.reset();
   results.intensity_measures.reset();
   analyse(study, results);
+  add(warnings_on(results, study), results.warnings);
+  add(notes_on(results, study), results.notes);
 }
 
 WorkCount total_count(const std::vector<UnitResult>& units) {

@@ -133,7 +133,7 @@ std::shared_ptr<MotionTable> RoofStore::vertical(const Case& c, int parts) {
 }
 
 /// How far a roof under these cases must be followed. @param factor on the motion at level 1
-RoofMotionOptions RoofStore::follow(std::span<const std::size_t> cases, double factor) const {
+RoofMotionOptions RoofStore::follow(std::span<const CaseNumber> cases, double factor) const {
   std::vector<Block> blocks;
   const bool two_axes = plan_.config.two_axes();
   for (const std::size_t i : cases) {

@@ -134,12 +134,12 @@ TEST(first_with_same_key, is_the_lowest_number) {
                                 [&](std::size_t i) {
                                   return std::vector{of[i], 0.5};
                                 }),
-            (std::vector<std::size_t>{0, 1, 0, 3, 1, 0}));
+            (std::vector<CaseNumber>{0, 1, 0, 3, 1, 0}));
 }
 
 std::size_t different(const StudyConfig& config) {
   const PlannedCases set(config);
-  const std::vector<std::size_t> same = same_as(set, set, config.two_axes());
+  const std::vector<CaseNumber> same = same_as(set, set, config.two_axes());
   std::size_t count = 0;
   for (std::size_t i = 0; i < set.size(); ++i) {
     EXPECT_LE(same[i], i);

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <ranges>
 #include <string>
@@ -65,10 +67,16 @@ struct CaseSet : CaseGrid {
   std::string label(std::size_t combination) const;
 };
 
-/// The cases of a plan: of a sample only what is drawn is stored, since every rank has it.
+/// Position of a case in a plan or in results.
+using CaseNumber = std::uint32_t;
+
+class SampleDraw;
+
+/// The cases of a plan, each made where it is wanted: every rank has them all.
 class PlannedCases : public CaseGrid {
  public:
   PlannedCases() = default;
+  /// Throws InputError where there are more than 2^32 - 1.
   explicit PlannedCases(const StudyConfig& config);
   /// By (combination, sample, orientation).
   Case operator[](std::size_t i) const;
@@ -82,10 +90,8 @@ class PlannedCases : public CaseGrid {
  private:
   Case usual_;                                                ///< with all that has one value
   std::vector<std::function<void(Case&, std::size_t)>> put_;  ///< by axis: one of its values
-  std::vector<std::size_t> drawn_;                            ///< parameters
-  std::vector<double> values_;                                ///< by (sample, drawn parameter)
-  std::vector<Orientation> orientations_;                     ///< of each sample
-  std::vector<Orientation> drawn_orientations_;               ///< by sample; empty: none is drawn
+  std::shared_ptr<const SampleDraw> draw_;
+  std::vector<Orientation> orientations_;  ///< of each sample
   bool across_is_given_ = false;
   /// Of drawn friction: mean - 2 std.
   std::optional<double> design_along_, design_across_, design_neighbour_;
@@ -94,13 +100,13 @@ class PlannedCases : public CaseGrid {
 /// By case: the first that has the same histories but for the sign of what moves across the slope.
 /// What acts across is then mirrored, or has no part in the model; a flat roof mirrored is itself.
 /// It is of the same block.
-std::vector<std::size_t> same_as(const CaseGrid& cases,
-                                 const std::function<Case(std::size_t)>& case_of, bool two_axes,
-                                 SampleBlocks blocks = {});
+std::vector<CaseNumber> same_as(const CaseGrid& cases,
+                                const std::function<Case(std::size_t)>& case_of, bool two_axes,
+                                SampleBlocks blocks = {});
 
 /// By number below `count`: the first with an equal key.
 /// @param key_of a number's key, made each time: all of them would take more memory than the cases
-std::vector<std::size_t> first_with_same_key(
-    std::size_t count, const std::function<std::vector<double>(std::size_t)>& key_of);
+std::vector<CaseNumber> first_with_same_key(
+    std::size_t count, const std::function<std::vector<double>(CaseNumber)>& key_of);
 
 }  // namespace glissade

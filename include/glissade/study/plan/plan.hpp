@@ -34,11 +34,11 @@ struct Plan {
   std::vector<PlannedRecord> records;  ///< of all suites, in their order
   KernelChoice kernel;
   PlannedCases cases;
-  std::vector<std::size_t> same_as;  ///< by case: the first with the same histories
+  std::vector<CaseNumber> same_as;  ///< by case: the first with the same histories
   /// The cases that are run, block by block of the samples, those on one building together.
-  std::vector<std::size_t> order;
+  std::vector<CaseNumber> order;
   /// By case: which of the distinct roofs of a record it is on.
-  std::vector<std::size_t> building;
+  std::vector<CaseNumber> building;
   bool roofs_are_kept = false;               ///< so few of them that a record's are all kept
   bool frictions_repeat = false;             ///< half of the frictions or fewer are different
   std::vector<double> factor_at_unit_level;  ///< by record: factor on the motion at level 1; 0
@@ -52,7 +52,7 @@ struct Plan {
   std::string hash;                   ///< of everything that decides the results
 
   /// On a building, of those that are run, in their order.
-  std::span<const std::size_t> cases_on(std::size_t number) const;
+  std::span<const CaseNumber> cases_on(std::size_t number) const;
   /// Lists them, of so many buildings.
   void list_by_building(std::size_t buildings);
 
@@ -69,7 +69,7 @@ struct Plan {
   double predicted_seconds() const;
 
  private:
-  std::vector<std::size_t> by_building_, first_on_;
+  std::vector<CaseNumber> by_building_, first_on_;
 };
 
 /// Numbers that are computed part by part: which process computes a part changes nothing.

@@ -79,7 +79,7 @@ class RoofStore {
   std::shared_ptr<GroundTable> ground(const AxisMotion& axis, int parts);
   std::shared_ptr<MotionTable> vertical(const Case& c, int parts);
   int vertical_parts(const Case& c) const;
-  RoofMotionOptions follow(std::span<const std::size_t> cases, double factor) const;
+  RoofMotionOptions follow(std::span<const CaseNumber> cases, double factor) const;
   CaseRoof& kept(std::size_t building);
   void make(std::span<const std::size_t> buildings, std::span<CaseRoof> roofs);
   void make(std::span<const std::size_t> buildings, std::span<const RoofMotionOptions> follow,

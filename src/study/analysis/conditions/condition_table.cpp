@@ -175,7 +175,7 @@ ConditionTable condition_table(const Results& results) {
   ConditionTable table;
   table.grid = grid_of(results, axes);
   table.friction = design_frictions(set, axes, table.grid);
-  const std::vector<std::size_t> same = same_as(
+  const std::vector<CaseNumber> same = same_as(
       set, [&](std::size_t i) { return set.cases[i]; }, slides_on_two_axes(results));
   for (std::size_t o = 0; o < set.orientations; ++o) {
     table.orientations.push_back(set.cases[set.index(0, 0, o)].orientation);
