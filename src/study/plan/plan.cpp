@@ -58,7 +58,7 @@ void number_buildings(Plan& plan) {
   });
   plan.list_by_building(buildings);
   plan.roofs_are_kept =
-      buildings <= most_kept && (buildings <= 2 || 2 * buildings <= plan.order.size());
+      buildings <= most_kept && (buildings <= 2 || buildings <= plan.order.size() / 2);
   std::vector<double> frictions;
   for (const std::size_t i : plan.order) frictions.push_back(plan.cases[i].friction);
   std::ranges::sort(frictions);

@@ -75,7 +75,7 @@ Figure period_figure(const Results& results) {
 
 /// Of the building periods as many as a panel takes, from the shortest to the longest.
 Places drawn_buildings(const Results& results, std::size_t most) {
-  const Places all = shown_along(results.conditions->grid, period);
+  Places all = shown_along(results.conditions->grid, period);
   if (all.size() <= most) return all;
   Places drawn;
   for (std::size_t i = 0; i < most; ++i) drawn.push_back(all[i * (all.size() - 1) / (most - 1)]);
