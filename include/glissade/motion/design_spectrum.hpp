@@ -68,18 +68,18 @@ class TargetSpectrum {
   std::vector<double> period_s_, design_sa_g_;
 };
 
-/// "A" ... "E", "default"; InputError otherwise.
 /// What is said of site class F, which the enumeration has not.
 inline constexpr const char* site_class_f_refusal =
     "site class F has no site coefficients: ASCE 7-16, 11.4.7 and 20.3.1 (recalled) require a site "
     "response analysis";
+/// "A" ... "E", "default"; InputError otherwise.
 SiteClass parse_site_class(const std::string& text);
 std::string to_string(SiteClass site);
 AsceEdition parse_asce_edition(const std::string& text);  ///< "asce7_10" ...
 std::string to_string(AsceEdition edition);
 std::string edition_name(AsceEdition edition);  ///< "ASCE 7-10"
-/// "asce7_16 S_S 1.5 g, S_1 0.6 g, site classes C, D", "asce7_16 S_DS 1 g, S_D1 0.6 g", "asce7_16
-/// spectrum of 22 points".
+/// "ASCE 7-16, S_S 1.5 g, S_1 0.6 g, site classes C, D", "ASCE 7-16, S_DS 1 g, S_D1 0.6 g", "ASCE
+/// 7-16, spectrum of 22 points".
 std::string to_string(const DesignTarget& target);
 
 }  // namespace glissade

@@ -196,7 +196,24 @@ struct SuiteSummary {
 };
 
 /// Everything a study found, and nothing about when, where or on how many ranks.
-struct Results {
+/// What the analyses found, each where the study has its table.
+struct AnalysisResults {
+  std::optional<ConditionTable> conditions;  ///< of a study with [clearance] or [base_shear]
+  std::vector<RunResults> runs;              ///< fragility, by combination of the cases
+  std::optional<Chart> chart;
+  std::optional<ClearanceResults> clearance;
+  std::optional<BaseShearResults> base_shear;
+  std::optional<TippingResults> tipping;
+  std::optional<HazardResults> hazard;
+  std::optional<VerdictResults> verdict;
+  std::optional<SensitivityResults> sensitivity;
+  std::optional<ShapeResults> shape;
+  std::optional<RareResults> rare;
+  std::vector<SamplingErrorRow> sampling_errors;  ///< of the fragility; of two scrambles or more
+  std::optional<std::vector<RankedMeasure>> intensity_measures;
+};
+
+struct Results : AnalysisResults {
   std::string study_name, study_description, program_version, plan_hash, study_text;
   std::uint64_t seed = 0;
   UnitSystem units = UnitSystem::si;  ///< what stands first in the report
@@ -208,26 +225,12 @@ struct Results {
   DisplacementMeasure displacement = DisplacementMeasure::srss;  ///< of two axes
   std::vector<double> levels, thresholds_m;
   CaseSet cases;
-  std::vector<RecordSummary> records;        ///< those of one suite together
-  std::vector<double> record_periods_s;      ///< of their spectra as recorded
-  HistoryTable histories;                    ///< by (record, case)
-  std::optional<ConditionTable> conditions;  ///< of a study with [clearance] or [base_shear]
-  std::vector<std::string> warnings;         ///< shown before the results
-  std::vector<std::string> notes;            ///< remarks on the results
-  // Analyses, each where the study has its table:
-  std::vector<RunResults> runs;  ///< fragility, by combination of the cases
-  std::optional<Chart> chart;
-  std::optional<ClearanceResults> clearance;
-  std::optional<BaseShearResults> base_shear;
-  std::optional<TippingResults> tipping;
-  std::optional<HazardResults> hazard;
-  std::optional<VerdictResults> verdict;
-  std::optional<SensitivityResults> sensitivity;
-  std::optional<ShapeResults> shape;
-  std::optional<RareResults> rare;
-  std::vector<SamplingErrorRow> sampling_errors;  ///< of the fragility; of two scrambles or more
-  std::optional<ReachedTarget> reached_target;    ///< with sampling.target_error
-  std::optional<std::vector<RankedMeasure>> intensity_measures;
+  std::vector<RecordSummary> records;           ///< those of one suite together
+  std::vector<double> record_periods_s;         ///< of their spectra as recorded
+  HistoryTable histories;                       ///< by (record, case)
+  std::optional<ReachedTarget> reached_target;  ///< with sampling.target_error
+  std::vector<std::string> warnings;            ///< shown before the results
+  std::vector<std::string> notes;               ///< remarks on the results
 };
 
 /// The histories of some cases in a row.

@@ -193,15 +193,31 @@ class SampleDraw {
 
   std::size_t samples() const { return points_.count(); }
 
+  void store() {
+    values_.reserve(samples() * drawn_.size());
+    for (std::size_t sample = 0; sample < samples(); ++sample) {
+      for (const std::size_t i : drawn_) values_.push_back(value(i, sample));
+      if (draws_orientation()) orientations_.push_back(orientation(sample));
+    }
+  }
+  void drop() {
+    values_ = {};
+    orientations_ = {};
+  }
+
   void put(Case& c, std::size_t sample) const {
-    for (const std::size_t i : drawn_) parameters()[i].of(c) = value(i, sample);
-    if (config_.orientation.choice != OrientationChoice::random) return;
+    for (std::size_t k = 0; k < drawn_.size(); ++k)
+      parameters()[drawn_[k]].of(c) =
+          values_.empty() ? value(drawn_[k], sample) : values_[sample * drawn_.size() + k];
+    if (!draws_orientation()) return;
     const SlopeAxis slope_axis = c.orientation.slope_axis;
-    c.orientation = orientation(sample);
+    c.orientation = orientations_.empty() ? orientation(sample) : orientations_[sample];
     c.orientation.slope_axis = slope_axis;
   }
 
  private:
+  bool draws_orientation() const { return config_.orientation.choice == OrientationChoice::random; }
+
   double value(std::size_t parameter, std::size_t sample) const {
     const Parameter& p = parameters()[parameter];
     const Quantity& quantity = config_.quantities[parameter];
@@ -230,6 +246,9 @@ class SampleDraw {
   StudyConfig config_;
   SamplePoints points_;
   std::vector<std::size_t> drawn_;  ///< parameters
+  // Where they are stored:
+  std::vector<double> values_;  ///< by (sample, drawn)
+  std::vector<Orientation> orientations_;
 };
 
 PlannedCases::PlannedCases(const StudyConfig& config) {
@@ -239,7 +258,7 @@ PlannedCases::PlannedCases(const StudyConfig& config) {
     put_.push_back(std::move(axis.put));
     axes.push_back(std::move(axis.axis));
   }
-  draw_ = std::make_shared<const SampleDraw>(config);
+  draw_ = std::make_shared<SampleDraw>(config);
   samples = draw_->samples();
   orientations_ = orientations_of(config);
   orientations = orientations_.size();
@@ -255,6 +274,9 @@ PlannedCases::PlannedCases(const StudyConfig& config) {
   if (across.is_drawn()) design_across_ = design_friction(*across.drawn);
   if (neighbour.is_drawn()) design_neighbour_ = design_friction(*neighbour.drawn);
 }
+
+void PlannedCases::store_draws() { draw_->store(); }
+void PlannedCases::drop_draws() { draw_->drop(); }
 
 Case PlannedCases::operator[](std::size_t i) const {
   Case c = usual_;

@@ -149,6 +149,7 @@ void hash_target(Hasher& hasher, const std::optional<DesignTarget>& target) {
 /// The cases of the study, and what rests on them.
 void list_cases(Plan& plan) {
   plan.cases = PlannedCases(plan.config);
+  plan.cases.store_draws();  // until the plan is made
   check_cases(plan);
   plan.same_as = same_as(plan.cases, std::cref(plan.cases), plan.config.two_axes(),
                          plan.config.sampling.blocks_in_turn());
@@ -265,6 +266,7 @@ Plan make_plan(const StudyConfig& config, std::vector<Suite> suites,
   list_cases(plan);
   plan.hash = hash_of(plan);
   cut_units(plan);
+  plan.cases.drop_draws();
   return plan;
 }
 
@@ -275,6 +277,7 @@ Plan first_blocks(Plan plan, std::size_t units) {
   if (blocks == plan.unit_ends.size()) return plan;
   plan.config.sampling = plan.config.sampling.first_blocks(blocks);
   list_cases(plan);
+  plan.cases.drop_draws();
   plan.unit_ends.resize(blocks);
   plan.units.resize(units);
   return plan;

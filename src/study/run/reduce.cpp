@@ -60,10 +60,10 @@ void analyse(const StudyConfig& study, Results& results) {
     results.intensity_measures = rank_intensity_measures(study, results);
 }
 
-void add(const std::vector<std::string>& some, std::vector<std::string>& all) {
+void append(const std::vector<std::string>& some, std::vector<std::string>& all) {
   all.insert(all.end(), some.begin(), some.end());
 }
-void remove(const std::vector<std::string>& some, std::vector<std::string>& all) {
+void erase_all_of(const std::vector<std::string>& some, std::vector<std::string>& all) {
   std::erase_if(all, [&](const std::string& s) { return std::ranges::count(some, s) > 0; });
 }
 
@@ -83,8 +83,8 @@ Results reduce(const Plan& plan, HistoryTable histories,
   analyse(plan.config, results);
   results.warnings = plan.warnings;
   results.notes = plan.notes;
-  add(warnings_on(results, plan.config), results.warnings);
-  add(notes_on(results, plan.config), results.notes);
+  append(warnings_on(results, plan.config), results.warnings);
+  append(notes_on(results, plan.config), results.notes);
   return results;
 }
 
@@ -92,23 +92,12 @@ void analyse_again(StudyConfig study, Results& results) {
   if (results.reached_target)
     study.sampling = study.sampling.first_blocks(results.reached_target->scrambles);
   results.study_text = study.source_text;
-  remove(warnings_on(results, study), results.warnings);
-  remove(notes_on(results, study), results.notes);
-  results.conditions.reset();
-  results.runs.clear();
-  results.chart.reset();
-  results.clearance.reset();
-  results.base_shear.reset();
-  results.tipping.reset();
-  results.hazard.reset();
-  results.verdict.reset();
-  results.sensitivity.reset();
-  results.shape.reset();
-  results.rare.reset();
-  results.intensity_measures.reset();
+  erase_all_of(warnings_on(results, study), results.warnings);
+  erase_all_of(notes_on(results, study), results.notes);
+  static_cast<AnalysisResults&>(results) = {};
   analyse(study, results);
-  add(warnings_on(results, study), results.warnings);
-  add(notes_on(results, study), results.notes);
+  append(warnings_on(results, study), results.warnings);
+  append(notes_on(results, study), results.notes);
 }
 
 WorkCount total_count(const std::vector<UnitResult>& units) {

@@ -86,11 +86,15 @@ class PlannedCases : public CaseGrid {
            std::views::transform([this](std::size_t i) { return (*this)[i]; });
   }
   CaseSet stored() const;
+  /// Stores what is drawn (8 bytes a sample for each drawn quantity, 24 for its orientation), for
+  /// many passes over the cases; copies share it.
+  void store_draws();
+  void drop_draws();
 
  private:
   Case usual_;                                                ///< with all that has one value
   std::vector<std::function<void(Case&, std::size_t)>> put_;  ///< by axis: one of its values
-  std::shared_ptr<const SampleDraw> draw_;
+  std::shared_ptr<SampleDraw> draw_;
   std::vector<Orientation> orientations_;  ///< of each sample
   bool across_is_given_ = false;
   /// Of drawn friction: mean - 2 std.
