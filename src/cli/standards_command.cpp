@@ -44,6 +44,11 @@ void print(const char* name, const Prescription& p) {
 void run(const StandardsOptions& o) {
   if (!(o.sds_g > 0.0))
     throw InputError({"--sds-g", fmt::format("S_DS = {:g} g is not above 0", o.sds_g), "", ""});
+  if (o.sds_g > most_possible_g)
+    throw InputError(
+        {"--sds-g",
+         fmt::format("S_DS = {:g} g: no site has more than {:g} g", o.sds_g, most_possible_g),
+         fmt::format("if it is in percent of g, give {:g}", o.sds_g / 100.0), ""});
   if (!(o.importance >= 1.0 && o.importance <= 1.5)) {
     throw InputError({"--importance",
                       fmt::format("{:g} is not an importance factor: it must be between 1 and 1.5",

@@ -39,8 +39,11 @@ const RequiredClearance& governing_condition(const Project& project, const Resul
   const RequiredClearance* governing = nullptr;
   for (const RequiredClearance& required : demand.clearance->required) {
     const Inputs inputs = inputs_of(demand, required.largest);
-    const bool is_of_project =
-        std::ranges::find(project.slope_deg, inputs.slope_deg) != project.slope_deg.end();
+    const auto is_among = [](const std::vector<double>& values, double value) {
+      return std::ranges::find(values, value) != values.end();
+    };
+    const bool is_of_project = is_among(project.slope_deg, inputs.slope_deg) &&
+                               is_among(project.building.mass_ratio, inputs.mass_ratio);
     if (inputs.friction != project.friction.design() || inputs.level != demand.levels.front() ||
         !is_of_project)
       continue;

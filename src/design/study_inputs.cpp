@@ -27,4 +27,12 @@ std::vector<double> slopes_of(const Project& project) {
   return slopes;
 }
 
+std::vector<double> mass_ratios_of(const Project& project) {
+  constexpr double of_none = 0.05, most = 1.0;
+  std::vector<double> ratios = project.building.mass_ratio;
+  const double more = ratios.back() > 0.0 ? 2.0 * ratios.back() : of_none;
+  if (ratios.size() == 1 && more <= most) ratios.push_back(more);
+  return ratios;
+}
+
 }  // namespace glissade

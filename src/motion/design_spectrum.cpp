@@ -197,18 +197,10 @@ double TargetSpectrum::sds_g() const {
 
 double TargetSpectrum::sd1_g() const {
   if (!period_s_.empty()) {
-    // S_a T is a parabola between points: largest at an end or at its vertex.
     double largest = std::max(design_sa_g(1.0), 5.0 * design_sa_g(5.0));
-    const auto consider = [&](double period) {
-      if (period > 1.0 && period < 5.0) largest = std::max(largest, period * design_sa_g(period));
-    };
     for (std::size_t i = 0; i < period_s_.size(); ++i) {
-      consider(period_s_[i]);
-      if (i == 0 || design_sa_g_[i] >= design_sa_g_[i - 1]) continue;
-      const double slope =
-          (design_sa_g_[i] - design_sa_g_[i - 1]) / (period_s_[i] - period_s_[i - 1]);
-      const double vertex = 0.5 * (period_s_[i] - design_sa_g_[i] / slope);
-      if (vertex > period_s_[i - 1] && vertex < period_s_[i]) consider(vertex);
+      if (period_s_[i] > 1.0 && period_s_[i] < 5.0)
+        largest = std::max(largest, period_s_[i] * design_sa_g_[i]);
     }
     return largest;
   }

@@ -45,6 +45,15 @@ std::vector<double> walters_periods_s() {
   return periods_s;
 }
 
+std::vector<double> periods_beyond_scaled_s(double to_s) {
+  GLISSADE_EXPECTS(to_s > longest_scaled_period_s);
+  constexpr double growth = 1.005;
+  std::vector<double> periods_s;
+  for (double t_s = longest_scaled_period_s; t_s < to_s; t_s *= growth) periods_s.push_back(t_s);
+  periods_s.push_back(to_s);
+  return periods_s;
+}
+
 std::vector<double> walters_spectrum_g(const Motion& motion) {
   return srss_spectrum_g(motion, walters_periods_s());
 }

@@ -77,14 +77,21 @@ const std::array rows = {
 
 const MeasureRow& row_of(std::size_t row) { return rows.at(row); }
 
-/// Walters's rule, on the suite as its file scales its records.
+/// Walters's rule and what is beyond it, on the suite as its file scales its records.
 std::vector<double> factors_at_unit_sds(const IntensityConfig& intensity, const Suite& suite,
                                         const SpectrumRows& walters_spectra_g) {
   const TargetSpectrum spectrum(intensity.target ? *intensity.target : *suite.target);
   const auto unit_design = [&](double period) {
     return spectrum.design_sa_g(period) / spectrum.sds_g();
   };
-  const double common = suite_average_factor(suite, unit_design, walters_spectra_g);
+  double common = suite_average_factor(suite, unit_design, walters_spectra_g);
+  if (intensity.scaled_to_s > longest_scaled_period_s) {
+    std::vector<double> scales;
+    for (const Motion& motion : suite.motions) scales.push_back(motion.scale);
+    const SpectralRatio beyond = lowest_ratio_to_target(
+        suite, scales, unit_design, periods_beyond_scaled_s(intensity.scaled_to_s));
+    common = std::max(common, least_over_target_beyond / beyond.ratio);
+  }
   std::vector<double> factors;
   for (const Motion& motion : suite.motions) factors.push_back(common * motion.scale);
   return factors;

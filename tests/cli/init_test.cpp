@@ -25,7 +25,7 @@ std::string written(const ScratchFolder& folder, std::vector<std::string> option
 
 Finished check(const ScratchFolder& folder) {
   return run_program(
-      {"check", folder.path("my.toml").string(), "--results", folder.path("results").string()});
+      {"check", folder.path("my.toml").string(), "--out", folder.path("results").string()});
 }
 
 TEST(Init, a_study_passes_check_as_it_is) {

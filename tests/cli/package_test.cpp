@@ -221,12 +221,12 @@ TEST_F(Package, a_stopped_calculation_goes_on_to_the_same_package) {
 
 TEST_F(Package, check_of_a_project_says_what_would_run_and_writes_nothing) {
   const fs::path other = folder_->path("checked");
-  const Finished child = run_program({"check", project_file, "--results", other.string()});
+  const Finished child = run_program({"check", project_file, "--out", other.string()});
   ASSERT_EQ(child.status, 0) << child.err;
   for (const char* part : {"demand ", "probability ", "on one core", "free", "clearance"})
     EXPECT_THAT(child.out, HasSubstr(part));
   EXPECT_FALSE(fs::exists(other));
-  const Finished taken = run_program({"check", project_file, "--results", out().string()});
+  const Finished taken = run_program({"check", project_file, "--out", out().string()});
   EXPECT_EQ(taken.status, 2);
   EXPECT_THAT(taken.err, HasSubstr("--overwrite"));
 }

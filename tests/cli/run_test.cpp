@@ -175,14 +175,14 @@ TEST_F(Run, report_makes_the_same_tables_again_elsewhere) {
 TEST_F(Run, check_is_a_dry_run_and_reports_cost_and_folder) {
   const ScratchFolder folder;
   const std::string study = folder.write("small.toml", small_study());
-  const Finished check = run_program({"check", study, "--results", folder.path("out").string()});
+  const Finished check = run_program({"check", study, "--out", folder.path("out").string()});
   EXPECT_EQ(check.status, 0) << check.err;
   EXPECT_EQ(run_program({"run", study, "--out", folder.path("out").string(), "--dry-run"}).out,
             check.out);
   for (const char* part : {"\nwork ", "\ntime ", "\nresults ", "out: free\n"})
     EXPECT_THAT(check.out, HasSubstr(part));
   EXPECT_EQ(folder.contents(), std::vector<std::string>{"small.toml"});
-  const Finished taken = run_program({"check", study, "--results", out().string()});
+  const Finished taken = run_program({"check", study, "--out", out().string()});
   EXPECT_EQ(taken.status, 2);  // the plan, and that the folder is taken
   EXPECT_THAT(taken.out, HasSubstr("\nwork "));
   EXPECT_THAT(taken.err, HasSubstr(out().string()));

@@ -60,6 +60,7 @@ TEST(Standards, says_how_well_each_value_is_known) {
 TEST(Standards, what_is_no_sds_importance_or_category_is_refused) {
   expect_refused(run_program({"standards", "--sds-g", "-1"}), {"-1", "S_DS"});
   expect_refused(run_program({"standards", "--sds-g", "nan"}), {"nan"});
+  expect_refused(run_program({"standards", "--sds-g", "105"}), {"percent", "1.05"});
   expect_refused(run_program({"standards", "--sds-g", "1", "--sdc", "Q"}), {"Q", "A to F"});
   expect_refused(run_program({"standards", "--sds-g", "1", "--importance", "0"}),
                  {"importance", "0"});

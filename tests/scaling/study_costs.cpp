@@ -93,12 +93,12 @@ StudyCosts measure_study(const std::filesystem::path& study, const std::filesyst
 }
 
 StudyCosts grown(const StudyCosts& costs, double factor) {
-  // As cut_units() in study/plan: 512 units, of 2 ms to 5 s.
+  // As cut_units() in study/plan: 512 units, of 1 ms to 5 s.
   const double units = static_cast<double>(costs.work_s.size() - costs.motion_parts);
   const double units_s =
       std::accumulate(costs.work_s.begin() + static_cast<std::ptrdiff_t>(costs.motion_parts),
                       costs.work_s.end(), 0.0);
-  const double unit_s = std::clamp(units_s * factor / 512.0, 2e-3, 5.0);
+  const double unit_s = std::clamp(units_s * factor / 512.0, 1e-3, 5.0);
   const double longer = std::max(1.0, unit_s / (units_s / units));
   StudyCosts more = costs;
   more.histories *= factor;

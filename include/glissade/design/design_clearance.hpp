@@ -131,6 +131,8 @@ std::vector<StudiedFriction> frictions_of(const Project& project);
 
 /// The slopes of the demand study: those of the project, and beside a single one a steeper one.
 std::vector<double> slopes_of(const Project& project);
+/// Those of the project, and of one value twice that too (0.05 of none), for the sensitivity.
+std::vector<double> mass_ratios_of(const Project& project);
 
 /// Adds what the results of probability_study() give.
 void add_exceedance(const Results& probability, DesignClearance& design);

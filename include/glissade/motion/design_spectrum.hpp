@@ -59,8 +59,8 @@ class TargetSpectrum {
   /// Largest S_DS of the classes; of points 90 % of the largest acceleration from 0.2 to 5 s (ASCE
   /// 7-16, 21.4, recalled: verify against the standard).
   double sds_g() const;
-  /// Largest S_D1 of the classes; of points the largest of S_a T from 1 to 2 s, where V_s30 is
-  /// above 366 m/s, and to 5 s else: taken to 5 s, which is never less (21.4, recalled).
+  /// Largest S_D1 of the classes; of points the largest of their S_a T from 1 to 2 s, where V_s30
+  /// is above 366 m/s, and to 5 s else: taken to 5 s, which is never less (21.4, recalled).
   double sd1_g() const;
 
  private:

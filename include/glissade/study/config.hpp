@@ -23,8 +23,10 @@ struct IntensityConfig {
   IntensityMeasure measure = IntensityMeasure::sds_g;
   std::vector<double> levels;  ///< > 0, strictly increasing
   std::optional<DesignTarget>
-      target;                ///< sds_g: shape of the design spectrum; else the suite's own
-  double sa_period_s = 0.0;  ///< sa_g only, >= 0
+      target;  ///< sds_g: shape of the design spectrum; else the suite's own
+  /// sds_g: beyond 2 s, to here, 0.9 of the target is enough (ASCE 7-16, 16.2, recalled).
+  double scaled_to_s = longest_scaled_period_s;
+  double sa_period_s = 0.0;              ///< sa_g only, >= 0
   std::vector<double> avg_sa_periods_s;  ///< avg_sa_g only
 };
 

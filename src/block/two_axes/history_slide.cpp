@@ -59,6 +59,14 @@ SlidingStep sdirk4(const Constants<double>& c, const FrictionEllipse& friction, 
                 [&] { return c.per_kappa_y * load.normal; });
 }
 
+/// When a speed is zero whose deceleration begins with a value and grows steadily; one that falls
+/// is taken to last.
+double first_zero_s(double speed, double deceleration, double growth) {
+  const double root = std::sqrt(deceleration * deceleration + 2.0 * std::max(growth, 0.0) * speed);
+  if (deceleration > 0.0) return 2.0 * speed / (deceleration + root);
+  return growth > 0.0 ? (root - deceleration) / growth : never;
+}
+
 }  // namespace
 
 RoofPiece::BlockVelocity LaneHistory::plan_velocity(Vector v) const {
@@ -238,9 +246,9 @@ double LaneHistory::stiff_trial_s(const RoofPiece& rest_of_interval, Vector v,
     length_s *= 0.5;
   // A stage of what comes after a reversal would not see what came before.
   if (speed > constants_.tolerance * fastest) {
-    const double fastest_stop =
-        std::max(deceleration(now, v), deceleration(rest_of_interval.load(1.0), v));
-    if (fastest_stop > 0.0) length_s = std::min(length_s, approach_to_stop * speed / fastest_stop);
+    const double first = deceleration(now, v), last = deceleration(rest_of_interval.load(1.0), v);
+    length_s =
+        std::min(length_s, approach_to_stop * first_zero_s(speed, first, (last - first) / left_s));
   }
   return length_s;
 }

@@ -54,6 +54,31 @@ void print_plan(const char* name, const Plan& plan) {
              std::ceil(plan.predicted_seconds()));
 }
 
+std::string range_text(const std::vector<double>& values) {
+  return values.front() == values.back()
+             ? fmt::format("{:.3g}", values.front())
+             : fmt::format("{:.3g} to {:.3g}", values.front(), values.back());
+}
+
+/// What a wrong unit would show in.
+void print_inputs(const Project& project) {
+  const ProjectBuilding& building = project.building;
+  fmt::print("{:<12}{}\n", "building",
+             wrapped(fmt::format("period {} s ({}), mass ratio {}", range_text(building.period_s),
+                                 building.period_basis, range_text(building.mass_ratio)),
+                     terminal_width, 12));
+  fmt::print("{:<12}slope {} degrees\n", "roof", range_text(project.slope_deg));
+  const std::vector<Separation> separations = asce7_16_separations(1.0);
+  std::string at_hand;
+  for (std::size_t i = 0; i < separations.size(); ++i) {
+    if (project.available_m[i])
+      at_hand += fmt::format("{}{} {}", at_hand.empty() ? "" : ", ",
+                             format_length(*project.available_m[i]), separations[i].what);
+  }
+  if (!at_hand.empty())
+    fmt::print("{:<12}{}\n", "clearances", wrapped(at_hand, terminal_width, 12));
+}
+
 void print_prescribed(const std::vector<PrescribedValue>& prescribed) {
   for (const PrescribedValue& value : prescribed) {
     fmt::print(
@@ -83,6 +108,7 @@ void check_project(const fs::path& file, const fs::path& out) {
   fmt::print("{:<12}{}\n", "project", project.title.name);
   fmt::print("{:<12}S_DS {:.3f} g, S_D1 {:.3f} g, category {}\n", "site", site.sds_g, site.sd1_g,
              to_string(site.category));
+  print_inputs(project);
   fmt::print("{:<12}mean {:.3f}, std {:.3f}, design {:.3f}\n", "friction", project.friction.mean,
              project.friction.std, project.friction.design());
   print_prescribed(prescribed);

@@ -305,7 +305,7 @@ void add_run(CLI::App& program, const Communicator& world) {
       "What a study or project would run, its cost and warnings; nothing is run or written");
   check->add_option("study", options->study, "study or project file (TOML); see studies/")
       ->required();
-  check->add_option("--results", options->out, "folder that is to be free [as of run]");
+  check->add_option("--out", options->out, "folder that is to be free [as of run]");
   check->callback([options, world] {
     bool of_project = false;
     on_root(world, [&] {

@@ -84,18 +84,6 @@ TitleBlock read_title(const TomlTable& table, Project& project) {
           table.text("engineer").value_or(""), table.text("date").value_or("")};
 }
 
-/// Maps give them in percent of g.
-void check_accelerations(const TomlTable& table) {
-  for (const char* key : {"ss_g", "s1_g", "sds_g", "sd1_g"}) {
-    const double value = table.number(key).value_or(0.0);
-    if (value > most_possible_g)
-      table.report(key,
-                   fmt::format("site.{} = {:g} is in g: no site has more than {:g} g", key, value,
-                               most_possible_g),
-                   fmt::format("if it is in percent of g, give {:g}", value / 100.0));
-  }
-}
-
 void read_site(const TomlTable& table, Project& project) {
   const auto has = [&](const char* key) { return table.has(key); };
   project.site.risk = table
@@ -111,7 +99,6 @@ void read_site(const TomlTable& table, Project& project) {
   const std::size_t before = table.problem_count();
   project.site.target = read_target(table, project.file.parent_path());
   project.site.states_tl = has("tl_s");
-  check_accelerations(table);
   if (table.problem_count() > before) return;
   if (has("spectrum"))
     project.spectrum_sha256 = sha256_of_file(project.file.parent_path() / project.spectrum_file);
@@ -340,6 +327,9 @@ bool is_project(const std::filesystem::path& file) {
 Project read_project(const std::filesystem::path& file) {
   TomlDocument document(file);
   const TomlTable root = document.root();
+  if (!root.has("project") && root.has("study"))
+    throw InputError({file.string(), "is a study file, not a project",
+                      "run it with: glissade run " + file.string(), ""});
   require_keys(root);
   Project project;
   project.file = file;

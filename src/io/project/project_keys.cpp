@@ -64,7 +64,7 @@ constexpr std::array keys{
     ProjectKey{"suite", "samples", "128", usual,
                "samples of the probability study, a power of two"},
     ProjectKey{"suite", "without_target", "true", alternative,
-               "also a suite below 0.9 times the target at periods above 2 s: not for design"},
+               "do not scale the suite to 0.9 times the target above 2 s: not for design"},
     ProjectKey{"hazard", "curve", "\"hazard.csv\"", alternative,
                "columns sds_g, annual_rate of the site: annual rates, displacement over the life"},
     ProjectKey{"hazard", "k0", "1e-3", alternative,

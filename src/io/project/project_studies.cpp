@@ -52,6 +52,13 @@ std::string hazard_of(const Project& project, const fs::path& folder) {
   return fmt::format("\n[hazard]\n{}\ndesign_life_years = {}\n", curve, hazard.design_life_years);
 }
 
+/// To 1.5 times the longest building period (ASCE 7-16, 16.2, recalled).
+std::string scaled_to(const Project& project) {
+  if (project.without_target) return "";
+  const double to_s = 1.5 * project.building.period_s.back();
+  return to_s > longest_scaled_period_s ? fmt::format("scaled_to_s = {}\n", to_s) : "";
+}
+
 /// What both studies have in common.
 std::string head_of(const Project& project, const fs::path& folder, const std::string& name,
                     const std::string& what, const std::vector<double>& levels) {
@@ -59,13 +66,14 @@ std::string head_of(const Project& project, const fs::path& folder, const std::s
       "# Made by `glissade clearance` from {}.\n"
       "[study]\nname = {}\ndescription = {}\nseed = {}\nunits = \"{}\"\n\n"
       "[suite]\nfile = {}\n\n"
-      "[intensity]\nmeasure = \"sds_g\"\nlevels = [{}]\ntarget = {}\n\n",
+      "[intensity]\nmeasure = \"sds_g\"\nlevels = [{}]\ntarget = {}\n{}\n",
       quoted(project.file.filename().string()), quoted(name),
       quoted(project.title.name + ": " + what +
              ". Part of a calculation: the governing displacement is in package.html, one folder "
              "above"),
       project.seed, project.units == UnitSystem::us_customary ? "us" : "si",
-      path_from(project.suite, folder), fmt::join(levels, ", "), target_of(project, folder));
+      path_from(project.suite, folder), fmt::join(levels, ", "), target_of(project, folder),
+      scaled_to(project));
 }
 
 }  // namespace
@@ -86,7 +94,7 @@ std::string demand_study(const Project& project, const fs::path& folder) {
              "[friction]\nmu = {}   # {}\n\n"
              "[orientation]\nchoice = \"all_permutations\"\n\n"
              "[clearance]\n{}",
-             list_of(project.building.period_s), list_of(project.building.mass_ratio),
+             list_of(project.building.period_s), list_of(mass_ratios_of(project)),
              project.building.damping, list_of(slopes_of(project)), list_of(frictions),
              fmt::join(what, ", "), project.without_target ? "without_target = true\n" : "");
 }

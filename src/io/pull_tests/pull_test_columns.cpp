@@ -55,10 +55,14 @@ const KnownName* find_name(const std::string& name) {
 }
 
 std::string suggestion_for(const std::string& name) {
+  if (name == "mu")
+    return "friction of each test, evaluated already, is for a project: a file with the one column "
+           "mu";
   std::vector<std::string> names;
   for (const KnownName& known : known_names) names.emplace_back(known.name);
   const std::string nearest = nearest_word(name, names);
-  return nearest.empty() ? "leave the column out" : "did you mean " + nearest + "?";
+  return nearest.empty() ? "known are " + joined(names) + "; leave others out"
+                         : "did you mean " + nearest + "?";
 }
 
 }  // namespace

@@ -93,7 +93,8 @@ Record read_at2(const std::filesystem::path& file, std::string_view text, const 
 
 /// The first of the values without a time is no sample where it is the number of those after it, of
 /// them and the step, or the step: a header that is no comment. Nor are the first two where a count
-/// (of components, of parts) and the step, or their reverse, come first.
+/// (of components, of parts) and a step come first. A step that is not the record's is one still:
+/// what is usual of recorders, and a hundred times the samples after it where it stands alone.
 void refuse_header(const Record& record, double unit_mps2) {
   const std::vector<double>& a = record.acceleration_mps2;
   const double first = a.front() / unit_mps2, after = static_cast<double>(a.size() - 1);
@@ -102,16 +103,22 @@ void refuse_header(const Record& record, double unit_mps2) {
   const auto equals_step = [&](double value) {
     return std::abs(value - record.dt_s) <= 1e-9 * record.dt_s;
   };
-  const bool is_step = equals_step(first);
-  const bool is_count_and_step =
-      a.size() >= 8 && first >= 1.0 && std::round(first) == first && equals_step(a[1] / unit_mps2);
+  const auto is_usual_step = [](double value) { return value >= 0.0005 && value <= 0.1; };
+  const auto is_far_below_first = [&](double value) {
+    return 100.0 * std::abs(value) <= std::abs(a.front());
+  };
+  const bool is_step =
+      equals_step(first) || (a.size() >= 8 && is_usual_step(first) &&
+                             std::all_of(a.begin() + 1, a.begin() + 8, is_far_below_first));
+  const bool is_count_and_step = a.size() >= 8 && first >= 1.0 && std::round(first) == first &&
+                                 (equals_step(a[1] / unit_mps2) || is_usual_step(a[1] / unit_mps2));
   if (!is_count && !is_step && !is_count_and_step) return;
   throw InputError(
       {record.name,
        fmt::format("begins with {:g}, {}: a header, not an acceleration", first,
                    is_count  ? "the number of values that follow"
-                   : is_step ? "the time step"
-                             : "a count, and the time step"),
+                   : is_step ? "a time step"
+                             : "a count, and a time step"),
        "put # before the lines of the header; a sample of that value needs a column of times", ""});
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <iterator>
 #include <sstream>
 #include <system_error>
 
@@ -37,6 +38,15 @@ std::vector<fs::path> folders_of_environment() {
 
 RecordFinder::RecordFinder(fs::path suite_folder)
     : suite_folder_(std::move(suite_folder)), folders_(folders_of_environment()) {}
+
+std::vector<fs::path> RecordFinder::folders_that_are_none() const {
+  std::vector<fs::path> none;
+  std::ranges::copy_if(folders_, std::back_inserter(none), [](const fs::path& folder) {
+    std::error_code ignored;
+    return !fs::is_directory(folder, ignored);
+  });
+  return none;
+}
 
 const std::vector<fs::path>& RecordFinder::files_named(const std::string& file_name) {
   if (!is_indexed_) {

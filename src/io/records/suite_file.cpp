@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glissade/io/suite_file.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <limits>
 #include <set>
@@ -64,10 +66,16 @@ class RecordedSuiteReader {
 
   void report_missing(TomlDocument& document) const {
     if (missing_.empty()) return;
+    constexpr std::size_t most = 6;
     std::string list;
-    for (const std::string& name : missing_) list += (list.empty() ? "  " : "\n  ") + name;
+    for (std::size_t i = 0; i < std::min(most, missing_.size()); ++i)
+      list += (list.empty() ? "  " : "\n  ") + missing_[i];
+    if (missing_.size() > most) list += fmt::format("\n  and {} more", missing_.size() - most);
+    std::string folders;
+    for (const auto& folder : finder_.folders_that_are_none())
+      folders += "; GLISSADE_RECORDS names " + folder.string() + ", which is no folder";
     document.add({suite_file_.string(),
-                  std::to_string(missing_.size()) + " record file(s) not found",
+                  fmt::format("{} record file(s) not found{}", missing_.size(), folders),
                   "set GLISSADE_RECORDS to the folders that hold them, separated by colons: "
                   "recorded motions are "
                   "licensed by their sources and do not come with glissade",

@@ -58,6 +58,8 @@ void add_head(std::vector<GrammarKey>& keys) {
        {"intensity", "measure", "name", "required", measures()},
        {"intensity", "levels", "list or { from, to, count, spacing }", "required",
         "the levels, increasing, in the measure's unit; spacing \"linear\" or \"log\""},
+       {"intensity", "scaled_to_s", "number", fmt::format("{:g}", usual.intensity.scaled_to_s),
+        "sds_g: the suite's average is 0.9 of the design spectrum or more from 2 s to here too, s"},
        {"intensity", "sa_period_s", "number", "required with sa_g",
         "period of the spectral "
         "acceleration, s"},

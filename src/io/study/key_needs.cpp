@@ -67,6 +67,10 @@ std::vector<KeyNeeds> key_needs() {
                  drawn = "a quantity or an orientation that is drawn",
                  vertical = "a use other than \"none\"";
   std::vector<KeyNeeds> needs = {
+      {"intensity", "scaled_to_s", "measure = \"sds_g\"",
+       [](const TomlTable&, const StudyConfig& study) {
+         return study.intensity.measure == IntensityMeasure::sds_g;
+       }},
       {"intensity", "target",
        "measure = \"sds_g\" or \"mce_fraction\", or building.response_modification", uses_target},
       {"model", "displacement", axes, two_axes},

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glissade/io/study_file.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <limits>
 
 #include "enum_names.hpp"
+#include "glissade/motion/improbable.hpp"
 #include "glissade/study/cases/sample_points.hpp"
 #include "study/analysis_tables.hpp"
 #include "study/case_tables.hpp"
@@ -48,6 +51,13 @@ IntensityConfig read_intensity(const TomlTable& table, const NumberRule& level_r
     return intensity;
   }
   intensity.measure = *measure;
+  if (measure == IntensityMeasure::sds_g && !intensity.levels.empty() &&
+      intensity.levels.back() > most_possible_g)
+    table.report(
+        "levels",
+        fmt::format("levels of S_DS are in g: no site has more than {:g} g", most_possible_g),
+        fmt::format("if they are in percent of g, give {:g} for {:g}",
+                    intensity.levels.back() / 100.0, intensity.levels.back()));
   const auto is_own = [&](const char* key) {
     return measure->own_key() != nullptr && measure->own_key() == std::string(key);
   };
@@ -55,6 +65,9 @@ IntensityConfig read_intensity(const TomlTable& table, const NumberRule& level_r
     intensity.sa_period_s = table.required_number("sa_period_s", not_negative);
   if (is_own("avg_sa_periods_s"))
     intensity.avg_sa_periods_s = read_increasing(table, "avg_sa_periods_s", not_negative);
+  constexpr NumberRule longest_rule{"from 2 to 30", [](double x) { return x >= 2.0 && x <= 30.0; },
+                                    "from 0 to 2 s the suite is scaled in any case"};
+  intensity.scaled_to_s = table.number("scaled_to_s", longest_rule).value_or(intensity.scaled_to_s);
   if (table.has("target")) intensity.target = read_target(table.table("target"), folder);
   refuse_other_keys(table, *measure);
   return intensity;
@@ -118,6 +131,9 @@ StudyConfig read_study(const std::filesystem::path& file) {
   TomlDocument document(file);
   document.explain_old_keys(renamed_keys(), changed_keys());
   const TomlTable root = document.root();
+  if (!root.has("study") && root.has("project"))
+    throw InputError({file.string(), "is a project file, not a study",
+                      "run it with: glissade clearance " + file.string(), ""});
   const TomlTable head = root.required_table("study");
   StudyConfig study;
   study.file = file;

@@ -75,6 +75,33 @@ void read_spectrum(const TomlTable& table, const std::filesystem::path& folder,
         "give the spectrum from 0.01 s or less to 5 s or more");
 }
 
+/// Maps give them in percent of g.
+void check_accelerations(const TomlTable& table) {
+  for (const char* key : {"ss_g", "s1_g", "sds_g", "sd1_g"}) {
+    const double value = table.number(key).value_or(0.0);
+    if (value > most_possible_g)
+      table.report(key,
+                   fmt::format("{} = {:g} is in g: no site has more than {:g} g",
+                               table.name_of(key), value, most_possible_g),
+                   fmt::format("if it is in percent of g, give {:g}", value / 100.0));
+  }
+}
+
+/// By a spectrum, by S_DS and S_D1, or by mapped values.
+void check_one_form(const TomlTable& table) {
+  const char* given = nullptr;
+  for (const char* key : {"spectrum", "sds_g", "ss_g"}) {
+    if (!table.has(key)) continue;
+    if (given != nullptr)
+      table.report(key,
+                   table.name_of(given) + " and " + table.name_of(key) +
+                       " are both given: one "
+                       "would have no effect",
+                   "leave one of them out");
+    given = given == nullptr ? key : given;
+  }
+}
+
 }  // namespace
 
 DesignTarget read_target(const TomlTable& table, const std::filesystem::path& folder) {
@@ -86,6 +113,8 @@ DesignTarget read_target(const TomlTable& table, const std::filesystem::path& fo
     table.report_missing("edition",
                          "asce7_10, asce7_16 or asce7_22: their site coefficients differ");
   target.edition = table.choice<AsceEdition>("edition", editions).value_or(target.edition);
+  check_accelerations(table);
+  check_one_form(table);
   if (table.has("spectrum")) {
     read_spectrum(table, folder, target);
   } else if (table.has("sds_g") || table.has("sd1_g")) {

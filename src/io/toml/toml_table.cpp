@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "toml/toml_table.hpp"
 
+#include <fmt/format.h>
 #include <toml++/toml.h>
 
 #include <algorithm>
@@ -107,7 +108,9 @@ std::optional<double> as_written_number(const std::string& text, const NumberRul
   const auto value = known->value_of(text);
   if (!value)
     table.report(key, name + " = " + in_quotes(text) + " is not " + known->what + " with its unit",
-                 "leave the quotes out, or give a number with a unit: " + known->names());
+                 parse_number(trimmed(text))
+                     ? "leave the quotes out, or give a number with a unit: " + known->names()
+                     : "give a number with one of the units: " + known->names());
   return value;
 }
 
@@ -135,6 +138,15 @@ std::optional<double> as_number(TomlDocument::State& document, const toml::node&
     return std::nullopt;
   }
   return value;
+}
+
+/// Of a key that is called for another unit, "height_ft" of "height_m": what its number is in.
+std::string unit_note(const std::string& name, const std::string& nearest) {
+  const KeyUnits* units = units_of_key(nearest);
+  const auto last_word = [](const std::string& key) { return key.substr(key.rfind('_') + 1); };
+  if (units == nullptr || units->units.empty() || last_word(name) == last_word(nearest)) return "";
+  return fmt::format(", in {} or written with its unit ({})", units->units.front().name,
+                     units->names());
 }
 
 }  // namespace
@@ -180,7 +192,7 @@ void TomlDocument::State::find_unknown_keys(const toml::table& table, const std:
     if (old != nullptr) {
       suggestion = old->now;
     } else if (!nearest.empty()) {
-      suggestion = "did you mean " + nearest + "?";
+      suggestion = "did you mean " + nearest + unit_note(name, nearest) + "?";
     } else {
       for (const std::string& word : known)
         suggestion += (suggestion.empty() ? "known are " : ", ") + word;
@@ -222,15 +234,17 @@ void TomlDocument::State::find_changed_keys() {
 
 void TomlDocument::State::throw_if_any() const {
   ProblemList problems;
-  std::set<std::string> old_tables;
+  std::set<std::string> old_tables, faulty_tables;
   for (const Found& f : found) {
+    if (f.kind == ProblemKind::value) faulty_tables.insert(f.table);
     if (f.kind != ProblemKind::old_key) continue;
     problems.add(f.problem);
     old_tables.insert({f.table, ""});
   }
   for (const Found& f : found) {
     const bool follows = (f.kind == ProblemKind::value && old_tables.contains(f.table)) ||
-                         (f.kind == ProblemKind::idle && !old_tables.empty());
+                         (f.kind == ProblemKind::idle &&
+                          (!old_tables.empty() || faulty_tables.contains(f.table)));
     if (f.kind != ProblemKind::old_key && !follows) problems.add(f.problem);
   }
   problems.throw_if_any();

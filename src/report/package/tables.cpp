@@ -205,7 +205,7 @@ Table site_table(const CalculationPackage& package) {
       : target.is_mapped() ? "2/3 S_MS"
                            : "as given");
   add("S_D1", fmt::format("{:.3f} g", site.sd1_g),
-      points               ? "largest of S_a T, 1 to 5 s (21.4, recalled)"
+      points               ? "largest S_a T of its points, 1 to 5 s (21.4, recalled)"
       : target.is_mapped() ? "2/3 S_M1"
                            : "as given");
   if (!points)
@@ -432,7 +432,7 @@ Table exceedance_table(const CalculationPackage& package) {
   Table table{"exceedance",
               fmt::format("Probability that the displacement exceeds the governing one, {}",
                           length_in_both(package.design.governing_m)),
-              {text_column("level", "Earthquake"), text_column("sds", "S_DS"),
+              {text_column("level", "Earthquake"), text_column("level_g", "S_DS, or S_MS at MCE"),
                text_column("period", "Building period"), text_column("probability", "Probability"),
                text_column("interval", "95 % interval")},
               {}};

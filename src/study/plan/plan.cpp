@@ -76,7 +76,7 @@ double history_us(Kernel kernel) {
     case Kernel::events:
       return 1000.0;
     case Kernel::full:
-      return 2000.0;
+      return 500.0;
   }
   return 0.0;
 }
@@ -93,7 +93,7 @@ double record_us(const Plan& plan, std::size_t record) {
 /// roofs cost more, and none so large that a run which is stopped or killed loses more than
 /// seconds.
 void cut_units(Plan& plan) {
-  constexpr double least_us = 2000.0, most_us = 5e6, units_wanted = 512.0;
+  constexpr double least_us = 1000.0, most_us = 5e6, units_wanted = 512.0;
   constexpr std::size_t roofs_at_once = 16;
   const std::size_t blocks = plan.config.sampling.blocks_in_turn().count;
   const bool makes_roofs = plan.kernel.kernel == Kernel::tables && !plan.roofs_are_kept;

@@ -125,13 +125,6 @@ std::optional<std::string> problem_of(const Plan& plan, const Case& c) {
   return std::nullopt;
 }
 
-/// Of one record there is no mean, and levels of other measures scale to no spectrum: their charts
-/// have no clearance.
-bool gives_clearance(const Plan& plan) {
-  return plan.config.clearance || (plan.config.chart && plan.records.size() > 1 &&
-                                   plan.config.intensity.measure.is_of_design_spectrum());
-}
-
 double longest_period_s(const Plan& plan) {
   double longest_s = 0.0;
   for (const Case& c : plan.cases.all())
@@ -139,76 +132,84 @@ double longest_period_s(const Plan& plan) {
   return longest_s;
 }
 
-/// To 1.5 times the longest building period (ASCE 7-16, 16.2, recalled: 0.9 of the target there).
-std::vector<double> periods_beyond_scaled_s(double longest_s) {
-  constexpr double growth = 1.005;
-  std::vector<double> periods_s;
-  for (double t_s = longest_scaled_period_s; t_s < 1.5 * longest_s; t_s *= growth)
-    periods_s.push_back(t_s);
-  periods_s.push_back(1.5 * longest_s);
-  return periods_s;
+/// On each motion of a suite at MCE.
+std::vector<double> mce_factors(const Plan& plan, std::size_t suite, double sds_g) {
+  std::vector<double> factors;
+  for (std::size_t record = 0; record < plan.records.size(); ++record) {
+    if (plan.records[record].suite != suite) continue;
+    factors.push_back(plan.config.intensity.measure == IntensityMeasure::sds_g
+                          ? plan.factor_at_unit_level[record] * mce_over_dbe * sds_g
+                          : plan.motion(record).scale);
+  }
+  return factors;
 }
 
-/// Why a clearance of this suite is none for design, and what to do; nothing where the suite meets
-/// its target.
-std::optional<Problem> shortfall(const Plan& plan, std::size_t suite) {
-  const std::string file = plan.config.suite_files[suite].string();
-  const std::string table = plan.config.clearance ? "clearance" : "chart";
-  const auto refused = [&](const std::string& what, const std::string& todo) {
-    return Problem{
-        file, fmt::format("[{}]: {}", table, what),
-        fmt::format("{}, or set {}.without_target = true{}, which every output states", todo, table,
-                    plan.config.clearance ? " (of a project: suite.without_target)" : ""),
-        ""};
-  };
+}  // namespace
+
+bool gives_clearance(const Plan& plan) {
+  return plan.config.clearance || (plan.config.chart && plan.records.size() > 1 &&
+                                   plan.config.intensity.measure.is_of_design_spectrum());
+}
+
+std::optional<Shortfall> shortfall(const Plan& plan, std::size_t suite) {
   const bool by_sds = plan.config.intensity.measure == IntensityMeasure::sds_g;
   if (!plan.config.intensity.measure.is_of_design_spectrum())
-    return refused("levels of " + std::string(plan.config.intensity.measure.key()) +
-                       " scale each record by itself, not the suite to a design spectrum",
-                   "measure by sds_g, which scales the suite, or by mce_fraction");
+    return Shortfall{"levels of " + std::string(plan.config.intensity.measure.key()) +
+                         " scale each record by itself, not the suite to a design spectrum",
+                     "measure by sds_g, which scales the suite, or by mce_fraction"};
   const DesignTarget* target = plan.target_of(suite);
   if (target == nullptr)
-    return refused("the suite has no [target] that it could meet",
-                   "give the suite its [target], or the study intensity.target");
-  std::vector<double> scales;
-  for (const Motion& motion : plan.suites[suite].motions) scales.push_back(motion.scale);
+    return Shortfall{"the suite has no [target] that it could meet",
+                     "give the suite its [target], or the study intensity.target"};
   const TargetSpectrum spectrum(*target);
+  const std::vector<double> factors = mce_factors(plan, suite, spectrum.sds_g());
   const auto mce_g = [&](double period_s) { return spectrum.mce_sa_g(period_s); };
-  const double longest_s = longest_period_s(plan);
-  if (by_sds && longest_s <= longest_scaled_period_s) return {};
-  SpectralRatio lowest = ratios_to_target(plan.suites[suite], scales, mce_g).lowest;
-  if (!by_sds && lowest.ratio < least_over_target) {
-    return refused(
-        fmt::format("the suite's average SRSS spectrum is {:.3g} times its MCE target at {:.3g} s; "
-                    "from 0 to 2 s it must be {:g} times or more",
-                    lowest.ratio, lowest.period_s, least_over_target),
-        fmt::format("multiply the suite's scales by {:.4g}, measure by sds_g, which scales it",
-                    1.0 / lowest.ratio));
+  if (!by_sds) {
+    const SpectralRatio lowest = ratios_to_target(plan.suites[suite], factors, mce_g).lowest;
+    if (lowest.ratio < least_over_target)
+      return Shortfall{
+          fmt::format(
+              "the suite's average SRSS spectrum is {:.3g} times its MCE target at {:.3g} s; "
+              "from 0 to 2 s it must be {:g} times or more",
+              lowest.ratio, lowest.period_s, least_over_target),
+          fmt::format("multiply the suite's scales by {:.4g}, measure by sds_g, which scales it",
+                      1.0 / lowest.ratio)};
   }
-  if (longest_s <= longest_scaled_period_s) return {};
-  const double scaled = by_sds ? lowest.ratio : 1.0;  // the study divides by it
-  lowest =
-      lowest_ratio_to_target(plan.suites[suite], scales, mce_g, periods_beyond_scaled_s(longest_s));
-  lowest.ratio /= scaled;
-  if (lowest.ratio >= least_over_target_beyond) return {};
-  return refused(
+  // To 1.5 times the longest building period (ASCE 7-16, 16.2, recalled).
+  const double longest_s = longest_period_s(plan);
+  if (1.5 * longest_s <= longest_scaled_period_s || !gives_clearance(plan)) return {};
+  const SpectralRatio lowest = lowest_ratio_to_target(plan.suites[suite], factors, mce_g,
+                                                      periods_beyond_scaled_s(1.5 * longest_s));
+  constexpr double rounding = 1e-12;
+  if (lowest.ratio >= least_over_target_beyond * (1.0 - rounding)) return {};
+  const double missing = least_over_target_beyond / lowest.ratio;
+  return Shortfall{
       fmt::format("the suite's average SRSS spectrum is {:.3g} times its target at {:.3g} s; "
                   "for a building period of {:g} s it must be {:g} times or more from {:g} s to "
                   "{:g} s, 1.5 times that period",
                   lowest.ratio, lowest.period_s, longest_s, least_over_target_beyond,
                   longest_scaled_period_s, 1.5 * longest_s),
-      fmt::format("take records that reach it (`glissade suite select`), {} {:.4g}",
-                  by_sds ? "multiply the levels by" : "multiply the suite's scales by",
-                  least_over_target_beyond / lowest.ratio));
+      "take records that reach it (`glissade suite select`), " +
+          (by_sds ? fmt::format("set intensity.scaled_to_s = {:g}, which multiplies all by {:.4g}",
+                                1.5 * longest_s, missing)
+                  : fmt::format("multiply the suite's scales by {:.4g}", missing)),
+      // Walters et al. (2012) scale to 2 s for buildings of up to 2 s.
+      longest_s > longest_scaled_period_s};
 }
-
-}  // namespace
 
 void check_clearance(const Plan& plan) {
   if (!gives_clearance(plan) || plan.config.is_without_target()) return;
+  const std::string table = plan.config.clearance ? "clearance" : "chart";
   ProblemList problems;
   for (std::size_t suite = 0; suite < plan.suites.size(); ++suite) {
-    if (const auto problem = shortfall(plan, suite)) problems.add(*problem);
+    const auto found = shortfall(plan, suite);
+    if (!found || !found->is_refused) continue;
+    problems.add({plan.config.suite_files[suite].string(),
+                  fmt::format("[{}]: {}", table, found->what),
+                  fmt::format("{}, or set {}.without_target = true{}, which every output states",
+                              found->remedy, table,
+                              plan.config.clearance ? " (of a project: suite.without_target)" : ""),
+                  ""});
   }
   problems.throw_if_any();
 }

@@ -8,6 +8,7 @@
 #include "glissade/motion/improbable.hpp"
 #include "glissade/sampling/pull_test.hpp"
 #include "plan/length_unit.hpp"
+#include "plan/plan_check.hpp"
 
 namespace glissade {
 namespace {
@@ -55,6 +56,22 @@ Warnings nearest_records(const Plan& plan) {
           "probabilities are too small, and the log standard deviation and all intervals too "
           "narrow",
           suite.name));
+  }
+  return warnings;
+}
+
+/// Levels in parts of the MCE are of a suite that meets it.
+Warnings missed_targets(const Plan& plan) {
+  const bool clearance = gives_clearance(plan);
+  const bool is_concerned = clearance
+                                ? !plan.config.is_without_target()
+                                : plan.config.intensity.measure == IntensityMeasure::mce_fraction;
+  if (!is_concerned) return {};
+  Warnings warnings;
+  for (std::size_t suite = 0; suite < plan.suites.size(); ++suite) {
+    if (const auto found = shortfall(plan, suite))
+      warnings.push_back(clearance ? found->what + ": " + found->remedy
+                                   : "level 1 is not the MCE: " + found->what);
   }
   return warnings;
 }
@@ -167,9 +184,10 @@ Warnings motions(const Plan& plan) {
 
 std::vector<std::string> warnings_on(const Plan& plan) {
   std::vector<std::string> warnings;
-  for (const auto warning : {without_target, one_axis, nearest_records, strong_levels,
-                             target_values, long_periods, large_clearances, low_friction,
-                             high_friction, free_sliding, other_targets, same_motions, motions}) {
+  for (const auto warning :
+       {without_target, one_axis, nearest_records, strong_levels, missed_targets, target_values,
+        long_periods, large_clearances, low_friction, high_friction, free_sliding, other_targets,
+        same_motions, motions}) {
     for (std::string& text : warning(plan)) warnings.push_back(std::move(text));
   }
   return warnings;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "glissade/design/design_clearance.hpp"
+#include "glissade/io/study_file.hpp"
 #include "temporary_folder.hpp"
 
 namespace glissade {
@@ -244,6 +245,12 @@ TEST_F(ProjectFile, a_spectrum_by_points_is_of_its_edition_and_in_g) {
               HasSubstr("no site has more than 10 g"));
   EXPECT_THAT(to_string(problems_of(changed("asce7_16", "asce7_22")).front()),
               HasSubstr("ASCE 7-22 has no site coefficients"));
+  EXPECT_THAT(to_string(problems_of(changed("ss_g = 1.313", "ss_g = 131.3")).front()),
+              HasSubstr("if it is in percent of g, give 1.313"));
+  EXPECT_THAT(
+      to_string(
+          problems_of(changed("ss_g = 1.313", "ss_g = 1.313\nspectrum = \"site.csv\"")).front()),
+      HasSubstr("both given"));
 }
 
 // Without leave the demand study is refused, as any study is.
@@ -252,6 +259,23 @@ TEST_F(ProjectFile, a_suite_that_falls_short_beyond_2_s_needs_leave) {
   EXPECT_EQ(problems_of(text).size(), 1u);  // it has no effect up to 2 s
   text.replace(text.find("[1.0, 0.5]"), 10, "[1.0, 2.5]");
   EXPECT_THAT(demand_study(read(text), folder_.path()), HasSubstr("without_target = true"));
+}
+
+TEST_F(ProjectFile, of_a_long_period_scales_its_suite_to_one_and_a_half_times_that) {
+  const std::string text = changed("[1.0, 0.5]", "[1.0, 1.4]");
+  for (const std::string& study : {demand_study(read(text), folder_.path()),
+                                   probability_study(read(text), folder_.path(), {0.1})}) {
+    folder_.write("demand.toml", study);
+    EXPECT_NEAR(read_study(folder_.path() / "demand.toml").intensity.scaled_to_s, 2.1, 1e-12);
+  }
+  EXPECT_THAT(demand_study(read(whole), folder_.path()), testing::Not(HasSubstr("scaled_to_s")));
+}
+
+TEST_F(ProjectFile, is_not_taken_for_a_study_nor_the_reverse) {
+  folder_.write("a.toml", whole);
+  EXPECT_THAT(message_of([&] { read_study(folder_.path() / "a.toml"); }),
+              HasSubstr("glissade clearance"));
+  EXPECT_THAT(message_of([&] { read("[study]\nname = \"a\"\n"); }), HasSubstr("glissade run"));
 }
 
 // The studies that are made are study files: the plan of their numbers.

@@ -200,7 +200,16 @@ TEST_F(RecordFile, a_header_that_is_no_comment_is_not_taken_for_samples) {
   EXPECT_THAT(error("0.01\n1\n2\n", {.dt_s = 0.01, .units = {}}), HasSubstr("begins with 0.01"));
   const std::string samples = "1\n2\n3\n2\n1\n0\n-1\n-2\n";
   EXPECT_THAT(error("1\n0.01\n" + samples, {.dt_s = 0.01, .units = AccelerationUnits::g}),
-              HasSubstr("begins with 1, a count, and the time step"));
+              HasSubstr("begins with 1, a count, and a time step"));
+  // The step that is stated elsewhere is another one.
+  EXPECT_THAT(error("1\n1e-2\n" + samples, {.dt_s = 0.005, .units = AccelerationUnits::g}),
+              HasSubstr("begins with 1, a count, and a time step"));
+  EXPECT_THAT(
+      error("0.01\n1e-5\n2e-5\n3e-5\n1e-5\n0\n-1e-5\n1e-5\n0\n", {.dt_s = 0.02, .units = {}}),
+      HasSubstr("begins with 0.01, a time step"));
+  EXPECT_EQ(read("0.01\n0.02\n0.01\n0\n0.01\n0\n0.01\n0.02\n", {.dt_s = 0.02, .units = {}})
+                .acceleration_mps2.size(),
+            8u);
   EXPECT_THAT(error("8\n" + samples, {.dt_s = 0.01, .units = {}}), HasSubstr("begins with 8"));
   EXPECT_THAT(error("8 0.01\n" + samples, {.dt_s = 0.01, .units = {}}), HasSubstr("1 column"));
 }

@@ -15,7 +15,8 @@ TEST_F(StudyFile, an_unknown_key_is_shown_in_its_line_with_the_nearest_known_one
   EXPECT_THAT(
       message,
       AllOf(
-          HasSubstr("study.toml:14: building.period_ms is not a known key; did you mean period_s?"),
+          HasSubstr("study.toml:14: building.period_ms is not a known key; did you mean period_s, "
+                    "in s or written with its unit (s, ms)?"),
           HasSubstr("  \tperiod_ms = 200\n  \t^")));
   EXPECT_THAT(faults(needed + "[bulding]\nperiod_s = 1\n"), ElementsAre("13 bulding"));
 }

@@ -368,6 +368,11 @@ TEST(plan, warns_of_probabilities_from_records_that_are_the_nearest_to_a_target)
   EXPECT_THAT(warnings(), testing::Not(testing::Contains(of_selection)));
 }
 
+StudyConfig config_without_target(StudyConfig config) {
+  config.clearance->without_target = true;
+  return config;
+}
+
 TEST(plan, refuses_a_clearance_of_a_suite_that_does_not_meet_its_target) {
   StudyConfig config = small_config();
   config.intensity.measure = IntensityMeasure::mce_fraction;
@@ -408,9 +413,11 @@ TEST(plan, refuses_a_clearance_of_a_suite_that_does_not_meet_its_target) {
   // to 2 s: of a longer building the suite must have motion at its period too
   config.quantities.at("building", "period_s") = listed({0.5, 4.0});
   EXPECT_THAT(refusal(), testing::HasSubstr("for a building period of 4 s it must be 0.9 times"));
-  EXPECT_THAT(refusal(), testing::HasSubstr("multiply the levels by "));
-  config.clearance->without_target = true;
+  const double below = make_plan(config_without_target(config), {suite}).factor_at_unit_level[0];
+  EXPECT_THAT(refusal(), testing::HasSubstr("scaled_to_s = 6, which multiplies all by 1.799"));
+  config.intensity.scaled_to_s = 6.0;
   EXPECT_EQ(refusal(), "");
+  EXPECT_NEAR(make_plan(config, {suite}).factor_at_unit_level[0] / below, 1.799, 1e-3);
 }
 
 TEST(plan, refuses_a_chart_clearance_alike) {
