@@ -54,7 +54,7 @@ std::vector<DesignCheck> spectrum_checks(const Project& project, const Results& 
   return checks;
 }
 
-constexpr double most_rounding_m = foot_m;
+constexpr double most_rounding_m = foot_m, most_clearance_m = 10.0;
 /// Of the design friction, mean - 2 std, which is above what any number of tests supports: 7 tests
 /// with a standard deviation of 8 % of the mean support 0.87 of it, 4 of them 0.70.
 constexpr double least_supported = 0.75;
@@ -100,6 +100,22 @@ std::vector<std::string> choices_of(const ProjectFriction& friction) {
   return texts;
 }
 
+/// The MCE is exceeded about once in 2,475 years, near active faults more often (ASCE 7-16, 21.2,
+/// recalled).
+std::vector<std::string> improbable_hazard(const Project& project) {
+  constexpr double shortest_years = 200.0, longest_years = 25000.0;
+  if (!project.hazard) return {};
+  const ProjectHazard& hazard = *project.hazard;
+  const HazardCurve curve = hazard.points.empty() ? HazardCurve::power_law(hazard.k0, hazard.k)
+                                                  : HazardCurve(hazard.points);
+  const double sms_g = site_values(project.site).sms_g(), years = 1.0 / curve.annual_rate(sms_g);
+  if (years >= shortest_years && years <= longest_years) return {};
+  return {
+      fmt::format("the hazard curve gives S_MS, {:.3g} g, once in {:.3g} years, where about 2,500 "
+                  "are usual: are its rates annual ones, of S_DS in g?",
+                  sms_g, years)};
+}
+
 }  // namespace
 
 std::vector<std::string> choices_of(const Project& project) {
@@ -130,6 +146,11 @@ std::vector<std::string> choices_of(const Project& project) {
       fmt::format("mean - 2 std of the friction is {:.3g}: 0 is taken",
                   project.friction.mean - 2.0 * project.friction.std));
   for (std::string& text : improbable_values(project.building)) texts.push_back(std::move(text));
+  add(project.building.damping == 0.0, "the building has no damping (damping = 0)");
+  for (const auto& available_m : project.available_m)
+    add(available_m && *available_m > most_clearance_m,
+        fmt::format("a clearance of {} is more than a roof has",
+                    both_units(available_m.value_or(0.0))));
   add(project.round_up_m > most_rounding_m,
       fmt::format("displacements are rounded up to steps of {}", both_units(project.round_up_m)));
   add(project.friction.std == 0.0,
@@ -138,6 +159,7 @@ std::vector<std::string> choices_of(const Project& project) {
       fmt::format("a mean friction of {:.3g} is above {:g}: no roof is known for it",
                   project.friction.mean, most_probable_friction));
   for (std::string& text : choices_of(project.friction)) texts.push_back(std::move(text));
+  for (std::string& text : improbable_hazard(project)) texts.push_back(std::move(text));
   return texts;
 }
 

@@ -205,6 +205,14 @@ void add_exceedance(const Results& probability, DesignClearance& design) {
            widened(threshold->probability_interval[at], found, probability.records.size())});
     }
   }
+  constexpr double most_probable = 0.1;  // at DBE; a limit of this program
+  const ExceedanceAt& at_dbe = largest_exceedance(design, "DBE");
+  if (at_dbe.probability > most_probable)
+    design.warnings.push_back(fmt::format(
+        "the governing displacement is exceeded with a probability of {:.2g} % at the DBE and "
+        "{:.2g} "
+        "% at the MCE",
+        100.0 * at_dbe.probability, 100.0 * largest_exceedance(design, "MCE").probability));
   for (std::string warning : probability.warnings) {
     for (const std::string key : {"; [shape] compares other curves", " (intensity.levels)"}) {
       if (const std::size_t at = warning.find(key); at != std::string::npos)

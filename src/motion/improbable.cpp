@@ -100,6 +100,17 @@ std::vector<std::string> improbable_values(const DesignTarget& target) {
     found.push_back(
         fmt::format("S_S of the target, {:g} g, is above {:g} g: no site is known for it",
                     target.ss_g, most_probable_g));
+  constexpr double longest_tl_s = 16.0;
+  if (target.tl_s > longest_tl_s)
+    found.push_back(
+        fmt::format("T_L of {:g} s is above {:g} s, the longest that is mapped (recalled)",
+                    target.tl_s, longest_tl_s));
+  if (target.edition == AsceEdition::asce7_16 &&
+      std::ranges::find(target.site_classes, SiteClass::b) != target.site_classes.end() &&
+      target.site_classes.size() == 1)
+    found.push_back(
+        "site class B: F_a and F_v are those of a measured shear wave velocity; without one ASCE "
+        "7-16, 11.4.3 (recalled: verify), requires 1.0, which is more");
   for (const SiteClass site : target.site_classes) {
     if (!needs_hazard_analysis(target, site)) continue;
     found.push_back(fmt::format(

@@ -90,7 +90,7 @@ std::vector<std::string> notes_on_trace(const TraceFriction& t) {
   if (t.breakaway_mu < t.sliding_mu) {
     notes.push_back(fmt::format(
         "{}: breakaway {:.3f} is below sliding {:.3f}: if the rig stretches before the array "
-        "slips, raise slip_m",
+        "slips, raise slip_m; are displacements and forces in their units?",
         name, t.breakaway_mu, t.sliding_mu));
   }
   if (std::abs(t.mu_by_displacement - t.sliding_mu) > uneven_pull * t.sliding_mu) {

@@ -14,13 +14,18 @@ namespace glissade::fuzz {
 
 /// How far two exact solvers may be apart by rounding. Coulomb friction only ever brings two
 /// histories closer, so an error of the acceleration's rounding, held for the whole time, is the
-/// worst that can be: eps A t in velocity, eps A t^2 in slip, however ill-conditioned an event is.
+/// worst that can be: v = eps A t in velocity, v t in slip, however ill-conditioned an event is. A
+/// block that has stopped at the record's end may coast v^2 / (2 mu g) with that velocity.
 struct Rounding {
   double acceleration_mps2 = 0.0;  ///< the largest there is, gravity and friction included
   double time_s = 0.0;             ///< the record's, and what the block coasts after it
+  double deceleration_mps2 = 0.0;  ///< after the record; <= 0: it does not stop
   double slip_m(double peak_m) const {
-    constexpr double eps = std::numeric_limits<double>::epsilon();
-    return 1e-10 * peak_m + 64 * eps * acceleration_mps2 * time_s * time_s;
+    const double velocity_mps =
+        64 * std::numeric_limits<double>::epsilon() * acceleration_mps2 * time_s;
+    const double coast_m =
+        deceleration_mps2 > 0.0 ? 0.5 * velocity_mps * velocity_mps / deceleration_mps2 : 0.0;
+    return 1e-10 * peak_m + velocity_mps * time_s + coast_m;
   }
 };
 

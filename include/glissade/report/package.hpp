@@ -25,7 +25,7 @@ struct CalculationPackage {
   const Results& demand;
   const Results& probability;
   std::vector<ComponentFile> files;  ///< empty: the motions of the suite are simulated
-  std::string project_sha256;
+  std::string project_sha256, suite_sha256;
   std::string build;  ///< commit and compiler
 };
 

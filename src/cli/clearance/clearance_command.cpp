@@ -179,6 +179,7 @@ class Calculation {
                                      probability,
                                      component_files(project_->suite),
                                      identity_.project_sha256,
+                                     sha256_of_file(project_->suite),
                                      build_text()};
     write_package(package, out_);
     write_finished_calculation(identity_, package, world_.size(), out_);

@@ -46,7 +46,9 @@ bool is_replaced(const TomlTable& table, std::string_view key) {
 /// Everything that is missing, at once.
 void require_keys(const TomlTable& root) {
   const auto require = [&](const char* table, const char* key) {
-    root.report("", fmt::format("{}.{} is missing", table, key),
+    const TomlTable at = root.table(table);
+    (at.exists() ? at : root)
+        .report("", fmt::format("{}.{} is missing", table, key),
                 fmt::format("in [{}], {}", table, example(table, key)));
   };
   for (const ProjectKey& row : project_keys()) {
@@ -68,8 +70,10 @@ void require_keys(const TomlTable& root) {
 std::vector<double> read_values(const TomlTable& table, const char* key, const NumberRule& rule) {
   std::vector<double> values;
   if (table.is_array(key)) {
+    const std::size_t before = table.problem_count();
     values = table.numbers(key, rule).value_or(std::vector<double>{});
-    if (values.empty()) table.report(key, table.name_of(key) + " is an empty list");
+    if (values.empty() && table.problem_count() == before)
+      table.report(key, table.name_of(key) + " is an empty list");
   } else if (const auto one = table.number(key, rule)) {
     values = {*one};
   }

@@ -201,7 +201,7 @@ Html required_html(const CalculationPackage& package) {
   const DesignClearance& design = package.design;
   std::vector<std::string> steps{fmt::format(
       "Analysis (Walters et al. 2012): {:g} x {} = {}.", design.factor,
-      length_in_both(design.analysis_m / design.factor), length_in_both(design.analysis_m))};
+      length_in_both(design.analysis_m / design.factor, 1), length_in_both(design.analysis_m, 1))};
   if (package.project.peer_reviewed) {
     steps.push_back(
         "The project states that the analysis is peer reviewed: no least value applies.");
@@ -265,13 +265,13 @@ Html files_html(const Table& files) {
 }
 
 Html records_html(const CalculationPackage& package) {
-  Html html =
-      section_heading(9) +
-      paragraph(fmt::format("glissade {} ({}); plan of the demand study {}, of the probability "
-                            "study {}; project file SHA-256 {}. The same files and version "
-                            "give the same numbers.",
-                            package.demand.program_version, package.build, package.demand.plan_hash,
-                            package.probability.plan_hash, package.project_sha256));
+  Html html = section_heading(9) +
+              paragraph(fmt::format(
+                  "glissade {} ({}); plan of the demand study {}, of the probability "
+                  "study {}; project file SHA-256 {}, suite file SHA-256 {}. The same files "
+                  "and version give the same numbers.",
+                  package.demand.program_version, package.build, package.demand.plan_hash,
+                  package.probability.plan_hash, package.project_sha256, package.suite_sha256));
   if (!package.files.empty()) html += files_html(files_table(package));
   return html + "<h3>Project file</h3>\n" + study_file(package.project.source_text);
 }

@@ -68,8 +68,11 @@ std::string separation_lines(const CalculationPackage& package) {
   for (const ProjectSeparation& s : package.design.separations) {
     std::string verdict;
     if (s.available_m) {
-      verdict = fmt::format("available {}{}", length_in(*s.available_m),
-                            *s.available_m < s.required.value_m ? ": NOT SUFFICIENT" : "");
+      verdict = fmt::format(
+          "available {}{}", length_in(*s.available_m),
+          *s.available_m < s.required.value_m
+              ? ": NOT SUFFICIENT, " + length_in(s.required.value_m - *s.available_m) + " short"
+              : "");
     }
     const std::string required = fmt::format("  {:.1f} x  {:>10}  {}", s.required.factor,
                                              length_in(s.required.value_m), s.required.what);

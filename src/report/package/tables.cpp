@@ -211,7 +211,9 @@ Table site_table(const CalculationPackage& package) {
   if (!points)
     add("T_L", fmt::format("{:g} s", target.tl_s),
         package.project.site.states_tl ? "project file" : "NOT STATED: assumed");
-  add("Seismic design category", to_string(site.category),
+  const bool may_be_e = !target.is_mapped() && site.category == SeismicDesignCategory::d;
+  add("Seismic design category",
+      to_string(site.category) + (may_be_e ? "; E or F where S_1 is 0.75 g or more" : ""),
       edition_name(target.edition) + ", tables 11.6-1 and 11.6-2 (recalled)");
   return table;
 }
@@ -389,15 +391,17 @@ Table separations_table(const CalculationPackage& package) {
   std::size_t row = 0;
   for (const ProjectSeparation& s : package.design.separations) {
     const bool known = s.available_m.has_value();
-    table.add({s.required.what, fmt::format("{:.1f}", s.required.factor),
-               length_in_both(s.required.value_m),
-               fmt::format("{:.2f}", s.required.value_m / foot_m),
-               prescribed_separation(of_prescribed.at(row++).value_m),
-               known ? length_in_both(*s.available_m) : "not stated",
-               std::string(!known                                ? "-"
-                           : *s.available_m < s.required.value_m ? "NOT SUFFICIENT"
-                           : reservations.empty()                ? "sufficient"
-                                                  : "sufficient, with reservation")});
+    table.add(
+        {s.required.what, fmt::format("{:.1f}", s.required.factor),
+         length_in_both(s.required.value_m), fmt::format("{:.2f}", s.required.value_m / foot_m),
+         prescribed_separation(of_prescribed.at(row++).value_m),
+         known ? length_in_both(*s.available_m) : "not stated",
+         std::string(!known ? "-"
+                     : *s.available_m < s.required.value_m
+                         ? "NOT SUFFICIENT: " + length_in(s.required.value_m - *s.available_m) +
+                               " short"
+                     : reservations.empty() ? "sufficient"
+                                            : "sufficient, with reservation")});
   }
   for (const std::string& reservation : reservations)
     table.notes.push_back("Reservation: " + reservation + ".");

@@ -14,9 +14,10 @@ namespace glissade {
 inline bool in_inches() { return LengthUnits::first() == UnitSystem::us_customary; }
 
 /// "12.5 in", or "0.318 m".
-inline std::string length_in(UnitSystem units, double length_m) {
-  return units == UnitSystem::us_customary ? fmt::format("{:.1f} in", length_m / inch_m)
-                                           : fmt::format("{:.3f} m", length_m);
+inline std::string length_in(UnitSystem units, double length_m, int more_digits = 0) {
+  return units == UnitSystem::us_customary
+             ? fmt::format("{:.{}f} in", length_m / inch_m, 1 + more_digits)
+             : fmt::format("{:.{}f} m", length_m, 3 + more_digits);
 }
 inline std::string length_in(double length_m) { return length_in(LengthUnits::first(), length_m); }
 
@@ -26,9 +27,11 @@ inline std::string slip_in(double length_m) {
 }
 
 /// "12.5 in (0.318 m)", or "0.318 m (12.5 in)".
-inline std::string length_in_both(double length_m) {
-  const UnitSystem other = in_inches() ? UnitSystem::si : UnitSystem::us_customary;
-  return fmt::format("{} ({})", length_in(length_m), length_in(other, length_m));
+inline std::string length_in_both(double length_m, int more_digits = 0) {
+  const UnitSystem first = LengthUnits::first(),
+                   other = in_inches() ? UnitSystem::si : UnitSystem::us_customary;
+  return fmt::format("{} ({})", length_in(first, length_m, more_digits),
+                     length_in(other, length_m, more_digits));
 }
 
 /// "1.06 ft", or "0.323 m": of a separation.

@@ -200,6 +200,18 @@ TEST_F(ProjectFile, warns_of_a_height_in_feet_and_of_coarse_rounding) {
               testing::Contains(HasSubstr("65 m (213 ft) for each is improbable")));
 }
 
+TEST_F(ProjectFile,
+       warns_of_a_clearance_in_inches_and_of_a_hazard_curve_that_is_none_of_annual_rates) {
+  EXPECT_THAT(choices_of(read(whole + "[clearances]\nopen_edge_m = 48\n")),
+              testing::Contains(HasSubstr("48 m (157 ft) is more than a roof has")));
+  const auto with_rate = [&](const char* k0) {
+    return choices_of(read(whole + "[hazard]\nk = 2\nk0 = " + k0 + "\ndesign_life_years = 25\n"));
+  };
+  const auto warning = testing::Contains(HasSubstr("are its rates annual ones"));
+  EXPECT_THAT(with_rate("1e-3"), testing::Not(warning));
+  EXPECT_THAT(with_rate("0.05"), warning);
+}
+
 TEST_F(ProjectFile, friction_that_no_roof_has_is_refused_or_a_warning) {
   const auto problems = problems_of(changed("mean = 0.5", "mean = 5.0"));
   ASSERT_EQ(problems.size(), 1u);
