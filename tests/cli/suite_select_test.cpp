@@ -141,6 +141,24 @@ TEST_F(SuiteSelect, a_site_may_state_its_one_class) {
   EXPECT_EQ(json::parse(child.out)["target"]["site_classes"], json({"C"}));
 }
 
+TEST_F(SuiteSelect, a_target_by_a_spectrum_is_that_of_a_project) {
+  folder_.write("site.csv", "period_s,design_sa_g\n0.01,0.2\n0.1,0.4\n0.5,0.4\n1,0.2\n5,0.04\n");
+  const std::string project = folder_.write(
+      "p.toml",
+      "[project]\nname = \"p\"\n[site]\nedition = \"asce7_22\"\nspectrum = \"site.csv\"\n");
+  const std::string out = folder_.path("chosen/suite.toml").string();
+  std::filesystem::create_directories(folder_.path("chosen"));
+  const Finished child =
+      select({"--site", project, "--count", "2", "--max-scale", "50", "--out", out});
+  EXPECT_EQ(child.status, 0) << child.err;
+  EXPECT_THAT(child.out, testing::HasSubstr("ASCE 7-22, spectrum of 5 points"));
+  const Finished shown = run_program({"suite", "show", out});
+  EXPECT_EQ(shown.status, 0) << shown.err;
+  EXPECT_THAT(shown.out, testing::HasSubstr("ASCE 7-22, spectrum of 5 points"));
+  expect_refused(select({"--site", project, "--level", "2"}), {"--site", "--level"});
+  expect_refused(select({"--site", folder_.write("n.toml", "[a]\n")}), {"no [site]"});
+}
+
 TEST_F(SuiteSelect, mistakes_are_refused) {
   expect_refused(select({"--level", "2", "--ss-g", "1"}), {"--level", "--ss-g"});
   expect_refused(select({}), {"--ss-g", "--s1-g", "--level", "--edition"});

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "glissade/motion/design_spectrum.hpp"
 #include "glissade/motion/motion.hpp"
 #include "glissade/motion/simulation/synthetic_suite.hpp"
 
@@ -17,6 +18,14 @@ namespace glissade {
 /// by file name anywhere below. Throws InputError with everything that is wrong: keys, missing
 /// files (all of them), unreadable records.
 Suite load_suite(const std::filesystem::path& file);
+
+/// A design target, and the file of one by points.
+struct StatedTarget {
+  DesignTarget target;
+  std::filesystem::path spectrum_file;
+};
+/// That of a project's [site] or of a suite's [target]. Throws InputError.
+StatedTarget read_stated_target(const std::filesystem::path& file);
 
 /// A file of a recorded suite.
 struct RecordFile {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "glissade/motion/design_spectrum.hpp"
+#include "glissade/io/suite_file.hpp"
 
 namespace glissade {
 
@@ -18,7 +18,7 @@ struct ScaledRecord {
 /// The head of a suite made from a library's records.
 struct SuiteHead {
   std::string name, description;
-  DesignTarget target;
+  StatedTarget target;
   std::vector<std::string> comments;  ///< lines at the head of the file
   bool nearest_to_target = false;     ///< as that of Suite
 };

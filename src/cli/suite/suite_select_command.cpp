@@ -26,7 +26,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 struct SelectOptions {
-  std::string library, out, site_class, edition;
+  std::string library, out, site, site_class, edition;
   std::vector<std::string> site_classes;
   std::optional<int> level;
   std::optional<double> ss_g, s1_g, max_scale;
@@ -37,6 +37,7 @@ struct SelectOptions {
 /// The target spectrum, and the criteria for the records that match it.
 struct Task {
   DesignTarget target;
+  std::filesystem::path spectrum_file;  ///< of a target by points
   SelectionCriteria criteria;
 };
 
@@ -95,6 +96,9 @@ void override_with(Limits& limits, const Limits& given) {
 
 Task task_of(const SelectOptions& o) {
   const bool of_a_site = o.ss_g || o.s1_g || !o.site_classes.empty();
+  if (!o.site.empty() && (of_a_site || o.level || !o.site_class.empty() || !o.edition.empty()))
+    throw InputError({"--site", "is a file that states the whole target",
+                      "leave out --level, --edition, --ss-g, --s1-g and the site classes", ""});
   if (o.level && of_a_site)
     throw InputError({"--level", "has its own S_s, S_1 and site classes",
                       "leave out --ss-g, --s1-g and --site-classes, or the level", ""});
@@ -106,7 +110,11 @@ Task task_of(const SelectOptions& o) {
   Task task;
   if (o.level) {
     const SiteGroup sites = group_of(o.site_class);
-    task = {walters_target(*o.level, sites), walters_criteria(*o.level, sites)};
+    task = {walters_target(*o.level, sites), {}, walters_criteria(*o.level, sites)};
+  } else if (!o.site.empty()) {
+    const StatedTarget stated = read_stated_target(o.site);
+    task.target = stated.target;
+    task.spectrum_file = stated.spectrum_file;
   } else {
     task.target = target_of_site(o);
   }
@@ -189,8 +197,11 @@ Table records_table(const Suite& library, const RecordSelection& s) {
 
 void print(const Suite& library, const Task& task, const RecordSelection& s) {
   fmt::print("target: {}", target_line(task.target));
-  const auto level = intensity_level({task.target.ss_g, task.target.s1_g});
-  fmt::print("; Intensity Level {}\n", level ? std::to_string(*level) : "above 4");
+  if (task.target.is_mapped()) {
+    const auto level = intensity_level({task.target.ss_g, task.target.s1_g});
+    fmt::print("; Intensity Level {}", level ? std::to_string(*level) : "above 4");
+  }
+  fmt::print("\n");
   for (const std::string& warning : improbable_values(task.target))
     fmt::print("{}\n", wrapped("WARNING: " + warning, terminal_width, 0));
   fmt::print("{} candidates of {} records\n\n", s.candidates, library.motions.size());
@@ -213,12 +224,13 @@ Json to_json(const RatioAtPeriod& r) { return {{"ratio", r.ratio}, {"period_s", 
 
 Json to_json(const Suite& library, const Task& task, const RecordSelection& s) {
   const DesignTarget& target = task.target;
-  const auto level = intensity_level({target.ss_g, target.s1_g});
+  const bool mapped = target.is_mapped();
+  const auto level = mapped ? intensity_level({target.ss_g, target.s1_g}) : std::nullopt;
   Json json{{"target",
              {{"edition", to_string(target.edition)},
-              {"ss_g", target.ss_g},
-              {"s1_g", target.s1_g},
-              {"site_classes", names(target)},
+              {"ss_g", or_null(mapped ? target.ss_g : 0.0)},
+              {"s1_g", or_null(mapped ? target.s1_g : 0.0)},
+              {"site_classes", mapped ? Json(names(target)) : Json()},
               {"intensity_level", level ? Json(*level) : Json()}}},
             {"warnings", improbable_values(target)},
             {"max_scale", task.criteria.max_scale},
@@ -253,7 +265,7 @@ std::string suite_text(const SelectOptions& o, const Suite& library, const Task&
   SuiteHead head{fs::path(o.out).stem().string(),
                  fmt::format("{} records of {}, scaled to the {}", s.records.size(), library.name,
                              target_line(task.target)),
-                 task.target,
+                 {task.target, task.spectrum_file},
                  {"Made by: glissade suite select, from " + fs::path(o.library).filename().string(),
                   "average of the SRSS spectra: " + average_line(s)},
                  true};
@@ -290,6 +302,10 @@ void add_suite_select(CLI::App& suite) {
   command->add_option("--level", o->level,
                       "Walters's Seismic Intensity Level, 0 to 4: its target and its limits");
   command->add_option("--site-class", o->site_class, "class of the site; of a level: E [A to D]");
+  command->add_option(
+      "--site", o->site,
+      "project or suite file whose site or target is taken: also by S_DS and S_D1 or "
+      "a spectrum");
   command->add_option("--ss-g", o->ss_g, "the site's own mapped S_s");
   command->add_option("--s1-g", o->s1_g, "the site's own mapped S_1");
   command->add_option("--edition", o->edition, "asce7_10 or asce7_16; required with --ss-g");

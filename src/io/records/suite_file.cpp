@@ -219,6 +219,22 @@ SyntheticRecipe read_recipe(TomlDocument& document, const std::filesystem::path&
 
 }  // namespace
 
+StatedTarget read_stated_target(const std::filesystem::path& file) {
+  TomlDocument document(file);
+  const TomlTable root = document.root();
+  root.ignore_unknown();
+  const TomlTable table = root.table(root.has("site") ? "site" : "target");
+  if (!table.exists())
+    throw InputError({file.string(), "has no [site] and no [target]",
+                      "give a project or a suite file with one", ""});
+  table.ignore_unknown();
+  StatedTarget stated{read_target(table, file.parent_path()), {}};
+  if (const auto spectrum = table.text("spectrum"))
+    stated.spectrum_file = file.parent_path() / *spectrum;
+  document.finish();
+  return stated;
+}
+
 std::vector<RecordFile> record_files(const std::filesystem::path& suite_file) {
   TomlDocument document(suite_file);
   RecordFinder finder(suite_file.parent_path());

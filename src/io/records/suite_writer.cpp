@@ -70,6 +70,13 @@ std::string line(const char* key, double value) {
   return value > 0.0 ? fmt::format("{} = {}\n", key, value) : "";
 }
 
+std::string target_of(const StatedTarget& stated, const fs::path& folder) {
+  if (stated.target.period_s.empty()) return target_toml(stated.target);
+  return fmt::format("[target]\nedition = {}\nspectrum = {}\n",
+                     quoted(to_string(stated.target.edition)),
+                     path_from(stated.spectrum_file, folder));
+}
+
 }  // namespace
 
 std::string suite_of_records_toml(const fs::path& library, const SuiteHead& head,
@@ -78,10 +85,11 @@ std::string suite_of_records_toml(const fs::path& library, const SuiteHead& head
   const auto [units, entries] = read_library(library);
   std::string text;
   for (const std::string& comment : head.comments) text += "# " + comment + "\n";
-  text += fmt::format("\n[suite]\nname = {}\ndescription = {}\n{}{}\n{}", quoted(head.name),
-                      quoted(head.description),
-                      line("selection", head.nearest_to_target ? "nearest_to_target" : ""),
-                      line("units", units ? to_string(*units) : ""), target_toml(head.target));
+  text +=
+      fmt::format("\n[suite]\nname = {}\ndescription = {}\n{}{}\n{}", quoted(head.name),
+                  quoted(head.description),
+                  line("selection", head.nearest_to_target ? "nearest_to_target" : ""),
+                  line("units", units ? to_string(*units) : ""), target_of(head.target, folder));
   for (const ScaledRecord& record : records) {
     const auto found = entries.find(record.id);
     if (found == entries.end()) {

@@ -8,6 +8,7 @@
 
 #include "analysis/hazard/hazard.hpp"
 #include "glissade/core/file.hpp"
+#include "glissade/motion/suite_scaling.hpp"
 #include "glissade/report/format.hpp"
 #include "glissade/report/package.hpp"
 #include "package/figures.hpp"
@@ -82,12 +83,30 @@ Html warnings_html(const CalculationPackage& package) {
              : "<div class=\"warning\">\n<strong>Warnings</strong>\n" + list(warnings) + "</div>\n";
 }
 
+/// On the clearances that the project states.
+std::string verdict_sentence(const CalculationPackage& package) {
+  std::string lacking;
+  std::size_t known = 0;
+  for (const ProjectSeparation& s : package.design.separations) {
+    if (!s.available_m) continue;
+    ++known;
+    if (*s.available_m < s.required.value_m)
+      lacking += fmt::format("{}{} ({} short)", lacking.empty() ? "" : ", ", s.required.what,
+                             length_in(s.required.value_m - *s.available_m));
+  }
+  if (known == 0) return "Available clearances are not stated.";
+  if (!lacking.empty()) return "Available clearances are NOT SUFFICIENT " + lacking + ".";
+  return reservations_on(package.project, package.design).empty()
+             ? "The available clearances are sufficient."
+             : "The available clearances are sufficient, with the reservations below.";
+}
+
 Html result_html(const CalculationPackage& package) {
   const DesignClearance& design = package.design;
   std::vector<std::string> answers{
       fmt::format("Governing displacement: {}, rounded up to {}.",
                   length_in_both(design.governing_m), length_in_both(design.rounded_m)),
-      fmt::format("It is given by {}.", governed_by(package)),
+      verdict_sentence(package), fmt::format("It is given by {}.", governed_by(package)),
       fmt::format(
           "Analysis: {:g} x the largest {} displacement over {} building periods and all "
           "orientations of the records at DBE = {} (period {:.3g} s). With the median of the "
@@ -140,14 +159,22 @@ Html given_curves_html(const Project& project) {
 
 Html motions_html(const CalculationPackage& package, const std::vector<DrawnFigure>& figures) {
   const SpectralRatios& ratios = package.demand.suites.front().spectra.to_target;
+  const double to_s = 1.5 * package.project.building.period_s.back();
+  const std::string beyond =
+      to_s > longest_scaled_period_s && !package.project.without_target
+          ? fmt::format(
+                ", and nowhere below {:g} times it from there to {:.3g} s, 1.5 times the "
+                "longest building period (ASCE 7-16, 16.2, recalled)",
+                least_over_target_beyond, to_s)
+          : "";
   return section_heading(2) + page_table(site_table(package)) +
          paragraph(fmt::format(
              "Suite: {}: {}. The suite, with its own scales, is multiplied by one factor, so that "
              "its "
              "average SRSS spectrum is nowhere below the design spectrum from 0 to 2 s (Walters et "
-             "al. 2012). After that it is {:.3f} times (at {:.3g} s) to {:.3f} times (at {:.3g} s) "
-             "the design spectrum. MCE is 1.5 times DBE.",
-             package.demand.suites.front().name, package.demand.suites.front().description,
+             "al. 2012){}. So scaled it is, from 0 to 2 s, {:.3f} times (at {:.3g} s) to {:.3f} "
+             "times (at {:.3g} s) the design spectrum. MCE is 1.5 times DBE.",
+             package.demand.suites.front().name, package.demand.suites.front().description, beyond,
              ratios.lowest.ratio, ratios.lowest.period_s, ratios.highest.ratio,
              ratios.highest.period_s)) +
          page_table(motions_table(package)) + page_table(scaled_motions_table(package)) +
