@@ -6,6 +6,7 @@
 
 #include "commands.hpp"
 #include "glissade/core/error.hpp"
+#include "glissade/core/wrap.hpp"
 #include "glissade/io/pull_test_file.hpp"
 #include "glissade/report/friction_report.hpp"
 #include "output_rule.hpp"
@@ -80,7 +81,7 @@ void print(const PullTestSummary& summary) {
   if (!summary.tests.empty()) fmt::print("{}\n", to_text(pull_tests_table(summary)));
   fmt::print("{}", to_text(friction_table(summary)));
   if (!summary.notes.empty()) fmt::print("\n");
-  for (const std::string& note : summary.notes) fmt::print("note  {}\n", note);
+  for (const std::string& note : summary.notes) fmt::print("note  {}\n", wrapped(note, terminal_width, 6));
 }
 
 void run(const FrictionOptions& o) {

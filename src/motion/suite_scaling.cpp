@@ -96,7 +96,7 @@ using RatiosAt = std::function<std::vector<double>(const std::vector<double>&)>;
 
 /// The least of `ratios_at` between two periods that enclose a minimum.
 SpectralRatio refined_minimum(const RatiosAt& ratios_at, double from_s, double to_s) {
-  constexpr int parts = 20, rounds = 3;
+  constexpr int parts = 10, rounds = 2;
   SpectralRatio least{std::numeric_limits<double>::infinity(), from_s};
   for (int round = 0; round < rounds; ++round) {
     std::vector<double> periods_s;
@@ -113,12 +113,20 @@ SpectralRatio refined_minimum(const RatiosAt& ratios_at, double from_s, double t
 
 SpectralRatio least_ratio(const RatiosAt& ratios_at, const std::vector<double>& periods_s,
                           const std::vector<double>& ratios) {
-  const double lowest = std::ranges::min(ratios), near = lowest + 0.01 * std::abs(lowest);
+  const double lowest = std::ranges::min(ratios);
   SpectralRatio least{std::numeric_limits<double>::infinity(), 0.0};
   for (std::size_t i = 0; i < ratios.size(); ++i) {
     const std::size_t before = i == 0 ? 0 : i - 1, after = std::min(i + 1, ratios.size() - 1);
-    if (ratios[i] > near || ratios[i] > ratios[before] || ratios[i] > ratios[after]) continue;
-    const SpectralRatio here = refined_minimum(ratios_at, periods_s[before], periods_s[after]);
+    if (ratios[i] > ratios[before] || ratios[i] > ratios[after]) continue;
+    // Below its neighbours a parabola falls so far; four times that is on the safe side.
+    const double width = ratios[after] - ratios[before],
+                 bend = ratios[after] + ratios[before] - 2.0 * ratios[i];
+    const double fall = bend > 0.0 ? 4.0 * width * width / (8.0 * bend) : 0.0;
+    if (ratios[i] - fall > lowest) continue;
+    // Between 0 and the first period an oscillator swings many times a sample, and shows the PGA.
+    const SpectralRatio here =
+        i == 0 ? SpectralRatio{ratios[i], periods_s[i]}
+               : refined_minimum(ratios_at, periods_s[before], periods_s[after]);
     if (here.ratio < least.ratio) least = here;
   }
   return least;

@@ -108,6 +108,8 @@ TEST_F(Package, separations_are_parts_of_the_governing_displacement_rounded_up) 
             std::max(json.at("analysis_m").get<double>(), json.at("least_value_m").get<double>()));
   ASSERT_EQ(json.at("separations").size(), 4u);
   for (const auto& s : json.at("separations")) {
+    EXPECT_TRUE(s.at("available_m").is_null() ||
+                s.at("is_sufficient") == (s.at("available_m") >= s.at("required_m")));
     const double exact_m = s.at("factor").get<double>() * governing_m,
                  required_m = s.at("required_m");
     EXPECT_GE(required_m, exact_m);
@@ -160,14 +162,31 @@ TEST_F(Package, of_a_hazard_curve_has_annual_rates_and_the_displacement_that_add
   for (const auto& rate : json.at("annual_rate")) EXPECT_GT(rate.get<double>(), 0.0);
 }
 
-TEST_F(Package, a_page_holds_text_of_the_project_as_text) {
-  const std::string text = replaced(moved_project(), "Office building, roof array (example)",
-                                    "<script>alert(1)</script>");
+std::map<std::string, bool> checks_in(const nlohmann::json& json) {
+  std::map<std::string, bool> met;
+  for (const auto& check : json.at("checks")) met[check.at("check")] = check.at("is_met");
+  return met;
+}
+
+TEST_F(Package, a_page_holds_text_as_text_and_few_tests_and_a_peer_review_are_warned_of) {
+  const std::string support = "friction that the tests support with 95 % confidence";
+  EXPECT_TRUE(checks_in(numbers()).at(support));
+  const std::string friction = GLISSADE_SOURCE_DIR "/studies/data/pull_tests.csv";
+  std::string text = replaced(moved_project(), "Office building, roof array (example)",
+                              "<script>alert(1)</script>");
+  text = replaced(text, "file = \"" + friction + "\"\ndirection = \"along\"",
+                  "mean = 0.55\nstd = 0.04\nsource = \"few tests\"\ntests = 3");
+  text = replaced(text, "name = \"asce7_16\"", "name = \"asce7_16\"\npeer_reviewed = true");
   const fs::path other = folder_->path("other");
   const Finished child =
       run_program({"clearance", folder_->write("script.toml", text), "--out", other.string()});
   ASSERT_EQ(child.status, 0) << child.err;
   EXPECT_THAT(read_file(other / "package.html"), Not(HasSubstr("<script")));
+  const auto json = nlohmann::json::parse(read_file(other / "package.json"));
+  EXPECT_FALSE(checks_in(json).at(support));
+  EXPECT_EQ(json.at("least_value_m"), 0.0);
+  EXPECT_EQ(json.at("governing_m"), json.at("analysis_m"));
+  EXPECT_THAT(child.out, HasSubstr("peer_reviewed"));
 }
 
 // ASCE 7-16: 0.5, 1, 1 and 2 times 25.4 in.
@@ -192,6 +211,7 @@ TEST_F(Package, one_slope_and_the_friction_that_the_tests_support_are_varied) {
   const nlohmann::json json = numbers();
   for (const auto& row : json.at("sensitivity")) ++rows[row.at("input")];
   EXPECT_EQ(rows["roof slope"], 2);
+  EXPECT_EQ(rows["mass ratio"], 2);
   EXPECT_EQ(rows["friction"], 4);  // mean - 2 std, mean, mean + 2 std, lower bound of the tests
 }
 

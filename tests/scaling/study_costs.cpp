@@ -64,18 +64,22 @@ StudyCosts measure_study(const std::filesystem::path& study, const std::filesyst
 
   std::vector<std::vector<double>> parts;
   costs.motion_parts = motion_part_count(plan);
-  for (std::size_t i = 0; i < costs.motion_parts; ++i)
-    costs.work_s.push_back(core_seconds_of([&] { parts.push_back(motion_part(plan, i)); }));
   double longest_s = 0.0;
+  const auto note_longest = [&](const std::string& what) {
+    if (costs.work_s.back() <= longest_s) return;
+    longest_s = costs.work_s.back();
+    costs.longest = what;
+  };
+  for (std::size_t i = 0; i < costs.motion_parts; ++i) {
+    costs.work_s.push_back(core_seconds_of([&] { parts.push_back(motion_part(plan, i)); }));
+    note_longest("spectra");
+  }
   RoofStore roofs(plan, Skipping::all);
   HistoryAssembly histories(plan);
   for (const std::size_t number : longest_first(plan, 0)) {
     UnitResult unit;
     costs.work_s.push_back(core_seconds_of([&] { unit = execute(plan, number, roofs); }));
-    if (costs.work_s.back() > longest_s) {
-      longest_s = costs.work_s.back();
-      costs.longest = plan.motion(plan.units[number].record).id;
-    }
+    note_longest(plan.motion(plan.units[number].record).id);
     costs.result_bytes += static_cast<double>(pack(unit).size());
     costs.tail_s += core_seconds_of([&] { histories.add(unit); });
   }

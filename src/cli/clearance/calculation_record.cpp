@@ -33,9 +33,13 @@ void add_results(CalculationJson& json, const DesignClearance& design) {
   json["governing_m"] = design.governing_m;
   json["rounded_m"] = design.rounded_m;
   for (const ProjectSeparation& s : design.separations)
-    json["separations"].push_back({{"between", s.required.what},
-                                   {"factor", s.required.factor},
-                                   {"required_m", s.required.value_m}});
+    json["separations"].push_back(
+        {{"between", s.required.what},
+         {"factor", s.required.factor},
+         {"required_m", s.required.value_m},
+         {"available_m", s.available_m ? CalculationJson(*s.available_m) : CalculationJson()},
+         {"is_sufficient", s.available_m ? CalculationJson(*s.available_m >= s.required.value_m)
+                                         : CalculationJson()}});
 }
 
 CalculationJson prescribed_json(const PrescribedValue& value) {

@@ -146,7 +146,7 @@ class Calculation {
              : options_.out.empty() ? fs::path("results") / file.stem()
                                     : fs::path(options_.out);
       if (resumes && is_finished_calculation(out_)) {
-        fmt::print("{} is finished\n", out_.string());
+        fmt::print("{} is finished: {}\n", out_.string(), (out_ / "package.html").string());
         throw ExitStatus{0};
       }
       project_ = read_project(file);

@@ -29,10 +29,11 @@ std::string threshold_sentence(const HazardResults& hazard, const ThresholdRate&
     return "Some histories slide freely: " + clearance +
            " is exceeded without any earthquake, and has no annual rate.";
   const bool bound = row.beyond_share == 1.0;
-  std::string text = fmt::format(
-      "{} is exceeded {} once in {} years: in {} with a probability of {}{}.", clearance,
-      bound ? "less than" : "about", format_number(1.0 / row.annual_rate), life_text(hazard),
-      bound ? "less than " : "", share_range(row.life_probability, row.life_interval));
+  std::string text =
+      fmt::format("{} is exceeded {} once in {} years: in {} with a probability of {}{}.",
+                  clearance, bound ? "less than" : "about",
+                  fmt::format("{:.3g}", 1.0 / row.annual_rate), life_text(hazard),
+                  bound ? "less than " : "", share_range(row.life_probability, row.life_interval));
   if (row.beyond_share > notable_share)
     text += fmt::format(
         " {} of that rate is from histories that the highest level does not bring to it, counted "
@@ -63,13 +64,20 @@ std::string length_or_none(double length_m) {
 std::vector<std::string> life_sentences(const Results& results, const HazardRun& run) {
   const HazardResults& hazard = *results.hazard;
   const LifeDisplacement &single = run.life.at(0), &sum = run.life.at(1), &far = run.life.at(2);
+  const DisplacementRate& least = run.curve.front();
   std::vector<std::string> all = {fmt::format(
-      "Slip over {}, the array never put back: median {}, 95th percentile {} at the end; the "
-      "largest peak of one earthquake: {} and {}; the farthest from its first place at any time: "
-      "{} and {}.",
-      life_text(hazard), length_or_none(sum.median_m), length_or_none(sum.p95_m),
-      length_or_none(single.median_m), length_or_none(single.p95_m), length_or_none(far.median_m),
-      length_or_none(far.p95_m))};
+      "In {} the array slides more than {} in one earthquake or more with a probability of {}.",
+      life_text(hazard), format_length(least.displacement_m),
+      format_share(probability_in(hazard.design_life_years, least.annual_rate)))};
+  all.push_back(
+      far.p95_m == 0.0
+          ? "The 95th percentile of the slip over " + life_text(hazard) + " is none."
+          : fmt::format("Slip over {}, the array never put back: median {}, 95th percentile {} at "
+                        "the end; the largest peak of one earthquake: {} and {}; the farthest from "
+                        "its first place at any time: {} and {}.",
+                        life_text(hazard), length_or_none(sum.median_m), length_or_none(sum.p95_m),
+                        length_or_none(single.median_m), length_or_none(single.p95_m),
+                        length_or_none(far.median_m), length_or_none(far.p95_m)));
   if (!hazard.residual_vectors)
     all.push_back(
         "A study on one axis keeps no residual displacements: every peak counts as slip down the "
