@@ -37,7 +37,7 @@ std::vector<DesignCheck> spectrum_checks(const Project& project, const Results& 
        fmt::format("{:.3f} or more (at {:.3g} s)", lowest.ratio, lowest.period_s),
        fmt::format("{:g} or more (Walters et al. 2012: nowhere below)", least_over_target),
        lowest.ratio >= least_over_target}};
-  const double longest_s = 1.5 * project.building.period_s.back();
+  const double longest_s = 1.5 * periods_of(project).back();
   if (longest_s <= longest_scaled_period_s) return checks;
   const double known_s = spectra.periods_s.back();
   constexpr double rounding = 5e-4;  // the spectra are at other periods than those of the scaling

@@ -27,28 +27,29 @@ Inputs inputs_of(const Results& results, const SuiteMean& mean) {
   return {c.friction, c.slope_deg, c.mass_ratio, mean.level, c.vertical};
 }
 
-/// What a condition requires, of as many records as there are.
-double required_m(const Results& demand, const RequiredClearance& required) {
-  return demand.records.size() < least_records ? demand.clearance->factor * required.largest.largest
-                                               : required.highest_m;
+bool is_among(const std::vector<double>& values, double value) {
+  return std::ranges::find(values, value) != values.end();
 }
 
-/// The slope, the mass ratio and the vertical motion with the largest displacement, with design
-/// friction at S_DS.
-const RequiredClearance& governing_condition(const Project& project, const Results& demand) {
-  const RequiredClearance* governing = nullptr;
-  for (const RequiredClearance& required : demand.clearance->required) {
-    const Inputs inputs = inputs_of(demand, required.largest);
-    const auto is_among = [](const std::vector<double>& values, double value) {
-      return std::ranges::find(values, value) != values.end();
-    };
-    const bool is_of_project = is_among(project.slope_deg, inputs.slope_deg) &&
-                               is_among(project.building.mass_ratio, inputs.mass_ratio);
+/// What a mean requires; of few records the largest of them.
+double required_m(const Results& demand, const SuiteMean& mean) {
+  return demand.clearance->factor *
+         (demand.records.size() < least_records ? mean.largest : mean.range.highest);
+}
+
+/// The largest requirement of the project's own conditions, with design friction at S_DS: neither
+/// of a slope, a mass ratio or a period that was added for the sensitivity.
+const SuiteMean& governing_mean(const Project& project, const Results& demand) {
+  const SuiteMean* governing = nullptr;
+  for (const SuiteMean& mean : demand.clearance->by_period) {
+    const Inputs inputs = inputs_of(demand, mean);
     if (inputs.friction != project.friction.design() || inputs.level != demand.levels.front() ||
-        !is_of_project)
+        !is_among(project.slope_deg, inputs.slope_deg) ||
+        !is_among(project.building.mass_ratio, inputs.mass_ratio) ||
+        !is_among(project.building.period_s, mean.period_s))
       continue;
-    if (governing == nullptr || required_m(demand, required) > required_m(demand, *governing))
-      governing = &required;
+    if (governing == nullptr || required_m(demand, mean) > required_m(demand, *governing))
+      governing = &mean;
   }
   GLISSADE_EXPECTS(governing != nullptr);
   return *governing;
@@ -73,36 +74,43 @@ PeriodDemand demand_at(const Results& demand, const SuiteMean& mean) {
           .median_orientation_m = mean.range.median};
 }
 
-/// Every value of one input, the others as they govern.
+/// Every value of one input, the others as they govern; the largest over the project's periods.
 class SensitivityTable {
  public:
-  SensitivityTable(const Results& demand, const Inputs& governing)
-      : demand_(demand), governing_(governing) {}
+  SensitivityTable(const Project& project, const Results& demand, const Inputs& governing)
+      : project_(project), demand_(demand), governing_(governing) {}
 
   template <class T, class Text>
   void vary(const char* what, T Inputs::*input, Text text) {
-    std::vector<Sensitivity> found;
-    for (const RequiredClearance& required : demand_.clearance->required) {
-      const Inputs inputs = inputs_of(demand_, required.largest);
+    std::vector<std::pair<T, double>> found;
+    for (const SuiteMean& mean : demand_.clearance->by_period) {
+      const Inputs inputs = inputs_of(demand_, mean);
       Inputs others = inputs;
       others.*input = governing_.*input;
-      if (others != governing_) continue;
-      found.push_back(
-          {what, text(inputs.*input), required_m(demand_, required), inputs == governing_});
+      if (others != governing_ || !is_among(project_.building.period_s, mean.period_s)) continue;
+      const T value = inputs.*input;
+      const auto same = std::ranges::find(found, value, &std::pair<T, double>::first);
+      if (same == found.end())
+        found.emplace_back(value, required_m(demand_, mean));
+      else
+        same->second = std::max(same->second, required_m(demand_, mean));
     }
-    if (found.size() > 1) rows_.insert(rows_.end(), found.begin(), found.end());
+    if (found.size() < 2) return;
+    for (const auto& [value, clearance_m] : found)
+      rows_.push_back({what, text(value), clearance_m, value == governing_.*input});
   }
   std::vector<Sensitivity> rows() && { return std::move(rows_); }
 
  private:
+  const Project& project_;
   const Results& demand_;
   Inputs governing_;
   std::vector<Sensitivity> rows_;
 };
 
 std::vector<Sensitivity> sensitivity_of(const Project& project, const Results& demand,
-                                        const Inputs& governing, double factor) {
-  SensitivityTable table(demand, governing);
+                                        const Inputs& governing, double governing_period_s) {
+  SensitivityTable table(project, demand, governing);
   const std::vector<StudiedFriction> frictions = frictions_of(project);
   table.vary("friction", &Inputs::friction, [&](double value) {
     const auto which = std::ranges::find(frictions, value, &StudiedFriction::value);
@@ -119,16 +127,11 @@ std::vector<Sensitivity> sensitivity_of(const Project& project, const Results& d
              [&](double level) -> std::string { return level == governing.level ? "DBE" : "MCE"; });
   std::vector<Sensitivity> rows = std::move(table).rows();
   std::vector<Sensitivity> periods;
-  double largest = 0.0;
   for (const SuiteMean& mean : demand.clearance->by_period) {
-    if (inputs_of(demand, mean) != governing) continue;
-    periods.push_back(
-        {"building period", fmt::format("{:.3g} s", mean.period_s),
-         factor * (demand.records.size() < least_records ? mean.largest : mean.range.highest),
-         false});
-    largest = std::max(largest, periods.back().clearance_m);
+    if (inputs_of(demand, mean) == governing)
+      periods.push_back({"building period", fmt::format("{:.3g} s", mean.period_s),
+                         required_m(demand, mean), mean.period_s == governing_period_s});
   }
-  for (Sensitivity& row : periods) row.is_governing = row.clearance_m == largest;
   if (periods.size() > 1) rows.insert(rows.end(), periods.begin(), periods.end());
   return rows;
 }
@@ -152,24 +155,24 @@ double rounded_up(double value, double step) {
 
 DesignClearance design_clearance(const Project& project, const Results& demand) {
   GLISSADE_EXPECTS(demand.clearance && demand.conditions && demand.suites.size() == 1);
-  const RequiredClearance& governing = governing_condition(project, demand);
-  const Inputs inputs = inputs_of(demand, governing.largest);
+  const SuiteMean& governing = governing_mean(project, demand);
+  const Inputs inputs = inputs_of(demand, governing);
 
   DesignClearance design{.site = site_values(project.site)};
   design.slope_deg = inputs.slope_deg;
   design.mass_ratio = inputs.mass_ratio;
   design.vertical = inputs.vertical;
+  design.period_s = governing.period_s;
   design.factor = demand.clearance->factor;
   design.of_largest = demand.records.size() < least_records;
   design.analysis_m = required_m(demand, governing);
-  design.median_analysis_m = governing.median_m;
   for (const SuiteMean& mean : demand.clearance->by_period) {
-    if (inputs_of(demand, mean) == inputs) design.demand.push_back(demand_at(demand, mean));
+    if (inputs_of(demand, mean) != inputs || !is_among(project.building.period_s, mean.period_s))
+      continue;
+    design.demand.push_back(demand_at(demand, mean));
+    design.median_analysis_m =
+        std::max(design.median_analysis_m, design.factor * mean.range.median);
   }
-  design.period_s =
-      std::ranges::max_element(design.demand, {},
-                               design.of_largest ? &PeriodDemand::largest_m : &PeriodDemand::mean_m)
-          ->period_s;
 
   design.prescribed = prescribed_values(project, design.site);
   for (const PrescribedValue& value : design.prescribed) {
@@ -184,7 +187,7 @@ DesignClearance design_clearance(const Project& project, const Results& demand) 
     separations[i].value_m = rounded_up(separations[i].value_m, project.round_up_m);
     design.separations.push_back({separations[i], project.available_m[i]});
   }
-  design.sensitivity = sensitivity_of(project, demand, inputs, design.factor);
+  design.sensitivity = sensitivity_of(project, demand, inputs, design.period_s);
   design.checks = checks_of(project, demand, design);
   design.warnings = warnings_on(project, demand, design);
   return design;

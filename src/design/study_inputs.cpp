@@ -35,4 +35,11 @@ std::vector<double> mass_ratios_of(const Project& project) {
   return ratios;
 }
 
+std::vector<double> periods_of(const Project& project) {
+  std::vector<double> periods_s = project.building.period_s;
+  if (const double only_s = periods_s.front(); periods_s.size() == 1 && only_s > 0.0)
+    periods_s = {0.9 * only_s, only_s, 1.1 * only_s};
+  return periods_s;
+}
+
 }  // namespace glissade

@@ -133,6 +133,8 @@ std::vector<StudiedFriction> frictions_of(const Project& project);
 std::vector<double> slopes_of(const Project& project);
 /// Those of the project, and of one value twice that too (0.05 of none), for the sensitivity.
 std::vector<double> mass_ratios_of(const Project& project);
+/// Those of the project, and of one above 0 also 0.9 and 1.1 times that, for the sensitivity, s.
+std::vector<double> periods_of(const Project& project);
 
 /// Adds what the results of probability_study() give.
 void add_exceedance(const Results& probability, DesignClearance& design);

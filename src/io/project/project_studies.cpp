@@ -55,7 +55,7 @@ std::string hazard_of(const Project& project, const fs::path& folder) {
 /// To 1.5 times the longest building period (ASCE 7-16, 16.2, recalled).
 std::string scaled_to(const Project& project) {
   if (project.without_target) return "";
-  const double to_s = 1.5 * project.building.period_s.back();
+  const double to_s = 1.5 * periods_of(project).back();
   return to_s > longest_scaled_period_s ? fmt::format("scaled_to_s = {}\n", to_s) : "";
 }
 
@@ -94,7 +94,7 @@ std::string demand_study(const Project& project, const fs::path& folder) {
              "[friction]\nmu = {}   # {}\n\n"
              "[orientation]\nchoice = \"all_permutations\"\n\n"
              "[clearance]\n{}",
-             list_of(project.building.period_s), list_of(mass_ratios_of(project)),
+             list_of(periods_of(project)), list_of(mass_ratios_of(project)),
              project.building.damping, list_of(slopes_of(project)), list_of(frictions),
              fmt::join(what, ", "), project.without_target ? "without_target = true\n" : "");
 }

@@ -159,12 +159,12 @@ Html given_curves_html(const Project& project) {
 
 Html motions_html(const CalculationPackage& package, const std::vector<DrawnFigure>& figures) {
   const SpectralRatios& ratios = package.demand.suites.front().spectra.to_target;
-  const double to_s = 1.5 * package.project.building.period_s.back();
+  const double to_s = 1.5 * periods_of(package.project).back();
   const std::string beyond =
       to_s > longest_scaled_period_s && !package.project.without_target
           ? fmt::format(
                 ", and nowhere below {:g} times it from there to {:.3g} s, 1.5 times the "
-                "longest building period (ASCE 7-16, 16.2, recalled)",
+                "longest building period of the demand study (ASCE 7-16, 16.2, recalled)",
                 least_over_target_beyond, to_s)
           : "";
   return section_heading(2) + page_table(site_table(package)) +

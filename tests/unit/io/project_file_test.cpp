@@ -283,6 +283,14 @@ TEST_F(ProjectFile, of_a_long_period_scales_its_suite_to_one_and_a_half_times_th
   EXPECT_THAT(demand_study(read(whole), folder_.path()), testing::Not(HasSubstr("scaled_to_s")));
 }
 
+TEST_F(ProjectFile, of_one_period_and_mass_ratio_varies_both_for_the_sensitivity) {
+  folder_.write("demand.toml", demand_study(read(changed("[1.0, 0.5]", "1.0")), folder_.path()));
+  const StudyConfig study = read_study(folder_.path() / "demand.toml");
+  EXPECT_THAT(study.quantities.at("building", "period_s").values,
+              ElementsAre(DoubleNear(0.9, 1e-12), 1.0, DoubleNear(1.1, 1e-12)));
+  EXPECT_THAT(study.quantities.at("building", "mass_ratio").values, ElementsAre(0.05, 0.1));
+}
+
 TEST_F(ProjectFile, is_not_taken_for_a_study_nor_the_reverse) {
   folder_.write("a.toml", whole);
   EXPECT_THAT(message_of([&] { read_study(folder_.path() / "a.toml"); }),
