@@ -50,8 +50,8 @@ struct SpectralRatios {
   SpectralRatio lowest, highest;
 };
 
-/// From 0 to 2 s: at walters_periods_s(), and between them where they may come near the extreme, to a
-/// twenty-fifth of their step. `factors`: one per motion, in place of Motion::scale.
+/// From 0 to 2 s: at walters_periods_s(), and between them where they may come near the extreme, to
+/// a hundredth of their step. `factors`: one per motion, in place of Motion::scale.
 SpectralRatios ratios_to_target(const Suite& suite, const std::vector<double>& factors,
                                 const std::function<double(double)>& target_sa_g);
 /// The same with the spectra of the motions at walters_periods_s() given.

@@ -151,23 +151,23 @@ bool gives_clearance(const Plan& plan) {
                                    plan.config.intensity.measure.is_of_design_spectrum());
 }
 
-std::optional<Shortfall> shortfall(const Plan& plan, std::size_t suite) {
+std::optional<MissedTarget> missed_target(const Plan& plan, std::size_t suite) {
   const bool by_sds = plan.config.intensity.measure == IntensityMeasure::sds_g;
   if (!plan.config.intensity.measure.is_of_design_spectrum())
-    return Shortfall{"levels of " + std::string(plan.config.intensity.measure.key()) +
-                         " scale each record by itself, not the suite to a design spectrum",
-                     "measure by sds_g, which scales the suite, or by mce_fraction"};
+    return MissedTarget{"levels of " + std::string(plan.config.intensity.measure.key()) +
+                            " scale each record by itself, not the suite to a design spectrum",
+                        "measure by sds_g, which scales the suite, or by mce_fraction"};
   const DesignTarget* target = plan.target_of(suite);
   if (target == nullptr)
-    return Shortfall{"the suite has no [target] that it could meet",
-                     "give the suite its [target], or the study intensity.target"};
+    return MissedTarget{"the suite has no [target] that it could meet",
+                        "give the suite its [target], or the study intensity.target"};
   const TargetSpectrum spectrum(*target);
   const std::vector<double> factors = mce_factors(plan, suite, spectrum.sds_g());
   const auto mce_g = [&](double period_s) { return spectrum.mce_sa_g(period_s); };
   if (!by_sds) {
     const SpectralRatio lowest = ratios_to_target(plan.suites[suite], factors, mce_g).lowest;
     if (lowest.ratio < least_over_target)
-      return Shortfall{
+      return MissedTarget{
           fmt::format(
               "the suite's average SRSS spectrum is {:.3g} times its MCE target at {:.3g} s; "
               "from 0 to 2 s it must be {:g} times or more",
@@ -183,7 +183,7 @@ std::optional<Shortfall> shortfall(const Plan& plan, std::size_t suite) {
   constexpr double rounding = 1e-12;
   if (lowest.ratio >= least_over_target_beyond * (1.0 - rounding)) return {};
   const double missing = least_over_target_beyond / lowest.ratio;
-  return Shortfall{
+  return MissedTarget{
       fmt::format("the suite's average SRSS spectrum is {:.3g} times its target at {:.3g} s; "
                   "for a building period of {:g} s it must be {:g} times or more from {:g} s to "
                   "{:g} s, 1.5 times that period",
@@ -202,7 +202,7 @@ void check_clearance(const Plan& plan) {
   const std::string table = plan.config.clearance ? "clearance" : "chart";
   ProblemList problems;
   for (std::size_t suite = 0; suite < plan.suites.size(); ++suite) {
-    const auto found = shortfall(plan, suite);
+    const auto found = missed_target(plan, suite);
     if (!found || !found->is_refused) continue;
     problems.add({plan.config.suite_files[suite].string(),
                   fmt::format("[{}]: {}", table, found->what),

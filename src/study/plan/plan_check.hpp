@@ -13,13 +13,13 @@ void check_fit(const StudyConfig& config, const std::vector<Suite>& suites);
 bool gives_clearance(const Plan& plan);
 
 /// In what a suite does not meet its target, and what to do.
-struct Shortfall {
+struct MissedTarget {
   std::string what, remedy;
   bool is_refused = true;  ///< of a clearance
 };
 /// From 0 to 2 s, and of a clearance up to 1.5 times the longest building period; nothing where the
 /// suite, as the study scales it, meets its target.
-std::optional<Shortfall> shortfall(const Plan& plan, std::size_t suite);
+std::optional<MissedTarget> missed_target(const Plan& plan, std::size_t suite);
 
 /// Throws InputError where the study gives a clearance ([clearance], [chart]) of a suite that does
 /// not meet its target: from 0 to 2 s where the study does not scale it, and up to 1.5 times a

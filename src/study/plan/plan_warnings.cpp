@@ -69,7 +69,7 @@ Warnings missed_targets(const Plan& plan) {
   if (!is_concerned) return {};
   Warnings warnings;
   for (std::size_t suite = 0; suite < plan.suites.size(); ++suite) {
-    if (const auto found = shortfall(plan, suite))
+    if (const auto found = missed_target(plan, suite))
       warnings.push_back(clearance ? found->what + ": " + found->remedy
                                    : "level 1 is not the MCE: " + found->what);
   }
