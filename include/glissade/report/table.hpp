@@ -17,6 +17,7 @@ enum class ColumnKind {
   count,   ///< whole numbers
   number,  ///< three significant digits
   length,  ///< metres, with inches in brackets
+  metric,  ///< m or m/s, as inches where those stand first
   share,   ///< percent
 };
 

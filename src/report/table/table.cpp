@@ -26,6 +26,8 @@ std::string number_text(ColumnKind kind, double value, int decimals = -1) {
       return length_number(value, LengthUnits::first()) + " (" +
              length_number(value, si ? UnitSystem::us_customary : UnitSystem::si) + ")";
     }
+    case ColumnKind::metric:
+      return format_number(in_first_unit(value));
     case ColumnKind::share:
       return format_share(value);
     case ColumnKind::text:
@@ -48,14 +50,18 @@ std::string estimate_text(ColumnKind kind, const Estimate& estimate) {
   return value + " [" + end(estimate.interval.low) + ", " + end(estimate.interval.high) + "]";
 }
 
-/// "Clearance, m (in)", or "Clearance, in (m)".
+/// "Clearance, m (in)", or "Clearance, in (m)"; "PGV, m/s", or "PGV, in/s".
 std::string heading_of(const Column& column) {
   std::string heading = column.heading;
-  if (column.kind != ColumnKind::length || LengthUnits::first() == UnitSystem::si) return heading;
-  for (const auto& [metric, customary] :
-       {std::pair{"m (in)", "in (m)"}, std::pair{"%, m]", "%, in]"}}) {
+  if (LengthUnits::first() == UnitSystem::si) return heading;
+  const auto replace = [&](const char* metric, const char* customary) {
     const std::size_t at = heading.find(metric);
     if (at != std::string::npos) heading.replace(at, std::strlen(metric), customary);
+  };
+  if (column.kind == ColumnKind::metric) replace(", m", ", in");
+  if (column.kind == ColumnKind::length) {
+    replace("m (in)", "in (m)");
+    replace("%, m]", "%, in]");
   }
   return heading;
 }

@@ -10,6 +10,7 @@
 #include "glissade/core/file.hpp"
 #include "glissade/core/units.hpp"
 #include "glissade/report/figures.hpp"
+#include "glissade/report/format.hpp"
 #include "made_up_results.hpp"
 
 namespace glissade {
@@ -72,6 +73,17 @@ TEST(chart_contours, lie_where_linear_interpolation_puts_them) {
   EXPECT_EQ(figure.panels[0].notes[0].text, "0.2 m");
   EXPECT_NEAR(figure.panels[0].notes[0].x, 0.6, 1e-12);
   EXPECT_EQ(numbers_in(series_named(figure, "contour 0.5 m")), 0u);
+}
+
+// From 12 in at mu = 0.4 to 4 in at 0.8 on both slopes: 8 in half way.
+TEST(chart_contours, are_round_in_the_unit_that_stands_first) {
+  const LengthUnits units(UnitSystem::us_customary);
+  const Figure figure = figure_named(
+      two_by_two({12.0 * inch_m, 4.0 * inch_m, 12.0 * inch_m, 4.0 * inch_m}), "chart_contours");
+  const DataSeries line = series_named(figure, "contour 8 in");
+  ASSERT_GE(numbers_in(line), 2u);
+  EXPECT_NEAR(line.x[0], 0.6, 1e-12);
+  EXPECT_EQ(figure.panels[0].notes[0].text, "8 in");
 }
 
 TEST(chart_contours, follow_the_surface_of_the_made_up_chart) {

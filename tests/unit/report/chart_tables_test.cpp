@@ -7,6 +7,8 @@
 #include <limits>
 #include <sstream>
 
+#include "glissade/report/format.hpp"
+#include "glissade/report/summary.hpp"
 #include "glissade/report/tables.hpp"
 #include "made_up_results.hpp"
 
@@ -15,6 +17,7 @@ namespace {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::Not;
 
 Table table_named(const Results& results, const std::string& name) {
   for (const Table& table : csv_tables(results)) {
@@ -146,6 +149,24 @@ TEST(chart_tables, count_the_points_that_need_more_than_is_prescribed) {
   // Flat and mu = 0.45 made to need more: 1 of 6 slopes x 8 frictions (0.45 to 0.8).
   results.chart->points[row_at_1g(0, 7)].clearance_m = 0.6;
   EXPECT_NEAR(number(table_named(results, "chart_standards"), 1, "above_share"), 1.0 / 48.0, 1e-12);
+}
+
+// A flat roof with mu = 0.5 at 1 g: 0.1375 m.
+TEST(chart_tables, of_a_study_in_inches_have_inches_first_on_pages_and_metres_in_files) {
+  Results results = made_up_chart_results();
+  results.records.front().pgv_mps = 0.254;
+  results.records.front().pgd_m = 0.127;
+  results.units = UnitSystem::us_customary;
+  const std::string matrix = summary_text(results, {});
+  EXPECT_THAT(matrix, HasSubstr("(1.1 x mean), in, at"));
+  EXPECT_THAT(matrix, Not(HasSubstr("0.138")));
+  const LengthUnits units(results.units);
+  const Table records = records_table(results);
+  const std::string page = to_html(records).str();
+  for (const char* part : {">PGV, in/s<", ">PGD, in<", ">10.0<", ">5.00<"})
+    EXPECT_THAT(page, HasSubstr(part));
+  EXPECT_THAT(to_csv(records), HasSubstr("pgv_mps,pgd_m,"));
+  EXPECT_THAT(to_csv(records), HasSubstr(",0.254,0.127,"));
 }
 
 }  // namespace

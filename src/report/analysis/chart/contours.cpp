@@ -16,7 +16,9 @@
 namespace glissade {
 namespace {
 
-constexpr std::array<double, 9> round_values_m = {0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0};
+/// The contours: round in the unit that stands first.
+constexpr std::array<double, 9> round_metres = {0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0},
+                                round_inches = {0.5, 1.0, 2.0, 4.0, 8.0, 20.0, 40.0, 80.0, 200.0};
 
 /// Where text stands, as shares of the plot's width and height.
 struct TextBox {
@@ -232,18 +234,18 @@ Figure chart_contours_figure(const Results& results) {
                 : everywhere(grid, line);
   }
   bool any = false;
-  for (std::size_t i = 0; i < round_values_m.size(); ++i) {
-    const double value_m = round_values_m[i];
-    Look line = family_look(i, round_values_m.size());
+  const bool si = LengthUnits::first() == UnitSystem::si;
+  const auto& values = si ? round_metres : round_inches;
+  const char* unit = si ? "m" : "in";
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    Look line = family_look(i, values.size());
     line.width = 2.0;
-    any |= plot.add(fmt::format("contour {} m", value_m), value_m,
-                    LengthUnits::first() == UnitSystem::si ? fmt::format("{} m", value_m)
-                                                           : short_length(value_m),
-                    line);
+    const std::string text = fmt::format("{:g} {}", values[i], unit);
+    any |= plot.add("contour " + text, values[i] * (si ? 1.0 : inch_m), text, line);
   }
   if (!any) {
-    figure.caption += fmt::format(" No line from {} to {} m crosses the chart: see chart.csv.",
-                                  round_values_m.front(), round_values_m.back());
+    figure.caption += fmt::format(" No line from {:g} to {:g} {} crosses the chart: see chart.csv.",
+                                  values.front(), values.back(), unit);
   }
   figure.panels = {plot.labelled()};
   return figure;

@@ -173,7 +173,7 @@ Figure chart_friction_figure(const Results& results) {
           at_intensity(results, level),
           caption_of(results,
                      "Read up from the coefficient of friction to the curve of the roof's "
-                     "slope, then left (m) or right (in): the " +
+                     "slope, then left: the " +
                          design_name(results) + "."),
           drawn(plot),
           2};

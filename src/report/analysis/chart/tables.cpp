@@ -209,12 +209,16 @@ Table chart_standards_table(const Results& results) {
 Table chart_matrix_table(const Results& results, std::size_t most) {
   const Chart& chart = *results.chart;
   const ChartStatistic design = design_statistic(results);
-  Table table{"chart_matrix",
-              fmt::format("{}, m, at {}: slope (down) and coefficient of friction (across)",
-                          design.heading, at_intensity(results, chart.shown_level)),
-              {{"slope", "deg", "Slope, degrees", ColumnKind::text}},
-              {},
-              {}};
+  const bool si = LengthUnits::first() == UnitSystem::si;
+  const int decimals = si ? 3 : 1;
+  const double unit = std::pow(10.0, -decimals);
+  Table table{
+      "chart_matrix",
+      fmt::format("{}, {}, at {}: slope (down) and coefficient of friction (across)",
+                  design.heading, si ? "m" : "in", at_intensity(results, chart.shown_level)),
+      {{"slope", "deg", "Slope, degrees", ColumnKind::text}},
+      {},
+      {}};
   const std::vector<std::size_t> frictions = spread(chart.mu.size(), most);
   for (const std::size_t m : frictions)
     table.columns.push_back({"mu_" + brief(chart.mu[m]), "m", brief(chart.mu[m])});
@@ -223,10 +227,10 @@ Table chart_matrix_table(const Results& results, std::size_t most) {
     std::vector<Cell> row = {brief(chart.slope_deg[s])};
     for (const std::size_t m : frictions) {
       const ChartPoint& p = chart.at(level, s, m);
-      const double slip_m = design.slip_m(p);
+      const double slip = in_first_unit(design.slip_m(p));
       row.emplace_back(p.free_sliding                    ? std::string("slides")
-                       : slip_m > 0.0 && slip_m < 0.0005 ? std::string("< 0.001")
-                       : std::isfinite(slip_m)           ? fmt::format("{:.3f}", slip_m)
+                       : slip > 0.0 && slip < 0.5 * unit ? fmt::format("< {:g}", unit)
+                       : std::isfinite(slip)             ? fmt::format("{:.{}f}", slip, decimals)
                                                          : std::string("-"));
     }
     table.add(std::move(row));
