@@ -44,6 +44,13 @@ TEST_F(Package, leaves_the_page_its_numbers_and_the_studies_it_ran) {
     EXPECT_GT(fs::exists(out() / name) ? fs::file_size(out() / name) : 0, 0u) << name;
 }
 
+TEST_F(Package, numbers_the_records_as_figure_1_does) {
+  EXPECT_THAT(read_file(out() / "tables/motions.csv"), HasSubstr("\nnumber,id,"));
+  const std::string page = read_file(out() / "package.html");
+  EXPECT_THAT(page, HasSubstr("its number is that of the table of records"));
+  EXPECT_THAT(page, HasSubstr(">No.<"));
+}
+
 // A permit calculation of 2023 for this site.
 TEST_F(Package, has_the_site_values_of_the_published_calculation) {
   EXPECT_NEAR(numbers().at("sds_g"), 1.050, 5e-4);

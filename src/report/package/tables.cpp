@@ -64,6 +64,10 @@ std::string prescribed_separation(double length_m) {
                      : length_in(length_m);
 }
 
+/// Of a record in tables and figures.
+const Column number_column = {"number", "", "No.", ColumnKind::count};
+double number_after(const Table& table) { return static_cast<double>(table.rows.size() + 1); }
+
 double two_digits(double value) { return std::stod(fmt::format("{:.1e}", value)); }
 
 std::string not_given(double value, const std::string& text) { return value > 0.0 ? text : "-"; }
@@ -116,7 +120,7 @@ std::string hazard_sentence(const CalculationPackage& package) {
       "With the hazard curve {}, at the period with the largest rate: the governing displacement "
       "is exceeded {} once in {} years, in 50 years with a probability of {}. Displacement that "
       "adds up over {}, the array not put back: median {}, 95th percentile {}.",
-      hazard.source, run.thresholds.front().beyond_share == 1.0 ? "less than" : "about",
+      curve_name(hazard), run.thresholds.front().beyond_share == 1.0 ? "less than" : "about",
       format_number(two_digits(1.0 / rate)), format_share(probability_in(50.0, rate)),
       life_text(hazard), length(sum.median_m), length(sum.p95_m));
 }
@@ -261,18 +265,18 @@ std::string rsn_of(const std::vector<ComponentFile>& files, const std::string& r
 }
 
 Table motions_table(const CalculationPackage& package) {
-  Table table{
-      "motions",
-      "Ground motions",
-      {text_column("id", "Record"), text_column("rsn", "RSN"), text_column("event", "Event"),
-       text_column("station", "Station"), text_column("magnitude", "M"),
-       text_column("distance", "R, km"), text_column("vs30", "Vs30, m/s")},
-      {}};
+  Table table{"motions",
+              "Ground motions",
+              {number_column, text_column("id", "Record"), text_column("rsn", "RSN"),
+               text_column("event", "Event"), text_column("station", "Station"),
+               text_column("magnitude", "M"), text_column("distance", "R, km"),
+               text_column("vs30", "Vs30, m/s")},
+              {}};
   bool has_rsn = false;
   for (const RecordSummary& r : package.demand.records) {
     const std::string rsn = rsn_of(package.files, r.id);
     has_rsn = has_rsn || rsn != "-";
-    table.add({r.id, rsn, r.event, r.station,
+    table.add({number_after(table), r.id, rsn, r.event, r.station,
                not_given(r.magnitude, fmt::format("{:.1f}", r.magnitude)),
                not_given(r.distance_km, fmt::format("{:.1f}", r.distance_km)),
                not_given(r.vs30_mps, fmt::format("{:.0f}", r.vs30_mps))});
@@ -284,7 +288,7 @@ Table scaled_motions_table(const CalculationPackage& package) {
   Table table{
       "scaled_motions",
       "Ground motions as recorded, factor to DBE, and displacement of the array",
-      {text_column("id", "Record"), text_column("pga", "PGA, g"),
+      {number_column, text_column("id", "Record"), text_column("pga", "PGA, g"),
        text_column("pgv", in_inches() ? "PGV, in/s" : "PGV, m/s"), text_column("step", "Step, s"),
        text_column("length", "Length, s"), text_column("duration", "D5-95, s"),
        text_column("suite_scale", "Scale of the suite"), text_column("factor", "Factor to DBE"),
@@ -293,7 +297,7 @@ Table scaled_motions_table(const CalculationPackage& package) {
   for (std::size_t i = 0; i < package.demand.records.size(); ++i) {
     const RecordSummary& r = package.demand.records[i];
     table.add(
-        {r.id, fmt::format("{:.3f}", r.pga_g),
+        {number_after(table), r.id, fmt::format("{:.3f}", r.pga_g),
          in_inches() ? fmt::format("{:.1f}", r.pgv_mps / inch_m) : fmt::format("{:.3f}", r.pgv_mps),
          fmt::format("{:.3g}", r.dt_s),
          fmt::format("{:.0f}", r.dt_s * static_cast<double>(r.samples - 1)),

@@ -111,6 +111,26 @@ TEST(figures, of_the_fragility_name_the_clearance_beside_each_curve) {
   }
 }
 
+TEST(figures, spectra_hold_every_record_and_number_a_few_on_their_own_lines) {
+  Results results = made_up_results();  // 12 records
+  Figure figure = spectra_figure(results);
+  for (const std::vector<double>& record : results.suites[0].spectra.srss_g)
+    EXPECT_GT(figure.panels[0].y.high, *std::ranges::max_element(record));
+  EXPECT_TRUE(figure.panels[0].notes.empty());
+  EXPECT_THAT(figure.caption, testing::Not(HasSubstr("number")));
+  SuiteSpectra& spectra = results.suites[0].spectra;
+  spectra.srss_g.resize(7);
+  figure = spectra_figure(results);
+  ASSERT_EQ(figure.panels[0].notes.size(), 7u);
+  for (std::size_t r = 0; r < 7; ++r) {
+    const Note& number = figure.panels[0].notes[r];
+    EXPECT_EQ(number.text, std::to_string(r + 1));
+    const auto at = std::ranges::find(spectra.periods_s, number.x) - spectra.periods_s.begin();
+    EXPECT_EQ(number.y, spectra.srss_g[r].at(static_cast<std::size_t>(at)));
+    EXPECT_NE(number.y, spectra.average_srss_g.at(static_cast<std::size_t>(at)));
+  }
+}
+
 TEST(figures, take_any_text_of_the_user_as_text) {
   Results results = made_up_results();
   results.suites[0].name = "it's {a} \"_suite^\" `date` \\n $x";

@@ -70,6 +70,13 @@ TEST(hazard_report, tables_of_the_summary_fit_eighty_columns) {
   EXPECT_GE(rows, 8u);
 }
 
+TEST(hazard_report, names_the_file_of_a_curve_without_the_folder_it_was_read_from) {
+  Results r = made_up_hazard();
+  r.hazard->source = "../site.csv";
+  EXPECT_THAT(figure_named(make_figures(r), "hazard").below, HasSubstr("hazard curve site.csv"));
+  EXPECT_THAT(summary_text(r), testing::Not(HasSubstr("../")));
+}
+
 TEST(hazard_report, figure_has_a_line_for_each_run_and_decades_as_ticks) {
   const Results r = made_up_hazard();
   const Figure figure = figure_named(make_figures(r), "hazard");

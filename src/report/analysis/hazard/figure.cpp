@@ -75,7 +75,7 @@ Figure hazard_figure(const Results& results) {
   const std::size_t lines = std::min(hazard.runs.size(), most_lines);
   Figure figure{
       "hazard", "Annual rate of exceeding a displacement",
-      counts_of(results) + "; hazard curve " + hazard.source,
+      counts_of(results) + "; hazard curve " + curve_name(hazard),
       fmt::format("Shaded: 95 % interval over records, of the first curve. Drawn to {} (farther: "
                   "tables/hazard_curve.csv). Where a curve becomes level it is that of "
                   "shaking above the highest level of the study, {}, all of which counts as "

@@ -13,6 +13,8 @@ namespace glissade {
 
 /// "1 % in 50 years", "1/2475 a year".
 std::string rate_text(double annual_rate);
+/// "site.csv" of a curve from a file in any folder, "0.001 x^-2.2" of a law.
+std::string curve_name(const HazardResults& hazard);
 /// "25 years".
 std::string life_text(const HazardResults& hazard);
 

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <filesystem>
 
 #include "analysis/hazard/hazard.hpp"
 #include "glissade/fragility/hazard.hpp"
@@ -11,7 +12,7 @@ namespace glissade {
 namespace {
 
 std::string by_curve(const Results& results) {
-  return " Hazard curve: " + results.hazard->source + ", intensity measure " +
+  return " Hazard curve: " + curve_name(*results.hazard) + ", intensity measure " +
          results.intensity_label + ". ";
 }
 
@@ -40,6 +41,10 @@ std::string quantity_name(LifeQuantity quantity) {
 }
 
 }  // namespace
+
+std::string curve_name(const HazardResults& hazard) {
+  return std::filesystem::path(hazard.source).filename().string();
+}
 
 std::string life_text(const HazardResults& hazard) {
   return fmt::format("{:g} years", hazard.design_life_years);

@@ -11,16 +11,54 @@
 #include "text/study_text.hpp"
 
 namespace glissade {
+namespace {
+
+constexpr std::size_t most_numbers = 8;
+constexpr double text_size = 0.04;  // as a share of the panel
+
+/// Each record's number on its line, where it is farthest from all other lines, and clear of the
+/// average, the target and other numbers.
+void number_records(const SuiteSpectra& spectra, Panel& panel) {
+  const std::vector<double>& period_s = spectra.periods_s;
+  std::vector<std::vector<double>> lines = spectra.srss_g;
+  lines.push_back(spectra.average_srss_g);
+  if (!spectra.target_g.empty()) lines.push_back(spectra.target_g);
+  for (std::size_t r = 0; r < spectra.srss_g.size(); ++r) {
+    double farthest = -1.0;
+    Note number{0.0, 0.0, fmt::format("{}", r + 1), {0x444444}};
+    for (std::size_t p = 0; p < period_s.size(); ++p) {
+      const auto distance = [&](double x, double y) {
+        return std::hypot((x - period_s[p]) / panel.x.high, (y - lines[r][p]) / panel.y.high);
+      };
+      double least = 1.0;
+      for (std::size_t other = 0; other < lines.size(); ++other)
+        for (std::size_t q = 0; other != r && q < period_s.size(); ++q)
+          least = std::min(least, distance(period_s[q], lines[other][q]) -
+                                      (other < spectra.srss_g.size() ? 0.0 : text_size));
+      for (const Note& other : panel.notes)
+        least = std::min(least, distance(other.x, other.y) - text_size);
+      if (least <= farthest) continue;
+      farthest = least;
+      number.x = period_s[p];
+      number.y = lines[r][p];
+    }
+    panel.notes.push_back(std::move(number));
+  }
+}
+
+}  // namespace
 
 Figure spectra_figure(const SuiteSpectra& spectra, const SpectraTexts& texts) {
-  Figure figure{
-      "spectra", "Response spectra of the ground motions, " + texts.scaled,
-      fmt::format("suite {}; {} records", texts.suite, spectra.srss_g.size()),
-      "Pseudo-acceleration spectra at 5 % damping: square root of the sum of squares "
-      "(SRSS) of the two horizontal components of each record (grey; its number is its row in the "
-      "table of records), their average" +
-          std::string(spectra.target_g.empty() ? "" : ", and the target spectrum") +
-          ". Suite: " + texts.suite + ", " + texts.scaled + "."};
+  Figure figure{"spectra", "Response spectra of the ground motions, " + texts.scaled,
+                fmt::format("suite {}; {} records", texts.suite, spectra.srss_g.size()),
+                "Pseudo-acceleration spectra at 5 % damping: square root of the sum of squares "
+                "(SRSS) of the two horizontal components of each record (grey" +
+                    std::string(spectra.srss_g.size() > most_numbers
+                                    ? ""
+                                    : "; its number is that of the table of records") +
+                    "), their average" +
+                    std::string(spectra.target_g.empty() ? "" : ", and the target spectrum") +
+                    ". Suite: " + texts.suite + ", " + texts.scaled + "."};
   DataSeries records{DataSeries::Kind::line, look(Role::record), "records",
                      "each record, SRSS of its horizontal components"};
   for (const std::vector<double>& record : spectra.srss_g) {
@@ -39,21 +77,11 @@ Figure spectra_figure(const SuiteSpectra& spectra, const SpectraTexts& texts) {
               {records,
                {DataSeries::Kind::line, average, "average", "average of the records",
                 spectra.periods_s, spectra.average_srss_g}}};
-  // Each record's number on its line, at a period of its own.
-  const double count = static_cast<double>(spectra.srss_g.size());
-  for (std::size_t r = 0; r < spectra.srss_g.size() && !spectra.periods_s.empty(); ++r) {
-    const double period_s =
-        panel.x.high * std::pow((static_cast<double>(r) + 1.0) / (count + 1.0), 1.4);
-    const auto at = std::ranges::lower_bound(spectra.periods_s, period_s);
-    const auto p = static_cast<std::size_t>(at - spectra.periods_s.begin());
-    if (p < spectra.srss_g[r].size())
-      panel.notes.push_back(
-          {spectra.periods_s[p], spectra.srss_g[r][p], fmt::format("{}", r + 1), {0x444444}});
-  }
   if (!spectra.target_g.empty())
     panel.series.push_back({DataSeries::Kind::line, look(Role::target), "target", texts.target,
                             spectra.periods_s, spectra.target_g});
-  panel.y.high = 2.0 * std::max(largest(spectra.average_srss_g), largest(spectra.target_g));
+  panel.y.high = 1.05 * std::max(largest(records.y), largest(spectra.target_g));
+  if (spectra.srss_g.size() <= most_numbers) number_records(spectra, panel);
   figure.panels = {std::move(panel)};
   return figure;
 }

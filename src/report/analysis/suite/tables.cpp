@@ -19,7 +19,8 @@ Table records_table(const Results& results) {
                   "the record is multiplied by at level 1 (0: depends on the roof); 0 in "
                   "magnitude, distance "
                   "and vs30 means not given.",
-              {text_column("id", "Record"),
+              {{"number", "", "No.", ColumnKind::count},
+               text_column("id", "Record"),
                text_column("event", "Event"),
                text_column("station", "Station"),
                {"magnitude", "", "M"},
@@ -38,9 +39,10 @@ Table records_table(const Results& results) {
               {}};
   const auto yes_no = [](bool value) -> std::string { return value ? "yes" : "no"; };
   for (const RecordSummary& r : results.records) {
-    table.add({r.id, r.event, r.station, r.magnitude, r.distance_km, r.vs30_mps, r.suite_scale,
-               r.factor_at_unit_level, r.pga_g, r.pgv_mps, r.pgd_m, r.duration_s, r.dt_s,
-               static_cast<double>(r.samples), yes_no(r.has_second), yes_no(r.has_vertical)});
+    table.add({static_cast<double>(table.rows.size() + 1), r.id, r.event, r.station, r.magnitude,
+               r.distance_km, r.vs30_mps, r.suite_scale, r.factor_at_unit_level, r.pga_g, r.pgv_mps,
+               r.pgd_m, r.duration_s, r.dt_s, static_cast<double>(r.samples), yes_no(r.has_second),
+               yes_no(r.has_vertical)});
   }
   return table;
 }
