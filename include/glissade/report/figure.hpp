@@ -122,7 +122,8 @@ struct Figure {
   std::string caption;             ///< what to read from it and how it was made
   std::vector<Panel> panels = {};  ///< two in a row
   int key_columns = 1;
-  int plot_height_px = 640;  ///< of a single panel with its axes, of 840 in width
+  bool labels_at_lines = false;  ///< in place of a key
+  int plot_height_px = 640;      ///< of a single panel with its axes, of 840 in width
 };
 
 /// Writes NAME.gp and NAME.dat and runs gnuplot on them: NAME.svg and NAME.pdf in `folder`. The

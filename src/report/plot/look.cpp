@@ -97,6 +97,12 @@ void add_side_labels(Panel& panel, std::vector<Note> labels, const LabelMargin& 
   const double width = panel.x.high - panel.x.low;
   const double line = margin.line * (panel.y.high - panel.y.low);
   const bool left = margin.side == Side::left;
+  if (panel.x.ticks.empty()) {  // none in the margin
+    const double step = round_step(width, 6.0);
+    for (double i = std::ceil(panel.x.low / step - 1e-6); i * step <= panel.x.high + 1e-6 * step;
+         ++i)
+      panel.x.ticks.push_back({i * step, fmt::format("{:.6g}", i * step + 0.0)});
+  }
   double& edge = left ? panel.x.low : panel.x.high;
   const double outward = left ? -width : width;
   std::ranges::sort(labels, std::ranges::greater{}, &Note::y);

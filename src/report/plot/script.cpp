@@ -6,6 +6,7 @@
 
 #include "glissade/core/wrap.hpp"
 #include "glissade/report/format.hpp"
+#include "plot/line_labels.hpp"
 
 namespace glissade::gnuplot {
 namespace {
@@ -58,7 +59,9 @@ void add_axis(Script& script, Word which, const Axis& axis, std::size_t label_wi
   if (axis.ticks.empty()) {
     script.add("autofreq norotate\n");
   } else {
-    const bool turned = name == "x" && axis.ticks.size() > 7;  // else they touch
+    std::size_t characters = 0;
+    for (const Tick& tick : axis.ticks) characters += tick.label.size() + 2;
+    const bool turned = name == "x" && characters > label_width;  // else they touch
     script.add("{}", turned ? Word("rotate by 30 right ") : Word(""));
     add_ticks(script, axis.ticks);
   }
@@ -212,7 +215,25 @@ Quoted::Quoted(std::string_view plain, Weight weight) {
   quoted_ += weight == Weight::plain ? "'" : "}'";
 }
 
-std::string script_of(const Figure& figure) {
+namespace {
+
+/// With the labels of lines where they are drawn.
+Figure labelled(Figure figure) {
+  if (!figure.labels_at_lines) return figure;
+  const PanelSize size = figure.panels.size() > 1 ? PanelSize{330.0, 330.0}
+                                                  : PanelSize{730.0, figure.plot_height_px - 210.0};
+  for (Panel& panel : figure.panels) {
+    panel.x = drawable(panel.x);
+    panel.y = drawable(panel.y);
+    label_lines(panel, size);
+  }
+  return figure;
+}
+
+}  // namespace
+
+std::string script_of(const Figure& unlabelled) {
+  const Figure figure = labelled(unlabelled);
   int entries = 0;
   for (const Panel& panel : figure.panels) entries = std::max(entries, key_entries(panel));
   const int rows = (entries + figure.key_columns - 1) / figure.key_columns;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "analysis/chart/report.hpp"
 #include "figure_facts.hpp"
 #include "glissade/core/file.hpp"
 #include "glissade/core/units.hpp"
@@ -147,6 +148,26 @@ TEST(chart_friction, has_the_clearance_of_the_table_and_a_gap_where_the_array_sl
   EXPECT_FALSE(std::isfinite(curves.back().y[0]));  // 7 degrees with mu = 0.1
   EXPECT_NEAR(rule_of(figure, "SEAOC PV1-2012").at, 0.549, 5e-4);
   EXPECT_EQ(rule_of(figure, "SEAOC PV1-2012").from, 0.4);
+  EXPECT_THAT(rule_of(figure, "SEAOC PV1-2012").label, HasSubstr("slopes to 3 deg"));
+  EXPECT_NE(rule_of(figure, "SEAOC PV1-2012").look.dash, rule_of(figure, "ASCE 7-16").look.dash);
+}
+
+TEST(chart_figures, hold_at_most_four_curves_none_of_which_leaves_and_name_suite_and_subject) {
+  for (const Results& results : {made_up_chart_results(), made_up_one_record_chart()}) {
+    std::vector<std::string> titles;
+    for (const Figure& figure : chart_figures(results)) {
+      titles.push_back(figure.title);
+      EXPECT_THAT(figure.below, HasSubstr(results.suites.front().name));
+      if (figure.name.text() == "chart_contours") continue;
+      EXPECT_LE(curves_of(figure).size(), 4u) << figure.name.text();
+      EXPECT_TRUE(figure.labels_at_lines);
+      for (const DataSeries& curve : curves_of(figure))
+        for (const double slip_m : curve.y)
+          EXPECT_FALSE(std::isfinite(slip_m) && slip_m > figure.panels[0].y.high);
+    }
+    std::ranges::sort(titles);
+    EXPECT_EQ(std::ranges::adjacent_find(titles), titles.end());
+  }
 }
 
 TEST(chart_slope, draws_seaoc_under_3_degrees_and_only_above_a_friction_of_0_4) {
@@ -156,7 +177,7 @@ TEST(chart_slope, draws_seaoc_under_3_degrees_and_only_above_a_friction_of_0_4) 
   EXPECT_NEAR(seaoc.at, 0.548639, 1e-6);
   EXPECT_EQ(seaoc.from, 0.0);
   EXPECT_EQ(seaoc.to, 3.0);
-  EXPECT_EQ(curves_of(figure).size(), 5u);  // clearance, mean, 84th, 95th, largest
+  EXPECT_EQ(curves_of(figure).size(), 4u);  // clearance, 84th, 95th, largest
   results.chart->shown_mu = 0.4;
   const Figure low_friction = figure_named(results, "chart_slope");
   EXPECT_EQ(rule_of(low_friction, "SEAOC").label, "");
@@ -180,17 +201,17 @@ TEST(chart_slope, has_one_line_for_one_record) {
   EXPECT_NEAR(curves[0].y[0], 0.5, 1e-12);  // 0.25 m (1.5 - 0.5)^2 / 0.5
 }
 
-TEST(chart_intensity, has_a_curve_for_eight_frictions_from_no_shaking_on) {
+TEST(chart_intensity, has_a_curve_for_four_frictions_from_no_shaking_on) {
   const auto curves = curves_of(figure_named(made_up_one_record_chart(), "chart_intensity"));
-  ASSERT_EQ(curves.size(), 8u);  // mu = 0.1, 0.2 ... 0.8
+  ASSERT_EQ(curves.size(), 4u);  // mu = 0.1, 0.35, 0.6, 0.8
   for (const DataSeries& curve : curves) {
     ASSERT_EQ(curve.x.size(), 16u);
     EXPECT_EQ(curve.x[0], 0.0);
     EXPECT_EQ(curve.y[0], 0.0);
   }
-  // mu = 0.5, slope 1 degree.
-  const double yield_g = 0.5 - std::tan(1.0 * rad_per_deg);
-  EXPECT_NEAR(curves[4].y[15], 0.25 * (1.5 - yield_g) * (1.5 - yield_g) / yield_g, 1e-12);
+  // mu = 0.6, slope 1 degree.
+  const double yield_g = 0.6 - std::tan(1.0 * rad_per_deg);
+  EXPECT_NEAR(curves[2].y[15], 0.25 * (1.5 - yield_g) * (1.5 - yield_g) / yield_g, 1e-12);
 }
 
 TEST(chart_slope_levels, ends_with_the_highest_level) {

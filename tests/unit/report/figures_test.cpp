@@ -12,6 +12,7 @@
 #include "glissade/core/error.hpp"
 #include "glissade/core/file.hpp"
 #include "made_up_results.hpp"
+#include "plot/line_labels.hpp"
 
 namespace glissade {
 namespace {
@@ -129,6 +130,32 @@ TEST(figures, spectra_hold_every_record_and_number_a_few_on_their_own_lines) {
     EXPECT_EQ(number.y, spectra.srss_g[r].at(static_cast<std::size_t>(at)));
     EXPECT_NE(number.y, spectra.average_srss_g.at(static_cast<std::size_t>(at)));
   }
+}
+
+TEST(figures, lines_are_named_beside_their_last_points_and_rules_where_they_hide_least) {
+  Panel panel{"", {"x", 0.0, 10.0}, {"y", 0.0, 100.0}};
+  const auto line = DataSeries::Kind::line;
+  panel.series = {{line, {}, "a", "whole", {0.0, 10.0}, {30.0, 80.0}},
+                  {line, {}, "b", "near it", {0.0, 10.0}, {30.0, 79.0}},
+                  {line, {}, "c", "short", {0.0, 4.0, 10.0}, {10.0, 20.0, std::nan("")}},
+                  {DataSeries::Kind::band, {}, "", "shaded: interval"}};
+  panel.rules = {{Rule::Kind::horizontal, 50.0, {}, "prescribed"}};
+  label_lines(panel, {700.0, 400.0});
+  ASSERT_EQ(panel.notes.size(), 4u);
+  const auto note = [&](const std::string& text) {
+    return *std::ranges::find(panel.notes, text, &Note::text);
+  };
+  EXPECT_GT(note("whole").x, 10.0);
+  EXPECT_LT(note("whole").x, panel.x.high);
+  EXPECT_GE(note("whole").y - note("near it").y, 5.0);
+  EXPECT_NEAR(note("short").x, 4.2, 0.1);
+  EXPECT_EQ(note("short").y, 20.0);
+  EXPECT_NEAR(note("prescribed").y, 54.0, 2.0);  // above its left end the lines are below
+  EXPECT_EQ(note("prescribed").align, Note::Align::left);
+  EXPECT_EQ(panel.rules[0].to, 10.0);  // not into the margin
+  EXPECT_EQ(panel.x.ticks.back().at, 10.0);
+  for (const DataSeries& series : panel.series)
+    EXPECT_EQ(series.label, series.name.empty() ? "shaded: interval" : "");
 }
 
 TEST(figures, take_any_text_of_the_user_as_text) {

@@ -67,7 +67,7 @@ class ContourPlot {
       end_line(series);
     }
     panel_.series.push_back(std::move(series));
-    labels_.push_back({text, look.colour, lines});
+    labels_.push_back({text, look.colour, lines, panel_.series.size() - 1});
     return true;
   }
 
@@ -77,11 +77,14 @@ class ContourPlot {
     panel_.series.push_back(std::move(series));
   }
 
-  /// With a label on each contour, where there is room.
+  /// With a label on each contour; without those that have no room for one.
   Panel labelled() {
     for (const Label& label : labels_) {
+      DataSeries& series = panel_.series[label.series];
       if (const auto place = place_of(label))
         panel_.notes.push_back({place->x, place->y, label.text, label.colour});
+      else if (series.label.empty())
+        series.x.clear();
     }
     return panel_;
   }
@@ -91,6 +94,7 @@ class ContourPlot {
     std::string text;
     Colour colour;
     std::vector<Polyline> lines;
+    std::size_t series;
   };
 
   PlanePoint share(const PlanePoint& p) const {
@@ -223,9 +227,8 @@ Figure chart_contours_figure(const Results& results) {
   if (std::ranges::count(standards_of(chart), Standard::seaoc_pv1_2012) > 0)
     add_seaoc_limits(chart, plot);
   for (const PrescribedLine& line : prescribed_at(chart, results.levels[level])) {
-    Look thick = look(Role::prescribed);
-    thick.dash = 1;
-    thick.width = 4.0;
+    Look thick = prescribed_look(line);
+    thick.width = 4.5;
     const bool crosses =
         plot.add("prescribed " + line.names(), line.value_m, short_length(line.value_m), thick,
                  "prescribed by " + line.names());

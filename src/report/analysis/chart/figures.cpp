@@ -14,7 +14,7 @@ namespace glissade {
 namespace {
 
 constexpr auto slope_label = "Roof slope (degrees)";
-constexpr std::size_t most_curves = 8;
+constexpr std::size_t most_curves = 4;
 
 /// The places of what is shown on the chart's axes.
 struct Shown {
@@ -25,6 +25,8 @@ Shown shown_place(const Results& results) {
   return {nearest(results.levels, chart.shown_level),
           nearest(chart.slope_deg, chart.shown_slope_deg), nearest(chart.mu, chart.shown_mu)};
 }
+
+std::string suite_text(const Results& results) { return results.suites.front().name + "; "; }
 
 std::string friction_text(double mu) { return "friction " + brief(mu); }
 
@@ -37,16 +39,18 @@ std::string y_label(const Results& results) {
 
 std::string caption_of(const Results& results, const std::string& reading) {
   return reading + " " + how_counted(results) +
-         " Gaps and missing ends: friction cannot stop the array. Curves may leave at the top; "
-         "every number is in tables/chart.csv." +
+         " Gaps and missing ends: above the figure, or friction cannot stop the array; every "
+         "number is in tables/chart.csv." +
          (results.chart->standards.empty()
               ? ""
-              : " Dashed: prescribed; SEAOC PV1-2012 is for " + seaoc_limits() + ".");
+              : " Broken lines: prescribed (recalled: verify); SEAOC PV1-2012 is for " +
+                    seaoc_limits() + ".");
 }
 
 /// Where on the x axis a prescribed value applies.
 struct Stretch {
   double from = 0.0, to = 0.0;
+  std::string also = {};  ///< what else it is for
 };
 
 /// Slip over something.
@@ -63,33 +67,47 @@ struct CurvePlot {
   }
 };
 
-/// The height of the figure: without the few slips that would press the others flat, and with the
-/// prescribed values where they do not.
-double top_m(const CurvePlot& plot) {
+/// Ends the curves where slips would press the others flat.
+void drop_high_slips(CurvePlot& plot) {
   std::vector<double> slips;
   for (const DataSeries& curve : plot.curves)
     std::ranges::copy_if(curve.y, std::back_inserter(slips),
                          [](double slip_m) { return std::isfinite(slip_m) && slip_m > 0.0; });
-  const double curves_m =
-      slips.empty() ? 1.0 : std::min(largest(slips), 1.5 * quantile_of(slips, plot.share_within));
+  if (slips.empty()) return;
+  const double limit_m = 2.0 * quantile_of(slips, plot.share_within);
+  for (DataSeries& curve : plot.curves)
+    for (double& slip_m : curve.y)
+      if (slip_m > limit_m) slip_m = std::nan("");
+}
+
+/// The height of the figure: with the prescribed values where they do not press the curves flat.
+double top_m(const CurvePlot& plot) {
+  double curves_m = 0.0;
+  for (const DataSeries& curve : plot.curves) curves_m = std::max(curves_m, largest(curve.y));
+  if (curves_m == 0.0) curves_m = 1.0;
   double top = curves_m;
   for (const auto& [line, where] : plot.prescribed)
     if (line.value_m < 3.0 * curves_m) top = std::max(top, line.value_m);
   return 1.08 * top;
 }
 
-std::vector<Panel> drawn(const CurvePlot& plot) {
+/// "SEAOC PV1-2012: 21.6 in (recalled)"
+std::string rule_label(const PrescribedLine& line, const Stretch& where, double top) {
+  return line.names() + where.also + ": " + short_length(line.value_m) +
+         (line.provenance == Provenance::recalled ? " (recalled)" : "") +
+         (line.value_m > top ? ", above the figure" : "");
+}
+
+std::vector<Panel> drawn(CurvePlot plot) {
+  drop_high_slips(plot);
   const double top = top_m(plot);
   Panel panel{"",
               {plot.x_label, plot.x.front(), plot.x.back()},
               length_axis(plot.y_label, top),
               plot.curves};
   for (const auto& [line, where] : plot.prescribed) {
-    Look style = look(Role::prescribed);
-    style.dash = panel.rules.empty() ? 2 : 4;
-    panel.rules.push_back({Rule::Kind::horizontal, line.value_m, style,
-                           line.label() + (line.value_m > top ? ": above the figure" : ""),
-                           where.from, where.to});
+    panel.rules.push_back({Rule::Kind::horizontal, line.value_m, prescribed_look(line),
+                           rule_label(line, where, top), where.from, where.to});
   }
   return {panel};
 }
@@ -118,14 +136,14 @@ Figure chart_slope_figure(const Results& results) {
   const Shown shown = shown_place(results);
   const double mu = chart.mu[shown.friction], level = results.levels[shown.level];
   CurvePlot plot{"Displacement in plan", slope_label, chart.slope_deg};
-  static constexpr Role roles[] = {Role::clearance, Role::mean, Role::p84, Role::p95,
-                                   Role::largest};
+  static constexpr Role roles[] = {Role::clearance, Role::p84, Role::p95, Role::largest};
   for (const ChartStatistic& statistic : chart_statistics(results)) {
+    if (statistic.stem == "mean_slip") continue;  // a part of the clearance
     std::vector<double> y_m;
     for (std::size_t s = 0; s < chart.slope_deg.size(); ++s)
       y_m.push_back(statistic.slip_m(chart.at(shown.level, s, shown.friction)));
     const Role role = roles[plot.curves.size()];
-    plot.add(statistic.heading, look(role),
+    plot.add(statistic.name, look(role),
              role == Role::clearance ? with_points : DataSeries::Kind::line, std::move(y_m));
   }
   std::string out_of_range;
@@ -138,17 +156,13 @@ Figure chart_slope_figure(const Results& results) {
                                  line.mu_limit());
     }
   }
-  const std::string reading = is_one_record(results)
-                                  ? "Peak slip at each slope."
-                                  : "Thick: the " + design_name(results) + ", " +
-                                        clearance_rule(results) +
-                                        "; thin: the mean itself, percentiles, and the largest.";
-  return {"chart_slope",
-          "Slip over the slope of the roof",
-          at_intensity(results, level) + "; " + friction_text(mu),
-          caption_of(results, reading) + out_of_range,
-          drawn(plot),
-          plot.curves.size() > 1 ? 2 : 1};
+  const std::string reading = is_one_record(results) ? "Peak slip at each slope."
+                                                     : "Thick: the " + design_name(results) + ", " +
+                                                           clearance_rule(results) +
+                                                           "; thin: percentiles, and the largest.";
+  return {"chart_slope", "Slip over the slope of the roof",
+          suite_text(results) + at_intensity(results, level) + "; " + friction_text(mu),
+          caption_of(results, reading) + out_of_range, drawn(plot)};
 }
 
 Figure chart_friction_figure(const Results& results) {
@@ -157,7 +171,7 @@ Figure chart_friction_figure(const Results& results) {
   const double level = results.levels[shown.level];
   CurvePlot plot{y_label(results), "Coefficient of friction", chart.mu, 0.8};
   add_members(
-      results, spread(chart.slope_deg.size(), 6),
+      results, spread(chart.slope_deg.size(), most_curves),
       [&](std::size_t s) { return "slope " + degrees(chart.slope_deg[s]); },
       [&](std::size_t s, std::size_t m) -> const ChartPoint& {
         return chart.at(shown.level, s, m);
@@ -165,18 +179,20 @@ Figure chart_friction_figure(const Results& results) {
       plot);
   for (const PrescribedLine& line : prescribed_at(chart, level)) {
     const double from = std::max(line.mu_limit(), plot.x.front());
-    if (from < plot.x.back()) plot.prescribed.push_back({line, {from, plot.x.back()}});
+    if (from < plot.x.back())
+      plot.prescribed.push_back(
+          {line,
+           {from, plot.x.back(), fmt::format(", slopes to {:.3g} deg", line.slope_limit_deg())}});
   }
   return {"chart_friction",
           is_one_record(results) ? "Peak slip over friction, by roof slope"
-                                 : design_title(results) + " over friction and roof slope",
-          at_intensity(results, level),
+                                 : design_title(results) + " over friction, by roof slope",
+          suite_text(results) + at_intensity(results, level),
           caption_of(results,
                      "Read up from the coefficient of friction to the curve of the roof's "
                      "slope, then left: the " +
                          design_name(results) + "."),
-          drawn(plot),
-          2};
+          drawn(plot)};
 }
 
 Figure chart_intensity_figure(const Results& results) {
@@ -190,35 +206,32 @@ Figure chart_intensity_figure(const Results& results) {
         return chart.at(l, shown.slope, m);
       },
       plot);
-  return {"chart_intensity",
-          "Slip over intensity, by friction",
-          "slope " + degrees(chart.slope_deg[shown.slope]),
+  return {"chart_intensity", "Slip over intensity, by friction",
+          suite_text(results) + "slope " + degrees(chart.slope_deg[shown.slope]),
           caption_of(results, "The " + design_name(results) +
                                   " over intensity, a curve for each coefficient of friction: none "
                                   "up to a level that grows with friction."),
-          drawn(plot),
-          4};
+          drawn(plot)};
 }
 
 Figure chart_slope_levels_figure(const Results& results) {
   const Chart& chart = *results.chart;
   const Shown shown = shown_place(results);
   CurvePlot plot{y_label(results), slope_label, chart.slope_deg};
+  std::vector<std::size_t> levels = spread(results.levels.size(), most_curves + 1);
+  if (results.levels.front() == 0.0 || levels.size() > most_curves) levels.erase(levels.begin());
   add_members(
-      results, spread(results.levels.size(), most_curves),
-      [&](std::size_t l) { return with_unit(results, brief(results.levels[l])); },
+      results, levels, [&](std::size_t l) { return with_unit(results, brief(results.levels[l])); },
       [&](std::size_t l, std::size_t s) -> const ChartPoint& {
         return chart.at(l, s, shown.friction);
       },
       plot);
-  return {
-      "chart_slope_levels",
-      "Slip over the slope of the roof, by intensity",
-      friction_text(chart.mu[shown.friction]) + "; a curve per level, " + results.intensity_label,
-      caption_of(results, "The " + design_name(results) +
-                              " over slope, a curve for each level of intensity."),
-      drawn(plot),
-      4};
+  return {"chart_slope_levels", "Slip over the slope of the roof, by intensity",
+          suite_text(results) + friction_text(chart.mu[shown.friction]) + "; a curve per level, " +
+              results.intensity_label,
+          caption_of(results, "The " + design_name(results) +
+                                  " over slope, a curve for each level of intensity."),
+          drawn(plot)};
 }
 
 Figure chart_period_figure(const Results& results) {
@@ -232,17 +245,16 @@ Figure chart_period_figure(const Results& results) {
     Role role;
     double ChartSlip::*slip_m;
   };
-  for (const Part& part : {Part{"Mean over records", Role::mean, &ChartSlip::mean_m},
-                           Part{"84th percentile", Role::p84, &ChartSlip::p84_m},
+  for (const Part& part : {Part{"mean over records", Role::mean, &ChartSlip::mean_m},
                            Part{"95th percentile", Role::p95, &ChartSlip::p95_m},
-                           Part{"Largest", Role::largest, &ChartSlip::envelope_m}}) {
+                           Part{"largest", Role::largest, &ChartSlip::envelope_m}}) {
     if (one_record && part.role != Role::largest) continue;
     std::vector<double> y_m;
     for (const ChartSlip& slip : point.by_period) y_m.push_back(slip.*part.slip_m);
     plot.add(part.label, look(part.role), with_points, std::move(y_m));
   }
   const ChartStatistic design = design_statistic(results);
-  plot.add(one_record ? "Largest over periods" : design.heading, look(Role::clearance),
+  plot.add(one_record ? "largest over periods" : design.name, look(Role::clearance),
            DataSeries::Kind::line,
            std::vector<double>(chart.period_s.size(), design.slip_m(point)));
   for (const PrescribedLine& line : prescribed_at(chart, point.level)) {
@@ -251,18 +263,17 @@ Figure chart_period_figure(const Results& results) {
     });
     if (applies) plot.prescribed.push_back({line, {plot.x.front(), plot.x.back()}});
   }
-  return {"chart_period",
-          "Slip over the period of the building",
-          fmt::format("{}; slope {}; {}", at_intensity(results, results.levels[shown.level]),
-                      degrees(point.slope_deg), friction_text(point.mu)),
+  return {"chart_period", "Slip over the period of the building",
+          fmt::format("{}{}; slope {}; {}", suite_text(results),
+                      at_intensity(results, results.levels[shown.level]), degrees(point.slope_deg),
+                      friction_text(point.mu)),
           caption_of(results, one_record
                                   ? "Peak slip by building period; thick: the largest, "
                                     "which the chart shows."
                                   : fmt::format("Slip by building period. Thick: the {}, "
                                                 "{:g} x the largest of the means.",
                                                 design_name(results), clearance_factor(results))),
-          drawn(plot),
-          2};
+          drawn(plot)};
 }
 
 }  // namespace
@@ -270,16 +281,15 @@ Figure chart_period_figure(const Results& results) {
 std::vector<Figure> chart_figures(const Results& results) {
   std::vector<Figure> figures;
   // Friction that is drawn is one column of the chart.
-  if (results.chart->mu.size() > 1) {
-    figures.push_back(chart_contours_figure(results));
-    figures.push_back(chart_friction_figure(results));
-  }
+  if (results.chart->mu.size() > 1) figures.push_back(chart_friction_figure(results));
   figures.push_back(chart_slope_figure(results));
   if (results.levels.size() > 1) {
     figures.push_back(chart_intensity_figure(results));
     figures.push_back(chart_slope_levels_figure(results));
   }
   if (results.chart->period_s.size() > 1) figures.push_back(chart_period_figure(results));
+  for (Figure& figure : figures) figure.labels_at_lines = true;
+  if (results.chart->mu.size() > 1) figures.insert(figures.begin(), chart_contours_figure(results));
   return figures;
 }
 

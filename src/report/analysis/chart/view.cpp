@@ -235,6 +235,13 @@ std::string PrescribedLine::label() const {
          (provenance == Provenance::recalled ? " (recalled: verify)" : "");
 }
 
+Look prescribed_look(const PrescribedLine& line) {
+  Look style = look(Role::prescribed);
+  style.width = 3.5;
+  style.dash = line.only(Standard::asce7_16) ? 3 : 2;
+  return style;
+}
+
 std::vector<PrescribedLine> prescribed_at(const Chart& chart, double level) {
   std::vector<PrescribedLine> lines;
   for (const ChartPrescription& p : chart.standards) {

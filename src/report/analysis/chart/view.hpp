@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "glissade/report/figure.hpp"
 #include "glissade/study/results.hpp"
 
 // What figures, tables and sentences of a design chart share. All expect results with a chart.
@@ -75,6 +76,8 @@ struct PrescribedLine {
   std::string names() const;  ///< "SEAOC PV1-2012 and ASCE 7-16"
   std::string label() const;  ///< with the value, and whether it must be verified
 };
+/// Dashes; of ASCE 7-16 alone dots.
+Look prescribed_look(const PrescribedLine& line);
 std::vector<PrescribedLine> prescribed_at(const Chart& chart, double level);
 /// What a standard prescribes at a level.
 std::optional<double> prescribed_m(const Chart& chart, Standard standard, double level);
