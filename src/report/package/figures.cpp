@@ -86,11 +86,6 @@ std::vector<Figure> package_figures(const CalculationPackage& package) {
       "levels "
       "end at {:.3g} g.",
       package.design.site.sds_g, package.design.site.sms_g(), package.probability.levels.back());
-  // Lower than in a report, and with y labels as long as that.
-  constexpr int of_a_printed_page_px = 420;
-  figures.front().panels.front().y.label = "Spectral acceleration (g)";
-  figures.back().panels.front().y.label = "Probability of exceedance";
-  for (Figure& figure : figures) figure.plot_height_px = of_a_printed_page_px;
   return figures;
 }
 

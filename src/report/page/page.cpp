@@ -4,7 +4,10 @@
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
+
 #include "glissade/core/file.hpp"
+#include "glissade/core/wrap.hpp"
 
 namespace glissade {
 namespace {
@@ -25,15 +28,23 @@ th { background: #f4f4f4; vertical-align: bottom; } .number { text-align: right;
 td:not(.number) { min-width: 7em; }
 dt { font-weight: bold; } dd { margin: 0 0 .5em 1.5em; }
 pre { background: #f7f7f7; border: 1px solid #ddd; padding: .8em; white-space: pre-wrap; overflow-wrap: anywhere; font-size: .85em; }
-@page { margin: 18mm 15mm; @bottom-right { content: "Page " counter(page) " of " counter(pages); font: 9pt Arial, sans-serif; } }
+@page { margin: 12mm 14mm 14mm; @bottom-right { content: "Page " counter(page) " of " counter(pages); font: 9pt Arial, sans-serif; } }
+@page wide { size: landscape; }
 @media print {
+  .many, h2:has(+ .many), h3:has(+ .many) { page: wide; }
   body { max-width: none; margin: 0; padding: 0; font-size: 10pt; line-height: 1.35; } h2, h3 { break-after: avoid; } figcaption { break-before: avoid; }
-  figure { max-width: 16cm; margin: .5em auto; } figure, tr, caption { break-inside: avoid; } caption, thead, tbody tr:first-child { break-after: avoid; } tbody tr:last-child { break-before: avoid; }
+  figure { max-width: none; margin: .3em auto; } figure svg { display: block; width: 16.7cm; max-width: 100%; margin: 0 auto; } figure, tr, caption { break-inside: avoid; } caption, thead, tbody tr:first-child { break-after: avoid; } tbody tr:last-child { break-before: avoid; }
   .wide { overflow: visible; container-type: normal; } caption div { max-width: none; } pre { box-decoration-break: clone; -webkit-box-decoration-break: clone; margin-right: 1px; } table, pre, figcaption, caption { font-size: 9pt; } table { width: 100%; } thead { display: table-header-group; }
   th, td { padding: .15em .35em; } th.number, td.number { white-space: normal; }
-  td:not(.number) { min-width: 0; } .many th, .many td { overflow-wrap: anywhere; } p, li { orphans: 3; widows: 3; }
+  td:not(.number) { min-width: 0; } .many th, .many td { padding: .15em .2em; } p, li { orphans: 3; widows: 3; }
 }
 )";
+
+std::size_t longest_word(const std::string& text) {
+  std::size_t longest = 0;
+  for (const std::string& word : wrapped(text, 1)) longest = std::max(longest, display_width(word));
+  return longest;
+}
 
 }  // namespace
 
@@ -51,10 +62,16 @@ Html paragraph(const std::string& text) { return enclosed("<p>", text, "</p>\n")
 Html heading(const std::string& text) { return enclosed("<h2>", text, "</h2>\n"); }
 
 Html wide_table(const Table& table) {
-  constexpr std::size_t many =
-      9;  // columns: more do not fit a printed page unless words are broken
-  return (table.columns.size() > many ? Html("<div class=\"wide many\">")
-                                      : Html("<div class=\"wide\">")) +
+  // Of 9 pt letters on an upright page; words are not broken.
+  constexpr double page_mm = 187.0, letter_mm = 1.75, space_mm = 2.5;
+  double width_mm = 0.0;
+  for (std::size_t c = 0; c < table.columns.size(); ++c) {
+    std::size_t letters = longest_word(table.columns[c].heading);
+    for (const std::vector<Cell>& row : table.rows)
+      letters = std::max(letters, longest_word(cell_text(table.columns[c], row[c])));
+    width_mm += space_mm + letter_mm * static_cast<double>(letters);
+  }
+  return (width_mm > page_mm ? Html("<div class=\"wide many\">") : Html("<div class=\"wide\">")) +
          to_html(table) + "</div>\n";
 }
 

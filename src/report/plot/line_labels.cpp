@@ -10,42 +10,49 @@
 namespace glissade {
 namespace {
 
-constexpr double character_px = 8.6, line_px = 22.0;
+constexpr double character_px = 9.0, line_px = 22.0;
 
 double text_px(const std::string& text) {
   return character_px * static_cast<double>(display_width(text));
 }
 
-bool has_places(const DataSeries& series) {
+/// Of one line or its points, the last point that is drawn.
+std::optional<std::size_t> end_of(const Panel& panel, const DataSeries& series) {
   using enum DataSeries::Kind;
-  return series.kind == line || series.kind == points || series.kind == line_and_points;
+  if (series.kind != line && series.kind != points && series.kind != line_and_points) return {};
+  if (std::ranges::any_of(series.x, [](double x) { return std::isnan(x); })) return {};  // several
+  for (std::size_t i = series.y.size(); i-- > 0;)
+    if (series.x[i] <= panel.x.high && series.y[i] <= panel.y.high) return i;  // NaN is not
+  return {};
 }
 
-/// The last point that is drawn.
-std::optional<std::size_t> end_of(const DataSeries& series) {
-  for (std::size_t i = series.y.size(); i-- > 0;)
-    if (std::isfinite(series.x[i]) && std::isfinite(series.y[i])) return i;
-  return std::nullopt;
+/// Beside its point, or lower, clear of other notes.
+void add_note(Panel& panel, Note note, const PanelSize& size) {
+  const double x_per_px = (panel.x.high - panel.x.low) / size.width_px,
+               line = line_px * (panel.y.high - panel.y.low) / size.height_px;
+  const auto is_hidden = [&](const Note& other) {
+    const Note& left = other.x < note.x ? other : note;
+    return std::abs(other.x - note.x) < x_per_px * text_px(left.text) &&
+           std::abs(other.y - note.y) < 0.9 * line;
+  };
+  while (std::ranges::any_of(panel.notes, is_hidden)) note.y -= line;
+  panel.notes.push_back(std::move(note));
 }
 
 /// Takes the labels at the right edge; those of lines that end before it are added there.
-std::vector<Note> take_labels(Panel& panel) {
-  double right = panel.x.low;
-  for (const DataSeries& series : panel.series)
-    if (const auto end = end_of(series); end && has_places(series))
-      right = std::max(right, series.x[*end]);
+std::vector<Note> take_labels(Panel& panel, const PanelSize& size) {
   const double width = panel.x.high - panel.x.low;
   std::vector<Note> at_edge;
   for (DataSeries& series : panel.series) {
-    const auto end = end_of(series);
-    if (!end || !has_places(series) || series.label.empty()) continue;
+    const auto end = end_of(panel, series);
+    if (!end || series.label.empty()) continue;
     Note note{series.x[*end], series.y[*end], series.label, series.look.colour, Note::Align::left};
     series.label.clear();
-    if (note.x >= right - 0.1 * width) {
+    if (note.x >= panel.x.high - 0.2 * width) {
       at_edge.push_back(std::move(note));
     } else {
       note.x += 0.02 * width;
-      panel.notes.push_back(std::move(note));
+      add_note(panel, std::move(note), size);
     }
   }
   return at_edge;
@@ -109,7 +116,7 @@ void label_rule(Panel& panel, Rule& rule, double text, double line) {
 }  // namespace
 
 void label_lines(Panel& panel, const PanelSize& size) {
-  std::vector<Note> at_edge = take_labels(panel);
+  std::vector<Note> at_edge = take_labels(panel, size);
   double widest = 0.0;
   for (const Note& note : at_edge) widest = std::max(widest, text_px(note.text) + 2 * character_px);
   // The margin takes its share of the panel as it is drawn.

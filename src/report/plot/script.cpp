@@ -166,6 +166,17 @@ void add_panels(Script& script, const Figure& figure) {
   script.add(".\"\\n\".");
   add_lines(script, figure.below, below_width, Quoted::Weight::plain);
   script.add("\n");
+  if (several) {  // all panels are of the same size
+    int entries = 0;
+    std::size_t title_lines = 1;
+    for (const Panel& panel : figure.panels) {
+      entries = std::max(entries, key_entries(panel));
+      title_lines = std::max(title_lines, wrapped(panel.title, panel_title_width).size());
+    }
+    const int rows = (entries + figure.key_columns - 1) / figure.key_columns;
+    script.add("set tmargin {}\nset bmargin {}\n", 1.8 + 1.1 * static_cast<double>(title_lines),
+               4.5 + 1.3 * rows);
+  }
   int index = 0;
   for (Panel panel : figure.panels) {
     panel.x = drawable(panel.x);
@@ -177,7 +188,9 @@ void add_panels(Script& script, const Figure& figure) {
     }
     script.add("set border 3 lc rgb '#444444'\n");
     add_axis(script, "x", panel.x, several ? 44 : below_width);
-    add_axis(script, "y", panel.y, several ? 34 : 54);
+    // As long as the axis is high.
+    add_axis(script, "y", panel.y,
+             several ? 34 : static_cast<std::size_t>(figure.plot_height_px) / 14);
     add_rules_and_notes(script, panel);
     add_plot(script, figure.name, panel, index);
   }
@@ -220,7 +233,7 @@ namespace {
 /// With the labels of lines where they are drawn.
 Figure labelled(Figure figure) {
   if (!figure.labels_at_lines) return figure;
-  const PanelSize size = figure.panels.size() > 1 ? PanelSize{330.0, 330.0}
+  const PanelSize size = figure.panels.size() > 1 ? PanelSize{330.0, 270.0}
                                                   : PanelSize{730.0, figure.plot_height_px - 210.0};
   for (Panel& panel : figure.panels) {
     panel.x = drawable(panel.x);
@@ -239,8 +252,9 @@ std::string script_of(const Figure& unlabelled) {
   const int rows = (entries + figure.key_columns - 1) / figure.key_columns;
   // As wide as a printed page has room for letters of 9 pt and more.
   const int width_px = 840;
-  const int height_px = figure.panels.size() > 1 ? 60 + panel_rows(figure) * (460 + 28 * rows)
-                                                 : figure.plot_height_px + 28 * rows;
+  constexpr int key_px = 24;
+  const int height_px = figure.panels.size() > 1 ? 60 + panel_rows(figure) * (420 + key_px * rows)
+                                                 : figure.plot_height_px + key_px * rows;
   Script script;
   script.add(
       "# Draw again with: gnuplot {}.gp\n"

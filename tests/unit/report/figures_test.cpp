@@ -11,6 +11,7 @@
 #include "figure_facts.hpp"
 #include "glissade/core/error.hpp"
 #include "glissade/core/file.hpp"
+#include "glissade/report/format.hpp"
 #include "made_up_results.hpp"
 #include "plot/line_labels.hpp"
 
@@ -203,7 +204,9 @@ TEST(figures, of_the_fragility_hold_the_shares_and_the_fitted_curve) {
   EXPECT_EQ(observed.y, run.fragilities[1].probability);
   ASSERT_EQ(curve.x.size(), 201u);
   EXPECT_EQ(curve.y[100], run.fragilities[1].capacities.curve.probability(curve.x[100]));
-  EXPECT_EQ(key_of(figure).size(), run.fragilities.size() + 1);
+  EXPECT_EQ(key_of(figure).size(), 1u);  // clearances are named at their curves
+  for (const ThresholdFragility& fragility : run.fragilities)
+    EXPECT_THAT(figure.caption, HasSubstr(format_length(fragility.threshold_m) + ": median"));
 }
 
 TEST(figures, are_drawn_whatever_their_numbers_are) {

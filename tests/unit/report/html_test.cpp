@@ -52,6 +52,13 @@ TEST(html_report, says_rigid_where_the_samples_have_no_period) {
   EXPECT_THAT(html, Not(HasSubstr("mass is neglected")));
 }
 
+TEST(html_report, prints_a_table_of_many_columns_on_a_landscape_page) {
+  const std::string html = html_report(made_up_results(), {});
+  EXPECT_THAT(html, HasSubstr("@page wide { size: landscape; }"));
+  const std::size_t records = html.find("Ground motions of suite");
+  EXPECT_GT(html.rfind("<div class=\"wide many\">", records), records - 100);
+}
+
 TEST(html_report, puts_the_drawing_in_the_page_without_its_xml_declaration) {
   const std::string html = html_report(
       made_up_results(),

@@ -77,7 +77,7 @@ TEST(shape_report, names_the_best_model_and_what_is_not_lognormal) {
 TEST(shape_report, figure_marks_the_gap_of_what_is_not_lognormal_alone) {
   const Figure figure = shape_figure(made_up());
   ASSERT_EQ(figure.panels.size(), 2u);
-  EXPECT_THAT(figure.panels[0].title, HasSubstr("gap (red)"));
+  EXPECT_THAT(figure.panels[0].title, HasSubstr("largest gap"));
   EXPECT_THAT(figure.panels[1].title, testing::Not(HasSubstr("gap")));
   for (const Panel& panel : figure.panels) EXPECT_TRUE(panel.notes.empty());
 }

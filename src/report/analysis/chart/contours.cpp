@@ -27,7 +27,7 @@ struct TextBox {
 };
 
 TextBox text_box(const std::string& text) {
-  constexpr double character = 0.0108, margin = 0.015, line = 0.055;
+  constexpr double character = 0.0108, margin = 0.015, line = 0.08;
   return {{}, character * static_cast<double>(text.size()) + margin, line};
 }
 
@@ -251,6 +251,7 @@ Figure chart_contours_figure(const Results& results) {
                                   values.front(), values.back(), unit);
   }
   figure.panels = {plot.labelled()};
+  figure.plot_height_px = chart_height_px;
   return figure;
 }
 

@@ -288,7 +288,10 @@ std::vector<Figure> chart_figures(const Results& results) {
     figures.push_back(chart_slope_levels_figure(results));
   }
   if (results.chart->period_s.size() > 1) figures.push_back(chart_period_figure(results));
-  for (Figure& figure : figures) figure.labels_at_lines = true;
+  for (Figure& figure : figures) {
+    figure.labels_at_lines = true;
+    figure.plot_height_px = chart_height_px;
+  }
   if (results.chart->mu.size() > 1) figures.insert(figures.begin(), chart_contours_figure(results));
   return figures;
 }

@@ -11,6 +11,7 @@
 // The report of a design chart. All expect results with a chart.
 namespace glissade {
 
+inline constexpr int chart_height_px = 500;  ///< to read numbers off
 /// Over friction (x) and slope: lines of equal clearance, and of what the standards prescribe.
 Figure chart_contours_figure(const Results& results);
 /// Those the chart's axes can fill: of clearance over friction, over slope, over intensity

@@ -38,6 +38,10 @@ bool has_curve(const ThresholdFragility& fragility) {
          fragility.capacities.status == FitStatus::always_exceeds;
 }
 
+bool are_a_few(const RunResults& run) {
+  return run.fragilities.size() > 1 && run.fragilities.size() <= 5;
+}
+
 /// The clearances at the ends of their curves, where these are a few.
 void add_direct_labels(Panel& panel, const RunResults& run) {
   const std::size_t count = run.fragilities.size();
@@ -48,10 +52,16 @@ void add_direct_labels(Panel& panel, const RunResults& run) {
       labels.push_back({0.0, fragility.capacities.curve.probability(panel.x.high),
                         short_length(fragility.threshold_m), family_look(t, count).colour});
   }
-  if (count > 1 && count <= 5) add_side_labels(panel, std::move(labels), {Side::right, 0.15, 0.07});
+  if (are_a_few(run)) add_side_labels(panel, std::move(labels), {Side::right, 0.15, 0.1});
 }
 
-/// Band, curve and observed shares of one clearance. One key entry for all points.
+/// "0.300 m (11.8 in): median 1.66 g [1.46 to 1.89], log std 0.311"
+std::string threshold_text(const Results& results, const ThresholdFragility& fragility) {
+  return format_length(fragility.threshold_m) + ": " + fit_text(results, fragility.capacities) +
+         (departs_from_lognormal(fragility.lognormal) ? ", not lognormal" : "");
+}
+
+/// Band, curve and observed shares of one clearance, with a key entry where it has no label.
 void add_threshold(Panel& panel, const Results& results, const RunResults& run, std::size_t t) {
   const ThresholdFragility& fragility = run.fragilities[t];
   const Look colour = family_look(t, run.fragilities.size());
@@ -75,9 +85,8 @@ void add_threshold(Panel& panel, const Results& results, const RunResults& run, 
   }
   DataSeries key{curve.x.empty() ? DataSeries::Kind::points : DataSeries::Kind::line_and_points,
                  colour};
-  key.label = format_length(fragility.threshold_m) + ": " +
-              fit_text(results, fragility.capacities) +
-              (departs_from_lognormal(fragility.lognormal) ? ", not lognormal" : "");
+  if (!are_a_few(run) || !fragility.capacities.converged())
+    key.label = threshold_text(results, fragility);
   panel.series.insert(panel.series.begin(), std::move(band));
   for (DataSeries* series : {&curve, &observed, &key}) panel.series.push_back(std::move(*series));
 }
@@ -94,10 +103,9 @@ Figure fragility_figure(const Results& results, const RunResults& run) {
       "friction " +
           run.friction_description +
           ". Lines: lognormal curves fitted to the lowest intensity at which each history reaches "
-          "the clearance (histories that never reach it are treated as censored; the share that "
-          "slides freely, without shaking, is in the curve at every intensity). Points: share of "
-          "histories that exceed it at each level. Shaded: 95 % interval from the variance "
-          "between records, because histories of one record are not independent."};
+          "the clearance (those that never do are censored; the share that slides freely is in "
+          "the curve). Points: share of histories that exceed it at a level. Shaded: 95 % interval "
+          "from the variance between records."};
   Panel panel{"",
               {results.intensity_label, 0.0, results.levels.back()},
               {"Probability that slip in plan exceeds the clearance", 0.0, 1.0}};
@@ -106,7 +114,11 @@ Figure fragility_figure(const Results& results, const RunResults& run) {
   panel.series.push_back({DataSeries::Kind::band, look(Role::largest), "",
                           "shaded and [ ]: 95 % interval over records; points: observed "
                           "shares"});
+  if (are_a_few(run))
+    for (const ThresholdFragility& fragility : run.fragilities)
+      figure.caption += " " + threshold_text(results, fragility) + ".";
   figure.panels = {std::move(panel)};
+  figure.plot_height_px = 480;
   return figure;
 }
 
@@ -135,9 +147,9 @@ Figure ida_figure(const Results& results, const RunResults& run) {
     Role role;
     const char* label;
   };
-  for (const Part& part : {Part{0.16, Role::p16, "16th percentile of all histories"},
-                           Part{0.50, Role::median, "50th percentile (median)"},
-                           Part{0.84, Role::p84, "84th percentile"}}) {
+  for (const Part& part :
+       {Part{0.16, Role::p16, "16th percentile"}, Part{0.50, Role::median, "median"},
+        Part{0.84, Role::p84, "84th percentile"}}) {
     DataSeries series{DataSeries::Kind::line_and_points, look(part.role), part.label, part.label};
     series.y = results.levels;
     for (std::size_t l = 0; l < slip.levels; ++l) {
@@ -149,17 +161,15 @@ Figure ida_figure(const Results& results, const RunResults& run) {
     }
     panel.series.push_back(std::move(series));
   }
-  panel.x = length_axis("Peak slip in plan", 1.25 * (widest_m > 0.0 ? widest_m : 1.0));
+  panel.x = length_axis("Peak slip in plan", 1.3 * (widest_m > 0.0 ? widest_m : 1.0));
   for (const double threshold_m : results.thresholds_m) {
     panel.rules.push_back({Rule::Kind::vertical, threshold_m, look(Role::reference)});
     if (threshold_m >= panel.x.high) continue;
-    const double height =
-        0.04 + 0.05 * static_cast<double>(panel.notes.size() % 3);  // side by side
+    const double height = 0.06 + 0.1 * static_cast<double>(panel.notes.size() % 3);  // side by side
     panel.notes.push_back({threshold_m, height * panel.y.high, short_length(threshold_m),
                            look(Role::reference).colour});
   }
-  if (!panel.rules.empty())
-    panel.rules.front().label = "clearances: " + list_of_lengths(results.thresholds_m);
+  figure.labels_at_lines = true;
   figure.panels = {std::move(panel)};
   return figure;
 }

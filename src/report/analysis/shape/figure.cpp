@@ -67,15 +67,8 @@ DataSeries of_model(const Results& results, const ThresholdFragility& fragility,
 void mark_gap(Panel& panel, const ThresholdFragility& fragility) {
   const GoodnessOfFit& fit = fragility.lognormal;
   if (!departs_from_lognormal(fit) || !(fit.gap_intensity < panel.x.high)) return;
-  const double curve = fragility.capacities.curve.probability(fit.gap_intensity),
-               floor = fragility.capacities.curve.floor;
-  const double share = curve + (1.0 - floor) * fit.largest_gap;
-  DataSeries gap{DataSeries::Kind::bars, {{0xcc0000}, 4.0}, "largest gap"};
-  gap.x = {fit.gap_intensity};
-  gap.low = {std::min(curve, share)};
-  gap.high = {std::max(curve, share)};
-  panel.series.push_back(std::move(gap));
-  panel.title += fmt::format("; gap (red) {:.2f}", std::abs(fit.largest_gap));
+  panel.rules.push_back({Rule::Kind::vertical, fit.gap_intensity, look(Role::reference)});
+  panel.title += fmt::format("; largest gap {:.2f}", std::abs(fit.largest_gap));
 }
 
 /// Below this difference from the lognormal a model is not drawn: the lines would be one.
@@ -119,7 +112,7 @@ Panel panel_of(const Results& results, std::size_t threshold) {
                : fmt::format(": {}lognormal (p = {:.2g})",
                              departs_from_lognormal(fragility.lognormal) ? "not " : "nearly ", p)),
       {results.intensity_label, 0.0, results.levels.back()},
-      {"Probability that slip exceeds the clearance", 0.0, 1.0}};
+      {"Probability of exceedance", 0.0, 1.0}};
   panel.series = {interval_bars(results, fragility), lognormal(panel, fragility)};
   for (DataSeries& line : shown_models(results, fragility, shape))
     panel.series.push_back(std::move(line));
@@ -147,7 +140,7 @@ Figure shape_figure(const Results& results) {
       "std. Shown are the clearance where the observed share departs most from the lognormal, and "
       "that where it departs least. Of the models at most three are drawn, those that differ most "
       "from the lognormal, and by 0.03 or more. "
-      "p: goodness of fit. All clearances: tables/shape.csv and "
+      "p: goodness of fit; dotted: where the gap is largest. All clearances: tables/shape.csv and "
       "tables/shape_levels.csv."};
   for (const auto shown : {worst, best}) {
     if (shown == best && best == worst && !figure.panels.empty()) break;

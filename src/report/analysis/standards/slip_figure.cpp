@@ -83,6 +83,7 @@ Figure slip_vs_sds_figure(const Results& results, const RunResults& run) {
         "recalled from memory and must be verified against the standard. Values: "
         "tables/standards.csv.";
   }
+  figure.labels_at_lines = true;
   double top_m = 0.0, prescribed_m = 0.0;
   for (const SlipStatistics& s : run.slip) {
     for (const double slip_m : {s.median_m, s.p84_m, s.p95_m, s.mean_m})
@@ -95,12 +96,10 @@ Figure slip_vs_sds_figure(const Results& results, const RunResults& run) {
                  {results.intensity_label, 0.0, results.levels.back()},
                  length_axis("Peak slip in plan", high_m > 0.0 ? 1.05 * high_m : 1.0)};
   };
-  const Statistic p95{Role::p95, "95th percentile", &SlipStatistics::p95_m, nullptr},
-      p84{Role::p84, "84th percentile, 95 % interval", &SlipStatistics::p84_m,
-          &SlipStatistics::p84_interval},
+  const Statistic p95{Role::p95, "95th", &SlipStatistics::p95_m, nullptr},
+      p84{Role::p84, "84th", &SlipStatistics::p84_m, &SlipStatistics::p84_interval},
       mean{Role::mean, "mean", &SlipStatistics::mean_m, nullptr},
-      median{Role::median, "median, 95 % interval", &SlipStatistics::median_m,
-             &SlipStatistics::median_interval};
+      median{Role::median, "median", &SlipStatistics::median_m, &SlipStatistics::median_interval};
   Panel slip = panel_to("Slip", top_m);
   for (const Statistic& statistic : {p95, p84, mean, median})
     add_statistic(slip, run, statistic, top_m);
@@ -108,7 +107,6 @@ Figure slip_vs_sds_figure(const Results& results, const RunResults& run) {
   if (!has_standards) return figure;
   Panel compared = panel_to("Slip and prescribed displacements", std::max(top_m, prescribed_m));
   Statistic median_line = median;
-  median_line.label = "median";
   median_line.interval = nullptr;
   for (const Statistic& statistic : {p95, median_line})
     add_statistic(compared, run, statistic, top_m);

@@ -24,7 +24,7 @@ Table records_table(const Results& results) {
                text_column("event", "Event"),
                text_column("station", "Station"),
                {"magnitude", "", "M"},
-               {"distance", "km", "Distance, km"},
+               {"distance", "km", "R, km"},
                {"vs30", "mps", "Vs30, m/s"},
                {"suite_scale", "", "Suite factor"},
                {"factor_at_unit_level", "", "Factor at level 1"},
@@ -34,7 +34,7 @@ Table records_table(const Results& results) {
                {"duration", "s", "D5-95, s"},
                {"dt", "s", "Step, s"},
                {"samples", "", "Samples", ColumnKind::count},
-               text_column("has_second", "2nd horizontal"),
+               text_column("has_second", "2nd axis"),
                text_column("has_vertical", "Vertical")},
               {}};
   const auto yes_no = [](bool value) -> std::string { return value ? "yes" : "no"; };
