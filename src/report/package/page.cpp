@@ -188,7 +188,7 @@ Html model_html() {
              "one period and damping ratio. The array is a rigid mass on its roof with "
              "Coulomb friction; it slides in plan along both axes at once and acts back on "
              "the building. The roof moves vertically with the ground.") +
-         "<figure>\n" + Html::drawing(free_body_svg, "Free bodies of array and roof") +
+         "<figure>\n" + in_box(Html::drawing(free_body_svg, "Free bodies of array and roof")) +
          "<figcaption>Free bodies of the array and of the roof.</figcaption>\n</figure>\n" +
          paragraph(
              "Array (m: mass; s, y: displacement along and across the slope, s positive down; N: "

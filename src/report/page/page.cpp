@@ -18,7 +18,7 @@ h1 { margin-bottom: 0; } h2 { margin-top: 2em; border-bottom: 1px solid #ccc; }
 .answer { background: #eef4fa; border-left: 4px solid #0072b2; padding: .6em 1em; }
 .answer p { margin: .4em 0; }
 .warning { background: #fff4e0; border-left: 4px solid #e69f00; padding: .4em 1em; }
-figure { margin: 1.5em auto; max-width: 46em; } figure svg { width: 100%; height: auto; }
+figure { margin: 1.5em auto; max-width: 46em; } .drawing { overflow-x: auto; } .drawing svg { display: block; width: 100%; min-width: 34em; height: auto; }
 figcaption, caption { color: #444; font-size: .9em; text-align: left; padding: .3em 0; }
 .wide { overflow-x: auto; container-type: inline-size; }
 caption div { position: sticky; left: 0; width: fit-content; max-width: 100cqw; }
@@ -33,7 +33,7 @@ pre { background: #f7f7f7; border: 1px solid #ddd; padding: .8em; white-space: p
 @media print {
   .many, h2:has(+ .many), h3:has(+ .many) { page: wide; }
   body { max-width: none; margin: 0; padding: 0; font-size: 10pt; line-height: 1.35; } h2, h3 { break-after: avoid; } figcaption { break-before: avoid; }
-  figure { max-width: none; margin: .3em auto; } figure svg { display: block; width: 16.7cm; max-width: 100%; margin: 0 auto; } figure, tr, caption { break-inside: avoid; } caption, thead, tbody tr:first-child { break-after: avoid; } tbody tr:last-child { break-before: avoid; }
+  figure { max-width: none; margin: .3em auto; } .drawing svg { width: 16.7cm; min-width: 0; max-width: 100%; margin: 0 auto; } figure, tr, caption { break-inside: avoid; } caption, thead, tbody tr:first-child { break-after: avoid; } tbody tr:last-child { break-before: avoid; }
   .wide { overflow: visible; container-type: normal; } caption div { max-width: none; } pre { box-decoration-break: clone; -webkit-box-decoration-break: clone; margin-right: 1px; } table, pre, figcaption, caption { font-size: 9pt; } table { width: 100%; } thead { display: table-header-group; }
   th, td { padding: .15em .35em; } th.number, td.number { white-space: normal; }
   td:not(.number) { min-width: 0; } .many th, .many td { padding: .15em .2em; } p, li { orphans: 3; widows: 3; }
@@ -90,11 +90,15 @@ Html list(const std::vector<std::string>& items) {
 
 Html study_file(const std::string& text) { return enclosed("<pre>", text, "</pre>\n"); }
 
+Html in_box(const Html& drawing) {
+  return "<div class=\"drawing\">" + drawing + "</div>\n";
+}
+
 Html figure_html(const DrawnFigure& drawn, std::size_t number) {
   const Figure& figure = drawn.figure;
   return enclosed("<figure id=\"figure_", figure.name.text(), "\">\n") +
-         Html::drawing(drawn.svg, figure.title) +
-         enclosed("\n<figcaption><strong>", fmt::format("Figure {}. {}.", number, figure.title),
+         in_box(Html::drawing(drawn.svg, figure.title)) +
+         enclosed("<figcaption><strong>", fmt::format("Figure {}. {}.", number, figure.title),
                   "</strong> ") +
          enclosed("", figure.caption, "</figcaption>\n</figure>\n");
 }

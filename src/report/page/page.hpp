@@ -37,6 +37,8 @@ void write_tables(const std::vector<Table>& tables, const std::filesystem::path&
 std::vector<DrawnFigure> draw(std::vector<Figure> figures, const std::filesystem::path& out_dir);
 /// Drawings in order, each with its number, title and caption.
 Html figures_html(const std::vector<DrawnFigure>& figures);
+/// Scrolls sideways where the screen is too narrow for its letters.
+Html in_box(const Html& drawing);
 /// The drawing inline with its number, title and caption.
 Html figure_html(const DrawnFigure& drawn, std::size_t number);
 

@@ -63,7 +63,7 @@ TEST(html_report, puts_the_drawing_in_the_page_without_its_xml_declaration) {
   const std::string html = html_report(
       made_up_results(),
       {{{"one", "Title", "", "Caption"}, "<?xml version=\"1.0\"?>\n<svg id=\"x\"></svg>"}});
-  EXPECT_THAT(html, HasSubstr("<svg role=\"img\" aria-label=\"Title\" id=\"x\"></svg>"));
+  EXPECT_THAT(html, HasSubstr("<div class=\"drawing\"><svg role=\"img\" aria-label=\"Title\" id=\"x\"></svg>"));
   EXPECT_THAT(html, Not(HasSubstr("<?xml")));
 }
 
