@@ -123,7 +123,7 @@ struct Figure {
   std::vector<Panel> panels = {};  ///< two in a row
   int key_columns = 1;
   bool labels_at_lines = false;  ///< in place of a key
-  int plot_height_px = 440;      ///< of a single panel with its axes, of 840 in width: two a page
+  int plot_height_px = 480;      ///< of a single panel with its axes, of 840 in width: two a page
 };
 
 /// Writes NAME.gp and NAME.dat and runs gnuplot on them: NAME.svg and NAME.pdf in `folder`. The

@@ -86,6 +86,7 @@ std::vector<Figure> package_figures(const CalculationPackage& package) {
       "levels "
       "end at {:.3g} g.",
       package.design.site.sds_g, package.design.site.sms_g(), package.probability.levels.back());
+  for (Figure& figure : figures) figure.plot_height_px = 420;
   return figures;
 }
 

@@ -60,6 +60,7 @@ std::vector<Figure> base_shear_figures(const Results& results) {
   figures.push_back(by_support_figure(results));
   if (has_several(grid, ConditionAxis::support) && place_of(grid, ArraySupport::no_array))
     figures.push_back(ratio_figure(results));
+  for (Figure& figure : figures) figure.labels_at_lines = true;
   return figures;
 }
 

@@ -45,11 +45,14 @@ Figure period_figure(const Results& results) {
     largest_m =
         std::max(largest_m, mean_by(results.clearance->orientation,
                                     means_by_orientation(results, {}, at, Periods::largest)));
-  if (members.size() > most_lines) members = shown_along(grid, mass);
+  std::vector<ConditionAxis> same{slope, level, response_modification, support, period, listed};
+  if (members.size() > most_lines) {
+    members = shown_along(grid, mass);
+    same.push_back(vertical);
+  }
   Family family(results, period_label, grid.period_s);
   for (std::size_t i = 0; i < members.size(); ++i) {
-    const std::string label = distinguished(
-        grid, members[i], {slope, level, response_modification, support, period, listed});
+    const std::string label = distinguished(grid, members[i], same);
     family.add(label.empty() ? "median of the orientations" : label, family_look(i, members.size()),
                along(grid, period, members[i]));
   }
@@ -225,7 +228,9 @@ Figure vertical_figure(const Results& results) {
 std::vector<Figure> clearance_figures(const Results& results) {
   std::vector<Figure> figures;
   const auto add = [&](ClearanceTopic topic, Figure (*draw)(const Results&)) {
-    if (covers(results, topic)) figures.push_back(draw(results));
+    if (!covers(results, topic)) return;
+    figures.push_back(draw(results));
+    figures.back().labels_at_lines = topic != ClearanceTopic::spectra;
   };
   add(ClearanceTopic::spectra, suite_figure);
   add(ClearanceTopic::period, period_figure);

@@ -40,7 +40,7 @@ Figure each_orientation_figure(const Results& results, const std::vector<std::si
     panels.push_back(family.displacements().front());
     top = std::max(top, panels.back().y.high);
   }
-  for (Panel& panel : panels) panel.y = length_axis("Displacement, mean of the suite", top);
+  for (Panel& panel : panels) panel.y = length_axis("Mean displacement", top);
   return {"orientations", "Orientation of the records to the roof: each choice by itself",
           below_text(results),
           what_is_averaged(results) +

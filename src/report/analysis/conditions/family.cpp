@@ -122,7 +122,7 @@ std::vector<Panel> Family::ratios(const std::string& label, From from) {
   panel.series.insert(panel.series.begin(), spreads_.begin(),
                       all ? spreads_.end() : spreads_.begin() + 1);
   panel.series.push_back({bars ? DataSeries::Kind::bars : DataSeries::Kind::band,
-                          look(Role::largest), "",
+                          all ? look(Role::largest) : spreads_.front().look, "",
                           fmt::format("{}: lowest to highest of the {}{}; {}: median",
                                       bars ? "bars" : "shaded", orientations_text(results_),
                                       all ? "" : " (first line)", bars ? "points" : "lines")});

@@ -36,7 +36,7 @@ class Family {
   void name_ticks(const std::vector<std::string>& labels);
 
   /// Displacements in metres and inches from 0 on.
-  std::vector<Panel> displacements(const std::string& label = "Displacement, mean of the suite");
+  std::vector<Panel> displacements(const std::string& label = "Mean displacement");
   /// Numbers without a unit, from 0 or from below the lowest on.
   enum class From { zero, lowest };
   std::vector<Panel> ratios(const std::string& label, From from = From::zero);

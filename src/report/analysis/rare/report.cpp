@@ -83,7 +83,8 @@ std::string summary(const Results& results) {
 /// Of the first combination: a line for each threshold.
 Figure rare_figure(const Results& results) {
   const RareResults& rare = *results.rare;
-  Figure figure{"rare", "Probability that slip reaches the clearance", counts_of(results),
+  Figure figure{"rare", "Probability that slip reaches the clearance",
+                counts_of(results) + "; 95 % intervals: bars of the samples, shaded over records",
                 "Lines: estimate. Bars: 95 % interval of the samples, from independent scrambles. "
                 "Shaded: 95 % interval over records. Quantities without bounds are drawn from "
                 "wider distributions, with weights."};
@@ -101,14 +102,10 @@ Figure rare_figure(const Results& results) {
   }
   const auto height = [](double p) { return std::log10(std::clamp(p, least, 1.0)); };
   for (std::size_t t = 0; t < thresholds.size(); ++t) {
-    Look line_look = distinct_look(t), band_look = line_look;
+    Look line_look = distinct_look(t);
     line_look.symbol = 7;
-    for (unsigned shift = 0; shift < 24; shift += 8) {
-      const std::uint32_t channel = band_look.colour.rgb >> shift & 255u;
-      band_look.colour.rgb += (255u - channel) * 4u / 5u << shift;
-    }
     const std::string name = format_length(thresholds[t]);
-    DataSeries band{DataSeries::Kind::band, band_look, name + " records"},
+    DataSeries band{DataSeries::Kind::band, line_look, name + " records"},
         bars{DataSeries::Kind::bars, line_look, name + " samples"},
         line{DataSeries::Kind::line_and_points, line_look, name, name};
     for (const RareRow& row : rare.rows) {
@@ -133,6 +130,7 @@ Figure rare_figure(const Results& results) {
     panel.series.push_back(std::move(line));
   }
   figure.panels.push_back(std::move(panel));
+  figure.labels_at_lines = true;
   return figure;
 }
 

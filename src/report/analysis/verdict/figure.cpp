@@ -30,7 +30,7 @@ double height(const VerdictRow& row) {
 }
 
 Axis ratio_axis(double highest) {
-  Axis axis{"Ratio", std::log10(least_ratio), highest};
+  Axis axis{"Ratio to the prescribed value", std::log10(least_ratio), highest};
   for (double decade = least_ratio; std::log10(decade) <= highest; decade *= 10.0) {
     for (const double digit : {1.0, 2.0, 5.0}) {
       const double at = std::log10(digit * decade);
@@ -56,7 +56,8 @@ Figure verdict_figure(const Results& results) {
       "verdict",
       fmt::format("Displacement that {:g} % exceed at DBE, over that of {}", accepted,
                   standard_name(standard)),
-      counts_of(results) + "; the least favourable building period",
+      results.suites.front().name + ", " + counts_of(results) +
+          "; the least favourable building period; at the lines: friction",
       fmt::format(
           "At the lines: coefficient of friction. Above 1 the prescribed displacement is exceeded "
           "with more than {:g} % "
@@ -70,7 +71,7 @@ Figure verdict_figure(const Results& results) {
     Panel panel{fmt::format("slope {:.3g} degrees", slope), {results.intensity_label}, {}};
     for (std::size_t i = 0; i < shown.size(); ++i) {
       DataSeries line{DataSeries::Kind::line_and_points, family_look(i, shown.size()),
-                      fmt::format("friction {:.3g}", shown[i])};
+                      fmt::format("friction {:.3g}", shown[i]), fmt::format("{:.3g}", shown[i])};
       for (const VerdictRow& row : verdict.rows) {
         if (row.standard != standard || row.mu != shown[i] || row.slope_deg != slope) continue;
         // Of arrays that differ in something else the largest is drawn.
@@ -84,17 +85,14 @@ Figure verdict_figure(const Results& results) {
         line.y.push_back(height(row));
         if (std::isfinite(line.y.back())) highest = std::max(highest, line.y.back() + 0.05);
       }
-      if (!line.x.empty() && std::isfinite(line.y.back()))
-        panel.notes.push_back({line.x.back() + 0.04 * highest_sds_g, line.y.back(),
-                               fmt::format("{:.3g}", shown[i]), line.look.colour,
-                               Note::Align::left});
       panel.series.push_back(std::move(line));
     }
     panel.rules.push_back({Rule::Kind::horizontal, 0.0, look(Role::prescribed), ""});
-    panel.x.high = 1.2 * highest_sds_g;
+    panel.x.high = highest_sds_g;
     figure.panels.push_back(std::move(panel));
   }
   for (Panel& panel : figure.panels) panel.y = ratio_axis(highest);
+  figure.labels_at_lines = true;
   return figure;
 }
 
