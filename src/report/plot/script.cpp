@@ -39,7 +39,7 @@ void add_ticks(Script& script, const std::vector<Tick>& ticks) {
 }
 
 /// Characters in a line of a heading that is as wide as the figure.
-constexpr std::size_t title_width = 78, panel_title_width = 34, below_width = 90;
+constexpr std::size_t title_width = 78, panel_title_width = 28, below_width = 90;
 
 /// The text in lines no longer than the figure is wide.
 void add_lines(Script& script, const std::string& text, std::size_t width, Quoted::Weight weight) {

@@ -58,6 +58,7 @@ Figure intensity_measures_figure(const Results& results) {
       "measures grow with the motion alike. Of two measures: the first, given the second. Other "
       "clearances: tables/intensity_measures.csv."};
   figure.panels = {std::move(panel)};
+  figure.plot_height_px = 200 + 26 * static_cast<int>(figure.panels[0].y.ticks.size());
   return figure;
 }
 
