@@ -85,20 +85,22 @@ bool bench_schemes(const Options& options) {
 
 /// Prints, writes and draws a table of schemes over one set of histories.
 bool show_trial(const std::string& name, const std::string& title,
-                const std::vector<SchemeResult>& results, double key_top,
+                const std::vector<SchemeResult>& results, const char* figure_title,
                 const std::filesystem::path& out) {
-  draw_trial(results, key_top, out / (name + ".svg"));
+  draw_trial(results, figure_title, out / (name + ".svg"));
   return show(trial_table(name, title, results), out);
 }
 
 bool bench_coupled(const Options& options) {
   const test::StandardScenes all = scenes(options);
   const std::vector<SchemeResult> results = coupled_precision(all, options.scenes, options.quick);
-  bool good = show_trial("coupled",
-                         "Coupled array and building: time of a history of 8,000 "
-                         "samples against its error, on " +
-                             all.motions,
-                         results, 0.6, options.out);
+  bool good =
+      show_trial("coupled",
+                 "Coupled array and building: time of a history of 8,000 "
+                 "samples against its error, on " +
+                     all.motions,
+                 results, "Error in peak slip over run time: building and array coupled, one axis",
+                 options.out);
   for (const SchemeResult& r : results) {
     if (!r.family.starts_with("coupled_slip") || r.largest_error <= 1e-10) continue;
     std::cerr << fmt::format("bench: {} is off by {}: {}\n", r.family, r.largest_error,
@@ -113,7 +115,8 @@ bool bench_two_axes(const Options& options) {
   return show_trial(
       "two_axes",
       "Two axes at once: time of a history of 8,000 samples against its error, on " + all.motions,
-      two_axes_precision(all, options.scenes, options.quick), 0.34, options.out);
+      two_axes_precision(all, options.scenes, options.quick),
+      "Error in peak slip over run time: two axes", options.out);
 }
 
 bool bench_fragility(const Options& options) {

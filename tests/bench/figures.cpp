@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdlib>
 #include <stdexcept>
 #include <string>
@@ -17,14 +18,15 @@ namespace glissade::bench {
 namespace {
 
 /// Two log-log panels side by side.
-void gnuplot(const std::filesystem::path& svg, const std::string& script) {
+void gnuplot(const std::filesystem::path& svg, const char* title, const std::string& script) {
   const std::filesystem::path script_file = std::filesystem::path(svg).replace_extension(".gp");
   write_text_file(script_file,
-                  fmt::format("set terminal svg size 1000,460 font 'Helvetica,14' background "
+                  fmt::format("set terminal svg size 1000,500 font 'Helvetica,14' background "
                               "'#ffffff'\nset output '{}'\nset grid lc rgb '#dddddd' lt 1 lw 0.7\n"
                               "set logscale xy\nset format xy '10^{{%T}}'\nset border 3\n"
-                              "set tics nomirror\nset multiplot layout 1,2\n{}",
-                              svg.string(), script));
+                              "set style textbox opaque noborder margins 0.2,0.2\n"
+                              "set tics nomirror\nset multiplot layout 1,2 title '{}'\n{}",
+                              svg.string(), title, script));
   if (std::system(fmt::format("gnuplot --default-settings '{}'", script_file.string()).c_str()) !=
       0)
     throw std::runtime_error("gnuplot failed on " + script_file.string());
@@ -42,14 +44,15 @@ struct Curve {
   double first_us = 0.0, first_error = 0.0, last_us = 0.0, last_error = 0.0;
 };
 
-/// "64" at P = 64. Where the Newmark curves begin their first points are too close for labels;
-/// curves by tolerance have the same ones, stated along the first.
+/// "64" at P = 64. Where the Newmark curves begin their first points are too close for labels, as
+/// neighbouring steps are; curves by tolerance have the same ones, stated along the first.
 std::string point_label(const SchemeResult& scheme) {
   const std::size_t sign = scheme.label.find(" = ");
   if (sign == std::string::npos) return "";
   const std::string step = scheme.label.substr(sign + 3);
-  if (scheme.label.starts_with("tolerance") && !scheme.family.starts_with("slide_two_axis"))
-    return "";
+  if (scheme.label.starts_with("tolerance") && scheme.family != "slide_two_axes, rigid") return "";
+  constexpr std::array unlabelled{"2", "8", "32", "128", "1e-3", "1e-5", "1e-7"};
+  if (std::ranges::find(unlabelled, step) != unlabelled.end()) return "";
   return scheme.family.starts_with("Newmark trapezoid") && step == "1" ? "" : step;
 }
 
@@ -74,13 +77,13 @@ std::vector<Curve> curves_of(const std::vector<SchemeResult>& results,
 /// The name beside the curve: after or, near slide's, under a lone point; above the start of the
 /// uppermost (published) curve, under the end of the lowest (one-way), before the start of the one
 /// between.
-std::string name_of(const Curve& curve, const char* colour) {
+std::string name_of(const Curve& curve, const char* colour, std::size_t) {
   const auto label = [&](double us, double error, const char* where) {
     return fmt::format("set label '{}' at {},{} {} noenhanced tc rgb '{}'\n", curve.name, us, error,
                        where, colour);
   };
   if (curve.name == "peak_slip")
-    return label(curve.first_us, curve.first_error, "offset -0.5,-0.9");
+    return label(curve.first_us, curve.first_error, "offset -0.5,-1.1");
   if (curve.count == 1) return label(curve.first_us, curve.first_error, "offset 1,0");
   if (curve.name.ends_with("one-way"))
     return label(curve.last_us, curve.last_error, "right offset 0,-1");
@@ -116,12 +119,12 @@ std::string error_panels(const std::vector<SchemeResult>& results, const std::st
     for (std::size_t i = 0; i < curves.size(); ++i) {
       const char* colour = colours[i % colours.size()];
       script += fmt::format("$c{} << EOD\n{}EOD\n", i, curves[i].points);
-      script += name_of(curves[i], colour);
+      script += name_of(curves[i], colour, i);
       plot += fmt::format(
-          "{0}$c{1} using 1:2 with linespoints lw 2 pt 7 ps 0.5 lc rgb '{2}' title '{3}', $c{1} "
-          "using 1:2:3 with labels {4} font ',10' tc rgb '{2}' notitle",
-          i == 0 ? "plot " : ", ", i, colour, curves[i].name,
-          curves[i].name.starts_with("slide_two_axis") ? "right offset -0.6,0" : "offset 0.4,0.7");
+          "{0}$c{1} using 1:2 with {3} pt 7 ps 0.7 lc rgb '{2}', $c{1} "
+          "using 1:2:3 with labels boxed {4} font ',10' tc rgb '{2}'",
+          i == 0 ? "plot " : ", ", i, colour, curves[i].count > 1 ? "linespoints lw 2" : "points",
+          curves[i].name.starts_with("slide_two_ax") ? "right offset -0.6,0" : "offset 0.4,0.7");
     }
     script += plot + "\n";
   }
@@ -131,23 +134,45 @@ std::string error_panels(const std::vector<SchemeResult>& results, const std::st
 }  // namespace
 
 void draw_schemes(const WorkPrecision& measured, const std::filesystem::path& svg) {
-  gnuplot(svg, error_panels(measured.schemes,
-                            "set xrange [0.1:1e5]\nset yrange [1e-17:1e4]\nunset key\n",
-                            "at the points: substeps per sample", name_of));
+  gnuplot(
+      svg, "Error in peak slip over run time: one axis, roof motion given",
+      error_panels(measured.schemes, "set xrange [0.1:1e5]\nset yrange [1e-18:1e4]\nunset key\n",
+                   "at the points: substeps per sample", name_of));
 }
 
-void draw_trial(const std::vector<SchemeResult>& results, double key_top,
+void draw_trial(const std::vector<SchemeResult>& results, const char* title,
                 const std::filesystem::path& svg) {
-  const std::string settings = fmt::format(
-      "set xrange [0.1:1e5]\nset yrange [1e-17:1e4]\n"
-      "set key at graph 0.99,graph {} top right noenhanced font ',11'\n",
-      key_top);
-  gnuplot(svg, error_panels(results, settings, "at the points: substeps per sample, or tolerance",
-                            [](const Curve&, const char*) { return ""; }));
+  // At most four curves by tolerance or step.
+  constexpr std::array curves{"slide_two_axes, rigid", "slide_two_axes, m/M 0.05",
+                              "slide_on_building, m/M 0.05"};
+  std::vector<SchemeResult> shown;
+  std::ranges::copy_if(results, std::back_inserter(shown), [&](const SchemeResult& s) {
+    const bool is_of_two_axes =
+        s.family.starts_with("slide_two_ax") || s.family.starts_with("slide_on_building");
+    return !is_of_two_axes || std::ranges::find(curves, s.family) != curves.end();
+  });
+  // Of lone points right of them, above the spring's curve, below the ends of the others: a line
+  // each.
+  const auto name = [](const Curve& curve, const char* colour, std::size_t i) {
+    const auto label = [&](double us, double error, const std::string& where) {
+      return fmt::format("set label '{}' at {},{} {} noenhanced font ',12' tc rgb '{}'\n",
+                         curve.name, us, error, where, colour);
+    };
+    if (curve.count == 1) return label(500.0, 1e-16 * std::pow(40.0, i), "left");
+    if (curve.name.starts_with("Newmark"))
+      return label(curve.first_us, curve.first_error, "right offset -1,0.8");
+    return label(curve.last_us, curve.last_error,
+                 fmt::format("right offset 0,{}", -1.0 - 1.3 * static_cast<double>(i)));
+  };
+  gnuplot(svg, title,
+          error_panels(shown, "set xrange [0.1:1e5]\nset yrange [1e-18:1e4]\nunset key\n",
+                       "at the points: substeps per sample, or tolerance", name));
 }
 
 void draw_fragility(const FragilityError& measured, const std::filesystem::path& svg) {
-  std::string script = "unset key\nset xlabel 'run time of the histories on one core, s'\n";
+  std::string script =
+      "unset key\nset xlabel 'run time of the histories on one core, s'\nset offsets graph 0,graph "
+      "0.12,graph 0,graph 0\n";
   for (const bool of_median : {true, false}) {
     script += fmt::format("set ylabel 'rms relative error of {}'\nunset label\n",
                           of_median ? "the median" : "log\\_std");
@@ -184,7 +209,7 @@ void draw_fragility(const FragilityError& measured, const std::filesystem::path&
     }
     script += plot + "\n";
   }
-  gnuplot(svg, script);
+  gnuplot(svg, "Error of a fragility over run time: slip of 0.3 m, two motions", script);
 }
 
 }  // namespace glissade::bench

@@ -11,8 +11,7 @@ namespace glissade::bench {
 // Drawn by gnuplot; std::runtime_error where that fails.
 
 /// Schemes over one set of histories, the floor first: error against mean time.
-/// @param key_top where the curves leave room for their names, as a share of the figure's height
-void draw_trial(const std::vector<SchemeResult>& results, double key_top,
+void draw_trial(const std::vector<SchemeResult>& results, const char* title,
                 const std::filesystem::path& svg);
 void draw_schemes(const WorkPrecision& measured, const std::filesystem::path& svg);
 void draw_fragility(const FragilityError& measured, const std::filesystem::path& svg);
