@@ -52,8 +52,10 @@ std::vector<std::string> notes_on_standards(const Plan& plan) {
   if (outside == 0) return {};
   return {fmt::format(
       "{:.0f} % of the cases are outside the range of SEAOC PV1's prescriptive value (slope under "
-      "3 degrees and mu above 0.4); they are compared with it all the same",
-      100.0 * static_cast<double>(outside) / static_cast<double>(plan.cases.size()))};
+      "3 degrees and mu above 0.4); {}",
+      100.0 * static_cast<double>(outside) / static_cast<double>(plan.cases.size()),
+      plan.config.chart ? "the chart gives no value of it for them"
+                        : "they are compared with it all the same")};
 }
 
 /// Quantities that are not as usual, and have no effect without another one.
