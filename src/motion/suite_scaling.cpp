@@ -96,7 +96,7 @@ using RatiosAt = std::function<std::vector<double>(const std::vector<double>&)>;
 
 /// The least of `ratios_at` between two periods that enclose a minimum.
 SpectralRatio refined_minimum(const RatiosAt& ratios_at, double from_s, double to_s) {
-  constexpr int parts = 10, rounds = 3;
+  constexpr int parts = 10, rounds = 4;
   SpectralRatio least{std::numeric_limits<double>::infinity(), from_s};
   for (int round = 0; round < rounds; ++round) {
     std::vector<double> periods_s;

@@ -59,14 +59,14 @@ std::vector<Note> take_labels(Panel& panel, const PanelSize& size) {
 }
 
 /// A text of a rule at one of its ends, above or below it.
-struct Place {
+struct LabelPlace {
   Note note;
   double left, right, low, high;
   bool holds(double x, double y) const { return left < x && x < right && low < y && y < high; }
 };
 
 /// How many points of lines and notes it hides.
-int hidden(const Panel& panel, const Place& place) {
+int hidden(const Panel& panel, const LabelPlace& place) {
   int count = 0;
   for (const DataSeries& series : panel.series) {
     for (std::size_t i = 1; i < series.y.size(); ++i) {
@@ -89,12 +89,12 @@ void label_rule(Panel& panel, Rule& rule, double text, double line) {
     rule.to = panel.x.high;
   }
   const double margin = 0.01 * (panel.x.high - panel.x.low);
-  std::optional<Place> best;
+  std::optional<LabelPlace> best;
   int least = 0;
   for (const bool at_left : {true, false}) {
     for (const double side : {1.0, -1.0}) {
       const double x = at_left ? rule.from + margin : rule.to - margin, y = rule.at + side * line;
-      const Place place{
+      const LabelPlace place{
           {x, y, rule.label, rule.look.colour, at_left ? Note::Align::left : Note::Align::right},
           at_left ? x : x - text,
           at_left ? x + text : x,
