@@ -35,10 +35,10 @@ TEST(OutputRule, is_the_same_of_all_commands) {
     std::vector<std::string> arguments = command;
     arguments.emplace_back("--help");
     const std::string help = run_program(arguments).out;
-    const bool writes =
-        command.front() != "check" && (help.find("  --out ") != std::string::npos ||
-                                       help.find("  --history ") != std::string::npos ||
-                                       help.find("file to write") != std::string::npos);
+    const bool writes = command != std::vector<std::string>{"check"} &&
+                        (help.find("  --out ") != std::string::npos ||
+                         help.find("  --history ") != std::string::npos ||
+                         help.find("file to write") != std::string::npos);
     EXPECT_EQ(help.find("  --overwrite ") != std::string::npos, writes) << help;
     for (const char* other : {"--force", "--yes", "--clobber"})
       EXPECT_EQ(help.find(other), std::string::npos) << help;
