@@ -106,7 +106,8 @@ TEST(shape, models_are_compared_and_one_surface_is_fitted) {
 TEST(shape, two_parts_are_not_fitted_where_a_displacement_is_not_known) {
   Results r = rising();
   r.histories.fields.peak_displacement_m[r.histories.at(0, 0, 2)] = infinity;
-  const ThresholdShape& shape = shape_results(r).runs.at(0).thresholds[0];
+  const ShapeResults results = shape_results(r);
+  const ThresholdShape& shape = results.runs.at(0).thresholds[0];
   EXPECT_TRUE(std::isnan(shape.score[static_cast<std::size_t>(ShapeModel::two_part)]));
   EXPECT_FALSE(std::isnan(shape.score[static_cast<std::size_t>(ShapeModel::logit)]));
 }
