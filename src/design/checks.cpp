@@ -140,6 +140,9 @@ std::vector<std::string> choices_of(const Project& project) {
         fmt::format("conditions of the standard are not met or not stated ({}): an unanchored "
                     "array then requires the approval of the authority",
                     not_met));
+  add(site_7_16 && !project.site.target.is_mapped() && project.site.target.period_s.empty(),
+      "S_DS and S_D1 are stated without S_S, S_1 and site class: whether ASCE 7-16, 11.4.8 "
+      "(recalled: verify) requires a ground motion hazard analysis is not checked");
   add(!project.site.states_tl && project.site.target.period_s.empty(),
       fmt::format("site.tl_s is not stated: T_L = {:g} s is assumed", project.site.target.tl_s));
   add(project.friction.mean < 2.0 * project.friction.std,

@@ -258,6 +258,15 @@ TEST_F(Package, check_of_a_project_says_what_would_run_and_writes_nothing) {
   EXPECT_THAT(taken.err, HasSubstr("--overwrite"));
 }
 
+TEST_F(Package, check_warns_that_11_4_8_needs_s_1_and_the_site_class) {
+  const std::string text =
+      replaced(moved_project(), "ss_g = 1.313\ns1_g = 0.471\nsite_class = \"default\"",
+               "sds_g = 1.05\nsd1_g = 0.574");
+  const Finished child = run_program({"check", folder_->write("sds.toml", text)});
+  EXPECT_THAT(one_line(child.out), HasSubstr("hazard analysis is not checked"));
+  EXPECT_THAT(one_line(run_program({"check", project_file}).out), Not(HasSubstr("is not checked")));
+}
+
 TEST_F(Package, is_not_written_over_unless_required) {
   const std::string before = read_file(out() / "package.json");
   expect_refused(run_program({"clearance", project_file, "--out", out().string()}),
