@@ -37,7 +37,7 @@ std::string plot_lines(const std::vector<Line>& lines, double paper_value) {
                           line.name_slope_deg, line.colour);
   }
   return blocks + labels +
-         fmt::format("set label 'paper: {}' at {},{} right offset -1.2,-0.6 tc rgb '{}'\n",
+         fmt::format("set label 'paper: {}' at {},{} right offset -1.2,0.4 tc rgb '{}'\n",
                      paper_value == 100.0 * paper_largest_error
                          ? fmt::format("{:g} %", paper_value)
                          : fmt::format("less than {:g} ms", paper_value),

@@ -58,7 +58,7 @@ struct DataSeries {
   };
   Kind kind = Kind::line;
   Look look;
-  std::string name;          ///< of its numbers in NAME.dat
+  std::string name;          ///< of its numbers in NAME.dat, and in the titles of its points
   std::string label;         ///< in the key; empty: it has none
   std::vector<double> x, y;  ///< a gap where one is not finite; without numbers: in the key alone
   std::vector<double> low, high;  ///< of bands and bars, in place of y
@@ -92,6 +92,12 @@ struct Axis {
   std::string label;  ///< with its unit: "Period (s)"
   double low = 0.0, high = 1.0;
   std::vector<Tick> ticks;  ///< empty: at round numbers
+  enum class Values {
+    numbers,
+    logarithms,  ///< of base 10; what is below the axis is drawn at its low end
+    names,       ///< of the nearest tick
+  };
+  Values values = Values::numbers;
 };
 /// A displacement from 0 m on, in the unit that stands first.
 Axis length_axis(const std::string& label, double high_m);

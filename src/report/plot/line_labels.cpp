@@ -58,75 +58,126 @@ std::vector<Note> take_labels(Panel& panel, const PanelSize& size) {
   return at_edge;
 }
 
-/// A text of a rule at one of its ends, above or below it.
+/// A text of a rule, above or below it.
 struct LabelPlace {
   Note note;
   double left, right, low, high;
   bool holds(double x, double y) const { return left < x && x < right && low < y && y < high; }
+  bool meets(double x, double from, double to) const {
+    return left < x && x < right && from < high && to > low;
+  }
 };
 
-/// How many points of lines and notes it hides.
-int hidden(const Panel& panel, const LabelPlace& place) {
+/// How many points of lines and bands, notes and other rules it hides or parts from its rule.
+int hidden(const Panel& panel, const Rule& rule, const LabelPlace& place) {
   int count = 0;
+  constexpr int parts = 16;
   for (const DataSeries& series : panel.series) {
-    for (std::size_t i = 1; i < series.y.size(); ++i) {
-      constexpr int parts = 16;
+    const bool has_y = !series.y.empty();
+    for (std::size_t i = 1; i < series.x.size(); ++i) {
+      const auto between = [&](const std::vector<double>& values, int part) {
+        return std::lerp(values[i - 1], values[i], static_cast<double>(part) / parts);
+      };
       for (int part = 0; part <= parts; ++part) {
-        const double share = static_cast<double>(part) / parts;
-        count += place.holds(std::lerp(series.x[i - 1], series.x[i], share),
-                             std::lerp(series.y[i - 1], series.y[i], share));
+        const double x = between(series.x, part);
+        count += has_y ? place.holds(x, between(series.y, part))
+                       : place.meets(x, between(series.low, part), between(series.high, part));
       }
     }
   }
   for (const Note& note : panel.notes) count += 1000 * place.holds(note.x, note.y);
-  for (const Rule& rule : panel.rules) count += 100 * (place.low < rule.at && rule.at < place.high);
+  const double low = std::min(place.low, rule.at), high = std::max(place.high, rule.at);
+  for (const Rule& other : panel.rules)
+    count += 100 * (&other != &rule && low < other.at && other.at < high);
   return count;
 }
 
-void label_rule(Panel& panel, Rule& rule, double text, double line) {
-  if (rule.from >= rule.to) {
-    rule.from = panel.x.low;
-    rule.to = panel.x.high;
-  }
-  const double margin = 0.01 * (panel.x.high - panel.x.low);
-  std::optional<LabelPlace> best;
-  int least = 0;
-  for (const bool at_left : {true, false}) {
+/// Where the rule's label hides nothing: at its ends, else along it.
+std::optional<LabelPlace> free_place(const Panel& panel, const Rule& rule, double text,
+                                     double line) {
+  const double margin = 0.01 * (panel.x.high - panel.x.low), from = rule.from + margin,
+               to = rule.to - margin - text;
+  for (const double share : {0.0, 1.0, 0.5, 0.25, 0.75, 0.125, 0.375, 0.625, 0.875}) {
     for (const double side : {1.0, -1.0}) {
-      const double x = at_left ? rule.from + margin : rule.to - margin, y = rule.at + side * line;
-      const LabelPlace place{
-          {x, y, rule.label, rule.look.colour, at_left ? Note::Align::left : Note::Align::right},
-          at_left ? x : x - text,
-          at_left ? x + text : x,
-          y - 0.6 * line,
-          y + 0.6 * line};
-      const bool inside =
-          place.left >= panel.x.low && place.high <= panel.y.high && place.low >= panel.y.low;
-      const int count = hidden(panel, place);
-      if (!inside || (best && count >= least)) continue;
-      best = place;
-      least = count;
+      const bool at_right = share == 1.0;
+      const double left = std::lerp(from, to, share), right = left + text,
+                   y = rule.at + side * line;
+      const LabelPlace place{{at_right ? right : left, y, rule.label, rule.look.colour,
+                              at_right ? Note::Align::right : Note::Align::left},
+                             left,
+                             right,
+                             y - 0.6 * line,
+                             y + 0.6 * line};
+      const bool inside = left >= panel.x.low && right <= panel.x.high &&
+                          place.high <= panel.y.high && place.low >= panel.y.low;
+      if (inside && hidden(panel, rule, place) == 0) return place;
     }
   }
-  if (!best) return;
-  panel.notes.push_back(best->note);
-  rule.label.clear();
+  return {};
+}
+
+/// The margin takes its share of the panel as it is drawn.
+double share_of(const std::vector<Note>& at_edge, const PanelSize& size) {
+  double widest = 0.0;
+  for (const Note& note : at_edge) widest = std::max(widest, text_px(note.text) + 2 * character_px);
+  return std::min(0.6, widest / size.width_px);
+}
+
+/// A thin line from the rule's end to its label at the edge.
+Rule leader_of(const Panel& panel, const Rule& rule) {
+  Rule leader = rule;
+  leader.label.clear();
+  leader.look.width = 0.8;
+  leader.look.dash = 3;
+  leader.from = rule.to;
+  leader.to = panel.x.high;
+  return leader;
+}
+
+/// Labels the rules where there is room beside a margin of this share. Returns the first one that
+/// has none but could be labelled in the margin.
+Rule* label_rules(Panel& panel, const PanelSize& size, double share) {
+  const double px = (panel.x.high - panel.x.low) / ((1.0 - share) * size.width_px);
+  const double line = 0.8 * line_px / size.height_px * (panel.y.high - panel.y.low);
+  for (Rule& rule : panel.rules) {
+    if (rule.kind != Rule::Kind::horizontal || rule.label.empty()) continue;
+    if (const auto place = free_place(panel, rule, px * text_px(rule.label), line)) {
+      panel.notes.push_back(place->note);
+      rule.label.clear();
+    } else if (rule.at <= panel.y.high && text_px(rule.label) < 0.4 * size.width_px) {
+      return &rule;
+    }
+  }
+  return nullptr;
 }
 
 }  // namespace
 
 void label_lines(Panel& panel, const PanelSize& size) {
   std::vector<Note> at_edge = take_labels(panel, size);
-  double widest = 0.0;
-  for (const Note& note : at_edge) widest = std::max(widest, text_px(note.text) + 2 * character_px);
-  // The margin takes its share of the panel as it is drawn.
-  const double share = std::min(0.6, widest / size.width_px), margin = share / (1.0 - share);
-  const double px = (1.0 + margin) * (panel.x.high - panel.x.low) / size.width_px;
-  const double line = line_px / size.height_px;
-  for (Rule& rule : panel.rules)
-    if (rule.kind == Rule::Kind::horizontal && !rule.label.empty())
-      label_rule(panel, rule, px * text_px(rule.label), 0.8 * line * (panel.y.high - panel.y.low));
-  if (!at_edge.empty()) add_side_labels(panel, std::move(at_edge), {Side::right, margin, line});
+  for (Rule& rule : panel.rules) {
+    if (rule.kind != Rule::Kind::horizontal || rule.from < rule.to) continue;
+    rule.from = panel.x.low;
+    rule.to = panel.x.high;
+  }
+  for (;;) {
+    Panel labelled = panel;
+    const Rule* crowded = label_rules(labelled, size, share_of(at_edge, size));
+    if (crowded == nullptr) {
+      panel = std::move(labelled);
+      break;
+    }
+    // To the margin, which then takes more of the panel.
+    Rule& rule = panel.rules[static_cast<std::size_t>(crowded - labelled.rules.data())];
+    at_edge.push_back({panel.x.high, rule.at, rule.label, rule.look.colour, Note::Align::left});
+    rule.label.clear();
+    const Rule leader = leader_of(panel, rule);
+    if (leader.from < leader.to) panel.rules.push_back(leader);
+  }
+  if (at_edge.empty()) return;
+  const double share = share_of(at_edge, size);
+  add_side_labels(panel, std::move(at_edge),
+                  {Side::right, share / (1.0 - share), line_px / size.height_px});
 }
 
 }  // namespace glissade

@@ -11,7 +11,8 @@ struct PanelSize {
 };
 
 /// Turns key entries of lines and points into labels beside their last points, and those of level
-/// rules into labels on the rules, where they hide least.
+/// rules into labels on the rules where these hide nothing, else in the margin at the right. The
+/// entry stays where the label is too long for it.
 void label_lines(Panel& panel, const PanelSize& size);
 
 }  // namespace glissade

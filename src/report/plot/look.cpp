@@ -93,6 +93,36 @@ Axis length_axis(const std::string& label, double high_m) {
   return {label + " (m)", 0.0, high_m, {}};
 }
 
+namespace {
+
+/// The nearest heights to those of labels, in their order from the highest on, that are a line
+/// apart (by pooling those that would not be) and lie between the ends of the axis.
+std::vector<double> apart(const std::vector<Note>& labels, const Axis& axis, double line) {
+  struct Pool {
+    double sum;
+    std::size_t count;
+    double mean() const { return sum / static_cast<double>(count); }
+  };
+  std::vector<Pool> pools;
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    pools.push_back({labels[i].y + line * static_cast<double>(i), 1});
+    while (pools.size() > 1 && pools.back().mean() > pools[pools.size() - 2].mean()) {
+      const Pool last = pools.back();
+      pools.pop_back();
+      pools.back() = {pools.back().sum + last.sum, pools.back().count + last.count};
+    }
+  }
+  const double least = axis.low + line * (static_cast<double>(labels.size()) - 1.0);
+  std::vector<double> heights;
+  for (const Pool& pool : pools)
+    for (std::size_t i = 0; i < pool.count; ++i)
+      heights.push_back(std::max(least, std::min(pool.mean(), axis.high)) -
+                        line * static_cast<double>(heights.size()));
+  return heights;
+}
+
+}  // namespace
+
 void add_side_labels(Panel& panel, std::vector<Note> labels, const LabelMargin& margin) {
   const double width = panel.x.high - panel.x.low;
   const double line = margin.line * (panel.y.high - panel.y.low);
@@ -106,13 +136,10 @@ void add_side_labels(Panel& panel, std::vector<Note> labels, const LabelMargin& 
   double& edge = left ? panel.x.low : panel.x.high;
   const double outward = left ? -width : width;
   std::ranges::sort(labels, std::ranges::greater{}, &Note::y);
-  double above = panel.y.high + line;
-  for (std::size_t i = 0; i < labels.size(); ++i) {
-    const double least = panel.y.low + line * static_cast<double>(labels.size() - 1 - i);
-    above = std::max(least, std::min(labels[i].y, above - line));
-    panel.notes.push_back({edge + 0.02 * outward, above, labels[i].text, labels[i].colour,
+  const std::vector<double> heights = apart(labels, panel.y, line);
+  for (std::size_t i = 0; i < labels.size(); ++i)
+    panel.notes.push_back({edge + 0.02 * outward, heights[i], labels[i].text, labels[i].colour,
                            left ? Note::Align::right : Note::Align::left});
-  }
   edge += margin.width * outward;
 }
 

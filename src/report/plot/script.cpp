@@ -197,14 +197,13 @@ void add_panels(Script& script, const Figure& figure) {
   if (several) script.add("unset multiplot\n");
 }
 
-/// gnuplot takes no - in the name of a terminal.
+}  // namespace
+
 FileName identifier(const FileName& name) {
   std::string text = name.text();
   std::ranges::replace(text, '-', '_');
   return text;
 }
-
-}  // namespace
 
 Quoted::Quoted(std::string_view plain, Weight weight) {
   quoted_ = weight == Weight::bold ? "'{/:Bold " : "'";

@@ -62,6 +62,8 @@ class Script {
   std::string text_;
 };
 
+/// The name of a figure as gnuplot's terminal takes it, without -.
+FileName identifier(const FileName& name);
 /// The script of a figure: it writes NAME.svg and NAME.pdf from NAME.dat.
 std::string script_of(const Figure& figure);
 /// NAME.dat: a block for each series with numbers, in order.

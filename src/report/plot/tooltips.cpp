@@ -1,20 +1,34 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plot/tooltips.hpp"
 
-#include <fmt/format.h>
-
+#include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <string_view>
 #include <vector>
 
 #include "glissade/report/format.hpp"
 #include "glissade/report/html_text.hpp"
+#include "plot/script.hpp"
 
 namespace glissade {
 namespace {
 
 /// "Building period (s) 1.23"; a length in both units.
 std::string value_text(const Axis& axis, double value) {
+  switch (axis.values) {
+    case Axis::Values::names: {
+      const auto nearest = std::ranges::min_element(
+          axis.ticks, {}, [&](const Tick& tick) { return std::abs(tick.at - value); });
+      const std::string name = nearest == axis.ticks.end() ? "" : nearest->label;
+      return axis.label.empty() ? name : axis.label + ": " + name;
+    }
+    case Axis::Values::logarithms:
+      return axis.label + (value > axis.low ? " " : " at most ") +
+             format_number(std::pow(10.0, value));
+    case Axis::Values::numbers:
+      break;
+  }
   if (axis.label.ends_with("(in)") || axis.label.ends_with("(m)"))
     return axis.label.substr(0, axis.label.rfind(" (")) + " " + format_length(value);
   return axis.label + " " + format_number(value);
@@ -24,17 +38,49 @@ bool is_shown(const Axis& axis, double value) {
   return std::isfinite(value) && value >= axis.low && value <= axis.high;
 }
 
+const std::string& name_of(const DataSeries& series) {
+  return series.name.empty() ? series.label : series.name;
+}
+
+bool is_line(const DataSeries& series) {
+  return series.kind == DataSeries::Kind::line || series.kind == DataSeries::Kind::line_and_points;
+}
+
+/// What a plot of gnuplot's drawing shows.
+struct Drawn {
+  const Panel* panel = nullptr;
+  const DataSeries* series = nullptr;
+};
+
+/// The first plot of a panel, "1", is of nothing, for its axes; then the series with numbers, in
+/// order. "3b": the second one of the second panel.
+Drawn drawn_as(const Figure& figure, const std::string& number) {
+  std::size_t plot = 0;
+  const char* end = number.data() + number.size();
+  const char* letter = std::from_chars(number.data(), end, plot).ptr;
+  const std::size_t p = letter == end ? 0 : static_cast<std::size_t>(*letter - 'a');
+  if (p >= figure.panels.size()) return {};
+  for (const DataSeries& series : figure.panels[p].series)
+    if (!series.x.empty() && --plot == 1) return {&figure.panels[p], &series};
+  return {};
+}
+
 /// Of the points that are drawn, in order.
 std::vector<std::string> titles_of(const Panel& panel, const DataSeries& series) {
   std::vector<std::string> titles;
   if (series.kind != DataSeries::Kind::points && series.kind != DataSeries::Kind::line_and_points)
     return titles;
+  const std::string& name = name_of(series);
   for (std::size_t i = 0; i < series.x.size() && i < series.y.size(); ++i) {
     if (!is_shown(panel.x, series.x[i]) || !is_shown(panel.y, series.y[i])) continue;
-    titles.push_back((series.label.empty() ? "" : series.label + ": ") +
-                     value_text(panel.x, series.x[i]) + ", " + value_text(panel.y, series.y[i]));
+    titles.push_back((name.empty() ? "" : name + ": ") + value_text(panel.x, series.x[i]) + ", " +
+                     value_text(panel.y, series.y[i]));
   }
   return titles;
+}
+
+std::string title(const std::string& text) {
+  return "<title>" + Html::text(text).str() + "</title>";
 }
 
 /// Puts the titles into the points of a plot; nothing where gnuplot drew another number of them.
@@ -45,8 +91,7 @@ std::string with_titles(const std::string& plot, const std::vector<std::string>&
   for (std::size_t at; (at = plot.find(point, from)) != std::string::npos; ++count) {
     const std::size_t close = plot.find(end, at);
     if (close == std::string::npos || count == titles.size()) return plot;
-    text += plot.substr(from, close - from) + "><title>" + Html::text(titles[count]).str() +
-            "</title></use>";
+    text += plot.substr(from, close - from) + ">" + title(titles[count]) + "</use>";
     from = close + end.size();
   }
   return count == titles.size() ? text + plot.substr(from) : plot;
@@ -55,25 +100,22 @@ std::string with_titles(const std::string& plot, const std::vector<std::string>&
 }  // namespace
 
 std::string with_tooltips(std::string svg, const Figure& figure) {
-  const std::string plot_begin = "<g id=\"" + figure.name.text() + "_plot_";
-  // The first plot is of nothing, for the axes; then the series with numbers, in order.
-  std::vector<const DataSeries*> drawn{nullptr};
-  if (figure.panels.size() == 1) {
-    for (const DataSeries& series : figure.panels.front().series)
-      if (!series.x.empty()) drawn.push_back(&series);
-  }
+  const std::string name = gnuplot::identifier(figure.name).text() + "_plot_";
+  const std::string plot_begin = "<g id=\"" + name;
   std::size_t at = svg.find(plot_begin);
   std::string text = svg.substr(0, at);
-  for (std::size_t plot = 0; at != std::string::npos; ++plot) {
+  while (at != std::string::npos) {
     const std::size_t next = svg.find(plot_begin, at + 1);
     std::string one = svg.substr(at, next - at);
+    const std::size_t number = plot_begin.size();
+    const Drawn drawn = drawn_as(figure, one.substr(number, one.find('"', number) - number));
+    if (drawn.series != nullptr) one = with_titles(one, titles_of(*drawn.panel, *drawn.series));
     const std::string_view end = "</title>";
-    if (const std::size_t begin = one.find("<title>" + figure.name.text() + "_plot_");
-        begin != std::string::npos)
+    if (const std::size_t begin = one.find("<title>" + name); begin != std::string::npos)
       one.erase(begin, one.find(end, begin) + end.size() - begin);
-    text += plot > 0 && plot < drawn.size()
-                ? with_titles(one, titles_of(figure.panels.front(), *drawn[plot]))
-                : one;
+    if (drawn.series != nullptr && is_line(*drawn.series) && !name_of(*drawn.series).empty())
+      one.insert(one.find('>') + 1, title(name_of(*drawn.series)));
+    text += one;
     at = next;
   }
   return text;

@@ -8,8 +8,8 @@
 namespace glissade {
 
 /// gnuplot's drawing of a figure with a title at each point that says what it is, "84th percentile:
-/// 1.23, 2.6 in (0.066 m)", which browsers show, and without the titles that only number the plots.
-/// Of several panels no point has a title.
+/// Period (s) 1.23, Displacement 2.6 in (0.066 m)", and at each line its name, which browsers show,
+/// in place of the titles that only number the plots.
 std::string with_tooltips(std::string svg, const Figure& figure);
 
 }  // namespace glissade

@@ -4,8 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstring>
+#include <string_view>
 #include <utility>
 
 #include "glissade/core/contract.hpp"
@@ -98,6 +100,22 @@ std::string csv_cell(const Cell& cell) {
   const auto& estimate = std::get<Estimate>(cell);
   return format_exact(estimate.value) + "," + format_exact(estimate.interval.low) + "," +
          format_exact(estimate.interval.high);
+}
+
+/// With no line break between a number and its unit, "0.605 s", nor after a sign, "-second".
+std::string unbroken(const std::string& text) {
+  static constexpr std::string_view no_break_space = "\u00a0", word_joiner = "\u2060";
+  const auto is = [&](std::size_t i, int (*of_class)(int)) {
+    return i < text.size() && of_class(static_cast<unsigned char>(text[i])) != 0;
+  };
+  std::string kept;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const bool unit = text[i] == ' ' && i > 0 && is(i - 1, std::isdigit) && is(i + 1, std::isalpha);
+    const bool sign = text[i] == '-' && i > 0 && text[i - 1] == ' ' && is(i + 1, std::isalpha);
+    unit ? kept += no_break_space : kept += text[i];
+    if (sign) kept += word_joiner;
+  }
+  return kept;
 }
 
 std::string padded(const std::string& text, std::size_t width, ColumnKind kind) {
@@ -240,7 +258,8 @@ std::string to_text(const Table& table) {
 Html to_html(const Table& table) {
   const auto cell = [&](Markup text, Markup number, std::size_t c, const std::string& content,
                         Markup end) {
-    return enclosed(table.columns[c].kind == ColumnKind::text ? text : number, content, end);
+    return enclosed(table.columns[c].kind == ColumnKind::text ? text : number, unbroken(content),
+                    end);
   };
   Html html = enclosed("<table>\n<caption><div>", table.title, "");
   for (const std::string& note : table.notes)

@@ -148,7 +148,8 @@ TEST(chart_friction, has_the_clearance_of_the_table_and_a_gap_where_the_array_sl
   EXPECT_FALSE(std::isfinite(curves.back().y[0]));  // 7 degrees with mu = 0.1
   EXPECT_NEAR(rule_of(figure, "SEAOC PV1-2012").at, 0.549, 5e-4);
   EXPECT_EQ(rule_of(figure, "SEAOC PV1-2012").from, 0.4);
-  EXPECT_THAT(rule_of(figure, "SEAOC PV1-2012").label, HasSubstr("slopes to 3 deg"));
+  EXPECT_THAT(figure.below, HasSubstr("SEAOC PV1-2012 to 3"));
+  EXPECT_THAT(figure.caption, HasSubstr("ASCE 7-16 is for slopes up to 2.86 degrees"));
   EXPECT_NE(rule_of(figure, "SEAOC PV1-2012").look.dash, rule_of(figure, "ASCE 7-16").look.dash);
 }
 

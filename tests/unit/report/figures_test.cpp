@@ -54,10 +54,13 @@ TEST(figures, draw_without_the_fits_that_failed) {
   Results results = made_up_results();
   results.runs[0].fragilities[0].capacities = FitSummary{};
   const Figure figure = fragility_figure(results, results.runs[0]);
-  EXPECT_EQ(numbers_in(series_named(figure, "curve 0")), 0u);
-  EXPECT_EQ(numbers_in(series_named(figure, "band 0")), 0u);
-  EXPECT_GT(numbers_in(series_named(figure, "observed 0")), 0u);
-  EXPECT_GT(numbers_in(series_named(figure, "curve 1")), 0u);
+  const auto of_clearance = [&](std::size_t t, const char* part) {
+    return "slip above " + format_length(results.thresholds_m[t]) + part;
+  };
+  EXPECT_EQ(numbers_in(series_named(figure, of_clearance(0, ", lognormal"))), 0u);
+  EXPECT_EQ(numbers_in(series_named(figure, of_clearance(0, ", 95 % interval"))), 0u);
+  EXPECT_GT(numbers_in(series_named(figure, of_clearance(0, ", observed"))), 0u);
+  EXPECT_GT(numbers_in(series_named(figure, of_clearance(1, ", lognormal"))), 0u);
   EXPECT_NO_THROW(render_figure(figure, fresh_folder("failed_fit")));
 }
 
@@ -69,12 +72,34 @@ TEST(figures, say_what_each_point_is) {
   const fs::path folder = fresh_folder("points");
   render_figure({"points", "", "", "", {panel}}, folder);
   const std::string svg = read_text_file(folder / "points.svg");
+  EXPECT_THAT(
+      svg, HasSubstr("<title>means: Building period (s) 0.500, Displacement 0.0254 m (1.00 in)"));
   EXPECT_THAT(svg,
-              HasSubstr("<title>mean: Building period (s) 0.500, Displacement 0.0254 m (1.00 in)"));
-  EXPECT_THAT(svg,
-              HasSubstr("<title>mean: Building period (s) 1.00, Displacement 0.0508 m (2.00 in)"));
+              HasSubstr("<title>means: Building period (s) 1.00, Displacement 0.0508 m (2.00 in)"));
   EXPECT_THAT(svg, testing::Not(HasSubstr("(s) 9")));
   EXPECT_THAT(svg, testing::Not(HasSubstr("points_plot_1</title>")));
+}
+
+// Of the panel and the series that a point is in, by the values of a logarithmic axis and by the
+// name of the nearest tick; a line says its name.
+TEST(figures, say_what_each_point_of_several_panels_is) {
+  const auto with_points = DataSeries::Kind::line_and_points;
+  Panel rates{"first", {"S_DS (g)", 0.0, 2.0}, {"Rate", -4.0, 0.0, {{-3.0, "1e-3"}}}};
+  rates.y.values = Axis::Values::logarithms;
+  rates.series = {{with_points, look(Role::median), "roof 1", "", {1.0}, {std::log10(0.00105)}},
+                  {with_points, look(Role::mean), "roof 2", "", {1.0}, {-4.0}}};
+  Panel kinds{"second", {"Vertical", -0.5, 1.5, {{0.0, "none"}, {1.0, "0.1 s"}}}, {"", -0.5, 0.5}};
+  kinds.x.values = kinds.y.values = Axis::Values::names;
+  kinds.y.ticks = {{0.0, "PGA"}};
+  kinds.series = {{with_points, look(Role::median), "roof 3", "", {0.1, 0.9}, {0.0, 0.0}}};
+  const fs::path folder = fresh_folder("two_panels");
+  render_figure({"two-panels", "", "", "", {rates, kinds}}, folder);
+  const std::string svg = read_text_file(folder / "two-panels.svg");
+  for (const char* title :
+       {"roof 1: S_DS (g) 1.00, Rate 0.00105", "roof 2: S_DS (g) 1.00, Rate at most 0.000100",
+        "roof 3: Vertical: none, PGA", "roof 3: Vertical: 0.1 s, PGA", "roof 1", "roof 3"})
+    EXPECT_THAT(svg, HasSubstr(std::string("<title>") + title + "</title>"));
+  EXPECT_THAT(svg, testing::Not(HasSubstr("_plot_1a</title>")));
 }
 
 TEST(figures, may_have_a_minus_in_their_name) {  // gnuplot allows none in a terminal's
@@ -159,6 +184,37 @@ TEST(figures, lines_are_named_beside_their_last_points_and_rules_where_they_hide
     EXPECT_EQ(series.label, series.name.empty() ? "shaded: interval" : "");
 }
 
+// Where a rule has no free place its label stands in the margin, joined to it; a label that is too
+// long for the margin stays in the key. A band counts as a line does.
+TEST(figures, rules_are_labelled_on_no_curve_and_not_across_another_rule) {
+  Panel panel{"", {"x", 0.0, 10.0}, {"y", 0.0, 100.0}};
+  panel.series = {
+      {DataSeries::Kind::band, {}, "range", "", {0.0, 10.0}, {}, {35.0, 35.0}, {90.0, 90.0}}};
+  panel.rules = {{Rule::Kind::horizontal, 24.0, {}, "higher", 0.0, 3.0},
+                 {Rule::Kind::horizontal, 22.0, {}, "lower", 0.0, 3.0},
+                 {Rule::Kind::horizontal, 60.0, {}, "in the band"},
+                 {Rule::Kind::horizontal, 70.0, {}, std::string(60, 'x')}};
+  label_lines(panel, {700.0, 400.0});
+  const auto note = [&](const std::string& text) {
+    return *std::ranges::find(panel.notes, text, &Note::text);
+  };
+  ASSERT_EQ(panel.notes.size(), 3u);
+  EXPECT_NEAR(note("higher").y, 28.4, 0.5);
+  EXPECT_NEAR(note("lower").y, 17.6, 0.5);
+  EXPECT_GT(note("in the band").x, 10.0);
+  EXPECT_EQ(note("in the band").y, 60.0);
+  EXPECT_EQ(panel.rules[3].label.size(), 60u);
+  panel.rules[0].label = "higher";
+  panel.notes.clear();
+  panel.x.high = 10.0;
+  panel.series[0].low = {20.0, 20.0};
+  label_lines(panel, {700.0, 400.0});
+  EXPECT_GT(note("higher").x, 10.0);
+  EXPECT_EQ(panel.rules.back().at, 24.0);  // from the end of the rule to the margin
+  EXPECT_EQ(panel.rules.back().from, 3.0);
+  EXPECT_EQ(panel.rules.back().to, 10.0);
+}
+
 TEST(figures, take_any_text_of_the_user_as_text) {
   Results results = made_up_results();
   results.suites[0].name = "it's {a} \"_suite^\" `date` \\n $x";
@@ -198,8 +254,9 @@ TEST(figures, of_the_fragility_hold_the_shares_and_the_fitted_curve) {
   const Results results = made_up_results();
   const RunResults& run = results.runs[0];
   const Figure figure = fragility_figure(results, run);
-  const DataSeries observed = series_named(figure, "observed 1"),
-                   curve = series_named(figure, "curve 1");
+  const std::string name = "slip above " + format_length(run.fragilities[1].threshold_m);
+  const DataSeries observed = series_named(figure, name + ", observed"),
+                   curve = series_named(figure, name + ", lognormal");
   EXPECT_EQ(observed.x, results.levels);
   EXPECT_EQ(observed.y, run.fragilities[1].probability);
   ASSERT_EQ(curve.x.size(), 201u);

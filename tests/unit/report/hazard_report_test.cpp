@@ -87,6 +87,9 @@ TEST(hazard_report, figure_has_a_line_for_each_run_and_decades_as_ticks) {
   for (const DataSeries& line : curves_of(figure))
     EXPECT_TRUE(std::ranges::is_sorted(line.y, std::greater<>()));
   EXPECT_GE(panel.rules.size(), 1u);
+  double last_m = 0.0;
+  for (const DataSeries& line : curves_of(figure)) last_m = std::max(last_m, line.x.back());
+  EXPECT_THAT(figure.caption, HasSubstr("Drawn to " + format_length(last_m)));
 }
 
 }  // namespace

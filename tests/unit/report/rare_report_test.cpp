@@ -41,6 +41,7 @@ TEST(rare_report, draws_a_line_for_each_threshold) {
   ASSERT_EQ(panel.series.size(), 3u);  // band, bars, line
   EXPECT_EQ(panel.series[2].x.size(), 2u);
   EXPECT_NEAR(panel.series[2].y[0], -4.699, 1e-3);
+  EXPECT_EQ(panel.y.values, Axis::Values::logarithms);  // the titles of the points are of 2e-5
 }
 
 TEST(sampling_error_report, says_whether_records_or_samples_are_what_is_missing) {

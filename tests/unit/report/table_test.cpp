@@ -51,6 +51,14 @@ TEST(table, becomes_escaped_html) {
   EXPECT_THAT(html, HasSubstr("<caption><div>Two\nrows</div></caption>"));
 }
 
+TEST(table, breaks_no_line_between_a_number_and_its_unit_nor_after_a_sign_on_a_page) {
+  Table table{"t", "T", {text_column("a", "A")}, {}};
+  table.add({std::string("0.605 s, along it -second, 3 to 4 - 5")});
+  EXPECT_THAT(to_html(table).str(),
+              HasSubstr("<td>0.605\u00a0s, along it -\u2060second, 3\u00a0to 4 - 5</td>"));
+  EXPECT_THAT(to_csv(table), HasSubstr("0.605 s, along it -second"));
+}
+
 TEST(table, says_that_a_one_sided_median_is_a_lower_bound) {
   const Column column{"median", "g", "Median", ColumnKind::number, true};
   EXPECT_EQ(cell_text(column, Estimate{2.0, {}, "> "}), "> 2.00");

@@ -112,6 +112,7 @@ TEST(verdict_report, of_arrays_that_differ_in_more_names_them_and_draws_the_larg
   const DataSeries& line = figure.panels.at(0).series.at(1);  // friction 0.5
   ASSERT_EQ(line.x.size(), 3u);
   EXPECT_NEAR(line.y.back(), 1.0, 1e-12);  // the logarithm of 10
+  EXPECT_EQ(figure.panels[0].y.values, Axis::Values::logarithms);
 }
 
 TEST(verdict_report, is_absent_without_the_analysis) {

@@ -38,19 +38,20 @@ std::string y_label(const Results& results) {
 }
 
 std::string caption_of(const Results& results, const std::string& reading) {
+  std::string limits;
+  for (const Standard standard : standards_of(*results.chart))
+    limits += fmt::format("{}{} is for {}", limits.empty() ? "" : "; ", standard_name(standard),
+                          limits_of(standard));
   return reading + " " + how_counted(results) +
          " Gaps and missing ends: above the figure, or friction cannot stop the array; every "
          "number is in tables/chart.csv." +
-         (results.chart->standards.empty()
-              ? ""
-              : " Broken lines: prescribed (recalled: verify); SEAOC PV1-2012 is for " +
-                    seaoc_limits() + ".");
+         (limits.empty() ? ""
+                         : " Broken lines, thin towards their labels: prescribed; " + limits + ".");
 }
 
 /// Where on the x axis a prescribed value applies.
 struct Stretch {
   double from = 0.0, to = 0.0;
-  std::string also = {};  ///< what else it is for
 };
 
 /// Slip over something.
@@ -92,8 +93,8 @@ double top_m(const CurvePlot& plot) {
 }
 
 /// "SEAOC PV1-2012: 21.6 in (recalled)"
-std::string rule_label(const PrescribedLine& line, const Stretch& where, double top) {
-  return line.names() + where.also + ": " + short_length(line.value_m) +
+std::string rule_label(const PrescribedLine& line, double top) {
+  return line.names() + ": " + short_length(line.value_m) +
          (line.provenance == Provenance::recalled ? " (recalled)" : "") +
          (line.value_m > top ? ", above the figure" : "");
 }
@@ -107,7 +108,7 @@ std::vector<Panel> drawn(CurvePlot plot) {
               plot.curves};
   for (const auto& [line, where] : plot.prescribed) {
     panel.rules.push_back({Rule::Kind::horizontal, line.value_m, prescribed_look(line),
-                           rule_label(line, where, top), where.from, where.to});
+                           rule_label(line, top), where.from, where.to});
   }
   return {panel};
 }
@@ -177,17 +178,19 @@ Figure chart_friction_figure(const Results& results) {
         return chart.at(shown.level, s, m);
       },
       plot);
+  std::string slopes;  // that the prescribed values are for
   for (const PrescribedLine& line : prescribed_at(chart, level)) {
     const double from = std::max(line.mu_limit(), plot.x.front());
-    if (from < plot.x.back())
-      plot.prescribed.push_back(
-          {line,
-           {from, plot.x.back(), fmt::format(", slopes to {:.3g} deg", line.slope_limit_deg())}});
+    if (from >= plot.x.back()) continue;
+    plot.prescribed.push_back({line, {from, plot.x.back()}});
+    slopes += fmt::format("{}{} to {:.3g}", slopes.empty() ? "; " : ", ", line.names(),
+                          line.slope_limit_deg());
   }
+  if (!slopes.empty()) slopes += " degrees";
   return {"chart_friction",
           is_one_record(results) ? "Peak slip over friction, by roof slope"
                                  : design_title(results) + " over friction, by roof slope",
-          suite_text(results) + at_intensity(results, level),
+          suite_text(results) + at_intensity(results, level) + slopes,
           caption_of(results,
                      "Read up from the coefficient of friction to the curve of the roof's "
                      "slope, then left: the " +

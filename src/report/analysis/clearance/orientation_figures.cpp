@@ -71,6 +71,7 @@ Figure permutations_figure(const Results& results) {
   Panel panel{"", {"Roof slope and the axis it falls along"}};
   panel.x.low = -0.5;
   panel.x.high = static_cast<double>(permutations.size()) - 0.5;
+  panel.x.values = Axis::Values::names;
   for (std::size_t i = 0; i < ticks.size(); ++i)
     panel.x.ticks.push_back({static_cast<double>(i), ticks[i]});
   const std::size_t masses = grid.mass_ratio.size();

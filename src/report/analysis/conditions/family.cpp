@@ -80,6 +80,7 @@ void Family::add_level(double y, const std::string& label, Look look) {
 
 void Family::name_ticks(const std::vector<std::string>& labels) {
   for (std::size_t i = 0; i < labels.size(); ++i) panel_.x.ticks.push_back({x_.at(i), labels[i]});
+  panel_.x.values = Axis::Values::names;
 }
 
 double Family::largest_y() const {

@@ -65,12 +65,13 @@ std::string threshold_text(const Results& results, const ThresholdFragility& fra
 void add_threshold(Panel& panel, const Results& results, const RunResults& run, std::size_t t) {
   const ThresholdFragility& fragility = run.fragilities[t];
   const Look colour = family_look(t, run.fragilities.size());
-  DataSeries observed{DataSeries::Kind::points, colour, fmt::format("observed {}", t)};
+  const std::string name = "slip above " + format_length(fragility.threshold_m);
+  DataSeries observed{DataSeries::Kind::points, colour, name + ", observed"};
   observed.x = results.levels;
   observed.y = fragility.probability;
   observed.x.resize(observed.y.size());
-  DataSeries curve{DataSeries::Kind::line, colour, fmt::format("curve {}", t)};
-  DataSeries band{DataSeries::Kind::band, colour, fmt::format("band {}", t)};
+  DataSeries curve{DataSeries::Kind::line, colour, name + ", lognormal"};
+  DataSeries band{DataSeries::Kind::band, colour, name + ", 95 % interval"};
   if (has_curve(fragility)) {
     constexpr int points = 200;
     for (int i = 0; i <= points; ++i) {

@@ -19,7 +19,7 @@ constexpr double room_for_rates = 1.3;
 /// Rates on an axis of their logarithms.
 double height(double annual_rate) { return std::log10(annual_rate); }
 
-/// To where the curves of all runs have fallen, or the last of what is asked for.
+/// Where the figure ends: beyond the displacements of all target rates, and what is asked for.
 double right_end_m(const Results& results) {
   const HazardResults& hazard = *results.hazard;
   double right = results.thresholds_m.back();
@@ -32,7 +32,7 @@ double right_end_m(const Results& results) {
 
 void add_run(Panel& panel, const HazardRun& run, const std::string& name, Look look, bool shaded) {
   DataSeries band{DataSeries::Kind::band, look, run.label + ": 95 % interval"};
-  DataSeries line{DataSeries::Kind::line, look, run.label, name};
+  DataSeries line{DataSeries::Kind::line, look, name, name};
   for (const DisplacementRate& row : run.curve) {
     if (!std::isfinite(row.annual_rate) || row.displacement_m > panel.x.high / room_for_rates)
       continue;
@@ -45,6 +45,13 @@ void add_run(Panel& panel, const HazardRun& run, const std::string& name, Look l
   }
   if (shaded) panel.series.insert(panel.series.begin(), std::move(band));
   panel.series.push_back(std::move(line));
+}
+
+/// The last displacement that is drawn.
+double last_m(const Panel& panel) {
+  double last = 0.0;
+  for (const DataSeries& series : panel.series) last = std::max(last, largest(series.x));
+  return last;
 }
 
 /// Decades that hold the curves and the target rates.
@@ -73,15 +80,6 @@ void scale_rates(Panel& panel, const HazardResults& hazard) {
 Figure hazard_figure(const Results& results) {
   const HazardResults& hazard = *results.hazard;
   const std::size_t lines = std::min(hazard.runs.size(), most_lines);
-  Figure figure{
-      "hazard", "Annual rate of exceeding a displacement",
-      counts_of(results) + "; hazard curve " + curve_name(hazard),
-      fmt::format("Shaded: 95 % interval over records, of the first curve. Drawn to {} (farther: "
-                  "tables/hazard_curve.csv). Where a curve becomes level it is that of "
-                  "shaking above the highest level of the study, {}, all of which counts as "
-                  "exceeding (rate {:.3g} a year). All runs: tables/hazard_curve.csv.",
-                  format_length(right_end_m(results)), at_intensity(results, results.levels.back()),
-                  hazard.beyond_rate)};
   Panel panel{"", length_axis("Displacement in plan", room_for_rates * right_end_m(results))};
   panel.y.label = "Annual rate of exceedance";
   for (std::size_t i = 0; i < lines; ++i)
@@ -89,6 +87,15 @@ Figure hazard_figure(const Results& results) {
             run_name(results, results.runs[i]) + (i == 0 ? " (shaded: 95 % interval)" : ""),
             distinct_look(i), i == 0);
   scale_rates(panel, hazard);
+  Figure figure{
+      "hazard", "Annual rate of exceeding a displacement",
+      counts_of(results) + "; hazard curve " + curve_name(hazard),
+      fmt::format("Shaded: 95 % interval over records, of the first curve. Drawn to {} (farther: "
+                  "tables/hazard_curve.csv). Where a curve becomes level it is that of "
+                  "shaking above the highest level of the study, {}, all of which counts as "
+                  "exceeding (rate {:.3g} a year). All runs: tables/hazard_curve.csv.",
+                  format_length(last_m(panel)), at_intensity(results, results.levels.back()),
+                  hazard.beyond_rate)};
   for (const TargetDisplacement& row : hazard.runs.front().targets) {
     const double y = height(row.annual_rate);
     if (y < panel.y.low || y > panel.y.high) continue;

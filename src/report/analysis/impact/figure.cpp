@@ -71,13 +71,12 @@ Figure impact_figure(const Results& results, const RunResults& run) {
     const auto level = std::ranges::find(results.levels, levels[k]) - results.levels.begin();
     DataSeries median = speeds_at(results, run, static_cast<std::size_t>(level));
     median.look = family_look(k, levels.size());
-    median.name = fmt::format("level {}", k);
-    median.label = "median at " + at_intensity(results, levels[k]);
+    median.name = median.label = "median at " + at_intensity(results, levels[k]);
     for (double& x : median.x) x += 0.006 * right_m * (static_cast<double>(k) - 1.0);
     top_mps = std::max(top_mps, *std::ranges::max_element(median.high));
     DataSeries bars = median;
     bars.kind = DataSeries::Kind::bars;
-    bars.name += ": 16th to 84th percentile";
+    bars.name = at_intensity(results, levels[k]) + ": 16th to 84th percentile";
     bars.label.clear();
     median.low.clear();
     median.high.clear();

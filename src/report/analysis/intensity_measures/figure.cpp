@@ -46,6 +46,7 @@ Figure intensity_measures_figure(const Results& results) {
   panel.x.high = 1.05 * std::min(right, 3.0 * ranking.back().dispersion);
   panel.y.low = -static_cast<double>(ranking.size());
   panel.y.high = 1.0;
+  panel.y.values = Axis::Values::names;
   panel.series = {std::move(bars), std::move(sufficient), std::move(insufficient)};
   Figure figure{
       "intensity_measures",

@@ -90,7 +90,7 @@ Figure rare_figure(const Results& results) {
                 "wider distributions, with weights."};
   Panel panel{"",
               {results.intensity_label, 0.0, 1.05 * results.levels.back()},
-              {"Probability", std::log10(least), 0.0}};
+              {"Probability", std::log10(least), 0.0, {}, Axis::Values::logarithms}};
   for (int decade = -7; decade <= 0; ++decade)
     panel.y.ticks.push_back(
         {static_cast<double>(decade), fmt::format("{:g}", std::pow(10.0, decade))});

@@ -42,7 +42,7 @@ Panel bars_of(const SensitivityResults& found, const SpreadRow& row,
   Panel panel{fmt::format("{}, log std {:.2f}", format_length(row.threshold_m), row.std),
               {"Share of the variance (%)", 0.0, right_end_percent},
               {"", 0.4, static_cast<double>(factors.size()) + 0.6}};
-  for (int at = 0; at <= 100; at += 20)
+  for (int at = 0; at <= 100; at += 50)  // closer ones touch beside long names
     panel.x.ticks.push_back({static_cast<double>(at), fmt::format("{}", at)});
   for (std::size_t i = 0; i < factors.size(); ++i) {
     const std::size_t f = factors[i];
@@ -51,14 +51,17 @@ Panel bars_of(const SensitivityResults& found, const SpreadRow& row,
     panel.y.ticks.push_back({y, name});
     const double first = percent(row.first[f]), total = percent(row.total[f]);
     if (!std::isfinite(first) || !std::isfinite(total)) continue;
-    panel.series.push_back(stroke(wide_light, name + " total", y, 0.0, total));
-    panel.series.push_back(stroke(wide_dark, name + " alone", y, 0.0, first));
+    panel.series.push_back(stroke(
+        wide_light, fmt::format("{}, with interactions: {:.0f} %", name, total), y, 0.0, total));
+    panel.series.push_back(
+        stroke(wide_dark, fmt::format("{}, alone: {:.0f} %", name, first), y, 0.0, first));
     const Interval& interval = row.first_interval[f];
-    const double high = percent(interval.high);
+    const double low = percent(interval.low), high = percent(interval.high);
     // Below the bar, where it is on white.
     constexpr double below = 0.3;
     panel.series.push_back(
-        stroke(thin, name + " interval", y - below, percent(interval.low), high));
+        stroke(thin, fmt::format("{}, alone: 95 % interval {:.0f} to {:.0f} %", name, low, high),
+               y - below, low, high));
     panel.notes.push_back(
         {104.0, y, fmt::format("{:.0f} ({:.0f})", first, total), ink, Note::Align::left});
   }

@@ -30,7 +30,11 @@ double height(const VerdictRow& row) {
 }
 
 Axis ratio_axis(double highest) {
-  Axis axis{"Ratio to the prescribed value", std::log10(least_ratio), highest};
+  Axis axis{"Ratio to the prescribed value",
+            std::log10(least_ratio),
+            highest,
+            {},
+            Axis::Values::logarithms};
   for (double decade = least_ratio; std::log10(decade) <= highest; decade *= 10.0) {
     for (const double digit : {1.0, 2.0, 5.0}) {
       const double at = std::log10(digit * decade);
