@@ -54,7 +54,7 @@ void render_figure(const Figure& figure, const std::filesystem::path& folder) {
   replace_all(svg, "id='gp", "id='" + figure.name.text() + "_gp");
   replace_all(svg, "'#gp", "'#" + figure.name.text() + "_gp");
   replace_all(svg, "id=\"gnuplot_canvas\"", "id=\"" + figure.name.text() + "_canvas\"");
-  write_text_file(svg_path, with_tooltips(std::move(svg), figure));
+  write_text_file(svg_path, with_tooltips(svg, figure));
 
   const std::filesystem::path pdf_path = folder / (figure.name + ".pdf");
   std::string pdf = whole_drawing(pdf_path, "%%EOF");

@@ -99,7 +99,7 @@ std::string with_titles(const std::string& plot, const std::vector<std::string>&
 
 }  // namespace
 
-std::string with_tooltips(std::string svg, const Figure& figure) {
+std::string with_tooltips(const std::string& svg, const Figure& figure) {
   const std::string name = gnuplot::identifier(figure.name).text() + "_plot_";
   const std::string plot_begin = "<g id=\"" + name;
   std::size_t at = svg.find(plot_begin);
