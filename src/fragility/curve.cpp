@@ -19,7 +19,8 @@ double FragilityCurve::probability(double intensity) const {
 double FragilityCurve::intensity_at(double probability) const {
   GLISSADE_EXPECTS(probability > 0 && probability < 1);
   if (probability <= floor) return 0;
-  return median * std::exp(log_std * normal_quantile((probability - floor) / (1 - floor)));
+  const double z = normal_quantile((probability - floor) / (1 - floor));
+  return z == 0 ? median : median * std::exp(log_std * z);
 }
 
 double log_normal_cdf(double z) {

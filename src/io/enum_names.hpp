@@ -88,7 +88,8 @@ inline EnumNames<FitStatus> fit_status_names() {
       {"upper_bound", FitStatus::upper_bound},
       {"no_trend", FitStatus::no_trend},
       {"always_exceeds", FitStatus::always_exceeds},
-      {"one_level", FitStatus::one_level}};
+      {"one_level", FitStatus::one_level},
+      {"one_capacity", FitStatus::one_capacity}};
   return names;
 }
 

@@ -43,6 +43,7 @@ enum class FitStatus {
   no_trend,            ///< the share of exceedances does not rise with intensity: no curve
   always_exceeds,      ///< every history exceeds without shaking: floor 1, no median, no log_std
   one_level,           ///< all data are at one intensity: no curve
+  one_capacity,        ///< all histories have one capacity: it is the median; log_std is NaN
 };
 std::string to_string(FitStatus status);
 

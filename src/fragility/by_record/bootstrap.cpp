@@ -160,6 +160,8 @@ FitSummary fit_by_record(const Records& records, const BootstrapOptions& options
     summary.status = pooled.point.status;
     summary.note = pooled.point.note;
   }
+  if (pooled.point.status == FitStatus::one_capacity)
+    summary.curve.median = to_curve(pooled.point.line, records.center()).median;
   if (pooled.has_line()) summary.curve = to_curve(pooled.point.line, records.center());
   summary.curve.floor = pooled.floor;
   if (pooled.floor > 0) add_sentence(summary.note, note_on_floor);

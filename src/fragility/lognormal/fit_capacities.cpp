@@ -33,6 +33,7 @@ FitSummary fit_shaken(const CapacitySample& sample) {
   FitSummary summary;
   summary.status = fit.status;
   summary.note = fit.note;
+  if (fit.status == FitStatus::one_capacity) summary.curve.median = std::exp(data.center);
   if (!summary.converged()) return summary;
   summary.curve = to_curve(fit.line, data.center);
   const auto log_likelihood = [&](const ProbitLine& line) {

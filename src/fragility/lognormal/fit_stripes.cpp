@@ -58,6 +58,8 @@ std::string to_string(FitStatus status) {
       return "exceeds at any intensity";
     case FitStatus::one_level:
       return "one level";
+    case FitStatus::one_capacity:
+      return "one capacity";
   }
   return "failed";
 }

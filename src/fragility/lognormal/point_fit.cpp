@@ -78,7 +78,7 @@ PointFit fit_point(const CapacityData& data, const ProbitLine& start) {
   const double mean = data.sum / data.count;
   const double variance = (data.sum_squares - mean * data.sum) / (data.count - 1);
   if (data.count < 2 || !(variance > 1e-24)) {
-    return {FitStatus::failed, none,
+    return {FitStatus::one_capacity, ProbitLine(-mean, 1),
             "fewer than two different capacities: log_std cannot be determined"};
   }
   return {FitStatus::maximum_likelihood, ProbitLine(-mean, 1) / std::sqrt(variance), ""};

@@ -6,6 +6,7 @@
 
 #include "glissade/core/error.hpp"
 #include "glissade/core/random.hpp"
+#include "glissade/fragility/bootstrap.hpp"
 #include "glissade/fragility/fit.hpp"
 
 namespace glissade {
@@ -93,9 +94,7 @@ TEST(fit_capacities, bounds_the_median_where_no_history_reached_the_threshold) {
 }
 
 TEST(fit_capacities, fails_with_a_reason_where_no_curve_can_be_fitted) {
-  for (const CapacitySample& sample :
-       {CapacitySample{}, CapacitySample{{0.7}}, CapacitySample{{0.7, 0.7}},
-        CapacitySample{{0.7, 0.7}, 2.0, 0.7}}) {
+  for (const CapacitySample& sample : {CapacitySample{}, CapacitySample{{0.7, 0.7}, 2.0, 0.7}}) {
     const FitSummary fit = fit_capacities(sample);
     EXPECT_EQ(fit.status, FitStatus::failed);
     EXPECT_NE(fit.note, "");
@@ -104,6 +103,19 @@ TEST(fit_capacities, fails_with_a_reason_where_no_curve_can_be_fitted) {
 
 // Two of five have capacity 0. Clopper-Pearson of 2 in 5 at 95 %: 0.05274495 to 0.85336720 (closed
 // form: beta quantiles (2, 4) and (3, 3), here from the binomial sums that define them).
+// No spread is known, but the median is: all that there is to fit.
+TEST(fit_capacities, of_one_capacity_have_it_as_their_median_and_no_log_std) {
+  for (const FitSummary& fit : {fit_capacities({{0.7}}), fit_capacities({{0.7, 0.7}}),
+                                fit_capacities_by_record({{{0.7}}}, 2.0, {})}) {
+    EXPECT_EQ(fit.status, FitStatus::one_capacity);
+    EXPECT_FALSE(fit.converged());
+    EXPECT_NEAR(fit.curve.median, 0.7, 1e-15);
+    EXPECT_EQ(fit.curve.intensity_at(0.5), fit.curve.median);
+    EXPECT_TRUE(std::isnan(fit.curve.log_std));
+    EXPECT_FALSE(fit.note.empty());
+  }
+}
+
 TEST(fit_capacities, has_the_share_that_slides_freely_as_its_floor) {
   const FitSummary fit =
       fit_capacities({{0.5, 1.0, 2.0}, 0.0, std::numeric_limits<double>::infinity(), 2.0});

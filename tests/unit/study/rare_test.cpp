@@ -121,5 +121,16 @@ TEST(scrambles, give_the_error_of_the_samples_beside_that_of_the_records) {
   EXPECT_GT(row.record_error, row.sampling_error);
 }
 
+TEST(scrambles, give_no_median_where_the_fit_gives_a_bound_of_it) {
+  StudyConfig config = small_config();
+  config.sampling.method = SamplingMethod::sobol;
+  config.sampling.samples = 64;
+  config.sampling.scrambles = 8;
+  config.fragility->thresholds_m = {1e4};
+  const Results results = test::run(small_plan(config));
+  ASSERT_EQ(results.runs[0].fragilities[0].capacities.status, FitStatus::lower_bound);
+  EXPECT_TRUE(std::isnan(results.sampling_errors.front().median));
+}
+
 }  // namespace
 }  // namespace glissade

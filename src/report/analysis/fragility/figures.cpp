@@ -30,6 +30,9 @@ std::string fit_text(const Results& results, const FitSummary& fit) {
     return fmt::format("median above {} (95 % bound; no exceedance)",
                        with_unit(results, format_number(fit.curve.median)));
   }
+  if (fit.status == FitStatus::one_capacity) {
+    return fmt::format("one capacity: {}", with_unit(results, format_number(fit.curve.median)));
+  }
   return "no curve could be fitted";
 }
 

@@ -47,6 +47,12 @@ std::string fit_sentence(const Results& results, const FitSummary& fit,
         clearance, others, others.empty() ? "its" : "their",
         at_intensity(results, fit.curve.median));
   }
+  if (fit.status == FitStatus::one_capacity) {
+    return fmt::format(
+        "A clearance of {} is exceeded from {} on{}: one capacity, of which no log standard "
+        "deviation can be determined.",
+        clearance, at_intensity(results, fit.curve.median), others);
+  }
   return fmt::format("For a clearance of {} no fragility could be fitted{}.", clearance,
                      fit.note.empty() ? "" : " (" + fit.note + ")");
 }

@@ -69,8 +69,9 @@ double histories_per_level(const Results& results, const RunResults& run) {
 }  // namespace
 
 const FitSummary& preferred_fit(const ThresholdFragility& fragility) {
-  return !fragility.capacities.converged() && fragility.stripes.converged() ? fragility.stripes
-                                                                            : fragility.capacities;
+  const FitSummary& capacities = fragility.capacities;
+  const bool known = capacities.converged() || capacities.status == FitStatus::one_capacity;
+  return !known && fragility.stripes.converged() ? fragility.stripes : capacities;
 }
 
 Table fragility_table(const Results& results) {

@@ -84,7 +84,8 @@ std::vector<SamplingErrorRow> sampling_error_rows(const StudyConfig& config,
     for (const ThresholdFragility& fragility : run.fragilities) {
       const FitSummary& fit = fragility.capacities;
       rows.push_back(
-          {run.label, fragility.threshold_m, fit.curve.median,
+          {run.label, fragility.threshold_m,
+           fit.converged() ? fit.curve.median : std::numeric_limits<double>::quiet_NaN(),
            std::log(fit.median_interval.high / fit.median_interval.low) / width_of_95_percent,
            medians.standard_error(rows.size())});
     }
