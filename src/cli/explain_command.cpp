@@ -26,11 +26,13 @@ void add_explain(CLI::App& program) {
     }
     const std::string text = grammar_text(o->key);
     if (text.empty()) {
-      throw InputError(
-          {"", "there is no table, key, value or measure " + o->key,
-           "`glissade explain` lists those of a study, `glissade clearance --example` those of a "
-           "project",
-           ""});
+      const std::string nearest = nearest_grammar_key(o->key);
+      throw InputError({"", "there is no table, key, value or measure " + o->key,
+                        (nearest.empty() ? "" : "did you mean " + nearest + "? ") +
+                            "`glissade explain` lists those of a study, `glissade clearance "
+                            "--example` those of a "
+                            "project",
+                        ""});
     }
     fmt::print("{}", text);
   });

@@ -103,7 +103,7 @@ void add_friction(CLI::App& program) {
   auto o = std::make_shared<FrictionOptions>();
   CLI::App* command = program.add_subcommand("friction", "Effective friction from pull tests");
   command
-      ->add_option("tests", o->tests, "CSV of pull tests, or of one column mu (studies/README.md)")
+      ->add_option("tests", o->tests, "CSV of pull tests as logged, or a sheet with a column mu (studies/README.md)")
       ->required();
   command->add_option("--slip-m", o->rule.slip_m,
                       "displacement up to which the rig stretches and the array does not slip");

@@ -125,6 +125,11 @@ std::string nearest_word(const std::string& word, const std::vector<std::string>
   }
   // A suggestion helps where the words begin with the same part (another unit), mean the same, or
   // differ by a slip of the pen: not in all letters, nor in the digits of a number.
+  const auto is_part = [&](const std::string& candidate) {  // "default" of "D-default"
+    return candidate.size() > 2 && word.ends_with(candidate);
+  };
+  if (const auto part = std::ranges::find_if(candidates, is_part); part != candidates.end())
+    return *part;
   std::string best;
   std::size_t best_distance = std::min(std::max<std::size_t>(2, word.size() / 3) + 1, word.size());
   bool best_shares = false;

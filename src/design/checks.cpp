@@ -10,6 +10,8 @@
 
 #include "glissade/core/contract.hpp"
 #include "glissade/core/units.hpp"
+#include "glissade/fragility/hazard.hpp"
+#include "glissade/motion/improbable.hpp"
 #include "glissade/sampling/pull_test.hpp"
 
 namespace glissade {
@@ -54,6 +56,7 @@ std::vector<DesignCheck> spectrum_checks(const Project& project, const Results& 
   return checks;
 }
 
+constexpr double least_drained_deg = 0.596;  // IBC 1507 (recalled)
 constexpr double most_rounding_m = foot_m, most_clearance_m = 10.0;
 /// Of the design friction, mean - 2 std, which is above what any number of tests supports: 7 tests
 /// with a standard deviation of 8 % of the mean support 0.87 of it, 4 of them 0.70.
@@ -100,20 +103,11 @@ std::vector<std::string> choices_of(const ProjectFriction& friction) {
   return texts;
 }
 
-/// The MCE is exceeded about once in 2,475 years, near active faults more often (ASCE 7-16, 21.2,
-/// recalled).
-std::vector<std::string> improbable_hazard(const Project& project) {
-  constexpr double shortest_years = 200.0, longest_years = 25000.0;
-  if (!project.hazard) return {};
-  const ProjectHazard& hazard = *project.hazard;
-  const HazardCurve curve = hazard.points.empty() ? HazardCurve::power_law(hazard.k0, hazard.k)
-                                                  : HazardCurve(hazard.points);
-  const double sms_g = site_values(project.site).sms_g(), years = 1.0 / curve.annual_rate(sms_g);
-  if (years >= shortest_years && years <= longest_years) return {};
-  return {
-      fmt::format("the hazard curve gives S_MS, {:.3g} g, once in {:.3g} years, where about 2,500 "
-                  "are usual: are its rates annual ones, of S_DS in g?",
-                  sms_g, years)};
+std::string improbable_hazard(const Project& project) {
+  if (!project.hazard) return "";
+  const double sms_g = site_values(project.site).sms_g();
+  const double rate = HazardCurve(project.hazard->points).annual_rate(sms_g);
+  return improbable_mce_rate(rate, fmt::format("S_MS, {:.3g} g,", sms_g));
 }
 
 }  // namespace
@@ -162,7 +156,14 @@ std::vector<std::string> choices_of(const Project& project) {
       fmt::format("a mean friction of {:.3g} is above {:g}: no roof is known for it",
                   project.friction.mean, most_probable_friction));
   for (std::string& text : choices_of(project.friction)) texts.push_back(std::move(text));
-  for (std::string& text : improbable_hazard(project)) texts.push_back(std::move(text));
+  const std::string hazard = improbable_hazard(project);
+  add(!hazard.empty(), hazard);
+  const double flattest_deg = project.slope_deg.front();
+  add(flattest_deg > 0.0 && flattest_deg < least_drained_deg,
+      fmt::format(
+          "a roof slope of {:g} degrees is flatter than 1/8 in 12, the least of a roof that "
+          "drains: is it a rise in 12 (rise_in_12)?",
+          flattest_deg));
   return texts;
 }
 
@@ -187,6 +188,9 @@ std::vector<std::string> reservations_on(const Project& project, const DesignCle
 
 namespace {
 
+/// Levels of the demand study.
+constexpr std::size_t at_dbe = 0, at_mce = 1;
+
 /// In a case at least.
 std::vector<std::string> records_with_uplift(const Results& demand, std::size_t level) {
   const HistoryTable& histories = demand.histories;
@@ -205,35 +209,13 @@ std::vector<std::string> records_with_uplift(const Results& demand, std::size_t 
 
 }  // namespace
 
-std::vector<DesignCheck> checks_of(const Project& project, const Results& demand,
-                                   const DesignClearance& design) {
-  std::vector<DesignCheck> checks = spectrum_checks(project, demand);
-  const std::size_t records = demand.records.size();
+std::vector<DesignCheck> checks_before_analysis(const Project& project, std::size_t records) {
+  std::vector<DesignCheck> checks;
   checks.push_back({"records", fmt::format("{}", records),
                     fmt::format("{} or more; of fewer the largest counts in place of the mean "
                                 "(SEAOC PV1-2012, recalled)",
                                 least_records),
                     records >= least_records});
-  const auto vertical = std::ranges::count_if(demand.records, &RecordSummary::has_vertical);
-  const bool governs_without = design.vertical == VerticalChoice::none;
-  checks.push_back({"records with vertical motion",
-                    fmt::format("{} of {}{}", vertical, records,
-                                governs_without ? "; without it the displacement is larger" : ""),
-                    "all, or a displacement that is larger without (give the missing files, or a "
-                    "suite without these records)",
-                    governs_without || static_cast<std::size_t>(vertical) == records});
-  for (const auto& [name, level] : {std::pair{"DBE", 0u}, std::pair{"MCE", 1u}}) {
-    const std::vector<std::string> lifted = records_with_uplift(demand, level);
-    checks.push_back({fmt::format("records at {} under which the array lifts off", name),
-                      lifted.empty() ? "none"
-                                     : fmt::format("{} of {}: {}", lifted.size(), records,
-                                                   fmt::join(lifted, ", ")),
-                      "none: uplift is outside the model", lifted.empty()});
-  }
-  const bool finite = std::ranges::all_of(
-      design.demand, [](const PeriodDemand& d) { return std::isfinite(d.largest_m); });
-  checks.push_back(
-      {"histories without a finite displacement", finite ? "none" : "some", "none", finite});
   const ProjectFriction& mu = project.friction;
   const bool is_supported = mu.lower_bound && *mu.lower_bound >= least_supported * mu.design();
   checks.push_back(
@@ -248,14 +230,65 @@ std::vector<DesignCheck> checks_of(const Project& project, const Results& demand
   return checks;
 }
 
+std::string not_met_text(const DesignCheck& check) {
+  return fmt::format("a check is not met: {}: {}; required: {}", check.what, check.found,
+                     check.criterion);
+}
+
+std::vector<DesignCheck> checks_of(const Project& project, const Results& demand,
+                                   const DesignClearance& design) {
+  std::vector<DesignCheck> checks = spectrum_checks(project, demand);
+  const std::size_t records = demand.records.size();
+  std::vector<std::string> without_vertical;
+  for (const RecordSummary& record : demand.records) {
+    if (!record.has_vertical) without_vertical.push_back(record.id);
+  }
+  const bool governs_without = design.vertical == VerticalChoice::none;
+  checks.push_back({"records with vertical motion",
+                    fmt::format("{} of {}{}{}", records - without_vertical.size(), records,
+                                without_vertical.empty() ? "" : "; without: ",
+                                fmt::join(without_vertical, ", ")) +
+                        (governs_without ? "; without it the displacement is larger" : ""),
+                    "all, or a displacement that is larger without (give the missing files, or a "
+                    "suite without these records)",
+                    governs_without || without_vertical.empty()});
+  const std::vector<std::string> lifted = records_with_uplift(demand, at_dbe);
+  checks.push_back({"records at DBE under which the array lifts off",
+                    lifted.empty() ? "none"
+                                   : fmt::format("{} of {}: {}", lifted.size(), records,
+                                                 fmt::join(lifted, ", ")),
+                    "none: uplift is outside the model; the array requires attachment against it, "
+                    "or an analysis by other means",
+                    lifted.empty()});
+  const bool finite = std::ranges::all_of(
+      design.demand, [](const PeriodDemand& d) { return std::isfinite(d.largest_m); });
+  checks.push_back(
+      {"histories without a finite displacement", finite ? "none" : "some", "none", finite});
+  const std::vector<DesignCheck> known = checks_before_analysis(project, records);
+  checks.insert(checks.end(), known.begin(), known.end());
+  return checks;
+}
+
 std::vector<std::string> warnings_on(const Project& project, const Results& demand,
                                      const DesignClearance& design) {
   std::vector<std::string> warnings = choices_of(project);
   warnings.insert(warnings.end(), demand.warnings.begin(), demand.warnings.end());
   for (const DesignCheck& check : design.checks) {
-    if (!check.is_met)
-      warnings.push_back(fmt::format("a check is not met: {}: {}; required: {}", check.what,
-                                     check.found, check.criterion));
+    if (!check.is_met) warnings.push_back(not_met_text(check));
+  }
+  if (const auto lifted = records_with_uplift(demand, at_mce); !lifted.empty())
+    warnings.push_back(
+        fmt::format("at the MCE the array lifts off under {} of {} records ({}): the probability "
+                    "of exceedance at the MCE is outside the model; the required clearance is of "
+                    "the DBE",
+                    lifted.size(), demand.records.size(), fmt::join(lifted, ", ")));
+  for (const Sensitivity& s : design.sensitivity) {
+    const bool of_tests = s.what == "friction" && s.value.find("of the tests") != std::string::npos;
+    if (of_tests && s.clearance_m > design.governing_m)
+      warnings.push_back(fmt::format(
+          "with the friction that the tests support with 95 % confidence, {}, the required "
+          "displacement, {}, is above the governing one",
+          s.value, both_units(s.clearance_m)));
   }
   const bool moves = design.demand.back().largest_m > 0.0 || design.analysis_m > 0.0;
   if (moves && design.demand.size() == 1) {

@@ -37,17 +37,21 @@ double required_m(const Results& demand, const SuiteMean& mean) {
          (demand.records.size() < least_records ? mean.largest : mean.range.highest);
 }
 
-/// The largest requirement of the project's own conditions, with design friction at S_DS: neither
-/// of a slope, a mass ratio or a period that was added for the sensitivity.
+/// One of the project's own conditions, with design friction at S_DS: neither of a slope, a mass
+/// ratio or a period that was added for the sensitivity.
+bool is_condition_of(const Project& project, const Results& demand, const SuiteMean& mean) {
+  const Inputs inputs = inputs_of(demand, mean);
+  return inputs.friction == project.friction.design() && inputs.level == demand.levels.front() &&
+         is_among(project.slope_deg, inputs.slope_deg) &&
+         is_among(project.building.mass_ratio, inputs.mass_ratio) &&
+         is_among(project.building.period_s, mean.period_s);
+}
+
+/// The largest requirement.
 const SuiteMean& governing_mean(const Project& project, const Results& demand) {
   const SuiteMean* governing = nullptr;
   for (const SuiteMean& mean : demand.clearance->by_period) {
-    const Inputs inputs = inputs_of(demand, mean);
-    if (inputs.friction != project.friction.design() || inputs.level != demand.levels.front() ||
-        !is_among(project.slope_deg, inputs.slope_deg) ||
-        !is_among(project.building.mass_ratio, inputs.mass_ratio) ||
-        !is_among(project.building.period_s, mean.period_s))
-      continue;
+    if (!is_condition_of(project, demand, mean)) continue;
     if (governing == nullptr || required_m(demand, mean) > required_m(demand, *governing))
       governing = &mean;
   }
@@ -72,6 +76,28 @@ PeriodDemand demand_at(const Results& demand, const SuiteMean& mean) {
           .p95_m = quantile_of(by_record, 0.95),
           .largest_m = mean.largest,
           .median_orientation_m = mean.range.median};
+}
+
+/// By period, each number the largest of the project's conditions: slopes, mass ratios, with and
+/// without vertical motion. The orientation is that of the largest mean.
+std::vector<PeriodDemand> largest_demands(const Project& project, const Results& demand) {
+  std::vector<PeriodDemand> found;
+  for (const SuiteMean& mean : demand.clearance->by_period) {
+    if (!is_condition_of(project, demand, mean)) continue;
+    const PeriodDemand here = demand_at(demand, mean);
+    const auto same = std::ranges::find(found, mean.period_s, &PeriodDemand::period_s);
+    if (same == found.end()) {
+      found.push_back(here);
+      continue;
+    }
+    if (here.mean_m > same->mean_m) same->orientation = here.orientation;
+    for (double PeriodDemand::*number :
+         {&PeriodDemand::mean_m, &PeriodDemand::p84_m, &PeriodDemand::p95_m,
+          &PeriodDemand::largest_m, &PeriodDemand::median_orientation_m})
+      (*same).*number = std::max((*same).*number, here.*number);
+  }
+  std::ranges::sort(found, {}, &PeriodDemand::period_s);
+  return found;
 }
 
 /// Every value of one input, the others as they govern; the largest over the project's periods.
@@ -166,13 +192,10 @@ DesignClearance design_clearance(const Project& project, const Results& demand) 
   design.factor = demand.clearance->factor;
   design.of_largest = demand.records.size() < least_records;
   design.analysis_m = required_m(demand, governing);
-  for (const SuiteMean& mean : demand.clearance->by_period) {
-    if (inputs_of(demand, mean) != inputs || !is_among(project.building.period_s, mean.period_s))
-      continue;
-    design.demand.push_back(demand_at(demand, mean));
+  design.demand = largest_demands(project, demand);
+  for (const PeriodDemand& d : design.demand)
     design.median_analysis_m =
-        std::max(design.median_analysis_m, design.factor * mean.range.median);
-  }
+        std::max(design.median_analysis_m, design.factor * d.median_orientation_m);
 
   design.prescribed = prescribed_values(project, design.site);
   for (const PrescribedValue& value : design.prescribed) {
@@ -210,7 +233,12 @@ void add_exceedance(const Results& probability, DesignClearance& design) {
   }
   constexpr double most_probable = 0.1;  // at DBE; a limit of this program
   const ExceedanceAt& at_dbe = largest_exceedance(design, "DBE");
-  if (at_dbe.probability > most_probable)
+  const bool is_rare = at_dbe.probability <= most_probable;
+  design.checks.push_back(
+      {"probability that the governing displacement is exceeded at the DBE",
+       fmt::format("{:.2g} %", 100.0 * at_dbe.probability),
+       fmt::format("{:g} % or less (a limit of this program)", 100.0 * most_probable), is_rare});
+  if (!is_rare)
     design.warnings.push_back(fmt::format(
         "the governing displacement is exceeded with a probability of {:.2g} % at the DBE and "
         "{:.2g} "

@@ -4,6 +4,7 @@
 
 #include "glissade/core/units.hpp"
 #include "glissade/design/design_clearance.hpp"
+#include "glissade/motion/improbable.hpp"
 
 namespace glissade {
 
@@ -40,6 +41,20 @@ std::vector<double> periods_of(const Project& project) {
   if (const double only_s = periods_s.front(); periods_s.size() == 1 && only_s > 0.0)
     periods_s = {0.9 * only_s, only_s, 1.1 * only_s};
   return periods_s;
+}
+
+std::vector<double> levels_of(const Project& project) {
+  std::vector<double> shares = {0.25, 0.5, 0.75, 1.0};
+  if (project.hazard)
+    shares = {0.1,  0.15, 0.2,  0.25, 0.28, 0.31, 0.35, 0.4,
+              0.45, 0.5,  0.56, 0.63, 0.71, 0.8,  0.9,  1.0};
+  shares.insert(shares.end(), {1.25, mce_over_dbe, 2.0, 2.5, 3.0, 3.75});
+  const double sds_g = site_values(project.site).sds_g;
+  std::vector<double> levels;
+  for (const double share : shares) {
+    if (share <= mce_over_dbe || share * sds_g <= most_probable_g) levels.push_back(share * sds_g);
+  }
+  return levels;
 }
 
 }  // namespace glissade

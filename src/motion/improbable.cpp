@@ -122,4 +122,14 @@ std::vector<std::string> improbable_values(const DesignTarget& target) {
   return found;
 }
 
+std::string improbable_mce_rate(double annual_rate, const std::string& mce) {
+  constexpr double shortest_years = 200.0, longest_years = 25000.0;
+  const double years = 1.0 / annual_rate;
+  if (years >= shortest_years && years <= longest_years) return "";
+  return fmt::format(
+      "the hazard curve gives {} once in {:.3g} years, where about 2,500 are usual: are its rates "
+      "annual ones, and its intensities in the unit of the levels?",
+      mce, years);
+}
+
 }  // namespace glissade

@@ -85,8 +85,14 @@ std::string note_on_normality(const DirectionFriction& d) {
 }
 
 std::vector<std::string> notes_on_trace(const TraceFriction& t) {
+  constexpr double most_travel_m = 3.0;
   std::vector<std::string> notes;
   const std::string name = fmt::format("test {} {}", t.test, t.direction);
+  if (t.travel_m > most_travel_m)
+    notes.push_back(
+        fmt::format("{}: the array is pulled over {:.3g} m: check the unit of the "
+                    "displacements",
+                    name, t.travel_m));
   if (t.breakaway_mu < t.sliding_mu) {
     notes.push_back(fmt::format(
         "{}: breakaway {:.3f} is below sliding {:.3f}: if the rig stretches before the array "
@@ -106,6 +112,11 @@ std::vector<std::string> notes_on(const PullTestSummary& summary) {
   std::vector<std::string> notes;
   for (const DirectionFriction& d : summary.directions) {
     for (std::string& note : outliers_in(d)) notes.push_back(std::move(note));
+    if (d.sliding.mean < least_probable_friction || d.sliding.mean > most_probable_friction)
+      notes.push_back(fmt::format(
+          "{}: a mean friction of {:.3g} is outside of what roofs have shown, {:g} to {:g}: check "
+          "the units of the forces",
+          d.direction, d.sliding.mean, least_probable_friction, most_probable_friction));
     notes.push_back(note_on_number(d));
     if (std::string note = note_on_design(d); !note.empty()) notes.push_back(std::move(note));
     if (std::string note = note_on_normality(d); !note.empty()) notes.push_back(std::move(note));
@@ -181,11 +192,12 @@ PullTestSummary summarise(const std::vector<PullTest>& tests, const SlidingRule&
   return summary;
 }
 
-PullTestSummary summarise_values(const std::vector<double>& sliding_mu) {
+PullTestSummary summarise(const std::vector<EvaluatedTests>& tests) {
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
   PullTestSummary summary;
-  summary.directions.push_back(
-      {"all", statistics_of(sliding_mu), {0, none, none, none, none, {}}, sliding_mu});
+  for (const EvaluatedTests& t : tests)
+    summary.directions.push_back(
+        {t.direction, statistics_of(t.mu), {0, none, none, none, none, {}}, t.mu});
   summary.notes = notes_on(summary);
   return summary;
 }

@@ -59,6 +59,7 @@ TEST(Usage, explain_answers_for_a_measure_a_value_and_a_key_without_its_table) {
   EXPECT_THAT(explained("period_s"), HasSubstr("[building] of a project"));
   EXPECT_THAT(explained("obstruction_m"), HasSubstr("[clearances] of a project"));
   expect_refused(run_program({"explain", "sb"}), {"sb", "glissade explain"});
+  expect_refused(run_program({"explain", "heigth_m"}), {"did you mean height_m"});
 }
 TEST(Usage, options_take_numbers_with_units_as_files_do) {
   const auto standards = [](const char* sds) {

@@ -13,6 +13,7 @@ enum class UnitSystem { si, us_customary };
 inline constexpr double standard_gravity_mps2 = 9.80665;  ///< exact by definition (CGPM 1901)
 inline constexpr double inch_m = 0.0254;
 inline constexpr double foot_m = 0.3048;
+inline constexpr double pound_force_n = 0.45359237 * standard_gravity_mps2;  ///< exact
 inline constexpr double rad_per_deg = std::numbers::pi / 180.0;
 
 }  // namespace glissade

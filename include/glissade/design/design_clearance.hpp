@@ -83,7 +83,7 @@ struct DesignClearance {
   SiteValues site;
   double slope_deg = 0.0, mass_ratio = 0.0, period_s = 0.0;  ///< of the governing case
   VerticalChoice vertical = VerticalChoice::if_available;    ///< likewise
-  std::vector<PeriodDemand> demand;                          ///< by period
+  std::vector<PeriodDemand> demand;  ///< by period; each number the largest of all conditions
   double factor = 1.1;
   bool of_largest = false;  ///< fewer than 7 records: the largest counts in place of the mean
   double analysis_m = 0.0;  ///< factor x the largest mean over orientations and periods
@@ -122,6 +122,15 @@ std::vector<std::string> reservations_on(const Project& project, const DesignCle
 /// no analysis.
 std::vector<std::string> choices_of(const Project& project);
 
+inline constexpr const char* simulated_motions_warning =
+    "the motions of this suite are simulated and do not serve for a permit: repeat the calculation "
+    "with recorded motions";
+
+/// Of the number of records and the friction.
+std::vector<DesignCheck> checks_before_analysis(const Project& project, std::size_t records);
+/// A warning.
+std::string not_met_text(const DesignCheck& check);
+
 /// The frictions of the demand study, with what each is, increasing.
 struct StudiedFriction {
   double value = 0.0;
@@ -135,6 +144,10 @@ std::vector<double> slopes_of(const Project& project);
 std::vector<double> mass_ratios_of(const Project& project);
 /// Those of the project, and of one above 0 also 0.9 and 1.1 times that, for the sensitivity, s.
 std::vector<double> periods_of(const Project& project);
+/// S_DS of the probability study, g: parts of that of the site, from a quarter of it to 3.75 times,
+/// DBE and MCE among them. A hazard curve is followed from where nothing slides, in small steps
+/// where slip begins: what adds up over a design life comes from there.
+std::vector<double> levels_of(const Project& project);
 
 /// Adds what the results of probability_study() give.
 void add_exceedance(const Results& probability, DesignClearance& design);

@@ -15,8 +15,8 @@ namespace glissade {
 /// numbers that are none, time that goes back, normal force not above 0 ...
 std::vector<PullTest> read_pull_tests(const std::filesystem::path& file);
 
-/// Pull tests with what came out. The file may also be a sheet: one column mu with a test in each
-/// row; then there are no logs.
+/// Pull tests with what came out. The file may also be a sheet with a test in each row: a column mu,
+/// and test and direction if wanted; then there are no logs.
 struct PullTestResults {
   std::vector<PullTest> tests;
   PullTestSummary summary;

@@ -31,4 +31,9 @@ std::vector<std::string> improbable_values(const Motion& motion);
 /// than mapped values.
 std::vector<std::string> improbable_values(const DesignTarget& target);
 
+/// Of a hazard curve at the MCE, which is exceeded about once in 2,475 years, near active faults
+/// more often (ASCE 7-16, 21.2, recalled); "" from 200 to 25,000 years.
+/// @param mce "S_MS, 1.58 g,"
+std::string improbable_mce_rate(double annual_rate, const std::string& mce);
+
 }  // namespace glissade

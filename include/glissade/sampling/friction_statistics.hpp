@@ -46,7 +46,11 @@ struct PullTestSummary {
 
 /// Throws InputError with the problems of all tests.
 PullTestSummary summarise(const std::vector<PullTest>& tests, const SlidingRule& rule);
-/// Of one value for each test; the direction is "all".
-PullTestSummary summarise_values(const std::vector<double>& sliding_mu);
+/// Friction of tests that others evaluated, one direction.
+struct EvaluatedTests {
+  std::string direction;
+  std::vector<double> mu;  ///< sliding, by test
+};
+PullTestSummary summarise(const std::vector<EvaluatedTests>& tests);
 
 }  // namespace glissade

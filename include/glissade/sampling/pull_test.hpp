@@ -8,7 +8,7 @@
 namespace glissade {
 
 /// Pulls over roof membranes have shown 0.3 to 1 (recalled).
-inline constexpr double most_probable_friction = 1.2;
+inline constexpr double least_probable_friction = 0.2, most_probable_friction = 1.2;
 /// No pull of an array over a roof has shown more: a larger coefficient is an error of units or of
 /// a decimal point.
 inline constexpr double largest_friction = 2.0;

@@ -192,6 +192,7 @@ struct ModelText {
 
 struct SuiteSummary {
   std::string name, description;
+  std::string target;  ///< "ASCE 7-16, S_S 1.5 g, S_1 0.6 g, site class D"; empty without one
   SuiteSpectra spectra;
 };
 

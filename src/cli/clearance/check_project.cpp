@@ -120,6 +120,9 @@ void check_project(const fs::path& file, const fs::path& out) {
       if (std::ranges::find(warnings, warning) == warnings.end()) warnings.push_back(warning);
     }
   }
+  if (record_files(project.suite).empty()) warnings.emplace_back(simulated_motions_warning);
+  for (const DesignCheck& check : checks_before_analysis(project, suite.motions.size()))
+    if (!check.is_met) warnings.push_back(not_met_text(check));
   for (const std::string& warning : warnings)
     fmt::print("{}\n", wrapped("WARNING: " + warning, terminal_width, 2));
   std::fflush(stdout);

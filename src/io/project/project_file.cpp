@@ -38,6 +38,7 @@ bool is_replaced(const TomlTable& table, std::string_view key) {
   if (key == "site_class")
     return has("site_classes") || has("sds_g") || has("sd1_g") || has("spectrum");
   if (key == "period_s") return has("system") || has("height_m");
+  if (key == "mass_ratio") return has("array_weight_kn") || has("weight_kn");
   if (key == "rise_in_12") return has("slope_deg");
   if (key == "file") return has("mean");
   return false;
@@ -61,6 +62,8 @@ void require_keys(const TomlTable& root) {
     if (table.has(one) && !table.has(other)) require(name, other);
   };
   together("building", "system", "height_m"), together("building", "height_m", "system");
+  together("building", "weight_kn", "array_weight_kn");
+  together("building", "array_weight_kn", "weight_kn");
   if (!root.table("friction").has("file"))
     together("friction", "mean", "std"), together("friction", "mean", "source");
   together("site", "sds_g", "sd1_g"), together("site", "sd1_g", "sds_g");
@@ -160,8 +163,25 @@ ProjectBuilding read_building(const TomlTable& table, const Project& project) {
     building.period_s = read_values(table, "period_s", above_zero);
     building.period_basis = "as given";
   }
-  building.mass_ratio = read_values(table, "mass_ratio",
-                                    {"from 0 to 1", [](double x) { return x >= 0.0 && x <= 1.0; }});
+  constexpr double most_period_s = 15.0;
+  if (!building.period_s.empty() && building.period_s.back() > most_period_s)
+    table.report(table.has("period_s") ? "period_s" : "height_m",
+                 fmt::format("a building period of {:.3g} s: no building has more than {:g} s",
+                             building.period_s.back(), most_period_s),
+                 "check the units: seconds, metres");
+  const NumberRule to_one{"from 0 to 1", [](double x) { return x >= 0.0 && x <= 1.0; }};
+  if (table.has("mass_ratio") && table.has("weight_kn"))
+    table.report("mass_ratio", "building.mass_ratio and building.weight_kn are both given",
+                 "give the ratio, or both weights");
+  if (table.has("weight_kn") && table.has("array_weight_kn")) {
+    const double array_kn = table.number("array_weight_kn", not_negative).value_or(0.0);
+    const double ratio = array_kn / table.number("weight_kn", above_zero).value_or(1.0);
+    if (!to_one.is_met(ratio))
+      table.report("array_weight_kn", "the array weighs more than the building", "check the units");
+    building.mass_ratio = {ratio};
+  } else {
+    building.mass_ratio = read_values(table, "mass_ratio", to_one);
+  }
   building.storeys = table.number("storeys", {"a whole number above 0", [](double x) {
                                                 return x >= 1.0 && std::floor(x) == x;
                                               }});
@@ -319,6 +339,13 @@ void check_project(const TomlTable& root, const Project& project) {
                     "above tan(slope) = {:.3g}: the array slides without an earthquake{}",
                     mu.mean, mu.std, mu.mean - 2.0 * mu.std, tangent, outliers_of(mu)),
         "anchor the array, or state a higher friction or a flatter roof");
+  if (project.hazard)
+    check_events(
+        root.table("hazard"),
+        {HazardCurve(project.hazard->points), "", project.hazard->design_life_years, {}},
+        levels_of(project).front(),
+        "check the curve's unit: the annual rate with which S_DS, in g, is exceeded; k0 is "
+        "that of 1 g");
 }
 
 }  // namespace

@@ -29,19 +29,6 @@ std::string target_of(const Project& project, const fs::path& folder) {
                      path_from(project.file.parent_path() / project.spectrum_file, folder));
 }
 
-/// As parts of S_DS: DBE and MCE, what shows the curves from 0 to near 1, and what a hazard curve
-/// is followed through, from where little slides.
-std::vector<double> levels_of(const Project& project) {
-  std::vector<double> shares = {0.25, 0.5, 0.75, 1.0, 1.25, mce_over_dbe, 2.0, 2.5, 3.0, 3.75};
-  if (project.hazard) shares.insert(shares.begin(), {0.1, 0.15, 0.2});
-  const double sds_g = site_values(project.site).sds_g;
-  std::vector<double> levels;
-  for (const double share : shares) {
-    if (share <= mce_over_dbe || share * sds_g <= most_probable_g) levels.push_back(share * sds_g);
-  }
-  return levels;
-}
-
 std::string hazard_of(const Project& project, const fs::path& folder) {
   if (!project.hazard) return "";
   const ProjectHazard& hazard = *project.hazard;

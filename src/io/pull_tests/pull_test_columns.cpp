@@ -14,7 +14,6 @@ namespace {
 
 using enum PullTestColumn;
 
-constexpr double pound_force_n = 0.45359237 * standard_gravity_mps2;  // exact by definition
 
 struct KnownName {
   const char* name;
@@ -56,8 +55,8 @@ const KnownName* find_name(const std::string& name) {
 
 std::string suggestion_for(const std::string& name) {
   if (name == "mu")
-    return "friction of each test, evaluated already, is for a project: a file with the one column "
-           "mu";
+    return "friction of each test, evaluated already, is a file with a column mu, and test and "
+           "direction if wanted, alone";
   std::vector<std::string> names;
   for (const KnownName& known : known_names) names.emplace_back(known.name);
   const std::string nearest = nearest_word(name, names);

@@ -11,7 +11,6 @@
 #include "glissade/core/error.hpp"
 #include "glissade/core/file.hpp"
 #include "pull_tests/pull_test_columns.hpp"
-#include "text/number_rows.hpp"
 #include "text/scan.hpp"
 
 namespace glissade {
@@ -143,31 +142,80 @@ class TestBuilder {
   std::optional<double> last_time_s_;
 };
 
-bool is_sheet(const std::filesystem::path& file) {
-  const std::string text = read_text_file(file);
-  LineReader reader(text);
-  while (reader.next()) {
-    if (!is_blank_or_comment(reader.line())) return trimmed(reader.line()) == "mu";
+/// Columns of a sheet of evaluated tests: mu, and test and direction where they are there.
+struct SheetColumns {
+  std::size_t width = 0;
+  std::optional<std::size_t> mu, direction;
+};
+
+/// Nothing where the header is that of pull tests as logged, or of no file that is known.
+std::optional<SheetColumns> sheet_columns(std::string_view header) {
+  const std::vector<std::string_view> cells = csv_cells(header);
+  SheetColumns columns{cells.size(), {}, {}};
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const std::string name = lower_case(cells[i]);
+    if (name == "mu" && !columns.mu)
+      columns.mu = i;
+    else if (name == "direction" && !columns.direction)
+      columns.direction = i;
+    else if (name != "test")
+      return std::nullopt;
   }
-  return false;
+  return columns.mu ? std::optional(columns) : std::nullopt;
 }
 
-std::vector<double> read_sheet(const std::filesystem::path& file) {
-  std::vector<double> mu;
-  const auto take = [&](const std::vector<double>& row, std::size_t) -> std::string {
-    if (!(row[0] >= 0.0 && row[0] <= largest_friction))
-      return fmt::format("mu is not from 0 to {:g}", largest_friction);
-    mu.push_back(row[0]);
-    return "";
-  };
-  read_number_rows(file, {{{"mu"}, take}});
-  return mu;
+/// Friction by direction, "all" where none is stated; nothing where the file is no sheet.
+std::vector<EvaluatedTests> read_sheet(const std::filesystem::path& file) {
+  const std::string text = read_text_file(file);
+  LineReader reader(text);
+  std::optional<SheetColumns> columns;
+  std::vector<EvaluatedTests> tests;
+  Troubles troubles;
+  while (reader.next()) {
+    if (is_blank_or_comment(reader.line())) continue;
+    if (!columns) {
+      columns = sheet_columns(reader.line());
+      if (!columns) return {};
+      continue;
+    }
+    const std::vector<std::string_view> cells = csv_cells(reader.line());
+    const auto refuse = [&](const Trouble& trouble) {
+      troubles.add(trouble, place(file, reader.number()), reader.line());
+    };
+    if (cells.size() != columns->width) {
+      refuse({"columns",
+              fmt::format("{} column(s) where the header has {}", cells.size(), columns->width),
+              ""});
+      continue;
+    }
+    const std::string direction(columns->direction ? cells[*columns->direction] : "all");
+    const auto mu = parse_number(cells[*columns->mu]);
+    if (!mu || !(*mu >= 0.0 && *mu <= largest_friction)) {
+      refuse({"mu",
+              in_quotes(cells[*columns->mu]) + " is not a friction from 0 to " +
+                  shortest_decimal(largest_friction),
+              ""});
+    } else if (direction.empty() || !is_plain_text(direction)) {
+      refuse({"name", "the direction is empty, or not UTF-8 text", "name it in every row"});
+    } else {
+      const auto same = std::ranges::find(tests, direction, &EvaluatedTests::direction);
+      if (same == tests.end())
+        tests.push_back({direction, {*mu}});
+      else
+        same->mu.push_back(*mu);
+    }
+  }
+  troubles.throw_if_any();
+  if (columns && tests.empty())
+    throw InputError(
+        {file.string(), "there are no rows below the header", "give a row for each test", ""});
+  return tests;
 }
 
 }  // namespace
 
 PullTestResults read_pull_test_results(const std::filesystem::path& file, const SlidingRule& rule) {
-  if (is_sheet(file)) return {{}, summarise_values(read_sheet(file))};
+  if (const auto tests = read_sheet(file); !tests.empty()) return {{}, summarise(tests)};
   PullTestResults results{read_pull_tests(file), {}};
   results.summary = summarise(results.tests, rule);
   return results;

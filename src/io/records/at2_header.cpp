@@ -38,6 +38,15 @@ std::size_t find_dt(const std::string& lower) {
   return std::string::npos;
 }
 
+/// The step that `word`, a part of the line, states: in seconds, or in ms where that follows it.
+std::optional<double> step_in(std::string_view line, std::string_view word) {
+  std::optional<double> step = parse_number(word);
+  const auto end = static_cast<std::size_t>(word.data() - line.data()) + word.size();
+  const std::string unit = lower_case(word_at(line, end));
+  if (step && (unit == "ms" || unit == "msec" || unit == "milliseconds")) *step *= 1e-3;
+  return step;
+}
+
 void read_counts(std::string_view line, const std::string& lower, std::size_t npts_at,
                  At2Header& header) {
   const std::string_view first = word_at(line, 0);
@@ -54,7 +63,7 @@ void read_counts(std::string_view line, const std::string& lower, std::size_t np
   header.npts = parse_count(npts);
   if (dt.empty()) return;  // a line above may have stated it
   header.dt_text = dt;
-  header.dt_s = parse_number(dt);
+  header.dt_s = step_in(line, dt);
 }
 
 }  // namespace
@@ -95,10 +104,10 @@ bool read_header_line(std::string_view line, std::size_t number, At2Header& head
   const std::size_t npts_at = lower.find("npts");
   if (npts_at == std::string::npos) {
     const std::size_t dt_at = trimmed(line).starts_with('#') ? find_dt(lower) : std::string::npos;
-    const std::optional<double> dt_s =
-        dt_at == std::string::npos ? std::nullopt : parse_number(word_at(line, dt_at + 2));
-    if (dt_s) {
-      header.dt_text = word_at(line, dt_at + 2);
+    const std::string_view word =
+        dt_at == std::string::npos ? std::string_view() : word_at(line, dt_at + 2);
+    if (const std::optional<double> dt_s = word.empty() ? std::nullopt : step_in(line, word)) {
+      header.dt_text = word;
       header.dt_s = dt_s;
       header.lines = number;
     }

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "glissade/core/error.hpp"
@@ -91,35 +92,62 @@ Record read_at2(const std::filesystem::path& file, std::string_view text, const 
   return record;
 }
 
-/// The first of the values without a time is no sample where it is the number of those after it, of
-/// them and the step, or the step: a header that is no comment. Nor are the first two where a count
-/// (of components, of parts) and a step come first. A step that is not the record's is one still:
-/// what is usual of recorders, and a hundred times the samples after it where it stands alone.
-void refuse_header(const Record& record, double unit_mps2) {
+/// Digits behind the point: programs write samples with as many each.
+std::size_t decimals_of(std::string_view token) {
+  const std::size_t point = token.find('.');
+  if (point == std::string_view::npos) return 0;
+  const std::size_t end = token.find_first_of("eEdD", point);
+  return (end == std::string_view::npos ? token.size() : end) - point - 1;
+}
+
+/// A header that is no comment before values without a time: no sample is
+/// - a whole number among the first three that is nearly the number of values, or far above all of
+///   those that follow;
+/// - the step, or one that is usual of recorders beside a count (of components, of parts), a
+///   hundred times the values after it, or written with other digits than they are.
+/// @param decimals of the first values
+void refuse_header(const Record& record, double unit_mps2,
+                   const std::vector<std::size_t>& decimals) {
+  constexpr std::size_t judged = 8, headed = 3;
+  constexpr double least_count = 100.0, count_error = 0.05, far_above = 3.0;
   const std::vector<double>& a = record.acceleration_mps2;
   const double first = a.front() / unit_mps2, after = static_cast<double>(a.size() - 1);
-  const bool is_count =
-      a.size() >= 8 && (std::round(first) == after || std::round(first) == after - 1.0);
+  const auto refuse = [&](double value, const char* what) {
+    throw InputError(
+        {record.name,
+         fmt::format("begins with {:g}, {}: a header, not an acceleration", value, what),
+         "put # before the lines of the header; a sample of that value needs a column of times",
+         ""});
+  };
   const auto equals_step = [&](double value) {
     return std::abs(value - record.dt_s) <= 1e-9 * record.dt_s;
   };
+  if (equals_step(first)) refuse(first, "a time step");
+  if (a.size() < judged) return;
+  if (std::round(first) == after || std::round(first) == after - 1.0)
+    refuse(first, "the number of values that follow");
+  double largest_after = 0.0;
+  for (std::size_t i = headed; i < a.size(); ++i)
+    largest_after = std::max(largest_after, std::abs(a[i]) / unit_mps2);
+  for (std::size_t i = 0; i < headed; ++i) {
+    const double value = a[i] / unit_mps2;
+    if (value < least_count || std::round(value) != value) continue;
+    if (std::abs(value - after) <= count_error * after || value > far_above * largest_after)
+      refuse(value, "a count");
+  }
   const auto is_usual_step = [](double value) { return value >= 0.0005 && value <= 0.1; };
   const auto is_far_below_first = [&](double value) {
     return 100.0 * std::abs(value) <= std::abs(a.front());
   };
-  const bool is_step =
-      equals_step(first) || (a.size() >= 8 && is_usual_step(first) &&
-                             std::all_of(a.begin() + 1, a.begin() + 8, is_far_below_first));
-  const bool is_count_and_step = a.size() >= 8 && first >= 1.0 && std::round(first) == first &&
-                                 (equals_step(a[1] / unit_mps2) || is_usual_step(a[1] / unit_mps2));
-  if (!is_count && !is_step && !is_count_and_step) return;
-  throw InputError(
-      {record.name,
-       fmt::format("begins with {:g}, {}: a header, not an acceleration", first,
-                   is_count  ? "the number of values that follow"
-                   : is_step ? "a time step"
-                             : "a count, and a time step"),
-       "put # before the lines of the header; a sample of that value needs a column of times", ""});
+  if (first >= 1.0 && std::round(first) == first &&
+      (equals_step(a[1] / unit_mps2) || is_usual_step(a[1] / unit_mps2)))
+    refuse(first, "a count, and a time step");
+  const auto next = decimals.begin() + 1, end = decimals.begin() + judged;
+  const bool is_written_otherwise = std::all_of(
+      next, end, [&](std::size_t digits) { return digits == *next && digits > decimals[0]; });
+  if (is_usual_step(first) &&
+      (is_written_otherwise || std::all_of(a.begin() + 1, a.begin() + judged, is_far_below_first)))
+    refuse(first, "a time step");
 }
 
 /// What the comments before the first sample state.
@@ -147,6 +175,7 @@ Record read_columns(const std::filesystem::path& file, std::string_view text,
   TimeColumn time;
   std::size_t columns = 0;
   double unit_mps2 = 1.0;
+  std::vector<std::size_t> decimals;
   LineReader reader(text);
   while (reader.next()) {
     if (is_blank_or_comment(reader.line())) continue;
@@ -168,6 +197,7 @@ Record read_columns(const std::filesystem::path& file, std::string_view text,
     }
     if (columns == 2) time.add(parse_finite(file, line, parts[0], "the time"), parts[0], line);
     record.acceleration_mps2.push_back(parse_sample(file, line, parts.back(), unit_mps2));
+    if (columns == 1) decimals.push_back(decimals_of(parts.back()));
   }
   if (columns == 0)
     throw InputError({file.string(), "the file holds no samples", what_is_read, ""});
@@ -175,7 +205,7 @@ Record read_columns(const std::filesystem::path& file, std::string_view text,
     record.dt_s = step_of(file, time, options.dt_s ? options.dt_s : header.dt_s);
   } else {
     record.dt_s = column_step(file, header, options);
-    refuse_header(record, unit_mps2);
+    refuse_header(record, unit_mps2, decimals);
   }
   if (header.npts) check_count(file, header, record.acceleration_mps2.size());
   return record;

@@ -175,6 +175,8 @@ void exchange_suites(const Archive& archive, const IntensityScale& scale, Suites
   const Columns column(archive, suites, "name");
   column("name", {"-", "name of the suite"}, &SuiteSummary::name);
   column("description", {"-", "what it is"}, &SuiteSummary::description);
+  column("target", {"-", "edition, site and class of its design spectrum; empty without one"},
+         &SuiteSummary::target);
   for (std::size_t i = 0; i < suites.size(); ++i) {
     const auto group = archive.group("spectra_" + std::to_string(i));
     group.attribute("reference_level" + scale.suffix, suites[i].spectra.reference_level);

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "enum_names.hpp"
+#include "glissade/core/error.hpp"
 #include "glissade/core/wrap.hpp"
 #include "glissade/io/study_grammar.hpp"
 #include "glissade/study/config.hpp"
@@ -309,6 +310,13 @@ std::string grammar_text(const std::string& wanted) {
   }
   const std::string of_project = project_text(wanted);
   return text + (text.empty() || of_project.empty() ? "" : "\n") + of_project;
+}
+
+std::string nearest_grammar_key(const std::string& wanted) {
+  std::vector<std::string> names;
+  for (const GrammarKey& key : grammar()) names.insert(names.end(), {key.table, key.key});
+  for (const ProjectKey& key : project_keys()) names.emplace_back(key.key);
+  return nearest_word(wanted, names);
 }
 
 std::string grammar_page() {

@@ -11,10 +11,6 @@
 namespace glissade {
 namespace {
 
-/// With more earthquakes in a life the lowest level is far below any that matters, or the curve is
-/// in another unit.
-constexpr double most_events = 1000.0;
-
 /// The columns are the study's intensity measure and the annual rate of exceeding it.
 std::optional<HazardCurve> read_curve(const TomlTable& table, const std::string& measure,
                                       const std::filesystem::path& folder) {
@@ -37,22 +33,6 @@ std::optional<HazardCurve> read_curve(const TomlTable& table, const std::string&
     table.report("curve", error);
     return {};
   }
-}
-
-void check_events(const TomlTable& table, const StudyConfig& study) {
-  if (study.intensity.levels.empty()) return;
-  const HazardConfig& hazard = *study.hazard;
-  const double lowest = study.intensity.levels.front();
-  const double events = hazard.design_life_years * hazard.curve.annual_rate(lowest);
-  if (events > most_events)
-    table.report(
-        "design_life_years",
-        fmt::format("the hazard curve has {:.4g} earthquakes above the lowest level, {:g}, "
-                    "in the design life; at most {:g} can be followed",
-                    events, lowest, most_events),
-        fmt::format("check the curve's unit, which is that of intensity.measure, or begin "
-                    "the levels at {:.2g}",
-                    hazard.curve.intensity_at(most_events / hazard.design_life_years)));
 }
 
 }  // namespace
@@ -82,6 +62,19 @@ std::optional<HazardConfig> read_hazard(const TomlTable& table, const std::strin
   return HazardConfig{*curve, source, years, {}};
 }
 
+void check_events(const TomlTable& table, const HazardConfig& hazard, double lowest,
+                  const std::string& remedy) {
+  constexpr double most_events = 1000.0;
+  const double events = hazard.design_life_years * hazard.curve.annual_rate(lowest);
+  if (events > most_events)
+    table.report(
+        table.has("k0") ? "k0" : "curve",
+        fmt::format("the hazard curve has {:.4g} earthquakes above the lowest level, {:g}, "
+                    "in the design life; at most {:g} can be followed",
+                    events, lowest, most_events),
+        remedy);
+}
+
 void read_hazard(const TomlTable& root, StudyConfig& study) {
   const TomlTable table = root.table("hazard");
   study.hazard = read_hazard(table, study.intensity.measure.key(), study.file.parent_path());
@@ -94,7 +87,10 @@ void read_hazard(const TomlTable& root, StudyConfig& study) {
                 "give it, or leave out [hazard]");
   if (!study.hazard) return;
   study.hazard->target_rates_per_year = targets;
-  check_events(table, study);
+  if (study.intensity.levels.empty()) return;
+  check_events(table, *study.hazard, study.intensity.levels.front(),
+               "check the curve's unit, which is that of intensity.measure, or begin the levels "
+               "higher");
 }
 
 }  // namespace glissade

@@ -10,6 +10,10 @@ namespace glissade {
 /// @param folder that of the file. Nothing where a problem is reported.
 std::optional<HazardConfig> read_hazard(const TomlTable& table, const std::string& measure,
                                         const std::filesystem::path& folder);
+/// With more earthquakes in a life the lowest level is far below any that matters, or the curve is
+/// in another unit: a problem.
+void check_events(const TomlTable& table, const HazardConfig& hazard, double lowest,
+                  const std::string& remedy);
 /// Of a study. Reads after the intensity.
 void read_hazard(const TomlTable& root, StudyConfig& study);
 

@@ -28,6 +28,8 @@ constexpr std::array accelerations = {Unit{"g", 1.0}, Unit{"m/s2", 1.0 / standar
                                       Unit{"ft/s2", foot_m / standard_gravity_mps2}};
 constexpr std::array velocities = {Unit{"m/s", 1.0}, Unit{"cm/s", 0.01}, Unit{"in/s", inch_m},
                                    Unit{"ft/s", foot_m}};
+constexpr std::array forces = {Unit{"kN", 1.0}, Unit{"N", 0.001}, Unit{"kip", pound_force_n},
+                               Unit{"lb", 1e-3 * pound_force_n}};
 constexpr std::array rates = {Unit{"s/m", 1.0}, Unit{"s/in", 1.0 / inch_m},
                               Unit{"s/ft", 1.0 / foot_m}};
 
@@ -41,6 +43,7 @@ constexpr std::array rows = {KeyUnits{"slope_deg", "a slope", angles, slope_deg}
                              KeyUnits{"_s_per_m", "a time over a length", rates},
                              KeyUnits{"_mps", "a velocity", velocities},
                              KeyUnits{"_km", "a distance", distances},
+                             KeyUnits{"_kn", "a force", forces},
                              KeyUnits{"_m", "a length", lengths},
                              KeyUnits{"_s", "a time", times},
                              KeyUnits{"_g", "an acceleration", accelerations},

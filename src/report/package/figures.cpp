@@ -53,12 +53,13 @@ Figure demand_figure(const CalculationPackage& package) {
   add_side_labels(panel, std::move(labels), {side, 0.34, 0.11});
   return {"demand",
           "Displacement at DBE over the building's period",
-          fmt::format("S_DS = {:.3f} g; friction {:.3g}; slope {:.3g} degrees; {} records{}",
-                      design.site.sds_g, package.project.friction.design(), design.slope_deg,
-                      package.demand.records.size(),
-                      is_above ? "; governing displacement above the figure: " +
-                                     length_in_both(design.governing_m)
-                               : ""),
+          fmt::format(
+              "S_DS = {:.3f} g; friction {:.3g}; largest over slopes, mass ratios, with and "
+              "without vertical motion; {} records{}",
+              design.site.sds_g, package.project.friction.design(), package.demand.records.size(),
+              is_above ? "; governing displacement above the figure: " +
+                             length_in_both(design.governing_m)
+                       : ""),
           "Largest: of any orientation. Mean and 95th percentile: all records have the orientation "
           "that is least favourable at the period.",
           {panel}};

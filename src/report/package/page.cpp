@@ -170,14 +170,17 @@ Html motions_html(const CalculationPackage& package, const std::vector<DrawnFigu
   return section_heading(2) + page_table(site_table(package)) +
          paragraph(fmt::format(
              "Suite: {}: {}. The suite, with its own scales, is multiplied by one factor, so that "
-             "its "
-             "average SRSS spectrum is nowhere below the design spectrum from 0 to 2 s (Walters et "
-             "al. 2012){}. So scaled it is, from 0 to 2 s, {:.3f} times (at {:.3g} s) to {:.3f} "
-             "times (at {:.3g} s) the design spectrum. MCE is 1.5 times DBE.",
+             "its average SRSS spectrum is not below the design spectrum at the periods of the "
+             "scaling "
+             "rule, 0 to 2 s (Walters et al. 2012){}. Between these periods it is from {:.3f} "
+             "times "
+             "(at {:.3g} s) to {:.3f} times (at {:.3g} s) the design spectrum. MCE is 1.5 times "
+             "DBE.",
              package.demand.suites.front().name, package.demand.suites.front().description, beyond,
              ratios.lowest.ratio, ratios.lowest.period_s, ratios.highest.ratio,
              ratios.highest.period_s)) +
          page_table(motions_table(package)) + page_table(scaled_motions_table(package)) +
+         page_table(record_spectra_table(package)) +
          figure_html(figures.front(), 1);
 }
 

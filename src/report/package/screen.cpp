@@ -22,7 +22,7 @@ std::string inputs_lines(const CalculationPackage& package) {
   return line("Site", fmt::format("S_MS {:.3f} g, S_M1 {:.3f} g, S_DS {:.3f} g, S_D1 {:.3f} g, "
                                   "category {}",
                                   site.sms_g(), site.sm1_g(), site.sds_g, site.sd1_g,
-                                  to_string(site.category))) +
+                                  category_text(package))) +
          line("Building",
               fmt::format("period {}, mass ratio {}", range_text(p.building.period_s, " s"),
                           range_text(p.building.mass_ratio, ""))) +
@@ -36,7 +36,8 @@ std::string inputs_lines(const CalculationPackage& package) {
 
 std::string demand_lines(const CalculationPackage& package) {
   std::string text = fmt::format(
-      "\nDisplacement at DBE, least favourable orientation\n{:>10}{:>12}{:>12}{:>12}{:>12}\n",
+      "\nDisplacement at DBE, least favourable orientation, slope and mass "
+      "ratio\n{:>10}{:>12}{:>12}{:>12}{:>12}\n",
       "period, s", "mean", "84th", "95th", "largest");
   for (const PeriodDemand& d : package.design.demand) {
     text += fmt::format("{:>10.3g}{:>12}{:>12}{:>12}{:>12}\n", d.period_s, slip_in(d.mean_m),

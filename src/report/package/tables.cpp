@@ -76,16 +76,20 @@ std::string not_given(double value, const std::string& text) { return value > 0.
 
 std::vector<std::string> warnings_of(const CalculationPackage& package) {
   std::vector<std::string> warnings = package.design.warnings;
-  if (package.files.empty())
-    warnings.insert(warnings.begin(),
-                    "the motions of this suite are simulated and do not serve for a permit: repeat "
-                    "the calculation with recorded motions");
+  if (package.files.empty()) warnings.insert(warnings.begin(), simulated_motions_warning);
   for (std::string& warning : warnings) {  // a sentence, but for the name of a key
     const std::string first = warning.substr(0, warning.find(' '));
     if (first.find_first_of("._") == std::string::npos)
       warning[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(warning[0])));
   }
   return warnings;
+}
+
+std::string category_text(const CalculationPackage& package) {
+  const SeismicDesignCategory category = package.design.site.category;
+  const bool is_open =
+      !package.project.site.target.is_mapped() && category == SeismicDesignCategory::d;
+  return to_string(category) + (is_open ? ", E or F" : "");  // these where S_1 is 0.75 g or more
 }
 
 std::string range_text(const std::vector<double>& values, const char* unit) {
@@ -110,7 +114,15 @@ std::string hazard_sentence(const CalculationPackage& package) {
   const HazardRun& run = *std::ranges::max_element(
       hazard.runs, {}, [](const HazardRun& r) { return r.thresholds.front().annual_rate; });
   const double rate = run.thresholds.front().annual_rate;
-  const LifeDisplacement& sum = run.life.at(static_cast<std::size_t>(LifeQuantity::accumulated));
+  const auto largest_of = [&](LifeQuantity quantity) -> const LifeDisplacement& {
+    const auto life = [&](const HazardRun& r) -> const LifeDisplacement& {
+      return r.life.at(static_cast<std::size_t>(quantity));
+    };
+    return life(*std::ranges::max_element(hazard.runs, {},
+                                          [&](const HazardRun& r) { return life(r).p95_m; }));
+  };
+  const LifeDisplacement &sum = largest_of(LifeQuantity::accumulated),
+                         &farthest = largest_of(LifeQuantity::farthest);
   const auto length = [](double length_m) {
     return length_m == 0.0           ? "none"
            : std::isfinite(length_m) ? length_in_both(length_m)
@@ -118,11 +130,13 @@ std::string hazard_sentence(const CalculationPackage& package) {
   };
   return fmt::format(
       "With the hazard curve {}, at the period with the largest rate: the governing displacement "
-      "is exceeded {} once in {} years, in 50 years with a probability of {}. Displacement that "
-      "adds up over {}, the array not put back: median {}, 95th percentile {}.",
+      "is exceeded {} once in {} years, in 50 years with a probability of {}. Over {}, the array "
+      "not "
+      "put back, at the period at which it is largest: displacement that adds up, median {}, 95th "
+      "percentile {}; farthest from the first place at any time, 95th percentile {}.",
       curve_name(hazard), run.thresholds.front().beyond_share == 1.0 ? "less than" : "about",
       format_number(two_digits(1.0 / rate)), format_share(probability_in(50.0, rate)),
-      life_text(hazard), length(sum.median_m), length(sum.p95_m));
+      life_text(hazard), length(sum.median_m), length(sum.p95_m), length(farthest.p95_m));
 }
 
 Table title_table(const Project& project) {
@@ -215,9 +229,9 @@ Table site_table(const CalculationPackage& package) {
   if (!points)
     add("T_L", fmt::format("{:g} s", target.tl_s),
         package.project.site.states_tl ? "project file" : "NOT STATED: assumed");
-  const bool may_be_e = !target.is_mapped() && site.category == SeismicDesignCategory::d;
   add("Seismic design category",
-      to_string(site.category) + (may_be_e ? "; E or F where S_1 is 0.75 g or more" : ""),
+      category_text(package) +
+          (category_text(package) == to_string(site.category) ? "" : ": S_1 is not stated"),
       edition_name(target.edition) + ", tables 11.6-1 and 11.6-2 (recalled)");
   return table;
 }
@@ -314,6 +328,38 @@ Table scaled_motions_table(const CalculationPackage& package) {
   return table;
 }
 
+Table record_spectra_table(const CalculationPackage& package) {
+  const SuiteSpectra& spectra = package.demand.suites.front().spectra;
+  const std::vector<double>& grid_s = spectra.periods_s;
+  Table table{"record_spectra",
+              "Spectra of the records at the building periods, scaled to DBE: S_a, g",
+              {number_column, text_column("id", "Record")},
+              {}};
+  table.notes = {"SRSS of both horizontal components, 5 % damping; at all periods: Fig. 1."};
+  for (const double period_s : package.project.building.period_s)
+    table.columns.push_back(
+        text_column(fmt::format("sa_{:g}_s", period_s), fmt::format("{:.3g}\u00a0s", period_s)));
+  const auto add = [&](const Cell& number, const std::string& name,
+                       const std::vector<double>& sa_g) {
+    std::vector<Cell> row{number, name};
+    for (const double period_s : package.project.building.period_s) {
+      const auto right = static_cast<std::size_t>(
+          std::clamp<std::ptrdiff_t>(std::ranges::lower_bound(grid_s, period_s) - grid_s.begin(), 1,
+                                     static_cast<std::ptrdiff_t>(grid_s.size()) - 1));
+      const double part = (period_s - grid_s[right - 1]) / (grid_s[right] - grid_s[right - 1]);
+      const double at_level = std::lerp(sa_g[right - 1], sa_g[right], std::clamp(part, 0.0, 1.0));
+      row.emplace_back(
+          fmt::format("{:.3f}", at_level * package.design.site.sds_g / spectra.reference_level));
+    }
+    table.add(row);
+  };
+  for (std::size_t i = 0; i < package.demand.records.size(); ++i)
+    add(number_after(table), package.demand.records[i].id, spectra.srss_g[i]);
+  add(std::string(), "average", spectra.average_srss_g);
+  if (!spectra.target_g.empty()) add(std::string(), "design spectrum", spectra.target_g);
+  return table;
+}
+
 Table files_table(const CalculationPackage& package) {
   Table table{"files",
               "Files of the ground motions",
@@ -325,25 +371,26 @@ Table files_table(const CalculationPackage& package) {
 }
 
 Table demand_table(const CalculationPackage& package) {
-  Table table{"demand",
-              fmt::format("Displacement demand at DBE: friction {:.3g}, slope {:.3g} degrees, mass "
-                          "ratio {:g}, over {} records in the least favourable orientation",
-                          package.project.friction.design(), package.design.slope_deg,
-                          package.design.mass_ratio, package.demand.records.size()),
-              {text_column("period", "Period"), text_column("mean", "Mean"),
-               text_column("p84", "84th percentile"), text_column("p95", "95th percentile"),
-               text_column("largest", "Largest record, any orientation"),
-               text_column("median", "Mean, median orientation"),
-               text_column("orientation", "Least favourable orientation")},
-              {}};
+  Table table{
+      "demand",
+      fmt::format("Displacement demand at DBE, friction {:.3g}: the largest over the roof's "
+                  "slopes, mass ratios, with and without vertical motion, over {} records",
+                  package.project.friction.design(), package.demand.records.size()),
+      {text_column("period", "Period"), text_column("mean", "Mean"),
+       text_column("p84", "84th percentile"), text_column("p95", "95th percentile"),
+       text_column("largest", "Largest record, any orientation"),
+       text_column("median", "Mean, median orientation"),
+       text_column("orientation", "Least favourable orientation")},
+      {}};
   for (const PeriodDemand& d : package.design.demand) {
     table.add({fmt::format("{:.3g} s", d.period_s), slip_in(d.mean_m), slip_in(d.p84_m),
                slip_in(d.p95_m), slip_in(d.largest_m), slip_in(d.median_orientation_m),
                d.orientation});
   }
   table.notes.push_back(
-      "Over the records, all in the orientation of the last column. A percentile is below the mean "
-      "where few records slide far.");
+      "Mean and percentiles: over the records, all in the least favourable orientation; that of "
+      "the "
+      "mean is in the last column. A percentile is below the mean where few records slide far.");
   return table;
 }
 
@@ -409,6 +456,10 @@ Table separations_table(const CalculationPackage& package) {
   }
   for (const std::string& reservation : reservations)
     table.notes.push_back("Reservation: " + reservation + ".");
+  table.notes.push_back(
+      "A qualifying parapet rises 6 in (0.15 m) or more above the centre of mass of the array and "
+      "24 "
+      "in (0.61 m) or more above the roof (ASCE 7-16, 13.6.12, recalled: verify).");
   return in_inches() ? table : table.without("required_ft");
 }
 

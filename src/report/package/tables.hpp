@@ -17,6 +17,8 @@ Table hazard_curve_table(const ProjectHazard& hazard);
 Table site_table(const CalculationPackage& package);
 Table motions_table(const CalculationPackage& package);
 Table scaled_motions_table(const CalculationPackage& package);
+/// S_a of each scaled record at the building periods, their average and the design spectrum.
+Table record_spectra_table(const CalculationPackage& package);
 Table files_table(const CalculationPackage& package);
 Table demand_table(const CalculationPackage& package);
 Table prescribed_table(const CalculationPackage& package);
@@ -30,6 +32,8 @@ std::string governed_by(const CalculationPackage& package);
 /// How often the governing displacement is exceeded and what adds up over the design life; or which
 /// key of the project would give it.
 std::string hazard_sentence(const CalculationPackage& package);
+/// The seismic design category, or those that it may be where S_1 is not known.
+std::string category_text(const CalculationPackage& package);
 /// "1.19 degrees", "1.19 to 2.39 degrees".
 std::string range_text(const std::vector<double>& values, const char* unit);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/analyses.hpp"
 #include "glissade/report/tables.hpp"
+#include "text/study_text.hpp"
 
 namespace glissade {
 
@@ -9,6 +10,12 @@ std::vector<Table> csv_tables(const Results& results) {
   tables.push_back(records_table(results));
   tables.push_back(spectra_table(results));
   std::erase_if(tables, [](const Table& table) { return table.rows.empty(); });
+  const std::string one_axis = one_axis_text(results), target = target_text(results);
+  for (Table& table : tables) {
+    if (!one_axis.empty() && table.title.find(one_axis) == std::string::npos)
+      table.title += " Displacements are along " + one_axis + ".";
+    if (!target.empty()) table.title += " Design target: " + target + ".";
+  }
   return tables;
 }
 

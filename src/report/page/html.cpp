@@ -63,6 +63,8 @@ std::string what_was_run(const Results& results) {
       "displacement is in plan.",
       results.records.size(), set.combinations(), set.samples, set.orientations,
       results.levels.size(), results.intensity_label);
+  if (const std::string target = target_text(results); !target.empty())
+    text += " Design target: " + target + ".";
   if (const double dbe = results.model.dbe_level; dbe > 0.0)
     text += fmt::format(" Of the design target, DBE is S_DS = {} and MCE {}.",
                         with_unit(results, format_number(dbe)),

@@ -15,10 +15,13 @@ std::vector<Figure> make_figures(const Results& results) {
   if (has_spectra && std::ranges::none_of(figures, is_spectra))
     figures.push_back(spectra_figure(results));
   std::erase_if(figures, [](const Figure& figure) { return figure.panels.empty(); });
-  const std::string one_axis = one_axis_text(results);
+  const auto add_below = [](Figure& figure, const std::string& text) {
+    if (!text.empty()) figure.below += (figure.below.empty() ? "" : "; ") + text;
+  };
+  const std::string target = target_text(results);
   for (Figure& figure : figures) {
-    if (!one_axis.empty() && !is_spectra(figure))
-      figure.below += (figure.below.empty() ? "" : "; ") + one_axis;
+    if (!is_spectra(figure)) add_below(figure, one_axis_text(results));
+    if (!target.empty()) add_below(figure, "target " + target);
   }
   return figures;
 }

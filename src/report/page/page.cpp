@@ -90,9 +90,7 @@ Html list(const std::vector<std::string>& items) {
 
 Html study_file(const std::string& text) { return enclosed("<pre>", text, "</pre>\n"); }
 
-Html in_box(const Html& drawing) {
-  return "<div class=\"drawing\">" + drawing + "</div>\n";
-}
+Html in_box(const Html& drawing) { return "<div class=\"drawing\">" + drawing + "</div>\n"; }
 
 Html figure_html(const DrawnFigure& drawn, std::size_t number) {
   const Figure& figure = drawn.figure;

@@ -6,6 +6,7 @@
 #include "analysis/analyses.hpp"
 #include "glissade/core/wrap.hpp"
 #include "glissade/report/format.hpp"
+#include "text/study_text.hpp"
 
 namespace glissade {
 
@@ -24,6 +25,8 @@ std::string summary_text(const Results& results, const std::vector<Skip>& skips)
                                       draws ? results.cases.samples : results.cases.size(),
                                       draws ? "samples" : "cases", results.levels.size())) +
                      line("Model: " + results.model.kernel);
+  if (const std::string target = target_text(results); !target.empty())
+    text += line("Design target: " + target);
   for (const std::string& warning : results.warnings) text += line("WARNING: " + warning);
   for (const AnalysisReport& analysis : analyses_in(results)) {
     if (analysis.summary != nullptr) text += "\n" + analysis.summary(results);

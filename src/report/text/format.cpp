@@ -18,7 +18,8 @@ std::string format_number(double value) {
   // The decimal exponent after rounding to three digits: 9.996 has 1, as 10.0 has.
   std::string scientific = fmt::format("{:.2e}", value);
   const int exponent = std::stoi(scientific.substr(scientific.find('e') + 1));
-  if (exponent < -6 || exponent > 8) return scientific;
+  if (exponent < -4 || exponent > 8) return scientific;
+  if (exponent > 2) return fmt::format("{:.0f}", std::stod(scientific));
   return fmt::format("{:.{}f}", value, std::max(0, 2 - exponent));
 }
 

@@ -2,6 +2,7 @@
 #include "text/study_text.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cctype>
@@ -21,6 +22,15 @@ std::string in_plan(const Results& results) {
 
 std::string one_axis_text(const Results& results) {
   return slides_on_two_axes(results) ? "" : "one axis only (model.axes = 1)";
+}
+
+std::string target_text(const Results& results) {
+  std::vector<std::string> targets;
+  for (const SuiteSummary& suite : results.suites) {
+    if (!suite.target.empty() && std::ranges::find(targets, suite.target) == targets.end())
+      targets.push_back(suite.target);
+  }
+  return fmt::format("{}", fmt::join(targets, " | "));
 }
 
 std::string with_unit(const Results& results, const std::string& value) {

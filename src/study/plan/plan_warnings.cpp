@@ -135,6 +135,31 @@ Warnings free_sliding(const Plan& plan) {
       100.0 * static_cast<double>(free) / static_cast<double>(plan.cases.size()))};
 }
 
+/// Levels beyond the ends of the curve, and a curve that does not fit the design spectra.
+Warnings hazard_curve(const Plan& plan) {
+  if (!plan.config.hazard) return {};
+  const IntensityConfig& intensity = plan.config.intensity;
+  const HazardCurve& curve = plan.config.hazard->curve;
+  Warnings warnings;
+  const double from = curve.points().front().intensity, to = curve.points().back().intensity;
+  if (!curve.is_power_law() && (intensity.levels.front() < from || intensity.levels.back() > to))
+    warnings.push_back(
+        fmt::format("the hazard curve goes from {:g} to {:g}, the levels from {:g} to {:g}: beyond "
+                    "its ends the rates are extrapolated",
+                    from, to, intensity.levels.front(), intensity.levels.back()));
+  if (!intensity.measure.is_of_design_spectrum()) return warnings;
+  for (std::size_t suite = 0; suite < plan.suites.size(); ++suite) {
+    const DesignTarget* target = plan.target_of(suite);
+    if (target == nullptr) continue;
+    const bool by_sds = intensity.measure == IntensityMeasure::sds_g;
+    const double mce = by_sds ? mce_over_dbe * TargetSpectrum(*target).sds_g() : 1.0;
+    const std::string text = improbable_mce_rate(
+        curve.annual_rate(mce), by_sds ? fmt::format("S_MS, {:.3g} g,", mce) : "the MCE");
+    if (!text.empty()) warnings.push_back(text);
+  }
+  return warnings;
+}
+
 /// Each counts as a record of its own in means and intervals.
 Warnings same_motions(const Plan& plan) {
   Warnings warnings;
@@ -187,7 +212,7 @@ std::vector<std::string> warnings_on(const Plan& plan) {
   for (const auto warning :
        {without_target, one_axis, nearest_records, strong_levels, missed_targets, target_values,
         long_periods, large_clearances, low_friction, high_friction, free_sliding, other_targets,
-        same_motions, motions}) {
+        hazard_curve, same_motions, motions}) {
     for (std::string& text : warning(plan)) warnings.push_back(std::move(text));
   }
   return warnings;

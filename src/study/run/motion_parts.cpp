@@ -146,12 +146,14 @@ SuiteSummary suite_of(const Plan& plan, std::size_t suite, const std::vector<dou
     }
     spectra.srss_g.push_back(std::move(srss));
   }
-  if (plan.target_of(suite) != nullptr) {
+  std::string target_name;
+  if (const DesignTarget* design = plan.target_of(suite); design != nullptr) {
+    target_name = to_string(*design);
     const auto target = shown_target(plan, suite);
     for (const double period : spectra.periods_s) spectra.target_g.push_back(target(period));
   }
   if (!ratios.empty()) spectra.to_target = {{ratios[0], ratios[1]}, {ratios[2], ratios[3]}};
-  return {plan.suites[suite].name, plan.suites[suite].description, std::move(spectra)};
+  return {plan.suites[suite].name, plan.suites[suite].description, target_name, std::move(spectra)};
 }
 
 }  // namespace

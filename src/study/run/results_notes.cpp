@@ -95,6 +95,30 @@ void note_suite(const SuiteSummary& suite, std::vector<std::string>& notes) {
                   suite.name, lowest.ratio, lowest.period_s, highest.ratio, highest.period_s));
 }
 
+/// A record that is more than half of the average to which the suite is scaled: the others are then
+/// far below the target.
+void warn_of_dominance(const Results& results, std::vector<std::string>& warnings) {
+  constexpr double most_share = 0.5;
+  constexpr std::size_t least_records = 4;
+  std::size_t first = 0;
+  for (const SuiteSummary& suite : results.suites) {
+    const SuiteSpectra& spectra = suite.spectra;
+    const std::size_t records = spectra.srss_g.size();
+    for (std::size_t i = 0; i < records && records >= least_records; ++i) {
+      double share = 0.0;
+      for (std::size_t p = 0; p < spectra.periods_s.size(); ++p)
+        share += spectra.srss_g[i][p] / spectra.average_srss_g[p];
+      share /= static_cast<double>(records * spectra.periods_s.size());
+      if (share > most_share)
+        warnings.push_back(fmt::format(
+            "record {} is {:.0f} % of the suite's average spectrum, the other {} records the rest: "
+            "check its scale and units",
+            results.records[first + i].id, 100.0 * share, records - 1));
+    }
+    first += records;
+  }
+}
+
 /// Three significant digits, in the unit of the report.
 std::vector<std::string> in_unit(const std::vector<double>& lengths_m, const StudyConfig& config) {
   std::vector<std::string> texts;
@@ -132,6 +156,7 @@ void warn_of_shape(const Results& results, const StudyConfig& config,
                    std::vector<std::string>& warnings) {
   std::size_t fitted = 0, refused = 0;
   const ThresholdFragility* worst = nullptr;
+  std::string of_run;
   std::vector<double> refused_m;
   for (const RunResults& run : results.runs) {
     for (const ThresholdFragility& fragility : run.fragilities) {
@@ -142,7 +167,7 @@ void warn_of_shape(const Results& results, const StudyConfig& config,
       ++refused;
       refused_m.push_back(fragility.threshold_m);
       if (worst == nullptr || std::abs(fit.largest_gap) > std::abs(worst->lognormal.largest_gap))
-        worst = &fragility;
+        worst = &fragility, of_run = run.label;
     }
   }
   if (worst == nullptr) return;
@@ -151,13 +176,13 @@ void warn_of_shape(const Results& results, const StudyConfig& config,
   const std::string unit = results.measure.unit();
   warnings.push_back(fmt::format(
       "{} of {} fragilities are not lognormal (goodness of fit, p < {:g}; gap {:g} or more), of "
-      "clearance {} {}. At "
-      "{} {} the observed probability is {:.2f} {} the curve at {} = {:.3g}{}. Use the observed "
+      "clearance {} {}. At {} {}{} the observed probability is {:.2f} {} the curve at {} = "
+      "{:.3g}{}. Use the observed "
       "shares there; [shape] compares other curves",
       refused, fitted, goodness_of_fit_level, goodness_of_fit_gap,
       fmt::join(in_unit(refused_m, config), ", "), length_unit(config.units),
       in_unit({worst->threshold_m}, config).front(), length_unit(config.units),
-      std::abs(worst->lognormal.largest_gap),
+      results.runs.size() > 1 ? " (" + of_run + ")" : "", std::abs(worst->lognormal.largest_gap),
       worst->lognormal.largest_gap > 0.0 ? "above" : "below",
       results.measure.symbol(config.intensity), worst->lognormal.gap_intensity,
       unit == "-" ? "" : " " + unit));
@@ -184,6 +209,7 @@ void warn_of_target(const Results& results, std::vector<std::string>& warnings) 
 std::vector<std::string> warnings_on(const Results& results, const StudyConfig& config) {
   std::vector<std::string> warnings;
   warn_of_target(results, warnings);
+  warn_of_dominance(results, warnings);
   warn_of_shape(results, config, warnings);
   warn_of_rates_beyond(results, config, warnings);
   return warnings;

@@ -42,6 +42,7 @@ TEST(nearest_word, suggests_nothing_where_every_letter_or_only_digits_differ) {
   const std::vector<std::string> classes = {"A", "B", "C", "D", "E", "default"};
   EXPECT_EQ(nearest_word("F", classes), "");
   EXPECT_EQ(nearest_word("d", classes), "D");
+  EXPECT_EQ(nearest_word("D-default", classes), "default");  // D gives less
   EXPECT_EQ(nearest_word("G", classes), "");
   EXPECT_EQ(nearest_word("V", {"I", "II", "III", "IV"}), "");
   EXPECT_EQ(nearest_word("asce7_22", {"asce7_10", "asce7_16"}), "");

@@ -112,6 +112,45 @@ TEST_F(ProjectFile, a_period_comes_from_system_and_height) {
       HasSubstr("0.0488 (10.67 m)^0.75"));
 }
 
+TEST_F(ProjectFile, the_mass_ratio_may_come_from_weights) {
+  const std::string ratio = "mass_ratio = 0.05";
+  ASSERT_NE(whole.find(ratio), std::string::npos);
+  const Project project =
+      read(changed(ratio, "array_weight_kn = \"60 kip\"\nweight_kn = \"2400 kip\""));
+  EXPECT_THAT(project.building.mass_ratio, ElementsAre(DoubleNear(0.025, 1e-9)));
+  EXPECT_EQ(problems_of(changed(ratio, "array_weight_kn = 60")).size(), 1u);
+  EXPECT_EQ(problems_of(changed(ratio, "array_weight_kn = 60\nweight_kn = 50")).size(), 1u);
+  EXPECT_EQ(problems_of(changed(ratio, ratio + "\narray_weight_kn = 60\nweight_kn = 900")).size(),
+            1u);
+}
+
+// In the project's own key, not in that of a study which is made from it.
+TEST_F(ProjectFile, an_impossible_period_and_hazard_curve_are_refused_by_their_keys) {
+  const auto by_period = problems_of(changed("period_s = [1.0, 0.5]", "period_s = 300"));
+  ASSERT_EQ(by_period.size(), 1u);
+  EXPECT_THAT(by_period.front().what, HasSubstr("300 s"));
+  const auto by_height =
+      problems_of(changed("period_s = [1.0, 0.5]", "system = \"other\"\nheight_m = 7000"));
+  ASSERT_EQ(by_height.size(), 1u);
+  const auto by_curve =
+      problems_of(whole + "[hazard]\nk0 = 1756\nk = 2.2\ndesign_life_years = 25\n");
+  ASSERT_EQ(by_curve.size(), 1u);
+  EXPECT_THAT(to_string(by_curve.front()), HasSubstr("k0 = 1756"));
+}
+
+TEST_F(ProjectFile, a_sheet_of_tests_may_name_tests_and_directions) {
+  folder_.write("sheet.csv",
+                "test,direction,mu\n1,along,0.50\n2,along,0.54\n1,across,0.60\n2,across,0.66\n");
+  const std::size_t begin = whole.find("[friction]");
+  const std::string text = whole.substr(0, begin) + "[friction]\nfile = \"sheet.csv\"\n" +
+                           whole.substr(whole.find("[suite]"));
+  const Project project = read(text);
+  EXPECT_EQ(project.friction.direction, "along");  // the lower one
+  EXPECT_NEAR(project.friction.mean, 0.52, 1e-12);
+  folder_.write("sheet.csv", "direction,mu\nalong,0.5\nalong,5.4\n,0.5\n");
+  EXPECT_EQ(problems_of(text).size(), 2u);
+}
+
 TEST_F(ProjectFile, an_array_that_slides_without_an_earthquake_is_refused) {
   const auto problems = problems_of(changed("rise_in_12 = 0.25", "slope_deg = 19"));
   EXPECT_TRUE(problems.empty());  // tan 19 deg is 0.34

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glissade/io/record_file.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include "glissade/core/random.hpp"
@@ -210,6 +211,16 @@ TEST_F(RecordFile, a_header_that_is_no_comment_is_not_taken_for_samples) {
   EXPECT_EQ(read("0.01\n0.02\n0.01\n0\n0.01\n0\n0.01\n0.02\n", {.dt_s = 0.02, .units = {}})
                 .acceleration_mps2.size(),
             8u);
+  // A step before the count, a count that is off, a scale before both; a step in other digits.
+  for (const char* header : {"0.01\n3000\n", "2990\n", "2.5\n3000\n0.01\n"})
+    EXPECT_THAT(error(header + samples, {.dt_s = 0.005, .units = AccelerationUnits::g}),
+                HasSubstr("a count"))
+        << header;
+  std::string fine;
+  for (int i = 0; i < 20; ++i) fine += fmt::format("{:.6f}\n", 0.001 * i);
+  EXPECT_EQ(read(fine, {.dt_s = 0.005, .units = {}}).acceleration_mps2.size(), 20u);
+  EXPECT_THAT(error("0.01\n" + fine, {.dt_s = 0.005, .units = {}}), HasSubstr("a time step"));
+  EXPECT_DOUBLE_EQ(read("# DT = 10 ms\n1\n2\n").dt_s, 0.01);
   EXPECT_THAT(error("8\n" + samples, {.dt_s = 0.01, .units = {}}), HasSubstr("begins with 8"));
   EXPECT_THAT(error("8 0.01\n" + samples, {.dt_s = 0.01, .units = {}}), HasSubstr("1 column"));
 }

@@ -93,7 +93,7 @@ bool same_number(double a, double b) { return a == b || (std::isnan(a) && std::i
 TEST(results_file, head_suites_and_records_come_back) {
   const TemporaryFolder folder;
   Results written = with_fragility();
-  written.suites.push_back({"other", "of one", {{1.0}, {{0.5}}, {0.5}, {0.4}, 0.0}});
+  written.suites.push_back({"other", "of one", "ASCE 7-10, S_S 1 g", {{1.0}, {{0.5}}, {0.5}, {0.4}, 0.0}});
   written.records[1].suite = 1;
   written.suites[0].spectra.srss_g.pop_back();
   write_results(folder.path() / "a.h5", written);
@@ -112,6 +112,7 @@ TEST(results_file, head_suites_and_records_come_back) {
   EXPECT_EQ(read.levels, written.levels);
   EXPECT_EQ(read.thresholds_m, written.thresholds_m);
   EXPECT_EQ(read.notes, written.notes);
+  EXPECT_EQ(read.suites[1].target, "ASCE 7-10, S_S 1 g");
   ASSERT_EQ(read.records.size(), 2u);
   const RecordSummary& record = read.records[0];
   EXPECT_EQ(record.id + record.event + record.station, "aeventstation");

@@ -79,7 +79,7 @@ inline Results whole_results(bool two_axes = false) {
   r.displacement = DisplacementMeasure::vector;
   r.levels = {0.5, 1.0, 1.5};
   r.thresholds_m = {0.15, 0.3};
-  r.suites = {{"suite", "of two", {{0.0, 0.5}, {{0.4, 0.9}, {0.3, 1.1}}, {0.35, 1.0}, {}, 1.3}}};
+  r.suites = {{"suite", "of two", "ASCE 7-16, S_S 1.5 g", {{0.0, 0.5}, {{0.4, 0.9}, {0.3, 1.1}}, {0.35, 1.0}, {}, 1.3}}};
   r.records = {{0, "a", "event", "station", 6.9, 8.5, 380.0, 2.5, 1.7, 0.5, 0.4, 0.3, 12.5, 0.005,
                 7671, true, false, 1},
                {0, "b", "", "", 0, 0, 0, 1, 0, 0, 0, 0, 0, 0.01, 1, false, true, 0}};

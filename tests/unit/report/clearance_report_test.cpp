@@ -41,6 +41,7 @@ Results made_up() {
   r.conditions->same_as = {0, 1, 2, 3};
   r.suites = {{"suite",
                "two records",
+               "ASCE 7-10, S_S 1.5 g, S_1 0.6 g, site class C",
                {{0.0, 1.0, 2.0},
                 {{1.0, 2.0, 1.0}, {3.0, 4.0, 1.0}},
                 {2.0, 3.0, 1.0},

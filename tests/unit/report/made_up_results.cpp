@@ -407,7 +407,7 @@ Results made_up_results() {
     record.has_vertical = i != 3;
     results.records.push_back(record);
   }
-  results.suites = {{"made_up_suite", "Twelve records that never were.", spectra_of(records)}};
+  results.suites = {{"made_up_suite", "Twelve records that never were.", "", spectra_of(records)}};
   size_histories(results);
   add_run(results, "sampled", "normal, mean 0.55, std 0.04", 0.9);
   add_run(results, "design", "mean - 2 std = 0.47", 0.72);

@@ -11,8 +11,11 @@
 
 #include "glissade/core/wrap.hpp"
 #include "glissade/report/figures.hpp"
+#include "glissade/report/html.hpp"
+#include "glissade/report/summary.hpp"
 #include "glissade/report/tables.hpp"
 #include "made_up_results.hpp"
+#include "one_line.hpp"
 
 namespace glissade {
 namespace {
@@ -107,16 +110,22 @@ TEST(tables, and_figures_of_one_axis_say_so) {
     const auto says = [&](const std::string& text) {
       return (text.find("one axis only") != std::string::npos) == (axes == SlidingAxes::one);
     };
-    for (const Table& table : csv_tables(results)) {
-      if (table.name.text() == "fragility" || table.name.text() == "slip" ||
-          table.name.text() == "stripes") {
-        EXPECT_TRUE(says(table.title)) << table.title;
-      }
-    }
+    for (const Table& table : csv_tables(results)) EXPECT_TRUE(says(table.title)) << table.title;
     for (const Figure& figure : make_figures(results)) {
       EXPECT_TRUE(figure.name == FileName("spectra") || says(figure.below)) << figure.title;
     }
   }
+}
+
+TEST(tables, and_figures_page_and_summary_name_the_design_target) {
+  Results results = made_up_results();
+  const std::string target = "ASCE 7-10, S_S 1.5 g, S_1 0.6 g, site class C";
+  EXPECT_THAT(summary_text(results, {}), Not(HasSubstr("Design target")));
+  results.suites.front().target = target;
+  for (const Table& table : csv_tables(results)) EXPECT_THAT(table.title, HasSubstr(target));
+  for (const Figure& figure : make_figures(results)) EXPECT_THAT(figure.below, HasSubstr(target));
+  EXPECT_THAT(test::one_line(summary_text(results, {})), HasSubstr(target));
+  EXPECT_THAT(html_report(results, {}, {}), HasSubstr(target));
 }
 
 TEST(tables, leave_out_standards_when_there_are_none) {

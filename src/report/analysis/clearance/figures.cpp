@@ -25,9 +25,12 @@ Figure suite_figure(const Results& results) {
       spectra.reference_level > 0.0
           ? results.conditions->grid.level_symbol + " = " + format_number(spectra.reference_level)
           : "scaled to MCE";
+  const SuiteSummary& suite = results.suites.front();
+  const bool of_classes = suite.target.find("site classes") != std::string::npos;
   return spectra_figure(
-      results.suites.front().spectra,
-      {results.suites.front().name, as_scaled, "target spectrum, envelope over the site classes"});
+      suite.spectra,
+      {suite.name, as_scaled,
+       of_classes ? "target spectrum, envelope over the site classes" : "target spectrum"});
 }
 
 std::string after_walters(const Results& results, int figure, const char* more = "") {

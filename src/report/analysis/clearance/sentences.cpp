@@ -10,6 +10,7 @@
 #include "analysis/conditions/view.hpp"
 #include "glissade/report/clearance_report.hpp"
 #include "glissade/report/format.hpp"
+#include "text/study_text.hpp"
 
 namespace glissade {
 namespace {
@@ -110,7 +111,9 @@ Table brief_clearance_table(const Results& results) {
   }
   for (const std::string& stem : others) table = table.without(stem);
   table.notes.clear();  // of the columns that are left out
-  table.title = "Required clearance by condition" + rule_text(results);
+  const std::string one_axis = one_axis_text(results);
+  table.title = "Required clearance by condition" + rule_text(results) +
+                (one_axis.empty() ? "" : ", along " + one_axis);
   if (table.rows.size() > most_rows) {
     table.notes.push_back(
         fmt::format("{} rows more are in tables/clearances.csv", table.rows.size() - most_rows));

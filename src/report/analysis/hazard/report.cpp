@@ -29,11 +29,10 @@ std::string threshold_sentence(const HazardResults& hazard, const ThresholdRate&
     return "Some histories slide freely: " + clearance +
            " is exceeded without any earthquake, and has no annual rate.";
   const bool bound = row.beyond_share == 1.0;
-  std::string text =
-      fmt::format("{} is exceeded {} once in {} years: in {} with a probability of {}{}.",
-                  clearance, bound ? "less than" : "about",
-                  fmt::format("{:.3g}", 1.0 / row.annual_rate), life_text(hazard),
-                  bound ? "less than " : "", share_range(row.life_probability, row.life_interval));
+  std::string text = fmt::format(
+      "{} is exceeded {} once in {} years: in {} with a probability of {}{}.", clearance,
+      bound ? "less than" : "about", format_number(1.0 / row.annual_rate), life_text(hazard),
+      bound ? "less than " : "", share_range(row.life_probability, row.life_interval));
   if (row.beyond_share > notable_share)
     text += fmt::format(
         " {} of that rate is from histories that the highest level does not bring to it, counted "
