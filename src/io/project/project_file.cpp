@@ -182,7 +182,7 @@ ProjectBuilding read_building(const TomlTable& table, const Project& project) {
   } else {
     building.mass_ratio = read_values(table, "mass_ratio", to_one);
   }
-  building.storeys = table.number("storeys", {"a whole number above 0", [](double x) {
+  building.storeys = table.number("storeys", {"that is a whole number, 1 or more", [](double x) {
                                                 return x >= 1.0 && std::floor(x) == x;
                                               }});
   building.damping =
@@ -361,6 +361,9 @@ Project read_project(const std::filesystem::path& file) {
   if (!root.has("project") && root.has("study"))
     throw InputError({file.string(), "is a study file, not a project",
                       "run it with: glissade run " + file.string(), ""});
+  if (!root.has("project") && (root.has("record") || root.has("recipe")))
+    throw InputError({file.string(), "is a suite file, not a project",
+                      "name it in a project as [suite] file (glissade clearance --example)", ""});
   require_keys(root);
   Project project;
   project.file = file;

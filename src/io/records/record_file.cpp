@@ -142,9 +142,11 @@ void refuse_header(const Record& record, double unit_mps2,
   if (first >= 1.0 && std::round(first) == first &&
       (equals_step(a[1] / unit_mps2) || is_usual_step(a[1] / unit_mps2)))
     refuse(first, "a count, and a time step");
-  const auto next = decimals.begin() + 1, end = decimals.begin() + judged;
-  const bool is_written_otherwise = std::all_of(
-      next, end, [&](std::size_t digits) { return digits == *next && digits > decimals[0]; });
+  const bool is_round = std::abs(std::remainder(first, 1e-4)) < 1e-12;
+  const bool is_written_otherwise =
+      is_round && std::all_of(decimals.begin() + 1, decimals.begin() + judged, [&](auto digits) {
+        return digits == decimals[1] && digits > decimals[0];
+      });
   if (is_usual_step(first) &&
       (is_written_otherwise || std::all_of(a.begin() + 1, a.begin() + judged, is_far_below_first)))
     refuse(first, "a time step");

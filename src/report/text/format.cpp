@@ -19,7 +19,8 @@ std::string format_number(double value) {
   std::string scientific = fmt::format("{:.2e}", value);
   const int exponent = std::stoi(scientific.substr(scientific.find('e') + 1));
   if (exponent < -4 || exponent > 8) return scientific;
-  if (exponent > 2) return fmt::format("{:.0f}", std::stod(scientific));
+  const bool is_whole = value == std::round(value);
+  if (exponent > 2) return fmt::format("{:.0f}", is_whole ? value : std::stod(scientific));
   return fmt::format("{:.{}f}", value, std::max(0, 2 - exponent));
 }
 

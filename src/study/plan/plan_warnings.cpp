@@ -155,7 +155,8 @@ Warnings hazard_curve(const Plan& plan) {
     const double mce = by_sds ? mce_over_dbe * TargetSpectrum(*target).sds_g() : 1.0;
     const std::string text = improbable_mce_rate(
         curve.annual_rate(mce), by_sds ? fmt::format("S_MS, {:.3g} g,", mce) : "the MCE");
-    if (!text.empty()) warnings.push_back(text);
+    if (!text.empty() && std::ranges::find(warnings, text) == warnings.end())
+      warnings.push_back(text);
   }
   return warnings;
 }

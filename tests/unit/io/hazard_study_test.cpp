@@ -72,7 +72,7 @@ TEST_F(HazardStudy, needs_a_fragility_and_every_history) {
 // The lowest level is 0.5: 10 x 0.5^-2 = 40 earthquakes a year.
 TEST_F(HazardStudy, refuses_more_earthquakes_than_can_be_followed) {
   EXPECT_THAT(error(needed + "[hazard]\nk0 = 10\nk = 2\ndesign_life_years = 50\n"),
-              AllOf(HasSubstr("2000"), HasSubstr("0.71")));
+              AllOf(HasSubstr("2000"), HasSubstr("k0 = 10")));
 }
 
 TEST(hazard_results_file, comes_back) {

@@ -20,6 +20,8 @@ TEST(format_number, keeps_three_significant_digits_without_exponent) {
   EXPECT_EQ(format_number(9.996), "10.0");  // rounds up into the next decade
   EXPECT_EQ(format_number(1024.0), "1024");
   EXPECT_EQ(format_number(-0.01234), "-0.0123");
+  EXPECT_EQ(format_number(9593.2), "9590");
+  EXPECT_EQ(format_number(5.77e-5), "5.77e-05");
   EXPECT_EQ(format_number(1.5e-9), "1.50e-09");
   EXPECT_EQ(format_number(0.0), "0");
 }
