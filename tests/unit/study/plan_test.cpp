@@ -330,22 +330,18 @@ TEST(plan, warns_of_what_is_possible_and_not_probable) {
       warnings([](StudyConfig& c) { c.quantities.at("building", "period_s") = fixed(300.0); }), 1u);
   EXPECT_EQ(warnings([](StudyConfig& c) { c.fragility->thresholds_m.push_back(50.0); }), 1u);
   // Rates of 50 years, and levels beyond the curve's points.
-  const auto with_curve = [](double rate) {
-    return [rate](StudyConfig& c) {
-      const double low = c.intensity.levels.front(), high = c.intensity.levels.back();
+  const auto with_curve = [](double rate, double part = 1.0) {
+    return [=](StudyConfig& c) {
+      const double low = c.intensity.levels.front(), high = part * c.intensity.levels.back();
       c.hazard = HazardConfig{HazardCurve({{low, 4.0 * rate}, {1.0, rate}, {high, 1e-9 * rate}}),
                               "curve.csv",
                               25.0,
                               {1e-3}};
     };
   };
-  const auto with_short_curve = [&](StudyConfig& c) {
-    with_curve(0.05)(c);
-    c.intensity.levels.push_back(1.01 * c.intensity.levels.back());
-  };
   EXPECT_EQ(warnings(with_curve(0.05)), 0u);  // of 1 g: the MCE of the suite is stronger
   EXPECT_EQ(warnings(with_curve(1e-6)), 1u);
-  EXPECT_EQ(warnings(with_short_curve), 1u);
+  EXPECT_EQ(warnings(with_curve(0.05, 0.99)), 1u);
   StudyConfig us = small_config();
   us.units = UnitSystem::us_customary;
   us.fragility->thresholds_m = {0.1524, 12.7};
