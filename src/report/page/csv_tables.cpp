@@ -12,6 +12,7 @@ std::vector<Table> csv_tables(const Results& results) {
   std::erase_if(tables, [](const Table& table) { return table.rows.empty(); });
   const std::string one_axis = one_axis_text(results), target = target_text(results);
   for (Table& table : tables) {
+    if (!table.title.ends_with('.') && !(one_axis + target).empty()) table.title += ".";
     if (!one_axis.empty() && table.title.find(one_axis) == std::string::npos)
       table.title += " Displacements are along " + one_axis + ".";
     if (!target.empty()) table.title += " Design target: " + target + ".";
