@@ -21,13 +21,20 @@ std::string both_units(double length_m) {
   return fmt::format("{:.3g} m ({:.3g} ft)", length_m, length_m / foot_m);
 }
 
-/// The lowest ratio of the suite's average spectrum to the design spectrum in (from, to].
+/// The lowest ratio of the suite's average spectrum to the design spectrum in (from, to], at the
+/// periods of the spectra and, between two of them, at `to`.
 double lowest_ratio(const SuiteSpectra& spectra, double from_s, double to_s) {
+  const std::vector<double>& periods_s = spectra.periods_s;
+  const auto ratio = [&](std::size_t i) { return spectra.average_srss_g[i] / spectra.target_g[i]; };
   double lowest = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < spectra.periods_s.size(); ++i) {
-    if (spectra.periods_s[i] > from_s && spectra.periods_s[i] <= to_s)
-      lowest = std::min(lowest, spectra.average_srss_g[i] / spectra.target_g[i]);
+  for (std::size_t i = 1; i < periods_s.size(); ++i) {
+    if (periods_s[i] > from_s && periods_s[i] <= to_s) lowest = std::min(lowest, ratio(i));
+    if (periods_s[i - 1] < to_s && to_s < periods_s[i])
+      lowest = std::min(lowest,
+                        std::lerp(ratio(i - 1), ratio(i),
+                                  (to_s - periods_s[i - 1]) / (periods_s[i] - periods_s[i - 1])));
   }
+  GLISSADE_EXPECTS(std::isfinite(lowest));  // the spectra go to 1.5 times the longest period
   return lowest;
 }
 
@@ -158,6 +165,9 @@ std::vector<std::string> choices_of(const Project& project) {
   for (std::string& text : choices_of(project.friction)) texts.push_back(std::move(text));
   const std::string hazard = improbable_hazard(project);
   add(!hazard.empty(), hazard);
+  constexpr double longest_life_years = 200.0;
+  add(project.hazard && project.hazard->design_life_years > longest_life_years,
+      "the design life is longer than that of any building");
   const double flattest_deg = project.slope_deg.front();
   add(flattest_deg > 0.0 && flattest_deg < least_drained_deg,
       fmt::format(

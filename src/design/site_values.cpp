@@ -79,6 +79,11 @@ PrescribedValue asce7_16(const Project& project, const SiteValues& site) {
 
 double ProjectFriction::design() const { return design_friction(Normal{mean, std}); }
 
+std::string category_text(const ProjectSite& site, const SiteValues& values) {
+  const bool is_open = !site.target.is_mapped() && values.category == SeismicDesignCategory::d;
+  return to_string(values.category) + (is_open ? ", E or F" : "");  // these from S_1 of 0.75 g on
+}
+
 SiteValues site_values(const ProjectSite& site) {
   const TargetSpectrum spectrum(site.target);
   SiteValues values{.sds_g = spectrum.sds_g(), .sd1_g = spectrum.sd1_g()};

@@ -21,6 +21,8 @@ struct SiteValues {
   double sm1_g() const { return mce_over_dbe * sd1_g; }
 };
 SiteValues site_values(const ProjectSite& site);
+/// The seismic design category, or those that it may be where S_1 is not known: "D, E or F".
+std::string category_text(const ProjectSite& site, const SiteValues& values);
 
 /// Displacement at one building period, over the records of the suite all in the orientation with
 /// the largest mean, on the slope and with the mass ratio that govern.

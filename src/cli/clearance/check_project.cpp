@@ -107,7 +107,7 @@ void check_project(const fs::path& file, const fs::path& out) {
 
   fmt::print("{:<12}{}\n", "project", project.title.name);
   fmt::print("{:<12}S_DS {:.3f} g, S_D1 {:.3f} g, category {}\n", "site", site.sds_g, site.sd1_g,
-             to_string(site.category));
+             category_text(project.site, site));
   print_inputs(project);
   fmt::print("{:<12}mean {:.3f}, std {:.3f}, design {:.3f}\n", "friction", project.friction.mean,
              project.friction.std, project.friction.design());

@@ -179,12 +179,15 @@ ProjectBuilding read_building(const TomlTable& table, const Project& project) {
     if (!to_one.is_met(ratio))
       table.report("array_weight_kn", "the array weighs more than the building", "check the units");
     building.mass_ratio = {ratio};
+    const double weight_kn = array_kn / ratio;
+    building.mass_basis =
+        fmt::format("project file: weights of {:.4g} kN ({:.4g} kip) and {:.4g} kN ({:.4g} kip)",
+                    array_kn, array_kn / pound_force_n, weight_kn, weight_kn / pound_force_n);
   } else {
     building.mass_ratio = read_values(table, "mass_ratio", to_one);
   }
-  building.storeys = table.number("storeys", {"that is a whole number, 1 or more", [](double x) {
-                                                return x >= 1.0 && std::floor(x) == x;
-                                              }});
+  building.storeys = table.number(
+      "storeys", {"1, 2, 3 or more", [](double x) { return x >= 1.0 && std::floor(x) == x; }});
   building.damping =
       table.number("damping", {"from 0 to 0.999", [](double x) { return x >= 0.0 && x <= 0.999; }})
           .value_or(building.damping);
@@ -245,6 +248,7 @@ void take_tests(const TomlTable& table, const fs::path& folder, ProjectFriction&
                                   found->direction, name, sha256_of_file(folder / name));
   } catch (const InputError& error) {
     table.report("file", error);
+    table.ignore_unknown();  // its direction was not looked for
   }
 }
 

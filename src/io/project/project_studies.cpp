@@ -102,7 +102,7 @@ std::string probability_study(const Project& project, const fs::path& folder,
              "[sampling]\nsamples = {}\n\n"
              "[fragility]\nthresholds_m = [{}]\n",
              list_of(project.building.period_s), between(project.building.mass_ratio),
-             project.building.damping, between(project.slope_deg), friction,
+             project.building.damping, project.slope_deg.back(), friction,
              mu.std > 0.0 ? "value = \"sampled\"\n" : "", project.samples,
              fmt::join(thresholds_m, ", ")) +
          hazard_of(project, folder);

@@ -8,6 +8,8 @@
 
 #include "glissade/core/error.hpp"
 #include "glissade/core/file.hpp"
+#include "glissade/core/units.hpp"
+#include "glissade/motion/improbable.hpp"
 #include "records/at2_header.hpp"
 #include "records/record_units.hpp"
 #include "records/time_column.hpp"
@@ -102,7 +104,7 @@ std::size_t decimals_of(std::string_view token) {
 
 /// A header that is no comment before values without a time: no sample is
 /// - a whole number among the first three that is nearly the number of values, or far above all of
-///   those that follow;
+///   those that follow; or any that is far above them and any motion;
 /// - the step, or one that is usual of recorders beside a count (of components, of parts), a
 ///   hundred times the values after it, or written with other digits than they are.
 /// @param decimals of the first values
@@ -131,9 +133,14 @@ void refuse_header(const Record& record, double unit_mps2,
     largest_after = std::max(largest_after, std::abs(a[i]) / unit_mps2);
   for (std::size_t i = 0; i < headed; ++i) {
     const double value = a[i] / unit_mps2;
-    if (value < least_count || std::round(value) != value) continue;
-    if (std::abs(value - after) <= count_error * after || value > far_above * largest_after)
-      refuse(value, "a count");
+    const bool is_count =
+        value >= least_count && std::round(value) == value &&
+        (std::abs(value - after) <= count_error * after || value > far_above * largest_after);
+    if (is_count) refuse(value, "a count");
+    // A record begins at rest.
+    if (a[i] > most_probable_pga_g * standard_gravity_mps2 && largest_after > 0.0 &&
+        value > 10.0 * largest_after)
+      refuse(value, "far above all that follow");
   }
   const auto is_usual_step = [](double value) { return value >= 0.0005 && value <= 0.1; };
   const auto is_far_below_first = [&](double value) {
@@ -142,13 +149,17 @@ void refuse_header(const Record& record, double unit_mps2,
   if (first >= 1.0 && std::round(first) == first &&
       (equals_step(a[1] / unit_mps2) || is_usual_step(a[1] / unit_mps2)))
     refuse(first, "a count, and a time step");
-  const bool is_round = std::abs(std::remainder(first, 1e-4)) < 1e-12;
-  const bool is_written_otherwise =
-      is_round && std::all_of(decimals.begin() + 1, decimals.begin() + judged, [&](auto digits) {
-        return digits == decimals[1] && digits > decimals[0];
-      });
-  if (is_usual_step(first) &&
-      (is_written_otherwise || std::all_of(a.begin() + 1, a.begin() + judged, is_far_below_first)))
+  // In other digits than the samples after it: a step alone, or behind a PGA.
+  for (std::size_t i = 0; i < 2; ++i) {
+    const double value = a[i] / unit_mps2;
+    const bool is_round = std::abs(std::remainder(value, 1e-4)) < 1e-12;
+    if (is_usual_step(value) && is_round &&
+        std::all_of(decimals.begin() + i + 1, decimals.begin() + judged, [&](auto digits) {
+          return digits == decimals[judged - 1] && digits > decimals[i];
+        }))
+      refuse(value, "a time step");
+  }
+  if (is_usual_step(first) && std::all_of(a.begin() + 1, a.begin() + judged, is_far_below_first))
     refuse(first, "a time step");
 }
 

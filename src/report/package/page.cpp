@@ -180,8 +180,7 @@ Html motions_html(const CalculationPackage& package, const std::vector<DrawnFigu
              ratios.lowest.ratio, ratios.lowest.period_s, ratios.highest.ratio,
              ratios.highest.period_s)) +
          page_table(motions_table(package)) + page_table(scaled_motions_table(package)) +
-         page_table(record_spectra_table(package)) +
-         figure_html(figures.front(), 1);
+         page_table(record_spectra_table(package)) + figure_html(figures.front(), 1);
 }
 
 Html model_html() {

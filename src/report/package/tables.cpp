@@ -85,13 +85,6 @@ std::vector<std::string> warnings_of(const CalculationPackage& package) {
   return warnings;
 }
 
-std::string category_text(const CalculationPackage& package) {
-  const SeismicDesignCategory category = package.design.site.category;
-  const bool is_open =
-      !package.project.site.target.is_mapped() && category == SeismicDesignCategory::d;
-  return to_string(category) + (is_open ? ", E or F" : "");  // these where S_1 is 0.75 g or more
-}
-
 std::string range_text(const std::vector<double>& values, const char* unit) {
   if (values.size() == 1) return fmt::format("{:.3g}{}", values.front(), unit);
   return fmt::format("{:.3g} to {:.3g}{}", values.front(), values.back(), unit);
@@ -128,15 +121,19 @@ std::string hazard_sentence(const CalculationPackage& package) {
            : std::isfinite(length_m) ? length_in_both(length_m)
                                      : "beyond the levels of the study";
   };
-  return fmt::format(
+  const std::string exceeded = fmt::format(
       "With the hazard curve {}, at the period with the largest rate: the governing displacement "
       "is exceeded {} once in {} years, in 50 years with a probability of {}. Over {}, the array "
       "not "
-      "put back, at the period at which it is largest: displacement that adds up, median {}, 95th "
-      "percentile {}; farthest from the first place at any time, 95th percentile {}.",
+      "put back, at the period at which it is largest: ",
       curve_name(hazard), run.thresholds.front().beyond_share == 1.0 ? "less than" : "about",
       format_number(two_digits(1.0 / rate)), format_share(probability_in(50.0, rate)),
-      life_text(hazard), length(sum.median_m), length(sum.p95_m), length(farthest.p95_m));
+      life_text(hazard));
+  if (farthest.p95_m == 0.0) return exceeded + "it does not slide in 95 % of such spans.";
+  return exceeded + fmt::format(
+                        "displacement that adds up, median {}, 95th percentile {}; farthest "
+                        "from the first place at any time, 95th percentile {}.",
+                        length(sum.median_m), length(sum.p95_m), length(farthest.p95_m));
 }
 
 Table title_table(const Project& project) {
@@ -166,7 +163,7 @@ Table inputs_table(const CalculationPackage& package) {
   add("Building period", range_text(p.building.period_s, " s"), p.building.period_basis);
   if (p.building.storeys) add("Storeys", fmt::format("{:g}", *p.building.storeys), "project file");
   add("Damping of the building", fmt::format("{:g} %", 100.0 * p.building.damping), "project file");
-  add("Mass of array over building", range_text(p.building.mass_ratio, ""), "project file");
+  add("Mass of array over building", range_text(p.building.mass_ratio, ""), p.building.mass_basis);
   std::vector<double> rises;
   for (const double slope_deg : p.slope_deg)
     rises.push_back(12.0 * std::tan(slope_deg * rad_per_deg));
@@ -230,8 +227,8 @@ Table site_table(const CalculationPackage& package) {
     add("T_L", fmt::format("{:g} s", target.tl_s),
         package.project.site.states_tl ? "project file" : "NOT STATED: assumed");
   add("Seismic design category",
-      category_text(package) +
-          (category_text(package) == to_string(site.category) ? "" : ": S_1 is not stated"),
+      category_text(package.project.site, site) +
+          (target.is_mapped() ? "" : " (S_1 is not stated)"),
       edition_name(target.edition) + ", tables 11.6-1 and 11.6-2 (recalled)");
   return table;
 }
@@ -501,12 +498,13 @@ Table exceedance_table(const CalculationPackage& package) {
          format_share(e.probability),
          fmt::format("{} to {}", format_share(e.interval.low), format_share(e.interval.high))});
   }
-  table.notes.push_back(fmt::format(
-      "Friction, mass ratio and slope are drawn within the project's ranges, and the orientation: "
-      "{} "
-      "samples for each of {} records. The interval is from resampling whole records; it is never "
-      "narrower than that of a binomial with one trial for each record.",
-      package.probability.cases.samples, package.probability.records.size()));
+  table.notes.push_back(
+      fmt::format("Friction and mass ratio are drawn within the project's ranges, and the "
+                  "orientation; the slope "
+                  "is the steepest: {} samples for each of {} records. The interval is from "
+                  "resampling whole records; it is never "
+                  "narrower than that of a binomial with one trial for each record.",
+                  package.probability.cases.samples, package.probability.records.size()));
   return table;
 }
 

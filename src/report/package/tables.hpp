@@ -32,8 +32,6 @@ std::string governed_by(const CalculationPackage& package);
 /// How often the governing displacement is exceeded and what adds up over the design life; or which
 /// key of the project would give it.
 std::string hazard_sentence(const CalculationPackage& package);
-/// The seismic design category, or those that it may be where S_1 is not known.
-std::string category_text(const CalculationPackage& package);
 /// "1.19 degrees", "1.19 to 2.39 degrees".
 std::string range_text(const std::vector<double>& values, const char* unit);
 

@@ -94,7 +94,8 @@ Html skips_and_notes_html(const Results& results, const std::vector<Skip>& skips
 Html suites_html(const Results& results) {
   Html html;
   for (const SuiteSummary& suite : results.suites)
-    html += paragraph("Suite: " + suite.name + ". " + suite.description);
+    html += paragraph("Suite: " + suite.name + ". " + suite.description +
+                      (suite.target.empty() ? "" : ". Its design target: " + suite.target + "."));
   return html;
 }
 

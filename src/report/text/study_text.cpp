@@ -2,7 +2,6 @@
 #include "text/study_text.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cctype>
@@ -25,12 +24,13 @@ std::string one_axis_text(const Results& results) {
 }
 
 std::string target_text(const Results& results) {
-  std::vector<std::string> targets;
-  for (const SuiteSummary& suite : results.suites) {
-    if (!suite.target.empty() && std::ranges::find(targets, suite.target) == targets.end())
-      targets.push_back(suite.target);
-  }
-  return fmt::format("{}", fmt::join(targets, " | "));
+  const bool counts =
+      results.measure.is_of_design_spectrum() || !results.model.building.empty();  // or it yields
+  if (!counts || results.suites.empty()) return "";
+  const std::string& first = results.suites.front().target;
+  const bool is_one = std::ranges::all_of(
+      results.suites, [&](const SuiteSummary& suite) { return suite.target == first; });
+  return is_one ? first : "of each suite, in the report";
 }
 
 std::string with_unit(const Results& results, const std::string& value) {

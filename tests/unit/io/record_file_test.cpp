@@ -197,6 +197,13 @@ TEST_F(RecordFile, comments_may_state_step_and_count_which_must_hold) {
   EXPECT_THAT(error("# DT = 0.02\n0 1\n0.01 2\n0.02 2\n"), HasSubstr("0.02"));
 }
 
+/// 0 to 0.019, with six digits.
+std::string fine_samples() {
+  std::string text;
+  for (int i = 0; i < 20; ++i) text += fmt::format("{:.6f}\n", 0.001 * i);
+  return text;
+}
+
 TEST_F(RecordFile, a_header_that_is_no_comment_is_not_taken_for_samples) {
   EXPECT_THAT(error("0.01\n1\n2\n", {.dt_s = 0.01, .units = {}}), HasSubstr("begins with 0.01"));
   const std::string samples = "1\n2\n3\n2\n1\n0\n-1\n-2\n";
@@ -216,10 +223,14 @@ TEST_F(RecordFile, a_header_that_is_no_comment_is_not_taken_for_samples) {
     EXPECT_THAT(error(header + samples, {.dt_s = 0.005, .units = AccelerationUnits::g}),
                 HasSubstr("a count"))
         << header;
-  std::string fine;
-  for (int i = 0; i < 20; ++i) fine += fmt::format("{:.6f}\n", 0.001 * i);
+  EXPECT_THAT(
+      error("29.99\n0.02\n" + fine_samples(), {.dt_s = 0.005, .units = AccelerationUnits::g}),
+      HasSubstr("far above"));
+  const std::string fine = fine_samples();
   EXPECT_EQ(read(fine, {.dt_s = 0.005, .units = {}}).acceleration_mps2.size(), 20u);
   EXPECT_THAT(error("0.01\n" + fine, {.dt_s = 0.005, .units = {}}), HasSubstr("a time step"));
+  EXPECT_THAT(error("0.4\n0.01\n" + fine, {.dt_s = 0.01, .units = AccelerationUnits::g}),
+              HasSubstr("a time step"));
   EXPECT_DOUBLE_EQ(read("# DT = 10 ms\n1\n2\n").dt_s, 0.01);
   EXPECT_THAT(error("8\n" + samples, {.dt_s = 0.01, .units = {}}), HasSubstr("begins with 8"));
   EXPECT_THAT(error("8 0.01\n" + samples, {.dt_s = 0.01, .units = {}}), HasSubstr("1 column"));

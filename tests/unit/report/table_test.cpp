@@ -126,6 +126,13 @@ TEST(tables, and_figures_page_and_summary_name_the_design_target) {
   for (const Figure& figure : make_figures(results)) EXPECT_THAT(figure.below, HasSubstr(target));
   EXPECT_THAT(test::one_line(summary_text(results, {})), HasSubstr(target));
   EXPECT_THAT(html_report(results, {}, {}), HasSubstr(target));
+  results.suites.push_back(results.suites.front());  // one of two suites has another target
+  results.suites.back().target = "ASCE 7-16, S_DS 2 g, S_D1 1 g";
+  for (const Figure& figure : make_figures(results))
+    EXPECT_THAT(figure.below, Not(HasSubstr(target)));
+  results.suites.pop_back();
+  results.measure = IntensityMeasure::pga_g;  // nothing rests on it
+  for (const Table& table : csv_tables(results)) EXPECT_THAT(table.title, Not(HasSubstr(target)));
 }
 
 TEST(tables, leave_out_standards_when_there_are_none) {
