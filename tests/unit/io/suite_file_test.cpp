@@ -77,9 +77,10 @@ TEST_F(SuiteFile, units_of_a_suite_are_those_of_files_that_state_none) {
   EXPECT_THAT(error(head + record), AllOf(HasSubstr("a.txt"), HasSubstr("units")));
   EXPECT_DOUBLE_EQ(load(head + "units = \"cm/s2\"\n" + record).motions[0].horizontal_mps2[0][0],
                    1.0);
-  folder_.write("suites/a.txt", "# units: m/s2\n0 100\n0.01 200\n");
+  EXPECT_THAT(error(head + "units = \"g\"\n" + record), HasSubstr("PGA of 200 g"));
+  folder_.write("suites/a.txt", "# units: m/s2\n0 10\n0.01 20\n");
   EXPECT_DOUBLE_EQ(load(head + "units = \"cm/s2\"\n" + record).motions[0].horizontal_mps2[0][0],
-                   100.0);
+                   10.0);
 }
 
 TEST_F(SuiteFile, records_are_found_below_the_folders_of_the_environment) {
