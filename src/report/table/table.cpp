@@ -102,7 +102,8 @@ std::string csv_cell(const Cell& cell) {
          format_exact(estimate.interval.high);
 }
 
-/// With no line break between a number and its unit, "0.605 s", nor after a sign, "-second".
+/// With no line break between a number and its unit, "0.605 s", nor after a sign, "-second",
+/// "1e-05".
 std::string unbroken(const std::string& text) {
   static constexpr std::string_view no_break_space = "\u00a0", word_joiner = "\u2060";
   const auto is = [&](std::size_t i, int (*of_class)(int)) {
@@ -111,7 +112,9 @@ std::string unbroken(const std::string& text) {
   std::string kept;
   for (std::size_t i = 0; i < text.size(); ++i) {
     const bool unit = text[i] == ' ' && i > 0 && is(i - 1, std::isdigit) && is(i + 1, std::isalpha);
-    const bool sign = text[i] == '-' && i > 0 && text[i - 1] == ' ' && is(i + 1, std::isalpha);
+    const bool sign = text[i] == '-' && i > 0 &&
+                      ((text[i - 1] == ' ' && is(i + 1, std::isalpha)) ||
+                       (text[i - 1] == 'e' && is(i + 1, std::isdigit)));
     unit ? kept += no_break_space : kept += text[i];
     if (sign) kept += word_joiner;
   }

@@ -57,8 +57,10 @@ TEST(table, becomes_escaped_html) {
 TEST(table, breaks_no_line_between_a_number_and_its_unit_nor_after_a_sign_on_a_page) {
   Table table{"t", "T", {text_column("a", "A")}, {}};
   table.add({std::string("0.605 s, along it -second, 3 to 4 - 5")});
+  table.add({std::string("[9.98e-05, 0.000248]")});
   EXPECT_THAT(to_html(table).str(),
               HasSubstr("<td>0.605\u00a0s, along it -\u2060second, 3\u00a0to 4 - 5</td>"));
+  EXPECT_THAT(to_html(table).str(), HasSubstr("9.98e-\u206005"));
   EXPECT_THAT(to_csv(table), HasSubstr("0.605 s, along it -second"));
 }
 
