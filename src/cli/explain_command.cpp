@@ -30,8 +30,7 @@ void add_explain(CLI::App& program) {
       throw InputError({"", "there is no table, key, value or measure " + o->key,
                         (nearest.empty() ? "" : "did you mean " + nearest + "? ") +
                             "`glissade explain` lists those of a study, `glissade clearance "
-                            "--example` those of a "
-                            "project",
+                            "--example` those of a project",
                         ""});
     }
     fmt::print("{}", text);

@@ -81,7 +81,8 @@ void print(const PullTestSummary& summary) {
   if (!summary.tests.empty()) fmt::print("{}\n", to_text(pull_tests_table(summary)));
   fmt::print("{}", to_text(friction_table(summary)));
   if (!summary.notes.empty()) fmt::print("\n");
-  for (const std::string& note : summary.notes) fmt::print("note  {}\n", wrapped(note, terminal_width, 6));
+  for (const std::string& note : summary.notes)
+    fmt::print("note  {}\n", wrapped(note, terminal_width, 6));
 }
 
 void run(const FrictionOptions& o) {
@@ -103,7 +104,8 @@ void add_friction(CLI::App& program) {
   auto o = std::make_shared<FrictionOptions>();
   CLI::App* command = program.add_subcommand("friction", "Effective friction from pull tests");
   command
-      ->add_option("tests", o->tests, "CSV of pull tests as logged, or a sheet with a column mu (studies/README.md)")
+      ->add_option("tests", o->tests,
+                   "CSV of pull tests as logged, or a sheet with a column mu (studies/README.md)")
       ->required();
   command->add_option("--slip-m", o->rule.slip_m,
                       "displacement up to which the rig stretches and the array does not slip");

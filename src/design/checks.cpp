@@ -34,7 +34,7 @@ double lowest_ratio(const SuiteSpectra& spectra, double from_s, double to_s) {
                         std::lerp(ratio(i - 1), ratio(i),
                                   (to_s - periods_s[i - 1]) / (periods_s[i] - periods_s[i - 1])));
   }
-  GLISSADE_EXPECTS(std::isfinite(lowest));  // the spectra go to 1.5 times the longest period
+  GLISSADE_EXPECTS(std::isfinite(lowest));  // the spectra go beyond `from`
   return lowest;
 }
 
@@ -48,14 +48,17 @@ std::vector<DesignCheck> spectrum_checks(const Project& project, const Results& 
        lowest.ratio >= least_over_target}};
   const double longest_s = 1.5 * periods_of(project).back();
   if (longest_s <= longest_scaled_period_s) return checks;
-  const double known_s = spectra.periods_s.back();
+  const double known_s = spectra.periods_s.back(), to_s = std::min(longest_s, known_s);
   constexpr double rounding = 5e-4;  // the spectra are at other periods than those of the scaling
-  const double ratio = lowest_ratio(spectra, longest_scaled_period_s, std::min(longest_s, known_s));
+  const double ratio = lowest_ratio(spectra, longest_scaled_period_s, to_s);
   checks.push_back(
-      {fmt::format(
-           "average SRSS spectrum of the suite over the design spectrum, 2 to {:.3g} s, 1.5 "
-           "times the longest period",
-           longest_s),
+      {fmt::format("average SRSS spectrum of the suite over the design spectrum, 2 to {:.3g} s, {}",
+                   to_s,
+                   to_s == longest_s
+                       ? "1.5 times the longest period"
+                       : fmt::format("where the shown spectra end (1.5 times the longest period is "
+                                     "{:.3g} s)",
+                                     longest_s)),
        fmt::format("{:.3f} or more{}", ratio,
                    project.without_target ? "" : "; the studies scale the suite to there"),
        fmt::format("{:g} or more (ASCE 7-16, 16.2, recalled)", least_over_target_beyond),

@@ -24,8 +24,9 @@ SiteValues site_values(const ProjectSite& site);
 /// The seismic design category, or those that it may be where S_1 is not known: "D, E or F".
 std::string category_text(const ProjectSite& site, const SiteValues& values);
 
-/// Displacement at one building period, over the records of the suite all in the orientation with
-/// the largest mean, on the slope and with the mass ratio that govern.
+/// Displacement at one building period over the records of the suite, all in the orientation with
+/// the largest mean. Each number is the largest over the project's slopes, mass ratios, with and
+/// without vertical motion; the orientation is that of the largest mean.
 struct PeriodDemand {
   double period_s = 0.0;
   std::string orientation;
@@ -85,7 +86,7 @@ struct DesignClearance {
   SiteValues site;
   double slope_deg = 0.0, mass_ratio = 0.0, period_s = 0.0;  ///< of the governing case
   VerticalChoice vertical = VerticalChoice::if_available;    ///< likewise
-  std::vector<PeriodDemand> demand;  ///< by period; each number the largest of all conditions
+  std::vector<PeriodDemand> demand;                          ///< by period
   double factor = 1.1;
   bool of_largest = false;  ///< fewer than 7 records: the largest counts in place of the mean
   double analysis_m = 0.0;  ///< factor x the largest mean over orientations and periods
@@ -146,9 +147,10 @@ std::vector<double> slopes_of(const Project& project);
 std::vector<double> mass_ratios_of(const Project& project);
 /// Those of the project, and of one above 0 also 0.9 and 1.1 times that, for the sensitivity, s.
 std::vector<double> periods_of(const Project& project);
-/// S_DS of the probability study, g: parts of that of the site, from a quarter of it to 3.75 times,
-/// DBE and MCE among them. A hazard curve is followed from where nothing slides, in small steps
-/// where slip begins: what adds up over a design life comes from there.
+/// Levels of S_DS of the probability study, g: from a quarter of that of the site to 3.75 times it
+/// (most_probable_g at most), DBE and MCE among them. With a hazard curve from a tenth of it, where
+/// nothing slides, in small steps where slip begins: what adds up over a design life comes from
+/// there.
 std::vector<double> levels_of(const Project& project);
 
 /// Adds what the results of probability_study() give.

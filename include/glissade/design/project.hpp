@@ -32,7 +32,7 @@ struct ProjectBuilding {
   std::optional<double> height_m;  ///< where the period comes from it
   std::optional<double> storeys;   ///< above ground, where given
   std::vector<double> mass_ratio;  ///< of the array to the building, increasing
-  std::string mass_basis = "project file";
+  std::string mass_basis = "project file";  ///< or the weights that it is the ratio of
   double damping = 0.05;
 };
 

@@ -26,7 +26,7 @@ std::string project_example();
 std::string demand_study(const Project& project, const std::filesystem::path& folder);
 
 /// The study of the probability that the displacement exceeds each threshold, at each building
-/// period: friction, mass ratio, slope and orientation drawn.
+/// period: friction, mass ratio and orientation drawn, on the steepest slope.
 std::string probability_study(const Project& project, const std::filesystem::path& folder,
                               const std::vector<double>& thresholds_m);
 

@@ -11,6 +11,8 @@ namespace glissade {
 
 /// Of Walters et al. (2012), who scale from 0 to here.
 inline constexpr double longest_scaled_period_s = 2.0;
+/// Of a suite that is scaled to 1.5 times a building period.
+inline constexpr double longest_possible_scaled_s = 30.0;
 /// The least average SRSS spectrum over the target of a suite that meets it: up to there (nowhere
 /// below, but for rounding of the factors), and beyond (ASCE 7-16, 16.2, recalled).
 inline constexpr double least_over_target = 0.98, least_over_target_beyond = 0.9;

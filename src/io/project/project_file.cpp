@@ -175,11 +175,11 @@ ProjectBuilding read_building(const TomlTable& table, const Project& project) {
                  "give the ratio, or both weights");
   if (table.has("weight_kn") && table.has("array_weight_kn")) {
     const double array_kn = table.number("array_weight_kn", not_negative).value_or(0.0);
-    const double ratio = array_kn / table.number("weight_kn", above_zero).value_or(1.0);
+    const double weight_kn = table.number("weight_kn", above_zero).value_or(1.0);
+    const double ratio = array_kn / weight_kn;
     if (!to_one.is_met(ratio))
       table.report("array_weight_kn", "the array weighs more than the building", "check the units");
     building.mass_ratio = {ratio};
-    const double weight_kn = array_kn / ratio;
     building.mass_basis =
         fmt::format("project file: weights of {:.4g} kN ({:.4g} kip) and {:.4g} kN ({:.4g} kip)",
                     array_kn, array_kn / pound_force_n, weight_kn, weight_kn / pound_force_n);

@@ -14,7 +14,6 @@ namespace {
 
 using enum PullTestColumn;
 
-
 struct KnownName {
   const char* name;
   PullTestColumn column;

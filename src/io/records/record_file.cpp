@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "glissade/core/error.hpp"
 #include "glissade/core/file.hpp"
@@ -94,6 +95,8 @@ Record read_at2(const std::filesystem::path& file, std::string_view text, const 
   return record;
 }
 
+constexpr std::size_t judged = 8;  ///< of the values without a time, to know a header
+
 /// Digits behind the point: programs write samples with as many each.
 std::size_t decimals_of(std::string_view token) {
   const std::size_t point = token.find('.');
@@ -102,65 +105,80 @@ std::size_t decimals_of(std::string_view token) {
   return (end == std::string_view::npos ? token.size() : end) - point - 1;
 }
 
-/// A header that is no comment before values without a time: no sample is
-/// - a whole number among the first three that is nearly the number of values, or far above all of
-///   those that follow; or any that is far above them and any motion;
-/// - the step, or one that is usual of recorders beside a count (of components, of parts), a
-///   hundred times the values after it, or written with other digits than they are.
-/// @param decimals of the first values
-void refuse_header(const Record& record, double unit_mps2,
-                   const std::vector<std::size_t>& decimals) {
-  constexpr std::size_t judged = 8, headed = 3;
+/// A value of a header that is no comment, before values without a time.
+struct HeaderValue {
+  double value;  ///< in the file's unit
+  const char* what;
+};
+
+/// Among the first three a whole number that is nearly the number of values, or far above all of
+/// those that follow; or any that is far above them and any motion.
+std::optional<HeaderValue> find_count(const Record& record, double unit_mps2) {
+  constexpr std::size_t headed = 3;
   constexpr double least_count = 100.0, count_error = 0.05, far_above = 3.0;
   const std::vector<double>& a = record.acceleration_mps2;
+  if (a.size() < judged) return std::nullopt;
   const double first = a.front() / unit_mps2, after = static_cast<double>(a.size() - 1);
-  const auto refuse = [&](double value, const char* what) {
-    throw InputError(
-        {record.name,
-         fmt::format("begins with {:g}, {}: a header, not an acceleration", value, what),
-         "put # before the lines of the header; a sample of that value needs a column of times",
-         ""});
-  };
-  const auto equals_step = [&](double value) {
-    return std::abs(value - record.dt_s) <= 1e-9 * record.dt_s;
-  };
-  if (equals_step(first)) refuse(first, "a time step");
-  if (a.size() < judged) return;
   if (std::round(first) == after || std::round(first) == after - 1.0)
-    refuse(first, "the number of values that follow");
+    return HeaderValue{first, "the number of values that follow"};
   double largest_after = 0.0;
   for (std::size_t i = headed; i < a.size(); ++i)
     largest_after = std::max(largest_after, std::abs(a[i]) / unit_mps2);
   for (std::size_t i = 0; i < headed; ++i) {
     const double value = a[i] / unit_mps2;
-    const bool is_count =
-        value >= least_count && std::round(value) == value &&
-        (std::abs(value - after) <= count_error * after || value > far_above * largest_after);
-    if (is_count) refuse(value, "a count");
+    if (value >= least_count && std::round(value) == value &&
+        (std::abs(value - after) <= count_error * after || value > far_above * largest_after))
+      return HeaderValue{value, "a count"};
     // A record begins at rest.
     if (a[i] > most_probable_pga_g * standard_gravity_mps2 && largest_after > 0.0 &&
         value > 10.0 * largest_after)
-      refuse(value, "far above all that follow");
+      return HeaderValue{value, "far above all that follow"};
   }
-  const auto is_usual_step = [](double value) { return value >= 0.0005 && value <= 0.1; };
-  const auto is_far_below_first = [&](double value) {
-    return 100.0 * std::abs(value) <= std::abs(a.front());
+  return std::nullopt;
+}
+
+/// The step, or one that is usual of recorders beside a count (of components, of parts), a hundred
+/// times the values after it, or written with other digits than they are: alone, or behind a PGA.
+/// @param decimals of the first `judged` values
+std::optional<HeaderValue> find_step(const Record& record, double unit_mps2,
+                                     const std::vector<std::size_t>& decimals) {
+  const std::vector<double>& a = record.acceleration_mps2;
+  const double first = a.front() / unit_mps2;
+  const auto equals_step = [&](double value) {
+    return std::abs(value - record.dt_s) <= 1e-9 * record.dt_s;
   };
-  if (first >= 1.0 && std::round(first) == first &&
-      (equals_step(a[1] / unit_mps2) || is_usual_step(a[1] / unit_mps2)))
-    refuse(first, "a count, and a time step");
-  // In other digits than the samples after it: a step alone, or behind a PGA.
+  if (equals_step(first)) return HeaderValue{first, "a time step"};
+  if (a.size() < judged) return std::nullopt;
+  const double second = a[1] / unit_mps2;
+  const auto is_usual_step = [](double value) { return value >= 0.0005 && value <= 0.1; };
+  if (first >= 1.0 && std::round(first) == first && (equals_step(second) || is_usual_step(second)))
+    return HeaderValue{first, "a count, and a time step"};
   for (std::size_t i = 0; i < 2; ++i) {
     const double value = a[i] / unit_mps2;
     const bool is_round = std::abs(std::remainder(value, 1e-4)) < 1e-12;
     if (is_usual_step(value) && is_round &&
-        std::all_of(decimals.begin() + i + 1, decimals.begin() + judged, [&](auto digits) {
-          return digits == decimals[judged - 1] && digits > decimals[i];
-        }))
-      refuse(value, "a time step");
+        std::all_of(decimals.begin() + i + 1, decimals.end(),
+                    [&](auto digits) { return digits == decimals.back() && digits > decimals[i]; }))
+      return HeaderValue{value, "a time step"};
   }
+  const auto is_far_below_first = [&](double value) {
+    return 100.0 * std::abs(value) <= std::abs(a.front());
+  };
   if (is_usual_step(first) && std::all_of(a.begin() + 1, a.begin() + judged, is_far_below_first))
-    refuse(first, "a time step");
+    return HeaderValue{first, "a time step"};
+  return std::nullopt;
+}
+
+void refuse_header(const Record& record, double unit_mps2,
+                   const std::vector<std::size_t>& decimals) {
+  auto found = find_count(record, unit_mps2);
+  if (!found) found = find_step(record, unit_mps2, decimals);
+  if (!found) return;
+  throw InputError(
+      {record.name,
+       fmt::format("begins with {:g}, {}: a header, not an acceleration", found->value,
+                   found->what),
+       "put # before the lines of the header; a sample of that value needs a column of times", ""});
 }
 
 /// What the comments before the first sample state.
@@ -210,7 +228,7 @@ Record read_columns(const std::filesystem::path& file, std::string_view text,
     }
     if (columns == 2) time.add(parse_finite(file, line, parts[0], "the time"), parts[0], line);
     record.acceleration_mps2.push_back(parse_sample(file, line, parts.back(), unit_mps2));
-    if (columns == 1) decimals.push_back(decimals_of(parts.back()));
+    if (columns == 1 && decimals.size() < judged) decimals.push_back(decimals_of(parts.back()));
   }
   if (columns == 0)
     throw InputError({file.string(), "the file holds no samples", what_is_read, ""});

@@ -65,8 +65,10 @@ IntensityConfig read_intensity(const TomlTable& table, const NumberRule& level_r
     intensity.sa_period_s = table.required_number("sa_period_s", not_negative);
   if (is_own("avg_sa_periods_s"))
     intensity.avg_sa_periods_s = read_increasing(table, "avg_sa_periods_s", not_negative);
-  constexpr NumberRule longest_rule{"from 2 to 30", [](double x) { return x >= 2.0 && x <= 30.0; },
-                                    "from 0 to 2 s the suite is scaled in any case"};
+  constexpr NumberRule longest_rule{
+      "from 2 to 30",
+      [](double x) { return x >= longest_scaled_period_s && x <= longest_possible_scaled_s; },
+      "from 0 to 2 s the suite is scaled in any case"};
   intensity.scaled_to_s = table.number("scaled_to_s", longest_rule).value_or(intensity.scaled_to_s);
   if (table.has("target")) intensity.target = read_target(table.table("target"), folder);
   refuse_other_keys(table, *measure);

@@ -30,7 +30,7 @@ std::string target_text(const Results& results) {
   const std::string& first = results.suites.front().target;
   const bool is_one = std::ranges::all_of(
       results.suites, [&](const SuiteSummary& suite) { return suite.target == first; });
-  return is_one ? first : "of each suite, in the report";
+  return is_one ? first : "differs by suite (see the report)";
 }
 
 std::string with_unit(const Results& results, const std::string& value) {

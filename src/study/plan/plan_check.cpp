@@ -180,7 +180,7 @@ std::optional<MissedTarget> missed_target(const Plan& plan, std::size_t suite) {
   if (1.5 * longest_s <= longest_scaled_period_s || !gives_clearance(plan)) return {};
   const SpectralRatio lowest = lowest_ratio_to_target(plan.suites[suite], factors, mce_g,
                                                       periods_beyond_scaled_s(1.5 * longest_s));
-  constexpr double rounding = 1e-12, longest_possible_s = 30.0;  // of intensity.scaled_to_s
+  constexpr double rounding = 1e-12;
   if (lowest.ratio >= least_over_target_beyond * (1.0 - rounding)) return {};
   const double missing = least_over_target_beyond / lowest.ratio;
   return MissedTarget{
@@ -189,7 +189,7 @@ std::optional<MissedTarget> missed_target(const Plan& plan, std::size_t suite) {
                   "{:g} s, 1.5 times that period",
                   lowest.ratio, lowest.period_s, longest_s, least_over_target_beyond,
                   longest_scaled_period_s, 1.5 * longest_s),
-      1.5 * longest_s > longest_possible_s
+      1.5 * longest_s > longest_possible_scaled_s
           ? "check the period: no building has such a one"
           : "take records that reach it (`glissade suite select`), " +
                 (by_sds ? fmt::format(

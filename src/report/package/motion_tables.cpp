@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "glissade/core/units.hpp"
+#include "package/tables.hpp"
+#include "package/units.hpp"
+
+namespace glissade {
+namespace {
+
+/// The displacement of a record in the governing case, its largest over the orientations.
+double displacement_of(const CalculationPackage& package, std::size_t record) {
+  const ConditionTable& table = *package.demand.conditions;
+  double largest = 0.0;
+  for (std::size_t i = 0; i < table.first_case.size(); ++i) {
+    const Case& c = package.demand.cases.cases[table.first_case[i]];
+    const bool governs =
+        c.friction == package.project.friction.design() &&
+        c.slope_deg == package.design.slope_deg && c.mass_ratio == package.design.mass_ratio &&
+        c.period_s == package.design.period_s && c.vertical == package.design.vertical;
+    if (!governs || table.grid.position(i)[ConditionAxis::level] != 0) continue;
+    for (std::size_t o = 0; o < table.orientations.size(); ++o)
+      largest = std::max(largest, table.at(record, o, i).displacement_m);
+  }
+  return largest;
+}
+
+/// Of a record in tables and figures.
+const Column number_column = {"number", "", "No.", ColumnKind::count};
+double number_after(const Table& table) { return static_cast<double>(table.rows.size() + 1); }
+
+std::string not_given(double value, const std::string& text) { return value > 0.0 ? text : "-"; }
+
+/// "730" of a component "walters/gukasian_RSN730/RSN730_SPITAK_GUK000.AT2": the record sequence
+/// number of NGA-West2; else that of the id "rsn730", else "-".
+std::string rsn_of(const std::vector<ComponentFile>& files, const std::string& record) {
+  for (const ComponentFile& f : files) {
+    const std::string name = std::filesystem::path(f.file).filename().string();
+    if (f.record != record || !name.starts_with("RSN")) continue;
+    return name.substr(3, name.find_first_not_of("0123456789", 3) - 3);
+  }
+  if (record.starts_with("rsn") && record.find_first_not_of("0123456789", 3) == std::string::npos)
+    return record.substr(3);
+  return "-";
+}
+
+}  // namespace
+
+Table motions_table(const CalculationPackage& package) {
+  Table table{"motions",
+              "Ground motions",
+              {number_column, text_column("id", "Record"), text_column("rsn", "RSN"),
+               text_column("event", "Event"), text_column("station", "Station"),
+               text_column("magnitude", "M"), text_column("distance", "R, km"),
+               text_column("vs30", "Vs30, m/s")},
+              {}};
+  bool has_rsn = false;
+  for (const RecordSummary& r : package.demand.records) {
+    const std::string rsn = rsn_of(package.files, r.id);
+    has_rsn = has_rsn || rsn != "-";
+    table.add({number_after(table), r.id, rsn, r.event, r.station,
+               not_given(r.magnitude, fmt::format("{:.1f}", r.magnitude)),
+               not_given(r.distance_km, fmt::format("{:.1f}", r.distance_km)),
+               not_given(r.vs30_mps, fmt::format("{:.0f}", r.vs30_mps))});
+  }
+  return has_rsn ? table : table.without("rsn");
+}
+
+Table scaled_motions_table(const CalculationPackage& package) {
+  Table table{
+      "scaled_motions",
+      "Ground motions as recorded, factor to DBE, and displacement of the array",
+      {number_column, text_column("id", "Record"), text_column("pga", "PGA, g"),
+       text_column("pgv", in_inches() ? "PGV, in/s" : "PGV, m/s"), text_column("step", "Step, s"),
+       text_column("length", "Length, s"), text_column("duration", "D5-95, s"),
+       text_column("suite_scale", "Scale of the suite"), text_column("factor", "Factor to DBE"),
+       text_column("displacement", "Displacement")},
+      {}};
+  for (std::size_t i = 0; i < package.demand.records.size(); ++i) {
+    const RecordSummary& r = package.demand.records[i];
+    table.add(
+        {number_after(table), r.id, fmt::format("{:.3f}", r.pga_g),
+         in_inches() ? fmt::format("{:.1f}", r.pgv_mps / inch_m) : fmt::format("{:.3f}", r.pgv_mps),
+         fmt::format("{:.3g}", r.dt_s),
+         fmt::format("{:.0f}", r.dt_s * static_cast<double>(r.samples - 1)),
+         fmt::format("{:.1f}", r.duration_s), fmt::format("{:.3g}", r.suite_scale),
+         fmt::format("{:.3f}", r.factor_at_unit_level * package.design.site.sds_g),
+         slip_in(displacement_of(package, i))});
+  }
+  table.notes.push_back(
+      "PGA and PGV: geometric mean of both horizontal components, as recorded. D5-95: from 5 % to "
+      "95 % of the Arias intensity of both together. The factor to DBE "
+      "contains the scale of the suite and is on all components. Displacement: in the governing "
+      "case at DBE, the largest of the "
+      "orientations.");
+  return table;
+}
+
+Table record_spectra_table(const CalculationPackage& package) {
+  const SuiteSpectra& spectra = package.demand.suites.front().spectra;
+  const std::vector<double>& grid_s = spectra.periods_s;
+  Table table{"record_spectra",
+              "Spectra of the records at the building periods, scaled to DBE: S_a, g",
+              {number_column, text_column("id", "Record")},
+              {}};
+  table.notes = {fmt::format(
+      "SRSS of both horizontal components, 5 % damping; at all periods: Fig. 1. Spectra "
+      "are computed to {:g} s.",
+      grid_s.back())};
+  for (const double period_s : package.project.building.period_s)
+    table.columns.push_back(
+        text_column(fmt::format("sa_{:g}_s", period_s), fmt::format("{:.3g}\u00a0s", period_s)));
+  const auto add = [&](const Cell& number, const std::string& name,
+                       const std::vector<double>& sa_g) {
+    std::vector<Cell> row{number, name};
+    for (const double period_s : package.project.building.period_s) {
+      if (period_s > grid_s.back()) {
+        row.emplace_back(std::string("-"));
+        continue;
+      }
+      const auto right =
+          std::max<std::ptrdiff_t>(1, std::ranges::lower_bound(grid_s, period_s) - grid_s.begin());
+      const double part = (period_s - grid_s[right - 1]) / (grid_s[right] - grid_s[right - 1]);
+      row.emplace_back(fmt::format("{:.3f}", std::lerp(sa_g[right - 1], sa_g[right], part) *
+                                                 package.design.site.sds_g /
+                                                 spectra.reference_level));
+    }
+    table.add(row);
+  };
+  for (std::size_t i = 0; i < package.demand.records.size(); ++i)
+    add(number_after(table), package.demand.records[i].id, spectra.srss_g[i]);
+  add(std::string(), "average", spectra.average_srss_g);
+  if (!spectra.target_g.empty()) add(std::string(), "design spectrum", spectra.target_g);
+  return table;
+}
+
+Table files_table(const CalculationPackage& package) {
+  Table table{"files",
+              "Files of the ground motions",
+              {text_column("record", "Record"), text_column("component", "Component"),
+               text_column("file", "File"), text_column("sha256", "SHA-256")},
+              {}};
+  for (const ComponentFile& f : package.files) table.add({f.record, f.component, f.file, f.sha256});
+  return table;
+}
+
+}  // namespace glissade
