@@ -51,6 +51,36 @@ class TwoAxisLoading {
   double g_, tan_, cos_, cos_azimuth_, sin_azimuth_;
 };
 
+/// The friction f per normal force of a block that slides with v = p - lambda f on an ellipse of
+/// friction, by iteration. v_i = p_i sigma / (sigma + lambda mu_i^2) with
+/// sigma = |(mu_s v_s, mu_y v_y)|, so sigma is the root of |x| = 1, x_i = mu_i p_i / (sigma +
+/// lambda mu_i^2). Newton's method on 1/|x|, which is nearly a line in sigma (Hebden 1973).
+class ImplicitEllipse {
+ public:
+  explicit ImplicitEllipse(Vector mu) : mu_(mu), squares_(scaled(mu, mu)) {}
+
+  /// For the present sigma, which is then improved; p and lambda may change between calls.
+  Vector next(Vector p, double lambda) {
+    const Vector forced = scaled(mu_, p), shift = lambda * squares_;
+    if (sigma_ < 0.0) {  // To the first order in lambda, friction shortens p as a circle's would.
+      const Vector weights = scaled(forced, forced);
+      sigma_ = std::max(0.0, length(forced) - dot(weights, shift) / (weights.s + weights.y));
+    }
+    const Vector divisor{sigma_ + shift.s, sigma_ + shift.y};
+    const Vector x{forced.s / divisor.s, forced.y / divisor.y};
+    size_ = length(x);
+    const double slope = (x.s * x.s / divisor.s + x.y * x.y / divisor.y) / (size_ * size_);
+    sigma_ = std::max(0.0, sigma_ + (size_ - 1.0) / slope);
+    return scaled(mu_, x);
+  }
+  /// |x| of the last call, 1 at the root.
+  double size() const { return size_; }
+
+ private:
+  Vector mu_, squares_;
+  double sigma_ = -1.0, size_ = 0.0;
+};
+
 /// Friction on a circle or an ellipse.
 class FrictionEllipse {
  public:
@@ -91,6 +121,8 @@ class FrictionEllipse {
     return lambda > 0.0 ? (1.0 / lambda) * p : Vector{};
   }
 
+  ImplicitEllipse implicit() const { return ImplicitEllipse(mu_); }
+
   /// Of a block that slides with v, not zero.
   Vector sliding(Vector v) const {
     const Vector scaled_v = scaled(v, mu_);
@@ -99,7 +131,15 @@ class FrictionEllipse {
   }
 
  private:
-  Vector on_ellipse(Vector p, double lambda) const;
+  Vector on_ellipse(Vector p, double lambda) const {
+    ImplicitEllipse friction(mu_);
+    Vector f;
+    for (int iteration = 0; iteration < 60; ++iteration) {
+      f = friction.next(p, lambda);
+      if (std::abs(friction.size() - 1.0) <= 4.0 * std::numeric_limits<double>::epsilon()) break;
+    }
+    return f;
+  }
 
   Vector mu_;
   double to_circle_;

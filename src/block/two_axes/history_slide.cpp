@@ -2,6 +2,7 @@
 // A history while the block slides too stiffly for the lanes, and how it stops.
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "block/full_model/sdirk4.hpp"
 #include "block/full_model/stop.hpp"
@@ -26,22 +27,28 @@ Vector velocity(const HistoryState& state) { return {state.motion.v_s, state.mot
 Vector stage(const Constants<double>& c, const FrictionEllipse& friction, Vector known,
              double gamma_h, const Load& load, Vector guess) {
   const double per_kappa = c.per_kappa_y;
-  const bool even = c.rho_sin_cos == 0.0;
+  const bool closed = c.rho_sin_cos == 0.0 && friction.is_circle();  // by the first guess
+  ImplicitEllipse on_ellipse = friction.implicit();
   Vector a = guess;
-  for (int i = 0; i < 6; ++i) {
+  double change = never;
+  for (int i = 0; i < 12; ++i) {
     // What is not the same in both directions is taken from the last iterate.
     const double normal = load.normal - c.rho_sin_cos * a.s;
-    const double effective = std::max(normal, 0.0) * per_kappa, lambda = c.mu * effective;
+    const double effective = std::max(normal, 0.0) * per_kappa, lambda = gamma_h * effective;
     const Vector drive =
         per_kappa * Vector{load.drive.s + (1.0 / per_kappa - c.kappa) * a.s, load.drive.y};
     const Vector p = known + gamma_h * drive;
-    const bool slides = friction.excess({p, gamma_h * effective}) > 0.0;
-    const Vector next = slides
-                            ? drive - effective * friction.implicit_friction(p, gamma_h * effective)
-                            : (-1.0 / gamma_h) * known;
-    const double change = length(next - a);
+    Vector next = (-1.0 / gamma_h) * known;
+    if (friction.excess({p, lambda}) > 0.0) {
+      const Vector f = on_ellipse.next(p, lambda);
+      next = drive - (effective / on_ellipse.size()) * f;
+    }
+    const double before = std::exchange(change, length(next - a));
     a = next;
-    if (even || change <= stage_tolerance * c.tolerance * lambda) break;
+    if (closed) break;
+    // What is left to change is to this change as this is to the one before, at most.
+    if (i > 0 && change * change <= stage_tolerance * c.tolerance * c.mu * effective * before)
+      break;
   }
   return a;
 }

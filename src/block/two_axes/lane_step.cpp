@@ -153,11 +153,13 @@ HWY_INLINE void RaisePeaks(const StepSeries<roof>& z, const Constants<V>& c, con
   const V begin2 = path.s[0] * path.s[0] + path.y[0] * path.y[0];
   const V out0 = path.s[0] * (c.cosine2 * z.v_s[0]) + path.y[0] * (c.cosine * z.v_y[0]);
   const V out1 = to.at_s * (c.cosine2 * to.v_s) + to.at_y * (c.cosine * to.v_y);
-  // Twice what is gained where the rate falls as a line.
-  const V gain = (Number(2.0) * along) * hn::Div(out0 * out0, out0 - out1);
-  const Mask returns = hn::And(goes, hn::And(hn::And(hn::Gt(out0, zero), hn::Lt(out1, zero)),
-                                             hn::Gt(begin2 + gain, to.farthest2)));
-  if (HWY_UNLIKELY(!hn::AllFalse(Doubles(), returns))) {
+  const auto along_path = [&]() GLISSADE_INLINE_LAMBDA {
+    const Mask turns = hn::And(goes, hn::And(hn::Gt(out0, zero), hn::Lt(out1, zero)));
+    if (HWY_LIKELY(hn::AllFalse(Doubles(), turns))) return;
+    // Twice what is gained where the rate falls as a line.
+    const V gain = (Number(2.0) * along) * hn::Div(out0 * out0, out0 - out1);
+    const Mask returns = hn::And(turns, hn::Gt(begin2 + gain, to.farthest2));
+    if (HWY_LIKELY(hn::AllFalse(Doubles(), returns))) return;
     const auto out = [&](V t) {
       return Polynomial(path.s, t) * (c.cosine2 * Polynomial(z.v_s, t)) +
              Polynomial(path.y, t) * (c.cosine * Polynomial(z.v_y, t));
@@ -165,18 +167,20 @@ HWY_INLINE void RaisePeaks(const StepSeries<roof>& z, const Constants<V>& c, con
     const V t = Root(out, f, out0, out1);
     const V s = Polynomial(path.s, t), y = Polynomial(path.y, t);
     to.farthest2 = hn::IfThenElse(returns, hn::Max(to.farthest2, s * s + y * y), to.farthest2);
-  }
+  };
   const auto along_axis = [&](const V(&v)[order + 1], V v1, const V(&w)[order + 2], V& ahead,
                               V& back) GLISSADE_INLINE_LAMBDA {
+    const Mask turns = hn::And(goes, hn::Lt(v[0] * v1, zero));
+    if (HWY_LIKELY(hn::AllFalse(Doubles(), turns))) return;
     const V reach = w[0] + hn::Div((f * w[1]) * v[0], v[0] - v1);
-    const Mask reverses = hn::And(hn::And(goes, hn::Lt(v[0] * v1, zero)),
-                                  hn::Or(hn::Gt(reach, ahead), hn::Gt(zero - reach, back)));
+    const Mask reverses = hn::And(turns, hn::Or(hn::Gt(reach, ahead), hn::Gt(zero - reach, back)));
     if (HWY_LIKELY(hn::AllFalse(Doubles(), reverses))) return;
     const V t = Root([&](V x) { return Polynomial(v, x); }, f, v[0], v1);
     const V value = Polynomial(w, t);
     ahead = hn::IfThenElse(reverses, hn::Max(ahead, value), ahead);
     back = hn::IfThenElse(reverses, hn::Max(back, zero - value), back);
   };
+  along_path();
   along_axis(z.v_s, to.v_s, path.s, to.ahead_s, to.back_s);
   along_axis(z.v_y, to.v_y, path.y, to.ahead_y, to.back_y);
 }
