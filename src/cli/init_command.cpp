@@ -20,8 +20,9 @@ namespace {
 namespace fs = std::filesystem;
 
 struct InitOptions {
-  std::string file, kind = "study", suite, units = "si", name, edition, site_class, slope,
+  std::string file, kind = "study", suite, units = "si", name, edition, site_class, system, height,
                     pull_tests, direction;
+  std::vector<std::string> slopes;
   std::optional<double> ss_g, s1_g, mu, mu_std;
   std::vector<double> period_s;
   bool overwrite = false;
@@ -42,7 +43,12 @@ void set_common(const InitOptions& o, ExampleFile& file) {
   file.set_text(head, "units", o.units);
   file.set_path("suite", "file", o.suite, folder);
   if (!o.period_s.empty()) file.set_numbers("building", "period_s", o.period_s);
-  if (!o.slope.empty()) file.set_text("roof", "slope_deg", o.slope);
+  if (o.slopes.size() == 1) file.set_text("roof", "slope_deg", o.slopes.front());
+  if (o.slopes.size() > 1) {
+    std::vector<std::string> texts;
+    for (const std::string& slope : o.slopes) texts.push_back(ExampleFile::string_value(slope));
+    file.set("roof", "slope_deg", fmt::format("[{}]", fmt::join(texts, ", ")));
+  }
   if (!o.pull_tests.empty()) file.set_path("friction", "file", o.pull_tests, folder);
   if (!o.direction.empty()) file.set_text("friction", "direction", o.direction);
 }
@@ -77,7 +83,12 @@ ExampleFile project_file(const InitOptions& o) {
     file.set_numbers("site", "s1_g", {*o.s1_g});
     file.set_text("site", "site_class", o.site_class);
   }
-  if (!o.slope.empty()) file.comment_out("roof", "rise_in_12");
+  if (!o.slopes.empty()) file.comment_out("roof", "rise_in_12");
+  if (!o.system.empty()) {
+    file.comment_out("building", "period_s");
+    file.set_text("building", "system", o.system);
+    file.set_text("building", "height_m", o.height);
+  }
   if (!o.pull_tests.empty()) return file;
   file.comment_out("friction", "file");
   if (o.mu) {
@@ -99,6 +110,8 @@ std::string option_of(const std::string& what) {
                                     {"s1_g", "--s1-g"},
                                     {"slope_deg", "--slope"},
                                     {"period_s", "--period-s"},
+                                    {"system", "--system"},
+                                    {"height_m", "--height"},
                                     {"direction", "--direction"},
                                     {"pull test", "--pull-tests"},
                                     {"friction", "--mu"}}) {
@@ -136,6 +149,8 @@ void init(InitOptions o) {
                                              "--ss-g and its site",
                                              o.suite.empty() ? "the suite" : o.suite),
                                  terminal_width, 4));
+  if (o.is_project())
+    fmt::print("Not stated, comments in the file: building.storeys, clearances, hazard\n");
   fmt::print("Next    glissade {} {}\n", o.is_project() ? "clearance" : "check", o.file);
 }
 
@@ -162,9 +177,17 @@ void add_init(CLI::App& program) {
     for (CLI::Option* other : {ss, s1, site, edition})
       if (one != other) one->needs(other);
   }
-  command->add_option("--slope", o->slope, "of the roof, with its unit: 0.25:12, \"4 deg\"");
-  command->add_option("--period-s", o->period_s, "of the building: one, or several")
+  command->add_option("--slope", o->slopes, "of the roof, with units: 0.25:12,0.5:12, \"4 deg\"")
       ->delimiter(',');
+  CLI::Option* period =
+      command->add_option("--period-s", o->period_s, "of the building: one, or several")
+          ->delimiter(',');
+  CLI::Option* system =
+      command->add_option("--system", o->system, "of a project's building, for T_a = C_t h^x")
+          ->excludes(period);
+  CLI::Option* height =
+      command->add_option("--height", o->height, "of the building: \"54 ft\"")->needs(system);
+  system->needs(height);
   CLI::Option* tests = command->add_option("--pull-tests", o->pull_tests, "pull tests (CSV)")
                            ->check(CLI::ExistingFile);
   command->add_option("--direction", o->direction, "of the pull tests, where there are several")

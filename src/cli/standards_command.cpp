@@ -10,6 +10,7 @@
 #include "glissade/core/wrap.hpp"
 #include "glissade/motion/improbable.hpp"
 #include "glissade/report/format.hpp"
+#include "glissade/standards/code_values.hpp"
 #include "glissade/standards/prescriptive.hpp"
 
 namespace glissade::cli {
@@ -17,7 +18,7 @@ namespace {
 
 struct StandardsOptions {
   double sds_g = 0.0, importance = 1.0;
-  std::string sdc = "D";
+  std::string sdc = "D", risk_category;
   bool json = false;
 };
 
@@ -99,10 +100,22 @@ void add_standards(CLI::App& program) {
       program.add_subcommand("standards", "Prescribed displacements and separations");
   command->add_option("--sds-g", o->sds_g, "design spectral acceleration at short periods, S_DS")
       ->required();
-  command->add_option("--importance", o->importance, "importance factor I_e (ASCE 7-16)");
+  CLI::Option* importance =
+      command->add_option("--importance", o->importance, "importance factor I_e (ASCE 7-16)");
+  command
+      ->add_option("--risk-category", o->risk_category,
+                   "I to IV, in place of its importance factor")
+      ->check(CLI::IsMember({"I", "II", "III", "IV"}))
+      ->excludes(importance);
   command->add_option("--sdc", o->sdc, "seismic design category, A to F (SEAOC PV1)");
   command->add_flag("--json", o->json, "print one JSON object");
-  command->callback([o] { run(*o); });
+  command->callback([o] {
+    for (const RiskCategory risk :
+         {RiskCategory::i, RiskCategory::ii, RiskCategory::iii, RiskCategory::iv}) {
+      if (o->risk_category == to_string(risk)) o->importance = importance_factor(risk);
+    }
+    run(*o);
+  });
 }
 
 }  // namespace glissade::cli

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 
 #include "glissade/core/contract.hpp"
 #include "glissade/core/units.hpp"
@@ -17,8 +18,13 @@
 namespace glissade {
 namespace {
 
-std::string both_units(double length_m) {
-  return fmt::format("{:.3g} m ({:.3g} ft)", length_m, length_m / foot_m);
+/// A displacement of a US project in inches, a longer length in feet.
+std::string both_units(double length_m, UnitSystem units) {
+  const bool is_long = length_m > 2.0;
+  const std::string us = is_long ? fmt::format("{:.3g} ft", length_m / foot_m)
+                                 : fmt::format("{:.1f} in", length_m / inch_m);
+  const std::string si = fmt::format("{:.3g} m", length_m);
+  return units == UnitSystem::si ? si + " (" + us + ")" : us + " (" + si + ")";
 }
 
 /// The lowest ratio of the suite's average spectrum to the design spectrum in (from, to], at the
@@ -73,21 +79,25 @@ constexpr double most_rounding_m = foot_m, most_clearance_m = 10.0;
 constexpr double least_supported = 0.75;
 
 /// Outside of what buildings have. All limits are recalled.
-std::vector<std::string> improbable_values(const ProjectBuilding& building) {
+std::vector<std::string> improbable_values(const ProjectBuilding& building, UnitSystem units) {
   constexpr double most_storeys = 163.0;                        // Burj Khalifa
   constexpr double least_storey_m = 2.2, most_storey_m = 8.0;   // height of a storey
   constexpr double most_single_storey_m = 30.0;                 // a hall
   constexpr double least_period_s = 0.02, most_period_s = 0.5;  // for each storey
-  if (!building.storeys) return {};
-  const double storeys = *building.storeys;
   std::vector<std::string> texts;
+  const double ta_s = building.approximate_period_s.value_or(building.period_s.front());
+  if (ta_s < building.period_s.front() || ta_s > building.period_s.back())
+    texts.push_back(fmt::format("building.period_bounds leave out T_a itself, {:.3g} s", ta_s));
+  if (!building.storeys) return texts;
+  const double storeys = *building.storeys;
   if (storeys > most_storeys)
     texts.push_back(fmt::format("{:g} storeys are more than any building has", storeys));
   const double most_m = storeys == 1.0 ? most_single_storey_m : most_storey_m;
   const double storey_m = building.height_m.value_or(0.0) / storeys;
   if (building.height_m && (storey_m < least_storey_m || storey_m > most_m))
     texts.push_back(fmt::format("{:g} storeys in a height of {}: {} for each is improbable",
-                                storeys, both_units(*building.height_m), both_units(storey_m)));
+                                storeys, both_units(*building.height_m, units),
+                                both_units(storey_m, units)));
   const auto add_period = [&](double period_s, bool is_improbable) {
     if (is_improbable)
       texts.push_back(fmt::format("a building period of {:.3g} s is improbable with {:g} storeys",
@@ -112,6 +122,10 @@ std::vector<std::string> choices_of(const ProjectFriction& friction) {
   }
   return texts;
 }
+
+constexpr const char* unchecked_spectrum =
+    "whether the site-specific spectrum is 80 % of that of the site class or more (ASCE 7-16, "
+    "21.3, recalled: verify) is not checked: it requires S_S, S_1 and site class";
 
 std::string improbable_hazard(const Project& project) {
   if (!project.hazard) return "";
@@ -147,24 +161,31 @@ std::vector<std::string> choices_of(const Project& project) {
   add(site_7_16 && !project.site.target.is_mapped() && project.site.target.period_s.empty(),
       "S_DS and S_D1 are stated without S_S, S_1 and site class: whether ASCE 7-16, 11.4.8 "
       "(recalled: verify) requires a ground motion hazard analysis is not checked");
+  add(!project.site.target.period_s.empty(), unchecked_spectrum);
   add(!project.site.states_tl && project.site.target.period_s.empty(),
       fmt::format("site.tl_s is not stated: T_L = {:g} s is assumed", project.site.target.tl_s));
   add(project.friction.mean < 2.0 * project.friction.std,
       fmt::format("mean - 2 std of the friction is {:.3g}: 0 is taken",
                   project.friction.mean - 2.0 * project.friction.std));
-  for (std::string& text : improbable_values(project.building)) texts.push_back(std::move(text));
+  for (std::string& text : improbable_values(project.building, project.units))
+    texts.push_back(std::move(text));
   add(project.building.damping == 0.0, "the building has no damping (damping = 0)");
   for (const auto& available_m : project.available_m)
     add(available_m && *available_m > most_clearance_m,
         fmt::format("a clearance of {} is more than a roof has",
-                    both_units(available_m.value_or(0.0))));
+                    both_units(available_m.value_or(0.0), project.units)));
   add(project.round_up_m > most_rounding_m,
-      fmt::format("displacements are rounded up to steps of {}", both_units(project.round_up_m)));
+      fmt::format("displacements are rounded up to steps of {}",
+                  both_units(project.round_up_m, project.units)));
   add(project.friction.std == 0.0,
       "the friction has no scatter (std 0): its design value is the mean");
   add(project.friction.mean > most_probable_friction,
       fmt::format("a mean friction of {:.3g} is above {:g}: no roof is known for it",
                   project.friction.mean, most_probable_friction));
+  add(!project.plain_numbers.empty(),
+      fmt::format("without a unit in the project file, read in m or kN although units = \"us\": "
+                  "{}; write for example \"30 ft\", \"18 in\", \"60 kip\"",
+                  fmt::join(project.plain_numbers, ", ")));
   for (std::string& text : choices_of(project.friction)) texts.push_back(std::move(text));
   const std::string hazard = improbable_hazard(project);
   add(!hazard.empty(), hazard);
@@ -189,6 +210,7 @@ const PrescribedValue& of_standard(const Project& project, const DesignClearance
 
 std::vector<std::string> reservations_on(const Project& project, const DesignClearance& design) {
   std::vector<std::string> found;
+  if (!project.site.target.period_s.empty()) found.emplace_back(unchecked_spectrum);
   if (const std::string not_met = of_standard(project, design).not_met(); !not_met.empty())
     found.push_back("conditions of the standard that are not met or not stated: " + not_met);
   for (const DesignCheck& check : design.checks) {
@@ -199,32 +221,37 @@ std::vector<std::string> reservations_on(const Project& project, const DesignCle
   return found;
 }
 
-namespace {
-
-/// Levels of the demand study.
-constexpr std::size_t at_dbe = 0, at_mce = 1;
-
-/// In a case at least.
-std::vector<std::string> records_with_uplift(const Results& demand, std::size_t level) {
-  const HistoryTable& histories = demand.histories;
+std::vector<std::string> records_with_uplift(const Results& results, std::size_t level) {
+  const HistoryTable& histories = results.histories;
   std::vector<std::string> ids;
   for (std::size_t record = 0; record < histories.records; ++record) {
     for (std::size_t i = 0; i < histories.cases; ++i) {
       if (histories.fields.uplift.empty() ||
           histories.fields.uplift[histories.at(record, i, level)] == 0)
         continue;
-      ids.push_back(demand.records[record].id);
+      ids.push_back(results.records[record].id);
       break;
     }
   }
   return ids;
 }
 
+std::size_t different_records(const Results& demand) {
+  std::set<double> arias_mps;  // of one motion the same to the last bit
+  for (const RecordSummary& record : demand.records) arias_mps.insert(record.arias_mps);
+  return arias_mps.size();
+}
+
+namespace {
+
+/// Levels of the demand study.
+constexpr std::size_t at_dbe = 0, at_mce = 1;
+
 }  // namespace
 
 std::vector<DesignCheck> checks_before_analysis(const Project& project, std::size_t records) {
   std::vector<DesignCheck> checks;
-  checks.push_back({"records", fmt::format("{}", records),
+  checks.push_back({"different records", fmt::format("{}", records),
                     fmt::format("{} or more; of fewer the largest counts in place of the mean "
                                 "(SEAOC PV1-2012, recalled)",
                                 least_records),
@@ -277,7 +304,7 @@ std::vector<DesignCheck> checks_of(const Project& project, const Results& demand
       design.demand, [](const PeriodDemand& d) { return std::isfinite(d.largest_m); });
   checks.push_back(
       {"histories without a finite displacement", finite ? "none" : "some", "none", finite});
-  const std::vector<DesignCheck> known = checks_before_analysis(project, records);
+  const std::vector<DesignCheck> known = checks_before_analysis(project, different_records(demand));
   checks.insert(checks.end(), known.begin(), known.end());
   return checks;
 }
@@ -295,13 +322,14 @@ std::vector<std::string> warnings_on(const Project& project, const Results& dema
                     "of exceedance at the MCE is outside the model; the required clearance is of "
                     "the DBE",
                     lifted.size(), demand.records.size(), fmt::join(lifted, ", ")));
-  for (const Sensitivity& s : design.sensitivity) {
-    const bool of_tests = s.what == "friction" && s.value.find("of the tests") != std::string::npos;
-    if (of_tests && s.clearance_m > design.governing_m)
-      warnings.push_back(fmt::format(
-          "with the friction that the tests support with 95 % confidence, {}, the required "
-          "displacement, {}, is above the governing one",
-          s.value, both_units(s.clearance_m)));
+  for (const StudiedFriction& mu : frictions_of(project)) {
+    if (mu.what != bound_name(project.friction)) continue;
+    const double clearance_m = required_m(project, demand, mu.value);
+    if (clearance_m > design.governing_m)
+      warnings.push_back(
+          fmt::format("with friction {:.3f} ({}) the required displacement, {}, is "
+                      "above the governing one",
+                      mu.value, mu.what, both_units(clearance_m, project.units)));
   }
   const bool moves = design.demand.back().largest_m > 0.0 || design.analysis_m > 0.0;
   if (moves && design.demand.size() == 1) {

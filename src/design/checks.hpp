@@ -5,8 +5,15 @@
 
 namespace glissade {
 
-/// For a mean to count (SEAOC PV1-2012, recalled).
+/// For a mean to count (SEAOC PV1-2012, recalled): a motion that is there several times is one.
 inline constexpr std::size_t least_records = 7;
+std::size_t different_records(const Results& demand);
+
+/// What the project's conditions require with this friction.
+double required_m(const Project& project, const Results& demand, double friction);
+
+/// Under which the array lifts off at a level, in a case at least.
+std::vector<std::string> records_with_uplift(const Results& results, std::size_t level);
 
 std::vector<DesignCheck> checks_of(const Project& project, const Results& demand,
                                    const DesignClearance& design);

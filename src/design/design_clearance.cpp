@@ -34,24 +34,25 @@ bool is_among(const std::vector<double>& values, double value) {
 /// What a mean requires; of few records the largest of them.
 double required_m(const Results& demand, const SuiteMean& mean) {
   return demand.clearance->factor *
-         (demand.records.size() < least_records ? mean.largest : mean.range.highest);
+         (different_records(demand) < least_records ? mean.largest : mean.range.highest);
 }
 
-/// One of the project's own conditions, with design friction at S_DS: neither of a slope, a mass
-/// ratio or a period that was added for the sensitivity.
-bool is_condition_of(const Project& project, const Results& demand, const SuiteMean& mean) {
+/// One of the project's own conditions at S_DS: neither of a slope, a mass ratio or a period that
+/// was added for the sensitivity.
+bool is_condition_of(const Project& project, const Results& demand, const SuiteMean& mean,
+                     double friction) {
   const Inputs inputs = inputs_of(demand, mean);
-  return inputs.friction == project.friction.design() && inputs.level == demand.levels.front() &&
+  return inputs.friction == friction && inputs.level == demand.levels.front() &&
          is_among(project.slope_deg, inputs.slope_deg) &&
          is_among(project.building.mass_ratio, inputs.mass_ratio) &&
          is_among(project.building.period_s, mean.period_s);
 }
 
 /// The largest requirement.
-const SuiteMean& governing_mean(const Project& project, const Results& demand) {
+const SuiteMean& governing_mean(const Project& project, const Results& demand, double friction) {
   const SuiteMean* governing = nullptr;
   for (const SuiteMean& mean : demand.clearance->by_period) {
-    if (!is_condition_of(project, demand, mean)) continue;
+    if (!is_condition_of(project, demand, mean, friction)) continue;
     if (governing == nullptr || required_m(demand, mean) > required_m(demand, *governing))
       governing = &mean;
   }
@@ -83,7 +84,7 @@ PeriodDemand demand_at(const Results& demand, const SuiteMean& mean) {
 std::vector<PeriodDemand> largest_demands(const Project& project, const Results& demand) {
   std::vector<PeriodDemand> found;
   for (const SuiteMean& mean : demand.clearance->by_period) {
-    if (!is_condition_of(project, demand, mean)) continue;
+    if (!is_condition_of(project, demand, mean, project.friction.design())) continue;
     const PeriodDemand here = demand_at(demand, mean);
     const auto same = std::ranges::find(found, mean.period_s, &PeriodDemand::period_s);
     if (same == found.end()) {
@@ -174,6 +175,10 @@ const ExceedanceAt& largest_exceedance(const DesignClearance& design, const std:
   return *largest;
 }
 
+double required_m(const Project& project, const Results& demand, double friction) {
+  return required_m(demand, governing_mean(project, demand, friction));
+}
+
 double rounded_up(double value, double step) {
   GLISSADE_EXPECTS(step > 0.0);
   return step * std::ceil(value / step - 1e-9);
@@ -181,7 +186,7 @@ double rounded_up(double value, double step) {
 
 DesignClearance design_clearance(const Project& project, const Results& demand) {
   GLISSADE_EXPECTS(demand.clearance && demand.conditions && demand.suites.size() == 1);
-  const SuiteMean& governing = governing_mean(project, demand);
+  const SuiteMean& governing = governing_mean(project, demand, project.friction.design());
   const Inputs inputs = inputs_of(demand, governing);
 
   DesignClearance design{.site = site_values(project.site)};
@@ -190,7 +195,7 @@ DesignClearance design_clearance(const Project& project, const Results& demand) 
   design.vertical = inputs.vertical;
   design.period_s = governing.period_s;
   design.factor = demand.clearance->factor;
-  design.of_largest = demand.records.size() < least_records;
+  design.of_largest = different_records(demand) < least_records;
   design.analysis_m = required_m(demand, governing);
   design.demand = largest_demands(project, demand);
   for (const PeriodDemand& d : design.demand)
@@ -216,7 +221,30 @@ DesignClearance design_clearance(const Project& project, const Results& demand) 
   return design;
 }
 
+namespace {
+
+/// Beyond the MCE, of which the demand study gives it.
+void warn_of_uplift(const Results& probability, DesignClearance& design) {
+  const HistoryTable& histories = probability.histories;
+  if (histories.fields.uplift.empty()) return;
+  for (std::size_t level = 0; level < probability.levels.size(); ++level) {
+    const double level_g = probability.levels[level];
+    if (level_g <= mce_over_dbe * design.site.sds_g) continue;
+    const std::size_t lifted = records_with_uplift(probability, level).size();
+    if (lifted == 0) continue;
+    design.warnings.push_back(fmt::format(
+        "from S_DS = {:.3g} g on the array lifts off under some records ({} of {} there), which is "
+        "outside the model: probabilities and annual rates of stronger shaking are of an array "
+        "without friction while lifted",
+        level_g, lifted, probability.records.size()));
+    return;
+  }
+}
+
+}  // namespace
+
 void add_exceedance(const Results& probability, DesignClearance& design) {
+  warn_of_uplift(probability, design);
   for (const auto& [name, share] : {std::pair{"DBE", 1.0}, std::pair{"MCE", mce_over_dbe}}) {
     const auto level = std::ranges::find(probability.levels, share * design.site.sds_g);
     GLISSADE_EXPECTS(level != probability.levels.end());

@@ -8,6 +8,11 @@
 
 namespace glissade {
 
+std::string bound_name(const ProjectFriction& mu) {
+  const std::string of_all = "95 % lower bound of the tests";
+  return mu.tested.size() > 1 ? of_all + ", " + mu.bound_direction : of_all;
+}
+
 std::vector<StudiedFriction> frictions_of(const Project& project) {
   const ProjectFriction& mu = project.friction;
   if (mu.std == 0.0) return {{mu.design(), "mean"}};
@@ -15,7 +20,7 @@ std::vector<StudiedFriction> frictions_of(const Project& project) {
       {mu.design(), "mean - 2 std"}, {mu.mean, "mean"}, {mu.mean + 2.0 * mu.std, "mean + 2 std"}};
   const double tangent = std::tan(slopes_of(project).back() * rad_per_deg);
   if (mu.lower_bound && *mu.lower_bound < mu.design() && *mu.lower_bound > tangent)
-    frictions.insert(frictions.begin(), {*mu.lower_bound, "95 % lower bound of the tests"});
+    frictions.insert(frictions.begin(), {*mu.lower_bound, bound_name(mu)});
   return frictions;
 }
 

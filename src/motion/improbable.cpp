@@ -66,6 +66,12 @@ std::vector<std::string> improbable_values(const Motion& motion) {
           "each other: is one in another unit?",
           low / standard_gravity_mps2, high / standard_gravity_mps2, most_probable_pga_ratio));
   }
+  constexpr double least_scale = 0.1, most_scale = 10.0;
+  if (motion.scale < least_scale || motion.scale > most_scale)
+    found.push_back(fmt::format(
+        "a scale of {:.3g} in the suite file, outside {:g} to {:g}: so much weaker or stronger "
+        "earthquakes have other durations and spectra; is it a conversion of units (units)?",
+        motion.scale, least_scale, most_scale));
   const auto largest = [&](auto measure) {
     return second.empty() ? measure(first) : std::max(measure(first), measure(second));
   };

@@ -64,6 +64,16 @@ TEST(Init, a_project_runs_as_it_is) {
   EXPECT_EQ(child.status, 0) << child.err;
 }
 
+TEST(Init, a_project_may_have_slopes_and_the_height_of_its_building) {
+  const ScratchFolder folder;
+  const std::string text =
+      written(folder, {"--kind", "project", "--slope", "0.25:12,0.5:12", "--system", "other",
+                       "--height", "54 ft", "--mu", "0.5", "--mu-std", "0.04"});
+  EXPECT_THAT(text, HasSubstr("slope_deg = [\"0.25:12\", \"0.5:12\"]"));
+  EXPECT_THAT(text, HasSubstr("height_m = \"54 ft\""));
+  EXPECT_EQ(check(folder).status, 0);
+}
+
 TEST(Init, pull_tests_take_the_place_of_a_mean) {
   const ScratchFolder folder;
   const std::string tests = folder.write("tests.csv", "mu\n0.50\n0.54\n0.58\n");

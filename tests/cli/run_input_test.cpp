@@ -35,8 +35,9 @@ TEST_F(RunInput, an_unknown_key_is_reported_with_its_line_and_the_nearest) {
                         "did you mean thresholds_m?", "\n  treshold_m = [0.05, 0.2]\n  ^"});
 }
 TEST_F(RunInput, a_key_in_another_unit_is_reported_with_the_right_one) {
-  expect_study_refused("thresholds_m = [0.05, 0.2]", "thresholds_in = [2, 8]",
-                       {"study.toml:24", "fragility.thresholds_in", "did you mean thresholds_m, in m"});
+  expect_study_refused(
+      "thresholds_m = [0.05, 0.2]", "thresholds_in = [2, 8]",
+      {"study.toml:24", "fragility.thresholds_in", "did you mean thresholds_m, in m"});
 }
 TEST_F(RunInput, an_unknown_table_is_reported) {
   expect_study_refused("[building]", "[bulding]",

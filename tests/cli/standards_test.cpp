@@ -45,6 +45,12 @@ TEST(Standards, importance_multiplies_asce_7_16) {
   EXPECT_NEAR(more, 1.5 * once, 1e-12);
 }
 
+TEST(Standards, a_risk_category_gives_its_importance_factor) {
+  EXPECT_EQ(run_program({"standards", "--sds-g", "1", "--risk-category", "III"}).out,
+            run_program({"standards", "--sds-g", "1", "--importance", "1.25"}).out);
+  EXPECT_EQ(run_program({"standards", "--sds-g", "1", "--risk-category", "V"}).status, 2);
+}
+
 TEST(Standards, sdc_c_asks_for_six_inches) {
   EXPECT_NEAR(standards_json({"--sds-g", "1.5", "--sdc", "C"})["seaoc_pv1_2012_m"], 6 * 0.0254,
               1e-12);

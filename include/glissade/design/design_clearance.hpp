@@ -129,7 +129,7 @@ inline constexpr const char* simulated_motions_warning =
     "the motions of this suite are simulated and do not serve for a permit: repeat the calculation "
     "with recorded motions";
 
-/// Of the number of records and the friction.
+/// Of the number of different records and the friction.
 std::vector<DesignCheck> checks_before_analysis(const Project& project, std::size_t records);
 /// A warning.
 std::string not_met_text(const DesignCheck& check);
@@ -140,6 +140,8 @@ struct StudiedFriction {
   std::string what;  ///< "mean - 2 std"
 };
 std::vector<StudiedFriction> frictions_of(const Project& project);
+/// "95 % lower bound of the tests", with its direction where there are several.
+std::string bound_name(const ProjectFriction& friction);
 
 /// The slopes of the demand study: those of the project, and beside a single one a steeper one.
 std::vector<double> slopes_of(const Project& project);

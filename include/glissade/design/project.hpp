@@ -27,22 +27,24 @@ struct ProjectSite {
 };
 
 struct ProjectBuilding {
-  std::vector<double> period_s;    ///< increasing, > 0
-  std::string period_basis;        ///< "given", or the equation with its numbers
-  std::optional<double> height_m;  ///< where the period comes from it
-  std::optional<double> storeys;   ///< above ground, where given
-  std::vector<double> mass_ratio;  ///< of the array to the building, increasing
-  std::string mass_basis = "project file";  ///< or the weights that it is the ratio of
+  std::vector<double> period_s;                ///< increasing, > 0
+  std::string period_basis;                    ///< "given", or the equation with its numbers
+  std::optional<double> height_m;              ///< where the period comes from it
+  std::optional<double> approximate_period_s;  ///< T_a of that height
+  std::optional<double> storeys;               ///< above ground, where given
+  std::vector<double> mass_ratio;              ///< of the array to the building, increasing
+  std::string mass_basis = "project file";     ///< or the weights that it is the ratio of
   double damping = 0.05;
 };
 
 struct ProjectFriction {
   double mean = 0.5, std = 0.0;
-  std::optional<double> lower_bound;  ///< 95 % confidence bound of MuStatistics; none: the number
-                                      ///< of tests is not known
+  std::optional<double> lower_bound;  ///< 95 % confidence bound of MuStatistics, the lowest of all
+                                      ///< directions; none: the number of tests is not known
   std::string source;                 ///< "7 pull tests in pulls.csv (SHA-256 ...)"
   std::vector<DirectionFriction> tested;  ///< of pull tests, each direction; empty: mean, std given
   std::string direction;                  ///< the one of them that is taken
+  std::string bound_direction;            ///< the one of the lower bound
 
   /// mean - 2 std (Walters et al. 2012), not below 0.
   double design() const;
@@ -84,6 +86,8 @@ struct Project {
   double importance = 1.0;
   bool peer_reviewed = false;
   double round_up_m = 0.0127;
+  std::vector<std::string> plain_numbers;  ///< "height_m = 54 (177 ft)": without a unit in the
+                                           ///< file, of a project in US units
 };
 
 }  // namespace glissade

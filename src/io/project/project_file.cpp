@@ -134,6 +134,7 @@ void periods_of_system(const TomlTable& table, const Project& project, ProjectBu
   }
   building.height_m = height_m;
   const double period_s = approximate_period_s(*system, height_m);
+  building.approximate_period_s = period_s;
   constexpr int count = 5;
   for (int i = 0; i < count; ++i) {
     const double factor = bounds[0] * std::pow(bounds[1] / bounds[0], i / (count - 1.0));
@@ -243,7 +244,12 @@ void take_tests(const TomlTable& table, const fs::path& folder, ProjectFriction&
     }
     friction.mean = statistics.mean;
     friction.std = statistics.std;
-    friction.lower_bound = statistics.lower_bound_95;
+    for (const DirectionFriction& d : friction.tested) {
+      if (d.sliding.tests < 2 || d.sliding.lower_bound_95 >= friction.lower_bound.value_or(2.0))
+        continue;
+      friction.lower_bound = d.sliding.lower_bound_95;
+      friction.bound_direction = d.direction;
+    }
     friction.source = fmt::format("{} pull tests, direction {}, {} (SHA-256 {})", statistics.tests,
                                   found->direction, name, sha256_of_file(folder / name));
   } catch (const InputError& error) {
@@ -332,6 +338,26 @@ std::string outliers_of(const ProjectFriction& mu) {
   return text;
 }
 
+/// Numbers that an engineer may have written in feet or kip, in a project in US units.
+std::vector<std::string> plain_numbers(const TomlTable& root) {
+  constexpr std::pair<const char*, const char*> keys[] = {
+      {"building", "height_m"},        {"building", "array_weight_kn"},
+      {"building", "weight_kn"},       {"clearances", "similar_array_m"},
+      {"clearances", "obstruction_m"}, {"clearances", "parapet_edge_m"},
+      {"clearances", "open_edge_m"},   {"result", "round_up_m"}};
+  std::vector<std::string> texts;
+  for (const auto& [name, key] : keys) {
+    const TomlTable table = root.table(name);
+    if (!table.is_number(key)) continue;
+    const double value = table.number(key).value_or(0.0);
+    const bool is_weight = std::string_view(key).ends_with("_kn");
+    texts.push_back(fmt::format("{} = {:g} ({:.3g} {})", table.name_of(key), value,
+                                value / (is_weight ? pound_force_n : foot_m),
+                                is_weight ? "kip" : "ft"));
+  }
+  return texts;
+}
+
 /// What no analysis can answer.
 void check_project(const TomlTable& root, const Project& project) {
   const double tangent = std::tan(project.slope_deg.back() * rad_per_deg);
@@ -378,6 +404,7 @@ Project read_project(const std::filesystem::path& file) {
   project.slope_deg = read_slopes(root.table("roof"));
   project.friction = read_project_friction(root.table("friction"), file.parent_path());
   read_rest(root, project);
+  if (project.units == UnitSystem::us_customary) project.plain_numbers = plain_numbers(root);
   if (root.problem_count() == 0) check_project(root, project);
   document.finish();
   return project;

@@ -59,7 +59,9 @@ std::string suggestion_for(const std::string& name) {
   std::vector<std::string> names;
   for (const KnownName& known : known_names) names.emplace_back(known.name);
   const std::string nearest = nearest_word(name, names);
-  return nearest.empty() ? "known are " + joined(names) + "; leave others out"
+  return nearest.empty() ? "known are " + joined(names) +
+                               "; or, of friction that is evaluated already, mu, test and "
+                               "direction alone; leave others out"
                          : "did you mean " + nearest + "?";
 }
 
@@ -104,6 +106,7 @@ bool is_plain_text(std::string_view text) {
 PullTestHeader read_pull_test_header(const std::filesystem::path& file, std::size_t line_number,
                                      std::string_view line) {
   const std::string where = place(file, line_number);
+  refuse_semicolons(where, line);
   const std::vector<std::string_view> cells = csv_cells(line);
   PullTestHeader header{{}, cells.size()};
   ProblemList problems;

@@ -316,7 +316,7 @@ std::string nearest_grammar_key(const std::string& wanted) {
   std::vector<std::string> names;
   for (const GrammarKey& key : grammar()) names.insert(names.end(), {key.table, key.key});
   for (const ProjectKey& key : project_keys()) names.emplace_back(key.key);
-  return nearest_word(wanted, names);
+  return nearest_word(wanted.substr(wanted.find('.') + 1), names);  // of table.key the key
 }
 
 std::string grammar_page() {

@@ -50,8 +50,11 @@ std::optional<HazardConfig> read_hazard(const TomlTable& table, const std::strin
     source = table.text("curve").value_or("");
   }
   if (by_law) {
-    const double k0 = table.required_number("k0", above_zero),
-                 k = table.required_number("k", above_zero);
+    for (const auto& [key, example] : {std::pair{"k0", "k0 = 1e-3"}, std::pair{"k", "k = 2.2"}}) {
+      if (!table.has(key)) table.report_missing(key, std::string("for example: ") + example);
+    }
+    const double k0 = table.number("k0", above_zero).value_or(0.0),
+                 k = table.number("k", above_zero).value_or(0.0);
     if (k0 > 0.0 && k > 0.0) curve = HazardCurve::power_law(k0, k);
     source = fmt::format("{:g} x^-{:g}", k0, k);
   }

@@ -42,13 +42,15 @@ void read_number_rows(const std::filesystem::path& file, const std::vector<Numbe
   ProblemList problems;
   LineReader reader(text);
   const NumberRows* kind = nullptr;
-  std::size_t rows = 0;
+  constexpr std::size_t most_shown = 3;
+  std::size_t rows = 0, wrong = 0;
   while (reader.next()) {
     if (is_blank_or_comment(reader.line())) continue;
     const auto parts = fields(reader.line());
     if (kind == nullptr) {
       const auto found = std::ranges::find(known, parts, &NumberRows::header);
       if (found == known.end()) {
+        refuse_semicolons(place(file, reader.number()), reader.line());
         throw InputError(
             {place(file, reader.number()),
              in_quotes(trimmed(reader.line())) + " is not the header " + headers_of(known),
@@ -61,10 +63,12 @@ void read_number_rows(const std::filesystem::path& file, const std::vector<Numbe
     std::vector<double> values;
     std::string trouble = trouble_with(parts, kind->header.size(), values);
     if (trouble.empty()) trouble = kind->take_row(values, reader.number());
-    if (!trouble.empty())
+    if (!trouble.empty() && ++wrong <= most_shown)
       problems.add({place(file, reader.number()), trouble, "",
                     "  " + std::string(reader.line().substr(0, 100))});
   }
+  if (wrong > most_shown)
+    problems.add({file.string(), fmt::format("{} more such rows", wrong - most_shown), "", ""});
   if (rows == 0) {
     problems.add({file.string(),
                   kind != nullptr ? "there are no rows below the header" : "the file is empty",

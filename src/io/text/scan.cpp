@@ -5,6 +5,9 @@
 
 #include <algorithm>
 #include <charconv>
+#include <string>
+
+#include "glissade/core/error.hpp"
 
 namespace glissade {
 namespace {
@@ -45,6 +48,13 @@ std::string lower_case(std::string_view text) {
 bool is_blank_or_comment(std::string_view line) {
   const std::string_view text = trimmed(line);
   return text.empty() || text.front() == '#';
+}
+
+void refuse_semicolons(const std::string& where, std::string_view line) {
+  if (line.find(';') == std::string_view::npos || line.find(',') != std::string_view::npos) return;
+  throw InputError({where, "columns are separated by semicolons",
+                    "separate them by commas, with points in numbers: 1.5, not 1,5",
+                    "  " + std::string(line.substr(0, 100))});
 }
 
 std::vector<std::string_view> fields(std::string_view line) {

@@ -33,6 +33,8 @@ bool is_blank_or_comment(std::string_view line);  ///< `#` begins a comment
 /// The parts of a line between blanks, tabs and commas; two commas have an empty part between them.
 /// What follows `#` is dropped.
 std::vector<std::string_view> fields(std::string_view line);
+/// Throws InputError where a header's columns are separated by semicolons.
+void refuse_semicolons(const std::string& where, std::string_view line);
 
 /// The whole of `text` as a number, with an optional leading '+'; nothing if it is anything else.
 /// May be inf or nan.

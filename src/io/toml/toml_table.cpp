@@ -242,9 +242,9 @@ void TomlDocument::State::throw_if_any() const {
     old_tables.insert({f.table, ""});
   }
   for (const Found& f : found) {
-    const bool follows = (f.kind == ProblemKind::value && old_tables.contains(f.table)) ||
-                         (f.kind == ProblemKind::idle &&
-                          (!old_tables.empty() || faulty_tables.contains(f.table)));
+    const bool follows =
+        (f.kind == ProblemKind::value && old_tables.contains(f.table)) ||
+        (f.kind == ProblemKind::idle && (!old_tables.empty() || faulty_tables.contains(f.table)));
     if (f.kind != ProblemKind::old_key && !follows) problems.add(f.problem);
   }
   problems.throw_if_any();
@@ -257,7 +257,9 @@ TomlDocument::TomlDocument(const std::filesystem::path& file) : state_(std::make
     state_->root = toml::parse(state_->text);
   } catch (const toml::parse_error& error) {
     throw InputError(state_->problem(error.source().begin, std::string(error.description()),
-                                     "correct the TOML syntax"));
+                                     file.extension() == ".csv"
+                                         ? "give the TOML file that names this table"
+                                         : "correct the TOML syntax"));
   }
 }
 
@@ -336,6 +338,11 @@ bool TomlTable::is_table(std::string_view key) const {
 bool TomlTable::is_array(std::string_view key) const {
   const toml::node* node = find(*document_, node_, key);
   return node != nullptr && node->is_array();
+}
+
+bool TomlTable::is_number(std::string_view key) const {
+  const toml::node* node = find(*document_, node_, key);
+  return node != nullptr && node->is_number();
 }
 
 void TomlTable::report(std::string_view key, std::string what, std::string suggestion,

@@ -95,6 +95,7 @@ class TomlTable {
   bool has(std::string_view key) const;
   bool is_table(std::string_view key) const;  ///< the key is there and holds a table
   bool is_array(std::string_view key) const;
+  bool is_number(std::string_view key) const;  ///< one that is written without a unit
 
   TomlTable table(std::string_view key) const;
   TomlTable required_table(std::string_view key) const;

@@ -16,15 +16,9 @@ double integral_of_squares(const std::vector<double>& a) {
   return std::inner_product(a.begin(), a.end(), a.begin(), 0.0);
 }
 
-/// Periods at which spectra are shown: 0, then 0.02 to 4 s, equally spaced in the logarithm; of a
-/// suite that its file scales to MCE those of the rule it is scaled by, 0 to 2 s.
-std::vector<double> shown_periods_s(bool as_scaled_to_mce) {
+/// Periods at which spectra are shown: 0, then 0.02 to 4 s, equally spaced in the logarithm.
+std::vector<double> shown_periods_s() {
   std::vector<double> periods{0.0};
-  if (as_scaled_to_mce) {
-    constexpr int count = 200;
-    for (int i = 1; i <= count; ++i) periods.push_back(2.0 * i / count);
-    return periods;
-  }
   constexpr int count = 80;
   for (int i = 0; i < count; ++i) periods.push_back(0.02 * std::pow(200.0, i / (count - 1.0)));
   return periods;
@@ -72,8 +66,25 @@ bool is_by_sds(const Plan& plan) {
   return plan.config.intensity.measure == IntensityMeasure::sds_g;
 }
 
+/// The same, and to where the study scales the suite; of a suite that its file scales to MCE the
+/// periods of the rule it is scaled by, 0 to 2 s.
 std::vector<double> suite_periods_s(const Plan& plan) {
-  return shown_periods_s(plan.config.intensity.measure == IntensityMeasure::mce_fraction);
+  std::vector<double> periods = shown_periods_s();
+  const IntensityConfig& intensity = plan.config.intensity;
+  if (intensity.measure == IntensityMeasure::mce_fraction) {
+    constexpr std::size_t count = 200;
+    periods.assign(count + 1, 0.0);
+    for (std::size_t i = 1; i <= count; ++i)
+      periods[i] = 2.0 * static_cast<double>(i) / static_cast<double>(count);
+  } else if (is_by_sds(plan) && intensity.scaled_to_s > longest_scaled_period_s) {
+    constexpr double growth = 1.07;
+    for (double t_s = growth * periods.back(); t_s < intensity.scaled_to_s; t_s *= growth)
+      periods.push_back(t_s);
+    const auto at = std::ranges::lower_bound(periods, intensity.scaled_to_s);
+    if (at == periods.end() || *at != intensity.scaled_to_s)
+      periods.insert(at, intensity.scaled_to_s);
+  }
+  return periods;
 }
 
 /// On each motion, as the suite is shown.
@@ -114,7 +125,7 @@ std::vector<double> ratios_of(const Plan& plan, std::size_t suite) {
 /// The spectra of a record: as recorded sa_g and velocities of a roof, then the SRSS in m/s^2.
 std::vector<double> spectra_of(const Plan& plan, std::size_t record) {
   const Motion& motion = plan.motion(record);
-  const std::vector<double> periods = shown_periods_s(false);
+  const std::vector<double> periods = shown_periods_s();
   std::vector<double> numbers =
       horizontal_spectrum_mps2(motion, periods, HorizontalCombination::geometric_mean);
   for (double& sa : numbers) sa /= standard_gravity_mps2;
@@ -171,7 +182,7 @@ void put_motions(const Plan& plan, const std::vector<std::vector<double>>& parts
   const std::span of_records = std::span(parts).subspan(suites);
   for (std::size_t s = 0; s < suites; ++s)
     results.suites.push_back(suite_of(plan, s, parts[s], of_records));
-  results.record_periods_s = shown_periods_s(false);
+  results.record_periods_s = shown_periods_s();
   const auto periods = static_cast<std::ptrdiff_t>(results.record_periods_s.size());
   for (std::size_t record = 0; record < plan.records.size(); ++record) {
     RecordSummary summary = summary_of(plan, record);

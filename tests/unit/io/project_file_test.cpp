@@ -154,6 +154,47 @@ TEST_F(ProjectFile, a_sheet_of_tests_may_name_tests_and_directions) {
   EXPECT_EQ(problems_of(text).size(), 2u);
 }
 
+// The array slides in both: a direction with a higher design value may be tested less well.
+TEST_F(ProjectFile, the_bound_of_the_tests_is_the_lowest_of_all_directions) {
+  folder_.write("sheet.csv",
+                "direction,mu\nalong,0.64\nalong,0.65\nalong,0.66\nalong,0.65\n"
+                "across,0.75\nacross,0.95\nacross,0.85\nacross,0.85\n");
+  const std::size_t begin = whole.find("[friction]");
+  const ProjectFriction friction =
+      read(whole.substr(0, begin) + "[friction]\nfile = \"sheet.csv\"\n" +
+           whole.substr(whole.find("[suite]")))
+          .friction;
+  EXPECT_EQ(friction.direction, "along");
+  EXPECT_EQ(friction.bound_direction, "across");
+  EXPECT_EQ(*friction.lower_bound, friction.tested[1].sliding.lower_bound_95);
+  EXPECT_LT(*friction.lower_bound, friction.tested[0].sliding.lower_bound_95);
+  EXPECT_THAT(bound_name(friction), HasSubstr("across"));
+}
+
+TEST_F(ProjectFile, plain_numbers_of_a_project_in_us_units_are_a_warning) {
+  const std::string clearance = whole + "[clearances]\nopen_edge_m = ";
+  const auto warnings = choices_of(read(clearance + "4\n"));
+  EXPECT_THAT(warnings, testing::Contains(HasSubstr("clearances.open_edge_m = 4 (13.1 ft)")));
+  for (const std::string& text :
+       {clearance + "\"4 ft\"\n",
+        std::string(clearance + "4\n").insert(whole.find("[site]"), "units = \"si\"\n")})
+    EXPECT_THAT(choices_of(read(text)), testing::Not(testing::Contains(HasSubstr("open_edge_m"))))
+        << text;
+}
+
+TEST_F(ProjectFile, bounds_without_the_period_between_them_are_a_warning) {
+  const auto about_bounds = [&](const char* bounds) {
+    const auto warnings = choices_of(read(changed(
+        "period_s = [1.0, 0.5]",
+        std::string("system = \"other\"\nheight_m = \"35 ft\"\nperiod_bounds = ") + bounds)));
+    return std::ranges::count_if(warnings, [](const std::string& text) {
+      return text.find("period_bounds") != std::string::npos;
+    });
+  };
+  EXPECT_EQ(about_bounds("[1.1, 1.2]"), 1);
+  EXPECT_EQ(about_bounds("[0.75, 1.5]"), 0);
+}
+
 TEST_F(ProjectFile, an_array_that_slides_without_an_earthquake_is_refused) {
   const auto problems = problems_of(changed("rise_in_12 = 0.25", "slope_deg = 19"));
   EXPECT_TRUE(problems.empty());  // tan 19 deg is 0.34
@@ -236,16 +277,16 @@ TEST_F(ProjectFile, of_several_directions_the_lowest_design_friction_counts) {
 
 TEST_F(ProjectFile, warns_of_a_height_in_feet_and_of_coarse_rounding) {
   EXPECT_THAT(choices_of(read(whole + "[result]\nround_up_m = \"10 ft\"\n")),
-              testing::Contains(HasSubstr("rounded up to steps of 3.05 m (10 ft)")));
+              testing::Contains(HasSubstr("rounded up to steps of 10 ft (3.05 m)")));
   EXPECT_THAT(choices_of(read(changed("period_s = [1.0, 0.5]",
                                       "system = \"other\"\nheight_m = 130\nstoreys = 2"))),
-              testing::Contains(HasSubstr("65 m (213 ft) for each is improbable")));
+              testing::Contains(HasSubstr("213 ft (65 m) for each is improbable")));
 }
 
 TEST_F(ProjectFile,
        warns_of_a_clearance_in_inches_and_of_a_hazard_curve_that_is_none_of_annual_rates) {
   EXPECT_THAT(choices_of(read(whole + "[clearances]\nopen_edge_m = 48\n")),
-              testing::Contains(HasSubstr("48 m (157 ft) is more than a roof has")));
+              testing::Contains(HasSubstr("157 ft (48 m) is more than a roof has")));
   const auto with_rate = [&](const char* k0) {
     return choices_of(read(whole + "[hazard]\nk = 2\nk0 = " + k0 + "\ndesign_life_years = 25\n"));
   };

@@ -94,6 +94,11 @@ TEST(pull_test_file, needs_its_columns_each_once) {
   EXPECT_THAT(error("1,a,0,0,0,9\n"), HasSubstr("test"));
 }
 
+TEST(pull_test_file, with_semicolons_is_refused_for_that_alone) {
+  EXPECT_THAT(error("test;direction;mu\n1;along;0.5\n"),
+              AllOf(HasSubstr("semicolons"), Not(HasSubstr("missing"))));
+}
+
 TEST(pull_test_file, needs_rows) {
   EXPECT_THAT(error(""), HasSubstr("the file is empty"));
   EXPECT_THAT(error(header), HasSubstr("there are no rows"));

@@ -42,6 +42,16 @@ TEST(improbable_values, name_what_no_recorded_motion_has_shown) {
   EXPECT_THAT(improbable_values(drifts), ElementsAre(HasSubstr("PGV"), HasSubstr("PGD")));
 }
 
+TEST(improbable_values, name_a_factor_that_no_selection_gives) {
+  Motion scaled = plausible();
+  scaled.scale = 6.0;
+  EXPECT_THAT(improbable_values(scaled), IsEmpty());
+  for (const double scale : {100.0, 0.001}) {
+    scaled.scale = scale;
+    EXPECT_THAT(improbable_values(scaled), ElementsAre(HasSubstr("scale of")));
+  }
+}
+
 TEST(improbable_values, name_one_motion_as_both_horizontals) {
   Motion twins = plausible();
   twins.horizontal_mps2[1] = twins.horizontal_mps2[0];

@@ -366,7 +366,7 @@ TEST(plan, warns_of_one_motion_under_two_ids) {
   suite.motions.push_back(suite.motions.front());
   suite.motions.back().id = "again";
   EXPECT_THAT(make_plan(small_config(), {suite}).warnings,
-              testing::Contains("records motion0 and again are the same motion: it counts twice"));
+              testing::Contains("records motion0, again are the same motion: it counts 2 times"));
 }
 
 TEST(plan, warns_of_probabilities_from_records_that_are_the_nearest_to_a_target) {
@@ -413,7 +413,8 @@ TEST(plan, refuses_a_clearance_of_a_suite_that_does_not_meet_its_target) {
 
   config.clearance->without_target = true;
   EXPECT_EQ(refusal(), "");
-  EXPECT_EQ(make_plan(config, {suite}).warnings.size(), 2u);  // and one axis
+  EXPECT_THAT(make_plan(config, {suite}).warnings,
+              testing::Contains(testing::HasSubstr("NOT FOR DESIGN")));
   config.clearance->without_target = false;
   suite.target.reset();
   EXPECT_NE(refusal(), "");

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glissade/study/run/reduce.hpp"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include <algorithm>
 #include <cmath>
@@ -141,6 +141,24 @@ TEST_F(reduce_of_a_small_study, shows_the_suite_against_its_design_spectrum) {
   for (std::size_t p = 0; p < spectra.periods_s.size(); ++p) {
     if (spectra.periods_s[p] > 2.0) continue;
     EXPECT_GE(spectra.average_srss_g[p], 0.97 * spectra.target_g[p]);  // between the rule's periods
+  }
+}
+
+// What the suite must be at that period is not interpolated.
+TEST(suite_spectra, are_known_at_the_period_to_which_the_study_scales) {
+  StudyConfig config = small_config();
+  config.sampling.samples = 2;
+  for (const double to_s : {3.1, 6.0}) {
+    config.intensity.scaled_to_s = to_s;
+    const SuiteSpectra spectra = test::run(small_plan(config)).suites[0].spectra;
+    EXPECT_THAT(spectra.periods_s, testing::Contains(to_s));
+    EXPECT_TRUE(std::ranges::is_sorted(spectra.periods_s));
+    EXPECT_EQ(spectra.periods_s.back(), std::max(to_s, 4.0));
+    ASSERT_EQ(spectra.average_srss_g.size(), spectra.periods_s.size());
+    for (std::size_t p = 0; p < spectra.periods_s.size(); ++p) {
+      if (spectra.periods_s[p] > to_s || spectra.periods_s[p] <= 2.0) continue;
+      EXPECT_GE(spectra.average_srss_g[p], 0.9 * spectra.target_g[p] - 1e-3);
+    }
   }
 }
 
