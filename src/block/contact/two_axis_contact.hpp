@@ -66,11 +66,11 @@ class ImplicitEllipse {
       const Vector weights = scaled(forced, forced);
       sigma_ = std::max(0.0, length(forced) - dot(weights, shift) / (weights.s + weights.y));
     }
-    const Vector divisor{sigma_ + shift.s, sigma_ + shift.y};
-    const Vector x{forced.s / divisor.s, forced.y / divisor.y};
-    size_ = length(x);
-    const double slope = (x.s * x.s / divisor.s + x.y * x.y / divisor.y) / (size_ * size_);
-    sigma_ = std::max(0.0, sigma_ + (size_ - 1.0) / slope);
+    const Vector inverse{1.0 / (sigma_ + shift.s), 1.0 / (sigma_ + shift.y)};
+    const Vector x = scaled(forced, inverse), squares = scaled(x, x);
+    const double size2 = squares.s + squares.y;
+    size_ = std::sqrt(size2);
+    sigma_ = std::max(0.0, sigma_ + (size_ - 1.0) * size2 / dot(squares, inverse));
     return scaled(mu_, x);
   }
   /// |x| of the last call, 1 at the root.
