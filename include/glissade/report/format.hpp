@@ -14,6 +14,8 @@ namespace glissade {
 /// Three significant digits and no exponent where one can be avoided: "0.300", "12.5", "1024"; "-"
 /// for what is not finite.
 std::string format_number(double value);
+/// Of annual rates: "1.6e-4".
+std::string format_rate(double annual_rate);
 /// The shortest text that reads back as the same double; "" for NaN (an empty CSV field), "inf",
 /// "-inf".
 std::string format_exact(double value);

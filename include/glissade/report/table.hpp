@@ -19,6 +19,7 @@ enum class ColumnKind {
   length,  ///< metres, with inches in brackets
   metric,  ///< m or m/s, as inches where those stand first
   share,   ///< percent
+  rate,    ///< a year: "1.6e-4"
 };
 
 struct Column {
@@ -67,6 +68,9 @@ std::string to_csv(const Table& table);
 /// Title and aligned columns, numbers to the right, no wider than a terminal: texts and headings
 /// are broken, and where that is not enough the last columns are left out, and named.
 std::string to_text(const Table& table);
+/// With no line break between a number and its unit, "0.605 s", or its interval, "0.84 [0.76,
+/// 0.93]", nor after a sign, "-second", "1e-5".
+std::string unbroken(const std::string& text);
 /// A <table> with a caption, everything escaped.
 Html to_html(const Table& table);
 

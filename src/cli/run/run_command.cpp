@@ -12,6 +12,7 @@
 #include "commands.hpp"
 #include "glissade/core/bytes.hpp"
 #include "glissade/core/file.hpp"
+#include "glissade/core/wrap.hpp"
 #include "glissade/io/journal.hpp"
 #include "glissade/io/project_file.hpp"
 #include "glissade/io/results_file.hpp"
@@ -78,9 +79,11 @@ void write_all(const Plan& whole, RunHistories& all, std::uint64_t resumed,
   if (options.quiet) return;
   fmt::print("{}\n", summary_text(results, skips));
   print_seconds(clock, ranks);
-  fmt::print(
-      "Histories integrated: {} at the levels, {} in search of capacities, on {} roof motions\n",
-      count.integrated, count.searched, count.roofs);
+  fmt::print("{}\n",
+             wrapped(fmt::format("Histories integrated: {} at the levels, {} in search of "
+                                 "capacities, on {} roof motions",
+                                 count.integrated, count.searched, count.roofs),
+                     terminal_width, 2));
   print_where(out);
 }
 

@@ -6,6 +6,7 @@
 
 #include "clearance/calculation_record.hpp"
 #include "glissade/core/file.hpp"
+#include "glissade/core/wrap.hpp"
 #include "glissade/study/run/exchange.hpp"
 #include "output_rule.hpp"
 
@@ -282,7 +283,9 @@ void print_seconds(const PhaseClock& clock, int ranks) {
     phases += fmt::format("{}{} {:.2f}", phases.empty() ? "" : ", ", phase, seconds);
     total += seconds;
   }
-  fmt::print("Seconds on {} rank{}: {:.2f} ({})\n", ranks, ranks == 1 ? "" : "s", total, phases);
+  fmt::print("{}\n", wrapped(fmt::format("Seconds on {} rank{}: {:.2f} ({})", ranks,
+                                         ranks == 1 ? "" : "s", total, phases),
+                             terminal_width, 2));
 }
 
 void print_where(const fs::path& folder) {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "analysis/suite/spectra_figure.hpp"
 #include "glissade/report/figures.hpp"
 #include "package/tables.hpp"
 #include "package/units.hpp"
@@ -68,7 +69,11 @@ Figure demand_figure(const CalculationPackage& package) {
 }  // namespace
 
 std::vector<Figure> package_figures(const CalculationPackage& package) {
-  std::vector<Figure> figures{spectra_figure(package.demand)};
+  const SuiteSummary& suite = package.demand.suites.front();
+  std::vector<Figure> figures{spectra_figure(
+      suite.spectra,
+      {suite.name, fmt::format("scaled to S_DS = {:.3f} g", package.design.site.sds_g),
+       "target (design spectrum)"})};
   if (package.design.demand.size() > 1) figures.push_back(demand_figure(package));
   const double period_s = largest_exceedance(package.design, "MCE").period_s;
   const auto run = std::ranges::find_if(package.probability.runs, [&](const RunResults& r) {

@@ -74,7 +74,8 @@ Table scaled_motions_table(const CalculationPackage& package) {
       "scaled_motions",
       "Ground motions as recorded, factor to DBE, and displacement of the array",
       {number_column, text_column("id", "Record"), text_column("pga", "PGA, g"),
-       text_column("pgv", in_inches() ? "PGV, in/s" : "PGV, m/s"), text_column("step", "Step, s"),
+       text_column("pgv", in_inches() ? "PGV, in/s" : "PGV, m/s"),
+       text_column("pgd", in_inches() ? "PGD, in" : "PGD, m"), text_column("step", "Step, s"),
        text_column("length", "Length, s"), text_column("duration", "D5-95, s"),
        text_column("suite_scale", "Scale of the suite"), text_column("factor", "Factor to DBE"),
        text_column("displacement", "Displacement")},
@@ -84,19 +85,26 @@ Table scaled_motions_table(const CalculationPackage& package) {
     table.add(
         {number_after(table), r.id, fmt::format("{:.3f}", r.pga_g),
          in_inches() ? fmt::format("{:.1f}", r.pgv_mps / inch_m) : fmt::format("{:.3f}", r.pgv_mps),
+         in_inches() ? fmt::format("{:.1f}", r.pgd_m / inch_m) : fmt::format("{:.3f}", r.pgd_m),
          fmt::format("{:.3g}", r.dt_s),
          fmt::format("{:.0f}", r.dt_s * static_cast<double>(r.samples - 1)),
          fmt::format("{:.1f}", r.duration_s), fmt::format("{:.3g}", r.suite_scale),
          fmt::format("{:.3f}", r.factor_at_unit_level * package.design.site.sds_g),
          slip_in(displacement_of(package, i))});
   }
+  const std::vector<RecordSummary>& records = package.demand.records;
+  const bool same_scale = std::ranges::all_of(records, [&](const RecordSummary& r) {
+    return r.suite_scale == records.front().suite_scale;
+  });
   table.notes.push_back(
-      "PGA and PGV: geometric mean of both horizontal components, as recorded. D5-95: from 5 % to "
-      "95 % of the Arias intensity of both together. The factor to DBE "
-      "contains the scale of the suite and is on all components. Displacement: in the governing "
+      "PGA, PGV and PGD: geometric mean of both horizontal components, as recorded. D5-95: from 5 "
+      "% to 95 % of the Arias intensity of both together. The factor to DBE "
+      "contains the scale of the suite" +
+      (same_scale ? fmt::format(", {:.3g} for every record,", records.front().suite_scale) : "") +
+      " and is on all components. Displacement: in the governing "
       "case at DBE, the largest of the "
       "orientations.");
-  return table;
+  return same_scale ? table.without("suite_scale") : table;
 }
 
 Table record_spectra_table(const CalculationPackage& package) {

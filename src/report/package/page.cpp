@@ -29,7 +29,7 @@ h2 { counter-increment: section; break-after: avoid; } h2::before { content: cou
 caption { font-weight: bold; color: #222; } .note { font-weight: normal; }
 .files td:last-child { font-family: monospace; overflow-wrap: anywhere; }
 @media print {
-  .short, .answer { break-inside: avoid; } h1 { font-size: 1.6em; } .answer ul, .warning ul { margin: .3em 0; } .wide td:last-child { overflow-wrap: anywhere; }
+  .short, li { break-inside: avoid; } .own-page { break-before: page; } h1 { font-size: 1.6em; } .answer ul, .warning ul { margin: .3em 0; } .inputs td:last-child { overflow-wrap: anywhere; }
   h2 { margin-top: 1.2em; } .contents a::after { content: " " leader(".") " " target-counter(attr(href), page); }
   figure { max-width: 17cm; } .files td:last-child { white-space: nowrap; } .files td { overflow-wrap: anywhere; }
 }
@@ -83,24 +83,6 @@ Html warnings_html(const CalculationPackage& package) {
              : "<div class=\"warning\">\n<strong>Warnings</strong>\n" + list(warnings) + "</div>\n";
 }
 
-/// On the clearances that the project states.
-std::string verdict_sentence(const CalculationPackage& package) {
-  std::string lacking;
-  std::size_t known = 0;
-  for (const ProjectSeparation& s : package.design.separations) {
-    if (!s.available_m) continue;
-    ++known;
-    if (*s.available_m < s.required.value_m)
-      lacking += fmt::format("{}{} ({} short)", lacking.empty() ? "" : ", ", s.required.what,
-                             length_in(s.required.value_m - *s.available_m));
-  }
-  if (known == 0) return "Available clearances are not stated.";
-  if (!lacking.empty()) return "Available clearances are NOT SUFFICIENT " + lacking + ".";
-  return reservations_on(package.project, package.design).empty()
-             ? "The available clearances are sufficient."
-             : "The available clearances are sufficient, with the reservations below.";
-}
-
 Html result_html(const CalculationPackage& package) {
   const DesignClearance& design = package.design;
   std::vector<std::string> answers{
@@ -138,8 +120,8 @@ Html result_html(const CalculationPackage& package) {
   Html reservations;
   for (const std::string& note : separations.notes) reservations += paragraph(note);
   separations.notes.clear();
-  return section_heading(0) + "<div class=\"answer\">\n" + list(answers) + "</div>\n" +
-         page_table(separations) + reservations;
+  return section_heading(0) + page_table(separations) + reservations + "<div class=\"answer\">\n" +
+         list(answers) + "</div>\n";
 }
 
 /// What the project gives by points.
@@ -219,7 +201,8 @@ Html model_html() {
          list({"Walters, M., Berkowitz, R., Lau, D., Lee, W., Baker, J. (2012). Seismic "
                "considerations and evaluation approach for \"isolated\" rooftop PV arrays. SEAOC "
                "Convention Proceedings.",
-               "Rodriguez-Nikl, T., et al. (2019). Predicted slip of unattached solar arrays.",
+               "Rodriguez-Nikl, T., et al. (2019). Predicted slip of ballasted solar arrays on angled "
+               "roofs due to seismic motion.",
                "ASCE/SEI 7-16 (2017). Minimum design loads and associated criteria for buildings "
                "and other structures.",
                "SEAOC PV1-2012. Structural seismic requirements and commentary for rooftop solar "
@@ -276,19 +259,22 @@ Html hazard_html(const CalculationPackage& package) {
              "the design life earthquakes are a Poisson process with the rates of the hazard "
              "curve; residual displacements add up as vectors, and the array is not put back.") +
          page_table(of_periods(hazard_table(package.probability))) +
-         page_table(of_periods(design_life_table(package.probability)));
+         page_table(of_periods(shown_design_life_table(package.probability)));
 }
 
 /// Two columns, so that a hash stands on one line: "rsn169 first: RSN169_1.AT2".
 Html files_html(const Table& files) {
   Table page{files.name,
              files.title,
-             {text_column("file", "Record, component: file"), text_column("sha256", "SHA-256")},
+             {text_column("file", "Record, component: file"),
+              text_column("sha256", "SHA-256, first 16 digits")},
              {}};
+  page.notes.push_back("All 64 digits are in tables/files.csv.");
+  constexpr std::size_t shown_digits = 16;
   const auto text = [](const Cell& cell) { return std::get<std::string>(cell); };
   for (const std::vector<Cell>& row : files.rows) {
     const std::string file = std::filesystem::path(text(row[2])).filename().string();
-    page.add({text(row[0]) + " " + text(row[1]) + ": " + file, row[3]});
+    page.add({text(row[0]) + " " + text(row[1]) + ": " + file, text(row[3]).substr(0, shown_digits)});
   }
   return Html("<div class=\"files\">\n") + page_table(page) + "</div>\n";
 }
@@ -302,7 +288,7 @@ Html records_html(const CalculationPackage& package) {
                   package.demand.program_version, package.build, package.demand.plan_hash,
                   package.probability.plan_hash, package.project_sha256, package.suite_sha256));
   if (!package.files.empty()) html += files_html(files_table(package));
-  return html + "<h3>Project file</h3>\n" + study_file(package.project.source_text);
+  return html + "<h3 class=\"own-page\">Project file</h3>\n" + study_file(package.project.source_text);
 }
 
 }  // namespace
@@ -326,7 +312,8 @@ void write_package(const CalculationPackage& package, const std::filesystem::pat
           "Calculation of the seismic displacement of an unanchored rooftop solar array, and "
           "of its required separations") +
       page_table(title_table(package.project)) + warnings_html(package) + result_html(package) +
-      contents_html() + section_heading(1) + page_table(inputs_table(package)) +
+      contents_html() + section_heading(1) + "<div class=\"inputs\">\n" +
+      page_table(inputs_table(package)) + "</div>\n" +
       given_curves_html(package.project) + motions_html(package, figures) + model_html() +
       section_heading(4) + page_table(demand_table(package)) +
       (has_demand_figure ? figure_html(figures.at(1), 2) : Html()) + required_html(package) +

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "glissade/core/wrap.hpp"
 #include "glissade/report/format.hpp"
 #include "glissade/report/package.hpp"
@@ -43,7 +45,9 @@ std::string demand_lines(const CalculationPackage& package) {
     text += fmt::format("{:>10.3g}{:>12}{:>12}{:>12}{:>12}\n", d.period_s, slip_in(d.mean_m),
                         slip_in(d.p84_m), slip_in(d.p95_m), slip_in(d.largest_m));
   }
-  return text;
+  const bool is_skewed = std::ranges::any_of(
+      package.design.demand, [](const PeriodDemand& d) { return d.p84_m < d.mean_m; });
+  return is_skewed ? text + "  " + percentile_note + "\n" : text;
 }
 
 std::string governing_lines(const CalculationPackage& package) {
@@ -73,7 +77,7 @@ std::string separation_lines(const CalculationPackage& package) {
           "available {}{}", length_in(*s.available_m),
           *s.available_m < s.required.value_m
               ? ": NOT SUFFICIENT, " + length_in(s.required.value_m - *s.available_m) + " short"
-              : "");
+              : ": sufficient");
     }
     const std::string required = fmt::format("  {:.1f} x  {:>10}  {}", s.required.factor,
                                              length_in(s.required.value_m), s.required.what);
@@ -81,8 +85,9 @@ std::string separation_lines(const CalculationPackage& package) {
     text += required +
             (verdict.empty() ? "" : (fits ? "  " : "\n" + std::string(21, ' ')) + verdict) + "\n";
   }
-  if (!reservations_on(package.project, package.design).empty())
-    text += "  with reservation: conditions or checks are not met, see the warnings\n";
+  text += wrapped(verdict_sentence(package));
+  for (const std::string& reservation : reservations_on(package.project, package.design))
+    text += wrapped("Reservation: " + reservation + ".");
   text += "\nProbability that the governing displacement is exceeded\n";
   for (const char* level : {"DBE", "MCE"}) {
     const ExceedanceAt& e = largest_exceedance(package.design, level);

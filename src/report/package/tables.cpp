@@ -113,6 +113,23 @@ std::string hazard_sentence(const CalculationPackage& package) {
                         length(sum.median_m), length(sum.p95_m), length(farthest.p95_m));
 }
 
+std::string verdict_sentence(const CalculationPackage& package) {
+  std::string lacking;
+  std::size_t known = 0;
+  for (const ProjectSeparation& s : package.design.separations) {
+    if (!s.available_m) continue;
+    ++known;
+    if (*s.available_m < s.required.value_m)
+      lacking += fmt::format("{}{} ({} short)", lacking.empty() ? "" : ", ", s.required.what,
+                             length_in(s.required.value_m - *s.available_m));
+  }
+  if (known == 0) return "Available clearances are not stated.";
+  if (!lacking.empty()) return "Available clearances are NOT SUFFICIENT " + lacking + ".";
+  return reservations_on(package.project, package.design).empty()
+             ? "The available clearances are sufficient."
+             : "The available clearances are sufficient, with the reservations below.";
+}
+
 Table title_table(const Project& project) {
   Table table{"title", "Project", {text_column("item", ""), text_column("value", "")}, {}};
   table.add({std::string("Project"), or_blank(project.title.name)});
@@ -255,9 +272,9 @@ Table demand_table(const CalculationPackage& package) {
                d.orientation});
   }
   table.notes.push_back(
-      "Mean and percentiles: over the records, all in the least favourable orientation; that of "
-      "the "
-      "mean is in the last column. A percentile is below the mean where few records slide far.");
+      std::string("Mean and percentiles: over the records, all in the least favourable "
+                  "orientation; that of the mean is in the last column. ") +
+      percentile_note);
   return table;
 }
 
@@ -369,7 +386,8 @@ Table exceedance_table(const CalculationPackage& package) {
          fmt::format("{} to {}", format_share(e.interval.low), format_share(e.interval.high))});
   }
   table.notes.push_back(
-      fmt::format("Friction and mass ratio are drawn within the project's ranges, and the "
+      fmt::format("The probability is the observed share of the histories, without a fitted curve. "
+                  "Friction and mass ratio are drawn within the project's ranges, and the "
                   "orientation; the slope "
                   "is the steepest: {} samples for each of {} records. The interval is from "
                   "resampling whole records; it is never "

@@ -32,6 +32,11 @@ std::string governed_by(const CalculationPackage& package);
 /// How often the governing displacement is exceeded and what adds up over the design life; or which
 /// key of the project would give it.
 std::string hazard_sentence(const CalculationPackage& package);
+/// On the clearances that the project states.
+std::string verdict_sentence(const CalculationPackage& package);
+/// What a reader of percentiles must know.
+inline constexpr auto percentile_note =
+    "A percentile is below the mean where few records slide far.";
 /// "1.19 degrees", "1.19 to 2.39 degrees".
 std::string range_text(const std::vector<double>& values, const char* unit);
 

@@ -10,8 +10,9 @@ std::vector<Table> csv_tables(const Results& results) {
   tables.push_back(records_table(results));
   tables.push_back(spectra_table(results));
   std::erase_if(tables, [](const Table& table) { return table.rows.empty(); });
-  const std::string one_axis = one_axis_text(results), target = target_text(results);
+  const std::string one_axis = one_axis_text(results);
   for (Table& table : tables) {
+    const std::string target = target_text(results, table.title);
     if (!table.title.ends_with('.') && !(one_axis + target).empty()) table.title += ".";
     if (!one_axis.empty() && table.title.find(one_axis) == std::string::npos)
       table.title += " Displacements are along " + one_axis + ".";

@@ -59,16 +59,17 @@ Html warnings_html(const Results& results) {
 std::string what_was_run(const Results& results) {
   const CaseSet& set = results.cases;
   std::string text = fmt::format(
-      "{} records x {} combinations x {} samples x {} orientations x {} levels of {}. Every "
-      "displacement is in plan.",
-      results.records.size(), set.combinations(), set.samples, set.orientations,
-      results.levels.size(), results.intensity_label);
+      "{} x {} x {} x {} x {} of {}. Every displacement is in plan.",
+      counted(results.records.size(), "record"), counted(set.combinations(), "combination"),
+      counted(set.samples, "sample"), counted(set.orientations, "orientation"),
+      counted(results.levels.size(), "level"), results.intensity_label);
   if (const std::string target = target_text(results); !target.empty())
-    text += " Design target: " + target + ".";
+    text += " Design target: " +
+            (differs_by_suite(results) ? "that of each suite, under Inputs" : target) + ".";
   if (const double dbe = results.model.dbe_level; dbe > 0.0)
     text += fmt::format(" Of the design target, DBE is S_DS = {} and MCE {}.",
-                        with_unit(results, format_number(dbe)),
-                        with_unit(results, format_number(mce_over_dbe * dbe)));
+                        with_unit(results, level_number(dbe)),
+                        with_unit(results, level_number(mce_over_dbe * dbe)));
   if (results.chart) text += " Chart: " + chart_size(results) + ". " + how_counted(results);
   return text;
 }

@@ -18,9 +18,9 @@ std::vector<Figure> make_figures(const Results& results) {
   const auto add_below = [](Figure& figure, const std::string& text) {
     if (!text.empty()) figure.below += (figure.below.empty() ? "" : "; ") + text;
   };
-  const std::string target = target_text(results);
   for (Figure& figure : figures) {
     if (!is_spectra(figure)) add_below(figure, one_axis_text(results));
+    const std::string target = target_text(results, figure.title + figure.below);
     if (!target.empty()) add_below(figure, "target " + target);
   }
   return figures;

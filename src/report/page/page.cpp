@@ -68,7 +68,7 @@ Html wide_table(const Table& table) {
   for (std::size_t c = 0; c < table.columns.size(); ++c) {
     std::size_t letters = longest_word(table.columns[c].heading);
     for (const std::vector<Cell>& row : table.rows)
-      letters = std::max(letters, longest_word(cell_text(table.columns[c], row[c])));
+      letters = std::max(letters, longest_word(unbroken(cell_text(table.columns[c], row[c]))));
     width_mm += space_mm + letter_mm * static_cast<double>(letters);
   }
   return (width_mm > page_mm ? Html("<div class=\"wide many\">") : Html("<div class=\"wide\">")) +

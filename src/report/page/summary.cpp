@@ -20,10 +20,11 @@ std::string summary_text(const Results& results, const std::vector<Skip>& skips)
   const auto line = [](const std::string& whole) {
     return wrapped(whole, terminal_width, 2) + "\n";
   };
-  std::string text = line(fmt::format("{}: {} records x {} {} x {} levels, displacements in plan",
-                                      results.study_name, results.records.size(),
-                                      draws ? results.cases.samples : results.cases.size(),
-                                      draws ? "samples" : "cases", results.levels.size())) +
+  std::string text = line(fmt::format("{}: {} x {} x {}, displacements in plan", results.study_name,
+                                      counted(results.records.size(), "record"),
+                                      draws ? counted(results.cases.samples, "sample")
+                                            : counted(results.cases.size(), "case"),
+                                      counted(results.levels.size(), "level"))) +
                      line("Model: " + results.model.kernel);
   if (const std::string target = target_text(results); !target.empty())
     text += line("Design target: " + target);

@@ -18,7 +18,6 @@ using Triangle = std::array<std::size_t, 3>;       // nodes, increasing
 
 void link_if_crossed(const Triangle& nodes, const GridValues& grid, double value, Links& links) {
   const auto z = [&](std::size_t node) { return grid.z[node]; };
-  if (!std::all_of(nodes.begin(), nodes.end(), [&](auto n) { return std::isfinite(z(n)); })) return;
   std::vector<Edge> crossed;
   for (const Edge& edge :
        {Edge{nodes[0], nodes[1]}, Edge{nodes[0], nodes[2]}, Edge{nodes[1], nodes[2]}}) {
@@ -67,11 +66,14 @@ GridValues refined(const GridValues& grid) {
   return fine;
 }
 
-Links crossed_edges(const GridValues& grid, double value) {
+/// Of the parts of cells with four finite corners.
+Links crossed_edges(const GridValues& coarse, const GridValues& grid, double value) {
   Links links;
-  const std::size_t width = grid.x.size();
+  const std::size_t width = grid.x.size(), cells = coarse.x.size();
   for (std::size_t j = 0; j + 1 < grid.y.size(); ++j) {
     for (std::size_t i = 0; i + 1 < width; ++i) {
+      const double* corner = &coarse.z[j / parts * cells + i / parts];
+      if (!std::isfinite(corner[0] + corner[1] + corner[cells] + corner[cells + 1])) continue;
       const std::size_t least = j * width + i, largest = least + width + 1;
       link_if_crossed({least, least + 1, largest}, grid, value, links);
       link_if_crossed({least, least + width, largest}, grid, value, links);
@@ -112,7 +114,7 @@ std::vector<Polyline> contour_lines(const GridValues& coarse, double value) {
   GLISSADE_EXPECTS(coarse.x.size() >= 2 && coarse.y.size() >= 2);
   GLISSADE_EXPECTS(coarse.z.size() == coarse.x.size() * coarse.y.size());
   const GridValues grid = refined(coarse);
-  Links links = crossed_edges(grid, value);
+  Links links = crossed_edges(coarse, grid, value);
   std::vector<Edge> ends;
   for (const auto& [edge, next] : links) {
     if (next.size() == 1) ends.push_back(edge);

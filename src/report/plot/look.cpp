@@ -96,7 +96,8 @@ Axis length_axis(const std::string& label, double high_m) {
 namespace {
 
 /// The nearest heights to those of labels, in their order from the highest on, that are a line
-/// apart (by pooling those that would not be) and lie between the ends of the axis.
+/// apart (by pooling those that would not be) and lie between the ends of the axis, above the
+/// lower one.
 std::vector<double> apart(const std::vector<Note>& labels, const Axis& axis, double line) {
   struct Pool {
     double sum;
@@ -112,7 +113,7 @@ std::vector<double> apart(const std::vector<Note>& labels, const Axis& axis, dou
       pools.back() = {pools.back().sum + last.sum, pools.back().count + last.count};
     }
   }
-  const double least = axis.low + line * (static_cast<double>(labels.size()) - 1.0);
+  const double least = axis.low + line * (static_cast<double>(labels.size()) - 0.4);
   std::vector<double> heights;
   for (const Pool& pool : pools)
     for (std::size_t i = 0; i < pool.count; ++i)

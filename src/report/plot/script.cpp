@@ -2,6 +2,7 @@
 #include "plot/script.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 #include "glissade/core/wrap.hpp"
@@ -199,6 +200,22 @@ void add_panels(Script& script, const Figure& figure) {
 
 }  // namespace
 
+namespace {
+
+/// Of a spectral acceleration that the text begins with: "S_D1"; 0 where it begins with none.
+std::size_t symbol_length(std::string_view text) {
+  for (const std::string_view symbol : {"S_DS", "S_D1", "S_MS", "S_M1", "S_S", "S_1", "S_a"}) {
+    const bool ends = text.size() == symbol.size() ||
+                      (text.size() > symbol.size() &&
+                       std::isalnum(static_cast<unsigned char>(text[symbol.size()])) == 0 &&
+                       text[symbol.size()] != '_');
+    if (text.starts_with(symbol) && ends) return symbol.size();
+  }
+  return 0;
+}
+
+}  // namespace
+
 FileName identifier(const FileName& name) {
   std::string text = name.text();
   std::ranges::replace(text, '-', '_');
@@ -209,9 +226,10 @@ Quoted::Quoted(std::string_view plain, Weight weight) {
   quoted_ = weight == Weight::bold ? "'{/:Bold " : "'";
   for (std::size_t i = 0; i < plain.size(); ++i) {
     const char c = plain[i];
-    if (plain.substr(i).starts_with("S_DS")) {
-      quoted_ += "S_{/*1.15 DS}";  // gnuplot sets a subscript at 0.8 of the size
-      i += 3;
+    const std::size_t symbol = symbol_length(plain.substr(i));
+    if (symbol > 0) {  // gnuplot sets a subscript at 0.8 of the size
+      quoted_ += "S_{/*1.15 " + std::string(plain.substr(i + 2, symbol - 2)) + "}";
+      i += symbol - 1;
       if (plain.substr(i + 1).starts_with(' ')) {
         quoted_ += "\u00a0";  // SVG readers drop a plain space at the end of a subscript
         ++i;
@@ -232,8 +250,13 @@ namespace {
 /// With the labels of lines where they are drawn.
 Figure labelled(Figure figure) {
   if (!figure.labels_at_lines) return figure;
-  const PanelSize size = figure.panels.size() > 1 ? PanelSize{330.0, 270.0}
-                                                  : PanelSize{730.0, figure.plot_height_px - 210.0};
+  constexpr double line_px = 20.0;  // of the heading; two are usual
+  const double heading = static_cast<double>(wrapped(figure.title, title_width).size() +
+                                             wrapped(figure.below, below_width).size());
+  const PanelSize size =
+      figure.panels.size() > 1
+          ? PanelSize{330.0, 270.0}
+          : PanelSize{730.0, figure.plot_height_px - 210.0 - line_px * (heading - 2.0)};
   for (Panel& panel : figure.panels) {
     panel.x = drawable(panel.x);
     panel.y = drawable(panel.y);

@@ -14,7 +14,7 @@
 namespace glissade::gnuplot {
 
 /// A single-quoted string, in which gnuplot substitutes nothing. Text shows as it is, no character
-/// acting as markup; `S_DS` is set as a symbol, a quote as an apostrophe.
+/// acting as markup; `S_DS`, `S_1` ... are set as symbols, a quote as an apostrophe.
 class Quoted {
  public:
   enum class Weight { plain, bold };

@@ -32,6 +32,8 @@ std::string number_text(ColumnKind kind, double value, int decimals = -1) {
       return format_number(in_first_unit(value));
     case ColumnKind::share:
       return format_share(value);
+    case ColumnKind::rate:
+      return format_rate(value);
     case ColumnKind::text:
     case ColumnKind::number:
       break;
@@ -100,25 +102,6 @@ std::string csv_cell(const Cell& cell) {
   const auto& estimate = std::get<Estimate>(cell);
   return format_exact(estimate.value) + "," + format_exact(estimate.interval.low) + "," +
          format_exact(estimate.interval.high);
-}
-
-/// With no line break between a number and its unit, "0.605 s", nor after a sign, "-second",
-/// "1e-05".
-std::string unbroken(const std::string& text) {
-  static constexpr std::string_view no_break_space = "\u00a0", word_joiner = "\u2060";
-  const auto is = [&](std::size_t i, int (*of_class)(int)) {
-    return i < text.size() && of_class(static_cast<unsigned char>(text[i])) != 0;
-  };
-  std::string kept;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const bool unit = text[i] == ' ' && i > 0 && is(i - 1, std::isdigit) && is(i + 1, std::isalpha);
-    const bool sign = text[i] == '-' && i > 0 &&
-                      ((text[i - 1] == ' ' && is(i + 1, std::isalpha)) ||
-                       (text[i - 1] == 'e' && is(i + 1, std::isdigit)));
-    unit ? kept += no_break_space : kept += text[i];
-    if (sign) kept += word_joiner;
-  }
-  return kept;
 }
 
 std::string padded(const std::string& text, std::size_t width, ColumnKind kind) {
@@ -256,6 +239,28 @@ std::string to_text(const Table& table) {
   if (!left_out.empty())
     text += wrapped("(in the CSV files only: " + left_out + ")", terminal_width, 2) + "\n";
   return text;
+}
+
+std::string unbroken(const std::string& text) {
+  static constexpr std::string_view no_break_space = "\u00a0", word_joiner = "\u2060";
+  const auto is = [&](std::size_t i, int (*of_class)(int)) {
+    return i < text.size() && of_class(static_cast<unsigned char>(text[i])) != 0;
+  };
+  std::string kept;
+  bool in_interval = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '[' || text[i] == ']') in_interval = text[i] == '[' && (is(i + 1, std::isdigit) || text.substr(i + 1, 1) == "<");
+    const bool of_number = is(i - 1, std::isdigit) && is(i + 1, std::isalpha),
+               of_interval = i + 1 < text.size() && (text[i + 1] == '[' || text[i + 1] == '%' ||
+                                                    (text[i + 1] == '(' && is(i - 1, std::isdigit)));
+    const bool unit = text[i] == ' ' && i > 0 && (of_number || of_interval || in_interval);
+    const bool sign = text[i] == '-' && i > 0 &&
+                      ((text[i - 1] == ' ' && is(i + 1, std::isalpha)) ||
+                       (text[i - 1] == 'e' && is(i + 1, std::isdigit)));
+    unit ? kept += no_break_space : kept += text[i];
+    if (sign) kept += word_joiner;
+  }
+  return kept;
 }
 
 Html to_html(const Table& table) {

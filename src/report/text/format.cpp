@@ -24,6 +24,14 @@ std::string format_number(double value) {
   return fmt::format("{:.{}f}", value, std::max(0, 2 - exponent));
 }
 
+std::string format_rate(double annual_rate) {
+  if (!std::isfinite(annual_rate)) return "-";
+  if (annual_rate == 0.0) return "0";
+  const std::string scientific = fmt::format("{:.1e}", annual_rate);
+  const std::size_t at = scientific.find('e');
+  return scientific.substr(0, at) + fmt::format("e{}", std::stoi(scientific.substr(at + 1)));
+}
+
 std::string format_exact(double value) {
   if (std::isnan(value)) return "";
   if (std::isinf(value)) return value > 0.0 ? "inf" : "-inf";

@@ -23,14 +23,23 @@ std::string one_axis_text(const Results& results) {
   return slides_on_two_axes(results) ? "" : "one axis only (model.axes = 1)";
 }
 
-std::string target_text(const Results& results) {
+bool differs_by_suite(const Results& results) {
+  return std::ranges::any_of(results.suites, [&](const SuiteSummary& suite) {
+    return suite.target != results.suites.front().target;
+  });
+}
+
+std::string target_text(const Results& results, const std::string& title) {
   const bool counts =
       results.measure.is_of_design_spectrum() || !results.model.building.empty();  // or it yields
   if (!counts || results.suites.empty()) return "";
-  const std::string& first = results.suites.front().target;
-  const bool is_one = std::ranges::all_of(
-      results.suites, [&](const SuiteSummary& suite) { return suite.target == first; });
-  return is_one ? first : "differs by suite (see the report)";
+  if (!differs_by_suite(results)) return results.suites.front().target;
+  const auto is_named = [&](const SuiteSummary& suite) {
+    return title.find(suite.name) != std::string::npos;
+  };
+  return std::ranges::count_if(results.suites, is_named) == 1
+             ? std::ranges::find_if(results.suites, is_named)->target
+             : "differs by suite";
 }
 
 std::string with_unit(const Results& results, const std::string& value) {
@@ -41,7 +50,13 @@ std::string with_unit(const Results& results, const std::string& value) {
 std::string at_intensity(const Results& results, double value) {
   const std::string name = earthquake_name(value, results.model.dbe_level);
   return results.intensity_label.substr(0, results.intensity_label.rfind(" (")) + " = " +
-         with_unit(results, format_number(value)) + (name.empty() ? "" : " (" + name + ")");
+         with_unit(results, level_number(value)) + (name.empty() ? "" : " (" + name + ")");
+}
+
+std::string level_number(double level) {
+  const std::string four = fmt::format("{:.4g}", level);
+  const bool is_given_so = level > 0.0 && std::abs(std::stod(four) / level - 1.0) < 1e-12;
+  return is_given_so && four.size() > format_number(level).size() ? four : format_number(level);
 }
 
 std::string earthquake_name(double level, double dbe_level) {
@@ -105,8 +120,17 @@ Table with_listed(const Results& results, const Table& table) {
   return listed;
 }
 
+Table without_run_key(const Results& results, const Table& table) {
+  return lists_more_than_friction_value(results) ? table.without(table.columns.front().stem) : table;
+}
+
 std::string counts_of(const Results& results) {
-  return fmt::format("{} records x {} samples", results.records.size(), results.cases.samples);
+  return counted(results.records.size(), "record") + " x " +
+         counted(results.cases.samples, "sample");
+}
+
+std::string counted(std::size_t count, const std::string& one) {
+  return fmt::format("{} {}{}", count, one, count == 1 ? "" : "s");
 }
 
 std::size_t combination_of(const Results& results, const RunResults& run) {
@@ -118,10 +142,36 @@ std::string run_name(const Results& results, const RunResults& run) {
   return listed.empty() ? run.label + " friction" : listed;
 }
 
-std::string first_run(const Results& results) {
-  return (lists_more_than_friction_value(results) ? "the first combination: friction "
+std::size_t least_favourable_run(const Results& results) {
+  const auto friction_of_run = [&](const RunResults& run) {
+    return run.first_case < results.cases.cases.size()
+               ? results.cases.cases[run.first_case].friction_value
+               : FrictionValue::as_drawn;
+  };
+  const auto exceeds = [&](std::size_t i) {
+    double sum = 0.0;
+    if (results.hazard) {
+      for (const ThresholdRate& row : results.hazard->runs[i].thresholds)
+        sum += std::log(std::max(row.annual_rate, std::numeric_limits<double>::min()));
+      return sum;
+    }
+    for (const ThresholdFragility& fragility : results.runs[i].fragilities)
+      for (const double share : fragility.probability) sum += share;
+    return sum;
+  };
+  std::size_t found = 0;
+  for (std::size_t i = 1; i < results.runs.size(); ++i)
+    if (friction_of_run(results.runs[i]) == friction_of_run(results.runs[0]) &&
+        exceeds(i) > exceeds(found))
+      found = i;
+  return found;
+}
+
+std::string least_favourable(const Results& results) {
+  const RunResults& run = results.runs[least_favourable_run(results)];
+  return (lists_more_than_friction_value(results) ? "the least favourable combination, friction "
                                                   : "friction ") +
-         results.runs.front().friction_description;
+         run.friction_description;
 }
 
 std::string friction_of(const Results& results, const RunResults& run) {

@@ -16,8 +16,9 @@ std::string in_plan(const Results& results);
 /// "one axis only (model.axes = 1)" of a study whose array slides along one; else "".
 std::string one_axis_text(const Results& results);
 /// Of the design spectrum: "ASCE 7-16, S_S 1.5 g, S_1 0.6 g, site class D"; "" where no result rests
-/// on one.
-std::string target_text(const Results& results);
+/// on one. Of several suites that of the one that the title names, else that it differs.
+std::string target_text(const Results& results, const std::string& title = "");
+bool differs_by_suite(const Results& results);
 /// "1.2 g": a value of the intensity measure.
 std::string with_unit(const Results& results, const std::string& value);
 /// A column of intensities, its unit in name and heading.
@@ -31,18 +32,27 @@ bool lists_more_than_friction_value(const Results& results);
 /// A table whose rows begin with the label of a run, with a column for each quantity that the study
 /// lists after it.
 Table with_listed(const Results& results, const Table& table);
+/// On a page the listed quantities name a run, where there are some.
+Table without_run_key(const Results& results, const Table& table);
 /// "S_DS = 0.840 g" from the axis label "S_DS (g)"; with " (DBE)" or " (MCE)" where it is that.
 std::string at_intensity(const Results& results, double value);
 /// "DBE", "MCE" (1.5 times that), or empty: another level, or that of the DBE is not known (0).
 std::string earthquake_name(double level, double dbe_level);
+/// "1.20"; of four digits where that is all of the level: "1.035".
+std::string level_number(double level);
+/// "1 sample", "2 samples"
+std::string counted(std::size_t count, const std::string& one);
 /// "22 records x 1024 samples"
 std::string counts_of(const Results& results);
 /// Which combination of what the study lists a run is.
 std::size_t combination_of(const Results& results, const RunResults& run);
 /// What a run is in words: "sampled friction, building period 0.5 s".
 std::string run_name(const Results& results, const RunResults& run);
-/// What the first run is, in full.
-std::string first_run(const Results& results);
+/// Which run sentences are of: with the friction of the first the one that exceeds its clearances
+/// most, by the annual rates where there are some, else by the shares over all levels.
+std::size_t least_favourable_run(const Results& results);
+/// What that run is, in full.
+std::string least_favourable(const Results& results);
 /// "friction mu normal, mean 0.55, std 0.04" where a line has room for it, else the run's name:
 /// captions have it in full.
 std::string friction_of(const Results& results, const RunResults& run);

@@ -110,12 +110,12 @@ std::size_t CaseGrid::axis(const std::string& key) const {
 
 namespace {
 
-/// Six digits, or as many as distinguish the value from the others.
-std::string short_text(const std::vector<double>& values, std::size_t i) {
-  const std::string text = fmt::format("{:g}", values[i]);
-  const auto alike = std::ranges::count_if(
-      values, [&](double value) { return fmt::format("{:g}", value) == text; });
-  return alike == 1 ? text : fmt::format("{}", values[i]);
+/// So many significant digits, or as many as distinguish the value from the others.
+std::string short_text(const std::vector<double>& values, std::size_t i, int digits) {
+  const auto text = [&](double value) { return fmt::format("{:.{}g}", value, digits); };
+  const auto alike =
+      std::ranges::count_if(values, [&](double value) { return text(value) == text(values[i]); });
+  return alike == 1 ? text(values[i]) : fmt::format("{}", values[i]);
 }
 
 }  // namespace
@@ -133,7 +133,7 @@ std::string CaseSet::label(std::size_t combination) const {
   for (std::size_t i = 0; i < axes.size(); ++i) {
     const auto part = [&axis = axes[i]](std::size_t at) {
       return axis.names.empty()
-                 ? axis.key.substr(axis.key.find('.') + 1) + "_" + short_text(axis.values, at)
+                 ? axis.key.substr(axis.key.find('.') + 1) + "_" + short_text(axis.values, at, 6)
                  : axis.names[at];
     };
     std::size_t widest = 0;
@@ -166,7 +166,7 @@ std::string CaseAxis::words() const {
 
 std::string CaseAxis::describe(std::size_t i) const {
   if (names.empty())
-    return fmt::format("{} {:g}{}", words(), values[i], unit == "-" ? "" : " " + unit);
+    return words() + " " + short_text(values, i, 3) + (unit == "-" ? "" : " " + unit);
   std::string name = names[i];
   std::ranges::replace(name, '_', ' ');
   if (name.starts_with("no ")) return name;

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 
+#include "glissade/motion/suite_scaling.hpp"
 #include "plan/length_unit.hpp"
 
 namespace glissade {
@@ -82,17 +83,21 @@ void note_failed(const Results& results, std::vector<std::string>& notes) {
 }
 
 /// Where the suite's average touches the design spectrum, and by how much it exceeds it elsewhere.
-void note_suite(const SuiteSummary& suite, std::vector<std::string>& notes) {
+void note_suite(const SuiteSummary& suite, const IntensityConfig& intensity,
+                std::vector<std::string>& notes) {
   const SuiteSpectra& spectra = suite.spectra;
   if (std::isnan(spectra.to_target.lowest.ratio)) return;  // no shaking at the level shown
   const auto& [lowest, highest] = spectra.to_target;
   notes.push_back(
       fmt::format("The suite {} is scaled so that its average SRSS spectrum is not below the "
-                  "design spectrum at "
-                  "the periods of the scaling rule, 0 to 2 s; between them it is from {:.3g} times "
-                  "it, at {:.3g} "
-                  "s, to {:.3g} times, at {:.3g} s",
-                  suite.name, lowest.ratio, lowest.period_s, highest.ratio, highest.period_s));
+                  "design spectrum at the periods of the scaling rule, 0 to {:g} s{}; between them "
+                  "it is from {:.3g} times it, at {:.3g} s, to {:.3g} times, at {:.3g} s",
+                  suite.name, longest_scaled_period_s,
+                  intensity.scaled_to_s > longest_scaled_period_s
+                      ? fmt::format(", nor below {:g} times it from there to {:g} s (scaled_to_s)",
+                                    least_over_target_beyond, intensity.scaled_to_s)
+                      : "",
+                  lowest.ratio, lowest.period_s, highest.ratio, highest.period_s));
 }
 
 /// A record that is more than half of the average to which the suite is scaled: the others are then
@@ -156,7 +161,7 @@ void warn_of_shape(const Results& results, const StudyConfig& config,
                    std::vector<std::string>& warnings) {
   std::size_t fitted = 0, refused = 0;
   const ThresholdFragility* worst = nullptr;
-  std::string of_run;
+  const RunResults* worst_run = nullptr;
   std::vector<double> refused_m;
   for (const RunResults& run : results.runs) {
     for (const ThresholdFragility& fragility : run.fragilities) {
@@ -167,25 +172,29 @@ void warn_of_shape(const Results& results, const StudyConfig& config,
       ++refused;
       refused_m.push_back(fragility.threshold_m);
       if (worst == nullptr || std::abs(fit.largest_gap) > std::abs(worst->lognormal.largest_gap))
-        worst = &fragility, of_run = run.label;
+        worst = &fragility, worst_run = &run;
     }
   }
   if (worst == nullptr) return;
   std::ranges::sort(refused_m);
   refused_m.erase(std::unique(refused_m.begin(), refused_m.end()), refused_m.end());
-  const std::string unit = results.measure.unit();
+  const std::string unit = results.measure.unit(), length = std::string(" ") + length_unit(config.units);
+  const std::string at_run =
+      results.runs.size() > 1 ? results.cases.describe(worst_run->first_case /
+                                                       results.cases.per_combination()) +
+                                    ", "
+                              : "";
   warnings.push_back(fmt::format(
-      "{} of {} fragilities are not lognormal (goodness of fit, p < {:g}; gap {:g} or more), of "
-      "clearance {} {}. At {} {}{} the observed probability is {:.2f} {} the curve at {} = "
-      "{:.3g}{}. Use the observed "
-      "shares there; [shape] compares other curves",
-      refused, fitted, goodness_of_fit_level, goodness_of_fit_gap,
-      fmt::join(in_unit(refused_m, config), ", "), length_unit(config.units),
-      in_unit({worst->threshold_m}, config).front(), length_unit(config.units),
-      results.runs.size() > 1 ? " (" + of_run + ")" : "", std::abs(worst->lognormal.largest_gap),
-      worst->lognormal.largest_gap > 0.0 ? "above" : "below",
+      "{} of {} fragility curves {} not lognormal (p < {:g} and a gap of {:g} or more): of "
+      "clearance {}{}. The largest gap is at {}clearance {}{}: at {} = {:.3g}{} the share of the "
+      "histories that exceed it is {:.2f} {} the curve. Probabilities and annual rates are of the "
+      "histories, not of the curve; medians are of the curve; [shape] compares other curves",
+      refused, fitted, refused == 1 ? "is" : "are", goodness_of_fit_level, goodness_of_fit_gap,
+      fmt::join(in_unit(refused_m, config), ", "), length, at_run,
+      in_unit({worst->threshold_m}, config).front(), length,
       results.measure.symbol(config.intensity), worst->lognormal.gap_intensity,
-      unit == "-" ? "" : " " + unit));
+      unit == "-" ? "" : " " + unit, std::abs(worst->lognormal.largest_gap),
+      worst->lognormal.largest_gap > 0.0 ? "above" : "below"));
 }
 
 /// The samples that the target would take: plain Monte Carlo, on the safe side.
@@ -220,7 +229,7 @@ std::vector<std::string> notes_on(const Results& results, const StudyConfig& con
   note_uplift(results, config, notes);
   note_failed(results, notes);
   if (results.measure == IntensityMeasure::sds_g) {
-    for (const SuiteSummary& suite : results.suites) note_suite(suite, notes);
+    for (const SuiteSummary& suite : results.suites) note_suite(suite, config.intensity, notes);
   }
   return notes;
 }

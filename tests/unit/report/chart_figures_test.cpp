@@ -70,21 +70,31 @@ TEST(chart_contours, lie_where_linear_interpolation_puts_them) {
   }
   EXPECT_EQ(least_deg, 0.0);
   EXPECT_EQ(largest_deg, 2.0);
-  ASSERT_EQ(figure.panels[0].notes.size(), 1u);
-  EXPECT_EQ(figure.panels[0].notes[0].text, "0.2 m");
-  EXPECT_NEAR(figure.panels[0].notes[0].x, 0.6, 1e-12);
+  const std::vector<Note>& notes = figure.panels[0].notes;
+  const auto note = std::ranges::find(notes, "0.2 m", &Note::text);
+  ASSERT_NE(note, notes.end());
+  EXPECT_NEAR(note->x, 0.6, 1e-12);
   EXPECT_EQ(numbers_in(series_named(figure, "contour 0.5 m")), 0u);
 }
 
-// From 12 in at mu = 0.4 to 4 in at 0.8 on both slopes: 8 in half way.
+// From 15 in at mu = 0.4 to 5 in at 0.8 on both slopes: 10 in half way.
 TEST(chart_contours, are_round_in_the_unit_that_stands_first) {
   const LengthUnits units(UnitSystem::us_customary);
   const Figure figure = figure_named(
-      two_by_two({12.0 * inch_m, 4.0 * inch_m, 12.0 * inch_m, 4.0 * inch_m}), "chart_contours");
-  const DataSeries line = series_named(figure, "contour 8 in");
+      two_by_two({15.0 * inch_m, 5.0 * inch_m, 15.0 * inch_m, 5.0 * inch_m}), "chart_contours");
+  const DataSeries line = series_named(figure, "contour 10 in");
   ASSERT_GE(numbers_in(line), 2u);
   EXPECT_NEAR(line.x[0], 0.6, 1e-12);
-  EXPECT_EQ(figure.panels[0].notes[0].text, "8 in");
+  EXPECT_EQ(figure.panels[0].notes[0].text, "10 in");
+}
+
+// A manufacturer's chart had three lines in this range.
+TEST(chart_contours, cover_the_range_of_the_chart) {
+  const LengthUnits units(UnitSystem::us_customary);
+  const Figure figure = figure_named(
+      two_by_two({57.0 * inch_m, 5.0 * inch_m, 57.0 * inch_m, 5.0 * inch_m}), "chart_contours");
+  for (const char* text : {"10", "15", "20", "30", "40", "50"})
+    EXPECT_GE(numbers_in(series_named(figure, std::string("contour ") + text + " in")), 2u) << text;
 }
 
 TEST(chart_contours, follow_the_surface_of_the_made_up_chart) {
@@ -106,7 +116,7 @@ TEST(chart_contours, stay_out_of_cells_that_slide_freely) {
   const double infinity = std::numeric_limits<double>::infinity();
   const Figure figure = figure_named(two_by_two({0.3, 0.1, infinity, 0.1}), "chart_contours");
   EXPECT_EQ(numbers_in(series_named(figure, "contour 0.2 m")), 0u);
-  EXPECT_THAT(figure.caption, HasSubstr("No line from 0.01"));
+  EXPECT_THAT(figure.caption, HasSubstr("No round value"));
 }
 
 TEST(chart_contours, shade_where_gravity_alone_moves_the_array) {
@@ -122,7 +132,8 @@ TEST(chart_contours, show_the_prescribed_line_or_say_why_there_is_none) {
   const std::string seaoc = "prescribed SEAOC PV1-2012";
   const Figure at_1g = figure_named(results, "chart_contours");
   EXPECT_GT(numbers_in(series_named(at_1g, seaoc)), 0u);
-  EXPECT_EQ(series_named(at_1g, "SEAOC limits").x.size(), 3u);
+  EXPECT_EQ(series_named(at_1g, "SEAOC PV1-2012 limits").x.size(), 3u);
+  EXPECT_NEAR(series_named(at_1g, "ASCE 7-16 limits").y.at(0), asce7_16_slope_limit_deg, 1e-12);
   for (const double value_m : {100.0, 0.001}) {
     for (ChartPrescription& p : results.chart->standards) p.prescribed.value_m = value_m;
     const Figure nowhere = figure_named(results, "chart_contours");

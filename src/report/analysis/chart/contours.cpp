@@ -2,8 +2,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "analysis/chart/report.hpp"
@@ -16,9 +16,36 @@
 namespace glissade {
 namespace {
 
-/// The contours: round in the unit that stands first.
-constexpr std::array<double, 9> round_metres = {0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0},
-                                round_inches = {0.5, 1.0, 2.0, 4.0, 8.0, 20.0, 40.0, 80.0, 200.0};
+/// Round numbers between the ends: 1, 1.5, 2, 3, 4, 5, 10 ..., or 1, 2, 5, 10 ... where those are
+/// too many to read.
+std::vector<double> round_between(double low, double high) {
+  constexpr std::size_t most = 9;
+  std::vector<double> found;
+  for (const std::vector<double>& digits :
+       {std::vector{1.0, 1.5, 2.0, 3.0, 4.0, 5.0}, std::vector{1.0, 2.0, 5.0}}) {
+    found.clear();
+    for (int decade = -3; decade <= 3; ++decade) {
+      for (const double digit : digits) {
+        const double value = std::stod(fmt::format("{}e{}", digit, decade));
+        if (low < value && value < high) found.push_back(value);
+      }
+    }
+    if (found.size() <= most) break;
+  }
+  return found;
+}
+
+/// The contours in the unit that stands first: from the least slip of the grid to the largest, as
+/// far as a clearance is built.
+std::vector<double> contour_values(const GridValues& grid) {
+  const bool si = LengthUnits::first() == UnitSystem::si;
+  double low_m = std::numeric_limits<double>::infinity();
+  for (const double slip_m : grid.z)
+    if (slip_m > 0.0) low_m = std::min(low_m, slip_m);
+  const double least = si ? 0.009 : 0.4, most = si ? 6.0 : 210.0;
+  return round_between(std::max(in_first_unit(low_m), least),
+                       std::min(in_first_unit(largest(grid.z)), most));
+}
 
 /// Where text stands, as shares of the plot's width and height.
 struct TextBox {
@@ -184,14 +211,21 @@ void add_gravity_region(const Chart& chart, ContourPlot& plot) {
                    edge);
 }
 
-/// SEAOC PV1-2012's limits, as far as they are on the chart.
-void add_seaoc_limits(const Chart& chart, ContourPlot& plot) {
-  const double right = chart.mu.back(), left = std::max(seaoc_mu_limit, chart.mu.front());
-  const double top = std::min(seaoc_slope_limit_deg, chart.slope_deg.back());
-  if (left >= right) return;
-  plot.add_outline({DataSeries::Kind::line, look(Role::bound), "SEAOC limits",
-                    "SEAOC PV1-2012 is for slopes below and friction right of this line"},
-                   {{left, chart.slope_deg.front()}, {left, top}, {right, top}});
+/// A standard's limits, as far as they are on the chart.
+void add_limits(const Chart& chart, Standard standard, ContourPlot& plot) {
+  const bool seaoc = standard == Standard::seaoc_pv1_2012;
+  const double right = chart.mu.back(), bottom = chart.slope_deg.front();
+  const double left = std::max(seaoc ? seaoc_mu_limit : 0.0, chart.mu.front());
+  const double top = std::min(seaoc ? seaoc_slope_limit_deg : asce7_16_slope_limit_deg,
+                              chart.slope_deg.back());
+  if (left >= right || top < bottom) return;
+  Look line = look(Role::bound);
+  if (!seaoc) line.dash = 4;
+  plot.add_outline({DataSeries::Kind::line, line, standard_name(standard) + " limits",
+                    standard_name(standard) + " is for slopes below " +
+                        (seaoc ? "and friction right of " : "") + "this line"},
+                   seaoc ? Polyline{{left, bottom}, {left, top}, {right, top}}
+                         : Polyline{{left, top}, {right, top}});
 }
 
 /// Where no line of a prescribed value crosses the chart.
@@ -224,8 +258,7 @@ Figure chart_contours_figure(const Results& results) {
   const GridValues grid = slip_grid(results, level);
   ContourPlot plot(grid);
   add_gravity_region(chart, plot);
-  if (std::ranges::count(standards_of(chart), Standard::seaoc_pv1_2012) > 0)
-    add_seaoc_limits(chart, plot);
+  for (const Standard standard : standards_of(chart)) add_limits(chart, standard, plot);
   for (const PrescribedLine& line : prescribed_at(chart, results.levels[level])) {
     Look thick = prescribed_look(line);
     thick.width = 4.5;
@@ -238,7 +271,7 @@ Figure chart_contours_figure(const Results& results) {
   }
   bool any = false;
   const bool si = LengthUnits::first() == UnitSystem::si;
-  const auto& values = si ? round_metres : round_inches;
+  const std::vector<double> values = contour_values(grid);
   const char* unit = si ? "m" : "in";
   for (std::size_t i = 0; i < values.size(); ++i) {
     Look line = family_look(i, values.size());
@@ -246,10 +279,7 @@ Figure chart_contours_figure(const Results& results) {
     const std::string text = fmt::format("{:g} {}", values[i], unit);
     any |= plot.add("contour " + text, values[i] * (si ? 1.0 : inch_m), text, line);
   }
-  if (!any) {
-    figure.caption += fmt::format(" No line from {:g} to {:g} {} crosses the chart: see chart.csv.",
-                                  values.front(), values.back(), unit);
-  }
+  if (!any) figure.caption += " No round value crosses the chart: see chart.csv.";
   figure.panels = {plot.labelled()};
   figure.plot_height_px = chart_height_px;
   return figure;

@@ -194,7 +194,10 @@ Figure chart_friction_figure(const Results& results) {
           caption_of(results,
                      "Read up from the coefficient of friction to the curve of the roof's "
                      "slope, then left: the " +
-                         design_name(results) + "."),
+                         design_name(results) + "." +
+                         (plot.curves.size() < chart.slope_deg.size()
+                              ? " The slopes between those that are drawn are in the table."
+                              : "")),
           drawn(plot)};
 }
 

@@ -26,32 +26,35 @@ std::string shown_sentence(const Results& results) {
     return fmt::format("{}, the peak slip under the one record is {}.{}", where,
                        format_length(p.largest.envelope_m), period);
   }
+  const std::string target = target_text(results),
+                    of_target = target.empty() ? "" : " Design target: " + target + ".";
   const std::string interval = std::isnan(p.mean_interval.low)
                                    ? ""
                                    : ", 95 % interval " + format_length_interval(p.mean_interval);
   return fmt::format(
       "{}, the {} is {}: {:g} x the mean over {} records, {}{}. Over {} the 84th "
-      "percentile is {}, the 95th {}, the largest {}.{}",
+      "percentile is {}, the 95th {}, the largest {}.{}{}",
       where, design_name(results), format_length(p.clearance_m), clearance_factor(results),
       results.records.size(), format_length(p.largest.mean_m), interval,
       results.cases.samples > 1 ? "records and samples pooled" : "the records",
       format_length(p.largest.p84_m), format_length(p.largest.p95_m),
-      format_length(p.largest.envelope_m), period);
+      format_length(p.largest.envelope_m), period, of_target);
 }
 
 std::string standard_sentence(const Results& results, const ChartPrescription& prescription) {
   const ChartPoint& p = shown_point(results);
   const double design_m = design_statistic(results).slip_m(p);
-  std::string sentence = fmt::format("{} prescribes {} there", standard_name(prescription.standard),
-                                     format_length(prescription.prescribed.value_m));
+  const bool applies = applies_at(prescription.standard, p.slope_deg, p.mu);
+  std::string sentence =
+      fmt::format("{} prescribes {}{}", standard_name(prescription.standard),
+                  format_length(prescription.prescribed.value_m), applies ? " there" : "");
   if (prescription.prescribed.provenance == Provenance::recalled)
     sentence += " (recalled: verify against the standard)";
+  if (!applies) sentence += ", but not there: it is for " + limits_of(prescription.standard);
   if (std::isfinite(design_m) && design_m > 0.0) {
-    sentence += fmt::format(", {} x {}", format_number(prescription.prescribed.value_m / design_m),
+    sentence += fmt::format("{} {} x {}", applies ? "," : ". That is", format_number(prescription.prescribed.value_m / design_m),
                             is_one_record(results) ? "this slip" : "the " + design_name(results));
   }
-  if (!applies_at(prescription.standard, p.slope_deg, p.mu))
-    sentence += "; it is for " + limits_of(prescription.standard);
   return sentence + ".";
 }
 

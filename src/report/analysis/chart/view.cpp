@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "glissade/report/format.hpp"
+#include "text/study_text.hpp"
 
 namespace glissade {
 
@@ -101,17 +102,14 @@ std::string at_slope_and_friction(double slope_deg, double mu) {
 }
 
 std::string chart_size(const Results& results) {
-  const auto many = [](std::size_t count, const std::string& one, const std::string& more) {
-    return fmt::format("{} {}", count, count == 1 ? one : more);
-  };
   const Chart& chart = *results.chart;
   const std::size_t histories =
       results.records.size() * results.cases.size() * results.levels.size();
   return fmt::format("{} x {} x {} x {} of {}: {} points from {} histories",
-                     many(chart.slope_deg.size(), "slope", "slopes"),
-                     many(chart.mu.size(), "coefficient", "coefficients") + " of friction",
-                     many(chart.period_s.size(), "building period", "building periods"),
-                     many(results.levels.size(), "level", "levels"), results.intensity_label,
+                     counted(chart.slope_deg.size(), "slope"),
+                     counted(chart.mu.size(), "coefficient") + " of friction",
+                     counted(chart.period_s.size(), "building period"),
+                     counted(results.levels.size(), "level"), results.intensity_label,
                      chart.points.size(), histories);
 }
 

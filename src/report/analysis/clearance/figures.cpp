@@ -23,7 +23,7 @@ Figure suite_figure(const Results& results) {
   const SuiteSpectra& spectra = results.suites.front().spectra;
   const std::string as_scaled =
       spectra.reference_level > 0.0
-          ? results.conditions->grid.level_symbol + " = " + format_number(spectra.reference_level)
+          ? results.conditions->grid.level_symbol + " = " + level_number(spectra.reference_level)
           : "scaled to MCE";
   const SuiteSummary& suite = results.suites.front();
   const bool of_classes = suite.target.find("site classes") != std::string::npos;

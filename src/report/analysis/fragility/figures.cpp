@@ -116,8 +116,8 @@ Figure fragility_figure(const Results& results, const RunResults& run) {
   for (std::size_t t = 0; t < run.fragilities.size(); ++t) add_threshold(panel, results, run, t);
   add_direct_labels(panel, run);
   panel.series.push_back({DataSeries::Kind::band, look(Role::largest), "",
-                          "shaded and [ ]: 95 % interval over records; points: observed "
-                          "shares"});
+                          std::string(are_a_few(run) ? "shaded" : "shaded and [ ]") +
+                              ": 95 % interval over records; points: observed shares"});
   if (are_a_few(run))
     for (const ThresholdFragility& fragility : run.fragilities)
       figure.caption += " " + threshold_text(results, fragility) + ".";

@@ -76,12 +76,11 @@ std::string threshold_sentence(const Results& results, const ThresholdFragility&
   return fit_sentence(results, fit, clearance) + free;
 }
 
-/// The slip statistics at the level nearest to 1 g.
-const SlipStatistics* slip_near_1g(const RunResults& run) {
-  const auto nearest =
-      std::min_element(run.slip.begin(), run.slip.end(), [](const auto& a, const auto& b) {
-        return std::abs(a.level - 1.0) < std::abs(b.level - 1.0);
-      });
+/// The slip statistics at the level nearest to the DBE, or where it is not known to 1 g.
+const SlipStatistics* shown_slip(const Results& results, const RunResults& run) {
+  const double level = results.model.dbe_level > 0.0 ? results.model.dbe_level : 1.0;
+  const auto nearest = std::ranges::min_element(
+      run.slip, {}, [&](const SlipStatistics& slip) { return std::abs(slip.level - level); });
   return nearest == run.slip.end() ? nullptr : &*nearest;
 }
 
@@ -128,25 +127,13 @@ std::string other_run_sentence(const Results& results, const RunResults& run) {
                      medians);
 }
 
-/// The run in which most histories slip more than is prescribed, over all levels; where only the
-/// value of friction is listed the first, friction as drawn.
-const RunResults& run_of_standards(const Results& results) {
-  if (!lists_more_than_friction_value(results)) return results.runs.front();
-  const auto exceeded = [](const RunResults& run) {
-    double sum = 0.0;
-    for (const StandardComparison& c : run.standards) sum += c.exceedance_probability;
-    return sum;
-  };
-  return *std::ranges::max_element(results.runs, {}, exceeded);
-}
-
 /// The standards table at a handful of levels, narrow enough for a terminal: the rest is in
 /// standards.csv.
 std::string brief_standards(const Results& results, const RunResults& run) {
   std::string recalled;
   Table table{"standards_brief",
               fmt::format("Standards and computed slip ({}{}; displacements in plan)",
-                          results.runs.size() > 1 ? "the combination that exceeds most: " : "",
+                          results.runs.size() > 1 ? "the least favourable combination: " : "",
                           friction_of(results, run)),
               {{"standard", "", "Standard", ColumnKind::text},
                {"sds", "g", "S_DS, g", ColumnKind::number},
@@ -203,19 +190,20 @@ std::string fragility_summary(const Results& results) {
   if (rows > most_rows)
     text += fmt::format("  {} rows more are in tables/fragility.csv\n", rows - most_rows);
   if (!results.runs.empty() && !results.runs.front().standards.empty()) {
-    text += "\n" + brief_standards(results, run_of_standards(results));
+    text += "\n" + brief_standards(results, results.runs[least_favourable_run(results)]);
   }
   return text;
 }
 
 std::vector<std::string> sentences(const Results& results) {
   std::vector<std::string> sentences;
-  const RunResults& run = results.runs.front();
+  const std::size_t told = least_favourable_run(results);
+  const RunResults& run = results.runs[told];
   if (lists_more_than_friction_value(results))
-    sentences.push_back("Fragility, at " + first_run(results) + ".");
+    sentences.push_back("Of " + least_favourable(results) + ":");
   for (const ThresholdFragility& fragility : run.fragilities)
     sentences.push_back(threshold_sentence(results, fragility));
-  if (const SlipStatistics* slip = slip_near_1g(run)) {
+  if (const SlipStatistics* slip = shown_slip(results, run)) {
     sentences.push_back(slip_sentence(results, *slip));
     for (const StandardComparison& comparison : run.standards) {
       if (comparison.sds_g == slip->level) sentences.push_back(standard_sentence(comparison));
@@ -224,8 +212,8 @@ std::vector<std::string> sentences(const Results& results) {
   if (results.runs.size() < results.cases.combinations())
     sentences.push_back(
         "An array that is anchored does not slide: fragility is of the isolated array.");
-  for (std::size_t r = 1; r < results.runs.size(); ++r)
-    sentences.push_back(other_run_sentence(results, results.runs[r]));
+  for (std::size_t r = 0; r < results.runs.size(); ++r)
+    if (r != told) sentences.push_back(other_run_sentence(results, results.runs[r]));
   std::erase(sentences, "");
   return sentences;
 }
@@ -250,8 +238,8 @@ std::vector<Table> tables(const Results& results) {
 Html section(const Results& results) {
   return heading("Fragility") + wide_table(fragility_summary_table(results)) +
          standards_html(results, standards_table(results)) + heading("Slip by level") +
-         wide_table(slip_table(results)) + heading("Fits in full") +
-         wide_table(fragility_table(results).without("interval_method"));
+         wide_table(without_run_key(results, slip_table(results))) + heading("Fits in full") +
+         wide_table(without_run_key(results, fragility_table(results).without("interval_method")));
 }
 
 }  // namespace

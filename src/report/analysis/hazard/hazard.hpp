@@ -26,6 +26,8 @@ Table hazard_curve_table(const Results& results);
 Table hazard_targets_table(const Results& results);
 /// Per run: largest peak of one earthquake, accumulated slip, farthest distance.
 Table design_life_table(const Results& results);
+/// The 95th percentiles alone, a row per run: on a page.
+Table shown_design_life_table(const Results& results);
 std::vector<std::string> hazard_sentences(const Results& results);
 
 /// Annual rate over displacement, of four runs at most.

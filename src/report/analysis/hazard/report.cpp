@@ -30,9 +30,10 @@ std::string threshold_sentence(const HazardResults& hazard, const ThresholdRate&
            " is exceeded without any earthquake, and has no annual rate.";
   const bool bound = row.beyond_share == 1.0;
   std::string text = fmt::format(
-      "{} is exceeded {} once in {} years: in {} with a probability of {}{}.", clearance,
-      bound ? "less than" : "about", format_number(1.0 / row.annual_rate), life_text(hazard),
-      bound ? "less than " : "", share_range(row.life_probability, row.life_interval));
+      "{} is exceeded {} once in {} years (annual rate {}): in {} with a probability of {}{}.",
+      clearance, bound ? "less than" : "about", format_number(1.0 / row.annual_rate),
+      format_rate(row.annual_rate), life_text(hazard), bound ? "less than " : "",
+      share_range(row.life_probability, row.life_interval));
   if (row.beyond_share > notable_share)
     text += fmt::format(
         " {} of that rate is from histories that the highest level does not bring to it, counted "
@@ -97,16 +98,22 @@ std::vector<std::string> life_sentences(const Results& results, const HazardRun&
 
 std::string summary(const Results& results) {
   constexpr std::size_t most_rows = 12;
-  Table rates = hazard_table(results);
-  if (lists_more_than_friction_value(results)) rates = rates.without("run");
+  Table rates = without_run_key(results, hazard_table(results));
+  const auto rate = std::ranges::find(rates.columns, "annual_rate", &Column::stem);
+  rate->heading = "Annual rate";  // the interval of the return period says as much
+  rate->with_interval = false;
   const std::size_t rows = rates.rows.size();
   rates.rows.resize(std::min(rows, most_rows));
+  for (std::vector<Cell>& row : rates.rows) {
+    Cell& cell = row[static_cast<std::size_t>(rate - rates.columns.begin())];
+    cell = Estimate{std::get<Estimate>(cell).value, {}, std::get<Estimate>(cell).sign};
+  }
   std::string text = to_text(rates);
   if (rows > most_rows)
     text += fmt::format("  {} rows more are in tables/hazard.csv\n", rows - most_rows);
   text += "\n";
-  const HazardRun& run = results.hazard->runs.front();
-  if (results.runs.size() > 1) text += wrapped("Of " + first_run(results) + ":");
+  const HazardRun& run = results.hazard->runs[least_favourable_run(results)];
+  if (results.runs.size() > 1) text += wrapped("Of " + least_favourable(results) + ":");
   for (const TargetDisplacement& row : run.targets)
     text += wrapped(target_sentence(results, run, row));
   for (const std::string& sentence : life_sentences(results, run)) text += wrapped(sentence);
@@ -127,27 +134,33 @@ Html section(const Results& results) {
              "the hazard, "
              "without a fit. The curve is a power law between its points, and goes on beyond "
              "either end as in the last interval.") +
-         wide_table(hazard_table(results)) + wide_table(hazard_targets_table(results)) +
+         wide_table(without_run_key(results, hazard_table(results))) + wide_table(without_run_key(results, hazard_targets_table(results))) +
          heading("Slip over " + life_text(hazard)) +
          paragraph(
              "Earthquakes are a Poisson process with the rates of the hazard curve. Each has a "
              "record drawn from all; friction, slope and building are those of one sample for the "
              "whole life. Residual displacements add up as vectors; what slides down the slope "
              "adds up, the rest partly cancels. The array is not damaged and not put back.") +
-         wide_table(design_life_table(results)) +
+         wide_table(without_run_key(results, shown_design_life_table(results))) +
          paragraph("The rate of every displacement: tables/hazard_curve.csv.");
 }
 
 }  // namespace
 
 std::vector<std::string> hazard_sentences(const Results& results) {
-  const HazardRun& run = results.hazard->runs.front();
+  const std::size_t told = least_favourable_run(results);
+  const HazardRun& run = results.hazard->runs[told];
   std::vector<std::string> all;
   for (const ThresholdRate& row : run.thresholds)
     all.push_back(threshold_sentence(*results.hazard, row));
   for (const TargetDisplacement& row : run.targets)
     all.push_back(target_sentence(results, run, row));
   for (std::string& sentence : life_sentences(results, run)) all.push_back(std::move(sentence));
+  if (lists_more_than_friction_value(results)) {
+    const std::string name = run_name(results, results.runs[told]);
+    for (std::string& sentence : all) sentence = "At " + name + ": " + sentence;
+    all.front() = "Least favourable combination. " + all.front();
+  }
   return all;
 }
 

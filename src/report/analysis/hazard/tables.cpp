@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <filesystem>
 
 #include "analysis/hazard/hazard.hpp"
 #include "glissade/fragility/hazard.hpp"
+#include "glissade/report/format.hpp"
 #include "text/study_text.hpp"
 
 namespace glissade {
@@ -62,21 +65,20 @@ Table hazard_table(const Results& results) {
       "How often each clearance is exceeded." + by_curve(results) + in_plan(results),
       {text_column("run", "Run"),
        {"threshold", "m", "Clearance, m (in)", ColumnKind::length},
-       {"annual_rate", "per_year", "Annual rate [95 %]", ColumnKind::number, true},
+       {"annual_rate", "per_year", "Annual rate [95 %]", ColumnKind::rate, true},
        {"return_period", "years", "Return period, years [95 %]", ColumnKind::number, true},
-       {"beyond_share", "", "Beyond levels", ColumnKind::share},
        {"life_probability", "", "In " + life_text(hazard) + " [95 %]", ColumnKind::share, true},
-       {"fit_rate", "per_year", "Annual rate by the lognormal fit"}},
+       {"beyond_share", "", "Beyond levels", ColumnKind::share},
+       {"fit_rate", "per_year", "Annual rate by the lognormal fit", ColumnKind::rate}},
       {}};
-  for (Column& column : table.columns)
-    column.detail = column.stem == "annual_rate" || column.stem == "fit_rate";
+  table.columns.back().detail = true;
   for (const HazardRun& run : hazard.runs) {
     for (const ThresholdRate& row : run.thresholds) {
       Estimate period = period_of(row.annual_rate, row.rate_interval);
       if (row.beyond_share == 1.0) period.sign = "> ";
       table.add({run.label, row.threshold_m,
                  Estimate{row.annual_rate, row.rate_interval, sign_of(row)}, period,
-                 row.beyond_share, Estimate{row.life_probability, row.life_interval, sign_of(row)},
+                 Estimate{row.life_probability, row.life_interval, sign_of(row)}, row.beyond_share,
                  row.fit_rate});
     }
   }
@@ -91,7 +93,7 @@ Table hazard_curve_table(const Results& results) {
               "Annual rate of exceeding a displacement." + by_curve(results) + in_plan(results),
               {text_column("run", "Run"),
                {"displacement", "m", "Displacement, m (in)", ColumnKind::length},
-               {"annual_rate", "per_year", "Annual rate [95 %]", ColumnKind::number, true}},
+               {"annual_rate", "per_year", "Annual rate [95 %]", ColumnKind::rate, true}},
               {}};
   for (const HazardRun& run : results.hazard->runs) {
     for (const DisplacementRate& row : run.curve)
@@ -106,7 +108,7 @@ Table hazard_targets_table(const Results& results) {
                   in_plan(results),
               {text_column("run", "Run"),
                text_column("target", "Rate"),
-               {"annual_rate", "per_year", "Annual rate"},
+               {"annual_rate", "per_year", "Annual rate", ColumnKind::rate},
                {"probability_50_years", "", "In 50 years", ColumnKind::share},
                {"displacement", "m", "Displacement, m (in) [95 %, m]", ColumnKind::length, true},
                intensity_column(results, "intensity", "Shaking of that rate")},
@@ -116,6 +118,36 @@ Table hazard_targets_table(const Results& results) {
       table.add({run.label, rate_text(row.annual_rate), row.annual_rate,
                  probability_in(50.0, row.annual_rate), target_of(run, row), row.intensity});
   }
+  return with_listed(results, table);
+}
+
+Table shown_design_life_table(const Results& results) {
+  const HazardResults& hazard = *results.hazard;
+  Table table{"design_life",
+              "Slip over " + life_text(hazard) + ", the array never put back: 95th percentiles." +
+                  by_curve(results) + in_plan(results),
+              {text_column("run", "Run")},
+              {}};
+  double median_m = 0.0;
+  for (const LifeDisplacement& row : hazard.runs.front().life) {
+    std::string heading = quantity_name(row.quantity) + ", m (in) [95 %, m]";
+    heading[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(heading[0])));
+    table.columns.push_back(
+        {"p95_" + std::to_string(table.columns.size()), "m", heading, ColumnKind::length, true});
+  }
+  for (const HazardRun& run : hazard.runs) {
+    std::vector<Cell> row{run.label};
+    for (const LifeDisplacement& life : run.life) {
+      row.emplace_back(Estimate{life.p95_m, life.p95_interval});
+      median_m = std::max(median_m, life.median_m);
+    }
+    table.add(std::move(row));
+  }
+  table.notes = {"The medians are " +
+                 (median_m == 0.0        ? "all 0"
+                  : std::isinf(median_m) ? "in part beyond the levels"
+                                         : "at most " + format_length(median_m)) +
+                 "; they and the 84th percentiles: tables/design_life.csv."};
   return with_listed(results, table);
 }
 

@@ -90,7 +90,7 @@ Figure spectra_figure(const Results& results) {
   const double level_g = results.suites.front().spectra.reference_level;
   return spectra_figure(results.suites.front().spectra,
                         {results.suites.front().name,
-                         level_g > 0.0 ? "scaled to S_DS = " + format_number(level_g) + " g"
+                         level_g > 0.0 ? "scaled to S_DS = " + level_number(level_g) + " g"
                                        : "scaled by the suite's own factors",
                          "target (design spectrum)"});
 }

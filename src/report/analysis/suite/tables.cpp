@@ -10,9 +10,21 @@
 
 namespace glissade {
 
+namespace {
+
+/// "suite a", "the suites a, b".
+std::string suites_text(const Results& results) {
+  std::string names;
+  for (const SuiteSummary& suite : results.suites)
+    names += (names.empty() ? "" : ", ") + suite.name;
+  return (results.suites.size() > 1 ? "the suites " : "suite ") + names;
+}
+
+}  // namespace
+
 Table records_table(const Results& results) {
   Table table{"records",
-              "Ground motions of suite " + results.suites.front().name +
+              "Ground motions of " + suites_text(results) +
                   ". PGA, PGV and PGD are geometric means of the horizontals as recorded, D5-95 "
                   "the time from 5 to 95 % of the integral of their a^2; factor at "
                   "unit level is what "
@@ -20,6 +32,7 @@ Table records_table(const Results& results) {
                   "magnitude, distance "
                   "and vs30 means not given.",
               {{"number", "", "No.", ColumnKind::count},
+               text_column("suite", "Suite"),
                text_column("id", "Record"),
                text_column("event", "Event"),
                text_column("station", "Station"),
@@ -39,20 +52,21 @@ Table records_table(const Results& results) {
               {}};
   const auto yes_no = [](bool value) -> std::string { return value ? "yes" : "no"; };
   for (const RecordSummary& r : results.records) {
-    table.add({static_cast<double>(table.rows.size() + 1), r.id, r.event, r.station, r.magnitude,
+    table.add({static_cast<double>(table.rows.size() + 1), results.suites.at(r.suite).name, r.id, r.event, r.station, r.magnitude,
                r.distance_km, r.vs30_mps, r.suite_scale, r.factor_at_unit_level, r.pga_g, r.pgv_mps,
                r.pgd_m, r.duration_s, r.dt_s, static_cast<double>(r.samples), yes_no(r.has_second),
                yes_no(r.has_vertical)});
   }
-  return table;
+  return results.suites.size() > 1 ? table : table.without("suite");
 }
 
 Table spectra_table(const Results& results) {
   const SuiteSpectra& spectra = results.suites.front().spectra;
   Table table{"spectra",
-              "5 % damped SRSS spectra of the horizontals, " +
+              "5 % damped SRSS spectra of the horizontals of suite " + results.suites.front().name +
+                  ", " +
                   (spectra.reference_level > 0.0 ? "scaled to " + results.intensity_label + " = " +
-                                                       format_number(spectra.reference_level)
+                                                       level_number(spectra.reference_level)
                                                  : std::string("by the suite's own factors")) +
                   ".",
               {{"period", "s", "Period, s"}, {"average_srss", "g", "Average, g"}},
