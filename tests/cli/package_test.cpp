@@ -52,6 +52,20 @@ TEST_F(Package, numbers_the_records_as_figure_1_does) {
 }
 
 // A permit calculation of 2023 for this site.
+TEST_F(Package, page_has_peak_displacements_and_begins_a_hash_that_the_table_has_in_full) {
+  const std::string page = read_file(out() / "package.html");
+  EXPECT_THAT(page, HasSubstr(">PGD, in<"));
+  EXPECT_THAT(page, HasSubstr("Predicted slip of ballasted solar arrays on angled roofs"));
+  EXPECT_THAT(page, HasSubstr("the observed share of the histories"));
+  EXPECT_LT(page.find("Required separations:"), page.find("Governing displacement:"));
+}
+
+TEST_F(Package, screen_says_whether_clearances_are_sufficient_and_why_with_reservation) {
+  const std::string screen = test::one_line(finished_.out);
+  EXPECT_THAT(screen, HasSubstr("vailable clearances are"));
+  EXPECT_THAT(screen, HasSubstr("Reservation: conditions of the standard"));
+}
+
 TEST_F(Package, has_the_site_values_of_the_published_calculation) {
   EXPECT_NEAR(numbers().at("sds_g"), 1.050, 5e-4);
   EXPECT_NEAR(numbers().at("sd1_g"), 0.574, 5e-4);

@@ -51,6 +51,13 @@ TEST_F(Run, ends_with_the_fragilities_the_comparison_and_where_the_report_is) {
   }
 }
 
+TEST_F(Run, counts_and_times_are_within_eighty_columns) {
+  for (const std::string& line : lines_of(finished_.out)) {
+    if (line.find(folder_->path("").string()) == std::string::npos)
+      EXPECT_LE(line.size(), 80u) << line;
+  }
+}
+
 TEST_F(Run, run_json_reports_when_where_and_how_long) {
   const Json json = Json::parse(read_file(out() / "run.json"));
   EXPECT_EQ(json.at("ranks"), 1);

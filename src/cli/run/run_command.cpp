@@ -79,11 +79,10 @@ void write_all(const Plan& whole, RunHistories& all, std::uint64_t resumed,
   if (options.quiet) return;
   fmt::print("{}\n", summary_text(results, skips));
   print_seconds(clock, ranks);
-  fmt::print("{}\n",
-             wrapped(fmt::format("Histories integrated: {} at the levels, {} in search of "
-                                 "capacities, on {} roof motions",
-                                 count.integrated, count.searched, count.roofs),
-                     terminal_width, 2));
+  fmt::print("{}\n", wrapped(fmt::format("Histories integrated: {} at the levels, {} in search of "
+                                         "capacities, on {} roof motions",
+                                         count.integrated, count.searched, count.roofs),
+                             terminal_width, 2));
   print_where(out);
 }
 

@@ -201,7 +201,8 @@ Html model_html() {
          list({"Walters, M., Berkowitz, R., Lau, D., Lee, W., Baker, J. (2012). Seismic "
                "considerations and evaluation approach for \"isolated\" rooftop PV arrays. SEAOC "
                "Convention Proceedings.",
-               "Rodriguez-Nikl, T., et al. (2019). Predicted slip of ballasted solar arrays on angled "
+               "Rodriguez-Nikl, T., et al. (2019). Predicted slip of ballasted solar arrays on "
+               "angled "
                "roofs due to seismic motion.",
                "ASCE/SEI 7-16 (2017). Minimum design loads and associated criteria for buildings "
                "and other structures.",
@@ -274,7 +275,8 @@ Html files_html(const Table& files) {
   const auto text = [](const Cell& cell) { return std::get<std::string>(cell); };
   for (const std::vector<Cell>& row : files.rows) {
     const std::string file = std::filesystem::path(text(row[2])).filename().string();
-    page.add({text(row[0]) + " " + text(row[1]) + ": " + file, text(row[3]).substr(0, shown_digits)});
+    page.add(
+        {text(row[0]) + " " + text(row[1]) + ": " + file, text(row[3]).substr(0, shown_digits)});
   }
   return Html("<div class=\"files\">\n") + page_table(page) + "</div>\n";
 }
@@ -288,7 +290,8 @@ Html records_html(const CalculationPackage& package) {
                   package.demand.program_version, package.build, package.demand.plan_hash,
                   package.probability.plan_hash, package.project_sha256, package.suite_sha256));
   if (!package.files.empty()) html += files_html(files_table(package));
-  return html + "<h3 class=\"own-page\">Project file</h3>\n" + study_file(package.project.source_text);
+  return html + "<h3 class=\"own-page\">Project file</h3>\n" +
+         study_file(package.project.source_text);
 }
 
 }  // namespace
@@ -313,9 +316,9 @@ void write_package(const CalculationPackage& package, const std::filesystem::pat
           "of its required separations") +
       page_table(title_table(package.project)) + warnings_html(package) + result_html(package) +
       contents_html() + section_heading(1) + "<div class=\"inputs\">\n" +
-      page_table(inputs_table(package)) + "</div>\n" +
-      given_curves_html(package.project) + motions_html(package, figures) + model_html() +
-      section_heading(4) + page_table(demand_table(package)) +
+      page_table(inputs_table(package)) + "</div>\n" + given_curves_html(package.project) +
+      motions_html(package, figures) + model_html() + section_heading(4) +
+      page_table(demand_table(package)) +
       (has_demand_figure ? figure_html(figures.at(1), 2) : Html()) + required_html(package) +
       section_heading(6) + page_table(sensitivity_table(package)) + section_heading(7) +
       page_table(exceedance_table(package)) + figure_html(figures.back(), figures.size()) +

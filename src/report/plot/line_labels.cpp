@@ -10,7 +10,7 @@
 namespace glissade {
 namespace {
 
-constexpr double character_px = 9.0, line_px = 24.0;
+constexpr double character_px = 9.0, line_px = 22.0;
 
 double text_px(const std::string& text) {
   return character_px * static_cast<double>(display_width(text));

@@ -249,10 +249,12 @@ std::string unbroken(const std::string& text) {
   std::string kept;
   bool in_interval = false;
   for (std::size_t i = 0; i < text.size(); ++i) {
-    if (text[i] == '[' || text[i] == ']') in_interval = text[i] == '[' && (is(i + 1, std::isdigit) || text.substr(i + 1, 1) == "<");
+    if (text[i] == '[' || text[i] == ']')
+      in_interval = text[i] == '[' && (is(i + 1, std::isdigit) || text.substr(i + 1, 1) == "<");
     const bool of_number = is(i - 1, std::isdigit) && is(i + 1, std::isalpha),
-               of_interval = i + 1 < text.size() && (text[i + 1] == '[' || text[i + 1] == '%' ||
-                                                    (text[i + 1] == '(' && is(i - 1, std::isdigit)));
+               of_interval =
+                   i + 1 < text.size() && (text[i + 1] == '[' || text[i + 1] == '%' ||
+                                           (text[i + 1] == '(' && is(i - 1, std::isdigit)));
     const bool unit = text[i] == ' ' && i > 0 && (of_number || of_interval || in_interval);
     const bool sign = text[i] == '-' && i > 0 &&
                       ((text[i - 1] == ' ' && is(i + 1, std::isalpha)) ||

@@ -121,7 +121,8 @@ Table with_listed(const Results& results, const Table& table) {
 }
 
 Table without_run_key(const Results& results, const Table& table) {
-  return lists_more_than_friction_value(results) ? table.without(table.columns.front().stem) : table;
+  return lists_more_than_friction_value(results) ? table.without(table.columns.front().stem)
+                                                 : table;
 }
 
 std::string counts_of(const Results& results) {

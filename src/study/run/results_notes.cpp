@@ -178,12 +178,12 @@ void warn_of_shape(const Results& results, const StudyConfig& config,
   if (worst == nullptr) return;
   std::ranges::sort(refused_m);
   refused_m.erase(std::unique(refused_m.begin(), refused_m.end()), refused_m.end());
-  const std::string unit = results.measure.unit(), length = std::string(" ") + length_unit(config.units);
+  const std::string unit = results.measure.unit(),
+                    length = std::string(" ") + length_unit(config.units);
   const std::string at_run =
-      results.runs.size() > 1 ? results.cases.describe(worst_run->first_case /
-                                                       results.cases.per_combination()) +
-                                    ", "
-                              : "";
+      results.runs.size() > 1
+          ? results.cases.describe(worst_run->first_case / results.cases.per_combination()) + ", "
+          : "";
   warnings.push_back(fmt::format(
       "{} of {} fragility curves {} not lognormal (p < {:g} and a gap of {:g} or more): of "
       "clearance {}{}. The largest gap is at {}clearance {}{}: at {} = {:.3g}{} the share of the "

@@ -138,6 +138,16 @@ TEST(figures, of_the_fragility_name_the_clearance_beside_each_curve) {
   }
 }
 
+// Else the axis strikes through the lowest.
+TEST(figures, names_of_lines_stand_above_the_axis_in_the_order_of_the_lines) {
+  Panel panel{"", {"x", 0.0, 1.0}, {"y", 0.0, 1.0}};
+  add_side_labels(panel, {{0.0, 0.0, "low"}, {0.0, 0.02, "high"}}, {Side::right, 0.2, 0.1});
+  ASSERT_EQ(panel.notes.size(), 2u);
+  EXPECT_EQ(panel.notes[0].text, "high");
+  EXPECT_GE(panel.notes[1].y, 0.05);
+  EXPECT_GE(panel.notes[0].y - panel.notes[1].y, 0.099);
+}
+
 TEST(figures, spectra_hold_every_record_and_number_a_few_on_their_own_lines) {
   Results results = made_up_results();  // 12 records
   Figure figure = spectra_figure(results);

@@ -70,6 +70,24 @@ TEST(hazard_report, tables_of_the_summary_fit_eighty_columns) {
   EXPECT_GE(rows, 8u);
 }
 
+// The design run has 0.8 of the capacities of the first.
+TEST(hazard_report, tells_of_the_least_favourable_combination_and_names_it) {
+  Results r = made_up_hazard();
+  r.cases.axes = {{"roof.slope_deg", "deg", {1.19349, 2.38594}, {}}};
+  for (Case& c : r.cases.cases) c.friction_value = FrictionValue::as_drawn;
+  const auto rate = [&](std::size_t run) {
+    return format_rate(r.hazard->runs[run].thresholds[0].annual_rate);
+  };
+  ASSERT_NE(rate(0), rate(1));
+  const std::string told = "At slope 2.39 deg: " + format_length(r.thresholds_m[0]);
+  EXPECT_THAT(answer_sentences(r), Contains(AllOf(HasSubstr("Least favourable"), HasSubstr(told),
+                                                  HasSubstr("annual rate " + rate(1)))));
+  EXPECT_THAT(answer_sentences(r)[0], HasSubstr("the least favourable combination, friction " +
+                                                r.runs[1].friction_description));
+  EXPECT_THAT(summary_text(r), AllOf(HasSubstr("Annual"), HasSubstr(rate(1))));
+  EXPECT_THAT(html_report(r, {}), testing::Not(HasSubstr(r.runs[1].label + "</td>")));
+}
+
 TEST(hazard_report, names_the_file_of_a_curve_without_the_folder_it_was_read_from) {
   Results r = made_up_hazard();
   r.hazard->source = "../site.csv";

@@ -27,6 +27,10 @@ TEST(html_report, names_the_earthquakes_of_a_design_target) {
   EXPECT_THAT(html_report(results, {}), Not(HasSubstr("DBE is")));
   results.model.dbe_level = 1.0;
   EXPECT_THAT(html_report(results, {}), HasSubstr("DBE is S_DS = 1.00 g and MCE 1.50 g"));
+  results.model.dbe_level = 1.035;  // 1.04 or 1.03 elsewhere would be another level
+  EXPECT_THAT(html_report(results, {}), HasSubstr("DBE is S_DS = 1.035 g"));
+  results.levels = {1.0};
+  EXPECT_THAT(html_report(results, {}), HasSubstr(" x 1 level of"));
 }
 
 TEST(html_report, needs_nothing_from_outside) {
@@ -63,7 +67,9 @@ TEST(html_report, puts_the_drawing_in_the_page_without_its_xml_declaration) {
   const std::string html = html_report(
       made_up_results(),
       {{{"one", "Title", "", "Caption"}, "<?xml version=\"1.0\"?>\n<svg id=\"x\"></svg>"}});
-  EXPECT_THAT(html, HasSubstr("<div class=\"drawing\"><svg role=\"img\" aria-label=\"Title\" id=\"x\"></svg>"));
+  EXPECT_THAT(
+      html,
+      HasSubstr("<div class=\"drawing\"><svg role=\"img\" aria-label=\"Title\" id=\"x\"></svg>"));
   EXPECT_THAT(html, Not(HasSubstr("<?xml")));
 }
 

@@ -20,6 +20,7 @@
 namespace glissade {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -58,10 +59,20 @@ TEST(table, breaks_no_line_between_a_number_and_its_unit_nor_after_a_sign_on_a_p
   Table table{"t", "T", {text_column("a", "A")}, {}};
   table.add({std::string("0.605 s, along it -second, 3 to 4 - 5")});
   table.add({std::string("[9.98e-05, 0.000248]")});
+  table.add({std::string("0.8 % [< 0.1 %, 1.4 %]; 19.2 (0.488), of 7 [checked here]")});
   EXPECT_THAT(to_html(table).str(),
               HasSubstr("<td>0.605\u00a0s, along it -\u2060second, 3\u00a0to 4 - 5</td>"));
   EXPECT_THAT(to_html(table).str(), HasSubstr("9.98e-\u206005"));
+  EXPECT_THAT(to_html(table).str(), HasSubstr("0.8 % [&lt; 0.1 %, 1.4 %]; "
+                                              "19.2 (0.488), of 7 [checked here]"));
   EXPECT_THAT(to_csv(table), HasSubstr("0.605 s, along it -second"));
+}
+
+TEST(table, has_annual_rates_in_one_notation) {
+  const Column column{"annual_rate", "per_year", "Annual rate", ColumnKind::rate, true};
+  EXPECT_EQ(cell_text(column, Estimate{0.000164, {9.98e-05, 0.000248}, ""}),
+            "1.6e-4 [1.0e-4, 2.5e-4]");
+  EXPECT_EQ(cell_text(column, 0.0), "0");
 }
 
 TEST(table, says_that_a_one_sided_median_is_a_lower_bound) {
@@ -132,6 +143,18 @@ TEST(tables, and_figures_page_and_summary_name_the_design_target) {
   results.suites.back().target = "ASCE 7-16, S_DS 2 g, S_D1 1 g";
   for (const Figure& figure : make_figures(results))
     EXPECT_THAT(figure.below, Not(HasSubstr(target)));
+  results.suites.front().name = "first";
+  results.suites.back().name = "second";
+  for (const Table& table : csv_tables(results)) {
+    if (table.name == FileName("spectra")) {
+      EXPECT_THAT(table.title, HasSubstr(target));
+    } else if (table.name == FileName("records")) {
+      EXPECT_THAT(table.title,
+                  AllOf(HasSubstr("the suites first, second"), Not(HasSubstr(target))));
+    }
+  }
+  EXPECT_THAT(html_report(results, {}, {}),
+              AllOf(HasSubstr("under Inputs"), Not(HasSubstr("see the report"))));
   results.suites.pop_back();
   results.measure = IntensityMeasure::pga_g;  // nothing rests on it
   for (const Table& table : csv_tables(results)) EXPECT_THAT(table.title, Not(HasSubstr(target)));

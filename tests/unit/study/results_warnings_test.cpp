@@ -27,8 +27,28 @@ TEST(results_warnings, of_fragilities_that_are_not_lognormal_alone) {
   EXPECT_TRUE(warnings_on(tested({}, {}), {}).empty());
   const std::vector<std::string> warnings = warnings_on(tested(good, far), {});
   ASSERT_EQ(warnings.size(), 1u);
-  EXPECT_THAT(warnings[0], testing::AllOf(testing::HasSubstr("1 of 2"), testing::HasSubstr("0.5 m"),
-                                          testing::HasSubstr("0.12 below")));
+  EXPECT_THAT(warnings[0],
+              testing::AllOf(testing::HasSubstr("1 of 2 fragility curves is not"),
+                             testing::HasSubstr("0.5 m"), testing::HasSubstr("0.12 below"),
+                             testing::HasSubstr("are of the histories")));
+  Results several = tested(good, far);
+  several.cases.axes = {{"building.period_s", "s", {0.8586, 1.02}, {}}};
+  several.cases.samples = 1;
+  several.runs.push_back({.label = "period_s_1_02"});
+  EXPECT_THAT(warnings_on(several, {}).at(0),
+              testing::HasSubstr("at building period 0.859 s, clearance 0.5 m"));
+}
+
+TEST(results_notes, say_how_far_the_suite_is_scaled) {
+  Results r;
+  r.measure = IntensityMeasure::sds_g;
+  SuiteSpectra spectra;
+  spectra.to_target = {{1.0, 1.9}, {1.5, 0.2}};
+  r.suites = {{"suite", "of four", "", spectra}};
+  StudyConfig config;
+  EXPECT_THAT(notes_on(r, config).at(0), testing::Not(testing::HasSubstr("scaled_to_s")));
+  config.intensity.scaled_to_s = 3.0;
+  EXPECT_THAT(notes_on(r, config).at(0), testing::HasSubstr("to 3 s (scaled_to_s)"));
 }
 
 TEST(results_warnings, of_annual_rates_that_rest_on_shaking_above_the_levels) {

@@ -216,8 +216,8 @@ void add_limits(const Chart& chart, Standard standard, ContourPlot& plot) {
   const bool seaoc = standard == Standard::seaoc_pv1_2012;
   const double right = chart.mu.back(), bottom = chart.slope_deg.front();
   const double left = std::max(seaoc ? seaoc_mu_limit : 0.0, chart.mu.front());
-  const double top = std::min(seaoc ? seaoc_slope_limit_deg : asce7_16_slope_limit_deg,
-                              chart.slope_deg.back());
+  const double top =
+      std::min(seaoc ? seaoc_slope_limit_deg : asce7_16_slope_limit_deg, chart.slope_deg.back());
   if (left >= right || top < bottom) return;
   Look line = look(Role::bound);
   if (!seaoc) line.dash = 4;

@@ -52,7 +52,8 @@ std::string standard_sentence(const Results& results, const ChartPrescription& p
     sentence += " (recalled: verify against the standard)";
   if (!applies) sentence += ", but not there: it is for " + limits_of(prescription.standard);
   if (std::isfinite(design_m) && design_m > 0.0) {
-    sentence += fmt::format("{} {} x {}", applies ? "," : ". That is", format_number(prescription.prescribed.value_m / design_m),
+    sentence += fmt::format("{} {} x {}", applies ? "," : ". That is",
+                            format_number(prescription.prescribed.value_m / design_m),
                             is_one_record(results) ? "this slip" : "the " + design_name(results));
   }
   return sentence + ".";

@@ -237,8 +237,9 @@ std::vector<Table> tables(const Results& results) {
 
 Html section(const Results& results) {
   return heading("Fragility") + wide_table(fragility_summary_table(results)) +
-         standards_html(results, standards_table(results)) + heading("Slip by level") +
-         wide_table(without_run_key(results, slip_table(results))) + heading("Fits in full") +
+         standards_html(results, without_run_key(results, standards_table(results))) +
+         heading("Slip by level") + wide_table(without_run_key(results, slip_table(results))) +
+         heading("Fits in full") +
          wide_table(without_run_key(results, fragility_table(results).without("interval_method")));
 }
 

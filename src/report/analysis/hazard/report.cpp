@@ -134,7 +134,8 @@ Html section(const Results& results) {
              "the hazard, "
              "without a fit. The curve is a power law between its points, and goes on beyond "
              "either end as in the last interval.") +
-         wide_table(without_run_key(results, hazard_table(results))) + wide_table(without_run_key(results, hazard_targets_table(results))) +
+         wide_table(without_run_key(results, hazard_table(results))) +
+         wide_table(without_run_key(results, hazard_targets_table(results))) +
          heading("Slip over " + life_text(hazard)) +
          paragraph(
              "Earthquakes are a Poisson process with the rates of the hazard curve. Each has a "

@@ -75,10 +75,11 @@ std::string summary(const Results& results) {
 
 Html section(const Results& results) {
   const Table crossings = shape_crossings_table(results);
-  return heading("Shape of the fragilities") + wide_table(shape_table(results)) +
-         wide_table(shape_models_table(results)) +
-         (crossings.rows.empty() ? Html() : wide_table(crossings)) +
-         wide_table(shape_surface_table(results)) +
+  return heading("Shape of the fragilities") +
+         wide_table(without_run_key(results, shape_table(results))) +
+         wide_table(without_run_key(results, shape_models_table(results))) +
+         (crossings.rows.empty() ? Html() : wide_table(without_run_key(results, crossings))) +
+         wide_table(without_run_key(results, shape_surface_table(results))) +
          paragraph("Every level, with the share of recrossings: tables/shape_levels.csv.");
 }
 

@@ -52,10 +52,10 @@ Table records_table(const Results& results) {
               {}};
   const auto yes_no = [](bool value) -> std::string { return value ? "yes" : "no"; };
   for (const RecordSummary& r : results.records) {
-    table.add({static_cast<double>(table.rows.size() + 1), results.suites.at(r.suite).name, r.id, r.event, r.station, r.magnitude,
-               r.distance_km, r.vs30_mps, r.suite_scale, r.factor_at_unit_level, r.pga_g, r.pgv_mps,
-               r.pgd_m, r.duration_s, r.dt_s, static_cast<double>(r.samples), yes_no(r.has_second),
-               yes_no(r.has_vertical)});
+    table.add({static_cast<double>(table.rows.size() + 1), results.suites.at(r.suite).name, r.id,
+               r.event, r.station, r.magnitude, r.distance_km, r.vs30_mps, r.suite_scale,
+               r.factor_at_unit_level, r.pga_g, r.pgv_mps, r.pgd_m, r.duration_s, r.dt_s,
+               static_cast<double>(r.samples), yes_no(r.has_second), yes_no(r.has_vertical)});
   }
   return results.suites.size() > 1 ? table : table.without("suite");
 }
