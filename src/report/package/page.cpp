@@ -259,7 +259,7 @@ Html hazard_html(const CalculationPackage& package) {
              "Over "
              "the design life earthquakes are a Poisson process with the rates of the hazard "
              "curve; residual displacements add up as vectors, and the array is not put back.") +
-         page_table(of_periods(hazard_table(package.probability))) +
+         page_table(of_periods(hazard_table(package.probability).without("fit_rate"))) +
          page_table(of_periods(shown_design_life_table(package.probability)));
 }
 
