@@ -146,7 +146,7 @@ std::vector<Sensitivity> sensitivity_of(const Project& project, const Results& d
   table.vary("roof slope", &Inputs::slope_deg,
              [](double value) { return fmt::format("{:.3g} degrees", value); });
   table.vary("mass ratio", &Inputs::mass_ratio,
-             [](double value) { return fmt::format("{:g}", value); });
+             [](double value) { return fmt::format("{:.3g}", value); });
   table.vary("vertical motion", &Inputs::vertical, [](VerticalChoice use) -> std::string {
     return use == VerticalChoice::none ? "without" : "with";
   });

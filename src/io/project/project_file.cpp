@@ -181,9 +181,13 @@ ProjectBuilding read_building(const TomlTable& table, const Project& project) {
     if (!to_one.is_met(ratio))
       table.report("array_weight_kn", "the array weighs more than the building", "check the units");
     building.mass_ratio = {ratio};
+    const auto in_both = [&](double value_kn) {
+      const std::string si = fmt::format("{:.1f} kN", value_kn),
+                        us = fmt::format("{:.1f} kip", value_kn / pound_force_n);
+      return project.units == UnitSystem::si ? si + " (" + us + ")" : us + " (" + si + ")";
+    };
     building.mass_basis =
-        fmt::format("project file: weights of {:.4g} kN ({:.4g} kip) and {:.4g} kN ({:.4g} kip)",
-                    array_kn, array_kn / pound_force_n, weight_kn, weight_kn / pound_force_n);
+        "project file: weights of " + in_both(array_kn) + " and " + in_both(weight_kn);
   } else {
     building.mass_ratio = read_values(table, "mass_ratio", to_one);
   }

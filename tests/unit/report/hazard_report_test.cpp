@@ -79,8 +79,8 @@ TEST(hazard_report, tells_of_the_least_favourable_combination_and_names_it) {
     return format_rate(r.hazard->runs[run].thresholds[0].annual_rate);
   };
   ASSERT_NE(rate(0), rate(1));
-  const std::string told = "At slope 2.39 deg: " + format_length(r.thresholds_m[0]);
-  EXPECT_THAT(answer_sentences(r), Contains(AllOf(HasSubstr("Least favourable"), HasSubstr(told),
+  const std::string shown = "At slope 2.39 deg: " + format_length(r.thresholds_m[0]);
+  EXPECT_THAT(answer_sentences(r), Contains(AllOf(HasSubstr("Least favourable"), HasSubstr(shown),
                                                   HasSubstr("annual rate " + rate(1)))));
   EXPECT_THAT(answer_sentences(r)[0], HasSubstr("the least favourable combination, friction " +
                                                 r.runs[1].friction_description));

@@ -197,8 +197,8 @@ std::string fragility_summary(const Results& results) {
 
 std::vector<std::string> sentences(const Results& results) {
   std::vector<std::string> sentences;
-  const std::size_t told = least_favourable_run(results);
-  const RunResults& run = results.runs[told];
+  const std::size_t shown = least_favourable_run(results);
+  const RunResults& run = results.runs[shown];
   if (lists_more_than_friction_value(results))
     sentences.push_back("Of " + least_favourable(results) + ":");
   for (const ThresholdFragility& fragility : run.fragilities)
@@ -213,7 +213,7 @@ std::vector<std::string> sentences(const Results& results) {
     sentences.push_back(
         "An array that is anchored does not slide: fragility is of the isolated array.");
   for (std::size_t r = 0; r < results.runs.size(); ++r)
-    if (r != told) sentences.push_back(other_run_sentence(results, results.runs[r]));
+    if (r != shown) sentences.push_back(other_run_sentence(results, results.runs[r]));
   std::erase(sentences, "");
   return sentences;
 }

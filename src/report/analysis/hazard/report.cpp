@@ -149,8 +149,8 @@ Html section(const Results& results) {
 }  // namespace
 
 std::vector<std::string> hazard_sentences(const Results& results) {
-  const std::size_t told = least_favourable_run(results);
-  const HazardRun& run = results.hazard->runs[told];
+  const std::size_t shown = least_favourable_run(results);
+  const HazardRun& run = results.hazard->runs[shown];
   std::vector<std::string> all;
   for (const ThresholdRate& row : run.thresholds)
     all.push_back(threshold_sentence(*results.hazard, row));
@@ -158,7 +158,7 @@ std::vector<std::string> hazard_sentences(const Results& results) {
     all.push_back(target_sentence(results, run, row));
   for (std::string& sentence : life_sentences(results, run)) all.push_back(std::move(sentence));
   if (lists_more_than_friction_value(results)) {
-    const std::string name = run_name(results, results.runs[told]);
+    const std::string name = run_name(results, results.runs[shown]);
     for (std::string& sentence : all) sentence = "At " + name + ": " + sentence;
     all.front() = "Least favourable combination. " + all.front();
   }
