@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <set>
 
 #include "glissade/core/contract.hpp"
 #include "glissade/core/units.hpp"
@@ -236,12 +235,6 @@ std::vector<std::string> records_with_uplift(const Results& results, std::size_t
   return ids;
 }
 
-std::size_t different_records(const Results& demand) {
-  std::set<double> arias_mps;  // of one motion the same to the last bit
-  for (const RecordSummary& record : demand.records) arias_mps.insert(record.arias_mps);
-  return arias_mps.size();
-}
-
 namespace {
 
 /// Levels of the demand study.
@@ -251,7 +244,7 @@ constexpr std::size_t at_dbe = 0, at_mce = 1;
 
 std::vector<DesignCheck> checks_before_analysis(const Project& project, std::size_t records) {
   std::vector<DesignCheck> checks;
-  checks.push_back({"different records", fmt::format("{}", records),
+  checks.push_back({"records", fmt::format("{}", records),
                     fmt::format("{} or more; of fewer the largest counts in place of the mean "
                                 "(SEAOC PV1-2012, recalled)",
                                 least_records),
@@ -304,7 +297,7 @@ std::vector<DesignCheck> checks_of(const Project& project, const Results& demand
       design.demand, [](const PeriodDemand& d) { return std::isfinite(d.largest_m); });
   checks.push_back(
       {"histories without a finite displacement", finite ? "none" : "some", "none", finite});
-  const std::vector<DesignCheck> known = checks_before_analysis(project, different_records(demand));
+  const std::vector<DesignCheck> known = checks_before_analysis(project, records);
   checks.insert(checks.end(), known.begin(), known.end());
   return checks;
 }

@@ -5,9 +5,8 @@
 
 namespace glissade {
 
-/// For a mean to count (SEAOC PV1-2012, recalled): a motion that is there several times is one.
+/// For a mean to count (SEAOC PV1-2012, recalled).
 inline constexpr std::size_t least_records = 7;
-std::size_t different_records(const Results& demand);
 
 /// What the project's conditions require with this friction.
 double required_m(const Project& project, const Results& demand, double friction);

@@ -34,7 +34,7 @@ bool is_among(const std::vector<double>& values, double value) {
 /// What a mean requires; of few records the largest of them.
 double required_m(const Results& demand, const SuiteMean& mean) {
   return demand.clearance->factor *
-         (different_records(demand) < least_records ? mean.largest : mean.range.highest);
+         (demand.records.size() < least_records ? mean.largest : mean.range.highest);
 }
 
 /// One of the project's own conditions at S_DS: neither of a slope, a mass ratio or a period that
@@ -195,7 +195,7 @@ DesignClearance design_clearance(const Project& project, const Results& demand) 
   design.vertical = inputs.vertical;
   design.period_s = governing.period_s;
   design.factor = demand.clearance->factor;
-  design.of_largest = different_records(demand) < least_records;
+  design.of_largest = demand.records.size() < least_records;
   design.analysis_m = required_m(demand, governing);
   design.demand = largest_demands(project, demand);
   for (const PeriodDemand& d : design.demand)

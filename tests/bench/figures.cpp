@@ -17,16 +17,18 @@
 namespace glissade::bench {
 namespace {
 
-/// Two log-log panels side by side.
-void gnuplot(const std::filesystem::path& svg, const char* title, const std::string& script) {
+/// Two log-log panels side by side, above `foot` of the figure's height.
+void gnuplot(const std::filesystem::path& svg, const char* title, double foot,
+             const std::string& script) {
   const std::filesystem::path script_file = std::filesystem::path(svg).replace_extension(".gp");
   write_text_file(script_file,
-                  fmt::format("set terminal svg size 1000,500 font 'Helvetica,14' background "
+                  fmt::format("set terminal svg size 1000,560 font 'Helvetica,14' background "
                               "'#ffffff'\nset output '{}'\nset grid lc rgb '#dddddd' lt 1 lw 0.7\n"
                               "set logscale xy\nset format xy '10^{{%T}}'\nset border 3\n"
                               "set style textbox opaque noborder margins 0.2,0.2\n"
-                              "set tics nomirror\nset multiplot layout 1,2 title '{}'\n{}",
-                              svg.string(), title, script));
+                              "set tics nomirror\nset multiplot layout 1,2 title '{}' margins "
+                              "0.09,0.98,{},0.9 spacing 0.1,0\n{}",
+                              svg.string(), title, foot, script));
   if (std::system(fmt::format("gnuplot --default-settings '{}'", script_file.string()).c_str()) !=
       0)
     throw std::runtime_error("gnuplot failed on " + script_file.string());
@@ -36,12 +38,13 @@ void gnuplot(const std::filesystem::path& svg, const char* title, const std::str
 /// By family, in the order of the table: colours that colour-blind readers can distinguish (Okabe &
 /// Ito 2008).
 constexpr std::array colours{"#0072b2", "#d55e00", "#009e73", "#b05090", "#333333", "#9a6a00"};
+/// Points of gnuplot that greyscale distinguishes too.
+constexpr std::array points{7, 5, 9, 13, 6, 4};
 
 /// A family's points: (mean time of a history that slides, error, label).
 struct Curve {
   std::string name, points;
   std::size_t count = 0;
-  double first_us = 0.0, first_error = 0.0, last_us = 0.0, last_error = 0.0;
 };
 
 /// "64" at P = 64, of the curve between the other two its last one only: the steps are those of the
@@ -65,83 +68,67 @@ std::vector<Curve> curves_of(const std::vector<SchemeResult>& results,
   for (const SchemeResult& s : results) {
     if (s.judged == 0) continue;
     const double us = s.sliding.mean_us, shown = std::max(s.*error, 1e-16);
-    if (curves.empty() || curves.back().name != s.family)
-      curves.push_back({s.family, "", 0, us, shown});
+    if (curves.empty() || curves.back().name != s.family) curves.push_back({s.family, ""});
     Curve& curve = curves.back();
     curve.points += fmt::format("{} {} \"{}\"\n", us, shown, point_label(s));
-    curve.last_us = us;
-    curve.last_error = shown;
     ++curve.count;
   }
   return curves;
 }
 
-/// The name beside the curve: after or, near slide's, under a lone point; above the start of the
-/// uppermost (published) curve, under the end of the lowest (one-way), before the start of the one
-/// between.
-std::string name_of(const Curve& curve, const char* colour, std::size_t) {
-  const auto label = [&](double us, double error, const char* where) {
-    return fmt::format("set label '{}' at {},{} {} noenhanced tc rgb '{}'\n", curve.name, us, error,
-                       where, colour);
-  };
-  if (curve.name == "peak_slip")
-    return label(curve.first_us, curve.first_error, "offset -0.5,-1.1");
-  if (curve.count == 1) return label(curve.first_us, curve.first_error, "offset 1,0");
-  if (curve.name.ends_with("one-way"))
-    return label(curve.last_us, curve.last_error, "right offset 0,-1");
-  if (curve.name.starts_with("Newmark"))
-    return label(curve.first_us, curve.first_error, "right offset -1,0 font ',12'");
-  return label(curve.first_us, curve.first_error, "offset -4,2");
+/// The names of the curves below both panels, three in a row, and what else is in the figure.
+std::string names_of(const std::vector<Curve>& curves, const std::string& note) {
+  std::string script = fmt::format(
+      "set label 'dashed: one pass over the samples; {}' at screen 0.03,0.02 left tc rgb "
+      "'#555555'\n",
+      note);
+  for (std::size_t i = 0; i < curves.size(); ++i)
+    script += fmt::format(
+        "set label '{}' at screen {},{} left noenhanced tc rgb '{}' point pt {} ps 1 lc rgb '{}' "
+        "offset 1,0\n",
+        curves[i].name, 0.03 + 0.33 * static_cast<double>(i % 3),
+        0.12 - 0.05 * static_cast<double>(i / 3), colours[i % colours.size()],
+        points[i % points.size()], colours[i % colours.size()]);
+  return script;
 }
 
 /// Error against time, median left, largest right, the floor first of the results.
-/// @param settings ranges and key, and what the labels at the points are
-/// @param name_of what writes a curve's name beside it
-template <class NameOf>
-std::string error_panels(const std::vector<SchemeResult>& results, const std::string& settings,
-                         const char* point_labels, NameOf name_of) {
+void draw(const std::vector<SchemeResult>& results, const char* title, const std::string& note,
+          const std::filesystem::path& svg) {
   const double floor_us = results.front().sliding.mean_us;
   std::string script =
-      settings +
-      "set format x '%g'\n"
+      "set xrange [0.1:1e5]\nset yrange [1e-17:1e3]\nunset key\nset format x '%g'\n"
       "set xtics ('0.1' 0.1, '1' 1, '10' 10, '100' 100, '1,000' 1e3, '10,000' 1e4, '' 1e5)\n"
       "set ytics 1e-16,1e2\nunset mytics\nset xlabel 'mean time of a history that slides, µs'\n";
   for (const bool largest : {false, true}) {
     const std::vector<Curve> curves =
         curves_of(results, largest ? &SchemeResult::largest_error : &SchemeResult::median_error);
-    script += fmt::format("set ylabel '{} relative error in peak slip'\nunset label\nunset arrow\n",
-                          largest ? "largest" : "median");
     script += fmt::format(
-        "set arrow from {0},graph 0 to {0},graph 1 nohead dt 2 lc rgb '#555555'\n"
-        "set label '{1}' at graph 0.98,graph 0.03 right font ',11' tc rgb '#555555'\n"
-        "set label 'one pass over the samples' at {0},graph 0.3 rotate by 90 center offset -0.8,0 "
-        "tc rgb '#555555'\n",
-        floor_us, point_labels);
+        "set ylabel '{1} relative error in peak slip'\nunset label\nunset arrow\n"
+        "set arrow from {0},graph 0 to {0},graph 1 nohead dt 2 lc rgb '#555555'\n{2}",
+        floor_us, largest ? "largest" : "median", largest ? "" : names_of(curves, note));
     std::string plot;
     for (std::size_t i = 0; i < curves.size(); ++i) {
-      const char* colour = colours[i % colours.size()];
       script += fmt::format("$c{} << EOD\n{}EOD\n", i, curves[i].points);
-      script += name_of(curves[i], colour, i);
       plot += fmt::format(
-          "{0}$c{1} using 1:2 with {3} pt 7 ps 0.7 lc rgb '{2}', $c{1} "
-          "using 1:2:3 with labels boxed {4} font ',10' tc rgb '{2}'",
-          i == 0 ? "plot " : ", ", i, colour, curves[i].count > 1 ? "linespoints lw 2" : "points",
+          "{0}$c{1} using 1:2 with {3} pt {4} ps 0.8 lc rgb '{2}', $c{1} "
+          "using 1:2:3 with labels boxed {5} font ',10' tc rgb '{2}'",
+          i == 0 ? "plot " : ", ", i, colours[i % colours.size()],
+          curves[i].count > 1 ? "linespoints lw 2" : "points", points[i % points.size()],
           curves[i].name.starts_with("slide_two_ax")        ? "right offset -0.6,0"
           : curves[i].name.starts_with("Newmark trapezoid") ? "left offset 0.6,0.2"
                                                             : "offset 0.4,0.7");
     }
     script += plot + "\n";
   }
-  return script;
+  gnuplot(svg, title, 0.26, script);
 }
 
 }  // namespace
 
 void draw_schemes(const WorkPrecision& measured, const std::filesystem::path& svg) {
-  gnuplot(
-      svg, "Error in peak slip over run time: one axis, roof motion given",
-      error_panels(measured.schemes, "set xrange [0.1:1e5]\nset yrange [1e-18:1e4]\nunset key\n",
-                   "at the points: substeps per sample", name_of));
+  draw(measured.schemes, "Error in peak slip over run time: one axis, roof motion given",
+       "at the points: substeps per sample", svg);
 }
 
 void draw_trial(const std::vector<SchemeResult>& results, const char* title,
@@ -155,22 +142,7 @@ void draw_trial(const std::vector<SchemeResult>& results, const char* title,
         s.family.starts_with("slide_two_ax") || s.family.starts_with("slide_on_building");
     return !is_of_two_axes || std::ranges::find(curves, s.family) != curves.end();
   });
-  // Of lone points right of them, above the spring's curve, below the ends of the others: a line
-  // each.
-  const auto name = [](const Curve& curve, const char* colour, std::size_t i) {
-    const auto label = [&](double us, double error, const std::string& where) {
-      return fmt::format("set label '{}' at {},{} {} noenhanced font ',12' tc rgb '{}'\n",
-                         curve.name, us, error, where, colour);
-    };
-    if (curve.count == 1) return label(500.0, 1e-16 * std::pow(40.0, i), "left");
-    if (curve.name.starts_with("Newmark"))
-      return label(curve.first_us, curve.first_error, "right offset -1,0.8");
-    return label(curve.last_us, curve.last_error,
-                 fmt::format("right offset 0,{}", -1.0 - 1.3 * static_cast<double>(i)));
-  };
-  gnuplot(svg, title,
-          error_panels(shown, "set xrange [0.1:1e5]\nset yrange [1e-18:1e4]\nunset key\n",
-                       "at the points: substeps per sample, or tolerance", name));
+  draw(shown, title, "at the points: substeps per sample, or tolerance", svg);
 }
 
 void draw_fragility(const FragilityError& measured, const std::filesystem::path& svg) {
@@ -213,7 +185,7 @@ void draw_fragility(const FragilityError& measured, const std::filesystem::path&
     }
     script += plot + "\n";
   }
-  gnuplot(svg, "Error of a fragility over run time: slip of 0.3 m, two motions", script);
+  gnuplot(svg, "Error of a fragility over run time: slip of 0.3 m, two motions", 0.12, script);
 }
 
 }  // namespace glissade::bench

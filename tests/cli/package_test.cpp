@@ -272,27 +272,6 @@ TEST_F(Package, check_of_a_project_says_what_would_run_and_writes_nothing) {
   EXPECT_THAT(taken.err, HasSubstr("--overwrite"));
 }
 
-// A mean of seven is one of seven earthquakes.
-TEST_F(Package, check_counts_a_motion_that_is_there_several_times_once) {
-  for (const double phase : {0.0, 1.0}) {
-    std::string samples;
-    for (int i = 0; i < 500; ++i) samples += std::to_string(0.3 * std::sin(0.1 * i + phase)) + "\n";
-    folder_->write(phase == 0.0 ? "first.txt" : "second.txt", samples);
-  }
-  std::string suite = "[suite]\nname = \"twins\"\n";
-  for (int i = 0; i < 7; ++i)
-    suite += "[[record]]\nid = \"r" + std::to_string(i) + "\"\n" +
-             "first = { file = \"first.txt\", dt_s = 0.02, units = \"g\" }\n" +
-             "second = { file = \"second.txt\", dt_s = 0.02, units = \"g\" }\n";
-  const std::string text =
-      replaced(moved_project(), GLISSADE_SOURCE_DIR "/suites/synthetic_level2.toml",
-               folder_->write("twins.toml", suite));
-  const Finished child = run_program({"check", folder_->write("twins_project.toml", text)});
-  ASSERT_EQ(child.status, 0) << child.err;
-  EXPECT_THAT(one_line(child.out), HasSubstr("different records: 1; required: 7"));
-  EXPECT_THAT(one_line(child.out), HasSubstr("it counts 7 times"));
-}
-
 TEST_F(Package, check_warns_that_11_4_8_needs_s_1_and_the_site_class) {
   const std::string text =
       replaced(moved_project(), "ss_g = 1.313\ns1_g = 0.471\nsite_class = \"default\"",

@@ -129,7 +129,7 @@ inline constexpr const char* simulated_motions_warning =
     "the motions of this suite are simulated and do not serve for a permit: repeat the calculation "
     "with recorded motions";
 
-/// Of the number of different records and the friction.
+/// Of the number of records and the friction.
 std::vector<DesignCheck> checks_before_analysis(const Project& project, std::size_t records);
 /// A warning.
 std::string not_met_text(const DesignCheck& check);

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <set>
 
 #include "commands.hpp"
 #include "glissade/core/error.hpp"
@@ -14,7 +13,6 @@
 #include "glissade/io/project_file.hpp"
 #include "glissade/io/study_file.hpp"
 #include "glissade/io/suite_file.hpp"
-#include "glissade/motion/intensity.hpp"
 #include "glissade/report/format.hpp"
 #include "glissade/study/plan/plan.hpp"
 #include "output_rule.hpp"
@@ -92,12 +90,6 @@ void print_prescribed(const std::vector<PrescribedValue>& prescribed) {
   }
 }
 
-std::size_t different_motions(const Suite& suite) {
-  std::set<double> arias_mps;  // of one motion the same to the last bit
-  for (const Motion& motion : suite.motions) arias_mps.insert(arias_intensity_mps(motion));
-  return arias_mps.size();
-}
-
 }  // namespace
 
 void check_project(const fs::path& file, const fs::path& out) {
@@ -129,7 +121,7 @@ void check_project(const fs::path& file, const fs::path& out) {
     }
   }
   if (record_files(project.suite).empty()) warnings.emplace_back(simulated_motions_warning);
-  for (const DesignCheck& check : checks_before_analysis(project, different_motions(suite)))
+  for (const DesignCheck& check : checks_before_analysis(project, suite.motions.size()))
     if (!check.is_met) warnings.push_back(not_met_text(check));
   for (const std::string& warning : warnings)
     fmt::print("{}\n", wrapped("WARNING: " + warning, terminal_width, 2));

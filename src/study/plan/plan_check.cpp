@@ -2,8 +2,10 @@
 #include "plan/plan_check.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <map>
 #include <optional>
 
 #include "cases/case_scene.hpp"
@@ -200,8 +202,27 @@ std::optional<MissedTarget> missed_target(const Plan& plan, std::size_t suite) {
       longest_s > longest_scaled_period_s};
 }
 
+std::vector<std::string> copied_records(const Plan& plan) {
+  std::map<std::pair<std::size_t, double>, std::vector<std::string>> ids;
+  for (std::size_t i = 0; i < plan.records.size(); ++i)
+    ids[{plan.records[i].suite, arias_intensity_mps(plan.motion(i))}].push_back(plan.motion(i).id);
+  std::vector<std::string> sentences;
+  for (const auto& [motion, same] : ids) {
+    if (same.size() > 1)
+      sentences.push_back(fmt::format("records {} are the same motion: it counts {} times",
+                                      fmt::join(same, ", "), same.size()));
+  }
+  return sentences;
+}
+
 void check_clearance(const Plan& plan) {
-  if (!gives_clearance(plan) || plan.config.is_without_target()) return;
+  if (!gives_clearance(plan)) return;
+  ProblemList copies;
+  for (const std::string& sentence : copied_records(plan))
+    copies.add({plan.config.suite_files.front().string(), sentence,
+                "keep one of them: mean, percentiles and intervals are of different records", ""});
+  copies.throw_if_any();
+  if (plan.config.is_without_target()) return;
   const std::string table = plan.config.clearance ? "clearance" : "chart";
   ProblemList problems;
   for (std::size_t suite = 0; suite < plan.suites.size(); ++suite) {

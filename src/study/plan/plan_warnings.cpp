@@ -2,13 +2,10 @@
 #include "plan/plan_warnings.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <map>
 
 #include "glissade/motion/improbable.hpp"
-#include "glissade/motion/intensity.hpp"
 #include "glissade/sampling/pull_test.hpp"
 #include "plan/length_unit.hpp"
 #include "plan/plan_check.hpp"
@@ -164,20 +161,8 @@ Warnings hazard_curve(const Plan& plan) {
   return warnings;
 }
 
-/// Each counts as a record of its own in means and intervals. Their Arias intensities are equal to
-/// the last bit.
-Warnings same_motions(const Plan& plan) {
-  std::map<double, std::vector<std::string>> ids;
-  for (std::size_t i = 0; i < plan.records.size(); ++i)
-    ids[arias_intensity_mps(plan.motion(i))].push_back(plan.motion(i).id);
-  Warnings warnings;
-  for (const auto& [arias_mps, same] : ids) {
-    if (same.size() > 1)
-      warnings.push_back(fmt::format("records {} are the same motion: it counts {} times",
-                                     fmt::join(same, ", "), same.size()));
-  }
-  return warnings;
-}
+/// Each counts as a record of its own in means and intervals.
+Warnings same_motions(const Plan& plan) { return copied_records(plan); }
 
 /// The target of the study replaces it.
 Warnings other_targets(const Plan& plan) {

@@ -434,6 +434,22 @@ TEST(plan, refuses_a_clearance_of_a_suite_that_does_not_meet_its_target) {
   EXPECT_NEAR(make_plan(config, {suite}).factor_at_unit_level[0] / below, 1.799, 1e-3);
 }
 
+// A mean of seven is one of seven earthquakes.
+TEST(plan, refuses_a_clearance_of_copies_of_a_record) {
+  Suite suite = small_suite();
+  suite.motions.push_back(suite.motions.front());
+  suite.motions.back().id = "again";
+  StudyConfig config = small_config();
+  config.standards.compare.clear();
+  config.clearance = ClearanceConfig{};
+  try {
+    make_plan(config, {suite});
+    ADD_FAILURE() << "not refused";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr("records motion0, again are the same motion"));
+  }
+}
+
 TEST(plan, refuses_a_chart_clearance_alike) {
   StudyConfig config = small_config();
   config.intensity.measure = IntensityMeasure::mce_fraction;
