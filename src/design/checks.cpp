@@ -112,6 +112,11 @@ std::vector<std::string> improbable_values(const ProjectBuilding& building, Unit
 std::vector<std::string> choices_of(const ProjectFriction& friction) {
   std::vector<std::string> texts;
   for (const DirectionFriction& d : friction.tested) {
+    if (d.sliding.tests < 2)
+      texts.push_back(fmt::format(
+          "direction {} of the pull tests has one test, which gives no design friction: it is not "
+          "used",
+          d.direction));
     if (d.sliding.mean_minus_2_std < friction.design())
       texts.push_back(fmt::format(
           "friction.direction = \"{}\" has the design friction {:.3f}, direction {} only {:.3f}: "
@@ -124,7 +129,7 @@ std::vector<std::string> choices_of(const ProjectFriction& friction) {
 
 constexpr const char* unchecked_spectrum =
     "whether the site-specific spectrum is 80 % of that of the site class or more (ASCE 7-16, "
-    "21.3, recalled: verify) is not checked: it requires S_S, S_1 and site class";
+    "21.3, recalled: verify) is not checked: compare it with that of S_S, S_1 and site class";
 
 std::string improbable_hazard(const Project& project) {
   if (!project.hazard) return "";
@@ -168,6 +173,18 @@ std::vector<std::string> choices_of(const Project& project) {
                   project.friction.mean - 2.0 * project.friction.std));
   for (std::string& text : improbable_values(project.building, project.units))
     texts.push_back(std::move(text));
+  constexpr double widest_step = 1.3;
+  const std::vector<double>& periods_s = project.building.period_s;
+  for (std::size_t i = 1; i < periods_s.size(); ++i)
+    add(periods_s[i] > widest_step * periods_s[i - 1],
+        fmt::format("between the building periods {:g} and {:g} s nothing is computed, where the "
+                    "displacement may be larger: give periods at most {:g} times apart",
+                    periods_s[i - 1], periods_s[i], widest_step));
+  constexpr double least_mass_ratio = 1e-3;
+  add(project.building.mass_ratio.back() < least_mass_ratio,
+      fmt::format("the array has {:.2g} times the mass of the building: are the weights in one "
+                  "unit?",
+                  project.building.mass_ratio.back()));
   add(project.building.damping == 0.0, "the building has no damping (damping = 0)");
   for (const auto& available_m : project.available_m)
     add(available_m && *available_m > most_clearance_m,
@@ -210,6 +227,8 @@ const PrescribedValue& of_standard(const Project& project, const DesignClearance
 std::vector<std::string> reservations_on(const Project& project, const DesignClearance& design) {
   std::vector<std::string> found;
   if (!project.site.target.period_s.empty()) found.emplace_back(unchecked_spectrum);
+  if (std::string required = hazard_analysis_required(project.site.target); !required.empty())
+    found.push_back(std::move(required));
   if (const std::string not_met = of_standard(project, design).not_met(); !not_met.empty())
     found.push_back("conditions of the standard that are not met or not stated: " + not_met);
   for (const DesignCheck& check : design.checks) {

@@ -168,7 +168,10 @@ std::vector<Sensitivity> sensitivity_of(const Project& project, const Results& d
 const ExceedanceAt& largest_exceedance(const DesignClearance& design, const std::string& level) {
   const ExceedanceAt* largest = nullptr;
   for (const ExceedanceAt& e : design.exceedance) {
-    if (e.level == level && (largest == nullptr || e.probability > largest->probability))
+    if (e.level != level) continue;
+    const bool is_governing = e.period_s == design.period_s;  // of equal ones
+    if (largest == nullptr || e.probability > largest->probability ||
+        (e.probability == largest->probability && is_governing))
       largest = &e;
   }
   GLISSADE_EXPECTS(largest != nullptr);

@@ -86,6 +86,17 @@ std::vector<std::string> improbable_values(const Motion& motion) {
   return found;
 }
 
+std::string hazard_analysis_required(const DesignTarget& target) {
+  for (const SiteClass site : target.site_classes) {
+    if (needs_hazard_analysis(target, site))
+      return fmt::format(
+          "ASCE 7-16, 11.4.8 (recalled: verify) requires a ground motion hazard analysis of the "
+          "site, or an exception, for site class {} with S_S {:g} g and S_1 {:g} g",
+          to_string(site), target.ss_g, target.s1_g);
+  }
+  return "";
+}
+
 std::vector<std::string> improbable_values(const DesignTarget& target) {
   std::vector<std::string> found;
   if (!target.is_mapped()) {
@@ -117,14 +128,8 @@ std::vector<std::string> improbable_values(const DesignTarget& target) {
     found.push_back(
         "site class B: F_a and F_v are those of a measured shear wave velocity; without one ASCE "
         "7-16, 11.4.3 (recalled: verify), requires 1.0, which is more");
-  for (const SiteClass site : target.site_classes) {
-    if (!needs_hazard_analysis(target, site)) continue;
-    found.push_back(fmt::format(
-        "ASCE 7-16, 11.4.8 (recalled: verify) requires a ground motion hazard analysis of the "
-        "site, or an exception, for site class {} with S_S {:g} g and S_1 {:g} g",
-        to_string(site), target.ss_g, target.s1_g));
-    break;
-  }
+  if (std::string required = hazard_analysis_required(target); !required.empty())
+    found.push_back(std::move(required));
   return found;
 }
 

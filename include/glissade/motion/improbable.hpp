@@ -30,6 +30,8 @@ std::vector<std::string> improbable_values(const Motion& motion);
 /// S_S above most_probable_g, S_1 above S_S, and sites for which ASCE 7-16, 11.4.8 requires more
 /// than mapped values.
 std::vector<std::string> improbable_values(const DesignTarget& target);
+/// What ASCE 7-16, 11.4.8 requires of the site, empty: nothing.
+std::string hazard_analysis_required(const DesignTarget& target);
 
 /// Of a hazard curve at the MCE, which is exceeded about once in 2,475 years, near active faults
 /// more often (ASCE 7-16, 21.2, recalled); "" from 200 to 25,000 years.

@@ -110,7 +110,12 @@ void read_site(const TomlTable& table, Project& project) {
   if (has("spectrum"))
     project.spectrum_sha256 = sha256_of_file(project.file.parent_path() / project.spectrum_file);
   try {
-    static_cast<void>(TargetSpectrum(project.site.target));
+    const double sds_g = TargetSpectrum(project.site.target).sds_g();
+    if (has("spectrum") && sds_g > most_possible_g)
+      table.report("spectrum",
+                   fmt::format("S_DS of the spectrum is {:.3g} g: no site has more than {:g} g",
+                               sds_g, most_possible_g),
+                   "give it in g: divide percent by 100, m/s2 by 9.80665, cm/s2 by 980.665");
   } catch (const InputError& error) {
     table.report("", error);
   }

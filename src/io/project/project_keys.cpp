@@ -32,8 +32,9 @@ constexpr std::array keys{
     ProjectKey{"site", "spectrum", "\"site.csv\"", alternative,
                "a site-specific or multi-period spectrum: period_s, then design_sa_g or mce_sa_g"},
     ProjectKey{"site", "risk_category", "\"II\"", required, "\"I\" to \"IV\""},
-    ProjectKey{"building", "period_s", "[0.2, 0.5, 1.0]", required,
-               "a period, or several that bound it; or system and height_m"},
+    ProjectKey{
+        "building", "period_s", "[0.2, 0.5, 1.0]", required,
+        "a period, or several that bound it, at most 1.3 times apart; or system and height_m"},
     ProjectKey{
         "building", "system", "\"other\"", alternative,
         "steel_moment_frame, concrete_moment_frame, eccentrically_braced_frame or other (also "

@@ -198,7 +198,9 @@ std::vector<EvaluatedTests> read_sheet(const std::filesystem::path& file) {
     } else if (direction.empty() || !is_plain_text(direction)) {
       refuse({"name", "the direction is empty, or not UTF-8 text", "name it in every row"});
     } else {
-      const auto same = std::ranges::find(tests, direction, &EvaluatedTests::direction);
+      const auto same = std::ranges::find_if(tests, [&](const EvaluatedTests& known) {
+        return lower_case(known.direction) == lower_case(direction);
+      });
       if (same == tests.end())
         tests.push_back({direction, {*mu}});
       else

@@ -100,6 +100,11 @@ void check_one_form(const TomlTable& table) {
                    "leave one of them out");
     given = given == nullptr ? key : given;
   }
+  for (const char* key : {"s1_g", "site_class", "site_classes"}) {
+    if (table.has("spectrum") && table.has(key))
+      table.report_idle(
+          key, table.name_of("spectrum") + " and " + table.name_of(key) + " are both given");
+  }
 }
 
 }  // namespace

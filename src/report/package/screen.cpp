@@ -65,7 +65,10 @@ std::string governing_lines(const CalculationPackage& package) {
   }
   text += line("GOVERNING", fmt::format("{}, rounded up to {}", length_in_both(design.governing_m),
                                         length_in_both(design.rounded_m)));
-  return text + line("", "by " + governed_by(package));
+  text += line("", "by " + governed_by(package));
+  if (design.floor_governs)
+    text += line("", "after peer review the analysis alone: " + length_in_both(design.analysis_m));
+  return text;
 }
 
 std::string separation_lines(const CalculationPackage& package) {

@@ -103,7 +103,7 @@ std::string hazard_sentence(const CalculationPackage& package) {
       "is exceeded {} once in {} years, in 50 years with a probability of {}. Over {}, the array "
       "not "
       "put back, at the period at which it is largest: ",
-      curve_name(hazard), run.thresholds.front().beyond_share == 1.0 ? "less than" : "about",
+      curve_name(hazard), run.thresholds.front().beyond_share > 0.5 ? "at most" : "about",
       format_number(two_digits(1.0 / rate)), format_share(probability_in(50.0, rate)),
       life_text(hazard));
   if (farthest.p95_m == 0.0) return exceeded + "it does not slide in 95 % of such spans.";

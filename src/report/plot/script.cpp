@@ -157,6 +157,20 @@ int panel_rows(const Figure& figure) {
   return (static_cast<int>(figure.panels.size()) + 1) / panel_columns(figure);
 }
 
+/// Of the panel with most.
+int key_rows(const Figure& figure) {
+  int entries = 0;
+  for (const Panel& panel : figure.panels) entries = std::max(entries, key_entries(panel));
+  return (entries + figure.key_columns - 1) / figure.key_columns;
+}
+
+int title_lines(const Figure& figure) {
+  std::size_t lines = 1;
+  for (const Panel& panel : figure.panels)
+    lines = std::max(lines, wrapped(panel.title, panel_title_width).size());
+  return static_cast<int>(lines);
+}
+
 void add_panels(Script& script, const Figure& figure) {
   const bool several = figure.panels.size() > 1;
   if (several)
@@ -168,15 +182,8 @@ void add_panels(Script& script, const Figure& figure) {
   add_lines(script, figure.below, below_width, Quoted::Weight::plain);
   script.add("\n");
   if (several) {  // all panels are of the same size
-    int entries = 0;
-    std::size_t title_lines = 1;
-    for (const Panel& panel : figure.panels) {
-      entries = std::max(entries, key_entries(panel));
-      title_lines = std::max(title_lines, wrapped(panel.title, panel_title_width).size());
-    }
-    const int rows = (entries + figure.key_columns - 1) / figure.key_columns;
-    script.add("set tmargin {}\nset bmargin {}\n", 1.8 + 1.1 * static_cast<double>(title_lines),
-               4.5 + 1.3 * rows);
+    script.add("set tmargin {}\nset bmargin {}\n", 1.8 + 1.1 * title_lines(figure),
+               4.5 + 1.3 * key_rows(figure));
   }
   int index = 0;
   for (Panel panel : figure.panels) {
@@ -269,14 +276,14 @@ Figure labelled(Figure figure) {
 
 std::string script_of(const Figure& unlabelled) {
   const Figure figure = labelled(unlabelled);
-  int entries = 0;
-  for (const Panel& panel : figure.panels) entries = std::max(entries, key_entries(panel));
-  const int rows = (entries + figure.key_columns - 1) / figure.key_columns;
+  const int rows = key_rows(figure);
   // As wide as a printed page has room for letters of 9 pt and more.
   const int width_px = 840;
-  constexpr int key_px = 24;
-  const int height_px = figure.panels.size() > 1 ? 60 + panel_rows(figure) * (420 + key_px * rows)
-                                                 : figure.plot_height_px + key_px * rows;
+  constexpr int key_px = 24, title_px = 40;  // a line, and as much of the plot: the key needs both
+  const int panel_px = 420 + title_px * (title_lines(figure) - 1);
+  const int height_px = figure.panels.size() > 1
+                            ? 60 + panel_rows(figure) * (panel_px + key_px * rows)
+                            : figure.plot_height_px + key_px * rows;
   Script script;
   script.add(
       "# Draw again with: gnuplot {}.gp\n"

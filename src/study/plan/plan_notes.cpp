@@ -133,8 +133,8 @@ std::vector<Skip> skips_of(const Plan& plan) {
   if (std::ranges::all_of(plan.cases.all(), [](const Case& c) { return c.period_s == 0.0; }))
     skips.push_back({"roof motions filtered by a building", "the building is rigid", pairs});
   if (plan.order.size() < plan.cases.size()) {
-    skips.push_back({"cases that mirror another, or are the same",
-                     "their histories are those of that case",
+    skips.push_back({"histories of cases that mirror another, or are the same",
+                     "they are those of that case",
                      plan.records.size() * (plan.cases.size() - plan.order.size())});
   }
   if (config.standards.compare.empty())

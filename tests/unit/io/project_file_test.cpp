@@ -195,6 +195,39 @@ TEST_F(ProjectFile, bounds_without_the_period_between_them_are_a_warning) {
   EXPECT_EQ(about_bounds("[0.75, 1.5]"), 0);
 }
 
+TEST_F(ProjectFile, what_no_check_of_a_number_meets_is_a_warning) {
+  const auto warned = [&](const std::string& from, const std::string& to, const char* what) {
+    EXPECT_THAT(choices_of(read(changed(from, to))), testing::Contains(HasSubstr(what))) << to;
+  };
+  warned("period_s = [1.0, 0.5]", "period_s = [0.2, 3]",
+         "between the building periods 0.2 and 3 s");
+  warned("mass_ratio = 0.05", "array_weight_kn = 0.27\nweight_kn = 10700", "mass of the building");
+  warned("mass_ratio = 0.05", "mass_ratio = 0.05\ndamping = 0", "has no damping");
+  folder_.write("sheet.csv",
+                "direction,mu\nalong,0.50\nAlong,0.54\nalong,0.52\nalong,0.55\n"
+                "along,0.51\nalong,0.2\nacross,0.6\n");
+  const std::size_t begin = whole.find("[friction]");
+  const Project project = read(whole.substr(0, begin) + "[friction]\nfile = \"sheet.csv\"\n" +
+                               whole.substr(whole.find("[suite]")));
+  EXPECT_EQ(project.friction.tested.size(), 2u);  // Along is along
+  EXPECT_THAT(choices_of(project),
+              testing::AllOf(testing::Contains(HasSubstr("direction across of the pull tests has")),
+                             testing::Contains(HasSubstr("test 6 of 6"))));
+}
+
+TEST_F(ProjectFile, a_spectrum_in_another_unit_is_refused_by_its_key) {
+  folder_.write("site.csv", "period_s,design_sa_g\n0,34\n0.2,85\n1,45\n5,9\n");
+  const auto problems = problems_of(
+      changed("ss_g = 1.313\ns1_g = 0.471\nsite_class = \"default\"", "spectrum = \"site.csv\""));
+  ASSERT_GE(problems.size(), 1u);
+  EXPECT_THAT(problems.front().where, HasSubstr("p.toml"));
+}
+
+TEST_F(ProjectFile, beside_a_spectrum_mapped_values_have_no_effect) {
+  folder_.write("site.csv", "period_s,design_sa_g\n0,0.4\n0.2,1.0\n1,0.6\n5,0.12\n");
+  EXPECT_EQ(problems_of(changed("ss_g = 1.313\n", "spectrum = \"site.csv\"\n")).size(), 2u);
+}
+
 TEST_F(ProjectFile, an_array_that_slides_without_an_earthquake_is_refused) {
   const auto problems = problems_of(changed("rise_in_12 = 0.25", "slope_deg = 19"));
   EXPECT_TRUE(problems.empty());  // tan 19 deg is 0.34
