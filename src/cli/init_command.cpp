@@ -139,6 +139,9 @@ void write_checked(const InitOptions& o, const std::string& text) {
 }
 
 void init(InitOptions o) {
+  if (!o.is_project() && !o.system.empty())
+    throw InputError(
+        {"--system", "is of a project's building", "add --kind project, or give --period-s", ""});
   if (o.file.empty()) o.file = o.kind + ".toml";
   check_output_file(o.file, "file", o.overwrite);
   const ExampleFile file = o.is_project() ? project_file(o) : study_file(o);

@@ -72,6 +72,9 @@ TEST(Init, a_project_may_have_slopes_and_the_height_of_its_building) {
   EXPECT_THAT(text, HasSubstr("slope_deg = [\"0.25:12\", \"0.5:12\"]"));
   EXPECT_THAT(text, HasSubstr("height_m = \"54 ft\""));
   EXPECT_EQ(check(folder).status, 0);
+  expect_refused(run_program({"init", folder.path("study.toml").string(), "--suite", suite,
+                              "--system", "other", "--height", "54 ft"}),
+                 {"--system", "--kind project"});
 }
 
 TEST(Init, pull_tests_take_the_place_of_a_mean) {

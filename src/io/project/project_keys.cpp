@@ -33,7 +33,7 @@ constexpr std::array keys{
                "a site-specific or multi-period spectrum: period_s, then design_sa_g or mce_sa_g"},
     ProjectKey{"site", "risk_category", "\"II\"", required, "\"I\" to \"IV\""},
     ProjectKey{
-        "building", "period_s", "[0.2, 0.5, 1.0]", required,
+        "building", "period_s", "[0.4, 0.5, 0.6]", required,
         "a period, or several that bound it, at most 1.3 times apart; or system and height_m"},
     ProjectKey{
         "building", "system", "\"other\"", alternative,

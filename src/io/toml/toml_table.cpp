@@ -256,10 +256,11 @@ TomlDocument::TomlDocument(const std::filesystem::path& file) : state_(std::make
   try {
     state_->root = toml::parse(state_->text);
   } catch (const toml::parse_error& error) {
-    throw InputError(state_->problem(error.source().begin, std::string(error.description()),
-                                     file.extension() == ".csv"
-                                         ? "give the TOML file that names this table"
-                                         : "correct the TOML syntax"));
+    throw InputError(
+        state_->problem(error.source().begin, std::string(error.description()),
+                        file.extension() == ".csv"
+                            ? "this is a table (CSV): give a study, project or suite file (TOML)"
+                            : "correct the TOML syntax"));
   }
 }
 

@@ -84,6 +84,8 @@ std::string hazard_sentence(const CalculationPackage& package) {
   const HazardRun& run = *std::ranges::max_element(
       hazard.runs, {}, [](const HazardRun& r) { return r.thresholds.front().annual_rate; });
   const double rate = run.thresholds.front().annual_rate;
+  // Of the rate: the part of shaking beyond the levels, all of which is taken to exceed.
+  constexpr double mostly_assumed = 0.5;
   const auto largest_of = [&](LifeQuantity quantity) -> const LifeDisplacement& {
     const auto life = [&](const HazardRun& r) -> const LifeDisplacement& {
       return r.life.at(static_cast<std::size_t>(quantity));
@@ -103,7 +105,8 @@ std::string hazard_sentence(const CalculationPackage& package) {
       "is exceeded {} once in {} years, in 50 years with a probability of {}. Over {}, the array "
       "not "
       "put back, at the period at which it is largest: ",
-      curve_name(hazard), run.thresholds.front().beyond_share > 0.5 ? "at most" : "about",
+      curve_name(hazard),
+      run.thresholds.front().beyond_share > mostly_assumed ? "at most" : "about",
       format_number(two_digits(1.0 / rate)), format_share(probability_in(50.0, rate)),
       life_text(hazard));
   if (farthest.p95_m == 0.0) return exceeded + "it does not slide in 95 % of such spans.";

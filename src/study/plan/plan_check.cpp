@@ -202,12 +202,14 @@ std::optional<MissedTarget> missed_target(const Plan& plan, std::size_t suite) {
       longest_s > longest_scaled_period_s};
 }
 
-std::vector<std::string> copied_records(const Plan& plan) {
-  std::map<std::pair<std::size_t, double>, std::vector<std::string>> ids;
-  for (std::size_t i = 0; i < plan.records.size(); ++i)
-    ids[{plan.records[i].suite, arias_intensity_mps(plan.motion(i))}].push_back(plan.motion(i).id);
+std::vector<std::string> copied_records(const Plan& plan, std::optional<std::size_t> suite) {
+  std::map<double, std::vector<std::string>> ids;
+  for (std::size_t i = 0; i < plan.records.size(); ++i) {
+    if (!suite || plan.records[i].suite == *suite)
+      ids[arias_intensity_mps(plan.motion(i))].push_back(plan.motion(i).id);
+  }
   std::vector<std::string> sentences;
-  for (const auto& [motion, same] : ids) {
+  for (const auto& [arias_mps, same] : ids) {
     if (same.size() > 1)
       sentences.push_back(fmt::format("records {} are the same motion: it counts {} times",
                                       fmt::join(same, ", "), same.size()));
@@ -218,9 +220,12 @@ std::vector<std::string> copied_records(const Plan& plan) {
 void check_clearance(const Plan& plan) {
   if (!gives_clearance(plan)) return;
   ProblemList copies;
-  for (const std::string& sentence : copied_records(plan))
-    copies.add({plan.config.suite_files.front().string(), sentence,
-                "keep one of them: mean, percentiles and intervals are of different records", ""});
+  for (std::size_t suite = 0; suite < plan.suites.size(); ++suite) {
+    for (const std::string& sentence : copied_records(plan, suite))
+      copies.add({plan.config.suite_files[suite].string(), sentence,
+                  "keep one of them: mean, percentiles and intervals are of different records",
+                  ""});
+  }
   copies.throw_if_any();
   if (plan.config.is_without_target()) return;
   const std::string table = plan.config.clearance ? "clearance" : "chart";

@@ -21,8 +21,9 @@ struct MissedTarget {
 /// suite, as the study scales it, meets its target.
 std::optional<MissedTarget> missed_target(const Plan& plan, std::size_t suite);
 
-/// Sentences on records of a suite that are one motion: their Arias intensities are equal to the last bit.
-std::vector<std::string> copied_records(const Plan& plan);
+/// Sentences on records, of one suite or of all, that are one motion: their Arias intensities are
+/// equal to the last bit.
+std::vector<std::string> copied_records(const Plan& plan, std::optional<std::size_t> suite = {});
 
 /// Throws InputError where the study gives a clearance ([clearance], [chart]) of a suite that does
 /// not meet its target: from 0 to 2 s where the study does not scale it, and up to 1.5 times a

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Of which suites a clearance is refused.
+#include <gmock/gmock.h>
+
+#include <string>
+
+#include "glissade/core/error.hpp"
+#include "glissade/study/plan/plan.hpp"
+#include "unit/study/small_study.hpp"
+
+namespace glissade {
+namespace {
+
+using test::fixed;
+using test::listed;
+using test::small_config;
+using test::small_suite;
+
+StudyConfig config_without_target(StudyConfig config) {
+  config.clearance->without_target = true;
+  return config;
+}
+
+TEST(plan, refuses_a_clearance_of_a_suite_that_does_not_meet_its_target) {
+  StudyConfig config = small_config();
+  config.intensity.measure = IntensityMeasure::mce_fraction;
+  config.intensity.levels = {1.0};
+  config.standards.compare.clear();
+  config.clearance = ClearanceConfig{};
+  Suite suite = small_suite();
+  const auto refusal = [&]() -> std::string {
+    try {
+      make_plan(config, {suite});
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  const std::string message = refusal(), before = "multiply the suite's scales by ";
+  const std::size_t at = message.find(before);
+  ASSERT_NE(at, std::string::npos) << message;
+  const double missing = std::stod(message.substr(at + before.size()));
+  EXPECT_GT(missing, 1.0);
+  for (Motion& motion : suite.motions) motion.scale *= missing;
+  EXPECT_EQ(refusal(), "");
+  for (Motion& motion : suite.motions) motion.scale *= 0.97;
+  EXPECT_NE(refusal(), "");
+
+  config.clearance->without_target = true;
+  EXPECT_EQ(refusal(), "");
+  const auto of_scale = testing::HasSubstr("a scale of");  // of each record, above
+  EXPECT_THAT(make_plan(config, {suite}).warnings,
+              testing::UnorderedElementsAre(testing::HasSubstr("NOT FOR DESIGN"),
+                                            testing::HasSubstr("one axis"), of_scale, of_scale));
+  config.clearance->without_target = false;
+  suite.target.reset();
+  EXPECT_NE(refusal(), "");
+  suite.target = small_suite().target;
+  config.intensity.measure = IntensityMeasure::pga_g;
+  EXPECT_NE(refusal(), "");
+  config.intensity.measure = IntensityMeasure::sds_g;  // the study scales the suite
+  EXPECT_EQ(refusal(), "");
+
+  // to 2 s: of a longer building the suite must have motion at its period too
+  config.quantities.at("building", "period_s") = listed({0.5, 4.0});
+  EXPECT_THAT(refusal(), testing::HasSubstr("for a building period of 4 s it must be 0.9 times"));
+  const double below = make_plan(config_without_target(config), {suite}).factor_at_unit_level[0];
+  EXPECT_THAT(refusal(), testing::HasSubstr("scaled_to_s = 6, which multiplies all by 1.799"));
+  config.intensity.scaled_to_s = 6.0;
+  EXPECT_EQ(refusal(), "");
+  EXPECT_NEAR(make_plan(config, {suite}).factor_at_unit_level[0] / below, 1.799, 1e-3);
+}
+
+// A mean of seven is one of seven earthquakes.
+TEST(plan, refuses_a_clearance_of_copies_of_a_record) {
+  Suite suite = small_suite();
+  suite.motions.push_back(suite.motions.front());
+  suite.motions.back().id = "again";
+  StudyConfig config = small_config();
+  config.standards.compare.clear();
+  config.clearance = ClearanceConfig{};
+  try {
+    make_plan(config, {suite});
+    ADD_FAILURE() << "not refused";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr("records motion0, again are the same motion"));
+  }
+}
+
+TEST(plan, refuses_a_chart_clearance_alike) {
+  StudyConfig config = small_config();
+  config.intensity.measure = IntensityMeasure::mce_fraction;
+  config.intensity.levels = {1.0};
+  config.standards.compare.clear();
+  config.chart = ChartConfig{};
+  const auto refusal = [&]() -> std::string {
+    try {
+      make_plan(config, {small_suite()});
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_THAT(refusal(), testing::AllOf(testing::HasSubstr("[chart]: the suite's average"),
+                                        testing::HasSubstr("chart.without_target = true")));
+  config.chart->without_target = true;
+  EXPECT_EQ(refusal(), "");
+  EXPECT_THAT(make_plan(config, {small_suite()}).warnings,
+              testing::Contains(testing::StartsWith("NOT FOR DESIGN")));
+  config.chart->without_target = false;
+  config.intensity.measure = IntensityMeasure::pga_g;  // its chart has no clearance
+  EXPECT_EQ(refusal(), "");
+}
+
+}  // namespace
+}  // namespace glissade
