@@ -127,9 +127,53 @@ std::vector<std::string> choices_of(const ProjectFriction& friction) {
   return texts;
 }
 
-constexpr const char* unchecked_spectrum =
-    "whether the site-specific spectrum is 80 % of that of the site class or more (ASCE 7-16, "
-    "21.3, recalled: verify) is not checked: compare it with that of S_S, S_1 and site class";
+/// What is said of a spectrum by points that nothing stands beside; else empty.
+std::string unchecked_spectrum(const ProjectSite& site) {
+  if (site.target.period_s.empty() || site.mapped) return "";
+  return site.target.edition == AsceEdition::asce7_22
+             ? "the spectrum is taken for the multi-period one of ASCE 7-22, 11.4.5.1; whether one "
+               "of a site-specific analysis is 80 % of that or more (21.3, recalled: verify) is "
+               "not checked"
+             : "whether the site-specific spectrum is 80 % of that of the site class or more "
+               "(ASCE 7-16, 21.3, recalled: verify) is not checked: give site.ss_g, s1_g and "
+               "site_class beside the spectrum";
+}
+
+/// The spectrum of which a site-specific one has 80 % or more (ASCE 7-16, 21.3, recalled): classes
+/// D and E have their own coefficients there.
+DesignSpectrum general_spectrum(const DesignTarget& mapped, SiteClass site) {
+  const bool is_7_16 = mapped.edition == AsceEdition::asce7_16;
+  const bool is_d = is_7_16 && (site == SiteClass::d || site == SiteClass::unknown);
+  const bool is_e = is_7_16 && site == SiteClass::e;
+  const double fa =
+      is_e && mapped.ss_g >= 1.0 ? 1.0 : site_coefficient_fa(mapped.edition, site, mapped.ss_g);
+  const double fv = is_d   ? (mapped.s1_g < 0.2 ? 2.4 : 2.5)
+                    : is_e ? (mapped.s1_g <= 0.1 ? 4.2 : 4.0)
+                           : site_coefficient_fv(mapped.edition, site, mapped.s1_g);
+  return {fa * mapped.ss_g / mce_over_dbe, fv * mapped.s1_g / mce_over_dbe, mapped.tl_s};
+}
+
+DesignCheck site_specific_check(const ProjectSite& site) {
+  constexpr double least = 0.8;
+  const TargetSpectrum given(site.target);
+  SpectralRatio lowest{std::numeric_limits<double>::infinity(), 0.0};
+  for (const SiteClass site_class : site.mapped->site_classes) {
+    const DesignSpectrum general = general_spectrum(*site.mapped, site_class);
+    std::vector<double> periods_s = site.target.period_s;
+    for (const double corner_s : {general.t0_s(), general.ts_s(), general.tl_s})
+      if (corner_s <= site.target.period_s.back()) periods_s.push_back(corner_s);
+    for (const double period_s : periods_s) {
+      const double ratio = given.design_sa_g(period_s) / general.sa_g(period_s);
+      if (ratio < lowest.ratio) lowest = {ratio, period_s};
+    }
+  }
+  return {"site-specific spectrum over that of S_S, S_1 and site class",
+          fmt::format("{:.3f} or more (at {:.3g} s)", lowest.ratio, lowest.period_s),
+          fmt::format("{:g} or more (ASCE 7-16, 21.3, recalled: verify, with F_a and F_v of that "
+                      "section)",
+                      least),
+          lowest.ratio >= least};
+}
 
 std::string improbable_hazard(const Project& project) {
   if (!project.hazard) return "";
@@ -165,7 +209,8 @@ std::vector<std::string> choices_of(const Project& project) {
   add(site_7_16 && !project.site.target.is_mapped() && project.site.target.period_s.empty(),
       "S_DS and S_D1 are stated without S_S, S_1 and site class: whether ASCE 7-16, 11.4.8 "
       "(recalled: verify) requires a ground motion hazard analysis is not checked");
-  add(!project.site.target.period_s.empty(), unchecked_spectrum);
+  const std::string unchecked = unchecked_spectrum(project.site);
+  add(!unchecked.empty(), unchecked);
   add(!project.site.states_tl && project.site.target.period_s.empty(),
       fmt::format("site.tl_s is not stated: T_L = {:g} s is assumed", project.site.target.tl_s));
   add(project.friction.mean < 2.0 * project.friction.std,
@@ -226,7 +271,9 @@ const PrescribedValue& of_standard(const Project& project, const DesignClearance
 
 std::vector<std::string> reservations_on(const Project& project, const DesignClearance& design) {
   std::vector<std::string> found;
-  if (!project.site.target.period_s.empty()) found.emplace_back(unchecked_spectrum);
+  if (std::string unchecked = unchecked_spectrum(project.site);
+      !unchecked.empty() && project.site.target.edition != AsceEdition::asce7_22)
+    found.push_back(std::move(unchecked));
   if (std::string required = hazard_analysis_required(project.site.target); !required.empty())
     found.push_back(std::move(required));
   if (const std::string not_met = of_standard(project, design).not_met(); !not_met.empty())
@@ -268,6 +315,7 @@ std::vector<DesignCheck> checks_before_analysis(const Project& project, std::siz
                                 "(SEAOC PV1-2012, recalled)",
                                 least_records),
                     records >= least_records});
+  if (project.site.mapped) checks.push_back(site_specific_check(project.site));
   const ProjectFriction& mu = project.friction;
   const bool is_supported = mu.lower_bound && *mu.lower_bound >= least_supported * mu.design();
   checks.push_back(
@@ -351,10 +399,11 @@ std::vector<std::string> warnings_on(const Project& project, const Results& dema
                     design.period_s));
   } else if (moves && (design.period_s == design.demand.front().period_s ||
                        design.period_s == design.demand.back().period_s)) {
-    warnings.push_back(
-        fmt::format("the displacement is largest at an end of the range of periods, {:.3g} s: "
-                    "outside the range it may be larger",
-                    design.period_s));
+    warnings.push_back(fmt::format(
+        "the displacement is largest at an end of the range of periods, {:.3g} s: outside the "
+        "range it may be larger; where the period may be outside, widen {}",
+        design.period_s,
+        project.building.approximate_period_s ? "building.period_bounds" : "building.period_s"));
   }
   for (const ProjectSeparation& s : design.separations) {
     if (s.available_m && *s.available_m < s.required.value_m)

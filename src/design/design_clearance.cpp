@@ -165,19 +165,6 @@ std::vector<Sensitivity> sensitivity_of(const Project& project, const Results& d
 
 }  // namespace
 
-const ExceedanceAt& largest_exceedance(const DesignClearance& design, const std::string& level) {
-  const ExceedanceAt* largest = nullptr;
-  for (const ExceedanceAt& e : design.exceedance) {
-    if (e.level != level) continue;
-    const bool is_governing = e.period_s == design.period_s;  // of equal ones
-    if (largest == nullptr || e.probability > largest->probability ||
-        (e.probability == largest->probability && is_governing))
-      largest = &e;
-  }
-  GLISSADE_EXPECTS(largest != nullptr);
-  return *largest;
-}
-
 double required_m(const Project& project, const Results& demand, double friction) {
   return required_m(demand, governing_mean(project, demand, friction));
 }
@@ -244,37 +231,106 @@ void warn_of_uplift(const Results& probability, DesignClearance& design) {
   }
 }
 
+/// At each building period.
+std::vector<ExceedanceAt> exceedance_of(const Results& probability, double displacement_m,
+                                        const std::string& name, double sds_g) {
+  const auto level = std::ranges::find(probability.levels, sds_g);
+  GLISSADE_EXPECTS(level != probability.levels.end());
+  const auto at = static_cast<std::size_t>(level - probability.levels.begin());
+  std::vector<ExceedanceAt> found;
+  for (const RunResults& run : probability.runs) {
+    const auto threshold =
+        std::ranges::find(run.fragilities, displacement_m, &ThresholdFragility::threshold_m);
+    GLISSADE_EXPECTS(threshold != run.fragilities.end());
+    const double share = threshold->probability[at];
+    found.push_back(
+        {name, *level, probability.cases.cases[run.first_case].period_s, share,
+         widened(threshold->probability_interval[at], share, probability.records.size())});
+  }
+  return found;
+}
+
+/// Of equal ones that of the governing period.
+const ExceedanceAt& largest_of(const std::vector<ExceedanceAt>& by_period, double governing_s) {
+  return *std::ranges::max_element(by_period, {}, [&](const ExceedanceAt& e) {
+    return std::pair(e.probability, e.period_s == governing_s);
+  });
+}
+
+/// Nothing without a hazard curve.
+std::optional<ThresholdRate> largest_rate(const Results& probability, double displacement_m) {
+  std::optional<ThresholdRate> largest;
+  if (!probability.hazard) return largest;
+  for (const HazardRun& run : probability.hazard->runs) {
+    const auto rate =
+        std::ranges::find(run.thresholds, displacement_m, &ThresholdRate::threshold_m);
+    GLISSADE_EXPECTS(rate != run.thresholds.end());
+    if (!largest || rate->annual_rate > largest->annual_rate) largest = *rate;
+  }
+  return largest;
+}
+
+/// What a clearance allows; nothing where none is stated.
+double allowed_m(const Separation& separation, const std::optional<double>& available_m) {
+  return available_m.value_or(0.0) / separation.factor;
+}
+
+QuantileDisplacement accepted_displacement(const Results& probability, double sds_g) {
+  GLISSADE_EXPECTS(probability.verdict.has_value());
+  const auto row = std::ranges::find(probability.verdict->rows, sds_g, &VerdictRow::sds_g);
+  GLISSADE_EXPECTS(row != probability.verdict->rows.end());
+  return {row->displacement_m.front(), row->displacement_interval.front()};
+}
+
 }  // namespace
+
+std::vector<double> compared_displacements_m(const Project& project, double governing_m) {
+  std::vector<double> all{governing_m};
+  const std::vector<Separation> separations = asce7_16_separations(governing_m);
+  for (std::size_t i = 0; i < separations.size(); ++i) {
+    const double displacement_m = allowed_m(separations[i], project.available_m[i]);
+    if (displacement_m > 0.0) all.push_back(displacement_m);
+  }
+  std::ranges::sort(all);
+  all.erase(std::ranges::unique(all).begin(), all.end());
+  return all;
+}
 
 void add_exceedance(const Results& probability, DesignClearance& design) {
   warn_of_uplift(probability, design);
-  for (const auto& [name, share] : {std::pair{"DBE", 1.0}, std::pair{"MCE", mce_over_dbe}}) {
-    const auto level = std::ranges::find(probability.levels, share * design.site.sds_g);
-    GLISSADE_EXPECTS(level != probability.levels.end());
-    const auto at = static_cast<std::size_t>(level - probability.levels.begin());
-    for (const RunResults& run : probability.runs) {
-      const auto threshold =
-          std::ranges::find(run.fragilities, design.governing_m, &ThresholdFragility::threshold_m);
-      GLISSADE_EXPECTS(threshold != run.fragilities.end());
-      const double found = threshold->probability[at];
-      design.exceedance.push_back(
-          {name, *level, probability.cases.cases[run.first_case].period_s, found,
-           widened(threshold->probability_interval[at], found, probability.records.size())});
-    }
+  const double sds_g = design.site.sds_g, sms_g = mce_over_dbe * sds_g;
+  const auto compare = [&](double displacement_m, std::optional<std::size_t> separation) {
+    const auto at = [&](const char* name, double level_g) {
+      return exceedance_of(probability, displacement_m, name, level_g);
+    };
+    const std::vector<ExceedanceAt> dbe = at("DBE", sds_g), mce = at("MCE", sms_g);
+    if (!separation)
+      for (const auto& by_period : {dbe, mce})
+        design.exceedance.insert(design.exceedance.end(), by_period.begin(), by_period.end());
+    design.compared.push_back({separation, displacement_m, largest_of(dbe, design.period_s),
+                               largest_of(mce, design.period_s),
+                               largest_rate(probability, displacement_m)});
+  };
+  compare(design.governing_m, std::nullopt);
+  for (std::size_t i = 0; i < design.separations.size(); ++i) {
+    const ProjectSeparation& s = design.separations[i];
+    if (const double displacement_m = allowed_m(s.required, s.available_m); displacement_m > 0.0)
+      compare(displacement_m, i);
   }
-  constexpr double most_probable = 0.1;  // at DBE; a limit of this program
-  const ExceedanceAt& at_dbe = largest_exceedance(design, "DBE");
-  const bool is_rare = at_dbe.probability <= most_probable;
+  design.accepted = accepted_displacement(probability, sds_g);
+  const ExceedanceAt& at_dbe = design.compared.front().dbe;
+  const bool is_rare = at_dbe.probability <= accepted_exceedance;
   design.checks.push_back(
       {"probability that the governing displacement is exceeded at the DBE",
        fmt::format("{:.2g} %", 100.0 * at_dbe.probability),
-       fmt::format("{:g} % or less (a limit of this program)", 100.0 * most_probable), is_rare});
+       fmt::format("{:g} % or less (a limit of this program)", 100.0 * accepted_exceedance),
+       is_rare});
   if (!is_rare)
     design.warnings.push_back(fmt::format(
         "the governing displacement is exceeded with a probability of {:.2g} % at the DBE and "
         "{:.2g} "
         "% at the MCE",
-        100.0 * at_dbe.probability, 100.0 * largest_exceedance(design, "MCE").probability));
+        100.0 * at_dbe.probability, 100.0 * design.compared.front().mce.probability));
   for (std::string warning : probability.warnings) {
     for (const std::string key : {"; [shape] compares other curves", " (intensity.levels)"}) {
       if (const std::size_t at = warning.find(key); at != std::string::npos)

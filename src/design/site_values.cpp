@@ -80,7 +80,8 @@ PrescribedValue asce7_16(const Project& project, const SiteValues& site) {
 double ProjectFriction::design() const { return design_friction(Normal{mean, std}); }
 
 std::string category_text(const ProjectSite& site, const SiteValues& values) {
-  const bool is_open = !site.target.is_mapped() && values.category == SeismicDesignCategory::d;
+  const bool knows_s1 = site.target.is_mapped() || site.mapped;
+  const bool is_open = !knows_s1 && values.category == SeismicDesignCategory::d;
   return to_string(values.category) + (is_open ? ", E or F" : "");  // these from S_1 of 0.75 g on
 }
 
@@ -89,8 +90,8 @@ SiteValues site_values(const ProjectSite& site) {
   SiteValues values{.sds_g = spectrum.sds_g(), .sd1_g = spectrum.sd1_g()};
   values.fa = coefficient(site.target, values.sds_g, site.target.ss_g);
   values.fv = coefficient(site.target, values.sd1_g, site.target.s1_g);
-  values.category =
-      seismic_design_category(values.sds_g, values.sd1_g, site.target.s1_g, site.risk);
+  values.category = seismic_design_category(
+      values.sds_g, values.sd1_g, site.mapped ? site.mapped->s1_g : site.target.s1_g, site.risk);
   return values;
 }
 

@@ -43,7 +43,7 @@ bool needs_hazard_analysis(const DesignTarget& target, SiteClass site) {
 }  // namespace
 
 std::vector<std::string> improbable_values(const Motion& motion) {
-  std::vector<std::string> found;
+  std::vector<std::string> found = motion.contradictions;
   const auto check = [&](const RecordedRange& range, double value) {
     if (value >= range.least && value <= range.most) return;
     const bool above = value > range.most;

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gmock/gmock.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
 
 #include "cli/child.hpp"
 #include "cli/killed_run.hpp"
+#include "glissade/core/quantile.hpp"
+#include "glissade/io/results_file.hpp"
 
 namespace glissade::test {
 namespace {
@@ -120,6 +124,43 @@ TEST_F(Package, an_interval_is_never_narrower_than_that_of_the_records) {
     last_period_s = e.at("period_s");
   }
   EXPECT_EQ(json.at("exceedance").size(), 10u);  // two levels, five periods
+}
+
+// From the histories of the probability study, at S_DS and each building period: the shares above
+// what the clearances allow, and the largest 90th percentile.
+TEST_F(Package, compares_what_each_clearance_allows_with_the_histories) {
+  const Results results = read_results(out() / "probability/results.h5");
+  const HistoryTable& histories = results.histories;
+  const nlohmann::json json = numbers();
+  const auto level = static_cast<std::size_t>(
+      std::ranges::find(results.levels, json.at("sds_g").get<double>()) - results.levels.begin());
+  std::vector<std::vector<double>> slips_m;  // by building period
+  for (const RunResults& run : results.runs) {
+    std::vector<double>& slips = slips_m.emplace_back();
+    for (std::size_t record = 0; record < histories.records; ++record)
+      for (std::size_t i = 0; i < run.cases; ++i)
+        slips.push_back(
+            histories.fields.peak_displacement_m[histories.at(record, run.first_case + i, level)]);
+  }
+  ASSERT_EQ(slips_m.size(), 5u);
+  ASSERT_EQ(json.at("compared").size(), 5u);  // the governing displacement, four clearances
+  const std::array allowed_m = {json.at("governing_m").get<double>(), 0.6096, 0.6096, 0.9144,
+                                0.6096};
+  for (std::size_t row = 0; row < allowed_m.size(); ++row) {
+    const auto& compared = json.at("compared").at(row);
+    EXPECT_NEAR(compared.at("displacement_m"), allowed_m[row], 1e-12);
+    double largest = 0.0;
+    for (const std::vector<double>& slips : slips_m)
+      largest = std::max(largest, static_cast<double>(std::ranges::count_if(
+                                      slips, [&](double s) { return s > allowed_m[row]; })) /
+                                      static_cast<double>(slips.size()));
+    EXPECT_NEAR(compared.at("dbe").at("probability"), largest, 1e-12);
+  }
+  double largest_m = 0.0;
+  for (const std::vector<double>& slips : slips_m)
+    largest_m = std::max(largest_m, quantile_of(slips, 0.9));
+  EXPECT_GT(largest_m, 0.0);
+  EXPECT_NEAR(json.at("accepted").at("displacement_m"), largest_m, 1e-12);
 }
 
 TEST_F(Package, separations_are_parts_of_the_governing_displacement_rounded_up) {

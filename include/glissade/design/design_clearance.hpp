@@ -76,6 +76,24 @@ struct ExceedanceAt {
   Interval interval;
 };
 
+/// How often a displacement is exceeded; each number at the building period where it is largest.
+struct DisplacementExceedance {
+  /// Of DesignClearance::separations: what the clearance at hand allows, clearance / factor; none:
+  /// the governing displacement.
+  std::optional<std::size_t> separation;
+  double displacement_m = 0.0;
+  ExceedanceAt dbe, mce;
+  std::optional<ThresholdRate> rate;  ///< with a hazard curve
+};
+
+/// At DBE, at the building period where it is largest.
+struct QuantileDisplacement {
+  double displacement_m = 0.0;  ///< infinite where so many histories slide freely
+  Interval interval;            ///< 95 %, from resampling records
+};
+/// Probability of exceedance at DBE up to which no warning is given: a limit of this program.
+inline constexpr double accepted_exceedance = 0.1;
+
 /// A check of the calculation.
 struct DesignCheck {
   std::string what, found, criterion;
@@ -99,8 +117,10 @@ struct DesignClearance {
   std::vector<ProjectSeparation> separations;
   std::vector<Sensitivity> sensitivity;
   std::vector<DesignCheck> checks;
-  /// By level, those of a level by period; empty until the probability study has run.
-  std::vector<ExceedanceAt> exceedance;
+  // Until the probability study has run, these are empty.
+  std::vector<ExceedanceAt> exceedance;          ///< by level, those of a level by period
+  std::vector<DisplacementExceedance> compared;  ///< first the governing displacement
+  QuantileDisplacement accepted;  ///< that accepted_exceedance of the histories exceed
   /// What is possible and not probable, or to be decided by the engineer: shown before the result.
   std::vector<std::string> warnings;
 };
@@ -110,9 +130,6 @@ struct DesignClearance {
 /// larger. With fewer than 7 records the largest record counts in place of the mean (SEAOC
 /// PV1-2012, recalled).
 DesignClearance design_clearance(const Project& project, const Results& demand);
-
-/// That of the period with the largest probability.
-const ExceedanceAt& largest_exceedance(const DesignClearance& design, const std::string& level);
 
 /// The prescriptive value of the project's standard.
 const PrescribedValue& of_standard(const Project& project, const DesignClearance& design);
@@ -154,6 +171,9 @@ std::vector<double> periods_of(const Project& project);
 /// nothing slides, in small steps where slip begins: what adds up over a design life comes from
 /// there.
 std::vector<double> levels_of(const Project& project);
+
+/// The displacements of DesignClearance::compared, increasing, each once.
+std::vector<double> compared_displacements_m(const Project& project, double governing_m);
 
 /// Adds what the results of probability_study() give.
 void add_exceedance(const Results& probability, DesignClearance& design);

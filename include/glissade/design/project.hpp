@@ -22,7 +22,8 @@ struct TitleBlock {
 
 struct ProjectSite {
   DesignTarget target;
-  bool states_tl = true;  ///< or T_L is as usual
+  std::optional<DesignTarget> mapped;  ///< S_S, S_1 and site class beside a spectrum by points
+  bool states_tl = true;               ///< or T_L is as usual
   RiskCategory risk = RiskCategory::ii;
 };
 

@@ -4,8 +4,9 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
-#include "glissade/motion/record.hpp"
+#include "glissade/motion/motion.hpp"
 
 namespace glissade {
 
@@ -45,5 +46,12 @@ struct RecordFileOptions {
 /// column that begins with its count or its step. The options have the names of a suite's keys
 /// there: dt_s, units.
 Record read_record(const std::filesystem::path& file, const RecordFileOptions& options = {});
+
+/// What the sources of a motion's components contradict: two stations, a vertical component as a
+/// horizontal one or the reverse, horizontals that are not perpendicular. Of files that do not
+/// state their source: nothing.
+std::vector<std::string> source_contradictions(const TimedRecord& first,
+                                               const std::optional<TimedRecord>& second,
+                                               const std::optional<TimedRecord>& vertical);
 
 }  // namespace glissade

@@ -23,6 +23,8 @@ struct Motion {
   double dt_s = 0.0;
   std::array<std::vector<double>, 2> horizontal_mps2;
   std::vector<double> vertical_mps2;  ///< up positive
+  /// What the headers of its files contradict. Known to the rank that read them.
+  std::vector<std::string> contradictions;
 };
 
 /// A component and its start on the time axis of the motion.

@@ -14,6 +14,7 @@ struct Record {
   std::string name;                       ///< its source: a file, or a simulation
   double dt_s = 0.0;                      ///< > 0
   std::vector<double> acceleration_mps2;  ///< finite, at least one sample
+  std::string source;  ///< "EVENT, DATE, STATION, DIRECTION" of a PEER NGA file; else empty
 };
 
 }  // namespace glissade

@@ -42,6 +42,12 @@ void add_results(CalculationJson& json, const DesignClearance& design) {
                                          : CalculationJson()}});
 }
 
+CalculationJson json_of(const ExceedanceAt& e) {
+  return {{"level", e.level},        {"sds_g", e.sds_g},
+          {"period_s", e.period_s},  {"probability", e.probability},
+          {"low95", e.interval.low}, {"high95", e.interval.high}};
+}
+
 CalculationJson prescribed_json(const PrescribedValue& value) {
   const bool is_asce = value.standard == Standard::asce7_16;
   CalculationJson json{{"standard", is_asce ? "asce7_16" : "seaoc_pv1_2012"},
@@ -75,16 +81,25 @@ std::string numbers_json(const CalculationPackage& package) {
   for (const Sensitivity& s : design.sensitivity)
     json["sensitivity"].push_back(
         {{"input", s.what}, {"value", s.value}, {"required_m", s.clearance_m}});
-  for (const ExceedanceAt& e : design.exceedance)
-    json["exceedance"].push_back({{"level", e.level},
-                                  {"sds_g", e.sds_g},
-                                  {"period_s", e.period_s},
-                                  {"probability", e.probability},
-                                  {"low95", e.interval.low},
-                                  {"high95", e.interval.high}});
+  for (const ExceedanceAt& e : design.exceedance) json["exceedance"].push_back(json_of(e));
+  for (const DisplacementExceedance& row : design.compared) {
+    const char* governing = "governing displacement";
+    CalculationJson compared{
+        {"what", row.separation ? design.separations[*row.separation].required.what : governing},
+        {"displacement_m", row.displacement_m},
+        {"dbe", json_of(row.dbe)},
+        {"mce", json_of(row.mce)}};
+    if (row.rate) compared["annual_rate"] = row.rate->annual_rate;
+    json["compared"].push_back(std::move(compared));
+  }
+  json["accepted"] = {{"probability", accepted_exceedance},
+                      {"displacement_m", design.accepted.displacement_m},
+                      {"low95", design.accepted.interval.low},
+                      {"high95", design.accepted.interval.high}};
   if (package.probability.hazard) {
     for (const HazardRun& run : package.probability.hazard->runs)
-      json["annual_rate"].push_back(run.thresholds.front().annual_rate);
+      for (const ThresholdRate& rate : run.thresholds)
+        if (rate.threshold_m == design.governing_m) json["annual_rate"].push_back(rate.annual_rate);
   }
   for (const DesignCheck& check : design.checks)
     json["checks"].push_back(

@@ -103,7 +103,9 @@ void check_project(const fs::path& file, const fs::path& out) {
       plan_of(trial.path() / "demand.toml", demand_study(project, trial.path()), suite);
   const Plan probability = plan_of(
       trial.path() / "probability.toml",
-      probability_study(project, trial.path(), {prescribed.front().prescribed.value_m}), suite);
+      probability_study(project, trial.path(),
+                        compared_displacements_m(project, prescribed.front().prescribed.value_m)),
+      suite);
 
   fmt::print("{:<12}{}\n", "project", project.title.name);
   fmt::print("{:<12}S_DS {:.3f} g, S_D1 {:.3f} g, category {}\n", "site", site.sds_g, site.sd1_g,

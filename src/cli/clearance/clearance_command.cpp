@@ -127,8 +127,10 @@ class Calculation {
         demand_ = read_results(out_ / "demand" / "results.h5");
         design_ = design_clearance(*project_, *demand_);
       });
-      study.run(out_ / "probability.toml",
-                [&] { return probability_study(*project_, out_, {design_->governing_m}); });
+      study.run(out_ / "probability.toml", [&] {
+        return probability_study(*project_, out_,
+                                 compared_displacements_m(*project_, design_->governing_m));
+      });
       on_root(world_, [&] { write(); });
     } catch (const ExitStatus& exit) {
       if (world_.is_root()) leave(exit.status);

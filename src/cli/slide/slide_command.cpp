@@ -48,7 +48,8 @@ Motion read_motion(const SlideOptions& o) {
   std::optional<TimedRecord> second, vertical;
   if (!o.second.empty()) second = TimedRecord{read_component(o.second, file), 0.0};
   if (!o.vertical.empty()) vertical = TimedRecord{read_component(o.vertical, file), 0.0};
-  return assemble_motion({}, first, second, vertical);
+  return assemble_motion({.contradictions = source_contradictions(first, second, vertical)}, first,
+                         second, vertical);
 }
 
 using Json = nlohmann::ordered_json;

@@ -104,7 +104,10 @@ void read_site(const TomlTable& table, Project& project) {
                                            (has("sds_g") && has("sd1_g")));
   if (!is_whole) return table.ignore_unknown();  // what is missing has been reported
   const std::size_t before = table.problem_count();
-  project.site.target = read_target(table, project.file.parent_path());
+  project.site.target = read_target(table, project.file.parent_path(), &project.site.mapped);
+  if (project.site.mapped && project.site.target.edition == AsceEdition::asce7_22)
+    table.report("ss_g", "ASCE 7-22 has no site coefficients: site.ss_g is of no use here",
+                 "leave out ss_g, s1_g and site_class");
   project.site.states_tl = has("tl_s");
   if (table.problem_count() > before) return;
   if (has("spectrum"))
@@ -124,10 +127,13 @@ void read_site(const TomlTable& table, Project& project) {
 /// T_a and values between its bounds.
 void periods_of_system(const TomlTable& table, const Project& project, ProjectBuilding& building) {
   const double height_m = table.number("height_m", above_zero).value_or(10.0);
-  EnumNames<const StructuralSystem*> names = {{structural_systems[0].name, &structural_systems[0]},
-                                              {structural_systems[1].name, &structural_systems[1]},
-                                              {structural_systems[2].name, &structural_systems[2]},
-                                              {structural_systems[3].name, &structural_systems[3]}};
+  EnumNames<const StructuralSystem*> names = {
+      {structural_systems[0].name, &structural_systems[0]},
+      {structural_systems[1].name, &structural_systems[1]},
+      {structural_systems[2].name, &structural_systems[2]},
+      {structural_systems[3].name, &structural_systems[3]},
+      // in tables 12.8-2 under all other systems
+      {"concentrically_braced_frame", &structural_systems[3]}};
   const StructuralSystem* system =
       table.choice<const StructuralSystem*>("system", names).value_or(&structural_systems.back());
   std::vector<double> bounds =

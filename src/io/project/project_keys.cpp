@@ -30,15 +30,15 @@ constexpr std::array keys{
                "S_DS, with sd1_g, in place of ss_g, s1_g, site_class"},
     ProjectKey{"site", "sd1_g", "0.6", alternative, "S_D1"},
     ProjectKey{"site", "spectrum", "\"site.csv\"", alternative,
-               "a site-specific or multi-period spectrum: period_s, then design_sa_g or mce_sa_g"},
+               "a site-specific or multi-period spectrum: period_s, then design_sa_g or mce_sa_g; "
+               "ss_g, s1_g, site_class beside it give the 80 % that it may not be below"},
     ProjectKey{"site", "risk_category", "\"II\"", required, "\"I\" to \"IV\""},
     ProjectKey{
         "building", "period_s", "[0.4, 0.5, 0.6]", required,
         "a period, or several that bound it, at most 1.3 times apart; or system and height_m"},
-    ProjectKey{
-        "building", "system", "\"other\"", alternative,
-        "steel_moment_frame, concrete_moment_frame, eccentrically_braced_frame or other (also "
-        "concentrically braced): T_a = C_t h^x"},
+    ProjectKey{"building", "system", "\"other\"", alternative,
+               "steel_moment_frame, concrete_moment_frame, eccentrically_braced_frame, "
+               "concentrically_braced_frame or other: T_a = C_t h^x"},
     ProjectKey{"building", "height_m", "\"40 ft\"", alternative, "height of the building"},
     ProjectKey{"building", "period_bounds", "[0.75, 1.5]", alternative,
                "times T_a, the usual bounds"},

@@ -100,11 +100,15 @@ std::string probability_study(const Project& project, const fs::path& folder,
              "[friction]\nmu = {}\n{}\n"
              "[orientation]\nchoice = \"random\"\n\n"
              "[sampling]\nsamples = {}\n\n"
-             "[fragility]\nthresholds_m = [{}]\n",
+             "[fragility]\nthresholds_m = [{}]\n\n"
+             "[standards]\ncompare = [\"asce7_16\", \"seaoc_pv1_2012\"]\nimportance = {}\n"
+             "seismic_design_category = {}\n\n"
+             "[verdict]\nexceedance = [{}]\n",
              list_of(project.building.period_s), between(project.building.mass_ratio),
              project.building.damping, project.slope_deg.back(), friction,
              mu.std > 0.0 ? "value = \"sampled\"\n" : "", project.samples,
-             fmt::join(thresholds_m, ", ")) +
+             fmt::join(thresholds_m, ", "), project.importance,
+             quoted(to_string(site_values(project.site).category)), accepted_exceedance) +
          hazard_of(project, folder);
 }
 

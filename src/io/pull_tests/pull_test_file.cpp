@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <set>
 
 #include "glissade/core/error.hpp"
 #include "glissade/core/file.hpp"
@@ -145,20 +146,22 @@ class TestBuilder {
 /// Columns of a sheet of evaluated tests: mu, and test and direction where they are there.
 struct SheetColumns {
   std::size_t width = 0;
-  std::optional<std::size_t> mu, direction;
+  std::optional<std::size_t> mu, direction, test;
 };
 
 /// Nothing where the header is that of pull tests as logged, or of no file that is known.
 std::optional<SheetColumns> sheet_columns(std::string_view header) {
   const std::vector<std::string_view> cells = csv_cells(header);
-  SheetColumns columns{cells.size(), {}, {}};
+  SheetColumns columns{cells.size(), {}, {}, {}};
   for (std::size_t i = 0; i < cells.size(); ++i) {
     const std::string name = lower_case(cells[i]);
     if (name == "mu" && !columns.mu)
       columns.mu = i;
     else if (name == "direction" && !columns.direction)
       columns.direction = i;
-    else if (name != "test")
+    else if (name == "test" && !columns.test)
+      columns.test = i;
+    else
       return std::nullopt;
   }
   return columns.mu ? std::optional(columns) : std::nullopt;
@@ -170,6 +173,7 @@ std::vector<EvaluatedTests> read_sheet(const std::filesystem::path& file) {
   LineReader reader(text);
   std::optional<SheetColumns> columns;
   std::vector<EvaluatedTests> tests;
+  std::set<std::pair<std::string, std::string>> names;  // of tests, with their direction
   Troubles troubles;
   while (reader.next()) {
     if (is_blank_or_comment(reader.line())) continue;
@@ -197,6 +201,10 @@ std::vector<EvaluatedTests> read_sheet(const std::filesystem::path& file) {
               ""});
     } else if (direction.empty() || !is_plain_text(direction)) {
       refuse({"name", "the direction is empty, or not UTF-8 text", "name it in every row"});
+    } else if (const std::string test(columns->test ? cells[*columns->test] : "");
+               !test.empty() && !names.emplace(test, lower_case(direction)).second) {
+      refuse({"again", fmt::format("test {} {} is there twice", in_quotes(test), direction),
+              "give each test once, and each of a direction its own name"});
     } else {
       const auto same = std::ranges::find_if(tests, [&](const EvaluatedTests& known) {
         return lower_case(known.direction) == lower_case(direction);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "records/at2_header.hpp"
 
+#include <algorithm>
 #include <charconv>
 
 #include "text/scan.hpp"
@@ -45,6 +46,11 @@ std::optional<double> step_in(std::string_view line, std::string_view word) {
   const std::string unit = lower_case(word_at(line, end));
   if (step && (unit == "ms" || unit == "msec" || unit == "milliseconds")) *step *= 1e-3;
   return step;
+}
+
+/// In ASCII: what is not would end in warnings and JSON.
+bool is_printable(std::string_view line) {
+  return std::ranges::all_of(line, [](char c) { return c >= ' ' && c <= '~'; });
 }
 
 void read_counts(std::string_view line, const std::string& lower, std::size_t npts_at,
@@ -121,7 +127,11 @@ bool read_header_line(std::string_view line, std::size_t number, At2Header& head
 std::optional<At2Header> find_at2_header(std::string_view text) {
   At2Header header;
   LineReader reader(text);
+  bool is_nga = false;
   while (reader.next() && reader.number() <= longest_header) {
+    if (reader.number() == 1) is_nga = reader.line().starts_with("PEER NGA");
+    if (reader.number() == 2 && is_nga && is_printable(reader.line()))
+      header.source = trimmed(reader.line().substr(0, longest_header_line));
     const bool has_count = read_header_line(reader.line(), reader.number(), header);
     if (has_count && !trimmed(reader.line()).starts_with('#')) return header;
   }

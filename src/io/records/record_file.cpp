@@ -83,7 +83,7 @@ void check_count(const std::filesystem::path& file, const At2Header& header, std
 Record read_at2(const std::filesystem::path& file, std::string_view text, const At2Header& header,
                 const RecordFileOptions& options) {
   const double unit_mps2 = mps2_per_unit(units_of(file, header, options));
-  Record record{file.string(), at2_step(file, header, options.dt_s), {}};
+  Record record{file.string(), at2_step(file, header, options.dt_s), {}, header.source};
   LineReader reader(text);
   while (reader.next()) {
     if (reader.number() <= header.lines) continue;

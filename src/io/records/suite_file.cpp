@@ -61,6 +61,7 @@ class RecordedSuiteReader {
     const auto vertical = load(record, "vertical");
     if (!first || record.problem_count() > problems_before) return;
     try {
+      metadata.contradictions = source_contradictions(*first, second, vertical);
       suite.motions.push_back(assemble_motion(std::move(metadata), *first, second, vertical));
     } catch (const InputError& error) {
       record.report("", error);
@@ -244,7 +245,8 @@ StatedTarget read_stated_target(const std::filesystem::path& file) {
     throw InputError({file.string(), "has no [site] and no [target]",
                       "give a project or a suite file with one", ""});
   table.ignore_unknown();
-  StatedTarget stated{read_target(table, file.parent_path()), {}};
+  std::optional<DesignTarget> mapped;  // beside a spectrum: of a project, not for a suite
+  StatedTarget stated{read_target(table, file.parent_path(), &mapped), {}};
   if (const auto spectrum = table.text("spectrum"))
     stated.spectrum_file = file.parent_path() / *spectrum;
   document.finish();

@@ -136,6 +136,9 @@ StudyConfig read_study(const std::filesystem::path& file) {
   if (!root.has("study") && root.has("project"))
     throw InputError({file.string(), "is a project file, not a study",
                       "run it with: glissade clearance " + file.string(), ""});
+  if (!root.has("study") && !root.has("suite"))
+    throw InputError({file.string(), "is neither a study, [study], nor a project, [project]",
+                      "`glissade init` writes either", ""});
   const TomlTable head = root.required_table("study");
   StudyConfig study;
   study.file = file;

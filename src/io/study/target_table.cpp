@@ -88,10 +88,10 @@ void check_accelerations(const TomlTable& table) {
 }
 
 /// By a spectrum, by S_DS and S_D1, or by mapped values.
-void check_one_form(const TomlTable& table) {
+void check_one_form(const TomlTable& table, bool mapped_beside_spectrum) {
   const char* given = nullptr;
   for (const char* key : {"spectrum", "sds_g", "ss_g"}) {
-    if (!table.has(key)) continue;
+    if (!table.has(key) || (given != nullptr && mapped_beside_spectrum)) continue;
     if (given != nullptr)
       table.report(key,
                    table.name_of(given) + " and " + table.name_of(key) +
@@ -100,6 +100,7 @@ void check_one_form(const TomlTable& table) {
                    "leave one of them out");
     given = given == nullptr ? key : given;
   }
+  if (mapped_beside_spectrum) return;
   for (const char* key : {"s1_g", "site_class", "site_classes"}) {
     if (table.has("spectrum") && table.has(key))
       table.report_idle(
@@ -107,9 +108,16 @@ void check_one_form(const TomlTable& table) {
   }
 }
 
+void read_mapped(const TomlTable& table, DesignTarget& target) {
+  target.ss_g = table.required_number("ss_g", above_zero);
+  target.s1_g = table.required_number("s1_g", above_zero);
+  read_site_classes(table, target);
+}
+
 }  // namespace
 
-DesignTarget read_target(const TomlTable& table, const std::filesystem::path& folder) {
+DesignTarget read_target(const TomlTable& table, const std::filesystem::path& folder,
+                         std::optional<DesignTarget>* mapped) {
   const EnumNames<AsceEdition> editions = {{"asce7_10", AsceEdition::asce7_10},
                                            {"asce7_16", AsceEdition::asce7_16},
                                            {"asce7_22", AsceEdition::asce7_22}};
@@ -119,18 +127,25 @@ DesignTarget read_target(const TomlTable& table, const std::filesystem::path& fo
                          "asce7_10, asce7_16 or asce7_22: their site coefficients differ");
   target.edition = table.choice<AsceEdition>("edition", editions).value_or(target.edition);
   check_accelerations(table);
-  check_one_form(table);
+  const bool has_both = mapped != nullptr && table.has("spectrum") && table.has("ss_g");
+  check_one_form(table, has_both);
   if (table.has("spectrum")) {
     read_spectrum(table, folder, target);
   } else if (table.has("sds_g") || table.has("sd1_g")) {
     target.sds_g = table.required_number("sds_g", above_zero);
     target.sd1_g = table.required_number("sd1_g", above_zero);
   } else {
-    target.ss_g = table.required_number("ss_g", above_zero);
-    target.s1_g = table.required_number("s1_g", above_zero);
-    read_site_classes(table, target);
+    read_mapped(table, target);
   }
-  if (!table.has("spectrum")) target.tl_s = table.number("tl_s", above_zero).value_or(target.tl_s);
+  DesignTarget beside{.edition = target.edition};
+  DesignTarget& smooth = has_both ? beside : target;
+  if (has_both) {
+    read_mapped(table, beside);
+    if (!table.has("site_class") && !table.has("site_classes")) table.report_missing("site_class");
+  }
+  if (has_both || !table.has("spectrum"))
+    smooth.tl_s = table.number("tl_s", above_zero).value_or(smooth.tl_s);
+  if (has_both) *mapped = beside;
   return target;
 }
 

@@ -473,11 +473,11 @@ std::optional<bool> TomlTable::flag(std::string_view key) const {
   return node->value_exact<bool>();
 }
 
-std::optional<std::string> TomlTable::text(std::string_view key) const {
+std::optional<std::string> TomlTable::text(std::string_view key, const std::string& remedy) const {
   const toml::node* node = find(*document_, node_, key);
   if (node == nullptr) return std::nullopt;
   if (!node->is_string())
-    report(key, name_of(key) + " is " + kind_of(*node) + ", not a text", "put it in quotes");
+    report(key, name_of(key) + " is " + kind_of(*node) + ", not a text", remedy);
   std::optional<std::string> text = node->value_exact<std::string>();
   const auto acts_on_a_terminal = [](char c) {
     return (static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\t') || c == 0x7f;

@@ -108,13 +108,16 @@ class TomlTable {
   std::optional<std::uint64_t> whole(std::string_view key, std::uint64_t least,
                                      std::uint64_t most) const;
   std::optional<bool> flag(std::string_view key) const;
-  std::optional<std::string> text(std::string_view key) const;
+  std::optional<std::string> text(std::string_view key,
+                                  const std::string& remedy = "put it in quotes") const;
   std::string required_text(std::string_view key) const;
   std::optional<std::vector<std::string>> texts(std::string_view key) const;
 
   template <class E>
   std::optional<E> choice(std::string_view key, EnumNames<E> names) const {
-    const auto word = text(key);
+    std::string remedy = "give one of:";
+    for (const auto& [name, value] : names) remedy += " \"" + std::string(name) + "\"";
+    const auto word = text(key, remedy);
     return word ? find_name<E>(key, *word, names) : std::nullopt;
   }
   template <class E>

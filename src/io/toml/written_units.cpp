@@ -65,7 +65,9 @@ std::optional<double> KeyUnits::value_of(std::string_view text) const {
   text = trimmed(text);
   const std::size_t end = std::min(text.find_first_not_of("+-.0123456789eE/"), text.size());
   const auto number = number_or_fraction(text.substr(0, end));
-  const std::string_view unit = trimmed(text.substr(end));
+  std::string_view unit = trimmed(text.substr(end));
+  if (unit == "'") unit = "ft";
+  if (unit == "\"") unit = "in";
   if (!number) return std::nullopt;
   for (const Unit& known : units) {
     if (unit == known.name)
@@ -74,6 +76,7 @@ std::optional<double> KeyUnits::value_of(std::string_view text) const {
   if (of_ratio == nullptr) return std::nullopt;
   if (unit == "in/ft") return of_ratio(*number, 12.0);
   if (unit == "%") return of_ratio(*number, 100.0);
+  if (unit == "deg") return of_ratio(std::tan(*number * rad_per_deg), 1.0);
   if (!unit.starts_with(':')) return std::nullopt;
   const auto run = parse_number(trimmed(unit.substr(1)));
   return run && *run > 0.0 ? std::optional(of_ratio(*number, *run)) : std::nullopt;
@@ -82,7 +85,7 @@ std::optional<double> KeyUnits::value_of(std::string_view text) const {
 std::string KeyUnits::names() const {
   std::string text;
   for (const Unit& unit : units) text += std::string(text.empty() ? "" : ", ") + unit.name;
-  if (of_ratio != nullptr) text += std::string(text.empty() ? "" : ", ") + "0.25:12, in/ft, %";
+  if (of_ratio != nullptr) text += text.empty() ? "0.25:12, in/ft, %, deg" : ", 0.25:12, in/ft, %";
   return text;
 }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "analysis/suite/spectra_figure.hpp"
+#include "glissade/motion/suite_scaling.hpp"
 #include "glissade/report/figures.hpp"
 #include "package/tables.hpp"
 #include "package/units.hpp"
@@ -66,32 +67,59 @@ Figure demand_figure(const CalculationPackage& package) {
           {panel}};
 }
 
-}  // namespace
-
-std::vector<Figure> package_figures(const CalculationPackage& package) {
+/// To the periods that the suite is scaled for, with those of the building.
+Figure site_spectra_figure(const CalculationPackage& package) {
   const SuiteSummary& suite = package.demand.suites.front();
-  std::vector<Figure> figures{spectra_figure(
+  const std::vector<double>& periods_s = package.project.building.period_s;
+  Figure figure = spectra_figure(
       suite.spectra,
       {suite.name, fmt::format("scaled to S_DS = {:.3f} g", package.design.site.sds_g),
-       "target (design spectrum)"})};
-  if (package.design.demand.size() > 1) figures.push_back(demand_figure(package));
-  const double period_s = largest_exceedance(package.design, "MCE").period_s;
-  const auto run = std::ranges::find_if(package.probability.runs, [&](const RunResults& r) {
+       "target (design spectrum)", std::max(longest_scaled_period_s, 1.5 * periods_s.back())});
+  for (const double period_s : {periods_s.front(), periods_s.back()})
+    figure.panels.front().rules.push_back({Rule::Kind::vertical, period_s, look(Role::reference)});
+  figure.panels.front().rules.front().label =
+      periods_s.front() == periods_s.back() ? "building period" : "building periods: from, to";
+  return figure;
+}
+
+/// Of the governing displacement, at the building period where MCE has the largest probability.
+Figure exceedance_figure(const CalculationPackage& package) {
+  const DesignClearance& design = package.design;
+  const double period_s = design.compared.front().mce.period_s;
+  RunResults run = *std::ranges::find_if(package.probability.runs, [&](const RunResults& r) {
     return package.probability.cases.cases[r.first_case].period_s == period_s;
   });
-  figures.push_back(fragility_figure(package.probability, *run));
-  figures.back().name = "exceedance";
-  figures.back().title = "Probability that the governing displacement is exceeded";
+  std::erase_if(run.fragilities, [&](const ThresholdFragility& fragility) {
+    return fragility.threshold_m != design.governing_m;
+  });
+  Figure figure = fragility_figure(package.probability, run);
+  figure.name = "exceedance";
+  figure.title = "Probability that the governing displacement is exceeded";
   const ProjectFriction& mu = package.project.friction;
-  figures.back().below = fmt::format("building period {:.3g} s; {}; friction {:.3g}, std {:.2g}",
-                                     period_s, counts_of(package.probability), mu.mean, mu.std);
-  figures.back().caption = fmt::format(
+  figure.below = fmt::format("building period {:.3g} s; {}; friction {:.3g}, std {:.2g}", period_s,
+                             counts_of(package.probability), mu.mean, mu.std);
+  figure.caption = fmt::format(
       "Line: lognormal curve, fitted to the lowest intensity at which each history reaches the "
       "displacement. Points: share of the histories that exceed it at a level. Shaded: 95 % "
       "interval from the variance between records. DBE is S_DS = {:.3f} g, MCE {:.3f} g; the "
       "levels "
       "end at {:.3g} g.",
-      package.design.site.sds_g, package.design.site.sms_g(), package.probability.levels.back());
+      design.site.sds_g, design.site.sms_g(), package.probability.levels.back());
+  Panel& panel = figure.panels.front();
+  for (const auto& [name, level_g] :
+       {std::pair{"DBE", design.site.sds_g}, std::pair{"MCE", design.site.sms_g()}}) {
+    panel.rules.push_back({Rule::Kind::vertical, level_g, look(Role::reference)});
+    panel.notes.push_back({level_g, 0.93 * panel.y.high, name, look(Role::reference).colour});
+  }
+  return figure;
+}
+
+}  // namespace
+
+std::vector<Figure> package_figures(const CalculationPackage& package) {
+  std::vector<Figure> figures{site_spectra_figure(package)};
+  if (package.design.demand.size() > 1) figures.push_back(demand_figure(package));
+  figures.push_back(exceedance_figure(package));
   for (Figure& figure : figures) figure.plot_height_px = 420;
   return figures;
 }

@@ -106,14 +106,13 @@ Html result_html(const CalculationPackage& package) {
   if (!standard.may_be_used())
     answers.push_back(
         "Outside these conditions an unanchored array requires the approval of the authority.");
-  for (const char* level : {"DBE", "MCE"}) {
-    const ExceedanceAt& e = largest_exceedance(design, level);
+  for (const ExceedanceAt& e : {design.compared.front().dbe, design.compared.front().mce})
     answers.push_back(fmt::format(
         "Probability that the governing displacement is exceeded, given {} shaking: {} (95 % "
         "interval {} to {}), at the building period with the largest, {:.3g} s.",
-        level, format_share(e.probability), format_share(e.interval.low),
+        e.level, format_share(e.probability), format_share(e.interval.low),
         format_share(e.interval.high), e.period_s));
-  }
+  answers.push_back(accepted_sentence(design) + ".");
   answers.push_back(hazard_sentence(package));
   // Beside the table, which scrolls on a narrow screen.
   Table separations = separations_table(package);
@@ -259,7 +258,8 @@ Html hazard_html(const CalculationPackage& package) {
              "Over "
              "the design life earthquakes are a Poisson process with the rates of the hazard "
              "curve; residual displacements add up as vectors, and the array is not put back.") +
-         page_table(of_periods(hazard_table(package.probability).without("fit_rate"))) +
+         page_table(of_periods(
+             hazard_table(package.probability, package.design.governing_m).without("fit_rate"))) +
          page_table(of_periods(shown_design_life_table(package.probability)));
 }
 
@@ -302,7 +302,7 @@ void write_package(const CalculationPackage& package, const std::filesystem::pat
       title_table(package.project), inputs_table(package),      site_table(package),
       motions_table(package),       files_table(package),       demand_table(package),
       prescribed_table(package),    separations_table(package), sensitivity_table(package),
-      exceedance_table(package),    checks_table(package)};
+      exceedance_table(package),    compared_table(package),    checks_table(package)};
   for (Table& table : given_curves(package.project)) tables.push_back(std::move(table));
   write_tables(tables, out_dir);
   const std::vector<DrawnFigure> figures = draw(package_figures(package), out_dir);
@@ -321,8 +321,9 @@ void write_package(const CalculationPackage& package, const std::filesystem::pat
       page_table(demand_table(package)) +
       (has_demand_figure ? figure_html(figures.at(1), 2) : Html()) + required_html(package) +
       section_heading(6) + page_table(sensitivity_table(package)) + section_heading(7) +
-      page_table(exceedance_table(package)) + figure_html(figures.back(), figures.size()) +
-      hazard_html(package) + checks_html(package) + records_html(package) + page_foot();
+      page_table(exceedance_table(package)) + page_table(compared_table(package)) +
+      figure_html(figures.back(), figures.size()) + hazard_html(package) + checks_html(package) +
+      records_html(package) + page_foot();
   write_text_file(out_dir / "package.html", page.str());
 }
 

@@ -92,12 +92,12 @@ std::string separation_lines(const CalculationPackage& package) {
   for (const std::string& reservation : reservations_on(package.project, package.design))
     text += wrapped("Reservation: " + reservation + ".");
   text += "\nProbability that the governing displacement is exceeded\n";
-  for (const char* level : {"DBE", "MCE"}) {
-    const ExceedanceAt& e = largest_exceedance(package.design, level);
-    text += fmt::format("  {}  {} (95 % interval {} to {}), period {:.3g} s\n", level,
+  const DisplacementExceedance& governing = package.design.compared.front();
+  for (const ExceedanceAt& e : {governing.dbe, governing.mce})
+    text += fmt::format("  {}  {} (95 % interval {} to {}), period {:.3g} s\n", e.level,
                         format_share(e.probability), format_share(e.interval.low),
                         format_share(e.interval.high), e.period_s);
-  }
+  text += wrapped(accepted_sentence(package.design), terminal_width, 2) + "\n";
   return text + wrapped(hazard_sentence(package), terminal_width, 0) + "\n";
 }
 

@@ -28,8 +28,9 @@ std::string provenance_mark(Provenance provenance) {
 std::string target_text(const Project& project) {
   const DesignTarget& target = project.site.target;
   if (!target.period_s.empty())
-    return fmt::format("{}, spectrum of {} points, {}", edition_name(target.edition),
-                       target.period_s.size(), project.spectrum_file);
+    return fmt::format("{}, spectrum of {} points, {}{}", edition_name(target.edition),
+                       target.period_s.size(), project.spectrum_file,
+                       project.site.mapped ? "; beside it " + to_string(*project.site.mapped) : "");
   if (target.sds_g > 0.0)
     return fmt::format("{}, S_DS {:.3f} g and S_D1 {:.3f} g as given", edition_name(target.edition),
                        target.sds_g, target.sd1_g);
@@ -45,6 +46,12 @@ std::string target_text(const Project& project) {
 std::string prescribed_separation(double length_m) {
   return in_inches() ? fmt::format("{} ({})", length_in(length_m), separation_in(length_m))
                      : length_in(length_m);
+}
+
+/// "2.5 % [0 %, 44 %]"
+std::string share_text(const ExceedanceAt& e) {
+  return fmt::format("{} [{}, {}]", format_share(e.probability), format_share(e.interval.low),
+                     format_share(e.interval.high));
 }
 
 double two_digits(double value) { return std::stod(fmt::format("{:.1e}", value)); }
@@ -81,9 +88,7 @@ std::string hazard_sentence(const CalculationPackage& package) {
     return "Annual rates and the displacement that adds up over the design life are not computed: "
            "give [hazard] in the project file (curve, or k0 and k; design_life_years).";
   const HazardResults& hazard = *package.probability.hazard;
-  const HazardRun& run = *std::ranges::max_element(
-      hazard.runs, {}, [](const HazardRun& r) { return r.thresholds.front().annual_rate; });
-  const double rate = run.thresholds.front().annual_rate;
+  const ThresholdRate& governing = package.design.compared.front().rate.value();
   // Of the rate: the part of shaking beyond the levels, all of which is taken to exceed.
   constexpr double mostly_assumed = 0.5;
   const auto largest_of = [&](LifeQuantity quantity) -> const LifeDisplacement& {
@@ -105,10 +110,9 @@ std::string hazard_sentence(const CalculationPackage& package) {
       "is exceeded {} once in {} years, in 50 years with a probability of {}. Over {}, the array "
       "not "
       "put back, at the period at which it is largest: ",
-      curve_name(hazard),
-      run.thresholds.front().beyond_share > mostly_assumed ? "at most" : "about",
-      format_number(two_digits(1.0 / rate)), format_share(probability_in(50.0, rate)),
-      life_text(hazard));
+      curve_name(hazard), governing.beyond_share > mostly_assumed ? "at most" : "about",
+      format_number(two_digits(1.0 / governing.annual_rate)),
+      format_share(probability_in(50.0, governing.annual_rate)), life_text(hazard));
   if (farthest.p95_m == 0.0) return exceeded + "it does not slide in 95 % of such spans.";
   return exceeded + fmt::format(
                         "displacement that adds up, median {}, 95th percentile {}; farthest "
@@ -226,7 +230,7 @@ Table site_table(const CalculationPackage& package) {
         package.project.site.states_tl ? "project file" : "NOT STATED: assumed");
   add("Seismic design category",
       category_text(package.project.site, site) +
-          (target.is_mapped() ? "" : " (S_1 is not stated)"),
+          (target.is_mapped() || package.project.site.mapped ? "" : " (S_1 is not stated)"),
       edition_name(target.edition) + ", tables 11.6-1 and 11.6-2 (recalled)");
   return table;
 }
@@ -375,19 +379,19 @@ Table sensitivity_table(const CalculationPackage& package) {
 }
 
 Table exceedance_table(const CalculationPackage& package) {
+  const SiteValues& site = package.design.site;
   Table table{"exceedance",
               fmt::format("Probability that the displacement exceeds the governing one, {}",
                           length_in_both(package.design.governing_m)),
-              {text_column("level", "Earthquake"), text_column("level_g", "S_DS, or S_MS at MCE"),
-               text_column("period", "Building period"), text_column("probability", "Probability"),
-               text_column("interval", "95 % interval")},
+              {text_column("period", "Building period"),
+               text_column("dbe", fmt::format("At DBE, S_DS = {:.3f} g [95 %]", site.sds_g)),
+               text_column("mce", fmt::format("At MCE, S_MS = {:.3f} g [95 %]", site.sms_g()))},
               {}};
-  for (const ExceedanceAt& e : package.design.exceedance) {
-    table.add(
-        {e.level, fmt::format("{:.3f} g", e.sds_g), fmt::format("{:.3g} s", e.period_s),
-         format_share(e.probability),
-         fmt::format("{} to {}", format_share(e.interval.low), format_share(e.interval.high))});
-  }
+  const std::vector<ExceedanceAt>& dbe_then_mce = package.design.exceedance;
+  const std::size_t periods = dbe_then_mce.size() / 2;
+  for (std::size_t p = 0; p < periods; ++p)
+    table.add({fmt::format("{:.3g} s", dbe_then_mce[p].period_s), share_text(dbe_then_mce[p]),
+               share_text(dbe_then_mce[periods + p])});
   table.notes.push_back(
       fmt::format("The probability is the observed share of the histories, without a fitted curve. "
                   "Friction and mass ratio are drawn within the project's ranges, and the "
@@ -396,6 +400,53 @@ Table exceedance_table(const CalculationPackage& package) {
                   "resampling whole records; it is never "
                   "narrower than that of a binomial with one trial for each record.",
                   package.probability.cases.samples, package.probability.records.size()));
+  return table;
+}
+
+std::string accepted_sentence(const DesignClearance& design) {
+  const auto length = [](double length_m) {
+    return std::isfinite(length_m) ? slip_in(length_m) : std::string("any displacement");
+  };
+  return fmt::format("{:g} % of the histories at the DBE exceed {} (95 % interval {} to {})",
+                     100.0 * accepted_exceedance, length(design.accepted.displacement_m),
+                     length(design.accepted.interval.low), length(design.accepted.interval.high));
+}
+
+Table compared_table(const CalculationPackage& package) {
+  const DesignClearance& design = package.design;
+  Table table{"compared",
+              "Probability that each clearance at hand is not enough",
+              {text_column("what", "Displacement"), text_column("displacement", "Exceeding"),
+               text_column("dbe", "At DBE [95 %]"), text_column("mce", "At MCE [95 %]")},
+              {}};
+  const bool has_rate = design.compared.front().rate.has_value();
+  if (has_rate) {
+    table.columns.push_back({"annual_rate", "per_year", "Annual rate [95 %]", ColumnKind::rate,
+                             /*with_interval=*/true});
+    table.columns.push_back({"life_probability", "",
+                             "In " + life_text(*package.probability.hazard) + " [95 %]",
+                             ColumnKind::share, /*with_interval=*/true});
+  }
+  for (const DisplacementExceedance& row : design.compared) {
+    std::string what = "governing displacement";
+    if (row.separation) {
+      const ProjectSeparation& s = design.separations[*row.separation];
+      what = fmt::format("{}: {} / {:g}", s.required.what, length_in(*s.available_m),
+                         s.required.factor);
+    }
+    std::vector<Cell> cells{what, length_in_both(row.displacement_m), share_text(row.dbe),
+                            share_text(row.mce)};
+    if (has_rate) {
+      const char* sign = sign_of(*row.rate);
+      cells.emplace_back(Estimate{row.rate->annual_rate, row.rate->rate_interval, sign});
+      cells.emplace_back(Estimate{row.rate->life_probability, row.rate->life_interval, sign});
+    }
+    table.add(std::move(cells));
+  }
+  table.notes.push_back(
+      "A clearance allows the displacement clearance / factor (ASCE 7-16, 13.6.12). Each number is "
+      "that of the building period where it is largest. " +
+      accepted_sentence(design) + ".");
   return table;
 }
 

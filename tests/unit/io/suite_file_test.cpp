@@ -83,6 +83,28 @@ TEST_F(SuiteFile, units_of_a_suite_are_those_of_files_that_state_none) {
                    10.0);
 }
 
+TEST_F(SuiteFile, components_whose_headers_contradict_each_other_are_named) {
+  const auto at2 = [](const std::string& source) {
+    return "PEER NGA STRONG MOTION DATABASE RECORD\n" + source +
+           "\nACCELERATION TIME SERIES IN UNITS OF G\nNPTS= 2, DT= .0100 SEC,\n0.1 0.2\n";
+  };
+  folder_.write("suites/a.at2", at2("Kobe, 1/16/1995, Nishi-Akashi, 0"));
+  folder_.write("suites/b.at2", at2("Kobe, 1/16/1995, Shin-Osaka, 60"));
+  folder_.write("suites/c.at2", at2("Kobe, 1/16/1995, Nishi-Akashi, 270"));
+  folder_.write("suites/up.at2", at2("Kobe, 1/16/1995, Nishi-Akashi, UP"));
+  const auto found = [&](const std::string& second, const std::string& vertical) {
+    return load(head + "[[record]]\nid = \"a\"\nfirst = \"a.at2\"\nsecond = \"" + second +
+                "\"\nvertical = \"" + vertical + "\"\n")
+        .motions[0]
+        .contradictions;
+  };
+  EXPECT_THAT(found("c.at2", "up.at2"), testing::IsEmpty());
+  EXPECT_THAT(found("b.at2", "up.at2"),
+              ElementsAre(HasSubstr("two stations"), HasSubstr("not perpendicular")));
+  EXPECT_THAT(found("up.at2", "c.at2"), ElementsAre(HasSubstr("a vertical component, UP"),
+                                                    HasSubstr("a horizontal component, 270")));
+}
+
 TEST_F(SuiteFile, records_are_found_below_the_folders_of_the_environment) {
   const std::string suite = head + "[[record]]\nid = \"a\"\nfirst = \"set/a.txt\"\n";
   folder_.write("r1/readme", "");

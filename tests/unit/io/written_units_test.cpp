@@ -35,6 +35,9 @@ TEST(written_units, are_converted_to_the_unit_of_the_key) {
                            {"rise_in_12", "0.25:12", 0.25},
                            {"rise_in_12", "1:48", 0.25},
                            {"rise_in_12", "1/4 in/ft", 0.25},
+                           {"rise_in_12", "0 deg", 0.0},
+                           {"x_m", "30'", 9.144},
+                           {"x_m", "18\"", 0.4572},
                            {"design_life_years", "50 years", 50.0}}) {
     const KeyUnits* units = units_of_key(w.key);
     ASSERT_NE(units, nullptr) << w.key;
@@ -42,6 +45,8 @@ TEST(written_units, are_converted_to_the_unit_of_the_key) {
   }
   EXPECT_THAT(units_of_key("slope_deg")->value_of("2 %"),
               Optional(testing::DoubleNear(1.14576, 1e-5)));  // atan 0.02
+  EXPECT_THAT(units_of_key("rise_in_12")->value_of("4 deg"),
+              Optional(testing::DoubleNear(0.839122, 1e-6)));  // 12 tan 4 deg
 }
 
 TEST(written_units, of_another_dimension_or_none_are_refused) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,8 +19,10 @@ std::string curve_name(const HazardResults& hazard);
 /// "25 years".
 std::string life_text(const HazardResults& hazard);
 
-/// Per run and threshold.
-Table hazard_table(const Results& results);
+/// "< " where no history decides the rate: it is an upper bound.
+const char* sign_of(const ThresholdRate& row);
+/// Per run and threshold, or of one threshold.
+Table hazard_table(const Results& results, std::optional<double> threshold_m = {});
 /// Per run and displacement: a curve each.
 Table hazard_curve_table(const Results& results);
 /// Per run and target rate.

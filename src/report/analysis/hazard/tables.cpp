@@ -23,9 +23,6 @@ Estimate period_of(double rate, const Interval& interval) {
   return {1.0 / rate, {1.0 / interval.high, 1.0 / interval.low}, ""};
 }
 
-/// Upper bound where no history decides the rate.
-const char* sign_of(const ThresholdRate& row) { return row.beyond_share == 1.0 ? "< " : ""; }
-
 Estimate target_of(const HazardRun& run, const TargetDisplacement& row) {
   const double lowest = run.curve.front().displacement_m;
   return {row.displacement_m, row.displacement_interval, row.displacement_m == lowest ? "< " : ""};
@@ -45,6 +42,8 @@ std::string quantity_name(LifeQuantity quantity) {
 
 }  // namespace
 
+const char* sign_of(const ThresholdRate& row) { return row.beyond_share == 1.0 ? "< " : ""; }
+
 std::string curve_name(const HazardResults& hazard) {
   return std::filesystem::path(hazard.source).filename().string();
 }
@@ -58,7 +57,7 @@ std::string rate_text(double annual_rate) {
   return fmt::format("1/{:.4g} a year", 1.0 / annual_rate);
 }
 
-Table hazard_table(const Results& results) {
+Table hazard_table(const Results& results, std::optional<double> threshold_m) {
   const HazardResults& hazard = *results.hazard;
   Table table{
       "hazard",
@@ -74,6 +73,7 @@ Table hazard_table(const Results& results) {
   table.columns.back().detail = true;
   for (const HazardRun& run : hazard.runs) {
     for (const ThresholdRate& row : run.thresholds) {
+      if (row.threshold_m != threshold_m.value_or(row.threshold_m)) continue;
       Estimate period = period_of(row.annual_rate, row.rate_interval);
       if (row.beyond_share == 1.0) period.sign = "> ";
       table.add({run.label, row.threshold_m,

@@ -19,7 +19,8 @@ constexpr double text_size = 0.04;  // as a share of the panel
 /// Each record's number on its line, where it is farthest from all other lines, and clear of the
 /// average, the target and other numbers.
 void number_records(const SuiteSpectra& spectra, Panel& panel) {
-  const std::vector<double>& period_s = spectra.periods_s;
+  const std::vector<double> period_s(spectra.periods_s.begin(),
+                                     std::ranges::upper_bound(spectra.periods_s, panel.x.high));
   std::vector<std::vector<double>> lines = spectra.srss_g;
   lines.push_back(spectra.average_srss_g);
   if (!spectra.target_g.empty()) lines.push_back(spectra.target_g);
@@ -68,11 +69,13 @@ Figure spectra_figure(const SuiteSpectra& spectra, const SpectraTexts& texts) {
     }
     end_line(records);
   }
+  double to_s = spectra.periods_s.empty() ? 1.0 : spectra.periods_s.back();
+  if (texts.to_s > 0.0) to_s = std::min(to_s, texts.to_s);
   Look average = look(Role::mean);
   average.dash = 1;
   average.width = 3.0;
   Panel panel{"",
-              {"Period (s)", 0.0, spectra.periods_s.empty() ? 1.0 : spectra.periods_s.back()},
+              {"Period (s)", 0.0, to_s},
               {"Spectral acceleration, 5 % damped, SRSS (g)"},
               {records,
                {DataSeries::Kind::line, average, "average", "average of the records",
