@@ -14,14 +14,26 @@ RegimeOscillator::RegimeOscillator(const ContactRegime& regime, double gravity,
       beta_radps(std::sqrt(building.omega_radps * building.omega_radps / contact.mass -
                            alpha_radps * alpha_radps)),
       phase(building.omega_radps / std::sqrt(contact.mass) * step_s),
+      omega2(omega_radps * omega_radps),
+      per_omega(1.0 / omega_radps),
+      per_omega2(1.0 / omega2),
+      per_beta(1.0 / beta_radps),
+      per_mass(1.0 / contact.mass),
+      angle(omega_radps * step_s),
+      per_angle(1.0 / angle),
+      s2_size(omega2 / contact.mass),
       s{-alpha_radps, beta_radps},
       s2(s * s),
       s_dt(dt_s * s) {
   constexpr double last_term = 1e-17;  // of the first: below rounding
-  for (double term = 1.0; term > last_term && terms < Series::most_terms; ++terms)
-    term *= phase / (terms + 1);
-  const double size = std::exp(-alpha_radps * dt_s), angle = beta_radps * dt_s;
-  const Amplitude interval{size * std::cos(angle), size * std::sin(angle)};
+  taylor[0] = {1.0, 0.0};
+  for (std::size_t k = 1; k < taylor.size(); ++k)
+    taylor[k] = (1.0 / static_cast<double>(k)) * (taylor[k - 1] * s_dt);
+  while (even_terms + 3 < taylor.size() &&
+         taylor[even_terms + 2].size() > last_term * taylor[2].size())
+    even_terms += 2;
+  const double size = std::exp(-alpha_radps * dt_s), turn = beta_radps * dt_s;
+  const Amplitude interval{size * std::cos(turn), size * std::sin(turn)};
   powers[0] = {1.0, 0.0};
   for (std::size_t n = 1; n < window; ++n) powers[n] = powers[n - 1] * interval;
   squares[0] = powers[window - 1] * interval;

@@ -48,8 +48,11 @@ struct RegimeOscillator {
   double gravity_mps2 = 0.0, omega_radps = 0.0, dt_s = 0.0, lag = 0.0;
   double alpha_radps = 0.0, beta_radps = 0.0;  ///< s = -alpha + i beta
   double phase = 0.0;                          ///< |s| dt
-  Amplitude s, s2, s_dt;                       ///< s, s^2, s dt
-  int terms = 2;                               ///< of the series of exp(s dt)
+  // What the above give, since a division costs as much as all else of a line.
+  double omega2 = 0.0, per_omega = 0.0, per_omega2 = 0.0, per_beta = 0.0, per_mass = 0.0;
+  double angle = 0.0, per_angle = 0.0;  ///< omega dt
+  double s2_size = 0.0;                 ///< |s^2|
+  Amplitude s, s2, s_dt;                ///< s, s^2, s dt
 
   RegimeOscillator() = default;
   RegimeOscillator(const ContactRegime& contact, double gravity_mps2,
@@ -57,19 +60,17 @@ struct RegimeOscillator {
 
   /// Of the scaled state (x, y) of a free vibration, without particular part.
   Amplitude free_amplitude(const RoofState& state) const {
-    const double u = state.x / (omega_radps * omega_radps), rate = state.y / omega_radps;
-    return {u, -(rate + alpha_radps * u) / beta_radps};
+    const double u = state.x * per_omega2, rate = state.y * per_omega;
+    return {u, -(rate + alpha_radps * u) * per_beta};
   }
-  RoofState free_state(Amplitude z) const {
-    return {omega_radps * omega_radps * z.re, omega_radps * real(s, z)};
-  }
+  RoofState free_state(Amplitude z) const { return {omega2 * z.re, omega_radps * real(s, z)}; }
   Amplitude amplitude(const RoofState& state, const LinearGround& ground) const {
     return free_amplitude(state - particular(ground));
   }
   /// Of the roof, in a state under this vertical.
   double acceleration_mps2(const RoofState& roof, double w) const {
-    const double resisting = -(roof.x + lag * omega_radps * dt_s * roof.y);
-    return (resisting - contact.weight * (gravity_mps2 + w)) / contact.mass;
+    const double resisting = -(roof.x + lag * angle * roof.y);
+    return (resisting - contact.weight * (gravity_mps2 + w)) * per_mass;
   }
   RoofState state(Amplitude z, const LinearGround& ground) const {
     return free_state(z) + particular(ground);
@@ -81,13 +82,14 @@ struct RegimeOscillator {
   };
   /// 0 <= tau <= 1.
   Growth after(double tau) const {
-    const Amplitude q = tau * s_dt;
-    Amplitude sum{1.0, 0.0};
-    for (int k = terms; k > 2; --k) {
-      sum = Series::inverse[static_cast<std::size_t>(k)] * (q * sum);
-      sum.re += 1.0;
+    // Even and odd powers side by side, since each waits for its own last term.
+    const double square = tau * tau;
+    Amplitude even{}, odd{};
+    for (std::size_t k = even_terms; k >= 2; k -= 2) {
+      even = square * even + taylor[k];
+      odd = square * odd + taylor[k + 1];
     }
-    const Amplitude minus_line = 0.5 * (q * (q * sum)), minus_one = q + minus_line;
+    const Amplitude minus_line = square * (even + tau * odd), minus_one = tau * s_dt + minus_line;
     return {Amplitude{1.0 + minus_one.re, minus_one.im}, minus_one, minus_line};
   }
   /// exp(s dt n), by products of powers of exp(s dt).
@@ -99,7 +101,9 @@ struct RegimeOscillator {
   }
   Amplitude per_interval() const { return powers[1]; }
 
-  std::array<Amplitude, window> powers{};            ///< exp(s dt n)
+  std::size_t even_terms = 2;              ///< highest even power of s dt that counts in exp(s dt)
+  std::array<Amplitude, 20> taylor{};      ///< (s dt)^k / k!
+  std::array<Amplitude, window> powers{};  ///< exp(s dt n)
   std::array<float, window> power_re{}, power_im{};  ///< the same
   std::array<Amplitude, 32> squares{};               ///< exp(s dt window 2^k)
 
@@ -108,7 +112,7 @@ struct RegimeOscillator {
     const Roof &at = ground.at, &change = ground.change;
     const double h = contact.mass * at.a + contact.weight * (gravity_mps2 + at.w),
                  rise = contact.mass * change.a + contact.weight * change.w;
-    return {lag * rise - h, -rise / (omega_radps * dt_s)};
+    return {lag * rise - h, -rise * per_angle};
   }
 };
 

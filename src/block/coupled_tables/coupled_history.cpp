@@ -93,17 +93,16 @@ void CoupledHistory::set_reference(std::size_t node, const RoofState& roof, doub
   const double size = free_.size(), margin = ringing_down_
                                                  ? contact_.gravity() * cot_slope_
                                                  : contact_margin_mps2_[yield_side_ != 0][k];
-  may_lift_ = !(r.s2.size() * size < margin);
+  may_lift_ = !(r.s2_size * size < margin);
   spring_may_change_ =
-      yield_side_ != 0 ||
-      !(table * response.largest_x_mps2 + r.omega_radps * r.omega_radps * size + std::abs(weight) <
-        std::min(-elastic_.lowest, elastic_.highest));
+      yield_side_ != 0 || !(table * response.largest_x_mps2 + r.omega2 * size + std::abs(weight) <
+                            std::min(-elastic_.lowest, elastic_.highest));
 }
 
 /// From the reference to a node.
 double CoupledHistory::speed(std::size_t node, const RoofState& now) const {
   const DriveLine& line = regime().contact.drive;
-  double roof_gain = (now.y - roof_from_.y) / regime().omega_radps, fall = 0.0;
+  double roof_gain = (now.y - roof_from_.y) * regime().per_omega, fall = 0.0;
   if (!ringing_down_) {
     const auto gain = [&](const GroundTable& of) {
       return of.velocity_mps()[node] - of.velocity_mps()[from_];
@@ -116,8 +115,9 @@ double CoupledHistory::speed(std::size_t node, const RoofState& now) const {
 
 double CoupledHistory::travel(std::size_t node, const RoofState& now) const {
   const DriveLine& line = regime().contact.drive;
-  const double t = time_s(node - from_), omega = regime().omega_radps;
-  double roof_displacement = (now.x - roof_from_.x) / (omega * omega) - roof_from_.y / omega * t,
+  const double t = time_s(node - from_);
+  double roof_displacement =
+             (now.x - roof_from_.x) * regime().per_omega2 - roof_from_.y * regime().per_omega * t,
          fall = 0.0;
   if (!ringing_down_) {
     roof_displacement +=
@@ -152,7 +152,7 @@ void CoupledHistory::begin_ring_down() {
 
 bool CoupledHistory::finished() const {
   return ringing_down_ && !body_.sliding() && !spring_may_change_ &&
-         cannot_slip(block_, regime().s2.size() * free_.size(), 0.0);
+         cannot_slip(block_, regime().s2_size * free_.size(), 0.0);
 }
 
 bool CoupledHistory::run() {

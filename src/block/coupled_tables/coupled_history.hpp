@@ -75,7 +75,7 @@ class CoupledHistory {
   std::optional<Begin> begin(const IntervalState& now, double tau, const RoofState& roof,
                              int direction, bool drive_jumps) const;
   void start(const IntervalState& now, const Begin& begin);
-  bool rests(const IntervalState& now, double tau, Amplitude z) const;
+  bool rests(const IntervalState& now, double tau, Amplitude z, Amplitude to_end) const;
   void slid(double distance_m, double duration_s, std::size_t end_interval);
   void by_reference_scheme(const IntervalState& now);
   void advance(CoupledBody& body, std::size_t interval, const LinearGround& ground) const;

@@ -133,11 +133,12 @@ bool CoupledHistory::slide_in(const IntervalState& now) {
   const Amplitude z_stuck = stuck.amplitude(at_stop, ground);
   const DriveLine other = direction > 0 ? contact_.at_rest().up() : contact_.at_rest().down();
   const Curve back = drive(now.ground, stuck, other, tau, z_stuck);
+  const Amplitude to_end = stuck.after(1.0 - tau).power;
   std::optional<Begin> reversal;
   if (back.c0 + back.b.re > 0.0) {
     reversal = begin(now, tau, at_stop, -direction, true);
     if (!reversal) return false;
-  } else if (!rests(now, tau, z_stuck)) {
+  } else if (!rests(now, tau, z_stuck, to_end)) {
     return false;
   }
   slid(travel(now.interval, now.roof) +
@@ -147,8 +148,7 @@ bool CoupledHistory::slide_in(const IntervalState& now) {
   if (reversal) {
     start(now, *reversal);
   } else {
-    set_reference(now.interval + 1,
-                  stuck.state(z_stuck * stuck.after(1.0 - tau).power, now.ground.after(1.0)), 0.0);
+    set_reference(now.interval + 1, stuck.state(z_stuck * to_end, now.ground.after(1.0)), 0.0);
   }
   return true;
 }
@@ -157,7 +157,7 @@ bool CoupledHistory::slide_in(const IntervalState& now) {
 bool CoupledHistory::within_limits(const RegimeOscillator& r, double length, Amplitude z,
                                    const LinearGround& ground, const RoofState& begin,
                                    const RoofState& end) const {
-  const double phase = r.phase * length, bend = 0.125 * phase * phase * (r.s2 * z).size();
+  const double phase = r.phase * length, bend = 0.125 * phase * phase * r.s2_size * z.size();
   return within_limits(r, bend, begin, ground.at) &&
          within_limits(r, bend, end, ground.after(length).at);
 }
@@ -173,9 +173,9 @@ bool CoupledHistory::within_limits(const RegimeOscillator& r, double bend, const
 }
 
 /// It stays at rest from the fraction tau to the interval's end.
-bool CoupledHistory::rests(const IntervalState& now, double tau, Amplitude z) const {
+bool CoupledHistory::rests(const IntervalState& now, double tau, Amplitude z,
+                           Amplitude to_end) const {
   const RegimeOscillator& r = table_->regime(0);
-  const Amplitude to_end = r.after(1.0 - tau).power;
   const LinearGround ground = now.ground.after(tau);
   if (has_limits_ && !within_limits(r, 1.0 - tau, z, ground, r.state(z, ground),
                                     r.state(z * to_end, now.ground.after(1.0))))

@@ -70,7 +70,7 @@ std::size_t CoupledHistory::next_stop_in(std::size_t first, std::size_t last) co
   s.gain = ringing_down_ ? zeros.data() : speed.gain.data();
   s.tile_deviation = ringing_down_ ? zeros.data() : speed.tile_deviation.data();
   double constant =
-      speed_from_ - line.a * (roof_from_.y / r.omega_radps) + line.constant * time_s(node_ - from_);
+      speed_from_ - line.a * (roof_from_.y * r.per_omega) + line.constant * time_s(node_ - from_);
   if (!ringing_down_) {
     constant -= line.a * intensity_ * (table_->sign() * nodes().a.velocity_mps()[from_]);
     if (nodes().vertical) constant -= line.w * w_factor_ * nodes().w.velocity_mps()[from_];
@@ -81,8 +81,8 @@ std::size_t CoupledHistory::next_stop_in(std::size_t first, std::size_t last) co
   s.drive_a = static_cast<float>(line.a);
   s.constant = static_cast<float>(constant - slack * size);
   s.per_step = static_cast<float>(per_step - slack * std::abs(per_step));
-  s.deviation = static_cast<float>(0.125 * step_s_ * std::abs(line.a) * r.phase *
-                                   (r.s2 * amplitude).size() * (1.0 + slack));
+  s.deviation = static_cast<float>(0.125 * step_s_ * std::abs(line.a) * r.phase * r.s2_size *
+                                   amplitude.size() * (1.0 + slack));
   return next_stop(s, first, last);
 }
 
@@ -92,7 +92,7 @@ std::size_t CoupledHistory::next_limit_in(std::size_t first, std::size_t last) c
   const RegimeOscillator& r = regime();
   const CoupledTable::Response& response = table_->response(body_.direction());
   const double intensity = ringing_down_ ? 0.0 : intensity_, weight = r.contact.weight,
-               stiffness = r.omega_radps * r.omega_radps, bend = 0.125 * r.phase * r.phase,
+               stiffness = r.omega2, bend = 0.125 * r.phase * r.phase,
                x_at_rest = -weight * r.gravity_mps2,
                least_x = std::min(x_at_rest - elastic_.lowest, elastic_.highest - x_at_rest);
   Amplitude free = free_ * r.power(node_ - from_);
@@ -100,11 +100,11 @@ std::size_t CoupledHistory::next_limit_in(std::size_t first, std::size_t last) c
     const std::size_t b = ringing_down_ ? 0 : i / CoupledTable::tile,
                       end = std::min(last, (i / CoupledTable::tile + 1) * CoupledTable::tile);
     const double w = ringing_down_ ? 0.0 : nodes().lowest_w(w_factor_, b), size = free.size(),
-                 size_a = intensity * response.a_mps2[b] + r.s2.size() * size,
+                 size_a = intensity * response.a_mps2[b] + r.s2_size * size,
                  size_x = intensity * response.x_mps2[b] + stiffness * size;
     if (yield_side_ != 0 || size_a >= (r.gravity_mps2 + w) * cot_slope_ || size_x >= least_x) {
       const double bend_a =
-          bend * (intensity * response.amplitude[b] + r.s2.size() * size) * (1.0 + slack);
+          bend * (intensity * response.amplitude[b] + r.s2_size * size) * (1.0 + slack);
       for (std::size_t k = i; k < end; ++k) {
         RoofState roof = r.free_state(free * r.powers[k - i]);
         Roof at;

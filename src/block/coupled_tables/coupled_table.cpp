@@ -144,11 +144,11 @@ void CoupledTable::set_bounds(Response& response, const RegimeOscillator& r,
     *values = tile_values(count);
   fill_amplitude({response.x.data(), response.y.data(),
                   accelerations(r.contact.mass * sign_, r.contact.weight * vertical_ratio_), r.lag,
-                  1.0 / (r.omega_radps * r.dt_s), r.alpha_radps / r.beta_radps,
-                  r.omega_radps / r.beta_radps, 1.0 / r.contact.mass, 2.0 * damping_ratio,
-                  response.amplitude.data(), response.a_mps2.data(), response.x_mps2.data()},
+                  r.per_angle, r.alpha_radps / r.beta_radps, r.omega_radps / r.beta_radps,
+                  r.per_mass, 2.0 * damping_ratio, response.amplitude.data(),
+                  response.a_mps2.data(), response.x_mps2.data()},
                  count);
-  const double per_w = r.contact.weight * vertical_ratio_, step = r.omega_radps * r.dt_s,
+  const double per_w = r.contact.weight * vertical_ratio_, step = r.angle,
                largest_a_g = nodes_.a.peak_acceleration_mps2();
   for (std::size_t b = 0; b < tiles_of(count); ++b) {
     const double w = std::abs(per_w) *
@@ -217,8 +217,8 @@ std::shared_ptr<CoupledTable::Speed> CoupledTable::speed_of(int direction) const
   fill_change(ground, speed->tile_deviation.data(), count);
   ground.a = nodes_.a.velocity_mps().data();
   if (ground.w != nullptr) ground.w = nodes_.w.velocity_mps().data();
-  fill_line({of.x.data(), of.y.data(), 0.0, 1.0 / r.omega_radps, ground, speed->gain.data(),
-             lowest.data(), highest.data()},
+  fill_line({of.x.data(), of.y.data(), 0.0, r.per_omega, ground, speed->gain.data(), lowest.data(),
+             highest.data()},
             count);
   const float per_change = static_cast<float>(0.125 * r.dt_s) * room,
               phase = static_cast<float>(r.phase) * room;

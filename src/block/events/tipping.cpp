@@ -3,11 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "block/contact/contact.hpp"
 #include "block/tables/event_bounds.hpp"
 #include "glissade/core/contract.hpp"
+#include "glissade/core/not_finite.hpp"
 
 namespace glissade {
 namespace {
@@ -16,8 +16,6 @@ using block_detail::Contact;
 using block_detail::DriveLine;
 using block_detail::EventBounds;
 using block_detail::Lines;
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// @param peak_of largest value over the motion, or 0, of a line without a constant
 template <class PeakOf>

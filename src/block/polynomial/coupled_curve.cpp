@@ -17,19 +17,21 @@ Amplitude small_growth(Amplitude p) {
 BoundedCurve::BoundedCurve(const Curve& f, const RegimeOscillator& regime, double length,
                            Amplitude at_end)
     : f_(f), regime_(regime), length_(length) {
-  const Amplitude b_slope = f.b * regime.s_dt;
   begin_ = f.c0 + f.b.re;
   end_ = (f.c0 + (f.c1 + f.c2 * length) * length) + real(f.b, at_end);
+  const double size = f.b.size(), phase = regime.phase * length, second = size * phase * phase;
+  deviation_ = 0.125 * (second + 2.0 * std::abs(f.c2) * length * length);
+  if (is_below_zero()) return;
+  const Amplitude b_slope = f.b * regime.s_dt;
   begin_slope_ = length * (f.c1 + b_slope.re);
   end_slope_ = length * ((f.c1 + 2.0 * f.c2 * length) + real(b_slope, at_end));
-  const double phase = regime.phase * length, second = f.b.size() * phase * phase;
-  deviation_ = 0.125 * (second + 2.0 * std::abs(f.c2) * length * length);
   slope_deviation_ = 0.125 * second * phase;
+  largest_third_ = size * regime.phase * regime.phase * regime.phase;
   cubic_error_ = second * phase * phase / 384.0;
 }
 
 Proof BoundedCurve::proof() const {
-  if (upper(begin_, end_) + deviation_ < 0.0) return Proof::negative;
+  if (is_below_zero()) return Proof::negative;
   if (!(begin_ < 0.0)) return Proof::unknown;
   if (end_ > 0.0) return never_falls() ? Proof::rises : Proof::unknown;
   if (!(end_ < 0.0)) return Proof::unknown;
@@ -69,7 +71,6 @@ double BoundedCurve::first_guess() const {
 BoundedCurve::Root BoundedCurve::root() const {
   double t = first_guess();
   Amplitude power = regime_.after(t).power;
-  const double third = f_.b.size() * regime_.phase * regime_.phase * regime_.phase;
   for (int i = 0; i < 20; ++i) {
     const Amplitude free = f_.b * power, rate = free * regime_.s_dt, bend = rate * regime_.s_dt;
     const double value = (f_.c0 + (f_.c1 + f_.c2 * t) * t) + free.re,
@@ -79,7 +80,7 @@ BoundedCurve::Root BoundedCurve::root() const {
     const double next = std::clamp(t + step, 0.0, length_), taken = next - t;
     if (!(std::abs(taken) <= 1.0)) break;
     t = next;
-    const double bent = 0.5 * curve / slope, error = bent * bent + third / std::abs(slope);
+    const double bent = 0.5 * curve / slope, error = bent * bent + largest_third_ / std::abs(slope);
     if (taken * taken * std::abs(taken) * error <= 1e-17 && std::abs(taken) <= 1e-4)
       return {t, power + power * small_growth(taken * regime_.s_dt), true};
     power = regime_.after(t).power;

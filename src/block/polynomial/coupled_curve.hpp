@@ -42,6 +42,7 @@ class BoundedCurve {
   Root root() const;
 
  private:
+  bool is_below_zero() const { return upper(begin_, end_) + deviation_ < 0.0; }
   static double lower(double p, double q) { return p < q ? p : q; }
   static double upper(double p, double q) { return p > q ? p : q; }
   /// The largest value of the cubic with f's values and slopes at both ends.
@@ -51,9 +52,13 @@ class BoundedCurve {
   const Curve& f_;
   const RegimeOscillator& regime_;
   double length_;
-  double begin_, end_, begin_slope_, end_slope_;  // slopes per length
-  double deviation_, slope_deviation_,
-      cubic_error_;  // f leaves its chord, f' its own, f the cubic by no more
+  double begin_, end_;
+  double deviation_;  ///< f leaves its chord by no more
+  // Of a curve that its chord does not show to be below zero throughout:
+  double begin_slope_ = 0.0, end_slope_ = 0.0;  ///< per length
+  double slope_deviation_ = 0.0;                ///< f' leaves its own chord by no more
+  double cubic_error_ = 0.0;                    ///< f leaves the cubic by no more
+  double largest_third_ = 0.0;                  ///< |f'''|, per interval
 };
 
 }  // namespace glissade::block_detail
