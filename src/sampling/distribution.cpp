@@ -6,15 +6,14 @@
 #include <boost/math/distributions/triangular.hpp>
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
 #include "glissade/core/contract.hpp"
+#include "glissade/core/not_finite.hpp"
 
 namespace glissade {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 const boost::math::normal standard_normal;
 
 /// Phi^-1 of a probability below; the probability above is given too: the smaller is exact.

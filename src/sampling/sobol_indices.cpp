@@ -4,14 +4,12 @@
 #include <algorithm>
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
-#include <limits>
 
 #include "glissade/core/contract.hpp"
+#include "glissade/core/not_finite.hpp"
 
 namespace glissade {
 namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// first <= i < end
 struct IndexRange {

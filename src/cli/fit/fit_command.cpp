@@ -8,6 +8,7 @@
 #include "commands.hpp"
 #include "fit/fit_output.hpp"
 #include "glissade/core/error.hpp"
+#include "glissade/core/not_finite.hpp"
 #include "glissade/fragility/bootstrap.hpp"
 #include "glissade/io/fit_input.hpp"
 
@@ -20,8 +21,6 @@ struct FitOptions {
   std::vector<double> thresholds;
   bool json = false;
 };
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 std::size_t record_count(const auto& rows) {
   std::size_t count = 0;

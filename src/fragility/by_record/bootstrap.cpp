@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
 
 #include "by_record/line_draws.hpp"
 #include "by_record/records.hpp"
@@ -12,14 +11,12 @@
 #include "by_record/sandwich.hpp"
 #include "glissade/core/contract.hpp"
 #include "glissade/core/normal.hpp"
+#include "glissade/core/not_finite.hpp"
 
 namespace glissade {
 namespace {
 
 using namespace fragility;
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// One curve of many that the data allow; a bound has no line.
 struct CandidateFit {

@@ -11,12 +11,12 @@
 #include "by_record/resampling.hpp"
 #include "glissade/core/contract.hpp"
 #include "glissade/core/normal.hpp"
+#include "glissade/core/not_finite.hpp"
 #include "lognormal/likelihood.hpp"
 
 namespace glissade {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr int most_iterations = 1000;
 constexpr double tie = 1e-9;  ///< of ln std: two names of one measure
 

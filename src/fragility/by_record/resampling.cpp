@@ -5,17 +5,15 @@
 #include <boost/math/distributions/chi_squared.hpp>
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
-#include <limits>
 
 #include "glissade/core/contract.hpp"
 #include "glissade/core/normal.hpp"
+#include "glissade/core/not_finite.hpp"
 #include "glissade/core/random.hpp"
 
 namespace glissade {
 namespace fragility {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 double t_of(EstimateWithError replicate, EstimateWithError center) {
   const double t = (replicate.value - center.value) / replicate.standard_error;

@@ -2,13 +2,12 @@
 #include "lognormal/bracket_likelihood.hpp"
 
 #include <cmath>
-#include <limits>
 #include <numbers>
+
+#include "glissade/core/not_finite.hpp"
 
 namespace glissade::fragility {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 Evaluation exact(double y, const ProbitLine& line) {
   const Eigen::Vector2d x{1, y};

@@ -3,15 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
+#include "glissade/core/not_finite.hpp"
 #include "lognormal/newton_maximum.hpp"
 
 namespace glissade::fragility {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// ln Phi(z), with its derivative phi/Phi = `hazard` and minus its second derivative `curvature` =
 /// hazard (z + hazard).

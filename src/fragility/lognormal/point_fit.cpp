@@ -3,15 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "glissade/core/error.hpp"
+#include "glissade/core/not_finite.hpp"
 #include "lognormal/profile.hpp"
 
 namespace glissade::fragility {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Of one-sided bounds: a usual dispersion of sliding capacities.
 constexpr double assumed_log_std = 0.4;

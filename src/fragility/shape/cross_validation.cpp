@@ -3,6 +3,7 @@
 #include <cmath>
 #include <functional>
 
+#include "glissade/core/not_finite.hpp"
 #include "lognormal/point_fit.hpp"
 #include "shape/shape.hpp"
 
@@ -37,7 +38,6 @@ Eigen::ArrayXd monotone_shares(const Eigen::ArrayXd& exceedances, const Eigen::A
 
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 /// Probability of exceedance by level; empty: not fitted.
 using Shares = Eigen::ArrayXd;
 

@@ -7,13 +7,13 @@
 #include <cmath>
 #include <functional>
 
+#include "glissade/core/not_finite.hpp"
 #include "glissade/fragility/record_regression.hpp"
 #include "glissade/study/results.hpp"
 
 namespace glissade {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 /// Fewer records say nothing about a dispersion.
 constexpr std::size_t fewest_records = 5;
 

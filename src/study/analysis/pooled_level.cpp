@@ -6,6 +6,7 @@
 #include <limits>
 #include <numeric>
 
+#include "glissade/core/not_finite.hpp"
 #include "glissade/core/quantile.hpp"
 #include "glissade/fragility/share.hpp"
 
@@ -16,7 +17,7 @@ constexpr std::size_t bins = 512;
 
 // An infinite slip (beyond the largest threshold, not run) has its place among the others, but
 // differences of two have none: resampling takes a number above all that happens for it.
-constexpr double infinity = std::numeric_limits<double>::infinity(), stand_in = 1e100;
+constexpr double stand_in = 1e100;
 double finite(double value) { return std::isinf(value) ? stand_in : value; }
 double infinite(double value) { return value > 1e-3 * stand_in ? infinity : value; }
 

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <array>
 #include <cstring>
-#include <limits>
 
 #include "glissade/core/contract.hpp"
+#include "glissade/core/not_finite.hpp"
 #include "glissade/study/cases/case.hpp"
 
 namespace glissade {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr ParameterRange coefficient{0.0, 2.0, "0 to 2: no roof has more"};
 constexpr ParameterRange damping_ratio{0.0, 0.999, "0 to 0.999"};
 

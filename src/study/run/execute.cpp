@@ -5,9 +5,9 @@
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <functional>
-#include <limits>
 
 #include "glissade/core/not_converged.hpp"
+#include "glissade/core/not_finite.hpp"
 #include "run/histories.hpp"
 
 namespace glissade {
@@ -15,7 +15,6 @@ namespace {
 
 constexpr double capacity_tolerance =
     1e-4;  // of the capacity: far below the spread between records
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// The lowest level at which the peak displacement reaches the threshold: bracketed on the study's
 /// levels, then solved in the square root of slip, which is nearly linear in intensity (TOMS 748:

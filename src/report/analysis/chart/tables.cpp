@@ -5,17 +5,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "analysis/chart/report.hpp"
 #include "analysis/chart/view.hpp"
+#include "glissade/core/not_finite.hpp"
 #include "glissade/report/format.hpp"
 #include "text/study_text.hpp"
 
 namespace glissade {
 namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 constexpr auto gravity_note =
     "inf: friction cannot stop the array (tan(slope) >= mu), no clearance is enough.";

@@ -4,18 +4,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "analysis/conditions/columns.hpp"
 #include "analysis/conditions/view.hpp"
+#include "glissade/core/not_finite.hpp"
 #include "glissade/report/clearance_report.hpp"
 #include "glissade/report/format.hpp"
 #include "text/study_text.hpp"
 
 namespace glissade {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 std::string what_was_run(const Results& r) {
   std::vector<std::string> suites;

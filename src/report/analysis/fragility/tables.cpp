@@ -5,16 +5,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
+#include "glissade/core/not_finite.hpp"
 #include "glissade/report/format.hpp"
 #include "text/study_text.hpp"
 
 namespace glissade {
 namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// The title's opening: what the levels are.
 std::string measured_by(const Results& results) {

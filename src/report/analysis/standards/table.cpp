@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <limits>
 
+#include "glissade/core/not_finite.hpp"
 #include "glissade/report/format.hpp"
 #include "glissade/report/tables.hpp"
 #include "text/study_text.hpp"
 
 namespace glissade {
 namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 const SlipStatistics* slip_at(const RunResults& run, double level) {
   for (const SlipStatistics& slip : run.slip) {

@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <numeric>
 
 #include "analysis/pooled_level.hpp"
+#include "glissade/core/not_finite.hpp"
 #include "glissade/core/quantile.hpp"
 #include "glissade/core/units.hpp"
 #include "glissade/fragility/bootstrap.hpp"
@@ -16,7 +16,6 @@
 namespace glissade {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 /// The values along an axis of the chart: what the study lists, or, where it draws, the mean alone.
 std::vector<double> chart_axis(const Quantity& quantity) {
   if (quantity.is_drawn()) return {mean(*quantity.drawn)};

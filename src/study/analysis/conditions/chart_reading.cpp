@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "glissade/core/not_finite.hpp"
 #include "glissade/study/analysis/chart.hpp"
 
 namespace glissade {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// A value's place on an axis: in the cell after `cell`, at `share` of it.
 struct Place {

@@ -6,14 +6,13 @@
 #include <functional>
 
 #include "glissade/core/contract.hpp"
+#include "glissade/core/not_finite.hpp"
 #include "glissade/core/quantile.hpp"
 #include "glissade/core/random.hpp"
 #include "glissade/study/results.hpp"
 
 namespace glissade {
 namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// What a mean is taken of: the number of each (period, orientation, record) a question is about.
 class Values {

@@ -4,18 +4,17 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <numeric>
 
 #include "cases/case_scene.hpp"
+#include "glissade/core/not_finite.hpp"
 #include "glissade/core/quantile.hpp"
 #include "glissade/core/random.hpp"
 
 namespace glissade {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr std::array life_quantities = {LifeQuantity::single, LifeQuantity::accumulated,
                                         LifeQuantity::farthest};
 constexpr std::array probabilities = {0.5, 0.84, 0.95};

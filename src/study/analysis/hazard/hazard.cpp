@@ -3,19 +3,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
 #include "analysis/hazard/design_life.hpp"
 #include "cases/case_scene.hpp"
+#include "glissade/core/not_finite.hpp"
 #include "glissade/study/config.hpp"
 #include "glissade/study/results.hpp"
 
 namespace glissade {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity(),
-                 nan = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t curve_points = 61;
 constexpr double least_displacement_m = 1e-3;
 
