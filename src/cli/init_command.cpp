@@ -154,7 +154,7 @@ void init(InitOptions o) {
                                  terminal_width, 4));
   if (o.is_project())
     fmt::print("Not stated, comments in the file: building.storeys, clearances, hazard\n");
-  fmt::print("Next    glissade {} {}\n", o.is_project() ? "clearance" : "check", o.file);
+  fmt::print("Next    glissade check {}\n", o.file);
 }
 
 }  // namespace

@@ -17,15 +17,6 @@
 namespace glissade {
 namespace {
 
-/// A displacement of a US project in inches, a longer length in feet.
-std::string both_units(double length_m, UnitSystem units) {
-  const bool is_long = length_m > 2.0;
-  const std::string us = is_long ? fmt::format("{:.3g} ft", length_m / foot_m)
-                                 : fmt::format("{:.1f} in", length_m / inch_m);
-  const std::string si = fmt::format("{:.3g} m", length_m);
-  return units == UnitSystem::si ? si + " (" + us + ")" : us + " (" + si + ")";
-}
-
 /// The lowest ratio of the suite's average spectrum to the design spectrum in (from, to], at the
 /// periods of the spectra and, between two of them, at `to`.
 double lowest_ratio(const SuiteSpectra& spectra, double from_s, double to_s) {
@@ -72,7 +63,7 @@ std::vector<DesignCheck> spectrum_checks(const Project& project, const Results& 
 }
 
 constexpr double least_drained_deg = 0.596;  // IBC 1507 (recalled)
-constexpr double most_rounding_m = foot_m, most_clearance_m = 10.0;
+constexpr double most_rounding_m = foot_m;
 /// Of the design friction, mean - 2 std, which is above what any number of tests supports: 7 tests
 /// with a standard deviation of 8 % of the mean support 0.87 of it, 4 of them 0.70.
 constexpr double least_supported = 0.75;
@@ -183,6 +174,14 @@ std::string improbable_hazard(const Project& project) {
 }
 
 }  // namespace
+
+std::string both_units(double length_m, UnitSystem units) {
+  const bool is_long = length_m > 2.0;
+  const std::string us = is_long ? fmt::format("{:.3g} ft", length_m / foot_m)
+                                 : fmt::format("{:.1f} in", length_m / inch_m);
+  const std::string si = fmt::format("{:.3g} m", length_m);
+  return units == UnitSystem::si ? si + " (" + us + ")" : us + " (" + si + ")";
+}
 
 std::vector<std::string> choices_of(const Project& project) {
   std::vector<std::string> texts;
@@ -404,10 +403,6 @@ std::vector<std::string> warnings_on(const Project& project, const Results& dema
         "range it may be larger; where the period may be outside, widen {}",
         design.period_s,
         project.building.approximate_period_s ? "building.period_bounds" : "building.period_s"));
-  }
-  for (const ProjectSeparation& s : design.separations) {
-    if (s.available_m && *s.available_m < s.required.value_m)
-      warnings.push_back("the clearance at hand is not sufficient " + s.required.what);
   }
   return warnings;
 }

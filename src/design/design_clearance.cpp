@@ -16,15 +16,13 @@ namespace {
 
 /// The inputs of a condition that a project varies.
 struct Inputs {
-  double friction = 0.0, slope_deg = 0.0, mass_ratio = 0.0, level = 0.0;
+  double friction = 0.0, slope_deg = 0.0, mass_ratio = 0.0, level = 0.0, period_s = 0.0;
   VerticalChoice vertical = VerticalChoice::if_available;
-
-  bool operator==(const Inputs&) const = default;
 };
 
 Inputs inputs_of(const Results& results, const SuiteMean& mean) {
   const Case& c = results.cases.cases[mean.first_case];
-  return {c.friction, c.slope_deg, c.mass_ratio, mean.level, c.vertical};
+  return {c.friction, c.slope_deg, c.mass_ratio, mean.level, mean.period_s, c.vertical};
 }
 
 bool is_among(const std::vector<double>& values, double value) {
@@ -39,20 +37,19 @@ double required_m(const Results& demand, const SuiteMean& mean) {
 
 /// One of the project's own conditions at S_DS: neither of a slope, a mass ratio or a period that
 /// was added for the sensitivity.
-bool is_condition_of(const Project& project, const Results& demand, const SuiteMean& mean,
+bool is_condition_of(const Project& project, const Results& demand, const Inputs& inputs,
                      double friction) {
-  const Inputs inputs = inputs_of(demand, mean);
   return inputs.friction == friction && inputs.level == demand.levels.front() &&
          is_among(project.slope_deg, inputs.slope_deg) &&
          is_among(project.building.mass_ratio, inputs.mass_ratio) &&
-         is_among(project.building.period_s, mean.period_s);
+         is_among(project.building.period_s, inputs.period_s);
 }
 
 /// The largest requirement.
 const SuiteMean& governing_mean(const Project& project, const Results& demand, double friction) {
   const SuiteMean* governing = nullptr;
   for (const SuiteMean& mean : demand.clearance->by_period) {
-    if (!is_condition_of(project, demand, mean, friction)) continue;
+    if (!is_condition_of(project, demand, inputs_of(demand, mean), friction)) continue;
     if (governing == nullptr || required_m(demand, mean) > required_m(demand, *governing))
       governing = &mean;
   }
@@ -84,7 +81,8 @@ PeriodDemand demand_at(const Results& demand, const SuiteMean& mean) {
 std::vector<PeriodDemand> largest_demands(const Project& project, const Results& demand) {
   std::vector<PeriodDemand> found;
   for (const SuiteMean& mean : demand.clearance->by_period) {
-    if (!is_condition_of(project, demand, mean, project.friction.design())) continue;
+    if (!is_condition_of(project, demand, inputs_of(demand, mean), project.friction.design()))
+      continue;
     const PeriodDemand here = demand_at(demand, mean);
     const auto same = std::ranges::find(found, mean.period_s, &PeriodDemand::period_s);
     if (same == found.end()) {
@@ -101,7 +99,7 @@ std::vector<PeriodDemand> largest_demands(const Project& project, const Results&
   return found;
 }
 
-/// Every value of one input, the others as they govern; the largest over the project's periods.
+/// Every value of one input; the largest over the project's conditions in all others.
 class SensitivityTable {
  public:
   SensitivityTable(const Project& project, const Results& demand, const Inputs& governing)
@@ -111,11 +109,10 @@ class SensitivityTable {
   void vary(const char* what, T Inputs::*input, Text text) {
     std::vector<std::pair<T, double>> found;
     for (const SuiteMean& mean : demand_.clearance->by_period) {
-      const Inputs inputs = inputs_of(demand_, mean);
-      Inputs others = inputs;
+      const T value = inputs_of(demand_, mean).*input;
+      Inputs others = inputs_of(demand_, mean);
       others.*input = governing_.*input;
-      if (others != governing_ || !is_among(project_.building.period_s, mean.period_s)) continue;
-      const T value = inputs.*input;
+      if (!is_condition_of(project_, demand_, others, project_.friction.design())) continue;
       const auto same = std::ranges::find(found, value, &std::pair<T, double>::first);
       if (same == found.end())
         found.emplace_back(value, required_m(demand_, mean));
@@ -123,6 +120,7 @@ class SensitivityTable {
         same->second = std::max(same->second, required_m(demand_, mean));
     }
     if (found.size() < 2) return;
+    std::ranges::sort(found, {}, &std::pair<T, double>::first);
     for (const auto& [value, clearance_m] : found)
       rows_.push_back({what, text(value), clearance_m, value == governing_.*input});
   }
@@ -136,7 +134,7 @@ class SensitivityTable {
 };
 
 std::vector<Sensitivity> sensitivity_of(const Project& project, const Results& demand,
-                                        const Inputs& governing, double governing_period_s) {
+                                        const Inputs& governing) {
   SensitivityTable table(project, demand, governing);
   const std::vector<StudiedFriction> frictions = frictions_of(project);
   table.vary("friction", &Inputs::friction, [&](double value) {
@@ -152,15 +150,9 @@ std::vector<Sensitivity> sensitivity_of(const Project& project, const Results& d
   });
   table.vary("shaking", &Inputs::level,
              [&](double level) -> std::string { return level == governing.level ? "DBE" : "MCE"; });
-  std::vector<Sensitivity> rows = std::move(table).rows();
-  std::vector<Sensitivity> periods;
-  for (const SuiteMean& mean : demand.clearance->by_period) {
-    if (inputs_of(demand, mean) == governing)
-      periods.push_back({"building period", fmt::format("{:.3g} s", mean.period_s),
-                         required_m(demand, mean), mean.period_s == governing_period_s});
-  }
-  if (periods.size() > 1) rows.insert(rows.end(), periods.begin(), periods.end());
-  return rows;
+  table.vary("building period", &Inputs::period_s,
+             [](double value) { return fmt::format("{:.3g} s", value); });
+  return std::move(table).rows();
 }
 
 }  // namespace
@@ -205,7 +197,7 @@ DesignClearance design_clearance(const Project& project, const Results& demand) 
     separations[i].value_m = rounded_up(separations[i].value_m, project.round_up_m);
     design.separations.push_back({separations[i], project.available_m[i]});
   }
-  design.sensitivity = sensitivity_of(project, demand, inputs, design.period_s);
+  design.sensitivity = sensitivity_of(project, demand, inputs);
   design.checks = checks_of(project, demand, design);
   design.warnings = warnings_on(project, demand, design);
   return design;
@@ -270,9 +262,10 @@ std::optional<ThresholdRate> largest_rate(const Results& probability, double dis
   return largest;
 }
 
-/// What a clearance allows; nothing where none is stated.
+/// What a clearance allows; 0 where none is stated, or more than a roof has.
 double allowed_m(const Separation& separation, const std::optional<double>& available_m) {
-  return available_m.value_or(0.0) / separation.factor;
+  const double clearance_m = available_m.value_or(0.0);
+  return clearance_m > most_clearance_m ? 0.0 : clearance_m / separation.factor;
 }
 
 QuantileDisplacement accepted_displacement(const Results& probability, double sds_g) {
@@ -296,7 +289,7 @@ std::vector<double> compared_displacements_m(const Project& project, double gove
   return all;
 }
 
-void add_exceedance(const Results& probability, DesignClearance& design) {
+void add_exceedance(const Project& project, const Results& probability, DesignClearance& design) {
   warn_of_uplift(probability, design);
   const double sds_g = design.site.sds_g, sms_g = mce_over_dbe * sds_g;
   const auto compare = [&](double displacement_m, std::optional<std::size_t> separation) {
@@ -322,7 +315,10 @@ void add_exceedance(const Results& probability, DesignClearance& design) {
   const bool is_rare = at_dbe.probability <= accepted_exceedance;
   design.checks.push_back(
       {"probability that the governing displacement is exceeded at the DBE",
-       fmt::format("{:.2g} %", 100.0 * at_dbe.probability),
+       is_rare ? fmt::format("{:.2g} %", 100.0 * at_dbe.probability)
+               : fmt::format("{:.2g} %; {:g} % from {} on", 100.0 * at_dbe.probability,
+                             100.0 * accepted_exceedance,
+                             both_units(design.accepted.displacement_m, project.units)),
        fmt::format("{:g} % or less (a limit of this program)", 100.0 * accepted_exceedance),
        is_rare});
   if (!is_rare)
@@ -332,10 +328,10 @@ void add_exceedance(const Results& probability, DesignClearance& design) {
         "% at the MCE",
         100.0 * at_dbe.probability, 100.0 * design.compared.front().mce.probability));
   for (std::string warning : probability.warnings) {
-    for (const std::string key : {"; [shape] compares other curves", " (intensity.levels)"}) {
-      if (const std::size_t at = warning.find(key); at != std::string::npos)
-        warning.erase(at, key.size());  // a project has no such key
-    }
+    if (warning.find("[shape]") != std::string::npos) continue;  // of fitted curves: none is used
+    const std::string key = " (intensity.levels)";               // which a project has not
+    if (const std::size_t at = warning.find(key); at != std::string::npos)
+      warning.erase(at, key.size());
     if (std::ranges::find(design.warnings, warning) == design.warnings.end())
       design.warnings.push_back(warning);
   }

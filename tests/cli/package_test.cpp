@@ -202,11 +202,12 @@ std::string replaced(std::string text, const std::string& from, const std::strin
   return text.replace(text.find(from), from.size(), to);
 }
 
-/// The example in another folder.
+/// The example in another folder, with fewer samples.
 std::string moved_project() {
   return replaced(replaced(read_file(project_file), "data/pull_tests.csv",
                            GLISSADE_SOURCE_DIR "/studies/data/pull_tests.csv"),
-                  "../suites/", GLISSADE_SOURCE_DIR "/suites/");
+                  "[suite]\nfile = \"../suites/",
+                  "[suite]\nsamples = 16\nfile = \"" GLISSADE_SOURCE_DIR "/suites/");
 }
 
 TEST_F(Package, of_a_hazard_curve_has_annual_rates_and_the_displacement_that_adds_up) {

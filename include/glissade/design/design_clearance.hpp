@@ -176,7 +176,7 @@ std::vector<double> levels_of(const Project& project);
 std::vector<double> compared_displacements_m(const Project& project, double governing_m);
 
 /// Adds what the results of probability_study() give.
-void add_exceedance(const Results& probability, DesignClearance& design);
+void add_exceedance(const Project& project, const Results& probability, DesignClearance& design);
 
 /// Up to a whole number of steps; a value that is above one by 1e-9 of a step or less stays there.
 double rounded_up(double value, double step);

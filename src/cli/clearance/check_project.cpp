@@ -107,15 +107,6 @@ void check_project(const fs::path& file, const fs::path& out) {
                         compared_displacements_m(project, prescribed.front().prescribed.value_m)),
       suite);
 
-  fmt::print("{:<12}{}\n", "project", project.title.name);
-  fmt::print("{:<12}S_DS {:.3f} g, S_D1 {:.3f} g, category {}\n", "site", site.sds_g, site.sd1_g,
-             category_text(project.site, site));
-  print_inputs(project);
-  fmt::print("{:<12}mean {:.3f}, std {:.3f}, design {:.3f}\n", "friction", project.friction.mean,
-             project.friction.std, project.friction.design());
-  print_prescribed(prescribed);
-  print_plan("demand", demand);
-  print_plan("probability", probability);
   std::vector<std::string> warnings = choices_of(project);
   for (const Plan* plan : {&demand, &probability}) {
     for (const std::string& warning : plan->warnings) {
@@ -125,8 +116,17 @@ void check_project(const fs::path& file, const fs::path& out) {
   if (record_files(project.suite).empty()) warnings.emplace_back(simulated_motions_warning);
   for (const DesignCheck& check : checks_before_analysis(project, suite.motions.size()))
     if (!check.is_met) warnings.push_back(not_met_text(check));
+  fmt::print("{:<12}{}\n", "project", project.title.name);
   for (const std::string& warning : warnings)
     fmt::print("{}\n", wrapped("WARNING: " + warning, terminal_width, 2));
+  fmt::print("{:<12}S_DS {:.3f} g, S_D1 {:.3f} g, category {}\n", "site", site.sds_g, site.sd1_g,
+             category_text(project.site, site));
+  print_inputs(project);
+  fmt::print("{:<12}mean {:.3f}, std {:.3f}, design {:.3f}\n", "friction", project.friction.mean,
+             project.friction.std, project.friction.design());
+  print_prescribed(prescribed);
+  print_plan("demand", demand);
+  print_plan("probability", probability);
   std::fflush(stdout);
   check_calculation_folder(out, false);
   fmt::print("{:<12}{}: free\n{:<12}glissade clearance {}\n", "folder", out.string(), "next",

@@ -174,7 +174,7 @@ class Calculation {
 
   void write() {
     const Results probability = read_results(out_ / "probability" / "results.h5");
-    add_exceedance(probability, *design_);
+    add_exceedance(*project_, probability, *design_);
     const CalculationPackage package{*project_,
                                      *design_,
                                      *demand_,

@@ -225,6 +225,9 @@ std::vector<EvaluatedTests> read_sheet(const std::filesystem::path& file) {
 }  // namespace
 
 PullTestResults read_pull_test_results(const std::filesystem::path& file, const SlidingRule& rule) {
+  if (file.extension() == ".toml")
+    throw InputError({file.string(), "is a TOML file, not a table of pull tests (CSV)",
+                      "give the table with a row for each test, or sample", ""});
   if (const auto tests = read_sheet(file); !tests.empty()) return {{}, summarise(tests)};
   PullTestResults results{read_pull_tests(file), {}};
   results.summary = summarise(results.tests, rule);

@@ -117,13 +117,17 @@ std::optional<HeaderValue> find_count(const Record& record, double unit_mps2) {
   constexpr std::size_t headed = 3;
   constexpr double least_count = 100.0, count_error = 0.05, far_above = 3.0;
   const std::vector<double>& a = record.acceleration_mps2;
-  if (a.size() < judged) return std::nullopt;
+  if (a.size() < headed) return std::nullopt;
   const double first = a.front() / unit_mps2, after = static_cast<double>(a.size() - 1);
   if (std::round(first) == after || std::round(first) == after - 1.0)
     return HeaderValue{first, "the number of values that follow"};
+  if (a.size() < judged) return std::nullopt;
   double largest_after = 0.0;
   for (std::size_t i = headed; i < a.size(); ++i)
     largest_after = std::max(largest_after, std::abs(a[i]) / unit_mps2);
+  if (first >= 1.0 && std::round(first) == first && largest_after > 0.0 &&
+      first > far_above * largest_after)
+    return HeaderValue{first, "a whole number far above all that follow"};
   for (std::size_t i = 0; i < headed; ++i) {
     const double value = a[i] / unit_mps2;
     if (value >= least_count && std::round(value) == value &&

@@ -274,6 +274,11 @@ SyntheticRecipe read_recipe(const std::filesystem::path& file) {
 
 Suite load_suite(const std::filesystem::path& file) {
   TomlDocument document(file);
+  for (const char* other : {"project", "study"}) {
+    if (document.root().has(other) && !document.root().has("record"))
+      throw InputError({file.string(), fmt::format("is a {} file, not a suite", other),
+                        "name a file of [[record]] entries (suites/README.md)", ""});
+  }
   if (document.root().has("simulation"))
     return simulate_suite(read_recipe(document, file.parent_path()));
   return read_recorded_suite(file, document);

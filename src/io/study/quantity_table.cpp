@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "glissade/core/not_finite.hpp"
 #include "glissade/core/units.hpp"
 #include "text/scan.hpp"
 #include "toml/number_list.hpp"
@@ -42,7 +43,6 @@ Empirical read_empirical(const TomlTable& table) {
 }
 
 Distribution read_kind(const TomlTable& table, Kind kind) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
   const auto number = [&](const char* key) { return table.required_number(key); };
   switch (kind) {
     case Kind::normal:

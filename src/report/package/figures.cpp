@@ -82,10 +82,13 @@ Figure site_spectra_figure(const CalculationPackage& package) {
   return figure;
 }
 
-/// Of the governing displacement, at the building period where MCE has the largest probability.
+/// Of the governing displacement, at the building period where it is exceeded most at DBE, or at
+/// MCE where none exceeds it at DBE.
 Figure exceedance_figure(const CalculationPackage& package) {
   const DesignClearance& design = package.design;
-  const double period_s = design.compared.front().mce.period_s;
+  const DisplacementExceedance& governing = design.compared.front();
+  const bool at_dbe = governing.dbe.probability > 0.0;
+  const double period_s = at_dbe ? governing.dbe.period_s : governing.mce.period_s;
   RunResults run = *std::ranges::find_if(package.probability.runs, [&](const RunResults& r) {
     return package.probability.cases.cases[r.first_case].period_s == period_s;
   });
@@ -99,12 +102,14 @@ Figure exceedance_figure(const CalculationPackage& package) {
   figure.below = fmt::format("building period {:.3g} s; {}; friction {:.3g}, std {:.2g}", period_s,
                              counts_of(package.probability), mu.mean, mu.std);
   figure.caption = fmt::format(
-      "Line: lognormal curve, fitted to the lowest intensity at which each history reaches the "
+      "The building period is that of the largest probability at {}. Line: lognormal curve, fitted "
+      "to the lowest intensity at which each history reaches the "
       "displacement. Points: share of the histories that exceed it at a level. Shaded: 95 % "
       "interval from the variance between records. DBE is S_DS = {:.3f} g, MCE {:.3f} g; the "
       "levels "
       "end at {:.3g} g.",
-      design.site.sds_g, design.site.sms_g(), package.probability.levels.back());
+      at_dbe ? "DBE" : "MCE", design.site.sds_g, design.site.sms_g(),
+      package.probability.levels.back());
   Panel& panel = figure.panels.front();
   for (const auto& [name, level_g] :
        {std::pair{"DBE", design.site.sds_g}, std::pair{"MCE", design.site.sms_g()}}) {
@@ -120,7 +125,7 @@ std::vector<Figure> package_figures(const CalculationPackage& package) {
   std::vector<Figure> figures{site_spectra_figure(package)};
   if (package.design.demand.size() > 1) figures.push_back(demand_figure(package));
   figures.push_back(exceedance_figure(package));
-  for (Figure& figure : figures) figure.plot_height_px = 420;
+  for (Figure& figure : figures) figure.plot_height_px = 520;
   return figures;
 }
 

@@ -90,7 +90,7 @@ Table scaled_motions_table(const CalculationPackage& package) {
          fmt::format("{:.0f}", r.dt_s * static_cast<double>(r.samples - 1)),
          fmt::format("{:.1f}", r.duration_s), fmt::format("{:.3g}", r.suite_scale),
          fmt::format("{:.3f}", r.factor_at_unit_level * package.design.site.sds_g),
-         slip_in(displacement_of(package, i))});
+         length_in(displacement_of(package, i))});
   }
   const std::vector<RecordSummary>& records = package.demand.records;
   const bool same_scale = std::ranges::all_of(records, [&](const RecordSummary& r) {

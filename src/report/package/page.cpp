@@ -19,8 +19,8 @@
 namespace glissade {
 namespace {
 
-constexpr Markup letter = "@page { size: letter; }";
-constexpr Markup a4 = "@page { size: A4; }";
+constexpr Markup letter = "@page { size: letter; } @page wide { size: letter landscape; }";
+constexpr Markup a4 = "@page { size: A4; } @page wide { size: A4 landscape; }";
 constexpr Markup style = R"(
 @page { margin: 20mm 17mm 18mm; @bottom-left { content: "Seismic displacement of an unanchored solar array"; font: 9pt Arial, sans-serif; } }
 h2 { counter-increment: section; break-after: avoid; } h2::before { content: counter(section) ". "; }
@@ -218,9 +218,13 @@ Html required_html(const CalculationPackage& package) {
     steps.push_back(
         "The project states that the analysis is peer reviewed: no least value applies.");
   } else {
-    steps.push_back(fmt::format("Least value of an analysis by {}: {}.",
-                                standard_name(package.project.standard),
-                                length_in_both(design.floor_m)));
+    steps.push_back(fmt::format(
+        "Least value of an analysis by {}: {}{}.", standard_name(package.project.standard),
+        length_in_both(design.floor_m),
+        of_standard(package.project, design).may_be_used()
+            ? ""
+            : "; it is applied although conditions of the prescribed value are not met, which is "
+              "on the safe side"));
   }
   steps.push_back(fmt::format("Governing displacement: the larger, {}; rounded up to {}.",
                               length_in_both(design.governing_m),
@@ -321,7 +325,8 @@ void write_package(const CalculationPackage& package, const std::filesystem::pat
       page_table(demand_table(package)) +
       (has_demand_figure ? figure_html(figures.at(1), 2) : Html()) + required_html(package) +
       section_heading(6) + page_table(sensitivity_table(package)) + section_heading(7) +
-      page_table(exceedance_table(package)) + page_table(compared_table(package)) +
+      page_table(exceedance_table(package)) +
+      (package.design.compared.size() > 1 ? page_table(compared_table(package)) : Html()) +
       figure_html(figures.back(), figures.size()) + hazard_html(package) + checks_html(package) +
       records_html(package) + page_foot();
   write_text_file(out_dir / "package.html", page.str());

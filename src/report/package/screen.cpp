@@ -42,8 +42,8 @@ std::string demand_lines(const CalculationPackage& package) {
       "ratio\n{:>10}{:>12}{:>12}{:>12}{:>12}\n",
       "period, s", "mean", "84th", "95th", "largest");
   for (const PeriodDemand& d : package.design.demand) {
-    text += fmt::format("{:>10.3g}{:>12}{:>12}{:>12}{:>12}\n", d.period_s, slip_in(d.mean_m),
-                        slip_in(d.p84_m), slip_in(d.p95_m), slip_in(d.largest_m));
+    text += fmt::format("{:>10.3g}{:>12}{:>12}{:>12}{:>12}\n", d.period_s, length_in(d.mean_m),
+                        length_in(d.p84_m), length_in(d.p95_m), length_in(d.largest_m));
   }
   const bool is_skewed = std::ranges::any_of(
       package.design.demand, [](const PeriodDemand& d) { return d.p84_m < d.mean_m; });

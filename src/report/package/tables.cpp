@@ -101,9 +101,7 @@ std::string hazard_sentence(const CalculationPackage& package) {
   const LifeDisplacement &sum = largest_of(LifeQuantity::accumulated),
                          &farthest = largest_of(LifeQuantity::farthest);
   const auto length = [](double length_m) {
-    return length_m == 0.0           ? "none"
-           : std::isfinite(length_m) ? length_in_both(length_m)
-                                     : "beyond the levels of the study";
+    return std::isfinite(length_m) ? length_in_both(length_m) : "beyond the levels of the study";
   };
   const std::string exceeded = fmt::format(
       "With the hazard curve {}, at the period with the largest rate: the governing displacement "
@@ -174,7 +172,7 @@ Table inputs_table(const CalculationPackage& package) {
                   range_text(rises, "")),
       "project file");
   add("Coefficient of friction, mean", fmt::format("{:.3f}", p.friction.mean), p.friction.source);
-  add("its standard deviation", fmt::format("{:.3f}", p.friction.std), p.friction.source);
+  add("its standard deviation", fmt::format("{:.3f}", p.friction.std), "as the mean");
   add("its design value", fmt::format("{:.3f}", p.friction.design()),
       "mean - 2 std (Walters et al. 2012)");
   for (const DirectionFriction& d : p.friction.tested)
@@ -274,8 +272,8 @@ Table demand_table(const CalculationPackage& package) {
        text_column("orientation", "Least favourable orientation")},
       {}};
   for (const PeriodDemand& d : package.design.demand) {
-    table.add({fmt::format("{:.3g} s", d.period_s), slip_in(d.mean_m), slip_in(d.p84_m),
-               slip_in(d.p95_m), slip_in(d.largest_m), slip_in(d.median_orientation_m),
+    table.add({fmt::format("{:.3g} s", d.period_s), length_in(d.mean_m), length_in(d.p84_m),
+               length_in(d.p95_m), length_in(d.largest_m), length_in(d.median_orientation_m),
                d.orientation});
   }
   table.notes.push_back(
@@ -333,17 +331,17 @@ Table separations_table(const CalculationPackage& package) {
   std::size_t row = 0;
   for (const ProjectSeparation& s : package.design.separations) {
     const bool known = s.available_m.has_value();
-    table.add(
-        {s.required.what, fmt::format("{:.1f}", s.required.factor),
-         length_in_both(s.required.value_m), fmt::format("{:.2f}", s.required.value_m / foot_m),
-         prescribed_separation(of_prescribed.at(row++).value_m),
-         known ? length_in_both(*s.available_m) : "not stated",
-         std::string(!known ? "-"
-                     : *s.available_m < s.required.value_m
-                         ? "NOT SUFFICIENT: " + length_in(s.required.value_m - *s.available_m) +
-                               " short"
-                     : reservations.empty() ? "sufficient"
-                                            : "sufficient, with reservation")});
+    table.add({s.required.what, fmt::format("{:.1f}", s.required.factor),
+               length_in_both(s.required.value_m),
+               fmt::format("{:.2f}", rounded_up(s.required.value_m / foot_m, 0.01)),
+               prescribed_separation(of_prescribed.at(row++).value_m),
+               known ? length_in_both(*s.available_m) : "not stated",
+               std::string(!known ? "-"
+                           : *s.available_m < s.required.value_m
+                               ? "NOT SUFFICIENT: " +
+                                     length_in(s.required.value_m - *s.available_m) + " short"
+                           : reservations.empty() ? "sufficient"
+                                                  : "sufficient, with reservation")});
   }
   for (const std::string& reservation : reservations)
     table.notes.push_back("Reservation: " + reservation + ".");
@@ -356,7 +354,8 @@ Table separations_table(const CalculationPackage& package) {
 
 Table sensitivity_table(const CalculationPackage& package) {
   Table table{"sensitivity",
-              "Sensitivity: the required displacement of the analysis with one input changed",
+              "Sensitivity: the required displacement of the analysis with one input changed, the "
+              "largest over all else that the project states",
               {text_column("input", "Input"), text_column("value", "Value"),
                text_column("displacement", "Required displacement"),
                text_column("ratio", "Ratio to the governing case")},
@@ -405,7 +404,7 @@ Table exceedance_table(const CalculationPackage& package) {
 
 std::string accepted_sentence(const DesignClearance& design) {
   const auto length = [](double length_m) {
-    return std::isfinite(length_m) ? slip_in(length_m) : std::string("any displacement");
+    return std::isfinite(length_m) ? length_in(length_m) : std::string("any displacement");
   };
   return fmt::format("{:g} % of the histories at the DBE exceed {} (95 % interval {} to {})",
                      100.0 * accepted_exceedance, length(design.accepted.displacement_m),
@@ -434,7 +433,7 @@ Table compared_table(const CalculationPackage& package) {
       what = fmt::format("{}: {} / {:g}", s.required.what, length_in(*s.available_m),
                          s.required.factor);
     }
-    std::vector<Cell> cells{what, length_in_both(row.displacement_m), share_text(row.dbe),
+    std::vector<Cell> cells{what, length_in(row.displacement_m), share_text(row.dbe),
                             share_text(row.mce)};
     if (has_rate) {
       const char* sign = sign_of(*row.rate);

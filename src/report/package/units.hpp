@@ -13,18 +13,14 @@ namespace glissade {
 
 inline bool in_inches() { return LengthUnits::first() == UnitSystem::us_customary; }
 
-/// "12.5 in", or "0.318 m".
+/// "12.5 in", or "0.318 m"; "0 in" of none at all.
 inline std::string length_in(UnitSystem units, double length_m, int more_digits = 0) {
-  return units == UnitSystem::us_customary
-             ? fmt::format("{:.{}f} in", length_m / inch_m, 1 + more_digits)
-             : fmt::format("{:.{}f} m", length_m, 3 + more_digits);
+  const bool us = units == UnitSystem::us_customary;
+  if (length_m == 0.0) return us ? "0 in" : "0 m";
+  return us ? fmt::format("{:.{}f} in", length_m / inch_m, 1 + more_digits)
+            : fmt::format("{:.{}f} m", length_m, 3 + more_digits);
 }
 inline std::string length_in(double length_m) { return length_in(LengthUnits::first(), length_m); }
-
-/// The same of a displacement; "none" of 0.
-inline std::string slip_in(double length_m) {
-  return length_m == 0.0 ? "none" : length_in(length_m);
-}
 
 /// "12.5 in (0.318 m)", or "0.318 m (12.5 in)".
 inline std::string length_in_both(double length_m, int more_digits = 0) {

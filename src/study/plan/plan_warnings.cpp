@@ -98,6 +98,17 @@ Warnings long_periods(const Plan& plan) {
       fmt::format("a building period of {:g} s is longer than that of any building", longest_s)};
 }
 
+Warnings heavy_damping(const Plan& plan) {
+  constexpr double most = 0.2;  // recalled: buildings have 0.01 to 0.1
+  double highest = 0.0;
+  for (const Case& c : plan.cases.all()) highest = std::max(highest, c.damping);
+  if (highest <= most) return {};
+  return {
+      fmt::format("a damping ratio of {:g} is above {:g}: no building has it without dampers "
+                  "(recalled)",
+                  highest, most)};
+}
+
 Warnings large_clearances(const Plan& plan) {
   const std::vector<double>& thresholds_m = plan.config.thresholds_m();
   if (thresholds_m.empty() || thresholds_m.back() <= largest_probable_clearance_m) return {};
@@ -201,8 +212,8 @@ std::vector<std::string> warnings_on(const Plan& plan) {
   std::vector<std::string> warnings;
   for (const auto warning :
        {without_target, one_axis, nearest_records, strong_levels, missed_targets, target_values,
-        long_periods, large_clearances, low_friction, high_friction, free_sliding, other_targets,
-        hazard_curve, same_motions, motions}) {
+        long_periods, heavy_damping, large_clearances, low_friction, high_friction, free_sliding,
+        other_targets, hazard_curve, same_motions, motions}) {
     for (std::string& text : warning(plan)) warnings.push_back(std::move(text));
   }
   return warnings;

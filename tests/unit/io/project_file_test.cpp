@@ -203,7 +203,8 @@ TEST_F(ProjectFile, what_no_check_of_a_number_meets_is_a_warning) {
   };
   warned("period_s = [1.0, 0.5]", "period_s = [0.2, 3]",
          "between the building periods 0.2 and 3 s");
-  warned("mass_ratio = 0.05", "array_weight_kn = 0.27\nweight_kn = 10700", "mass of the building");
+  warned("mass_ratio = 0.05", "array_weight_kn = 0.27\nweight_kn = 10700", "in one unit?");
+  warned("site_class = \"default\"", "site_class = \"default\"", "T_L = 8 s is assumed");
   warned("mass_ratio = 0.05", "mass_ratio = 0.05\ndamping = 0", "has no damping");
   folder_.write("sheet.csv",
                 "direction,mu\nalong,0.50\nAlong,0.54\nalong,0.52\nalong,0.55\n"

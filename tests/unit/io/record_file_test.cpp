@@ -233,6 +233,12 @@ TEST_F(RecordFile, a_header_that_is_no_comment_is_not_taken_for_samples) {
               HasSubstr("a time step"));
   EXPECT_DOUBLE_EQ(read("# DT = 10 ms\n1\n2\n").dt_s, 0.01);
   EXPECT_THAT(error("8\n" + samples, {.dt_s = 0.01, .units = {}}), HasSubstr("begins with 8"));
+  EXPECT_THAT(
+      error("5\n0.005\n0.1\n0.2\n0.1\n0.1\n0.2\n", {.dt_s = 0.005, .units = AccelerationUnits::g}),
+      HasSubstr("begins with 5"));
+  EXPECT_THAT(error("2\n0.1\n0.2\n0.1\n-0.3\n0.2\n0.1\n0.2\n0.1\n",
+                    {.dt_s = 0.005, .units = AccelerationUnits::g}),
+              HasSubstr("begins with 2, a whole number far above"));
   EXPECT_THAT(error("8 0.01\n" + samples, {.dt_s = 0.01, .units = {}}), HasSubstr("1 column"));
 }
 

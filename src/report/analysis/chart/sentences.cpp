@@ -28,9 +28,10 @@ std::string shown_sentence(const Results& results) {
   }
   const std::string target = target_text(results),
                     of_target = target.empty() ? "" : " Design target: " + target + ".";
-  const std::string interval = std::isnan(p.mean_interval.low)
-                                   ? ""
-                                   : ", 95 % interval " + format_length_interval(p.mean_interval);
+  const std::string interval =
+      std::isnan(p.mean_interval.low)
+          ? ""
+          : " (95 % interval of the mean " + format_length_interval(p.mean_interval) + ")";
   return fmt::format(
       "{}, the {} is {}: {:g} x the mean over {} records, {}{}. Over {} the 84th "
       "percentile is {}, the 95th {}, the largest {}.{}{}",
