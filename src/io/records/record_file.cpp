@@ -114,10 +114,10 @@ struct HeaderValue {
 /// Among the first three a whole number that is nearly the number of values, or far above all of
 /// those that follow; or any that is far above them and any motion.
 std::optional<HeaderValue> find_count(const Record& record, double unit_mps2) {
-  constexpr std::size_t headed = 3;
+  constexpr std::size_t headed = 3, least = 5;
   constexpr double least_count = 100.0, count_error = 0.05, far_above = 3.0;
   const std::vector<double>& a = record.acceleration_mps2;
-  if (a.size() < headed) return std::nullopt;
+  if (a.size() < least) return std::nullopt;
   const double first = a.front() / unit_mps2, after = static_cast<double>(a.size() - 1);
   if (std::round(first) == after || std::round(first) == after - 1.0)
     return HeaderValue{first, "the number of values that follow"};
@@ -125,9 +125,6 @@ std::optional<HeaderValue> find_count(const Record& record, double unit_mps2) {
   double largest_after = 0.0;
   for (std::size_t i = headed; i < a.size(); ++i)
     largest_after = std::max(largest_after, std::abs(a[i]) / unit_mps2);
-  if (first >= 1.0 && std::round(first) == first && largest_after > 0.0 &&
-      first > far_above * largest_after)
-    return HeaderValue{first, "a whole number far above all that follow"};
   for (std::size_t i = 0; i < headed; ++i) {
     const double value = a[i] / unit_mps2;
     if (value >= least_count && std::round(value) == value &&
@@ -138,6 +135,9 @@ std::optional<HeaderValue> find_count(const Record& record, double unit_mps2) {
         value > 10.0 * largest_after)
       return HeaderValue{value, "far above all that follow"};
   }
+  if (first >= 1.0 && std::round(first) == first && largest_after > 0.0 &&
+      first > far_above * largest_after)
+    return HeaderValue{first, "a whole number far above all that follow"};
   return std::nullopt;
 }
 
