@@ -136,10 +136,15 @@ std::string nearest_word(const std::string& word, const std::vector<std::string>
   const std::string first = first_part(word), name = usual_name(first);
   for (const std::string& candidate : candidates) {
     if (differ_in_digits_only(word, candidate)) continue;
-    const std::size_t distance = edit_distance(word, candidate);
     const std::string part = first_part(candidate);
+    // "perod" is "period_s" without its unit, "slop" begins "slope_deg".
+    const std::size_t distance = part.starts_with(word) ? 1
+                                                        : std::min(edit_distance(word, candidate),
+                                                                   edit_distance(word, part) + 1);
     const bool shares = part == first || part == name;
-    if (shares != best_shares ? shares : distance < best_distance) {
+    const bool is_nearer =
+        distance < best_distance || (distance == best_distance && candidate.size() < best.size());
+    if (shares != best_shares ? shares : is_nearer) {
       best = candidate;
       best_distance = distance;
       best_shares = shares;

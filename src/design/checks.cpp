@@ -166,6 +166,14 @@ DesignCheck site_specific_check(const ProjectSite& site) {
           lowest.ratio >= least};
 }
 
+/// Of a value whose conditions are not all met.
+std::string conditions_text(const PrescribedValue& value) {
+  return fmt::format(
+      "conditions of the standard are not met or not stated ({}): an unanchored array "
+      "then requires the approval of the authority",
+      value.not_met());
+}
+
 std::string improbable_hazard(const Project& project) {
   if (!project.hazard) return "";
   const double sms_g = site_values(project.site).sms_g();
@@ -200,11 +208,7 @@ std::vector<std::string> choices_of(const Project& project) {
                   project.importance, to_string(project.site.risk)));
   const auto prescribed = prescribed_values(project, site_values(project.site));
   const auto standard = std::ranges::find(prescribed, project.standard, &PrescribedValue::standard);
-  if (const std::string not_met = standard->not_met(); !not_met.empty())
-    texts.push_back(
-        fmt::format("conditions of the standard are not met or not stated ({}): an unanchored "
-                    "array then requires the approval of the authority",
-                    not_met));
+  add(!standard->may_be_used(), conditions_text(*standard));
   add(site_7_16 && !project.site.target.is_mapped() && project.site.target.period_s.empty(),
       "S_DS and S_D1 are stated without S_S, S_1 and site class: whether ASCE 7-16, 11.4.8 "
       "(recalled: verify) requires a ground motion hazard analysis is not checked");
@@ -275,13 +279,10 @@ std::vector<std::string> reservations_on(const Project& project, const DesignCle
     found.push_back(std::move(unchecked));
   if (std::string required = hazard_analysis_required(project.site.target); !required.empty())
     found.push_back(std::move(required));
-  if (const std::string not_met = of_standard(project, design).not_met(); !not_met.empty())
-    found.push_back("conditions of the standard that are not met or not stated: " + not_met);
-  for (const DesignCheck& check : design.checks) {
-    if (!check.is_met)
-      found.push_back(fmt::format("a check that is not met: {}: {}; required: {}", check.what,
-                                  check.found, check.criterion));
-  }
+  if (const PrescribedValue& value = of_standard(project, design); !value.may_be_used())
+    found.push_back(conditions_text(value));
+  for (const DesignCheck& check : design.checks)
+    if (!check.is_met) found.push_back(not_met_text(check));
   return found;
 }
 

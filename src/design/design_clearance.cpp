@@ -264,8 +264,8 @@ std::optional<ThresholdRate> largest_rate(const Results& probability, double dis
 
 /// What a clearance allows; 0 where none is stated, or more than a roof has.
 double allowed_m(const Separation& separation, const std::optional<double>& available_m) {
-  const double clearance_m = available_m.value_or(0.0);
-  return clearance_m > most_clearance_m ? 0.0 : clearance_m / separation.factor;
+  const double displacement_m = available_m.value_or(0.0) / separation.factor;
+  return displacement_m > most_clearance_m ? 0.0 : displacement_m;
 }
 
 QuantileDisplacement accepted_displacement(const Results& probability, double sds_g) {

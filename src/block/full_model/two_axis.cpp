@@ -22,7 +22,7 @@ using block_detail::TwoAxisTrack;
   return component.empty() || component.size() == samples;
 }
 
-void check(const TwoAxisAcceleration& roof, const TwoAxisBlock& block) {
+void check(const TwoAxisAcceleration& roof, [[maybe_unused]] const TwoAxisBlock& block) {
   for (const auto& horizontal : roof.horizontal_mps2)
     require_finite(horizontal, "the horizontal roof acceleration");
   require_finite(roof.vertical_mps2, "the vertical roof acceleration");

@@ -77,7 +77,7 @@ Html equation(const std::string& text) {
 }
 
 Html warnings_html(const CalculationPackage& package) {
-  const std::vector<std::string> warnings = warnings_of(package);
+  const std::vector<std::string> warnings = shown_warnings(package);
   return warnings.empty()
              ? Html()
              : "<div class=\"warning\">\n<strong>Warnings</strong>\n" + list(warnings) + "</div>\n";

@@ -106,7 +106,7 @@ std::string separation_lines(const CalculationPackage& package) {
 std::string package_screen(const CalculationPackage& package) {
   const LengthUnits units(package.project.units);
   std::string text = package.project.title.name + "\n";
-  for (const std::string& warning : warnings_of(package))
+  for (const std::string& warning : shown_warnings(package))
     text += wrapped("WARNING: " + warning, terminal_width, 2) + "\n";
   return text + inputs_lines(package) + demand_lines(package) + governing_lines(package) +
          separation_lines(package);

@@ -69,6 +69,15 @@ std::vector<std::string> warnings_of(const CalculationPackage& package) {
   return warnings;
 }
 
+std::vector<std::string> shown_warnings(const CalculationPackage& package) {
+  std::vector<std::string> shown = warnings_of(package);
+  for (const std::string& reservation : reservations_on(package.project, package.design))
+    std::erase_if(shown, [&](const std::string& warning) {  // but for its first letter
+      return warning.substr(1) == reservation.substr(1);
+    });
+  return shown;
+}
+
 std::string range_text(const std::vector<double>& values, const char* unit) {
   if (values.size() == 1) return fmt::format("{:.3g}{}", values.front(), unit);
   return fmt::format("{:.3g} to {:.3g}{}", values.front(), values.back(), unit);
@@ -415,8 +424,8 @@ Table compared_table(const CalculationPackage& package) {
   const DesignClearance& design = package.design;
   Table table{"compared",
               "Probability that each clearance at hand is not enough",
-              {text_column("what", "Displacement"), text_column("displacement", "Exceeding"),
-               text_column("dbe", "At DBE [95 %]"), text_column("mce", "At MCE [95 %]")},
+              {text_column("displacement", "Displacement"), text_column("dbe", "At DBE [95 %]"),
+               text_column("mce", "At MCE [95 %]")},
               {}};
   const bool has_rate = design.compared.front().rate.has_value();
   if (has_rate) {
@@ -427,14 +436,14 @@ Table compared_table(const CalculationPackage& package) {
                              ColumnKind::share, /*with_interval=*/true});
   }
   for (const DisplacementExceedance& row : design.compared) {
-    std::string what = "governing displacement";
+    std::string what = "governing: " + length_in(row.displacement_m);
     if (row.separation) {
-      const ProjectSeparation& s = design.separations[*row.separation];
-      what = fmt::format("{}: {} / {:g}", s.required.what, length_in(*s.available_m),
-                         s.required.factor);
+      const ProjectSeparation& separation = design.separations[*row.separation];
+      what = fmt::format("{}: {} / {:g} = {}", separation.required.what,
+                         length_in(*separation.available_m), separation.required.factor,
+                         length_in(row.displacement_m));
     }
-    std::vector<Cell> cells{what, length_in(row.displacement_m), share_text(row.dbe),
-                            share_text(row.mce)};
+    std::vector<Cell> cells{what, share_text(row.dbe), share_text(row.mce)};
     if (has_rate) {
       const char* sign = sign_of(*row.rate);
       cells.emplace_back(Estimate{row.rate->annual_rate, row.rate->rate_interval, sign});

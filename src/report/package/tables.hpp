@@ -31,6 +31,8 @@ Table compared_table(const CalculationPackage& package);
 std::string accepted_sentence(const DesignClearance& design);
 Table checks_table(const CalculationPackage& package);
 
+/// Those of the calculation that do not stand beside its verdict, as reservations.
+std::vector<std::string> shown_warnings(const CalculationPackage& package);
 /// "ASCE 7-16, 80 % of its displacement", "nonlinear response history analysis".
 std::string governed_by(const CalculationPackage& package);
 /// How often the governing displacement is exceeded and what adds up over the design life; or which

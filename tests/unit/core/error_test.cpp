@@ -31,6 +31,7 @@ TEST(nearest_word, finds_the_key_with_a_wrong_unit_or_a_slip_of_the_pen) {
   EXPECT_EQ(nearest_word("period_ms", keys), "period_s");
   EXPECT_EQ(nearest_word("threshold_m", keys), "thresholds_m");
   EXPECT_EQ(nearest_word("dampign", keys), "damping");
+  EXPECT_EQ(nearest_word("perod", keys), "period_s");
   EXPECT_EQ(nearest_word("colour", keys), "");
   EXPECT_EQ(nearest_word("slope", keys), "slope_deg");
   EXPECT_EQ(nearest_word("tilt_deg", keys), "slope_deg");
