@@ -219,6 +219,16 @@ TEST_F(Slide, one_column_in_other_units_takes_dt_s_and_units) {
   EXPECT_NEAR(json["peak_displacement_m"], expected, 1e-12);
 }
 
+TEST_F(Slide, text_fits_a_terminal) {
+  for (const char* scale : {"1", "9"}) {
+    const Finished child = run_program({"slide", record_, "--mu", "0.2", "--slope-deg", "15",
+                                        "--scale", scale, "--period-s", "0.5"});
+    ASSERT_EQ(child.status, 0) << child.err;
+    EXPECT_THAT(child.out, HasSubstr("FREE SLIDING"));
+    for (const std::string& line : lines_of(child.out)) EXPECT_LE(line.size(), 80u) << line;
+  }
+}
+
 // -- tipping. The push of 0.5 g: a body of width / (2 height) = 0.25 rocks from 0.25 g on.
 
 TEST_F(Slide, a_body_held_by_friction_tips_where_its_base_is_too_narrow) {
@@ -296,7 +306,7 @@ TEST_F(Slide, text_says_what_the_numbers_are) {
   EXPECT_EQ(child.status, 0);
   EXPECT_EQ(child.err, "");
   for (const char* part :
-       {"400 samples at 0.02 s", "in plan", "peak", "residual", "downslope", "upslope", " m "})
+       {"400 samples, 0.02 s", "in plan", "peak", "residual", "downslope", "upslope", " m "})
     EXPECT_THAT(child.out, HasSubstr(part));
 }
 

@@ -116,7 +116,7 @@ void check_project(const fs::path& file, const fs::path& out) {
   if (record_files(project.suite).empty()) warnings.emplace_back(simulated_motions_warning);
   for (const DesignCheck& check : checks_before_analysis(project, suite.motions.size()))
     if (!check.is_met) warnings.push_back(not_met_text(check));
-  fmt::print("{:<12}{}\n", "project", project.title.name);
+  fmt::print("{:<12}{}\n", "project", wrapped(project.title.name, terminal_width, 12));
   for (const std::string& warning : warnings)
     fmt::print("{}\n", wrapped("WARNING: " + warning, terminal_width, 2));
   fmt::print("{:<12}S_DS {:.3f} g, S_D1 {:.3f} g, category {}\n", "site", site.sds_g, site.sd1_g,

@@ -9,6 +9,7 @@
 #include "glissade/block/tipping.hpp"
 #include "glissade/core/error.hpp"
 #include "glissade/core/units.hpp"
+#include "glissade/core/wrap.hpp"
 #include "glissade/io/record_file.hpp"
 #include "glissade/motion/improbable.hpp"
 #include "glissade/motion/intensity.hpp"
@@ -182,23 +183,27 @@ void print_building(const SlideHistory& h) {
   const bool two = h.peak_base_shear.size() == 2;
   const char* axes[] = {two ? " along its first axis" : "", " along its second axis"};
   for (std::size_t i = 0; i < h.peak_base_shear.size(); ++i) {
-    fmt::print(
-        "  building   {:10.4f} of its weight in base shear, {:.4f} m of roof displacement{}\n",
-        h.peak_base_shear[i], h.peak_roof_displacement_m[i], axes[i]);
+    fmt::print("  building   {:10.4f} of its weight in base shear, roof {:.4f} m{}\n",
+               h.peak_base_shear[i], h.peak_roof_displacement_m[i], axes[i]);
   }
+}
+
+/// In lines of the terminal.
+void print_sentence(const std::string& text) {
+  fmt::print("{}\n", text.size() <= terminal_width ? text : wrapped(text, terminal_width, 2));
 }
 
 /// What was read: the user sees whether step and units are as they should be.
 void print_record(const SlideOptions& o, const Motion& motion, double pga_g) {
   for (const auto& [name, file, a] : components_of(o, motion)) {
     fmt::print(
-        "{}\n  {} samples at {:g} s, PGA {:.3g} g, PGV {:.3g} m/s, PGD {:.3g} m, D5-95 {:.3g} s\n",
+        "{}\n  {} samples, {:g} s; PGA {:.3g} g, PGV {:.3g} m/s, PGD {:.3g} m, D5-95 {:.3g} s\n",
         file, a.size(), motion.dt_s, peak_ground_acceleration_mps2(a) / standard_gravity_mps2,
         peak_ground_velocity_mps(motion.dt_s, a), peak_ground_displacement_m(motion.dt_s, a),
         significant_duration_s(motion.dt_s, a));
   }
   for (const std::string& warning : warnings_on(o, motion, pga_g))
-    fmt::print("WARNING: {}\n", warning);
+    print_sentence("WARNING: " + warning);
 }
 
 void print_text(const SlideOptions& o, const SlideHistory& h, const Motion& motion, double factor,
@@ -208,8 +213,7 @@ void print_text(const SlideOptions& o, const SlideHistory& h, const Motion& moti
   fmt::print("Factor {:.4g}: PGA {:.4g} g{}\n", factor, pga_g,
              h.ppa_g ? fmt::format(", peak roof acceleration {:.4g} g", *h.ppa_g) : "");
   fmt::print("Model: {}\n", model_of(o));
-  fmt::print(
-      "Displacement relative to the roof, in plan (downslope positive; on a flat roof +x):\n");
+  fmt::print("Displacement relative to the roof, in plan (downslope positive; flat roof: +x)\n");
   fmt::print("  peak       {:10.4f} m  ({:.2f} in)\n", r.peak_displacement_m,
              r.peak_displacement_m / inch_m);
   if (h.plane) {
@@ -230,14 +234,14 @@ void print_text(const SlideOptions& o, const SlideHistory& h, const Motion& moti
       fmt::print("  does not reach {:g} m\n", *o.clearance_m);
     }
   }
-  if (h.tips_at) fmt::print("{}\n", tipping_text(o, *h.tips_at, factor, pga_g));
+  if (h.tips_at) print_sentence(tipping_text(o, *h.tips_at, factor, pga_g));
   if (r.uplift)
-    fmt::print(
-        "UPLIFT: the normal force falls below zero; the model is not valid for this history.\n");
+    print_sentence(
+        "UPLIFT: the normal force falls below zero; the model is not valid for this history.");
   if (r.free_sliding)
-    fmt::print(
+    print_sentence(
         "FREE SLIDING: friction cannot stop the block (tan(slope) >= mu); displacements are those "
-        "at the record's end.\n");
+        "at the record's end.");
 }
 
 void run(const SlideOptions& o) {

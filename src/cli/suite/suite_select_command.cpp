@@ -196,18 +196,21 @@ Table records_table(const Suite& library, const RecordSelection& s) {
 }
 
 void print(const Suite& library, const Task& task, const RecordSelection& s) {
-  fmt::print("target: {}", target_line(task.target));
+  std::string target = "target: " + target_line(task.target);
   if (task.target.is_mapped()) {
     const auto level = intensity_level({task.target.ss_g, task.target.s1_g});
-    fmt::print("; Intensity Level {}", level ? std::to_string(*level) : "above 4");
+    target += "; Intensity Level " + (level ? std::to_string(*level) : "above 4");
   }
-  fmt::print("\n");
+  fmt::print("{}\n", wrapped(target, terminal_width, 8));
   for (const std::string& warning : improbable_values(task.target))
     fmt::print("{}\n", wrapped("WARNING: " + warning, terminal_width, 0));
   fmt::print("{} candidates of {} records\n\n", s.candidates, library.motions.size());
   fmt::print("{}", to_text(records_table(library, s)));
-  fmt::print("\naverage of the SRSS spectra: {}\n", average_line(s));
-  if (!s.reaches_target()) fmt::print("note  {}\n", shortfall_line(s, task.criteria.max_scale));
+  fmt::print("\n{}\n",
+             wrapped("average of the SRSS spectra: " + average_line(s), terminal_width, 2));
+  if (!s.reaches_target())
+    fmt::print("{}\n",
+               wrapped("note  " + shortfall_line(s, task.criteria.max_scale), terminal_width, 6));
   if (s.left_out.empty()) return;
   fmt::print("\nleft out:\n");
   for (const LeftOutRecord& record : s.left_out) {

@@ -165,14 +165,14 @@ Html motions_html(const CalculationPackage& package, const std::vector<DrawnFigu
 }
 
 Html model_html() {
-  return section_heading(3) +
+  return "<div class=\"short\">\n" + section_heading(3) +
          paragraph(
              "The building is a linear oscillator along each of its two horizontal axes, with "
              "one period and damping ratio. The array is a rigid mass on its roof with "
              "Coulomb friction; it slides in plan along both axes at once and acts back on "
              "the building. The roof moves vertically with the ground.") +
          "<figure>\n" + in_box(Html::drawing(free_body_svg, "Free bodies of array and roof")) +
-         "<figcaption>Free bodies of the array and of the roof.</figcaption>\n</figure>\n" +
+         "<figcaption>Free bodies of the array and of the roof.</figcaption>\n</figure>\n</div>\n" +
          paragraph(
              "Array (m: mass; s, y: displacement along and across the slope, s positive down; N: "
              "normal force; F: friction; a: acceleration of the roof; w: vertical acceleration of "

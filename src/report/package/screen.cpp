@@ -58,7 +58,7 @@ std::string governing_lines(const CalculationPackage& package) {
   for (const PrescribedValue& value : design.prescribed) {
     text += fmt::format("{:<15}prescribes {}; {}\n", standard_name(value.standard),
                         length_in_both(value.prescribed.value_m),
-                        value.may_be_used() ? "conditions known here (recalled) met"
+                        value.may_be_used() ? "conditions known here are met"
                                             : "conditions NOT met or not stated:");
     if (!value.may_be_used())
       text += std::string(15, ' ') + wrapped(value.not_met(), terminal_width, 15) + "\n";
@@ -105,7 +105,7 @@ std::string separation_lines(const CalculationPackage& package) {
 
 std::string package_screen(const CalculationPackage& package) {
   const LengthUnits units(package.project.units);
-  std::string text = package.project.title.name + "\n";
+  std::string text = wrapped(package.project.title.name, terminal_width, 0) + "\n";
   for (const std::string& warning : shown_warnings(package))
     text += wrapped("WARNING: " + warning, terminal_width, 2) + "\n";
   return text + inputs_lines(package) + demand_lines(package) + governing_lines(package) +
