@@ -56,12 +56,10 @@ std::string governing_lines(const CalculationPackage& package) {
                                                          design.of_largest ? "record" : "mean",
                                                          length_in_both(design.analysis_m)));
   for (const PrescribedValue& value : design.prescribed) {
-    text += fmt::format("{:<15}prescribes {}; {}\n", standard_name(value.standard),
-                        length_in_both(value.prescribed.value_m),
-                        value.may_be_used() ? "conditions known here are met"
-                                            : "conditions NOT met or not stated:");
-    if (!value.may_be_used())
-      text += std::string(15, ' ') + wrapped(value.not_met(), terminal_width, 15) + "\n";
+    text += fmt::format(
+        "{:<15}prescribes {}; {}\n", standard_name(value.standard),
+        length_in_both(value.prescribed.value_m),
+        value.may_be_used() ? "conditions known here are met" : "conditions NOT met or not stated");
   }
   text += line("GOVERNING", fmt::format("{}, rounded up to {}", length_in_both(design.governing_m),
                                         length_in_both(design.rounded_m)));
@@ -98,7 +96,11 @@ std::string separation_lines(const CalculationPackage& package) {
                         format_share(e.probability), format_share(e.interval.low),
                         format_share(e.interval.high), e.period_s);
   text += wrapped(accepted_sentence(package.design), terminal_width, 2) + "\n";
-  return text + wrapped(hazard_sentence(package), terminal_width, 0) + "\n";
+  return text +
+         (package.probability.hazard
+              ? wrapped(hazard_sentence(package), terminal_width, 0)
+              : "Annual rates are not computed: give [hazard] (glissade explain hazard)") +
+         "\n";
 }
 
 }  // namespace
