@@ -136,8 +136,10 @@ DesignSpectrum general_spectrum(const DesignTarget& mapped, SiteClass site) {
   const bool is_7_16 = mapped.edition == AsceEdition::asce7_16;
   const bool is_d = is_7_16 && (site == SiteClass::d || site == SiteClass::unknown);
   const bool is_e = is_7_16 && site == SiteClass::e;
+  constexpr double last_of_class_e_g = 0.75;  // its F_a holds from there to 1 g, where it is 1
+  const double table_ss_g = is_e ? std::min(mapped.ss_g, last_of_class_e_g) : mapped.ss_g;
   const double fa =
-      is_e && mapped.ss_g >= 1.0 ? 1.0 : site_coefficient_fa(mapped.edition, site, mapped.ss_g);
+      is_e && mapped.ss_g >= 1.0 ? 1.0 : site_coefficient_fa(mapped.edition, site, table_ss_g);
   const double fv = is_d   ? (mapped.s1_g < 0.2 ? 2.4 : 2.5)
                     : is_e ? (mapped.s1_g <= 0.1 ? 4.2 : 4.0)
                            : site_coefficient_fv(mapped.edition, site, mapped.s1_g);
@@ -235,7 +237,7 @@ std::vector<std::string> choices_of(const Project& project) {
                   project.building.mass_ratio.back()));
   add(project.building.damping == 0.0, "the building has no damping (damping = 0)");
   for (const auto& available_m : project.available_m)
-    add(available_m && *available_m > most_clearance_m,
+    add(available_m && *available_m > largest_probable_clearance_m,
         fmt::format("a clearance of {} is more than a roof has",
                     both_units(available_m.value_or(0.0), project.units)));
   add(project.round_up_m > most_rounding_m,

@@ -5,8 +5,6 @@
 
 namespace glissade {
 
-inline constexpr double most_clearance_m = 10.0;  ///< that a roof has (recalled)
-
 /// A displacement of a US project in inches, a longer length in feet.
 std::string both_units(double length_m, UnitSystem units);
 

@@ -10,6 +10,7 @@
 #include "glissade/core/contract.hpp"
 #include "glissade/core/quantile.hpp"
 #include "glissade/fragility/share.hpp"
+#include "glissade/motion/improbable.hpp"
 
 namespace glissade {
 namespace {
@@ -265,7 +266,7 @@ std::optional<ThresholdRate> largest_rate(const Results& probability, double dis
 /// What a clearance allows; 0 where none is stated, or more than a roof has.
 double allowed_m(const Separation& separation, const std::optional<double>& available_m) {
   const double displacement_m = available_m.value_or(0.0) / separation.factor;
-  return displacement_m > most_clearance_m ? 0.0 : displacement_m;
+  return displacement_m > largest_probable_clearance_m ? 0.0 : displacement_m;
 }
 
 QuantileDisplacement accepted_displacement(const Results& probability, double sds_g) {
@@ -315,10 +316,11 @@ void add_exceedance(const Project& project, const Results& probability, DesignCl
   const bool is_rare = at_dbe.probability <= accepted_exceedance;
   design.checks.push_back(
       {"probability that the governing displacement is exceeded at the DBE",
-       is_rare ? fmt::format("{:.2g} %", 100.0 * at_dbe.probability)
-               : fmt::format("{:.2g} %; {:g} % from {} on", 100.0 * at_dbe.probability,
-                             100.0 * accepted_exceedance,
-                             both_units(design.accepted.displacement_m, project.units)),
+       is_rare || !std::isfinite(design.accepted.displacement_m)
+           ? fmt::format("{:.2g} %", 100.0 * at_dbe.probability)
+           : fmt::format("{:.2g} %; {:g} % from {} on", 100.0 * at_dbe.probability,
+                         100.0 * accepted_exceedance,
+                         both_units(design.accepted.displacement_m, project.units)),
        fmt::format("{:g} % or less (a limit of this program)", 100.0 * accepted_exceedance),
        is_rare});
   if (!is_rare)

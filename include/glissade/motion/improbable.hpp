@@ -19,6 +19,9 @@ inline constexpr double most_probable_pga_g = 3.0;
 /// More is an error of units: maps give percent of g, other programs m/s2.
 inline constexpr double most_possible_g = 10.0;
 
+/// More than a roof has (recalled).
+inline constexpr double largest_probable_clearance_m = 10.0;
+
 /// No building of two hundred storeys has a longer one.
 inline constexpr double longest_probable_period_s = 10.0;
 

@@ -132,7 +132,7 @@ void periods_of_system(const TomlTable& table, const Project& project, ProjectBu
       {structural_systems[1].name, &structural_systems[1]},
       {structural_systems[2].name, &structural_systems[2]},
       {structural_systems[3].name, &structural_systems[3]},
-      // in tables 12.8-2 under all other systems
+      // Table 12.8-2 has it under all other structural systems.
       {"concentrically_braced_frame", &structural_systems[3]}};
   const StructuralSystem* system =
       table.choice<const StructuralSystem*>("system", names).value_or(&structural_systems.back());

@@ -111,8 +111,9 @@ struct HeaderValue {
   const char* what;
 };
 
-/// Among the first three a whole number that is nearly the number of values, or far above all of
-/// those that follow; or any that is far above them and any motion.
+/// The number of values that follow; among the first three a whole number that is nearly that, or
+/// far above all that follow, or any number that is far above them and any motion; a first whole
+/// number, however small, that is far above them.
 std::optional<HeaderValue> find_count(const Record& record, double unit_mps2) {
   constexpr std::size_t headed = 3, least = 5;
   constexpr double least_count = 100.0, count_error = 0.05, far_above = 3.0;

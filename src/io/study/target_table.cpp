@@ -91,7 +91,7 @@ void check_accelerations(const TomlTable& table) {
 void check_one_form(const TomlTable& table, bool mapped_beside_spectrum) {
   const char* given = nullptr;
   for (const char* key : {"spectrum", "sds_g", "ss_g"}) {
-    if (!table.has(key) || (given != nullptr && mapped_beside_spectrum)) continue;
+    if (!table.has(key) || (mapped_beside_spectrum && std::string_view(key) == "ss_g")) continue;
     if (given != nullptr)
       table.report(key,
                    table.name_of(given) + " and " + table.name_of(key) +
@@ -108,10 +108,15 @@ void check_one_form(const TomlTable& table, bool mapped_beside_spectrum) {
   }
 }
 
+void read_tl(const TomlTable& table, DesignTarget& target) {
+  target.tl_s = table.number("tl_s", above_zero).value_or(target.tl_s);
+}
+
 void read_mapped(const TomlTable& table, DesignTarget& target) {
   target.ss_g = table.required_number("ss_g", above_zero);
   target.s1_g = table.required_number("s1_g", above_zero);
   read_site_classes(table, target);
+  read_tl(table, target);
 }
 
 }  // namespace
@@ -134,18 +139,14 @@ DesignTarget read_target(const TomlTable& table, const std::filesystem::path& fo
   } else if (table.has("sds_g") || table.has("sd1_g")) {
     target.sds_g = table.required_number("sds_g", above_zero);
     target.sd1_g = table.required_number("sd1_g", above_zero);
+    read_tl(table, target);
   } else {
     read_mapped(table, target);
   }
-  DesignTarget beside{.edition = target.edition};
-  DesignTarget& smooth = has_both ? beside : target;
   if (has_both) {
-    read_mapped(table, beside);
+    read_mapped(table, mapped->emplace(DesignTarget{.edition = target.edition}));
     if (!table.has("site_class") && !table.has("site_classes")) table.report_missing("site_class");
   }
-  if (has_both || !table.has("spectrum"))
-    smooth.tl_s = table.number("tl_s", above_zero).value_or(smooth.tl_s);
-  if (has_both) *mapped = beside;
   return target;
 }
 

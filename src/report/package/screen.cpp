@@ -56,10 +56,13 @@ std::string governing_lines(const CalculationPackage& package) {
                                                          design.of_largest ? "record" : "mean",
                                                          length_in_both(design.analysis_m)));
   for (const PrescribedValue& value : design.prescribed) {
-    text += fmt::format(
-        "{:<15}prescribes {}; {}\n", standard_name(value.standard),
-        length_in_both(value.prescribed.value_m),
-        value.may_be_used() ? "conditions known here are met" : "conditions NOT met or not stated");
+    text += fmt::format("{:<15}prescribes {}; {}\n", standard_name(value.standard),
+                        length_in_both(value.prescribed.value_m),
+                        value.may_be_used() ? "known conditions are met (recalled)"
+                                            : "conditions NOT met or not stated");
+    // Those of the project's standard are a reservation.
+    if (value.not_met() != of_standard(package.project, design).not_met() && !value.may_be_used())
+      text += std::string(15, ' ') + wrapped(value.not_met(), terminal_width, 15) + "\n";
   }
   text += line("GOVERNING", fmt::format("{}, rounded up to {}", length_in_both(design.governing_m),
                                         length_in_both(design.rounded_m)));

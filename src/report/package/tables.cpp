@@ -454,8 +454,10 @@ Table compared_table(const CalculationPackage& package) {
     table.add(std::move(cells));
   }
   table.notes.push_back(
-      "A clearance allows the displacement clearance / factor (ASCE 7-16, 13.6.12). Each number is "
-      "that of the building period where it is largest. " +
+      "A clearance allows the displacement clearance / factor (ASCE 7-16, 13.6.12); between "
+      "similar "
+      "arrays only where both slide alike. Each number is that of the building period where it is "
+      "largest. " +
       accepted_sentence(design) + ".");
   return table;
 }

@@ -15,8 +15,6 @@ namespace {
 
 using Warnings = std::vector<std::string>;
 
-constexpr double largest_probable_clearance_m = 10.0;
-
 Warnings one_axis(const Plan& plan) {
   if (plan.config.two_axes()) return {};
   return {
@@ -90,23 +88,23 @@ Warnings target_values(const Plan& plan) {
   return warnings;
 }
 
-Warnings long_periods(const Plan& plan) {
-  double longest_s = 0.0;
-  for (const Case& c : plan.cases.all()) longest_s = std::max(longest_s, c.period_s);
-  if (longest_s <= longest_probable_period_s) return {};
-  return {
-      fmt::format("a building period of {:g} s is longer than that of any building", longest_s)};
-}
-
-Warnings heavy_damping(const Plan& plan) {
-  constexpr double most = 0.2;  // recalled: buildings have 0.01 to 0.1
-  double highest = 0.0;
-  for (const Case& c : plan.cases.all()) highest = std::max(highest, c.damping);
-  if (highest <= most) return {};
-  return {
-      fmt::format("a damping ratio of {:g} is above {:g}: no building has it without dampers "
-                  "(recalled)",
-                  highest, most)};
+Warnings improbable_buildings(const Plan& plan) {
+  constexpr double most_damping = 0.2;  // recalled: buildings have 0.01 to 0.1
+  double longest_s = 0.0, damping = 0.0;
+  for (const Case& c : plan.cases.all()) {
+    longest_s = std::max(longest_s, c.period_s);
+    damping = std::max(damping, c.damping);
+  }
+  Warnings warnings;
+  if (longest_s > longest_probable_period_s)
+    warnings.push_back(
+        fmt::format("a building period of {:g} s is longer than that of any building", longest_s));
+  if (damping > most_damping)
+    warnings.push_back(
+        fmt::format("a damping ratio of {:g} is above {:g}: no building has it without dampers "
+                    "(recalled)",
+                    damping, most_damping));
+  return warnings;
 }
 
 Warnings large_clearances(const Plan& plan) {
@@ -212,7 +210,7 @@ std::vector<std::string> warnings_on(const Plan& plan) {
   std::vector<std::string> warnings;
   for (const auto warning :
        {without_target, one_axis, nearest_records, strong_levels, missed_targets, target_values,
-        long_periods, heavy_damping, large_clearances, low_friction, high_friction, free_sliding,
+        improbable_buildings, large_clearances, low_friction, high_friction, free_sliding,
         other_targets, hazard_curve, same_motions, motions}) {
     for (std::string& text : warning(plan)) warnings.push_back(std::move(text));
   }

@@ -248,6 +248,14 @@ TEST_F(ProjectFile, a_site_specific_spectrum_is_compared_with_that_of_the_site_c
   EXPECT_TRUE(check(plateau + "5,0.17\n").is_met);
   EXPECT_FALSE(check(plateau + "5,0.15\n").is_met);
   EXPECT_THAT(check(plateau + "5,0.15\n").found, HasSubstr("0.750 or more (at 5 s)"));
+  // Of class E from 0.75 to 1 g of S_S, which its table leaves out, F_a is that of 0.75 g: 1.3.
+  std::string soft = changed("ss_g = 1.313\ns1_g = 0.471\nsite_class = \"default\"",
+                             "spectrum = \"site.csv\"\nss_g = 0.9\ns1_g = 0.3\n"
+                             "site_class = \"E\"");
+  EXPECT_THAT(checks_before_analysis(read(soft), 7).at(1).found, HasSubstr("or more"));
+  EXPECT_THAT(
+      to_string(problems_of(soft.insert(soft.find("ss_g"), "sds_g = 1\nsd1_g = 0.6\n")).front()),
+      HasSubstr("both given"));
   // By ASCE 7-10 F_v is 1.5, S_D1 0.6 g.
   EXPECT_TRUE(check(plateau + "5,0.1\n", "asce7_10").is_met);
   EXPECT_EQ(problems_of(changed("ss_g = 1.313\ns1_g = 0.471\nsite_class = \"default\"",
