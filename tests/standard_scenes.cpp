@@ -36,10 +36,10 @@ void add_components(const std::filesystem::path& suite_file, std::vector<Compone
   const Suite suite = load_suite(suite_file);
   for (const Motion& motion : suite.motions) {
     for (const std::size_t i : {0, 1}) {
-      const std::vector<double>& horizontal = motion.horizontal_mps2[i];
+      const Samples& horizontal = motion.horizontal_mps2[i];
       if (horizontal.empty()) continue;
       components.push_back({suite.name + "/" + motion.id + (i == 0 ? "/first" : "/second"),
-                            motion.dt_s, horizontal, motion.vertical_mps2,
+                            motion.dt_s, horizontal.copy(), motion.vertical_mps2.copy(),
                             peak_ground_acceleration_mps2(horizontal)});
     }
   }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <iterator>
 #include <numbers>
+#include <span>
 
 #include "glissade/core/contract.hpp"
 #include "glissade/core/oscillator.hpp"
@@ -121,25 +122,25 @@ std::vector<double> horizontal_spectrum_mps2(const Motion& motion,
 }
 
 double horizontal_pga_mps2(const Motion& motion, HorizontalCombination combination) {
-  return combined(motion, combination, [](const std::vector<double>& component) {
+  return combined(motion, combination, [](std::span<const double> component) {
     return peak_ground_acceleration_mps2(component);
   });
 }
 
 double horizontal_pgv_mps(const Motion& motion, HorizontalCombination combination) {
-  return combined(motion, combination, [&](const std::vector<double>& component) {
+  return combined(motion, combination, [&](std::span<const double> component) {
     return peak_ground_velocity_mps(motion.dt_s, component);
   });
 }
 
 double horizontal_pgd_m(const Motion& motion, HorizontalCombination combination) {
-  return combined(motion, combination, [&](const std::vector<double>& component) {
+  return combined(motion, combination, [&](std::span<const double> component) {
     return peak_ground_displacement_m(motion.dt_s, component);
   });
 }
 
 double arias_intensity_mps(const Motion& motion) {
-  const auto of = [&](const std::vector<double>& a) {
+  const auto of = [&](std::span<const double> a) {
     double integral = 0.0;
     for (std::size_t i = 0; i < a.size(); ++i) {
       const double next = i + 1 < a.size() ? a[i + 1] : 0.0;
@@ -158,7 +159,7 @@ std::vector<double> horizontal_roof_velocity_mps(const Motion& motion,
   std::vector<double> velocities;
   for (const double period_s : periods_s) {
     velocities.push_back(combined(
-        motion, HorizontalCombination::geometric_mean, [&](const std::vector<double>& component) {
+        motion, HorizontalCombination::geometric_mean, [&](std::span<const double> component) {
           return period_s > 0.0
                      ? peak_roof_velocity_mps(motion.dt_s, component, period_s, damping_ratio)
                      : peak_ground_velocity_mps(motion.dt_s, component);

@@ -96,7 +96,7 @@ std::vector<double> on_clock(const Record& record, const Placement& placement, s
 
 struct Component {
   const TimedRecord& timed;
-  std::vector<double>& samples;  ///< in the motion
+  Samples& samples;  ///< in the motion
   Placement placement;
 };
 
@@ -107,7 +107,7 @@ Motion assemble_motion(Motion metadata, const TimedRecord& first,
                        const std::optional<TimedRecord>& vertical) {
   Motion motion = std::move(metadata);
   motion.horizontal_mps2 = {};
-  motion.vertical_mps2.clear();
+  motion.vertical_mps2 = {};
   std::vector<Component> components;
   components.push_back({first, motion.horizontal_mps2[0], {}});
   if (second) components.push_back({*second, motion.horizontal_mps2[1], {}});

@@ -4,6 +4,7 @@
 #define OMPI_SKIP_MPICXX
 #include <mpi.h>
 #include <sched.h>
+#include <sys/statvfs.h>
 
 #include <algorithm>
 #include <chrono>
@@ -23,6 +24,8 @@ struct Communicator::State {
   MPI_Comm group = MPI_COMM_NULL;
   int rank = 0, size = 1;
   std::function<void()> before_abort;
+  std::vector<MPI_Win> shared_memory;                ///< of `on_each_machine`
+  std::vector<std::vector<double>> numbers_of_rank;  ///< where that is not possible
 };
 
 Communicator::Communicator(std::shared_ptr<State> state) : state_(std::move(state)) {}
@@ -49,7 +52,7 @@ void wait_quietly(MPI_Request request) {
 }
 
 template <class Transfer>
-void in_pieces(std::vector<char>& bytes, Transfer transfer) {
+void in_pieces(std::span<char> bytes, Transfer transfer) {
   for (std::size_t at = 0; at < bytes.size(); at += piece_bytes) {
     transfer(bytes.data() + at, static_cast<int>(std::min(piece_bytes, bytes.size() - at)));
   }
@@ -65,6 +68,74 @@ void Communicator::broadcast(std::vector<char>& bytes) const {
   wait_quietly(request);
   bytes.resize(count);
   in_pieces(bytes, [&](char* data, int n) { MPI_Bcast(data, n, MPI_CHAR, 0, state_->group); });
+}
+
+namespace {
+
+/// The ranks of one machine, and the first ranks of all machines (none on other ranks).
+struct Machines {
+  MPI_Comm mine = MPI_COMM_NULL, first_ranks = MPI_COMM_NULL;
+  explicit Machines(MPI_Comm group) {
+    int rank = 0;
+    MPI_Comm_split_type(group, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &mine);
+    MPI_Comm_rank(mine, &rank);
+    MPI_Comm_split(group, rank == 0 ? 0 : MPI_UNDEFINED, 0, &first_ranks);
+  }
+  ~Machines() {
+    MPI_Comm_free(&mine);
+    if (is_first()) MPI_Comm_free(&first_ranks);
+  }
+  Machines(const Machines&) = delete;
+  Machines& operator=(const Machines&) = delete;
+  bool is_first() const { return first_ranks != MPI_COMM_NULL; }
+};
+
+/// On every machine. Open MPI makes shared memory in /dev/shm, and a rank that cannot is waited for
+/// by the others for ever; containers have 64 MB.
+bool shared_memory_has_room_for(double bytes, MPI_Comm group) {
+  struct statvfs space {};
+  int has_room =
+      statvfs("/dev/shm", &space) != 0 ||
+      static_cast<double>(space.f_bavail) * static_cast<double>(space.f_frsize) > bytes + 16e6;
+  MPI_Allreduce(MPI_IN_PLACE, &has_room, 1, MPI_INT, MPI_LAND, group);
+  return has_room != 0;
+}
+
+/// A window of `count` numbers of the machine's first rank, which all its ranks can read.
+std::span<double> allocate_on_machine(std::size_t count, const Machines& machines,
+                                      MPI_Win* window) {
+  double* numbers = nullptr;
+  MPI_Aint bytes = machines.is_first() ? static_cast<MPI_Aint>(count * sizeof(double)) : 0;
+  int unit = sizeof(double);
+  MPI_Win_allocate_shared(bytes, unit, MPI_INFO_NULL, machines.mine, &numbers, window);
+  MPI_Win_shared_query(*window, 0, &bytes, &unit, &numbers);
+  return {numbers, count};
+}
+
+}  // namespace
+
+std::span<const double> Communicator::on_each_machine(std::vector<double> values) const {
+  if (size() == 1) return state_->numbers_of_rank.emplace_back(std::move(values));
+  std::uint64_t count = values.size();
+  MPI_Bcast(&count, 1, MPI_UINT64_T, 0, state_->group);
+  const double bytes = static_cast<double>(count * sizeof(double));
+  const auto broadcast_into = [&](std::span<double> numbers, MPI_Comm group) {
+    if (is_root()) std::ranges::copy(values, numbers.begin());
+    in_pieces({reinterpret_cast<char*>(numbers.data()), numbers.size_bytes()},
+              [&](char* data, int n) { MPI_Bcast(data, n, MPI_CHAR, 0, group); });
+  };
+  if (!shared_memory_has_room_for(bytes, state_->group)) {
+    std::vector<double>& own = state_->numbers_of_rank.emplace_back(count);
+    broadcast_into(own, state_->group);
+    return own;
+  }
+  const Machines machines(state_->group);
+  MPI_Win& window = state_->shared_memory.emplace_back(MPI_WIN_NULL);
+  const std::span<double> numbers = allocate_on_machine(count, machines, &window);
+  MPI_Win_fence(0, window);
+  if (machines.is_first()) broadcast_into(numbers, machines.first_ranks);
+  MPI_Win_fence(0, window);
+  return numbers;
 }
 
 namespace {
@@ -239,15 +310,13 @@ struct LentProcessors::Processors {
 
 LentProcessors::LentProcessors(const Communicator& world) {
   if (world.size() == 1) return;
-  MPI_Comm machine = MPI_COMM_NULL;
-  MPI_Comm_split_type(world.state_->group, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &machine);
-  MPI_Comm_size(machine, &ranks_);
+  const Machines machines(world.state_->group);
+  MPI_Comm_size(machines.mine, &ranks_);
   cpu_set_t mine, all;
   CPU_ZERO(&mine);
   CPU_ZERO(&all);
   sched_getaffinity(0, sizeof mine, &mine);
-  MPI_Reduce(&mine, &all, sizeof mine, MPI_BYTE, MPI_BOR, 0, machine);
-  MPI_Comm_free(&machine);
+  MPI_Reduce(&mine, &all, sizeof mine, MPI_BYTE, MPI_BOR, 0, machines.mine);
   if (!world.is_root()) return;
   own_ = std::make_unique<Processors>(mine);
   sched_setaffinity(0, sizeof all, &all);
@@ -270,7 +339,7 @@ void leave_out_ucx_without_its_devices() {
 
 }  // namespace
 
-MpiSession::MpiSession(int& argc, char**& argv) {
+MpiSession::MpiSession(int& argc, char**& argv) : world_(std::make_shared<Communicator::State>()) {
   // Open MPI's and PMIx's launchers say so in the environment; without one MPI_Init would start a
   // daemon of its own.
   const auto set = [](const char* name) { return std::getenv(name) != nullptr; };
@@ -279,21 +348,17 @@ MpiSession::MpiSession(int& argc, char**& argv) {
   int provided = 0;  // threads of this program make no calls of MPI
   if (MPI_Init_thread(&argc, &argv, MPI_THREAD_FUNNELED, &provided) != MPI_SUCCESS)
     throw std::runtime_error("MPI_Init failed");
-  started_ = true;
+  world_->group = MPI_COMM_WORLD;
+  MPI_Comm_rank(MPI_COMM_WORLD, &world_->rank);
+  MPI_Comm_size(MPI_COMM_WORLD, &world_->size);
 }
 
 MpiSession::~MpiSession() {
-  if (started_) MPI_Finalize();
+  if (world_->group == MPI_COMM_NULL) return;
+  for (MPI_Win& window : world_->shared_memory) MPI_Win_free(&window);
+  MPI_Finalize();
 }
 
-Communicator MpiSession::world() const {
-  auto state = std::make_shared<Communicator::State>();
-  if (started_) {
-    state->group = MPI_COMM_WORLD;
-    MPI_Comm_rank(MPI_COMM_WORLD, &state->rank);
-    MPI_Comm_size(MPI_COMM_WORLD, &state->size);
-  }
-  return Communicator(std::move(state));
-}
+Communicator MpiSession::world() const { return Communicator(world_); }
 
 }  // namespace glissade

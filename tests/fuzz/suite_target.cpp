@@ -3,6 +3,7 @@
 // simulated, with the coarsest step: the whole takes seconds.
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <string_view>
 
 #include "check.hpp"
@@ -13,7 +14,7 @@ namespace {
 
 using glissade::fuzz::check;
 
-bool all_finite(const std::vector<double>& samples) {
+bool all_finite(std::span<const double> samples) {
   return std::all_of(samples.begin(), samples.end(), [](double a) { return std::isfinite(a); });
 }
 

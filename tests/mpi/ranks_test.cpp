@@ -39,6 +39,25 @@ TEST_F(Mpi, one_two_three_and_seven_ranks_give_the_bytes_of_none) {
     EXPECT_TRUE(results_on(ranks, study) == alone) << ranks << " ranks";
 }
 
+TEST_F(Mpi, the_ranks_of_a_machine_store_the_samples_of_motions_once) {
+  for (const char* ranks : {"1", "2", "5"}) {
+    const Finished child = run_child({"mpirun", "-n", ranks, GLISSADE_SHARED_NUMBERS});
+    EXPECT_EQ(child.status, 0) << child.err;
+  }
+}
+
+TEST_F(Mpi, a_machine_without_room_in_shared_memory_gives_the_same_bytes) {
+  if (run_shell("unshare --mount true").status != 0) GTEST_SKIP() << "needs root: unshare --mount";
+  const std::string study = folder_.write("study.toml", small_study());
+  const std::string alone = results_on(0, study), out = folder_.path("little").string();
+  ASSERT_FALSE(alone.empty());
+  const Finished child =
+      run_shell("unshare --mount sh -c 'mount -t tmpfs -o size=1M tmpfs /dev/shm && mpirun -n 3 " +
+                std::string(GLISSADE_PROGRAM) + " run " + study + " --out " + out + "'");
+  EXPECT_EQ(child.status, 0) << child.err;
+  EXPECT_TRUE(read_file(out + "/results.h5") == alone);
+}
+
 TEST_F(Mpi, a_target_error_ends_the_run_after_the_same_scramble_on_any_number_of_ranks) {
   const std::string study = folder_.write("target.toml", target_study());
   const std::string alone = results_on(0, study);

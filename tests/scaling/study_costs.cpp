@@ -47,7 +47,7 @@ StudyCosts measure_study(const std::filesystem::path& study, const std::filesyst
   costs.motions_s = core_seconds_of([&] {
     for (const auto& file : config.suite_files) suites.push_back(load_suite(file));
   });
-  costs.motion_bytes = static_cast<double>(pack(suites).size());
+  costs.motion_bytes = static_cast<double>(sizeof(double) * pack(suites).samples_mps2.size());
   Plan plan;
   costs.plan_s = core_seconds_of([&] {
     plan = make_plan(config, std::move(suites), [&](std::size_t count, const Part& part) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
+#include <span>
 
 #include "block_cases.hpp"
 #include "glissade/block/slide.hpp"
@@ -25,7 +26,7 @@ SlipResult scaled(SlipResult b, double length, double time) {
   return b;
 }
 
-std::vector<double> with_midpoints(const std::vector<double>& x) {
+std::vector<double> with_midpoints(std::span<const double> x) {
   std::vector<double> y;
   for (std::size_t i = 0; i < x.size(); ++i) {
     y.push_back(x[i]);
@@ -60,7 +61,7 @@ std::vector<Case> invariants(const Suite& suite) {
                      ? 0
                      : 1;
         clock += same(slide({4 * m.dt_s, a, w, f, f}, block), scaled(plain, 16.0, 4.0)) ? 0 : 1;
-        auto long_a = a, long_w = w;
+        std::vector<double> long_a = a.copy(), long_w = w.copy();
         long_a.resize(2 * a.size(), 0.0);
         long_w.resize(2 * w.size(), 0.0);
         padding += same(slide({m.dt_s, long_a, long_w, f, f}, block), plain) ? 0 : 1;

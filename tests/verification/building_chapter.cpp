@@ -4,6 +4,7 @@
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
 #include <numbers>
+#include <span>
 
 #include "chapters.hpp"
 #include "glissade/building/roof_motion.hpp"
@@ -72,7 +73,7 @@ Case rigid(const Motion& m) {
 
 // -- response spectra
 
-double sa(double dt_s, const std::vector<double>& a, double period_s, double damping) {
+double sa(double dt_s, std::span<const double> a, double period_s, double damping) {
   return pseudo_acceleration_spectrum(dt_s, a, std::vector{period_s}, damping).front();
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 #include <sstream>
 
 #include "chapters.hpp"
@@ -127,7 +128,7 @@ struct AtRest {
 
 /// Final velocity and displacement of a component over their peaks; exact integration of the
 /// piecewise-linear record.
-AtRest final_motion(double dt_s, const std::vector<double>& a) {
+AtRest final_motion(double dt_s, std::span<const double> a) {
   double v = 0.0, u = 0.0, peak_v = 0.0, peak_u = 0.0;
   for (std::size_t i = 0; i < a.size(); ++i) {
     const double next = i + 1 < a.size() ? a[i + 1] : 0.0;

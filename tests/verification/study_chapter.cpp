@@ -138,7 +138,7 @@ std::vector<Case> friction_comes_back(const Suite& suite) {
   config.sampling.samples = 1024;
   config.fragility->thresholds_m = {1e-12};
   Suite one = one_motion(suite);
-  one.motions.front().horizontal_mps2[1].clear();
+  one.motions.front().horizontal_mps2[1] = {};
   const Results results = run(make_plan(config, {one}));
   const FragilityCurve curve = results.runs[0].fragilities[0].capacities.curve;
   const std::string

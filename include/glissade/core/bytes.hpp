@@ -30,6 +30,11 @@ class ByteWriter {
   ByteWriter& put(const std::string& text) {
     return put(std::vector<char>(text.begin(), text.end()));
   }
+  ByteWriter& put(const std::vector<std::string>& texts) {
+    put(texts.size());
+    for (const std::string& text : texts) put(text);
+    return *this;
+  }
   std::vector<char> take() { return std::move(bytes_); }
 
  private:
@@ -64,6 +69,13 @@ class ByteReader {
     std::vector<char> characters;
     get(characters);
     text.assign(characters.begin(), characters.end());
+    return *this;
+  }
+  ByteReader& get(std::vector<std::string>& texts) {
+    std::size_t count = 0;
+    get(count);
+    texts.clear();
+    for (std::size_t i = 0; i < count; ++i) get(texts.emplace_back());
     return *this;
   }
 

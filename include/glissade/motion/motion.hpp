@@ -6,13 +6,14 @@
 #include <string>
 #include <vector>
 
+#include "glissade/core/samples.hpp"
 #include "glissade/motion/design_spectrum.hpp"
 #include "glissade/motion/record.hpp"
 
 namespace glissade {
 
 /// A ground motion of up to three components on a common clock: equal dt_s and equal lengths.
-/// A missing component is an empty vector; the first horizontal is required.
+/// A missing component has no samples; the first horizontal is required.
 struct Motion {
   std::string id;  ///< unique in its suite
   std::string event, station;
@@ -21,9 +22,9 @@ struct Motion {
   double vs30_mps = 0.0;     ///< 0: not given
   double scale = 1.0;        ///< the suite's factor on all three components, not yet applied
   double dt_s = 0.0;
-  std::array<std::vector<double>, 2> horizontal_mps2;
-  std::vector<double> vertical_mps2;  ///< up positive
-  /// What the headers of its files contradict. Known to the rank that read them.
+  std::array<Samples, 2> horizontal_mps2;
+  Samples vertical_mps2;  ///< up positive
+  /// What the headers of its files contradict.
   std::vector<std::string> contradictions;
 };
 
@@ -52,7 +53,7 @@ struct Suite {
   std::vector<Motion> motions;
   std::optional<DesignTarget> target;  ///< design spectrum of the suite
   /// The file states that its records were selected as the nearest to a target spectrum: they
-  /// scatter less than recorded motions. Known to the rank that read the file.
+  /// scatter less than recorded motions.
   bool nearest_to_target = false;
 };
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,9 @@ class Communicator {
 
   /// Sends the bytes of rank 0 to all ranks.
   void broadcast(std::vector<char>& bytes) const;
+  /// The numbers of rank 0 on all ranks, stored once on each machine (MPI-3 shared memory; on each
+  /// rank where the machine has too little of it), until the session ends. Collective.
+  std::span<const double> on_each_machine(std::vector<double> values) const;
   /// Collects the bytes of all ranks on rank 0, by rank; empty on the others.
   std::vector<std::vector<char>> gather(const std::vector<char>& bytes) const;
   /// Rank 0 receives the messages of all other ranks, by rank, one at a time. A sender makes each,
@@ -104,7 +108,7 @@ class MpiSession {
   Communicator world() const;
 
  private:
-  bool started_ = false;
+  std::shared_ptr<Communicator::State> world_;
 };
 
 }  // namespace glissade

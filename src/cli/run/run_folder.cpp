@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <map>
+#include <utility>
 
 #include "clearance/calculation_record.hpp"
 #include "glissade/core/file.hpp"
@@ -15,9 +16,10 @@ namespace glissade::cli {
 namespace fs = std::filesystem;
 
 void share(std::vector<Suite>& suites, const Communicator& world) {
-  std::vector<char> message = world.is_root() ? pack(suites) : std::vector<char>();
-  world.broadcast(message);
-  if (!world.is_root()) suites = unpack_suites(message);
+  if (world.size() == 1) return;
+  PackedSuites packed = pack(std::exchange(suites, {}));
+  world.broadcast(packed.headers);
+  suites = unpack_suites(packed.headers, world.on_each_machine(std::move(packed.samples_mps2)));
 }
 
 void check_same_plan(const std::string& hash, const Communicator& world) {

@@ -40,7 +40,7 @@ void on_root(const Communicator& world, Prepare prepare) {
   if (status[0] != go_on) throw ExitStatus{status[0]};
 }
 
-/// Root's motions to everybody.
+/// Root's motions to everybody; their samples are stored once on each machine.
 void share(std::vector<Suite>& suites, const Communicator& world);
 
 /// Every rank makes the plan itself; other processors or mathematical libraries could make another.

@@ -79,7 +79,7 @@ std::vector<std::string> warnings_on(const SlideOptions& o, const Motion& motion
 struct WarnedComponent {
   const char* name;
   const std::string& file;
-  const std::vector<double>& acceleration_mps2;
+  const Samples& acceleration_mps2;
 };
 
 std::vector<WarnedComponent> components_of(const SlideOptions& o, const Motion& motion) {

@@ -12,17 +12,15 @@ namespace {
 
 struct ShownComponent {
   const char *stem, *name;
-  const std::vector<double>& (*of)(const Motion&);
+  const Samples& (*of)(const Motion&);
 };
 constexpr std::array components{
-    ShownComponent{
-        "first", "first",
-        [](const Motion& m) -> const std::vector<double>& { return m.horizontal_mps2[0]; }},
-    ShownComponent{
-        "second", "second",
-        [](const Motion& m) -> const std::vector<double>& { return m.horizontal_mps2[1]; }},
+    ShownComponent{"first", "first",
+                   [](const Motion& m) -> const Samples& { return m.horizontal_mps2[0]; }},
+    ShownComponent{"second", "second",
+                   [](const Motion& m) -> const Samples& { return m.horizontal_mps2[1]; }},
     ShownComponent{"vertical", "vertical",
-                   [](const Motion& m) -> const std::vector<double>& { return m.vertical_mps2; }}};
+                   [](const Motion& m) -> const Samples& { return m.vertical_mps2; }}};
 
 Column number(std::string stem, std::string unit, std::string heading, int decimals = -1) {
   return {std::move(stem),    std::move(unit), std::move(heading),
@@ -83,7 +81,7 @@ Table motions_table(const Suite& suite) {
                           given(m.distance_km),
                           given(m.vs30_mps)};
     for (const ShownComponent& c : components) {
-      const std::vector<double>& a = c.of(m);
+      const Samples& a = c.of(m);
       const auto value = [&](double x) { row.emplace_back(a.empty() ? std::nan("") : x); };
       value(peak_ground_acceleration_mps2(a) / standard_gravity_mps2);
       value(peak_ground_velocity_mps(m.dt_s, a));

@@ -8,11 +8,15 @@ namespace glissade {
 
 namespace {
 
-/// The fields of a motion and of a target, each named once for both directions.
+/// The fields of a motion (but its samples) and of a target, each named once for both directions.
 template <class M, class Visit>
 void for_each_part(M& m, Visit visit) {
   visit(m.id), visit(m.event), visit(m.station);
   visit(m.magnitude), visit(m.distance_km), visit(m.vs30_mps), visit(m.scale), visit(m.dt_s);
+  visit(m.contradictions);
+}
+template <class M, class Visit>
+void for_each_component(M& m, Visit visit) {
   visit(m.horizontal_mps2[0]), visit(m.horizontal_mps2[1]), visit(m.vertical_mps2);
 }
 template <class T, class Visit>
@@ -23,29 +27,47 @@ void for_each_target_part(T& t, Visit visit) {
 
 }  // namespace
 
-std::vector<char> pack(const std::vector<Suite>& suites) {
+PackedSuites pack(const std::vector<Suite>& suites) {
   ByteWriter out;
+  std::vector<double> samples;
   const auto put = [&](const auto& part) { out.put(part); };
   out.put(suites.size());
   for (const Suite& suite : suites) {
-    out.put(suite.name).put(suite.description).put(suite.motions.size());
-    for (const Motion& m : suite.motions) for_each_part(m, put);
+    out.put(suite.name).put(suite.description).put(suite.nearest_to_target);
+    out.put(suite.motions.size());
+    for (const Motion& m : suite.motions) {
+      for_each_part(m, put);
+      for_each_component(m, [&](const Samples& component) {
+        out.put(component.size());
+        samples.insert(samples.end(), component.begin(), component.end());
+      });
+    }
     out.put(suite.target.has_value());
     if (suite.target) for_each_target_part(*suite.target, put);
   }
-  return out.take();
+  return {out.take(), std::move(samples)};
 }
 
-std::vector<Suite> unpack_suites(const std::vector<char>& bytes) {
-  ByteReader in(bytes);
+std::vector<Suite> unpack_suites(std::span<const char> headers,
+                                 std::span<const double> samples_mps2) {
+  ByteReader in(headers);
   const auto get = [&](auto& part) { in.get(part); };
   std::size_t suites = 0, motions = 0;
   in.get(suites);
   std::vector<Suite> all(suites);
   for (Suite& suite : all) {
-    in.get(suite.name).get(suite.description).get(motions);
+    in.get(suite.name).get(suite.description).get(suite.nearest_to_target).get(motions);
     suite.motions.resize(motions);
-    for (Motion& m : suite.motions) for_each_part(m, get);
+    for (Motion& m : suite.motions) {
+      for_each_part(m, get);
+      for_each_component(m, [&](Samples& component) {
+        std::size_t size = 0;
+        in.get(size);
+        if (size > samples_mps2.size()) throw ShortMessage();
+        component = Samples::elsewhere(samples_mps2.first(size));
+        samples_mps2 = samples_mps2.subspan(size);
+      });
+    }
     bool has_target = false;
     in.get(has_target);
     if (has_target) for_each_target_part(suite.target.emplace(), get);

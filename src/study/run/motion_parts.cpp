@@ -12,7 +12,7 @@
 namespace glissade {
 namespace {
 
-double integral_of_squares(const std::vector<double>& a) {
+double integral_of_squares(std::span<const double> a) {
   return std::inner_product(a.begin(), a.end(), a.begin(), 0.0);
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <span>
 
 namespace glissade {
 
@@ -22,7 +23,8 @@ RoofMotionOptions follow_roof(std::span<const Block> blocks, double largest_fact
           .settle_deceleration_mps2 = deceleration / largest_factor};
 }
 
-RoofAcceleration excitation_of(const Block& block, const RoofMotion& roof, const MotionFactors& factors) {
+RoofAcceleration excitation_of(const Block& block, const RoofMotion& roof,
+                               const MotionFactors& factors) {
   RoofAcceleration excitation{roof.dt_s, roof.horizontal_mps2, roof.vertical_mps2,
                               factors.horizontal, factors.vertical};
   if (resting_deceleration_mps2(block) == 0.0) {
@@ -37,7 +39,7 @@ BuildingGround building_ground(const Motion& motion, const Oscillator& vertical,
                                const RoofMotionOptions& follow) {
   const int own_parts = motion.vertical_mps2.empty() ? 0 : parts_needed(vertical, motion.dt_s);
   const int parts = std::max(1, own_parts);
-  const auto tabulated = [&](const std::vector<double>& component) {
+  const auto tabulated = [&](std::span<const double> component) {
     return component.empty() ? nullptr
                              : std::make_shared<GroundTable>(motion.dt_s, component, parts);
   };

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <optional>
 #include <set>
+#include <span>
 
 #include "glissade/core/units.hpp"
 #include "glissade/io/record_file.hpp"
@@ -45,7 +46,7 @@ class Recorded : public testing::Test {
   fs::path folder_;
 };
 
-double peak_g(const std::vector<double>& acceleration_mps2) {
+double peak_g(std::span<const double> acceleration_mps2) {
   double peak = 0.0;
   for (const double a : acceleration_mps2) peak = std::max(peak, std::abs(a));
   return peak / standard_gravity_mps2;

@@ -17,9 +17,10 @@ using testing::IsEmpty;
 Motion plausible(double amplitude_mps2 = 3.0) {
   Motion motion;
   motion.dt_s = 0.01;
+  std::vector<double> samples;
   for (int n = 0; n < 500; ++n)
-    motion.horizontal_mps2[0].push_back(amplitude_mps2 *
-                                        std::sin(4.0 * std::numbers::pi * 0.01 * n));
+    samples.push_back(amplitude_mps2 * std::sin(4.0 * std::numbers::pi * 0.01 * n));
+  motion.horizontal_mps2[0] = samples;
   return motion;
 }
 
@@ -38,7 +39,9 @@ TEST(improbable_values, name_what_no_recorded_motion_has_shown) {
   up.vertical_mps2 = {50.0};
   EXPECT_THAT(improbable_values(up), ElementsAre(HasSubstr("vertical PGA")));
   Motion drifts = plausible();
-  for (double& a : drifts.horizontal_mps2[0]) a += 1.0;  // 5 m/s and 12 m after 5 s
+  std::vector<double> offset = drifts.horizontal_mps2[0].copy();
+  for (double& a : offset) a += 1.0;  // 5 m/s and 12 m after 5 s
+  drifts.horizontal_mps2[0] = offset;
   EXPECT_THAT(improbable_values(drifts), ElementsAre(HasSubstr("PGV"), HasSubstr("PGD")));
 }
 

@@ -20,7 +20,7 @@ Motion two_components() {
 
 Motion one_component() {
   Motion motion = two_components();
-  motion.horizontal_mps2[1].clear();
+  motion.horizontal_mps2[1] = {};
   return motion;
 }
 
@@ -104,7 +104,7 @@ TEST(average_sa, is_the_geometric_mean_over_periods_and_components) {
   const Motion motion = two_components();
   const std::vector<double> periods_s = {0.4, 1.1};
   double product = 1.0;
-  for (const std::vector<double>& component : motion.horizontal_mps2) {
+  for (const Samples& component : motion.horizontal_mps2) {
     for (const double sa : pseudo_acceleration_spectrum(motion.dt_s, component, periods_s))
       product *= sa;
   }

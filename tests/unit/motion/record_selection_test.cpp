@@ -43,11 +43,13 @@ Motion noise(const std::string& id, std::uint64_t number, double strength_mps2 =
   const double memory = 0.5 + 0.09 * static_cast<double>(number % 6);
   for (std::uint32_t axis = 0; axis < 2; ++axis) {
     double value = 0.0;
+    std::vector<double> samples;
     for (std::size_t n = 0; n < 300; ++n) {
       value = memory * value + keyed_normal(number, RandomPurpose::test, n, axis);
-      motion.horizontal_mps2[axis].push_back(
-          strength_mps2 * value * std::sin(std::numbers::pi * static_cast<double>(n) / 300.0));
+      samples.push_back(strength_mps2 * value *
+                        std::sin(std::numbers::pi * static_cast<double>(n) / 300.0));
     }
+    motion.horizontal_mps2[axis] = samples;
   }
   return motion;
 }
@@ -55,8 +57,11 @@ Motion noise(const std::string& id, std::uint64_t number, double strength_mps2 =
 /// `motion` with all samples times a factor.
 Motion times(double factor, Motion motion, const std::string& id) {
   motion.id = id;
-  for (auto& component : motion.horizontal_mps2)
-    for (double& a : component) a *= factor;
+  for (Samples& component : motion.horizontal_mps2) {
+    std::vector<double> scaled = component.copy();
+    for (double& a : scaled) a *= factor;
+    component = scaled;
+  }
   return motion;
 }
 
@@ -287,8 +292,9 @@ TEST(select_records, leaves_out_what_does_not_tell_what_a_limit_is_on_unless_ask
 
 TEST(select_records, leaves_out_records_without_second_horizontal_or_without_motion) {
   Suite library = noise_library(4);
-  library.motions[1].horizontal_mps2[1].clear();
-  for (auto& component : library.motions[2].horizontal_mps2) std::ranges::fill(component, 0.0);
+  library.motions[1].horizontal_mps2[1] = {};
+  for (Samples& component : library.motions[2].horizontal_mps2)
+    component = std::vector<double>(component.size(), 0.0);
   const RecordSelection s = select_records(library, target_sa_g, some_periods_s(), any(2));
   ASSERT_EQ(s.left_out.size(), 2u);
   EXPECT_THAT(s.left_out[0].reasons, ElementsAre(LeftOutFor::no_second_horizontal));
@@ -333,8 +339,7 @@ TEST(select_records, refuses_more_records_than_are_left_and_tells_which_limits_l
   criteria.magnitude.min = 6.0;
   criteria.vs30_mps.min = 100.0;
   EXPECT_THAT(refusal(library, criteria),
-              testing::AllOf(HasSubstr("2 of 5"),
-                             HasSubstr("2 with magnitude"),
+              testing::AllOf(HasSubstr("2 of 5"), HasSubstr("2 with magnitude"),
                              HasSubstr("1 with no Vs30")));
   criteria.magnitude.min = 9.0;
   EXPECT_THAT(refusal(library, criteria), HasSubstr("0 of 5"));

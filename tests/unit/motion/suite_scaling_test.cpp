@@ -22,12 +22,13 @@ Motion made_up_motion(std::uint64_t number, double strength_mps2) {
   motion.id = "made-up " + std::to_string(number);
   motion.dt_s = 0.01;
   for (std::uint32_t axis = 0; axis < 2; ++axis) {
+    std::vector<double> samples;
     for (std::size_t n = 0; n < 400; ++n) {
       const double envelope =
           strength_mps2 * std::sin(std::numbers::pi * static_cast<double>(n) / 400.0);
-      motion.horizontal_mps2[axis].push_back(envelope *
-                                             keyed_normal(number, RandomPurpose::test, n, axis));
+      samples.push_back(envelope * keyed_normal(number, RandomPurpose::test, n, axis));
     }
+    motion.horizontal_mps2[axis] = samples;
   }
   return motion;
 }
@@ -190,7 +191,8 @@ TEST(suite_scaling, refuses_empty_suites_silent_motions_and_limits_that_are_not_
   EXPECT_THROW(suite_average_factor({}, target_sa_g, walters_periods_s()), InputError);
   Suite suite = made_up_suite();
   EXPECT_THROW(scale_suite_to_target(suite, target_sa_g, walters_periods_s(), 0.0), InputError);
-  for (auto& component : suite.motions[2].horizontal_mps2) std::ranges::fill(component, 0.0);
+  for (Samples& component : suite.motions[2].horizontal_mps2)
+    component = std::vector<double>(component.size(), 0.0);
   EXPECT_THROW(suite_average_factor(suite, target_sa_g, walters_periods_s()), InputError);
 }
 

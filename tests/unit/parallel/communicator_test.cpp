@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <span>
 #include <stdexcept>
 
 #include "glissade/core/bytes.hpp"
@@ -20,6 +21,14 @@ TEST(communicator, alone_is_root_and_keeps_its_messages) {
   alone.broadcast(message);
   EXPECT_EQ(message, (std::vector<char>{'a', 'b'}));
   EXPECT_EQ(alone.gather(message), (std::vector<std::vector<char>>{message}));
+}
+
+TEST(communicator, alone_keeps_its_numbers) {
+  const Communicator alone = Communicator::serial();
+  const std::span<const double> first = alone.on_each_machine({1.0, 2.0});
+  const std::span<const double> second = alone.on_each_machine({});
+  EXPECT_EQ(std::vector(first.begin(), first.end()), (std::vector{1.0, 2.0}));
+  EXPECT_TRUE(second.empty());
 }
 
 TEST(self_schedule, hands_out_every_item_once_in_order) {

@@ -126,8 +126,8 @@ TEST(clearance, a_rigid_building_is_the_block_on_the_ground_in_every_orientation
                                                                       : 1;
     const double along = words.find("along it +") != words.npos ? 1.0 : -1.0;
     const double across = words.find("across +") != words.npos ? 1.0 : -1.0;
-    std::array<std::vector<double>, 2> a{motion.horizontal_mps2[first],
-                                         motion.horizontal_mps2[1 - first]};
+    std::array<std::vector<double>, 2> a{motion.horizontal_mps2[first].copy(),
+                                         motion.horizontal_mps2[1 - first].copy()};
     for (double& x : a[0]) x *= along;
     for (double& x : a[1]) x *= across;
     const auto axis = static_cast<std::size_t>(results.conditions->orientations[o].slope_axis);
@@ -248,7 +248,7 @@ TEST(clearance, a_record_without_a_vertical_is_run_without) {
   c.vertical = {VerticalChoice::none, VerticalChoice::if_available};
   c.quantities.at("vertical", "period_s") = listed({0.0, 0.2});
   Motion without = shaking("b", 6.0, 1.4);
-  without.vertical_mps2.clear();
+  without.vertical_mps2 = {};
   const Results results = run(c, {shaking("a", 6.0, 0.4), without});
   ASSERT_EQ(results.conditions->grid.count(), 3u);  // with no vertical its period has no part
   EXPECT_TRUE(results.records[0].has_vertical);
@@ -266,8 +266,8 @@ TEST(clearance, suites_that_do_not_fit_are_refused_with_all_that_is_wrong) {
   c.quantities.at("building", "response_modification") = listed({0.0, 2.0});
   c.vertical = {VerticalChoice::required};
   Motion lame = shaking("lame", 6.0, 0.4), quiet = shaking("quiet", 0.0, 0.4);
-  lame.horizontal_mps2[1].clear();
-  lame.vertical_mps2.clear();
+  lame.horizontal_mps2[1] = {};
+  lame.vertical_mps2 = {};
   Suite suite = suite_of({lame, quiet});
   suite.target.reset();
   try {

@@ -16,7 +16,10 @@ TEST(exchange, brings_suites_over_to_the_last_bit) {
   std::vector<Suite> suites{small_suite(), small_suite()};
   suites[1].name = "other";
   suites[1].target.reset();
-  const std::vector<Suite> copy = unpack_suites(pack(suites));
+  suites[1].nearest_to_target = true;
+  suites[1].motions[0].contradictions = {"one", "other"};
+  const PackedSuites packed = pack(suites);
+  const std::vector<Suite> copy = unpack_suites(packed.headers, packed.samples_mps2);
   ASSERT_EQ(copy.size(), 2u);
   // The plan's hash covers every sample, scale and id.
   EXPECT_EQ(make_plan(small_config(), {copy[0]}).hash, small_plan(small_config()).hash);
@@ -25,6 +28,8 @@ TEST(exchange, brings_suites_over_to_the_last_bit) {
   EXPECT_EQ(copy[0].target->site_classes, suites[0].target->site_classes);
   EXPECT_EQ(copy[1].name, "other");
   EXPECT_FALSE(copy[1].target.has_value());
+  EXPECT_TRUE(copy[1].nearest_to_target);
+  EXPECT_EQ(copy[1].motions[0].contradictions, suites[1].motions[0].contradictions);
 }
 
 TEST(exchange, brings_every_field_of_a_unit_result_over_to_the_last_bit) {
@@ -47,9 +52,11 @@ TEST(exchange, brings_every_field_of_a_unit_result_over_to_the_last_bit) {
 }
 
 TEST(exchange, does_not_read_beyond_a_short_message) {
-  std::vector<char> bytes = pack(std::vector{small_suite()});
-  bytes.resize(bytes.size() / 2);
-  EXPECT_THROW(unpack_suites(bytes), std::logic_error);
+  const PackedSuites packed = pack(std::vector{small_suite()});
+  const std::span<const char> headers(packed.headers);
+  const std::span<const double> samples(packed.samples_mps2);
+  EXPECT_THROW(unpack_suites(headers.first(headers.size() / 2), samples), std::logic_error);
+  EXPECT_THROW(unpack_suites(headers, samples.first(samples.size() - 1)), std::logic_error);
 }
 
 }  // namespace

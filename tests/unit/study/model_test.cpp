@@ -340,7 +340,7 @@ void expect_refused(const StudyConfig& config, Suite suite, const char* message)
 TEST(plan_of_a_model, refuses_what_does_not_go_together_with_one_message) {
   StudyConfig config = two_axis_config();
   Suite single = small_suite();
-  single.motions[1].horizontal_mps2[1].clear();
+  single.motions[1].horizontal_mps2[1] = {};
   expect_refused(config, single, "record motion1 has no second horizontal component");
 
   config = two_axis_config();

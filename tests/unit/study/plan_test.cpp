@@ -23,6 +23,12 @@ using test::small_plan;
 using test::small_suite;
 constexpr double g = standard_gravity_mps2;
 
+std::vector<double> resized(const Samples& samples, std::size_t size, double padding = 0.0) {
+  std::vector<double> all = samples.copy();
+  all.resize(size, padding);
+  return all;
+}
+
 TEST(plan, units_cover_every_record_and_case_that_differs_once) {
   StudyConfig config = small_config();
   config.quantities.at("building", "period_s") = listed({0.0, 0.3});
@@ -63,8 +69,8 @@ TEST(plan, units_are_hundreds_and_even_in_predicted_cost) {
   for (unsigned i = 0; i < 14; ++i) {
     Motion m = small_suite().motions[i % 3];
     m.id += std::to_string(i);
-    for (auto& component : m.horizontal_mps2) component.resize(600 + 400 * i, 0.1);
-    m.vertical_mps2.resize(600 + 400 * i, 0.1);
+    for (Samples& component : m.horizontal_mps2) component = resized(component, 600 + 400 * i, 0.1);
+    m.vertical_mps2 = resized(m.vertical_mps2, 600 + 400 * i, 0.1);
     suite.motions.push_back(m);
   }
   const Plan plan = make_plan(config, {suite});
@@ -99,8 +105,8 @@ TEST(plan, units_of_a_long_study_are_predicted_to_take_seconds) {
 TEST(plan, gives_out_the_longest_units_first) {
   Suite suite = small_suite();
   // The last record is three times as long as it was.
-  for (std::vector<double>& motion : suite.motions.back().horizontal_mps2)
-    motion.resize(3 * motion.size());
+  for (Samples& component : suite.motions.back().horizontal_mps2)
+    component = resized(component, 3 * component.size());
   const Plan plan = make_plan(small_config(), {suite});
   const std::vector<std::size_t> order = longest_first(plan, 0);
   ASSERT_EQ(std::set(order.begin(), order.end()).size(), plan.units.size());
@@ -114,8 +120,8 @@ TEST(plan, gives_out_the_longest_units_first) {
 
 TEST(plan, has_parts_of_even_cost_that_are_all_of_it) {
   Suite suite = small_suite();
-  for (std::vector<double>& motion : suite.motions.back().horizontal_mps2)
-    motion.resize(3 * motion.size());
+  for (Samples& component : suite.motions.back().horizontal_mps2)
+    component = resized(component, 3 * component.size());
   const Plan plan = make_plan(small_config(), {suite});
   const auto cost = [&](const std::vector<std::size_t>& units) {
     std::size_t samples = 0;
@@ -221,7 +227,10 @@ TEST(plan, has_another_hash_when_the_motions_or_the_study_change_and_the_same_wh
   const Plan plan = small_plan(small_config());
   EXPECT_EQ(plan.hash, small_plan(small_config()).hash);
   Suite changed = small_suite();
-  changed.motions[1].vertical_mps2[17] += 1e-12;
+  Samples& vertical_mps2 = changed.motions[1].vertical_mps2;
+  std::vector<double> nearly = vertical_mps2.copy();
+  nearly[17] += 1e-12;
+  vertical_mps2 = nearly;
   EXPECT_NE(plan.hash, make_plan(small_config(), {changed}).hash);
   changed = small_suite();
   changed.target->s1_g += 0.1;
@@ -242,10 +251,10 @@ TEST(plan, reports_everything_in_which_study_and_suite_do_not_fit) {
   config.orientation.component = ComponentChoice::second;
   Suite suite = small_suite();
   suite.target.reset();
-  suite.motions[0].vertical_mps2.clear();
-  suite.motions[1].horizontal_mps2[1].clear();
-  suite.motions[2].horizontal_mps2[0].assign(600, 0.0);
-  suite.motions[2].horizontal_mps2[1].assign(600, 0.0);
+  suite.motions[0].vertical_mps2 = {};
+  suite.motions[1].horizontal_mps2[1] = {};
+  suite.motions[2].horizontal_mps2[0] = std::vector<double>(600, 0.0);
+  suite.motions[2].horizontal_mps2[1] = std::vector<double>(600, 0.0);
   try {
     make_plan(config, {suite});
     FAIL() << "accepted";
@@ -256,8 +265,8 @@ TEST(plan, reports_everything_in_which_study_and_suite_do_not_fit) {
 
 TEST(plan, notes_records_that_lack_a_component) {
   Suite suite = small_suite();
-  suite.motions[0].vertical_mps2.clear();
-  suite.motions[1].horizontal_mps2[1].clear();
+  suite.motions[0].vertical_mps2 = {};
+  suite.motions[1].horizontal_mps2[1] = {};
   StudyConfig config = small_config();
   config.standards.compare.clear();
   EXPECT_EQ(make_plan(config, {suite}).notes.size(), 2u);

@@ -182,7 +182,7 @@ std::vector<Case> slides_below_the_critical_friction() {
 }  // namespace
 
 RoofAcceleration at_one_g(const Motion& motion) {
-  const std::vector<double>& samples = motion.horizontal_mps2[0];
+  const Samples& samples = motion.horizontal_mps2[0];
   const auto [lowest, highest] = std::ranges::minmax(samples);
   return {motion.dt_s, samples, {}, g / std::max(-lowest, highest)};
 }

@@ -17,7 +17,7 @@ const std::string paper = "Rodriguez-Nikl et al. 2019, ";
 /// Every run against slide() on the same record.
 double difference_from_slide(const Plan& plan, const Results& results) {
   const Motion& motion = plan.motion(0);
-  const std::vector<double>& a = motion.horizontal_mps2[0];
+  const Samples& a = motion.horizontal_mps2[0];
   double peak = 0.0, worst = 0.0;
   for (const double x : a) peak = std::max(peak, std::abs(x));
   for (std::size_t i = 0; i < plan.cases.size(); ++i) {

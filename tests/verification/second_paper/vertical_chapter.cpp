@@ -91,9 +91,9 @@ struct Roof {
   TwoAxisResult on_building() const {
     test::OnBuilding scene;
     scene.dt_s = motion.dt_s;
-    scene.first = motion.horizontal_mps2[0];
+    scene.first = motion.horizontal_mps2[0].copy();
     scene.second.clear();
-    scene.up = motion.vertical_mps2;
+    scene.up = motion.vertical_mps2.copy();
     scene.vertical = building.vertical;
     scene.factor = motion.scale;
     scene.building = {{building.horizontal, Oscillator{0.0}}, {}, 0.0};

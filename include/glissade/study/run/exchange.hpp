@@ -11,8 +11,18 @@
 namespace glissade {
 
 // Messages between the ranks of one run; one of a unit is also a record of the run's journal.
-std::vector<char> pack(const std::vector<Suite>& suites);
-std::vector<Suite> unpack_suites(const std::vector<char>& bytes);
+
+/// Suites as the ranks exchange them: their samples one after another, apart from all else, so that
+/// the ranks of one machine can share them.
+struct PackedSuites {
+  std::vector<char> headers;
+  std::vector<double> samples_mps2;
+};
+PackedSuites pack(const std::vector<Suite>& suites);
+/// @param samples_mps2 must outlive the suites, which refer to them
+std::vector<Suite> unpack_suites(std::span<const char> headers,
+                                 std::span<const double> samples_mps2);
+
 std::vector<char> pack(const UnitResult& result);
 UnitResult unpack_unit_result(std::span<const char> bytes);
 
