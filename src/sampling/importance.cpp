@@ -26,9 +26,12 @@ WeightedProbability weighted_probability(const std::vector<double>& share_of,
   GLISSADE_EXPECTS(blocks >= 2 && samples > 0 && samples % blocks == 0 && weight.size() == samples);
   const std::size_t size = samples / blocks;
   std::vector<double> of_block(blocks);
-  double squares = 0.0;
+  double squares = 0.0, sum = 0.0, sum_of_squares = 0.0;
   for (std::size_t k = 0; k < samples; ++k) {
-    of_block[k / size] += weight[k] * share_of[k] / static_cast<double>(size);
+    const double part = weight[k] * share_of[k];
+    of_block[k / size] += part / static_cast<double>(size);
+    sum += part;
+    sum_of_squares += part * part;
     squares += weight[k] * share_of[k] * share_of[k] / static_cast<double>(samples);
   }
   const double count = static_cast<double>(blocks);
@@ -37,12 +40,13 @@ WeightedProbability weighted_probability(const std::vector<double>& share_of,
   double spread = 0.0;
   for (const double p : of_block) spread += (p - result.probability) * (p - result.probability);
   result.standard_error = std::sqrt(spread / (count * (count - 1.0)));
-  const double t = quantile(boost::math::students_t(count - 1.0), 0.975),
-               factor = result.probability > 0.0
-                            ? std::exp(t * result.standard_error / result.probability)
-                            : 1.0;
-  result.low = result.probability / factor;
-  result.high = result.probability * factor;
+  if (sum > 0.0) result.effective_samples = sum * sum / sum_of_squares;
+  if (result.effective_samples >= least_effective_samples) {
+    const double t = quantile(boost::math::students_t(count - 1.0), 0.975),
+                 factor = std::exp(t * result.standard_error / result.probability);
+    result.low = result.probability / factor;
+    result.high = result.probability * factor;
+  }
   result.plain_samples = (squares - result.probability * result.probability) /
                          (result.standard_error * result.standard_error);
   return result;

@@ -146,46 +146,47 @@ void draw_trial(const std::vector<SchemeResult>& results, const char* title,
 }
 
 void draw_fragility(const FragilityError& measured, const std::filesystem::path& svg) {
+  constexpr std::array colours{"#d55e00", "#777777", "#0072b2"};
   std::string script =
-      "unset key\nset xlabel 'run time of the histories on one core, s'\nset offsets graph 0,graph "
-      "0.12,graph 0,graph 0.08\n";
+      "unset key\nset xlabel 'histories'\nset format x '10^{%L}'\nset offsets graph 0.04,graph "
+      "0.12,graph 0.05,graph 0.08\n";
   for (const bool of_median : {true, false}) {
-    script += fmt::format("set ylabel 'rms relative error of {}'\nunset label\n",
-                          of_median ? "the median" : "log\\_std");
+    script += fmt::format(
+        "set ylabel 'rms relative error of {}'\nunset label\nunset arrow\n"
+        "set arrow from graph 0,first 0.01 to graph 1,first 0.01 nohead dt 2 lc rgb '#555555'\n"
+        "set label '1 %' at graph 0.99,first 0.01 right offset 0,0.5 tc rgb '#555555'\n",
+        of_median ? "the median" : "log\\_std");
     std::string plot;
-    for (const SamplingMethod method : {SamplingMethod::monte_carlo, SamplingMethod::sobol}) {
-      const bool sobol = method == SamplingMethod::sobol;
-      const char* colour = sobol ? "#0072b2" : "#d55e00";
-      std::vector<std::pair<const FragilityErrorRow*, RmsError>> curve;
-      for (const FragilityErrorRow& row : measured.rows)
-        if (row.method == method) curve.emplace_back(&row, of_median ? row.median : row.log_std);
-      const std::string block = sobol ? "$sobol" : "$plain";
-      script += block + " << EOD\n";
-      for (const auto& [row, error] : curve)
-        script += fmt::format("{} {} {} {}\n", row->histories_s, error.rms, error.low, error.high);
-      script += "EOD\n";
-      const auto label = [&](const std::string& text, std::size_t point, const char* where) {
-        script +=
-            fmt::format("set label '{}' at {},{} {} tc rgb '{}'\n", text,
-                        curve[point].first->histories_s, curve[point].second.rms, where, colour);
+    const std::vector<Estimator> all = estimators();
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      const std::vector<FragilityErrorRow> rows = rows_of(measured, all[i]);
+      const auto error = [&](const FragilityErrorRow& row) {
+        return of_median ? row.median : row.log_std;
       };
-      const std::size_t last = curve.size() - 1;
-      label(sobol ? "scrambled Sobol" : "plain Monte Carlo", curve.size() / 2,
-            sobol ? "right offset -2,-1" : "offset 0,2.2");
-      label(std::to_string(1L << curve[last].first->log2_samples), last,
-            "right offset -0.8,-0.6 font ',11'");  // left of the point: it is at the figure's edge
-      if (!sobol)
-        label(std::to_string(1L << curve[0].first->log2_samples) + " samples", 0,
-              "offset 1,1 font ',11'");
-      plot += fmt::format(
-          "{0}{1} using 1:2:3:4 with yerrorlines lw 2 pt 7 ps 0.5 lc rgb '{2}', "
-          "{3}*(x/{4})**{5} with lines dt 3 lw 1.5 lc rgb '{2}'",
-          sobol ? ", " : "plot ", block, colour, curve[last].second.rms,
-          curve[last].first->histories_s, sobol ? -1.0 : -0.5);
+      const std::string block = fmt::format("$estimator{}", i);
+      script += block + " << EOD\n";
+      for (const FragilityErrorRow& row : rows)
+        script += fmt::format("{} {} {} {}\n", row.histories, error(row).rms, error(row).low,
+                              error(row).high);
+      script += "EOD\n";
+      const auto label = [&](const std::string& text, const FragilityErrorRow& row,
+                             const char* where) {
+        script += fmt::format("set label '{}' at {},{} {} tc rgb '{}'\n", text, row.histories,
+                              error(row).rms, where, colours[i]);
+      };
+      if (all[i].method == SamplingMethod::sobol)
+        label(all[i].name(), rows[rows.size() / 2], "right offset -2,-1");
+      else if (all[i].fitted_on == FittedOn::counts)
+        label("plain Monte Carlo, counts", rows[rows.size() / 3], "offset 1.5,1.5");
+      else
+        label(all[i].name(), rows[2 * rows.size() / 3], "offset 1.5,1.2");
+      plot += fmt::format("{}{} using 1:2:3:4 with yerrorlines lw 2 pt 7 ps 0.5 lc rgb '{}'",
+                          i == 0 ? "plot " : ", ", block, colours[i]);
     }
     script += plot + "\n";
   }
-  gnuplot(svg, "Error of a fragility over run time: slip of 0.3 m, two motions", 0.12, script);
+  gnuplot(svg, "Error of a fragility over its histories: slip of 0.3 m, seven motions", 0.12,
+          script);
 }
 
 }  // namespace glissade::bench

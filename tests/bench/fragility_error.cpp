@@ -18,8 +18,9 @@ namespace glissade::bench {
 namespace {
 
 constexpr const char* study_sentence =
-    "Peak slip of 0.3 m over PGA, the two shortest built-in motions (component and sign by chance, "
-    "no vertical), mu normal 0.55 +- 0.04, slope uniform 0 to 5 degrees, period uniform 0.2 to 2 s";
+    "Peak slip of 0.3 m over PGA at five levels, seven built-in motions (component and sign by "
+    "chance, no vertical), mu normal 0.55 +- 0.04, slope uniform 0 to 5 degrees, period uniform "
+    "0.2 to 2 s";
 
 StudyConfig study(SamplingMethod method, std::uint64_t seed, int log2_samples) {
   StudyConfig config;
@@ -42,11 +43,25 @@ StudyConfig study(SamplingMethod method, std::uint64_t seed, int log2_samples) {
   return config;
 }
 
-/// One study: what it gave and took.
-struct Outcome {
-  double histories_s = 0.0, fit_s = 0.0;
+struct Fit {
   bool converged = false;
   double median = 0.0, log_std = 0.0;
+
+  explicit Fit(const FitSummary& summary)
+      : converged(summary.converged()),
+        median(summary.curve.median),
+        log_std(summary.curve.log_std) {}
+};
+
+/// One study: what it gave and took.
+struct Outcome {
+  double histories_s, fit_s;
+  double at_levels, searched;  // histories
+  Fit counts, capacities;
+
+  const Fit& fit(FittedOn fitted_on) const {
+    return fitted_on == FittedOn::counts ? counts : capacities;
+  }
 };
 
 /// The studies of 2^least, ..., 2^most samples by one seed.
@@ -54,21 +69,20 @@ std::vector<Outcome> replicate(const Suite& suite, SamplingMethod method, std::u
                                const FragilityErrorOptions& options) {
   std::vector<Outcome> outcomes;
   for (int log2_samples = options.least_log2; log2_samples <= options.most_log2; ++log2_samples) {
-    Outcome outcome;
     auto start = core_seconds();
     const Plan plan = make_plan(study(method, seed, log2_samples), {suite});
     std::vector<UnitResult> units;
     for (std::size_t unit = 0; unit < plan.units.size(); ++unit)
       units.push_back(execute(plan, unit));
-    outcome.histories_s = core_seconds() - start;
+    const double histories_s = core_seconds() - start;
     start = core_seconds();
     const Results results = reduce(plan, units);
-    outcome.fit_s = core_seconds() - start;
-    const FitSummary& fit = results.runs[0].fragilities[0].capacities;
-    outcome.converged = fit.converged();
-    outcome.median = fit.curve.median;
-    outcome.log_std = fit.curve.log_std;
-    outcomes.push_back(outcome);
+    const double fit_s = core_seconds() - start;
+    std::uint64_t searched = 0;
+    for (const UnitResult& unit : units) searched += unit.count.searched;
+    const ThresholdFragility& found = results.runs[0].fragilities[0];
+    outcomes.push_back({histories_s, fit_s, static_cast<double>(plan.histories()),
+                        static_cast<double>(searched), Fit(found.stripes), Fit(found.capacities)});
   }
   return outcomes;
 }
@@ -91,19 +105,28 @@ Replicates replicates_of(const Suite& suite, SamplingMethod method,
   return all;
 }
 
-/// Mean and relative standard error of a quantity over converged outcomes.
+/// Mean and relative standard error.
 struct Mean {
   double value = 0.0, uncertainty = 0.0;
+
+  explicit Mean(const std::vector<double>& values) : value(mean(values)) {
+    const double n = static_cast<double>(values.size());
+    double squares = 0.0;
+    for (const double one : values) squares += (one - value) * (one - value);
+    uncertainty = std::sqrt(squares / (n - 1) / n) / value;
+  }
 };
 
-Mean mean_of(const Replicates& replicates, double Outcome::*quantity) {
-  std::vector<double> values;
-  for (const std::vector<Outcome>& outcomes : replicates)
-    if (outcomes.back().converged) values.push_back(outcomes.back().*quantity);
-  const double n = static_cast<double>(values.size()), average = mean(values);
-  double squares = 0.0;
-  for (const double value : values) squares += (value - average) * (value - average);
-  return {average, std::sqrt(squares / (n - 1) / n) / average};
+FragilityTruth truth_of(const Replicates& sobol, FittedOn fitted_on) {
+  std::vector<double> medians, log_stds;
+  for (const std::vector<Outcome>& outcomes : sobol) {
+    const Fit& fit = outcomes.back().fit(fitted_on);
+    if (!fit.converged) continue;
+    medians.push_back(fit.median);
+    log_stds.push_back(fit.log_std);
+  }
+  const Mean median(medians), log_std(log_stds);
+  return {median.value, log_std.value, median.uncertainty, log_std.uncertainty};
 }
 
 /// @param degrees_of_freedom of `errors`: one less than there are where the truth is their own mean
@@ -117,24 +140,29 @@ RmsError rms_error(const std::vector<double>& errors, std::size_t degrees_of_fre
           std::sqrt(squares / boost::math::quantile(distribution, 0.025))};
 }
 
-void add_rows(const Replicates& replicates, SamplingMethod method,
-              const FragilityErrorOptions& options, FragilityError& result) {
+void add_rows(const Replicates& replicates, const Estimator& estimator,
+              const FragilityErrorOptions& options, const FragilityTruth& truth,
+              FragilityError& result) {
+  const bool searches = estimator.fitted_on == FittedOn::capacities;
   for (int log2_samples = options.least_log2; log2_samples <= options.most_log2; ++log2_samples) {
-    FragilityErrorRow row{.method = method, .log2_samples = log2_samples};
-    std::vector<double> histories_s, fit_s, median_errors, log_std_errors;
+    FragilityErrorRow row{.estimator = estimator, .log2_samples = log2_samples};
+    std::vector<double> histories, histories_s, fit_s, median_errors, log_std_errors;
     for (const std::vector<Outcome>& outcomes : replicates) {
       const Outcome& o = outcomes[static_cast<std::size_t>(log2_samples - options.least_log2)];
+      histories.push_back(o.at_levels + (searches ? o.searched : 0.0));
       histories_s.push_back(o.histories_s);
       fit_s.push_back(o.fit_s);
-      if (!o.converged) continue;
-      median_errors.push_back(o.median / result.median_pga_g - 1.0);
-      log_std_errors.push_back(o.log_std / result.log_std - 1.0);
+      const Fit& fit = o.fit(estimator.fitted_on);
+      if (!fit.converged) continue;
+      median_errors.push_back(fit.median / truth.median_pga_g - 1.0);
+      log_std_errors.push_back(fit.log_std / truth.log_std - 1.0);
     }
+    row.histories = median(histories);
     row.histories_s = median(histories_s);
     row.fit_s = median(fit_s);
     row.fitted = static_cast<int>(median_errors.size());
     const bool makes_the_truth =
-        method == SamplingMethod::sobol && log2_samples == options.most_log2;
+        estimator.method == SamplingMethod::sobol && log2_samples == options.most_log2;
     const std::size_t freedom = median_errors.size() - (makes_the_truth ? 1 : 0);
     row.median = rms_error(median_errors, freedom);
     row.log_std = rms_error(log_std_errors, freedom);
@@ -144,23 +172,47 @@ void add_rows(const Replicates& replicates, SamplingMethod method,
 
 }  // namespace
 
+std::string Estimator::name() const {
+  return std::string(method == SamplingMethod::sobol ? "Sobol" : "Monte Carlo") +
+         (fitted_on == FittedOn::counts ? ", counts" : ", capacities");
+}
+
+std::vector<Estimator> estimators() {
+  return {{SamplingMethod::monte_carlo, FittedOn::counts},
+          {SamplingMethod::monte_carlo, FittedOn::capacities},
+          {SamplingMethod::sobol, FittedOn::capacities}};
+}
+
+std::vector<FragilityErrorRow> rows_of(const FragilityError& measured, const Estimator& estimator) {
+  std::vector<FragilityErrorRow> rows;
+  std::ranges::copy_if(measured.rows, std::back_inserter(rows),
+                       [&](const FragilityErrorRow& row) { return row.estimator == estimator; });
+  return rows;
+}
+
+double histories_for(const std::vector<FragilityErrorRow>& rows, double error) {
+  const auto below = std::ranges::find_if(
+      rows, [&](const FragilityErrorRow& row) { return row.median.rms <= error; });
+  if (below == rows.end()) return std::numeric_limits<double>::quiet_NaN();
+  if (below == rows.begin()) return below->histories;
+  const FragilityErrorRow& above = *std::prev(below);
+  const double share =
+      std::log(above.median.rms / error) / std::log(above.median.rms / below->median.rms);
+  return above.histories * std::pow(below->histories / above.histories, share);
+}
+
 FragilityError fragility_error(const std::filesystem::path& suites,
                                const FragilityErrorOptions& options) {
-  Suite suite = load_suite(suites / "synthetic_level2.toml");
-  std::ranges::stable_sort(suite.motions, {},
-                           [](const Motion& motion) { return motion.horizontal_mps2[0].size(); });
-  suite.motions.resize(2);
+  const Suite suite = load_suite(suites / "synthetic_level2.toml");
   const Replicates plain = replicates_of(suite, SamplingMethod::monte_carlo, options);
   const Replicates sobol = replicates_of(suite, SamplingMethod::sobol, options);
-
-  const Mean median = mean_of(sobol, &Outcome::median), log_std = mean_of(sobol, &Outcome::log_std);
   FragilityError result{.study = study_sentence,
-                        .median_pga_g = median.value,
-                        .log_std = log_std.value,
-                        .median_uncertainty = median.uncertainty,
-                        .log_std_uncertainty = log_std.uncertainty};
-  add_rows(plain, SamplingMethod::monte_carlo, options, result);
-  add_rows(sobol, SamplingMethod::sobol, options, result);
+                        .of_counts = truth_of(sobol, FittedOn::counts),
+                        .of_capacities = truth_of(sobol, FittedOn::capacities)};
+  for (const Estimator& estimator : estimators())
+    add_rows(estimator.method == SamplingMethod::sobol ? sobol : plain, estimator, options,
+             estimator.fitted_on == FittedOn::counts ? result.of_counts : result.of_capacities,
+             result);
   return result;
 }
 

@@ -19,10 +19,6 @@ const Times& times_of(const WorkPrecision& measured, const std::string& scheme,
       ->times;
 }
 
-std::string method_name(SamplingMethod method) {
-  return method == SamplingMethod::sobol ? "scrambled Sobol" : "plain Monte Carlo";
-}
-
 }  // namespace
 
 Table scheme_table(const WorkPrecision& m) {
@@ -122,22 +118,44 @@ Table roof_table(const RoofTimes& times) {
 }
 
 Table fragility_table(const FragilityError& m) {
-  Table table{
-      "fragility",
-      fmt::format("{}. Median {:.4g} g (+- {:.1g} of it), log_std {:.4g} (+- {:.1g} of it)",
-                  m.study, m.median_pga_g, m.median_uncertainty, m.log_std, m.log_std_uncertainty),
-      {{"sampling", "", "Sampling", ColumnKind::text},
-       {"samples", "", "Samples", ColumnKind::count},
-       {"histories_time", "s", "Histories, s"},
-       {"fit_time", "s", "Fit, s"},
-       {"fitted", "", "Fitted", ColumnKind::count},
-       {"median_rms_error", "", "Error of median", ColumnKind::number, true},
-       {"log_std_rms_error", "", "Error of log_std", ColumnKind::number, true}},
-      {}};
+  const auto truth = [](const FragilityTruth& t) {
+    return fmt::format("median {:.4g} g (+- {:.1g} of it), log_std {:.4g} (+- {:.1g} of it)",
+                       t.median_pga_g, t.median_uncertainty, t.log_std, t.log_std_uncertainty);
+  };
+  Table table{"fragility",
+              fmt::format("{}. Truth of the fit on counts: {}; on capacities: {}", m.study,
+                          truth(m.of_counts), truth(m.of_capacities)),
+              {{"estimator", "", "Estimator", ColumnKind::text},
+               {"samples", "", "Samples", ColumnKind::count},
+               {"histories", "", "Histories", ColumnKind::count},
+               {"histories_time", "s", "Histories, s"},
+               {"fit_time", "s", "Fit, s"},
+               {"fitted", "", "Fitted", ColumnKind::count},
+               {"median_rms_error", "", "Error of median", ColumnKind::number, true},
+               {"log_std_rms_error", "", "Error of log_std", ColumnKind::number, true}},
+              {}};
   const auto cell = [](const RmsError& e) { return Estimate{e.rms, {e.low, e.high}, ""}; };
   for (const FragilityErrorRow& row : m.rows) {
-    table.add({method_name(row.method), std::ldexp(1.0, row.log2_samples), row.histories_s,
-               row.fit_s, static_cast<double>(row.fitted), cell(row.median), cell(row.log_std)});
+    table.add({row.estimator.name(), std::ldexp(1.0, row.log2_samples), row.histories,
+               row.histories_s, row.fit_s, static_cast<double>(row.fitted), cell(row.median),
+               cell(row.log_std)});
+  }
+  return table;
+}
+
+Table histories_table(const FragilityError& m) {
+  constexpr double error = 0.01;
+  Table table{"histories_for_an_error",
+              "Histories for a root mean square error of 1 % of the median, and how many times as "
+              "many plain Monte Carlo (counts at the levels) needs",
+              {{"estimator", "", "Estimator", ColumnKind::text},
+               {"histories", "", "Histories"},
+               {"plain_over_this", "", "Plain over this"}},
+              {}};
+  const double plain = histories_for(rows_of(m, estimators().front()), error);
+  for (const Estimator& estimator : estimators()) {
+    const double needed = histories_for(rows_of(m, estimator), error);
+    table.add({estimator.name(), needed, plain / needed});
   }
   return table;
 }

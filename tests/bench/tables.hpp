@@ -15,6 +15,7 @@ Table group_table(const WorkPrecision& measured);
 Table ratio_table(const WorkPrecision& measured);
 Table agreement_table(const WorkPrecision& measured);
 Table roof_table(const RoofTimes& times);
+Table histories_table(const FragilityError& measured);
 Table fragility_table(const FragilityError& measured);
 /// Schemes over one set of histories, the floor first.
 Table trial_table(const std::string& name, const std::string& title,

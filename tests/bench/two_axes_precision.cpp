@@ -14,7 +14,7 @@ namespace {
 
 using test::Component;
 
-constexpr std::size_t batch_size = 16;
+constexpr std::size_t batch_size = 64;
 constexpr double truth_tolerance = 1e-9;
 
 /// What the array lies on.

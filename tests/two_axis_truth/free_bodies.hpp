@@ -72,7 +72,7 @@ class FreeBodies {
   /// Friction per normal force (3.4), with the factor of (3.11).
   Two friction(const Two& v) const {
     const FrictionLaw& law = scene_.block.law;
-    const Long fast = law.mu_fast_over_slow, size = length({mu_[0] * v[0], mu_[1] * v[1]});
+    const Long fast = law.fast_over_slow, size = length({mu_[0] * v[0], mu_[1] * v[1]});
     const Long factor = fast - (fast - 1.0L) * std::exp(-law.rate_s_per_m * length(v));
     return {factor * mu_[0] * mu_[0] * v[0] / size, factor * mu_[1] * mu_[1] * v[1] / size};
   }
@@ -129,7 +129,7 @@ class FreeBodies {
       const Two a = to_slope({s.roof[0][k], s.roof[1][k]});
       drive[0][k] = (gravity[k] * sine_ - a[0] * cosine_) / mu_[0];
       drive[1][k] = -a[1] / mu_[1];
-      normal[k] = scene_.block.law.static_ratio * (gravity[k] * cosine_ + a[0] * sine_);
+      normal[k] = scene_.block.law.static_over_sliding * (gravity[k] * cosine_ + a[0] * sine_);
     }
     s.cone = plus(product(normal, normal), -1.0L,
                   plus(product(drive[0], drive[0]), 1.0L, product(drive[1], drive[1])));

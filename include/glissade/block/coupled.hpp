@@ -79,9 +79,9 @@ struct CoupledPoint {
 /// place of omega^2 u: z follows omega^2 u up to the yield acceleration and is constant from then
 /// on until u' changes sign. Between these events f is linear in u.
 ///
-/// With a static_ratio above 1 the block starts when static_ratio mu is exceeded, and then has the
-/// v' of mu. If tan(slope) is between the two, the block rests until it first moves, and its
-/// history ends with the record.
+/// With a static_over_sliding above 1 the block starts when static_over_sliding mu is exceeded, and
+/// then has the v' of mu. If tan(slope) is between the two, the block rests until it first moves,
+/// and its history ends with the record.
 ///
 /// Each phase is a linear oscillator of mass D M under a forcing linear in time, solved by its
 /// power series over pieces of at most 1/16 period (exact to rounding); slip and its speed are the

@@ -5,18 +5,18 @@ namespace glissade {
 
 /// Dependence of friction on the state of the block (theory.md, 3.5): factors on every coefficient
 /// of the block, which are those of slow sliding, as measured by a pull test.
-///   at rest    mu_static = static_ratio mu: it sticks while |tangential force| <= mu_static N
-///   sliding    mu(|v|) = mu (mu_fast_over_slow - (mu_fast_over_slow - 1) exp(-rate_s_per_m |v|))
+///   at rest    mu_static = static_over_sliding mu: it sticks while |tangential force| <= mu_static
+///   N sliding    mu(|v|) = mu (fast_over_slow - (fast_over_slow - 1) exp(-rate_s_per_m |v|))
 /// The latter is mu_fast - (mu_fast - mu_slow) exp(-a |v|) (Constantinou, Mokha & Reinhorn 1990,
-/// J. Struct. Eng. 116(2):455-474) with mu_fast = mu_fast_over_slow mu_slow. By default Coulomb's
+/// J. Struct. Eng. 116(2):455-474) with mu_fast = fast_over_slow mu_slow. By default Coulomb's
 /// law.
 struct FrictionLaw {
-  double static_ratio = 1.0;       ///< >= 1
-  double mu_fast_over_slow = 1.0;  ///< > 0
-  double rate_s_per_m = 0.0;       ///< a, s/m along the slope, >= 0
+  double static_over_sliding = 1.0;  ///< >= 1
+  double fast_over_slow = 1.0;       ///< > 0
+  double rate_s_per_m = 0.0;         ///< a, s/m along the slope, >= 0
 
-  bool depends_on_speed() const { return mu_fast_over_slow != 1.0 && rate_s_per_m != 0.0; }
-  bool is_coulomb() const { return static_ratio == 1.0 && !depends_on_speed(); }
+  bool depends_on_speed() const { return fast_over_slow != 1.0 && rate_s_per_m != 0.0; }
+  bool is_coulomb() const { return static_over_sliding == 1.0 && !depends_on_speed(); }
 };
 
 }  // namespace glissade

@@ -75,7 +75,7 @@ bool coupling_is_regular(const TwoAxisBlock& block, const BiaxialBuilding& build
 ///
 /// With static friction above sliding friction slip is discontinuous in its parameters: a block
 /// whose speed becomes almost zero may stick; it does if its speed is below a tenth of the
-/// tolerance. If friction decreases with speed (mu_fast_over_slow < 1) steps are short enough for
+/// tolerance. If friction decreases with speed (fast_over_slow < 1) steps are short enough for
 /// the stages to have one solution.
 ///
 /// @param block its friction so that coupling_is_regular()

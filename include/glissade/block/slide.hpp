@@ -21,7 +21,7 @@ struct Block {
   SlipDirections directions = SlipDirections::both;
   double gravity_mps2 = standard_gravity_mps2;  ///< > 0
   FrictionLaw law;  ///< Coulomb's law, except in slide_coupled() and coupled_slip(), which accept a
-                    ///< static_ratio
+                    ///< static_over_sliding
 };
 
 /// Absolute acceleration of the roof, piecewise linear between equally spaced samples. One table of

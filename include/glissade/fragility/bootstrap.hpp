@@ -31,11 +31,9 @@ struct BootstrapOptions {
 
 /// Pooled maximum likelihood, with intervals from the variance between records: quantiles over
 /// lines that the data allow (theory.md, 6.3). The naive binomial interval would cover a small
-/// fraction of its nominal level. Separated data: expanded percentiles of resampled records, of
-/// what can be fitted: Jeffreys penalised where separated, a median of infinity where none exceeded
-/// and of 0 where all did (log_std: without those); `note` counts them. The interval may then be
-/// open. No exceedance in any record: a bound with one trial per record and level. One record: no
-/// interval (NaN). The share of `free` histories is the curve's floor. Where it is the same in all
+/// fraction of its nominal level. Separated data (the records do not show how much they differ) and
+/// one record: no interval (NaN). No exceedance in any record: a bound with one trial per record
+/// and level. The share of `free` histories is the curve's floor. Where it is the same in all
 /// records (slope and friction decide it, which records share) they do not show how uncertain it
 /// is: it has no interval, and the other intervals take it as known. Else the floors are those of
 /// resampled records, their departures expanded. `band` (if not null) receives, per given

@@ -57,8 +57,7 @@ struct FitSummary {
   Interval p50_interval;    ///< of curve.intensity_at(0.5); median_interval where floor is 0
   double log_likelihood = std::numeric_limits<double>::quiet_NaN();  ///< without those of `floor`
   std::string method;           ///< "probit maximum likelihood on stripes", ...
-  std::string interval_method;  ///< "profile likelihood", "bootstrap over records (expanded
-                                ///< percentile)", ...
+  std::string interval_method;  ///< "profile likelihood", ...
   std::string note;             ///< what a reader must know; may be empty
   double effective_records = std::numeric_limits<double>::quiet_NaN();  ///< of a weighted fit
   bool converged() const {

@@ -10,8 +10,9 @@
 
 // Fits of rows that have a weight each (importance sampling) and belong to records, the clusters.
 // The weighted likelihood sum w l is maximised; intervals are those of the cluster sandwich
-// n/(n - 1) A^-1 (sum s s^T) A^-1 over records, with Student's t of n_eff - 1 degrees of freedom
-// (theory.md, 6.3). Rows of weight 0 play no part. All throw InputError for weights that are
+// n/(n - 1) A^-1 (sum s s^T) A^-1 over records: of the median with Student's t of n_eff - 1 degrees
+// of freedom, of log_std by lines that the data allow (theory.md, 6.3). Bounds count each record as
+// one trial. Rows of weight 0 play no part. All throw InputError for weights that are
 // negative or all 0, and for counts or capacities out of range.
 namespace glissade {
 

@@ -22,6 +22,9 @@ Table slip_table(const Results& results);
 Table standards_table(const Results& results);
 /// Counts of exceedances per run, threshold and level: what the stripes fit rests on.
 Table stripes_table(const Results& results);
+/// Probabilities of exceedance at the levels that are the DBE or the MCE, per run and threshold:
+/// the shares of the histories. Without columns of levels where the study has neither.
+Table earthquakes_table(const Results& results);
 /// Speed and time of first reaching each threshold per run, threshold and level, given that it is
 /// reached. Empty unless the study has [impact].
 Table impact_table(const Results& results);

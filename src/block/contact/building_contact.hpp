@@ -62,7 +62,7 @@ class BuildingContact {
   /// have one solution.
   double longest_step_s(const Load& load, const Accelerance& accelerance) const {
     const double falls =
-        law_.depends_on_speed() ? (1.0 - law_.mu_fast_over_slow) * law_.rate_s_per_m : 0.0;
+        law_.depends_on_speed() ? (1.0 - law_.fast_over_slow) * law_.rate_s_per_m : 0.0;
     if (!(falls > 0.0)) return never;
     const double rate = friction_bound(accelerance) * std::max(load.normal, 0.0) * falls;
     return rate > 0.0 ? 2.0 / (rate * loading_.cos_slope()) : never;
@@ -112,8 +112,8 @@ class BuildingContact {
 
  private:
   double factor_at(double speed_mps) const {
-    return law_.mu_fast_over_slow -
-           (law_.mu_fast_over_slow - 1.0) * std::exp(-law_.rate_s_per_m * speed_mps);
+    return law_.fast_over_slow -
+           (law_.fast_over_slow - 1.0) * std::exp(-law_.rate_s_per_m * speed_mps);
   }
   /// Friction per normal force of v = p - lambda f(v); v = 0 if that is a solution.
   Vector implicit_friction(Vector p, double lambda) const {

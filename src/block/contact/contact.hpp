@@ -44,8 +44,9 @@ inline double mirror(const Block& block) { return block.slope_rad < 0.0 ? -1.0 :
 
 /// @throw std::invalid_argument if a number is not finite
 inline void require_block(const Block& block) {
-  require_finite({block.friction, block.slope_rad, block.gravity_mps2, block.law.static_ratio},
-                 "friction, slope, gravity");
+  require_finite(
+      {block.friction, block.slope_rad, block.gravity_mps2, block.law.static_over_sliding},
+      "friction, slope, gravity");
   GLISSADE_EXPECTS(block.friction >= 0.0 && std::abs(block.slope_rad) < std::numbers::pi / 2);
 }
 

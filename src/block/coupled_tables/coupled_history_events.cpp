@@ -68,7 +68,7 @@ bool CoupledHistory::rest_in(const IntervalState& now) {
   if (direction == 0) return true;
   const RoofState at_start = r.state(now.z * root.power, now.ground.after(root.t));
   const std::optional<Begin> phase =
-      begin(now, root.t, at_start, direction, block_.law.static_ratio > 1.0);
+      begin(now, root.t, at_start, direction, block_.law.static_over_sliding > 1.0);
   if (phase) start(now, *phase);
   return phase.has_value();
 }

@@ -22,8 +22,8 @@ namespace {
 
 /// All that a table depends on but the motion.
 struct Shared {
-  double period_s, damping_ratio, mass_ratio, slope_rad, friction, static_ratio, gravity_mps2, sign,
-      vertical_ratio;
+  double period_s, damping_ratio, mass_ratio, slope_rad, friction, static_over_sliding,
+      gravity_mps2, sign, vertical_ratio;
 
   Shared(const CoupledScene& s, const Oscillator& oscillator, bool vertical)
       : period_s(oscillator.period_s),
@@ -31,7 +31,7 @@ struct Shared {
         mass_ratio(s.building.mass_ratio),
         slope_rad(std::abs(s.block.slope_rad)),
         friction(s.block.friction),
-        static_ratio(s.block.law.static_ratio),
+        static_over_sliding(s.block.law.static_over_sliding),
         gravity_mps2(s.block.gravity_mps2),
         sign((s.block.slope_rad < 0.0) == (s.factors.horizontal < 0.0) ? 1.0 : -1.0),
         vertical_ratio(vertical ? s.factors.vertical / std::abs(s.factors.horizontal) : 0.0) {}

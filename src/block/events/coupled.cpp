@@ -70,7 +70,7 @@ CoupledResult block_detail::walk_coupled(const GroundMotion& motion, const Motio
                                          const CoupledBuilding& building, const Block& block,
                                          const CoupledWatch& watch) {
   require_finite_scene(building, block, factors);
-  GLISSADE_EXPECTS(block.law.static_ratio >= 1.0 && !block.law.depends_on_speed());
+  GLISSADE_EXPECTS(block.law.static_over_sliding >= 1.0 && !block.law.depends_on_speed());
   GLISSADE_EXPECTS(building.horizontal.period_s >= 0.0 && building.horizontal.damping_ratio >= 0.0);
   GLISSADE_EXPECTS(coupling_is_regular(block, building.mass_ratio));
 

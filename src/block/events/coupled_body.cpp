@@ -19,7 +19,7 @@ CoupledBody::CoupledBody(const CoupledContact& contact, const BuildingOscillator
       building_(building),
       block_(block),
       keeps_(keeps),
-      has_static_friction_(block.law.static_ratio > 1.0 && block.friction > 0.0),
+      has_static_friction_(block.law.static_over_sliding > 1.0 && block.friction > 0.0),
       energy_(building, contact),
       spring_(yielding) {}
 

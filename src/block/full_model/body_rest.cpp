@@ -80,7 +80,7 @@ double FullModelBody::rest(const ExcitationPiece& piece) {
   }
   if (yielded) return fraction;
   // Released by as much as Coulomb's law holds it back, a block has no acceleration yet.
-  const bool jumps = fraction == 0.0 || contact_.law().static_ratio != 1.0;
+  const bool jumps = fraction == 0.0 || contact_.law().static_over_sliding != 1.0;
   Vector a;
   if (jumps) {
     Axes e;

@@ -127,6 +127,7 @@ class Pool {
       }
       for (std::uint64_t left = stepped.left; left != 0; left &= left - 1)
         resolve(static_cast<std::size_t>(std::countr_zero(left)));
+      if (next_ == tasks_.size()) close_up();
     }
   }
 
@@ -164,6 +165,28 @@ class Pool {
     LaneStates::store(lanes_.motion, lane, state.motion);
     lanes_.node[lane] = state.node;
     lanes_.next2[lane] = histories_[lane]->next2();
+  }
+
+  /// Where no history is left for the lanes that are done: those that go on are moved to the first
+  /// lanes, so that no SIMD vector is run for one of them.
+  void close_up() {
+    for (;;) {
+      const auto done = static_cast<std::size_t>(std::countr_one(lanes_.active));
+      const auto end = static_cast<std::size_t>(std::bit_width(lanes_.active));
+      if (done >= end) return;
+      move(end - 1, done);
+    }
+  }
+
+  void move(std::size_t from, std::size_t to) {
+    HistoryState state;
+    LaneStates::load(lanes_.motion, from, state.motion);
+    state.node = lanes_.node[from];
+    histories_[to].emplace(std::move(*histories_[from]));
+    scene_[to] = scene_[from];
+    LaneStates::store(lanes_.constants, to, histories_[to]->constants());
+    put(to, state);
+    lanes_.active ^= std::uint64_t{1} << from | std::uint64_t{1} << to;
   }
 
   /// True where it slides on.

@@ -23,14 +23,14 @@ bool is_fitted(const ModelScore& model) { return !std::isnan(model.score); }
 
 void show(const char* name, double value, const Interval& interval) {
   if (std::isnan(value)) return;
-  fmt::print("{:<19}{:.6g}", name, value);
+  fmt::print("{:<18} {:.6g}", name, value);
   if (!std::isnan(interval.low))
     fmt::print("   95 % interval {:.4g} to {:.4g}", interval.low, interval.high);
   fmt::print("\n");
 }
 
 void show(const char* name, const std::string& text) {
-  if (!text.empty()) fmt::print("{:<19}{}\n", name, text);
+  if (!text.empty()) fmt::print("{:<18} {}\n", name, text);
 }
 
 std::string any_text(FitStatus status) {

@@ -43,13 +43,12 @@ void check_model(const SlideOptions& o, ProblemList& problems) {
   require(o.vertical_period_s >= 0.0, "--vertical-period-s", o.vertical_period_s, "must be >= 0");
   require(o.vertical_damping() >= 0.0 && o.vertical_damping() < 1.0, "--vertical-damping",
           o.vertical_damping(), "must be a ratio in [0, 1)");
-  require(o.law.static_ratio >= 1.0, "--static-over-sliding", o.law.static_ratio,
+  require(o.law.static_over_sliding >= 1.0, "--static-over-sliding", o.law.static_over_sliding,
           "must be >= 1: static friction is not below sliding friction");
-  require(o.law.mu_fast_over_slow > 0.0, "--fast-over-slow", o.law.mu_fast_over_slow,
-          "must be > 0");
+  require(o.law.fast_over_slow > 0.0, "--fast-over-slow", o.law.fast_over_slow, "must be > 0");
   require(o.law.rate_s_per_m >= 0.0, "--rate-s-per-m", o.law.rate_s_per_m, "must be >= 0");
 
-  if ((o.law.mu_fast_over_slow != 1.0) != (o.law.rate_s_per_m != 0.0)) {
+  if ((o.law.fast_over_slow != 1.0) != (o.law.rate_s_per_m != 0.0)) {
     problems.add({o.law.rate_s_per_m == 0.0 ? "--fast-over-slow" : "--rate-s-per-m",
                   "is one half of how friction depends on speed",
                   "give --fast-over-slow (mu_fast / mu_slow) and --rate-s-per-m (the rate a, s/m)",
@@ -102,8 +101,8 @@ KernelChoice kernel_for(const SlideOptions& o) {
   const auto set = [&](const char* table, const char* key, double value) {
     config.quantities.at(table, key) = {{value}, {}};
   };
-  set("friction", "static_over_sliding", o.law.static_ratio);
-  set("friction", "fast_over_slow", o.law.mu_fast_over_slow);
+  set("friction", "static_over_sliding", o.law.static_over_sliding);
+  set("friction", "fast_over_slow", o.law.fast_over_slow);
   set("friction", "rate_s_per_m", o.law.rate_s_per_m);
   set("building", "period_s", o.period_s);
   set("building", "mass_ratio", o.mass_ratio);
@@ -193,9 +192,9 @@ void add_options(CLI::App& command, SlideOptions& o) {
                      "second [0]");
   command.add_option("--across-mu", o.mu_across,
                      "with --second: coefficient of friction across the slope [as --mu]");
-  command.add_option("--static-over-sliding", o.law.static_ratio,
+  command.add_option("--static-over-sliding", o.law.static_over_sliding,
                      "friction at rest over sliding friction [1]");
-  command.add_option("--fast-over-slow", o.law.mu_fast_over_slow,
+  command.add_option("--fast-over-slow", o.law.fast_over_slow,
                      "friction of fast over slow sliding; --mu is the slow one [1]");
   command.add_option("--rate-s-per-m", o.law.rate_s_per_m,
                      "rate a of mu_fast - (mu_fast - mu_slow) exp(-a speed), s/m");

@@ -46,11 +46,11 @@ struct CandidateFit {
   }
 };
 
-CandidateFit fit_weighted(const Records& records, const Eigen::VectorXd& weights,
-                          const ProbitLine& start) {
-  const double floor = records.floor(weights);
+CandidateFit fit_all(const Records& records) {
+  const Eigen::VectorXd ones = Eigen::VectorXd::Ones(records.count());
+  const double floor = records.floor(ones);
   if (floor == 1) return {{FitStatus::always_exceeds}, 1};
-  return {records.fit(weights, start), floor};
+  return {records.fit(ones, records.first_guess()), floor};
 }
 
 /// Curves that the data allow, in families: an interval of any quantity goes from the lowest end of
@@ -59,43 +59,27 @@ CandidateFit fit_weighted(const Records& records, const Eigen::VectorXd& weights
 class CandidateFits {
  public:
   CandidateFits(const Records& records, const CandidateFit& pooled, const BootstrapOptions& options)
-      : floor_varies_(records.floor_varies()), floor_(pooled.floor) {
+      : floor_varies_(records.floor_varies()),
+        floor_(pooled.floor),
+        tail_(0.5 - 0.5 * options.level) {
     const auto count = static_cast<std::size_t>(records.count());
-    const double tail = 0.5 - 0.5 * options.level;
-    const bool drawn = pooled.point.status == FitStatus::maximum_likelihood;
-    const double expanded = expanded_tail(count, options.level);
-    std::vector<CandidateFit> resamples;
-    for (int r = 0; r < options.replicates && (floor_varies_ || !drawn); ++r) {
+    std::vector<double> floors;  // of resamples of the records
+    for (int r = 0; r < options.replicates && floor_varies_; ++r) {
       const std::vector<double> times = draw_records(count, options, r);
-      const Eigen::Map<const Eigen::VectorXd> weights(times.data(), records.count());
-      if (drawn)
-        resamples.push_back({{}, records.floor(weights)});
-      else
-        resamples.push_back(fit_weighted(records, weights, pooled.point.line));
+      floors.push_back(
+          records.floor(Eigen::Map<const Eigen::VectorXd>(times.data(), records.count())));
     }
-    if (drawn) {
-      tail_ = tail;
-      const double widening = normal_quantile(expanded) / normal_quantile(tail);
-      const LineDraws lines = draw_lines(with_errors(records, pooled.point.line));
-      for (const auto& family : {lines.about_median, lines.about_data}) {
-        families_.emplace_back();
-        for (const ProbitLine& line : family)
-          families_.back().push_back({{FitStatus::maximum_likelihood, line}, floor_});
-        for (std::size_t i = 0; i < family.size() && !resamples.empty(); ++i) {
-          const double departure = resamples[i % resamples.size()].floor - floor_;
-          families_.back()[i].floor = std::clamp(floor_ + widening * departure, 0.0, 1.0);
-        }
+    const double widening =
+        normal_quantile(expanded_tail(count, options.level)) / normal_quantile(tail_);
+    const LineDraws lines = draw_lines(with_errors(records, pooled.point.line));
+    for (const auto& family : {lines.about_median, lines.about_data}) {
+      families_.emplace_back();
+      for (const ProbitLine& line : family)
+        families_.back().push_back({{FitStatus::maximum_likelihood, line}, floor_});
+      for (std::size_t i = 0; i < family.size() && !floors.empty(); ++i) {
+        const double departure = floors[i % floors.size()] - floor_;
+        families_.back()[i].floor = std::clamp(floor_ + widening * departure, 0.0, 1.0);
       }
-      method_ = "variance between records (sandwich, chi-square)";
-    } else {
-      tail_ = expanded;
-      const auto without = std::ranges::count_if(resamples, [](const CandidateFit& resample) {
-        return resample.point.status != FitStatus::maximum_likelihood;
-      });
-      note_ = std::to_string(without) + " of " + std::to_string(resamples.size()) +
-              " resamples of the records have no finite maximum of the likelihood";
-      families_.push_back(std::move(resamples));
-      method_ = "bootstrap over records (expanded percentile)";
     }
   }
 
@@ -113,15 +97,14 @@ class CandidateFits {
   Interval probability_at(double y) const {
     return interval_of([y](const CandidateFit& c) { return c.probability_at(y); });
   }
-  const std::string& method() const { return method_; }
-  const std::string& note() const { return note_; }
 
  private:
   static LineWithErrors with_errors(const Records& records, const ProbitLine& line) {
     const Records::Scores scores = records.scores(line);
     const Eigen::Matrix2d information =
         records.information(Eigen::VectorXd::Ones(records.count()), line);
-    return {line, cluster_sandwich(scores, information), information.inverse(), records.count()};
+    return {line, cluster_sandwich(scores, information), information.inverse(),
+            static_cast<double>(records.count())};
   }
   Interval interval_of(const auto& quantity) const {
     Interval whole;
@@ -136,9 +119,8 @@ class CandidateFits {
   }
 
   bool floor_varies_;
-  double floor_, tail_ = 0.0;
+  double floor_, tail_;
   std::vector<std::vector<CandidateFit>> families_;
-  std::string method_, note_;
 };
 
 FitSummary fit_by_record(const Records& records, const BootstrapOptions& options,
@@ -146,8 +128,7 @@ FitSummary fit_by_record(const Records& records, const BootstrapOptions& options
   GLISSADE_EXPECTS(options.replicates >= 100);
   GLISSADE_EXPECTS(options.level > 0 && options.level < 1);
   if (band != nullptr) band->assign(band_intensities.size(), Interval{});
-  const CandidateFit pooled =
-      fit_weighted(records, Eigen::VectorXd::Ones(records.count()), records.first_guess());
+  const CandidateFit pooled = fit_all(records);
   FitSummary summary;
   if (pooled.floor == 1) return summarise_always();
   if (pooled.point.is_bound()) {
@@ -176,6 +157,10 @@ FitSummary fit_by_record(const Records& records, const BootstrapOptions& options
     add_sentence(summary.note, "one record: no interval");
     return summary;
   }
+  if (summary.status == FitStatus::jeffreys_penalised) {  // nothing varies between the records
+    add_sentence(summary.note, note_on_separation);
+    return summary;
+  }
   const CandidateFits candidates(records, pooled, options);
   const Interval log_median = candidates.log_median(), log_log_std = candidates.log_log_std();
   summary.median_interval = {std::exp(records.center() + log_median.low),
@@ -185,8 +170,7 @@ FitSummary fit_by_record(const Records& records, const BootstrapOptions& options
   summary.p50_interval = {std::exp(records.center() + log_p50.low),
                           std::exp(records.center() + log_p50.high)};
   summary.floor_interval = candidates.floor();
-  summary.interval_method = candidates.method();
-  add_sentence(summary.note, candidates.note());
+  summary.interval_method = "variance between records (sandwich, chi-square)";
   if (band != nullptr) {
     for (std::size_t i = 0; i < band_intensities.size(); ++i) {
       (*band)[i] = candidates.probability_at(std::log(band_intensities[i]) - records.center());

@@ -5,6 +5,7 @@
 #include <boost/math/distributions/chi_squared.hpp>
 #include <cmath>
 
+#include "by_record/resampling.hpp"
 #include "glissade/core/normal.hpp"
 
 namespace glissade::fragility {
@@ -25,17 +26,16 @@ struct StandardDraw {
 
 /// The same for every fit on so many records, so they are made when their number changes only:
 /// quantiles of chi-square take longer than the rest of an interval.
-const std::vector<StandardDraw>& standard_draws(Eigen::Index records) {
-  static thread_local Eigen::Index made_for = 0;
+const std::vector<StandardDraw>& standard_draws(double records) {
+  static thread_local double made_for = 0.0;
   static thread_local std::vector<StandardDraw> made;
   if (made_for == records) return made;
-  const boost::math::chi_squared chi_squared(static_cast<double>(records) - 1.0);
-  made_for = 0;
+  const boost::math::chi_squared chi_squared(records - 1.0);
+  made_for = 0.0;
   made.clear();
   for (int i = 0; i < draws; ++i) {
-    made.push_back(
-        {quantile(chi_squared, even(i, 0.7548776662466927)) / static_cast<double>(records),
-         normal_quantile(even(i, 0.5698402909980532))});
+    made.push_back({quantile(chi_squared, even(i, 0.7548776662466927)) / records,
+                    normal_quantile(even(i, 0.5698402909980532))});
   }
   made_for = records;
   return made;
@@ -46,7 +46,7 @@ class LinesAbout {
  public:
   LinesAbout(const LineWithErrors& fit, double y)
       : y_(y), slope_(fit.line[1]), height_(fit.line[0] + fit.line[1] * y) {
-    const double freedom = static_cast<double>(fit.records) - 1.0;
+    const double freedom = fit.records - 1.0;
     const Eigen::Vector2d at{1.0, y};
     const double variance = at.dot(fit.sandwich * at);
     share_ = std::clamp(freedom * variance, 1e-12, 1.0);
@@ -79,6 +79,18 @@ LineDraws draw_lines(const LineWithErrors& fit) {
     lines.about_data.push_back(data.draw(standard, data.power()));
   }
   return lines;
+}
+
+Interval interval_of(const LineDraws& lines,
+                     const std::function<double(const ProbitLine&)>& quantity, double tail) {
+  Interval whole;
+  for (const auto* family : {&lines.about_median, &lines.about_data}) {
+    std::vector<double> values;
+    for (const ProbitLine& line : *family) values.push_back(quantity(line));
+    const Interval one = percentile_interval(std::move(values), tail);
+    whole = {std::fmin(whole.low, one.low), std::fmax(whole.high, one.high)};
+  }
+  return whole;
 }
 
 }  // namespace glissade::fragility

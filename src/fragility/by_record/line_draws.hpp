@@ -2,8 +2,10 @@
 #pragma once
 
 #include <Eigen/Dense>
+#include <functional>
 #include <vector>
 
+#include "glissade/fragility/fit.hpp"
 #include "lognormal/likelihood.hpp"
 
 namespace glissade::fragility {
@@ -13,7 +15,7 @@ namespace glissade::fragility {
 struct LineWithErrors {
   ProbitLine line;
   Eigen::Matrix2d sandwich, inverse;
-  Eigen::Index records;  ///< >= 2
+  double records;  ///< >= 2; of weighted data the effective number
 };
 
 /// Lines that could be the true one, given the estimate (theory.md, 6.4b): all rise, so quantiles
@@ -24,5 +26,10 @@ struct LineDraws {
   std::vector<ProbitLine> about_median, about_data;
 };
 LineDraws draw_lines(const LineWithErrors& fit);
+
+/// From the lowest end of the families' percentile intervals to the highest. @param quantity of a
+/// line. @param tail see percentile_interval()
+Interval interval_of(const LineDraws& lines,
+                     const std::function<double(const ProbitLine&)>& quantity, double tail);
 
 }  // namespace glissade::fragility

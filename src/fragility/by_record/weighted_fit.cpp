@@ -6,6 +6,7 @@
 #include <map>
 
 #include "by_record/clusters.hpp"
+#include "by_record/line_draws.hpp"
 #include "by_record/sandwich.hpp"
 #include "lognormal/bracket_likelihood.hpp"
 #include "lognormal/newton_maximum.hpp"
@@ -59,16 +60,17 @@ void add_line(const ProbitLine& line, double center, const Eigen::MatrixXd& scor
   }
   const Eigen::MatrixXd covariance = cluster_sandwich(scores, information);
   const Eigen::Vector2d of_median{-1 / line[1], line[0] / (line[1] * line[1])};
-  const double median_error = std::sqrt(std::max(0.0, of_median.dot(covariance * of_median))),
-               log_std_error = std::sqrt(covariance(1, 1)) / line[1];
-  const auto in_x = [&](double value, double error) {
-    const Interval log = t_interval(value, error, clusters.effective());
-    return Interval{std::exp(log.low), std::exp(log.high)};
-  };
-  summary.median_interval = summary.p50_interval =
-      in_x(std::log(summary.curve.median), median_error);
-  summary.log_std_interval = in_x(std::log(summary.curve.log_std), log_std_error);
-  summary.interval_method = "cluster sandwich over records, Student t of n_eff - 1";
+  const double median_error = std::sqrt(std::max(0.0, of_median.dot(covariance * of_median)));
+  const Interval log_median =
+      t_interval(std::log(summary.curve.median), median_error, clusters.effective());
+  summary.median_interval =
+      summary.p50_interval = {std::exp(log_median.low), std::exp(log_median.high)};
+  const LineDraws lines = draw_lines({line, covariance.topLeftCorner<2, 2>(),
+                                      information.topLeftCorner<2, 2>().inverse(),
+                                      std::max(2.0, clusters.effective())});
+  summary.log_std_interval = interval_of(
+      lines, [](const ProbitLine& drawn) { return 1.0 / drawn[1]; }, 0.025);
+  summary.interval_method = "variance between records (sandwich; Student t, chi-square)";
   if (clusters.effective() < 5)
     add_sentence(summary.note,
                  "the weight is that of fewer than five records: the intervals are "
@@ -171,6 +173,19 @@ FitSummary bound_of(const std::vector<CapacityBracket>& rows, bool reached) {
   return summarise_bound(to_data(stripes));
 }
 
+/// Each record one trial at each level.
+StripeData one_trial_by_record(const std::vector<WeightedStripe>& rows) {
+  std::map<std::pair<double, std::size_t>, double> reached;
+  for (const WeightedStripe& row : rows) {
+    if (row.weight * row.stripe.trials == 0) continue;
+    double& any = reached[{row.stripe.intensity, row.record}];
+    any = std::max(any, row.stripe.exceedances > 0 ? 1.0 : 0.0);
+  }
+  std::vector<Stripe> stripes;
+  for (const auto& [key, any] : reached) stripes.push_back({key.first, 1.0, any});
+  return to_data(stripes);
+}
+
 ProbitLine guess(const std::vector<LogBracket>& brackets) {
   double n = 0, sum = 0, squares = 0;
   for (const LogBracket& b : brackets) {
@@ -207,7 +222,7 @@ FitSummary fit_weighted_stripes(const std::vector<WeightedStripe>& rows) {
   }
   const StripeData data = to_data(stripes);
   const PointFit point = fit_point(data, first_guess(data));
-  if (point.is_bound()) return summarise_bound(data);
+  if (point.is_bound()) return summarise_bound(one_trial_by_record(rows));
   FitSummary summary;
   summary.status = point.status;
   summary.note = point.note;
@@ -215,7 +230,7 @@ FitSummary fit_weighted_stripes(const std::vector<WeightedStripe>& rows) {
   summary.method = to_string(point.status) + " of weighted stripes";
   if (point.status == FitStatus::jeffreys_penalised) {
     summary.curve = to_curve(point.line, data.center);
-    summary.note = "the stripes are separated by intensity: no interval";
+    summary.note = note_on_separation;
     return summary;
   }
   Eigen::MatrixXd scores = Eigen::MatrixXd::Zero(clusters.count(), 2);

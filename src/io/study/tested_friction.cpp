@@ -65,20 +65,36 @@ std::optional<Distribution> distribution_in(const TomlTable& table, const Direct
   return TruncatedNormal{s.mean, s.std, 0.0, std::numeric_limits<double>::infinity()};
 }
 
+/// The directions of the file that the study does not use.
+std::string note_on_unused(const PullTestSummary& summary, const std::vector<std::string>& used) {
+  std::string unused;
+  for (const DirectionFriction& d : summary.directions) {
+    if (std::ranges::find(used, d.direction) != used.end()) continue;
+    unused += fmt::format("{}\"{}\" (sliding mean {:.4g}, std {:.4g})", unused.empty() ? "" : ", ",
+                          d.direction, d.sliding.mean, d.sliding.std);
+  }
+  return unused.empty() ? "" : "; NOT used: the tests in direction " + unused;
+}
+
 void take(const TomlTable& table, const PullTestSummary& summary, const std::string& file,
           StudyConfig& study) {
+  std::vector<std::string> used;
   if (const DirectionFriction* d = direction_of(table, "direction", summary)) {
+    used.push_back(d->direction);
     if (const auto mu = distribution_in(table, *d))
       study.quantities.at("friction", "mu") = quantity_of(*mu);
     study.friction.note = note_on(*d, file);
   }
-  if (!table.has("across_direction")) return;
-  if (const DirectionFriction* d = direction_of(table, "across_direction", summary)) {
-    if (const auto mu = distribution_in(table, *d))
-      study.quantities.at("friction", "across_mu") = quantity_of(*mu);
-    study.friction.across_is_given = true;
-    study.friction.note += "; across the slope: " + note_on(*d, file);
+  if (table.has("across_direction")) {
+    if (const DirectionFriction* d = direction_of(table, "across_direction", summary)) {
+      used.push_back(d->direction);
+      if (const auto mu = distribution_in(table, *d))
+        study.quantities.at("friction", "across_mu") = quantity_of(*mu);
+      study.friction.across_is_given = true;
+      study.friction.note += "; across the slope: " + note_on(*d, file);
+    }
   }
+  study.friction.note += note_on_unused(summary, used);
 }
 
 }  // namespace

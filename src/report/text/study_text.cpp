@@ -143,12 +143,13 @@ std::string run_name(const Results& results, const RunResults& run) {
   return listed.empty() ? run.label + " friction" : listed;
 }
 
+FrictionValue friction_value_of(const Results& results, const RunResults& run) {
+  return run.first_case < results.cases.cases.size()
+             ? results.cases.cases[run.first_case].friction_value
+             : FrictionValue::as_drawn;
+}
+
 std::size_t least_favourable_run(const Results& results) {
-  const auto friction_of_run = [&](const RunResults& run) {
-    return run.first_case < results.cases.cases.size()
-               ? results.cases.cases[run.first_case].friction_value
-               : FrictionValue::as_drawn;
-  };
   const auto exceeds = [&](std::size_t i) {
     double sum = 0.0;
     if (results.hazard) {
@@ -162,7 +163,8 @@ std::size_t least_favourable_run(const Results& results) {
   };
   std::size_t found = 0;
   for (std::size_t i = 1; i < results.runs.size(); ++i)
-    if (friction_of_run(results.runs[i]) == friction_of_run(results.runs[0]) &&
+    if (friction_value_of(results, results.runs[i]) ==
+            friction_value_of(results, results.runs[0]) &&
         exceeds(i) > exceeds(found))
       found = i;
   return found;
@@ -170,9 +172,9 @@ std::size_t least_favourable_run(const Results& results) {
 
 std::string least_favourable(const Results& results) {
   const RunResults& run = results.runs[least_favourable_run(results)];
-  return (lists_more_than_friction_value(results) ? "the least favourable combination, friction "
-                                                  : "friction ") +
-         run.friction_description;
+  if (!lists_more_than_friction_value(results)) return "friction " + run.friction_description;
+  return "the combination that exceeds the clearances most often overall (" +
+         run_name(results, run) + ")";
 }
 
 std::string friction_of(const Results& results, const RunResults& run) {

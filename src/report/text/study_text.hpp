@@ -48,6 +48,8 @@ std::string counts_of(const Results& results);
 std::size_t combination_of(const Results& results, const RunResults& run);
 /// What a run is in words: "sampled friction, building period 0.5 s".
 std::string run_name(const Results& results, const RunResults& run);
+/// Which of the frictions of a sample a run has.
+FrictionValue friction_value_of(const Results& results, const RunResults& run);
 /// Which run sentences are of: with the friction of the first the one that exceeds its clearances
 /// most, by the annual rates where there are some, else by the shares over all levels.
 std::size_t least_favourable_run(const Results& results);

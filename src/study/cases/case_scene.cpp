@@ -20,6 +20,10 @@ Yielding strength_of(const Case& c, double period_s, const DesignTarget* target)
                       c.hardening_ratio);
 }
 
+std::array<Oscillator, 2> building_axes(const Case& c) {
+  return {Oscillator{c.period_s, c.damping}, Oscillator{c.period_ratio * c.period_s, c.damping}};
+}
+
 Block block_of(const Case& c) {
   return {.friction = c.friction, .slope_rad = c.slope_deg * rad_per_deg, .law = c.law};
 }
@@ -42,9 +46,10 @@ TwoAxisBlock neighbour_block(const Case& c) {
 }
 
 BiaxialBuilding biaxial_building(const Case& c, const DesignTarget* target) {
-  const double second_s = c.period_ratio * c.period_s;
-  return {.horizontal = {Oscillator{c.period_s, c.damping}, Oscillator{second_s, c.damping}},
-          .yielding = {strength_of(c, c.period_s, target), strength_of(c, second_s, target)},
+  const std::array<Oscillator, 2> axes = building_axes(c);
+  return {.horizontal = axes,
+          .yielding = {strength_of(c, axes[0].period_s, target),
+                       strength_of(c, axes[1].period_s, target)},
           .mass_ratio = c.support == ArraySupport::no_array ? 0.0 : c.mass_ratio};
 }
 

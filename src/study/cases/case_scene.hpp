@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
+
 #include "glissade/block/on_building.hpp"
 #include "glissade/block/slide.hpp"
 #include "glissade/motion/design_spectrum.hpp"
@@ -13,6 +15,9 @@ namespace glissade {
 /// The building's strength along an axis of this period; none where the case stays elastic.
 /// @param target the design spectrum; not null where R is above 0
 Yielding strength_of(const Case& c, double period_s, const DesignTarget* target);
+
+/// The building's oscillators along its two axes, without the array.
+std::array<Oscillator, 2> building_axes(const Case& c);
 
 Block block_of(const Case& c);
 TwoAxisBlock two_axis_block(const Case& c);

@@ -13,7 +13,7 @@ constexpr ParameterRange coefficient{0.0, 2.0, "0 to 2: no roof has more"};
 constexpr ParameterRange damping_ratio{0.0, 0.999, "0 to 0.999"};
 
 /// In the order in which lists vary, the first slowest.
-const std::array table = {
+const std::array parameter_rows = {
     Parameter{"building",
               "response_modification",
               "R",
@@ -77,7 +77,7 @@ const std::array table = {
               {1.0, 100.0, "1 to 100: static friction is not below sliding friction"},
               16,
               "friction at rest over friction while sliding",
-              [](Case& c) -> double& { return c.law.static_ratio; }},
+              [](Case& c) -> double& { return c.law.static_over_sliding; }},
     Parameter{"friction",
               "fast_over_slow",
               "fast over slow friction",
@@ -85,7 +85,7 @@ const std::array table = {
               {1e-3, 1e3, "0.001 to 1000"},
               17,
               "friction of fast sliding over that of slow sliding",
-              [](Case& c) -> double& { return c.law.mu_fast_over_slow; }},
+              [](Case& c) -> double& { return c.law.fast_over_slow; }},
     Parameter{"friction",
               "rate_s_per_m",
               "friction rate",
@@ -133,14 +133,20 @@ const std::array table = {
 
 }  // namespace
 
-std::span<const Parameter> parameters() { return table; }
+bool Parameter::moves_roof() const {
+  return std::strcmp(table, "building") == 0 || std::strcmp(table, "vertical") == 0;
+}
+
+std::span<const Parameter> parameters() { return parameter_rows; }
 
 std::size_t parameter_index(const char* in_table, const char* key) {
-  for (std::size_t i = 0; i < table.size(); ++i) {
-    if (std::strcmp(table[i].table, in_table) == 0 && std::strcmp(table[i].key, key) == 0) return i;
+  for (std::size_t i = 0; i < parameter_rows.size(); ++i) {
+    if (std::strcmp(parameter_rows[i].table, in_table) == 0 &&
+        std::strcmp(parameter_rows[i].key, key) == 0)
+      return i;
   }
   GLISSADE_EXPECTS(false);
-  return table.size();
+  return parameter_rows.size();
 }
 
 }  // namespace glissade

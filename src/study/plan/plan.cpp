@@ -29,16 +29,12 @@ void number_buildings(Plan& plan) {
   const std::vector<CaseNumber> first = first_with_same_key(plan.cases.size(), [&](CaseNumber i) {
     const Case c = plan.cases[i];
     const bool mixed = !c.orientation.is_quarter_turn();
-    return std::vector<double>{mixed ? c.orientation.ground_azimuth_deg : -1.0,
-                               mixed ? 0.0 : along_axis(c.orientation, 0).component,
-                               static_cast<double>(c.vertical),
-                               c.vertical_period_s,
-                               c.vertical_damping,
-                               c.period_s,
-                               c.period_ratio,
-                               c.damping,
-                               c.mass_ratio,
-                               static_cast<double>(c.support)};
+    std::vector<double> key{mixed ? c.orientation.ground_azimuth_deg : -1.0,
+                            mixed ? 0.0 : along_axis(c.orientation, 0).component,
+                            static_cast<double>(c.vertical), static_cast<double>(c.support)};
+    for (const Parameter& p : parameters())
+      if (p.moves_roof()) key.push_back(value_of(p, c));
+    return key;
   });
   std::vector<CaseNumber>& by_block = plan.order;
   by_block.resize(plan.cases.size());
@@ -67,8 +63,8 @@ void number_buildings(Plan& plan) {
 }
 
 /// Microseconds of a history of 8,000 samples, from `bench`: what units are cut by.
-double history_us(Kernel kernel) {
-  switch (kernel) {
+double history_us(const Plan& plan) {
+  switch (plan.kernel.kernel) {
     case Kernel::tables:
       return 7.0;
     case Kernel::coupled:
@@ -76,7 +72,7 @@ double history_us(Kernel kernel) {
     case Kernel::events:
       return 1000.0;
     case Kernel::full:
-      return 500.0;
+      return plan.config.base_shear ? 2000.0 : 200.0;  // by the scalar scheme, or in lanes
   }
   return 0.0;
 }
@@ -84,8 +80,11 @@ double history_us(Kernel kernel) {
 double record_us(const Plan& plan, std::size_t record) {
   const double samples = static_cast<double>(plan.motion(record).horizontal_mps2[0].size());
   const double runs = plan.config.has_neighbours() ? 3.0 : 1.0;  // both arrays, by themselves too
-  return runs * history_us(plan.kernel.kernel) * samples / 8000.0 *
-         static_cast<double>(plan.config.intensity.levels.size());
+  const StudyConfig& config = plan.config;
+  constexpr double histories_of_search = 4.0;  // of one capacity, on average
+  const double searched = histories_of_search * static_cast<double>(config.thresholds_m().size());
+  return runs * history_us(plan) * samples / 8000.0 *
+         (static_cast<double>(config.intensity.levels.size()) + searched);
 }
 
 /// Units of even predicted cost: some hundreds where the study (or a block of its samples) has that
@@ -93,7 +92,9 @@ double record_us(const Plan& plan, std::size_t record) {
 /// roofs cost more, and none so large that a run which is stopped or killed loses more than
 /// seconds.
 void cut_units(Plan& plan) {
-  constexpr double least_us = 1000.0, most_us = 5e6, units_wanted = 512.0;
+  constexpr double least_us = 1000.0, most_us = 5e6;
+  // The lanes of the full model are filled by the cases of one unit.
+  const double units_wanted = plan.kernel.kernel == Kernel::full ? 128.0 : 512.0;
   constexpr std::size_t roofs_at_once = 16;
   const std::size_t blocks = plan.config.sampling.blocks_in_turn().count;
   const bool makes_roofs = plan.kernel.kernel == Kernel::tables && !plan.roofs_are_kept;

@@ -182,53 +182,73 @@ void find_capacities(const Plan& plan, const Cases& cases, TwoAxisBatch& batch,
   }
 }
 
-/// The buildings of the next cases of a unit, as many as are made at once. @return the end of these
-/// cases in Plan::order
-std::size_t next_buildings(const Plan& plan, std::size_t first, std::size_t end,
-                           std::size_t at_once, std::vector<std::size_t>& buildings) {
-  buildings.clear();
-  for (; first < end; ++first) {
-    const std::size_t building = plan.building[plan.order[first]];
-    if (!buildings.empty() && buildings.back() == building) continue;
-    if (buildings.size() == at_once) break;
-    buildings.push_back(building);
+/// The cases of a unit in turn, with the roofs that they lie on, some at once.
+class CasesOfUnit {
+ public:
+  CasesOfUnit(const Plan& plan, const WorkUnit& unit, RoofStore& roofs)
+      : plan_(plan),
+        unit_(unit),
+        roofs_(roofs),
+        at_once_(skips() ? RoofStore::most_at_once : 1),
+        next_(unit.first),
+        under_end_(unit.first) {}
+
+  bool at_end() const { return next_ == unit_.first + unit_.count; }
+
+  /// With Kernel::tables, those of before are no longer valid.
+  std::unique_ptr<Histories> next(TwoAxisBatch& batch) {
+    if (next_ == under_end_) make_roofs();
+    const std::size_t number = plan_.order[next_++];
+    if (plan_.building[number] != buildings_[roof_]) ++roof_;
+    const std::function<void()> remake =
+        skips() ? std::function<void()>() : [this] { roofs_.under(unit_.record, buildings_); };
+    return histories_of(plan_, roofs_, unit_.record, number, under_[roof_], batch, remake);
   }
-  return first;
-}
+
+ private:
+  bool skips() const { return roofs_.skipping() == Skipping::all; }
+
+  void make_roofs() {
+    buildings_.clear();
+    roof_ = 0;
+    for (; under_end_ < unit_.first + unit_.count; ++under_end_) {
+      const std::size_t building = plan_.building[plan_.order[under_end_]];
+      if (!buildings_.empty() && buildings_.back() == building) continue;
+      if (buildings_.size() == at_once_) break;
+      buildings_.push_back(building);
+    }
+    under_ = roofs_.under(unit_.record, buildings_);
+  }
+
+  const Plan& plan_;
+  const WorkUnit& unit_;
+  RoofStore& roofs_;
+  std::size_t at_once_;
+  std::size_t next_, under_end_;  // in Plan::order
+  std::vector<std::size_t> buildings_;
+  std::span<const CaseRoof> under_;
+  std::size_t roof_ = 0;  // of the last case, in buildings_
+};
 
 }  // namespace
 
 UnitResult execute(const Plan& plan, std::size_t unit_index, RoofStore& roofs) {
-  const WorkUnit& unit = plan.units[unit_index];
   UnitResult result;
   result.unit = unit_index;
   const std::uint64_t roofs_before = roofs.roofs_made();
-  const bool skips = roofs.skipping() == Skipping::all;
-  const std::size_t at_once = skips ? RoofStore::most_at_once : 1;
-  const std::size_t end = unit.first + unit.count;
-  // The full model fills SIMD lanes with the histories of several cases.
-  const std::size_t together = plan.kernel.kernel == Kernel::full ? 16 : 1;
+  // The full model fills SIMD lanes with the histories of several cases. A lane that is done waits
+  // for the others at the end only: of 16 cases with 20 levels it waits half of the time.
+  const std::size_t together = plan.kernel.kernel == Kernel::full ? 64 : 1;
   const auto thresholds =
       KeptFields(plan.config).crossings ? plan.config.thresholds_m() : std::span<const double>();
-  std::vector<std::size_t> buildings;
-  for (std::size_t first = unit.first; first < end;) {
-    const std::size_t next = next_buildings(plan, first, end, at_once, buildings);
-    const auto under = roofs.under(unit.record, buildings);
-    const std::function<void()> remake =
-        skips ? std::function<void()>() : [&] { roofs.under(unit.record, buildings); };
-    for (std::size_t roof = 0; first < next;) {
-      TwoAxisBatch batch(thresholds);
-      Cases cases;
-      for (; first < next && cases.size() < together; ++first) {
-        const std::size_t number = plan.order[first];
-        if (plan.building[number] != buildings[roof]) ++roof;
-        cases.push_back(histories_of(plan, roofs, unit.record, number, under[roof], batch, remake));
-      }
-      prepare_levels(plan, cases, batch);
-      for (const auto& histories : cases)
-        run_levels(plan, *histories, roofs.skipping(), result.fields, result.count);
-      find_capacities(plan, cases, batch, result.fields, result.count);
-    }
+  for (CasesOfUnit of_unit(plan, plan.units[unit_index], roofs); !of_unit.at_end();) {
+    TwoAxisBatch batch(thresholds);
+    Cases cases;
+    while (!of_unit.at_end() && cases.size() < together) cases.push_back(of_unit.next(batch));
+    prepare_levels(plan, cases, batch);
+    for (const auto& histories : cases)
+      run_levels(plan, *histories, roofs.skipping(), result.fields, result.count);
+    find_capacities(plan, cases, batch, result.fields, result.count);
   }
   result.count.roofs = roofs.roofs_made() - roofs_before;
   return result;

@@ -15,17 +15,33 @@
 namespace glissade {
 namespace {
 
+/// The longest accelerations of a roof at level 1. A roof's tables may be gone when they are asked.
+struct RoofPeaks {
+  bool known = false;                                 ///< not under a building that yields
+  double horizontal_mps2 = 0.0, vertical_mps2 = 0.0;  ///< of two axes: their peaks together
+
+  explicit RoofPeaks(const CaseRoof& roof) : known(roof.table.horizontal != nullptr) {
+    if (!known) return;
+    horizontal_mps2 = roof.table.horizontal->acceleration_bound_mps2;
+    if (roof.second.horizontal)
+      horizontal_mps2 =
+          std::hypot(horizontal_mps2, roof.second.horizontal->acceleration_bound_mps2);
+    if (roof.table.vertical) vertical_mps2 = roof.table.vertical->acceleration_bound_mps2;
+  }
+};
+
 /// A case under a record, as every kernel needs it.
 struct Scene {
   const Plan& plan;
   Case c;
   std::size_t record;
-  const CaseRoof& roof;
+  double factor_at_unit_level;
+  RoofPeaks peaks;
   bool skips;
   Block block = block_of(c);
 
   double factor(double level) const {
-    return plan.config.intensity.measure.factor_of_level(level) * roof.factor_at_unit_level;
+    return plan.config.intensity.measure.factor_of_level(level) * factor_at_unit_level;
   }
   /// On the motion along an axis.
   double axis_factor(int axis, double level) const {
@@ -34,20 +50,16 @@ struct Scene {
   std::span<const double> thresholds_m() const { return plan.config.thresholds_m(); }
 };
 
-/// A smaller friction than either direction has, under the longer of both axes' peaks together: on
-/// a circle the worst direction is straight up the slope.
+/// A smaller friction than either direction has, under both axes' peaks together: on a circle the
+/// worst direction is straight up the slope.
 bool is_below_yield(const Scene& scene, double friction, double level) {
-  const RoofTable &first = scene.roof.table, &second = scene.roof.second;
   const bool may_skip = scene.skips && !scene.c.yields() && !scene.plan.config.base_shear;
-  if (!may_skip || !first.horizontal) return false;
+  if (!may_skip || !scene.peaks.known) return false;
   Block block = scene.block;
   block.friction = friction;
-  const double peak = second.horizontal ? std::hypot(first.horizontal->acceleration_bound_mps2,
-                                                     second.horizontal->acceleration_bound_mps2)
-                                        : first.horizontal->acceleration_bound_mps2;
-  const MotionTable* up = first.vertical.get();
-  return cannot_slip(block, scene.factor(level) * peak,
-                     up != nullptr ? scene.factor(level) * up->acceleration_bound_mps2 : 0.0);
+  const double factor = scene.factor(level);
+  return cannot_slip(block, factor * scene.peaks.horizontal_mps2,
+                     factor * scene.peaks.vertical_mps2);
 }
 
 class OneAxis : public Histories {
@@ -59,16 +71,17 @@ class OneAxis : public Histories {
 
 class TableHistories : public OneAxis {
  public:
-  TableHistories(const Scene& scene, SlipCurve* curve, std::function<void()> remake)
-      : scene_(scene), curve_(curve), remake_(std::move(remake)) {}
+  TableHistories(const Scene& scene, const CaseRoof& roof, SlipCurve* curve,
+                 std::function<void()> remake)
+      : scene_(scene), roof_(roof), curve_(curve), remake_(std::move(remake)) {}
 
   bool does_not_slide(double level) const override {
     return is_below_yield(scene_, scene_.block.friction, level);
   }
 
   double tipping_level(const RigidBase& base) const override {
-    return tipping_onset_factor(scene_.roof.table, scene_.block, base, {sign_, 1.0}) /
-           scene_.roof.factor_at_unit_level;
+    return tipping_onset_factor(roof_.table, scene_.block, base, {sign_, 1.0}) /
+           scene_.factor_at_unit_level;
   }
 
   History at(double level, std::span<Crossing> crossings, WorkCount& count) override {
@@ -85,7 +98,7 @@ class TableHistories : public OneAxis {
       ++count.from_curve;
     } else {
       ++count.integrated;
-      point = curve_->emplace(key, peak_slip(scene_.roof.table, at_unit_factor)).first;
+      point = curve_->emplace(key, peak_slip(roof_.table, at_unit_factor)).first;
     }
     return {.peak_displacement_m = factor * point->second.peak_displacement_m,
             .uplift = point->second.uplift};
@@ -97,14 +110,14 @@ class TableHistories : public OneAxis {
     if (!scene_.skips) remake_();
     const EventSearch search = scene_.skips ? EventSearch::bounds : EventSearch::every_interval;
     const MotionFactors factors{sign_ * factor, factor};
-    const PeakSlip slip = crossings.empty()
-                              ? peak_slip(scene_.roof.table, scene_.block, factors, search)
-                              : peak_slip(scene_.roof.table, scene_.block, factors,
-                                          scene_.thresholds_m(), crossings, search);
+    const PeakSlip slip = crossings.empty() ? peak_slip(roof_.table, scene_.block, factors, search)
+                                            : peak_slip(roof_.table, scene_.block, factors,
+                                                        scene_.thresholds_m(), crossings, search);
     return {.peak_displacement_m = slip.peak_displacement_m, .uplift = slip.uplift};
   }
 
   Scene scene_;
+  const CaseRoof& roof_;
   double sign_ = axis_motion(scene_.c.orientation, 0).sign;
   SlipCurve* curve_;
   std::function<void()> remake_;
@@ -124,8 +137,7 @@ class CoupledHistories : public NoTipping<OneAxis> {
   CoupledHistories(const Scene& scene, CoupledGround& ground)
       : scene_(scene),
         ground_(ground),
-        building_{{scene.c.period_s, scene.c.damping},
-                  scene.c.mass_ratio,
+        building_{building_axes(scene.c).front(), scene.c.mass_ratio,
                   strength_of(scene.c, scene.c.period_s, scene.plan.target(scene.record))} {}
 
   bool does_not_slide(double level) const override {
@@ -237,10 +249,15 @@ std::unique_ptr<Histories> histories_of(const Plan& plan, RoofStore& roofs, std:
                                         std::size_t case_number, const CaseRoof& roof,
                                         TwoAxisBatch& batch, const std::function<void()>& remake) {
   const Case c = plan.cases[case_number];
-  const Scene scene{plan, c, record, roof, roofs.skipping() == Skipping::all};
+  const Scene scene{plan,
+                    c,
+                    record,
+                    roof.factor_at_unit_level,
+                    RoofPeaks(roof),
+                    roofs.skipping() == Skipping::all};
   switch (plan.kernel.kernel) {
     case Kernel::tables:
-      return std::make_unique<TableHistories>(scene, roofs.curve(case_number), remake);
+      return std::make_unique<TableHistories>(scene, roof, roofs.curve(case_number), remake);
     case Kernel::coupled:
     case Kernel::events:
       return std::make_unique<CoupledHistories>(scene, roofs.coupled_ground(c));

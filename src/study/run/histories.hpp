@@ -45,7 +45,8 @@ class Histories {
   virtual double tipping_level(const RigidBase& base) const = 0;
 };
 
-/// By the plan's kernel. Valid as long as `roof` and the store's record.
+/// By the plan's kernel. Valid as long as the store's record; with Kernel::tables, as long as
+/// `roof`.
 /// @param curve see RoofStore::curve
 /// @param batch runs what is prepared
 /// @param remake makes the roof anew: called before every history where nothing is skipped

@@ -19,11 +19,11 @@ namespace {
 /// it is: with the array's mass on it where the kernel counts that. The building alone decides
 /// whether it is rigid.
 Oscillator loaded_roof(const Plan& plan, const Case& c, int axis, double dt_s) {
-  const double period_s = axis == 0 ? c.period_s : c.period_ratio * c.period_s;
-  if (is_rigid({period_s, c.damping}, dt_s)) return {};
+  const Oscillator building = building_axes(c)[static_cast<std::size_t>(axis)];
+  if (is_rigid(building, dt_s)) return {};
   const bool counts = plan.kernel.kernel != Kernel::tables && c.support != ArraySupport::no_array;
   const double mass = counts ? 1.0 + c.mass_ratio : 1.0;
-  return {period_s * std::sqrt(mass), c.damping / std::sqrt(mass)};
+  return {building.period_s * std::sqrt(mass), building.damping_ratio / std::sqrt(mass)};
 }
 
 std::vector<double> mix(const Motion& motion, const AxisMotion& axis) {

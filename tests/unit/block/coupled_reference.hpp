@@ -36,7 +36,7 @@ class CoupledReference {
         thresholds_m_(std::move(thresholds_m)),
         g_(block.gravity_mps2),
         mu_(block.friction),
-        mu_static_(Real(block.friction) * block.law.static_ratio),
+        mu_static_(Real(block.friction) * block.law.static_over_sliding),
         r_(building.mass_ratio),
         sine_(sin(Real(block.slope_rad))),
         cosine_(cos(Real(block.slope_rad))),

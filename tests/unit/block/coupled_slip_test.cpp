@@ -112,7 +112,7 @@ TEST(coupled_slip, agrees_with_static_friction) {
   const auto a = made_up_record(1000, 26, 7.0), w = made_up_record(1000, 27, 3.0);
   auto scenes = let_yield(made_up_scenes(500, 28, 0.9), 29);
   for (std::size_t k = 0; k < scenes.size(); ++k)
-    scenes[k].block.law.static_ratio = 1.0 + 0.1 * static_cast<double>(1 + k % 5);
+    scenes[k].block.law.static_over_sliding = 1.0 + 0.1 * static_cast<double>(1 + k % 5);
   EXPECT_GT(expect_reference({0.01, a, w}, scenes), 200);
   int by_events = 0;
   for (const CoupledPeak& p : solve({0.01, a, w}, scenes)) by_events += p.by_events ? 1 : 0;

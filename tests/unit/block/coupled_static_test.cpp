@@ -29,7 +29,7 @@ CoupledScene made_up_scene(std::mt19937& random) {
                  {.friction = uniform(random, 0.1, 0.35)},
                  {1.5, 1.0}};
   s.block.slope_rad = uniform(random, 0.0, 0.8) * std::atan(s.block.friction);
-  s.block.law.static_ratio = uniform(random, 1.01, 1.5);
+  s.block.law.static_over_sliding = uniform(random, 1.01, 1.5);
   return s;
 }
 
@@ -39,7 +39,7 @@ TEST(coupled_static_friction, holds_until_it_breaks_away) {
   std::vector<double> ramp(100);
   for (std::size_t i = 0; i < ramp.size(); ++i) ramp[i] = -0.05 * static_cast<double>(i);
   const double c = 5.0;
-  const Block block{.friction = 0.2, .law = {.static_ratio = 1.3}};
+  const Block block{.friction = 0.2, .law = {.static_over_sliding = 1.3}};
   std::vector<CoupledPoint> history;
   slide_coupled({0.01, ramp}, {}, {{0.0, 0.05}, 0.2, {}}, block, history);
   const double start_s = 1.3 * 0.2 * g / c;
@@ -97,10 +97,10 @@ TEST(coupled_static_friction, keeps_the_balance_and_the_kernel_takes_it) {
 
 TEST(coupled_static_friction, enough_of_it_holds_the_block_and_too_steep_a_roof_lets_it_go) {
   const CoupledBuilding building{{0.4, 0.05}, 0.2, {}};
-  Block block{.friction = 0.2, .slope_rad = std::atan(0.25), .law = {.static_ratio = 50.0}};
+  Block block{.friction = 0.2, .slope_rad = std::atan(0.25), .law = {.static_over_sliding = 50.0}};
   EXPECT_EQ(slide_coupled(ground, {}, building, block).slip.peak_displacement_m, 0.0);
   EXPECT_FALSE(slide_coupled(ground, {}, building, block).slip.free_sliding);
-  block.law.static_ratio = 1.5;
+  block.law.static_over_sliding = 1.5;
   const SlipResult loose = slide_coupled(ground, {}, building, block).slip;
   EXPECT_GT(loose.peak_downslope_m, 0.1);
   EXPECT_TRUE(loose.free_sliding);

@@ -267,7 +267,7 @@ TEST(coupled_yielding_limits, ties_and_extremes_end_and_keep_the_balance) {
     const Block block{.friction = pick({0.0, 0.125, 0.5}),
                       .slope_rad = std::atan(pick({0.0, 0.125, 0.0625, 0.5})),
                       .gravity_mps2 = 8.0,
-                      .law = {.static_ratio = pick({1.0, 1.0, 1.5})}};
+                      .law = {.static_over_sliding = pick({1.0, 1.0, 1.5})}};
     const CoupledResult r = slide_coupled({0.0625, steps, vertical}, {}, building, block);
     const CoupledEnergy& e = r.energy;
     // Where less is left of the input, it is what is left of far larger parts.

@@ -76,7 +76,7 @@ TEST(slide_coupled_on_a_rigid_building, takes_the_way_to_rest_in_closed_form) {
     EXPECT_NEAR(coupled.peak_displacement_m, exact.peak_displacement_m,
                 1e-6 * exact.peak_displacement_m);
     EXPECT_NEAR(coupled.slip_duration_s, exact.slip_duration_s, 1e-6 * exact.slip_duration_s);
-    block.law.static_ratio = 1.2;
+    block.law.static_over_sliding = 1.2;
     const SlipResult loose = slide_coupled({0.01, record}, {}, {{0.0, 0.05}, 0.1}, block).slip;
     EXPECT_FALSE(loose.free_sliding);
     EXPECT_GT(loose.peak_displacement_m, 1.0);

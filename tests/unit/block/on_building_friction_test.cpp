@@ -105,7 +105,7 @@ TEST(slide_on_building, static_friction_holds_until_it_is_passed_and_is_gone_the
     scene.up.clear();
     scene.building.horizontal = {Oscillator{0.0}, Oscillator{0.0}};
     scene.block = {{mu, mu}};
-    scene.block.law.static_ratio = ratio;
+    scene.block.law.static_over_sliding = ratio;
     scene.tolerance = 1e-9;
     const double jerk = peak_mps2 / dt_s, start_s = ratio * mu * g / jerk;
     // Backward: speed and way at A, at zero, and to rest.
@@ -123,7 +123,7 @@ TEST(slide_on_building, static_friction_holds_until_it_is_passed_and_is_gone_the
     const BuildingSlip r = scene.result();
     EXPECT_NEAR(r.slip.residual.along_m, -s, 1e-8 * s) << ratio;
     EXPECT_NEAR(r.slip.slip_duration_s, 2.0 * dt_s - start_s + v / n, 1e-8);
-    scene.block.law.static_ratio = 2.51;
+    scene.block.law.static_over_sliding = 2.51;
     EXPECT_EQ(scene.result().slip.slip_phases, 0u);
   }
 }
@@ -133,7 +133,7 @@ TEST(slide_on_building, static_friction_holds_until_it_is_passed_and_is_gone_the
 TEST(slide_on_building, what_only_static_friction_holds_never_stops_again) {
   OnBuilding scene;
   scene.block = {{0.1, 0.1}, std::atan(0.15), 0.0};
-  scene.block.law.static_ratio = 2.0;
+  scene.block.law.static_over_sliding = 2.0;
   scene.factor = 1e-3;
   const BuildingSlip still = scene.result();
   EXPECT_EQ(still.slip.slip_phases, 0u);

@@ -58,8 +58,7 @@ struct OnBuildingReference {
   bool rigid(std::size_t k) const { return scene_.building.horizontal[k].period_s == 0.0; }
   double mu_factor(double speed) const {
     const FrictionLaw& law = scene_.block.law;
-    return law.mu_fast_over_slow -
-           (law.mu_fast_over_slow - 1.0) * std::exp(-law.rate_s_per_m * speed);
+    return law.fast_over_slow - (law.fast_over_slow - 1.0) * std::exp(-law.rate_s_per_m * speed);
   }
   /// The plastic part of a spring that has moved on to u, over the building's mass.
   double plastic(std::size_t k, double u) const {
@@ -99,7 +98,7 @@ struct OnBuildingReference {
       const double n = std::max(normal, 0.0);
       const double static_size = std::hypot(ds / mu.along, dy / mu.across);
       Two next;
-      if (at_rest && static_size <= scene_.block.law.static_ratio * n) {
+      if (at_rest && static_size <= scene_.block.law.static_over_sliding * n) {
         middle_v_ = {0.0, 0.0};
         next = {ds, dy};
       } else {

@@ -42,9 +42,9 @@ OnBuilding worst(Draw& draw, unsigned seed) {
     for (Yielding& y : scene.building.yielding)
       y = {draw.between(0.5, 4.0), draw.one_in(2) ? 0.0 : 0.1};
   }
-  if (draw.one_in(4)) scene.block.law.static_ratio = draw.between(1.0, 2.0);
+  if (draw.one_in(4)) scene.block.law.static_over_sliding = draw.between(1.0, 2.0);
   if (draw.one_in(4)) {
-    scene.block.law.mu_fast_over_slow = draw.between(0.5, 2.0);
+    scene.block.law.fast_over_slow = draw.between(0.5, 2.0);
     scene.block.law.rate_s_per_m = draw.between(1.0, 200.0);
   }
   if (draw.one_in(3))

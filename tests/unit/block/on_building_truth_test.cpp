@@ -46,7 +46,7 @@ OnBuilding scene_of(Kind kind, std::mt19937& random, unsigned seed) {
       scene.building.yielding = {Yielding{2.5, 0.05}, Yielding{2.0, 0.0}};
       break;
     case Kind::static_friction:
-      scene.block.law.static_ratio = 1.3;
+      scene.block.law.static_over_sliding = 1.3;
       break;
     case Kind::friction_by_speed:
       scene.block.law = {1.0, 1.5, 30.0};

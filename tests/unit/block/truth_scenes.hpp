@@ -22,7 +22,7 @@ inline OnBuilding truth_scene(std::mt19937& random, Roof roof, Law law, std::siz
   if (roof == Roof::rigid_across) scene.building.horizontal[1].period_s = 0.0;
   if (law == Law::ellipse)
     scene.block.friction.across *= std::uniform_real_distribution<double>(0.6, 1.6)(random);
-  if (law == Law::static_friction) scene.block.law.static_ratio = 1.3;
+  if (law == Law::static_friction) scene.block.law.static_over_sliding = 1.3;
   if (law == Law::rising_with_speed) scene.block.law = {1.0, 1.5, 30.0};
   if (law == Law::falling_with_speed) {
     scene.block.law = {1.0, 0.7, 30.0};

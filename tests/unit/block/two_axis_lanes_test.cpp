@@ -188,7 +188,7 @@ TEST(slide_two_axes, what_does_not_fit_the_lanes_is_the_reference) {
   std::vector<TwoAxisScene> scenes = made_up_scenes(Kind::coupled, 7, 10);
   for (TwoAxisScene& s : scenes) s.block.friction = {0.2, 0.2};
   scenes[0].block.friction.across = 0.09;
-  scenes[1].block.law.static_ratio = 1.2;
+  scenes[1].block.law.static_over_sliding = 1.2;
   scenes[2].block.law = {1.0, 1.5, 20.0};
   scenes[3].building.yielding[1] = {2.0, 0.05};
   scenes[4].building.horizontal[1].period_s = 0.0;

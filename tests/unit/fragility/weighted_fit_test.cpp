@@ -58,6 +58,30 @@ TEST(fit_weighted_stripes, weighs_as_often_as_a_row_is_repeated_and_without_weig
   EXPECT_NEAR(a.effective_records, 64.0 / 14.0, 1e-12);  // weights 3, 1, 1, 1, 1, 1: 8^2 / 14
 }
 
+// No exceedance of seven records with 100 histories each: 0.05^(1/7) = 0.652 is what one history
+// each allows at the level.
+TEST(fit_weighted_stripes, counts_each_record_as_one_trial_of_a_bound) {
+  std::vector<WeightedStripe> rows;
+  for (std::size_t record = 0; record < 7; ++record) rows.push_back({{1.0, 100, 0}, 0.5, record});
+  const FitSummary fit = fit_weighted_stripes(rows);
+  EXPECT_EQ(fit.status, FitStatus::lower_bound);
+  EXPECT_NEAR(fit.curve.probability(1.0), 1.0 - std::pow(0.05, 1.0 / 7.0), 1e-9);
+}
+
+// log_std of few records is biased low: the interval reaches farther up than down, as chi-square
+// gives it for twelve capacities (0.708 to 1.698 of the n - 1 estimate).
+TEST(fit_brackets, gives_log_std_an_interval_like_chi_square) {
+  std::vector<CapacityBracket> rows;
+  for (int i = 0; i < 12; ++i) {
+    const double y = 0.3 * normal_quantile((i + 0.5) / 12.0);
+    rows.push_back({std::exp(y), std::exp(y), 1.0, static_cast<std::size_t>(i)});
+  }
+  const FitSummary fit = fit_brackets(rows, false);
+  const double unbiased = fit.curve.log_std * std::sqrt(12.0 / 11.0);
+  EXPECT_NEAR(fit.log_std_interval.low / unbiased, 0.708, 0.03);
+  EXPECT_NEAR(fit.log_std_interval.high / unbiased, 1.698, 0.10);
+}
+
 TEST(fit_weighted_stripes, refuses_weights_that_are_all_zero_or_negative) {
   EXPECT_THROW(fit_weighted_stripes(baker_by_record(0.0)), InputError);
   EXPECT_THROW(fit_weighted_stripes(baker_by_record(-1.0)), InputError);

@@ -203,6 +203,9 @@ TEST_F(StudyWithPullTests, takes_a_direction_for_each_of_two_axes) {
   EXPECT_TRUE(study.friction.across_is_given);
   EXPECT_NEAR(mean_mu(study, "across_mu"), 0.75, 1e-6);
   EXPECT_THAT(study.friction.note, HasSubstr("direction across"));
+  EXPECT_THAT(study.friction.note, Not(HasSubstr("NOT used")));
+  EXPECT_THAT(read(along).friction.note,
+              HasSubstr("NOT used: the tests in direction \"across\" (sliding mean 0.75"));
   EXPECT_THAT(error(both + "[model]\naxes = 1\n"), HasSubstr("friction.across_direction"));
   EXPECT_THAT(error(along + "across_direction = \"up\"\n[model]\naxes = 2\n"),
               HasSubstr("friction.across_direction = \"up\""));

@@ -59,7 +59,7 @@ ThresholdFragility fragility_of(const Results& results, const RunResults& run, d
   fit.median_interval = around(fit.curve.median, 1.96 * record_log_std / std::sqrt(records));
   fit.log_std_interval = around(fit.curve.log_std, 0.3);
   fit.method = "maximum likelihood on capacities";
-  fit.interval_method = "bootstrap over records (expanded percentile)";
+  fit.interval_method = "variance between records (sandwich, chi-square)";
   fragility.stripes = fit;
   fragility.stripes.method = "probit maximum likelihood on stripes";
   double censored = 0.0;

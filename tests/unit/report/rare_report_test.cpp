@@ -20,8 +20,8 @@ using testing::Not;
 Results made_up() {
   Results r = made_up_results();
   r.rare = RareResults{.widening = 3.0, .weights = {1.0}, .rows = {}};
-  r.rare->rows = {{0, "", 0.3, 0.5, 2e-5, {1e-5, 4e-5}, {1e-6, 9e-5}, 2.5, 3e6},
-                  {0, "", 0.3, 1.0, 0.02, {0.015, 0.03}, {0.01, 0.04}, 7.5, 4e4}};
+  r.rare->rows = {{0, "", 0.3, 0.5, 2e-5, {1e-5, 4e-5}, {1e-6, 9e-5}, 2.5, 3e6, 40.0},
+                  {0, "", 0.3, 1.0, 0.02, {0.015, 0.03}, {0.01, 0.04}, 7.5, 4e4, 900.0}};
   r.sampling_errors = {{"sampled", 0.3, 1.25, 0.125, 0.03125}};
   return r;
 }

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "glissade/report/format.hpp"
+#include "glissade/report/tables.hpp"
 #include "made_up_results.hpp"
 
 namespace glissade {
@@ -74,6 +75,37 @@ TEST(summary, names_recalled_provisions_only_where_there_are_some) {
   };
   EXPECT_TRUE(names(Provenance::recalled));
   EXPECT_FALSE(names(Provenance::checked));
+}
+
+TEST(summary, gives_the_probabilities_at_the_design_earthquakes) {
+  Results results = made_up_results();
+  EXPECT_TRUE(earthquakes_table(results).rows.empty());  // it has no design target
+  results.model.dbe_level = results.levels[9];           // 1 g; 1.5 g is a level too
+  const Table table = earthquakes_table(results);
+  ASSERT_EQ(table.columns.size(), 4u);
+  EXPECT_EQ(table.columns[2].stem, "dbe_probability");
+  EXPECT_EQ(table.columns[3].stem, "mce_probability");
+  ASSERT_EQ(table.rows.size(), results.runs.size() * results.thresholds_m.size());
+  EXPECT_EQ(std::get<Estimate>(table.rows[1][2]).value,
+            results.runs[0].fragilities[1].probability[9]);
+  EXPECT_THAT(summary_text(results), HasSubstr("design earthquake (DBE)"));
+}
+
+// Which combination exceeds a prescribed displacement most often may differ from row to row.
+TEST(answer, takes_for_each_prescribed_displacement_the_combination_that_exceeds_it_most) {
+  Results results = made_up_results();
+  results.cases.axes = {{"roof.slope_deg", "deg", {1.0, 2.0}, {}}};
+  for (Case& c : results.cases.cases) c.friction_value = FrictionValue::as_drawn;
+  for (std::size_t run : {0, 1}) {
+    for (StandardComparison& c : results.runs[run].standards)
+      c.exceedance_probability = (c.standard == Standard::asce7_16) == (run == 1) ? 0.4375 : 0.125;
+  }
+  const auto wanted = [](const char* standard, const char* slope) {
+    return testing::Contains(
+        testing::AllOf(HasSubstr(standard), HasSubstr("44 %"), HasSubstr(slope)));
+  };
+  EXPECT_THAT(answer_sentences(results), wanted("SEAOC PV1-2012", "slope 1 deg"));
+  EXPECT_THAT(answer_sentences(results), wanted("ASCE 7-16", "slope 2 deg"));
 }
 
 TEST(summary, of_nothing_is_still_text) {

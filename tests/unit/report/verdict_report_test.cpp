@@ -69,12 +69,22 @@ TEST(verdict_report, has_a_row_for_each_kind_of_array_and_one_for_each_value) {
   EXPECT_EQ(rows_of(r, "verdict").size(), 6u);
   const auto kinds = rows_of(r, "verdict_summary");
   ASSERT_EQ(kinds.size(), 2u);
-  EXPECT_EQ(std::get<std::string>(kinds[0][3]), "outside");
-  EXPECT_EQ(std::get<std::string>(kinds[0][4]), "0.75 to 1");
-  EXPECT_EQ(std::get<std::string>(kinds[0][5]), "-");
-  EXPECT_EQ(std::get<Estimate>(kinds[0][6]).value, 0.5);
-  EXPECT_EQ(std::get<std::string>(kinds[1][4]), "-");
-  EXPECT_EQ(std::get<std::string>(kinds[1][5]), "0.5 to 1");
+  EXPECT_EQ(std::get<std::string>(kinds[0][3]), "checked");
+  EXPECT_EQ(std::get<std::string>(kinds[0][4]), "outside");
+  EXPECT_EQ(std::get<std::string>(kinds[0][5]), "0.75 to 1");
+  EXPECT_EQ(std::get<std::string>(kinds[0][6]), "-");
+  EXPECT_EQ(std::get<Estimate>(kinds[0][7]).value, 0.5);
+  EXPECT_EQ(std::get<std::string>(kinds[1][5]), "-");
+  EXPECT_EQ(std::get<std::string>(kinds[1][6]), "0.5 to 1");
+}
+
+TEST(verdict_report, says_which_prescribed_displacements_are_recalled) {
+  Results r = made_up();
+  const auto provision = [&] { return std::get<std::string>(rows_of(r, "verdict_summary")[0][3]); };
+  r.verdict->rows[0].prescribed.provenance = Provenance::recalled;
+  EXPECT_EQ(provision(), "partly recalled");
+  for (VerdictRow& row : r.verdict->rows) row.prescribed.provenance = Provenance::recalled;
+  EXPECT_EQ(provision(), "recalled");
 }
 
 TEST(verdict_report, says_within_and_outside_the_conditions_apart) {

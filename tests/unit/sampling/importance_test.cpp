@@ -77,8 +77,21 @@ TEST(importance, reaches_1e_minus_5_with_an_interval_that_covers) {
   EXPECT_GT(plain, 100.0 * 1024.0);
 }
 
+// Two of 64 samples, in two of four blocks: the blocks do not show the error.
+TEST(importance, has_no_interval_where_few_samples_carry_it) {
+  std::vector<double> event(64, 0.0), weight(64, 1.0);
+  event[3] = event[20] = 1.0;
+  weight[20] = 0.5;
+  const WeightedProbability found = weighted_probability(event, weight, 4);
+  EXPECT_DOUBLE_EQ(found.probability, 1.5 / 64.0);
+  EXPECT_DOUBLE_EQ(found.effective_samples, 1.5 * 1.5 / 1.25);
+  EXPECT_TRUE(std::isnan(found.low) && std::isnan(found.high));
+  EXPECT_EQ(weighted_probability(std::vector(64, 0.0), weight, 4).effective_samples, 0.0);
+}
+
 TEST(importance, has_no_error_where_all_blocks_agree) {
-  const WeightedProbability found = weighted_probability({1, 1, 1, 1}, {1, 1, 1, 1}, 2);
+  const WeightedProbability found =
+      weighted_probability(std::vector(8, 1.0), std::vector(8, 1.0), 2);
   EXPECT_EQ(found.probability, 1.0);
   EXPECT_EQ(found.low, 1.0);
   EXPECT_EQ(found.high, 1.0);

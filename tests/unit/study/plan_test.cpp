@@ -51,7 +51,7 @@ TEST(plan, units_cover_every_record_and_case_that_differs_once) {
 }
 
 // As studies/14: 384 cases on two axes, of which 96 differ, on 14 records.
-TEST(plan, units_are_hundreds_and_even_in_predicted_cost) {
+TEST(plan, units_are_many_and_even_in_predicted_cost) {
   StudyConfig config = small_config();
   config.model.axes = SlidingAxes::two;
   config.intensity.measure = IntensityMeasure::mce_fraction;
@@ -76,7 +76,7 @@ TEST(plan, units_are_hundreds_and_even_in_predicted_cost) {
   const Plan plan = make_plan(config, {suite});
   EXPECT_EQ(plan.cases.size(), 6u * 2u * 2u * 16u);
   EXPECT_EQ(plan.order.size(), 6u * 2u * 2u * 4u);  // one friction: slopes along either axis agree
-  EXPECT_GT(plan.units.size(), 200u);
+  EXPECT_GT(plan.units.size(), 100u);
   EXPECT_LT(plan.units.size(), 1000u);
   const auto cost = [&](const WorkUnit& unit) {
     return static_cast<double>(unit.count * plan.motion(unit.record).horizontal_mps2[0].size());
@@ -98,7 +98,7 @@ TEST(plan, units_of_a_long_study_are_predicted_to_take_seconds) {
   for (std::size_t i = 0; i < config.intensity.levels.size(); ++i)
     config.intensity.levels[i] = 1.0 + 0.001 * static_cast<double>(i);
   const Plan plan = make_plan(config, {small_suite()});
-  ASSERT_GT(plan.predicted_seconds(), 10.0 * 512.0);
+  ASSERT_GT(plan.predicted_seconds(), 10.0 * 128.0);
   EXPECT_LE(plan.predicted_seconds() / static_cast<double>(plan.units.size()), 6.0);
 }
 

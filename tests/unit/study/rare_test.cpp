@@ -83,6 +83,21 @@ TEST(rare, probabilities_of_slip_are_those_of_the_friction_at_which_each_record_
   EXPECT_GE(small, 1);
 }
 
+TEST(rare, has_an_interval_of_the_samples_where_enough_of_them_carry_the_probability) {
+  StudyConfig config = friction_config();
+  config.rare->thresholds_m = {0.02, 100.0};
+  const Results results = test::run(small_plan(config));
+  int with = 0, without = 0;
+  for (const RareRow& row : results.rare->rows) {
+    const bool enough = row.effective_samples >= 5.0;
+    EXPECT_EQ(std::isnan(row.sampling_interval.low), !enough) << row.level;
+    EXPECT_LE(row.effective_samples, 1024.0 * (1.0 + 1e-12));
+    (enough ? with : without) += 1;
+  }
+  EXPECT_GE(with, 1);
+  EXPECT_GE(without, 1);
+}
+
 TEST(rare, weights_are_by_sample_and_of_mean_one) {
   const StudyConfig config = friction_config();
   const Results results = test::run(small_plan(config));

@@ -22,8 +22,8 @@ double integral(F f, double from, double to) {
 
 // -- static friction
 
-const double mu = 0.2, static_ratio = 1.3;
-const Block sticky{.friction = mu, .law = {.static_ratio = static_ratio}};
+const double mu = 0.2, static_over_sliding = 1.3;
+const Block sticky{.friction = mu, .law = {.static_over_sliding = static_over_sliding}};
 const CoupledBuilding rigid{{0.0, 0.05}, 0.2, {}};
 
 OnBuilding pushed(const std::vector<double>& a, const FrictionLaw& law) {
@@ -38,11 +38,11 @@ OnBuilding pushed(const std::vector<double>& a, const FrictionLaw& law) {
 /// A push that is constant for 2 s: below mu_static g it moves nothing, above it the block is left
 /// behind with what is above mu g.
 std::vector<Case> constant_push() {
-  const std::vector<double> weak(200, -0.999 * static_ratio * mu * g),
-      strong(200, -1.001 * static_ratio * mu * g);
+  const std::vector<double> weak(200, -0.999 * static_over_sliding * mu * g),
+      strong(200, -1.001 * static_over_sliding * mu * g);
   const int moved = (slide_coupled({0.01, weak}, {}, rigid, sticky).slip.slip_phases > 0 ? 1 : 0) +
                     (pushed(weak, sticky.law).result().slip.slip_phases > 0 ? 1 : 0);
-  const double gain = 1.001 * static_ratio * mu * g - mu * g;
+  const double gain = 1.001 * static_over_sliding * mu * g - mu * g;
   const std::vector<double> distance{0.5 * gain};  // after 1 s
   std::vector<Crossing> one(1), two(1);
   slide_coupled({0.01, strong}, {}, rigid, sticky, distance, one);
@@ -64,13 +64,13 @@ std::vector<Case> constant_push() {
 Case growing_push() {
   std::vector<double> ramp(100);
   for (std::size_t i = 0; i < ramp.size(); ++i) ramp[i] = -0.05 * static_cast<double>(i);
-  const double c = 5.0, start_s = static_ratio * mu * g / c;
+  const double c = 5.0, start_s = static_over_sliding * mu * g / c;
   std::vector<CoupledPoint> history;
   slide_coupled({0.01, ramp}, {}, rigid, sticky, history);
   double worst = 0.0;
   for (const CoupledPoint& p : history) {
     if (p.time_s > 0.985) break;
-    const double d = std::max(p.time_s - start_s, 0.0), jump = (static_ratio - 1.0) * mu * g;
+    const double d = std::max(p.time_s - start_s, 0.0), jump = (static_over_sliding - 1.0) * mu * g;
     worst = worse(worst, std::abs(p.velocity_mps - (jump * d + 0.5 * c * d * d)));
     worst = worse(worst, std::abs(p.displacement_m - (0.5 * jump * d * d + c * d * d * d / 6.0)));
   }
@@ -82,7 +82,8 @@ Case growing_push() {
 
 /// Where tan(slope) lies between mu and mu_static the block rests, and once loose slides for ever.
 Case metastable_slope() {
-  const Block block{.friction = mu, .slope_rad = std::atan(0.25), .law = {.static_ratio = 1.5}};
+  const Block block{
+      .friction = mu, .slope_rad = std::atan(0.25), .law = {.static_over_sliding = 1.5}};
   const std::vector<double> still(100, 0.0), nudge{0.0, -2.0, 0.0};
   const SlipResult rests = slide_coupled({0.01, still}, {}, rigid, block).slip,
                    loose = slide_coupled({0.01, nudge}, {}, rigid, block).slip;
@@ -105,7 +106,7 @@ std::vector<Case> coasting() {
     scene.block.friction = {mu, mu};
     scene.block.law = law;
     const TwoAxisResult r = scene.result().slip;
-    const double fast = law.mu_fast_over_slow, rate = law.rate_s_per_m;
+    const double fast = law.fast_over_slow, rate = law.rate_s_per_m;
     const auto slows = [&](double v) {
       return g * mu * (fast - (fast - 1.0) * std::exp(-rate * v));
     };
@@ -129,9 +130,9 @@ std::vector<Case> pushed_past_speeds() {
   const FrictionLaw law{1.0, 2.0, 20.0};
   const double a = 5.0, reached_mps = 1.5;
   const auto gains = [&](double v) {
-    return a - g * mu *
-                   (law.mu_fast_over_slow -
-                    (law.mu_fast_over_slow - 1.0) * std::exp(-law.rate_s_per_m * v));
+    return a -
+           g * mu *
+               (law.fast_over_slow - (law.fast_over_slow - 1.0) * std::exp(-law.rate_s_per_m * v));
   };
   const std::vector<double> distance{
       integral([&](double v) { return v / gains(v); }, 0.0, reached_mps)};
@@ -152,7 +153,7 @@ Chapter second_paper_friction() {
   Chapter chapter{
       "9.4 The second paper: friction laws",
       R"(Walters et al. (2012) distinguish static ("breakaway") friction and sliding friction. At rest friction
-is up to `static_ratio` times mu; in sliding, mu may depend on speed by Constantinou, Mokha &
+is up to `static_over_sliding` times mu; in sliding, mu may depend on speed by Constantinou, Mokha &
 Reinhorn (1990), J. Struct. Eng. 116(2):455-474. `slide_coupled()` solves the first exactly,
 `slide_on_building()` both, here to 1e-9.)",
       constant_push()};

@@ -125,7 +125,7 @@ std::vector<Case> two_axis_other_methods() {
            {"rigid on the second axis",
             [](OnBuilding& s) { s.building.horizontal[1].period_s = 0.0; }},
            {"static friction 1.3 times that of sliding",
-            [](OnBuilding& s) { s.block.law.static_ratio = 1.3; }},
+            [](OnBuilding& s) { s.block.law.static_over_sliding = 1.3; }},
            {"friction that grows with speed by half", [](OnBuilding& s) {
               s.block.law = {1.0, 1.5, 30.0};
             }}})

@@ -18,12 +18,14 @@ struct RareRow {
   std::string condition;         ///< which combination of what the study lists
   double threshold_m = 0.0, level = 0.0;
   double probability = 0.0;
-  Interval sampling_interval;  ///< 95 %, of the samples, on these records
+  Interval sampling_interval;  ///< 95 %, of the samples, on these records; NaN where fewer than
+                               ///< least_effective_samples carry the probability
   Interval record_interval;    ///< 95 %, bootstrap over records
   /// (sum p_r)^2 / sum p_r^2 of the records' probabilities p_r: the number that carries it. NaN at
   /// 0.
   double effective_records = 0.0;
-  double plain_samples = 0.0;  ///< samples of plain Monte Carlo with the same sampling error
+  double plain_samples = 0.0;      ///< samples of plain Monte Carlo with the same sampling error
+  double effective_samples = 0.0;  ///< the number of samples that carries it
 };
 
 struct RareResults {

@@ -69,6 +69,9 @@ struct Parameter {
   const char* meaning;
   double& (*of)(Case&);
   enum class Axes { any, two } axes = Axes::any;  ///< two: allowed with [model] axes = 2 only
+
+  /// It decides how the roof moves: cases that differ in no such parameter share a roof.
+  bool moves_roof() const;
 };
 std::span<const Parameter> parameters();
 /// The row of a key. Precondition: there is one.

@@ -25,6 +25,8 @@ void exchange_rare(const Archive& archive, const IntensityScale& scale, R& rare)
          &RareRow::effective_records);
   column("plain_samples", {"-", "samples of plain Monte Carlo with the same sampling error"},
          &RareRow::plain_samples);
+  column("effective_samples", {"-", "number of samples that carry the probability"},
+         &RareRow::effective_samples);
 }
 
 /// A group of its own, where there are any.

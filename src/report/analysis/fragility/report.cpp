@@ -98,19 +98,37 @@ std::string slip_sentence(const Results& results, const SlipStatistics& slip) {
       length(slip.p95_m), mean);
 }
 
-std::string standard_sentence(const StandardComparison& comparison) {
+/// The run, of the friction value of the first, whose histories exceed a prescribed displacement
+/// most often. @param row of RunResults::standards
+const RunResults& most_exceeding(const Results& results, std::size_t row) {
+  const RunResults* found = &results.runs.front();
+  for (const RunResults& run : results.runs)
+    if (friction_value_of(results, run) == friction_value_of(results, results.runs.front()) &&
+        run.standards[row].exceedance_probability > found->standards[row].exceedance_probability)
+      found = &run;
+  return *found;
+}
+
+std::string standard_sentence(const Results& results, std::size_t row) {
+  const RunResults& run = most_exceeding(results, row);
+  const StandardComparison& comparison = run.standards[row];
   const Interval& interval = comparison.exceedance_interval;
   const std::string range = std::isnan(interval.low) ? ""
                                                      : fmt::format(" (95 % interval {} to {})",
                                                                    format_share(interval.low),
                                                                    format_share(interval.high));
-  return fmt::format("{} prescribes {} there{}; {} of the histories slip more{}.",
+  const std::string combination =
+      lists_more_than_friction_value(results)
+          ? fmt::format(", in the combination where most do ({})", run_name(results, run))
+          : "";
+  return fmt::format("{} prescribes {} at {}{}; {} of the histories slip more{}{}.",
                      standard_name(comparison.standard),
                      format_length(comparison.prescribed.value_m),
+                     at_intensity(results, comparison.sds_g),
                      comparison.prescribed.provenance == Provenance::recalled
                          ? " (recalled: verify against the standard)"
                          : "",
-                     format_share(comparison.exceedance_probability), range);
+                     format_share(comparison.exceedance_probability), range, combination);
 }
 
 std::string other_run_sentence(const Results& results, const RunResults& run) {
@@ -129,12 +147,13 @@ std::string other_run_sentence(const Results& results, const RunResults& run) {
 
 /// The standards table at a handful of levels, narrow enough for a terminal: the rest is in
 /// standards.csv.
-std::string brief_standards(const Results& results, const RunResults& run) {
+std::string brief_standards(const Results& results) {
   std::string recalled;
   Table table{"standards_brief",
-              fmt::format("Standards and computed slip ({}{}; displacements in plan)",
-                          results.runs.size() > 1 ? "the least favourable combination: " : "",
-                          friction_of(results, run)),
+              fmt::format("Standards and computed slip ({}; displacements in plan)",
+                          lists_more_than_friction_value(results)
+                              ? "each row of the combination that exceeds it most often"
+                              : friction_of(results, results.runs.front())),
               {{"standard", "", "Standard", ColumnKind::text},
                {"sds", "g", "S_DS, g", ColumnKind::number},
                {"prescribed", "m", "Prescribed, m (in)", ColumnKind::length},
@@ -143,7 +162,9 @@ std::string brief_standards(const Results& results, const RunResults& run) {
                {"exceedance_share", "", "Slip > prescribed", ColumnKind::share}},
               {}};
   const std::vector<double> chosen = some_levels(results.levels, 5);
-  for (const StandardComparison& comparison : run.standards) {
+  for (std::size_t row = 0; row < results.runs.front().standards.size(); ++row) {
+    const RunResults& run = most_exceeding(results, row);
+    const StandardComparison& comparison = run.standards[row];
     const auto slip = std::find_if(run.slip.begin(), run.slip.end(),
                                    [&](const auto& s) { return s.level == comparison.sds_g; });
     if (slip == run.slip.end() || std::count(chosen.begin(), chosen.end(), comparison.sds_g) == 0)
@@ -174,11 +195,16 @@ std::string fit_remarks(const Table& fits) {
     const std::string fit = cell_text(fits.columns[status], row[status]);
     if (fit == to_string(FitStatus::maximum_likelihood)) continue;
     std::string label;
-    for (std::size_t c = 0; c <= threshold; ++c)
-      label += (c == 0 ? "" : ", ") + cell_text(fits.columns[c], row[c]);
-    text += wrapped("  Fit of " + label + " m (in): " + fit, terminal_width, 4) + "\n";
+    for (std::size_t c = 0; c < threshold; ++c) label += cell_text(fits.columns[c], row[c]) + ", ";
+    label += format_length(std::get<double>(row[threshold]));
+    text += wrapped("  Fit of " + label + ": " + fit, terminal_width, 4) + "\n";
   }
   return text;
+}
+
+Table shown_earthquakes_table(const Results& results) {
+  const Table table = earthquakes_table(results);
+  return lists_more_than_friction_value(results) ? table.without("run") : table;
 }
 
 std::string fragility_summary(const Results& results) {
@@ -189,8 +215,15 @@ std::string fragility_summary(const Results& results) {
   std::string text = to_text(fits) + fit_remarks(fits);
   if (rows > most_rows)
     text += fmt::format("  {} rows more are in tables/fragility.csv\n", rows - most_rows);
+  if (Table at = shown_earthquakes_table(results); !at.rows.empty()) {
+    const std::size_t all = at.rows.size();
+    at.rows.resize(std::min(all, most_rows));
+    text += "\n" + to_text(at);
+    if (all > most_rows)
+      text += fmt::format("  {} rows more are in tables/earthquakes.csv\n", all - most_rows);
+  }
   if (!results.runs.empty() && !results.runs.front().standards.empty()) {
-    text += "\n" + brief_standards(results, results.runs[least_favourable_run(results)]);
+    text += "\n" + brief_standards(results);
   }
   return text;
 }
@@ -205,9 +238,9 @@ std::vector<std::string> sentences(const Results& results) {
     sentences.push_back(threshold_sentence(results, fragility));
   if (const SlipStatistics* slip = shown_slip(results, run)) {
     sentences.push_back(slip_sentence(results, *slip));
-    for (const StandardComparison& comparison : run.standards) {
-      if (comparison.sds_g == slip->level) sentences.push_back(standard_sentence(comparison));
-    }
+    for (std::size_t row = 0; row < run.standards.size(); ++row)
+      if (run.standards[row].sds_g == slip->level)
+        sentences.push_back(standard_sentence(results, row));
   }
   if (results.runs.size() < results.cases.combinations())
     sentences.push_back(
@@ -231,12 +264,18 @@ std::vector<Figure> figures(const Results& results) {
 }
 
 std::vector<Table> tables(const Results& results) {
-  return {fragility_table(results), slip_table(results), standards_table(results),
-          stripes_table(results), samples_table(results)};
+  std::vector<Table> all{fragility_table(results)};
+  if (Table at = earthquakes_table(results); !at.rows.empty()) all.push_back(std::move(at));
+  for (Table table : {slip_table(results), standards_table(results), stripes_table(results),
+                      samples_table(results)})
+    all.push_back(std::move(table));
+  return all;
 }
 
 Html section(const Results& results) {
+  const Table at = shown_earthquakes_table(results);
   return heading("Fragility") + wide_table(fragility_summary_table(results)) +
+         (at.rows.empty() ? Html() : wide_table(at)) +
          standards_html(results, without_run_key(results, standards_table(results))) +
          heading("Slip by level") + wide_table(without_run_key(results, slip_table(results))) +
          heading("Fits in full") +

@@ -152,6 +152,37 @@ Table fragility_summary_table(const Results& results) {
   return table;
 }
 
+Table earthquakes_table(const Results& results) {
+  Table table{
+      "earthquakes",
+      "Probability that the clearance is exceeded in the design earthquake (DBE) and in the "
+      "maximum considered one (MCE): share of the histories." +
+          measured_by(results) + in_plan(results),
+      {text_column("run", "Run"), {"threshold", "m", "Clearance, m (in)", ColumnKind::length}},
+      {}};
+  std::vector<std::size_t> named;
+  for (std::size_t level = 0; level < results.levels.size(); ++level) {
+    const std::string name = earthquake_name(results.levels[level], results.model.dbe_level);
+    if (name.empty()) continue;
+    named.push_back(level);
+    table.columns.push_back({name == "DBE" ? "dbe_probability" : "mce_probability", "",
+                             fmt::format("At the {}, {} [95 %]", name,
+                                         with_unit(results, level_number(results.levels[level]))),
+                             ColumnKind::share, true});
+  }
+  if (named.empty()) return table;
+  for (const RunResults& run : results.runs) {
+    for (const ThresholdFragility& fragility : run.fragilities) {
+      std::vector<Cell> cells{run.label, fragility.threshold_m};
+      for (const std::size_t level : named)
+        cells.emplace_back(
+            Estimate{fragility.probability.at(level), fragility.probability_interval.at(level)});
+      table.add(std::move(cells));
+    }
+  }
+  return with_listed(results, table);
+}
+
 Table slip_table(const Results& results) {
   Table table{
       "slip",

@@ -42,9 +42,29 @@ std::string threshold_sentence(const HazardResults& hazard, const ThresholdRate&
   return text;
 }
 
-std::string target_sentence(const Results& results, const HazardRun& run,
-                            const TargetDisplacement& row) {
-  const std::string rate = rate_text(row.annual_rate);
+/// The run, of the friction value of the first, whose displacement of a target rate is largest.
+std::size_t largest_at_target(const Results& results, std::size_t target) {
+  const auto displacement_m = [&](std::size_t run) {
+    return results.hazard->runs[run].targets[target].displacement_m;
+  };
+  std::size_t found = 0;
+  for (std::size_t i = 1; i < results.runs.size(); ++i)
+    if (friction_value_of(results, results.runs[i]) ==
+            friction_value_of(results, results.runs[0]) &&
+        displacement_m(i) > displacement_m(found))
+      found = i;
+  return found;
+}
+
+/// @param target of HazardRun::targets
+std::string target_sentence(const Results& results, std::size_t target) {
+  const std::size_t at = largest_at_target(results, target);
+  const HazardRun& run = results.hazard->runs[at];
+  const TargetDisplacement& row = run.targets[target];
+  const std::string of_run = lists_more_than_friction_value(results)
+                                 ? " (largest: " + run_name(results, results.runs[at]) + ")"
+                                 : "";
+  const std::string rate = rate_text(row.annual_rate) + of_run;
   if (std::isinf(row.displacement_m))
     return fmt::format(
         "The displacement of {} is beyond the levels: {} has that rate; give levels well above it.",
@@ -80,8 +100,9 @@ std::vector<std::string> life_sentences(const Results& results, const HazardRun&
                         length_or_none(far.median_m), length_or_none(far.p95_m)));
   if (!hazard.residual_vectors)
     all.push_back(
-        "A study on one axis keeps no residual displacements: every peak counts as slip down the "
-        "slope, which is more than adds up.");
+        "These results have no residual displacements (those of one axis, and those run without "
+        "[hazard], have none): every peak counts as slip down the slope, which is more than adds "
+        "up.");
   const double beyond = probability_in(hazard.design_life_years, hazard.beyond_rate);
   if (beyond > 0.01)
     all.push_back(fmt::format(
@@ -112,10 +133,10 @@ std::string summary(const Results& results) {
   if (rows > most_rows)
     text += fmt::format("  {} rows more are in tables/hazard.csv\n", rows - most_rows);
   text += "\n";
-  const HazardRun& run = results.hazard->runs[least_favourable_run(results)];
+  const std::size_t shown = least_favourable_run(results);
+  const HazardRun& run = results.hazard->runs[shown];
+  for (std::size_t i = 0; i < run.targets.size(); ++i) text += wrapped(target_sentence(results, i));
   if (results.runs.size() > 1) text += wrapped("Of " + least_favourable(results) + ":");
-  for (const TargetDisplacement& row : run.targets)
-    text += wrapped(target_sentence(results, run, row));
   for (const std::string& sentence : life_sentences(results, run)) text += wrapped(sentence);
   return text;
 }
@@ -151,17 +172,16 @@ Html section(const Results& results) {
 std::vector<std::string> hazard_sentences(const Results& results) {
   const std::size_t shown = least_favourable_run(results);
   const HazardRun& run = results.hazard->runs[shown];
+  const std::string at = lists_more_than_friction_value(results)
+                             ? "At " + run_name(results, results.runs[shown]) + ": "
+                             : "";
   std::vector<std::string> all;
   for (const ThresholdRate& row : run.thresholds)
-    all.push_back(threshold_sentence(*results.hazard, row));
-  for (const TargetDisplacement& row : run.targets)
-    all.push_back(target_sentence(results, run, row));
-  for (std::string& sentence : life_sentences(results, run)) all.push_back(std::move(sentence));
-  if (lists_more_than_friction_value(results)) {
-    const std::string name = run_name(results, results.runs[shown]);
-    for (std::string& sentence : all) sentence = "At " + name + ": " + sentence;
-    all.front() = "Least favourable combination. " + all.front();
-  }
+    all.push_back(at + threshold_sentence(*results.hazard, row));
+  if (!at.empty())
+    all.front() = "Combination with the highest annual rates overall. " + all.front();
+  for (std::size_t i = 0; i < run.targets.size(); ++i) all.push_back(target_sentence(results, i));
+  for (const std::string& sentence : life_sentences(results, run)) all.push_back(at + sentence);
   return all;
 }
 

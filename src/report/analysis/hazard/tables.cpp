@@ -67,10 +67,12 @@ Table hazard_table(const Results& results, std::optional<double> threshold_m) {
        {"annual_rate", "per_year", "Annual rate [95 %]", ColumnKind::rate, true},
        {"return_period", "years", "Return period, years [95 %]", ColumnKind::number, true},
        {"life_probability", "", "In " + life_text(hazard) + " [95 %]", ColumnKind::share, true},
+       {"probability_50_years", "", "In 50 years", ColumnKind::share},
        {"beyond_share", "", "Beyond levels", ColumnKind::share},
        {"fit_rate", "per_year", "Annual rate by the lognormal fit", ColumnKind::rate}},
       {}};
   table.columns.back().detail = true;
+  table.columns[5].detail = hazard.design_life_years == 50.0;  // it is there already
   for (const HazardRun& run : hazard.runs) {
     for (const ThresholdRate& row : run.thresholds) {
       if (row.threshold_m != threshold_m.value_or(row.threshold_m)) continue;
@@ -78,8 +80,9 @@ Table hazard_table(const Results& results, std::optional<double> threshold_m) {
       if (row.beyond_share == 1.0) period.sign = "> ";
       table.add({run.label, row.threshold_m,
                  Estimate{row.annual_rate, row.rate_interval, sign_of(row)}, period,
-                 Estimate{row.life_probability, row.life_interval, sign_of(row)}, row.beyond_share,
-                 row.fit_rate});
+                 Estimate{row.life_probability, row.life_interval, sign_of(row)},
+                 Estimate{probability_in(50.0, row.annual_rate), {}, sign_of(row)},
+                 row.beyond_share, row.fit_rate});
     }
   }
   table.notes = {

@@ -6,6 +6,7 @@
 
 #include "analysis/analyses.hpp"
 #include "glissade/report/format.hpp"
+#include "glissade/sampling/importance.hpp"
 #include "page/page.hpp"
 #include "text/study_text.hpp"
 
@@ -27,6 +28,7 @@ Table rare_table(const Results& results) {
        text_column("estimate", "Probability"),
        text_column("samples", "95 %, samples"),
        text_column("records", "95 %, records"),
+       {"effective_samples", "", "Samples that carry it", ColumnKind::number, false, -1, true},
        {"effective_records", "", "Records that carry it"},
        {"plain_samples", "", "Plain Monte Carlo samples", ColumnKind::number, false, -1, true},
        {"probability", "", "Probability", ColumnKind::number, true, -1, true}},
@@ -36,12 +38,16 @@ Table rare_table(const Results& results) {
   };
   for (const RareRow& row : results.rare->rows)
     table.add({row.condition, row.threshold_m, row.level, small(row.probability),
-               range(row.sampling_interval), range(row.record_interval), row.effective_records,
-               row.plain_samples, Estimate{row.probability, row.record_interval}});
+               range(row.sampling_interval), range(row.record_interval), row.effective_samples,
+               row.effective_records, row.plain_samples,
+               Estimate{row.probability, row.record_interval}});
   table.notes = {
       "Samples: interval from independent scrambles, on these records. Records: bootstrap over "
-      "records. Records that carry it: (sum p)^2 / sum p^2 of the records' probabilities p; where "
-      "few do, the interval over records is too narrow.",
+      "records.",
+      fmt::format("Samples, records that carry it: (sum p)^2 / sum p^2 of the parts p that each "
+                  "contributes. With fewer than {:g} samples the error of the samples is not known "
+                  "(-); where few records do, the interval over records is too narrow.",
+                  least_effective_samples),
       "Plain Monte Carlo samples: as many would be required for the same sampling error."};
   return table;
 }

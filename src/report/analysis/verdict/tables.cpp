@@ -38,6 +38,15 @@ const char* conditions_text(const VerdictRow& row) {
   return row.within_conditions ? "within" : "outside";
 }
 
+/// Where the prescribed displacements come from.
+std::string provision_text(VerdictKind kind) {
+  const auto recalled = std::ranges::count_if(kind, [](const VerdictRow& row) {
+    return row.prescribed.provenance == Provenance::recalled;
+  });
+  if (recalled == 0) return "checked";
+  return recalled == std::ssize(kind) ? "recalled" : "partly recalled";
+}
+
 std::string percent(double probability) { return fmt::format("{:g} %", 100.0 * probability); }
 
 }  // namespace
@@ -84,6 +93,7 @@ Table verdict_table(const Results& results) {
                text_column("conditions", "Conditions"),
                {"sds", "g", "S_DS, g"},
                {"prescribed", "m", "Prescribed, m (in)", ColumnKind::length},
+               text_column("provision", "Provision"),
                {"dbe_probability", "", "Exceeded at DBE [95 %]", ColumnKind::share, true},
                {"dbe_period", "s", "Period, s"},
                {"mce_probability", "", "Exceeded at MCE [95 %]", ColumnKind::share, true},
@@ -104,6 +114,7 @@ Table verdict_table(const Results& results) {
                             std::string(conditions_text(row)),
                             row.sds_g,
                             row.prescribed.value_m,
+                            std::string(provision_text({&row, 1})),
                             Estimate{row.dbe.probability, row.dbe.interval},
                             row.dbe.period_s,
                             Estimate{row.mce.probability, row.mce.interval},
@@ -125,6 +136,7 @@ Table verdict_summary_table(const Results& results) {
               {{"slope", "deg", "Slope, degrees"},
                {"mu", "", "Friction"},
                text_column("standard", "Standard"),
+               text_column("provision", "Provision"),
                text_column("conditions", "Conditions"),
                text_column("exceeded", "Exceeded at S_DS, g"),
                text_column("conservative", "Conservative at S_DS, g"),
@@ -135,17 +147,19 @@ Table verdict_summary_table(const Results& results) {
   for (const VerdictKind kind : verdict_kinds(verdict)) {
     const VerdictProbability dbe = largest_of(kind, &VerdictRow::dbe),
                              mce = largest_of(kind, &VerdictRow::mce);
-    table.add(
-        {kind.front().slope_deg, kind.front().mu, standard_name(kind.front().standard),
-         std::string(conditions_text(kind.front())), ranges_of(verdict, kind, Judgement::exceeded),
-         ranges_of(verdict, kind, Judgement::conservative), Estimate{dbe.probability, dbe.interval},
-         Estimate{mce.probability, mce.interval}, kind.front().condition});
+    table.add({kind.front().slope_deg, kind.front().mu, standard_name(kind.front().standard),
+               provision_text(kind), std::string(conditions_text(kind.front())),
+               ranges_of(verdict, kind, Judgement::exceeded),
+               ranges_of(verdict, kind, Judgement::conservative),
+               Estimate{dbe.probability, dbe.interval}, Estimate{mce.probability, mce.interval},
+               kind.front().condition});
   }
-  table.notes = {
-      fmt::format("Exceeded: with more than {} probability at DBE. Conservative: more than twice "
-                  "the displacement that {} of the histories exceed at DBE. Conditions: slope and "
-                  "friction of the standard.",
-                  percent(verdict.exceedance.front()), percent(verdict.exceedance.back()))};
+  table.notes = {fmt::format(
+      "Exceeded: with more than {} probability at DBE. Conservative: more than twice "
+      "the displacement that {} of the histories exceed at DBE. Conditions: slope and "
+      "friction of the standard. Provision: reproduced from a source (checked), or from "
+      "memory of the standard (recalled: verify it); least values are recalled.",
+      percent(verdict.exceedance.front()), percent(verdict.exceedance.back()))};
   const bool lists_more = std::ranges::any_of(results.cases.axes, [](const CaseAxis& axis) {
     return axis.key != "friction.mu" && axis.key != "roof.slope_deg" &&
            axis.key != "building.period_s";

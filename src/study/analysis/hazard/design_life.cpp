@@ -152,7 +152,7 @@ Percentiles percentiles_of(const std::array<std::vector<double>, 3>& slips) {
 void add_design_life(const HazardConfig& hazard, const Results& results, CaseSlice cases,
                      const BootstrapOptions& options, HazardRun& run) {
   constexpr double most_events = 2e6;
-  constexpr std::size_t most_lives = 10000, fewest_lives = 1000, resampled_lives = 2000;
+  constexpr std::size_t most_lives = 500000, fewest_lives = 1000, resampled_lives = 20000;
   const std::vector<double>& levels = results.levels;
   std::size_t first = 0;  // the highest level up to which nothing moves
   while (first + 1 < levels.size() && moving_share(results.histories, cases, first) == 0.0 &&

@@ -45,6 +45,7 @@ class RareEvent {
         weighted_probability(of_sample, weights_, config.sampling.scrambles);
     row.probability = found.probability;
     row.plain_samples = found.plain_samples;
+    row.effective_samples = found.effective_samples;
     if (found.standard_error > 0.0) row.sampling_interval = {found.low, found.high};
     add_records(of_record, config, row);
     return row;
