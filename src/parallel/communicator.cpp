@@ -24,8 +24,8 @@ struct Communicator::State {
   MPI_Comm group = MPI_COMM_NULL;
   int rank = 0, size = 1;
   std::function<void()> before_abort;
-  std::vector<MPI_Win> shared_memory;                ///< of `on_each_machine`
-  std::vector<std::vector<double>> numbers_of_rank;  ///< where that is not possible
+  std::vector<MPI_Win> shared_memory;             ///< of `on_each_machine`
+  std::vector<std::shared_ptr<const void>> kept;  ///< where that is not possible
 };
 
 Communicator::Communicator(std::shared_ptr<State> state) : state_(std::move(state)) {}
@@ -101,41 +101,46 @@ bool shared_memory_has_room_for(double bytes, MPI_Comm group) {
   return has_room != 0;
 }
 
-/// A window of `count` numbers of the machine's first rank, which all its ranks can read.
-std::span<double> allocate_on_machine(std::size_t count, const Machines& machines,
-                                      MPI_Win* window) {
-  double* numbers = nullptr;
-  MPI_Aint bytes = machines.is_first() ? static_cast<MPI_Aint>(count * sizeof(double)) : 0;
-  int unit = sizeof(double);
-  MPI_Win_allocate_shared(bytes, unit, MPI_INFO_NULL, machines.mine, &numbers, window);
-  MPI_Win_shared_query(*window, 0, &bytes, &unit, &numbers);
-  return {numbers, count};
+/// A window of the machine's first rank, which all its ranks can read.
+std::span<std::byte> allocate_on_machine(std::size_t count, const Machines& machines,
+                                         MPI_Win* window) {
+  std::byte* data = nullptr;
+  MPI_Aint bytes = machines.is_first() ? static_cast<MPI_Aint>(count) : 0;
+  int unit = 1;
+  MPI_Win_allocate_shared(bytes, unit, MPI_INFO_NULL, machines.mine, &data, window);
+  MPI_Win_shared_query(*window, 0, &bytes, &unit, &data);
+  return {data, count};
 }
 
 }  // namespace
 
-std::span<const double> Communicator::on_each_machine(std::vector<double> values) const {
-  if (size() == 1) return state_->numbers_of_rank.emplace_back(std::move(values));
-  std::uint64_t count = values.size();
+void Communicator::keep(std::shared_ptr<const void> values) const {
+  state_->kept.push_back(std::move(values));
+}
+
+std::span<const std::byte> Communicator::bytes_on_each_machine(
+    std::span<const std::byte> bytes) const {
+  std::uint64_t count = bytes.size();
   MPI_Bcast(&count, 1, MPI_UINT64_T, 0, state_->group);
-  const double bytes = static_cast<double>(count * sizeof(double));
-  const auto broadcast_into = [&](std::span<double> numbers, MPI_Comm group) {
-    if (is_root()) std::ranges::copy(values, numbers.begin());
-    in_pieces({reinterpret_cast<char*>(numbers.data()), numbers.size_bytes()},
+  if (count == 0) return {};
+  const auto broadcast_into = [&](std::span<std::byte> copy, MPI_Comm group) {
+    if (is_root()) std::ranges::copy(bytes, copy.begin());
+    in_pieces({reinterpret_cast<char*>(copy.data()), copy.size()},
               [&](char* data, int n) { MPI_Bcast(data, n, MPI_CHAR, 0, group); });
   };
-  if (!shared_memory_has_room_for(bytes, state_->group)) {
-    std::vector<double>& own = state_->numbers_of_rank.emplace_back(count);
-    broadcast_into(own, state_->group);
-    return own;
+  if (!shared_memory_has_room_for(static_cast<double>(count), state_->group)) {
+    const auto own = std::make_shared<std::vector<std::byte>>(count);
+    keep(own);
+    broadcast_into(*own, state_->group);
+    return *own;
   }
   const Machines machines(state_->group);
   MPI_Win& window = state_->shared_memory.emplace_back(MPI_WIN_NULL);
-  const std::span<double> numbers = allocate_on_machine(count, machines, &window);
+  const std::span<std::byte> copy = allocate_on_machine(count, machines, &window);
   MPI_Win_fence(0, window);
-  if (machines.is_first()) broadcast_into(numbers, machines.first_ranks);
+  if (machines.is_first()) broadcast_into(copy, machines.first_ranks);
   MPI_Win_fence(0, window);
-  return numbers;
+  return copy;
 }
 
 namespace {

@@ -148,8 +148,7 @@ void draw_trial(const std::vector<SchemeResult>& results, const char* title,
 void draw_fragility(const FragilityError& measured, const std::filesystem::path& svg) {
   constexpr std::array colours{"#d55e00", "#777777", "#0072b2"};
   std::string script =
-      "unset key\nset xlabel 'histories'\nset format x '10^{%L}'\nset offsets graph 0.04,graph "
-      "0.12,graph 0.05,graph 0.08\n";
+      "unset key\nset xlabel 'histories'\nset format x '10^{%L}'\nset yrange [5e-5:0.3]\n";
   for (const bool of_median : {true, false}) {
     script += fmt::format(
         "set ylabel 'rms relative error of {}'\nunset label\nunset arrow\n"
@@ -177,9 +176,9 @@ void draw_fragility(const FragilityError& measured, const std::filesystem::path&
       if (all[i].method == SamplingMethod::sobol)
         label(all[i].name(), rows[rows.size() / 2], "right offset -2,-1");
       else if (all[i].fitted_on == FittedOn::counts)
-        label("plain Monte Carlo, counts", rows[rows.size() / 3], "offset 1.5,1.5");
+        label("plain Monte Carlo, counts", rows.back(), "right offset -2,-1.6");
       else
-        label(all[i].name(), rows[2 * rows.size() / 3], "offset 1.5,1.2");
+        label(all[i].name(), rows[1], "offset 2,1.2");
       plot += fmt::format("{}{} using 1:2:3:4 with yerrorlines lw 2 pt 7 ps 0.5 lc rgb '{}'",
                           i == 0 ? "plot " : ", ", block, colours[i]);
     }

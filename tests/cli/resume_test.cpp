@@ -6,6 +6,7 @@
 #include "cli/killed_run.hpp"
 #include "cli/one_run.hpp"
 #include "glissade/core/file.hpp"
+#include "glissade/io/journal.hpp"
 
 namespace glissade::test {
 namespace {
@@ -154,6 +155,14 @@ TEST_F(Resume, another_study_is_refused_with_the_line_that_differs) {
   const Finished child = resume({other});
   expect_refused(child, {"other.toml:3", "seed = 8", "seed = 7"});
   EXPECT_EQ(names_in(again_ / "journal"), before);
+  expect_resumed();
+}
+
+TEST_F(Resume, a_study_that_has_moved_is_given_once) {
+  ended_by(SIGKILL);
+  const std::string moved = folder_->write("moved.toml", longer_study());
+  EXPECT_EQ(resume({moved, "--walltime-s", "0"}).status, 75);
+  EXPECT_EQ(read_identity(again_).study_file, moved);
   expect_resumed();
 }
 

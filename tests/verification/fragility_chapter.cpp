@@ -3,6 +3,7 @@
 
 #include "chapters.hpp"
 #include "glissade/fragility/fit.hpp"
+#include "glissade/fragility/hazard.hpp"
 #include "unit/fragility/worked_examples.hpp"
 
 namespace glissade::verification {
@@ -66,16 +67,67 @@ void add_others(std::vector<Case>& cases) {
                 {apart.status == FitStatus::jeffreys_penalised ? 0 : 1, 1}));
 }
 
+/// The rate by a sum over the intervals of a curve, with P at the left end of each.
+double left_sum(const std::vector<HazardPoint>& points, const FragilityCurve& fragility) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i + 1 < points.size(); ++i)
+    sum += fragility.probability(points[i].intensity) *
+           (points[i].annual_rate - points[i + 1].annual_rate);
+  return sum;
+}
+
+/// `parts` points of the same power laws in each interval.
+std::vector<HazardPoint> refined(const HazardCurve& hazard, int parts) {
+  std::vector<HazardPoint> fine;
+  const std::vector<HazardPoint>& points = hazard.points();
+  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+    const double ratio = points[i + 1].intensity / points[i].intensity;
+    for (int k = 0; k < parts; ++k) {
+      const double x = points[i].intensity * std::pow(ratio, static_cast<double>(k) / parts);
+      fine.push_back({x, hazard.annual_rate(x)});
+    }
+  }
+  fine.push_back(points.back());
+  return fine;
+}
+
+void add_rates(std::vector<Case>& cases) {
+  const FragilityCurve fragility{0.5, 0.4};
+  const std::string law = "power law 1e-4 x^-2.5, median 0.5, log_std 0.4",
+                    baker = "ex7: Baker's hazard curve, median 0.5, log_std 0.4";
+  cases.push_back(compare({law, "annual rate", "closed form: k0 median^-k exp(k^2 log_std^2 / 2)"},
+                          {annual_rate(HazardCurve::power_law(1e-4, 2.5), fragility),
+                           1e-4 * std::pow(0.5, -2.5) * std::exp(0.5), 1e-12}));
+  cases.push_back(
+      compare({law, "annual rate", "the worked example's digits"},
+              {annual_rate(HazardCurve::power_law(1e-4, 2.5), fragility), 9.326575926e-4, 1e-9}));
+  cases.push_back(compare({baker, "sum with P at the left of each interval, by our P",
+                           "published; two independent programs"},
+                          {left_sum(baker_hazard(), fragility), 5.5684640934e-5, 1e-9}));
+  const HazardCurve hazard(baker_hazard());
+  // Of step h the sum is off by c h, and by c' h^2 where two of them are extrapolated.
+  const double coarse = left_sum(refined(hazard, 1000), fragility),
+               fine = left_sum(refined(hazard, 2000), fragility);
+  cases.push_back(compare({baker, "annual rate, integral",
+                           "that sum over 1,000 and 2,000 parts of each interval, extrapolated"},
+                          {annual_rate(hazard, fragility), 2.0 * fine - coarse, 1e-7}));
+  const double rate = annual_rate(hazard, fragility);
+  cases.push_back(compare({baker, "probability in 50 years", "1 - exp(-50 rate), by its series"},
+                          {probability_in(50.0, rate),
+                           50.0 * rate * (1.0 - 25.0 * rate * (1.0 - 50.0 / 3.0 * rate)), 1e-9}));
+}
+
 }  // namespace
 
 Chapter fragility() {
   Chapter chapter{
-      "3.1 Fragility: fits",
+      "3.1 Fragility: fits and annual rates",
       R"(Fits of published data, each compared with the result of two independent programs, to the given
-digits.)",
+digits; annual rates against their closed form and against sums.)",
       {}};
   add_baker(chapter.cases);
   add_others(chapter.cases);
+  add_rates(chapter.cases);
   return chapter;
 }
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "glissade/core/samples.hpp"
+#include "glissade/core/shared_list.hpp"
 #include "glissade/motion/design_spectrum.hpp"
 #include "glissade/motion/record.hpp"
 

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <memory>
 #include <span>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace glissade {
@@ -21,9 +23,20 @@ class Communicator {
 
   /// Sends the bytes of rank 0 to all ranks.
   void broadcast(std::vector<char>& bytes) const;
-  /// The numbers of rank 0 on all ranks, stored once on each machine (MPI-3 shared memory; on each
+  /// The values of rank 0 on all ranks, stored once on each machine (MPI-3 shared memory; on each
   /// rank where the machine has too little of it), until the session ends. Collective.
-  std::span<const double> on_each_machine(std::vector<double> values) const;
+  template <class T>
+  requires std::is_trivially_copyable_v<T> std::span<const T> on_each_machine(std::vector<T> values)
+  const {
+    if (size() == 1) {
+      const auto kept = std::make_shared<std::vector<T>>(std::move(values));
+      keep(kept);
+      return *kept;
+    }
+    const std::span<const std::byte> bytes =
+        bytes_on_each_machine(std::as_bytes(std::span<const T>(values)));
+    return {reinterpret_cast<const T*>(bytes.data()), bytes.size() / sizeof(T)};
+  }
   /// Collects the bytes of all ranks on rank 0, by rank; empty on the others.
   std::vector<std::vector<char>> gather(const std::vector<char>& bytes) const;
   /// Rank 0 receives the messages of all other ranks, by rank, one at a time. A sender makes each,
@@ -57,6 +70,9 @@ class Communicator {
 
  private:
   explicit Communicator(std::shared_ptr<State> state);
+  /// Until the session ends.
+  void keep(std::shared_ptr<const void> values) const;
+  std::span<const std::byte> bytes_on_each_machine(std::span<const std::byte> bytes) const;
   std::shared_ptr<State> state_;
   friend class MpiSession;
   friend class LentProcessors;

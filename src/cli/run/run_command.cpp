@@ -134,13 +134,14 @@ std::vector<Suite> prepare_motions(RunOptions& options, StoppedRun& stopped,
   return suites;
 }
 
-/// The same on every rank. The ranks share its spectra; input that is invalid is so on all of them.
+/// Root makes the lists of the plan. The ranks share its spectra; a study that does not fit its
+/// suites is so on all of them.
 Plan make_shared_plan(const std::string& study, std::vector<Suite> suites,
                       const Communicator& world) {
   Plan plan;
   std::optional<InputError> invalid;
   try {
-    plan = make_plan(
+    plan = begin_plan(
         read_study(study), std::move(suites),
         [&](std::size_t count, const Part& part) { return share_parts(world, count, part); });
   } catch (const InputError& error) {
@@ -149,7 +150,9 @@ Plan make_shared_plan(const std::string& study, std::vector<Suite> suites,
   on_root(world, [&] {
     if (invalid) throw *invalid;
   });
-  check_same_plan(plan.hash, world);
+  check_same_plan(plan, world);
+  on_root(world, [&] { finish_plan(plan); });
+  share(plan, world);
   return plan;
 }
 
@@ -236,6 +239,7 @@ void run_study(RunOptions options, const Communicator& world) {
     check_has_parts(plan, options.part);
     if (stopped.lock) {
       check_same_run(stopped.begun, identity, out);
+      if (stopped.begun.study_file != identity.study_file) write_identity(out, identity);  // moved
     } else {
       check_parts(parts, identity);
       stopped.lock = take_run_folder(out, plan, identity, options.overwrite, parts);

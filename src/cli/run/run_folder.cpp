@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "clearance/calculation_record.hpp"
+#include "glissade/core/bytes.hpp"
 #include "glissade/core/file.hpp"
 #include "glissade/core/wrap.hpp"
 #include "glissade/study/run/exchange.hpp"
@@ -22,7 +23,33 @@ void share(std::vector<Suite>& suites, const Communicator& world) {
   suites = unpack_suites(packed.headers, world.on_each_machine(std::move(packed.samples_mps2)));
 }
 
-void check_same_plan(const std::string& hash, const Communicator& world) {
+void share(Plan& plan, const Communicator& world) {
+  if (world.size() == 1) return;
+  std::vector<char> bytes = ByteWriter()
+                                .put(plan.hash)
+                                .put(plan.unit_ends)
+                                .put(plan.roofs_are_kept)
+                                .put(plan.frictions_repeat)
+                                .take();
+  world.broadcast(bytes);
+  ByteReader(bytes)
+      .get(plan.hash)
+      .get(plan.unit_ends)
+      .get(plan.roofs_are_kept)
+      .get(plan.frictions_repeat);
+  const auto share_list = [&](auto& list) {
+    using List = std::remove_reference_t<decltype(list)>;
+    list = List::elsewhere(world.on_each_machine(list.copy()));
+  };
+  share_list(plan.order);
+  share_list(plan.building);
+  share_list(plan.by_building);
+  share_list(plan.first_on);
+  share_list(plan.units);
+}
+
+void check_same_plan(const Plan& plan, const Communicator& world) {
+  const std::string hash = fingerprint(plan);
   const auto hashes = world.gather({hash.begin(), hash.end()});
   on_root(world, [&] {
     for (const std::vector<char>& other : hashes) {

@@ -43,8 +43,12 @@ void on_root(const Communicator& world, Prepare prepare) {
 /// Root's motions to everybody; their samples are stored once on each machine.
 void share(std::vector<Suite>& suites, const Communicator& world);
 
-/// Every rank makes the plan itself; other processors or mathematical libraries could make another.
-void check_same_plan(const std::string& hash, const Communicator& world);
+/// Root's lists and hash to everybody; the lists are stored once on each machine.
+void share(Plan& plan, const Communicator& world);
+
+/// Every rank reads the study and makes its cases by their numbers; another mathematical library
+/// could make others.
+void check_same_plan(const Plan& plan, const Communicator& world);
 
 /// Throws InputError where the disk of the folder has too little room for what the plan leaves.
 void check_room(const std::filesystem::path& folder, const Plan& plan);

@@ -43,7 +43,7 @@ std::string units_head(const RunIdentity& run) {
 
 namespace {
 
-constexpr const char* identity_format = "glissade run 2";
+constexpr const char* identity_format = "glissade run 3";
 constexpr std::uint64_t most_identity_bytes = 64u << 20;
 
 /// The line at which two texts first differ.
@@ -56,9 +56,7 @@ Difference first_difference(const std::string& was, const std::string& is) {
   const auto same = static_cast<std::size_t>(std::ranges::mismatch(was, is).in1 - was.begin());
   const std::size_t begin = same == 0 ? 0 : was.rfind('\n', same - 1) + 1;
   const auto line_of = [&](const std::string& text) {
-    const std::string line =
-        begin < text.size() ? text.substr(begin, text.find('\n', begin) - begin) : "";
-    return line.substr(0, 100);
+    return begin < text.size() ? text.substr(begin, text.find('\n', begin) - begin) : "";
   };
   return {1 + static_cast<std::size_t>(std::count(was.begin(), was.begin() + begin, '\n')),
           line_of(was), line_of(is)};
@@ -67,8 +65,13 @@ Difference first_difference(const std::string& was, const std::string& is) {
 }  // namespace
 
 RunIdentity identity_of(const Plan& plan, const std::string& program_version) {
-  return {program_version,         plan.hash, unit_layout(plan), fs::absolute(plan.config.file),
-          plan.config.source_text, {}};
+  return {program_version,
+          plan.hash,
+          unit_layout(plan),
+          fs::absolute(plan.config.file),
+          plan.config.source_text,
+          motions_text(plan),
+          {}};
 }
 
 void write_identity(const fs::path& run_folder, const RunIdentity& run) {
@@ -79,6 +82,7 @@ void write_identity(const fs::path& run_folder, const RunIdentity& run) {
                                         .put(run.layout)
                                         .put(run.study_file.string())
                                         .put(run.study_text)
+                                        .put(run.motions_text)
                                         .put(run.part)
                                         .take();
   write_text_file(JournalNames(run_folder).identity, framed(content));
@@ -104,7 +108,7 @@ RunIdentity read_identity(const fs::path& run_folder) {
     in.get(format);
     if (format != identity_format) throw ShortMessage();
     in.get(run.program_version).get(run.plan_hash).get(run.layout);
-    in.get(study_file).get(run.study_text).get(run.part);
+    in.get(study_file).get(run.study_text).get(run.motions_text).get(run.part);
     constexpr std::uint64_t most_parts = 1000000;
     if (run.part.count > most_parts || run.part.number > run.part.count ||
         (run.part.number == 0 && !run.part.is_all()))
@@ -134,14 +138,24 @@ void check_same_run(const RunIdentity& begun, const RunIdentity& now, const fs::
     const Difference d = first_difference(begun.study_text, now.study_text);
     report(fmt::format("{}:{}", now.study_file.string(), d.line),
            fmt::format("the study has changed since the run in {} began: \"{}\" was \"{}\"",
-                       run_folder.string(), d.is, d.was),
+                       run_folder.string(), d.is.substr(0, 100), d.was.substr(0, 100)),
            "restore the study file" + anew);
+  } else if (begun.motions_text != now.motions_text) {
+    const Difference d = first_difference(begun.motions_text, now.motions_text);
+    const auto name = [](const std::string& line) {
+      return line.empty() ? "(none)" : line.substr(0, line.rfind(' '));
+    };
+    report(run_folder.string(),
+           name(d.is) == name(d.was)
+               ? "this is not as it was when the run began: " + name(d.is)
+               : "where the run began with " + name(d.was) + " there is " + name(d.is),
+           "restore the suite and its records" + anew);
   } else if (begun.plan_hash != now.plan_hash) {
     report(run_folder.string(),
-           fmt::format("the run was begun with plan {}, this is {}: its suites or motions have "
-                       "changed, or this is another kind of machine",
+           fmt::format("the run was begun with plan {}, this is {}: a file that the study names "
+                       "beside its suites has changed, or this is another kind of machine",
                        begun.plan_hash, now.plan_hash),
-           "restore them" + anew);
+           "restore it" + anew);
   } else if (problems.empty() && begun.layout != now.layout) {
     report(run_folder.string(), "the run was begun by another build of glissade",
            "resume it with the program that began it" + anew);

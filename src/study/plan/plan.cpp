@@ -36,23 +36,23 @@ void number_buildings(Plan& plan) {
       if (p.moves_roof()) key.push_back(value_of(p, c));
     return key;
   });
-  std::vector<CaseNumber>& by_block = plan.order;
-  by_block.resize(plan.cases.size());
-  std::iota(by_block.begin(), by_block.end(), 0);
-  std::ranges::stable_sort(by_block, {}, [&](std::size_t i) { return block_of(plan, i); });
+  std::vector<CaseNumber> order(plan.cases.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::ranges::stable_sort(order, {}, [&](std::size_t i) { return block_of(plan, i); });
   constexpr CaseNumber none = std::numeric_limits<CaseNumber>::max();
-  plan.building.assign(plan.cases.size(), none);
+  std::vector<CaseNumber> building(plan.cases.size(), none);
   CaseNumber buildings = 0;
-  for (const CaseNumber i : by_block) {
+  for (const CaseNumber i : order) {
     // The first by number need not be the first by block.
-    if (plan.building[first[i]] == none) plan.building[first[i]] = buildings++;
-    plan.building[i] = plan.building[first[i]];
+    if (building[first[i]] == none) building[first[i]] = buildings++;
+    building[i] = building[first[i]];
   }
-  std::erase_if(plan.order, [&](std::size_t i) { return plan.same_as[i] != i; });
-  std::ranges::stable_sort(plan.order, {}, [&](std::size_t i) {
-    return std::pair(block_of(plan, i), plan.building[i]);
-  });
-  plan.list_by_building(buildings);
+  std::erase_if(order, [&](std::size_t i) { return plan.same_as[i] != i; });
+  std::ranges::stable_sort(
+      order, {}, [&](std::size_t i) { return std::pair(block_of(plan, i), building[i]); });
+  plan.order = std::move(order);
+  plan.building = std::move(building);
+  list_by_building(plan, buildings);
   plan.roofs_are_kept =
       buildings <= most_kept && (buildings <= 2 || buildings <= plan.order.size() / 2);
   std::vector<double> frictions;
@@ -101,6 +101,7 @@ void cut_units(Plan& plan) {
   const double unit_us =
       std::clamp(plan.predicted_seconds() * 1e6 / (units_wanted * static_cast<double>(blocks)),
                  least_us, most_us);
+  std::vector<WorkUnit> units;
   std::size_t begin = 0;
   for (std::size_t block = 0; block < blocks; ++block) {
     std::size_t end = begin;
@@ -111,11 +112,12 @@ void cut_units(Plan& plan) {
           std::min(cases, static_cast<double>(std::max<std::size_t>(1, plan.order.size()))));
       if (makes_roofs) count = (count + roofs_at_once - 1) / roofs_at_once * roofs_at_once;
       for (std::size_t first = begin; first < end; first += count)
-        plan.units.push_back({record, first, std::min(count, end - first)});
+        units.push_back({record, first, std::min(count, end - first)});
     }
-    plan.unit_ends.push_back(plan.units.size());
+    plan.unit_ends.push_back(units.size());
     begin = end;
   }
+  plan.units = std::move(units);
 }
 
 /// The factor on each record at level 1.
@@ -147,9 +149,8 @@ void hash_target(Hasher& hasher, const std::optional<DesignTarget>& target) {
   }
 }
 
-/// The cases of the study, and what rests on them.
+/// What rests on the cases.
 void list_cases(Plan& plan) {
-  plan.cases = PlannedCases(plan.config);
   plan.cases.store_draws();  // until the plan is made
   check_cases(plan);
   plan.same_as = same_as(plan.cases, std::cref(plan.cases), plan.config.two_axes(),
@@ -159,6 +160,19 @@ void list_cases(Plan& plan) {
   plan.warnings = warnings_on(plan);
   plan.notes = notes_on(plan);
   plan.skips = skips_of(plan);
+}
+
+void hash_motion(Hasher& hasher, const Motion& motion) {
+  hasher.text(motion.id).number(motion.scale).number(motion.dt_s);
+  for (const auto& component : motion.horizontal_mps2) hasher.numbers(component);
+  hasher.numbers(motion.vertical_mps2);
+}
+
+void hash_case(Hasher& hasher, const Case& c) {
+  for (const Parameter& p : parameters()) hasher.number(value_of(p, c));
+  hasher.number(static_cast<double>(c.support)).number(static_cast<double>(c.vertical));
+  hasher.number(c.orientation.ground_azimuth_deg);
+  hasher.number(static_cast<double>(c.orientation.across_sign));
 }
 
 std::string hash_of(const Plan& plan) {
@@ -172,41 +186,28 @@ std::string hash_of(const Plan& plan) {
   }
   for (const Suite& suite : plan.suites) {
     hash_target(hasher, suite.target);
-    for (const Motion& motion : suite.motions) {
-      hasher.text(motion.id).number(motion.scale).number(motion.dt_s);
-      for (const auto& component : motion.horizontal_mps2) hasher.numbers(component);
-      hasher.numbers(motion.vertical_mps2);
-    }
+    for (const Motion& motion : suite.motions) hash_motion(hasher, motion);
   }
-  for (const Case& c : plan.cases.all()) {
-    for (const Parameter& p : parameters()) hasher.number(value_of(p, c));
-    hasher.number(static_cast<double>(c.support)).number(static_cast<double>(c.vertical));
-    hasher.number(c.orientation.ground_azimuth_deg);
-    hasher.number(static_cast<double>(c.orientation.across_sign));
-  }
+  for (const Case& c : plan.cases.all()) hash_case(hasher, c);
   return to_hex(hasher.value());
 }
 
 }  // namespace
+
+void list_by_building(PlanLists& lists, std::size_t buildings) {
+  std::vector<CaseNumber> by_building = lists.order.copy(), first_on(buildings + 1, 0);
+  std::ranges::stable_sort(by_building, {}, [&](std::size_t i) { return lists.building[i]; });
+  for (const std::size_t i : lists.order) ++first_on[lists.building[i] + 1];
+  std::partial_sum(first_on.begin(), first_on.end(), first_on.begin());
+  lists.by_building = std::move(by_building);
+  lists.first_on = std::move(first_on);
+}
 
 const DesignTarget* Plan::target_of(std::size_t suite) const {
   const auto& own = config.intensity.target;
   if (own) return &*own;
   const auto& suites_own = suites[suite].target;
   return suites_own ? &*suites_own : nullptr;
-}
-
-void Plan::list_by_building(std::size_t buildings) {
-  by_building_ = order;
-  std::ranges::stable_sort(by_building_, {}, [&](std::size_t i) { return building[i]; });
-  first_on_.assign(buildings + 1, 0);
-  for (const std::size_t i : order) ++first_on_[building[i] + 1];
-  std::partial_sum(first_on_.begin(), first_on_.end(), first_on_.begin());
-}
-
-std::span<const CaseNumber> Plan::cases_on(std::size_t number) const {
-  return std::span(by_building_)
-      .subspan(first_on_[number], first_on_[number + 1] - first_on_[number]);
 }
 
 std::uint64_t Plan::histories() const {
@@ -246,8 +247,8 @@ std::vector<std::vector<double>> compute_parts_here(std::size_t count, const Par
   return parts;
 }
 
-Plan make_plan(const StudyConfig& config, std::vector<Suite> suites,
-               const ComputeParts& compute_parts) {
+Plan begin_plan(const StudyConfig& config, std::vector<Suite> suites,
+                const ComputeParts& compute_parts) {
   GLISSADE_EXPECTS(!suites.empty());
   GLISSADE_EXPECTS(config.suite_files.empty() || config.suite_files.size() == suites.size());
   Plan plan;
@@ -264,11 +265,47 @@ Plan make_plan(const StudyConfig& config, std::vector<Suite> suites,
   check_fit(plan.config, plan.suites);
   scale_suites(plan, compute_parts);
   plan.kernel = cheapest_exact_kernel(config);
+  plan.cases = PlannedCases(plan.config);
+  return plan;
+}
+
+void finish_plan(Plan& plan) {
   list_cases(plan);
   plan.hash = hash_of(plan);
   cut_units(plan);
   plan.cases.drop_draws();
+}
+
+Plan make_plan(const StudyConfig& config, std::vector<Suite> suites,
+               const ComputeParts& compute_parts) {
+  Plan plan = begin_plan(config, std::move(suites), compute_parts);
+  finish_plan(plan);
   return plan;
+}
+
+std::string motions_text(const Plan& plan) {
+  std::string text;
+  for (std::size_t s = 0; s < plan.suites.size(); ++s) {
+    const std::string file = plan.config.suite_files[s].string();
+    Hasher target;
+    hash_target(target, plan.suites[s].target);
+    text += file + ", target " + to_hex(target.value()) + "\n";
+    for (const Motion& motion : plan.suites[s].motions) {
+      Hasher hasher;
+      hash_motion(hasher, motion);
+      text += file + ", motion " + motion.id + " " + to_hex(hasher.value()) + "\n";
+    }
+  }
+  return text;
+}
+
+std::string fingerprint(const Plan& plan) {
+  constexpr std::size_t most_cases = 4096;
+  Hasher hasher;
+  hasher.text(plan.config.hashed_text).numbers(plan.factor_at_unit_level);
+  const std::size_t step = std::max<std::size_t>(1, plan.cases.size() / most_cases);
+  for (std::size_t i = 0; i < plan.cases.size(); i += step) hash_case(hasher, plan.cases[i]);
+  return to_hex(hasher.value());
 }
 
 Plan first_blocks(Plan plan, std::size_t units) {
@@ -277,10 +314,12 @@ Plan first_blocks(Plan plan, std::size_t units) {
   const auto blocks = static_cast<std::size_t>(end - plan.unit_ends.begin()) + 1;
   if (blocks == plan.unit_ends.size()) return plan;
   plan.config.sampling = plan.config.sampling.first_blocks(blocks);
+  plan.cases = PlannedCases(plan.config);
   list_cases(plan);
   plan.cases.drop_draws();
   plan.unit_ends.resize(blocks);
-  plan.units.resize(units);
+  plan.units =
+      std::vector(plan.units.begin(), plan.units.begin() + static_cast<std::ptrdiff_t>(units));
   return plan;
 }
 

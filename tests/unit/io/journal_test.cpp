@@ -164,6 +164,13 @@ TEST_F(JournalTest, every_difference_of_two_runs_is_named) {
   now.study_text = run_.study_text + "more\n";
   EXPECT_THAT(message(), HasSubstr("study.toml:4"));
   now = run_;
+  run_.motions_text = "a suite.toml, target 0a\na suite.toml, motion X 1f\n";
+  now.motions_text = "a suite.toml, target 0a\na suite.toml, motion X 2f\n";
+  EXPECT_THAT(message(), HasSubstr("when the run began: a suite.toml, motion X;"));
+  now.motions_text = "a suite.toml, target 0a\na suite.toml, motion Y 1f\n";
+  EXPECT_THAT(message(), testing::AllOf(HasSubstr("began with a suite.toml, motion X there"),
+                                        HasSubstr("is a suite.toml, motion Y;")));
+  now = run_;
   now.layout = "other";
   EXPECT_NE(message(), "");
 }

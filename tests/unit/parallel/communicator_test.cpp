@@ -25,8 +25,8 @@ TEST(communicator, alone_is_root_and_keeps_its_messages) {
 
 TEST(communicator, alone_keeps_its_numbers) {
   const Communicator alone = Communicator::serial();
-  const std::span<const double> first = alone.on_each_machine({1.0, 2.0});
-  const std::span<const double> second = alone.on_each_machine({});
+  const std::span<const double> first = alone.on_each_machine(std::vector{1.0, 2.0});
+  const std::span<const double> second = alone.on_each_machine(std::vector<double>());
   EXPECT_EQ(std::vector(first.begin(), first.end()), (std::vector{1.0, 2.0}));
   EXPECT_TRUE(second.empty());
 }

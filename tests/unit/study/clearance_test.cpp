@@ -152,11 +152,13 @@ TEST(clearance, orientations_that_are_not_run_would_have_given_the_same) {
   EXPECT_EQ(plan.order.size(), 4u);
   const Results skipped = run(plan);
   ASSERT_EQ(skipped.conditions->orientations.size(), 16u);
-  std::iota(plan.same_as.begin(), plan.same_as.end(), 0u);
-  plan.order = plan.same_as;
-  std::ranges::stable_sort(plan.order, {}, [&](std::size_t i) { return plan.building[i]; });
-  plan.list_by_building(std::ranges::max(plan.building) + 1);
-  plan.units.assign(1, {0, 0, plan.order.size()});
+  std::vector<CaseNumber> all_cases(plan.same_as.size());
+  std::iota(all_cases.begin(), all_cases.end(), 0u);
+  plan.same_as = all_cases;
+  std::ranges::stable_sort(all_cases, {}, [&](std::size_t i) { return plan.building[i]; });
+  plan.order = all_cases;
+  list_by_building(plan, std::ranges::max(plan.building) + 1);
+  plan.units = {{0, 0, plan.order.size()}};
   const Results all = run(plan);
   for (std::size_t o = 0; o < all.conditions->orientations.size(); ++o) {
     const ConditionHistory &a = skipped.conditions->at(0, o, 0), &b = all.conditions->at(0, o, 0);

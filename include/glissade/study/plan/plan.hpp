@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "glissade/core/shared_list.hpp"
 #include "glissade/motion/motion.hpp"
 #include "glissade/study/cases/case_set.hpp"
 #include "glissade/study/config.hpp"
@@ -26,35 +27,47 @@ struct WorkUnit {
   std::size_t first = 0, count = 0;  ///< in Plan::order
 };
 
+/// What a plan lists by case or building: as long as the samples are many, so that the ranks of one
+/// machine store it once. Made by one rank.
+struct PlanLists {
+  SharedList<CaseNumber> same_as;  ///< by case: the first with the same histories; rank 0 only
+  /// The cases that are run, block by block of the samples, those on one building together.
+  SharedList<CaseNumber> order;
+  /// By case: which of the distinct roofs of a record it is on.
+  SharedList<CaseNumber> building;
+  SharedList<CaseNumber> by_building;  ///< those of `order`, building by building
+  SharedList<CaseNumber> first_on;     ///< by building and one more: its first in `by_building`
+  SharedList<WorkUnit> units;          ///< block by block of the samples that are run in turn
+  std::vector<std::size_t> unit_ends;  ///< by block: the end of its units
+  bool roofs_are_kept = false;         ///< so few of them that a record's are all kept
+  bool frictions_repeat = false;       ///< half of the frictions or fewer are different
+
+  /// The cases on a building, of those that are run, in their order.
+  std::span<const CaseNumber> cases_on(std::size_t number) const {
+    return std::span<const CaseNumber>(by_building)
+        .subspan(first_on[number], first_on[number + 1] - first_on[number]);
+  }
+};
+
+/// Makes by_building and first_on of order and building.
+void list_by_building(PlanLists& lists, std::size_t buildings);
+
 /// A study worked out: what would be computed, in which slices, and nothing computed yet. Immutable
 /// once made; the same study and motions make the same plan on every rank.
-struct Plan {
+struct Plan : PlanLists {
   StudyConfig config;
   std::vector<Suite> suites;           ///< with the records that are run
   std::vector<PlannedRecord> records;  ///< of all suites, in their order
   KernelChoice kernel;
   PlannedCases cases;
-  std::vector<CaseNumber> same_as;  ///< by case: the first with the same histories
-  /// The cases that are run, block by block of the samples, those on one building together.
-  std::vector<CaseNumber> order;
-  /// By case: which of the distinct roofs of a record it is on.
-  std::vector<CaseNumber> building;
-  bool roofs_are_kept = false;               ///< so few of them that a record's are all kept
-  bool frictions_repeat = false;             ///< half of the frictions or fewer are different
-  std::vector<double> factor_at_unit_level;  ///< by record: factor on the motion at level 1; 0
-                                             ///< where it depends on the roof
-  std::vector<WorkUnit> units;               ///< block by block of the samples that are run in turn
-  std::vector<std::size_t> unit_ends;        ///< by block: the end of its units
+  std::vector<double> factor_at_unit_level;     ///< by record: factor on the motion at level 1; 0
+                                                ///< where it depends on the roof
   std::vector<SpectrumRows> walters_spectra_g;  ///< by suite; empty unless the levels are S_DS
+  // Of rank 0 only:
   std::vector<std::string> warnings;  ///< what is possible and not probable: first in every output
   std::vector<std::string> notes;     ///< remarks that belong to the results
   std::vector<Skip> skips;            ///< what the study does not need and is not run
-  std::string hash;                   ///< of everything that decides the results
-
-  /// On a building, of those that are run, in their order.
-  std::span<const CaseNumber> cases_on(std::size_t number) const;
-  /// Lists them, of so many buildings.
-  void list_by_building(std::size_t buildings);
+  std::string hash;                   ///< of everything that decides the results; on every rank
 
   const Suite& suite_of(std::size_t record) const { return suites[records[record].suite]; }
   const Motion& motion(std::size_t record) const {
@@ -67,9 +80,6 @@ struct Plan {
   std::uint64_t histories() const;
   /// Predicted seconds of one core.
   double predicted_seconds() const;
-
- private:
-  std::vector<CaseNumber> by_building_, first_on_;
 };
 
 /// Numbers that are computed part by part: which process computes a part changes nothing.
@@ -78,10 +88,24 @@ using ComputeParts =
     std::function<std::vector<std::vector<double>>(std::size_t count, const Part& part)>;
 std::vector<std::vector<double>> compute_parts_here(std::size_t count, const Part& part);
 
-/// Draws the samples, scales the suites, cuts the work. Throws InputError where study and suites do
-/// not fit (no second component, no vertical although required, no target for sds_g ...).
+/// What every rank makes itself: cases by their numbers, scales of the suites. Throws InputError
+/// where study and suites do not fit (no second component, no vertical although required, no target
+/// for sds_g ...).
+Plan begin_plan(const StudyConfig& config, std::vector<Suite> suites,
+                const ComputeParts& compute_parts = compute_parts_here);
+/// What one rank makes: the lists, its texts and its hash. Throws InputError where cases are not
+/// possible.
+void finish_plan(Plan& plan);
+/// Both.
 Plan make_plan(const StudyConfig& config, std::vector<Suite> suites,
                const ComputeParts& compute_parts = compute_parts_here);
+
+/// Of what begin_plan() gives, with some of the cases. Ranks whose fingerprints differ would run
+/// other histories: another study file, another mathematical library.
+std::string fingerprint(const Plan& plan);
+
+/// A line for each motion and each target of the suites: name, then a hash of the numbers.
+std::string motions_text(const Plan& plan);
 
 /// The units of a block in the order in which ranks take them: the longest first, as predicted.
 std::vector<std::size_t> longest_first(const Plan& plan, std::size_t block);
