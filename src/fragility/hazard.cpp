@@ -9,6 +9,7 @@
 
 #include "glissade/core/contract.hpp"
 #include "glissade/core/error.hpp"
+#include "glissade/core/normal.hpp"
 #include "glissade/core/not_finite.hpp"
 
 namespace glissade {
@@ -50,6 +51,14 @@ HazardCurve::HazardCurve(std::vector<HazardPoint> points) : points_(std::move(po
 HazardCurve HazardCurve::power_law(double k0, double k) {
   if (!(k0 > 0.0 && k > 0.0)) refuse("k0 and k must be above 0", "give both");
   return HazardCurve({{1.0, k0}, {2.0, k0 * std::pow(2.0, -k)}});
+}
+
+HazardCurve HazardCurve::of_risk_target(double mce, double k) {
+  constexpr double log_std = 0.6, collapse_at_mce = 0.1, target = 0.01, years = 50.0;
+  const double median = mce * std::exp(-log_std * normal_quantile(collapse_at_mce));
+  // k0 median^-k exp(k^2 log_std^2 / 2) is the annual rate of collapse.
+  return power_law(
+      rate_of(target, years) * std::pow(median, k) * std::exp(-0.5 * k * k * log_std * log_std), k);
 }
 
 double HazardCurve::exponent(std::size_t interval) const {

@@ -22,6 +22,11 @@ class HazardCurve {
   explicit HazardCurve(std::vector<HazardPoint> points);
   /// k0 x^-k; both > 0 (InputError).
   static HazardCurve power_law(double k0, double k);
+  /// The power law of exponent k by which the risk target of ASCE 7 is met exactly: a structure
+  /// that collapses with 10 % probability at `mce` (MCE_R), with log_std 0.6, collapses with 1 % in
+  /// 50 years (ASCE 7-16, 21.2.1.2, recalled; Luco et al. 2007). Both > 0 (InputError). No site's
+  /// curve: where MCE_R is limited by a deterministic earthquake the rates of the site are higher.
+  static HazardCurve of_risk_target(double mce, double k);
 
   const std::vector<HazardPoint>& points() const { return points_; }
   bool is_power_law() const { return points_.size() == 2; }

@@ -168,6 +168,7 @@ struct HazardConfig {
   std::string source;                         ///< "hazard.csv", "1e-4 x^-2.5"
   double design_life_years = 0.0;             ///< > 0
   std::vector<double> target_rates_per_year;  ///< > 0, falling
+  double sds_g = 0.0;                         ///< of the site, where stated; else 0
 };
 
 /// The probabilities of exceedance that prescribed displacements are judged by: the first is

@@ -170,6 +170,9 @@ void add_analyses(std::vector<GrammarKey>& keys) {
        {"hazard", "k0", "number", "none",
         "in place of a curve: annual rate of exceeding x = k0 x^-k"},
        {"hazard", "k", "number", "none", "the exponent of that"},
+       {"hazard", "sds_g", "number", "none",
+        "S_DS of the site, g: rates of the prescribed displacements; with k and without k0 the "
+        "curve is assumed from it, by the risk target of ASCE 7"},
        {"hazard", "design_life_years", "number", "required",
         "slip is accumulated, and probabilities are given, over so many years"},
        {"hazard", "target_rates_per_year", "list or { from, to, count }",

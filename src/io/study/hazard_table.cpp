@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "glissade/motion/design_spectrum.hpp"
 #include "text/number_rows.hpp"
 #include "toml/number_list.hpp"
 
@@ -40,29 +41,40 @@ std::optional<HazardCurve> read_curve(const TomlTable& table, const std::string&
 std::optional<HazardConfig> read_hazard(const TomlTable& table, const std::string& measure,
                                         const std::filesystem::path& folder) {
   const bool by_file = table.has("curve"), by_law = table.has("k0") || table.has("k");
+  const double sds_g = table.number("sds_g", above_zero).value_or(0.0);
+  // k beside S_DS alone: the law is that of the risk target.
+  const bool by_target = by_law && sds_g > 0.0 && !table.has("k0");
   std::optional<HazardCurve> curve;
   std::string source;
   if (by_file == by_law)
-    table.report(by_file ? "curve" : "", "[hazard] needs one hazard curve",
-                 "give curve = \"FILE.csv\", or k0 and k of the annual rate k0 x^-k");
+    table.report(
+        by_file ? "curve" : "", "[hazard] needs one hazard curve",
+        "give curve = \"FILE.csv\", or k0 and k of the annual rate k0 x^-k, or sds_g and k "
+        "of one that meets the risk target of ASCE 7");
   if (by_file) {
     curve = read_curve(table, measure, folder);
     source = table.text("curve").value_or("");
   }
   if (by_law) {
     for (const auto& [key, example] : {std::pair{"k0", "k0 = 1e-3"}, std::pair{"k", "k = 2.2"}}) {
-      if (!table.has(key)) table.report_missing(key, std::string("for example: ") + example);
+      if (!table.has(key) && !(by_target && std::string(key) == "k0"))
+        table.report_missing(key, std::string("for example: ") + example);
     }
     const double k0 = table.number("k0", above_zero).value_or(0.0),
                  k = table.number("k", above_zero).value_or(0.0);
     if (k0 > 0.0 && k > 0.0) curve = HazardCurve::power_law(k0, k);
     source = fmt::format("{:g} x^-{:g}", k0, k);
+    if (by_target && k > 0.0) {
+      curve = HazardCurve::of_risk_target(mce_over_dbe * sds_g, k);
+      source =
+          fmt::format("assumed from S_DS = {:g} g by the risk target of ASCE 7, x^-{:g}", sds_g, k);
+    }
   }
   if (!table.has("design_life_years"))
     table.report_missing("design_life_years", "for example: design_life_years = 25");
   const double years = table.number("design_life_years", above_zero).value_or(0.0);
   if (!curve || !(years > 0.0)) return std::nullopt;
-  return HazardConfig{*curve, source, years, {}};
+  return HazardConfig{*curve, source, years, {}, sds_g};
 }
 
 void check_events(const TomlTable& table, const HazardConfig& hazard, double lowest,

@@ -80,6 +80,10 @@ std::vector<KeyNeeds> key_needs() {
        }},
       {"building", "hardening_ratio", "response_modification or yield_coefficient", yields},
       {"friction", "value", "friction that is drawn", draws_friction},
+      {"hazard", "sds_g", "measure = \"sds_g\"",
+       [](const TomlTable&, const StudyConfig& study) {
+         return study.intensity.measure == IntensityMeasure::sds_g;
+       }},
       {"friction", "neighbour_mu", "[verdict]",
        [](const TomlTable& root, const StudyConfig&) { return root.has("verdict"); }},
       {"friction", "direction", file, has_pull_tests},

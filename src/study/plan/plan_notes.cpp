@@ -98,6 +98,15 @@ std::vector<std::string> notes_on_directions(const StudyConfig& config) {
   return notes;
 }
 
+/// A curve that is no site's.
+std::vector<std::string> notes_on_hazard(const StudyConfig& config) {
+  if (!config.hazard || !config.hazard->source.starts_with("assumed")) return {};
+  return {"hazard curve " + config.hazard->source +
+          " (1 % collapse in 50 years, 10 % at MCE, log_std 0.6: ASCE 7-16, 21.2.1.2, recalled): "
+          "it is not that of the site; where MCE_R is limited by a deterministic earthquake the "
+          "rates of the site are higher"};
+}
+
 /// A seed of no random number.
 std::vector<std::string> notes_on_seed(const Plan& plan) {
   const StudyConfig& config = plan.config;
@@ -118,8 +127,8 @@ std::vector<std::string> notes_on(const Plan& plan) {
         config.fragility->thresholds_m.back()));
   }
   for (std::vector<std::string>& more :
-       std::array{notes_on_quantities(config), notes_on_directions(config), notes_on_seed(plan),
-                  notes_on_standards(plan)})
+       std::array{notes_on_quantities(config), notes_on_directions(config), notes_on_hazard(config),
+                  notes_on_seed(plan), notes_on_standards(plan)})
     notes.insert(notes.end(), more.begin(), more.end());
   return notes;
 }

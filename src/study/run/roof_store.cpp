@@ -125,34 +125,51 @@ std::shared_ptr<MotionTable> RoofStore::vertical(const Case& c, int parts) {
     const double factor = plan_.config.intensity.measure == IntensityMeasure::ppa_g
                               ? 50.0 * standard_gravity_mps2 / pga
                               : plan_.factor_at_unit_level[record_];
-    const RoofMotionOptions options = for_vertical(follow(plan_.order, factor));
+    const RoofMotionOptions options = for_vertical(follow(least_of_all(), factor));
     table = std::make_shared<MotionTable>();
     tabulate_responses(up, {&oscillator, 1}, {&options, 1}, {table.get(), 1});
   }
   return table;
 }
 
-/// How far a roof under these cases must be followed. @param factor on the motion at level 1
-RoofMotionOptions RoofStore::follow(std::span<const CaseNumber> cases, double factor) const {
-  std::vector<Block> blocks;
+LeastAccelerations RoofStore::least_of(std::span<const CaseNumber> cases) const {
+  LeastAccelerations all;
   const bool two_axes = plan_.config.two_axes();
   for (const std::size_t i : cases) {
     const Case c = plan_.cases[i];
-    double least = two_axes ? std::min(c.friction, c.friction_across) : c.friction;
+    double friction = two_axes ? std::min(c.friction, c.friction_across) : c.friction;
     if (c.neighbour_friction > 0.0) {
       const EllipticFriction neighbour = neighbour_block(c).friction;
-      least = std::min({least, neighbour.along, neighbour.across});
+      friction = std::min({friction, neighbour.along, neighbour.across});
     }
-    Block block{.friction = least, .slope_rad = c.slope_deg * rad_per_deg};
-    blocks.push_back(block);
+    const Block block{.friction = friction, .slope_rad = c.slope_deg * rad_per_deg};
+    all.include(block);
     if (!plan_.config.tipping) continue;
     const Block rocking = rocking_block(block, *plan_.config.tipping);
-    if (rocking.friction < block.friction) blocks.push_back(rocking);
+    if (rocking.friction < block.friction) all.include(rocking);
   }
+  return all;
+}
+
+/// Those of few buildings, or of all cases, are the same under every record.
+LeastAccelerations RoofStore::least_on(std::size_t building) {
+  if (!plan_.roofs_are_kept) return least_of(plan_.cases_on(building));
+  const auto [at, is_new] = least_.try_emplace(building);
+  if (is_new) at->second = least_of(plan_.cases_on(building));
+  return at->second;
+}
+
+const LeastAccelerations& RoofStore::least_of_all() {
+  if (!least_of_all_) least_of_all_ = least_of(plan_.order);
+  return *least_of_all_;
+}
+
+/// How far a roof must be followed. @param factor on the motion at level 1
+RoofMotionOptions RoofStore::follow(const LeastAccelerations& least, double factor) const {
   // Of two axes each leaves room for the other: together they are below the limit.
-  const double both = two_axes ? std::numbers::sqrt2 : 1.0;
+  const double both = plan_.config.two_axes() ? std::numbers::sqrt2 : 1.0;
   const IntensityConfig& intensity = plan_.config.intensity;
-  return follow_roof(blocks,
+  return follow_roof(least,
                      both * intensity.measure.factor_of_level(intensity.levels.back()) * factor);
 }
 
@@ -176,7 +193,7 @@ void RoofStore::make(std::span<const std::size_t> buildings, std::span<CaseRoof>
     for (CaseRoof& roof : roofs) roof.factor_at_unit_level = plan_.factor_at_unit_level[record_];
   }
   for (std::size_t i = 0; i < roofs.size(); ++i)
-    options[i] = follow(plan_.cases_on(buildings[i]), roofs[i].factor_at_unit_level);
+    options[i] = follow(least_on(buildings[i]), roofs[i].factor_at_unit_level);
   make(buildings, options, roofs);
 }
 

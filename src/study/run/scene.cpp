@@ -2,25 +2,30 @@
 #include "glissade/study/run/scene.hpp"
 
 #include <algorithm>
-#include <limits>
-#include <span>
+#include <cmath>
 
 namespace glissade {
 
+void LeastAccelerations::include(const Block& block) {
+  const double at_rest = resting_deceleration_mps2(block);
+  if (at_rest == 0.0) return;
+  yield_mps2 = std::min(yield_mps2, yield_acceleration_mps2(block));
+  deceleration_mps2 = std::min(deceleration_mps2, at_rest);
+}
+
 RoofMotionOptions follow_roof(std::span<const Block> blocks, double largest_factor) {
-  double yield = std::numeric_limits<double>::infinity(), deceleration = yield;
-  for (const Block& block : blocks) {
-    const double at_rest = resting_deceleration_mps2(block);
-    if (at_rest == 0.0) continue;
-    yield = std::min(yield, yield_acceleration_mps2(block));
-    deceleration = std::min(deceleration, at_rest);
-  }
-  if (deceleration == std::numeric_limits<double>::infinity()) return {};
+  LeastAccelerations least;
+  for (const Block& block : blocks) least.include(block);
+  return follow_roof(least, largest_factor);
+}
+
+RoofMotionOptions follow_roof(const LeastAccelerations& least, double largest_factor) {
+  if (std::isinf(least.deceleration_mps2)) return {};
   // The yield acceleration is in proportion to g + w, so leaving 2 % of g to the vertical's
   // ring-down takes 2 % off the horizontal's limit.
-  return {.quiet_horizontal_mps2 = 0.98 * yield / largest_factor,
+  return {.quiet_horizontal_mps2 = 0.98 * least.yield_mps2 / largest_factor,
           .quiet_vertical_mps2 = 0.02 * standard_gravity_mps2 / largest_factor,
-          .settle_deceleration_mps2 = deceleration / largest_factor};
+          .settle_deceleration_mps2 = least.deceleration_mps2 / largest_factor};
 }
 
 RoofAcceleration excitation_of(const Block& block, const RoofMotion& roof,

@@ -52,6 +52,20 @@ TEST(annual_rate, of_a_power_law_is_its_closed_form) {
           << k << " " << beta;
 }
 
+// A structure with 10 % at MCE and log_std 0.6 has its median at exp(0.6 x 1.2815516) MCE.
+TEST(hazard_curve, of_the_risk_target_makes_collapse_1_percent_in_50_years) {
+  const double mce = 1.5, median = mce * std::exp(0.6 * 1.2815515655446004);
+  for (const double k : {1.0, 2.5, 4.0}) {
+    const HazardCurve hazard = HazardCurve::of_risk_target(mce, k);
+    EXPECT_NEAR(probability_in(50.0, annual_rate(hazard, {median, 0.6})), 0.01, 1e-12) << k;
+    EXPECT_NEAR(hazard.annual_rate(1.0) / hazard.annual_rate(2.0), std::pow(2.0, k), 1e-9);
+  }
+  // Return periods of MCE_R of 1,000 to 3,000 years are those of the maps.
+  const double period = 1.0 / HazardCurve::of_risk_target(mce, 2.0).annual_rate(mce);
+  EXPECT_GT(period, 1000.0);
+  EXPECT_LT(period, 3000.0);
+}
+
 TEST(annual_rate, of_a_power_law_cut_in_points_is_that_of_the_law) {
   const HazardCurve law = HazardCurve::power_law(3e-5, 2.2);
   std::vector<HazardPoint> points;

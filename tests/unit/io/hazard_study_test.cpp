@@ -39,6 +39,21 @@ TEST_F(HazardStudy, takes_a_power_law_and_target_rates) {
   EXPECT_THAT(study.hazard->target_rates_per_year, testing::ElementsAre(1e-3, 1e-4));
 }
 
+TEST_F(HazardStudy, assumes_a_curve_from_s_ds_by_the_risk_target) {
+  const std::string life = "design_life_years = 25\n";
+  const StudyConfig study = read(needed + "[hazard]\nsds_g = 1.2\nk = 2.5\n" + life);
+  EXPECT_EQ(study.hazard->sds_g, 1.2);
+  const HazardCurve expected = HazardCurve::of_risk_target(1.8, 2.5);
+  EXPECT_NEAR(study.hazard->curve.annual_rate(0.7) / expected.annual_rate(0.7), 1.0, 1e-12);
+  EXPECT_THAT(study.hazard->source, HasSubstr("assumed from S_DS = 1.2 g"));
+  // Beside a curve it is the site's S_DS.
+  const StudyConfig law = read(needed + "[hazard]\nsds_g = 1.2\nk0 = 1e-3\nk = 2.5\n" + life);
+  EXPECT_EQ(law.hazard->curve.annual_rate(1.0), 1e-3);
+  EXPECT_EQ(law.hazard->sds_g, 1.2);
+  EXPECT_THAT(error(needed + "[hazard]\nsds_g = 1.2\n" + life),
+              HasSubstr("needs one hazard curve"));
+}
+
 TEST_F(HazardStudy, refuses_no_curve_two_curves_and_half_a_law) {
   const std::string life = "design_life_years = 25\n";
   EXPECT_THAT(error(needed + "[hazard]\n" + life), HasSubstr("needs one hazard curve"));

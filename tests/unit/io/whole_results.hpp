@@ -79,7 +79,10 @@ inline Results whole_results(bool two_axes = false) {
   r.displacement = DisplacementMeasure::vector;
   r.levels = {0.5, 1.0, 1.5};
   r.thresholds_m = {0.15, 0.3};
-  r.suites = {{"suite", "of two", "ASCE 7-16, S_S 1.5 g", {{0.0, 0.5}, {{0.4, 0.9}, {0.3, 1.1}}, {0.35, 1.0}, {}, 1.3}}};
+  r.suites = {{"suite",
+               "of two",
+               "ASCE 7-16, S_S 1.5 g",
+               {{0.0, 0.5}, {{0.4, 0.9}, {0.3, 1.1}}, {0.35, 1.0}, {}, 1.3}}};
   r.records = {{0, "a", "event", "station", 6.9, 8.5, 380.0, 2.5, 1.7, 0.5, 0.4, 0.3, 12.5, 0.005,
                 7671, true, false, 1},
                {0, "b", "", "", 0, 0, 0, 1, 0, 0, 0, 0, 0, 0.01, 1, false, true, 0}};
@@ -219,7 +222,14 @@ inline void add_hazard(Results& r) {
   HazardResults& hazard = r.hazard.emplace();
   hazard = {"hazard.csv", {0.1, 1.0}, {0.01, 1e-4}, 25.0, 1e-5, r.axes == SlidingAxes::two, {}};
   for (const RunResults& of : r.runs) {
-    HazardRun run{of.label, {}, {}, {}, {}, 3.5, 0.25, 0.125};
+    HazardRun run{of.label, {}, {}, {}, {}, 3.5, 0.25, 0.125, {}, {}};
+    run.prescribed = {{Standard::seaoc_pv1_2012,
+                       1.25,
+                       {0.5, Provenance::recalled, "equation"},
+                       1e-3,
+                       {5e-4, 2e-3}}};
+    run.life_distribution = {{LifeQuantity::single, 0.5, 0.1},
+                             {LifeQuantity::farthest, 0.99, infinity}};
     double x = of.first_case == 0 ? 1.0 : 2.0;
     for (const double threshold_m : r.thresholds_m) {
       run.thresholds.push_back(

@@ -45,6 +45,35 @@ TEST(hazard_report, has_a_row_for_each_run_and_threshold_target_and_quantity) {
               AllOf(HasSubstr("Annual rates"), HasSubstr("Slip over 25 years")));
 }
 
+TEST(hazard_report, compares_what_is_prescribed_with_the_displacement_of_1_percent_in_50_years) {
+  Results r = made_up_hazard();
+  const auto has_table = [&] {
+    return std::ranges::count(csv_tables(r), FileName("hazard_standards"), &Table::name) == 1;
+  };
+  EXPECT_FALSE(has_table());
+  for (HazardRun& run : r.hazard->runs) {
+    run.curve = {{0.1, 1e-3, {}}, {1.0, 1e-5, {}}};  // 2.01e-4 at 0.1 x (1e-3 / 2.01e-4)^(1/2)
+    run.prescribed = {
+        {Standard::seaoc_pv1_2012, 1.0, {0.5, Provenance::checked, ""}, 1e-3, {5e-4, 2e-3}}};
+  }
+  ASSERT_TRUE(has_table());
+  const Table table = table_of(r, "hazard_standards");
+  const double target_m = 0.1 * std::sqrt(1e-3 / rate_of(0.01, 50.0));
+  EXPECT_NEAR(std::get<double>(table.rows[0][7]), target_m, 1e-12);
+  EXPECT_NEAR(std::get<double>(table.rows[0][8]), target_m / 0.5, 1e-12);
+  EXPECT_THAT(answer_sentences(r),
+              Contains(AllOf(HasSubstr("SEAOC PV1-2012 prescribes 0.500 m"),
+                             HasSubstr("4.9 % (95 % interval"), HasSubstr(format_length(target_m)))));
+}
+
+TEST(hazard_report, draws_the_distribution_over_the_design_life) {
+  const Figure figure = figure_named(make_figures(made_up_hazard()), "design_life");
+  ASSERT_EQ(figure.panels.size(), 1u);
+  ASSERT_EQ(figure.panels[0].series.size(), 3u);
+  for (const DataSeries& line : figure.panels[0].series)
+    EXPECT_TRUE(std::ranges::is_sorted(line.y, std::greater<>()));
+}
+
 TEST(hazard_report, states_what_the_levels_do_not_show) {
   const Results r = made_up_hazard();  // S_DS up to 2 g: 1/4000 a year
   const std::vector<std::string> sentences = answer_sentences(r);

@@ -218,5 +218,55 @@ TEST(design_life, is_the_same_each_time) {
   }
 }
 
+/// Records that reach 1 m at 0.5 and at 2: displacement rises from 0 at level 0.25.
+ByHand two_records() {
+  ByHand study(2, 1, {0.25, 0.5, 2.0, 4.0}, {1.0});
+  study.capacity(0, 0, 0) = 0.5;
+  study.capacity(1, 0, 0) = 2.0;
+  for (const std::size_t record : {0, 1})
+    for (const std::size_t level : {1, 2, 3})
+      study.peak_m(record, 0, level) = record == 0 || level > 1 ? 1.0 : 0.0;
+  return study;
+}
+
+TEST(hazard, gives_the_rate_of_what_standards_prescribe_at_the_s_ds_of_the_site) {
+  ByHand study = two_records();
+  EXPECT_TRUE(study.run().prescribed.empty());  // S_DS is not known
+  study.config.standards.compare = {Standard::asce7_16};
+  study.config.hazard->sds_g = 1.0;  // 5 (1 - 0.4)^2 ft = 1.8 ft = 0.549 m
+  const HazardRun run = study.run();
+  ASSERT_EQ(run.prescribed.size(), 1u);
+  const PrescribedRate& row = run.prescribed[0];
+  EXPECT_EQ(row.sds_g, 1.0);
+  // It is not less than 24 in.
+  EXPECT_NEAR(row.prescribed.value_m, 0.6096, 1e-12);
+  // sqrt(D) is a line from 0 at the node before: at 0.25 and 0.5, at 0.5 and 2.
+  const double share = std::sqrt(0.6096), k0 = 1e-3;
+  const double first = k0 * std::pow(0.25 + 0.25 * share, -2.0),
+               second = k0 * std::pow(0.5 + 1.5 * share, -2.0);
+  EXPECT_NEAR(row.annual_rate / (0.5 * (first + second)), 1.0, 1e-12);
+  study.config.hazard->sds_g = 0.0;
+  study.results.model.dbe_level = 2.0;  // that of the design target
+  EXPECT_EQ(study.run().prescribed.at(0).sds_g, 2.0);
+}
+
+TEST(hazard, gives_the_distribution_of_slip_over_the_design_life) {
+  ByHand study = two_records();
+  study.hazard(0.05, 2.0, 25.0);
+  const HazardRun run = study.run();
+  for (const LifeQuantity quantity :
+       {LifeQuantity::single, LifeQuantity::accumulated, LifeQuantity::farthest}) {
+    std::vector<LifeQuantile> rows;
+    for (const LifeQuantile& row : run.life_distribution)
+      if (row.quantity == quantity) rows.push_back(row);
+    ASSERT_EQ(rows.size(), 13u);
+    EXPECT_TRUE(std::ranges::is_sorted(rows, {}, &LifeQuantile::displacement_m));
+    EXPECT_TRUE(std::ranges::is_sorted(rows, {}, &LifeQuantile::probability));
+    const LifeDisplacement& life = run.life[static_cast<std::size_t>(quantity)];
+    EXPECT_EQ(rows[4].displacement_m, life.median_m);
+    EXPECT_EQ(rows[8].displacement_m, life.p95_m);
+  }
+}
+
 }  // namespace
 }  // namespace glissade

@@ -6,13 +6,14 @@
 #include <vector>
 
 #include "glissade/fragility/fit.hpp"
+#include "glissade/standards/prescriptive.hpp"
+#include "glissade/study/config.hpp"
 
 // How often: annual rates of displacements, and what adds up over the design life. Displacements
 // are in plan. Records are the independent unit of all intervals (95 %).
 namespace glissade {
 
 struct Results;
-struct StudyConfig;
 
 /// Exceedance of one threshold. The rate is the mean of the hazard curve over the capacities, that
 /// is the integral of the share that has reached the threshold over the hazard, without a fit and
@@ -43,6 +44,15 @@ struct TargetDisplacement {
   double intensity = 0.0;  ///< that shaking exceeds at this rate
 };
 
+/// How often what a standard prescribes at the site's S_DS is exceeded: as of a displacement.
+struct PrescribedRate {
+  Standard standard = Standard::seaoc_pv1_2012;
+  double sds_g = 0.0;
+  Prescription prescribed;
+  double annual_rate = 0.0;
+  Interval rate_interval;
+};
+
 enum class LifeQuantity {
   single,       ///< the largest peak displacement in one earthquake
   accumulated,  ///< distance at the end of the life from the first place, never put back
@@ -55,6 +65,12 @@ struct LifeDisplacement {
   Interval median_interval, p84_interval, p95_interval;
 };
 
+/// The displacement that a quantity stays below in a part of the design lives.
+struct LifeQuantile {
+  LifeQuantity quantity = LifeQuantity::single;
+  double probability = 0.0, displacement_m = 0.0;
+};
+
 /// Of one combination of what the study lists.
 struct HazardRun {
   std::string label;  ///< that of its fragility
@@ -65,6 +81,9 @@ struct HazardRun {
   double events = 0.0;                 ///< expected earthquakes in a life above `from_intensity`
   double from_intensity = 0.0;         ///< below it none is counted
   double moving_share = 0.0;           ///< of histories that slide at `from_intensity` already
+  std::vector<PrescribedRate> prescribed;  ///< empty where the study compares with none, or S_DS of
+                                           ///< the site is not known
+  std::vector<LifeQuantile> life_distribution;
 };
 
 struct HazardResults {

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
 #include <span>
 #include <unordered_map>
 #include <utility>
@@ -15,6 +16,7 @@
 #include "glissade/building/roof_table.hpp"
 #include "glissade/study/cases/axis_motion.hpp"
 #include "glissade/study/plan/plan.hpp"
+#include "glissade/study/run/scene.hpp"
 
 namespace glissade {
 
@@ -79,7 +81,10 @@ class RoofStore {
   std::shared_ptr<GroundTable> ground(const AxisMotion& axis, int parts);
   std::shared_ptr<MotionTable> vertical(const Case& c, int parts);
   int vertical_parts(const Case& c) const;
-  RoofMotionOptions follow(std::span<const CaseNumber> cases, double factor) const;
+  LeastAccelerations least_of(std::span<const CaseNumber> cases) const;
+  LeastAccelerations least_on(std::size_t building);
+  const LeastAccelerations& least_of_all();
+  RoofMotionOptions follow(const LeastAccelerations& least, double factor) const;
   CaseRoof& kept(std::size_t building);
   void make(std::span<const std::size_t> buildings, std::span<CaseRoof> roofs);
   void make(std::span<const std::size_t> buildings, std::span<const RoofMotionOptions> follow,
@@ -91,6 +96,8 @@ class RoofStore {
   const Plan& plan_;
   Skipping skipping_;
   std::uint64_t roofs_made_ = 0;
+  std::map<std::size_t, LeastAccelerations> least_;  ///< by building, where roofs are kept
+  std::optional<LeastAccelerations> least_of_all_;
 
   std::size_t record_ = static_cast<std::size_t>(-1);
   std::map<AxisKey, std::vector<double>> mixed_;                            ///< of both components

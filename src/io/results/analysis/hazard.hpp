@@ -69,6 +69,25 @@ void exchange_life(const Archive& archive, Rows& rows) {
   column("p95_m", {"m", "95 % interval of the 95th percentile"}, &LifeDisplacement::p95_interval);
 }
 
+template <class Archive, class Rows>
+void exchange_life_distribution(const Archive& archive, Rows& rows) {
+  const Columns column(archive, rows, "quantity");
+  column("quantity", {"-", "what of a design life"}, &LifeQuantile::quantity,
+         life_quantity_names());
+  column("probability", {"-", "part of the design lives"}, &LifeQuantile::probability);
+  column("displacement_m", {"m", "displacement that it stays below in so many"},
+         &LifeQuantile::displacement_m);
+}
+
+template <class Archive, class Rows>
+void exchange_prescribed_rates(const Archive& archive, Rows& rows) {
+  exchange_prescriptions(archive, rows);
+  const Columns column(archive, rows, "standard");
+  column("annual_rate", {"1/year", "annual rate of exceeding it; inf: slides freely"},
+         &PrescribedRate::annual_rate);
+  column("annual_rate", {"1/year", "95 % interval of the rate"}, &PrescribedRate::rate_interval);
+}
+
 template <class Archive, class H>
 void exchange_hazard(const Archive& archive, const IntensityScale& scale, H& hazard) {
   archive.attribute("source", hazard.source);
@@ -98,6 +117,8 @@ void exchange_hazard(const Archive& archive, const IntensityScale& scale, H& haz
     exchange_displacement_rates(group.group("curve"), run.curve);
     exchange_targets(group.group("targets"), scale, run.targets);
     exchange_life(group.group("design_life"), run.life);
+    exchange_life_distribution(group.group("design_life_distribution"), run.life_distribution);
+    exchange_prescribed_rates(group.group("standards"), run.prescribed);
   }
 }
 

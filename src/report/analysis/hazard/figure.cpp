@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "analysis/hazard/hazard.hpp"
@@ -104,6 +105,45 @@ Figure hazard_figure(const Results& results) {
                            look(Role::reference).colour, Note::Align::right});
   }
   figure.panels = {std::move(panel)};
+  return figure;
+}
+
+Figure life_figure(const Results& results) {
+  const HazardResults& hazard = *results.hazard;
+  const std::size_t shown = least_favourable_run(results);
+  constexpr double least_part = 1e-3;
+  const std::array names = {std::pair{LifeQuantity::single, "largest earthquake"},
+                            std::pair{LifeQuantity::accumulated, "accumulated at the end"},
+                            std::pair{LifeQuantity::farthest, "farthest at any time"}};
+  double right_m = 0.01;
+  for (const LifeQuantile& row : hazard.runs[shown].life_distribution)
+    if (std::isfinite(row.displacement_m)) right_m = std::max(right_m, row.displacement_m);
+  Panel panel{"", length_axis("Displacement in plan", room_for_rates * right_m)};
+  panel.y = {"Part of the design lives that exceed it",
+             height(least_part),
+             0.0,
+             {},
+             Axis::Values::logarithms};
+  for (const double part : {1e-3, 1e-2, 1e-1, 1.0})
+    panel.y.ticks.push_back({height(part), fmt::format("{:g} %", 100.0 * part)});
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    DataSeries line{DataSeries::Kind::line, distinct_look(i), names[i].second, names[i].second};
+    for (const LifeQuantile& row : hazard.runs[shown].life_distribution) {
+      if (row.quantity != names[i].first || !std::isfinite(row.displacement_m)) continue;
+      line.x.push_back(row.displacement_m);
+      line.y.push_back(height(1.0 - row.probability));
+    }
+    panel.series.push_back(std::move(line));
+  }
+  Figure figure{
+      "design_life", "Slip over " + life_text(hazard),
+      counts_of(results) + "; " + run_name(results, results.runs[shown]) + "; hazard curve " +
+          curve_name(hazard),
+      "The array is never put back. Accumulated: residual displacements add up as vectors. "
+      "Lines end where shaking above the highest level decides, or at one life in a thousand. "
+      "Numbers: tables/design_life_distribution.csv."};
+  figure.panels.push_back(std::move(panel));
+  figure.labels_at_lines = true;
   return figure;
 }
 

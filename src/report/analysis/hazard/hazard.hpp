@@ -27,6 +27,13 @@ Table hazard_table(const Results& results, std::optional<double> threshold_m = {
 Table hazard_curve_table(const Results& results);
 /// Per run and target rate.
 Table hazard_targets_table(const Results& results);
+/// By the run's curve, linear in logarithms; infinite beyond it.
+double displacement_of_rate(const HazardRun& run, double annual_rate);
+/// Per run and standard: no rows where the study compares with none, or S_DS of the site is not
+/// known.
+Table hazard_standards_table(const Results& results);
+/// Per run, quantity and part of the lives.
+Table life_distribution_table(const Results& results);
 /// Per run: largest peak of one earthquake, accumulated slip, farthest distance.
 Table design_life_table(const Results& results);
 /// The 95th percentiles alone, a row per run: on a page.
@@ -35,5 +42,8 @@ std::vector<std::string> hazard_sentences(const Results& results);
 
 /// Annual rate over displacement, of four runs at most.
 Figure hazard_figure(const Results& results);
+/// Over displacement the part of the design lives that exceed it, of the run with the most slip:
+/// largest earthquake, accumulated, farthest.
+Figure life_figure(const Results& results);
 
 }  // namespace glissade

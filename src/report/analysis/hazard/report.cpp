@@ -77,6 +77,33 @@ std::string target_sentence(const Results& results, std::size_t target) {
                      format_length_interval(row.displacement_interval));
 }
 
+/// @param standard of HazardRun::prescribed; of the run that exceeds it most often
+std::string prescribed_sentence(const Results& results, std::size_t standard) {
+  const std::vector<HazardRun>& runs = results.hazard->runs;
+  std::size_t most = 0;
+  for (std::size_t i = 1; i < runs.size(); ++i)
+    if (friction_value_of(results, results.runs[i]) ==
+            friction_value_of(results, results.runs[0]) &&
+        runs[i].prescribed[standard].annual_rate > runs[most].prescribed[standard].annual_rate)
+      most = i;
+  const PrescribedRate& row = runs[most].prescribed[standard];
+  const double target_m = displacement_of_rate(runs[most], rate_of(0.01, 50.0));
+  return fmt::format(
+      "{} prescribes {}{} at the S_DS of the site, {:g} g: it is exceeded with a probability of {} "
+      "in 50 years{}; {} is exceeded with 1 % in 50 years.",
+      standard_name(row.standard), format_length(row.prescribed.value_m),
+      row.prescribed.provenance == Provenance::recalled ? " (recalled: verify against the standard)"
+                                                        : "",
+      row.sds_g,
+      share_range(probability_in(50.0, row.annual_rate),
+                  {probability_in(50.0, row.rate_interval.low),
+                   probability_in(50.0, row.rate_interval.high)}),
+      lists_more_than_friction_value(results)
+          ? " (most often: " + run_name(results, results.runs[most]) + ")"
+          : "",
+      std::isinf(target_m) ? "more than the levels reach" : format_length(target_m));
+}
+
 std::string length_or_none(double length_m) {
   return std::isinf(length_m) ? "without bound" : format_length(length_m);
 }
@@ -136,18 +163,25 @@ std::string summary(const Results& results) {
   const std::size_t shown = least_favourable_run(results);
   const HazardRun& run = results.hazard->runs[shown];
   for (std::size_t i = 0; i < run.targets.size(); ++i) text += wrapped(target_sentence(results, i));
+  for (std::size_t i = 0; i < run.prescribed.size(); ++i)
+    text += wrapped(prescribed_sentence(results, i));
   if (results.runs.size() > 1) text += wrapped("Of " + least_favourable(results) + ":");
   for (const std::string& sentence : life_sentences(results, run)) text += wrapped(sentence);
   return text;
 }
 
 std::vector<Table> tables(const Results& results) {
-  return {hazard_table(results), hazard_targets_table(results), design_life_table(results),
-          hazard_curve_table(results)};
+  std::vector<Table> all{hazard_table(results), hazard_targets_table(results),
+                         design_life_table(results), life_distribution_table(results),
+                         hazard_curve_table(results)};
+  if (Table standards = hazard_standards_table(results); !standards.rows.empty())
+    all.push_back(std::move(standards));
+  return all;
 }
 
 Html section(const Results& results) {
   const HazardResults& hazard = *results.hazard;
+  const Table standards = hazard_standards_table(results);
   return heading("Annual rates") +
          paragraph(
              "The annual rate is the mean of the hazard curve over the capacities of the "
@@ -157,6 +191,7 @@ Html section(const Results& results) {
              "either end as in the last interval.") +
          wide_table(without_run_key(results, hazard_table(results))) +
          wide_table(without_run_key(results, hazard_targets_table(results))) +
+         (standards.rows.empty() ? Html() : wide_table(without_run_key(results, standards))) +
          heading("Slip over " + life_text(hazard)) +
          paragraph(
              "Earthquakes are a Poisson process with the rates of the hazard curve. Each has a "
@@ -181,6 +216,8 @@ std::vector<std::string> hazard_sentences(const Results& results) {
   if (!at.empty())
     all.front() = "Combination with the highest annual rates overall. " + all.front();
   for (std::size_t i = 0; i < run.targets.size(); ++i) all.push_back(target_sentence(results, i));
+  for (std::size_t i = 0; i < run.prescribed.size(); ++i)
+    all.push_back(prescribed_sentence(results, i));
   for (const std::string& sentence : life_sentences(results, run)) all.push_back(at + sentence);
   return all;
 }
@@ -189,7 +226,10 @@ AnalysisReport hazard_report() {
   return {.is_in = [](const Results& results) { return results.hazard.has_value(); },
           .summary = summary,
           .sentences = hazard_sentences,
-          .figures = [](const Results& results) { return std::vector{hazard_figure(results)}; },
+          .figures =
+              [](const Results& results) {
+                return std::vector{hazard_figure(results), life_figure(results)};
+              },
           .tables = tables,
           .section = section};
 }

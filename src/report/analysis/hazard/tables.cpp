@@ -5,6 +5,7 @@
 #include <cctype>
 #include <cmath>
 #include <filesystem>
+#include <limits>
 
 #include "analysis/hazard/hazard.hpp"
 #include "glissade/fragility/hazard.hpp"
@@ -41,6 +42,18 @@ std::string quantity_name(LifeQuantity quantity) {
 }
 
 }  // namespace
+
+double displacement_of_rate(const HazardRun& run, double annual_rate) {
+  const auto& curve = run.curve;
+  const auto at = std::ranges::find_if(
+      curve, [&](const DisplacementRate& row) { return row.annual_rate <= annual_rate; });
+  if (at == curve.end()) return std::numeric_limits<double>::infinity();
+  if (at == curve.begin() || std::isinf((at - 1)->annual_rate)) return at->displacement_m;
+  const DisplacementRate& before = *(at - 1);
+  const double share =
+      std::log(before.annual_rate / annual_rate) / std::log(before.annual_rate / at->annual_rate);
+  return before.displacement_m * std::pow(at->displacement_m / before.displacement_m, share);
+}
 
 const char* sign_of(const ThresholdRate& row) { return row.beyond_share == 1.0 ? "< " : ""; }
 
@@ -121,6 +134,49 @@ Table hazard_targets_table(const Results& results) {
       table.add({run.label, rate_text(row.annual_rate), row.annual_rate,
                  probability_in(50.0, row.annual_rate), target_of(run, row), row.intensity});
   }
+  return with_listed(results, table);
+}
+
+Table hazard_standards_table(const Results& results) {
+  Table table{"hazard_standards",
+              "How often the displacements that standards prescribe at the S_DS of the site are "
+              "exceeded, beside the displacement that is exceeded with 1 % in 50 years." +
+                  by_curve(results) + in_plan(results),
+              {text_column("run", "Run"),
+               text_column("standard", "Standard"),
+               text_column("provision", "Provision"),
+               {"sds", "g", "S_DS, g"},
+               {"prescribed", "m", "Prescribed, m (in)", ColumnKind::length},
+               {"annual_rate", "per_year", "Annual rate [95 %]", ColumnKind::rate, true},
+               {"probability_50_years", "", "In 50 years", ColumnKind::share},
+               {"risk_targeted", "m", "1 % in 50 years, m (in)", ColumnKind::length},
+               {"ratio", "", "That over prescribed"}},
+              {}};
+  for (const HazardRun& run : results.hazard->runs) {
+    const double target = displacement_of_rate(run, rate_of(0.01, 50.0));
+    for (const PrescribedRate& row : run.prescribed)
+      table.add(
+          {run.label, standard_name(row.standard),
+           std::string(row.prescribed.provenance == Provenance::checked ? "checked" : "recalled"),
+           row.sds_g, row.prescribed.value_m, Estimate{row.annual_rate, row.rate_interval},
+           probability_in(50.0, row.annual_rate), target, target / row.prescribed.value_m});
+  }
+  return with_listed(results, table);
+}
+
+Table life_distribution_table(const Results& results) {
+  Table table{"design_life_distribution",
+              "Slip over " + life_text(*results.hazard) +
+                  ", the array never put back: what it stays below in a part of the design lives." +
+                  by_curve(results) + in_plan(results),
+              {text_column("run", "Run"),
+               text_column("quantity", "Slip"),
+               {"probability", "", "Part of the lives", ColumnKind::share},
+               {"displacement", "m", "Displacement, m (in)", ColumnKind::length}},
+              {}};
+  for (const HazardRun& run : results.hazard->runs)
+    for (const LifeQuantile& row : run.life_distribution)
+      table.add({run.label, quantity_name(row.quantity), row.probability, row.displacement_m});
   return with_listed(results, table);
 }
 

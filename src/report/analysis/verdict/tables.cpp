@@ -158,7 +158,9 @@ Table verdict_summary_table(const Results& results) {
       "Exceeded: with more than {} probability at DBE. Conservative: more than twice "
       "the displacement that {} of the histories exceed at DBE. Conditions: slope and "
       "friction of the standard. Provision: reproduced from a source (checked), or from "
-      "memory of the standard (recalled: verify it); least values are recalled.",
+      "memory of the standard (recalled: verify it); least values are recalled. ASCE 7-22 is not "
+      "judged apart: its 13.6.12 has the equation of ASCE 7-16 (recalled), with an S_DS "
+      "of its own.",
       percent(verdict.exceedance.front()), percent(verdict.exceedance.back()))};
   const bool lists_more = std::ranges::any_of(results.cases.axes, [](const CaseAxis& axis) {
     return axis.key != "friction.mu" && axis.key != "roof.slope_deg" &&

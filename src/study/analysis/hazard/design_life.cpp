@@ -167,8 +167,12 @@ void add_design_life(const HazardConfig& hazard, const Results& results, CaseSli
   const Lives lives = draw_lives(hazard.curve, levels, first, run.events, count, options.seed);
   const LifeModel model(results, cases);
   const std::size_t records = results.histories.records;
-  const Percentiles found =
-      percentiles_of(model.slips_m(lives, count, std::vector<double>(records, 1.0)));
+  const auto slips = model.slips_m(lives, count, std::vector<double>(records, 1.0));
+  const Percentiles found = percentiles_of(slips);
+  for (std::size_t q = 0; q < life_quantities.size(); ++q)
+    for (const double p :
+         {0.01, 0.05, 0.1, 0.25, 0.5, 0.75, 0.84, 0.9, 0.95, 0.975, 0.99, 0.995, 0.999})
+      run.life_distribution.push_back({life_quantities[q], p, quantile_of_sorted(slips[q], p)});
   // One resample gives all percentiles.
   std::map<std::vector<double>, Percentiles> of_weights;
   const auto resampled = [&](const std::vector<double>& weights) -> const Percentiles& {

@@ -190,6 +190,23 @@ void add_curve(const Rates& rates, HazardRun& run) {
   }
 }
 
+/// @param sds_g of the site
+void add_prescribed(const Rates& rates, const StandardsConfig& standards, double sds_g,
+                    HazardRun& run) {
+  std::vector<double> displacements_m;
+  for (const Standard standard : standards.compare) {
+    run.prescribed.push_back(
+        {standard, sds_g, prescribed_displacement(standard, sds_g, standards), 0.0, {}});
+    displacements_m.push_back(run.prescribed.back().prescribed.value_m);
+  }
+  const std::vector<std::vector<double>> by_record = rates.rates_of(displacements_m);
+  for (std::size_t i = 0; i < by_record.size(); ++i) {
+    run.prescribed[i].annual_rate =
+        mean_of(by_record[i], std::vector<double>(rates.records(), 1.0));
+    run.prescribed[i].rate_interval = rates.interval(by_record[i]);
+  }
+}
+
 }  // namespace
 
 HazardResults hazard_results(const StudyConfig& config, const Results& results) {
@@ -210,6 +227,8 @@ HazardResults hazard_results(const StudyConfig& config, const Results& results) 
     for (std::size_t t = 0; t < run.fragilities.size(); ++t)
       row.thresholds.push_back(rates.of_threshold(run.fragilities[t], t));
     add_curve(rates, row);
+    const double sds_g = hazard.sds_g > 0.0 ? hazard.sds_g : results.model.dbe_level;
+    if (sds_g > 0.0) add_prescribed(rates, config.standards, sds_g, row);
     add_design_life(hazard, results, slice_of(run), options, row);
   }
   return found;
