@@ -58,10 +58,10 @@ Table cost_table() {
            {"shared_time", "s", "Shared by the ranks, s"},
            {"longest_time", "s", "longest part, s"},
            text_column("longest", "its record"),
-           {"every_rank_time", "s", "On every rank, s"},
            {"analyses_time", "s", "Analyses, shared on rank 0's machine, s"},
            {"root_time", "s", "On rank 0 alone, s"},
-           {"report_time", "s", "of these the report, s"},
+           {"plan_time", "s", "of these the plan, s"},
+           {"report_time", "s", "the report, s"},
            {"result_size", "byte", "Results, byte a history"}},
           {}};
 }
@@ -70,8 +70,8 @@ void add_costs(const StudyCosts& c, Table& table) {
   double plan_parts_s = 0.0;
   for (const double s : c.plan_parts_s) plan_parts_s += s;
   table.add({c.name, c.histories, static_cast<double>(c.work_s.size() - c.motion_parts),
-             c.histories_s() + plan_parts_s, std::ranges::max(c.work_s), c.longest, c.plan_s,
-             c.analyses_s, c.motions_s + c.tail_s + c.report_s, c.report_s,
+             c.histories_s() + plan_parts_s, std::ranges::max(c.work_s), c.longest, c.analyses_s,
+             c.motions_s + c.plan_s + c.tail_s + c.report_s, c.plan_s, c.report_s,
              c.result_bytes / c.histories});
 }
 

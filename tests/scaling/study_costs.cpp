@@ -61,6 +61,7 @@ StudyCosts measure_study(const std::filesystem::path& study, const std::filesyst
   costs.plan_s -= sum(costs.plan_parts_s);
   costs.name = config.name;
   costs.histories = static_cast<double>(plan.histories());
+  costs.units_wanted = units_wanted(plan.kernel.kernel);
 
   std::vector<std::vector<double>> parts;
   costs.motion_parts = motion_part_count(plan);
@@ -97,12 +98,12 @@ StudyCosts measure_study(const std::filesystem::path& study, const std::filesyst
 }
 
 StudyCosts grown(const StudyCosts& costs, double factor) {
-  // As cut_units() in study/plan: 512 units, of 1 ms to 5 s.
+  // As cut_units() in study/plan: so many units, of 1 ms to 5 s.
   const double units = static_cast<double>(costs.work_s.size() - costs.motion_parts);
   const double units_s =
       std::accumulate(costs.work_s.begin() + static_cast<std::ptrdiff_t>(costs.motion_parts),
                       costs.work_s.end(), 0.0);
-  const double unit_s = std::clamp(units_s * factor / 512.0, 1e-3, 5.0);
+  const double unit_s = std::clamp(units_s * factor / costs.units_wanted, 1e-3, 5.0);
   const double longer = std::max(1.0, unit_s / (units_s / units));
   StudyCosts more = costs;
   more.histories *= factor;
@@ -129,8 +130,8 @@ PredictedRun predict(const StudyCosts& costs, int ranks, int cores, const Networ
                     costs.result_bytes * others / ranks / network.bytes_per_s +
                     others * 2.0 * network.latency_s;
   run.total_s = costs.motions_s + rounds * costs.motion_bytes / network.bytes_per_s +
-                makespan_s(costs.plan_parts_s, ranks, network, fetch, slowdown) +
-                slowdown * costs.plan_s + run.histories_s + costs.tail_s +
+                makespan_s(costs.plan_parts_s, ranks, network, fetch, slowdown) + costs.plan_s +
+                run.histories_s + costs.tail_s +
                 costs.analyses_s / std::min(on_one_machine, costs.pieces) + costs.report_s;
   return run;
 }

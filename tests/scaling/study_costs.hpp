@@ -15,7 +15,8 @@ struct StudyCosts {
   double histories = 0.0;
   double motions_s = 0.0;            ///< rank 0 alone
   std::vector<double> plan_parts_s;  ///< shared
-  double plan_s = 0.0;               ///< the rest, on every rank
+  double units_wanted = 0.0;         ///< of its kernel
+  double plan_s = 0.0;               ///< the rest, on rank 0
   std::vector<double> work_s;        ///< motion parts and units, as they go out
   std::size_t motion_parts = 0;      ///< of work_s, first
   std::string longest;               ///< of work_s: the record

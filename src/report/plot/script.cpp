@@ -30,11 +30,18 @@ int key_entries(const Panel& panel) {
                           std::ranges::count_if(panel.rules, labelled));
 }
 
+/// Labels of ticks are formats of gnuplot, where % has a meaning.
+std::string as_format(const std::string& label) {
+  std::string format;
+  for (const char c : label) format += c == '%' ? std::string("%%") : std::string(1, c);
+  return format;
+}
+
 void add_ticks(Script& script, const std::vector<Tick>& ticks) {
   script.add("(");
   for (std::size_t i = 0; i < ticks.size(); ++i) {
     if (i > 0) script.add(", ");
-    script.add("{} {}", Quoted(ticks[i].label), ticks[i].at);
+    script.add("{} {}", Quoted(as_format(ticks[i].label)), ticks[i].at);
   }
   script.add(")\n");
 }

@@ -93,13 +93,12 @@ double record_us(const Plan& plan, std::size_t record) {
 /// seconds.
 void cut_units(Plan& plan) {
   constexpr double least_us = 1000.0, most_us = 5e6;
-  // The lanes of the full model are filled by the cases of one unit.
-  const double units_wanted = plan.kernel.kernel == Kernel::full ? 128.0 : 512.0;
   constexpr std::size_t roofs_at_once = 16;
   const std::size_t blocks = plan.config.sampling.blocks_in_turn().count;
   const bool makes_roofs = plan.kernel.kernel == Kernel::tables && !plan.roofs_are_kept;
   const double unit_us =
-      std::clamp(plan.predicted_seconds() * 1e6 / (units_wanted * static_cast<double>(blocks)),
+      std::clamp(plan.predicted_seconds() * 1e6 /
+                     (units_wanted(plan.kernel.kernel) * static_cast<double>(blocks)),
                  least_us, most_us);
   std::vector<WorkUnit> units;
   std::size_t begin = 0;
@@ -220,6 +219,8 @@ double Plan::predicted_seconds() const {
     us += record_us(*this, record) * static_cast<double>(order.size());
   return 1e-6 * us;
 }
+
+double units_wanted(Kernel kernel) { return kernel == Kernel::full ? 128.0 : 512.0; }
 
 std::vector<std::size_t> longest_first(const Plan& plan, std::size_t block) {
   const std::size_t begin = block == 0 ? 0 : plan.unit_ends[block - 1];

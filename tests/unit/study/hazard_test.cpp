@@ -259,12 +259,12 @@ TEST(hazard, gives_the_distribution_of_slip_over_the_design_life) {
     std::vector<LifeQuantile> rows;
     for (const LifeQuantile& row : run.life_distribution)
       if (row.quantity == quantity) rows.push_back(row);
-    ASSERT_EQ(rows.size(), 13u);
+    ASSERT_EQ(rows.size(), 21u);
     EXPECT_TRUE(std::ranges::is_sorted(rows, {}, &LifeQuantile::displacement_m));
     EXPECT_TRUE(std::ranges::is_sorted(rows, {}, &LifeQuantile::probability));
     const LifeDisplacement& life = run.life[static_cast<std::size_t>(quantity)];
     EXPECT_EQ(rows[4].displacement_m, life.median_m);
-    EXPECT_EQ(rows[8].displacement_m, life.p95_m);
+    EXPECT_EQ(rows[10].displacement_m, life.p95_m);
   }
 }
 

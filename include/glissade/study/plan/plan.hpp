@@ -107,6 +107,10 @@ std::string fingerprint(const Plan& plan);
 /// A line for each motion and each target of the suites: name, then a hash of the numbers.
 std::string motions_text(const Plan& plan);
 
+/// How many units a study is cut into, where it has that many cases of 1 ms or more: fewer of the
+/// full model, whose lanes are filled by the cases of one unit.
+double units_wanted(Kernel kernel);
+
 /// The units of a block in the order in which ranks take them: the longest first, as predicted.
 std::vector<std::size_t> longest_first(const Plan& plan, std::size_t block);
 

@@ -85,7 +85,7 @@ Table hazard_table(const Results& results, std::optional<double> threshold_m) {
        {"fit_rate", "per_year", "Annual rate by the lognormal fit", ColumnKind::rate}},
       {}};
   table.columns.back().detail = true;
-  table.columns[5].detail = hazard.design_life_years == 50.0;  // it is there already
+  table.columns[5].detail = true;
   for (const HazardRun& run : hazard.runs) {
     for (const ThresholdRate& row : run.thresholds) {
       if (row.threshold_m != threshold_m.value_or(row.threshold_m)) continue;
