@@ -220,7 +220,7 @@ double Plan::predicted_seconds() const {
   return 1e-6 * us;
 }
 
-double units_wanted(Kernel kernel) { return kernel == Kernel::full ? 128.0 : 512.0; }
+double units_wanted(Kernel kernel) { return kernel == Kernel::full ? 256.0 : 512.0; }
 
 std::vector<std::size_t> longest_first(const Plan& plan, std::size_t block) {
   const std::size_t begin = block == 0 ? 0 : plan.unit_ends[block - 1];
@@ -287,7 +287,7 @@ Plan make_plan(const StudyConfig& config, std::vector<Suite> suites,
 std::string motions_text(const Plan& plan) {
   std::string text;
   for (std::size_t s = 0; s < plan.suites.size(); ++s) {
-    const std::string file = plan.config.suite_files[s].string();
+    const std::string file = plan.config.suite_files[s].filename().string();
     Hasher target;
     hash_target(target, plan.suites[s].target);
     text += file + ", target " + to_hex(target.value()) + "\n";
