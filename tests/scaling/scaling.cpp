@@ -115,8 +115,8 @@ std::vector<Scaling> scalings(const StudyCosts& costs) {
   std::vector<Scaling> all{{"strong", "samples of the study", {}},
                            {"strong_1000", "1,000 times the samples", {}},
                            {"weak", "samples in proportion to the ranks", {}},
-                           {"tcp", "1,000 times, without remote atomics", {}},
-                           {"tcp_when_free", "the same, nothing fetched ahead", {}}};
+                           {"tcp", "1,000 times the samples, TCP", {}},
+                           {"tcp_when_free", "the same, not fetched ahead", {}}};
   const StudyCosts large = grown(costs, 1000.0);
   for (int log2 = least_log2; log2 <= most_log2; ++log2) {
     const int ranks = 1 << log2;
@@ -156,7 +156,7 @@ Panel panel(const StudyCosts& costs, const std::vector<Scaling>& all) {
   Panel panel;
   panel.title = costs.name;
   panel.x = {"Ranks", 0.0, static_cast<double>(most_log2), {}};
-  for (int log2 = 0; log2 <= most_log2; log2 += 2)
+  for (int log2 = 0; log2 <= most_log2; log2 += 3)
     panel.x.ticks.push_back({static_cast<double>(log2), fmt::format("{}", 1 << log2)});
   panel.y = {"Efficiency (%)", 0.0, 105.0, {}};
   for (std::size_t i = 0; i < all.size(); ++i) {
@@ -198,8 +198,7 @@ int main(int argc, char** argv) try {
   Figure figure{.name = "scaling",
                 .title = "Efficiency over the number of ranks, simulated with measured costs",
                 .below = "one core's time over the time of all ranks",
-                .caption = "",
-                .key_columns = 2};
+                .caption = ""};
   for (const std::filesystem::path& study : studies) {
     const ScratchFolder scratch;
     std::filesystem::create_directories(scratch.path(""));
