@@ -176,9 +176,9 @@ void draw_fragility(const FragilityError& measured, const std::filesystem::path&
       if (all[i].method == SamplingMethod::sobol)
         label(all[i].name(), rows[rows.size() / 2], "right offset -2,-1");
       else if (all[i].fitted_on == FittedOn::counts)
-        label("plain Monte Carlo, counts", rows.back(), "right offset -2,-1.6");
+        label("plain Monte Carlo, counts", rows.front(), "left offset -5,1.8");
       else
-        label(all[i].name(), rows[1], "offset 2,1.2");
+        label(all[i].name(), rows[rows.size() / 3], "offset 2,1.2");
       plot += fmt::format("{}{} using 1:2:3:4 with yerrorlines lw 2 pt 7 ps 0.5 lc rgb '{}'",
                           i == 0 ? "plot " : ", ", block, colours[i]);
     }
