@@ -9,7 +9,7 @@ Chapter sliding_block(const Folders& folders);  ///< exact solutions, closed for
 Chapter published_scheme(
     const Folders& folders);      ///< Rodriguez-Nikl's scheme converging to the exact solution
 Chapter closed_form_solutions();  ///< pulses and harmonics, the block and the roof below it
-Chapter event_kernel(const Folders& folders);  ///< the tabulated event search
+Chapter table_kernel(const Folders& folders);  ///< the tabulated event search
 Chapter buildings(const Folders& folders);
 Chapter fragility();
 Chapter interval_coverage();  ///< nominal 95 % against simulated studies

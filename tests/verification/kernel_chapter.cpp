@@ -100,7 +100,7 @@ Case every_interval(const Suite& suite) {
 
 }  // namespace
 
-Chapter event_kernel(const Folders& folders) {
+Chapter table_kernel(const Folders& folders) {
   const Suite suite = load_suite(folders.suites / "synthetic_level2.toml");
   Chapter chapter{
       "1.4 Kernel",

@@ -54,7 +54,7 @@ int main(int argc, char** argv) try {
   std::vector<Chapter> chapters = {sliding_block(folders),
                                    published_scheme(folders),
                                    closed_form_solutions(),
-                                   event_kernel(folders),
+                                   table_kernel(folders),
                                    buildings(folders),
                                    fragility(),
                                    interval_coverage(),

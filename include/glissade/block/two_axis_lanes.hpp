@@ -51,10 +51,11 @@ double srss_of_maxima_m(const TwoAxisPeak& peak);
 /// oscillating vertical go through slide_on_building().
 class TwoAxisLanes {
  public:
-  /// @param ground valid as long as this; the tables of the last buildings under it are kept
+  /// @param ground the tables of the last buildings under it are kept, 32 MB or two of them
   /// @param tolerance as slide_on_building()'s, in [1e-9, 1e-2]
   explicit TwoAxisLanes(const BuildingGround& ground, double tolerance = 1e-6);
   ~TwoAxisLanes();
+  const BuildingGround& ground() const;
 
   /// @param peaks as many as scenes
   /// @param crossings for each scene as many as thresholds

@@ -21,4 +21,10 @@ inline void require_finite(std::initializer_list<double> values, const char* wha
   require_finite(std::span(values.begin(), values.size()), what);
 }
 
+/// The same where infinity has a meaning.
+/// @throw std::invalid_argument
+inline void require_no_nan(double value, const char* what) {
+  if (std::isnan(value)) throw std::invalid_argument(std::string(what) + " must be a number");
+}
+
 }  // namespace glissade

@@ -23,7 +23,7 @@ struct RunIdentity {
   std::string layout;  ///< unit_layout() of the plan
   std::filesystem::path study_file;
   std::string study_text;
-  std::string motions_text;  ///< see motions_text()
+  std::string motions_text;  ///< of the plan; rank 0 only
   PlanPart part = {};
 };
 

@@ -169,6 +169,7 @@ struct HazardConfig {
   double design_life_years = 0.0;             ///< > 0
   std::vector<double> target_rates_per_year;  ///< > 0, falling
   double sds_g = 0.0;                         ///< of the site, where stated; else 0
+  bool is_assumed = false;                    ///< from sds_g: no site's curve
 };
 
 /// The probabilities of exceedance that prescribed displacements are judged by: the first is

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "glissade/block/on_building.hpp"
 #include "glissade/core/contract.hpp"
-#include "glissade/core/finite.hpp"
 
 namespace glissade::block_detail {
 namespace {
@@ -23,9 +23,8 @@ BuildingContact::BuildingContact(const TwoAxisBlock& block)
       friction_(block.friction),
       at_rest_(times(block.friction, block.law.static_over_sliding)),
       law_(block.law) {
+  require_finite_scene({}, block, {});
   [[maybe_unused]] const EllipticFriction& mu = block.friction;
-  require_finite({mu.along, mu.across, block.slope_rad, block.gravity_mps2},
-                 "friction, slope, gravity");
   GLISSADE_EXPECTS(mu.along >= 0.0 && mu.across >= 0.0 && (mu.along > 0.0) == (mu.across > 0.0));
   GLISSADE_EXPECTS(block.slope_rad >= 0.0 && block.slope_rad < std::numbers::pi / 2);
   GLISSADE_EXPECTS(law_.static_over_sliding >= 1.0 && law_.fast_over_slow > 0.0 &&
@@ -64,12 +63,13 @@ double BuildingContact::friction_bound(const Accelerance& m) const {
   return (most * (tangent + mu) + mu) / std::max(divisor, 1e-3);
 }
 
-/// Newton's method on the factor k, with |v| falling by lambda f.v/|v| per k.
+/// Newton's method on the factor k, with |v| falling by lambda f.v/|v| per k, kept in a bracket:
+/// mu(|v|) / mu - k falls with k, with a corner where the block comes to rest.
 Vector BuildingContact::implicit_friction_by_speed(Vector p, double lambda) const {
-  const auto [low, high] = std::minmax({1.0, law_.fast_over_slow});
+  auto [low, high] = std::minmax({1.0, law_.fast_over_slow});
   double k = factor(p);
   Vector f;
-  for (int i = 0; i < 60; ++i) {
+  for (int i = 0; i < 100; ++i) {
     f = friction_.implicit_friction(p, lambda * k);
     const Vector v = p - (lambda * k) * f;
     const double size = length(v), cosine = loading_.cos_slope();
@@ -77,7 +77,9 @@ Vector BuildingContact::implicit_friction_by_speed(Vector p, double lambda) cons
     const double target = law_.fast_over_slow - (law_.fast_over_slow - 1.0) * decay;
     const double rate = (law_.fast_over_slow - 1.0) * law_.rate_s_per_m * decay;
     const double shortens = size > 0.0 ? lambda * dot(f, v) / size : 0.0;
-    const double next = std::clamp(k - (k - target) / (1.0 + rate * cosine * shortens), low, high);
+    (target > k ? low : high) = k;
+    double next = k - (k - target) / (1.0 + rate * cosine * shortens);
+    if (!(next >= low && next <= high)) next = 0.5 * (low + high);
     const double change = std::abs(next - k);
     k = next;
     if (change <= 4.0 * epsilon * k) break;

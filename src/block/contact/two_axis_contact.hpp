@@ -57,7 +57,9 @@ class TwoAxisLoading {
 /// lambda mu_i^2). Newton's method on 1/|x|, which is nearly a line in sigma (Hebden 1973).
 class ImplicitEllipse {
  public:
-  explicit ImplicitEllipse(Vector mu) : mu_(mu), squares_(scaled(mu, mu)) {}
+  /// @param sigma to begin with; negative: not known
+  explicit ImplicitEllipse(Vector mu, double sigma = -1.0)
+      : mu_(mu), squares_(scaled(mu, mu)), sigma_(sigma) {}
 
   /// For the present sigma, which is then improved; p and lambda may change between calls.
   Vector next(Vector p, double lambda) {
@@ -75,10 +77,11 @@ class ImplicitEllipse {
   }
   /// |x| of the last call, 1 at the root.
   double size() const { return size_; }
+  double sigma() const { return sigma_; }
 
  private:
   Vector mu_, squares_;
-  double sigma_ = -1.0, size_ = 0.0;
+  double sigma_, size_ = 0.0;
 };
 
 /// Friction on a circle or an ellipse.
@@ -121,7 +124,7 @@ class FrictionEllipse {
     return lambda > 0.0 ? (1.0 / lambda) * p : Vector{};
   }
 
-  ImplicitEllipse implicit() const { return ImplicitEllipse(mu_); }
+  ImplicitEllipse implicit(double sigma) const { return ImplicitEllipse(mu_, sigma); }
 
   /// Of a block that slides with v, not zero.
   Vector sliding(Vector v) const {

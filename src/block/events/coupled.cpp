@@ -62,6 +62,7 @@ void block_detail::require_finite_scene(const CoupledBuilding& building, const B
   require_finite({building.horizontal.period_s, building.horizontal.damping_ratio,
                   building.mass_ratio, building.yielding.hardening_ratio},
                  "period, damping, mass ratio, hardening");
+  require_no_nan(building.yielding.yield_acceleration_mps2, "yield acceleration");
   require_block(block);
   require_finite({factors.horizontal, factors.vertical}, "factors");
 }

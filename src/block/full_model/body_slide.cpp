@@ -153,6 +153,10 @@ double FullModelBody::step(const UncoupledRoof& uncoupled, double longest) {
   const double rounding = rounding_of(load);
   double length_s = std::min({step_s_, left_s, contact_.longest_step_s(load, accelerance_)});
   if (length_s < left_s && length_s > 0.5 * left_s) length_s = 0.5 * left_s;
+  // A step from rest at whose end the load would let the block rest may miss its sliding.
+  while (now_.v.s == 0.0 && now_.v.y == 0.0 && length_s > shortest_start * left_s &&
+         contact_.friction().may_rest(load_at_rest(uncoupled, length_s)))
+    length_s *= 0.5;
   Axes yields{never, never};
   bool to_yield = false;
   for (;;) {

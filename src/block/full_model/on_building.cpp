@@ -26,13 +26,9 @@ int pieces(const Oscillator& oscillator, double dt_s) {
   return static_cast<int>(block_detail::pieces_of(phase * (1.0 + 2.0 * oscillator.damping_ratio)));
 }
 
-void check([[maybe_unused]] const BuildingGround& ground,
-           [[maybe_unused]] const BiaxialBuilding& building,
-           [[maybe_unused]] const TwoAxisBlock& block) {
-  require_finite({building.mass_ratio}, "mass ratio");
-  for (std::size_t n : {0u, 1u})
-    require_finite({building.horizontal[n].period_s, building.horizontal[n].damping_ratio},
-                   "period, damping");
+void check([[maybe_unused]] const BuildingGround& ground, const BuildingFactors& factors,
+           const BiaxialBuilding& building, const TwoAxisBlock& block) {
+  require_finite_scene(building, block, factors);
   GLISSADE_EXPECTS(ground.horizontal[0] != nullptr);
   [[maybe_unused]] const double step_s = ground.horizontal[0]->step_s();
   GLISSADE_EXPECTS(ground.horizontal[1] == nullptr || ground.horizontal[1]->step_s() == step_s);
@@ -64,7 +60,7 @@ TwoAxisTrack track_of(const TwoAxisBlock& block, std::span<const double> thresho
 BuildingSlip slide_along(const TwoAxisTrack& track, const BuildingGround& ground,
                          const BuildingFactors& factors, const BiaxialBuilding& building,
                          const TwoAxisBlock& block, double tolerance) {
-  check(ground, building, block);
+  check(ground, factors, building, block);
   GLISSADE_EXPECTS(tolerance >= 1e-11 && tolerance <= 1e-2);
 
   const Excitation excitation(ground, factors);
@@ -102,6 +98,23 @@ BuildingSlip slide_along(const TwoAxisTrack& track, const BuildingGround& ground
 
 }  // namespace
 
+void require_finite_scene(const BiaxialBuilding& building, const TwoAxisBlock& block,
+                          const BuildingFactors& factors) {
+  require_finite({factors.horizontal[0], factors.horizontal[1], factors.vertical}, "factors");
+  require_finite({building.mass_ratio}, "mass ratio");
+  for (const std::size_t n : {0u, 1u}) {
+    require_finite({building.horizontal[n].period_s, building.horizontal[n].damping_ratio,
+                    building.yielding[n].hardening_ratio},
+                   "period, damping, hardening");
+    require_no_nan(building.yielding[n].yield_acceleration_mps2, "yield acceleration");
+  }
+  require_finite({block.friction.along, block.friction.across, block.slope_rad, block.azimuth_rad,
+                  block.gravity_mps2},
+                 "friction, slope, azimuth, gravity");
+  require_finite({block.law.static_over_sliding, block.law.fast_over_slow, block.law.rate_s_per_m},
+                 "friction law");
+}
+
 bool coupling_is_regular(const TwoAxisBlock& block, const BiaxialBuilding& building) {
   const BuildingContact contact(block);
   return building.mass_ratio >= 0.0 && contact.is_regular(accelerance(contact, building));
@@ -124,6 +137,7 @@ BuildingSlip slide_on_building(const BuildingGround& ground, const BuildingFacto
 PlanVector closing_on_building(const BuildingGround& ground, const BuildingFactors& factors,
                                const BiaxialBuilding& building, const TwoAxisBlock& block,
                                const TwoAxisBlock& neighbour, double tolerance) {
+  require_finite_scene(building, block, factors);
   GLISSADE_EXPECTS(block.slope_rad == neighbour.slope_rad &&
                    block.azimuth_rad == neighbour.azimuth_rad);
   std::array<std::vector<PathPiece>, 2> paths;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "block/contact/two_axis_contact.hpp"
+#include "glissade/core/not_converged.hpp"
 
 namespace glissade::block_detail {
 
@@ -47,7 +48,9 @@ inline double step_factor(double ratio) {
   return std::clamp(0.9 * std::sqrt(std::sqrt(ratio)), 0.2, 5.0);
 }
 /// Allowed over estimated error; a step without an error becomes as long as it may.
+/// @throw NotConverged if the error is no number
 inline double error_ratio(double allowed, double error) {
+  if (!(error < never)) throw NotConverged("a step has no finite error");
   return error > 0.0 ? allowed / error : 1e4;
 }
 /// Allowance for rounding, per time, in the error of a step under a load.
@@ -57,6 +60,8 @@ inline double rounding_of(const Load& load) {
 }
 /// The shortest step, of what is left of an interval: far below what any tolerance requires.
 constexpr double shortest_step = 1e-9;
+/// The same of a step from rest that must not end where the load would let the block rest again.
+constexpr double shortest_start = 1e-6;
 
 /// Of gravity times the length of an interval: a speed that rounding alone may give a block on its
 /// threshold, and which must not set the scale of the errors.

@@ -53,6 +53,10 @@ void raise_to_largest(const std::array<Vector, n>& curve, double& largest, const
 /// The largest values of a history.
 class Extremes {
  public:
+  Extremes() = default;
+  /// Those of a history so far.
+  Extremes(double displacement, double speed, Vector ahead, Vector back)
+      : displacement_(displacement), speed_(speed), ahead_(ahead), back_(back) {}
   void at(Vector displacement);
   void at_speed(double speed) { speed_ = std::max(speed_, speed); }
   void along(const Path& path);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glissade/block/peak_slip.hpp"
 
-#include "block/tables/event_kernel.hpp"
+#include "block/tables/table_kernel.hpp"
 
 namespace glissade {
 

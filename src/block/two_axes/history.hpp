@@ -86,7 +86,7 @@ class LaneHistory {
   double stiff_trial_s(const RoofPiece& rest_of_interval, Vector v, double fastest) const;
   void take_step(HistoryState& state, const RoofPiece& piece, double fraction, double length_s,
                  const Sliding& begin, const Sliding& end);
-  RoofPiece::BlockVelocity plan_velocity(Vector v) const;
+  RoofPiece::BlockVelocity plan_velocity(Vector v, Vector rise = {}) const;
   RoofPiece::BlockVelocity plan_velocity_between(const Sliding& begin, const Sliding& end,
                                                  double length_s, double fraction) const;
   RoofPiece piece(const HistoryState& state, const RoofPiece::BlockVelocity& block_velocity) const {

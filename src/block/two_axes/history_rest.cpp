@@ -52,6 +52,29 @@ void LaneHistory::start(HistoryState& state, bool smoothly) {
   if (smoothly) start_smoothly(state);
 }
 
+namespace {
+
+struct Sample {
+  double tau, value;
+};
+
+/// Where a function that is not positive at both ends, and leaves the chord over a part of length
+/// tau by no more than bend tau^2, first rises above zero: its halves are searched in turn, down to
+/// 1/256. Never: nowhere.
+template <class Function>
+double rise_above_chord(const Function& f, Sample low, Sample high, double bend) {
+  constexpr double shortest = 1.0 / 256;
+  const double length = high.tau - low.tau;
+  if (std::max(low.value, high.value) + bend * length * length <= 0.0 || length <= shortest)
+    return never;
+  const double middle = 0.5 * (low.tau + high.tau), value = f(middle);
+  if (value > 0.0) return rise_by_secant(f, low.value, value, low.tau, middle);
+  const double left = rise_above_chord(f, low, {middle, value}, bend);
+  return left < 1.0 ? left : rise_above_chord(f, {middle, value}, high, bend);
+}
+
+}  // namespace
+
 /// The fraction of a piece after which the block no longer sticks, or
 /// never.
 double LaneHistory::release(const RoofPiece& piece) {
@@ -61,16 +84,8 @@ double LaneHistory::release(const RoofPiece& piece) {
   constexpr double rounding = 1e-13;  // of gravity, in the load
   if (begin > rounding * constants_.gravity) return 0.0;
   if (end > 0.0) return rise_by_secant(excess, std::min(begin, 0.0), end);
-  const double deviation = piece.deviation();
-  if (deviation == 0.0 || -std::max(begin, end) > deviation) return never;
-  constexpr int subintervals = 16;
-  double before = std::min(begin, 0.0);
-  for (int i = 1; i < subintervals; ++i) {
-    const double tau = static_cast<double>(i) / subintervals, value = excess(tau);
-    if (value > 0.0) return rise_by_secant(excess, before, value, tau - 1.0 / subintervals, tau);
-    before = value;
-  }
-  return never;
+  if (-std::max(begin, end) > piece.deviation()) return never;
+  return rise_above_chord(excess, {0.0, std::min(begin, 0.0)}, {1.0, end}, piece.bend());
 }
 
 LaneHistory::Next LaneHistory::rest(HistoryState& state) {
@@ -111,8 +126,6 @@ LaneHistory::Next LaneHistory::rest_from_node(HistoryState& state) {
   RoofAtRest roof(constants_, roof_, ground_, *table_, state);
   const auto begin = static_cast<std::size_t>(state.node);
   const std::size_t quiet = ground_.quiet;
-  const std::size_t longest =
-      quiet + static_cast<std::size_t>(RoofMotionOptions{}.longest_ring_down_s / ground_.dt_s);
   std::size_t next_interval = begin;  // the first not looked into
   const auto starts_in = [&](std::size_t interval) {
     if (interval < next_interval) return false;
@@ -121,7 +134,8 @@ LaneHistory::Next LaneHistory::rest_from_node(HistoryState& state) {
   };
   for (std::size_t i = begin;;) {
     if (!roof.after_record() && i >= quiet) roof.end_record();
-    if (roof.sticks_from(i) || i >= longest) return Next::finished;
+    if (roof.sticks_from(i)) return Next::finished;
+    if (i >= ground_.end) return ground_.ends_early() ? Next::unsupported : Next::finished;
     const std::size_t end = roof.tile_end(i);
     if (!roof.sticks_in_tile(i)) {
       for (i = roof.first_release(i, end); i <= end; i = roof.first_release(i + 1, end)) {

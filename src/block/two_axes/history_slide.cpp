@@ -18,18 +18,26 @@ namespace {
 constexpr double least_event_weight = 1.2 * least_weight;
 /// Of the permitted error of a stop: a shorter path may pass a peak or a threshold unseen.
 constexpr double negligible_stop = 50.0;
-/// Of the permitted error of a step's acceleration: where the iteration of a stage ends.
-constexpr double stage_tolerance = 1e-4;
+/// Of the permitted error of a step's acceleration: where the iteration of a stage ends. The first
+/// pass over a step of a coupled building only says how fast the block moves.
+constexpr double stage_tolerance = 1e-4, first_stage_tolerance = 1.0;
 
 Vector velocity(const HistoryState& state) { return {state.motion.v_s, state.motion.v_y}; }
 
+/// Where the iteration of a stage begins, and has ended.
+struct StageState {
+  Vector a;
+  double sigma = -1.0;  ///< see ImplicitEllipse
+};
+using Stages = std::array<StageState, Sdirk4::stages>;
+
 /// Coulomb friction and a roof that the block may accelerate: V' from V = known + gamma_h V'.
-Vector stage(const Constants<double>& c, const FrictionEllipse& friction, Vector known,
-             double gamma_h, const Load& load, Vector guess) {
+void stage(const Constants<double>& c, const FrictionEllipse& friction, Vector known,
+           double gamma_h, const Load& load, double tolerance, StageState& state) {
   const double per_kappa = c.per_kappa_y;
   const bool closed = c.rho_sin_cos == 0.0 && friction.is_circle();  // by the first guess
-  ImplicitEllipse on_ellipse = friction.implicit();
-  Vector a = guess;
+  ImplicitEllipse on_ellipse = friction.implicit(closed ? -1.0 : state.sigma);
+  Vector& a = state.a;
   double change = never;
   for (int i = 0; i < 12; ++i) {
     // What is not the same in both directions is taken from the last iterate.
@@ -47,20 +55,23 @@ Vector stage(const Constants<double>& c, const FrictionEllipse& friction, Vector
     a = next;
     if (closed) break;
     // What is left to change is to this change as this is to the one before, at most.
-    if (i > 0 && change * change <= stage_tolerance * c.tolerance * c.mu * effective * before)
-      break;
+    if (i > 0 && change * change <= tolerance * c.tolerance * c.mu * effective * before) break;
   }
-  return a;
+  state.sigma = on_ellipse.sigma();
 }
 
-/// SDIRK4 over a fraction of a piece.
+/// SDIRK4 over a fraction of a piece. @param stages of the last pass over the same step, if it is
+/// not the first
 SlidingStep sdirk4(const Constants<double>& c, const FrictionEllipse& friction, Vector v,
-                   const RoofPiece& piece, double fraction) {
+                   const RoofPiece& piece, double fraction, double tolerance, bool first,
+                   Stages& stages) {
   Load load;
-  Vector last;
   const auto rate = [&](int i, Vector known, double gamma_h) {
+    StageState& state = stages[static_cast<std::size_t>(i)];
+    if (first) state = {i > 0 ? (&state - 1)->a : Vector{}};
     load = piece.load(fraction * Sdirk4::at[i]);
-    return last = stage(c, friction, known, gamma_h, load, last);
+    stage(c, friction, known, gamma_h, load, tolerance, state);
+    return state.a;
   };
   return sdirk4(v, fraction * piece.length_s(), friction, rate,
                 [&] { return c.per_kappa_y * load.normal; });
@@ -76,11 +87,13 @@ double first_zero_s(double speed, double deceleration, double growth) {
 
 }  // namespace
 
-RoofPiece::BlockVelocity LaneHistory::plan_velocity(Vector v) const {
-  const double along = constants_.cosine2 * v.s, across = constants_.cosine * v.y;
-  return {
-      {constants_.c * along - constants_.s * across, constants_.s * along + constants_.c * across},
-      {}};
+RoofPiece::BlockVelocity LaneHistory::plan_velocity(Vector v, Vector rise) const {
+  const auto by_axis = [&](Vector u) -> std::array<double, 2> {
+    const double along = constants_.cosine2 * u.s, across = constants_.cosine * u.y;
+    return {constants_.c * along - constants_.s * across,
+            constants_.s * along + constants_.c * across};
+  };
+  return {by_axis(v), by_axis(rise)};
 }
 
 /// That of the cubic through the velocities and accelerations at both ends of a step over a
@@ -106,9 +119,7 @@ LaneHistory::Next LaneHistory::event(HistoryState& state) {
 LaneHistory::Next LaneHistory::slide(HistoryState& state, bool from_lane) {
   for (bool first = from_lane;; first = false) {
     const LaneMotion<double>& m = state.motion;
-    const auto longest =
-        static_cast<double>(ground_.quiet) * ground_.dt_s + RoofMotionOptions{}.longest_ring_down_s;
-    if (static_cast<double>(state.node) * ground_.dt_s >= longest) return Next::unsupported;
+    if (state.node >= static_cast<std::int64_t>(ground_.end)) return Next::unsupported;
     const Vector v = velocity(state);
     RoofPiece rest_of_interval = piece(state, plan_velocity(v));
     const Load load = rest_of_interval.load(0.0);
@@ -149,8 +160,7 @@ bool LaneHistory::stop(HistoryState& state, const RoofPiece& piece) {
     return length(b.drive - a.drive) + std::abs(b.normal - a.normal);
   };
   const double jerk = std::max(change(now, end) / length_s, change(now, third) * 3.0 / t);
-  const double anisotropy =
-      now.normal * c.per_kappa_y * (std::abs(1.0 / c.per_kappa_y - c.kappa) + c.mu * c.rho_sin_cos);
+  const double anisotropy = now.normal * c.anisotropy;
   if (!(t * t * (jerk * t / 12.0 + 0.5 * anisotropy) <= allowed)) return false;
   const EllipticStop found =
       c.aspect == 1.0
@@ -171,11 +181,14 @@ bool LaneHistory::stop(HistoryState& state, const RoofPiece& piece) {
   return true;
 }
 
-/// A speed within the tolerance that falls is zero after a time: from there friction and load
-/// decide anew. A stiff step across a reversal would take one direction's friction for the other's.
+/// A speed within the tolerance, against the load, is zero after a time: from there friction and
+/// load decide anew. A stiff step across a reversal would take one direction's friction for the
+/// other's.
 bool LaneHistory::reverse(HistoryState& state, const RoofPiece& piece) {
   const Vector v = velocity(state);
-  const double speed = length(v), time_s = speed / deceleration(piece.load(0.0), v);
+  const Load load = piece.load(0.0);
+  if (dot(load.drive, v) > 0.0) return false;  // which turns it
+  const double speed = length(v), time_s = speed / deceleration(load, v);
   if (!(time_s > 0.0 && time_s < piece.length_s())) return false;
   Stop zero;
   zero.time_s = time_s;
@@ -248,7 +261,7 @@ double LaneHistory::stiff_trial_s(const RoofPiece& rest_of_interval, Vector v,
   if (step_s_ == never && speed > 0.0 && now.normal > 0.0)
     length_s = std::min(length_s, speed / (now.normal * dot(ellipse_.sliding(v), v) / speed));
   // A step at whose end the load would let the block rest may not see it slide at all.
-  while (speed == 0.0 && length_s > 1e-6 * left_s &&
+  while (speed == 0.0 && length_s > shortest_start * left_s &&
          ellipse_.may_rest(rest_of_interval.load(length_s / left_s)))
     length_s *= 0.5;
   // A stage of what comes after a reversal would not see what came before.
@@ -267,25 +280,31 @@ void LaneHistory::stiff_step(HistoryState& state) {
   RoofPiece rest_of_interval = piece(state, plan_velocity(v));
   const double left_s = rest_of_interval.length_s();
   const Load now = rest_of_interval.load(0.0);
-  const Vector a = stage(c, ellipse_, v, shortest_step * left_s, now, {});
+  StageState at_once;
+  stage(c, ellipse_, v, shortest_step * left_s, now, stage_tolerance, at_once);
+  const Vector a = at_once.a;
   const double rounding = rounding_of(now);
   const double contact_s = left_s * until_contact_changes(rest_of_interval);
   double length_s = std::min(stiff_trial_s(rest_of_interval, v, fastest), contact_s);
   double fraction = 1.0;
   SlidingStep trial;
+  Stages stages;
   for (;;) {
     // No remainder that is much shorter than the step.
     if (length_s < contact_s && length_s > 0.5 * contact_s) length_s = 0.5 * contact_s;
     fraction = length_s == left_s ? 1.0 : length_s / left_s;
-    trial = sdirk4(c, ellipse_, v, rest_of_interval, fraction);
+    const bool coupled = roof_ == RoofKind::coupled;
+    if (coupled) rest_of_interval = piece(state, plan_velocity(v, left_s * a));
+    trial = sdirk4(c, ellipse_, v, rest_of_interval, fraction,
+                   coupled ? first_stage_tolerance : stage_tolerance, true, stages);
     const double allowed =
         c.tolerance * std::max(fastest, length(trial.end.v)) + length_s * rounding;
     // Again with the velocity that it then has, until that changes nothing.
-    double changed = roof_ == RoofKind::coupled ? never : 0.0;
+    double changed = coupled ? never : 0.0;
     for (int pass = 0; pass < 5 && changed > 0.01 * allowed; ++pass) {
       const Vector last = trial.end.v;
       rest_of_interval = piece(state, plan_velocity_between({v, a}, trial.end, length_s, fraction));
-      trial = sdirk4(c, ellipse_, v, rest_of_interval, fraction);
+      trial = sdirk4(c, ellipse_, v, rest_of_interval, fraction, stage_tolerance, false, stages);
       changed = length(trial.end.v - last);
     }
     trial.error += changed;
@@ -305,10 +324,7 @@ void LaneHistory::take_step(HistoryState& state, const RoofPiece& piece, double 
   const Vector to_plan{constants_.cosine2, constants_.cosine}, from{m.at_s, m.at_y};
   const Path path(length_s, from, scaled(begin.v, to_plan), scaled(begin.a, to_plan),
                   scaled(end.v, to_plan), scaled(end.a, to_plan));
-  if (dot(path.v[0], path.v[3]) < 0.0 || dot(from, path.v[0]) * dot(path.end, path.v[3]) < 0.0 ||
-      path.v[0].s * path.v[3].s < 0.0 || path.v[0].y * path.v[3].y < 0.0) {
-    raise_peaks(path, m);
-  }
+  raise_peaks(path, m);
   const double begin_s = time_s(state), speed = length(end.v);
   piece.move(state, fraction);
   m.v_s = end.v.s;
@@ -320,13 +336,15 @@ void LaneHistory::take_step(HistoryState& state, const RoofPiece& piece, double 
 }
 
 void LaneHistory::raise_peaks(const Path& path, LaneMotion<double>& m) const {
-  Extremes extremes;
+  constexpr double unneeded_speed = never;
+  Extremes extremes(std::sqrt(m.farthest2), unneeded_speed, {m.ahead_s, m.ahead_y},
+                    {m.back_s, m.back_y});
   extremes.along(path);
   m.farthest2 = std::max(m.farthest2, extremes.displacement() * extremes.displacement());
-  m.ahead_s = std::max(m.ahead_s, extremes.ahead().s);
-  m.back_s = std::max(m.back_s, extremes.back().s);
-  m.ahead_y = std::max(m.ahead_y, extremes.ahead().y);
-  m.back_y = std::max(m.back_y, extremes.back().y);
+  m.ahead_s = extremes.ahead().s;
+  m.ahead_y = extremes.ahead().y;
+  m.back_s = extremes.back().s;
+  m.back_y = extremes.back().y;
 }
 
 void LaneHistory::crossed(const LaneStates& lanes, std::size_t lane) {

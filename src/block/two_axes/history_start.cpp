@@ -124,6 +124,7 @@ void LaneHistory::start_smoothly(HistoryState& state) {
   m.v_y = v.y;
   m.fastest = std::max(m.fastest, length(v));
   m.path += length(displacement);
+  step_s_ = tau * left_s;  // the curve is smooth: a step as long as the series is no risk
   const Vector from{m.at_s, m.at_y}, to_plan{c.cosine2, c.cosine * c.per_aspect};
   const auto at = [&](double fraction) {
     const double x = fraction * tau;

@@ -43,7 +43,8 @@ struct Constants {
       per_mass;  ///< per_mass = 1 / (1 + r)
   Number omega_rho_1, omega_rho_2;
   Number kappa, rho_sin_cos,
-      per_kappa_y;  ///< 1 - rho cos^2, rho sin cos, 1 / (1 - rho)
+      per_kappa_y;    ///< 1 - rho cos^2, rho sin cos, 1 / (1 - rho)
+  Number anisotropy;  ///< how much the block's rate differs by direction, over mu N
 };
 
 /// Histories that slide, side by side.

@@ -88,7 +88,8 @@ HWY_INLINE Constants<V> LoadConstants(const LaneStates& lanes, std::size_t first
           .omega_rho_2 = at(c.omega_rho_2),
           .kappa = at(c.kappa),
           .rho_sin_cos = at(c.rho_sin_cos),
-          .per_kappa_y = at(c.per_kappa_y)};
+          .per_kappa_y = at(c.per_kappa_y),
+          .anisotropy = at(c.anisotropy)};
 }
 
 /// Lanes that can make the step: the block would not stop within what is left
@@ -100,18 +101,21 @@ HWY_INLINE Mask CanStep(const StepSeries<roof>& z, const Constants<V>& c, const 
   const V zero = hn::Zero(Doubles());
   V p_s = z.p_s[0], p_y = c.per_aspect * z.p_y[0], n = z.weight[0];
   V change = hn::Abs(z.p_s[1]) + hn::Abs(z.p_y[1]) + hn::Abs(z.weight[1]);
+  V anisotropy = zero;
   if constexpr (roof == RoofKind::coupled) {
     p_s = p_s * c.per_kappa_y;
     p_y = p_y * c.per_kappa_y;
     n = n * c.per_kappa_y;
     change = change * c.per_kappa_y;
+    anisotropy = n * c.anisotropy;
   }
   const V margin = n * n - (p_s * p_s + p_y * p_y);
   const V q = n * z.speed[0] + (p_s * m.v_s + p_y * (c.per_aspect * m.v_y));
   const V allowed = (Number(12.0 * stop_tolerance) * c.tolerance) * m.path;
   const Mask stops =
       hn::And(hn::And(hn::Gt(margin, zero), hn::Lt(q, margin)),
-              hn::Le(((change * h) * q) * (q * q), allowed * ((margin * margin) * margin)));
+              hn::Le((h * (q * q)) * (change * q + (Number(6.0) * anisotropy) * margin),
+                     allowed * ((margin * margin) * margin)));
   const Mask stiff = hn::Gt(z.weight[0], Number(stiffest) * z.speed[0]);
   const V alignment = v_s * m.v_s + (c.aspect * v_y) * (c.aspect * m.v_y);
   const Mask straight = hn::Ge(alignment, Number(least_alignment) * (z.speed[0] * z.speed[0]));

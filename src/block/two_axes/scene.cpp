@@ -78,6 +78,7 @@ Constants<double> constants_of(const TwoAxisScene& scene, double tolerance) {
   c.kappa = 1.0 - rho * c.cosine2;
   c.rho_sin_cos = rho * std::sin(block.slope_rad) * c.cosine;
   c.per_kappa_y = 1.0 + r;
+  c.anisotropy = c.per_kappa_y * (std::abs(1.0 / c.per_kappa_y - c.kappa) + c.mu * c.rho_sin_cos);
   return c;
 }
 

@@ -38,7 +38,8 @@ BuildingKey key_of(const BiaxialBuilding& building) {
           building.mass_ratio};
 }
 
-/// The tables of the last buildings. One that a history still needs lives on.
+/// The tables of the last buildings. One that a history still needs lives on; the memory of others
+/// is used again.
 class RestTables {
  public:
   std::shared_ptr<const RestTable> of(const TwoAxisScene& scene, const GroundNodes& nodes,
@@ -46,15 +47,24 @@ class RestTables {
     const BuildingKey key = key_of(scene.building);
     for (const auto& [other, table] : kept_)
       if (key == other) return table;
-    if (kept_.size() == most_kept) kept_.erase(kept_.begin());
-    const auto constants = block_detail::two_axes::constants_of(scene, 1.0);
-    return kept_.emplace_back(key, std::make_shared<const RestTable>(nodes, constants, roof))
-        .second;
+    std::shared_ptr<RestTable> table;
+    if (kept_.size() >= most_kept(nodes)) {
+      if (kept_.front().second.use_count() == 1) table = std::move(kept_.front().second);
+      kept_.erase(kept_.begin());
+    }
+    if (table == nullptr) table = std::make_shared<RestTable>();
+    table->tabulate(nodes, block_detail::two_axes::constants_of(scene, 1.0), roof);
+    return kept_.emplace_back(key, std::move(table)).second;
   }
 
  private:
-  static constexpr std::size_t most_kept = 16;
-  std::vector<std::pair<BuildingKey, std::shared_ptr<const RestTable>>> kept_;
+  /// Each search for a capacity needs the tables of its batch again.
+  static std::size_t most_kept(const GroundNodes& nodes) {
+    constexpr std::size_t most_bytes = 32 << 20, rows = 6;
+    const std::size_t bytes = rows * sizeof(double) * (nodes.quiet + 1);
+    return std::clamp<std::size_t>(most_bytes / bytes, 2, 64);
+  }
+  std::vector<std::pair<BuildingKey, std::shared_ptr<RestTable>>> kept_;
 };
 
 /// Scenes under one motion, and where their results go.
@@ -72,7 +82,7 @@ struct Batch {
 }  // namespace
 
 struct TwoAxisLanes::State {
-  const BuildingGround& ground;
+  BuildingGround ground;
   GroundNodes nodes;
   double tolerance;
   RestTables tables;
@@ -113,10 +123,8 @@ class Pool {
     tasks_ = tasks;
     for (std::size_t lane = 0; lane < LaneStates::count; ++lane) fill(lane);
     const GroundNodes& nodes = state_.nodes;
-    const double longest_s =
-        static_cast<double>(nodes.quiet) * nodes.dt_s + RoofMotionOptions{}.longest_ring_down_s;
     const GroundRows ground{nodes.nodes.data(), static_cast<std::int64_t>(nodes.quiet),
-                            static_cast<std::int64_t>(longest_s / nodes.dt_s), nodes.dt_s,
+                            static_cast<std::int64_t>(nodes.end), nodes.dt_s,
                             state_.ground.vertical != nullptr};
     while (lanes_.active != 0) {
       const Stepped stepped = block_detail::two_axes::step(lanes_, ground, roof_);
@@ -143,7 +151,9 @@ class Pool {
           state_.tables.of(scene, state_.nodes, roof_),
           DistanceCrossings(batch_.thresholds_m, batch_.crossings_of(k)));
       HistoryState state;
-      if (!settle(lane, history.begin(state), state)) continue;
+      if (!settle(
+              lane, [&] { return history.begin(state); }, state))
+        continue;
       LaneStates::store(lanes_.constants, lane, history.constants());
       put(lane, state);
       lanes_.active |= std::uint64_t{1} << lane;
@@ -155,7 +165,8 @@ class Pool {
     HistoryState state;
     LaneStates::load(lanes_.motion, lane, state.motion);
     state.node = lanes_.node[lane];
-    if (settle(lane, histories_[lane]->event(state), state))
+    if (settle(
+            lane, [&] { return histories_[lane]->event(state); }, state))
       put(lane, state);
     else
       fill(lane);
@@ -189,9 +200,15 @@ class Pool {
     lanes_.active ^= std::uint64_t{1} << from | std::uint64_t{1} << to;
   }
 
-  /// True where it slides on.
-  bool settle(std::size_t lane, LaneHistory::Next next, const HistoryState& state) {
+  /// Takes a history to where a lane can go on. True where it slides on.
+  template <class ToNext>
+  bool settle(std::size_t lane, const ToNext& to_next, const HistoryState& state) {
     const std::size_t k = scene_[lane];
+    LaneHistory::Next next = LaneHistory::Next::unsupported;
+    try {
+      next = to_next();
+    } catch (const NotConverged&) {  // the scalar scheme may
+    }
     if (next == LaneHistory::Next::finished) batch_.peaks[k] = histories_[lane]->result(state);
     if (next == LaneHistory::Next::unsupported) state_.by_reference(batch_, k);
     return next == LaneHistory::Next::slides;
@@ -222,6 +239,8 @@ TwoAxisLanes::TwoAxisLanes(const BuildingGround& ground, double tolerance)
 
 TwoAxisLanes::~TwoAxisLanes() = default;
 
+const BuildingGround& TwoAxisLanes::ground() const { return state_->ground; }
+
 void TwoAxisLanes::slide(std::span<const TwoAxisScene> scenes, std::span<TwoAxisPeak> peaks,
                          std::span<const double> thresholds_m, std::span<Crossing> crossings) {
   GLISSADE_EXPECTS(scenes.size() == peaks.size());
@@ -229,6 +248,7 @@ void TwoAxisLanes::slide(std::span<const TwoAxisScene> scenes, std::span<TwoAxis
   const Batch batch{scenes, peaks, thresholds_m, crossings};
   std::array<std::vector<std::size_t>, 3> tasks;  // by roof
   for (std::size_t k = 0; k < scenes.size(); ++k) {
+    require_finite_scene(scenes[k].building, scenes[k].block, scenes[k].factors);
     if (block_detail::two_axes::fits_lanes(scenes[k], state_->ground))
       tasks[static_cast<std::size_t>(block_detail::two_axes::roof_of(scenes[k]))].push_back(k);
     else

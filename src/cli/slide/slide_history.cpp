@@ -200,7 +200,6 @@ std::string model_of(const SlideOptions& o) {
                  ? "one axis, building not coupled with the array: exact events (slide)"
                  : "one axis, the published scheme (slide_rodriguez_nikl)";
     case Kernel::coupled:
-    case Kernel::events:
       return o.period_s > 0.0 ? "one axis, coupled with the building: exact events (slide_coupled)"
                               : "one axis on a rigid roof: exact events (slide_coupled)";
     case Kernel::full:
@@ -214,7 +213,6 @@ SlideHistory run_history(const SlideOptions& o, const Motion& motion, double fac
     case Kernel::tables:
       return on_known_roof(o, motion, factor);
     case Kernel::coupled:
-    case Kernel::events:
       return on_coupled_building(o, motion, factor);
     case Kernel::full:
       break;

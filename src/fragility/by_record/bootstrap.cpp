@@ -18,47 +18,47 @@ namespace {
 
 using namespace fragility;
 
-/// One curve of many that the data allow; a bound has no line.
+/// One curve of many that the data allow.
 struct CandidateFit {
-  PointFit point;
-  double floor = 0.0;
+  ProbitLine line;
+  double floor;
 
-  bool has_line() const {
-    return point.status == FitStatus::maximum_likelihood ||
-           point.status == FitStatus::jeffreys_penalised;
-  }
-  /// ln x - center where the line is z, of the median where z = 0; infinite where none or all
-  /// exceeded.
-  double log_intensity_at(double z) const {
-    if (point.is_bound()) return point.status == FitStatus::lower_bound ? infinity : -infinity;
-    return has_line() ? (z - point.line[0]) / point.line[1] : nan;
-  }
+  /// ln x - center where the line is z: of the median where z = 0.
+  double log_intensity_at(double z) const { return (z - line[0]) / line[1]; }
   /// ... where half of all exceed.
   double log_p50() const {
     if (floor >= 0.5) return -infinity;
     return log_intensity_at(normal_quantile((0.5 - floor) / (1 - floor)));
   }
-  double log_log_std() const { return has_line() ? -std::log(point.line[1]) : nan; }
+  double log_log_std() const { return -std::log(line[1]); }
   double probability_at(double y) const {
-    if (floor == 1) return 1;
-    if (point.is_bound()) return point.status == FitStatus::lower_bound ? floor : 1.0;
-    return has_line() ? floor + (1 - floor) * normal_cdf(point.line[0] + point.line[1] * y) : nan;
+    return floor + (1 - floor) * normal_cdf(line[0] + line[1] * y);
   }
 };
 
-CandidateFit fit_all(const Records& records) {
-  const Eigen::VectorXd ones = Eigen::VectorXd::Ones(records.count());
-  const double floor = records.floor(ones);
-  if (floor == 1) return {{FitStatus::always_exceeds}, 1};
-  return {records.fit(ones, records.first_guess()), floor};
-}
+/// Of all records. A bound has no line.
+struct PooledFit {
+  PointFit point;
+  double floor;
+
+  explicit PooledFit(const Records& records) {
+    const Eigen::VectorXd ones = Eigen::VectorXd::Ones(records.count());
+    floor = records.floor(ones);
+    point =
+        floor == 1 ? PointFit{FitStatus::always_exceeds} : records.fit(ones, records.first_guess());
+  }
+  bool has_line() const {
+    return point.status == FitStatus::maximum_likelihood ||
+           point.status == FitStatus::jeffreys_penalised;
+  }
+};
 
 /// Curves that the data allow, in families: an interval of any quantity goes from the lowest end of
 /// its families to the highest. As the curves rise, so do the ends of the interval of P over
 /// intensity; and that of P = 1/2 is crossed where the interval of the intensity of P = 1/2 ends.
 class CandidateFits {
  public:
-  CandidateFits(const Records& records, const CandidateFit& pooled, const BootstrapOptions& options)
+  CandidateFits(const Records& records, const PooledFit& pooled, const BootstrapOptions& options)
       : floor_varies_(records.floor_varies()),
         floor_(pooled.floor),
         tail_(0.5 - 0.5 * options.level) {
@@ -72,10 +72,9 @@ class CandidateFits {
     const double widening =
         normal_quantile(expanded_tail(count, options.level)) / normal_quantile(tail_);
     const LineDraws lines = draw_lines(with_errors(records, pooled.point.line));
-    for (const auto& family : {lines.about_median, lines.about_data}) {
+    for (const auto& family : lines.families()) {
       families_.emplace_back();
-      for (const ProbitLine& line : family)
-        families_.back().push_back({{FitStatus::maximum_likelihood, line}, floor_});
+      for (const ProbitLine& line : family) families_.back().push_back({line, floor_});
       for (std::size_t i = 0; i < family.size() && !floors.empty(); ++i) {
         const double departure = floors[i % floors.size()] - floor_;
         families_.back()[i].floor = std::clamp(floor_ + widening * departure, 0.0, 1.0);
@@ -107,15 +106,7 @@ class CandidateFits {
             static_cast<double>(records.count())};
   }
   Interval interval_of(const auto& quantity) const {
-    Interval whole;
-    for (const std::vector<CandidateFit>& family : families_) {
-      std::vector<double> values;
-      for (const CandidateFit& candidate : family)
-        values.push_back(std::invoke(quantity, candidate));
-      const Interval one = percentile_interval(std::move(values), tail_);
-      whole = {std::fmin(whole.low, one.low), std::fmax(whole.high, one.high)};
-    }
-    return whole;
+    return interval_over(families_, quantity, tail_);
   }
 
   bool floor_varies_;
@@ -128,7 +119,7 @@ FitSummary fit_by_record(const Records& records, const BootstrapOptions& options
   GLISSADE_EXPECTS(options.replicates >= 100);
   GLISSADE_EXPECTS(options.level > 0 && options.level < 1);
   if (band != nullptr) band->assign(band_intensities.size(), Interval{});
-  const CandidateFit pooled = fit_all(records);
+  const PooledFit pooled(records);
   FitSummary summary;
   if (pooled.floor == 1) return summarise_always();
   if (pooled.point.is_bound()) {

@@ -5,7 +5,6 @@
 #include <boost/math/distributions/chi_squared.hpp>
 #include <cmath>
 
-#include "by_record/resampling.hpp"
 #include "glissade/core/normal.hpp"
 
 namespace glissade::fragility {
@@ -79,18 +78,6 @@ LineDraws draw_lines(const LineWithErrors& fit) {
     lines.about_data.push_back(data.draw(standard, data.power()));
   }
   return lines;
-}
-
-Interval interval_of(const LineDraws& lines,
-                     const std::function<double(const ProbitLine&)>& quantity, double tail) {
-  Interval whole;
-  for (const auto* family : {&lines.about_median, &lines.about_data}) {
-    std::vector<double> values;
-    for (const ProbitLine& line : *family) values.push_back(quantity(line));
-    const Interval one = percentile_interval(std::move(values), tail);
-    whole = {std::fmin(whole.low, one.low), std::fmax(whole.high, one.high)};
-  }
-  return whole;
 }
 
 }  // namespace glissade::fragility

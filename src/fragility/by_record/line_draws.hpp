@@ -2,9 +2,13 @@
 #pragma once
 
 #include <Eigen/Dense>
+#include <array>
+#include <cmath>
 #include <functional>
+#include <utility>
 #include <vector>
 
+#include "by_record/resampling.hpp"
 #include "glissade/fragility/fit.hpp"
 #include "lognormal/likelihood.hpp"
 
@@ -24,12 +28,23 @@ struct LineWithErrors {
 /// where it is independent of the error of the height.
 struct LineDraws {
   std::vector<ProbitLine> about_median, about_data;
+
+  std::array<std::vector<ProbitLine>, 2> families() const { return {about_median, about_data}; }
 };
 LineDraws draw_lines(const LineWithErrors& fit);
 
 /// From the lowest end of the families' percentile intervals to the highest. @param quantity of a
-/// line. @param tail see percentile_interval()
-Interval interval_of(const LineDraws& lines,
-                     const std::function<double(const ProbitLine&)>& quantity, double tail);
+/// member. @param tail see percentile_interval()
+template <class Families>
+Interval interval_over(const Families& families, const auto& quantity, double tail) {
+  Interval whole;
+  for (const auto& family : families) {
+    std::vector<double> values;
+    for (const auto& member : family) values.push_back(std::invoke(quantity, member));
+    const Interval one = percentile_interval(std::move(values), tail);
+    whole = {std::fmin(whole.low, one.low), std::fmax(whole.high, one.high)};
+  }
+  return whole;
+}
 
 }  // namespace glissade::fragility

@@ -66,8 +66,9 @@ Interval share_interval(const std::vector<double>& shares, double level) {
 
 void order_intervals(const std::vector<double>& shares, std::vector<Interval>& intervals) {
   GLISSADE_EXPECTS(shares.size() == intervals.size());
-  std::vector<std::size_t> order(shares.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::vector<std::size_t> order;  // a share without an interval keeps none
+  for (std::size_t i = 0; i < shares.size(); ++i)
+    if (!std::isnan(intervals[i].low)) order.push_back(i);
   std::ranges::stable_sort(order, {}, [&](std::size_t i) { return shares[i]; });
   double high = 0.0, low = 1.0;
   for (const std::size_t i : order) high = intervals[i].high = std::fmax(intervals[i].high, high);

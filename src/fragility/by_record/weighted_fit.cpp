@@ -68,8 +68,8 @@ void add_line(const ProbitLine& line, double center, const Eigen::MatrixXd& scor
   const LineDraws lines = draw_lines({line, covariance.topLeftCorner<2, 2>(),
                                       information.topLeftCorner<2, 2>().inverse(),
                                       std::max(2.0, clusters.effective())});
-  summary.log_std_interval = interval_of(
-      lines, [](const ProbitLine& drawn) { return 1.0 / drawn[1]; }, 0.025);
+  summary.log_std_interval = interval_over(
+      lines.families(), [](const ProbitLine& drawn) { return 1.0 / drawn[1]; }, 0.025);
   summary.interval_method = "variance between records (sandwich; Student t, chi-square)";
   if (clusters.effective() < 5)
     add_sentence(summary.note,

@@ -70,7 +70,7 @@ RunIdentity identity_of(const Plan& plan, const std::string& program_version) {
           unit_layout(plan),
           fs::absolute(plan.config.file),
           plan.config.source_text,
-          motions_text(plan),
+          plan.motions_text,
           {}};
 }
 

@@ -387,7 +387,12 @@ void check_project(const TomlTable& root, const Project& project) {
   if (project.hazard)
     check_events(
         root.table("hazard"),
-        {HazardCurve(project.hazard->points), "", project.hazard->design_life_years, {}, 0.0},
+        {HazardCurve(project.hazard->points),
+         "",
+         project.hazard->design_life_years,
+         {},
+         0.0,
+         false},
         levels_of(project).front(),
         "check the curve's unit: the annual rate with which S_DS, in g, is exceeded; k0 is "
         "that of 1 g");

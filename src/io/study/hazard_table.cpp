@@ -74,7 +74,7 @@ std::optional<HazardConfig> read_hazard(const TomlTable& table, const std::strin
     table.report_missing("design_life_years", "for example: design_life_years = 25");
   const double years = table.number("design_life_years", above_zero).value_or(0.0);
   if (!curve || !(years > 0.0)) return std::nullopt;
-  return HazardConfig{*curve, source, years, {}, sds_g};
+  return HazardConfig{*curve, source, years, {}, sds_g, by_target};
 }
 
 void check_events(const TomlTable& table, const HazardConfig& hazard, double lowest,

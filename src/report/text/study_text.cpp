@@ -161,13 +161,7 @@ std::size_t least_favourable_run(const Results& results) {
       for (const double share : fragility.probability) sum += share;
     return sum;
   };
-  std::size_t found = 0;
-  for (std::size_t i = 1; i < results.runs.size(); ++i)
-    if (friction_value_of(results, results.runs[i]) ==
-            friction_value_of(results, results.runs[0]) &&
-        exceeds(i) > exceeds(found))
-      found = i;
-  return found;
+  return run_of_largest(results, exceeds);
 }
 
 std::string least_favourable(const Results& results) {

@@ -10,6 +10,11 @@ bool has_vertical_oscillator(const StudyConfig& config) {
          !config.quantities.at("vertical", "period_s").is_always(0.0);
 }
 
+bool may_yield(const StudyConfig& config) {
+  return !config.quantities.at("building", "response_modification").is_always(0.0) ||
+         !config.quantities.at("building", "yield_coefficient").is_always(0.0);
+}
+
 }  // namespace
 
 KernelChoice cheapest_exact_kernel(const StudyConfig& config) {
@@ -24,21 +29,37 @@ KernelChoice cheapest_exact_kernel(const StudyConfig& config) {
     if (oscillates)
       return {Kernel::full,
               "friction is stronger at rest and the vertical has a period of its own"};
-    return {Kernel::events, "friction is stronger at rest"};
+    return {Kernel::coupled, "friction is stronger at rest"};
   }
   if (is_always("building", "period_s", 0.0))
     return {Kernel::tables, "one axis on a rigid building"};
   const bool coupled = !is_always("building", "mass_ratio", 0.0);
-  const bool yields = !is_always("building", "response_modification", 0.0) ||
-                      !is_always("building", "yield_coefficient", 0.0);
+  const bool yields = may_yield(config);
   if (!coupled && !yields)
     return {Kernel::tables, "one axis on a linear building that the array does not move"};
   if (oscillates)
     return {Kernel::full,
             "the vertical has a period of its own beside a building that yields or is coupled with "
             "the array"};
-  if (yields) return {Kernel::events, "the building yields"};
+  if (yields) return {Kernel::coupled, "the building yields"};
   return {Kernel::coupled, "building.mass_ratio is above 0"};
+}
+
+double history_us(Kernel kernel, const StudyConfig& config) {
+  const auto at = [&](const char* key) { return config.quantities.at("friction", key); };
+  switch (kernel) {
+    case Kernel::tables:
+      return 7.0;
+    case Kernel::coupled:
+      return may_yield(config) ? 300.0 : 100.0;
+    case Kernel::full: {
+      const bool in_lanes = !config.base_shear && !may_yield(config) &&
+                            at("static_over_sliding").is_always(1.0) &&
+                            at("fast_over_slow").is_always(1.0);
+      return in_lanes ? 200.0 : 2000.0;
+    }
+  }
+  return 0.0;
 }
 
 std::string describe(Kernel kernel, bool base_shear) {
@@ -46,11 +67,7 @@ std::string describe(Kernel kernel, bool base_shear) {
     case Kernel::tables:
       return "one axis over tables of the roof's motion: exact events (peak_slip)";
     case Kernel::coupled:
-      return "one axis, coupled with a linear building: exact events over tables "
-             "(coupled_slip)";
-    case Kernel::events:
-      return "one axis, coupled with a building that may yield, friction that may be stronger at "
-             "rest: exact events (slide_coupled)";
+      return "one axis, coupled building and array: exact events over tables (coupled_slip)";
     case Kernel::full:
       return std::string("full model: two axes, coupled, error-controlled (") +
              (base_shear ? "slide_on_building, which gives base shear)" : "slide_two_axes)");

@@ -62,28 +62,13 @@ void number_buildings(Plan& plan) {
   plan.frictions_repeat = 2 * frictions.size() <= plan.order.size();
 }
 
-/// Microseconds of a history of 8,000 samples, from `bench`: what units are cut by.
-double history_us(const Plan& plan) {
-  switch (plan.kernel.kernel) {
-    case Kernel::tables:
-      return 7.0;
-    case Kernel::coupled:
-      return 100.0;
-    case Kernel::events:
-      return 1000.0;
-    case Kernel::full:
-      return plan.config.base_shear ? 2000.0 : 200.0;  // by the scalar scheme, or in lanes
-  }
-  return 0.0;
-}
-
 double record_us(const Plan& plan, std::size_t record) {
   const double samples = static_cast<double>(plan.motion(record).horizontal_mps2[0].size());
   const double runs = plan.config.has_neighbours() ? 3.0 : 1.0;  // both arrays, by themselves too
   const StudyConfig& config = plan.config;
   constexpr double histories_of_search = 4.0;  // of one capacity, on average
   const double searched = histories_of_search * static_cast<double>(config.thresholds_m().size());
-  return runs * history_us(plan) * samples / 8000.0 *
+  return runs * history_us(plan.kernel.kernel, config) * samples / 8000.0 *
          (static_cast<double>(config.intensity.levels.size()) + searched);
 }
 
@@ -191,6 +176,22 @@ std::string hash_of(const Plan& plan) {
   return to_hex(hasher.value());
 }
 
+std::string motions_text(const Plan& plan) {
+  std::string text;
+  for (std::size_t s = 0; s < plan.suites.size(); ++s) {
+    const std::string file = plan.config.suite_files[s].filename().string();
+    Hasher target;
+    hash_target(target, plan.suites[s].target);
+    text += file + ", target " + to_hex(target.value()) + "\n";
+    for (const Motion& motion : plan.suites[s].motions) {
+      Hasher hasher;
+      hash_motion(hasher, motion);
+      text += file + ", motion " + motion.id + " " + to_hex(hasher.value()) + "\n";
+    }
+  }
+  return text;
+}
+
 }  // namespace
 
 void list_by_building(PlanLists& lists, std::size_t buildings) {
@@ -272,6 +273,7 @@ Plan begin_plan(const StudyConfig& config, std::vector<Suite> suites,
 
 void finish_plan(Plan& plan) {
   list_cases(plan);
+  plan.motions_text = motions_text(plan);
   plan.hash = hash_of(plan);
   cut_units(plan);
   plan.cases.drop_draws();
@@ -282,22 +284,6 @@ Plan make_plan(const StudyConfig& config, std::vector<Suite> suites,
   Plan plan = begin_plan(config, std::move(suites), compute_parts);
   finish_plan(plan);
   return plan;
-}
-
-std::string motions_text(const Plan& plan) {
-  std::string text;
-  for (std::size_t s = 0; s < plan.suites.size(); ++s) {
-    const std::string file = plan.config.suite_files[s].filename().string();
-    Hasher target;
-    hash_target(target, plan.suites[s].target);
-    text += file + ", target " + to_hex(target.value()) + "\n";
-    for (const Motion& motion : plan.suites[s].motions) {
-      Hasher hasher;
-      hash_motion(hasher, motion);
-      text += file + ", motion " + motion.id + " " + to_hex(hasher.value()) + "\n";
-    }
-  }
-  return text;
 }
 
 std::string fingerprint(const Plan& plan) {

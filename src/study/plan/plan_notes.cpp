@@ -100,7 +100,7 @@ std::vector<std::string> notes_on_directions(const StudyConfig& config) {
 
 /// A curve that is no site's.
 std::vector<std::string> notes_on_hazard(const StudyConfig& config) {
-  if (!config.hazard || !config.hazard->source.starts_with("assumed")) return {};
+  if (!config.hazard || !config.hazard->is_assumed) return {};
   return {"hazard curve " + config.hazard->source +
           " (1 % collapse in 50 years, 10 % at MCE, log_std 0.6: ASCE 7-16, 21.2.1.2, recalled): "
           "it is not that of the site; where MCE_R is limited by a deterministic earthquake the "

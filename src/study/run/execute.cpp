@@ -40,18 +40,6 @@ double first_crossing(const std::vector<double>& levels, const double* peaks, do
   return 0.5 * (bracket.first + bracket.second);
 }
 
-/// A history that does not converge is counted and reported, and the run goes on: the displacement
-/// is unknown, so no clearance is enough.
-History run_history(Histories& histories, double level, std::span<Crossing> crossings,
-                    WorkCount& count) {
-  try {
-    return histories.at(level, crossings, count);
-  } catch (const NotConverged&) {
-    ++count.failed;
-    return {.peak_displacement_m = infinity, .peak_vector_m = infinity, .failed = true};
-  }
-}
-
 void keep(const History& history, const KeptFields& kept, HistoryFields& fields) {
   fields.peak_displacement_m.push_back(history.peak_displacement_m);
   fields.uplift.push_back(history.uplift ? 1 : 0);
@@ -236,8 +224,8 @@ UnitResult execute(const Plan& plan, std::size_t unit_index, RoofStore& roofs) {
   UnitResult result;
   result.unit = unit_index;
   const std::uint64_t roofs_before = roofs.roofs_made();
-  // The full model fills SIMD lanes with the histories of several cases. A lane that is done waits
-  // for the others at the end only: of 16 cases with 20 levels it waits half of the time.
+  // The full model fills SIMD lanes with the histories of several cases: lanes that are done wait
+  // for others only at the end of all.
   const std::size_t together = plan.kernel.kernel == Kernel::full ? 64 : 1;
   const auto thresholds =
       KeptFields(plan.config).crossings ? plan.config.thresholds_m() : std::span<const double>();

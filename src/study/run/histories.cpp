@@ -10,12 +10,14 @@
 #include "glissade/block/tipping.hpp"
 #include "glissade/core/contract.hpp"
 #include "glissade/core/not_converged.hpp"
+#include "glissade/core/not_finite.hpp"
 #include "glissade/core/units.hpp"
 
 namespace glissade {
 namespace {
 
-/// The longest accelerations of a roof at level 1. A roof's tables may be gone when they are asked.
+/// Bounds on a roof's accelerations at level 1, kept by value: its tables may be replaced before
+/// they are needed.
 struct RoofPeaks {
   bool known = false;                                 ///< not under a building that yields
   double horizontal_mps2 = 0.0, vertical_mps2 = 0.0;  ///< of two axes: their peaks together
@@ -163,15 +165,17 @@ class CoupledHistories : public NoTipping<OneAxis> {
 /// The full model.
 class FullHistories : public NoTipping<Histories> {
  public:
-  FullHistories(const Scene& scene, BuildingGround ground, TwoAxisBatch& batch)
+  FullHistories(const Scene& scene, RoofStore& roofs, TwoAxisBatch& batch)
       : scene_(scene),
-        ground_(std::move(ground)),
+        ground_(roofs.ground_under(scene.c)),
         building_(biaxial_building(scene.c, scene.plan.target(scene.record))),
         block_(two_axis_block(scene.c)),
         batch_(batch) {
-    if (scene.c.support == ArraySupport::isolated) return;
-    ground_.vertical = nullptr;
-    block_ = anchored_block();
+    if (scene.c.support != ArraySupport::isolated) {
+      ground_.vertical = nullptr;
+      block_ = anchored_block();
+    }
+    lanes_ = roofs.two_axis_lanes(ground_);
   }
 
   bool does_not_slide(double level) const override {
@@ -189,7 +193,7 @@ class FullHistories : public NoTipping<Histories> {
   }
 
   void prepare(double level) override {
-    if (!is_ready(level)) batch_.add(ground_, {building_, block_, factors(level)}, level, known_);
+    if (!is_ready(level)) batch_.add(lanes_, {building_, block_, factors(level)}, level, known_);
   }
   bool is_ready(double level) const override {
     return runs_alone() || known_.find(level) != nullptr;
@@ -239,11 +243,22 @@ class FullHistories : public NoTipping<Histories> {
   BuildingGround ground_;
   BiaxialBuilding building_;
   TwoAxisBlock block_;
+  std::shared_ptr<TwoAxisLanes> lanes_;
   TwoAxisBatch& batch_;
   TwoAxisKnown known_;
 };
 
 }  // namespace
+
+History run_history(Histories& histories, double level, std::span<Crossing> crossings,
+                    WorkCount& count) {
+  try {
+    return histories.at(level, crossings, count);
+  } catch (const NotConverged&) {
+    ++count.failed;
+    return {.peak_displacement_m = infinity, .peak_vector_m = infinity, .failed = true};
+  }
+}
 
 std::unique_ptr<Histories> histories_of(const Plan& plan, RoofStore& roofs, std::size_t record,
                                         std::size_t case_number, const CaseRoof& roof,
@@ -259,12 +274,11 @@ std::unique_ptr<Histories> histories_of(const Plan& plan, RoofStore& roofs, std:
     case Kernel::tables:
       return std::make_unique<TableHistories>(scene, roof, roofs.curve(case_number), remake);
     case Kernel::coupled:
-    case Kernel::events:
       return std::make_unique<CoupledHistories>(scene, roofs.coupled_ground(c));
     case Kernel::full:
       break;
   }
-  return std::make_unique<FullHistories>(scene, roofs.ground_under(c), batch);
+  return std::make_unique<FullHistories>(scene, roofs, batch);
 }
 
 }  // namespace glissade

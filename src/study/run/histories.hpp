@@ -45,6 +45,11 @@ class Histories {
   virtual double tipping_level(const RigidBase& base) const = 0;
 };
 
+/// Histories::at(); one that does not converge is counted and reported, and the run goes on: the
+/// displacement is unknown, so no clearance is enough.
+History run_history(Histories& histories, double level, std::span<Crossing> crossings,
+                    WorkCount& count);
+
 /// By the plan's kernel. Valid as long as the store's record; with Kernel::tables, as long as
 /// `roof`.
 /// @param curve see RoofStore::curve

@@ -74,6 +74,7 @@ SlipCurve* RoofStore::curve(std::size_t case_number) {
 void RoofStore::turn_to(std::size_t record) {
   record_ = record;
   coupled_.clear();
+  lanes_.clear();
   mixed_.clear();
   ground_.clear();
   vertical_.clear();
@@ -218,6 +219,12 @@ CoupledGround& RoofStore::coupled_ground(const Case& c) {
   return coupled_
       .try_emplace({{axis.component, axis.azimuth_deg}, !motion.vertical_mps2.empty()}, motion)
       .first->second;
+}
+
+std::shared_ptr<TwoAxisLanes> RoofStore::two_axis_lanes(const BuildingGround& ground) {
+  for (const auto& lanes : lanes_)
+    if (lanes->ground() == ground) return lanes;
+  return lanes_.emplace_back(std::make_shared<TwoAxisLanes>(ground));
 }
 
 /// Roofs over one ground and step go through the oscillators' bank together.

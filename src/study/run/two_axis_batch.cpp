@@ -11,18 +11,12 @@ const TwoAxisKnown::Entry* TwoAxisKnown::find(double level) const {
   return found != entries.end() ? &*found : nullptr;
 }
 
-TwoAxisBatch::Group& TwoAxisBatch::under(const BuildingGround& ground) {
-  for (Group& group : groups_)
-    if (group.ground.horizontal == ground.horizontal && group.ground.vertical == ground.vertical)
-      return group;
-  return groups_.emplace_back(ground);
-}
-
-void TwoAxisBatch::add(const BuildingGround& ground, const TwoAxisScene& scene, double level,
-                       TwoAxisKnown& known) {
-  Group& group = under(ground);
-  group.scenes.push_back(scene);
-  group.wanted.emplace_back(level, &known);
+void TwoAxisBatch::add(const std::shared_ptr<TwoAxisLanes>& lanes, const TwoAxisScene& scene,
+                       double level, TwoAxisKnown& known) {
+  auto group = std::ranges::find(groups_, lanes, &Group::lanes);
+  if (group == groups_.end()) group = groups_.insert(group, Group{lanes});
+  group->scenes.push_back(scene);
+  group->wanted.emplace_back(level, &known);
 }
 
 void TwoAxisBatch::run() {
@@ -30,7 +24,7 @@ void TwoAxisBatch::run() {
   for (Group& group : groups_) {
     std::vector<TwoAxisPeak> peaks(group.scenes.size());
     std::vector<Crossing> crossings(group.scenes.size() * n);
-    group.lanes.slide(group.scenes, peaks, thresholds_m_, crossings);
+    group.lanes->slide(group.scenes, peaks, thresholds_m_, crossings);
     for (std::size_t i = 0; i < peaks.size(); ++i) {
       const auto first = crossings.begin() + static_cast<std::ptrdiff_t>(i * n);
       group.wanted[i].second->entries.push_back(

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <list>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -28,23 +28,20 @@ class TwoAxisBatch {
   explicit TwoAxisBatch(std::span<const double> thresholds_m = {}) : thresholds_m_(thresholds_m) {}
 
   /// @param known gets the result at the next run()
-  void add(const BuildingGround& ground, const TwoAxisScene& scene, double level,
+  void add(const std::shared_ptr<TwoAxisLanes>& lanes, const TwoAxisScene& scene, double level,
            TwoAxisKnown& known);
   void run();
 
  private:
   /// Those under one ground motion.
   struct Group {
-    BuildingGround ground;
-    TwoAxisLanes lanes;
-    std::vector<TwoAxisScene> scenes;
-    std::vector<std::pair<double, TwoAxisKnown*>> wanted;  // by scene: at which level, where to
-    explicit Group(const BuildingGround& under) : ground(under), lanes(ground) {}
+    std::shared_ptr<TwoAxisLanes> lanes;
+    std::vector<TwoAxisScene> scenes = {};
+    std::vector<std::pair<double, TwoAxisKnown*>> wanted = {};  // by scene: which level, where to
   };
-  Group& under(const BuildingGround& ground);
 
   std::span<const double> thresholds_m_;
-  std::list<Group> groups_;
+  std::vector<Group> groups_;
 };
 
 }  // namespace glissade

@@ -13,6 +13,7 @@
 #include "glissade/block/rodriguez_nikl.hpp"
 #include "glissade/block/slide.hpp"
 #include "glissade/block/two_axis.hpp"
+#include "glissade/block/two_axis_lanes.hpp"
 #include "unit/block/reference.hpp"
 
 namespace glissade {
@@ -113,9 +114,46 @@ TEST(input_that_is_not_finite, is_refused_by_every_model) {
                  std::invalid_argument);
     EXPECT_THROW(slide_two_axis({0.01, {record, {}}, {}}, {.friction = {bad, bad}}),
                  std::invalid_argument);
-    EXPECT_THROW(slide_on_building({std::make_shared<GroundTable>(0.01, record), nullptr, nullptr},
-                                   {}, {}, {.friction = {bad, bad}}),
-                 std::invalid_argument);
+  }
+}
+
+// Each number of a scene of two axes in turn: the scalar scheme did not return for some, the lanes
+// gave zero.
+TEST(a_scene_that_is_not_finite, is_refused_by_every_model_of_two_axes) {
+  const BuildingGround ground{{std::make_shared<GroundTable>(0.01, record), nullptr}, nullptr};
+  const TwoAxisScene good{{{{{0.5, 0.05}, {0.4, 0.05}}}, {}, 0.05}, {.friction = {0.2, 0.2}}, {}};
+  const auto numbers = [](TwoAxisScene& s) {
+    return std::vector<double*>{&s.factors.horizontal[0],
+                                &s.factors.horizontal[1],
+                                &s.factors.vertical,
+                                &s.building.mass_ratio,
+                                &s.building.horizontal[0].period_s,
+                                &s.building.horizontal[1].damping_ratio,
+                                &s.building.yielding[0].hardening_ratio,
+                                &s.building.yielding[1].yield_acceleration_mps2,
+                                &s.block.friction.along,
+                                &s.block.friction.across,
+                                &s.block.slope_rad,
+                                &s.block.azimuth_rad,
+                                &s.block.gravity_mps2,
+                                &s.block.law.static_over_sliding,
+                                &s.block.law.fast_over_slow,
+                                &s.block.law.rate_s_per_m};
+  };
+  TwoAxisScene scene = good;
+  const std::size_t count = numbers(scene).size();
+  for (std::size_t i = 0; i < count; ++i) {
+    scene = good;
+    *numbers(scene)[i] = std::nan("");
+    TwoAxisPeak peak;
+    EXPECT_THROW(slide_two_axes(ground, {&scene, 1}, {&peak, 1}), std::invalid_argument) << i;
+    EXPECT_THROW(slide_on_building(ground, scene.factors, scene.building, scene.block),
+                 std::invalid_argument)
+        << i;
+    EXPECT_THROW(
+        closing_on_building(ground, scene.factors, scene.building, scene.block, scene.block),
+        std::invalid_argument)
+        << i;
   }
 }
 

@@ -7,10 +7,24 @@
 namespace glissade::test {
 
 enum class Roof { rigid, uncoupled, rigid_across, coupled };
-enum class Law { circle, ellipse, static_friction, rising_with_speed, falling_with_speed };
+enum class Law {
+  circle,
+  ellipse,
+  static_friction,
+  rising_with_speed,
+  falling_with_speed,
+  rising_steeply,  ///< over 1 mm/s
+  all_options,
+  rising_at_once  ///< over 0.01 mm/s: not among all_laws
+};
 constexpr Roof all_roofs[] = {Roof::rigid, Roof::uncoupled, Roof::rigid_across, Roof::coupled};
-constexpr Law all_laws[] = {Law::circle, Law::ellipse, Law::static_friction, Law::rising_with_speed,
-                            Law::falling_with_speed};
+constexpr Law all_laws[] = {Law::circle,
+                            Law::ellipse,
+                            Law::static_friction,
+                            Law::rising_with_speed,
+                            Law::falling_with_speed,
+                            Law::rising_steeply,
+                            Law::all_options};
 
 /// A scene of rough motions on a building of m/M up to 0.5, with 8 samples a period or more.
 inline OnBuilding truth_scene(std::mt19937& random, Roof roof, Law law, std::size_t samples) {
@@ -24,6 +38,12 @@ inline OnBuilding truth_scene(std::mt19937& random, Roof roof, Law law, std::siz
     scene.block.friction.across *= std::uniform_real_distribution<double>(0.6, 1.6)(random);
   if (law == Law::static_friction) scene.block.law.static_over_sliding = 1.3;
   if (law == Law::rising_with_speed) scene.block.law = {1.0, 1.5, 30.0};
+  if (law == Law::rising_steeply) scene.block.law = {1.0, 1.5, 1e3};
+  if (law == Law::rising_at_once) scene.block.law = {1.0, 1.5, 1e5};
+  if (law == Law::all_options) {
+    scene.block.friction.across *= 0.8;
+    scene.block.law = {1.2, 1.3, 100.0};
+  }
   if (law == Law::falling_with_speed) {
     scene.block.law = {1.0, 0.7, 30.0};
     scene.block.slope_rad *= 0.6;

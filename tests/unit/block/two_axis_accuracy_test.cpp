@@ -38,6 +38,21 @@ TEST(slide_on_building, at_1e_10_is_the_independent_solver_to_1e_9_above_10_um) 
   EXPECT_GE(slid, 30);
 }
 
+TEST(slide_on_building, at_1e_10_is_the_independent_solver_where_friction_rises_at_once) {
+  std::mt19937 random(6);
+  int slid = 0;
+  for (const Roof roof : all_roofs)
+    for (int k = 0; k < 2; ++k) {
+      OnBuilding scene = test::truth_scene(random, roof, Law::rising_at_once, 100);
+      scene.tolerance = 1e-10;
+      const TwoAxisTruth truth(test::as_truth(scene));
+      if (truth.peak_m < 1e-5L) continue;
+      ++slid;
+      EXPECT_LE(test::error_of(scene.result().slip, truth), 2e-7);
+    }
+  EXPECT_GE(slid, 4);
+}
+
 struct Hard {
   Roof roof;
   Law law;

@@ -71,6 +71,18 @@ TEST(order_intervals, lets_no_larger_share_end_lower) {
   }
 }
 
+// One record: no intervals. They became [1, 0].
+TEST(order_intervals, leaves_a_share_without_an_interval_without_one) {
+  std::vector<Interval> intervals = {{}, {0.2, 0.8}, {}};
+  order_intervals({0.0, 0.5, 1.0}, intervals);
+  for (const std::size_t i : {0u, 2u}) {
+    EXPECT_TRUE(std::isnan(intervals[i].low)) << i;
+    EXPECT_TRUE(std::isnan(intervals[i].high)) << i;
+  }
+  EXPECT_EQ(intervals[1].low, 0.2);
+  EXPECT_EQ(intervals[1].high, 0.8);
+}
+
 TEST(share_interval, needs_two_records) { EXPECT_TRUE(std::isnan(share_interval({0.3}).low)); }
 
 // Records with dispersion 0.35, 50 samples each with 0.20 more: of expanded percentiles only 78 %

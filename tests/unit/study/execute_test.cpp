@@ -7,6 +7,9 @@
 
 #include "glissade/block/slide.hpp"
 #include "glissade/building/roof_motion.hpp"
+#include "glissade/core/not_converged.hpp"
+#include "glissade/core/not_finite.hpp"
+#include "run/histories.hpp"
 #include "unit/study/small_study.hpp"
 
 namespace glissade {
@@ -41,6 +44,25 @@ TEST(execute, gives_the_slip_that_building_and_block_give) {
     slid += expected.peak_displacement_m > 0 ? 1 : 0;
   });
   EXPECT_GT(slid, 500);
+}
+
+TEST(execute, counts_a_history_that_does_not_converge_and_goes_on) {
+  struct DoesNotConverge : Histories {
+    bool does_not_slide(double) const override { return false; }
+    History at(double level, std::span<Crossing>, WorkCount&) override {
+      if (level == 2.0) throw NotConverged("a made-up failure");
+      return {.peak_displacement_m = 0.1};
+    }
+    std::array<double, 2> closing_m(double) const override { return {}; }
+    double tipping_level(const RigidBase&) const override { return infinity; }
+  } histories;
+  WorkCount count;
+  for (const double level : {1.0, 2.0, 3.0}) {
+    const History history = run_history(histories, level, {}, count);
+    EXPECT_EQ(history.failed, level == 2.0);
+    EXPECT_EQ(std::isinf(history.peak_displacement_m), level == 2.0);
+  }
+  EXPECT_EQ(count.failed, 1u);
 }
 
 TEST(execute, finds_capacities_at_which_slip_equals_the_clearance) {

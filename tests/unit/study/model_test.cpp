@@ -60,7 +60,7 @@ TEST(cheapest_exact_kernel, is_the_first_that_has_all_the_study_asks_for) {
   config.quantities.at("vertical", "period_s") = fixed(0.0);
   EXPECT_EQ(kernel_of(config), Kernel::coupled);
   config.quantities.at("building", "yield_coefficient") = fixed(0.3);
-  EXPECT_EQ(kernel_of(config), Kernel::events);
+  EXPECT_EQ(kernel_of(config), Kernel::coupled);
   config.model.axes = SlidingAxes::two;
   EXPECT_EQ(kernel_of(config), Kernel::full);
 }
@@ -75,7 +75,7 @@ TEST(cheapest_exact_kernel, needs_no_coupling_with_a_building_that_does_not_move
 TEST(cheapest_exact_kernel, keeps_friction_that_is_stronger_at_rest_exact_on_one_axis) {
   StudyConfig config = tiny_config();
   config.quantities.at("friction", "static_over_sliding") = fixed(1.2);
-  EXPECT_EQ(kernel_of(config), Kernel::events);
+  EXPECT_EQ(kernel_of(config), Kernel::coupled);
   config.model.axes = SlidingAxes::two;
   EXPECT_EQ(kernel_of(config), Kernel::full);
 }
@@ -131,7 +131,7 @@ TEST(execute_yielding, r_is_the_design_spectrum_s_demand_over_the_strength) {
     config.quantities.at("building", "hardening_ratio") = fixed(0.05);
     config.quantities.at("building", "mass_ratio") = fixed(0.01);
     const Plan plan = small_plan(config);
-    ASSERT_EQ(plan.kernel.kernel, r == 0.0 ? Kernel::coupled : Kernel::events);
+    ASSERT_EQ(plan.kernel.kernel, Kernel::coupled);
     const HistoryTable table = test::run(plan).histories;
     const TargetSpectrum design(*plan.suites[0].target);
     int differ = 0;
@@ -286,7 +286,7 @@ TEST(execute_any_model, skipping_what_cannot_slip_changes_no_bit) {
     EXPECT_GT(total_count(a).below_yield, 10u) << plan.kernel.reason;
     EXPECT_EQ(total_count(b).below_yield, 0u);
   }
-  EXPECT_EQ(kernels.size(), 4u);
+  EXPECT_EQ(kernels.size(), 3u);
 }
 
 // Crossings are there where the vector gets that far, and nowhere else.

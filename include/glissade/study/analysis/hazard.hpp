@@ -98,4 +98,11 @@ struct HazardResults {
 /// From the fragility runs and the histories.
 HazardResults hazard_results(const StudyConfig& config, const Results& results);
 
+/// Where rates, which fall with displacement, come down to one: linear in logarithms; the first
+/// displacement where they begin below it, infinite where they end above it.
+double displacement_at(double rate, const std::vector<double>& displacements_m,
+                       const std::vector<double>& rates);
+/// By the run's curve.
+double displacement_at(double rate, const HazardRun& run);
+
 }  // namespace glissade

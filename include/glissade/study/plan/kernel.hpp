@@ -10,9 +10,10 @@ namespace glissade {
 /// What computes the histories of a study.
 enum class Kernel {
   tables,   ///< peak_slip(): the roof's motion does not depend on the block, one axis
-  coupled,  ///< coupled_slip(): array coupled with a linear building, one axis
-  events,   ///< slide_coupled(): the building yields, or friction is stronger at rest, one axis
-  full      ///< slide_on_building(): two axes, any friction law, and all that the others have
+  coupled,  ///< coupled_slip(): coupled building and array, the building may yield and friction be
+            ///< stronger at rest, one axis
+  full      ///< slide_two_axes(), or slide_on_building() where it gives more: two axes, any friction
+            ///< law, and all that the others have
 };
 
 /// A kernel and why a study needs no cheaper one.
@@ -24,6 +25,9 @@ struct KernelChoice {
 /// The cheapest kernel whose equations are exactly those of the study's model. All that it leaves
 /// out is absent from the study, so a dearer one would give the same slip.
 KernelChoice cheapest_exact_kernel(const StudyConfig& config);
+
+/// Microseconds of a history of 8,000 samples, from `bench`: what units of work are cut by.
+double history_us(Kernel kernel, const StudyConfig& config);
 
 /// What the kernel is: "one axis, coupled: ..."
 std::string describe(Kernel kernel, bool base_shear);

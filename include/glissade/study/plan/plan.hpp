@@ -67,7 +67,9 @@ struct Plan : PlanLists {
   std::vector<std::string> warnings;  ///< what is possible and not probable: first in every output
   std::vector<std::string> notes;     ///< remarks that belong to the results
   std::vector<Skip> skips;            ///< what the study does not need and is not run
-  std::string hash;                   ///< of everything that decides the results; on every rank
+  /// A line for each motion and each target of the suites: name, then a hash of the numbers.
+  std::string motions_text;
+  std::string hash;  ///< of everything that decides the results; on every rank
 
   const Suite& suite_of(std::size_t record) const { return suites[records[record].suite]; }
   const Motion& motion(std::size_t record) const {
@@ -103,9 +105,6 @@ Plan make_plan(const StudyConfig& config, std::vector<Suite> suites,
 /// Of what begin_plan() gives, with some of the cases. Ranks whose fingerprints differ would run
 /// other histories: another study file, another mathematical library.
 std::string fingerprint(const Plan& plan);
-
-/// A line for each motion and each target of the suites: name, then a hash of the numbers.
-std::string motions_text(const Plan& plan);
 
 /// How many units a study is cut into, where it has that many cases of 1 ms or more: fewer of the
 /// full model, whose lanes are filled by the cases of one unit.

@@ -13,6 +13,7 @@
 #include "glissade/block/coupled_slip.hpp"
 #include "glissade/block/on_building.hpp"
 #include "glissade/block/peak_slip.hpp"
+#include "glissade/block/two_axis_lanes.hpp"
 #include "glissade/building/roof_table.hpp"
 #include "glissade/study/cases/axis_motion.hpp"
 #include "glissade/study/plan/plan.hpp"
@@ -54,6 +55,8 @@ class RoofStore {
   BuildingGround ground_under(const Case& c);
   /// The same for coupled_slip(): the levels of a case share its tables, all cases their integrals.
   CoupledGround& coupled_ground(const Case& c);
+  /// The same for the full model. The lanes outlive the store's change to another record.
+  std::shared_ptr<TwoAxisLanes> two_axis_lanes(const BuildingGround& ground);
 
   /// The motion of the ground along an axis, as recorded but for mixes of both components; its sign
   /// is not applied.
@@ -104,6 +107,7 @@ class RoofStore {
   std::map<std::pair<AxisKey, int>, std::shared_ptr<GroundTable>> ground_;  ///< and parts
   std::map<VerticalKey, std::shared_ptr<MotionTable>> vertical_;
   std::map<std::pair<AxisKey, bool>, CoupledGround> coupled_;  ///< and whether with the vertical
+  std::vector<std::shared_ptr<TwoAxisLanes>> lanes_;           ///< by ground
   std::map<std::size_t, CaseRoof> kept_;                       ///< by building
   std::map<std::size_t, SlipCurve> curve_;                     ///< by building
   std::vector<std::shared_ptr<MotionTable>> pool_;  ///< tables whose memory is used again

@@ -96,7 +96,7 @@ bool RoofAtRest::sticks_in_tile(std::size_t node) const {
 }
 
 std::size_t RoofAtRest::tile_end(std::size_t node) const {
-  return after_record_ ? node + tile_nodes - 1
+  return after_record_ ? std::min(node + tile_nodes - 1, ground_.end)
                        : std::min((node / tile_nodes + 1) * tile_nodes, ground_.quiet);
 }
 

@@ -69,8 +69,14 @@ double RoofPiece::deviation() const {
   double total = 0.0;
   for (std::size_t k = 2; k < static_cast<std::size_t>(terms_); ++k)
     total += std::abs(a_[0][k]) + std::abs(a_[1][k]);
-  const Constants<double>& c = *constants_;
-  return total * (std::max(1.0, c.per_aspect) / c.cosine + c.mu * c.tangent);
+  return total * reserve_per_acceleration();
+}
+
+double RoofPiece::bend() const {
+  double second = 0.0;  // |a''|
+  for (std::size_t k = 2; k < static_cast<std::size_t>(terms_); ++k)
+    second += static_cast<double>(k * (k - 1)) * (std::abs(a_[0][k]) + std::abs(a_[1][k]));
+  return 0.125 * second * reserve_per_acceleration();
 }
 
 void RoofPiece::move(HistoryState& state, double tau) const {

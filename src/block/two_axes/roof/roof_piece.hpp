@@ -34,9 +34,10 @@ class RoofPiece {
   Load load(double tau) const;
   /// The load's coefficient of tau^k.
   Load term(int k) const;
-  /// By how much friction may hold the block less than on the chord between its
-  /// ends.
+  /// By how much the friction reserve may be less than on the chord between the piece's ends.
   double deviation() const;
+  /// The same on the chord over a part of the piece, over the square of that part's length.
+  double bend() const;
   /// Takes the ground and the building to a fraction of the piece.
   void move(HistoryState& state, double tau) const;
 
@@ -47,6 +48,11 @@ class RoofPiece {
     double total = c[static_cast<std::size_t>(terms) - 1];
     for (int k = terms - 1; k-- > 0;) total = total * tau + c[static_cast<std::size_t>(k)];
     return total;
+  }
+
+  double reserve_per_acceleration() const {
+    const Constants<double>& c = *constants_;
+    return std::max(1.0, c.per_aspect) / c.cosine + c.mu * c.tangent;
   }
 
   const Constants<double>* constants_;

@@ -40,6 +40,8 @@ GroundNodes::GroundNodes(const BuildingGround& ground) : dt_s(ground.horizontal[
   const GroundTable* tables[] = {ground.horizontal[0].get(), ground.horizontal[1].get(), up};
   for (const GroundTable* table : tables)
     if (table != nullptr) quiet = std::max(quiet, table->quiet_from());
+  end = quiet + static_cast<std::size_t>(
+                    std::min(RoofMotionOptions{}.longest_ring_down_s / dt_s, most_ring_down_steps));
   nodes.assign(4 * (quiet + 1), 0.0);
   std::vector<double>* rows[] = {&a[0], &a[1], &w};
   for (std::size_t n = 0; n < 3; ++n) {
@@ -89,17 +91,19 @@ double FreeVibration::bound(const AxisState& s) const {
   return (1.0 + 2.0 * zeta) * envelope.amplitude;
 }
 
-RestTable::RestTable(const GroundNodes& ground, const Constants<double>& c, RoofKind roof) {
+void RestTable::tabulate(const GroundNodes& ground, const Constants<double>& c, RoofKind roof) {
+  free.clear();
   for (std::size_t n = 0; n < 2; ++n) {
     a[n] = ground.a[n].data();
     deviation[n].assign(tiles_of(ground.quiet), 0.0);
-    const double after = roof == RoofKind::rigid ? 0.0 : tabulate(n, ground, c);
+    const double after = roof == RoofKind::rigid ? 0.0 : tabulate_axis(n, ground, c);
     tile[n] = tile_maxima(a[n], ground.quiet);
     coming[n] = suffix_maxima(tile[n], after);
   }
 }
 
-double RestTable::tabulate(std::size_t n, const GroundNodes& ground, const Constants<double>& c) {
+double RestTable::tabulate_axis(std::size_t n, const GroundNodes& ground,
+                                const Constants<double>& c) {
   const std::size_t quiet = ground.quiet;
   const double omega = n == 0 ? c.omega_1 : c.omega_2;
   const double twice_zeta = n == 0 ? c.twice_zeta_1 : c.twice_zeta_2;
@@ -111,9 +115,10 @@ double RestTable::tabulate(std::size_t n, const GroundNodes& ground, const Const
   const double x0 = mass * s.x_start, x1 = mass * s.x_end, y0 = root * s.y_start,
                y1 = root * s.y_end;
   const double per_left = 1.0 / (1.0 - (phase + twice_zeta) * phase * c.per_mass);
-  x[n].assign(quiet + 1, 0.0);
-  y[n].assign(quiet + 1, 0.0);
-  own_a[n].assign(quiet + 1 + padding, 0.0);
+  // A table made again overwrites all but the first node and the padding, which are zero.
+  x[n].resize(quiet + 1);
+  y[n].resize(quiet + 1);
+  own_a[n].resize(quiet + 1 + padding);
   AxisState now;  // from rest at the first sample, whatever its acceleration
   const double* g = ground.a[n].data();
   double largest = 0.0;  // departure in a tile

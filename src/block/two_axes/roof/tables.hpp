@@ -9,6 +9,10 @@
 
 namespace glissade::block_detail::two_axes {
 
+/// Steps of a ring-down, at most: one that is longer is for the scalar scheme, which has its own
+/// bounds.
+constexpr double most_ring_down_steps = 0x1p20;
+
 /// Nodes of a tile: what one bound covers.
 constexpr std::size_t tile_nodes = 64;
 
@@ -19,6 +23,7 @@ constexpr double between_nodes = 1.2;
 struct GroundNodes {
   double dt_s = 0.0;
   std::size_t quiet = 0;                 ///< the first node from which on it stays at zero
+  std::size_t end = 0;                   ///< the last to which a ring-down is followed here
   std::vector<double> nodes;             ///< GroundRows::nodes
   std::array<std::vector<double>, 2> a;  ///< by axis; zeros follow
   std::vector<double> w;                 ///< the same
@@ -26,6 +31,7 @@ struct GroundNodes {
       coming_w;  ///< largest |w|: of a tile, of it and all after it
 
   explicit GroundNodes(const BuildingGround& ground);
+  bool ends_early() const { return static_cast<double>(end - quiet) == most_ring_down_steps; }
   double ground(std::size_t axis, std::size_t node) const {
     return node < quiet ? nodes[4 * node + axis] : 0.0;
   }
@@ -76,7 +82,8 @@ struct RestTable {
   std::array<std::vector<double>, 2> deviation;  ///< how far it leaves its chord, by tile
   std::vector<FreeVibration> free;               ///< by axis; empty: rigid
 
-  RestTable(const GroundNodes& ground, const Constants<double>& constants, RoofKind roof);
+  /// @param ground the same each time that a table is made again
+  void tabulate(const GroundNodes& ground, const Constants<double>& constants, RoofKind roof);
   AxisState state(std::size_t axis, std::size_t node) const {
     return {x[axis][node], y[axis][node]};
   }
@@ -84,7 +91,8 @@ struct RestTable {
  private:
   /// One axis of an oscillator.
   /// @return bound of its |acceleration| after the ground has come to rest
-  double tabulate(std::size_t axis, const GroundNodes& ground, const Constants<double>& constants);
+  double tabulate_axis(std::size_t axis, const GroundNodes& ground,
+                       const Constants<double>& constants);
 };
 
 }  // namespace glissade::block_detail::two_axes

@@ -101,17 +101,12 @@ std::string slip_sentence(const Results& results, const SlipStatistics& slip) {
 /// The run, of the friction value of the first, whose histories exceed a prescribed displacement
 /// most often; of several the one that slips farther. @param row of RunResults::standards
 const RunResults& most_exceeding(const Results& results, std::size_t row) {
-  const auto order = [&](const RunResults& run) {
+  return results.runs[run_of_largest(results, [&](std::size_t i) {
+    const RunResults& run = results.runs[i];
     const StandardComparison& comparison = run.standards[row];
     const auto slip = std::ranges::find(run.slip, comparison.sds_g, &SlipStatistics::level);
     return std::pair(comparison.exceedance_probability, slip != run.slip.end() ? slip->p95_m : 0.0);
-  };
-  const RunResults* found = &results.runs.front();
-  for (const RunResults& run : results.runs)
-    if (friction_value_of(results, run) == friction_value_of(results, results.runs.front()) &&
-        order(run) > order(*found))
-      found = &run;
-  return *found;
+  })];
 }
 
 std::string standard_sentence(const Results& results, std::size_t row) {

@@ -27,8 +27,6 @@ Table hazard_table(const Results& results, std::optional<double> threshold_m = {
 Table hazard_curve_table(const Results& results);
 /// Per run and target rate.
 Table hazard_targets_table(const Results& results);
-/// By the run's curve, linear in logarithms; infinite beyond it.
-double displacement_of_rate(const HazardRun& run, double annual_rate);
 /// Per run and standard: no rows where the study compares with none, or S_DS of the site is not
 /// known.
 Table hazard_standards_table(const Results& results);

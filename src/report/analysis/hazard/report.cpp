@@ -42,23 +42,11 @@ std::string threshold_sentence(const HazardResults& hazard, const ThresholdRate&
   return text;
 }
 
-/// The run, of the friction value of the first, whose displacement of a target rate is largest.
-std::size_t largest_at_target(const Results& results, std::size_t target) {
-  const auto displacement_m = [&](std::size_t run) {
-    return results.hazard->runs[run].targets[target].displacement_m;
-  };
-  std::size_t found = 0;
-  for (std::size_t i = 1; i < results.runs.size(); ++i)
-    if (friction_value_of(results, results.runs[i]) ==
-            friction_value_of(results, results.runs[0]) &&
-        displacement_m(i) > displacement_m(found))
-      found = i;
-  return found;
-}
-
 /// @param target of HazardRun::targets
 std::string target_sentence(const Results& results, std::size_t target) {
-  const std::size_t at = largest_at_target(results, target);
+  const std::size_t at = run_of_largest(results, [&](std::size_t run) {
+    return results.hazard->runs[run].targets[target].displacement_m;
+  });
   const HazardRun& run = results.hazard->runs[at];
   const TargetDisplacement& row = run.targets[target];
   const std::string of_run = lists_more_than_friction_value(results)
@@ -80,14 +68,10 @@ std::string target_sentence(const Results& results, std::size_t target) {
 /// @param standard of HazardRun::prescribed; of the run that exceeds it most often
 std::string prescribed_sentence(const Results& results, std::size_t standard) {
   const std::vector<HazardRun>& runs = results.hazard->runs;
-  std::size_t most = 0;
-  for (std::size_t i = 1; i < runs.size(); ++i)
-    if (friction_value_of(results, results.runs[i]) ==
-            friction_value_of(results, results.runs[0]) &&
-        runs[i].prescribed[standard].annual_rate > runs[most].prescribed[standard].annual_rate)
-      most = i;
+  const std::size_t most = run_of_largest(
+      results, [&](std::size_t run) { return runs[run].prescribed[standard].annual_rate; });
   const PrescribedRate& row = runs[most].prescribed[standard];
-  const double target_m = displacement_of_rate(runs[most], rate_of(0.01, 50.0));
+  const double target_m = displacement_at(rate_of(0.01, 50.0), runs[most]);
   return fmt::format(
       "{} prescribes {}{} at the S_DS of the site, {:g} g: it is exceeded with a probability of {} "
       "in 50 years{}; {} is exceeded with 1 % in 50 years.",

@@ -5,7 +5,6 @@
 #include <cctype>
 #include <cmath>
 #include <filesystem>
-#include <limits>
 
 #include "analysis/hazard/hazard.hpp"
 #include "glissade/fragility/hazard.hpp"
@@ -43,18 +42,6 @@ std::string quantity_name(LifeQuantity quantity) {
 
 }  // namespace
 
-double displacement_of_rate(const HazardRun& run, double annual_rate) {
-  const auto& curve = run.curve;
-  const auto at = std::ranges::find_if(
-      curve, [&](const DisplacementRate& row) { return row.annual_rate <= annual_rate; });
-  if (at == curve.end()) return std::numeric_limits<double>::infinity();
-  if (at == curve.begin() || std::isinf((at - 1)->annual_rate)) return at->displacement_m;
-  const DisplacementRate& before = *(at - 1);
-  const double share =
-      std::log(before.annual_rate / annual_rate) / std::log(before.annual_rate / at->annual_rate);
-  return before.displacement_m * std::pow(at->displacement_m / before.displacement_m, share);
-}
-
 const char* sign_of(const ThresholdRate& row) { return row.beyond_share == 1.0 ? "< " : ""; }
 
 std::string curve_name(const HazardResults& hazard) {
@@ -80,12 +67,11 @@ Table hazard_table(const Results& results, std::optional<double> threshold_m) {
        {"annual_rate", "per_year", "Annual rate [95 %]", ColumnKind::rate, true},
        {"return_period", "years", "Return period, years [95 %]", ColumnKind::number, true},
        {"life_probability", "", "In " + life_text(hazard) + " [95 %]", ColumnKind::share, true},
-       {"probability_50_years", "", "In 50 years", ColumnKind::share},
+       {"probability_50_years", "", "In 50 years", ColumnKind::share, false, -1, true},
        {"beyond_share", "", "Beyond levels", ColumnKind::share},
        {"fit_rate", "per_year", "Annual rate by the lognormal fit", ColumnKind::rate}},
       {}};
   table.columns.back().detail = true;
-  table.columns[5].detail = true;
   for (const HazardRun& run : hazard.runs) {
     for (const ThresholdRate& row : run.thresholds) {
       if (row.threshold_m != threshold_m.value_or(row.threshold_m)) continue;
@@ -153,7 +139,7 @@ Table hazard_standards_table(const Results& results) {
                {"ratio", "", "That over prescribed"}},
               {}};
   for (const HazardRun& run : results.hazard->runs) {
-    const double target = displacement_of_rate(run, rate_of(0.01, 50.0));
+    const double target = displacement_at(rate_of(0.01, 50.0), run);
     for (const PrescribedRate& row : run.prescribed)
       table.add(
           {run.label, standard_name(row.standard),

@@ -148,18 +148,6 @@ struct Rates {
   }
 };
 
-/// Where falling rates come down to one: linear in logarithms; the first displacement where they
-/// begin below it, infinite where they end above it.
-double displacement_at(double rate, const std::vector<double>& displacements_m,
-                       const std::vector<double>& rates) {
-  const auto at = std::ranges::find_if(rates, [&](double r) { return r <= rate; });
-  if (at == rates.end()) return infinity;
-  const auto i = static_cast<std::size_t>(at - rates.begin());
-  if (i == 0 || std::isinf(rates[i - 1])) return displacements_m[i];
-  const double share = std::log(rates[i - 1] / rate) / std::log(rates[i - 1] / rates[i]);
-  return displacements_m[i - 1] * std::pow(displacements_m[i] / displacements_m[i - 1], share);
-}
-
 void add_curve(const Rates& rates, HazardRun& run) {
   const std::vector<double> displacements = rates.displacements_m();
   const std::vector<std::vector<double>> by_record = rates.rates_of(displacements);
@@ -208,6 +196,25 @@ void add_prescribed(const Rates& rates, const StandardsConfig& standards, double
 }
 
 }  // namespace
+
+double displacement_at(double rate, const std::vector<double>& displacements_m,
+                       const std::vector<double>& rates) {
+  const auto at = std::ranges::find_if(rates, [&](double r) { return r <= rate; });
+  if (at == rates.end()) return infinity;
+  const auto i = static_cast<std::size_t>(at - rates.begin());
+  if (i == 0 || std::isinf(rates[i - 1])) return displacements_m[i];
+  const double share = std::log(rates[i - 1] / rate) / std::log(rates[i - 1] / rates[i]);
+  return displacements_m[i - 1] * std::pow(displacements_m[i] / displacements_m[i - 1], share);
+}
+
+double displacement_at(double rate, const HazardRun& run) {
+  std::vector<double> displacements_m, rates;
+  for (const DisplacementRate& row : run.curve) {
+    displacements_m.push_back(row.displacement_m);
+    rates.push_back(row.annual_rate);
+  }
+  return displacement_at(rate, displacements_m, rates);
+}
 
 HazardResults hazard_results(const StudyConfig& config, const Results& results) {
   const HazardConfig& hazard = *config.hazard;

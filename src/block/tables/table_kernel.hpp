@@ -19,9 +19,9 @@ namespace glissade::block_detail {
 /// One history, event by event.
 /// @tparam History NoHistory, or WatchHistory to see where it crosses thresholds
 template <class Piece, class History>
-class EventKernel {
+class TableKernel {
  public:
-  EventKernel(const RoofTable& roof, const Scaled& scene, EventSearch search,
+  TableKernel(const RoofTable& roof, const Scaled& scene, EventSearch search,
               const History& history)
       : a_(*roof.horizontal),
         w_(roof.vertical.get()),
@@ -244,7 +244,7 @@ class EventKernel {
 };
 
 template <class Piece, class History>
-typename Piece::Interval EventKernel<Piece, History>::interval(std::size_t i) const {
+typename Piece::Interval TableKernel<Piece, History>::interval(std::size_t i) const {
   if constexpr (linear) {
     return {roof(i), roof(i + 1)};
   } else {
@@ -254,7 +254,7 @@ typename Piece::Interval EventKernel<Piece, History>::interval(std::size_t i) co
 }
 
 template <class Piece, class History>
-std::size_t EventKernel<Piece, History>::lifted(std::size_t i) {
+std::size_t TableKernel<Piece, History>::lifted(std::size_t i) {
   body_.be_at(time(i));
   if constexpr (linear) {
     body_.interval(step_s_, time(i + 1), scaled(roof(i)), scaled(roof(i + 1)));
@@ -281,8 +281,8 @@ PeakSlip walk_events(const RoofTable& roof, const Block& block, const MotionFact
   require_finite({factors.horizontal, factors.vertical}, "factors");
   const Scaled scene(block, factors);
   const bool linear = roof.horizontal->rigid() && (!roof.vertical || roof.vertical->rigid());
-  return in_metres(linear ? EventKernel<LinearPiece, History>(roof, scene, search, history).run()
-                          : EventKernel<QuarticPiece, History>(roof, scene, search, history).run(),
+  return in_metres(linear ? TableKernel<LinearPiece, History>(roof, scene, search, history).run()
+                          : TableKernel<QuarticPiece, History>(roof, scene, search, history).run(),
                    scene.factor);
 }
 
