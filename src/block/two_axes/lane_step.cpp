@@ -92,6 +92,10 @@ HWY_INLINE Constants<V> LoadConstants(const LaneStates& lanes, std::size_t first
           .anisotropy = at(c.anisotropy)};
 }
 
+/// Of the permitted error of a stop. LaneHistory::stop() sees more of the load's change than a lane:
+/// below this it takes most stops at once, which else need a stiff step before.
+constexpr double surely_permitted = 0.3;
+
 /// Lanes that can make the step: the block would not stop within what is left
 /// of the interval by a path known in closed form (LaneHistory::stop), is not too
 /// stiff, does not turn far, stays on the roof.
@@ -111,7 +115,7 @@ HWY_INLINE Mask CanStep(const StepSeries<roof>& z, const Constants<V>& c, const 
   }
   const V margin = n * n - (p_s * p_s + p_y * p_y);
   const V q = n * z.speed[0] + (p_s * m.v_s + p_y * (c.per_aspect * m.v_y));
-  const V allowed = (Number(12.0 * stop_tolerance) * c.tolerance) * m.path;
+  const V allowed = (Number(surely_permitted * 12.0 * stop_tolerance) * c.tolerance) * m.path;
   const Mask stops =
       hn::And(hn::And(hn::Gt(margin, zero), hn::Lt(q, margin)),
               hn::Le((h * (q * q)) * (change * q + (Number(6.0) * anisotropy) * margin),
