@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cstddef>
+#include <numeric>
 
 namespace glissade {
 
@@ -16,6 +17,15 @@ std::string without_control_characters(std::string text) {
     if (c == 0x7f) c = '?';
   }
   return text;
+}
+
+/// A name of a file's may be as long as the file.
+std::string shortened(const std::string& text) {
+  constexpr std::size_t most_bytes = 4000;
+  if (text.size() <= most_bytes) return text;
+  std::size_t end = most_bytes;
+  while ((static_cast<unsigned char>(text[end]) & 0xC0u) == 0x80u && end > 0) --end;  // in UTF-8
+  return text.substr(0, end) + "...";
 }
 
 }  // namespace
@@ -32,7 +42,7 @@ std::string quoted_for_shell(const std::string& word) {
 std::string to_string(const Problem& problem) {
   std::string text;
   if (!problem.where.empty()) text += problem.where + ": ";
-  text += problem.what;
+  text += shortened(problem.what);
   if (!problem.suggestion.empty()) text += "; " + problem.suggestion;
   if (!problem.excerpt.empty()) text += "\n" + problem.excerpt;
   return without_control_characters(std::move(text));
@@ -49,21 +59,22 @@ std::string join(const std::vector<Problem>& problems) {
   return text;
 }
 
-/// Optimal string alignment distance (Levenshtein with adjacent transpositions).
+/// Optimal string alignment distance (Levenshtein with adjacent transpositions), by rows.
 std::size_t edit_distance(const std::string& a, const std::string& b) {
-  std::vector<std::vector<std::size_t>> d(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
-  for (std::size_t i = 0; i <= a.size(); ++i) d[i][0] = i;
-  for (std::size_t j = 0; j <= b.size(); ++j) d[0][j] = j;
+  std::vector<std::size_t> row(b.size() + 1), above(row), above_that(row);
+  std::iota(row.begin(), row.end(), std::size_t{0});
   for (std::size_t i = 1; i <= a.size(); ++i) {
+    above_that.swap(above);
+    above.swap(row);
+    row[0] = i;
     for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t replace = d[i - 1][j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1);
-      d[i][j] = std::min({d[i - 1][j] + 1, d[i][j - 1] + 1, replace});
-      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1]) {
-        d[i][j] = std::min(d[i][j], d[i - 2][j - 2] + 1);
-      }
+      const std::size_t replace = above[j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1);
+      row[j] = std::min(replace, std::min(above[j], row[j - 1]) + 1);
+      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+        row[j] = std::min(row[j], above_that[j - 2] + 1);
     }
   }
-  return d[a.size()][b.size()];
+  return row[b.size()];
 }
 
 }  // namespace
@@ -78,7 +89,12 @@ void ProblemList::add(const InputError& error) {
 }
 
 void ProblemList::throw_if_any() const {
-  if (!problems_.empty()) throw InputError(problems_);
+  constexpr std::size_t most = 100;
+  if (problems_.empty()) return;
+  if (problems_.size() <= most) throw InputError(problems_);
+  std::vector<Problem> shown(problems_.begin(), problems_.begin() + most);
+  shown.push_back({"", std::to_string(problems_.size() - most) + " more problems", "", ""});
+  throw InputError(std::move(shown));
 }
 
 namespace {
@@ -120,8 +136,11 @@ bool differ_in_digits_only(const std::string& a, const std::string& b) {
 }  // namespace
 
 std::string nearest_word(const std::string& word, const std::vector<std::string>& candidates) {
+  constexpr std::size_t longest_word = 100;
+  if (word.size() > longest_word) return "";
+  const std::string lower = in_lower_case(word);
   for (const std::string& candidate : candidates) {
-    if (in_lower_case(candidate) == in_lower_case(word)) return candidate;
+    if (in_lower_case(candidate) == lower) return candidate;
   }
   // A suggestion helps where the words begin with the same part (another unit), mean the same, or
   // differ by a slip of the pen: not in all letters, nor in the digits of a number.
@@ -137,11 +156,16 @@ std::string nearest_word(const std::string& word, const std::vector<std::string>
   for (const std::string& candidate : candidates) {
     if (differ_in_digits_only(word, candidate)) continue;
     const std::string part = first_part(candidate);
-    // "perod" is "period_s" without its unit, "slop" begins "slope_deg".
-    const std::size_t distance = part.starts_with(word) ? 1
-                                                        : std::min(edit_distance(word, candidate),
-                                                                   edit_distance(word, part) + 1);
     const bool shares = part == first || part == name;
+    // "perod" is "period_s" without its unit, "slop" begins "slope_deg".
+    const bool begins = part.starts_with(word);
+    const auto longer = [&](const std::string& other) {  // each letter more is a step
+      return std::max(word.size(), other.size()) - std::min(word.size(), other.size());
+    };
+    const std::size_t least = begins ? 1 : std::min(longer(candidate), longer(part) + 1);
+    if (!shares && (best_shares || least > best_distance)) continue;
+    const std::size_t distance =
+        begins ? 1 : std::min(edit_distance(word, candidate), edit_distance(word, part) + 1);
     const bool is_nearer =
         distance < best_distance || (distance == best_distance && candidate.size() < best.size());
     if (shares != best_shares ? shares : is_nearer) {

@@ -84,6 +84,7 @@ void write_and_rename(const fs::path& path, const WriteFile& write) {
 
 std::string read_text_file(const fs::path& path) {
   constexpr std::size_t most_bytes = std::size_t{1} << 28, block_bytes = std::size_t{1} << 20;
+  std::size_t part = 4096;  // most files are small: a large block would be cleared for nothing
   errno = 0;
   std::ifstream file(path, std::ios::binary);
   std::string text;
@@ -91,9 +92,10 @@ std::string read_text_file(const fs::path& path) {
     try {  // the stream buffer throws where the system refuses a read
       while (file && text.size() <= most_bytes) {
         const std::size_t size = text.size();
-        text.resize(size + block_bytes);
-        file.read(text.data() + size, block_bytes);
+        text.resize(size + part);
+        file.read(text.data() + size, static_cast<std::streamsize>(part));
         text.resize(size + static_cast<std::size_t>(file.gcount()));
+        part = block_bytes;
       }
       if (text.size() > most_bytes)  // or without an end, as /dev/zero
         throw InputError(

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <fcntl.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
@@ -9,6 +11,7 @@
 #include <string_view>
 
 #include "glissade/core/error.hpp"
+#include "glissade/core/output_file.hpp"
 #include "unit/io/temporary_folder.hpp"
 
 /// What libFuzzer, or replay.cpp, calls with each input. Returning is passing.
@@ -29,9 +32,18 @@ inline const TemporaryFolder& folder() {
   return here;
 }
 
+/// Of a folder that is there; with fewer calls of the system than TemporaryFolder::write.
+inline std::filesystem::path write_input(const char* name, std::string_view text) {
+  const std::filesystem::path path = folder().path() / name;
+  OutputFile file(::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666), path);
+  file.write(text);
+  file.close();
+  return path;
+}
+
 inline std::filesystem::path input_file(const std::uint8_t* data, std::size_t size,
                                         const char* name = "input") {
-  return folder().write(name, {reinterpret_cast<const char*>(data), size});
+  return write_input(name, {reinterpret_cast<const char*>(data), size});
 }
 
 /// Reads, and is content with a refusal; whatever else is thrown ends the program.

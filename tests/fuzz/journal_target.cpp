@@ -52,7 +52,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string rest = as_it_is && size > 0
                                ? std::string(reinterpret_cast<const char*>(data) + 1, size - 1)
                                : with_checksums(in);
-  fuzz::folder().write("journal/0-1.units", head + rest);
+  fuzz::write_input("journal/0-1.units", head + rest);
   std::size_t units = 0;
   const auto take = [&](const UnitResult& unit) {
     check(++units <= plan.units.size(), "each unit is read once");
@@ -60,12 +60,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   };
   read_journals(fuzz::folder().path(), run, plan, take);
 
-  fuzz::folder().write("journal/0-1.units", rest);  // perhaps of another run
+  fuzz::write_input("journal/0-1.units", rest);  // perhaps of another run
   fuzz::may_refuse([&] {
     units = 0;
     read_journals(fuzz::folder().path(), run, plan, take);
   });
-  fuzz::folder().write("journal/run", rest);
+  fuzz::write_input("journal/run", rest);
   fuzz::may_refuse([&] { read_identity(fuzz::folder().path()); });
   return 0;
 }

@@ -12,16 +12,28 @@
 
 namespace glissade::fuzz {
 
+/// The names of all objects of an HDF5 file.
+inline std::vector<std::string> names_in(const std::filesystem::path& file) {
+  std::vector<std::string> names;
+  const auto remember = [](hid_t, const char* name, const H5L_info_t*, void* into) {
+    static_cast<std::vector<std::string>*>(into)->emplace_back(name);
+    return herr_t{0};
+  };
+  const hid_t opened = H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+  H5Lvisit(opened, H5_INDEX_NAME, H5_ITER_INC, remember, &names);
+  H5Fclose(opened);
+  return names;
+}
+
 /// Edits a results file as the input says, four bytes and more to an edit: deletes an object or
 /// puts another in its place. The file stays whole for the HDF5 library, which is not what is
 /// tested here and does not stand arbitrary bytes. Errors of HDF5 are of no interest: an edit that
 /// cannot be made is not made.
 class ResultsEditor {
  public:
-  explicit ResultsEditor(const std::filesystem::path& file)
-      : file_(H5Fopen(file.c_str(), H5F_ACC_RDWR, H5P_DEFAULT)) {
-    H5Lvisit(file_, H5_INDEX_NAME, H5_ITER_INC, remember, &names_);
-  }
+  /// `names` are those of the objects that the file had.
+  ResultsEditor(const std::filesystem::path& file, const std::vector<std::string>& names)
+      : file_(H5Fopen(file.c_str(), H5F_ACC_RDWR, H5P_DEFAULT)), names_(names) {}
   ~ResultsEditor() { H5Fclose(file_); }
   ResultsEditor(const ResultsEditor&) = delete;
   ResultsEditor& operator=(const ResultsEditor&) = delete;
@@ -52,11 +64,6 @@ class ResultsEditor {
   }
 
  private:
-  static herr_t remember(hid_t, const char* name, const H5L_info_t*, void* names) {
-    static_cast<std::vector<std::string>*>(names)->emplace_back(name);
-    return 0;
-  }
-
   static hid_t take_type(Bytes& bytes) {
     static const std::array<hid_t, 7> numbers = {H5T_IEEE_F64LE, H5T_STD_U64LE,  H5T_STD_I32LE,
                                                  H5T_STD_U8LE,   H5T_IEEE_F32BE, H5T_STD_I64BE,
@@ -134,7 +141,7 @@ class ResultsEditor {
   }
 
   hid_t file_;
-  std::vector<std::string> names_;
+  const std::vector<std::string>& names_;
 };
 
 }  // namespace glissade::fuzz

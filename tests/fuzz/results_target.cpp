@@ -55,10 +55,20 @@ void report(const Results& results) {
   check(!summary_text(results).empty(), "a summary is made");
 }
 
-void edit_and_read(const std::string& good, const std::uint8_t* data, std::size_t size) {
-  const auto file = fuzz::folder().write("results.h5", good);
+struct GoodFile {
+  std::string bytes;
+  std::vector<std::string> names;  ///< of its objects
+};
+
+GoodFile good_file(const Results& results) {
+  std::string bytes = bytes_of(results, fuzz::folder(), "good.h5");
+  return {std::move(bytes), fuzz::names_in(fuzz::folder().path() / "good.h5")};
+}
+
+void edit_and_read(const GoodFile& good, const std::uint8_t* data, std::size_t size) {
+  const auto file = fuzz::write_input("results.h5", good.bytes);
   {
-    fuzz::ResultsEditor editor(file);
+    fuzz::ResultsEditor editor(file, good.names);
     fuzz::Bytes bytes(data, std::min<std::size_t>(size, 4096));
     while (bytes.left() > 0) editor.edit(bytes);
   }
@@ -78,8 +88,7 @@ void edit_and_read(const std::string& good, const std::uint8_t* data, std::size_
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static const bool silent = H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr) >= 0;
   check(silent, "HDF5 prints nothing");
-  static const std::array good = {bytes_of(with_fragility(), fuzz::folder(), "good.h5"),
-                                  bytes_of(with_all(), fuzz::folder(), "good.h5")};
-  for (const std::string& bytes : good) edit_and_read(bytes, data, size);
+  static const std::array good = {good_file(with_fragility()), good_file(with_all())};
+  for (const GoodFile& file : good) edit_and_read(file, data, size);
   return 0;
 }

@@ -96,7 +96,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const glissade::StudyConfig study = glissade::read_study(file);
     check(!study.name.empty(), "a study has a name");
     check(study.source_text.size() == size, "the text is kept whole");
-    check(glissade::read_study(glissade::fuzz::folder().write("plain.toml", study.hashed_text))
+    check(glissade::read_study(glissade::fuzz::write_input("plain.toml", study.hashed_text))
                   .hashed_text == study.hashed_text,
           "the text in the units of the keys is the same study");
     check_quantities(study);

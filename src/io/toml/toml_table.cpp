@@ -2,7 +2,6 @@
 #include "toml/toml_table.hpp"
 
 #include <fmt/format.h>
-#include <toml++/toml.h>
 
 #include <algorithm>
 #include <cmath>
@@ -12,13 +11,14 @@
 
 #include "glissade/core/file.hpp"
 #include "text/scan.hpp"
+#include "toml/source_text.hpp"
 #include "toml/written_units.hpp"
 
 namespace glissade {
 
 struct TomlDocument::State {
   std::filesystem::path file;
-  std::string text;
+  SourceText source{""};
   toml::table root;
   /// A problem, and the table it was found in: of an old key, or perhaps a consequence of one.
   struct Found {
@@ -53,34 +53,6 @@ struct TomlDocument::State {
 };
 
 namespace {
-
-/// The line with a caret below a column (counted in code points, from 1). Long lines are cut around
-/// it.
-std::string excerpt(std::string_view text, const toml::source_position& at) {
-  LineReader reader(text);
-  while (reader.next() && reader.number() < at.line) {
-  }
-  if (reader.number() != at.line || at.column == 0) return {};
-  const std::string_view line = reader.line();
-  std::size_t caret = 0;  // in bytes
-  const auto is_continuation = [&](std::size_t i) {
-    return (static_cast<unsigned char>(line[i]) & 0xC0u) == 0x80u;
-  };
-  for (std::size_t column = 1; column < at.column && caret < line.size(); ++column) {
-    do ++caret;
-    while (caret < line.size() && is_continuation(caret));
-  }
-  constexpr std::size_t shown_before = 60, shown_after = 40;
-  std::size_t begin = caret > shown_before ? caret - shown_before : 0;
-  while (begin < caret && is_continuation(begin)) ++begin;
-  std::size_t end = std::min(line.size(), caret + shown_after);
-  while (end < line.size() && is_continuation(end)) ++end;
-  std::string padding;
-  for (std::size_t i = begin; i < caret; ++i) {
-    if (!is_continuation(i)) padding += line[i] == '\t' ? '\t' : ' ';
-  }
-  return "  " + std::string(line.substr(begin, end - begin)) + "\n  " + padding + "^";
-}
 
 /// "friction" of "friction.mu."
 std::string table_of(const std::string& path) { return path.substr(0, path.find('.')); }
@@ -152,20 +124,15 @@ std::string unit_note(const std::string& name, const std::string& nearest) {
 }  // namespace
 
 void TomlDocument::State::note_written(const toml::source_position& at, double value) {
-  std::size_t place = 0;
-  for (std::size_t line = 1; line < at.line; ++line) place = text.find('\n', place) + 1;
-  place += text.starts_with("\xEF\xBB\xBF") && place == 0 ? 3 : 0;
-  for (std::size_t column = 1; column < at.column; ++column) {
-    do ++place;
-    while (place < text.size() && (static_cast<unsigned char>(text[place]) & 0xC0u) == 0x80u);
-  }
+  const std::size_t place = source.offset_of(at);
+  const std::string& text = source.text();
   if (place < text.size() && (text[place] == '"' || text[place] == '\'')) written[place] = value;
 }
 
 Problem TomlDocument::State::problem(const toml::source_position& at, std::string what,
                                      std::string suggestion) const {
   return {at.line > 0 ? place(file, at.line) : file.string(), std::move(what),
-          std::move(suggestion), excerpt(text, at)};
+          std::move(suggestion), source.excerpt(at)};
 }
 
 void TomlDocument::State::find_unknown_keys(const toml::table& table, const std::string& path) {
@@ -252,9 +219,9 @@ void TomlDocument::State::throw_if_any() const {
 
 TomlDocument::TomlDocument(const std::filesystem::path& file) : state_(std::make_unique<State>()) {
   state_->file = file;
-  state_->text = read_text_file(file);
+  state_->source = SourceText(read_text_file(file));
   try {
-    state_->root = toml::parse(state_->text);
+    state_->root = parse_toml(text());
   } catch (const toml::parse_error& error) {
     throw InputError(
         state_->problem(error.source().begin, std::string(error.description()),
@@ -266,7 +233,7 @@ TomlDocument::TomlDocument(const std::filesystem::path& file) : state_(std::make
 
 std::string toml_without(const std::string& text, const std::vector<std::string>& tables) {
   try {
-    toml::table root = toml::parse(text);
+    toml::table root = parse_toml(text);
     for (const std::string& table : tables) root.erase(table);
     std::ostringstream form;
     form << root;
@@ -288,20 +255,20 @@ TomlTable TomlDocument::root() {
   return {state_.get(), &state_->root, ""};
 }
 
-const std::string& TomlDocument::text() const { return state_->text; }
+const std::string& TomlDocument::text() const { return state_->source.text(); }
 
 std::string TomlDocument::text_in_key_units() const {
   std::string result;
   std::size_t copied = 0;
   for (const auto& [begin, value] : state_->written) {
     // A TOML string: between quotes of one kind, one or three of them.
-    const std::string& text = state_->text;
+    const std::string& text = this->text();
     const std::size_t first = text.find_first_not_of(text[begin], begin);
     const std::string quotes = text.substr(begin, first - begin);
     result += text.substr(copied, begin - copied) + shortest_decimal(value);
     copied = text.find(quotes, first) + quotes.size();
   }
-  return result + state_->text.substr(copied);
+  return result + text().substr(copied);
 }
 
 void TomlDocument::add(Problem problem) {

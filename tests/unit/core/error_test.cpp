@@ -26,6 +26,42 @@ TEST(problem_list, throws_all_problems_at_once) {
   }
 }
 
+TEST(problem_list, shows_a_hundred_problems_and_counts_the_others) {
+  ProblemList problems;
+  for (int i = 0; i < 100; ++i) problems.add({"a", "wrong", "", ""});
+  try {
+    problems.throw_if_any();
+    FAIL() << "nothing thrown";
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.problems().size(), 100u);
+    EXPECT_EQ(error.problems().back().what, "wrong");
+  }
+  problems.add({"a", "wrong", "", ""});
+  problems.add({"a", "wrong", "", ""});
+  try {
+    problems.throw_if_any();
+    FAIL() << "nothing thrown";
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.problems().size(), 101u);
+    EXPECT_EQ(error.problems().back().what, "2 more problems");
+  }
+}
+
+TEST(problem, cuts_a_name_that_is_as_long_as_a_file_between_two_letters) {
+  const std::string fits(4000, 'x');
+  EXPECT_EQ(to_string({"", fits, "", ""}), fits);
+  std::string greek;
+  for (int i = 0; i < 3000; ++i) greek += "α";
+  EXPECT_EQ(to_string({"", "x" + greek, "", ""}), "x" + greek.substr(0, 3998) + "...");
+}
+
+TEST(nearest_word, is_none_of_a_word_that_is_no_slip_of_the_pen) {
+  EXPECT_EQ(nearest_word(std::string(97, 'x') + "_mu", {"mu"}), "");
+  EXPECT_EQ(nearest_word(std::string(98, 'x') + "mu", {"x", "mu_x"}), "");
+  EXPECT_EQ(nearest_word("sa_" + std::string(97, 'x'), {"sa_period_s"}), "sa_period_s");
+  EXPECT_EQ(nearest_word("sa_" + std::string(98, 'x'), {"sa_period_s"}), "");
+}
+
 TEST(nearest_word, finds_the_key_with_a_wrong_unit_or_a_slip_of_the_pen) {
   const std::vector<std::string> keys = {"period_s", "damping", "slope_deg", "thresholds_m"};
   EXPECT_EQ(nearest_word("period_ms", keys), "period_s");

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "study_texts.hpp"
+#include "toml/toml_table.hpp"
 
 namespace glissade {
 namespace {
@@ -40,6 +41,22 @@ TEST_F(StudyFile, syntax_errors_and_wrong_types_are_located) {
   EXPECT_THAT(faults("study = 3\n"), testing::Contains("1 study"));
   EXPECT_THAT(faults(needed + "[roof]\nslope_deg = nan\n"), ElementsAre("14 roof.slope_deg"));
   EXPECT_THAT(error(std::string("\xff\xfe", 2)), HasSubstr("study.toml"));
+}
+
+/// toml++ takes nested tables down by recursion, which has no room for this many.
+TEST_F(StudyFile, a_name_that_nests_without_end_is_refused) {
+  std::string name = "a";
+  for (int i = 0; i < 100'000; ++i) name += ".a";
+  const std::string message = error(needed + name + " = 1\n");
+  EXPECT_THAT(message, HasSubstr("study.toml:13: more than 2000 points in a line"));
+  EXPECT_LT(message.size(), 1000u);
+  EXPECT_THROW(toml_without(name + " = 1\n", {}), InputError);
+}
+
+TEST_F(StudyFile, a_problem_far_down_shows_its_line_whatever_the_letters_above) {
+  std::string text = "\xEF\xBB\xBF" + needed + "# α\n\n[building]\nperiod_s = \"1 α\"\r\n";
+  EXPECT_THAT(error(text), AllOf(HasSubstr("study.toml:16: building.period_s = '1 ??'"),
+                                 HasSubstr("  period_s = \"1 α\"\n             ^")));
 }
 
 /// A study that is refused, and what its message begins with: the key at fault.
