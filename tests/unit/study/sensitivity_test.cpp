@@ -9,6 +9,7 @@
 
 #include "glissade/core/error.hpp"
 #include "glissade/study/cases/sample_points.hpp"
+#include "glissade/study/run/reduce.hpp"
 #include "unit/study/small_study.hpp"
 
 namespace glissade {
@@ -158,6 +159,29 @@ TEST(sensitivity, of_a_slip_study_is_that_of_brute_force) {
   EXPECT_NEAR(capacity.total[2], exact.slope_total, 0.01);
   EXPECT_NEAR(capacity.total[3], exact.friction_total, 0.01);
   EXPECT_GT(exact.friction_first, 0.1);  // they are not all small
+
+  // The same of histories that were run without [sensitivity].
+  StudyConfig plain = two_factor_config(512);
+  plain.sensitivity = false;
+  Results finished = test::run(small_plan(plain));
+  ASSERT_EQ(finished.cases.samples, 512u);
+  analyse_again(two_factor_config(512), finished);
+  EXPECT_EQ(finished.sensitivity->matrices, 1u);
+  const SpreadRow& given = finished.sensitivity->rows.front();
+  EXPECT_NEAR(given.first[2], exact.slope_first, 0.01);
+  EXPECT_NEAR(given.first[3], exact.friction_first, 0.01);
+  EXPECT_LT(given.first_interval[3].low, exact.friction_first);
+  EXPECT_GT(given.first_interval[3].high, exact.friction_first);
+  EXPECT_TRUE(std::isnan(given.total[3]));
+  EXPECT_GE(given.total[0], given.first[0]);  // records
+}
+
+TEST(sensitivity, of_finished_results_needs_32_samples) {
+  StudyConfig config = two_factor_config(16);
+  config.sensitivity = false;
+  Results results = test::run(small_plan(config));
+  config.sensitivity = true;
+  EXPECT_THROW(analyse_again(config, results), InputError);
 }
 
 TEST(sensitivity, has_a_row_for_each_threshold_and_level) {

@@ -48,12 +48,16 @@ struct DesignFrictionRow {
 
 struct SensitivityResults {
   std::vector<std::string> factors;  ///< "records", "all that is drawn", "friction" ...
-  std::uint64_t samples = 0;         ///< of each pick-freeze matrix
+  std::uint64_t samples = 0;         ///< of each matrix
+  /// Of the pick-freeze design; 1: the samples of any study (given data), without total indices of
+  /// what is drawn.
+  std::uint64_t matrices = 1;
   std::vector<SpreadRow> rows;  ///< by (combination, threshold): capacity, then exceedance by level
   std::vector<DesignFrictionRow> design_friction;  ///< by (combination, level), where both are run
 };
 
-/// Precondition: config.sensitivity, and [fragility] is computed.
+/// Of histories that were run without [sensitivity] as given data. Throws InputError where they do
+/// not serve. Precondition: config.sensitivity, and [fragility] is computed.
 SensitivityResults sensitivity_results(const StudyConfig& config, const Results& results);
 
 }  // namespace glissade

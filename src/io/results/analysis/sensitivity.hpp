@@ -57,6 +57,7 @@ void exchange_design_friction(const Archive& archive, const IntensityScale& scal
 template <class Archive, class S>
 void exchange_sensitivity(const Archive& archive, const IntensityScale& scale, S& found) {
   archive.attribute("samples", found.samples);
+  archive.attribute("matrices", found.matrices);
   list(archive, "factor", {"-", "what the spread comes from"}, found.factors);
   exchange_spread(archive.group("spread"), scale, found.rows);
   exchange_design_friction(archive.group("design_friction"), scale, found.design_friction);

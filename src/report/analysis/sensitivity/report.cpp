@@ -34,9 +34,8 @@ std::string spread_sentence(const SensitivityResults& found, const SpreadRow& ro
   std::ranges::stable_sort(
       drawn, [&](std::size_t a, std::size_t b) { return row.first[a] > row.first[b]; });
   const auto part = [&](const std::string& name, std::size_t f) {
-    return fmt::format("{} {} and {}", name,
-                       share_with_interval(row.first[f], row.first_interval[f]),
-                       format_share(row.total[f]));
+    const std::string alone = name + " " + share_with_interval(row.first[f], row.first_interval[f]);
+    return std::isnan(row.total[f]) ? alone : alone + " and " + format_share(row.total[f]);
   };
   std::string text = fmt::format(
       "Spread of the capacity at {} (log std {:.2f}), parts of its variance alone and with "

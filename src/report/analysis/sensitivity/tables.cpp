@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
 #include "analysis/sensitivity/sensitivity.hpp"
 #include "text/study_text.hpp"
 
@@ -14,12 +16,17 @@ const Column first_column{"first", "", "Alone [95 %]", ColumnKind::share, true};
 const Column total_column{"total", "", "With interactions [95 %]", ColumnKind::share, true};
 
 std::vector<std::string> notes_on(const SensitivityResults& found) {
-  return {
+  const std::string alone =
       "Alone: part of the variance that goes, on average, if the factor is known (first-order "
-      "Sobol index). With interactions: part that stays if all others are known (total index).",
-      std::to_string(found.samples) + " samples in each of " +
-          std::to_string(found.factors.size() - first_drawn_factor + 2) +
-          " pick-freeze matrices, each with all records."};
+      "Sobol index). With interactions: part that stays if all others are known (total index)";
+  if (found.matrices == 1)
+    return {alone + ", which these samples show of the records and of all that is drawn only.",
+            "Given data: " + std::to_string(found.samples) +
+                " samples that were not drawn for this, with all records, in groups by each "
+                "factor."};
+  return {alone + ".", fmt::format("{} samples in each of {} pick-freeze matrices, each with all "
+                                   "records.",
+                                   found.samples, found.matrices)};
 }
 
 }  // namespace
