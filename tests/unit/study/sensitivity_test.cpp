@@ -220,6 +220,26 @@ TEST(sensitivity, compares_drawn_friction_with_its_design_value) {
   EXPECT_DOUBLE_EQ(rows[level].same_motion, above / (3.0 * samples));
   EXPECT_NEAR(rows[level].design_mean_m, mean_m, 1e-12);
   EXPECT_DOUBLE_EQ(rows[level].above_mean, above_mean / (3.0 * samples));
+  // Leaving out one of the 8 samples of every matrix.
+  std::vector<double> without(8);
+  for (std::size_t g = 0; g < 8; ++g) {
+    for (std::size_t record = 0; record < 3; ++record) {
+      for (std::size_t c = 0; c < samples; ++c) {
+        if (c % 8 == g) continue;
+        without[g] += results.histories.displacement_m(record, c, level) >
+                              results.histories.displacement_m(record, samples + c, level)
+                          ? 1.0 / (3.0 * (samples - 6.0))
+                          : 0.0;
+      }
+    }
+  }
+  double mean = 0.0, squares = 0.0;
+  for (const double w : without) mean += w / 8.0;
+  for (const double w : without) squares += (w - mean) * (w - mean);
+  EXPECT_NEAR(rows[level].same_motion_error, std::sqrt(squares * 7.0 / 8.0), 1e-12);
+  EXPECT_GT(rows[level].same_motion_error, 0.0);
+  EXPECT_LE(rows[level].same_motion_interval.low,
+            std::max(0.0, rows[level].same_motion - 2.3 * rows[level].same_motion_error));
   EXPECT_LE(rows[level].same_motion_interval.low, rows[level].same_motion);
   EXPECT_GE(rows[level].above_mean_interval.high, rows[level].above_mean);
 }

@@ -40,10 +40,12 @@ struct DesignFrictionRow {
   /// Probability that the displacement with drawn friction exceeds that with design friction of the
   /// same record and sample.
   double same_motion = 0.0;
-  Interval same_motion_interval;  ///< 95 %, over records, as all here
-  double design_mean_m = 0.0;     ///< mean displacement with design friction
+  Interval same_motion_interval;   ///< 95 %, over records and samples, as all here
+  double same_motion_error = 0.0;  ///< standard error from the samples alone
+  double design_mean_m = 0.0;      ///< mean displacement with design friction
   double above_mean = 0.0;  ///< probability that a displacement with drawn friction exceeds that
   Interval above_mean_interval;
+  double above_mean_error = 0.0;
 };
 
 struct SensitivityResults {

@@ -67,12 +67,14 @@ std::string design_sentence(const Results& results) {
   }
   return fmt::format(
       "Design friction (mean - 2 std) at {}: slip with drawn friction exceeds that with design "
-      "friction, of the same motion and building, with a probability of {}. The mean slip with "
-      "design friction, {}, is exceeded with a probability of {}.",
+      "friction, of the same motion and building, with a probability of {} (standard error of the "
+      "samples {}). The mean slip with design friction, {}, is exceeded with a probability of {} "
+      "(samples {}).",
       at_intensity(results, row->level),
       share_with_interval(row->same_motion, row->same_motion_interval),
-      format_length(row->design_mean_m),
-      share_with_interval(row->above_mean, row->above_mean_interval));
+      format_share(row->same_motion_error), format_length(row->design_mean_m),
+      share_with_interval(row->above_mean, row->above_mean_interval),
+      format_share(row->above_mean_error));
 }
 
 std::vector<std::string> sentences(const Results& results) {

@@ -110,16 +110,20 @@ Table design_friction_table(const Results& results) {
               {text_column("condition", "Array"),
                intensity_column(results, "level", "Level"),
                {"same_motion", "", "Same motion and building [95 %]", ColumnKind::share, true},
+               {"same_motion_error", "", "Standard error of the samples", ColumnKind::share},
                {"design_mean", "m", "Mean slip with mean - 2 std, m (in)", ColumnKind::length},
-               {"above_mean", "", "Any slip above that mean [95 %]", ColumnKind::share, true}},
+               {"above_mean", "", "Any slip above that mean [95 %]", ColumnKind::share, true},
+               {"above_mean_error", "", "Standard error of the samples", ColumnKind::share}},
               {}};
   for (const DesignFrictionRow& row : results.sensitivity->design_friction)
     table.add({row.condition, row.level, Estimate{row.same_motion, row.same_motion_interval},
-               row.design_mean_m, Estimate{row.above_mean, row.above_mean_interval}});
+               row.same_motion_error, row.design_mean_m,
+               Estimate{row.above_mean, row.above_mean_interval}, row.above_mean_error});
   table.notes = {
       "Normal friction is below mean - 2 std with a probability of 2.3 %.",
-      "Intervals are over records, and never narrower than that of a binomial with one trial for "
-      "each record."};
+      "Intervals are over records, with the error of the samples added, which all records share. "
+      "Without the latter they are, but for the same motion, never narrower than that of a "
+      "binomial with one trial for each record."};
   return table;
 }
 
