@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
+#include <map>
+#include <numeric>
 
 #include "glissade/core/contract.hpp"
 #include "glissade/core/not_finite.hpp"
@@ -56,20 +58,27 @@ class Estimator {
     const double v = e.variance();
     e.shares = {e.of_records / v, (e.of_records + e.of_both) / v, e.of_samples / v,
                 (e.of_samples + e.of_both) / v};
-    for (std::size_t factor = 0; factor < y_.factors(); ++factor) add_factor(factor, v, e.shares);
+    for (std::size_t factor = 0; factor < y_.factors(); ++factor) {
+      if (y_.is_given_data()) {
+        e.shares.push_back(of_groups(factor) / v);
+        e.shares.push_back(nan);
+      } else {
+        add_factor(factor, v, e.shares);
+      }
+    }
     return e;
   }
 
  private:
-  /// Of A and B, twice as many samples.
   void add_components(Estimates& e) const {
+    const std::size_t plain = y_.plain_matrices();
     const double n = static_cast<double>(records_.size()),
-                 m = 2.0 * static_cast<double>(samples_.size());
-    std::vector<double> of_record(records_.size()), of_sample(2 * samples_.size());
+                 m = static_cast<double>(plain * samples_.size());
+    std::vector<double> of_record(records_.size()), of_sample(plain * samples_.size());
     double all = 0.0, squares = 0.0;
     for (std::size_t i = 0; i < records_.size(); ++i) {
       for (std::size_t j = 0; j < of_sample.size(); ++j) {
-        const double y = y_(records_[i], j % 2, samples_[j / 2]);
+        const double y = y_(records_[i], j % plain, samples_[j / plain]);
         of_record[i] += y / m;
         of_sample[j] += y / n;
         all += y / (n * m);
@@ -104,6 +113,41 @@ class Estimator {
     shares.push_back(total / (2.0 * n * samples) / variance);
   }
 
+  /// First order of given data, times the variance: of the sum over the records less the sum of
+  /// those of each record, so that products of different records remain.
+  double of_groups(std::size_t factor) const {
+    const double n = static_cast<double>(records_.size());
+    std::vector<double> sum(samples_.size()), of_record(samples_.size());
+    double same_record = 0.0;
+    for (const std::size_t r : records_) {
+      for (std::size_t j = 0; j < samples_.size(); ++j)
+        sum[j] += of_record[j] = y_(r, 0, samples_[j]);
+      same_record += between_groups(factor, of_record);
+    }
+    return (between_groups(factor, sum) - same_record) / (n * (n - 1.0));
+  }
+
+  /// Variance of the means of the groups, less what their scatter adds to it.
+  double between_groups(std::size_t factor, const std::vector<double>& y) const {
+    struct Group {
+      double count = 0.0, sum = 0.0;
+    };
+    std::map<std::size_t, Group> groups;
+    double all = 0.0, squares = 0.0;
+    for (std::size_t j = 0; j < y.size(); ++j) {
+      Group& group = groups[y_.group(factor, samples_[j])];
+      group.count += 1.0;
+      group.sum += y[j];
+      all += y[j];
+      squares += y[j] * y[j];
+    }
+    double means = 0.0;
+    for (const auto& [at, group] : groups) means += group.sum * group.sum / group.count;
+    const double count = static_cast<double>(y.size()), g = static_cast<double>(groups.size());
+    const double within = (squares - means) / (count - g);
+    return (means - all * all / count - (g - 1.0) * within) / count;
+  }
+
   const CrossedResponse& y_;
   std::vector<std::size_t> records_, samples_;
 };
@@ -130,7 +174,7 @@ struct IndexError {
 
 VarianceShare share(double value, const IndexError& spread) {
   const double variance = spread.of_records + spread.of_samples;
-  if (!(variance > 0.0)) return {value, value, value};
+  if (!(variance > 0.0)) return {value, value, value};  // NaN too
   const double freedom = variance * variance /
                          (spread.of_records * spread.of_records / (spread.records - 1.0) +
                           spread.of_samples * spread.of_samples / (spread.groups - 1.0));
@@ -141,10 +185,12 @@ VarianceShare share(double value, const IndexError& spread) {
 double mean_of(const CrossedResponse& response) {
   double sum = 0.0;
   for (std::size_t r = 0; r < response.records(); ++r) {
-    for (std::size_t k = 0; k < response.samples(); ++k)
-      sum += response(r, 0, k) + response(r, 1, k);
+    for (std::size_t k = 0; k < response.samples(); ++k) {
+      for (std::size_t m = 0; m < response.plain_matrices(); ++m) sum += response(r, m, k);
+    }
   }
-  return sum / static_cast<double>(2 * response.records() * response.samples());
+  return sum /
+         static_cast<double>(response.plain_matrices() * response.records() * response.samples());
 }
 
 /// Products then lose no digits, and estimates of small shares scatter least.
@@ -176,7 +222,7 @@ std::vector<VarianceShare> shares_of(const CrossedResponse& response, const Esti
 
 bool varies(const CrossedResponse& response) {
   for (std::size_t r = 0; r < response.records(); ++r) {
-    for (std::size_t m = 0; m < 2; ++m) {
+    for (std::size_t m = 0; m < response.plain_matrices(); ++m) {
       for (std::size_t k = 0; k < response.samples(); ++k) {
         if (response(r, m, k) != response(0, 0, 0)) return true;
       }
@@ -186,6 +232,26 @@ bool varies(const CrossedResponse& response) {
 }
 
 }  // namespace
+
+FactorGroups groups_of(const std::vector<double>& values) {
+  constexpr std::size_t most = 16, least_samples = 8;
+  const std::size_t count = std::clamp<std::size_t>(values.size() / least_samples, 2, most);
+  std::vector<double> distinct = values;
+  std::ranges::sort(distinct);
+  distinct.erase(std::ranges::unique(distinct).begin(), distinct.end());
+  FactorGroups groups(values.size());
+  if (distinct.size() <= count) {
+    for (std::size_t k = 0; k < values.size(); ++k)
+      groups[k] = static_cast<std::size_t>(std::ranges::lower_bound(distinct, values[k]) -
+                                           distinct.begin());
+    return groups;
+  }
+  std::vector<std::size_t> order(values.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::ranges::stable_sort(order, {}, [&](std::size_t k) { return values[k]; });
+  for (std::size_t i = 0; i < order.size(); ++i) groups[order[i]] = i * count / order.size();
+  return groups;
+}
 
 SobolIndices sobol_indices(const CrossedResponse& response) {
   GLISSADE_EXPECTS(response.records() >= 3 && response.samples() >= 2);
@@ -200,7 +266,8 @@ SobolIndices sobol_indices(const CrossedResponse& response) {
   const CrossedResponse y = centred(response, indices.mean);
   const Estimates all = Estimator(y, {}).estimates();
   indices.variance = all.variance();
-  const double n = static_cast<double>(y.records()), m = 2.0 * static_cast<double>(y.samples());
+  const double n = static_cast<double>(y.records()),
+               m = static_cast<double>(y.plain_matrices() * y.samples());
   indices.record_error = std::sqrt(std::max(0.0, all.of_records) / n);
   indices.sample_error = std::sqrt(std::max(0.0, all.of_samples) / m + all.of_both / (n * m));
   const std::vector<VarianceShare> shares = shares_of(y, all);

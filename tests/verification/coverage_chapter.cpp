@@ -19,7 +19,6 @@ constexpr std::size_t levels = 8;
 
 // The design earthquake: one in ten histories exceeds there.
 constexpr double dbe_probability = 0.10;
-const double dbe = std::exp(total_log_std * normal_quantile(dbe_probability));
 
 std::vector<double> intensities() {
   std::vector<double> x;
@@ -34,13 +33,44 @@ struct Study {
   std::vector<double> shares;  // exceeding at the design earthquake, by record
 };
 
-Study simulated_study(std::uint64_t seed, std::size_t records) {
+/// The records' parts of ln capacity: normal; or exponential with the same mean and variance, of
+/// skewness 2 (most records resist alike, a few much less or much more).
+enum class Records { normal, few_weak, few_strong };
+
+double record_part(Records kind, std::uint64_t seed, std::size_t record) {
+  const double z = keyed_normal(seed, RandomPurpose::test, record, 0);
+  if (kind == Records::normal) return between * z;
+  const double exponential = -std::log(normal_cdf(z)) - 1.0;
+  return kind == Records::few_weak ? -between * exponential : between * exponential;
+}
+
+/// Probability that ln capacity is below y.
+double true_probability(Records kind, double y) {
+  if (kind == Records::normal) return normal_cdf(y / total_log_std);
+  // Normal and exponential added (the latter with mean `between`).
+  const auto below = [](double x) {
+    const double s = within_records, m = between;
+    return normal_cdf(x / s) - std::exp(s * s / (2 * m * m) - x / m) * normal_cdf(x / s - s / m);
+  };
+  return kind == Records::few_strong ? below(y + between) : 1.0 - below(between - y);
+}
+
+double true_quantile(Records kind, double probability) {
+  double low = -5.0, high = 5.0;
+  while (high - low > 1e-12) {
+    const double middle = 0.5 * (low + high);
+    (true_probability(kind, middle) < probability ? low : high) = middle;
+  }
+  return low;
+}
+
+Study simulated_study(std::uint64_t seed, std::size_t records, Records kind, double dbe) {
   const auto x = intensities();
   Study study{std::vector<RecordStripes>(records, {std::vector<double>(levels, 0.0),
                                                    std::vector<double>(levels, samples)}),
               std::vector<RecordCapacities>(records), std::vector<double>(records)};
   for (std::size_t i = 0; i < records; ++i) {
-    const double a = between * keyed_normal(seed, RandomPurpose::test, i, 0);
+    const double a = record_part(kind, seed, i);
     for (std::uint32_t s = 1; s <= samples; ++s) {
       const double capacity =
           std::exp(a + within_records * keyed_normal(seed, RandomPurpose::test, i, s));
@@ -83,37 +113,40 @@ double covers(const Interval& interval, double truth) {
   return interval.low <= truth && truth <= interval.high ? 1.0 / studies : 0.0;
 }
 
-void add(FitCoverage& share, const FitSummary& fit, const std::vector<Interval>& band) {
-  share.median += covers(fit.median_interval, 1.0);
+void add(FitCoverage& share, const FitSummary& fit, const std::vector<Interval>& band,
+         double true_median) {
+  share.median += covers(fit.median_interval, true_median);
   share.log_std += covers(fit.log_std_interval, total_log_std);
   for (std::size_t i = 0; i < band.size(); ++i)
     share.band[i] += covers(band[i], band_probabilities[i]);
 }
 
-Coverage coverage(std::size_t records) {
+Coverage coverage(std::size_t records, Records kind) {
   Coverage share;
   const BootstrapOptions options{.seed = 7, .replicates = 400};
   const auto x = intensities();
   std::vector<double> at;
   for (const double probability : band_probabilities)
-    at.push_back(std::exp(total_log_std * normal_quantile(probability)));
+    at.push_back(std::exp(true_quantile(kind, probability)));
+  const double median = std::exp(true_quantile(kind, 0.5)),
+               dbe = std::exp(true_quantile(kind, dbe_probability));
   for (std::uint64_t i = 0; i < studies; ++i) {
-    const Study study = simulated_study(10000 + i, records);
+    const Study study = simulated_study(10000 + i, records, kind, dbe);
     std::vector<Interval> band;
     const FitSummary by_stripes = fit_stripes_by_record(x, study.stripes, options, at, &band);
-    add(share.stripes, by_stripes, band);
+    add(share.stripes, by_stripes, band, median);
     const FitSummary by_capacities =
         fit_capacities_by_record(study.capacities, x.back(), options, at, &band);
-    add(share.capacities, by_capacities, band);
+    add(share.capacities, by_capacities, band, median);
     share.share += covers(share_interval(study.shares), dbe_probability);
-    share.naive_median += covers(fit_stripes(pooled(study.stripes)).median_interval, 1.0);
+    share.naive_median += covers(fit_stripes(pooled(study.stripes)).median_interval, median);
   }
   return share;
 }
 
 void add_cases(std::vector<Case>& cases, std::size_t records) {
   const std::string name = std::to_string(records) + " records", nominal = "nominal 95 %";
-  const Coverage share = coverage(records);
+  const Coverage share = coverage(records, Records::normal);
   const auto row = [&](const std::string& quantity, double value, double high = 0.97) {
     cases.push_back(
         within({name, quantity, nominal}, {"share of intervals that cover", value, 0.93, high}));
@@ -135,6 +168,20 @@ void add_cases(std::vector<Case>& cases, std::size_t records) {
                          {"share of intervals that cover", share.naive_median, 0.0, 0.25}));
 }
 
+void add_skewed(std::vector<Case>& cases, Records kind, const std::string& name) {
+  const Coverage share = coverage(20, kind);
+  const auto row = [&](const std::string& quantity, double value) {
+    cases.push_back(within({name, quantity, "measured: no lognormal, see above"}, {"share of intervals that cover", value, 0.0, 1.0}));
+  };
+  row("median, fitted on capacities", share.capacities.median);
+  row("log_std, fitted on capacities", share.capacities.log_std);
+  for (std::size_t i = 0; i < band_probabilities.size(); ++i)
+    row("probability of " + std::to_string(std::lround(100 * band_probabilities[i])) + " %, fitted on capacities", share.capacities.band[i]);
+  for (std::size_t i = 0; i < band_probabilities.size(); ++i)
+    row("probability of " + std::to_string(std::lround(100 * band_probabilities[i])) + " %, fitted on stripes", share.stripes.band[i]);
+  row("share", share.share);
+}
+
 }  // namespace
 
 Chapter interval_coverage() {
@@ -150,6 +197,8 @@ covers at least its nominal level, so up to 99 % is permitted. If the coverage i
 exactly 95 %, 2,000 studies give less than 93 or more than 97 % with probability 1 in 20,000.)",
       {}};
   for (const std::size_t records : {7, 20, 44}) add_cases(chapter.cases, records);
+  add_skewed(chapter.cases, Records::few_weak, "20 records, few weak");
+  add_skewed(chapter.cases, Records::few_strong, "20 records, few strong");
   return chapter;
 }
 

@@ -2,22 +2,45 @@
 #pragma once
 
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace glissade {
 
+/// Of one factor: the group of each sample, by the size of the factor there.
+using FactorGroups = std::vector<std::size_t>;
+
+/// By ordered values: equal values together where they are few, else up to 16 groups of equal size,
+/// of 8 samples or more.
+FactorGroups groups_of(const std::vector<double>& values);
+
 /// A response at every point of a crossed design: all records by the samples of the pick-freeze
-/// matrices (Saltelli et al. 2010) A, B and, for each factor, A with that factor from B.
+/// matrices (Saltelli et al. 2010) A, B and, for each factor, A with that factor from B; or by the
+/// samples of one matrix, in groups by each factor (given data).
 class CrossedResponse {
  public:
   CrossedResponse(std::size_t records, std::size_t factors, std::size_t samples)
       : records_(records), factors_(factors), samples_(samples) {
     values_.resize(records * matrices() * samples);
   }
+  /// @param groups of each factor
+  CrossedResponse(std::size_t records, std::vector<FactorGroups> groups)
+      : records_(records),
+        factors_(groups.size()),
+        samples_(groups.front().size()),
+        groups_(std::move(groups)) {
+    values_.resize(records * samples_);
+  }
   std::size_t records() const { return records_; }
   std::size_t factors() const { return factors_; }
   std::size_t samples() const { return samples_; }
-  std::size_t matrices() const { return factors_ + 2; }
+  bool is_given_data() const { return !groups_.empty(); }
+  std::size_t matrices() const { return is_given_data() ? 1 : factors_ + 2; }
+  /// Whose samples are independent.
+  std::size_t plain_matrices() const { return is_given_data() ? 1 : 2; }
+  std::size_t group(std::size_t factor, std::size_t sample) const {
+    return groups_[factor][sample];
+  }
   /// @param matrix 0: A, 1: B, 2 + i: A with factor i from B
   double& operator()(std::size_t record, std::size_t matrix, std::size_t sample) {
     return values_[(record * matrices() + matrix) * samples_ + sample];
@@ -28,6 +51,7 @@ class CrossedResponse {
 
  private:
   std::size_t records_, factors_, samples_;
+  std::vector<FactorGroups> groups_;
   std::vector<double> values_;
 };
 
@@ -55,11 +79,12 @@ struct SobolIndices {
 
 /// Unbiased for the population that the records are from: products of two responses are taken over
 /// pairs of different records. Records and all factors together: components of variance of the
-/// two-way design without replication, of A and B. A factor: first order by Saltelli et al. (2010),
-/// total by Jansen (1999). Equations: theory.md, 6.7. Intervals: jackknife over records (64
-/// groups at most) and over 16 groups of samples, both added (Sobol points in place of independent
-/// ones make them somewhat wide); Student t by Satterthwaite. All shares are NaN where the response
-/// does not vary. Three records or more, two samples or more.
+/// two-way design without replication, of all independent samples. A factor: first order by
+/// Saltelli et al. (2010), total by Jansen (1999); of given data the first order by the variance
+/// between groups, the total is not known (NaN). Equations: theory.md, 6.7. Intervals: jackknife
+/// over records (64 groups at most) and over 16 groups of samples, both added (Sobol points in
+/// place of independent ones make them somewhat wide); Student t by Satterthwaite. All shares are
+/// NaN where the response does not vary. Three records or more, two samples or more.
 SobolIndices sobol_indices(const CrossedResponse& response);
 
 }  // namespace glissade

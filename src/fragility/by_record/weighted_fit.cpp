@@ -257,6 +257,7 @@ FitSummary fit_brackets(const std::vector<CapacityBracket>& all, bool independen
   if (std::isinf(data.lowest_high)) return bound_of(data.rows, false);
   if (data.highest_low == 0) return bound_of(data.rows, true);
   if (data.highest_low <= data.lowest_high) {
+    summary.status = FitStatus::one_level;
     summary.note = "one intensity is in every bracket: log_std cannot be determined";
     return summary;
   }

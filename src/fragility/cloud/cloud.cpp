@@ -174,6 +174,8 @@ CloudSummary fit_cloud(const std::vector<CloudPoint>& points,
     summary.any_log_std_interval =
         exponentials(interval([](const TwoPartFit& f) { return std::log(f.any.log_std); }));
   }
+  // Separated records do not show how much they differ: neither part of such a median has one.
+  if (summary.fit.any_status == FitStatus::jeffreys_penalised) return summary;
   for (CloudMedian& row : summary.medians)
     row.p50_interval =
         exponentials(interval([&](const TwoPartFit& f) { return log_p50(f, row.threshold); }));

@@ -331,7 +331,7 @@ constexpr AnalysisTable analysis_tables[] = {
     {"hazard", read_hazard, false, true, true},
     {"tipping", read_tipping, false, false},
     {"verdict", read_verdict, true, true, true},
-    {"sensitivity", read_sensitivity, false, false},
+    {"sensitivity", read_sensitivity, false, false, true},
     {"shape", read_shape, false, false, true},
     {"rare", read_rare, true, true},
     {"intensity_measures", read_intensity_measures, false, false, true}};

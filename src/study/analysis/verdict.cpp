@@ -103,6 +103,13 @@ VerdictRow kind_of_array(const CaseSet& set, std::size_t combination) {
   return row;
 }
 
+/// R gives a building the strength for the S_DS of the design target: it is the building of that
+/// design earthquake alone.
+bool is_designed_for(const Results& results, const VerdictRow& kind, double sds_g) {
+  return results.cases.cases[kind.first_case].response_modification == 0.0 ||
+         level_at({results.model.dbe_level}, sds_g) == 0;
+}
+
 /// What does not depend on the standard, at each S_DS of which the MCE is a level too.
 std::vector<VerdictRow> computed_rows(const Results& results, const Buildings& buildings,
                                       std::size_t combination, const VerdictResults& verdict) {
@@ -110,7 +117,9 @@ std::vector<VerdictRow> computed_rows(const Results& results, const Buildings& b
   const VerdictRow kind = kind_of_array(results.cases, combination);
   for (std::size_t level = 0; level < results.levels.size(); ++level) {
     const double sds_g = results.levels[level];
-    if (level_at(results.levels, mce_over_dbe * sds_g) == results.levels.size()) continue;
+    if (level_at(results.levels, mce_over_dbe * sds_g) == results.levels.size() ||
+        !is_designed_for(results, kind, sds_g))
+      continue;
     rows.push_back(kind);
     rows.back().sds_g = sds_g;
     for (const double probability : verdict.exceedance)

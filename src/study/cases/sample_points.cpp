@@ -23,11 +23,14 @@ std::vector<DrawnFactor> drawn_factors(const StudyConfig& config) {
     const bool is_mu = p.table == std::string("friction") &&
                        (p.key == std::string("mu") || p.key == std::string("across_mu"));
     if (config.quantities[i].is_drawn() && (!is_mu || config.samples_friction()))
-      factors.push_back({p.words, {p.dimension}});
+      factors.push_back({p.words, {p.dimension}, [&p](const Case& c) { return value_of(p, c); }});
   }
   const OrientationConfig& o = config.orientation;
   if (o.choice != OrientationChoice::random) return factors;
-  DrawnFactor orientation{"orientation", {}};
+  DrawnFactor orientation{"orientation", {}, [](const Case& c) {
+                            return c.orientation.across_sign *
+                                   (360.0 + c.orientation.ground_azimuth_deg);
+                          }};
   if (o.component == ComponentChoice::random) orientation.dimensions.push_back(component_dimension);
   if (o.sign == SignChoice::random) orientation.dimensions.push_back(sign_dimension);
   if (config.two_axes() && o.second_sign == SignChoice::random)

@@ -231,6 +231,16 @@ std::vector<std::string> notes_on(const Results& results, const StudyConfig& con
   if (results.measure == IntensityMeasure::sds_g) {
     for (const SuiteSummary& suite : results.suites) note_suite(suite, config.intensity, notes);
   }
+  if (config.verdict && std::ranges::any_of(results.cases.cases, [](const Case& c) {
+        return c.response_modification > 0.0;
+      }))
+    notes.push_back(
+        results.model.dbe_level > 0.0
+            ? fmt::format("Verdict: R gives a building the strength for the design target, {:.3g} "
+                          "g; buildings with R are judged at that S_DS alone",
+                          results.model.dbe_level)
+            : "Verdict: buildings with R are not judged, since there is no single design target "
+              "whose S_DS gives their strength");
   return notes;
 }
 

@@ -164,7 +164,7 @@ TEST(fit_brackets, names_what_it_cannot_fit) {
   EXPECT_EQ(fit_brackets({{1.0, infinity}, {2.0, infinity}}, true).status, FitStatus::lower_bound);
   EXPECT_EQ(fit_brackets({{0.0, 0.5}, {0.0, 1.0}}, true).status, FitStatus::upper_bound);
   const FitSummary one = fit_brackets({{0.5, 1.5}, {1.0, 2.0}}, true);
-  EXPECT_EQ(one.status, FitStatus::failed);
+  EXPECT_EQ(one.status, FitStatus::one_level);
   EXPECT_NE(one.note, "");
   EXPECT_EQ(fit_brackets({}, true).status, FitStatus::failed);
   EXPECT_THROW(fit_brackets({{2.0, 1.0}}, true), InputError);
@@ -222,6 +222,18 @@ TEST(fit_cloud, covers_slope_and_median_over_records) {
   }
   EXPECT_NEAR(slope / static_cast<double>(studies), 0.95, 0.045);
   EXPECT_NEAR(median / static_cast<double>(studies), 0.95, 0.045);
+}
+
+// None slips below 0.7, all do above 0.9: the median of any slip has no interval, and so what
+// depends on it has none.
+TEST(fit_cloud, has_no_interval_of_a_median_where_any_slip_is_separated) {
+  const CloudSummary fit = fit_cloud(
+      {{0.5, 0, 1, 0}, {0.6, 0, 1, 1}, {1.0, 0.5, 1, 2}, {1.2, 0.6, 1, 3}, {1.4, 1.0, 1, 4}},
+      {0.1});
+  ASSERT_EQ(fit.fit.any_status, FitStatus::jeffreys_penalised);
+  EXPECT_GT(fit.medians[0].p50, 0.0);
+  EXPECT_TRUE(std::isnan(fit.medians[0].p50_interval.low));
+  EXPECT_FALSE(std::isnan(fit.slope_interval.low));
 }
 
 TEST(fit_cloud, names_what_it_cannot_fit) {

@@ -119,10 +119,49 @@ TEST(verdict_report, of_arrays_that_differ_in_more_names_them_and_draws_the_larg
   r.verdict->rows.push_back(heavier);
   EXPECT_EQ(std::get<std::string>(rows_of(r, "verdict_summary").back().back()), "mass ratio 0.1");
   const Figure figure = verdict_figure(r);
-  const DataSeries& line = figure.panels.at(0).series.at(1);  // friction 0.5
+  const DataSeries& line = figure.panels.at(0).series.at(3);  // friction 0.5, behind the bars
   ASSERT_EQ(line.x.size(), 3u);
   EXPECT_NEAR(line.y.back(), 1.0, 1e-12);  // the logarithm of 10
   EXPECT_EQ(figure.panels[0].y.values, Axis::Values::logarithms);
+}
+
+TEST(verdict_report, says_on_which_buildings_and_counts_those_that_yield_apart) {
+  Results r = made_up();
+  EXPECT_THAT(answer_sentences(r).front(), Not(HasSubstr("R yield")));
+  EXPECT_THAT(answer_sentences(r), Contains(HasSubstr("they stay elastic")));
+  for (VerdictRow& row : r.verdict->rows) row.first_case = row.mu == 0.3 ? 0 : 1;
+  r.cases.cases.at(1).response_modification = 4.0;  // friction 0.5: within the conditions
+  const std::vector<std::string> sentences = answer_sentences(r);
+  EXPECT_THAT(sentences, Contains(AllOf(HasSubstr("R = 4"), HasSubstr("within"),
+                                        HasSubstr("0 of 3"), HasSubstr("3 by estimate"))));
+  EXPECT_THAT(sentences, Contains(AllOf(HasSubstr("elastic buildings"), HasSubstr("outside"),
+                                        HasSubstr("2 are"))));
+  EXPECT_THAT(sentences, Not(Contains(HasSubstr("they stay elastic"))));
+}
+
+TEST(verdict_report, draws_intervals_and_what_the_other_standard_prescribes) {
+  Results r = made_up();
+  r.verdict->rows[0].displacement_interval.front() = {0.6, 6.0};
+  VerdictRow other = r.verdict->rows[0];
+  other.standard = Standard::seaoc_pv1_2012;
+  other.prescribed.value_m = 0.06;  // a tenth of the other standard's
+  r.verdict->rows.insert(r.verdict->rows.begin(), other);
+  const Panel panel = verdict_figure(r).panels.at(0);
+  EXPECT_NEAR(panel.series.at(0).y.at(0), -1.0, 1e-12);
+  const DataSeries& bars = panel.series.at(1);
+  EXPECT_EQ(bars.kind, DataSeries::Kind::bars);
+  EXPECT_NEAR(bars.low.at(0), 0.0, 1e-12);
+  EXPECT_NEAR(bars.high.at(0), 1.0, 1e-12);
+}
+
+TEST(verdict_report, over_R_where_there_is_one_S_DS) {
+  Results r = made_up();
+  std::erase_if(r.verdict->rows, [](const VerdictRow& row) { return row.sds_g != 1.0; });
+  for (VerdictRow& row : r.verdict->rows) row.mu = 0.5;
+  r.cases.cases.at(1).response_modification = 4.0;
+  const Panel panel = verdict_figure(r).panels.at(0);
+  EXPECT_EQ(panel.series.at(1).x, (std::vector{0.0, 4.0}));
+  EXPECT_EQ(panel.x.ticks.at(0).label, "elastic");
 }
 
 TEST(verdict_report, is_absent_without_the_analysis) {

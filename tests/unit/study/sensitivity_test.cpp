@@ -9,6 +9,7 @@
 
 #include "glissade/core/error.hpp"
 #include "glissade/study/cases/sample_points.hpp"
+#include "glissade/study/run/reduce.hpp"
 #include "unit/study/small_study.hpp"
 
 namespace glissade {
@@ -158,6 +159,29 @@ TEST(sensitivity, of_a_slip_study_is_that_of_brute_force) {
   EXPECT_NEAR(capacity.total[2], exact.slope_total, 0.01);
   EXPECT_NEAR(capacity.total[3], exact.friction_total, 0.01);
   EXPECT_GT(exact.friction_first, 0.1);  // they are not all small
+
+  // The same of histories that were run without [sensitivity].
+  StudyConfig plain = two_factor_config(512);
+  plain.sensitivity = false;
+  Results finished = test::run(small_plan(plain));
+  ASSERT_EQ(finished.cases.samples, 512u);
+  analyse_again(two_factor_config(512), finished);
+  EXPECT_EQ(finished.sensitivity->matrices, 1u);
+  const SpreadRow& given = finished.sensitivity->rows.front();
+  EXPECT_NEAR(given.first[2], exact.slope_first, 0.01);
+  EXPECT_NEAR(given.first[3], exact.friction_first, 0.01);
+  EXPECT_LT(given.first_interval[3].low, exact.friction_first);
+  EXPECT_GT(given.first_interval[3].high, exact.friction_first);
+  EXPECT_TRUE(std::isnan(given.total[3]));
+  EXPECT_GE(given.total[0], given.first[0]);  // records
+}
+
+TEST(sensitivity, of_finished_results_needs_32_samples) {
+  StudyConfig config = two_factor_config(16);
+  config.sensitivity = false;
+  Results results = test::run(small_plan(config));
+  config.sensitivity = true;
+  EXPECT_THROW(analyse_again(config, results), InputError);
 }
 
 TEST(sensitivity, has_a_row_for_each_threshold_and_level) {
@@ -196,6 +220,26 @@ TEST(sensitivity, compares_drawn_friction_with_its_design_value) {
   EXPECT_DOUBLE_EQ(rows[level].same_motion, above / (3.0 * samples));
   EXPECT_NEAR(rows[level].design_mean_m, mean_m, 1e-12);
   EXPECT_DOUBLE_EQ(rows[level].above_mean, above_mean / (3.0 * samples));
+  // Leaving out one of the 8 samples of every matrix.
+  std::vector<double> without(8);
+  for (std::size_t g = 0; g < 8; ++g) {
+    for (std::size_t record = 0; record < 3; ++record) {
+      for (std::size_t c = 0; c < samples; ++c) {
+        if (c % 8 == g) continue;
+        without[g] += results.histories.displacement_m(record, c, level) >
+                              results.histories.displacement_m(record, samples + c, level)
+                          ? 1.0 / (3.0 * (samples - 6.0))
+                          : 0.0;
+      }
+    }
+  }
+  double mean = 0.0, squares = 0.0;
+  for (const double w : without) mean += w / 8.0;
+  for (const double w : without) squares += (w - mean) * (w - mean);
+  EXPECT_NEAR(rows[level].same_motion_error, std::sqrt(squares * 7.0 / 8.0), 1e-12);
+  EXPECT_GT(rows[level].same_motion_error, 0.0);
+  EXPECT_LE(rows[level].same_motion_interval.low,
+            std::max(0.0, rows[level].same_motion - 2.3 * rows[level].same_motion_error));
   EXPECT_LE(rows[level].same_motion_interval.low, rows[level].same_motion);
   EXPECT_GE(rows[level].above_mean_interval.high, rows[level].above_mean);
 }

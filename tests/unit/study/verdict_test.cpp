@@ -65,6 +65,21 @@ TEST(verdict, is_on_levels_of_which_the_MCE_is_a_level_too) {
   EXPECT_FALSE(verdict.rows[1].within_conditions);  // friction above 0.4
 }
 
+// R = 4 of a design target of 1.2 g is not the building of a design earthquake of 1 g.
+TEST(verdict, of_buildings_with_R_is_at_the_S_DS_that_gives_their_strength) {
+  TwoFrictions made;
+  made.results.levels = {1.0, 1.2, 1.5, 1.8};
+  made.results.histories.levels = 4;
+  made.results.histories.fields.peak_displacement_m.resize(
+      TwoFrictions::records * made.results.cases.size() * 4, 0.1);
+  ASSERT_EQ(verdict_results(made.config, made.results).rows.size(), 4u);
+  made.results.model.dbe_level = 1.2;
+  for (Case& c : made.results.cases.cases) c.response_modification = 4.0;
+  const VerdictResults verdict = verdict_results(made.config, made.results);
+  ASSERT_EQ(verdict.rows.size(), 2u);
+  EXPECT_EQ(verdict.rows[0].sds_g, 1.2);
+}
+
 TEST(verdict, takes_the_building_that_makes_each_number_largest) {
   TwoFrictions made;
   made.slide(0, 0, 0, 2.0 * prescribed_m);  // 0.2 s, DBE

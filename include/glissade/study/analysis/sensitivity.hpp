@@ -40,20 +40,26 @@ struct DesignFrictionRow {
   /// Probability that the displacement with drawn friction exceeds that with design friction of the
   /// same record and sample.
   double same_motion = 0.0;
-  Interval same_motion_interval;  ///< 95 %, over records, as all here
-  double design_mean_m = 0.0;     ///< mean displacement with design friction
+  Interval same_motion_interval;   ///< 95 %, over records and samples, as all here
+  double same_motion_error = 0.0;  ///< standard error from the samples alone
+  double design_mean_m = 0.0;      ///< mean displacement with design friction
   double above_mean = 0.0;  ///< probability that a displacement with drawn friction exceeds that
   Interval above_mean_interval;
+  double above_mean_error = 0.0;
 };
 
 struct SensitivityResults {
   std::vector<std::string> factors;  ///< "records", "all that is drawn", "friction" ...
-  std::uint64_t samples = 0;         ///< of each pick-freeze matrix
+  std::uint64_t samples = 0;         ///< of each matrix
+  /// Of the pick-freeze design; 1: the samples of any study (given data), without total indices of
+  /// what is drawn.
+  std::uint64_t matrices = 1;
   std::vector<SpreadRow> rows;  ///< by (combination, threshold): capacity, then exceedance by level
   std::vector<DesignFrictionRow> design_friction;  ///< by (combination, level), where both are run
 };
 
-/// Precondition: config.sensitivity, and [fragility] is computed.
+/// Of histories that were run without [sensitivity] as given data. Throws InputError where they do
+/// not serve. Precondition: config.sensitivity, and [fragility] is computed.
 SensitivityResults sensitivity_results(const StudyConfig& config, const Results& results);
 
 }  // namespace glissade

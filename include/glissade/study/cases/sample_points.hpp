@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -9,12 +10,14 @@
 
 namespace glissade {
 
+struct Case;
 struct StudyConfig;
 
 /// What varies from sample to sample as one: a quantity, or the orientation.
 struct DrawnFactor {
-  std::string name;                       ///< "friction", "orientation"
-  std::vector<std::uint32_t> dimensions;  ///< of the unit cube
+  std::string name;                          ///< "friction", "orientation"
+  std::vector<std::uint32_t> dimensions;     ///< of the unit cube
+  std::function<double(const Case&)> value;  ///< cases with one value have the same factor
 };
 /// In the order of parameters(), the orientation last.
 std::vector<DrawnFactor> drawn_factors(const StudyConfig& config);

@@ -46,17 +46,22 @@ void exchange_design_friction(const Archive& archive, const IntensityScale& scal
           "the same record and sample"},
          &DesignFrictionRow::same_motion);
   column("same_motion", {"-", "95 % interval of that"}, &DesignFrictionRow::same_motion_interval);
+  column("same_motion_error", {"-", "standard error of that from the samples"},
+         &DesignFrictionRow::same_motion_error);
   column("design_mean_m", {"m", "mean displacement with mean - 2 std"},
          &DesignFrictionRow::design_mean_m);
   column("above_mean",
          {"-", "probability that a displacement with drawn friction exceeds that mean"},
          &DesignFrictionRow::above_mean);
   column("above_mean", {"-", "95 % interval of that"}, &DesignFrictionRow::above_mean_interval);
+  column("above_mean_error", {"-", "standard error of that from the samples"},
+         &DesignFrictionRow::above_mean_error);
 }
 
 template <class Archive, class S>
 void exchange_sensitivity(const Archive& archive, const IntensityScale& scale, S& found) {
   archive.attribute("samples", found.samples);
+  archive.attribute("matrices", found.matrices);
   list(archive, "factor", {"-", "what the spread comes from"}, found.factors);
   exchange_spread(archive.group("spread"), scale, found.rows);
   exchange_design_friction(archive.group("design_friction"), scale, found.design_friction);

@@ -15,13 +15,19 @@ namespace {
 constexpr std::size_t most_panels = 3;
 constexpr Colour dark{0x0072b2}, light{0xb9dcf0}, ink{0x222222};
 
-/// The records and each drawn quantity, the largest total index first.
+/// Known of every factor: total indices, or of given data those of first order.
+const std::vector<double>& shown_indices(const SensitivityResults& found, const SpreadRow& row) {
+  return found.matrices == 1 ? row.first : row.total;
+}
+
+/// The records and each drawn quantity, the largest first.
 std::vector<std::size_t> by_size(const SensitivityResults& found, const SpreadRow& row) {
   std::vector<std::size_t> factors(found.factors.size());
   std::iota(factors.begin(), factors.end(), 0);
   std::erase(factors, all_drawn_factor);
-  std::ranges::stable_sort(
-      factors, [&](std::size_t a, std::size_t b) { return row.total[a] > row.total[b]; });
+  const std::vector<double>& size = shown_indices(found, row);
+  std::ranges::stable_sort(factors,
+                           [&](std::size_t a, std::size_t b) { return size[a] > size[b]; });
   return factors;
 }
 
@@ -50,9 +56,11 @@ Panel bars_of(const SensitivityResults& found, const SpreadRow& row,
     const std::string& name = found.factors[f];
     panel.y.ticks.push_back({y, name});
     const double first = percent(row.first[f]), total = percent(row.total[f]);
-    if (!std::isfinite(first) || !std::isfinite(total)) continue;
-    panel.series.push_back(stroke(
-        wide_light, fmt::format("{}, with interactions: {:.0f} %", name, total), y, 0.0, total));
+    if (!std::isfinite(first)) continue;
+    const bool has_total = std::isfinite(total);
+    if (has_total)
+      panel.series.push_back(stroke(
+          wide_light, fmt::format("{}, with interactions: {:.0f} %", name, total), y, 0.0, total));
     panel.series.push_back(
         stroke(wide_dark, fmt::format("{}, alone: {:.0f} %", name, first), y, 0.0, first));
     const Interval& interval = row.first_interval[f];
@@ -63,7 +71,9 @@ Panel bars_of(const SensitivityResults& found, const SpreadRow& row,
         stroke(thin, fmt::format("{}, alone: 95 % interval {:.0f} to {:.0f} %", name, low, high),
                y - below, low, high));
     panel.notes.push_back(
-        {104.0, y, fmt::format("{:.0f} ({:.0f})", first, total), ink, Note::Align::left});
+        {104.0, y,
+         fmt::format("{:.0f}", first) + (has_total ? fmt::format(" ({:.0f})", total) : ""), ink,
+         Note::Align::left});
   }
   return panel;
 }
@@ -94,20 +104,26 @@ Figure spread_over_intensity_figure(const Results& results) {
   const SensitivityResults& found = *results.sensitivity;
   const std::vector<const SpreadRow*> rows = first_capacity_rows(found, most_panels);
   const SpreadRow& shown = *rows[rows.size() / 2];
+  const bool given = found.matrices == 1;
   Figure figure{
       "sensitivity_levels",
       fmt::format("What decides whether slip reaches {}, by intensity",
                   format_length(shown.threshold_m)),
       counts_of(results),
-      fmt::format("The part of the variance that stays if all other quantities are known (total "
-                  "Sobol index) of whether slip reaches the clearance (0 or 1); as "
-                  "they contain interactions they add to more than 100 %. Levels at which "
+      fmt::format("{} of whether slip reaches the clearance (0 or 1). Levels at which "
                   "{:g} to {:g} % of the histories exceed. Other clearances, and "
                   "intervals: tables/sensitivity_levels.csv.",
+                  given ? "The part of the variance that goes if the quantity is known "
+                          "(first-order Sobol index)"
+                        : "The part of the variance that stays if all other quantities are known "
+                          "(total Sobol index, which has interactions: they add to more than "
+                          "100 %)",
                   100.0 * least, 100.0 * most)};
-  Panel panel{"",
-              {results.intensity_label, 0.0, 0.0},
-              {"Share with interactions (% of the variance)", 0.0, 105.0}};
+  Panel panel{
+      "",
+      {results.intensity_label, 0.0, 0.0},
+      {given ? "Share alone (% of the variance)" : "Share with interactions (% of the variance)",
+       0.0, 105.0}};
   panel.x.low = results.levels.back();
   const std::vector<std::size_t> factors = by_size(found, *rows.front());
   for (std::size_t i = 0; i < factors.size(); ++i) {
@@ -120,7 +136,7 @@ Figure spread_over_intensity_figure(const Results& results) {
       line.x.push_back(row.level);
       panel.x.low = std::min(panel.x.low, 0.97 * row.level);
       panel.x.high = std::max(panel.x.high, 1.03 * row.level);
-      line.y.push_back(percent(row.total[factors[i]]));
+      line.y.push_back(percent(shown_indices(found, row)[factors[i]]));
     }
     panel.series.push_back(std::move(line));
   }

@@ -34,9 +34,8 @@ std::string spread_sentence(const SensitivityResults& found, const SpreadRow& ro
   std::ranges::stable_sort(
       drawn, [&](std::size_t a, std::size_t b) { return row.first[a] > row.first[b]; });
   const auto part = [&](const std::string& name, std::size_t f) {
-    return fmt::format("{} {} and {}", name,
-                       share_with_interval(row.first[f], row.first_interval[f]),
-                       format_share(row.total[f]));
+    const std::string alone = name + " " + share_with_interval(row.first[f], row.first_interval[f]);
+    return std::isnan(row.total[f]) ? alone : alone + " and " + format_share(row.total[f]);
   };
   std::string text = fmt::format(
       "Spread of the capacity at {} (log std {:.2f}), parts of its variance alone and with "
@@ -68,12 +67,14 @@ std::string design_sentence(const Results& results) {
   }
   return fmt::format(
       "Design friction (mean - 2 std) at {}: slip with drawn friction exceeds that with design "
-      "friction, of the same motion and building, with a probability of {}. The mean slip with "
-      "design friction, {}, is exceeded with a probability of {}.",
+      "friction, of the same motion and building, with a probability of {} (standard error of the "
+      "samples {}). The mean slip with design friction, {}, is exceeded with a probability of {} "
+      "(samples {}).",
       at_intensity(results, row->level),
       share_with_interval(row->same_motion, row->same_motion_interval),
-      format_length(row->design_mean_m),
-      share_with_interval(row->above_mean, row->above_mean_interval));
+      format_share(row->same_motion_error), format_length(row->design_mean_m),
+      share_with_interval(row->above_mean, row->above_mean_interval),
+      format_share(row->above_mean_error));
 }
 
 std::vector<std::string> sentences(const Results& results) {

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
 #include "analysis/sensitivity/sensitivity.hpp"
 #include "text/study_text.hpp"
 
@@ -14,12 +16,17 @@ const Column first_column{"first", "", "Alone [95 %]", ColumnKind::share, true};
 const Column total_column{"total", "", "With interactions [95 %]", ColumnKind::share, true};
 
 std::vector<std::string> notes_on(const SensitivityResults& found) {
-  return {
+  const std::string alone =
       "Alone: part of the variance that goes, on average, if the factor is known (first-order "
-      "Sobol index). With interactions: part that stays if all others are known (total index).",
-      std::to_string(found.samples) + " samples in each of " +
-          std::to_string(found.factors.size() - first_drawn_factor + 2) +
-          " pick-freeze matrices, each with all records."};
+      "Sobol index). With interactions: part that stays if all others are known (total index)";
+  if (found.matrices == 1)
+    return {alone + ", which these samples show of the records and of all that is drawn only.",
+            "Given data: " + std::to_string(found.samples) +
+                " samples that were not drawn for this, with all records, in groups by each "
+                "factor."};
+  return {alone + ".", fmt::format("{} samples in each of {} pick-freeze matrices, each with all "
+                                   "records.",
+                                   found.samples, found.matrices)};
 }
 
 }  // namespace
@@ -103,16 +110,20 @@ Table design_friction_table(const Results& results) {
               {text_column("condition", "Array"),
                intensity_column(results, "level", "Level"),
                {"same_motion", "", "Same motion and building [95 %]", ColumnKind::share, true},
+               {"same_motion_error", "", "Standard error of the samples", ColumnKind::share},
                {"design_mean", "m", "Mean slip with mean - 2 std, m (in)", ColumnKind::length},
-               {"above_mean", "", "Any slip above that mean [95 %]", ColumnKind::share, true}},
+               {"above_mean", "", "Any slip above that mean [95 %]", ColumnKind::share, true},
+               {"above_mean_error", "", "Standard error of the samples", ColumnKind::share}},
               {}};
   for (const DesignFrictionRow& row : results.sensitivity->design_friction)
     table.add({row.condition, row.level, Estimate{row.same_motion, row.same_motion_interval},
-               row.design_mean_m, Estimate{row.above_mean, row.above_mean_interval}});
+               row.same_motion_error, row.design_mean_m,
+               Estimate{row.above_mean, row.above_mean_interval}, row.above_mean_error});
   table.notes = {
       "Normal friction is below mean - 2 std with a probability of 2.3 %.",
-      "Intervals are over records, and never narrower than that of a binomial with one trial for "
-      "each record."};
+      "Intervals are over records, with the error of the samples added, which all records share. "
+      "Without the latter they are, but for the same motion, never narrower than that of a "
+      "binomial with one trial for each record."};
   return table;
 }
 

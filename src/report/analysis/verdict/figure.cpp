@@ -25,8 +25,83 @@ std::vector<double> some_of(const std::set<double>& values, std::size_t count) {
 
 /// On an axis of logarithms; a ratio below the axis is at its low end.
 constexpr double least_ratio = 0.1;
-double height(const VerdictRow& row) {
-  return std::log10(std::max(least_ratio, row.displacement_m.front() / row.prescribed.value_m));
+double height(double displacement_m, const VerdictRow& row) {
+  return std::log10(std::max(least_ratio, displacement_m / row.prescribed.value_m));
+}
+
+/// What the rows are drawn over: S_DS, or R where there is one S_DS and several R.
+class Abscissa {
+ public:
+  explicit Abscissa(const Results& results) : results_(results) {
+    std::set<double> sds, r;
+    for (const VerdictRow& row : results.verdict->rows) {
+      sds.insert(row.sds_g);
+      r.insert(response_modification(results, row));
+    }
+    over_r_ = sds.size() == 1 && r.size() > 1;
+    axis_ = {over_r_ ? "R of the building" : results.intensity_label};
+    axis_.high = over_r_ ? *r.rbegin() : *sds.rbegin();
+    if (!over_r_) return;
+    for (const double at : r)
+      axis_.ticks.push_back({at, at == 0.0 ? "elastic" : fmt::format("{:g}", at)});
+  }
+  double of(const VerdictRow& row) const {
+    return over_r_ ? response_modification(results_, row) : row.sds_g;
+  }
+  const Axis& axis() const { return axis_; }
+
+ private:
+  const Results& results_;
+  bool over_r_ = false;
+  Axis axis_;
+};
+
+/// A displacement with its interval, over the prescribed one.
+struct RatioLine {
+  DataSeries line, bars;
+
+  RatioLine(const Look& look, const std::string& name, const std::string& label)
+      : line{DataSeries::Kind::line_and_points, look, name, label},
+        bars{DataSeries::Kind::bars, look, name + ", 95 % interval"} {
+    bars.look.width = 1.2;
+  }
+  /// Of arrays that differ in something else the largest is drawn.
+  void add(double x, const VerdictRow& row) {
+    const auto at = static_cast<std::size_t>(std::ranges::find(line.x, x) - line.x.begin());
+    const double y = height(row.displacement_m.front(), row);
+    if (at == line.x.size()) {
+      for (std::vector<double>* values : {&line.x, &bars.x}) values->push_back(x);
+      for (std::vector<double>* values : {&line.y, &bars.low, &bars.high}) values->push_back(-1e9);
+    }
+    if (y <= line.y[at]) return;
+    line.y[at] = y;
+    bars.low[at] = height(row.displacement_interval.front().low, row);
+    bars.high[at] = height(row.displacement_interval.front().high, row);
+  }
+};
+
+/// What the other standards prescribe over what this one does.
+std::vector<DataSeries> other_standards(const VerdictResults& verdict, Standard standard,
+                                        const Abscissa& abscissa) {
+  std::vector<DataSeries> lines;
+  for (const VerdictKind kind : verdict_kinds(verdict)) {
+    if (kind.front().standard == standard) continue;
+    Look dotted = look(Role::prescribed);
+    dotted.dash = 3;
+    DataSeries line{DataSeries::Kind::line, dotted, standard_name(kind.front().standard), ""};
+    for (const VerdictRow& row : kind) {
+      const VerdictRow* same = nullptr;
+      for (const VerdictRow& other : verdict.rows) {
+        if (other.standard == standard && other.sds_g == row.sds_g) same = &other;
+      }
+      if (same == nullptr) continue;
+      line.x.push_back(abscissa.of(row));
+      line.y.push_back(height(row.prescribed.value_m, *same));
+    }
+    lines.push_back(std::move(line));
+    break;  // of all arrays the same
+  }
+  return lines;
 }
 
 Axis ratio_axis(double highest) {
@@ -61,38 +136,33 @@ Figure verdict_figure(const Results& results) {
       fmt::format("Displacement that {:g} % exceed at DBE, over that of {}", accepted,
                   standard_name(standard)),
       results.suites.front().name + ", " + counts_of(results) +
-          "; the least favourable building period; at the lines: friction",
+          "; the least favourable building period; at the lines: friction; bars: 95 % over records",
       fmt::format(
           "At the lines: coefficient of friction. Above 1 the prescribed displacement is exceeded "
           "with more than {:g} % "
-          "probability, given the design earthquake. Ratios below {:g} stand there; a line ends "
+          "probability, given the design earthquake. Bars: 95 % intervals over records. Dotted: "
+          "what the other standard prescribes over it. Ratios below {:g} stand there; a line ends "
           "where the array slides freely. All frictions and slopes, with intervals: "
           "tables/verdict.csv.",
           accepted, least_ratio)};
-  const double highest_sds_g = verdict.rows.back().sds_g;
+  const Abscissa abscissa(results);
   double highest = std::log10(2.0);
   for (const double slope : some_of(slopes, most_panels)) {
-    Panel panel{fmt::format("slope {:.3g} degrees", slope), {results.intensity_label}, {}};
+    Panel panel{fmt::format("slope {:.3g} degrees", slope), abscissa.axis(), {}};
+    panel.series = other_standards(verdict, standard, abscissa);
     for (std::size_t i = 0; i < shown.size(); ++i) {
-      DataSeries line{DataSeries::Kind::line_and_points, family_look(i, shown.size()),
-                      fmt::format("friction {:.3g}", shown[i]), fmt::format("{:.3g}", shown[i])};
+      RatioLine ratio(family_look(i, shown.size()), fmt::format("friction {:.3g}", shown[i]),
+                      fmt::format("{:.3g}", shown[i]));
       for (const VerdictRow& row : verdict.rows) {
-        if (row.standard != standard || row.mu != shown[i] || row.slope_deg != slope) continue;
-        // Of arrays that differ in something else the largest is drawn.
-        const auto at = std::ranges::find(line.x, row.sds_g);
-        if (at != line.x.end()) {
-          double& drawn = line.y[static_cast<std::size_t>(at - line.x.begin())];
-          drawn = std::max(drawn, height(row));
-          continue;
-        }
-        line.x.push_back(row.sds_g);
-        line.y.push_back(height(row));
-        if (std::isfinite(line.y.back())) highest = std::max(highest, line.y.back() + 0.05);
+        if (row.standard == standard && row.mu == shown[i] && row.slope_deg == slope)
+          ratio.add(abscissa.of(row), row);
       }
-      panel.series.push_back(std::move(line));
+      for (const double top : ratio.bars.high)
+        if (std::isfinite(top)) highest = std::max(highest, top + 0.05);
+      panel.series.push_back(std::move(ratio.bars));
+      panel.series.push_back(std::move(ratio.line));
     }
     panel.rules.push_back({Rule::Kind::horizontal, 0.0, look(Role::prescribed), ""});
-    panel.x.high = highest_sds_g;
     figure.panels.push_back(std::move(panel));
   }
   for (Panel& panel : figure.panels) panel.y = ratio_axis(highest);

@@ -24,6 +24,9 @@ const VerdictSeparation* worst_of(std::span<const VerdictSeparation> separations
 /// "friction 0.4, slope 3 degrees"
 std::string kind_text(const VerdictRow& row);
 
+/// R of the building; 0: it stays elastic.
+double response_modification(const Results& results, const VerdictRow& row);
+
 /// A row for each prescribed displacement.
 Table verdict_table(const Results& results);
 /// A row for each kind of array and standard.

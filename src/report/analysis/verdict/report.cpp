@@ -94,23 +94,81 @@ std::string separations_sentence(const VerdictResults& verdict, Standard standar
                     accepted, edge.words(verdict));
 }
 
+/// "0.2 to 1": of a quantity of all cases.
+std::string range_of(const Results& results, double Case::*quantity, double scale = 1.0) {
+  const auto [low, high] = std::ranges::minmax(results.cases.cases, {}, quantity);
+  const std::string first = fmt::format("{:.3g}", scale * low.*quantity);
+  return low.*quantity == high.*quantity
+             ? first
+             : fmt::format("{} to {:.3g}", first, scale * high.*quantity);
+}
+
+/// On which buildings the arrays stand: a verdict holds for these.
+std::string buildings_sentence(const Results& results) {
+  const bool yields =
+      std::ranges::any_of(results.cases.cases, [](const Case& c) { return c.yields(); });
+  return fmt::format(
+      "Buildings: one mass on one spring along each axis, period {} s (the least favourable "
+      "counts), damping {} %, mass of the array {} % of theirs; {}",
+      range_of(results, &Case::period_s), range_of(results, &Case::damping, 100.0),
+      range_of(results, &Case::mass_ratio, 100.0),
+      yields ? "those with R yield at the design spectrum over R, without overstrength."
+             : "they stay elastic. On a building that yields the array slides less "
+               "(building.response_modification): there these probabilities are too large.");
+}
+
+/// Of buildings with one R, in short.
+std::string sentence_of(const Results& results, double r, bool within) {
+  const VerdictResults& verdict = *results.verdict;
+  std::string text;
+  for (const Standard standard : {Standard::seaoc_pv1_2012, Standard::asce7_16}) {
+    const Tally t = tally(verdict, [&](const VerdictRow& row) {
+      return row.standard == standard && row.within_conditions == within &&
+             response_modification(results, row) == r;
+    });
+    if (t.rows == 0) continue;
+    text += fmt::format(
+        "{} {}: {} of {} exceeded (largest probability {} [{} to {}]), {} by estimate "
+        "conservative",
+        text.empty() ? "" : ";", standard_name(standard), t.exceeded, t.rows,
+        format_share(t.worst->dbe.probability), format_share(t.worst->dbe.interval.low),
+        format_share(t.worst->dbe.interval.high), t.conservative);
+  }
+  return text.empty() ? ""
+                      : fmt::format("Buildings with R = {:g}, {} the conditions.{}.", r,
+                                    within ? "within" : "outside", text);
+}
+
 std::vector<std::string> sentences(const Results& results) {
   const VerdictResults& verdict = *results.verdict;
-  std::vector<std::string> texts;
+  std::vector<double> strengths;
+  for (const VerdictRow& row : verdict.rows) {
+    const double r = response_modification(results, row);
+    if (std::ranges::find(strengths, r) == strengths.end()) strengths.push_back(r);
+  }
+  std::vector<std::string> texts = {buildings_sentence(results)};
   for (const Standard standard : {Standard::seaoc_pv1_2012, Standard::asce7_16}) {
     for (const bool within : {true, false}) {
       const auto counts = [&](const VerdictRow& row) {
-        return row.standard == standard && row.within_conditions == within;
+        return row.standard == standard && row.within_conditions == within &&
+               response_modification(results, row) == strengths.front();
       };
       const Tally t = tally(verdict, counts);
       if (t.rows == 0) continue;
-      const std::string where = within ? "within its conditions of slope and friction"
-                                       : "outside its conditions of slope and friction";
+      std::string where = within ? "within its conditions of slope and friction"
+                                 : "outside its conditions of slope and friction";
+      if (strengths.size() > 1)
+        where += strengths.front() == 0.0 ? ", elastic buildings"
+                                          : fmt::format(", R = {:g}", strengths.front());
       texts.push_back(sentence(verdict, standard, where, t));
-      const std::string separations = separations_sentence(verdict, standard, where, counts);
-      if (!separations.empty()) texts.push_back(separations);
+      texts.push_back(separations_sentence(verdict, standard, where, counts));
     }
   }
+  for (std::size_t i = 1; i < strengths.size(); ++i) {
+    for (const bool within : {true, false})
+      texts.push_back(sentence_of(results, strengths[i], within));
+  }
+  std::erase(texts, "");
   return texts;
 }
 

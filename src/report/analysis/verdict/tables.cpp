@@ -82,6 +82,10 @@ std::string kind_text(const VerdictRow& row) {
   return fmt::format("friction {:.3g}, slope {:.3g} degrees", row.mu, row.slope_deg);
 }
 
+double response_modification(const Results& results, const VerdictRow& row) {
+  return results.cases.cases[row.first_case].response_modification;
+}
+
 Table verdict_table(const Results& results) {
   const VerdictResults& verdict = *results.verdict;
   Table table{"verdict",

@@ -2,10 +2,12 @@
 #include "analysis/samples/design_friction.hpp"
 
 #include <algorithm>
+#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <numeric>
 
 #include "analysis/pooled_level.hpp"
+#include "glissade/core/not_finite.hpp"
 #include "glissade/fragility/bootstrap.hpp"
 #include "glissade/fragility/share.hpp"
 #include "glissade/study/results.hpp"
@@ -16,6 +18,13 @@ namespace {
 /// The same cases with drawn and with design friction.
 struct FrictionPair {
   std::size_t drawn = 0, design = 0, count = 0;  ///< first cases, and how many
+  std::size_t samples = 0;  ///< of each pick-freeze matrix: cases this far apart share draws
+};
+
+/// Samples that the jackknife leaves out.
+struct OmittedSamples {
+  std::size_t first = 0, end = 0;
+  bool has(std::size_t k) const { return k >= first && k < end; }
 };
 
 double weighted_mean(const std::vector<double>& of_record, const std::vector<double>& weights) {
@@ -25,12 +34,14 @@ double weighted_mean(const std::vector<double>& of_record, const std::vector<dou
 
 class PairAtLevel {
  public:
-  PairAtLevel(const Results& results, const FrictionPair& pair, std::size_t level) {
+  PairAtLevel(const Results& results, const FrictionPair& pair, std::size_t level,
+              const OmittedSamples& omitted = {}) {
     const HistoryTable& table = results.histories;
     for (std::size_t record = 0; record < table.records; ++record) {
       double above = 0.0, sum = 0.0;
       std::vector<double>& slips = drawn_m_.emplace_back();
       for (std::size_t i = 0; i < pair.count; ++i) {
+        if (omitted.has(i % pair.samples)) continue;
         const double drawn = table.displacement_m(record, pair.drawn + i, level),
                      design = table.displacement_m(record, pair.design + i, level);
         above += drawn > design ? 1.0 : 0.0;
@@ -38,8 +49,9 @@ class PairAtLevel {
         slips.push_back(drawn);
       }
       std::ranges::sort(slips);
-      same_motion_.push_back(above / static_cast<double>(pair.count));
-      design_mean_m_.push_back(sum / static_cast<double>(pair.count));
+      const double count = static_cast<double>(slips.size());
+      same_motion_.push_back(above / count);
+      design_mean_m_.push_back(sum / count);
     }
   }
 
@@ -64,6 +76,44 @@ class PairAtLevel {
   std::vector<std::vector<double>> drawn_m_;  ///< sorted
 };
 
+constexpr std::size_t most_groups = 16;
+
+struct SampleErrors {
+  double same_motion, above_mean;
+};
+
+/// Standard errors of both probabilities from the samples, on these records: jackknife over groups
+/// of samples (Efron & Stein 1981). NaN of one sample.
+SampleErrors sample_errors(const Results& results, const FrictionPair& pair, std::size_t level) {
+  const std::size_t groups = std::min(most_groups, pair.samples);
+  if (groups < 2) return {nan, nan};
+  const std::vector<double> once(results.records.size(), 1.0);
+  std::vector<SampleErrors> without;
+  for (std::size_t g = 0; g < groups; ++g) {
+    const PairAtLevel at(results, pair, level,
+                         {g * pair.samples / groups, (g + 1) * pair.samples / groups});
+    without.push_back({at.same_motion(once), at.above_mean(once)});
+  }
+  const auto error_of = [&](double SampleErrors::*of) {
+    const double g = static_cast<double>(groups);
+    double mean = 0.0, squares = 0.0;
+    for (const SampleErrors& one : without) mean += one.*of / g;
+    for (const SampleErrors& one : without) squares += (one.*of - mean) * (one.*of - mean);
+    return std::sqrt(squares * (g - 1.0) / g);
+  };
+  return {error_of(&SampleErrors::same_motion), error_of(&SampleErrors::above_mean)};
+}
+
+/// An interval over records with the error of the samples added, which all records share.
+Interval with_samples(const Interval& records, double probability, double error,
+                      std::size_t groups) {
+  if (std::isnan(error)) return records;
+  const boost::math::students_t student(static_cast<double>(groups) - 1.0);
+  const double half = quantile(student, 0.975) * error;
+  return {std::max(0.0, probability - std::hypot(probability - records.low, half)),
+          std::min(1.0, probability + std::hypot(records.high - probability, half))};
+}
+
 DesignFrictionRow row_of(const Results& results, const FrictionPair& pair, std::size_t level,
                          const BootstrapOptions& options) {
   const PairAtLevel at(results, pair, level);
@@ -84,8 +134,15 @@ DesignFrictionRow row_of(const Results& results, const FrictionPair& pair, std::
       options);
   // Every record has a part of it, so that their spread shows its error, but where none has.
   const bool shows = row.same_motion > 0.0 && row.same_motion < 1.0;
-  row.same_motion_interval = shows ? intervals[0] : widened(intervals[0], row.same_motion, records);
-  row.above_mean_interval = widened(intervals[1], row.above_mean, records);
+  const SampleErrors errors = sample_errors(results, pair, level);
+  const std::size_t groups = std::min(most_groups, pair.samples);
+  row.same_motion_error = errors.same_motion;
+  row.above_mean_error = errors.above_mean;
+  row.same_motion_interval =
+      with_samples(shows ? intervals[0] : widened(intervals[0], row.same_motion, records),
+                   row.same_motion, errors.same_motion, groups);
+  row.above_mean_interval = with_samples(widened(intervals[1], row.above_mean, records),
+                                         row.above_mean, errors.above_mean, groups);
   return row;
 }
 
@@ -103,7 +160,8 @@ std::vector<DesignFrictionRow> design_friction_rows(const StudyConfig& config,
     if (set.cases[run.first_case].friction_value != FrictionValue::as_drawn) continue;
     std::vector<std::size_t> places = set.places(run.first_case / run.cases);
     places[axis] = 1 - places[axis];
-    const FrictionPair pair{run.first_case, set.combination(places) * run.cases, run.cases};
+    const FrictionPair pair{run.first_case, set.combination(places) * run.cases, run.cases,
+                            config.draws() ? config.sampling.samples : 1};
     for (std::size_t level = 0; level < results.levels.size(); ++level)
       rows.push_back(row_of(results, pair, level, options));
   }

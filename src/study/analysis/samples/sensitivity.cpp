@@ -6,6 +6,7 @@
 
 #include "analysis/samples/design_friction.hpp"
 #include "glissade/core/contract.hpp"
+#include "glissade/core/error.hpp"
 #include "glissade/sampling/sobol_indices.hpp"
 #include "glissade/study/cases/sample_points.hpp"
 #include "glissade/study/results.hpp"
@@ -13,20 +14,60 @@
 namespace glissade {
 namespace {
 
-/// One number of every history of a run.
-template <class Value>
-CrossedResponse response_of(const Results& results, const RunResults& run, std::size_t factors,
-                            Value value) {
-  const std::size_t samples = run.cases / (factors + 2);
-  CrossedResponse response(results.records.size(), factors, samples);
-  for (std::size_t record = 0; record < response.records(); ++record) {
-    for (std::size_t matrix = 0; matrix < response.matrices(); ++matrix) {
-      for (std::size_t k = 0; k < samples; ++k)
-        response(record, matrix, k) = value(record, run.first_case + matrix * samples + k);
-    }
+/// The samples of a run, as they were drawn.
+class SampleDesign {
+ public:
+  SampleDesign(const StudyConfig& config, const Results& results)
+      : results_(results), factors_(drawn_factors(config)) {
+    is_given_data_ = results.cases.per_combination() == config.sampling.samples;
+    if (is_given_data_) check(config);
   }
-  return response;
-}
+  const std::vector<DrawnFactor>& factors() const { return factors_; }
+  std::uint64_t matrices() const { return is_given_data_ ? 1 : factors_.size() + 2; }
+
+  /// One number of every history of a run.
+  template <class Value>
+  CrossedResponse response(const RunResults& run, Value value) const {
+    const std::size_t samples = run.cases / matrices();
+    CrossedResponse response =
+        is_given_data_ ? CrossedResponse(results_.records.size(), groups(run))
+                       : CrossedResponse(results_.records.size(), factors_.size(), samples);
+    for (std::size_t record = 0; record < response.records(); ++record) {
+      for (std::size_t matrix = 0; matrix < response.matrices(); ++matrix) {
+        for (std::size_t k = 0; k < samples; ++k)
+          response(record, matrix, k) = value(record, run.first_case + matrix * samples + k);
+      }
+    }
+    return response;
+  }
+
+ private:
+  void check(const StudyConfig& config) const {
+    constexpr std::size_t least_records = 3, least_samples = 32;
+    const auto refuse = [&](const std::string& what) {
+      throw InputError({config.file.string(), "[sensitivity] of finished results needs " + what,
+                        "run the study with [sensitivity]", ""});
+    };
+    if (results_.records.size() < least_records) refuse("three records or more");
+    if (config.sampling.samples < least_samples)
+      refuse(std::to_string(least_samples) + " samples or more");
+  }
+
+  std::vector<FactorGroups> groups(const RunResults& run) const {
+    std::vector<FactorGroups> groups;
+    for (const DrawnFactor& factor : factors_) {
+      std::vector<double> values;
+      for (std::size_t k = 0; k < run.cases; ++k)
+        values.push_back(factor.value(results_.cases.cases[run.first_case + k]));
+      groups.push_back(groups_of(values));
+    }
+    return groups;
+  }
+
+  const Results& results_;
+  std::vector<DrawnFactor> factors_;
+  bool is_given_data_ = false;
+};
 
 void add(const SobolIndex& index, SpreadRow& row) {
   row.first.push_back(index.first.value);
@@ -48,20 +89,21 @@ void fill(const CrossedResponse& response, SpreadRow& row) {
 
 class RunSpread {
  public:
-  RunSpread(const Results& results, const RunResults& run, std::size_t factors)
-      : results_(results), run_(run), factors_(factors) {}
+  RunSpread(const Results& results, const RunResults& run, const SampleDesign& design)
+      : results_(results), run_(run), design_(design) {}
 
   SpreadRow of_capacity(std::size_t threshold) const {
     SpreadRow row = row_of(threshold);
     const double low = results_.levels.front(), high = results_.levels.back();
     double below = 0.0, above = 0.0;
-    fill(response_of(results_, run_, factors_,
-                     [&](std::size_t record, std::size_t c) {
-                       const double capacity = results_.histories.capacity(record, c, threshold);
-                       below += capacity < low ? 1.0 : 0.0;
-                       above += capacity > high ? 1.0 : 0.0;
-                       return std::log(std::clamp(capacity, low, high));
-                     }),
+    fill(design_.response(run_,
+                          [&](std::size_t record, std::size_t c) {
+                            const double capacity =
+                                results_.histories.capacity(record, c, threshold);
+                            below += capacity < low ? 1.0 : 0.0;
+                            above += capacity > high ? 1.0 : 0.0;
+                            return std::log(std::clamp(capacity, low, high));
+                          }),
          row);
     const double histories = static_cast<double>(results_.records.size() * run_.cases);
     row.share_below = below / histories;
@@ -72,12 +114,13 @@ class RunSpread {
   SpreadRow of_exceedance(std::size_t threshold, std::size_t level) const {
     SpreadRow row = row_of(threshold);
     row.level = results_.levels[level];
-    fill(response_of(results_, run_, factors_,
-                     [&](std::size_t record, std::size_t c) {
-                       return results_.histories.displacement_m(record, c, level) >= row.threshold_m
-                                  ? 1.0
-                                  : 0.0;
-                     }),
+    fill(design_.response(run_,
+                          [&](std::size_t record, std::size_t c) {
+                            return results_.histories.displacement_m(record, c, level) >=
+                                           row.threshold_m
+                                       ? 1.0
+                                       : 0.0;
+                          }),
          row);
     return row;
   }
@@ -91,7 +134,7 @@ class RunSpread {
 
   const Results& results_;
   const RunResults& run_;
-  std::size_t factors_;
+  const SampleDesign& design_;
 };
 
 }  // namespace
@@ -100,13 +143,14 @@ SensitivityResults sensitivity_results(const StudyConfig& config, const Results&
   GLISSADE_EXPECTS(config.sensitivity && !results.runs.empty());
   SensitivityResults found;
   found.factors = {"records", "all that is drawn"};
-  const std::vector<DrawnFactor> factors = drawn_factors(config);
-  for (const DrawnFactor& factor : factors) found.factors.push_back(factor.name);
+  const SampleDesign design(config, results);
+  for (const DrawnFactor& factor : design.factors()) found.factors.push_back(factor.name);
   found.samples = config.sampling.samples;
+  found.matrices = design.matrices();
   for (const RunResults& run : results.runs) {
     const Case& first = results.cases.cases[run.first_case];
     if (first.friction_value == FrictionValue::design && config.samples_friction()) continue;
-    const RunSpread spread(results, run, factors.size());
+    const RunSpread spread(results, run, design);
     for (std::size_t t = 0; t < results.thresholds_m.size(); ++t) {
       found.rows.push_back(spread.of_capacity(t));
       for (std::size_t level = 0; level < results.levels.size(); ++level)
