@@ -39,19 +39,8 @@ bool StudyConfig::has_neighbours() const {
   return !quantities.at("friction", "neighbour_mu").is_always(0.0);
 }
 
-const char* to_string(OrientationRule rule) {
-  return rule == OrientationRule::largest ? "largest" : "median";
-}
-
 std::string intensity_label(const IntensityConfig& intensity) {
   return fmt::format("{} ({})", intensity.measure.symbol(intensity), intensity.measure.unit());
-}
-
-Prescription prescribed_displacement(Standard standard, double sds_g,
-                                     const StandardsConfig& standards) {
-  return standard == Standard::seaoc_pv1_2012
-             ? seaoc_pv1_2012_displacement(sds_g, standards.category)
-             : asce7_16_displacement(sds_g, standards.importance);
 }
 
 std::string describe(const Distribution& distribution) {

@@ -58,9 +58,6 @@ void check_chart(const glissade::StudyConfig& study) {
 }
 
 void check_analyses(const glissade::StudyConfig& study) {
-  check(study.fragility || study.chart || study.clearance || study.base_shear || study.verdict ||
-            study.rare,
-        "there is an analysis");
   const std::vector<double>& levels = study.intensity.levels;
   check(increases(levels) && levels.front() >= 0.0 && levels.back() > 0.0, "levels increase");
   if (study.fragility) {

@@ -7,13 +7,11 @@
 #include <string>
 #include <vector>
 
-#include "glissade/block/tipping.hpp"
 #include "glissade/core/units.hpp"
-#include "glissade/fragility/hazard.hpp"
 #include "glissade/motion/design_spectrum.hpp"
 #include "glissade/sampling/distribution.hpp"
 #include "glissade/sampling/point_set.hpp"
-#include "glissade/standards/prescriptive.hpp"
+#include "glissade/study/analyses.hpp"
 #include "glissade/study/cases/case.hpp"
 #include "glissade/study/intensity_measure.hpp"
 
@@ -121,76 +119,9 @@ struct SamplingConfig {
   }
 };
 
-enum class Standard { seaoc_pv1_2012, asce7_16 };
-struct StandardsConfig {
-  std::vector<Standard> compare;  ///< only with sds_g
-  SeismicDesignCategory category = SeismicDesignCategory::d;
-  double importance = 1.0;
-};
-
-/// A number to be read off a chart.
-struct ChartQuestion {
-  double level = 0.0, slope_deg = 0.0;  ///< within the chart's axes
-  std::optional<double> mu;             ///< given: the displacement is required
-  std::optional<double>
-      displacement_m;  ///< given: the friction that keeps the slip within it is required
-};
-
-/// A chart of displacement over the study's slopes, frictions and building periods.
-struct ChartConfig {
-  double shown_slope_deg = 0.0, shown_mu = 0.0, shown_level = 0.0;  ///< where figures cut through
-  std::vector<ChartQuestion> questions;
-  bool without_target = false;  ///< also of a suite that does not meet its target
-};
-
-/// Which of the orientations of the records a required clearance is of: the largest, or the median,
-/// as Walters et al. (2012) take it.
-enum class OrientationRule { largest, median };
-
-/// The clearance that Walters et al. (2012) recommend: a factor on the suite's mean displacement,
-/// the largest over the building periods.
-struct ClearanceConfig {
-  double factor = 1.1;  ///< >= 1
-  OrientationRule orientation = OrientationRule::largest;
-  bool without_target = false;  ///< also of a suite that does not meet its target
-};
-
-struct FragilityConfig {
-  std::vector<double> thresholds_m;  ///< > 0, strictly increasing
-  /// Levels above the one at which a history reaches the largest threshold are not run: slip there
-  /// is reported as infinite.
-  bool stop_at_largest = false;
-};
-
-/// How often the site has shaking of each intensity, and for how long the array stands there.
-struct HazardConfig {
-  HazardCurve curve;                          ///< in the study's intensity measure
-  std::string source;                         ///< "hazard.csv", "1e-4 x^-2.5"
-  double design_life_years = 0.0;             ///< > 0
-  std::vector<double> target_rates_per_year;  ///< > 0, falling
-  double sds_g = 0.0;                         ///< of the site, where stated; else 0
-  bool is_assumed = false;                    ///< from sds_g: no site's curve
-};
-
-/// The probabilities of exceedance that prescribed displacements are judged by: the first is
-/// accepted at DBE.
-struct VerdictConfig {
-  std::vector<double> exceedance = {0.1, 0.05, 0.01};  ///< falling, (0, 1)
-};
-
-/// Probabilities of small exceedance, with samples from wider distributions.
-struct RareConfig {
-  std::vector<double> thresholds_m;  ///< > 0, strictly increasing
-  double widening = 3.0;  ///< >= 1: on the standard normal numbers of unbounded quantities
-};
-
-/// Intensity measures are ranked by what they say about the capacities of [fragility].
-struct IntensityMeasuresConfig {
-  std::vector<double> sa_periods_s = {0.2, 0.5, 1.0, 2.0};  ///< rising, 0.02 to 4
-};
-
-/// A study as its file states it: checked, defaults filled in, nothing read or run yet.
-struct StudyConfig {
+/// A study as its file states it: checked, defaults filled in, nothing read or run yet. Of its
+/// analyses each has its own part.
+struct StudyConfig : Analyses::InStudy {
   std::string name;
   std::string description;
   std::uint64_t seed = 0;
@@ -208,20 +139,6 @@ struct StudyConfig {
   FrictionConfig friction;
   OrientationConfig orientation;
   SamplingConfig sampling;
-  // Analyses, each where the study has its table:
-  std::optional<FragilityConfig> fragility;
-  std::optional<ChartConfig> chart;
-  std::optional<ClearanceConfig> clearance;
-  std::optional<HazardConfig> hazard;
-  std::optional<VerdictConfig> verdict;
-  std::optional<RareConfig> rare;
-  std::optional<IntensityMeasuresConfig> intensity_measures;
-  StandardsConfig standards;
-  bool sensitivity = false;          ///< where the spread comes from
-  bool shape = false;                ///< of the fragilities
-  bool impact = false;               ///< when and how fast each threshold is first reached
-  bool base_shear = false;           ///< two axes: peak base shear of the building
-  std::optional<RigidBase> tipping;  ///< of the array
 
   /// A clearance also of a suite that does not meet its target: not for design.
   bool is_without_target() const {
@@ -234,15 +151,8 @@ struct StudyConfig {
   bool has_neighbours() const;                      ///< arrays have a second one beside them
 };
 
-/// "largest", "median".
-const char* to_string(OrientationRule rule);
-
 /// Axis label of the intensity measure with its unit: "S_DS (g)", "Sa(1 s) (g)" ...
 std::string intensity_label(const IntensityConfig& intensity);
-
-/// What a standard prescribes at an S_DS.
-Prescription prescribed_displacement(Standard standard, double sds_g,
-                                     const StandardsConfig& standards);
 
 /// "uniform, 0.2 to 2", "one of 1.19, 2.39" ...
 std::string describe(const Distribution& distribution);

@@ -41,6 +41,26 @@ void expect_one_per_row(const std::string& name, const Rows& rows, const Values&
   if (rows.size() != values.size()) throw Hdf5Error("fit " + name + " to the other columns");
 }
 
+template <class T>
+constexpr bool is_list = false;
+template <class T>
+constexpr bool is_list<std::vector<T>> = true;
+
+/// A group for a part that results may have: one that is optional, or rows.
+template <class Archive, class Part, class Fields>
+void if_there(const Archive& archive, const std::string& group, Part& part, Fields fields) {
+  if constexpr (is_list<std::remove_const_t<Part>>) {
+    bool is_there = !part.empty();
+    if constexpr (Archive::reads) is_there = archive.has(group);
+    if (is_there) fields(archive.group(group), part);
+  } else {
+    if constexpr (Archive::reads) {
+      if (archive.has(group)) part.emplace();
+    }
+    if (part) fields(archive.group(group), *part);
+  }
+}
+
 /// A 1-D dataset with a value of every row: `to_file(row)`, and `from_file(row, value)`.
 template <class Archive, class Rows, class ToFile, class FromFile>
 void converted(const Archive& archive, const std::string& name, const Label& label, Rows& rows,
@@ -147,11 +167,6 @@ template <class Outer, class Inner>
 auto member(Outer outer, Inner inner) {
   return [=](auto& row) -> auto& { return std::invoke(inner, std::invoke(outer, row)); };
 }
-
-template <class T>
-constexpr bool is_list = false;
-template <class T>
-constexpr bool is_list<std::vector<T>> = true;
 
 /// The columns of a group: each is named once with its unit, its description and the field of a row
 /// that it is, a member or what member() makes of two. A list in a row makes a matrix; an interval

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/in_files.hpp"
 #include "glissade/core/contract.hpp"
 #include "results/envelope.hpp"
 #include "results/schema.hpp"
@@ -120,148 +121,13 @@ void check_histories(const Results& results) {
 
 /// Every part is there for each record, case, level and threshold that the others have, so that
 /// readers of the results need no checks.
-void check_shapes(const Results& results) {
-  const std::size_t records = results.records.size(), levels = results.levels.size(),
-                    thresholds = results.thresholds_m.size();
+void check_shapes(Results& results) {
   check_cases(results);
   check_suites(results);
   check_histories(results);
-  for (const RunResults& run : results.runs) {
-    expect_fit(run.cases > 0 && run.cases <= results.cases.size() &&
-                   run.first_case <= results.cases.size() - run.cases,
-               "first_case", "cases");
-    expect_fit(run.slip.size() == levels, "slip", "levels");
-    expect_fit(run.fragilities.size() == thresholds && thresholds > 0, "fragility", "thresholds");
-    expect_fit(run.impact.empty() || (run.impact.size() == levels * thresholds &&
-                                      !results.histories.fields.crossing_time_s.empty()),
-               "impact", "levels and thresholds");
-    for (const ThresholdFragility& f : run.fragilities) {
-      expect_fit(f.probability.size() == levels, "probability", "levels");
-      expect_fit(f.probability_interval.size() == levels, "probability_low", "levels");
-      expect_fit(f.record_recross.size() == records, "record_recross", "records");
-      expect_fit(f.band.empty() || f.band.size() == run.band_intensities.size(), "band_low",
-                 "band's intensities");
-    }
+  for (const AnalysisInFiles& analysis : analyses_in_files()) {
+    if (analysis.check != nullptr) analysis.check(results);
   }
-}
-
-void check_shape(const Chart& chart, std::size_t levels) {
-  expect_fit(chart.slope_deg.size() > 1 && !chart.mu.empty() && !chart.period_s.empty(), "axes",
-             "chart");
-  expect_fit(chart.points.size() == levels * chart.slope_deg.size() * chart.mu.size(), "points",
-             "chart's axes");
-  for (const ChartPoint& point : chart.points)
-    expect_fit(point.by_period.size() == chart.period_s.size(), "by_period", "chart's periods");
-}
-
-void check_means(const Results& results, const std::vector<Condition>& places, auto& rows,
-                 auto mean) {
-  const ConditionTable& conditions = *results.conditions;
-  expect_fit(rows.size() == results.suites.size() * places.size(), "suite", "conditions");
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    const SuiteMean& row = std::invoke(mean, rows[i]);
-    expect_fit(row.suite == i / places.size(), "suite", "conditions");
-    expect_fit(row.first_case < results.cases.size(), "first_case", "cases");
-    expect_fit(row.by_orientation.size() == conditions.orientations.size(), "by_orientation",
-               "orientations");
-  }
-}
-
-void check_shape(const ClearanceResults& clearance, const Results& results) {
-  const ConditionGrid& grid = results.conditions->grid;
-  expect_fit(clearance.factor >= 1.0, "factor", "required clearance");
-  check_means(results, sliding_conditions(grid, Periods::largest), clearance.required,
-              &RequiredClearance::largest);
-  check_means(results, sliding_conditions(grid, Periods::one), clearance.by_period,
-              std::identity{});
-}
-
-void check_shape(const BaseShearResults& base_shear, const Results& results) {
-  expect_fit(!results.histories.fields.shear_along.empty(), "base_shear", "histories");
-  check_means(results, all_conditions(results.conditions->grid), base_shear.means, std::identity{});
-}
-
-void check_shape(const TippingResults& tipping, const Results& results) {
-  expect_fit(tipping.shares.size() == results.cases.combinations() * results.levels.size(),
-             "tipping", "combinations and levels");
-  for (const TippingShare& row : tipping.shares) {
-    expect_fit(row.first_case < results.cases.size(), "first_case", "cases");
-    expect_fit(row.by_record.size() == results.records.size(), "share_by_record", "records");
-  }
-}
-
-void check_shape(const std::vector<RankedMeasure>& ranked, const Results& results) {
-  for (const RankedMeasure& row : ranked)
-    expect_fit(row.run < results.runs.size(), "run", "intensity_measures");
-}
-
-void check_shape(const VerdictResults& verdict, const Results& results) {
-  expect_fit(!verdict.exceedance.empty(), "exceedance", "verdict");
-  for (const VerdictRow& row : verdict.rows) {
-    expect_fit(row.first_case < results.cases.size(), "first_case", "cases");
-    expect_fit(row.displacement_m.size() == verdict.exceedance.size() &&
-                   row.displacement_interval.size() == verdict.exceedance.size(),
-               "displacement_m", "exceedance");
-  }
-  for (const VerdictSeparation& separation : verdict.separations)
-    expect_fit(separation.row < verdict.rows.size(), "row", "verdict");
-}
-
-void check_shape(const SensitivityResults& found, const Results& results) {
-  const std::size_t factors = found.factors.size();
-  expect_fit(factors > 2, "factor", "sensitivity");
-  expect_fit(!found.rows.empty(), "spread", "sensitivity");
-  for (const SpreadRow& row : found.rows) {
-    expect_fit(row.first_case < results.cases.size(), "first_case", "cases");
-    expect_fit(row.first.size() == factors && row.first_interval.size() == factors &&
-                   row.total.size() == factors && row.total_interval.size() == factors,
-               "first and total", "factor");
-  }
-  for (const DesignFrictionRow& row : found.design_friction)
-    expect_fit(row.first_case < results.cases.size(), "first_case", "cases");
-}
-
-void check_shape(const ShapeResults& shape, const Results& results) {
-  expect_fit(shape.runs.size() == results.runs.size(), "shape", "runs");
-  for (const ShapeRun& run : shape.runs) {
-    expect_fit(run.thresholds.size() == results.thresholds_m.size(), "shape", "thresholds");
-    for (const ThresholdShape& t : run.thresholds) {
-      const std::size_t models = t.status == ComparisonStatus::compared ? shape_model_count : 0;
-      expect_fit(t.score.size() == models && t.difference.size() == models &&
-                     t.standard_error.size() == models,
-                 "score", "models");
-      expect_fit(t.probability.size() == models * results.levels.size() &&
-                     t.recrossed.size() == results.levels.size(),
-                 "probability", "models and levels");
-    }
-  }
-}
-
-void check_shape(const RareResults& rare, const Results& results) {
-  expect_fit(!rare.rows.empty(), "rows", "rare");
-  for (const RareRow& row : rare.rows)
-    expect_fit(row.first_case < results.cases.size(), "first_case", "cases");
-}
-
-void check_shape(const ReachedTarget& target, const Results& results) {
-  expect_fit(target.scrambles > 0 && target.scrambles <= target.most_scrambles &&
-                 results.cases.samples % target.scrambles == 0,
-             "scrambles", "samples");
-}
-
-/// With the conditions, which are made of the histories again.
-void check_analyses(Results& results) {
-  if (results.chart) check_shape(*results.chart, results.levels.size());
-  if (results.clearance || results.base_shear) results.conditions = condition_table(results);
-  if (results.clearance) check_shape(*results.clearance, results);
-  if (results.base_shear) check_shape(*results.base_shear, results);
-  if (results.tipping) check_shape(*results.tipping, results);
-  if (results.verdict) check_shape(*results.verdict, results);
-  if (results.sensitivity) check_shape(*results.sensitivity, results);
-  if (results.shape) check_shape(*results.shape, results);
-  if (results.rare) check_shape(*results.rare, results);
-  if (results.reached_target) check_shape(*results.reached_target, results);
-  if (results.intensity_measures) check_shape(*results.intensity_measures, results);
 }
 
 }  // namespace
@@ -276,7 +142,6 @@ Results read_results(const std::filesystem::path& file) {
   read_results_of(kind, file, [&](const Hdf5Reader& root) {
     exchange(root, results);
     check_shapes(results);
-    check_analyses(results);
     if (!labels_are_distinct_names(results)) throw Hdf5Error("give its runs different labels");
   });
   return results;

@@ -1,18 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "results/schema.hpp"
 
+#include "analysis/in_files.hpp"
 #include "enum_names.hpp"
-#include "results/analysis/base_shear.hpp"
-#include "results/analysis/chart.hpp"
-#include "results/analysis/clearance.hpp"
-#include "results/analysis/fragility.hpp"
-#include "results/analysis/hazard.hpp"
-#include "results/analysis/intensity_measures.hpp"
-#include "results/analysis/rare.hpp"
-#include "results/analysis/sensitivity.hpp"
-#include "results/analysis/shape.hpp"
-#include "results/analysis/tipping.hpp"
-#include "results/analysis/verdict.hpp"
 #include "results/archive.hpp"
 #include "results/shared_schema.hpp"
 
@@ -214,43 +204,6 @@ void exchange_head(const Archive& archive, R& results) {
   }
 }
 
-/// The group of an analysis, where the results have it.
-template <class Archive, class Analysis, class Exchange>
-void if_there(const Archive& archive, const char* group, Analysis& analysis, Exchange exchange) {
-  if constexpr (Archive::reads) {
-    if (archive.has(group)) analysis.emplace();
-  }
-  if (analysis) exchange(archive.group(group), *analysis);
-}
-
-template <class Archive, class R>
-void exchange_analyses(const Archive& archive, const IntensityScale& scale, R& results) {
-  exchange_runs(archive.group("runs"), scale, results.runs);
-  if_there(archive, "chart", results.chart,
-           [&](const auto& group, auto& chart) { exchange_chart(group, scale, chart); });
-  if_there(archive, "clearance", results.clearance,
-           [&](const auto& group, auto& found) { exchange_clearance(group, scale, found); });
-  if_there(archive, "base_shear", results.base_shear,
-           [&](const auto& group, auto& found) { exchange_base_shear(group, scale, found); });
-  if_there(archive, "tipping", results.tipping,
-           [&](const auto& group, auto& found) { exchange_tipping(group, scale, found); });
-  if_there(archive, "hazard", results.hazard,
-           [&](const auto& group, auto& found) { exchange_hazard(group, scale, found); });
-  if_there(archive, "verdict", results.verdict,
-           [&](const auto& group, auto& found) { exchange_verdict(group, found); });
-  if_there(archive, "sensitivity", results.sensitivity,
-           [&](const auto& group, auto& found) { exchange_sensitivity(group, scale, found); });
-  if_there(archive, "shape", results.shape,
-           [&](const auto& group, auto& found) { exchange_shape(group, scale, found); });
-  if_there(archive, "rare", results.rare,
-           [&](const auto& group, auto& found) { exchange_rare(group, scale, found); });
-  exchange_sampling_errors(archive, results.sampling_errors);
-  if_there(archive, "reached_target", results.reached_target,
-           [](const auto& group, auto& target) { exchange_reached_target(group, target); });
-  if_there(archive, "intensity_measures", results.intensity_measures,
-           [&](const auto& group, auto& rows) { exchange_intensity_measures(group, rows); });
-}
-
 template <class Archive, class R>
 void exchange_all(const Archive& archive, R& results) {
   exchange_head(archive, results);
@@ -265,7 +218,13 @@ void exchange_all(const Archive& archive, R& results) {
   exchange_records(archive.group("records"), results.records, results.record_periods_s);
   exchange_suites(archive.group("suites"), scale, results.suites);
   exchange_histories(archive.group("histories"), scale, results);
-  exchange_analyses(archive, scale, results);
+  for (const AnalysisInFiles& analysis : analyses_in_files()) {
+    if (analysis.exchange.write == nullptr) continue;
+    if constexpr (Archive::reads)
+      analysis.exchange.read(archive, analysis.table, scale, results);
+    else
+      analysis.exchange.write(archive, analysis.table, scale, results);
+  }
 }
 
 }  // namespace

@@ -9,7 +9,7 @@ namespace glissade {
 /// The tables of the analyses, and what they need of each other. Reads after all others.
 void read_analyses(const TomlTable& root, StudyConfig& study);
 
-/// Of analyses that need nothing of a run but what every run keeps.
-std::vector<std::string> tables_of_same_histories();
+/// The values of drawn friction that the analyses of a study need.
+std::vector<FrictionValue> usual_friction_values(const TomlTable& root);
 
 }  // namespace glissade

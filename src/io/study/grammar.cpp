@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "analysis/in_files.hpp"
 #include "enum_names.hpp"
 #include "glissade/core/error.hpp"
 #include "glissade/core/wrap.hpp"
@@ -18,21 +19,6 @@ namespace {
 
 constexpr const char* quantity_value =
     "number, list, { from, to, count }, { mean, std } or a distribution";
-
-template <class E>
-std::string one_of(EnumNames<E> names) {
-  std::string text;
-  for (const auto& [name, value] : names)
-    text += (text.empty() ? "\"" : ", \"") + std::string(name) + "\"";
-  return text;
-}
-
-/// As it stands in a study file.
-template <class E>
-std::string quoted(EnumNames<E> names, E value) {
-  const auto found = std::ranges::find(names, value, &std::pair<const char*, E>::second);
-  return std::string("\"") + found->first + "\"";
-}
 
 std::string measures() {
   std::string text;
@@ -155,74 +141,10 @@ void add_cases(std::vector<GrammarKey>& keys) {
 }
 
 void add_analyses(std::vector<GrammarKey>& keys) {
-  const StudyConfig usual;
-  keys.insert(
-      keys.end(),
-      {{"fragility", "thresholds_m", "list or { from, to, count }", "required",
-        "clearances, m: probability that displacement exceeds each"},
-       {"fragility", "stop_at_largest", "true or false", "false",
-        "levels above the one that reaches the largest threshold are not run"},
-       {"impact", "", "an empty table", "absent",
-        "when and how fast each threshold is first reached; needs [fragility]"},
-       {"hazard", "curve", "path", "none",
-        "how often the site has shaking, CSV: the study's intensity measure (its key is the "
-        "header), annual_rate of exceeding it; needs [fragility]"},
-       {"hazard", "k0", "number", "none",
-        "in place of a curve: annual rate of exceeding x = k0 x^-k"},
-       {"hazard", "k", "number", "none", "the exponent of that"},
-       {"hazard", "sds_g", "number", "none",
-        "S_DS of the site, g: rates of the prescribed displacements; with k and without k0 the "
-        "curve is assumed from it, by the risk target of ASCE 7"},
-       {"hazard", "design_life_years", "number", "required",
-        "slip is accumulated, and probabilities are given, over so many years"},
-       {"hazard", "target_rates_per_year", "list or { from, to, count }",
-        "1/700, 1/2475 and 1 % in 50 years",
-        "the displacement that is exceeded at each of these annual rates is found"},
-       {"standards", "compare", "list of \"seaoc_pv1_2012\", \"asce7_16\"", "required",
-        "prescriptive displacements to compare with; needs measure = \"sds_g\""},
-       {"standards", "importance", "number", fmt::format("{:g}", usual.standards.importance),
-        "importance factor, 1 to 1.5"},
-       {"standards", "seismic_design_category", "\"A\" to \"F\"", "\"D\"",
-        "seismic design category"},
-       {"verdict", "exceedance", "list", "[0.1, 0.05, 0.01]",
-        "prescribed displacements are judged: the first probability of exceedance is accepted at "
-        "S_DS; the displacement of each is found; needs [standards], and levels of which 1.5 times "
-        "are listed too (MCE)"},
-       {"sensitivity", "", "an empty table", "absent",
-        "where the spread comes from: Sobol indices of the records and of each drawn quantity; "
-        "runs "
-        "samples x (2 + drawn quantities) samples; needs [fragility]"},
-       {"rare", "thresholds_m", "list or { from, to, count }", "required",
-        "clearances, m: small probabilities that displacement reaches each, at each level; drawn "
-        "quantities without bounds are drawn from wider distributions, with weights; stands alone"},
-       {"rare", "widening", "number", fmt::format("{:g}", RareConfig{}.widening),
-        "factor on the standard normal numbers of these quantities, 1 to 10"},
-       {"intensity_measures", "sa_periods_s", "list or { from, to, count }", "0.2, 0.5, 1, 2",
-        "intensity measures are ranked, spectral accelerations at these periods (0.02 to 4 s) "
-        "among "
-        "them; needs [fragility], and another measure than ppa_g"},
-       {"chart", "shown", "{ slope_deg or rise_in_12, mu, level }", "the middle; the highest level",
-        "where the figures cut through the chart"},
-       {"chart", "read",
-        "[[chart.read]] with level, slope_deg or rise_in_12, and mu or displacement_m", "none",
-        "a displacement, or the friction required for one, read off the chart"},
-       {"chart", "without_target", "true or false", "false",
-        "chart clearances also of a suite that does not meet its design spectrum: not for design"},
-       {"clearance", "without_target", "true or false", "false",
-        "a clearance also of a suite that does not meet a design spectrum: not for design"},
-       {"clearance", "orientation", one_of(orientation_rule_names()),
-        quoted(orientation_rule_names(), ClearanceConfig{}.orientation),
-        "of the suite's means, each with all records in one orientation, the one that is the "
-        "recommended clearance; Walters et al. (2012) take the median"},
-       {"clearance", "factor", "number", fmt::format("{:g}", ClearanceConfig{}.factor),
-        "required clearance: this factor on the suite's mean displacement, the largest over the "
-        "periods (Walters et al. 2012); also of a [chart]"},
-       {"shape", "", "an empty table", "absent",
-        "whether the fragilities are lognormal and what else they could be; needs [fragility]"},
-       {"base_shear", "", "an empty table", "absent", "peak base shear; needs [model] axes = 2"},
-       {"tipping", "centre_of_mass_height_m", "number", "required",
-        "of the array above the roof, m: where the body begins to tip is checked"},
-       {"tipping", "base_width_m", "number", "required", "of the array along the slope, m"}});
+  for (const AnalysisInFiles& analysis : analyses_in_files()) {
+    for (const AnalysisKey& key : analysis.keys)
+      keys.push_back({analysis.table, key.key, key.value, key.usual, key.meaning});
+  }
 }
 
 /// A table, a key with or without its table, or one of its values.
@@ -282,9 +204,9 @@ std::vector<GrammarKey> grammar() {
   add_cases(keys);
   add_analyses(keys);
   for (const KeyNeeds& n : key_needs()) {
-    const auto key = std::ranges::find(keys, std::string(n.table) + "." + n.key, &GrammarKey::name);
+    const auto key = std::ranges::find(keys, n.table + "." + n.key, &GrammarKey::name);
     const bool is_first = key->meaning.find("; needs ") == std::string::npos;
-    key->meaning += std::string(is_first ? "; needs " : " and ") + n.needs;
+    key->meaning += (is_first ? "; needs " : " and ") + n.needs;
   }
   // A table's keys together, the tables in the order in which they first come; those that are
   // required first.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -8,6 +10,21 @@
 #include "glissade/study/config.hpp"
 
 namespace glissade {
+
+/// The names of choices as they stand in a study file: "a", "b".
+template <class E>
+std::string one_of(EnumNames<E> names) {
+  std::string text;
+  for (const auto& [name, value] : names)
+    text += (text.empty() ? "\"" : ", \"") + std::string(name) + "\"";
+  return text;
+}
+
+template <class E>
+std::string quoted(EnumNames<E> names, E value) {
+  const auto found = std::ranges::find(names, value, &std::pair<const char*, E>::second);
+  return std::string("\"") + found->first + "\"";
+}
 
 /// A key of a study file. The rows of grammar() are all keys there are: the error messages,
 /// `glissade explain` and studies/GRAMMAR.md are made from them, and a test holds the reader to
@@ -23,9 +40,9 @@ std::vector<GrammarKey> grammar();
 
 /// A key that has no effect without something else, which `are_met` looks for.
 struct KeyNeeds {
-  const char *table, *key;
-  const char* needs;  ///< "[model] axes = 2"
-  bool (*are_met)(const TomlTable& root, const StudyConfig& study);
+  std::string table, key;
+  std::string needs;  ///< "[model] axes = 2"
+  std::function<bool(const TomlTable& root, const StudyConfig& study)> are_met;
 };
 std::vector<KeyNeeds> key_needs();
 /// Reports every key that is given and has no effect. Reads after all others.

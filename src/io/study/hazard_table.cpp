@@ -90,22 +90,4 @@ void check_events(const TomlTable& table, const HazardConfig& hazard, double low
         remedy);
 }
 
-void read_hazard(const TomlTable& root, StudyConfig& study) {
-  const TomlTable table = root.table("hazard");
-  study.hazard = read_hazard(table, study.intensity.measure.key(), study.file.parent_path());
-  std::vector<double> targets = {rate_of(0.01, 50.0), 1.0 / 2475.0, 1.0 / 700.0};
-  if (table.has("target_rates_per_year"))
-    targets = read_increasing(table, "target_rates_per_year", above_zero);
-  std::ranges::reverse(targets);
-  if (!root.has("fragility"))
-    root.report("hazard", "[hazard] needs [fragility] thresholds_m",
-                "give it, or leave out [hazard]");
-  if (!study.hazard) return;
-  study.hazard->target_rates_per_year = targets;
-  if (study.intensity.levels.empty()) return;
-  check_events(table, *study.hazard, study.intensity.levels.front(),
-               "check the curve's unit, which is that of intensity.measure, or begin the levels "
-               "higher");
-}
-
 }  // namespace glissade

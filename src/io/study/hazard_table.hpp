@@ -14,7 +14,5 @@ std::optional<HazardConfig> read_hazard(const TomlTable& table, const std::strin
 /// in another unit: a problem.
 void check_events(const TomlTable& table, const HazardConfig& hazard, double lowest,
                   const std::string& remedy);
-/// Of a study. Reads after the intensity.
-void read_hazard(const TomlTable& root, StudyConfig& study);
 
 }  // namespace glissade

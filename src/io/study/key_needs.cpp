@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <set>
 
+#include "analysis/in_files.hpp"
 #include "glissade/study/analysis/sampling_error.hpp"
 #include "study/grammar.hpp"
 
@@ -43,21 +44,24 @@ bool uses_target(const TomlTable&, const StudyConfig& study) {
          !is_always(study, "building", "response_modification", 0.0);
 }
 
-bool has_one_of(const TomlTable& root, std::initializer_list<const char*> tables) {
-  return std::ranges::any_of(tables, [&](const char* table) { return root.has(table); });
-}
-
-template <Standard standard>
-bool compares(const TomlTable&, const StudyConfig& study) {
-  return std::ranges::find(study.standards.compare, standard) != study.standards.compare.end();
-}
-
-/// The suite: it is not scaled by the study at all, or not to the study's longest period.
-bool may_miss_target(const StudyConfig& study) {
-  return study.intensity.measure != IntensityMeasure::sds_g ||
-         study.quantities.at("building", "period_s").largest() *
-                 study.quantities.at("building", "period_ratio").largest() >
-             longest_scaled_period_s;
+/// Keys of analyses, and keys of others that only some of them use.
+void add_needs_of_analyses(std::vector<KeyNeeds>& needs) {
+  std::set<std::string> used;
+  for (const AnalysisInFiles& analysis : analyses_in_files()) {
+    needs.insert(needs.end(), analysis.needs.begin(), analysis.needs.end());
+    used.insert(analysis.uses.begin(), analysis.uses.end());
+  }
+  for (const std::string& key : used) {
+    const auto tables = tables_where([&](const AnalysisInFiles& analysis) {
+      return std::ranges::find(analysis.uses, key) != analysis.uses.end();
+    });
+    const std::size_t dot = key.find('.');
+    needs.push_back({key.substr(0, dot), key.substr(dot + 1), listed(tables, " or "),
+                     [tables](const TomlTable& root, const StudyConfig&) {
+                       return std::ranges::any_of(
+                           tables, [&](const std::string& table) { return root.has(table); });
+                     }});
+  }
 }
 
 }  // namespace
@@ -74,18 +78,8 @@ std::vector<KeyNeeds> key_needs() {
       {"intensity", "target",
        "measure = \"sds_g\" or \"mce_fraction\", or building.response_modification", uses_target},
       {"model", "displacement", axes, two_axes},
-      {"model", "displacement", "[fragility], [chart], [clearance], [verdict] or [rare]",
-       [](const TomlTable& root, const StudyConfig&) {
-         return has_one_of(root, {"fragility", "chart", "clearance", "verdict", "rare"});
-       }},
       {"building", "hardening_ratio", "response_modification or yield_coefficient", yields},
       {"friction", "value", "friction that is drawn", draws_friction},
-      {"hazard", "sds_g", "measure = \"sds_g\"",
-       [](const TomlTable&, const StudyConfig& study) {
-         return study.intensity.measure == IntensityMeasure::sds_g;
-       }},
-      {"friction", "neighbour_mu", "[verdict]",
-       [](const TomlTable& root, const StudyConfig&) { return root.has("verdict"); }},
       {"friction", "direction", file, has_pull_tests},
       {"friction", "across_direction", file, has_pull_tests},
       {"friction", "across_direction", axes, two_axes},
@@ -99,10 +93,6 @@ std::vector<KeyNeeds> key_needs() {
        [](const TomlTable&, const StudyConfig& s) {
          return !is_always(s, "friction", "fast_over_slow", 1.0);
        }},
-      {"array", "support", "[base_shear], where it is a list",
-       [](const TomlTable& root, const StudyConfig& s) {
-         return s.support.size() == 1 || root.has("base_shear");
-       }},
       {"vertical", "period_s", vertical, has_vertical},
       {"vertical", "damping", vertical, has_vertical},
       {"orientation", "slope_axis", axes, two_axes},
@@ -113,42 +103,17 @@ std::vector<KeyNeeds> key_needs() {
       {"sampling", "method", drawn, draws},
       {"sampling", "samples", drawn, draws},
       {"sampling", "target_error", drawn, draws},
-      {"sampling", "target_error", "[fragility]",
-       [](const TomlTable& root, const StudyConfig&) { return root.has("fragility"); }},
       {"sampling", "target_error", "a study without [sensitivity]",
        [](const TomlTable&, const StudyConfig& s) { return !s.sensitivity; }},
       {"sampling", "target_error", "sampling.scrambles of 8 or more",
        [](const TomlTable&, const StudyConfig& s) {
          return s.sampling.scrambles >= least_scrambles;
        }},
-      {"sampling", "scrambles", drawn, draws},
-      {"sampling", "scrambles", "[fragility] or [rare]",
-       [](const TomlTable& root, const StudyConfig&) {
-         return has_one_of(root, {"fragility", "rare"});
-       }},
-      {"sampling", "bootstrap_replicates", "[fragility] or [chart]",
-       [](const TomlTable& root, const StudyConfig&) {
-         return has_one_of(root, {"fragility", "chart"});
-       }},
-      {"standards", "importance", "\"asce7_16\" in compare", compares<Standard::asce7_16>},
-      {"standards", "seismic_design_category", "\"seaoc_pv1_2012\" in compare",
-       compares<Standard::seaoc_pv1_2012>},
-      {"clearance", "orientation", "several orientations",
-       [](const TomlTable&, const StudyConfig& s) {
-         return s.orientation.choice == OrientationChoice::all_permutations ||
-                s.orientation.choice == OrientationChoice::azimuths ||
-                s.orientation.slope_axis.size() > 1;
-       }},
-      {"chart", "without_target", "measure = \"mce_fraction\", or a building period above 2 s",
-       [](const TomlTable&, const StudyConfig& s) {
-         return s.intensity.measure.is_of_design_spectrum() && may_miss_target(s);
-       }},
-      {"clearance", "without_target",
-       "a measure other than \"sds_g\", which scales to the target, or a building period above 2 s",
-       [](const TomlTable&, const StudyConfig& s) { return may_miss_target(s); }}};
+      {"sampling", "scrambles", drawn, draws}};
   for (const Parameter& p : parameters()) {
     if (p.axes == Parameter::Axes::two) needs.push_back({p.table, p.key, axes, two_axes});
   }
+  add_needs_of_analyses(needs);
   return needs;
 }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "analysis/in_files.hpp"
 #include "enum_names.hpp"
 #include "glissade/motion/improbable.hpp"
 #include "glissade/study/cases/sample_points.hpp"
@@ -102,15 +103,6 @@ void read_suites(const TomlTable& table, StudyConfig& study) {
     table.report("records", "suite.records is empty", "name at least one record, or leave it out");
 }
 
-/// The values of drawn friction that the analyses need.
-std::vector<FrictionValue> friction_values(const TomlTable& root) {
-  std::vector<FrictionValue> values;
-  if (root.has("fragility") || root.has("chart") || !root.has("clearance"))
-    values.push_back(FrictionValue::as_drawn);
-  if (root.has("fragility") || root.has("clearance")) values.push_back(FrictionValue::design);
-  return values;
-}
-
 /// More than anybody can run, or hold the results of.
 void check_size(const TomlTable& root, const StudyConfig& study) {
   constexpr double most = 5e7;
@@ -153,7 +145,7 @@ StudyConfig read_study(const std::filesystem::path& file) {
                                    fragility ? above_zero : not_negative, file.parent_path());
   study.model = read_model(root.table("model"));
   read_quantities(root, study);
-  read_friction(root.required_table("friction"), friction_values(root), study);
+  read_friction(root.required_table("friction"), usual_friction_values(root), study);
   read_support(root.table("array"), study);
   read_vertical(root.table("vertical"), study);
   study.sampling = read_sampling(root.table("sampling"));
@@ -171,12 +163,11 @@ StudyConfig read_study(const std::filesystem::path& file) {
 }
 
 StudyConfig read_study_again(const std::filesystem::path& file, const std::string& text_of_run) {
-  const std::vector<std::string> tables = tables_of_same_histories();
+  const auto tables = tables_where([](const AnalysisInFiles& a) { return a.of_any_run; });
   StudyConfig study = read_study(file);
   if (toml_without(study.source_text, tables) == toml_without(text_of_run, tables)) return study;
-  std::string names;
-  for (const std::string& table : tables) names += (names.empty() ? "[" : ", [") + table + "]";
-  throw InputError({file.string(), "differs from the study that was run in more than " + names,
+  throw InputError({file.string(),
+                    "differs from the study that was run in more than " + listed(tables),
                     "change or add these tables only, or run the study again", ""});
 }
 

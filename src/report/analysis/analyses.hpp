@@ -11,8 +11,8 @@
 
 namespace glissade {
 
-/// What an analysis gives to a report. But for `is_in`, a part may be missing, and is made only of
-/// results that the analysis is in.
+/// What an analysis gives to a report. A part may be missing, and is made only of results that the
+/// analysis is in.
 struct AnalysisReport {
   bool (*is_in)(const Results&) = nullptr;
   std::string (*summary)(const Results&) = nullptr;                 ///< for the terminal, in ASCII
@@ -24,20 +24,6 @@ struct AnalysisReport {
 
 /// Of the analyses that the results have, in the order in which they are reported.
 std::vector<AnalysisReport> analyses_in(const Results& results);
-
-AnalysisReport clearance_report();
-AnalysisReport base_shear_report();
-AnalysisReport fragility_report();
-AnalysisReport impact_report();
-AnalysisReport chart_report();
-AnalysisReport tipping_report();
-AnalysisReport hazard_report();
-AnalysisReport shape_report();
-AnalysisReport verdict_report();
-AnalysisReport sensitivity_report();
-AnalysisReport sampling_error_report();
-AnalysisReport rare_report();
-AnalysisReport intensity_measures_report();
 
 /// What a part gives for each analysis, one after the other.
 template <class T>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "analysis/fragility.hpp"
+#include "glissade/study/analysis/fragility.hpp"
 
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
@@ -164,7 +164,7 @@ RunResults fragility_of(const StudyConfig& config, const Results& results,
 
 }  // namespace
 
-std::vector<RunResults> fragility_runs(const StudyConfig& config, const Results& results) {
+std::vector<RunResults> FragilityAnalysis::find(const StudyConfig& config, const Results& results) {
   const CaseSet& set = results.cases;
   std::vector<std::size_t> isolated;
   for (std::size_t i = 0; i < set.combinations(); ++i)

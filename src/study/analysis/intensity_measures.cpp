@@ -231,8 +231,8 @@ std::vector<RankedMeasure> rank(const Measures& measures, const Ranking& ranking
 
 }  // namespace
 
-std::vector<RankedMeasure> rank_intensity_measures(const StudyConfig& config,
-                                                   const Results& results) {
+std::vector<RankedMeasure> IntensityMeasuresAnalysis::find(const StudyConfig& config,
+                                                           const Results& results) {
   const BootstrapOptions options{.seed = config.seed,
                                  .replicates = config.sampling.bootstrap_replicates};
   const Measures measures(config, results);

@@ -24,7 +24,8 @@ TippingShare share_at(const Results& results, std::size_t combination, std::size
 
 }  // namespace
 
-TippingResults tipping_results(const Results& results, const RigidBase& body) {
+TippingResults TippingAnalysis::find(const StudyConfig& study, const Results& results) {
+  const RigidBase& body = *study.tipping;
   TippingResults tipping{body, rocking_block({}, body).friction, {}};
   for (std::size_t i = 0; i < results.cases.combinations(); ++i) {
     for (std::size_t level = 0; level < results.levels.size(); ++level)

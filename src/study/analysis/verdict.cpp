@@ -189,7 +189,7 @@ bool is_certain(const VerdictResults& verdict, const VerdictRow& row) {
   return row.dbe.interval.low > accepted || row.dbe.interval.high <= accepted;
 }
 
-VerdictResults verdict_results(const StudyConfig& config, const Results& results) {
+VerdictResults VerdictAnalysis::find(const StudyConfig& config, const Results& results) {
   GLISSADE_EXPECTS(config.verdict.has_value());
   const CaseSet& set = results.cases;
   VerdictResults verdict{config.verdict->exceedance, {}, {}};

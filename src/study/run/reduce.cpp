@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "analysis/fragility.hpp"
-#include "glissade/study/analysis/chart.hpp"
 #include "glissade/study/run/history_assembly.hpp"
 #include "glissade/study/run/motion_parts.hpp"
 #include "plan/model_text.hpp"
@@ -41,23 +39,24 @@ Results header_of(const Plan& plan, const std::vector<std::vector<double>>& moti
   return results;
 }
 
+/// What an analysis finds, where the study asks for it.
+template <class Analysis>
 void analyse(const StudyConfig& study, Results& results) {
-  if (study.clearance || study.base_shear) results.conditions = condition_table(results);
-  if (study.fragility) results.runs = fragility_runs(study, results);
-  if (study.chart) results.chart = make_chart(study, results);
-  if (study.clearance) results.clearance = required_clearance(results, *study.clearance);
-  if (study.base_shear) results.base_shear = base_shear_results(results);
-  if (study.tipping) results.tipping = tipping_results(results, *study.tipping);
-  if (study.hazard) results.hazard = hazard_results(study, results);
-  if (study.verdict) results.verdict = verdict_results(study, results);
-  if (study.sensitivity) results.sensitivity = sensitivity_results(study, results);
-  if (study.shape) results.shape = shape_results(results);
-  if (study.rare) results.rare = rare_results(study, results);
-  results.sampling_errors = sampling_error_rows(study, results);
+  if constexpr (requires { &Analysis::find; }) {
+    if constexpr (!std::is_empty_v<typename Analysis::InStudy>) {
+      const auto& [is_asked] = static_cast<const typename Analysis::InStudy&>(study);
+      if (!is_asked) return;
+    }
+    auto& [found] = static_cast<typename Analysis::InResults&>(results);
+    found = Analysis::find(study, results);
+  }
+}
+
+template <class... Analysis>
+void analyse(AnalysisList<Analysis...>, const StudyConfig& study, Results& results) {
+  (analyse<Analysis>(study, results), ...);
   if (study.sampling.target)
     results.reached_target = reached_target(study, results.sampling_errors);
-  if (study.intensity_measures)
-    results.intensity_measures = rank_intensity_measures(study, results);
 }
 
 void append(const std::vector<std::string>& some, std::vector<std::string>& all) {
@@ -80,7 +79,7 @@ Results reduce(const Plan& plan, HistoryTable histories,
                const std::vector<std::vector<double>>& motion_parts) {
   Results results = header_of(plan, motion_parts);
   results.histories = std::move(histories);
-  analyse(plan.config, results);
+  analyse(Analyses(), plan.config, results);
   results.warnings = plan.warnings;
   results.notes = plan.notes;
   append(warnings_on(results, plan.config), results.warnings);
@@ -95,7 +94,7 @@ void analyse_again(StudyConfig study, Results& results) {
   erase_all_of(warnings_on(results, study), results.warnings);
   erase_all_of(notes_on(results, study), results.notes);
   static_cast<AnalysisResults&>(results) = {};
-  analyse(study, results);
+  analyse(Analyses(), study, results);
   append(warnings_on(results, study), results.warnings);
   append(notes_on(results, study), results.notes);
 }

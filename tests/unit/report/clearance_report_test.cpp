@@ -283,7 +283,7 @@ TEST(clearance_report, the_figure_over_periods_hides_no_larger_clearance_than_it
 
 TEST(base_shear_report, is_by_condition_and_beside_the_other_supports) {
   Results r = made_up();
-  r.base_shear = base_shear_results(r);
+  r.base_shear = BaseShearAnalysis::find({}, r);
   const Table table = base_shear_table(r);
   ASSERT_EQ(table.rows.size(), 4u);  // support, period
   EXPECT_EQ(std::get<std::string>(table.rows[3][0]), "anchored array");
@@ -304,7 +304,7 @@ TEST(base_shear_report, of_one_support_has_no_comparison) {
   r.conditions->grid.support = {ArraySupport::isolated};
   r.conditions->grid.level = {1.0, 2.0};  // in place of the supports: as many conditions
   analyse(r);
-  r.base_shear = base_shear_results(r);
+  r.base_shear = BaseShearAnalysis::find({}, r);
   EXPECT_EQ(base_shear_sentences(r).size(), 1u);
   EXPECT_EQ(base_shear_figures(r).size(), 1u);
 }
@@ -313,7 +313,7 @@ TEST(clearance_report, histories_have_base_shears_only_beside_that_analysis) {
   Results r = made_up();
   const std::size_t columns = clearance_histories_table(r).columns.size();
   EXPECT_THAT(to_csv(clearance_histories_table(r)), Not(HasSubstr("shear")));
-  r.base_shear = base_shear_results(r);
+  r.base_shear = BaseShearAnalysis::find({}, r);
   EXPECT_EQ(clearance_histories_table(r).columns.size(), columns + 2);
 }
 

@@ -25,7 +25,7 @@ Results made_up_hazard() {
   config.sampling.bootstrap_replicates = 100;
   config.hazard = HazardConfig{
       HazardCurve::power_law(1e-3, 2.0), "0.001 x^-2", 25.0, {1.0 / 700, rate_of(0.01, 50.0)}};
-  results.hazard = hazard_results(config, results);
+  results.hazard = HazardAnalysis::find(config, results);
   return results;
 }
 
@@ -61,9 +61,9 @@ TEST(hazard_report, compares_what_is_prescribed_with_the_displacement_of_1_perce
   const double target_m = 0.1 * std::sqrt(1e-3 / rate_of(0.01, 50.0));
   EXPECT_NEAR(std::get<double>(table.rows[0][7]), target_m, 1e-12);
   EXPECT_NEAR(std::get<double>(table.rows[0][8]), target_m / 0.5, 1e-12);
-  EXPECT_THAT(answer_sentences(r),
-              Contains(AllOf(HasSubstr("SEAOC PV1-2012 prescribes 0.500 m"),
-                             HasSubstr("4.9 % (95 % interval"), HasSubstr(format_length(target_m)))));
+  EXPECT_THAT(answer_sentences(r), Contains(AllOf(HasSubstr("SEAOC PV1-2012 prescribes 0.500 m"),
+                                                  HasSubstr("4.9 % (95 % interval"),
+                                                  HasSubstr(format_length(target_m)))));
 }
 
 TEST(hazard_report, draws_the_distribution_over_the_design_life) {

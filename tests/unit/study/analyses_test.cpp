@@ -89,7 +89,8 @@ TEST(analyses,
 }
 
 TEST(analyses, base_shear_is_the_mean_and_the_largest_of_the_records) {
-  const std::vector<SuiteMean> means = base_shear_results(by_hand()).means;
+  Results r = by_hand();
+  const std::vector<SuiteMean> means = BaseShearAnalysis::find({}, r).means;
   ASSERT_EQ(means.size(), 2u);
   EXPECT_DOUBLE_EQ(means[0].range.lowest, 10.0);   // 5 and 15
   EXPECT_DOUBLE_EQ(means[0].range.highest, 15.0);  // 5 and 25
@@ -101,7 +102,9 @@ TEST(analyses, base_shear_is_the_mean_and_the_largest_of_the_records) {
 }
 
 TEST(analyses, tipping_is_a_share_of_the_histories_and_of_each_record) {
-  const TippingResults tipping = tipping_results(by_hand(), {0.5, 0.25});
+  StudyConfig study;
+  study.tipping = {0.5, 0.25};
+  const TippingResults tipping = TippingAnalysis::find(study, by_hand());
   EXPECT_EQ(tipping.body.width_m, 0.25);
   EXPECT_EQ(tipping.least_friction, 0.25);
   ASSERT_EQ(tipping.shares.size(), 2u);

@@ -10,7 +10,7 @@
 #include "glissade/block/tipping.hpp"
 #include "glissade/building/roof_motion.hpp"
 #include "glissade/core/units.hpp"
-#include "glissade/study/analysis/condition_table.hpp"
+#include "glissade/study/analysis/conditions/condition_table.hpp"
 #include "unit/study/small_study.hpp"
 
 namespace glissade {

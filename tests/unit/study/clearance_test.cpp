@@ -9,7 +9,7 @@
 #include "glissade/building/motion_table.hpp"
 #include "glissade/core/error.hpp"
 #include "glissade/core/units.hpp"
-#include "glissade/study/analysis/suite_mean.hpp"
+#include "glissade/study/analysis/conditions/suite_mean.hpp"
 #include "unit/study/clearance_motions.hpp"
 #include "unit/study/small_study.hpp"
 

@@ -70,7 +70,7 @@ struct ByHand {
       }
     }
   }
-  HazardRun run() const { return hazard_results(config, results).runs.at(0); }
+  HazardRun run() const { return HazardAnalysis::find(config, results).runs.at(0); }
 };
 
 TEST(hazard, rate_is_the_mean_of_the_hazard_curve_over_the_capacities) {
@@ -189,7 +189,7 @@ TEST(design_life, without_residuals_every_peak_counts_as_slip_down_the_slope) {
   ByHand study(2, 1, {1.0, 1000.0}, {0.3});
   study.hazard(3.0 / 50.0, 2.0, 50.0);
   for (double& peak : study.results.histories.fields.peak_displacement_m) peak = 0.2;
-  EXPECT_FALSE(hazard_results(study.config, study.results).residual_vectors);
+  EXPECT_FALSE(HazardAnalysis::find(study.config, study.results).residual_vectors);
   EXPECT_NEAR(study.run().life[1].p84_m, 1.0, 1e-12);
 }
 

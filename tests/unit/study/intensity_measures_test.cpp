@@ -50,7 +50,9 @@ struct SlidesByPgv {
   static double normal(std::size_t record, std::uint32_t what) {
     return keyed_normal(3, RandomPurpose::test, record, what);
   }
-  std::vector<RankedMeasure> rank() const { return rank_intensity_measures(config, results); }
+  std::vector<RankedMeasure> rank() const {
+    return IntensityMeasuresAnalysis::find(config, results);
+  }
 };
 
 const RankedMeasure& named(const std::vector<RankedMeasure>& rows, const std::string& name) {

@@ -58,21 +58,21 @@ TEST(shape, recrossings_are_counted_at_the_level_where_they_are) {
   Results r = by_hand();
   slide(r, 0, 0, {0.2, 0.05, 0.3});
   slide(r, 1, 1, {0.5, 0.3, 0.2});
-  const ShapeRun run = shape_results(r).runs.at(0);
+  const ShapeRun run = ShapeAnalysis::find({}, r).runs.at(0);
   EXPECT_THAT(run.thresholds[0].recrossed, ElementsAre(0.0, 0.125, 0.0));
   EXPECT_THAT(run.thresholds[1].recrossed, ElementsAre(0.0, 0.125, 0.125));
 }
 
 TEST(shape, crossings_of_the_fits_are_found) {
   Results r = by_hand();
-  const ShapeRun run = shape_results(r).runs.at(0);
+  const ShapeRun run = ShapeAnalysis::find({}, r).runs.at(0);
   ASSERT_EQ(run.crossings.size(), 1u);
   EXPECT_NEAR(run.crossings[0].intensity, 1 / 1.2, 1e-12);
   EXPECT_TRUE(run.crossings[0].within_levels);
   r.levels = {1.0, 1.5, 2.0};
-  EXPECT_FALSE(shape_results(r).runs.at(0).crossings.at(0).within_levels);
+  EXPECT_FALSE(ShapeAnalysis::find({}, r).runs.at(0).crossings.at(0).within_levels);
   r.runs[0].fragilities[1].capacities.status = FitStatus::lower_bound;
-  EXPECT_TRUE(shape_results(r).runs.at(0).crossings.empty());
+  EXPECT_TRUE(ShapeAnalysis::find({}, r).runs.at(0).crossings.empty());
 }
 
 /// Every record slides a little earlier or later, with an overlap that no record alone makes.
@@ -87,7 +87,7 @@ Results rising() {
 
 TEST(shape, models_are_compared_and_one_surface_is_fitted) {
   const Results r = rising();
-  const ShapeRun run = shape_results(r).runs.at(0);
+  const ShapeRun run = ShapeAnalysis::find({}, r).runs.at(0);
   const ThresholdShape& shape = run.thresholds[0];
   ASSERT_EQ(shape.status, ComparisonStatus::compared);
   ASSERT_EQ(shape.score.size(), shape_model_count);
@@ -106,7 +106,7 @@ TEST(shape, models_are_compared_and_one_surface_is_fitted) {
 TEST(shape, two_parts_are_not_fitted_where_a_displacement_is_not_known) {
   Results r = rising();
   r.histories.fields.peak_displacement_m[r.histories.at(0, 0, 2)] = infinity;
-  const ShapeResults results = shape_results(r);
+  const ShapeResults results = ShapeAnalysis::find({}, r);
   const ThresholdShape& shape = results.runs.at(0).thresholds[0];
   EXPECT_TRUE(std::isnan(shape.score[static_cast<std::size_t>(ShapeModel::two_part)]));
   EXPECT_FALSE(std::isnan(shape.score[static_cast<std::size_t>(ShapeModel::logit)]));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "glissade/study/analysis/suite_mean.hpp"
+#include "glissade/study/analysis/conditions/suite_mean.hpp"
 
 #include <gtest/gtest.h>
 

@@ -56,7 +56,7 @@ constexpr double prescribed_m = 60.0 * 0.36 * 0.0254;  // 60 (S_DS - 0.4)^2 in
 
 TEST(verdict, is_on_levels_of_which_the_MCE_is_a_level_too) {
   const TwoFrictions made;
-  const VerdictResults verdict = verdict_results(made.config, made.results);
+  const VerdictResults verdict = VerdictAnalysis::find(made.config, made.results);
   ASSERT_EQ(verdict.rows.size(), 2u);  // 1 g for either friction; 1.2 and 1.5 g have no MCE
   EXPECT_EQ(verdict.rows[0].mu, 0.5);
   EXPECT_EQ(verdict.rows[1].mu, 0.3);
@@ -86,7 +86,7 @@ TEST(verdict, takes_the_building_that_makes_each_number_largest) {
   made.slide(1, 2, 0, 3.0 * prescribed_m);  // 1 s, DBE: two records
   made.slide(2, 2, 0, 3.0 * prescribed_m);
   for (std::size_t record = 0; record < 4; ++record) made.slide(record, 0, 2, 9.0);  // 0.2 s, MCE
-  const VerdictResults verdict = verdict_results(made.config, made.results);
+  const VerdictResults verdict = VerdictAnalysis::find(made.config, made.results);
   const VerdictRow& row = verdict.rows[0];
   EXPECT_DOUBLE_EQ(row.dbe.probability, 0.2);
   EXPECT_EQ(row.dbe.period_s, 1.0);
@@ -101,7 +101,7 @@ TEST(verdict, takes_the_building_that_makes_each_number_largest) {
 
 TEST(verdict, of_nothing_exceeded_is_no_more_certain_than_the_records_are_many) {
   const TwoFrictions made;
-  const VerdictResults verdict = verdict_results(made.config, made.results);
+  const VerdictResults verdict = VerdictAnalysis::find(made.config, made.results);
   const VerdictRow& row = verdict.rows[0];
   EXPECT_EQ(row.dbe.probability, 0.0);
   EXPECT_NEAR(row.dbe.interval.high, 1.0 - std::pow(0.025, 0.1), 1e-12);  // 31 % of ten records
@@ -113,7 +113,7 @@ TEST(verdict, of_an_array_that_slides_freely_is_exceeded) {
   TwoFrictions made;
   for (std::size_t record = 0; record < TwoFrictions::records; ++record)
     made.slide(record, 1, 0, std::numeric_limits<double>::infinity());
-  const VerdictResults verdict = verdict_results(made.config, made.results);
+  const VerdictResults verdict = VerdictAnalysis::find(made.config, made.results);
   EXPECT_EQ(verdict.rows[1].dbe.probability, 1.0);
   EXPECT_TRUE(std::isinf(verdict.rows[1].displacement_m.front()));
   EXPECT_EQ(judgement(verdict, verdict.rows[1]), Judgement::exceeded);
@@ -125,7 +125,7 @@ TEST(verdict, has_the_exact_friction_of_cases_that_share_it) {
   TwoFrictions made;  // six times 0.4 is not 2.4
   made.config.standards.compare = {Standard::asce7_16};
   for (Case& c : made.results.cases.cases) c.friction = 0.4;
-  const VerdictResults verdict = verdict_results(made.config, made.results);
+  const VerdictResults verdict = VerdictAnalysis::find(made.config, made.results);
   EXPECT_EQ(verdict.rows[0].mu, 0.4);
   EXPECT_TRUE(verdict.rows[0].within_conditions);  // of ASCE 7-16: 0.4 or more
 }
@@ -134,7 +134,7 @@ TEST(verdict, has_the_four_separations_and_between_arrays_those_of_neighbours) {
   TwoFrictions made;
   made.slide(0, 0, 0, 3.0 * prescribed_m);  // one record of ten beyond twice the value
   made.slide(1, 0, 0, 1.5 * prescribed_m);
-  const auto found = verdict_results(made.config, made.results).separations;
+  const auto found = VerdictAnalysis::find(made.config, made.results).separations;
   ASSERT_EQ(found.size(), 6u);  // two rows, no neighbours
   EXPECT_EQ(found[0].factor, 1.0);
   EXPECT_DOUBLE_EQ(found[0].dbe.probability, 0.2);
@@ -150,7 +150,7 @@ TEST(verdict, has_the_four_separations_and_between_arrays_those_of_neighbours) {
   for (std::size_t i = 0; i < TwoFrictions::samples; ++i)  // 1 s, MCE
     fields.closing_across_m[made.results.histories.at(4, 2 * TwoFrictions::samples + i, 2)] =
         0.51 * prescribed_m;
-  const VerdictResults both = verdict_results(made.config, made.results);
+  const VerdictResults both = VerdictAnalysis::find(made.config, made.results);
   ASSERT_EQ(both.separations.size(), 10u);
   EXPECT_THAT(both.separations[0].what, testing::HasSubstr("along the slope"));
   EXPECT_EQ(both.separations[0].mce.probability, 0.0);

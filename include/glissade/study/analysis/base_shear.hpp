@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <vector>
 
-#include "glissade/study/analysis/suite_mean.hpp"
+#include "glissade/study/analysis/analysis.hpp"
+#include "glissade/study/analysis/conditions/suite_mean.hpp"
 
 namespace glissade {
 
@@ -13,6 +15,16 @@ struct BaseShearResults {
   std::vector<SuiteMean> means;  ///< by (suite, condition)
 };
 
-BaseShearResults base_shear_results(const Results& results);
+struct BaseShearAnalysis {
+  struct InStudy {
+    bool base_shear = false;
+  };
+  struct InResults {
+    std::optional<BaseShearResults> base_shear;
+  };
+  static BaseShearResults find(const StudyConfig& study, Results& results);
+  static AnalysisInFiles in_files();
+  static AnalysisReport in_report();
+};
 
 }  // namespace glissade

@@ -1,13 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <vector>
 
-#include "glissade/study/analysis/suite_mean.hpp"
+#include "glissade/study/analysis/analysis.hpp"
+#include "glissade/study/analysis/conditions/suite_mean.hpp"
 
 // Required clearance after Walters et al. (2012): the mean of the suite for each building period,
 // the largest over the periods, and a factor on that.
 namespace glissade {
+
+/// The clearance that Walters et al. (2012) recommend: a factor on the suite's mean displacement,
+/// the largest over the building periods.
+struct ClearanceConfig {
+  double factor = 1.1;  ///< >= 1
+  OrientationRule orientation = OrientationRule::largest;
+  bool without_target = false;  ///< also of a suite that does not meet its target
+};
 
 /// At one condition but the period.
 struct RequiredClearance {
@@ -24,5 +34,17 @@ struct ClearanceResults {
 };
 
 ClearanceResults required_clearance(const Results& results, const ClearanceConfig& config);
+
+struct ClearanceAnalysis {
+  struct InStudy {
+    std::optional<ClearanceConfig> clearance;
+  };
+  struct InResults {
+    std::optional<ClearanceResults> clearance;
+  };
+  static ClearanceResults find(const StudyConfig& study, Results& results);
+  static AnalysisInFiles in_files();
+  static AnalysisReport in_report();
+};
 
 }  // namespace glissade

@@ -2,18 +2,28 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "glissade/fragility/fit.hpp"
-#include "glissade/standards/prescriptive.hpp"
-#include "glissade/study/config.hpp"
+#include "glissade/fragility/hazard.hpp"
+#include "glissade/study/analysis/analysis.hpp"
+#include "glissade/study/analysis/standards.hpp"
 
 // How often: annual rates of displacements, and what adds up over the design life. Displacements
 // are in plan. Records are the independent unit of all intervals (95 %).
 namespace glissade {
 
-struct Results;
+/// How often the site has shaking of each intensity, and for how long the array stands there.
+struct HazardConfig {
+  HazardCurve curve;                          ///< in the study's intensity measure
+  std::string source;                         ///< "hazard.csv", "1e-4 x^-2.5"
+  double design_life_years = 0.0;             ///< > 0
+  std::vector<double> target_rates_per_year;  ///< > 0, falling
+  double sds_g = 0.0;                         ///< of the site, where stated; else 0
+  bool is_assumed = false;                    ///< from sds_g: no site's curve
+};
 
 /// Exceedance of one threshold. The rate is the mean of the hazard curve over the capacities, that
 /// is the integral of the share that has reached the threshold over the hazard, without a fit and
@@ -95,14 +105,24 @@ struct HazardResults {
   std::vector<HazardRun> runs;    ///< as Results::runs
 };
 
-/// From the fragility runs and the histories.
-HazardResults hazard_results(const StudyConfig& config, const Results& results);
-
 /// Where rates, which fall with displacement, come down to one: linear in logarithms; the first
 /// displacement where they begin below it, infinite where they end above it.
 double displacement_at(double rate, const std::vector<double>& displacements_m,
                        const std::vector<double>& rates);
 /// By the run's curve.
 double displacement_at(double rate, const HazardRun& run);
+
+struct HazardAnalysis {
+  struct InStudy {
+    std::optional<HazardConfig> hazard;
+  };
+  struct InResults {
+    std::optional<HazardResults> hazard;
+  };
+  /// From the fragility runs and the histories.
+  static HazardResults find(const StudyConfig& study, const Results& results);
+  static AnalysisInFiles in_files();
+  static AnalysisReport in_report();
+};
 
 }  // namespace glissade

@@ -6,9 +6,23 @@
 #include <vector>
 
 #include "glissade/fragility/bootstrap.hpp"
-#include "glissade/study/results.hpp"
+#include "glissade/study/analysis/analysis.hpp"
+#include "glissade/study/run/history_table.hpp"
 
 namespace glissade {
+
+/// How the array first gets a threshold's distance from where it lay, at one level: over those
+/// records' samples that reach it (percentiles by Hyndman & Fan 1996, type 7; NaN where none
+/// does). Speed is that of the array relative to the roof, in plan. Where fewer than three records
+/// have any that does there is no interval.
+struct ImpactStatistics {
+  double level = 0.0, threshold_m = 0.0;
+  double reached_share = 0.0;  ///< of all histories at the level
+  Interval reached_interval;   ///< 95 %, bootstrap over records, as all here
+  double speed_median_mps = 0.0, speed_p84_mps = 0.0, speed_p95_mps = 0.0, speed_largest_mps = 0.0;
+  Interval speed_median_interval, speed_p84_interval;
+  double time_median_s = 0.0, time_p16_s = 0.0, time_p84_s = 0.0;  ///< from the record's begin
+};
 
 /// First crossings of some cases, by (threshold, level). Records are the independent unit:
 /// intervals resample them whole, and percentiles of speed are over those histories of
@@ -17,5 +31,14 @@ std::vector<ImpactStatistics> impact_statistics(const HistoryTable& histories, C
                                                 std::span<const double> levels,
                                                 std::span<const double> thresholds_m,
                                                 const BootstrapOptions& options);
+
+struct ImpactAnalysis {
+  struct InStudy {
+    bool impact = false;
+  };
+  struct InResults {};
+  static AnalysisInFiles in_files();
+  static AnalysisReport in_report();
+};
 
 }  // namespace glissade

@@ -3,15 +3,19 @@
 
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "glissade/fragility/fit.hpp"
+#include "glissade/study/analysis/analysis.hpp"
 
 namespace glissade {
 
-struct Results;
-struct StudyConfig;
+/// Intensity measures are ranked by what they say about the capacities of [fragility].
+struct IntensityMeasuresConfig {
+  std::vector<double> sa_periods_s = {0.2, 0.5, 1.0, 2.0};  ///< rising, 0.02 to 4
+};
 
 /// How well an intensity measure predicts when an array slides a threshold (theory.md, 6.11): the
 /// dispersion of the records' ln capacity in it (efficiency), and how that depends on magnitude and
@@ -31,9 +35,18 @@ struct RankedMeasure {
   std::uint64_t censored_records = 0;  ///< half their histories do not reach the threshold
 };
 
-/// By run and threshold, the smallest dispersion first. Nothing where half of the records or more
-/// do not reach a threshold, or slide freely.
-std::vector<RankedMeasure> rank_intensity_measures(const StudyConfig& config,
-                                                   const Results& results);
+struct IntensityMeasuresAnalysis {
+  struct InStudy {
+    std::optional<IntensityMeasuresConfig> intensity_measures;
+  };
+  struct InResults {
+    std::optional<std::vector<RankedMeasure>> intensity_measures;
+  };
+  /// By run and threshold, the smallest dispersion first. Nothing where half of the records or more
+  /// do not reach a threshold, or slide freely.
+  static std::vector<RankedMeasure> find(const StudyConfig& study, const Results& results);
+  static AnalysisInFiles in_files();
+  static AnalysisReport in_report();
+};
 
 }  // namespace glissade

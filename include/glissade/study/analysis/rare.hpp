@@ -2,15 +2,20 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "glissade/fragility/fit.hpp"
+#include "glissade/study/analysis/analysis.hpp"
 
 namespace glissade {
 
-struct StudyConfig;
-struct Results;
+/// Probabilities of small exceedance, with samples from wider distributions.
+struct RareConfig {
+  std::vector<double> thresholds_m;  ///< > 0, strictly increasing
+  double widening = 3.0;  ///< >= 1: on the standard normal numbers of unbounded quantities
+};
 
 /// The probability, over records and samples, that displacement reaches a threshold at a level.
 struct RareRow {
@@ -34,7 +39,17 @@ struct RareResults {
   std::vector<RareRow> rows;    ///< by (combination, threshold, level)
 };
 
-/// Precondition: config.rare.
-RareResults rare_results(const StudyConfig& config, const Results& results);
+struct RareAnalysis {
+  struct InStudy {
+    std::optional<RareConfig> rare;
+  };
+  struct InResults {
+    std::optional<RareResults> rare;
+  };
+  /// Precondition: config.rare.
+  static RareResults find(const StudyConfig& study, const Results& results);
+  static AnalysisInFiles in_files();
+  static AnalysisReport in_report();
+};
 
 }  // namespace glissade

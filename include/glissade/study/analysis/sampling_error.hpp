@@ -6,14 +6,14 @@
 #include <string>
 #include <vector>
 
+#include "glissade/study/analysis/analysis.hpp"
+
 namespace glissade {
 
 struct Case;
 struct CaseGrid;
 struct SampleBlocks;
 struct HistoryTable;
-struct StudyConfig;
-struct Results;
 
 /// Standard errors of ln median of the fit on capacities: of the number of records, which samples
 /// do not reduce, and of the samples.
@@ -24,10 +24,6 @@ struct SamplingErrorRow {
   double record_error = 0.0;    ///< the bootstrap interval of ln median (95 %) over 3.92
   double sampling_error = 0.0;  ///< from the scrambles; NaN where a part has no fit
 };
-
-/// By (run, threshold). None with one scramble, or without [fragility].
-std::vector<SamplingErrorRow> sampling_error_rows(const StudyConfig& config,
-                                                  const Results& results);
 
 /// Fewer scrambles do not decide whether an error of the samples is small enough.
 inline constexpr std::uint64_t least_scrambles = 8;
@@ -63,5 +59,16 @@ class BlockMedians {
 
 /// Half of the 95 % interval of a mean over blocks (Student's t). NaN is infinite.
 double half_width(double standard_error, std::uint64_t blocks);
+
+struct SamplingErrorAnalysis {
+  struct InStudy {};
+  struct InResults {
+    std::vector<SamplingErrorRow> sampling_errors;  ///< of two scrambles or more
+  };
+  /// By (run, threshold). None with one scramble, or without [fragility].
+  static std::vector<SamplingErrorRow> find(const StudyConfig& study, const Results& results);
+  static AnalysisInFiles in_files();
+  static AnalysisReport in_report();
+};
 
 }  // namespace glissade

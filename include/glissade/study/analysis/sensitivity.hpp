@@ -3,15 +3,14 @@
 
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "glissade/fragility/fit.hpp"
+#include "glissade/study/analysis/analysis.hpp"
 
 namespace glissade {
-
-struct StudyConfig;
-struct Results;
 
 /// Where the spread of one number comes from. By factor: the records, all that is drawn together,
 /// then each drawn quantity.
@@ -58,8 +57,18 @@ struct SensitivityResults {
   std::vector<DesignFrictionRow> design_friction;  ///< by (combination, level), where both are run
 };
 
-/// Of histories that were run without [sensitivity] as given data. Throws InputError where they do
-/// not serve. Precondition: config.sensitivity, and [fragility] is computed.
-SensitivityResults sensitivity_results(const StudyConfig& config, const Results& results);
+struct SensitivityAnalysis {
+  struct InStudy {
+    bool sensitivity = false;
+  };
+  struct InResults {
+    std::optional<SensitivityResults> sensitivity;
+  };
+  /// Of histories that were run without [sensitivity] as given data. Throws InputError where they do
+  /// not serve. Precondition: config.sensitivity, and [fragility] is computed.
+  static SensitivityResults find(const StudyConfig& study, const Results& results);
+  static AnalysisInFiles in_files();
+  static AnalysisReport in_report();
+};
 
 }  // namespace glissade

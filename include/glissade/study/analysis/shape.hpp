@@ -2,15 +2,15 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "glissade/fragility/shape.hpp"
+#include "glissade/study/analysis/analysis.hpp"
 
 // The shape of the fragilities: is a lognormal right, what else could be, do curves cross.
 namespace glissade {
-
-struct Results;
 
 /// One threshold. Scores are by ShapeModel, and empty unless they were compared.
 struct ThresholdShape {
@@ -56,7 +56,17 @@ struct ShapeResults {
   std::vector<ShapeRun> runs;  ///< as Results::runs
 };
 
-/// From the fragility runs and the histories.
-ShapeResults shape_results(const Results& results);
+struct ShapeAnalysis {
+  struct InStudy {
+    bool shape = false;
+  };
+  struct InResults {
+    std::optional<ShapeResults> shape;
+  };
+  /// From the fragility runs and the histories.
+  static ShapeResults find(const StudyConfig& study, const Results& results);
+  static AnalysisInFiles in_files();
+  static AnalysisReport in_report();
+};
 
 }  // namespace glissade

@@ -2,14 +2,14 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "glissade/block/tipping.hpp"
+#include "glissade/study/analysis/analysis.hpp"
 
 namespace glissade {
-
-struct Results;
 
 /// In how many histories of one combination of what the study lists the body begins to tip.
 struct TippingShare {
@@ -27,6 +27,16 @@ struct TippingResults {
   std::vector<TippingShare> shares;  ///< by (combination, level)
 };
 
-TippingResults tipping_results(const Results& results, const RigidBase& body);
+struct TippingAnalysis {
+  struct InStudy {
+    std::optional<RigidBase> tipping;  ///< of the array
+  };
+  struct InResults {
+    std::optional<TippingResults> tipping;
+  };
+  static TippingResults find(const StudyConfig& study, const Results& results);
+  static AnalysisInFiles in_files();
+  static AnalysisReport in_report();
+};
 
 }  // namespace glissade

@@ -2,18 +2,23 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "glissade/fragility/fit.hpp"
-#include "glissade/standards/prescriptive.hpp"
-#include "glissade/study/config.hpp"
+#include "glissade/study/analysis/analysis.hpp"
+#include "glissade/study/analysis/standards.hpp"
 
 // Prescribed displacements, judged by what was computed. Records are the independent unit of all
 // intervals (95 %).
 namespace glissade {
 
-struct Results;
+/// The probabilities of exceedance that prescribed displacements are judged by: the first is
+/// accepted at DBE.
+struct VerdictConfig {
+  std::vector<double> exceedance = {0.1, 0.05, 0.01};  ///< falling, (0, 1)
+};
 
 /// That displacement exceeds the prescribed one, in the building whose period makes it largest.
 struct VerdictProbability {
@@ -66,10 +71,20 @@ Judgement judgement(const VerdictResults& verdict, const VerdictRow& row);
 /// The interval of the probability at DBE lies on one side of the accepted one.
 bool is_certain(const VerdictResults& verdict, const VerdictRow& row);
 
-/// At every level of which 1.5 times is a level too, of the arrays that slide.
-VerdictResults verdict_results(const StudyConfig& config, const Results& results);
-
 /// Position of a level, found to 1e-9 of it; levels.size() where there is none.
 std::size_t level_at(const std::vector<double>& levels, double level);
+
+struct VerdictAnalysis {
+  struct InStudy {
+    std::optional<VerdictConfig> verdict;
+  };
+  struct InResults {
+    std::optional<VerdictResults> verdict;
+  };
+  /// At every level of which 1.5 times is a level too, of the arrays that slide.
+  static VerdictResults find(const StudyConfig& study, const Results& results);
+  static AnalysisInFiles in_files();
+  static AnalysisReport in_report();
+};
 
 }  // namespace glissade

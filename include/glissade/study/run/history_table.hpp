@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace glissade {
@@ -112,6 +113,25 @@ struct HistoryTable {
     return fields.capacity[(record * cases + c) * thresholds + threshold];
   }
 };
+
+/// The histories of some cases in a row.
+struct CaseSlice {
+  std::size_t first = 0, count = 0;
+};
+
+/// Mean of a field over the histories of some cases at a level; NaN where the field is not kept. Of
+/// flags: the share that is set.
+template <class T>
+double mean_of(const HistoryTable& histories, const std::vector<T>& field, CaseSlice cases,
+               std::size_t level) {
+  if (field.empty()) return std::numeric_limits<double>::quiet_NaN();
+  double sum = 0.0;
+  for (std::size_t record = 0; record < histories.records; ++record) {
+    for (std::size_t i = 0; i < cases.count; ++i)
+      sum += field[histories.at(record, cases.first + i, level)];
+  }
+  return sum / static_cast<double>(histories.records * cases.count);
+}
 
 /// Values of a field for each record and case.
 std::size_t depth_of(const StudyConfig& config, Depth depth);

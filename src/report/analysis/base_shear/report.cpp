@@ -117,7 +117,7 @@ std::vector<std::string> base_shear_sentences(const Results& results) {
   return sentences;
 }
 
-AnalysisReport base_shear_report() {
+AnalysisReport BaseShearAnalysis::in_report() {
   return {.is_in = [](const Results& results) { return results.base_shear.has_value(); },
           .summary = summary,
           .sentences = base_shear_sentences,

@@ -21,7 +21,7 @@ Html section(const Results& results) {
 
 }  // namespace
 
-AnalysisReport chart_report() {
+AnalysisReport ChartAnalysis::in_report() {
   return {.is_in = [](const Results& results) { return results.chart.has_value(); },
           .summary = chart_summary,
           .sentences = chart_sentences,

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "glissade/report/figure.hpp"
-#include "glissade/study/analysis/suite_mean.hpp"
+#include "glissade/study/analysis/conditions/suite_mean.hpp"
 
 namespace glissade {
 

@@ -52,7 +52,7 @@ Html section(const Results& results) {
 
 }  // namespace
 
-AnalysisReport clearance_report() {
+AnalysisReport ClearanceAnalysis::in_report() {
   return {.is_in = [](const Results& results) { return results.clearance.has_value(); },
           .summary = clearance_summary,
           .sentences = clearance_sentences,

@@ -6,7 +6,7 @@
 
 #include "analysis/conditions/view.hpp"
 #include "glissade/report/figure.hpp"
-#include "glissade/study/analysis/suite_mean.hpp"
+#include "glissade/study/analysis/conditions/suite_mean.hpp"
 
 // What the figures that show suite means as lines share.
 namespace glissade {

@@ -284,7 +284,7 @@ Html section(const Results& results) {
 
 }  // namespace
 
-AnalysisReport fragility_report() {
+AnalysisReport FragilityAnalysis::in_report() {
   return {.is_in = [](const Results& results) { return !results.runs.empty(); },
           .summary = fragility_summary,
           .sentences = sentences,

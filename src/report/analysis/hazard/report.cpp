@@ -206,7 +206,7 @@ std::vector<std::string> hazard_sentences(const Results& results) {
   return all;
 }
 
-AnalysisReport hazard_report() {
+AnalysisReport HazardAnalysis::in_report() {
   return {.is_in = [](const Results& results) { return results.hazard.has_value(); },
           .summary = summary,
           .sentences = hazard_sentences,

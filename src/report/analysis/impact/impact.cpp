@@ -25,7 +25,8 @@ std::string impact_explained() {
          "clearance are left out, and the share that reaches it is given beside it. The speed is "
          "that of the array relative to the roof, in plan, as it first reaches that distance from "
          "where it lay. The kinetic energy (J) of each kilogram that moves together is half the "
-         "square of the speed; a parapet there must absorb it. The histories slide on as if nothing stood there: a parapet that stops the array changes what follows.";
+         "square of the speed; a parapet there must absorb it. The histories slide on as if "
+         "nothing stood there: a parapet that stops the array changes what follows.";
 }
 
 Table impact_table(const Results& results) {
@@ -121,7 +122,7 @@ std::vector<std::string> sentences(const Results& results) {
 
 }  // namespace
 
-AnalysisReport impact_report() {
+AnalysisReport ImpactAnalysis::in_report() {
   return {.is_in = has_impact,
           .sentences = sentences,
           .figures =

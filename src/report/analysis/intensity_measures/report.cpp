@@ -63,7 +63,7 @@ Html section(const Results& results) {
 
 }  // namespace
 
-AnalysisReport intensity_measures_report() {
+AnalysisReport IntensityMeasuresAnalysis::in_report() {
   return {
       .is_in =
           [](const Results& results) {

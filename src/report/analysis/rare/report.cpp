@@ -190,7 +190,7 @@ Table sampling_error_table(const Results& results) {
 
 }  // namespace
 
-AnalysisReport rare_report() {
+AnalysisReport RareAnalysis::in_report() {
   return {.is_in = [](const Results& results) { return results.rare.has_value(); },
           .summary = summary,
           .sentences = sentences,
@@ -199,7 +199,7 @@ AnalysisReport rare_report() {
           .section = section};
 }
 
-AnalysisReport sampling_error_report() {
+AnalysisReport SamplingErrorAnalysis::in_report() {
   return {
       .is_in = [](const Results& results) { return !results.sampling_errors.empty(); },
       .summary =

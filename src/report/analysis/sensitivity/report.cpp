@@ -115,7 +115,7 @@ Html section(const Results& results) {
 
 }  // namespace
 
-AnalysisReport sensitivity_report() {
+AnalysisReport SensitivityAnalysis::in_report() {
   return {.is_in = [](const Results& results) { return results.sensitivity.has_value(); },
           .summary = summary,
           .sentences = sentences,

@@ -85,7 +85,7 @@ Html section(const Results& results) {
 
 }  // namespace
 
-AnalysisReport shape_report() {
+AnalysisReport ShapeAnalysis::in_report() {
   return {
       .is_in = [](const Results& results) { return results.shape && !results.shape->runs.empty(); },
       .summary = summary,

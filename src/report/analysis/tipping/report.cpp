@@ -90,7 +90,7 @@ Html section(const Results& results) {
 
 }  // namespace
 
-AnalysisReport tipping_report() {
+AnalysisReport TippingAnalysis::in_report() {
   return {.is_in = [](const Results& results) { return results.tipping.has_value(); },
           .summary = summary,
           .sentences = sentences,

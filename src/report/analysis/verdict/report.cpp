@@ -198,7 +198,7 @@ Html section(const Results& results) {
 
 }  // namespace
 
-AnalysisReport verdict_report() {
+AnalysisReport VerdictAnalysis::in_report() {
   return {
       .is_in =
           [](const Results& results) { return results.verdict && !results.verdict->rows.empty(); },

@@ -5,7 +5,8 @@
 
 namespace glissade {
 
-BaseShearResults base_shear_results(const Results& results) {
+BaseShearResults BaseShearAnalysis::find(const StudyConfig&, Results& results) {
+  need_conditions(results);
   return {suite_means(results, HistoryNumber::base_shear, all_conditions(results.conditions->grid),
                       Periods::one, OrientationRule::median)};
 }

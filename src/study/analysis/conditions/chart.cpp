@@ -175,7 +175,7 @@ std::map<std::array<double, 3>, std::vector<std::vector<std::size_t>>> cases_of_
 
 }  // namespace
 
-Chart make_chart(const StudyConfig& config, const Results& results) {
+Chart ChartAnalysis::find(const StudyConfig& config, const Results& results) {
   const ChartConfig& chart_config = *config.chart;
   const std::vector<double>& levels = results.levels;
   const BootstrapOptions options{.seed = config.seed,

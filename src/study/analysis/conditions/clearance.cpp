@@ -23,4 +23,9 @@ ClearanceResults required_clearance(const Results& results, const ClearanceConfi
   return clearance;
 }
 
+ClearanceResults ClearanceAnalysis::find(const StudyConfig& study, Results& results) {
+  need_conditions(results);
+  return required_clearance(results, *study.clearance);
+}
+
 }  // namespace glissade

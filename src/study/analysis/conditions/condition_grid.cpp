@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "glissade/study/analysis/condition_grid.hpp"
+#include "glissade/study/analysis/conditions/condition_grid.hpp"
 
 #include "glissade/core/contract.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "glissade/study/analysis/condition_table.hpp"
+#include "glissade/study/analysis/conditions/condition_table.hpp"
 
 #include <algorithm>
 #include <array>
@@ -195,6 +195,10 @@ ConditionTable condition_table(const Results& results) {
     }
   }
   return table;
+}
+
+void need_conditions(Results& results) {
+  if (!results.conditions) results.conditions = condition_table(results);
 }
 
 }  // namespace glissade

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "glissade/study/analysis/suite_mean.hpp"
+#include "glissade/study/analysis/conditions/suite_mean.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,6 +13,21 @@
 
 namespace glissade {
 namespace {
+
+/// Dense rows x columns x depth, last index fastest.
+struct Array3 {
+  std::size_t rows = 0, columns = 0, depth = 0;
+  std::vector<double> data;
+  Array3() = default;
+  Array3(std::size_t r, std::size_t c, std::size_t d)
+      : rows(r), columns(c), depth(d), data(r * c * d) {}
+  double& operator()(std::size_t i, std::size_t j, std::size_t k) {
+    return data[(i * columns + j) * depth + k];
+  }
+  double operator()(std::size_t i, std::size_t j, std::size_t k) const {
+    return data[(i * columns + j) * depth + k];
+  }
+};
 
 /// What a mean is taken of: the number of each (period, orientation, record) a question is about.
 class Values {
@@ -78,7 +93,7 @@ class Values {
 
  private:
   std::vector<std::size_t> records_, orientations_;
-  Array3<double> values_;
+  Array3 values_;
 };
 
 std::vector<double> weighted_means(const Values& values, const std::vector<double>& weights) {
@@ -89,6 +104,10 @@ std::vector<double> weighted_means(const Values& values, const std::vector<doubl
 }
 
 }  // namespace
+
+const char* to_string(OrientationRule rule) {
+  return rule == OrientationRule::largest ? "largest" : "median";
+}
 
 double number_of(HistoryNumber number, const ConditionHistory& history) {
   switch (number) {

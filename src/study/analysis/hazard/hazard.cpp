@@ -216,7 +216,7 @@ double displacement_at(double rate, const HazardRun& run) {
   return displacement_at(rate, displacements_m, rates);
 }
 
-HazardResults hazard_results(const StudyConfig& config, const Results& results) {
+HazardResults HazardAnalysis::find(const StudyConfig& config, const Results& results) {
   const HazardConfig& hazard = *config.hazard;
   const BootstrapOptions options{.seed = config.seed,
                                  .replicates = config.sampling.bootstrap_replicates};

@@ -76,7 +76,7 @@ class RareEvent {
 
 }  // namespace
 
-RareResults rare_results(const StudyConfig& config, const Results& results) {
+RareResults RareAnalysis::find(const StudyConfig& config, const Results& results) {
   GLISSADE_EXPECTS(config.rare.has_value());
   RareResults found{.widening = config.rare->widening};
   const SamplePoints points(config);

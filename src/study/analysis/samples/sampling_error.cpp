@@ -70,8 +70,8 @@ double half_width(double standard_error, std::uint64_t blocks) {
   return quantile(student, 0.975) * standard_error;
 }
 
-std::vector<SamplingErrorRow> sampling_error_rows(const StudyConfig& config,
-                                                  const Results& results) {
+std::vector<SamplingErrorRow> SamplingErrorAnalysis::find(const StudyConfig& config,
+                                                          const Results& results) {
   std::vector<SamplingErrorRow> rows;
   const std::uint64_t blocks = config.sampling.scrambles;
   if (blocks < 2 || !config.draws() || results.runs.empty()) return rows;

@@ -139,7 +139,7 @@ class RunSpread {
 
 }  // namespace
 
-SensitivityResults sensitivity_results(const StudyConfig& config, const Results& results) {
+SensitivityResults SensitivityAnalysis::find(const StudyConfig& config, const Results& results) {
   GLISSADE_EXPECTS(config.sensitivity && !results.runs.empty());
   SensitivityResults found;
   found.factors = {"records", "all that is drawn"};

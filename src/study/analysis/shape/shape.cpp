@@ -59,7 +59,7 @@ void add_surface(const FragilitySurface& surface, ShapeRun& run) {
 
 }  // namespace
 
-ShapeResults shape_results(const Results& results) {
+ShapeResults ShapeAnalysis::find(const StudyConfig&, const Results& results) {
   ShapeResults shape;
   for (const RunResults& of : results.runs) {
     ShapeRun& run = shape.runs.emplace_back();

@@ -8,13 +8,18 @@
 #include <vector>
 
 #include "glissade/fragility/bootstrap.hpp"
-#include "glissade/study/analysis/condition_table.hpp"
-#include "glissade/study/config.hpp"
+#include "glissade/study/analysis/conditions/condition_table.hpp"
 
 // What is read from the histories by condition: means over a suite, what is largest over the
 // building periods, and what the orientations make of it. Records are the independent unit. All
 // expect results with conditions.
 namespace glissade {
+
+/// Which of the orientations of the records a required clearance is of: the largest, or the median,
+/// as Walters et al. (2012) take it.
+enum class OrientationRule { largest, median };
+/// "largest", "median".
+const char* to_string(OrientationRule rule);
 
 enum class HistoryNumber {
   displacement,  ///< m, by the study's DisplacementMeasure

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "results/archive.hpp"
+#include "results/envelope.hpp"
 #include "results/shared_schema.hpp"
 
 namespace glissade {
@@ -46,6 +47,20 @@ void exchange_suite_means(const Archive& archive, const IntensityScale& scale,
   number("largest_", "largest of all records and orientations", &SuiteMean::largest);
   number("by_orientation_", "mean over the suite, by (row, orientation of all records)",
          &SuiteMean::by_orientation);
+}
+
+/// Of conditions that the results have.
+inline void check_suite_means(const Results& results, const std::vector<Condition>& places,
+                              auto& rows, auto mean) {
+  const ConditionTable& conditions = *results.conditions;
+  expect_fit(rows.size() == results.suites.size() * places.size(), "suite", "conditions");
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const SuiteMean& row = std::invoke(mean, rows[i]);
+    expect_fit(row.suite == i / places.size(), "suite", "conditions");
+    expect_fit(row.first_case < results.cases.size(), "first_case", "cases");
+    expect_fit(row.by_orientation.size() == conditions.orientations.size(), "by_orientation",
+               "orientations");
+  }
 }
 
 }  // namespace glissade

@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#pragma once
-
-#include "enum_names.hpp"
-#include "results/archive.hpp"
-#include "results/shared_schema.hpp"
+#include "analysis/in_files.hpp"
 
 namespace glissade {
+namespace {
 
-inline EnumNames<ComparisonStatus> comparison_status_names() {
+EnumNames<ComparisonStatus> comparison_status_names() {
   static constexpr EnumNames<ComparisonStatus> names = {
       {"compared", ComparisonStatus::compared},
       {"few_records", ComparisonStatus::few_records},
@@ -66,19 +63,46 @@ void exchange_surface(const Archive& archive, const IntensityScale& scale, Run& 
   column("median", {scale.unit, "95 % interval of the median"}, &SurfaceMedian::median_interval);
 }
 
-template <class Archive, class Shape>
-void exchange_shape(const Archive& archive, const IntensityScale& scale, Shape& shape) {
-  const Columns column(archive, shape.runs, "label");
-  column("label", {"-", "the combinations, as in /runs; each is a group"}, &ShapeRun::label);
-  if constexpr (Archive::reads) {
-    for (const auto& run : shape.runs) expect_file_name(run.label);
+void check_shape(const ShapeResults& shape, const Results& results) {
+  expect_fit(shape.runs.size() == results.runs.size(), "shape", "runs");
+  for (const ShapeRun& run : shape.runs) {
+    expect_fit(run.thresholds.size() == results.thresholds_m.size(), "shape", "thresholds");
+    for (const ThresholdShape& t : run.thresholds) {
+      const std::size_t models = t.status == ComparisonStatus::compared ? shape_model_count : 0;
+      expect_fit(t.score.size() == models && t.difference.size() == models &&
+                     t.standard_error.size() == models,
+                 "score", "models");
+      expect_fit(t.probability.size() == models * results.levels.size() &&
+                     t.recrossed.size() == results.levels.size(),
+                 "probability", "models and levels");
+    }
   }
-  for (auto& run : shape.runs) {
-    const auto group = archive.group(run.label);
-    exchange_threshold_shapes(group.group("thresholds"), run.thresholds);
-    exchange_crossings(group.group("crossings"), scale, run.crossings);
-    exchange_surface(group.group("surface"), scale, run);
-  }
+}
+
+}  // namespace
+
+AnalysisInFiles ShapeAnalysis::in_files() {
+  return {
+      .table = "shape",
+      .read = [](const TomlTable&, StudyConfig& study) { study.shape = true; },
+      .keys = {{"", "an empty table", "absent",
+                "whether the fragilities are lognormal and what else they could be; needs "
+                "[fragility]"}},
+      .needs_fragility = true,
+      .of_any_run = true,
+      .exchange = Exchange::in_group<&Results::shape>([](const auto& archive, const auto& scale,
+                                                         auto& shape) {
+        const Columns column(archive, shape.runs, "label");
+        column("label", {"-", "the combinations, as in /runs; each is a group"}, &ShapeRun::label);
+        for (auto& run : shape.runs) {
+          expect_file_name(run.label);
+          const auto group = archive.group(run.label);
+          exchange_threshold_shapes(group.group("thresholds"), run.thresholds);
+          exchange_crossings(group.group("crossings"), scale, run.crossings);
+          exchange_surface(group.group("surface"), scale, run);
+        }
+      }),
+      .check = if_found<&Results::shape, check_shape>};
 }
 
 }  // namespace glissade

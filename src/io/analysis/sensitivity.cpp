@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#pragma once
-
-#include "results/archive.hpp"
-#include "results/shared_schema.hpp"
+#include "analysis/in_files.hpp"
+#include "glissade/study/cases/sample_points.hpp"
 
 namespace glissade {
+namespace {
 
 template <class Archive, class Rows>
 void exchange_spread(const Archive& archive, const IntensityScale& scale, Rows& rows) {
@@ -58,13 +57,54 @@ void exchange_design_friction(const Archive& archive, const IntensityScale& scal
          &DesignFrictionRow::above_mean_error);
 }
 
-template <class Archive, class S>
-void exchange_sensitivity(const Archive& archive, const IntensityScale& scale, S& found) {
-  archive.attribute("samples", found.samples);
-  archive.attribute("matrices", found.matrices);
-  list(archive, "factor", {"-", "what the spread comes from"}, found.factors);
-  exchange_spread(archive.group("spread"), scale, found.rows);
-  exchange_design_friction(archive.group("design_friction"), scale, found.design_friction);
+void read_sensitivity(const TomlTable& root, StudyConfig& study) {
+  study.sensitivity = true;
+  expect_met(root, "sensitivity", !drawn_factors(study).empty(), "a quantity that is drawn");
+  expect_met(root, "sensitivity", study.sampling.samples >= 2, "sampling.samples of 2 or more");
+  expect_met(root, "sensitivity",
+             (study.orientation.choice == OrientationChoice::random ||
+              study.orientation.choice == OrientationChoice::as_recorded) &&
+                 study.orientation.slope_axis.size() == 1,
+             "one orientation of a sample: orientation.choice = \"random\" or \"as_recorded\", one "
+             "slope_axis");
+}
+
+void check_sensitivity(const SensitivityResults& found, const Results& results) {
+  const std::size_t factors = found.factors.size();
+  expect_fit(factors > 2, "factor", "sensitivity");
+  expect_fit(!found.rows.empty(), "spread", "sensitivity");
+  for (const SpreadRow& row : found.rows) {
+    expect_fit(row.first_case < results.cases.size(), "first_case", "cases");
+    expect_fit(row.first.size() == factors && row.first_interval.size() == factors &&
+                   row.total.size() == factors && row.total_interval.size() == factors,
+               "first and total", "factor");
+  }
+  for (const DesignFrictionRow& row : found.design_friction)
+    expect_fit(row.first_case < results.cases.size(), "first_case", "cases");
+}
+
+}  // namespace
+
+AnalysisInFiles SensitivityAnalysis::in_files() {
+  return {
+      .table = "sensitivity",
+      .read = read_sensitivity,
+      .keys =
+          {{"", "an empty table", "absent",
+            "where the spread comes from: Sobol indices of the records and of each drawn quantity; "
+            "runs "
+            "samples x (2 + drawn quantities) samples; needs [fragility]"}},
+      .needs_fragility = true,
+      .of_any_run = true,
+      .exchange = Exchange::in_group<&Results::sensitivity>([](const auto& archive,
+                                                               const auto& scale, auto& found) {
+        archive.attribute("samples", found.samples);
+        archive.attribute("matrices", found.matrices);
+        list(archive, "factor", {"-", "what the spread comes from"}, found.factors);
+        exchange_spread(archive.group("spread"), scale, found.rows);
+        exchange_design_friction(archive.group("design_friction"), scale, found.design_friction);
+      }),
+      .check = if_found<&Results::sensitivity, check_sensitivity>};
 }
 
 }  // namespace glissade

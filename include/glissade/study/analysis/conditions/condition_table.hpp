@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "glissade/study/analysis/condition_grid.hpp"
+#include "glissade/study/analysis/conditions/condition_grid.hpp"
 
 // The histories of a study by condition, as required clearance and base shear are read from them.
 namespace glissade {
@@ -43,5 +43,7 @@ struct ConditionTable {
 /// From cases and histories. Of friction that is drawn the design value counts (mean - 2 std) where
 /// the study has it, of anything else that is drawn the mean over the samples.
 ConditionTable condition_table(const Results& results);
+/// Makes those of the results, where no other analysis has.
+void need_conditions(Results& results);
 
 }  // namespace glissade

@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+
+#include "analysis/in_files.hpp"
+#include "text/scan.hpp"
+
+namespace glissade {
+namespace {
+
+template <class Archive, class Points>
+void exchange_chart_slip(const Archive& archive, Points& points, const std::string& name,
+                         const char* what, double ChartSlip::*slip) {
+  const std::string by_period = std::string(what) + ", by (point, period)";
+  Columns(archive, points)(name, {"m", what}, member(&ChartPoint::largest, slip));
+  std::vector<std::vector<double>> rows(points.size());
+  if constexpr (!Archive::reads) {
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      for (const ChartSlip& s : points[i].by_period) rows[i].push_back(s.*slip);
+    }
+  }
+  matrix(
+      archive, name + "_by_period", {"m", by_period.c_str()}, rows,
+      [](auto& row) -> auto& { return row; });
+  if constexpr (Archive::reads) {
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      points[i].by_period.resize(rows[i].size());
+      for (std::size_t p = 0; p < rows[i].size(); ++p) points[i].by_period[p].*slip = rows[i][p];
+    }
+  }
+}
+
+template <class Archive, class Points>
+void exchange_chart_points(const Archive& archive, const IntensityScale& scale, Points& points) {
+  const Columns column(archive, points, scale.level);
+  column(scale.level, {scale.unit, "intensity level"}, &ChartPoint::level);
+  column("slope_deg", {"deg", "roof slope"}, &ChartPoint::slope_deg);
+  column("friction", {"-", "coefficient of friction"}, &ChartPoint::mu);
+  column("free_sliding", {"-", "1 where friction cannot stop the array: slips are inf"},
+         &ChartPoint::free_sliding);
+  column("clearance_m",
+         {"m", "required clearance: the factor x the largest mean over building periods"},
+         &ChartPoint::clearance_m);
+  column("mean_m", {"m", "95 % interval of the largest mean"}, &ChartPoint::mean_interval);
+  column("governing_period_s", {"s", "building period at which the mean is largest"},
+         &ChartPoint::governing_period_s);
+  exchange_chart_slip(
+      archive, points, "mean_m",
+      "mean over the records of the peak displacement in plan, largest over periods",
+      &ChartSlip::mean_m);
+  exchange_chart_slip(archive, points, "p84_m", "84th percentile, largest over periods",
+                      &ChartSlip::p84_m);
+  exchange_chart_slip(archive, points, "p95_m", "95th percentile, largest over periods",
+                      &ChartSlip::p95_m);
+  exchange_chart_slip(archive, points, "envelope_m", "largest record, largest over periods",
+                      &ChartSlip::envelope_m);
+  column("uplift_share", {"-", "share of histories with uplift"}, &ChartPoint::uplift_share);
+}
+
+template <class Archive, class Readings>
+void exchange_chart_readings(const Archive& archive, const IntensityScale& scale,
+                             Readings& readings) {
+  const Columns column(archive, readings, scale.level);
+  column(scale.level, {scale.unit, "intensity level"},
+         member(&ChartReading::question, &ChartQuestion::level));
+  column("slope_deg", {"deg", "roof slope"},
+         member(&ChartReading::question, &ChartQuestion::slope_deg));
+  column("friction", {"-", "coefficient of friction; nan: it is required"},
+         member(&ChartReading::question, &ChartQuestion::mu));
+  column("displacement_m", {"m", "displacement to keep within; nan: displacements are required"},
+         member(&ChartReading::question, &ChartQuestion::displacement_m));
+  const auto answer = [&](const std::string& name, double ChartReading::*which) {
+    column(name, {"m or -", "displacement, or coefficient of friction needed"}, which);
+  };
+  answer("mean", &ChartReading::mean);
+  answer("clearance", &ChartReading::clearance);
+  answer("p84", &ChartReading::p84);
+  answer("p95", &ChartReading::p95);
+  answer("envelope", &ChartReading::envelope);
+}
+
+bool same(double a, double b) { return std::abs(a - b) <= 1e-9 * std::max(1.0, std::abs(b)); }
+
+/// A negative slope counts for its mirror image, which must be there; with every orientation both
+/// run twice.
+void mirror_exactly(const TomlTable& root, StudyConfig& study) {
+  std::vector<double>& slopes = study.quantities.at("roof", "slope_deg").values;
+  const TomlTable roof = root.table("roof");
+  for (double& slope : slopes) {
+    if (slope >= 0.0) break;
+    const auto mirror =
+        std::find_if(slopes.begin(), slopes.end(), [&](double s) { return same(s, -slope); });
+    if (mirror == slopes.end()) {
+      roof.report("slope_deg",
+                  "roof.slope_deg has " + shortest_decimal(slope) + " and not its mirror image " +
+                      shortest_decimal(-slope) + ", which a chart needs",
+                  "give both of each, or slopes of 0 and more with [orientation] choice = "
+                  "\"all_permutations\"");
+      return;
+    }
+    slope = -*mirror;
+  }
+}
+
+/// A number, and the key that gives it.
+struct Given {
+  const char* key;
+  std::optional<double> value;
+};
+
+/// A slope in degrees, given as slope_deg or as rise_in_12.
+Given read_slope(const TomlTable& table) {
+  if (!table.has("rise_in_12")) return {"slope_deg", table.number("slope_deg")};
+  if (table.has("slope_deg"))
+    table.report(
+        "slope_deg",
+        table.name_of("slope_deg") + " and " + table.name_of("rise_in_12") + " are both given",
+        "give the slope one way");
+  const auto rise = table.number("rise_in_12");
+  return {"rise_in_12", rise ? std::optional(slope_of_rise_deg(*rise)) : std::nullopt};
+}
+
+/// A value of an axis; `otherwise` where the key is not there.
+double on_axis(const TomlTable& table, const Given& given, const std::vector<double>& axis,
+               double otherwise) {
+  const auto& [key, value] = given;
+  if (!value || axis.empty()) return otherwise;
+  const auto found =
+      std::find_if(axis.begin(), axis.end(), [&](double x) { return same(x, *value); });
+  if (found != axis.end()) return *found;
+  table.report(key, table.name_of(key) + " = " + shortest_decimal(*value) + " is not on the chart",
+               "give one of its values, " + shortest_decimal(axis.front()) + " to " +
+                   shortest_decimal(axis.back()));
+  return otherwise;
+}
+
+/// A value within an axis.
+double within_axis(const TomlTable& table, const Given& given, const std::vector<double>& axis) {
+  const char* key = given.key;
+  if (!table.has(key)) table.report_missing(key);
+  const double value = given.value.value_or(0.0);
+  if (!given.value || axis.empty() || same(value, axis.front())) return value;
+  if (value < axis.front() || value > axis.back()) {
+    table.report(key,
+                 table.name_of(key) + " = " + shortest_decimal(value) + " is outside the chart",
+                 "a chart is not extrapolated: stay from " + shortest_decimal(axis.front()) +
+                     " to " + shortest_decimal(axis.back()));
+  }
+  return value;
+}
+
+ChartQuestion read_question(const TomlTable& table, const std::vector<double>& mu,
+                            const std::vector<double>& slopes, const std::vector<double>& levels) {
+  ChartQuestion question;
+  question.level = on_axis(table, {"level", table.number("level")}, levels,
+                           levels.empty() ? 0.0 : levels.back());
+  question.slope_deg = within_axis(table, read_slope(table), slopes);
+  if (table.has("mu") == table.has("displacement_m")) {
+    table.report("", "a [[chart.read]] gives a displacement or a friction",
+                 "give mu (and read the displacement), or displacement_m (and read the friction)");
+    table.number("mu");
+    table.number("displacement_m");
+  } else if (table.has("mu")) {
+    question.mu = within_axis(table, {"mu", table.number("mu", friction_rule)}, mu);
+  } else {
+    question.displacement_m = table.required_number("displacement_m", above_zero);
+  }
+  return question;
+}
+
+void read_chart(const TomlTable& root, StudyConfig& study) {
+  const TomlTable table = root.table("chart");
+  ChartConfig chart;
+  mirror_exactly(root, study);
+  const std::vector<double>& levels = study.intensity.levels;
+  // Of what is drawn the chart has one column, under its mean.
+  const Quantity& friction = study.quantities.at("friction", "mu");
+  const std::vector<double> mu =
+      friction.is_drawn() ? std::vector{mean(*friction.drawn)} : friction.values;
+  std::vector<double> slopes;
+  std::ranges::copy_if(study.quantities.at("roof", "slope_deg").values, std::back_inserter(slopes),
+                       [](double slope) { return slope >= 0.0; });
+  if (slopes.size() < 2) {
+    table.report("", "a chart needs two slopes or more of 0 and above",
+                 "give roof.slope_deg (or rise_in_12) as a list, or { from, to, count }");
+  }
+  const auto middle = [](const std::vector<double>& axis) {
+    return axis.empty() ? 0.0 : axis[axis.size() / 2];
+  };
+  const TomlTable shown = table.table("shown");
+  chart.shown_slope_deg = on_axis(shown, read_slope(shown), slopes, middle(slopes));
+  chart.shown_mu = on_axis(shown, {"mu", shown.number("mu")}, mu, middle(mu));
+  chart.shown_level = on_axis(shown, {"level", shown.number("level")}, levels,
+                              levels.empty() ? 0.0 : levels.back());
+  for (const TomlTable& read : table.tables("read"))
+    chart.questions.push_back(read_question(read, mu, slopes, levels));
+  chart.without_target = table.flag("without_target").value_or(chart.without_target);
+  study.chart = chart;
+}
+
+void check_chart(const Chart& chart, const Results& results) {
+  expect_fit(chart.slope_deg.size() > 1 && !chart.mu.empty() && !chart.period_s.empty(), "axes",
+             "chart");
+  expect_fit(
+      chart.points.size() == results.levels.size() * chart.slope_deg.size() * chart.mu.size(),
+      "points", "chart's axes");
+  for (const ChartPoint& point : chart.points)
+    expect_fit(point.by_period.size() == chart.period_s.size(), "by_period", "chart's periods");
+}
+
+}  // namespace
+
+AnalysisInFiles ChartAnalysis::in_files() {
+  return {.table = "chart",
+          .read = read_chart,
+          .keys = {{"shown", "{ slope_deg or rise_in_12, mu, level }",
+                    "the middle; the highest level", "where the figures cut through the chart"},
+                   {"read",
+                    "[[chart.read]] with level, slope_deg or rise_in_12, and mu or displacement_m",
+                    "none", "a displacement, or the friction required for one, read off the chart"},
+                   {"without_target", "true or false", "false",
+                    "chart clearances also of a suite that does not meet its design spectrum: not "
+                    "for design"}},
+          .needs = {{"chart", "without_target",
+                     "measure = \"mce_fraction\", or a building period above 2 s",
+                     [](const TomlTable&, const StudyConfig& s) {
+                       return s.intensity.measure.is_of_design_spectrum() && may_miss_target(s);
+                     }}},
+          .uses = {"model.displacement", "sampling.bootstrap_replicates", "standards.compare"},
+          .stands_alone = true,
+          .needs_every_history = true,
+          .sampled_friction = FrictionUse::required,
+          .exchange = Exchange::in_group<&Results::chart>(
+              [](const auto& archive, const auto& scale, auto& chart) {
+                list(archive, "slope_deg", {"deg", "axis: roof slope"}, chart.slope_deg);
+                list(archive, "friction", {"-", "axis: coefficient of friction"}, chart.mu);
+                list(archive, "period_s", {"s", "building periods; 0 is rigid"}, chart.period_s);
+                archive.attribute("shown_slope_deg", chart.shown_slope_deg);
+                archive.attribute("shown_friction", chart.shown_mu);
+                archive.attribute("shown_" + scale.level, chart.shown_level);
+                exchange_chart_points(archive.group("points"), scale, chart.points);
+                exchange_chart_readings(archive.group("readings"), scale, chart.readings);
+                exchange_prescriptions(archive.group("standards"), chart.standards);
+              }),
+          .check = if_found<&Results::chart, check_chart>};
+}
+
+}  // namespace glissade

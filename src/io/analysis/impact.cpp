@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/in_files.hpp"
+
+namespace glissade {
+
+AnalysisInFiles ImpactAnalysis::in_files() {
+  return {.table = "impact",
+          .read = [](const TomlTable&, StudyConfig& study) { study.impact = true; },
+          .keys = {{"", "an empty table", "absent",
+                    "when and how fast each threshold is first reached; needs [fragility]"}},
+          .needs_fragility = true,
+          .needs_every_history = true};
+}
+
+}  // namespace glissade

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include "analysis/in_files.hpp"
+#include "glissade/study/cases/sample_points.hpp"
+#include "toml/number_list.hpp"
+
+namespace glissade {
+namespace {
+
+void read_rare(const TomlTable& root, StudyConfig& study) {
+  const TomlTable table = root.table("rare");
+  constexpr NumberRule widening_rule{"from 1 to 10",
+                                     [](double x) { return x >= 1.0 && x <= 10.0; }};
+  RareConfig& rare = study.rare.emplace();
+  rare.thresholds_m = read_increasing(table, "thresholds_m", above_zero);
+  rare.widening = table.number("widening", widening_rule).value_or(rare.widening);
+  expect_met(root, "rare", study.samples_friction() && !unbounded_dimensions(study).empty(),
+             "a drawn quantity without bounds (normal or lognormal)");
+  expect_met(root, "rare", study.sampling.scrambles >= least_scrambles,
+             "sampling.scrambles of 8 or more, which give its sampling error");
+  for (const AnalysisInFiles& other : analyses_in_files()) {
+    if (other.table != nullptr && other.table != std::string("rare") && root.has(other.table))
+      root.report("rare",
+                  std::string("[rare] draws from wider distributions, and [") + other.table +
+                      "] would count its samples as drawn",
+                  "divide the study into two");
+  }
+}
+
+void check_rare(const RareResults& rare, const Results& results) {
+  expect_fit(!rare.rows.empty(), "rows", "rare");
+  for (const RareRow& row : rare.rows)
+    expect_fit(row.first_case < results.cases.size(), "first_case", "cases");
+}
+
+}  // namespace
+
+AnalysisInFiles RareAnalysis::in_files() {
+  return {
+      .table = "rare",
+      .read = read_rare,
+      .keys = {{"thresholds_m", "list or { from, to, count }", "required",
+                "clearances, m: small probabilities that displacement reaches each, at each level; "
+                "drawn "
+                "quantities without bounds are drawn from wider distributions, with weights; "
+                "stands alone"},
+               {"widening", "number", fmt::format("{:g}", RareConfig{}.widening),
+                "factor on the standard normal numbers of these quantities, 1 to 10"}},
+      .uses = {"model.displacement", "sampling.scrambles"},
+      .stands_alone = true,
+      .needs_every_history = true,
+      .sampled_friction = FrictionUse::usual,
+      .exchange = Exchange::in_group<&Results::rare>([](const auto& archive, const auto& scale,
+                                                        auto& rare) {
+        archive.attribute("widening", rare.widening);
+        list(archive, "weight",
+             {"-", "by sample: probability over that of the widened distributions"}, rare.weights);
+        const Columns column(archive, rare.rows, "threshold_m");
+        column("threshold_m", {"m", "clearance threshold"}, &RareRow::threshold_m);
+        column("first_case", {"-", "position in `cases` of the combination's first"},
+               &RareRow::first_case);
+        column("condition", {"-", "which combination of what the study lists"},
+               &RareRow::condition);
+        column(scale.level, {scale.unit, "intensity level"}, &RareRow::level);
+        column("probability", {"-", "that displacement reaches the threshold"},
+               &RareRow::probability);
+        column("sampling", {"-", "95 % interval of the samples, on these records"},
+               &RareRow::sampling_interval);
+        column("record", {"-", "95 % interval, bootstrap over records"}, &RareRow::record_interval);
+        column("effective_records", {"-", "number of records that carry the probability"},
+               &RareRow::effective_records);
+        column("plain_samples", {"-", "samples of plain Monte Carlo with the same sampling error"},
+               &RareRow::plain_samples);
+        column("effective_samples", {"-", "number of samples that carry the probability"},
+               &RareRow::effective_samples);
+      }),
+      .check = if_found<&Results::rare, check_rare>};
+}
+
+}  // namespace glissade
