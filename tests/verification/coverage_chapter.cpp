@@ -171,14 +171,19 @@ void add_cases(std::vector<Case>& cases, std::size_t records) {
 void add_skewed(std::vector<Case>& cases, Records kind, const std::string& name) {
   const Coverage share = coverage(20, kind);
   const auto row = [&](const std::string& quantity, double value) {
-    cases.push_back(within({name, quantity, "measured: no lognormal, see above"}, {"share of intervals that cover", value, 0.0, 1.0}));
+    cases.push_back(within({name, quantity, "measured: no lognormal, see above"},
+                           {"share of intervals that cover", value, 0.0, 1.0}));
   };
   row("median, fitted on capacities", share.capacities.median);
   row("log_std, fitted on capacities", share.capacities.log_std);
   for (std::size_t i = 0; i < band_probabilities.size(); ++i)
-    row("probability of " + std::to_string(std::lround(100 * band_probabilities[i])) + " %, fitted on capacities", share.capacities.band[i]);
+    row("probability of " + std::to_string(std::lround(100 * band_probabilities[i])) +
+            " %, fitted on capacities",
+        share.capacities.band[i]);
   for (std::size_t i = 0; i < band_probabilities.size(); ++i)
-    row("probability of " + std::to_string(std::lround(100 * band_probabilities[i])) + " %, fitted on stripes", share.stripes.band[i]);
+    row("probability of " + std::to_string(std::lround(100 * band_probabilities[i])) +
+            " %, fitted on stripes",
+        share.stripes.band[i]);
   row("share", share.share);
 }
 

@@ -52,11 +52,10 @@ toml::table parse_toml(const std::string& text) {
   constexpr auto most_points = 2000;
   LineReader reader(text);
   while (reader.next()) {
-    if (std::ranges::count(reader.line(), '.') > most_points) {
-      throw toml::parse_error("more than 2000 points in a line: a list needs more lines, and names "
-                              "nest less deeply",
-                              {static_cast<toml::source_index>(reader.number()), 1});
-    }
+    if (std::ranges::count(reader.line(), '.') <= most_points) continue;
+    const toml::source_position at{static_cast<toml::source_index>(reader.number()), 1};
+    throw toml::parse_error(
+        "more than 2000 points in a line: a list needs more lines, and names nest less deeply", at);
   }
   return toml::parse(text);
 }

@@ -315,7 +315,7 @@ inline void add_sensitivity(Results& r) {
     row.sample_error = x / 32.0;
     found.rows.push_back(row);
     found.design_friction.push_back(
-        {4, "flat", x, 0.02, {0.01, 0.03}, 3.0 * x, 0.1, {0.05 * x, 0.2}});
+        {4, "flat", x, 0.02, {0.01, 0.03}, 0.004 * x, 3.0 * x, 0.1, {0.05 * x, 0.2}, 0.03});
   }
 }
 

@@ -34,7 +34,7 @@ Results made_up() {
   found.rows = {row, row};
   found.rows[1].level = r.levels.front();
   found.rows[1].mean = 0.5;
-  found.design_friction = {{0, "", 1.0, 0.02, {0.01, 0.03}, 0.4, 0.3, {0.2, 0.4}}};
+  found.design_friction = {{0, "", 1.0, 0.02, {0.01, 0.03}, 0.004, 0.4, 0.3, {0.2, 0.4}, 0.05}};
   return r;
 }
 

@@ -72,10 +72,10 @@ TEST(verdict, of_buildings_with_R_is_at_the_S_DS_that_gives_their_strength) {
   made.results.histories.levels = 4;
   made.results.histories.fields.peak_displacement_m.resize(
       TwoFrictions::records * made.results.cases.size() * 4, 0.1);
-  ASSERT_EQ(verdict_results(made.config, made.results).rows.size(), 4u);
+  ASSERT_EQ(VerdictAnalysis::find(made.config, made.results).rows.size(), 4u);
   made.results.model.dbe_level = 1.2;
   for (Case& c : made.results.cases.cases) c.response_modification = 4.0;
-  const VerdictResults verdict = verdict_results(made.config, made.results);
+  const VerdictResults verdict = VerdictAnalysis::find(made.config, made.results);
   ASSERT_EQ(verdict.rows.size(), 2u);
   EXPECT_EQ(verdict.rows[0].sds_g, 1.2);
 }

@@ -64,8 +64,8 @@ struct SensitivityAnalysis {
   struct InResults {
     std::optional<SensitivityResults> sensitivity;
   };
-  /// Of histories that were run without [sensitivity] as given data. Throws InputError where they do
-  /// not serve. Precondition: config.sensitivity, and [fragility] is computed.
+  /// Of histories that were run without [sensitivity] as given data. Throws InputError where they
+  /// do not serve. Precondition: config.sensitivity, and [fragility] is computed.
   static SensitivityResults find(const StudyConfig& study, const Results& results);
   static AnalysisInFiles in_files();
   static AnalysisReport in_report();
