@@ -92,9 +92,12 @@ HWY_INLINE Constants<V> LoadConstants(const LaneStates& lanes, std::size_t first
           .anisotropy = at(c.anisotropy)};
 }
 
-/// Of the permitted error of a stop. LaneHistory::stop() sees more of the load's change than a lane:
-/// below this it takes most stops at once, which else need a stiff step before.
+/// Of the permitted error of a stop. LaneHistory::stop() sees more of the load's change than a
+/// lane: below this it takes most stops at once, which else need a stiff step before.
 constexpr double surely_permitted = 0.3;
+
+/// Of the tolerance: the errors of the steps add up over a history.
+constexpr double series_share = 0.8;
 
 /// Lanes that can make the step: the block would not stop within what is left
 /// of the interval by a path known in closed form (LaneHistory::stop), is not too
@@ -264,7 +267,7 @@ HWY_INLINE Stepped StepVector(LaneStates& lanes, const GroundRows& ground, std::
 
   LaneMotion<V> to = m;
   to.fastest = hn::Max(m.fastest, z.speed[0]);
-  const V f = StepFraction(z, c.tolerance * to.fastest), along = h * f;
+  const V f = StepFraction(z, Number(series_share) * c.tolerance * to.fastest), along = h * f;
   to.path = m.path + along * z.speed[0];
   to.v_s = Polynomial(z.v_s, f);
   to.v_y = Polynomial(z.v_y, f);
