@@ -11,6 +11,9 @@
 
 namespace glissade {
 
+/// To significant digits: the double that is nearest to the decimal number. Of any size, where
+/// std::stod refuses a subnormal one.
+double rounded_to(double value, int digits);
 /// Three significant digits and no exponent where one can be avoided: "0.300", "12.5", "1024"; "-"
 /// for what is not finite.
 std::string format_number(double value);

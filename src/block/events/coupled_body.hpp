@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <utility>
 
@@ -37,8 +38,9 @@ class CoupledBody {
     speed_ = speed_mps;
     time_ = time_s;
   }
+  /// @param distance_m below zero, by rounding, is none: as in pass()
   void slid(double distance_m, double duration_s) {
-    slip_ += direction_ * distance_m;
+    slip_ += direction_ * std::max(distance_m, 0.0);
     result_.slip.slip_duration_s += duration_s;
   }
   void start(int direction) {

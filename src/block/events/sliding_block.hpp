@@ -68,8 +68,9 @@ class SlidingBlock {
     direction_ = direction;
     ++phases_;
   }
+  /// @param distance below zero, by rounding, is none: as in slide_for()
   void slid(double distance, double duration, double end_speed) {
-    slip_ += direction_ * distance;
+    slip_ += direction_ * std::max(distance, 0.0);
     duration_ += duration;
     speed_ = end_speed;
   }

@@ -238,6 +238,8 @@ Record read_columns(const std::filesystem::path& file, std::string_view text,
   if (columns == 0)
     throw InputError({file.string(), "the file holds no samples", what_is_read, ""});
   if (columns == 2) {
+    if (!options.dt_s && header.dt_s)
+      check_step(place(file, header.lines), header.dt_text, *header.dt_s);
     record.dt_s = step_of(file, time, options.dt_s ? options.dt_s : header.dt_s);
   } else {
     record.dt_s = column_step(file, header, options);

@@ -54,8 +54,6 @@ std::string share_text(const ExceedanceAt& e) {
                      format_share(e.interval.high));
 }
 
-double two_digits(double value) { return std::stod(fmt::format("{:.1e}", value)); }
-
 }  // namespace
 
 std::vector<std::string> warnings_of(const CalculationPackage& package) {
@@ -120,7 +118,7 @@ std::string hazard_sentence(const CalculationPackage& package) {
       "not "
       "put back, at the period at which it is largest: ",
       curve_name(hazard), governing.beyond_share > mostly_assumed ? "at most" : "about",
-      format_number(two_digits(1.0 / governing.annual_rate)),
+      format_number(rounded_to(1.0 / governing.annual_rate, 2)),
       format_share(probability_in(50.0, governing.annual_rate)), life_text(hazard));
   if (farthest.p95_m == 0.0) return exceeded + "it does not slide in 95 % of such spans.";
   return exceeded + fmt::format(

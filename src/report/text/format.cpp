@@ -5,12 +5,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <utility>
 
 #include "glissade/core/units.hpp"
 #include "glissade/core/wrap.hpp"
 
 namespace glissade {
+
+double rounded_to(double value, int digits) {
+  return std::strtod(fmt::format("{:.{}e}", value, digits - 1).c_str(), nullptr);
+}
 
 std::string format_number(double value) {
   if (!std::isfinite(value)) return "-";
@@ -20,7 +25,7 @@ std::string format_number(double value) {
   const int exponent = std::stoi(scientific.substr(scientific.find('e') + 1));
   if (exponent < -4 || exponent > 8) return scientific;
   const bool is_whole = value == std::round(value);
-  if (exponent > 2) return fmt::format("{:.0f}", is_whole ? value : std::stod(scientific));
+  if (exponent > 2) return fmt::format("{:.0f}", is_whole ? value : rounded_to(value, 3));
   return fmt::format("{:.{}f}", value, std::max(0, 2 - exponent));
 }
 

@@ -55,7 +55,7 @@ std::string at_intensity(const Results& results, double value) {
 
 std::string level_number(double level) {
   const std::string four = fmt::format("{:.4g}", level);
-  const bool is_given_so = level > 0.0 && std::abs(std::stod(four) / level - 1.0) < 1e-12;
+  const bool is_given_so = level > 0.0 && std::abs(rounded_to(level, 4) / level - 1.0) < 1e-12;
   return is_given_so && four.size() > format_number(level).size() ? four : format_number(level);
 }
 

@@ -68,6 +68,21 @@ TEST(metamorphic, the_one_way_peak_may_be_below_the_two_way_peak) {
   }
 }
 
+// Found by fuzzing: a speed so small that its product with the drive vanishes seems to last for the
+// whole interval, in which the drive would push the block upslope by 6e-23 m.
+TEST(metamorphic, one_way_slip_never_goes_upslope_where_the_root_of_a_stop_vanishes) {
+  const std::vector<double> pushed_up = {-4e-317, 0.0, 2.3e-10, 0.0};
+  const Block block{
+      .friction = 0.5, .slope_rad = std::atan(0.5), .directions = SlipDirections::downslope_only};
+  for (const auto& solver : solvers()) {
+    SCOPED_TRACE(solver.name);
+    const auto slip = solver.solve({1.2e-6, pushed_up}, block);
+    EXPECT_EQ(slip.slip_phases, 1u);
+    EXPECT_EQ(slip.peak_upslope_m, 0.0);
+    EXPECT_GE(slip.residual_displacement_m, 0.0);
+  }
+}
+
 // Two seconds at 97 % of the yield acceleration, which would push the block to -x, then half a
 // second at twice it, which pushes it to +x. At 1 the first does nothing and the block ends
 // 2 x 2 x 0.5^2/2 = 0.5 m away; at 1.1 the first takes it about 0.13 x 2^2/2 = 0.27 m back before

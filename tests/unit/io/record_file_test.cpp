@@ -114,6 +114,10 @@ TEST_F(RecordFile, steps_that_are_not_above_zero_or_missing_are_refused) {
   EXPECT_THAT(error(at2_head + "NPTS= 1, DT= 0.0 SEC\n1\n"), HasSubstr("not above 0"));
   EXPECT_THAT(error(at2_head + "NPTS= 1, DT= -.01 SEC\n1\n"), HasSubstr("not above 0"));
   EXPECT_THAT(error(at2_head + "NPTS= 1\n1\n"), HasSubstr("no DT"));
+  for (const char* columns : {"1\n2\n", "0 1\n", "0 1\n0.01 2\n"}) {
+    EXPECT_THAT(error(std::string("# DT = 0 s\n") + columns),
+                AllOf(HasSubstr("record:1"), HasSubstr("dt = 0 s is not above 0")));
+  }
   EXPECT_THAT(error("1\n2\n"), HasSubstr("give it with dt_s"));
   EXPECT_THAT(error("1\n2\n", {.dt_s = -1.0, .units = {}}), HasSubstr("not above 0"));
 }

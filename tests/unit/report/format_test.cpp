@@ -26,6 +26,14 @@ TEST(format_number, keeps_three_significant_digits_without_exponent) {
   EXPECT_EQ(format_number(0.0), "0");
 }
 
+// Found by fuzzing: a level of a results file may be any number that is finite.
+TEST(rounded_to, takes_numbers_of_any_size) {
+  EXPECT_EQ(rounded_to(0.12345, 4), 0.1235);
+  EXPECT_EQ(rounded_to(-12345.0, 2), -12000.0);
+  EXPECT_EQ(rounded_to(1.26e-315, 2), 1.3e-315);
+  EXPECT_EQ(rounded_to(1.797693e308, 4), std::numeric_limits<double>::infinity());
+}
+
 TEST(format, shows_what_is_not_finite_as_a_dash) {
   for (const double value : {nan, infinity, -infinity}) {
     EXPECT_EQ(format_number(value), "-");
