@@ -146,10 +146,12 @@ Figure verdict_figure(const Results& results) {
           "tables/verdict.csv.",
           accepted, least_ratio)};
   const Abscissa abscissa(results);
+  const std::vector<DataSeries> others = other_standards(verdict, standard, abscissa);
+  for (const DataSeries& other : others) figure.below += "; dotted: " + other.name;
   double highest = std::log10(2.0);
   for (const double slope : some_of(slopes, most_panels)) {
     Panel panel{fmt::format("slope {:.3g} degrees", slope), abscissa.axis(), {}};
-    panel.series = other_standards(verdict, standard, abscissa);
+    panel.series = others;
     for (std::size_t i = 0; i < shown.size(); ++i) {
       RatioLine ratio(family_look(i, shown.size()), fmt::format("friction {:.3g}", shown[i]),
                       fmt::format("{:.3g}", shown[i]));
