@@ -87,8 +87,11 @@ std::string read_text_file(const fs::path& path) {
   std::size_t part = 4096;  // most files are small: a large block would be cleared for nothing
   errno = 0;
   std::ifstream file(path, std::ios::binary);
+  const int open_error = errno;
+  std::error_code unknown;  // a name may be too long to have a status
+  const bool is_folder = fs::is_directory(path, unknown);
   std::string text;
-  if (file && !fs::is_directory(path)) {
+  if (file && !is_folder) {
     try {  // the stream buffer throws where the system refuses a read
       while (file && text.size() <= most_bytes) {
         const std::size_t size = text.size();
@@ -104,7 +107,7 @@ std::string read_text_file(const fs::path& path) {
     } catch (const std::ios_base::failure&) {
     }
   }
-  const int error_number = fs::is_directory(path) ? EISDIR : errno != 0 ? errno : EIO;
+  const int error_number = is_folder ? EISDIR : open_error != 0 ? open_error : EIO;
   throw InputError({path.string(),
                     "cannot be read: " + std::generic_category().message(error_number),
                     "check that the file exists and that you may read it", ""});

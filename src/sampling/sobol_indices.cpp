@@ -127,11 +127,17 @@ class Estimator {
     return (between_groups(factor, sum) - same_record) / (n * (n - 1.0));
   }
 
-  /// Variance of the means of the groups, less what their scatter adds to it.
   double between_groups(std::size_t factor, const std::vector<double>& y) const {
-    struct Group {
-      double count = 0.0, sum = 0.0;
-    };
+    return y_.blocks() > 1 ? between_groups_of_blocks(factor, y)
+                           : between_groups_of_samples(factor, y);
+  }
+
+  struct Group {
+    double count = 0.0, sum = 0.0;
+  };
+
+  /// Variance of the means of the groups, less what their scatter adds to it.
+  double between_groups_of_samples(std::size_t factor, const std::vector<double>& y) const {
     std::map<std::size_t, Group> groups;
     double all = 0.0, squares = 0.0;
     for (std::size_t j = 0; j < y.size(); ++j) {
@@ -146,6 +152,45 @@ class Estimator {
     const double count = static_cast<double>(y.size()), g = static_cast<double>(groups.size());
     const double within = (squares - means) / (count - g);
     return (means - all * all / count - (g - 1.0) * within) / count;
+  }
+
+  /// Mean of the products of two different values.
+  struct Products {
+    double count = 0.0, sum = 0.0, squares = 0.0;
+    void add(double value) {
+      count += 1.0;
+      sum += value;
+      squares += value * value;
+    }
+    double mean() const {
+      return count > 1.0 ? (sum * sum - squares) / (count * (count - 1.0)) : 0.0;
+    }
+  };
+
+  /// Covariance over the groups of the means of two blocks, over all pairs of blocks.
+  double between_groups_of_blocks(std::size_t factor, const std::vector<double>& y) const {
+    std::map<std::size_t, std::map<std::size_t, Group>> groups;  // by group, then by block
+    std::map<std::size_t, Group> blocks;
+    for (std::size_t j = 0; j < y.size(); ++j) {
+      const std::size_t block = y_.block(samples_[j]);
+      for (Group* of : {&groups[y_.group(factor, samples_[j])][block], &blocks[block]}) {
+        of->count += 1.0;
+        of->sum += y[j];
+      }
+    }
+    double means = 0.0;
+    for (const auto& [at, of_blocks] : groups) {
+      Products products;
+      double count = 0.0;
+      for (const auto& [block, group] : of_blocks) {
+        products.add(group.sum / group.count);
+        count += group.count;
+      }
+      means += count / static_cast<double>(y.size()) * products.mean();
+    }
+    Products all;
+    for (const auto& [block, group] : blocks) all.add(group.sum / group.count);
+    return means - all.mean();
   }
 
   const CrossedResponse& y_;
@@ -208,8 +253,11 @@ std::vector<VarianceShare> shares_of(const CrossedResponse& response, const Esti
   std::vector<Omitted> records, samples;
   for (const IndexRange& part : parts_of(response.records(), most_record_groups))
     records.push_back({part, {}});
-  for (const IndexRange& part : parts_of(response.samples(), most_groups))
-    samples.push_back({{}, part});
+  const bool has_blocks = response.blocks() > 1;
+  const std::size_t units = has_blocks ? response.blocks() : response.samples(),
+                    size = response.samples() / units;
+  for (const IndexRange& part : parts_of(units, has_blocks ? most_record_groups : most_groups))
+    samples.push_back({{}, {part.first * size, part.end * size}});
   const std::vector<double> by_record = jackknife(response, records),
                             by_sample = jackknife(response, samples);
   std::vector<VarianceShare> shares;

@@ -16,7 +16,8 @@ FactorGroups groups_of(const std::vector<double>& values);
 
 /// A response at every point of a crossed design: all records by the samples of the pick-freeze
 /// matrices (Saltelli et al. 2010) A, B and, for each factor, A with that factor from B; or by the
-/// samples of one matrix, in groups by each factor (given data).
+/// samples of one matrix, in groups by each factor (given data), which are independent, or Sobol
+/// points in blocks of independent scrambles.
 class CrossedResponse {
  public:
   CrossedResponse(std::size_t records, std::size_t factors, std::size_t samples)
@@ -24,10 +25,12 @@ class CrossedResponse {
     values_.resize(records * matrices() * samples);
   }
   /// @param groups of each factor
-  CrossedResponse(std::size_t records, std::vector<FactorGroups> groups)
+  /// @param blocks of equal size, one after the other; 1: all samples are independent
+  CrossedResponse(std::size_t records, std::vector<FactorGroups> groups, std::size_t blocks)
       : records_(records),
         factors_(groups.size()),
         samples_(groups.front().size()),
+        blocks_(blocks),
         groups_(std::move(groups)) {
     values_.resize(records * samples_);
   }
@@ -38,6 +41,8 @@ class CrossedResponse {
   std::size_t matrices() const { return is_given_data() ? 1 : factors_ + 2; }
   /// Whose samples are independent.
   std::size_t plain_matrices() const { return is_given_data() ? 1 : 2; }
+  std::size_t blocks() const { return blocks_; }
+  std::size_t block(std::size_t sample) const { return sample / (samples_ / blocks_); }
   std::size_t group(std::size_t factor, std::size_t sample) const {
     return groups_[factor][sample];
   }
@@ -50,7 +55,7 @@ class CrossedResponse {
   }
 
  private:
-  std::size_t records_, factors_, samples_;
+  std::size_t records_, factors_, samples_, blocks_ = 1;
   std::vector<FactorGroups> groups_;
   std::vector<double> values_;
 };
@@ -81,10 +86,12 @@ struct SobolIndices {
 /// pairs of different records. Records and all factors together: components of variance of the
 /// two-way design without replication, of all independent samples. A factor: first order by
 /// Saltelli et al. (2010), total by Jansen (1999); of given data the first order by the variance
-/// between groups, the total is not known (NaN). Equations: theory.md, 6.7. Intervals: jackknife
-/// over records (64 groups at most) and over 16 groups of samples, both added (Sobol points in
-/// place of independent ones make them somewhat wide); Student t by Satterthwaite. All shares are
-/// NaN where the response does not vary. Three records or more, two samples or more.
+/// between groups (of Sobol points by products of different blocks: their groups scatter less than
+/// independent samples), the total is not known (NaN). Equations: theory.md, 6.7. Intervals:
+/// jackknife over records (64 groups at most) and over 16 groups of samples, or the blocks, both
+/// added (Sobol points in place of independent ones make them somewhat wide); Student t by
+/// Satterthwaite. All shares are NaN where the response does not vary. Three records or more, two
+/// samples or more.
 SobolIndices sobol_indices(const CrossedResponse& response);
 
 }  // namespace glissade

@@ -92,8 +92,9 @@ AnalysisInFiles SensitivityAnalysis::in_files() {
       .keys =
           {{"", "an empty table", "absent",
             "where the spread comes from: Sobol indices of the records and of each drawn quantity; "
-            "runs "
-            "samples x (2 + drawn quantities) samples; needs [fragility]"}},
+            "runs samples x (2 + drawn quantities) samples. Added to finished results: first order "
+            "alone, needs 32 samples or more in 8 scrambles or more, or by method monte_carlo; "
+            "needs [fragility]"}},
       .needs_fragility = true,
       .of_any_run = true,
       .exchange = Exchange::in_group<&Results::sensitivity>([](const auto& archive,

@@ -39,6 +39,12 @@ void read_verdict(const TomlTable& root, StudyConfig& study) {
     table.report("exceedance", "verdict.exceedance is not a falling list of probabilities",
                  "for example exceedance = [0.1, 0.05, 0.01]");
   expect_met(root, "verdict", root.has("standards"), "[standards] compare");
+  expect_met(
+      root, "verdict",
+      !study.quantities.at("roof", "slope_deg").is_drawn() &&
+          !study.quantities.at("building", "period_s").is_drawn(),
+      "a slope and a building period that are numbers or lists, not drawn: the conditions of "
+      "the standards are on the slope, and the least favourable period counts");
   const std::vector<double>& levels = study.intensity.levels;
   expect_met(
       root, "verdict",

@@ -123,6 +123,23 @@ Interval PooledLevel::share_interval(double slip_m) const {
   return glissade::share_interval(shares);
 }
 
+Interval PooledLevel::wide_share_interval(double slip_m) const {
+  return widened(share_interval(slip_m), share_above(slip_m), by_record_.size());
+}
+
+Interval PooledLevel::exceeded_interval(double probability) const {
+  const auto first_where = [&](auto is_less_probable) {
+    const auto found = std::ranges::partition_point(
+        sorted_, [&](double slip_m) { return !is_less_probable(wide_share_interval(slip_m)); });
+    return found == sorted_.end() ? infinity : *found;
+  };
+  return {
+      std::min(first_where([&](const Interval& of_share) { return of_share.low <= probability; }),
+               quantile_m(1.0 - probability)),
+      std::max(first_where([&](const Interval& of_share) { return of_share.high <= probability; }),
+               quantile_m(1.0 - probability))};
+}
+
 PooledLevel pooled_at(const HistoryTable& histories, CaseSlice cases, std::size_t level,
                       std::vector<double> HistoryFields::*field) {
   std::vector<std::vector<double>> slips(histories.records);

@@ -26,6 +26,12 @@ class PooledLevel {
   Interval quantile_interval(double probability, const BootstrapOptions& options) const;
   Interval mean_interval(const BootstrapOptions& options) const;
   Interval share_interval(double slip_m) const;
+  /// Of share_above, never narrower than that of a binomial with one trial for each record.
+  Interval wide_share_interval(double slip_m) const;
+  /// 95 % interval of the slip that is exceeded with a probability: the slips of which that
+  /// probability is within wide_share_interval. Infinite at its end where the records are too few
+  /// to bound it.
+  Interval exceeded_interval(double probability) const;
 
  private:
   std::vector<double> sorted_;

@@ -7,7 +7,6 @@
 
 #include "analysis/pooled_level.hpp"
 #include "glissade/core/contract.hpp"
-#include "glissade/fragility/share.hpp"
 #include "glissade/study/results.hpp"
 
 namespace glissade {
@@ -32,9 +31,7 @@ struct AtPeriod {
 /// All buildings on which arrays of one kind stand.
 class Buildings {
  public:
-  Buildings(const StudyConfig& config, const Results& results, std::size_t combination, Field field)
-      : records_(results.records.size()),
-        options_{.seed = config.seed, .replicates = config.sampling.bootstrap_replicates} {
+  Buildings(const Results& results, std::size_t combination, Field field) {
     const CaseSet& set = results.cases;
     const std::size_t axis = set.axis(period_key);
     std::vector<std::size_t> places = set.places(combination);
@@ -57,9 +54,7 @@ class Buildings {
     const AtPeriod& worst =
         largest(level, [&](const PooledLevel& l) { return l.share_above(value_m); });
     const PooledLevel& pooled = worst.levels[level];
-    const double probability = pooled.share_above(value_m);
-    return {probability, widened(pooled.share_interval(value_m), probability, records_),
-            worst.period_s};
+    return {pooled.share_above(value_m), pooled.wide_share_interval(value_m), worst.period_s};
   }
 
   /// The largest displacement that is exceeded with a probability.
@@ -69,7 +64,7 @@ class Buildings {
         largest(level, [&](const PooledLevel& l) { return l.quantile_m(quantile); });
     const PooledLevel& pooled = worst.levels[level];
     row.displacement_m.push_back(pooled.quantile_m(quantile));
-    row.displacement_interval.push_back(pooled.quantile_interval(quantile, options_));
+    row.displacement_interval.push_back(pooled.exceeded_interval(probability));
   }
 
  private:
@@ -79,8 +74,6 @@ class Buildings {
                                      [&](const AtPeriod& at) { return value(at.levels[level]); });
   }
 
-  std::size_t records_;
-  BootstrapOptions options_;
   std::vector<AtPeriod> buildings_;
 };
 
@@ -131,10 +124,9 @@ std::vector<VerdictRow> computed_rows(const Results& results, const Buildings& b
 /// The separations of the last row.
 class Separations {
  public:
-  Separations(const StudyConfig& config, const Results& results, std::size_t combination)
-      : levels_(results.levels) {
+  Separations(const Results& results, std::size_t combination) : levels_(results.levels) {
     const auto add = [&](const char* where, Field field) {
-      gaps_.emplace_back(where, Buildings(config, results, combination, field));
+      gaps_.emplace_back(where, Buildings(results, combination, field));
     };
     const CaseSet& set = results.cases;
     if (set.cases[set.index(combination, 0, 0)].neighbour_friction == 0.0 ||
@@ -197,8 +189,8 @@ VerdictResults VerdictAnalysis::find(const StudyConfig& config, const Results& r
     if (!is_first_of_its_periods(set, c) ||
         set.cases[set.index(c, 0, 0)].support != ArraySupport::isolated)
       continue;
-    const Buildings buildings(config, results, c, displacement);
-    const Separations separations(config, results, c);
+    const Buildings buildings(results, c, displacement);
+    const Separations separations(results, c);
     const std::vector<VerdictRow> computed = computed_rows(results, buildings, c, verdict);
     for (const Standard standard : config.standards.compare) {
       for (VerdictRow row : computed) {

@@ -92,6 +92,7 @@ TEST(write_text_file, leaves_a_partial_file_of_another_process_alone) {
 
 TEST(read_text_file, tells_of_a_file_that_is_not_there) {
   EXPECT_THROW(read_text_file(fs::path(testing::TempDir()) / "glissade_no_such_file"), InputError);
+  EXPECT_THROW(read_text_file(fs::path(testing::TempDir()) / std::string(5000, 'x')), InputError);
 }
 
 TEST(read_text_file, ends_where_a_file_does_not) {

@@ -9,8 +9,6 @@
 namespace glissade {
 namespace {
 
-using testing::HasSubstr;
-
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 TEST(chart_results, come_back) {
@@ -57,16 +55,13 @@ TEST(chart_results, that_do_not_fit_their_axes_are_refused) {
   const auto refusal = [](void (*spoil)(Chart&)) {
     Results results = with_all();
     spoil(*results.chart);
-    return refusal_of(results);
+    return misfit_in(results);
   };
-  EXPECT_THAT(refusal([](Chart& c) { c.points.pop_back(); }),
-              HasSubstr("fit points to the chart's axes"));
-  EXPECT_THAT(refusal([](Chart& c) { c.points[2].by_period.pop_back(); }),
-              HasSubstr("fit by_period to the chart's periods"));
-  EXPECT_THAT(refusal([](Chart& c) { c.slope_deg.pop_back(); }),
-              HasSubstr("fit axes to the chart"));
-  EXPECT_THAT(refusal([](Chart& c) { c.mu.clear(); }), HasSubstr("fit axes to the chart"));
-  EXPECT_THAT(refusal([](Chart& c) { c.period_s.clear(); }), HasSubstr("fit axes to the chart"));
+  EXPECT_EQ(refusal([](Chart& c) { c.points.pop_back(); }), "points");
+  EXPECT_EQ(refusal([](Chart& c) { c.points[2].by_period.pop_back(); }), "by_period");
+  EXPECT_EQ(refusal([](Chart& c) { c.slope_deg.pop_back(); }), "axes");
+  EXPECT_EQ(refusal([](Chart& c) { c.mu.clear(); }), "axes");
+  EXPECT_EQ(refusal([](Chart& c) { c.period_s.clear(); }), "axes");
 }
 
 }  // namespace

@@ -101,45 +101,43 @@ TEST(condition_results, a_group_is_there_only_where_its_analysis_is) {
   add_clearance(results, 1.1);
   const std::string bytes = bytes_of(results, folder, "a.h5");
   EXPECT_THAT(bytes, HasSubstr("clearance_median_m"));
-  EXPECT_THAT(bytes, Not(HasSubstr("base_shear")));
-  EXPECT_THAT(bytes, Not(HasSubstr("tipping")));
+  EXPECT_THAT(bytes, Not(testing::AnyOf(HasSubstr("base_shear"), HasSubstr("tipping"))));
 }
 
 TEST(condition_results, parts_that_do_not_fit_are_refused) {
   const auto refusal = [](void (*spoil)(Results&)) {
     Results results = with_all();
     spoil(results);
-    return refusal_of(results);
+    return misfit_in(results);
   };
-  const auto of = [](const std::string& part) { return HasSubstr("cannot fit " + part + " to"); };
   EXPECT_EQ(refusal([](Results&) {}), "");
   // Required clearance.
-  EXPECT_THAT(refusal([](Results& r) { r.clearance->factor = std::nan(""); }), of("factor"));
-  EXPECT_THAT(refusal([](Results& r) { r.clearance->factor = 0.5; }), of("factor"));
-  EXPECT_THAT(refusal([](Results& r) { r.clearance->required.pop_back(); }), of("suite"));
-  EXPECT_THAT(refusal([](Results& r) { r.clearance->by_period.clear(); }), of("suite"));
-  EXPECT_THAT(refusal([](Results& r) { r.clearance->by_period[1].suite = 1; }), of("suite"));
-  EXPECT_THAT(refusal([](Results& r) { r.clearance->required[0].largest.first_case = 8; }),
-              of("first_case"));
-  EXPECT_THAT(refusal([](Results& r) { r.clearance->by_period[2].by_orientation.clear(); }),
-              of("by_orientation"));
+  EXPECT_EQ(refusal([](Results& r) { r.clearance->factor = std::nan(""); }), "factor");
+  EXPECT_EQ(refusal([](Results& r) { r.clearance->factor = 0.5; }), "factor");
+  EXPECT_EQ(refusal([](Results& r) { r.clearance->required.pop_back(); }), "suite");
+  EXPECT_EQ(refusal([](Results& r) { r.clearance->by_period.clear(); }), "suite");
+  EXPECT_EQ(refusal([](Results& r) { r.clearance->by_period[1].suite = 1; }), "suite");
+  EXPECT_EQ(refusal([](Results& r) { r.clearance->required[0].largest.first_case = 8; }),
+            "first_case");
+  EXPECT_EQ(refusal([](Results& r) { r.clearance->by_period[2].by_orientation.clear(); }),
+            "by_orientation");
   // Base shear.
-  EXPECT_THAT(refusal([](Results& r) { r.base_shear->means.pop_back(); }), of("suite"));
-  EXPECT_THAT(refusal([](Results& r) { r.base_shear->means[0].suite = 7; }), of("suite"));
-  EXPECT_THAT(refusal([](Results& r) { r.base_shear->means[0].first_case = ~std::uint64_t{0}; }),
-              of("first_case"));
-  EXPECT_THAT(refusal([](Results& r) { r.base_shear->means[0].by_orientation.push_back(1.0); }),
-              of("by_orientation"));
-  EXPECT_THAT(refusal([](Results& r) {
-                r.histories.fields.shear_along.clear();
-                r.histories.fields.shear_across.clear();
-              }),
-              of("base_shear"));
+  EXPECT_EQ(refusal([](Results& r) { r.base_shear->means.pop_back(); }), "suite");
+  EXPECT_EQ(refusal([](Results& r) { r.base_shear->means[0].suite = 7; }), "suite");
+  EXPECT_EQ(refusal([](Results& r) { r.base_shear->means[0].first_case = ~std::uint64_t{0}; }),
+            "first_case");
+  EXPECT_EQ(refusal([](Results& r) { r.base_shear->means[0].by_orientation.push_back(1.0); }),
+            "by_orientation");
+  EXPECT_EQ(refusal([](Results& r) {
+              r.histories.fields.shear_along.clear();
+              r.histories.fields.shear_across.clear();
+            }),
+            "base_shear");
   // Tipping.
-  EXPECT_THAT(refusal([](Results& r) { r.tipping->shares.pop_back(); }), of("tipping"));
-  EXPECT_THAT(refusal([](Results& r) { r.tipping->shares[3].first_case = 8; }), of("first_case"));
-  EXPECT_THAT(refusal([](Results& r) { r.tipping->shares[3].by_record.pop_back(); }),
-              of("share_by_record"));
+  EXPECT_EQ(refusal([](Results& r) { r.tipping->shares.pop_back(); }), "tipping");
+  EXPECT_EQ(refusal([](Results& r) { r.tipping->shares[3].first_case = 8; }), "first_case");
+  EXPECT_EQ(refusal([](Results& r) { r.tipping->shares[3].by_record.pop_back(); }),
+            "share_by_record");
 }
 
 }  // namespace

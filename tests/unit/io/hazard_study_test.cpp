@@ -6,14 +6,11 @@
 namespace glissade {
 namespace {
 
-using testing::AllOf;
-using testing::HasSubstr;
-
 class HazardStudy : public StudyFile {
  protected:
-  std::string curve_error(const std::string& csv) const {
+  void read_with_curve(const std::string& csv) const {
     folder_.write("h.csv", csv);
-    return error(needed + "[hazard]\ncurve = \"h.csv\"\ndesign_life_years = 25\n");
+    read(needed + "[hazard]\ncurve = \"h.csv\"\ndesign_life_years = 25\n");
   }
 };
 
@@ -45,49 +42,51 @@ TEST_F(HazardStudy, assumes_a_curve_from_s_ds_by_the_risk_target) {
   EXPECT_EQ(study.hazard->sds_g, 1.2);
   const HazardCurve expected = HazardCurve::of_risk_target(1.8, 2.5);
   EXPECT_NEAR(study.hazard->curve.annual_rate(0.7) / expected.annual_rate(0.7), 1.0, 1e-12);
-  EXPECT_THAT(study.hazard->source, HasSubstr("assumed from S_DS = 1.2 g"));
+  EXPECT_THAT(study.hazard->source, test::states("S_DS = 1.2 g"));
   // Beside a curve it is the site's S_DS.
   const StudyConfig law = read(needed + "[hazard]\nsds_g = 1.2\nk0 = 1e-3\nk = 2.5\n" + life);
   EXPECT_EQ(law.hazard->curve.annual_rate(1.0), 1e-3);
   EXPECT_EQ(law.hazard->sds_g, 1.2);
-  EXPECT_THAT(error(needed + "[hazard]\nsds_g = 1.2\n" + life),
-              HasSubstr("needs one hazard curve"));
 }
 
 TEST_F(HazardStudy, refuses_no_curve_two_curves_and_half_a_law) {
   const std::string life = "design_life_years = 25\n";
-  EXPECT_THAT(error(needed + "[hazard]\n" + life), HasSubstr("needs one hazard curve"));
   folder_.write("h.csv", "sds_g,annual_rate\n0.1,0.02\n0.5,0.002\n");
-  EXPECT_THAT(error(needed + "[hazard]\ncurve = \"h.csv\"\nk0 = 1e-4\nk = 2\n" + life),
-              HasSubstr("needs one hazard curve"));
-  EXPECT_THAT(error(needed + "[hazard]\nk0 = 1e-4\n" + life), HasSubstr("hazard.k"));
-  EXPECT_THAT(error(needed + "[hazard]\nk0 = 1e-4\nk = 2\n"),
-              HasSubstr("hazard.design_life_years"));
-  EXPECT_THAT(error(needed + "[hazard]\nk0 = -1\nk = 2\n" + life), HasSubstr("hazard.k0 = -1"));
+  const std::string hazard = needed + "[hazard]\n";
+  refuses({{hazard + life, "study.toml:13", {"[hazard]", "curve"}},
+           {hazard + "sds_g = 1.2\n" + life, "study.toml:13", {"[hazard]", "curve"}},
+           {hazard + "curve = \"h.csv\"\nk0 = 1e-4\nk = 2\n" + life,
+            "study.toml:14",
+            {"[hazard]", "curve"}},
+           {hazard + "k0 = 1e-4\n" + life, "study.toml:13", {"hazard.k"}},
+           {hazard + "k0 = 1e-4\nk = 2\n", "study.toml:13", {"hazard.design_life_years"}},
+           {hazard + "k0 = -1\nk = 2\n" + life, "study.toml:14", {"hazard.k0 = -1"}}});
 }
 
 TEST_F(HazardStudy, refuses_a_curve_that_is_none) {
-  EXPECT_THAT(curve_error("pga_g,annual_rate\n0.1,0.02\n0.5,0.002\n"),
-              AllOf(HasSubstr("h.csv:1"), HasSubstr("sds_g,annual_rate")));
-  EXPECT_THAT(curve_error("sds_g,annual_rate\n0.1,0.02\n0.5,0.02\n"), HasSubstr("h.csv:3"));
-  EXPECT_THAT(curve_error("sds_g,annual_rate\n0.1,0.02\n0.1,0.01\n"), HasSubstr("h.csv:3"));
-  EXPECT_THAT(curve_error("sds_g,annual_rate\n0,0.02\n0.1,0.01\n"), HasSubstr("h.csv:2"));
-  EXPECT_THAT(curve_error("sds_g,annual_rate\n0.1,0.02\n0.2,0\n"), HasSubstr("h.csv:3"));
-  EXPECT_THAT(curve_error("sds_g,annual_rate\n0.1,0.02\n"), HasSubstr("two points"));
-}
-
-TEST_F(HazardStudy, needs_a_fragility_and_every_history) {
-  const std::string hazard = "[hazard]\nk0 = 1e-4\nk = 2\ndesign_life_years = 25\n";
-  EXPECT_THAT(error(study_part + suite_part + intensity_part + friction_part + hazard),
-              HasSubstr("[hazard] needs [fragility]"));
-  EXPECT_THAT(error(needed + "stop_at_largest = true\n" + hazard),
-              HasSubstr("which [hazard] needs"));
+  const auto read_curve = [&](const std::string& csv) { read_with_curve(csv); };
+  const std::string head = "sds_g,annual_rate\n";
+  expect_refusals(read_curve, {{"pga_g,annual_rate\n0.1,0.02\n0.5,0.002\n",
+                                "study.toml:14",
+                                {"h.csv:1", "sds_g,annual_rate"}},
+                               {head + "0.1,0.02\n0.5,0.02\n", "study.toml:14", {"h.csv:3"}},
+                               {head + "0.1,0.02\n0.1,0.01\n", "study.toml:14", {"h.csv:3"}},
+                               {head + "0,0.02\n0.1,0.01\n", "study.toml:14", {"h.csv:2"}},
+                               {head + "0.1,0.02\n0.2,0\n", "study.toml:14", {"h.csv:3"}},
+                               {head + "0.1,0.02\n", "study.toml:14", {"hazard.curve"}}});
 }
 
 // The lowest level is 0.5: 10 x 0.5^-2 = 40 earthquakes a year.
-TEST_F(HazardStudy, refuses_more_earthquakes_than_can_be_followed) {
-  EXPECT_THAT(error(needed + "[hazard]\nk0 = 10\nk = 2\ndesign_life_years = 50\n"),
-              AllOf(HasSubstr("2000"), HasSubstr("k0 = 10")));
+TEST_F(HazardStudy, needs_a_fragility_every_history_and_earthquakes_that_can_be_followed) {
+  const std::string hazard = "[hazard]\nk0 = 1e-4\nk = 2\ndesign_life_years = 25\n";
+  EXPECT_THAT(
+      problems_of([&] { read(study_part + suite_part + intensity_part + friction_part + hazard); }),
+      testing::Contains(
+          is_problem("study.toml:11", std::vector<std::string>{"[hazard]", "[fragility]"})));
+  refuses({{needed + "stop_at_largest = true\n" + hazard, "study.toml:13", {"[hazard]"}},
+           {needed + "[hazard]\nk0 = 10\nk = 2\ndesign_life_years = 50\n",
+            "study.toml:14",
+            {"2000", "0.5", "1000"}}});
 }
 
 TEST(hazard_results_file, comes_back) {

@@ -32,8 +32,7 @@ TEST(impact_results, are_absent_from_the_file_where_they_are_not_required) {
   results.histories.fields.crossing_time_s.clear();
   results.histories.fields.crossing_speed_mps.clear();
   const std::string bytes = bytes_of(results, folder, "a.h5");
-  EXPECT_THAT(bytes, Not(HasSubstr("impact")));
-  EXPECT_THAT(bytes, Not(HasSubstr("crossing_time_s")));
+  EXPECT_THAT(bytes, Not(testing::AnyOf(HasSubstr("impact"), HasSubstr("crossing_time_s"))));
   EXPECT_TRUE(read_results(folder.path() / "a.h5").runs[0].impact.empty());
   EXPECT_THAT(bytes_of(with_all(), folder, "b.h5"), HasSubstr("impact"));
 }

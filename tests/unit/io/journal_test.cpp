@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 using test::journal_plan;
 using test::journal_unit;
-using testing::HasSubstr;
+using test::states;
 
 class JournalTest : public testing::Test {
  protected:
@@ -143,7 +143,7 @@ TEST_F(JournalTest, the_journal_of_another_run_is_refused) {
     if (difference == 2) run_.layout = "other";
     write(0, {0});
     run_ = mine;
-    EXPECT_THAT(message_of([&] { read_units(); }), HasSubstr("0-1.units")) << difference;
+    EXPECT_THAT(message_of([&] { read_units(); }), states("0-1.units")) << difference;
     fs::remove(file("0-1.units"));
   }
 }
@@ -155,21 +155,18 @@ TEST_F(JournalTest, every_difference_of_two_runs_is_named) {
   };
   EXPECT_EQ(message(), "");
   now.plan_hash = "fedcba9876543210";
-  EXPECT_THAT(message(), HasSubstr("fedcba9876543210"));
+  EXPECT_THAT(message(), states("fedcba9876543210"));
   now.program_version = "1.2.4";
   now.study_text = "[study]\nname = \"a\"\nseed = 2\n";
-  EXPECT_THAT(message(),
-              testing::AllOf(HasSubstr("1.2.3"), HasSubstr("1.2.4"), HasSubstr("study.toml:3"),
-                             HasSubstr("\"seed = 2\""), HasSubstr("\"seed = 1\"")));
+  EXPECT_THAT(message(), states("1.2.3", "1.2.4", "study.toml:3", "\"seed = 2\"", "\"seed = 1\""));
   now.study_text = run_.study_text + "more\n";
-  EXPECT_THAT(message(), HasSubstr("study.toml:4"));
+  EXPECT_THAT(message(), states("study.toml:4"));
   now = run_;
   run_.motions_text = "a suite.toml, target 0a\na suite.toml, motion X 1f\n";
   now.motions_text = "a suite.toml, target 0a\na suite.toml, motion X 2f\n";
-  EXPECT_THAT(message(), HasSubstr("when the run began: a suite.toml, motion X;"));
+  EXPECT_THAT(message(), states("suite.toml, motion X"));
   now.motions_text = "a suite.toml, target 0a\na suite.toml, motion Y 1f\n";
-  EXPECT_THAT(message(), testing::AllOf(HasSubstr("began with a suite.toml, motion X there"),
-                                        HasSubstr("is a suite.toml, motion Y;")));
+  EXPECT_THAT(message(), states("suite.toml, motion X", "suite.toml, motion Y"));
   now = run_;
   now.layout = "other";
   EXPECT_NE(message(), "");
@@ -177,14 +174,14 @@ TEST_F(JournalTest, every_difference_of_two_runs_is_named) {
 
 TEST_F(JournalTest, what_a_run_rests_on_is_read_as_it_was_written_or_refused) {
   EXPECT_FALSE(has_identity(folder_.path()));
-  EXPECT_THAT(message_of([&] { read_identity(folder_.path()); }), HasSubstr("no run"));
+  EXPECT_THAT(message_of([&] { read_identity(folder_.path()); }), states("no run"));
   write_identity(folder_.path(), run_);
   EXPECT_EQ(message_of([&] { check_same_run(run_, read_identity(folder_.path()), ""); }), "");
   EXPECT_EQ(read_identity(folder_.path()).study_file, run_.study_file);
   const std::string bytes = read_text_file(file("run"));
   for (std::size_t size = 0; size < bytes.size(); ++size) {
     replace("run", bytes.substr(0, size));
-    EXPECT_THAT(message_of([&] { read_identity(folder_.path()); }), HasSubstr("damaged")) << size;
+    EXPECT_THAT(message_of([&] { read_identity(folder_.path()); }), states("damaged")) << size;
   }
 }
 
@@ -202,7 +199,7 @@ TEST_F(JournalTest, two_runs_cannot_hold_one_folder) {
   {
     RunLock lock(folder_.path());
     EXPECT_TRUE(is_running(folder_.path()));
-    EXPECT_THAT(message_of([&] { RunLock second(folder_.path()); }), HasSubstr("going on"));
+    EXPECT_EQ(problems_of([&] { RunLock second(folder_.path()); }).size(), 1u);
     write(0, {1});
     lock.remove_journals();
     EXPECT_FALSE(fs::exists(folder_.path() / "journal"));
@@ -213,7 +210,7 @@ TEST_F(JournalTest, two_runs_cannot_hold_one_folder) {
 
 TEST_F(JournalTest, a_folder_that_cannot_be_written_is_one_error) {
   JournalWriter writer(folder_.path() / "missing", 0, run_);
-  EXPECT_THAT(message_of([&] { writer.append(journal_unit(plan_, 0)); }), HasSubstr("0-1.units"));
+  EXPECT_THAT(message_of([&] { writer.append(journal_unit(plan_, 0)); }), states("0-1.units"));
 }
 
 }  // namespace

@@ -11,10 +11,8 @@
 namespace glissade {
 namespace {
 
-using testing::AllOf;
 using testing::DoubleEq;
 using testing::ElementsAre;
-using testing::HasSubstr;
 
 constexpr double g = standard_gravity_mps2;
 
@@ -25,8 +23,8 @@ class RecordFile : public testing::Test {
     options.units_if_not_stated = AccelerationUnits::g;
     return read_record(folder_.write("record", content), options);
   }
-  std::string error(const std::string& content, const RecordFileOptions& options = {}) const {
-    return message_of([&] { read(content, options); });
+  void refuses(const std::vector<Refusal>& refusals, const RecordFileOptions& options = {}) const {
+    expect_refusals([&](const std::string& content) { read(content, options); }, refusals);
   }
   TemporaryFolder folder_;
 };
@@ -73,53 +71,41 @@ TEST_F(RecordFile, header_units_are_followed_and_checked) {
   const std::string rest = "NPTS= 1, DT= .01 SEC\n100\n";
   EXPECT_DOUBLE_EQ(read("ACCELERATION IN UNITS OF CM/S/S\n" + rest).acceleration_mps2[0], 1.0);
   EXPECT_DOUBLE_EQ(read("ACCELERATION IN UNITS OF M/SEC**2\n" + rest).acceleration_mps2[0], 100.0);
-  EXPECT_THAT(error("VELOCITY TIME SERIES IN UNITS OF CM/S\n" + rest),
-              AllOf(HasSubstr("record:1"), HasSubstr("velocity file")));
-  EXPECT_THAT(error("DISPLACEMENT TIME SERIES IN UNITS OF CM\n" + rest),
-              HasSubstr("displacement file"));
-  EXPECT_THAT(error("ACCELERATION TIME SERIES IN UNITS OF FURLONGS\n" + rest),
-              HasSubstr("'furlongs' are not known"));
-  EXPECT_THAT(error(at2_head + rest, {.dt_s = {}, .units = AccelerationUnits::mps2}),
-              AllOf(HasSubstr("record:3"), HasSubstr("m/s2")));
+  refuses({{"VELOCITY TIME SERIES IN UNITS OF CM/S\n" + rest, "record:1", {"velocity"}},
+           {"DISPLACEMENT TIME SERIES IN UNITS OF CM\n" + rest, "record:1", {"displacement"}},
+           {"ACCELERATION TIME SERIES IN UNITS OF FURLONGS\n" + rest, "record:1", {"'furlongs'"}}});
+  refuses({{at2_head + rest, "record:3", {"m/s2"}}},
+          {.dt_s = {}, .units = AccelerationUnits::mps2});
 }
 
 TEST_F(RecordFile, npts_that_differs_from_the_values_reports_both_counts) {
-  EXPECT_THAT(error(at2_head + "NPTS= 4, DT= .01 SEC\n1 2 3\n"),
-              AllOf(HasSubstr("record:4"), HasSubstr("4"), HasSubstr("3 values")));
-  EXPECT_THAT(error(at2_head + "NPTS= 2, DT= .01 SEC\n1 2 3\n"),
-              HasSubstr("NPTS is 2, the file contains 3"));
-  EXPECT_THAT(error(at2_head + "NPTS= 99999999999999999999999, DT= .01 SEC\n1\n"),
-              HasSubstr("no whole number"));
-  EXPECT_THAT(error(at2_head + "NPTS= 0, DT= .01 SEC\n"), HasSubstr("no samples"));
+  refuses({{at2_head + "NPTS= 4, DT= .01 SEC\n1 2 3\n", "record:4", {"4", "3"}},
+           {at2_head + "NPTS= 2, DT= .01 SEC\n1 2 3\n", "record:4", {"2", "3"}},
+           {at2_head + "NPTS= 99999999999999999999999, DT= .01 SEC\n1\n", "record:4", {"NPTS"}},
+           {at2_head + "NPTS= 0, DT= .01 SEC\n", "record", {}}});
 }
 
 TEST_F(RecordFile, samples_that_are_no_finite_numbers_are_reported_with_their_line) {
   const std::string header = at2_head + "NPTS= 3, DT= .01 SEC\n";
-  EXPECT_THAT(error(header + "1 2\nNaN\n"),
-              AllOf(HasSubstr("record:6"), HasSubstr("'NaN' is not finite")));
-  EXPECT_THAT(error(header + "1 2\n1e999\n"), AllOf(HasSubstr("record:6"), HasSubstr("'1e999'")));
-  EXPECT_THAT(error(header + "1 -inf 3\n"), AllOf(HasSubstr("record:5"), HasSubstr("'-inf'")));
-  EXPECT_THAT(error(header + "1 two 3\n"),
-              AllOf(HasSubstr("record:5"), HasSubstr("'two' is not a number")));
+  refuses({{header + "1 2\nNaN\n", "record:6", {"'NaN'"}},
+           {header + "1 2\n1e999\n", "record:6", {"'1e999'"}},
+           {header + "1 -inf 3\n", "record:5", {"'-inf'"}},
+           {header + "1 two 3\n", "record:5", {"'two'"}}});
 }
 
 TEST_F(RecordFile, samples_that_are_finite_in_g_alone_are_reported_with_their_line) {
-  EXPECT_THAT(error(at2_head + "NPTS= 2, DT= .01 SEC\n1\n1e308\n"),
-              AllOf(HasSubstr("record:6"), HasSubstr("'1e308' is not finite in m/s2")));
-  EXPECT_THAT(error("0 1\n0.01 -1e308\n", {.dt_s = {}, .units = AccelerationUnits::g}),
-              AllOf(HasSubstr("record:2"), HasSubstr("'-1e308' is not finite in m/s2")));
+  refuses({{at2_head + "NPTS= 2, DT= .01 SEC\n1\n1e308\n", "record:6", {"'1e308'", "m/s2"}},
+           {"0 1\n0.01 -1e308\n", "record:2", {"'-1e308'", "m/s2"}}});
 }
 
 TEST_F(RecordFile, steps_that_are_not_above_zero_or_missing_are_refused) {
-  EXPECT_THAT(error(at2_head + "NPTS= 1, DT= 0.0 SEC\n1\n"), HasSubstr("not above 0"));
-  EXPECT_THAT(error(at2_head + "NPTS= 1, DT= -.01 SEC\n1\n"), HasSubstr("not above 0"));
-  EXPECT_THAT(error(at2_head + "NPTS= 1\n1\n"), HasSubstr("no DT"));
-  for (const char* columns : {"1\n2\n", "0 1\n", "0 1\n0.01 2\n"}) {
-    EXPECT_THAT(error(std::string("# DT = 0 s\n") + columns),
-                AllOf(HasSubstr("record:1"), HasSubstr("dt = 0 s is not above 0")));
-  }
-  EXPECT_THAT(error("1\n2\n"), HasSubstr("give it with dt_s"));
-  EXPECT_THAT(error("1\n2\n", {.dt_s = -1.0, .units = {}}), HasSubstr("not above 0"));
+  refuses({{at2_head + "NPTS= 1, DT= 0.0 SEC\n1\n", "record:4", {"dt = 0.0 s"}},
+           {at2_head + "NPTS= 1, DT= -.01 SEC\n1\n", "record:4", {"dt = -.01 s"}},
+           {at2_head + "NPTS= 1\n1\n", "record:4", {"DT", "dt_s"}},
+           {"1\n2\n", "record", {"dt_s"}}});
+  refuses({{"1\n2\n", "record", {"dt = -1 s"}}}, {.dt_s = -1.0, .units = {}});
+  for (const char* columns : {"1\n2\n", "0 1\n", "0 1\n0.01 2\n"})
+    refuses({{std::string("# DT = 0 s\n") + columns, "record:1", {"dt = 0 s"}}});
 }
 
 TEST_F(RecordFile, one_column_takes_step_and_units_from_the_options) {
@@ -152,39 +138,38 @@ TEST_F(RecordFile, times_may_begin_at_dt_and_be_printed_with_few_decimals) {
 }
 
 TEST_F(RecordFile, times_that_are_uneven_or_disagree_with_the_option_are_refused) {
-  EXPECT_THAT(error("0 1\n0.01 2\n0.03 3\n0.04 3\n"),
-              AllOf(HasSubstr("record:3"), HasSubstr("0.01 to 0.03")));
   std::string lost;  // a sample of many, where the times have as few decimals as the step
   for (int i = 0; i < 1000; ++i)
     lost += std::to_string((i < 500 ? i : i + 1) / 100) + "." +
             std::to_string(100 + (i < 500 ? i : i + 1) % 100).substr(1) + " 0.1\n";
-  EXPECT_THAT(error(lost), AllOf(HasSubstr("record:501"), HasSubstr("4.99 to 5.01")));
-  EXPECT_THAT(error("0 1\n0.01 2\n0.00 3\n0.03 1\n"), HasSubstr("record:3"));
-  EXPECT_THAT(error("0 1\n0 2\n"), HasSubstr("not above 0"));
-  EXPECT_THAT(error("0 1\n0.01 2\n0.02 3\n", {.dt_s = 0.02, .units = {}}), HasSubstr("0.02"));
+  refuses({{"0 1\n0.01 2\n0.03 3\n0.04 3\n", "record:3", {"0.01", "0.03"}},
+           {lost, "record:501", {"4.99", "5.01"}},
+           {"0 1\n0.01 2\n0.00 3\n0.03 1\n", "record:3", {"0.01", "0"}},
+           {"0 1\n0 2\n", "record:2", {"dt = 0 s"}}});
+  refuses({{"0 1\n0.01 2\n0.02 3\n", "record", {"0.01", "0.02"}}}, {.dt_s = 0.02, .units = {}});
 }
 
 TEST_F(RecordFile, columns_beyond_two_or_of_changing_number_are_refused) {
-  EXPECT_THAT(error("0 1 2\n"), AllOf(HasSubstr("record:1"), HasSubstr("3 columns")));
-  EXPECT_THAT(error("0 1\n0.01\n"), AllOf(HasSubstr("record:2"), HasSubstr("1 column, 2 above")));
-  EXPECT_THAT(error("0,1\n0.01,\n"), AllOf(HasSubstr("record:2"), HasSubstr("''")));
+  refuses({{"0 1 2\n", "record:1", {"3"}},
+           {"0 1\n0.01\n", "record:2", {"1", "2"}},
+           {"0,1\n0.01,\n", "record:2", {"''"}}});
 }
 
 TEST_F(RecordFile, units_that_are_not_stated_are_not_guessed) {
   const auto alone = [&](const std::string& text) {
     return read_record(folder_.write("record", text), {.dt_s = 0.01, .units = {}});
   };
-  const std::string no_units = "EVENT\nNPTS= 2, DT= .01 SEC\n1 2\n";
-  for (const std::string& text : {std::string("0 741\n0.01 2\n"), std::string("1\n2\n"), no_units})
-    EXPECT_THAT(message_of([&] { alone(text); }), HasSubstr("units"));
+  expect_refusals(alone, {{"0 741\n0.01 2\n", "record", {"units"}},
+                          {"1\n2\n", "record", {"units"}},
+                          {"EVENT\nNPTS= 2, DT= .01 SEC\n1 2\n", "record", {"units"}},
+                          {"# velocity in cm/s\n1\n2\n", "record:1", {"velocity"}}});
   for (const char* comment :
        {"# units: cm/s2", "# acceleration in gal", "# time_s acceleration_gal",
         "# Time (s), Acceleration (cm/s2)", "#t, acceleration [cm/s/s] in gal"})
     EXPECT_DOUBLE_EQ(alone(comment + std::string("\n0 741\n0.01 2\n")).acceleration_mps2[0], 7.41)
         << comment;
-  EXPECT_THAT(message_of([&] { alone("# velocity in cm/s\n1\n2\n"); }), HasSubstr("velocity"));
-  EXPECT_THAT(error("# units: m/s2\n1\n2\n", {.dt_s = 0.01, .units = AccelerationUnits::g}),
-              AllOf(HasSubstr("record:1"), HasSubstr("m/s2")));
+  refuses({{"# units: m/s2\n1\n2\n", "record:1", {"m/s2"}}},
+          {.dt_s = 0.01, .units = AccelerationUnits::g});
 }
 
 TEST_F(RecordFile, comments_may_state_step_and_count_which_must_hold) {
@@ -193,12 +178,12 @@ TEST_F(RecordFile, comments_may_state_step_and_count_which_must_hold) {
   for (const char* lines : {"# DT = 0.02\n# NPTS = 2\n", "# NPTS = 2\n# DT = 0.02\n"}) {
     const std::string text = lines + std::string("1\n2\n");
     EXPECT_EQ(read(text).dt_s, 0.02) << lines;
-    EXPECT_THAT(error(text, {.dt_s = 0.01, .units = {}}), HasSubstr("0.02")) << lines;
-    EXPECT_THAT(error(text + "3\n"), HasSubstr("contains 3")) << lines;
+    refuses({{text, "record:2", {"0.02"}}}, {.dt_s = 0.01, .units = {}});
+    refuses({{text + "3\n", "record:2", {"2", "3"}}});
   }
-  EXPECT_THAT(error("# NPTS= 3, DT= .02 SEC\n1\n2\n"), HasSubstr("contains 2"));
-  EXPECT_THAT(error("# DT = 0.02\n1\n2\n", {.dt_s = 0.01, .units = {}}), HasSubstr("0.02"));
-  EXPECT_THAT(error("# DT = 0.02\n0 1\n0.01 2\n0.02 2\n"), HasSubstr("0.02"));
+  refuses({{"# NPTS= 3, DT= .02 SEC\n1\n2\n", "record:1", {"3", "2"}},
+           {"# DT = 0.02\n0 1\n0.01 2\n0.02 2\n", "record", {"0.01", "0.02"}}});
+  refuses({{"# DT = 0.02\n1\n2\n", "record:1", {"0.02", "0.01"}}}, {.dt_s = 0.01, .units = {}});
 }
 
 /// 0 to 0.019, with six digits.
@@ -209,51 +194,41 @@ std::string fine_samples() {
 }
 
 TEST_F(RecordFile, a_header_that_is_no_comment_is_not_taken_for_samples) {
-  EXPECT_THAT(error("0.01\n1\n2\n", {.dt_s = 0.01, .units = {}}), HasSubstr("begins with 0.01"));
-  const std::string samples = "1\n2\n3\n2\n1\n0\n-1\n-2\n";
-  EXPECT_THAT(error("1\n0.01\n" + samples, {.dt_s = 0.01, .units = AccelerationUnits::g}),
-              HasSubstr("begins with 1, a count, and a time step"));
-  // The step that is stated elsewhere is another one.
-  EXPECT_THAT(error("1\n1e-2\n" + samples, {.dt_s = 0.005, .units = AccelerationUnits::g}),
-              HasSubstr("begins with 1, a count, and a time step"));
-  EXPECT_THAT(
-      error("0.01\n1e-5\n2e-5\n3e-5\n1e-5\n0\n-1e-5\n1e-5\n0\n", {.dt_s = 0.02, .units = {}}),
-      HasSubstr("begins with 0.01, a time step"));
+  const std::string samples = "1\n2\n3\n2\n1\n0\n-1\n-2\n", fine = fine_samples();
+  const RecordFileOptions stated{.dt_s = 0.01, .units = {}};
+  refuses({{"0.01\n1\n2\n", "record", {"0.01"}},
+           {"1\n0.01\n" + samples, "record", {"1", "count", "step"}},
+           {"0.4\n0.01\n" + fine, "record", {"step"}},
+           {"8\n" + samples, "record", {"8"}},
+           {"8 0.01\n" + samples, "record:2", {"1", "2"}}},
+          stated);
+  // The step that is stated elsewhere is another one; a step before the count, a count that is off,
+  // a scale before both; a step in other digits.
+  refuses({{"1\n1e-2\n" + samples, "record", {"1", "count", "step"}},
+           {"0.01\n3000\n" + samples, "record", {"count"}},
+           {"2990\n" + samples, "record", {"count"}},
+           {"2.5\n3000\n0.01\n" + samples, "record", {"count"}},
+           {"29.99\n0.02\n" + fine, "record", {"29.99"}},
+           {"0.01\n" + fine, "record", {"step"}},
+           {"5\n0.005\n0.1\n0.2\n0.1\n0.1\n0.2\n", "record", {"5"}},
+           {"2\n0.1\n0.2\n0.1\n-0.3\n0.2\n0.1\n0.2\n0.1\n", "record", {"2"}}},
+          {.dt_s = 0.005, .units = {}});
+  refuses({{"0.01\n1e-5\n2e-5\n3e-5\n1e-5\n0\n-1e-5\n1e-5\n0\n", "record", {"0.01", "step"}}},
+          {.dt_s = 0.02, .units = {}});
   EXPECT_EQ(read("0.01\n0.02\n0.01\n0\n0.01\n0\n0.01\n0.02\n", {.dt_s = 0.02, .units = {}})
                 .acceleration_mps2.size(),
             8u);
-  // A step before the count, a count that is off, a scale before both; a step in other digits.
-  for (const char* header : {"0.01\n3000\n", "2990\n", "2.5\n3000\n0.01\n"})
-    EXPECT_THAT(error(header + samples, {.dt_s = 0.005, .units = AccelerationUnits::g}),
-                HasSubstr("a count"))
-        << header;
-  EXPECT_THAT(
-      error("29.99\n0.02\n" + fine_samples(), {.dt_s = 0.005, .units = AccelerationUnits::g}),
-      HasSubstr("far above"));
-  const std::string fine = fine_samples();
   EXPECT_EQ(read(fine, {.dt_s = 0.005, .units = {}}).acceleration_mps2.size(), 20u);
-  EXPECT_THAT(error("0.01\n" + fine, {.dt_s = 0.005, .units = {}}), HasSubstr("a time step"));
-  EXPECT_THAT(error("0.4\n0.01\n" + fine, {.dt_s = 0.01, .units = AccelerationUnits::g}),
-              HasSubstr("a time step"));
   EXPECT_DOUBLE_EQ(read("# DT = 10 ms\n1\n2\n").dt_s, 0.01);
-  EXPECT_THAT(error("8\n" + samples, {.dt_s = 0.01, .units = {}}), HasSubstr("begins with 8"));
-  EXPECT_THAT(
-      error("5\n0.005\n0.1\n0.2\n0.1\n0.1\n0.2\n", {.dt_s = 0.005, .units = AccelerationUnits::g}),
-      HasSubstr("begins with 5"));
-  EXPECT_THAT(error("2\n0.1\n0.2\n0.1\n-0.3\n0.2\n0.1\n0.2\n0.1\n",
-                    {.dt_s = 0.005, .units = AccelerationUnits::g}),
-              HasSubstr("begins with 2, a whole number far above"));
-  EXPECT_THAT(error("8 0.01\n" + samples, {.dt_s = 0.01, .units = {}}), HasSubstr("1 column"));
 }
 
 TEST_F(RecordFile, missing_files_folders_empty_files_and_binary_files_are_reported) {
-  EXPECT_THAT(message_of([&] { read_record(folder_.path() / "none"); }), HasSubstr("none"));
-  EXPECT_THAT(message_of([&] { read_record(folder_.path()); }), HasSubstr("directory"));
-  EXPECT_THAT(error(""), HasSubstr("no samples"));
-  EXPECT_THAT(error("# only a comment\n"), HasSubstr("no samples"));
-  EXPECT_THAT(error(std::string("1\n\0\n2", 5)), HasSubstr("not a text file"));
-  EXPECT_THAT(error("Origin Time 2011/03/11\n"),
-              AllOf(HasSubstr("record:1"), HasSubstr("'Origin' is not a number")));
+  expect_refusals([&](const std::string& name) { read_record(folder_.path() / name); },
+                  {{"none", "none", {}}, {".", ".", {"directory"}}});
+  refuses({{"", "record", {}},
+           {"# only a comment\n", "record", {}},
+           {std::string("1\n\0\n2", 5), "record", {"text"}},
+           {"Origin Time 2011/03/11\n", "record:1", {"'Origin'"}}});
 }
 
 TEST_F(RecordFile, garbage_is_refused_and_never_crashes) {
@@ -270,11 +245,11 @@ TEST_F(RecordFile, garbage_is_refused_and_never_crashes) {
       EXPECT_FALSE(record.acceleration_mps2.empty());
       EXPECT_GT(record.dt_s, 0.0);
     } catch (const InputError& error) {
-      EXPECT_THAT(error.what(), HasSubstr("record"));
+      EXPECT_THAT(error.problems()[0].where, testing::ContainsRegex("record(:[0-9]+)?$"));
     }
   }
-  EXPECT_THAT(error(std::string(5000000, '7')), HasSubstr("not a number"));  // one overlong line
-  EXPECT_THAT(error("units of " + std::string(1000000, ' ') + "NPTS"), HasSubstr("record:1"));
+  refuses({{std::string(5000000, '7'), "record:1", {}},  // one overlong line
+           {"units of " + std::string(1000000, ' ') + "NPTS", "record:1", {}}});
 }
 
 TEST(acceleration_units, are_parsed_and_printed) {
@@ -283,7 +258,7 @@ TEST(acceleration_units, are_parsed_and_printed) {
        {AccelerationUnits::g, AccelerationUnits::mps2, AccelerationUnits::cmps2}) {
     EXPECT_EQ(parse_acceleration_units(to_string(units)), units);
   }
-  EXPECT_THAT(message_of([] { parse_acceleration_units("ft/s2"); }), HasSubstr("ft/s2"));
+  expect_refusals(parse_acceleration_units, {{"ft/s2", "", {"'ft/s2'"}}});
 }
 
 }  // namespace

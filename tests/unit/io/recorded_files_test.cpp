@@ -16,9 +16,6 @@
 namespace glissade {
 namespace {
 
-using testing::AllOf;
-using testing::HasSubstr;
-
 namespace fs = std::filesystem;
 
 /// The folder of recorded motions, if there is one.
@@ -105,7 +102,7 @@ TEST_F(Recorded, every_at2_file_is_read_and_every_vt2_file_is_refused_as_velocit
       EXPECT_NO_THROW(read_record(entry.path())) << entry.path();
       ++read_files;
     } else if (extension == ".VT2") {
-      EXPECT_THAT(message_of([&] { read_record(entry.path()); }), HasSubstr("velocity file"));
+      EXPECT_THAT(message_of([&] { read_record(entry.path()); }), test::states("velocity"));
       ++refused;
     }
   }
@@ -132,8 +129,7 @@ TEST_F(Recorded, text_files_of_one_and_two_columns_are_read) {
   EXPECT_EQ(read("formats/plain_two_column/Christchurch2011HVPS_UP.dat", mps2).dt_s, 0.005);
   EXPECT_NEAR(peak_g(read("formats/plain_two_column/CHV1-20140203E.txt", gal).acceleration_mps2),
               7.4111 / standard_gravity_mps2, 1e-4);
-  EXPECT_THAT(error("formats/plain_two_column/CHV1-20140203E.txt"),
-              HasSubstr("does not state the units"));
+  EXPECT_THAT(error("formats/plain_two_column/CHV1-20140203E.txt"), test::states("units"));
   const RecordFileOptions slammer{.dt_s = 0.005, .units = AccelerationUnits::g};
   EXPECT_NEAR(peak_g(read("walters2012_table3/saratoga_aloha_RSN802/slammer/STG-000", slammer)
                          .acceleration_mps2),
@@ -148,12 +144,12 @@ TEST_F(Recorded, text_files_of_one_and_two_columns_are_read) {
 
 TEST_F(Recorded, files_of_other_formats_are_refused_with_the_place) {
   EXPECT_THAT(error("formats/plain_multi_column/sct190985.txt"),
-              AllOf(HasSubstr("sct190985.txt:1"), HasSubstr("4 columns")));
+              test::states("sct190985.txt:1", "4"));
   EXPECT_THAT(error("formats/g3_headerless_5col/RSN1546_CHICHI_TCU122-E.AT2.g3"),
-              HasSubstr("5 columns"));
-  EXPECT_THAT(error("formats/sac/test.sac"), HasSubstr("not a text file"));
+              test::states("5 columns"));
+  EXPECT_THAT(error("formats/sac/test.sac"), test::states("text"));
   EXPECT_THAT(error("formats/eqsig_two_line_header/test_motion_dt0p01.txt"),
-              HasSubstr("'test-motion' is not a number"));
+              test::states("'test-motion'"));
   std::size_t tried = 0;
   const std::set<std::string> readable = {
       "peer_at2_nga_west2",       "peer_at2_nga_east",     "peer_at2_old",

@@ -6,8 +6,6 @@
 namespace glissade {
 namespace {
 
-using testing::HasSubstr;
-
 class SensitivityStudy : public StudyFile {
  protected:
   static std::string with(const std::string& tables) { return std::string(needed) + tables; }
@@ -18,14 +16,15 @@ TEST_F(SensitivityStudy, is_read_beside_a_fragility_of_something_drawn) {
   EXPECT_FALSE(read(needed).sensitivity);
   std::string alone = needed;
   alone.replace(alone.find("[fragility]"), std::string::npos, "[sensitivity]\n[base_shear]\n");
-  EXPECT_THAT(error(alone), HasSubstr("[sensitivity] needs [fragility]"));
+  refuses({{alone, "study.toml:11", {"[sensitivity]", "[fragility]"}}});
 }
 
 TEST_F(SensitivityStudy, refuses_several_orientations_of_a_sample) {
-  EXPECT_THAT(error(with("[sensitivity]\n[orientation]\nchoice = \"all_permutations\"\n")),
-              HasSubstr("[sensitivity] needs one orientation"));
-  EXPECT_THAT(error(with("[sensitivity]\n[orientation]\nslope_axis = [\"e_w\", \"n_s\"]\n")),
-              HasSubstr("[sensitivity] needs one orientation"));
+  for (const char* orientation :
+       {"choice = \"all_permutations\"", "slope_axis = [\"e_w\", \"n_s\"]"})
+    refuses({{with(std::string("[sensitivity]\n[orientation]\n") + orientation + "\n"),
+              "study.toml:13",
+              {"[sensitivity]", "orientation"}}});
 }
 
 TEST(sensitivity_results_file, comes_back_to_the_last_bit) {
@@ -50,12 +49,12 @@ TEST(sensitivity_results_file, comes_back_to_the_last_bit) {
 
 TEST(sensitivity_results_file, refuses_rows_that_do_not_fit) {
   Results results = with_all();
-  EXPECT_EQ(refusal_of(results), "");
+  EXPECT_EQ(misfit_in(results), "");
   results.sensitivity->rows[0].first_case = results.cases.size();
-  EXPECT_THAT(refusal_of(results), HasSubstr("first_case"));
+  EXPECT_EQ(misfit_in(results), "first_case");
   results = with_all();
   results.sensitivity->factors.push_back("slope");
-  EXPECT_THAT(refusal_of(results), HasSubstr("factor"));
+  EXPECT_EQ(misfit_in(results), "first and total");
 }
 
 }  // namespace

@@ -5,20 +5,15 @@
 namespace glissade {
 namespace {
 
-using testing::AllOf;
 using testing::ElementsAre;
-using testing::HasSubstr;
 using testing::UnorderedElementsAre;
 
 TEST_F(StudyFile, an_unknown_key_is_shown_in_its_line_with_the_nearest_known_one) {
   const std::string text = needed + "[building]\n\tperiod_ms = 200\n";
-  const std::string message = error(text);
-  EXPECT_THAT(
-      message,
-      AllOf(
-          HasSubstr("study.toml:14: building.period_ms is not a known key; did you mean period_s, "
-                    "in s or written with its unit (s, ms)?"),
-          HasSubstr("  \tperiod_ms = 200\n  \t^")));
+  // The one message of a misspelt key that is compared in full.
+  EXPECT_EQ(error(text).substr(folder_.path().string().size()),
+            "/study.toml:14: building.period_ms is not a known key; did you mean period_s, in s or "
+            "written with its unit (s, ms)?\n  \tperiod_ms = 200\n  \t^");
   EXPECT_THAT(faults(needed + "[bulding]\nperiod_s = 1\n"), ElementsAre("13 bulding"));
 }
 
@@ -40,23 +35,24 @@ TEST_F(StudyFile, syntax_errors_and_wrong_types_are_located) {
   EXPECT_THAT(faults(needed + "building = 3\n"), ElementsAre("13 fragility.building"));
   EXPECT_THAT(faults("study = 3\n"), testing::Contains("1 study"));
   EXPECT_THAT(faults(needed + "[roof]\nslope_deg = nan\n"), ElementsAre("14 roof.slope_deg"));
-  EXPECT_THAT(error(std::string("\xff\xfe", 2)), HasSubstr("study.toml"));
+  EXPECT_EQ(problems_of([&] { read(std::string("\xff\xfe", 2)); }).size(), 1u);
 }
 
 /// toml++ takes nested tables down by recursion, which has no room for this many.
 TEST_F(StudyFile, a_name_that_nests_without_end_is_refused) {
   std::string name = "a";
   for (int i = 0; i < 100'000; ++i) name += ".a";
-  const std::string message = error(needed + name + " = 1\n");
-  EXPECT_THAT(message, HasSubstr("study.toml:13: more than 2000 points in a line"));
-  EXPECT_LT(message.size(), 1000u);
+  refuses({{needed + name + " = 1\n", "study.toml:13", {"2000"}}});
+  EXPECT_LT(error(needed + name + " = 1\n").size(), 1000u);
   EXPECT_THROW(toml_without(name + " = 1\n", {}), InputError);
 }
 
 TEST_F(StudyFile, a_problem_far_down_shows_its_line_whatever_the_letters_above) {
   std::string text = "\xEF\xBB\xBF" + needed + "# α\n\n[building]\nperiod_s = \"1 α\"\r\n";
-  EXPECT_THAT(error(text), AllOf(HasSubstr("study.toml:16: building.period_s = '1 ?\?'"),
-                                 HasSubstr("  period_s = \"1 α\"\n             ^")));
+  refuses({{text, "study.toml:16", {"building.period_s"}}});
+  const std::vector<Problem> problems = problems_of([&] { read(text); });
+  ASSERT_EQ(problems.size(), 1u);
+  EXPECT_EQ(problems[0].excerpt, "  period_s = \"1 α\"\n             ^");
 }
 
 /// A study that is refused, and what its message begins with: the key at fault.

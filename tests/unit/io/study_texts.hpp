@@ -39,6 +39,9 @@ class StudyFile : public testing::Test {
   std::string error(const std::string& content) const {
     return message_of([&] { read(content); });
   }
+  void refuses(const std::vector<Refusal>& refusals) const {
+    expect_refusals([&](const std::string& content) { read(content); }, refusals);
+  }
   /// "14 building.period_s" of each problem.
   std::vector<std::string> faults(const std::string& content) const {
     return faults_of([&] { read(content); });

@@ -93,7 +93,7 @@ TEST_F(SuiteWriter, refuses_a_record_the_library_does_not_have) {
   EXPECT_THAT(message_of([&] {
                 text_for("library", {{"nobody", 1.0}});
               }),
-              testing::AllOf(HasSubstr("library.toml"), HasSubstr("nobody")));
+              test::states("library.toml", "nobody"));
 }
 
 }  // namespace

@@ -7,9 +7,8 @@
 #include <filesystem>
 #include <fstream>
 #include <string>
-#include <vector>
 
-#include "glissade/core/error.hpp"
+#include "problems.hpp"
 
 namespace glissade {
 
@@ -38,47 +37,5 @@ class TemporaryFolder {
  private:
   std::filesystem::path path_;
 };
-
-/// Everything an InputError says; "" if nothing was thrown.
-template <class Action>
-std::string message_of(const Action& action) {
-  try {
-    action();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
-}
-
-/// The line of a file that each problem of an InputError names, 0 where none; empty if nothing was
-/// thrown.
-template <class Action>
-std::vector<std::size_t> lines_of(const Action& action) {
-  std::vector<std::size_t> lines;
-  try {
-    action();
-  } catch (const InputError& error) {
-    for (const Problem& p : error.problems()) {
-      const std::string number = p.where.substr(p.where.rfind(':') + 1);
-      lines.push_back(std::strtoull(number.c_str(), nullptr, 10));
-    }
-  }
-  return lines;
-}
-
-/// The line and the key of each problem of an InputError: "14 building.period_s".
-template <class Action>
-std::vector<std::string> faults_of(const Action& action) {
-  const std::vector<std::size_t> lines = lines_of(action);
-  std::vector<std::string> faults;
-  try {
-    action();
-  } catch (const InputError& error) {
-    for (const Problem& p : error.problems())
-      faults.push_back(std::to_string(lines[faults.size()]) + " " +
-                       p.what.substr(0, p.what.find(' ')));
-  }
-  return faults;
-}
 
 }  // namespace glissade

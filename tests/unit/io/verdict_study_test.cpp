@@ -7,7 +7,6 @@ namespace glissade {
 namespace {
 
 using testing::ElementsAre;
-using testing::HasSubstr;
 
 class VerdictStudy : public StudyFile {
  protected:
@@ -27,29 +26,38 @@ TEST_F(VerdictStudy, stands_alone_beside_standards) {
 }
 
 TEST_F(VerdictStudy, refuses_what_it_cannot_judge) {
-  EXPECT_THAT(error(with("[verdict]\n")), HasSubstr("[standards]"));
   const std::string text = with(std::string(standards) + "[verdict]\nexceedance = ");
-  EXPECT_THAT(error(text + "[0.05, 0.1]\n"), HasSubstr("verdict.exceedance"));
-  EXPECT_THAT(error(text + "[0.05, 0.05]\n"), HasSubstr("verdict.exceedance"));
-  EXPECT_THAT(error(text + "[1.0]\n"), HasSubstr("verdict.exceedance"));
-  EXPECT_THAT(error(text + "[]\n"), HasSubstr("verdict.exceedance"));
+  refuses({{with("[verdict]\n"), "study.toml:11", {"[standards]"}},
+           {text + "[0.05, 0.1]\n", "study.toml:14", {"verdict.exceedance"}},
+           {text + "[0.05, 0.05]\n", "study.toml:14", {"verdict.exceedance"}},
+           {text + "[1.0]\n", "study.toml:14", {"verdict.exceedance"}},
+           {text + "[]\n", "study.toml:14", {"verdict.exceedance"}}});
+}
+
+TEST_F(VerdictStudy, is_of_slopes_and_periods_that_are_not_drawn) {
+  const std::string text = with(std::string(standards) + "[verdict]\n");
+  EXPECT_NO_THROW(read(text + "[roof]\nslope_deg = [0, 1]\n[building]\nperiod_s = [0.2, 0.5]\n"));
+  for (const char* drawn :
+       {"[roof]\nslope_deg = { distribution = \"uniform\", min = 0, max = 1 }\n",
+        "[building]\nperiod_s = { distribution = \"uniform\", min = 0.2, max = 0.5 }\n"})
+    refuses({{text + drawn, "study.toml:13", {"[verdict]"}}});
 }
 
 TEST(verdict_results_file, refuses_rows_that_do_not_fit) {
   Results results = with_all();
   ASSERT_TRUE(results.verdict);
-  EXPECT_EQ(refusal_of(results), "");
+  EXPECT_EQ(misfit_in(results), "");
   results.verdict->rows[0].first_case = results.cases.size();
-  EXPECT_THAT(refusal_of(results), HasSubstr("first_case"));
+  EXPECT_EQ(misfit_in(results), "first_case");
   results = with_all();
   for (VerdictRow& row : results.verdict->rows) {
     row.displacement_m.pop_back();
     row.displacement_interval.pop_back();
   }
-  EXPECT_THAT(refusal_of(results), HasSubstr("displacement_m"));
+  EXPECT_EQ(misfit_in(results), "displacement_m");
   results = with_all();
   results.verdict->separations[1].row = 2;
-  EXPECT_THAT(refusal_of(results), HasSubstr("row"));
+  EXPECT_EQ(misfit_in(results), "row");
 }
 
 }  // namespace

@@ -163,9 +163,12 @@ TEST(sensitivity, of_a_slip_study_is_that_of_brute_force) {
   // The same of histories that were run without [sensitivity].
   StudyConfig plain = two_factor_config(512);
   plain.sensitivity = false;
+  plain.sampling.scrambles = 8;
   Results finished = test::run(small_plan(plain));
   ASSERT_EQ(finished.cases.samples, 512u);
-  analyse_again(two_factor_config(512), finished);
+  StudyConfig with = plain;
+  with.sensitivity = true;
+  analyse_again(with, finished);
   EXPECT_EQ(finished.sensitivity->matrices, 1u);
   const SpreadRow& given = finished.sensitivity->rows.front();
   EXPECT_NEAR(given.first[2], exact.slope_first, 0.01);
@@ -176,12 +179,20 @@ TEST(sensitivity, of_a_slip_study_is_that_of_brute_force) {
   EXPECT_GE(given.total[0], given.first[0]);  // records
 }
 
-TEST(sensitivity, of_finished_results_needs_32_samples) {
-  StudyConfig config = two_factor_config(16);
-  config.sensitivity = false;
-  Results results = test::run(small_plan(config));
-  config.sensitivity = true;
-  EXPECT_THROW(analyse_again(config, results), InputError);
+TEST(sensitivity, of_finished_results_needs_32_samples_and_eight_scrambles_of_Sobol_points) {
+  const auto added = [](std::uint64_t samples, std::uint64_t scrambles, SamplingMethod method) {
+    StudyConfig config = two_factor_config(samples);
+    config.sensitivity = false;
+    config.sampling.scrambles = scrambles;
+    config.sampling.method = method;
+    Results results = test::run(small_plan(config));
+    config.sensitivity = true;
+    analyse_again(config, results);
+  };
+  EXPECT_THROW(added(16, 8, SamplingMethod::sobol), InputError);
+  EXPECT_THROW(added(32, 4, SamplingMethod::sobol), InputError);
+  EXPECT_NO_THROW(added(32, 8, SamplingMethod::sobol));
+  EXPECT_NO_THROW(added(32, 1, SamplingMethod::monte_carlo));
 }
 
 TEST(sensitivity, has_a_row_for_each_threshold_and_level) {

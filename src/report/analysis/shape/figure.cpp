@@ -109,8 +109,9 @@ Panel panel_of(const Results& results, std::size_t threshold) {
       format_length(fragility.threshold_m) +
           (std::isnan(p)
                ? ""
-               : fmt::format(": {}lognormal (p = {:.2g})",
-                             departs_from_lognormal(fragility.lognormal) ? "not " : "nearly ", p)),
+               : fmt::format(": {}{:.2g} from a lognormal (p = {:.2g})",
+                             departs_from_lognormal(fragility.lognormal) ? "not lognormal, " : "",
+                             std::abs(fragility.lognormal.largest_gap), p)),
       {results.intensity_label, 0.0, results.levels.back()},
       {"Probability of exceedance", 0.0, 1.0}};
   panel.series = {interval_bars(results, fragility), lognormal(panel, fragility)};

@@ -76,7 +76,9 @@ struct RatioLine {
     if (y <= line.y[at]) return;
     line.y[at] = y;
     bars.low[at] = height(row.displacement_interval.front().low, row);
-    bars.high[at] = height(row.displacement_interval.front().high, row);
+    // Without an upper end: down from the point.
+    const double high_m = row.displacement_interval.front().high;
+    bars.high[at] = std::isinf(high_m) ? y : height(high_m, row);
   }
 };
 
@@ -140,7 +142,9 @@ Figure verdict_figure(const Results& results) {
       fmt::format(
           "At the lines: coefficient of friction. Above 1 the prescribed displacement is exceeded "
           "with more than {:g} % "
-          "probability, given the design earthquake. Bars: 95 % intervals over records. Dotted: "
+          "probability, given the design earthquake. Bars: 95 % intervals over records; one that "
+          "ends at its point has no upper end: the records "
+          "are too few for one. Dotted: "
           "what the other standard prescribes over it. Ratios below {:g} stand there; a line ends "
           "where the array slides freely. All frictions and slopes, with intervals: "
           "tables/verdict.csv.",

@@ -8,6 +8,7 @@
 #include "glissade/core/contract.hpp"
 #include "glissade/core/error.hpp"
 #include "glissade/sampling/sobol_indices.hpp"
+#include "glissade/study/analysis/sampling_error.hpp"
 #include "glissade/study/cases/sample_points.hpp"
 #include "glissade/study/results.hpp"
 
@@ -20,7 +21,9 @@ class SampleDesign {
   SampleDesign(const StudyConfig& config, const Results& results)
       : results_(results), factors_(drawn_factors(config)) {
     is_given_data_ = results.cases.per_combination() == config.sampling.samples;
-    if (is_given_data_) check(config);
+    if (!is_given_data_) return;
+    check(config);
+    if (config.sampling.method == SamplingMethod::sobol) blocks_ = config.sampling.scrambles;
   }
   const std::vector<DrawnFactor>& factors() const { return factors_; }
   std::uint64_t matrices() const { return is_given_data_ ? 1 : factors_.size() + 2; }
@@ -30,7 +33,7 @@ class SampleDesign {
   CrossedResponse response(const RunResults& run, Value value) const {
     const std::size_t samples = run.cases / matrices();
     CrossedResponse response =
-        is_given_data_ ? CrossedResponse(results_.records.size(), groups(run))
+        is_given_data_ ? CrossedResponse(results_.records.size(), groups(run), blocks_)
                        : CrossedResponse(results_.records.size(), factors_.size(), samples);
     for (std::size_t record = 0; record < response.records(); ++record) {
       for (std::size_t matrix = 0; matrix < response.matrices(); ++matrix) {
@@ -51,6 +54,11 @@ class SampleDesign {
     if (results_.records.size() < least_records) refuse("three records or more");
     if (config.sampling.samples < least_samples)
       refuse(std::to_string(least_samples) + " samples or more");
+    // Sobol points of one scramble depend on each other, so that their scatter says nothing.
+    if (config.sampling.method == SamplingMethod::sobol &&
+        config.sampling.scrambles < least_scrambles)
+      refuse("sampling.scrambles of " + std::to_string(least_scrambles) +
+             " or more, or sampling.method = \"monte_carlo\"");
   }
 
   std::vector<FactorGroups> groups(const RunResults& run) const {
@@ -67,6 +75,7 @@ class SampleDesign {
   const Results& results_;
   std::vector<DrawnFactor> factors_;
   bool is_given_data_ = false;
+  std::size_t blocks_ = 1;  ///< of given data that are not independent
 };
 
 void add(const SobolIndex& index, SpreadRow& row) {
