@@ -68,7 +68,6 @@ void mark_gap(Panel& panel, const ThresholdFragility& fragility) {
   const GoodnessOfFit& fit = fragility.lognormal;
   if (!departs_from_lognormal(fit) || !(fit.gap_intensity < panel.x.high)) return;
   panel.rules.push_back({Rule::Kind::vertical, fit.gap_intensity, look(Role::reference)});
-  panel.title += fmt::format("; largest gap {:.2f}", std::abs(fit.largest_gap));
 }
 
 /// Below this difference from the lognormal a model is not drawn: the lines would be one.
@@ -109,7 +108,7 @@ Panel panel_of(const Results& results, std::size_t threshold) {
       format_length(fragility.threshold_m) +
           (std::isnan(p)
                ? ""
-               : fmt::format(": {}{:.2g} from a lognormal (p = {:.2g})",
+               : fmt::format(": {}largest gap {:.2f} (p = {:.2g})",
                              departs_from_lognormal(fragility.lognormal) ? "not lognormal, " : "",
                              std::abs(fragility.lognormal.largest_gap), p)),
       {results.intensity_label, 0.0, results.levels.back()},
