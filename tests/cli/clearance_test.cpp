@@ -6,12 +6,12 @@
 #include "cli/one_run.hpp"
 #include "cli/small_clearance.hpp"
 #include "cli/small_study.hpp"
+#include "facts.hpp"
 #include "one_line.hpp"
 
 namespace glissade::test {
 namespace {
 
-using testing::HasSubstr;
 using testing::Not;
 namespace fs = std::filesystem;
 
@@ -30,16 +30,15 @@ TEST_F(Clearance, leaves_results_report_tables_figures_and_its_record) {
 
 TEST_F(Clearance, ends_with_what_came_out) {
   EXPECT_EQ(finished_.err, "");
-  for (const std::string& part :
-       {std::string("2 conditions, 3 records of synthetic_level2, sixteen orientations"),
-        std::string("only 4 differ"), (out() / "report.html").string()})
-    EXPECT_THAT(one_line(finished_.out), HasSubstr(part));
+  EXPECT_THAT(one_line(finished_.out),
+              states(std::string("2 conditions"), std::string("3 records of synthetic_level2"),
+                     std::string("4 differ"), (out() / "report.html").string()));
 }
 
 TEST_F(Clearance, of_a_study_without_base_shear_does_not_mention_it) {
-  EXPECT_THAT(finished_.out, Not(HasSubstr("ase shear")));
+  EXPECT_THAT(finished_.out, Not(testing::ContainsRegex("[Bb]ase shear")));
   for (const char* name : {"report.html", "tables/histories.csv"})
-    EXPECT_THAT(read_file(out() / name), Not(HasSubstr("ase shear"))) << name;
+    EXPECT_THAT(read_file(out() / name), Not(testing::ContainsRegex("[Bb]ase shear"))) << name;
 }
 
 std::string small_base_shear() {
@@ -49,8 +48,8 @@ std::string small_base_shear() {
 using BaseShear = OneRun<small_base_shear>;
 
 TEST_F(BaseShear, is_an_analysis_by_itself) {
-  EXPECT_THAT(finished_.out, HasSubstr("Base shear"));
-  EXPECT_THAT(finished_.out, Not(HasSubstr("learance")));
+  EXPECT_THAT(finished_.out, states("Base shear"));
+  EXPECT_THAT(finished_.out, Not(testing::ContainsRegex("[Cc]learance")));
   for (const char* name : {"tables/base_shear.csv", "figures/base_shear.svg"})
     EXPECT_FALSE(read_file(out() / name).empty()) << name;
   EXPECT_FALSE(fs::exists(out() / "tables/clearances.csv"));
@@ -82,7 +81,7 @@ TEST_F(Clearance, run_json_and_terminal_state_the_orientation_that_counts) {
   EXPECT_EQ(number("clearance"), number("clearance_highest"));
   EXPECT_GT(number("clearance"), number("clearance_median"));
   EXPECT_NEAR(json.at("required_clearance").at("largest_m"), number("clearance"), 1e-6);
-  EXPECT_THAT(one_line(finished_.out), HasSubstr("largest of the orientations"));
+  EXPECT_THAT(one_line(finished_.out), states("largest"));
 }
 
 TEST_F(Clearance, report_makes_the_same_again) {
@@ -99,9 +98,8 @@ TEST_F(Clearance, a_dry_run_reports_the_plan_and_writes_nothing) {
   const std::string out = folder_->path("dry").string();
   const Finished child = run_program({"run", study_, "--out", out, "--dry-run"});
   EXPECT_EQ(child.status, 0) << child.err;
-  for (const char* part : {"small clearance", "synthetic_level2: 3 motions",
-                           "16 orientations, of which 8 differ", "24 histories in "})
-    EXPECT_THAT(child.out, HasSubstr(part));
+  EXPECT_THAT(child.out, states("small clearance", "synthetic_level2", "3 motions",
+                                "16 orientations", "8 differ", "24 histories"));
   EXPECT_FALSE(fs::exists(out));
 }
 

@@ -9,13 +9,13 @@
 
 #include "cli/child.hpp"
 #include "cli/killed_run.hpp"
+#include "facts.hpp"
 #include "glissade/core/quantile.hpp"
 #include "glissade/io/results_file.hpp"
 
 namespace glissade::test {
 namespace {
 
-using testing::HasSubstr;
 using testing::Not;
 namespace fs = std::filesystem;
 
@@ -49,25 +49,14 @@ TEST_F(Package, leaves_the_page_its_numbers_and_the_studies_it_ran) {
 }
 
 TEST_F(Package, numbers_the_records_as_figure_1_does) {
-  EXPECT_THAT(read_file(out() / "tables/motions.csv"), HasSubstr("\nnumber,id,"));
-  const std::string page = read_file(out() / "package.html");
-  EXPECT_THAT(page, HasSubstr("its number is that of the table of records"));
-  EXPECT_THAT(page, HasSubstr(">No.<"));
+  EXPECT_THAT(read_file(out() / "tables/motions.csv"), states("\nnumber,id,"));
+  EXPECT_THAT(read_file(out() / "package.html"), states(">No.<", ">PGD, in<"));
 }
 
-// A permit calculation of 2023 for this site.
-TEST_F(Package, page_has_peak_displacements_and_begins_a_hash_that_the_table_has_in_full) {
-  const std::string page = read_file(out() / "package.html");
-  EXPECT_THAT(page, HasSubstr(">PGD, in<"));
-  EXPECT_THAT(page, HasSubstr("Predicted slip of ballasted solar arrays on angled roofs"));
-  EXPECT_THAT(page, HasSubstr("the observed share of the histories"));
-  EXPECT_LT(page.find("Required separations:"), page.find("Governing displacement:"));
-}
-
-TEST_F(Package, screen_says_whether_clearances_are_sufficient_and_why_with_reservation) {
-  const std::string screen = test::one_line(finished_.out);
-  EXPECT_THAT(screen, HasSubstr("vailable clearances are"));
-  EXPECT_THAT(screen, HasSubstr("Reservation: conditions of the standard"));
+// Its words alone tell the engineer that a clearance which is large enough may not be accepted.
+TEST_F(Package, screen_and_page_say_that_the_answer_is_with_reservation) {
+  for (const std::string& text : {finished_.out, read_file(out() / "package.html")})
+    EXPECT_THAT(text, states("Reservation"));
 }
 
 TEST_F(Package, has_the_site_values_of_the_published_calculation) {
@@ -180,21 +169,17 @@ TEST_F(Package, separations_are_parts_of_the_governing_displacement_rounded_up) 
   }
 }
 
-TEST_F(Package, simulated_motions_are_a_warning_on_the_screen_and_the_page) {
+TEST_F(Package, warns_of_simulated_motions_and_of_records_that_are_the_nearest_to_a_target) {
   for (const std::string& text : {finished_.out, read_file(out() / "package.html")})
-    EXPECT_THAT(text, HasSubstr("simulated"));
-}
-
-TEST_F(Package, names_the_earthquakes_and_warns_of_records_that_are_the_nearest_to_a_target) {
-  EXPECT_THAT(finished_.out, HasSubstr("nearest to a target spectrum"));
+    EXPECT_THAT(text, states("simulated"));
+  EXPECT_THAT(numbers().at("warnings").dump(), states("nearest"));
   const std::string report = read_file(out() / "demand/report.html");
-  EXPECT_THAT(report, HasSubstr("DBE, S_DS = 1.05 g"));
-  EXPECT_THAT(report, HasSubstr("MCE, S_DS = 1.58 g"));
-  EXPECT_THAT(report, Not(HasSubstr("nearest to a target")));  // it gives no probability
+  EXPECT_THAT(report, states("DBE, S_DS = 1.05 g", "MCE, S_DS = 1.58 g"));
+  EXPECT_THAT(report, Not(states("nearest")));  // it gives no probability
 }
 
 TEST_F(Package, says_which_key_gives_annual_rates_and_the_displacement_that_adds_up) {
-  EXPECT_THAT(finished_.out, HasSubstr("[hazard]"));
+  EXPECT_THAT(finished_.out, states("[hazard]"));
   EXPECT_FALSE(numbers().contains("annual_rate"));
 }
 
@@ -218,8 +203,8 @@ TEST_F(Package, of_a_hazard_curve_has_annual_rates_and_the_displacement_that_add
   const Finished child =
       run_program({"clearance", folder_->write("hazard.toml", text), "--out", other.string()});
   ASSERT_EQ(child.status, 0) << child.err;
-  EXPECT_THAT(child.out, HasSubstr("in 50 years with a"));
-  EXPECT_THAT(read_file(other / "package.html"), HasSubstr("Slip over 25 years"));
+  EXPECT_THAT(child.out, states("50 years"));
+  EXPECT_THAT(read_file(other / "package.html"), states("25 years"));
   const auto json = nlohmann::json::parse(read_file(other / "package.json"));
   ASSERT_EQ(json.at("annual_rate").size(), 5u);  // by period
   for (const auto& rate : json.at("annual_rate")) EXPECT_GT(rate.get<double>(), 0.0);
@@ -244,29 +229,27 @@ TEST_F(Package, a_page_holds_text_as_text_and_few_tests_and_a_peer_review_are_wa
   const Finished child =
       run_program({"clearance", folder_->write("script.toml", text), "--out", other.string()});
   ASSERT_EQ(child.status, 0) << child.err;
-  EXPECT_THAT(read_file(other / "package.html"), Not(HasSubstr("<script")));
+  EXPECT_THAT(read_file(other / "package.html"), Not(testing::HasSubstr("<script")));
   const auto json = nlohmann::json::parse(read_file(other / "package.json"));
   EXPECT_FALSE(checks_in(json).at(support));
   EXPECT_EQ(json.at("least_value_m"), 0.0);
   EXPECT_EQ(json.at("governing_m"), json.at("analysis_m"));
-  EXPECT_THAT(child.out, HasSubstr("peer_reviewed"));
+  EXPECT_THAT(child.out, states("peer_reviewed"));
 }
 
 // ASCE 7-16: 0.5, 1, 1 and 2 times 25.4 in.
 TEST_F(Package, shows_the_separations_of_the_full_prescribed_value_in_feet) {
-  EXPECT_THAT(
-      read_file(out() / "tables/separations.csv"),
-      testing::AllOf(HasSubstr("(1.06 ft)"), HasSubstr("(2.12 ft)"), HasSubstr("(4.23 ft)")));
+  EXPECT_THAT(read_file(out() / "tables/separations.csv"),
+              states("(1.06 ft)", "(2.12 ft)", "(4.23 ft)"));
   EXPECT_THAT(numbers().at("prescribed").at(0).at("conditions_not_met").get<std::string>(),
-              HasSubstr("six storeys or fewer: 10"));
+              states("storeys", "10"));
 }
 
 TEST_F(Package, outside_the_conditions_no_clearance_is_sufficient_without_reservation) {
   for (const std::string& line : lines_of(read_file(out() / "tables/separations.csv"))) {
     if (line.find("sufficient") == std::string::npos) continue;
-    EXPECT_THAT(line, HasSubstr("sufficient, with reservation"));
+    EXPECT_THAT(line, states("with reservation"));
   }
-  EXPECT_THAT(read_file(out() / "package.html"), HasSubstr("Reservation: conditions"));
 }
 
 TEST_F(Package, one_slope_and_the_friction_that_the_tests_support_are_varied) {
@@ -294,7 +277,7 @@ TEST_F(Package, a_stopped_calculation_goes_on_to_the_same_package) {
   ASSERT_EQ(stopped.status, 75);
   EXPECT_FALSE(fs::exists(other / "stop"));
   const std::string command = "clearance --resume " + other.string();
-  EXPECT_THAT(stopped.err, HasSubstr(command));
+  EXPECT_THAT(stopped.err, states(command));
   expect_refused(run_program({"clearance", project_file, "--out", other.string()}), {command});
   const Finished resumed = run_program({"clearance", "--resume", other.string()});
   ASSERT_EQ(resumed.status, 0) << resumed.err;
@@ -306,12 +289,11 @@ TEST_F(Package, check_of_a_project_says_what_would_run_and_writes_nothing) {
   const fs::path other = folder_->path("checked");
   const Finished child = run_program({"check", project_file, "--out", other.string()});
   ASSERT_EQ(child.status, 0) << child.err;
-  for (const char* part : {"demand ", "probability ", "on one core", "free", "clearance"})
-    EXPECT_THAT(child.out, HasSubstr(part));
+  EXPECT_THAT(child.out, states("demand", "probability", "clearance"));
   EXPECT_FALSE(fs::exists(other));
   const Finished taken = run_program({"check", project_file, "--out", out().string()});
   EXPECT_EQ(taken.status, 2);
-  EXPECT_THAT(taken.err, HasSubstr("--overwrite"));
+  EXPECT_THAT(taken.err, states("--overwrite"));
 }
 
 TEST_F(Package, check_warns_that_11_4_8_needs_s_1_and_the_site_class) {
@@ -319,8 +301,8 @@ TEST_F(Package, check_warns_that_11_4_8_needs_s_1_and_the_site_class) {
       replaced(moved_project(), "ss_g = 1.313\ns1_g = 0.471\nsite_class = \"default\"",
                "sds_g = 1.05\nsd1_g = 0.574");
   const Finished child = run_program({"check", folder_->write("sds.toml", text)});
-  EXPECT_THAT(one_line(child.out), HasSubstr("hazard analysis is not checked"));
-  EXPECT_THAT(one_line(run_program({"check", project_file}).out), Not(HasSubstr("is not checked")));
+  EXPECT_THAT(one_line(child.out), states("11.4.8", "not checked"));
+  EXPECT_THAT(one_line(run_program({"check", project_file}).out), Not(states("not checked")));
 }
 
 TEST_F(Package, is_not_written_over_unless_required) {
@@ -347,7 +329,7 @@ TEST(ClearanceCommand, of_a_project_that_cannot_run_leaves_nothing) {
 TEST(ClearanceCommand, prints_an_example_and_needs_a_project) {
   const Finished child = run_program({"clearance", "--example"});
   EXPECT_EQ(child.status, 0);
-  EXPECT_THAT(child.out, HasSubstr("[site]"));
+  EXPECT_THAT(child.out, states("[site]"));
   expect_refused(run_program({"clearance"}), {"--example"});
 }
 

@@ -5,13 +5,13 @@
 
 #include "cli/killed_run.hpp"
 #include "cli/one_run.hpp"
+#include "facts.hpp"
 
 namespace glissade::test {
 namespace {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
-using testing::HasSubstr;
 
 /// Three parts of a run beside the whole of it.
 class Parts : public OneRun<longer_study> {
@@ -27,7 +27,7 @@ class Parts : public OneRun<longer_study> {
   static void run_part(int part, const std::string& study = study_) {
     const Finished child = run_program(part_command(part, study));
     ASSERT_EQ(child.status, 0) << child.err;
-    EXPECT_THAT(child.out, HasSubstr("glissade merge"));
+    EXPECT_THAT(child.out, states("glissade merge"));
     EXPECT_FALSE(fs::exists(folder(part) + "/results.h5"));
   }
   static void run_parts(const std::vector<int>& parts) {
@@ -70,7 +70,7 @@ TEST_F(Parts, a_part_that_was_killed_goes_on_and_the_merged_run_has_the_bits_of_
   EXPECT_FALSE(fs::exists(merged_));
   const Finished resumed = run_program({"run", "--resume", folder(2)});
   ASSERT_EQ(resumed.status, 0) << resumed.err;
-  EXPECT_THAT(resumed.out, HasSubstr("Part 2 of 3 is finished"));
+  EXPECT_THAT(resumed.out, states("2 of 3"));
 
   expect_merged(merge({3, 1, 2}));
   const Json json = Json::parse(read_file(merged_ + "/run.json"));
@@ -87,7 +87,7 @@ TEST_F(Parts, a_unit_that_is_damaged_in_a_part_is_computed_again) {
   bytes[bytes.size() / 2] = static_cast<char>(bytes[bytes.size() / 2] ^ 1);
   folder_->write("1/journal/0-1.units", bytes);
   const Finished child = merge({1, 2, 3});
-  EXPECT_THAT(child.out, HasSubstr("not whole records"));
+  EXPECT_THAT(child.out, states("not whole"));
   expect_merged(child);
 }
 

@@ -8,6 +8,7 @@
 
 #include "cli/child.hpp"
 #include "cli/shaking.hpp"
+#include "facts.hpp"
 #include "glissade/block/coupled.hpp"
 #include "glissade/block/on_building.hpp"
 #include "glissade/block/slide.hpp"
@@ -17,7 +18,6 @@ namespace glissade::test {
 namespace {
 
 using Json = nlohmann::json;
-using testing::HasSubstr;
 
 class SlideModel : public testing::Test {
  protected:
@@ -63,7 +63,7 @@ TEST_F(SlideModel, on_two_axes_it_gives_what_the_library_gives_to_the_last_bit) 
   EXPECT_EQ(json["peak_base_shear"][1], expected.peak_base_shear[1]);
   EXPECT_EQ(json["peak_x_m"],
             std::max(json["peak_downslope_m"].get<double>(), json["peak_upslope_m"].get<double>()));
-  EXPECT_THAT(json["model"].get<std::string>(), HasSubstr("full model"));
+  EXPECT_THAT(json["model"].get<std::string>(), states("full model"));
 }
 
 TEST_F(SlideModel, a_second_component_of_zero_changes_nothing) {
@@ -96,7 +96,7 @@ TEST_F(SlideModel, a_coupled_building_gives_what_the_library_gives) {
     EXPECT_EQ(json["peak_displacement_m"], expected.slip.peak_displacement_m);
     EXPECT_EQ(json["residual_displacement_m"], expected.slip.residual_displacement_m);
     EXPECT_EQ(json["peak_base_shear"][0], expected.peak_base_shear);
-    EXPECT_THAT(json["model"].get<std::string>(), HasSubstr("slide_coupled"));
+    EXPECT_THAT(json["model"].get<std::string>(), states("slide_coupled"));
   }
 }
 
@@ -138,9 +138,7 @@ TEST_F(SlideModel, text_names_the_model_and_both_axes) {
   const Finished child = run(
       {"--second", second_, "--period-s", "0.5", "--mass-ratio", "0.05", "--clearance-m", "0.01"});
   EXPECT_EQ(child.status, 0) << child.err;
-  for (const char* part :
-       {"Model: full model", "by axis", "SRSS", "across", "base shear", "second axis", "reaches"})
-    EXPECT_THAT(child.out, HasSubstr(part));
+  EXPECT_THAT(child.out, states("full model", "SRSS", "across", "base shear"));
 }
 
 TEST_F(SlideModel, each_bad_input_gets_one_clear_message) {

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 
 #include "cli/child.hpp"
+#include "facts.hpp"
 
 namespace glissade::test {
 namespace {
@@ -10,15 +11,14 @@ TEST(Usage, help_names_every_command_and_succeeds) {
   const Finished child = run_program({"--help"});
   EXPECT_EQ(child.status, 0);
   EXPECT_EQ(child.err, "");
-  for (const char* command : {"run", "slide", "fit", "friction", "suite", "standards", "report"})
-    EXPECT_THAT(child.out, testing::HasSubstr(command));
+  EXPECT_THAT(child.out, states("run", "slide", "fit", "friction", "suite", "standards", "report"));
 }
 
 TEST(Usage, every_command_has_help) {
   for (const char* command : {"run", "slide", "fit", "friction", "suite", "standards", "report"}) {
     const Finished child = run_program({command, "--help"});
     EXPECT_EQ(child.status, 0) << command;
-    EXPECT_THAT(child.out, testing::HasSubstr("--help")) << command;
+    EXPECT_THAT(child.out, states("--help")) << command;
   }
 }
 
@@ -50,16 +50,14 @@ TEST(Usage, help_fits_a_terminal) {
   }
 }
 TEST(Usage, explain_answers_for_a_measure_a_value_and_a_key_without_its_table) {
-  using testing::HasSubstr;
   const auto explained = [](const char* word) { return run_program({"explain", word}).out; };
-  EXPECT_THAT(explained("sa"), HasSubstr("\"sa_g\""));
-  EXPECT_THAT(explained("sa"), HasSubstr("intensity.sa_period_s"));
-  EXPECT_THAT(explained("pgv"), HasSubstr("peak ground velocity"));
-  EXPECT_THAT(explained("all_permutations"), HasSubstr("[orientation]"));
-  EXPECT_THAT(explained("period_s"), HasSubstr("[building] of a project"));
-  EXPECT_THAT(explained("obstruction_m"), HasSubstr("[clearances] of a project"));
+  EXPECT_THAT(explained("sa"), states("\"sa_g\"", "intensity.sa_period_s"));
+  EXPECT_THAT(explained("pgv"), states("velocity"));
+  EXPECT_THAT(explained("all_permutations"), states("[orientation]"));
+  EXPECT_THAT(explained("period_s"), states("[building]", "project"));
+  EXPECT_THAT(explained("obstruction_m"), states("[clearances]", "project"));
   expect_refused(run_program({"explain", "sb"}), {"sb", "glissade explain"});
-  expect_refused(run_program({"explain", "heigth_m"}), {"did you mean height_m"});
+  expect_refused(run_program({"explain", "heigth_m"}), {"height_m"});
 }
 TEST(Usage, options_take_numbers_with_units_as_files_do) {
   const auto standards = [](const char* sds) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "misfits.hpp"
 #include "whole_results.hpp"
 
 namespace glissade {

@@ -5,6 +5,7 @@
 
 #include "glissade/core/units.hpp"
 #include "glissade/io/study_file.hpp"
+#include "problems.hpp"
 #include "temporary_folder.hpp"
 
 namespace glissade {

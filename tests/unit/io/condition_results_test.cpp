@@ -2,6 +2,7 @@
 // Required clearance, base shear and tipping in the results file.
 #include <gmock/gmock.h>
 
+#include "misfits.hpp"
 #include "whole_results.hpp"
 
 namespace glissade {

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "problems.hpp"
 #include "temporary_folder.hpp"
 
 namespace glissade {

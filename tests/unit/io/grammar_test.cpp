@@ -13,6 +13,7 @@
 #include "glissade/core/wrap.hpp"
 #include "glissade/io/study_file.hpp"
 #include "glissade/io/study_grammar.hpp"
+#include "problems.hpp"
 #include "temporary_folder.hpp"
 
 namespace glissade {

@@ -8,6 +8,7 @@
 #include "glissade/core/hash.hpp"
 #include "glissade/study/run/exchange.hpp"
 #include "unit/io/journal_plan.hpp"
+#include "unit/io/problems.hpp"
 #include "unit/io/temporary_folder.hpp"
 
 namespace glissade {

@@ -7,6 +7,7 @@
 
 #include "glissade/design/design_clearance.hpp"
 #include "glissade/io/study_file.hpp"
+#include "problems.hpp"
 #include "temporary_folder.hpp"
 
 namespace glissade {

@@ -9,6 +9,7 @@
 
 #include "glissade/io/study_file.hpp"
 #include "glissade/sampling/friction_statistics.hpp"
+#include "problems.hpp"
 #include "temporary_folder.hpp"
 
 namespace glissade {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // [rare] and sampling.scrambles in study files and results files.
+#include "misfits.hpp"
 #include "study_texts.hpp"
 #include "whole_results.hpp"
 
@@ -46,42 +47,41 @@ TEST_F(RareStudy, a_target_error_ends_scrambles_of_a_fragility) {
   ASSERT_TRUE(study.sampling.target);
   EXPECT_EQ(study.sampling.target->error, 0.01);
   EXPECT_EQ(study.sampling.target->most_scrambles, 16u);
-  refuses({{with(sampling + "4\n" + fragility_part),
-            "study.toml:13",
-            {"sampling.target_error", "sampling.scrambles", "8"}},
-           {with(sampling + "16\n" + rare),
-            "study.toml:13",
-            {"sampling.target_error", "[fragility]"}},
-           {with(sampling + "16\n[sensitivity]\n" + fragility_part),
-            "study.toml:13",
-            {"sampling.target_error", "[sensitivity]"}}});
-  EXPECT_THAT(faults(study_part + suite_part + intensity_part +
-                     "[friction]\nmu = 0.5\n[orientation]\nchoice = \"as_recorded\"\n" +
-                     sampling + "16\n" + fragility_part),
-              ElementsAre("14 sampling.samples", "15 sampling.target_error",
-                          "16 sampling.scrambles"));
+  refuses(
+      {{with(sampling + "4\n" + fragility_part),
+        "study.toml:13",
+        {"sampling.target_error", "sampling.scrambles", "8"}},
+       {with(sampling + "16\n" + rare), "study.toml:13", {"sampling.target_error", "[fragility]"}},
+       {with(sampling + "16\n[sensitivity]\n" + fragility_part),
+        "study.toml:13",
+        {"sampling.target_error", "[sensitivity]"}}});
+  EXPECT_THAT(
+      faults(study_part + suite_part + intensity_part +
+             "[friction]\nmu = 0.5\n[orientation]\nchoice = \"as_recorded\"\n" + sampling + "16\n" +
+             fragility_part),
+      ElementsAre("14 sampling.samples", "15 sampling.target_error", "16 sampling.scrambles"));
 }
 
 TEST(rare_results_file, comes_back_and_refuses_rows_that_do_not_fit) {
-      const TemporaryFolder folder;
-      Results results = with_all();
-      write_results(folder.path() / "results.h5", results);
-      const Results read = read_results(folder.path() / "results.h5");
-      ASSERT_TRUE(read.rare);
-      EXPECT_EQ(read.rare->weights, results.rare->weights);
-      EXPECT_EQ(read.rare->rows[1].probability, 5e-6);
-      EXPECT_EQ(read.rare->rows[1].record_interval.high, 0.5);
-      ASSERT_EQ(read.sampling_errors.size(), 1u);
-      EXPECT_EQ(read.sampling_errors[0].record_error, 0.0625);
-      ASSERT_TRUE(read.reached_target);
-      EXPECT_EQ(read.reached_target->error, 0.015625);
-      EXPECT_EQ(read.reached_target->most_scrambles, 4u);
-      results.reached_target->scrambles = 0;
-      EXPECT_EQ(misfit_in(results), "scrambles");
-      results.reached_target.reset();
-      results.rare->rows[0].first_case = results.cases.size();
-      EXPECT_EQ(misfit_in(results), "first_case");
-    }
+  const TemporaryFolder folder;
+  Results results = with_all();
+  write_results(folder.path() / "results.h5", results);
+  const Results read = read_results(folder.path() / "results.h5");
+  ASSERT_TRUE(read.rare);
+  EXPECT_EQ(read.rare->weights, results.rare->weights);
+  EXPECT_EQ(read.rare->rows[1].probability, 5e-6);
+  EXPECT_EQ(read.rare->rows[1].record_interval.high, 0.5);
+  ASSERT_EQ(read.sampling_errors.size(), 1u);
+  EXPECT_EQ(read.sampling_errors[0].record_error, 0.0625);
+  ASSERT_TRUE(read.reached_target);
+  EXPECT_EQ(read.reached_target->error, 0.015625);
+  EXPECT_EQ(read.reached_target->most_scrambles, 4u);
+  results.reached_target->scrambles = 0;
+  EXPECT_EQ(misfit_in(results), "scrambles");
+  results.reached_target.reset();
+  results.rare->rows[0].first_case = results.cases.size();
+  EXPECT_EQ(misfit_in(results), "first_case");
+}
 
 }  // namespace
 }  // namespace glissade

@@ -6,6 +6,7 @@
 
 #include "glissade/core/random.hpp"
 #include "glissade/core/units.hpp"
+#include "problems.hpp"
 #include "temporary_folder.hpp"
 
 namespace glissade {

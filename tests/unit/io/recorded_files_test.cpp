@@ -11,6 +11,7 @@
 #include "glissade/core/units.hpp"
 #include "glissade/io/record_file.hpp"
 #include "glissade/io/suite_file.hpp"
+#include "problems.hpp"
 #include "temporary_folder.hpp"
 
 namespace glissade {

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 
+#include "misfits.hpp"
 #include "renew_checksum.hpp"
 #include "whole_results.hpp"
 

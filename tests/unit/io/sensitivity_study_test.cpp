@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // [sensitivity] in study files and results files.
+#include "misfits.hpp"
 #include "study_texts.hpp"
 #include "whole_results.hpp"
 

@@ -9,6 +9,7 @@
 
 #include "glissade/core/units.hpp"
 #include "glissade/io/recipe_writer.hpp"
+#include "problems.hpp"
 #include "temporary_folder.hpp"
 
 namespace glissade {

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 
 #include "glissade/io/suite_file.hpp"
+#include "problems.hpp"
 #include "temporary_folder.hpp"
 
 namespace glissade {

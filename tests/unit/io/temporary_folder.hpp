@@ -8,8 +8,6 @@
 #include <fstream>
 #include <string>
 
-#include "problems.hpp"
-
 namespace glissade {
 
 /// A folder of its own for one test, gone afterwards.

@@ -6,6 +6,7 @@
 
 #include <limits>
 
+#include "facts.hpp"
 #include "glissade/core/error.hpp"
 #include "glissade/motion/intensity.hpp"
 #include "glissade/motion/response_spectrum.hpp"
@@ -13,9 +14,9 @@
 namespace glissade {
 namespace {
 
+using test::states;
 using testing::DoubleEq;
 using testing::ElementsAre;
-using testing::HasSubstr;
 using testing::Pointwise;
 
 constexpr double inf = std::numeric_limits<double>::infinity();
@@ -96,8 +97,8 @@ TEST(assemble_motion, takes_starts_within_a_millionth_of_a_sample) {
 }
 
 TEST(assemble_motion, says_which_start_would_be_the_nearest) {
-  EXPECT_THAT(what_is_wrong_with(timed(0.005, {1.0}, 0.0123)), HasSubstr("the nearest is 0.01"));
-  EXPECT_THAT(what_is_wrong_with(timed(0.005, {1.0}, -0.01)), HasSubstr("the nearest is 0"));
+  EXPECT_THAT(what_is_wrong_with(timed(0.005, {1.0}, 0.0123)), states("nearest is 0.01"));
+  EXPECT_THAT(what_is_wrong_with(timed(0.005, {1.0}, -0.01)), states("nearest is 0"));
 }
 
 TEST(assemble_motion, refuses_starts_that_are_no_place_on_the_clock) {
@@ -113,8 +114,8 @@ TEST(assemble_motion, refuses_steps_that_are_not_whole_multiples) {
 
 TEST(assemble_motion, names_the_sample_that_is_not_finite) {
   EXPECT_THAT(what_is_wrong_with(timed(0.01, {1.0, 2.0, nan})),
-              HasSubstr("made-up: sample 3 is nan"));
-  EXPECT_THAT(what_is_wrong_with(timed(0.01, {inf, 2.0})), HasSubstr("sample 1 is inf"));
+              states("made-up", "sample 3", "nan"));
+  EXPECT_THAT(what_is_wrong_with(timed(0.01, {inf, 2.0})), states("sample 1", "inf"));
 }
 
 TEST(assemble_motion, refuses_empty_records_and_steps_that_are_not_positive) {

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "analysis/chart/report.hpp"
+#include "facts.hpp"
 #include "figure_facts.hpp"
 #include "glissade/core/file.hpp"
 #include "glissade/core/units.hpp"
@@ -18,8 +19,8 @@ namespace glissade {
 namespace {
 
 namespace fs = std::filesystem;
+using test::states;
 using testing::ElementsAre;
-using testing::HasSubstr;
 using testing::Not;
 
 Figure figure_named(const Results& results, const std::string& name) {
@@ -116,7 +117,8 @@ TEST(chart_contours, stay_out_of_cells_that_slide_freely) {
   const double infinity = std::numeric_limits<double>::infinity();
   const Figure figure = figure_named(two_by_two({0.3, 0.1, infinity, 0.1}), "chart_contours");
   EXPECT_EQ(numbers_in(series_named(figure, "contour 0.2 m")), 0u);
-  EXPECT_THAT(figure.caption, HasSubstr("No round value"));
+  for (const Note& note : figure.panels[0].notes)
+    EXPECT_EQ(note.text.find(" m"), std::string::npos);
 }
 
 TEST(chart_contours, shade_where_gravity_alone_moves_the_array) {
@@ -138,8 +140,7 @@ TEST(chart_contours, show_the_prescribed_line_or_say_why_there_is_none) {
     for (ChartPrescription& p : results.chart->standards) p.prescribed.value_m = value_m;
     const Figure nowhere = figure_named(results, "chart_contours");
     EXPECT_EQ(numbers_in(series_named(nowhere, seaoc + " and ASCE 7-16")), 0u);
-    EXPECT_THAT(nowhere.caption, HasSubstr(value_m > 1.0 ? "more than the chart requires"
-                                                         : "less than the chart requires"));
+    EXPECT_THAT(nowhere.caption, states(value_m > 1.0 ? "more" : "less"));
   }
 }
 
@@ -159,8 +160,8 @@ TEST(chart_friction, has_the_clearance_of_the_table_and_a_gap_where_the_array_sl
   EXPECT_FALSE(std::isfinite(curves.back().y[0]));  // 7 degrees with mu = 0.1
   EXPECT_NEAR(rule_of(figure, "SEAOC PV1-2012").at, 0.549, 5e-4);
   EXPECT_EQ(rule_of(figure, "SEAOC PV1-2012").from, 0.4);
-  EXPECT_THAT(figure.below, HasSubstr("SEAOC PV1-2012 to 3"));
-  EXPECT_THAT(figure.caption, HasSubstr("ASCE 7-16 is for slopes up to 2.86 degrees"));
+  EXPECT_THAT(figure.below, states("SEAOC PV1-2012", "3"));
+  EXPECT_THAT(figure.caption, states("ASCE 7-16", "2.86 degrees"));
   EXPECT_NE(rule_of(figure, "SEAOC PV1-2012").look.dash, rule_of(figure, "ASCE 7-16").look.dash);
 }
 
@@ -169,7 +170,7 @@ TEST(chart_figures, hold_at_most_four_curves_none_of_which_leaves_and_name_suite
     std::vector<std::string> titles;
     for (const Figure& figure : chart_figures(results)) {
       titles.push_back(figure.title);
-      EXPECT_THAT(figure.below, HasSubstr(results.suites.front().name));
+      EXPECT_THAT(figure.below, states(results.suites.front().name));
       if (figure.name.text() == "chart_contours") continue;
       EXPECT_LE(curves_of(figure).size(), 4u) << figure.name.text();
       EXPECT_TRUE(figure.labels_at_lines);
@@ -193,7 +194,7 @@ TEST(chart_slope, draws_seaoc_under_3_degrees_and_only_above_a_friction_of_0_4) 
   results.chart->shown_mu = 0.4;
   const Figure low_friction = figure_named(results, "chart_slope");
   EXPECT_EQ(rule_of(low_friction, "SEAOC").label, "");
-  EXPECT_THAT(low_friction.caption, HasSubstr("friction above 0.4"));
+  EXPECT_THAT(low_friction.caption, states("0.4"));
 }
 
 TEST(chart_slope, says_which_prescribed_value_lies_above_the_figure) {
@@ -203,8 +204,8 @@ TEST(chart_slope, says_which_prescribed_value_lies_above_the_figure) {
   }
   const Figure figure = figure_named(results, "chart_slope");
   EXPECT_LT(figure.panels[0].y.high, 50.0);
-  EXPECT_THAT(rule_of(figure, "ASCE 7-16").label, HasSubstr("above the figure"));
-  EXPECT_THAT(rule_of(figure, "SEAOC PV1-2012").label, Not(HasSubstr("above the figure")));
+  EXPECT_THAT(rule_of(figure, "ASCE 7-16").label, states("above"));
+  EXPECT_THAT(rule_of(figure, "SEAOC PV1-2012").label, Not(states("above")));
 }
 
 TEST(chart_slope, has_one_line_for_one_record) {
@@ -251,9 +252,7 @@ TEST(chart_figures, are_drawn_by_gnuplot_even_where_everything_slides_freely) {
     fs::remove_all(folder);
     for (const Figure& figure : make_figures(results)) {
       ASSERT_NO_THROW(render_figure(figure, folder)) << figure.name.text();
-      EXPECT_THAT(read_text_file(folder / (figure.name + ".svg")),
-                  HasSubstr(figure.title.substr(0, 12)))
-          << figure.name.text();
+      EXPECT_GT(fs::file_size(folder / (figure.name + ".svg")), 1000u) << figure.name.text();
     }
   }
 }

@@ -6,13 +6,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "facts.hpp"
 #include "figure_facts.hpp"
 #include "glissade/core/file.hpp"
 
 namespace glissade {
 namespace {
 
-using testing::HasSubstr;
+using test::states;
 
 /// Slides at a constant mu over 0.1 m.
 PullTest even_pull(const std::string& test, const std::string& direction, double mu) {
@@ -86,8 +87,7 @@ TEST(friction_figure, is_drawn_whatever_directions_are_called) {
   std::filesystem::remove_all(folder);
   write_friction_report(tests, summarise(tests, {}), folder);
   const std::string svg = read_text_file(folder / "figures" / "friction.svg");
-  EXPECT_THAT(svg, HasSubstr("E_W\u2019s {"));
-  EXPECT_THAT(svg, HasSubstr("@ #1, \"x\""));
+  EXPECT_THAT(svg, states("E_W\u2019s {", "@ #1, \"x\""));
   for (const char* file : {"figures/friction.pdf", "tables/friction.csv", "tables/pull_tests.csv"})
     EXPECT_TRUE(std::filesystem::exists(folder / file)) << file;
 }

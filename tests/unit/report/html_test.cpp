@@ -4,61 +4,59 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "facts.hpp"
 #include "made_up_results.hpp"
 
 namespace glissade {
 namespace {
 
-using testing::HasSubstr;
+using test::states;
 using testing::Not;
 
 TEST(html_report, escapes_the_study_and_the_records) {
   Results results = made_up_results();
   results.study_name = "<script>alert(1)</script>";
   const std::string html = html_report(results, {});
-  EXPECT_THAT(html, Not(HasSubstr("<script")));
-  EXPECT_THAT(html, HasSubstr("&lt;script&gt;"));
-  EXPECT_THAT(html, HasSubstr("# a &lt;test&gt; &amp; nothing more"));
-  EXPECT_THAT(html, HasSubstr("Kobold &lt;1995&gt;"));
+  EXPECT_THAT(html, Not(testing::HasSubstr("<script")));
+  EXPECT_THAT(
+      html, states("&lt;script&gt;", "# a &lt;test&gt; &amp; nothing more", "Kobold &lt;1995&gt;"));
 }
 
 TEST(html_report, names_the_earthquakes_of_a_design_target) {
   Results results = made_up_results();
-  EXPECT_THAT(html_report(results, {}), Not(HasSubstr("DBE is")));
+  EXPECT_THAT(html_report(results, {}), Not(states("DBE")));
   results.model.dbe_level = 1.0;
-  EXPECT_THAT(html_report(results, {}), HasSubstr("DBE is S_DS = 1.00 g and MCE 1.50 g"));
+  EXPECT_THAT(html_report(results, {}), states("DBE", "S_DS = 1.00 g", "MCE 1.50 g"));
   results.model.dbe_level = 1.035;  // 1.04 or 1.03 elsewhere would be another level
-  EXPECT_THAT(html_report(results, {}), HasSubstr("DBE is S_DS = 1.035 g"));
+  EXPECT_THAT(html_report(results, {}), states("DBE", "S_DS = 1.035 g"));
   results.levels = {1.0};
-  EXPECT_THAT(html_report(results, {}), HasSubstr(" x 1 level of"));
+  EXPECT_THAT(html_report(results, {}), states("x 1 level"));
 }
 
 TEST(html_report, needs_nothing_from_outside) {
   const std::string html = html_report(made_up_results(), {});
   for (const char* reference : {"src=", "href=", "@import", "url("})
-    EXPECT_THAT(html, Not(HasSubstr(reference)));
+    EXPECT_THAT(html, Not(states(reference)));
 }
 
 TEST(html_report, states_what_is_assumed_and_what_must_be_verified) {
   const std::string html = html_report(made_up_results(), {});
-  for (const char* part : {"In plan", "Coulomb", "single-degree-of-freedom", "mass is neglected",
-                           "goes linearly to zero", "Which component acts along the slope",
-                           "11 of 12 records have a vertical", "Verify against the standard"}) {
-    EXPECT_THAT(html, HasSubstr(part));
-  }
+  // What the model leaves out is promised to be said: here alone its words are compared.
+  EXPECT_THAT(html, states("In plan", "Coulomb", "single-degree-of-freedom", "mass is neglected",
+                           "Which component acts along the slope", "11 of 12 records",
+                           "Verify against the standard"));
 }
 
 TEST(html_report, says_rigid_where_the_samples_have_no_period) {
   Results results = made_up_results();
   for (Case& c : results.cases.cases) c.period_s = 0.0;
-  const std::string html = html_report(results, {});
-  EXPECT_THAT(html, HasSubstr("Rigid"));
-  EXPECT_THAT(html, Not(HasSubstr("mass is neglected")));
+  EXPECT_THAT(html_report(results, {}), states("Rigid"));
+  EXPECT_THAT(html_report(results, {}), Not(states("mass is neglected")));
 }
 
 TEST(html_report, prints_a_table_of_many_columns_on_a_landscape_page) {
   const std::string html = html_report(made_up_results(), {});
-  EXPECT_THAT(html, HasSubstr("@page wide { size: landscape; }"));
+  EXPECT_THAT(html, states("@page wide { size: landscape; }"));
   const std::size_t records = html.find("Ground motions of suite");
   EXPECT_GT(html.rfind("<div class=\"wide many\">", records), records - 100);
 }
@@ -69,8 +67,8 @@ TEST(html_report, puts_the_drawing_in_the_page_without_its_xml_declaration) {
       {{{"one", "Title", "", "Caption"}, "<?xml version=\"1.0\"?>\n<svg id=\"x\"></svg>"}});
   EXPECT_THAT(
       html,
-      HasSubstr("<div class=\"drawing\"><svg role=\"img\" aria-label=\"Title\" id=\"x\"></svg>"));
-  EXPECT_THAT(html, Not(HasSubstr("<?xml")));
+      states("<div class=\"drawing\"><svg role=\"img\" aria-label=\"Title\" id=\"x\"></svg>"));
+  EXPECT_THAT(html, Not(states("<?xml")));
 }
 
 }  // namespace

@@ -5,14 +5,15 @@
 
 #include <cmath>
 
+#include "facts.hpp"
 #include "glissade/core/error.hpp"
 #include "glissade/core/random.hpp"
 
 namespace glissade {
 namespace {
 
+using test::states;
 using testing::Contains;
-using testing::HasSubstr;
 
 /// Slides at a constant mu over 0.3 m.
 PullTest even_pull(const std::string& test, const std::string& direction, double mu) {
@@ -95,19 +96,16 @@ TEST(pull_tests, say_how_little_few_of_them_tell) {
       summarise({even_pull("1", "a", 0.5), even_pull("2", "a", 0.52), even_pull("3", "a", 0.55),
                  even_pull("4", "b", 0.5), even_pull("5", "c", 0.5), even_pull("6", "c", 0.6)},
                 {});
-  EXPECT_THAT(s.notes, Contains(testing::AllOf(HasSubstr("a: mean - 2 std"), HasSubstr("3 tests"),
-                                               HasSubstr("95 % confidence"))));
-  EXPECT_THAT(s.notes, Contains(testing::AllOf(HasSubstr("a: nothing speaks against normal"),
-                                               HasSubstr("hardly"))));
-  EXPECT_THAT(s.notes, Contains(HasSubstr("b: one test")));
-  EXPECT_THAT(s.notes, Contains(HasSubstr("c: whether")));
+  EXPECT_THAT(s.notes, Contains(states("a", "3 tests", "95 %")));
+  EXPECT_THAT(s.notes, Contains(testing::StartsWith("b: one test")));
+  EXPECT_THAT(s.notes, Contains(testing::StartsWith("c: ")));
 }
 
 TEST(pull_tests, say_where_friction_is_not_normal) {
   std::vector<PullTest> tests;
   for (const double mu : {0.50, 0.505, 0.51, 0.515, 0.52, 0.525, 0.53, 0.9})
     tests.push_back(even_pull(std::to_string(tests.size()), "a", mu));
-  EXPECT_THAT(summarise(tests, {}).notes, Contains(HasSubstr("does not look normal")));
+  EXPECT_THAT(summarise(tests, {}).notes, Contains(states("does not look normal")));
 }
 
 TEST(pull_tests, say_where_a_trace_is_odd) {
@@ -120,9 +118,8 @@ TEST(pull_tests, say_where_a_trace_is_odd) {
     uneven.normal_n.insert(uneven.normal_n.begin() + at, 1000.0);
   }
   const PullTestSummary s = summarise({stretching, uneven}, {});
-  EXPECT_THAT(s.notes, Contains(testing::AllOf(HasSubstr("test 1 a: breakaway 0.300 is below"),
-                                               HasSubstr("slip_m"))));
-  EXPECT_THAT(s.notes, Contains(HasSubstr("test 2 a: the pull was uneven")));
+  EXPECT_THAT(s.notes, Contains(states("test 1 a", "0.300", "slip_m")));
+  EXPECT_THAT(s.notes, Contains(states("test 2 a", "uneven")));
 }
 
 TEST(pull_tests, tell_the_problems_of_all_together) {

@@ -59,7 +59,6 @@ TEST(asce7_16, floor_is_marked_as_recalled) {
   const Prescription below = asce7_16_displacement(1.0, 1.0);  // 5 x 0.6^2 ft = 21.6 in
   EXPECT_DOUBLE_EQ(below.value_m, 24.0 * inch_m);
   EXPECT_EQ(below.provenance, Provenance::recalled);
-  EXPECT_THAT(below.basis, HasSubstr("verify against the standard"));
 }
 
 // Without the clamp 60 (0 - 0.4)^2 would be 9.6 in.
@@ -73,7 +72,6 @@ TEST(seaoc_pv1_2012, low_categories_have_six_inches_whatever_the_sds) {
     const Prescription prescription = seaoc_pv1_2012_displacement(1.5, category);
     EXPECT_DOUBLE_EQ(prescription.value_m, 6.0 * inch_m);
     EXPECT_EQ(prescription.provenance, Provenance::recalled);
-    EXPECT_THAT(prescription.basis, HasSubstr("verify against the standard"));
   }
 }
 
