@@ -35,7 +35,8 @@ struct TwoPartFit {
 
 /// Maximum likelihood of the first part, least squares of the second with log_std over n - 2.
 /// size_status: maximum_likelihood, one_level (all that slip have one intensity), no_trend (the
-/// slope is not above 0) or failed (fewer than three slip, or all of them on one line).
+/// slope is not above 0) or failed (fewer than three slip, or all of them on one line, but for
+/// rounding).
 TwoPartFit fit_two_part(const std::vector<SlipSums>& rows);
 
 }  // namespace glissade

@@ -41,8 +41,9 @@ FitSummary fit_weighted_stripes(const std::vector<WeightedStripe>& rows);
 
 /// Lognormal maximum likelihood with ln[Phi(z_high) - Phi(z_low)] of each bracket. `independent`:
 /// each row is a record of its own and without a weight, and intervals are those of the profile
-/// likelihood. All above: lower_bound. All not above: upper_bound. Failed, saying why: one
-/// intensity is in every bracket, so that log_std would be 0.
+/// likelihood. All above: lower_bound. All not above: upper_bound. All exact and equal:
+/// one_capacity, the median. Else one_level, where one intensity is in every bracket, so that
+/// log_std would be 0.
 FitSummary fit_brackets(const std::vector<CapacityBracket>& rows, bool independent);
 
 /// A displacement's fragility by a cloud: the intensity at which half exceed it.
@@ -51,7 +52,9 @@ struct CloudMedian {
   Interval p50_interval;
 };
 
-/// Intervals are NaN where fewer than two records have weight.
+/// Intervals are over records (theory.md, 6.9): those of the size of slip by the jackknife, with
+/// Student's t of the records that slip less 2; of any slip by the profile likelihood. They are NaN
+/// where fewer than two records have weight, or one record decides the part.
 struct CloudSummary {
   TwoPartFit fit;
   Interval any_median_interval, any_log_std_interval;

@@ -257,8 +257,12 @@ FitSummary fit_brackets(const std::vector<CapacityBracket>& all, bool independen
   if (std::isinf(data.lowest_high)) return bound_of(data.rows, false);
   if (data.highest_low == 0) return bound_of(data.rows, true);
   if (data.highest_low <= data.lowest_high) {
-    summary.status = FitStatus::one_level;
-    summary.note = "one intensity is in every bracket: log_std cannot be determined";
+    const bool exact = std::ranges::all_of(
+        data.rows, [](const CapacityBracket& row) { return row.low == row.high; });
+    summary.status = exact ? FitStatus::one_capacity : FitStatus::one_level;
+    if (exact) summary.curve.median = data.rows.front().low;
+    summary.note = exact ? "one capacity: log_std cannot be determined"
+                         : "one intensity is in every bracket: log_std cannot be determined";
     return summary;
   }
   const auto objective = [&](const ProbitLine& line) { return data.likelihood(line); };

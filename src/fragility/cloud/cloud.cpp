@@ -1,32 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <boost/math/distributions/chi_squared.hpp>
+#include <boost/math/distributions/students_t.hpp>
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <functional>
+#include <map>
 
 #include "by_record/clusters.hpp"
 #include "by_record/sandwich.hpp"
+#include "cloud/cloud_variance.hpp"
 #include "glissade/core/normal.hpp"
 #include "glissade/fragility/weighted_fit.hpp"
 #include "lognormal/point_fit.hpp"
+#include "lognormal/profile.hpp"
 
 namespace glissade {
 namespace {
 
 using namespace fragility;
 
-/// (b0, b1) of any slip with y = ln x; intercept, slope and log_std of its size.
-using Parameters = Eigen::Matrix<double, 5, 1>;
 using Quantity = std::function<double(const TwoPartFit&)>;
 
-Parameters parameters_of(const TwoPartFit& fit) {
-  Parameters p;
-  const ProbitLine any =
-      fit.any_status == FitStatus::upper_bound ? ProbitLine(0, 1) : to_line(fit.any, 0.0);
-  p << any[0], any[1], fit.intercept, fit.slope, fit.log_std;
-  return p;
-}
-
-TwoPartFit fit_of(const Parameters& p, const TwoPartFit& like) {
+TwoPartFit fit_of(const CloudParameters& p, const TwoPartFit& like) {
   TwoPartFit fit = like;
   fit.any = to_curve({p[0], p[1]}, 0.0);
   fit.intercept = p[2];
@@ -35,58 +30,24 @@ TwoPartFit fit_of(const Parameters& p, const TwoPartFit& like) {
   return fit;
 }
 
-/// Scores by record, and the information, of the two parts; they share no parameter.
-class CloudScores {
- public:
-  CloudScores(const std::vector<CloudPoint>& points, const Clusters& clusters,
-              const TwoPartFit& fit)
-      : fit_(fit), p_(parameters_of(fit)), scores_(Eigen::MatrixXd::Zero(clusters.count(), 5)) {
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      if (clusters.has(i)) add(points[i], clusters.of(i));
-    }
-    if (fit.any_status == FitStatus::upper_bound) information_.topLeftCorner<2, 2>().setIdentity();
-  }
-  Eigen::MatrixXd covariance() const { return cluster_sandwich(scores_, information_); }
-
- private:
-  void add(const CloudPoint& point, Eigen::Index record) {
-    const double y = std::log(point.intensity), w = point.weight;
-    const Eigen::Vector2d x{1, y};
-    if (fit_.any_status != FitStatus::upper_bound) {
-      const LogShares shares = log_shares(Link::probit, p_[0] + p_[1] * y);
-      const bool slips = point.displacement > 0;
-      const LogShares::Part& part = slips ? shares.above : shares.below;
-      scores_.row(record).head<2>() += w * (slips ? part.hazard : -part.hazard) * x.transpose();
-      information_.topLeftCorner<2, 2>() += w * part.curvature * x * x.transpose();
-    }
-    if (point.displacement == 0) return;
-    const double s = p_[4], r = std::log(point.displacement) - p_[2] - p_[3] * y;
-    scores_.row(record).segment<2>(2) += w * r / (s * s) * x.transpose();
-    scores_(record, 4) += w * (r * r / (s * s) - 1) / s;
-    information_.block<2, 2>(2, 2) += w / (s * s) * x * x.transpose();
-    information_(4, 4) += 2 * w / (s * s);
-  }
-
-  const TwoPartFit& fit_;
-  Parameters p_;
-  Eigen::MatrixXd scores_;
-  Eigen::Matrix<double, 5, 5> information_ = Eigen::Matrix<double, 5, 5>::Zero();
-};
-
-/// By the delta method, with central differences.
-Interval interval_of(const Quantity& quantity, const TwoPartFit& fit,
-                     const Eigen::MatrixXd& covariance, double effective) {
-  const Parameters p = parameters_of(fit);
-  Parameters gradient;
+/// By the delta method, with central differences. None where the variance is not known.
+Interval interval_of(const Quantity& quantity, const TwoPartFit& fit, const CloudVariance& errors) {
+  const CloudParameters p = parameters_of(fit);
+  double variance = 0.0;
+  CloudParameters gradient;
   for (Eigen::Index i = 0; i < p.size(); ++i) {
     const double step = 1e-5 * std::max(1.0, std::abs(p[i]));
-    Parameters up = p, down = p;
+    CloudParameters up = p, down = p;
     up[i] += step;
     down[i] -= step;
     gradient[i] = (quantity(fit_of(up, fit)) - quantity(fit_of(down, fit))) / (2 * step);
+    for (Eigen::Index j = 0; j <= i; ++j) {  // what it does not depend on may have no variance
+      const double product = gradient[i] * gradient[j];
+      if (product != 0) variance += (i == j ? 1 : 2) * product * errors.covariance(i, j);
+    }
   }
-  return t_interval(quantity(fit), std::sqrt(std::max(0.0, gradient.dot(covariance * gradient))),
-                    effective);
+  if (!std::isfinite(variance)) return {};
+  return t_interval(quantity(fit), std::sqrt(std::max(0.0, variance)), errors.freedom + 1);
 }
 
 Interval exponentials(const Interval& logs) { return {std::exp(logs.low), std::exp(logs.high)}; }
@@ -126,18 +87,54 @@ void check(const std::vector<CloudPoint>& points, const std::vector<double>& thr
 }
 
 /// With weights that sum to as many as they are worth, so that log_std is over n - 2.
-std::vector<SlipSums> sums_of(const std::vector<CloudPoint>& points,
-                              const std::vector<double>& weights) {
+std::vector<CloudPoint> scaled(std::vector<CloudPoint> points, const std::vector<double>& weights) {
   const Eigen::Map<const Eigen::VectorXd> w(weights.data(),
                                             static_cast<Eigen::Index>(weights.size()));
   const double scale = effective_number(w) / w.sum();
+  for (CloudPoint& point : points) point.weight *= scale;
+  return points;
+}
+
+std::vector<SlipSums> sums_of(const std::vector<CloudPoint>& points) {
   std::vector<SlipSums> rows;
   for (const CloudPoint& point : points) {
     if (point.weight == 0) continue;
     rows.push_back({.intensity = point.intensity});
-    rows.back().add(point.displacement, scale * point.weight);
+    rows.back().add(point.displacement, point.weight);
   }
   return rows;
+}
+
+/// Of the profile likelihood of any slip: the rows count for less where records share their errors,
+/// and Student's t takes the place of the normal distribution.
+ProfileIntervals any_intervals(const std::vector<CloudPoint>& points, const TwoPartFit& fit,
+                               const CloudVariance& errors) {
+  std::map<double, Stripe> at;
+  for (const CloudPoint& point : points) {
+    if (point.weight == 0) continue;
+    Stripe& stripe = at[point.intensity];
+    stripe.intensity = point.intensity;
+    stripe.trials += point.weight;
+    if (point.displacement > 0) stripe.exceedances += point.weight;
+  }
+  std::vector<Stripe> stripes;
+  for (const auto& [intensity, stripe] : at) stripes.push_back(stripe);
+  const StripeData data = to_data(stripes);
+  const ProbitLine line = to_line(fit.any, data.center);
+  const double t = quantile(boost::math::students_t(std::max(1.0, errors.any_freedom)), 0.975);
+  const auto with = [&](double design_effect) {
+    const double scale = std::pow(normal_quantile(0.975) / t, 2) / std::max(1.0, design_effect);
+    return profile_intervals(
+        [&](const ProbitLine& other) { return scale * stripe_likelihood(data, other).value; }, line,
+        data.center);
+  };
+  return {with(errors.median_design_effect).median, with(errors.log_std_design_effect).log_std};
+}
+
+Interval chi_square_interval(double log_std, double freedom) {
+  const boost::math::chi_squared of(freedom);
+  return {log_std * std::sqrt(freedom / quantile(of, 0.975)),
+          log_std * std::sqrt(freedom / quantile(of, 0.025))};
 }
 
 }  // namespace
@@ -155,24 +152,22 @@ CloudSummary fit_cloud(const std::vector<CloudPoint>& points,
     weights.push_back(point.weight);
   }
   const Clusters clusters(records, weights);
-  summary.fit = fit_two_part(sums_of(points, weights));
+  summary.fit = fit_two_part(sums_of(scaled(points, weights)));
   summary.effective_records = clusters.effective();
   if (!summary.fit.has_curve()) return summary;
   for (CloudMedian& row : summary.medians) row.p50 = std::exp(log_p50(summary.fit, row.threshold));
   if (clusters.count() < 2) return summary;
-  const Eigen::MatrixXd covariance = CloudScores(points, clusters, summary.fit).covariance();
+  const CloudVariance errors = cloud_variance(scaled(points, weights), clusters, summary.fit);
   const auto interval = [&](const Quantity& quantity) {
-    return interval_of(quantity, summary.fit, covariance, summary.effective_records);
+    return interval_of(quantity, summary.fit, errors);
   };
   summary.intercept_interval = interval([](const TwoPartFit& f) { return f.intercept; });
   summary.slope_interval = interval([](const TwoPartFit& f) { return f.slope; });
-  summary.log_std_interval =
-      exponentials(interval([](const TwoPartFit& f) { return std::log(f.log_std); }));
+  summary.log_std_interval = chi_square_interval(summary.fit.log_std, errors.log_std_freedom);
   if (summary.fit.any_status == FitStatus::maximum_likelihood) {
-    summary.any_median_interval =
-        exponentials(interval([](const TwoPartFit& f) { return std::log(f.any.median); }));
-    summary.any_log_std_interval =
-        exponentials(interval([](const TwoPartFit& f) { return std::log(f.any.log_std); }));
+    const ProfileIntervals any = any_intervals(scaled(points, weights), summary.fit, errors);
+    summary.any_median_interval = any.median;
+    summary.any_log_std_interval = any.log_std;
   }
   // Separated records do not show how much they differ: neither part of such a median has one.
   if (summary.fit.any_status == FitStatus::jeffreys_penalised) return summary;

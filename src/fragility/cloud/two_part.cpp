@@ -44,7 +44,9 @@ void fit_size(const std::vector<SlipSums>& rows, TwoPartFit& fit) {
   if (!(xx > 1e-18 * n)) return;
   const double slope = xy / xx, variance = (yy - slope * xy) / (n - 2);
   fit.size_status = FitStatus::failed;
-  if (!(variance > 1e-24)) return;
+  // The sums cancel: below this share of their terms the scatter is rounding.
+  const double rounding = 1e-13 * (yy + n * y_mean * y_mean) / (n - 2);
+  if (!(variance > rounding)) return;
   fit.size_status = slope > 0 ? FitStatus::maximum_likelihood : FitStatus::no_trend;
   fit.slope = slope;
   fit.intercept = y_mean - slope * x_mean;

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Dense>
+#include <vector>
+
+#include "by_record/clusters.hpp"
+#include "glissade/fragility/weighted_fit.hpp"
+
+namespace glissade::fragility {
+
+/// (b0, b1) of any slip with y = ln x; intercept, slope and log_std of its size.
+using CloudParameters = Eigen::Matrix<double, 5, 1>;
+CloudParameters parameters_of(const TwoPartFit& fit);
+
+/// How uncertain the two parts of a cloud are, with records as the unit (theory.md, 6.9).
+struct CloudVariance {
+  /// The jackknife over records, sum d d^T of what leaving out each one changes (Bell & McCaffrey
+  /// 2002, Survey Methodology 28(2):169-181); of log_std that of its degrees of freedom. NaN where
+  /// one record decides a part.
+  Eigen::Matrix<double, 5, 5> covariance;
+  double freedom;          ///< records that slip less 2, by their weights; at least 1
+  double log_std_freedom;  ///< of the chi-square distribution of log_std^2
+  double any_freedom;      ///< records less 2
+  /// Variance between records over that of independent rows, of ln median and ln log_std of any
+  /// slip.
+  double median_design_effect = 1.0, log_std_design_effect = 1.0;
+};
+
+/// @param points with weights that sum to as many as they are worth
+CloudVariance cloud_variance(const std::vector<CloudPoint>& points, const Clusters& clusters,
+                             const TwoPartFit& fit);
+
+}  // namespace glissade::fragility
