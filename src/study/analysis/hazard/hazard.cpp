@@ -80,9 +80,7 @@ struct Rates {
     const bool infinite = std::ranges::any_of(by_record, [](double r) { return std::isinf(r); });
     const bool unseen = std::ranges::all_of(by_record, [&](double r) { return r <= highest; });
     if (infinite || unseen) return {};
-    return bootstrap_interval(
-        by_record.size(),
-        [&](const std::vector<double>& weights) { return mean_of(by_record, weights); }, options);
+    return positive_mean_interval(by_record, options);
   }
 
   ThresholdRate of_threshold(const ThresholdFragility& fragility, std::size_t threshold) const {
@@ -148,32 +146,39 @@ struct Rates {
   }
 };
 
+/// Ends of the intervals of rates, falling with displacement; the rate itself where there is none.
+struct RateBand {
+  std::vector<double> low, high;
+
+  explicit RateBand(const std::vector<DisplacementRate>& curve) {
+    for (const DisplacementRate& row : curve) {
+      const bool none = std::isnan(row.rate_interval.low);
+      low.push_back(none ? row.annual_rate : row.rate_interval.low);
+      high.push_back(none ? row.annual_rate : row.rate_interval.high);
+    }
+    for (std::size_t i = 1; i < low.size(); ++i) low[i] = std::min(low[i], low[i - 1]);
+    for (std::size_t i = high.size() - 1; i > 0; --i) high[i - 1] = std::max(high[i - 1], high[i]);
+  }
+};
+
 void add_curve(const Rates& rates, HazardRun& run) {
   const std::vector<double> displacements = rates.displacements_m();
   const std::vector<std::vector<double>> by_record = rates.rates_of(displacements);
-  const std::vector<double> once(rates.records(), 1.0);
-  const auto weighted = [&](const std::vector<double>& weights) {
-    std::vector<double> all;
-    for (const std::vector<double>& of_displacement : by_record)
-      all.push_back(mean_of(of_displacement, weights));
-    return all;
-  };
-  const std::vector<double> all = weighted(once);
-  for (std::size_t d = 0; d < displacements.size(); ++d)
+  std::vector<double> all;
+  for (std::size_t d = 0; d < displacements.size(); ++d) {
+    all.push_back(mean_of(by_record[d], std::vector<double>(rates.records(), 1.0)));
     run.curve.push_back({displacements[d], all[d], rates.interval(by_record[d])});
+  }
+  const RateBand band(run.curve);
   for (const double target : rates.hazard.target_rates_per_year) {
     TargetDisplacement row{target,
                            displacement_at(target, displacements, all),
                            {},
                            rates.hazard.curve.intensity_at(target)};
-    if (std::isfinite(row.displacement_m) && row.displacement_m > displacements.front()) {
-      row.displacement_interval = bootstrap_interval(
-          rates.records(),
-          [&](const std::vector<double>& weights) {
-            return displacement_at(target, displacements, weighted(weights));
-          },
-          rates.options);
-    }
+    if (std::isfinite(row.displacement_m) && row.displacement_m > displacements.front() &&
+        rates.records() > 1)
+      row.displacement_interval = {displacement_at(target, displacements, band.low),
+                                   displacement_at(target, displacements, band.high)};
     run.targets.push_back(row);
   }
 }
