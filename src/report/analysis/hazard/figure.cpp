@@ -139,7 +139,7 @@ Figure life_figure(const Results& results) {
       "design_life", "Slip over " + life_text(hazard),
       counts_of(results) + "; " + run_name(results, results.runs[shown]) + "; hazard curve " +
           curve_name(hazard),
-      "The array is never put back. Accumulated: residual displacements add up as vectors. "
+      "The array is not moved back. Accumulated: residual displacements add up as vectors. "
       "Lines end where shaking above the highest level decides, or at one life in a thousand. "
       "Numbers: tables/design_life_distribution.csv."};
   figure.panels.push_back(std::move(panel));

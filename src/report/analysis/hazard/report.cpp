@@ -103,7 +103,7 @@ std::vector<std::string> life_sentences(const Results& results, const HazardRun&
   all.push_back(
       far.p95_m == 0.0
           ? "The 95th percentile of the slip over " + life_text(hazard) + " is none."
-          : fmt::format("Slip over {}, the array never put back: median {}, 95th percentile {} at "
+          : fmt::format("Slip over {}, the array not moved back: median {}, 95th percentile {} at "
                         "the end; the largest peak of one earthquake: {} and {}; the farthest from "
                         "its first place at any time: {} and {}.",
                         life_text(hazard), length_or_none(sum.median_m), length_or_none(sum.p95_m),

@@ -153,7 +153,7 @@ Table hazard_standards_table(const Results& results) {
 Table life_distribution_table(const Results& results) {
   Table table{"design_life_distribution",
               "Slip over " + life_text(*results.hazard) +
-                  ", the array never put back: what it stays below in a part of the design lives." +
+                  ", the array not moved back: what it stays below in a part of the design lives." +
                   by_curve(results) + in_plan(results),
               {text_column("run", "Run"),
                text_column("quantity", "Slip"),
@@ -169,7 +169,7 @@ Table life_distribution_table(const Results& results) {
 Table shown_design_life_table(const Results& results) {
   const HazardResults& hazard = *results.hazard;
   Table table{"design_life",
-              "Slip over " + life_text(hazard) + ", the array never put back: 95th percentiles." +
+              "Slip over " + life_text(hazard) + ", the array not moved back: 95th percentiles." +
                   by_curve(results) + in_plan(results),
               {text_column("run", "Run")},
               {}};
@@ -198,7 +198,7 @@ Table shown_design_life_table(const Results& results) {
 
 Table design_life_table(const Results& results) {
   Table table{"design_life",
-              "Slip over " + life_text(*results.hazard) + ", the array never put back." +
+              "Slip over " + life_text(*results.hazard) + ", the array not moved back." +
                   by_curve(results) + in_plan(results),
               {text_column("run", "Run"),
                text_column("quantity", "Slip"),

@@ -145,7 +145,7 @@ Figure verdict_figure(const Results& results) {
           "probability, given the design earthquake. Bars: 95 % intervals over records; one that "
           "ends at its point has no upper end: the records "
           "are too few for one. Dotted: "
-          "what the other standard prescribes over it. Ratios below {:g} stand there; a line ends "
+          "what the other standard prescribes over it. Ratios below {:g} are drawn at it; a line ends "
           "where the array slides freely. All frictions and slopes, with intervals: "
           "tables/verdict.csv.",
           accepted, least_ratio)};
