@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "glissade/core/contract.hpp"
+#include "glissade/core/jackknife.hpp"
 #include "glissade/core/not_finite.hpp"
 
 namespace glissade {
@@ -199,16 +200,15 @@ class Estimator {
 
 /// The variances of the shares by leaving out one part after the other (Efron & Stein 1981).
 std::vector<double> jackknife(const CrossedResponse& response, const std::vector<Omitted>& parts) {
-  std::vector<std::vector<double>> without;
-  for (const Omitted& part : parts) without.push_back(Estimator(response, part).estimates().shares);
-  const double g = static_cast<double>(parts.size());
-  std::vector<double> variances;
-  for (std::size_t i = 0; i < without.front().size(); ++i) {
-    double mean = 0.0, sum = 0.0;
-    for (const auto& shares : without) mean += shares[i] / g;
-    for (const auto& shares : without) sum += (shares[i] - mean) * (shares[i] - mean);
-    variances.push_back(sum * (g - 1.0) / g);
+  std::vector<std::vector<double>> without;  // by share, then by part
+  for (const Omitted& part : parts) {
+    const std::vector<double> shares = Estimator(response, part).estimates().shares;
+    without.resize(shares.size());
+    for (std::size_t i = 0; i < shares.size(); ++i) without[i].push_back(shares[i]);
   }
+  std::vector<double> variances;
+  for (const std::vector<double>& of_share : without)
+    variances.push_back(jackknife_variance(of_share));
   return variances;
 }
 

@@ -92,6 +92,7 @@ TEST_F(Mpi, a_verdict_on_neighbouring_arrays_has_the_same_bytes_on_any_number_of
   std::string text =
       replaced(small_study(), "levels = [0.5, 1.0, 2.0]", "levels = [0.5, 1.0, 1.5]");
   text = replaced(text, "[sampling]", "neighbour_mu = { mean = 0.3, std = 0.03 }\n[sampling]");
+  text = replaced(text, "{ distribution = \"uniform\", min = 0.2, max = 1.0 }", "0.5");
   const std::string study = folder_.write("verdict.toml", text + "[verdict]\n");
   const std::string alone = results_on(0, study);
   ASSERT_FALSE(alone.empty());

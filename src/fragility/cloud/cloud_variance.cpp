@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "by_record/sandwich.hpp"
+#include "glissade/core/jackknife.hpp"
 #include "glissade/core/normal.hpp"
 #include "glissade/core/not_finite.hpp"
 #include "lognormal/likelihood.hpp"
@@ -103,7 +104,6 @@ class CloudRecords {
   /// Variance of ln log_std by the jackknife; NaN where too few rows are left.
   double log_std_variance() const {
     std::vector<double> logs;
-    double mean = 0, sum = 0;
     for (const RecordPart& part : parts_) {
       if (part.slips == 0) continue;
       const double squares = squares_ - part.squares - part.size.score.dot(part.size.change(size_));
@@ -111,10 +111,7 @@ class CloudRecords {
       if (!(rows > 0 && squares > 0)) return nan;
       logs.push_back(0.5 * std::log(squares / rows));
     }
-    const auto n = static_cast<double>(logs.size());
-    for (const double log : logs) mean += log / n;
-    for (const double log : logs) sum += (log - mean) * (log - mean);
-    return sum * (n - 1) / n;
+    return jackknife_variance(logs);
   }
 
   /// As many as the jackknife's variance is worth, 1 / (2 v) (Satterthwaite 1946), at most those of

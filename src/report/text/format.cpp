@@ -107,10 +107,12 @@ std::string format_interval(const Interval& interval) {
 }
 
 std::string format_length_interval(const Interval& interval_m) {
-  const bool si = LengthUnits::first() == UnitSystem::si;
-  const std::string text =
-      format_interval({in_first_unit(interval_m.low), in_first_unit(interval_m.high)});
-  return std::isnan(interval_m.low + interval_m.high) ? text : text + (si ? " m" : " in");
+  const Interval interval{in_first_unit(interval_m.low), in_first_unit(interval_m.high)};
+  const std::string unit = LengthUnits::first() == UnitSystem::si ? " m" : " in";
+  if (std::isnan(interval.low + interval.high)) return format_interval(interval);
+  if (std::isfinite(interval.low) && std::isinf(interval.high))
+    return format_number(interval.low) + unit + " or more";
+  return format_interval(interval) + unit;
 }
 
 std::string standard_name(Standard standard) {

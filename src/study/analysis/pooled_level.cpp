@@ -128,16 +128,15 @@ Interval PooledLevel::wide_share_interval(double slip_m) const {
 }
 
 Interval PooledLevel::exceeded_interval(double probability) const {
-  const auto first_where = [&](auto is_less_probable) {
-    const auto found = std::ranges::partition_point(
-        sorted_, [&](double slip_m) { return !is_less_probable(wide_share_interval(slip_m)); });
-    return found == sorted_.end() ? infinity : *found;
-  };
-  return {
-      std::min(first_where([&](const Interval& of_share) { return of_share.low <= probability; }),
-               quantile_m(1.0 - probability)),
-      std::max(first_where([&](const Interval& of_share) { return of_share.high <= probability; }),
-               quantile_m(1.0 - probability))};
+  const double quantile = quantile_m(1.0 - probability);
+  const auto low = std::ranges::partition_point(
+      sorted_, [&](double slip_m) { return wide_share_interval(slip_m).low > probability; });
+  // From above: the upper end of a share's interval need not fall everywhere as slip grows.
+  auto high = sorted_.end();
+  while (high != sorted_.begin() && wide_share_interval(*std::prev(high)).high <= probability)
+    --high;
+  return {low == sorted_.end() ? quantile : std::min(*low, quantile),
+          high == sorted_.end() ? infinity : std::max(*high, quantile)};
 }
 
 PooledLevel pooled_at(const HistoryTable& histories, CaseSlice cases, std::size_t level,

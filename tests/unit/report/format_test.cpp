@@ -60,6 +60,8 @@ TEST(LengthUnits, customary_puts_inches_first_while_it_lives) {
     EXPECT_EQ(format_length(0.3), "11.8 in (0.300 m)");
     EXPECT_EQ(short_length(0.3), "11.8 in");
     EXPECT_EQ(format_length_interval({0.254, 0.508}), "10.0 to 20.0 in");
+    EXPECT_EQ(format_length_interval({0.254, std::numeric_limits<double>::infinity()}),
+              "10.0 in or more");
     const Table table{
         "t", "", {{"slip", "m", "Slip, m (in) [95 %, m]", ColumnKind::length, true}}, {}};
     Table filled = table;

@@ -136,10 +136,12 @@ TEST(verdict_report, says_on_which_buildings_and_counts_those_that_yield_apart) 
 TEST(verdict_report, draws_intervals_and_what_the_other_standard_prescribes) {
   Results r = made_up();
   r.verdict->rows[0].displacement_interval.front() = {0.6, 6.0};
-  VerdictRow other = r.verdict->rows[0];
-  other.standard = Standard::seaoc_pv1_2012;
-  other.prescribed.value_m = 0.06;  // a tenth of the other standard's
-  r.verdict->rows.insert(r.verdict->rows.begin(), other);
+  std::vector<VerdictRow> others(r.verdict->rows.begin(), r.verdict->rows.begin() + 2);
+  for (VerdictRow& other : others) {
+    other.standard = Standard::seaoc_pv1_2012;
+    other.prescribed.value_m = 0.06;  // a tenth of the other standard's
+  }
+  r.verdict->rows.insert(r.verdict->rows.begin(), others.begin(), others.end());
   const Panel panel = verdict_figure(r).panels.at(0);
   EXPECT_NEAR(panel.series.at(0).y.at(0), -1.0, 1e-12);
   const DataSeries& bars = panel.series.at(1);

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "analysis/pooled_level.hpp"
 #include "glissade/study/results.hpp"
 
 namespace glissade {
@@ -107,6 +108,30 @@ TEST(verdict, of_nothing_exceeded_is_no_more_certain_than_the_records_are_many) 
   EXPECT_NEAR(row.dbe.interval.high, 1.0 - std::pow(0.025, 0.1), 1e-12);  // 31 % of ten records
   EXPECT_EQ(judgement(verdict, row), Judgement::conservative);            // 0.55 m against 0.1 m
   EXPECT_FALSE(is_certain(verdict, row));
+}
+
+TEST(verdict, has_no_upper_end_of_what_few_records_do_not_bound) {
+  const TwoFrictions made;  // ten records
+  const VerdictResults verdict = VerdictAnalysis::find(made.config, made.results);
+  for (const Interval& interval : verdict.rows[0].displacement_interval) {
+    EXPECT_TRUE(std::isfinite(interval.low));
+    EXPECT_TRUE(std::isinf(interval.high));
+  }
+}
+
+// A slip of 1 to 72 m on each of as many records. None above is 1 - 0.025^(1/72) = 5.0 % at most.
+TEST(pooled_level, bounds_the_slip_that_a_part_exceeds_by_the_interval_of_that_part) {
+  std::vector<std::vector<double>> slips;
+  for (int record = 1; record <= 72; ++record) slips.push_back({1.0 * record});
+  const PooledLevel pooled(slips);
+  const Interval of_10 = pooled.exceeded_interval(0.10);
+  EXPECT_LT(of_10.high, 72.0);
+  EXPECT_LE(pooled.wide_share_interval(of_10.high).high, 0.10);
+  EXPECT_GT(pooled.wide_share_interval(of_10.high - 1.0).high, 0.10);
+  EXPECT_LE(pooled.wide_share_interval(of_10.low).low, 0.10);
+  EXPECT_GT(pooled.wide_share_interval(of_10.low - 1.0).low, 0.10);
+  EXPECT_EQ(pooled.exceeded_interval(0.05).high, 72.0);
+  EXPECT_TRUE(std::isinf(pooled.exceeded_interval(0.01).high));
 }
 
 TEST(verdict, of_an_array_that_slides_freely_is_exceeded) {

@@ -100,10 +100,17 @@ std::vector<DataSeries> other_standards(const VerdictResults& verdict, Standard 
       line.x.push_back(abscissa.of(row));
       line.y.push_back(height(row.prescribed.value_m, *same));
     }
-    lines.push_back(std::move(line));
+    if (line.x.size() > 1) lines.push_back(std::move(line));
     break;  // of all arrays the same
   }
   return lines;
+}
+
+/// Enough records to bound what 10 % exceed.
+bool has_upper_ends(const VerdictResults& verdict) {
+  return std::ranges::all_of(verdict.rows, [](const VerdictRow& row) {
+    return !std::isinf(row.displacement_interval.front().high);
+  });
 }
 
 Axis ratio_axis(double highest) {
@@ -138,14 +145,17 @@ Figure verdict_figure(const Results& results) {
       fmt::format("Displacement that {:g} % exceed at DBE, over that of {}", accepted,
                   standard_name(standard)),
       results.suites.front().name + ", " + counts_of(results) +
-          "; the least favourable building period; at the lines: friction; bars: 95 % over records",
+          "; the least favourable building period; at the lines: friction; bars: 95 % over "
+          "records" +
+          (has_upper_ends(verdict) ? "" : ", lower ends (upper ends: none)"),
       fmt::format(
           "At the lines: coefficient of friction. Above 1 the prescribed displacement is exceeded "
           "with more than {:g} % "
           "probability, given the design earthquake. Bars: 95 % intervals over records; one that "
           "ends at its point has no upper end: the records "
           "are too few for one. Dotted: "
-          "what the other standard prescribes over it. Ratios below {:g} are drawn at it; a line ends "
+          "what the other standard prescribes over it. Ratios below {:g} are drawn at it; a line "
+          "ends "
           "where the array slides freely. All frictions and slopes, with intervals: "
           "tables/verdict.csv.",
           accepted, least_ratio)};

@@ -164,9 +164,10 @@ struct RateBand {
 void add_curve(const Rates& rates, HazardRun& run) {
   const std::vector<double> displacements = rates.displacements_m();
   const std::vector<std::vector<double>> by_record = rates.rates_of(displacements);
+  const std::vector<double> once(rates.records(), 1.0);
   std::vector<double> all;
   for (std::size_t d = 0; d < displacements.size(); ++d) {
-    all.push_back(mean_of(by_record[d], std::vector<double>(rates.records(), 1.0)));
+    all.push_back(mean_of(by_record[d], once));
     run.curve.push_back({displacements[d], all[d], rates.interval(by_record[d])});
   }
   const RateBand band(run.curve);

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "analysis/pooled_level.hpp"
+#include "glissade/core/jackknife.hpp"
 #include "glissade/core/not_finite.hpp"
 #include "glissade/fragility/bootstrap.hpp"
 #include "glissade/fragility/share.hpp"
@@ -88,20 +89,14 @@ SampleErrors sample_errors(const Results& results, const FrictionPair& pair, std
   const std::size_t groups = std::min(most_groups, pair.samples);
   if (groups < 2) return {nan, nan};
   const std::vector<double> once(results.records.size(), 1.0);
-  std::vector<SampleErrors> without;
+  std::vector<double> same_motion, above_mean;
   for (std::size_t g = 0; g < groups; ++g) {
     const PairAtLevel at(results, pair, level,
                          {g * pair.samples / groups, (g + 1) * pair.samples / groups});
-    without.push_back({at.same_motion(once), at.above_mean(once)});
+    same_motion.push_back(at.same_motion(once));
+    above_mean.push_back(at.above_mean(once));
   }
-  const auto error_of = [&](double SampleErrors::*of) {
-    const double g = static_cast<double>(groups);
-    double mean = 0.0, squares = 0.0;
-    for (const SampleErrors& one : without) mean += one.*of / g;
-    for (const SampleErrors& one : without) squares += (one.*of - mean) * (one.*of - mean);
-    return std::sqrt(squares * (g - 1.0) / g);
-  };
-  return {error_of(&SampleErrors::same_motion), error_of(&SampleErrors::above_mean)};
+  return {std::sqrt(jackknife_variance(same_motion)), std::sqrt(jackknife_variance(above_mean))};
 }
 
 /// An interval over records with the error of the samples added, which all records share.
