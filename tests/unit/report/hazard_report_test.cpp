@@ -64,6 +64,16 @@ TEST(hazard_report, compares_what_is_prescribed_with_the_displacement_of_1_perce
                                                    format_length(target_m))));
 }
 
+TEST(hazard_report, draws_decades_of_rates_above_zero_only) {
+  Results r = made_up_hazard();
+  for (HazardRun& run : r.hazard->runs) run.targets.back().annual_rate = 0.0;  // log10: -inf
+  const Axis axis = figure_named(make_figures(r), "hazard").panels.at(0).y;
+  EXPECT_TRUE(std::isfinite(axis.low));
+  EXPECT_EQ(axis.ticks.size(), axis.high - axis.low + 1.0);
+  for (HazardRun& run : r.hazard->runs) run.curve.clear();
+  EXPECT_EQ(figure_named(make_figures(r), "hazard").panels.at(0).y.ticks.size(), 2u);
+}
+
 TEST(hazard_report, draws_the_distribution_over_the_design_life) {
   const Figure figure = figure_named(make_figures(made_up_hazard()), "design_life");
   ASSERT_EQ(figure.panels.size(), 1u);

@@ -55,21 +55,17 @@ double last_m(const Panel& panel) {
   return last;
 }
 
-/// Decades that hold the curves and the target rates.
+/// Decades that hold the curves and the rarest target rate.
 void scale_rates(Panel& panel, const HazardResults& hazard) {
-  double low =
-      height(hazard.runs.front().targets.empty() ? hazard.beyond_rate
-                                                 : hazard.runs.front().targets.back().annual_rate);
-  double high = low;
-  for (const DataSeries& series : panel.series) {
-    for (const std::vector<double>* values : {&series.y, &series.low, &series.high}) {
-      for (const double y : *values) {
-        if (!std::isfinite(y)) continue;
-        low = std::min(low, y);
-        high = std::max(high, y);
-      }
-    }
-  }
+  const std::vector<TargetDisplacement>& targets = hazard.runs.front().targets;
+  std::vector<double> heights{
+      height(targets.empty() ? hazard.beyond_rate : targets.back().annual_rate)};
+  for (const DataSeries& series : panel.series)
+    for (const std::vector<double>* values : {&series.y, &series.low, &series.high})
+      heights.insert(heights.end(), values->begin(), values->end());
+  std::erase_if(heights, [](double y) { return !std::isfinite(y); });
+  if (heights.empty()) heights = {0.0};  // no rate above zero
+  const auto [low, high] = std::ranges::minmax(heights);
   panel.y.low = std::floor(low);
   panel.y.high = std::max(std::ceil(high), panel.y.low + 1.0);
   for (double decade = panel.y.low; decade <= panel.y.high; ++decade)
