@@ -206,6 +206,9 @@ void check_chart(const Chart& chart, const Results& results) {
       "points", "chart's axes");
   for (const ChartPoint& point : chart.points)
     expect_fit(point.by_period.size() == chart.period_s.size(), "by_period", "chart's periods");
+  for (const ChartReading& reading : chart.readings)
+    expect_fit(reading.question.mu.has_value() != reading.question.displacement_m.has_value(),
+               "friction", "displacement_m of the readings");
 }
 
 }  // namespace

@@ -63,6 +63,9 @@ TEST(chart_results, that_do_not_fit_their_axes_are_refused) {
   EXPECT_EQ(refusal([](Chart& c) { c.slope_deg.pop_back(); }), "axes");
   EXPECT_EQ(refusal([](Chart& c) { c.mu.clear(); }), "axes");
   EXPECT_EQ(refusal([](Chart& c) { c.period_s.clear(); }), "axes");
+  // One of both is given, and the other is read.
+  EXPECT_EQ(refusal([](Chart& c) { c.readings[0].question.mu.reset(); }), "friction");
+  EXPECT_EQ(refusal([](Chart& c) { c.readings[0].question.displacement_m = 0.6; }), "friction");
 }
 
 }  // namespace
