@@ -20,8 +20,9 @@ class ByteWriter {
     bytes_.insert(bytes_.end(), first, first + sizeof(T));
     return *this;
   }
-  template <class T>
-  requires std::is_trivially_copyable_v<T> ByteWriter& put(const std::vector<T>& values) {
+  template <class T, class Allocator>
+  requires std::is_trivially_copyable_v<T> ByteWriter& put(
+      const std::vector<T, Allocator>& values) {
     put(values.size());
     const auto* first = reinterpret_cast<const char*>(values.data());
     bytes_.insert(bytes_.end(), first, first + values.size() * sizeof(T));
@@ -56,8 +57,8 @@ class ByteReader {
     copy(&value, sizeof(T));
     return *this;
   }
-  template <class T>
-  requires std::is_trivially_copyable_v<T> ByteReader& get(std::vector<T>& values) {
+  template <class T, class Allocator>
+  requires std::is_trivially_copyable_v<T> ByteReader& get(std::vector<T, Allocator>& values) {
     std::size_t count = 0;
     get(count);
     if (count > bytes_.size() / sizeof(T)) throw ShortMessage();

@@ -8,7 +8,7 @@
 namespace glissade {
 
 /// The version of the results file's layout; a reader refuses others.
-inline constexpr int results_format_version = 13;
+inline constexpr int results_format_version = 14;
 
 /// Writes an HDF5 file that holds all of `results` and nothing else: the same results give the same
 /// bytes. Put together in memory, then written to a temporary name beside `file` and renamed when

@@ -173,8 +173,10 @@ void read_earlier_units(const char* how, const fs::path& out, const RunIdentity&
 void check_study(const Plan& plan, const fs::path& out, bool overwrite) {
   fmt::print("{}", to_string(plan));
   fmt::print("time        roughly {:.0f} s on one core\n", std::ceil(plan.predicted_seconds()));
-  fmt::print("results     about {:.1f} MB in results.h5, and in the memory of the first rank\n",
-             bytes_of(plan.config, plan.records.size(), plan.cases.size()) / 1e6);
+  fmt::print(
+      "results     at most {:.1f} MB in results.h5; as much in the journals until then, and\n"
+      "            in the first rank's memory, or on the disk where memory is short\n",
+      bytes_of(plan.config, plan.records.size(), plan.cases.size()) / 1e6);
   std::fflush(stdout);
   check_run_folder(out, overwrite);
   check_room(out, plan);
@@ -244,7 +246,7 @@ void run_study(RunOptions options, const Communicator& world) {
       check_parts(parts, identity);
       stopped.lock = take_run_folder(out, plan, identity, options.overwrite, parts);
     }
-    done.emplace(plan);
+    done.emplace(plan, out);
     if (!options.resume.empty() || !parts.empty())
       read_earlier_units(parts.empty() ? "Resumed" : "Merged", out, identity, plan, *done);
   });

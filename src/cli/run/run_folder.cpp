@@ -63,8 +63,9 @@ void check_same_plan(const Plan& plan, const Communicator& world) {
 }
 
 void check_room(const fs::path& folder, const Plan& plan) {
-  // The journals hold what the results hold; and figures, tables, report.
-  const double needed = 2.0 * bytes_of(plan.config, plan.records.size(), plan.cases.size()) + 20e6;
+  // The journals and the pages of the first rank hold what the results hold; and figures, tables,
+  // report.
+  const double needed = 3.0 * bytes_of(plan.config, plan.records.size(), plan.cases.size()) + 20e6;
   std::error_code error;
   fs::path existing = fs::absolute(folder);
   while (!fs::exists(existing, error) && existing.has_relative_path())

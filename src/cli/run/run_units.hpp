@@ -13,7 +13,9 @@ namespace glissade::cli {
 /// What the ranks have computed, on root. It is put together as units come, and a rank does not
 /// hold those that it has journalled.
 struct RunHistories {
-  explicit RunHistories(const Plan& plan) : histories(plan), sampling(plan) {}
+  /// @param folder of the results: what does not fit into memory is in pages there
+  RunHistories(const Plan& plan, const std::filesystem::path& folder)
+      : histories(plan, folder), sampling(plan) {}
   void add(const UnitResult& unit) {
     histories.add(unit);
     sampling.add(unit);

@@ -92,35 +92,25 @@ void Hdf5Writer::attribute(const std::string& name, std::uint64_t value) const {
 }
 
 void Hdf5Writer::write(const std::string& name, const Label& label, const Dims& dims, hid_t in_file,
-                       hid_t in_memory, const void* data) const {
+                       hid_t in_memory, std::span<const std::byte> values) const {
   const Hdf5Handle space = make_space(dims);
-  file_.reserve(H5Tget_size(in_file) *
-                static_cast<std::size_t>(H5Sget_simple_extent_npoints(space)));
+  const DatasetShape shape{dims, H5Tget_size(in_file)};
+  const bool chunked = is_chunked(shape) && H5Tget_class(in_file) != H5T_STRING;
+  file_.reserve(chunked ? 0 : values.size());
   const Hdf5Handle creation = timeless(H5P_DATASET_CREATE);
+  if (chunked) set_chunks(creation, shape);
   const Hdf5Handle dataset(
       H5Dcreate2(group_, name.c_str(), in_file, space, H5P_DEFAULT, creation, H5P_DEFAULT),
       H5Dclose, "make the dataset " + name);
-  if (H5Sget_simple_extent_npoints(space) > 0) {
-    checked(H5Dwrite(dataset, in_memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, data),
+  if (chunked) {
+    write_chunks(dataset, shape, values, [&](std::size_t bytes) { file_.reserve(bytes); });
+  } else if (!values.empty()) {
+    checked(H5Dwrite(dataset, in_memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()),
             "write the dataset " + name);
   }
   write_text_attribute(dataset, "unit", label.unit);
   write_text_attribute(dataset, "description", label.description);
 }
-
-template <class T>
-void Hdf5Writer::array(const std::string& name, const Label& label, const Dims& dims,
-                       const std::vector<T>& values) const {
-  write(name, label, dims, file_type<T>(), memory_type<T>(), values.data());
-}
-template void Hdf5Writer::array(const std::string&, const Label&, const Dims&,
-                                const std::vector<double>&) const;
-template void Hdf5Writer::array(const std::string&, const Label&, const Dims&,
-                                const std::vector<std::uint64_t>&) const;
-template void Hdf5Writer::array(const std::string&, const Label&, const Dims&,
-                                const std::vector<std::int32_t>&) const;
-template void Hdf5Writer::array(const std::string&, const Label&, const Dims&,
-                                const std::vector<std::uint8_t>&) const;
 
 void Hdf5Writer::array(const std::string& name, const Label& label, const Dims& dims,
                        const std::vector<std::string>& values) const {
@@ -130,7 +120,7 @@ void Hdf5Writer::array(const std::string& name, const Label& label, const Dims& 
   for (const std::string& value : values)
     packed += value + std::string(longest - value.size(), '\0');
   const Hdf5Handle type = text_type(longest);
-  write(name, label, dims, type, type, packed.data());
+  write(name, label, dims, type, type, std::as_bytes(std::span(packed)));
 }
 
 namespace {
@@ -210,21 +200,24 @@ void Hdf5Reader::expect_own(const std::string& name) const {
 
 namespace {
 
-void expect_plain(hid_t dataset, const std::string& name) {
+/// Whether a dataset is stored in chunks, or else in one piece, in the file.
+bool has_chunks(hid_t dataset, const std::string& name) {
   const Hdf5Handle creation(H5Dget_create_plist(dataset), H5Pclose, "read the dataset " + name);
   const H5D_layout_t layout = H5Pget_layout(creation);
-  if ((layout != H5D_CONTIGUOUS && layout != H5D_COMPACT) || H5Pget_external_count(creation) != 0 ||
-      H5Pget_nfilters(creation) != 0)
-    throw Hdf5Error("read the dataset " + name + ", which is not stored in one piece in the file");
+  const bool in_one_piece = (layout == H5D_CONTIGUOUS || layout == H5D_COMPACT) &&
+                            H5Pget_external_count(creation) == 0 && H5Pget_nfilters(creation) == 0;
+  if (!in_one_piece && layout != H5D_CHUNKED)
+    throw Hdf5Error("read the dataset " + name + ", which is not stored in the file");
+  return !in_one_piece;
 }
 
 }  // namespace
 
-Hdf5Handle Hdf5Reader::open_array(const std::string& name, Dims& dims, std::size_t& count) const {
+Hdf5Reader::Array Hdf5Reader::open_array(const std::string& name, Dims& dims) const {
   expect_own(name);
   Hdf5Handle dataset(H5Dopen2(group_, name.c_str(), H5P_DEFAULT), H5Dclose,
                      "find the dataset " + name);
-  expect_plain(dataset, name);
+  const bool chunked = has_chunks(dataset, name);
   const Hdf5Handle space(H5Dget_space(dataset), H5Sclose, "read the dataset " + name);
   const int rank = checked(H5Sget_simple_extent_ndims(space), "size the dataset " + name);
   if (rank != static_cast<int>(dims.size())) {
@@ -233,56 +226,50 @@ Hdf5Handle Hdf5Reader::open_array(const std::string& name, Dims& dims, std::size
   }
   checked(H5Sget_simple_extent_dims(space, dims.data(), nullptr), "size the dataset " + name);
   const Hdf5Handle type(H5Dget_type(dataset), H5Tclose, "read the dataset " + name);
-  const std::uintmax_t most = file_size_ / std::max<std::size_t>(H5Tget_size(type), 1);
+  const std::size_t value_bytes = std::max<std::size_t>(H5Tget_size(type), 1);
+  const std::uintmax_t most_bytes = chunked ? file_size_ * most_inflated : file_size_;
   // A side is compared with the file too: 2^40 rows of nothing would be made room for. The product
   // is formed here, since the library's wraps round.
-  count = std::ranges::find(dims, hsize_t{0}) == dims.end() ? 1 : 0;
+  std::size_t count = std::ranges::find(dims, hsize_t{0}) == dims.end() ? 1 : 0;
   for (const hsize_t side : dims) {
-    if (side > file_size_ || (count > 0 && count > most / side))
+    if (side > most_bytes || (count > 0 && count > most_bytes / value_bytes / side))
       throw Hdf5Error("read the dataset " + name + ", which is larger than the file");
     count *= side;
   }
-  return dataset;
+  if (chunked) expect_chunks(dataset, {dims, value_bytes}, file_size_, name);
+  return {std::move(dataset), value_bytes, count, chunked};
+}
+
+void Hdf5Reader::read(const Array& array, const std::string& name, const Dims& dims, hid_t in_file,
+                      hid_t in_memory, std::span<std::byte> values) const {
+  if (array.count == 0) return;
+  if (!array.is_chunked) {
+    checked(H5Dread(array.dataset, in_memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()),
+            "read the dataset " + name);
+    return;
+  }
+  const Hdf5Handle type(H5Dget_type(array.dataset), H5Tclose, "read the dataset " + name);
+  if (H5Tequal(type, in_file) <= 0)
+    throw Hdf5Error("read the dataset " + name + ", whose values are of another type");
+  read_chunks(array.dataset, {dims, array.value_bytes}, values, name);
 }
 
 std::size_t Hdf5Reader::row_count(const std::string& name, std::size_t rank) const {
   Dims dims(rank);
-  std::size_t count = 0;
-  open_array(name, dims, count);
+  open_array(name, dims);
   return dims.front();
 }
 
-template <class T>
-void Hdf5Reader::array(const std::string& name, const Label&, Dims& dims,
-                       std::vector<T>& values) const {
-  std::size_t count = 0;
-  const Hdf5Handle dataset = open_array(name, dims, count);
-  values.resize(count);
-  if (count == 0) return;
-  checked(H5Dread(dataset, memory_type<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()),
-          "read the dataset " + name);
-}
-template void Hdf5Reader::array(const std::string&, const Label&, Dims&,
-                                std::vector<double>&) const;
-template void Hdf5Reader::array(const std::string&, const Label&, Dims&,
-                                std::vector<std::uint64_t>&) const;
-template void Hdf5Reader::array(const std::string&, const Label&, Dims&,
-                                std::vector<std::int32_t>&) const;
-template void Hdf5Reader::array(const std::string&, const Label&, Dims&,
-                                std::vector<std::uint8_t>&) const;
-
 void Hdf5Reader::array(const std::string& name, const Label&, Dims& dims,
                        std::vector<std::string>& values) const {
-  std::size_t count = 0;
-  const Hdf5Handle dataset = open_array(name, dims, count);
-  const Hdf5Handle type(H5Dget_type(dataset), H5Tclose, "read the dataset " + name);
+  const Array array = open_array(name, dims);
+  const Hdf5Handle type(H5Dget_type(array.dataset), H5Tclose, "read the dataset " + name);
   const std::size_t size = text_size(type, name, file_size_);
-  std::string packed(count * size, '\0');
-  if (count > 0)
-    checked(H5Dread(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, packed.data()),
-            "read the dataset " + name);
+  std::string packed(array.count * size, '\0');
+  read(array, name, dims, type, type, std::as_writable_bytes(std::span(packed)));
   values.clear();
-  for (std::size_t i = 0; i < count; ++i) values.push_back(text_of(packed.data() + i * size, size));
+  for (std::size_t i = 0; i < array.count; ++i)
+    values.push_back(text_of(packed.data() + i * size, size));
 }
 
 }  // namespace glissade

@@ -3,10 +3,12 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "glissade/core/output_file.hpp"
+#include "results/hdf5_chunks.hpp"
 #include "results/hdf5_handle.hpp"
 
 namespace glissade {
@@ -16,8 +18,6 @@ struct Label {
   const char* unit;
   const char* description;
 };
-
-using Dims = std::vector<hsize_t>;
 
 /// An HDF5 file while it is written. Disk space is reserved before HDF5 needs it: HDF5 cannot close
 /// a file that met a full disk.
@@ -47,9 +47,11 @@ class Hdf5Writer {
   void attribute(const std::string& name, const std::string& text) const;
   void attribute(const std::string& name, double value) const;
   void attribute(const std::string& name, std::uint64_t value) const;
-  template <class T>
+  template <class T, class Allocator>
   void array(const std::string& name, const Label& label, const Dims& dims,
-             const std::vector<T>& values) const;
+             const std::vector<T, Allocator>& values) const {
+    write(name, label, dims, file_type<T>(), memory_type<T>(), std::as_bytes(std::span(values)));
+  }
   void array(const std::string& name, const Label& label, const Dims& dims,
              const std::vector<std::string>& values) const;
 
@@ -57,7 +59,7 @@ class Hdf5Writer {
   Hdf5Writer(Hdf5Handle group, const Hdf5OutputFile& file)
       : group_(std::move(group)), file_(file) {}
   void write(const std::string& name, const Label& label, const Dims& dims, hid_t in_file,
-             hid_t in_memory, const void* data) const;
+             hid_t in_memory, std::span<const std::byte> values) const;
   void write_text_attribute(hid_t object, const std::string& name, const std::string& text) const;
   Hdf5Handle group_;
   const Hdf5OutputFile& file_;
@@ -75,8 +77,14 @@ class Hdf5Reader {
   void attribute(const std::string& name, std::string& text) const;
   void attribute(const std::string& name, double& value) const;
   void attribute(const std::string& name, std::uint64_t& value) const;
-  template <class T>
-  void array(const std::string& name, const Label& label, Dims& dims, std::vector<T>& values) const;
+  template <class T, class Allocator>
+  void array(const std::string& name, const Label&, Dims& dims,
+             std::vector<T, Allocator>& values) const {
+    const Array array = open_array(name, dims);
+    values.resize(array.count);
+    read(array, name, dims, file_type<T>(), memory_type<T>(),
+         std::as_writable_bytes(std::span(values)));
+  }
   void array(const std::string& name, const Label& label, Dims& dims,
              std::vector<std::string>& values) const;
 
@@ -84,9 +92,16 @@ class Hdf5Reader {
   Hdf5Reader(Hdf5Handle group, std::uintmax_t file_size)
       : group_(std::move(group)), file_size_(file_size) {}
   void expect_own(const std::string& name) const;
-  Hdf5Handle open_array(const std::string& name, Dims& dims, std::size_t& count) const;
+  struct Array {
+    Hdf5Handle dataset;
+    std::size_t value_bytes, count;
+    bool is_chunked;
+  };
+  Array open_array(const std::string& name, Dims& dims) const;
+  void read(const Array& array, const std::string& name, const Dims& dims, hid_t in_file,
+            hid_t in_memory, std::span<std::byte> values) const;
   Hdf5Handle group_;
-  std::uintmax_t file_size_;  ///< no dataset can hold more bytes
+  std::uintmax_t file_size_;  ///< no dataset has more bytes there
 };
 
 }  // namespace glissade

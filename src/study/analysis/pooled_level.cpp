@@ -140,7 +140,7 @@ Interval PooledLevel::exceeded_interval(double probability) const {
 }
 
 PooledLevel pooled_at(const HistoryTable& histories, CaseSlice cases, std::size_t level,
-                      std::vector<double> HistoryFields::*field) {
+                      HistoryValues<double> HistoryFields::*field) {
   std::vector<std::vector<double>> slips(histories.records);
   for (std::size_t record = 0; record < slips.size(); ++record) {
     for (std::size_t i = 0; i < cases.count; ++i)

@@ -44,6 +44,6 @@ class PooledLevel {
 /// The displacements of some cases at a level, or another field of the histories.
 PooledLevel pooled_at(
     const HistoryTable& histories, CaseSlice cases, std::size_t level,
-    std::vector<double> HistoryFields::*field = &HistoryFields::peak_displacement_m);
+    HistoryValues<double> HistoryFields::*field = &HistoryFields::peak_displacement_m);
 
 }  // namespace glissade

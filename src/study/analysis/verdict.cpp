@@ -19,7 +19,7 @@ bool is_within_conditions(Standard standard, double mu, double slope_deg) {
 }
 
 /// What is compared with prescribed values.
-using Field = std::vector<double> HistoryFields::*;
+using Field = HistoryValues<double> HistoryFields::*;
 constexpr Field displacement = &HistoryFields::peak_displacement_m;
 
 /// A field of one combination at every level.

@@ -24,7 +24,7 @@ void copy_case(const HistoryTable& table, const HistoryFields& from, std::size_t
 
 /// A mirrored history ends on the other side.
 void mirror_residuals(const Plan& plan, HistoryTable& table) {
-  std::vector<double>& across = table.fields.residual_across_m;
+  auto& across = table.fields.residual_across_m;
   if (across.empty()) return;
   for (std::size_t i = 0; i < table.cases; ++i) {
     const Orientation run = plan.cases[plan.same_as[i]].orientation;
@@ -57,7 +57,7 @@ void keep_first_samples(const CaseGrid& all, const CaseGrid& first, HistoryTable
 
 }  // namespace
 
-HistoryAssembly::HistoryAssembly(const Plan& plan)
+HistoryAssembly::HistoryAssembly(const Plan& plan, const std::filesystem::path& pages)
     : plan_(plan),
       table_{plan.records.size(),
              plan.cases.size(),
@@ -67,8 +67,11 @@ HistoryAssembly::HistoryAssembly(const Plan& plan)
       has_(plan.units.size(), false) {
   const KeptFields kept(plan.config);
   for_each_history_field([&](auto field) {
-    if (kept.has(field))
-      (table_.fields.*field.of).resize(table_.records * table_.cases * table_.depth(field.depth));
+    if (!kept.has(field)) return;
+    using Values = typename decltype(field)::Values;
+    Values& values = table_.fields.*field.of;
+    if (!pages.empty()) values = Values(typename Values::allocator_type(pages));
+    values.resize(table_.records * table_.cases * table_.depth(field.depth));
   });
 }
 

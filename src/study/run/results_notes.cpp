@@ -24,7 +24,7 @@ struct Flagged {
   std::size_t first_level = std::numeric_limits<std::size_t>::max();
   double share_at_highest_level = 0.0;
 
-  Flagged(const Results& results, const std::vector<std::uint8_t>& flag) {
+  Flagged(const Results& results, const HistoryValues<std::uint8_t>& flag) {
     const HistoryTable& table = results.histories;
     if (flag.empty()) return;
     double highest = 0.0;

@@ -18,7 +18,7 @@ SamplingProgress::SamplingProgress(const Plan& plan)
                                        capacities_.thresholds);
 }
 
-std::vector<double>::iterator SamplingProgress::place(std::size_t record, std::size_t c) {
+HistoryValues<double>::iterator SamplingProgress::place(std::size_t record, std::size_t c) {
   return capacities_.fields.capacity.begin() +
          static_cast<std::ptrdiff_t>((record * capacities_.cases + c) * capacities_.thresholds);
 }

@@ -304,7 +304,7 @@ std::filesystem::path file_with_levels(const TemporaryFolder& folder, hid_t prop
   return path;
 }
 
-TEST(results_file, what_is_stored_outside_the_file_or_compressed_is_refused) {
+TEST(results_file, what_is_stored_outside_the_file_or_compressed_in_another_way_is_refused) {
   const TemporaryFolder folder;
   const auto refusal = [&](hid_t properties, const char* link) {
     const auto file = file_with_levels(folder, properties, link);
@@ -314,12 +314,12 @@ TEST(results_file, what_is_stored_outside_the_file_or_compressed_is_refused) {
   };
   const hid_t external = H5Pcreate(H5P_DATASET_CREATE);
   H5Pset_external(external, "/etc/hostname", 0, H5F_UNLIMITED);
-  EXPECT_THAT(refusal(external, nullptr), states("level_g", "one piece"));
+  EXPECT_THAT(refusal(external, nullptr), states("level_g", "not stored in the file"));
   const hid_t chunked = H5Pcreate(H5P_DATASET_CREATE);
   const hsize_t one = 1;
   H5Pset_chunk(chunked, 1, &one);
   H5Pset_deflate(chunked, 1);
-  EXPECT_THAT(refusal(chunked, nullptr), states("level_g", "one piece"));
+  EXPECT_THAT(refusal(chunked, nullptr), states("level_g", "cut in another way"));
   EXPECT_THAT(refusal(H5Pcreate(H5P_DATASET_CREATE), "other.h5"), states("level_g", "link"));
 }
 

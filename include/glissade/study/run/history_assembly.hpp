@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <filesystem>
 #include <vector>
 
 #include "glissade/study/run/execute.hpp"
@@ -11,7 +12,8 @@ namespace glissade {
 /// no longer than it takes to add it.
 class HistoryAssembly {
  public:
-  explicit HistoryAssembly(const Plan& plan);
+  /// @param pages folder for what is larger than the memory (core/paged_memory.hpp); empty: none
+  explicit HistoryAssembly(const Plan& plan, const std::filesystem::path& pages = {});
   void add(const UnitResult& unit);
   bool has(std::size_t unit) const { return has_[unit]; }
   const WorkCount& count() const { return count_; }

@@ -6,21 +6,27 @@
 #include <limits>
 #include <vector>
 
+#include "glissade/core/paged_memory.hpp"
+
 namespace glissade {
 
 struct StudyConfig;
 
+/// Values of all histories, or of those of a unit: HistoryAssembly stores them in pages.
+template <class T>
+using HistoryValues = std::vector<T, PagedAllocator<T>>;
+
 /// What is kept of histories: for each (record, case) as many values as `Depth` says. A field that
 /// the study does not need is empty. Displacements are in plan.
 struct HistoryFields {
-  std::vector<double> peak_displacement_m;
-  std::vector<double> peak_vector_m;
-  std::vector<double> peak_along_m, peak_across_m, residual_along_m, residual_across_m;
-  std::vector<double> closing_along_m, closing_across_m;
-  std::vector<double> shear_along, shear_across;
-  std::vector<std::uint8_t> uplift, tips, failed;
-  std::vector<double> capacity;
-  std::vector<double> crossing_time_s, crossing_speed_mps;
+  HistoryValues<double> peak_displacement_m;
+  HistoryValues<double> peak_vector_m;
+  HistoryValues<double> peak_along_m, peak_across_m, residual_along_m, residual_across_m;
+  HistoryValues<double> closing_along_m, closing_across_m;
+  HistoryValues<double> shear_along, shear_across;
+  HistoryValues<std::uint8_t> uplift, tips, failed;
+  HistoryValues<double> capacity;
+  HistoryValues<double> crossing_time_s, crossing_speed_mps;
 };
 
 /// How many values of a field there are for a record and case: one a level, one a threshold, or one
@@ -38,11 +44,12 @@ struct KeptFields {
 /// A field of HistoryFields.
 template <class T>
 struct HistoryField {
+  using Values = HistoryValues<T>;
   const char* name;
   const char* unit;  ///< empty: that of the intensity measure
   const char* description;
   Depth depth;
-  std::vector<T> HistoryFields::*of;
+  Values HistoryFields::*of;
   bool KeptFields::*kept_with = nullptr;  ///< null: always kept
 };
 
@@ -122,7 +129,7 @@ struct CaseSlice {
 /// Mean of a field over the histories of some cases at a level; NaN where the field is not kept. Of
 /// flags: the share that is set.
 template <class T>
-double mean_of(const HistoryTable& histories, const std::vector<T>& field, CaseSlice cases,
+double mean_of(const HistoryTable& histories, const HistoryValues<T>& field, CaseSlice cases,
                std::size_t level) {
   if (field.empty()) return std::numeric_limits<double>::quiet_NaN();
   double sum = 0.0;

@@ -21,7 +21,7 @@ class SamplingProgress {
   bool is_enough() const;
 
  private:
-  std::vector<double>::iterator place(std::size_t record, std::size_t c);
+  HistoryValues<double>::iterator place(std::size_t record, std::size_t c);
   const Plan& plan_;
   HistoryTable capacities_;  ///< of the units that were added; nothing else
   BlockMedians medians_;

@@ -122,7 +122,7 @@ ConditionHistory history_of(const Results& results, std::size_t record, std::siz
                             std::size_t orientation, std::size_t level) {
   const CaseSet& set = results.cases;
   const HistoryTable& table = results.histories;
-  const auto mean = [&](const std::vector<double>& field) {
+  const auto mean = [&](const HistoryValues<double>& field) {
     if (field.empty()) return std::numeric_limits<double>::quiet_NaN();
     double sum = 0.0;
     for (std::size_t sample = 0; sample < set.samples; ++sample)
