@@ -27,8 +27,7 @@ double bytes_of(const StudyConfig& config, std::size_t records, std::size_t case
   for_each_history_field([&]<class T>(const HistoryField<T>& field) {
     if (kept.has(field)) bytes += static_cast<double>(depth_of(config, field.depth) * sizeof(T));
   });
-  const double of_a_case = static_cast<double>(parameters().size() * sizeof(double));
-  return (bytes * static_cast<double>(records) + of_a_case) * static_cast<double>(cases);
+  return (bytes * static_cast<double>(records) + sizeof(Case)) * static_cast<double>(cases);
 }
 
 }  // namespace glissade
