@@ -177,7 +177,7 @@ AnalysisInFiles FragilityAnalysis::in_files() {
   return {
       .table = "fragility",
       .read = read_fragility,
-      .keys = {{"thresholds_m", "list or { from, to, count }", "required",
+      .keys = {{"thresholds_m", list_value, "required",
                 "clearances, m: probability that displacement exceeds each"},
                {"stop_at_largest", "true or false", "false",
                 "levels above the one that reaches the largest threshold are not run"}},

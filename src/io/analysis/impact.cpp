@@ -7,8 +7,8 @@ AnalysisInFiles ImpactAnalysis::in_files() {
   return {.table = "impact",
           .read = [](const TomlTable&, StudyConfig& study) { study.impact = true; },
           .keys = {{"", "an empty table", "absent",
-                    "when and how fast each threshold is first reached; needs [fragility]"}},
-          .needs_fragility = true,
+                    "when and how fast each threshold is first reached"}},
+          .needs = {needs_fragility},
           .needs_every_history = true};
 }
 

@@ -61,15 +61,24 @@ struct AnalysisKey {
   std::string value, usual, meaning;
 };
 
+/// What a study must have beside the table of the analysis; stated in errors and with its first
+/// key.
+struct AnalysisNeeds {
+  const char* what;  ///< "[model] axes = 2"
+  bool (*is_met)(const TomlTable& root, const StudyConfig& study);
+};
+inline constexpr AnalysisNeeds needs_fragility{
+    "[fragility]", [](const TomlTable& root, const StudyConfig&) { return root.has("fragility"); }};
+
 /// What an analysis has in study files and results files. A part may be missing.
 struct AnalysisInFiles {
   const char* table = nullptr;  ///< of the study file
   void (*read)(const TomlTable& root, StudyConfig& study) = nullptr;
   std::vector<AnalysisKey> keys;
-  std::vector<KeyNeeds> needs;    ///< of its keys, or of others
+  std::vector<AnalysisNeeds> needs;
+  std::vector<KeyNeeds> key_needs;  ///< of its keys, or of others
   std::vector<const char*> uses;  ///< "sampling.scrambles": has no effect but with such an analysis
   bool stands_alone = false;      ///< or is read beside one that does
-  bool needs_fragility = false;
   bool needs_every_history = false;  ///< those beyond the largest threshold too
   bool of_any_run = false;  ///< can be added to finished results: every run keeps what it reads
   FrictionUse sampled_friction = FrictionUse::none, design_friction = FrictionUse::none;
@@ -85,9 +94,6 @@ const std::vector<AnalysisInFiles>& analyses_in_files();
 std::vector<std::string> tables_where(const std::function<bool(const AnalysisInFiles&)>& property);
 /// "[fragility], [chart]"
 std::string listed(const std::vector<std::string>& tables, const std::string& last = ", ");
-
-/// Reports an analysis that needs something else of the study.
-void expect_met(const TomlTable& root, const char* table, bool met, const char* what);
 
 /// The suite: the study does not scale it at all, or not to its longest period.
 bool may_miss_target(const StudyConfig& study);

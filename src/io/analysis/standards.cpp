@@ -39,12 +39,6 @@ void read_standards(const TomlTable& root, StudyConfig& study) {
                                                                     {"E", Sdc::e},
                                                                     {"F", Sdc::f}})
                            .value_or(standards.category);
-  if (!standards.compare.empty() && study.intensity.measure != IntensityMeasure::sds_g) {
-    table.report(
-        "compare",
-        "standards.compare needs intensity.measure = \"sds_g\": the standards prescribe by S_DS",
-        "measure by sds_g, or leave [standards] out");
-  }
 }
 
 }  // namespace
@@ -54,14 +48,18 @@ AnalysisInFiles StandardsAnalysis::in_files() {
       .table = "standards",
       .read = read_standards,
       .keys = {{"compare", "list of \"seaoc_pv1_2012\", \"asce7_16\"", "required",
-                "prescriptive displacements to compare with; needs measure = \"sds_g\""},
+                "prescriptive displacements to compare with"},
                {"importance", "number", fmt::format("{:g}", StandardsConfig{}.importance),
                 "importance factor, 1 to 1.5"},
                {"seismic_design_category", "\"A\" to \"F\"", "\"D\"", "seismic design category"}},
-      .needs = {{"standards", "importance", "\"asce7_16\" in compare",
-                 compares<Standard::asce7_16>},
-                {"standards", "seismic_design_category", "\"seaoc_pv1_2012\" in compare",
-                 compares<Standard::seaoc_pv1_2012>}},
+      .needs = {{"intensity.measure = \"sds_g\" (the standards prescribe by S_DS)",
+                 [](const TomlTable&, const StudyConfig& s) {
+                   return s.intensity.measure == IntensityMeasure::sds_g;
+                 }}},
+      .key_needs = {{"standards", "importance", "\"asce7_16\" in compare",
+                     compares<Standard::asce7_16>},
+                    {"standards", "seismic_design_category", "\"seaoc_pv1_2012\" in compare",
+                     compares<Standard::seaoc_pv1_2012>}},
       .needs_every_history = true,
       .of_any_run = true};
 }
