@@ -15,6 +15,9 @@
 
 namespace glissade {
 
+/// The group of Results::runs, each a group by its label.
+inline constexpr const char* runs_group = "runs";
+
 /// An analysis in the results file: fields that are named once, for both ways.
 struct Exchange {
   void (*write)(const Hdf5Writer& root, const char* table, const IntensityScale& scale,
@@ -29,6 +32,15 @@ struct Exchange {
                const Results& results) { Fields{}(root, table, scale, results); },
             [](const Hdf5Reader& root, const char* table, const IntensityScale& scale,
                Results& results) { Fields{}(root, table, scale, results); }};
+  }
+  /// What `fields(group, table, scale, run)` names of each of Results::runs, in the group of the
+  /// run, which FragilityAnalysis makes.
+  template <class Fields>
+  static Exchange of_runs(Fields) {
+    return of([](const auto& root, const char* table, const auto& scale, auto& results) {
+      const auto runs = root.group(runs_group);
+      for (auto& run : results.runs) Fields{}(runs.group(run.label), table, scale, run);
+    });
   }
   /// What `fields(group, scale, found)` names of one part of the results, in a group with the name
   /// of its table.
