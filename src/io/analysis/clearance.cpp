@@ -43,8 +43,9 @@ AnalysisInFiles ClearanceAnalysis::in_files() {
             "periods (Walters et al. 2012); also of a [chart]"},
            {"orientation", one_of(orientation_rule_names()),
             quoted(orientation_rule_names(), ClearanceConfig{}.orientation),
-            "of the suite's means, each with all records in one orientation, the one that is the "
-            "recommended clearance; Walters et al. (2012) take the median"},
+            "which mean is the recommended clearance: the largest or the median of the suite's "
+            "means, each "
+            "with all records in one orientation; Walters et al. (2012) take the median"},
            {"without_target", "true or false", "false",
             "a clearance also of a suite that does not meet a design spectrum: not for design"}},
       .key_needs =

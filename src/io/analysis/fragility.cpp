@@ -133,10 +133,11 @@ AnalysisInFiles FragilityAnalysis::in_files() {
   return {
       .table = "fragility",
       .read = read_fragility,
-      .keys = {{"thresholds_m", list_value, "required",
-                "clearances, m: probability that displacement exceeds each"},
-               {"stop_at_largest", "true or false", "false",
-                "levels above the one that reaches the largest threshold are not run"}},
+      .keys =
+          {{"thresholds_m", list_value, "required",
+            "clearances, m: probability that displacement exceeds each"},
+           {"stop_at_largest", "true or false", "false",
+            "do not run levels above the one at which a history reaches the largest threshold"}},
       .uses = {"model.displacement", "sampling.target_error", "sampling.scrambles",
                "sampling.bootstrap_replicates", "standards.compare"},
       .stands_alone = true,

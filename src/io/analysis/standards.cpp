@@ -13,12 +13,6 @@ bool compares(const TomlTable&, const StudyConfig& study) {
   return std::ranges::find(study.standards.compare, standard) != study.standards.compare.end();
 }
 
-template <class T>
-bool each_once(std::vector<T> values) {
-  std::ranges::sort(values);
-  return !values.empty() && std::ranges::adjacent_find(values) == values.end();
-}
-
 template <class Archive, class Comparisons>
 void exchange_standards(const Archive& archive, Comparisons& rows) {
   exchange_prescriptions(archive, rows);
@@ -35,10 +29,8 @@ void read_standards(const TomlTable& root, StudyConfig& study) {
                                        [](double x) { return x >= 1.0 && x <= 1.5; }};
   StandardsConfig& standards = study.standards;
   standards.compare =
-      table.choices<Standard>("compare", standard_names()).value_or(standards.compare);
+      read_choices<Standard>(table, "compare", standard_names()).value_or(standards.compare);
   if (!table.has("compare")) table.report_missing("compare", "name the standards to compare with");
-  if (table.has("compare") && !each_once(standards.compare))
-    table.report("compare", "standards.compare names none, or one twice", "name each once");
   standards.importance = table.number("importance", importance_rule).value_or(standards.importance);
   using Sdc = SeismicDesignCategory;
   standards.category = table
@@ -57,7 +49,7 @@ AnalysisInFiles StandardsAnalysis::in_files() {
   return {
       .table = "standards",
       .read = read_standards,
-      .keys = {{"compare", "list of \"seaoc_pv1_2012\", \"asce7_16\"", "required",
+      .keys = {{"compare", one_of(standard_names()) + ", or a list", "required",
                 "prescriptive displacements to compare with"},
                {"importance", "number", fmt::format("{:g}", StandardsConfig{}.importance),
                 "importance factor, 1 to 1.5"},

@@ -70,8 +70,8 @@ AnalysisInFiles VerdictAnalysis::in_files() {
       .table = "verdict",
       .read = read_verdict,
       .keys = {{"exceedance", "list", "[0.1, 0.05, 0.01]",
-                "prescribed displacements are judged: the first probability of exceedance is "
-                "accepted at S_DS; the displacement of each is found"}},
+                "probabilities of exceedance, falling: prescribed displacements are compared with "
+                "the first, which is accepted at S_DS; the displacement of each is found"}},
       .needs = {{"[standards]",
                  [](const TomlTable& root, const StudyConfig&) { return root.has("standards"); }},
                 {"a slope and a building period that are numbers or lists, not drawn (the "

@@ -35,9 +35,9 @@ void add_head(std::vector<GrammarKey>& keys) {
       {{"study", "name", "text", "required", "name of the study"},
        {"study", "description", "text", "\"\"", "what it is, in a sentence"},
        {"study", "seed", "whole number", fmt::format("{}", usual.seed),
-        "of the samples and of the bootstrap"},
+        "seed of the samples and of the bootstrap"},
        {"study", "units", one_of(unit_names()), quoted(unit_names(), usual.units),
-        "of the report: metres or inches first; CSV and HDF5 files are in metres"},
+        "units of the report, metres or inches first; CSV and HDF5 files are in metres"},
        {"suite", "file", "path", "required (or files)", "suite file, relative to the study file"},
        {"suite", "files", "list of paths", "none", "several suites in one study"},
        {"suite", "records", "list of ids", "all", "the records to run"},
@@ -93,7 +93,8 @@ void add_cases(std::vector<GrammarKey>& keys) {
       keys.end(),
       {{"friction", "value", one_of(friction_value_names()) + ", or a list",
         "what the analyses need: [fragility] both, [chart] \"sampled\", [clearance] \"design\"",
-        "of friction that is drawn: the samples, or mean - 2 std (Walters et al. 2012)"},
+        "which values of drawn friction are run: the samples, or mean - 2 std (Walters et al. "
+        "2012)"},
        {"friction", "file", "path", "none", "pull tests that give mu (CSV; see Pull tests)"},
        {"friction", "direction", "name", "the only one", "direction of the pull tests for mu"},
        {"friction", "across_direction", "name", "none",
@@ -103,7 +104,7 @@ void add_cases(std::vector<GrammarKey>& keys) {
         "slip from which sliding friction is averaged, m"},
        {"array", "support", one_of(support_names()) + ", or a list",
         quoted(support_names(), usual.support.front()),
-        "how the array stands on its building: by friction, fixed, or not at all"},
+        "support of the array: by friction, fixed, or no array"},
        {"vertical", "use", one_of(vertical_names()) + ", or a list",
         quoted(vertical_names(), usual.vertical.front()),
         "whether the vertical ground motion acts"},
@@ -119,7 +120,7 @@ void add_cases(std::vector<GrammarKey>& keys) {
         "the array's axis along the slope; friction.mu is along E-W, across_mu along "
         "N-S"},
        {"orientation", "component", "\"first\", \"second\", \"random\"", "\"random\"",
-        "the component along the first axis"},
+        "which component acts along the first axis"},
        {"orientation", "sign", "\"positive\", \"negative\", \"random\"", "\"random\"", "its sign"},
        {"orientation", "second_sign", "\"positive\", \"negative\", \"random\"", "\"random\"",
         "sign of the other component"},
@@ -128,12 +129,10 @@ void add_cases(std::vector<GrammarKey>& keys) {
        {"sampling", "samples", "whole number", fmt::format("{}", usual.sampling.samples),
         "samples of what is drawn; for Sobol a power of two"},
        {"sampling", "scrambles", "whole number", "1",
-        "independent parts of the samples; two or more give the sampling error beside that of the "
-        "records"},
+        "independent parts of the samples; with two or more the sampling error is given too"},
        {"sampling", "target_error", "number", "none: all scrambles are run",
-        "ends the run after the scramble with which half of the 95 % interval of every median, of "
-        "the "
-        "samples alone, is this share of it or less: 0.01 is 1 %"},
+        "the run ends when half of the 95 % interval of every median, of the samples alone, is at "
+        "most this share of the median (0.01 is 1 %); checked after each scramble"},
        {"sampling", "bootstrap_replicates", "whole number",
         fmt::format("{}", usual.sampling.bootstrap_replicates),
         "resamples of whole records for the intervals"}});
@@ -230,20 +229,30 @@ std::string measure_text(const std::string& wanted) {
   return "";
 }
 
-/// Keys of a project file.
-std::string project_text(const std::string& wanted) {
+/// The keys that are meant, by table.
+template <class Lines>
+std::string text_of(const std::vector<GrammarKey>& keys, const std::string& wanted,
+                    const char* of_table, Lines lines) {
   std::string text, table;
-  for (const ProjectKey& key : project_keys()) {
-    if (wanted != key.table && wanted != key.key &&
-        wanted != fmt::format("{}.{}", key.table, key.key))
-      continue;
-    if (table != key.table)
-      text += fmt::format("{}[{}] of a project (glissade clearance)\n", text.empty() ? "" : "\n",
-                          key.table);
+  for (const GrammarKey& key : keys) {
+    if (!is_meant(key, wanted)) continue;
+    if (key.table != table)
+      text += fmt::format("{}[{}]{}\n", text.empty() ? "" : "\n", key.table, of_table);
     table = key.table;
-    text += explained(key.key, fmt::format("for example {}", key.example), {key.meaning});
+    text += lines(key);
   }
   return text;
+}
+
+std::string study_text(const GrammarKey& key) {
+  std::vector<std::string> lines{"usual: " + key.usual, key.meaning};
+  if (const KeyUnits* units = units_of_key(key.key))
+    lines.push_back("units, in quotes: " + units->names());
+  return explained(key.key.empty() ? "(no keys)" : key.key, key.value, lines);
+}
+
+std::string project_text(const GrammarKey& key) {
+  return explained(key.key, "for example " + key.value, {key.meaning});
 }
 
 }  // namespace
@@ -253,9 +262,9 @@ const std::vector<GrammarKey>& grammar() {
   return keys;
 }
 
-bool is_of_grammar(const std::string& name) {
+bool has_key(const std::vector<GrammarKey>& keys, const std::string& name) {
   const std::size_t dot = name.find('.'), next = name.find('.', dot + 1);
-  return std::ranges::any_of(grammar(), [&](const GrammarKey& key) {
+  return std::ranges::any_of(keys, [&](const GrammarKey& key) {
     if (dot == std::string::npos) return key.table == name;
     if (next == std::string::npos) return key.name() == name;
     const std::string values =
@@ -266,28 +275,21 @@ bool is_of_grammar(const std::string& name) {
 
 std::string grammar_text(const std::string& wanted) {
   if (std::string measure = measure_text(wanted); !measure.empty()) return measure;
-  std::string text, table;
-  for (const GrammarKey& key : grammar()) {
-    if (!is_meant(key, wanted)) continue;
-    if (key.table != table) text += fmt::format("{}[{}]\n", text.empty() ? "" : "\n", key.table);
-    table = key.table;
-    std::vector<std::string> lines{"usual: " + key.usual, key.meaning};
-    if (const KeyUnits* units = units_of_key(key.key))
-      lines.push_back("units, in quotes: " + units->names());
-    text += explained(key.key.empty() ? "(no keys)" : key.key, key.value, lines);
-  }
+  std::string text = text_of(grammar(), wanted, "", study_text);
   for (const DistributionForm& form : distribution_forms()) {
     if (wanted == form.name || wanted == "distribution")
       text += explained(form.name, text_of(form), {});
   }
-  const std::string of_project = project_text(wanted);
+  if (wanted.empty()) return text;
+  const std::string of_project =
+      text_of(project_grammar(), wanted, " of a project (glissade clearance)", project_text);
   return text + (text.empty() || of_project.empty() ? "" : "\n") + of_project;
 }
 
 std::string nearest_grammar_key(const std::string& wanted) {
   std::vector<std::string> names;
   for (const GrammarKey& key : grammar()) names.insert(names.end(), {key.table, key.key});
-  for (const ProjectKey& key : project_keys()) names.emplace_back(key.key);
+  for (const GrammarKey& key : project_grammar()) names.push_back(key.key);
   return nearest_word(wanted.substr(wanted.find('.') + 1), names);  // of table.key the key
 }
 

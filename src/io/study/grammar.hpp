@@ -37,9 +37,9 @@ struct GrammarKey {
   std::string name() const { return table + "." + key; }
 };
 const std::vector<GrammarKey>& grammar();
-/// Whether "building", "building.period_s" or, within the value of a key, "chart.shown.level" is of
-/// the grammar.
-bool is_of_grammar(const std::string& name);
+/// Whether some keys have "building", "building.period_s" or, within the value of a key,
+/// "chart.shown.level".
+bool has_key(const std::vector<GrammarKey>& keys, const std::string& name);
 
 /// What may be given for several numbers, and for a quantity of a case.
 inline constexpr const char *list_value = "list or { from, to, count, spacing }",

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -177,5 +178,26 @@ class TomlTable {
   const void* node_;  ///< a toml::table, or null
   std::string path_;
 };
+
+/// One name or several, each once; nothing where the key is absent.
+template <class E>
+std::optional<std::vector<E>> read_choices(const TomlTable& table, const char* key,
+                                           EnumNames<E> names) {
+  if (!table.is_array(key)) {
+    const auto one = table.choice<E>(key, names);
+    return one ? std::optional(std::vector{*one}) : std::nullopt;
+  }
+  auto given = table.choices<E>(key, names);
+  if (!given) return std::nullopt;
+  if (given->empty()) {
+    table.report(key, table.name_of(key) + " is empty", "name at least one");
+    return std::nullopt;
+  }
+  auto sorted = *given;
+  std::ranges::sort(sorted);
+  if (std::ranges::adjacent_find(sorted) != sorted.end())
+    table.report(key, table.name_of(key) + " names one twice", "name each once");
+  return given;
+}
 
 }  // namespace glissade

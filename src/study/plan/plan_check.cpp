@@ -8,12 +8,12 @@
 #include <map>
 #include <optional>
 
-#include "cases/case_scene.hpp"
 #include "glissade/block/coupled.hpp"
 #include "glissade/core/error.hpp"
 #include "glissade/core/units.hpp"
 #include "glissade/motion/intensity.hpp"
 #include "glissade/motion/suite_scaling.hpp"
+#include "glissade/study/cases/case_scene.hpp"
 
 namespace glissade {
 namespace {
@@ -226,9 +226,8 @@ void check_clearance(const Plan& plan) {
     if (!found || !found->is_refused) continue;
     problems.add({plan.config.suite_files[suite].string(),
                   fmt::format("[{}]: {}", table, found->what),
-                  fmt::format("{}, or set {}.without_target = true{}, which every output states",
-                              found->remedy, table,
-                              plan.config.clearance ? " (of a project: suite.without_target)" : ""),
+                  fmt::format("{}, or set {}.without_target = true, which every output states",
+                              found->remedy, table),
                   ""});
   }
   problems.throw_if_any();
