@@ -49,6 +49,7 @@ void set_common(const InitOptions& o, ExampleFile& file) {
     for (const std::string& slope : o.slopes) texts.push_back(ExampleFile::string_value(slope));
     file.set("roof", "slope_deg", fmt::format("[{}]", fmt::join(texts, ", ")));
   }
+  if (o.mu) file.set("friction", "mu", fmt::format("{{ mean = {}, std = {} }}", *o.mu, *o.mu_std));
   if (!o.pull_tests.empty()) file.set_path("friction", "file", o.pull_tests, folder);
   if (!o.direction.empty()) file.set_text("friction", "direction", o.direction);
 }
@@ -63,7 +64,6 @@ ExampleFile study_file(const InitOptions& o) {
                          ExampleFile::string_value(o.edition), *o.ss_g, *o.s1_g,
                          ExampleFile::string_value(o.site_class)));
   if (!o.pull_tests.empty()) file.comment_out("friction", "mu");
-  if (o.mu) file.set("friction", "mu", fmt::format("{{ mean = {}, std = {} }}", *o.mu, *o.mu_std));
   if (o.units == "us")
     file.set_example("fragility", "thresholds_m", R"(["6 in", "12 in", "24 in"])");
   return file;
@@ -91,13 +91,7 @@ ExampleFile project_file(const InitOptions& o) {
   }
   if (!o.pull_tests.empty()) return file;
   file.comment_out("friction", "file");
-  if (o.mu) {
-    file.set_numbers("friction", "mean", {*o.mu});
-    file.set_numbers("friction", "std", {*o.mu_std});
-  } else {
-    file.take_example("friction", "mean");
-    file.take_example("friction", "std");
-  }
+  if (!o.mu) file.take_example("friction", "mu");
   file.set_example("friction", "source", "\"not stated: name the test report\"");
   return file;
 }

@@ -38,7 +38,7 @@ std::vector<fs::path> files_of_report(const fs::path& folder) {
 }
 
 [[noreturn]] void refuse(const std::string& option, const fs::path& path, const char* why) {
-  throw InputError({option, path.string() + ' ' + why + ", and nothing is written over",
+  throw InputError({option, path.string() + ' ' + why + ": existing files are not overwritten",
                     "give another " + option + ", or --overwrite", ""});
 }
 
@@ -51,7 +51,7 @@ void check_folder(const fs::path& folder) {
 }  // namespace
 
 void add_overwrite(CLI::App& command, bool& overwrite) {
-  command.add_flag("--overwrite", overwrite, "write over files that are there already");
+  command.add_flag("--overwrite", overwrite, "overwrite existing files");
 }
 
 void check_output_file(const fs::path& file, const std::string& option, bool overwrite) {

@@ -10,6 +10,7 @@
 #include "glissade/core/wrap.hpp"
 #include "glissade/motion/improbable.hpp"
 #include "glissade/report/format.hpp"
+#include "glissade/report/table.hpp"
 #include "glissade/standards/code_values.hpp"
 #include "glissade/standards/prescriptive.hpp"
 
@@ -33,14 +34,12 @@ nlohmann::ordered_json to_json(const Prescription& p) {
       {"value_m", p.value_m}, {"provenance", provenance_label(p.provenance)}, {"basis", p.basis}};
 }
 
-/// Equal values differ in their last bit: the half is rounded up for all.
-double inches(double length_m) { return length_m / inch_m * (1.0 + 1e-12); }
+/// In metres and inches.
+const Column metres{"length", "m", "m", ColumnKind::number, false, 3},
+    inches{"length", "in", "in", ColumnKind::number, false, 1};
 
-void print(const char* name, const Prescription& p) {
-  fmt::print(
-      "{:<16} {:8.3f} m  ({:.1f} in)\n  {}\n", name, p.value_m, inches(p.value_m),
-      wrapped(fmt::format("{} [{}]", p.basis, provenance_label(p.provenance)), terminal_width, 2));
-}
+/// Equal values differ in their last bit: the half is rounded up for all.
+double in_inches(double length_m) { return length_m / inch_m * (1.0 + 1e-12); }
 
 void run(const StandardsOptions& o) {
   if (!(o.sds_g > 0.0))
@@ -82,14 +81,28 @@ void run(const StandardsOptions& o) {
   fmt::print("Prescribed displacement of an unanchored array at S_DS = {:g} g, in plan\n", o.sds_g);
   for (const std::string& warning : warnings_on(o))
     fmt::print("{}\n", wrapped("WARNING: " + warning, terminal_width, 2));
-  print("SEAOC PV1-2012", seaoc);
-  print("ASCE 7-16", asce);
-  fmt::print("ASCE 7-16 separations\n");
+  Table displacements{
+      "displacements",
+      "Prescribed displacements",
+      {text_column("standard", "Standard"), metres, inches, text_column("basis", "Basis")},
+      {},
+      {}};
+  for (const auto& [name, p] : {std::pair{"SEAOC PV1-2012", seaoc}, {"ASCE 7-16", asce}})
+    displacements.add({name, p.value_m, in_inches(p.value_m),
+                       fmt::format("{} [{}]", p.basis, provenance_label(p.provenance))});
+  Table distances{"separations",
+                  "ASCE 7-16 separations",
+                  {text_column("between", "Between"),
+                   {"factor", "", "Factor"},
+                   metres,
+                   inches,
+                   text_column("known", "Known")},
+                  {},
+                  {}};
   for (const Separation& s : separations)
-    fmt::print("  {}\n",
-               wrapped(fmt::format("{:.1f} x  {:.3f} m ({:.1f} in) {} [{}]", s.factor, s.value_m,
-                                   inches(s.value_m), s.what, provenance_label(s.provenance)),
-                       terminal_width, 9));
+    distances.add(
+        {s.what, s.factor, s.value_m, in_inches(s.value_m), provenance_label(s.provenance)});
+  fmt::print("{}\n{}", to_text(displacements), to_text(distances));
 }
 
 }  // namespace

@@ -201,7 +201,7 @@ std::vector<std::string> choices_of(const Project& project) {
   const bool site_7_16 = project.site.target.edition == AsceEdition::asce7_16;
   const bool by_7_16 = project.standard == Standard::asce7_16;
   add(project.peer_reviewed,
-      "standard.peer_reviewed = true: the least value of the standard is not applied");
+      "standards.peer_reviewed = true: the least value of the standard is not applied");
   add(site_7_16 != by_7_16,
       "the standard that is applied is not that of the site's edition of ASCE 7: its least value "
       "differs");

@@ -56,7 +56,7 @@ TEST(Init, a_project_runs_as_it_is) {
   const ScratchFolder folder;
   const std::string text = written(folder, {"--kind", "project", "--units", "us", "--mu", "0.5",
                                             "--mu-std", "0.03", "--slope", "0.25:12"});
-  EXPECT_THAT(text, states("\nmean = 0.5"));
+  EXPECT_THAT(text, states("\nmu = { mean = 0.5"));
   EXPECT_THAT(text, Not(states("\nsimilar_array_m")));
   const Finished child = run_program(
       {"clearance", folder.path("my.toml").string(), "--out", folder.path("results").string()});
@@ -80,7 +80,7 @@ TEST(Init, pull_tests_take_the_place_of_a_mean) {
   const std::string tests = folder.write("tests.csv", "mu\n0.50\n0.54\n0.58\n");
   const std::string text = written(folder, {"--kind", "project", "--pull-tests", tests});
   EXPECT_THAT(text, states("\nfile = \"tests.csv\""));
-  EXPECT_THAT(text, Not(states("\nmean")));
+  EXPECT_THAT(text, Not(states("\nmu")));
 }
 
 /// Of the text: "building.period_s" of each key with a value.
@@ -125,8 +125,8 @@ TEST(Init, lists_every_key_that_still_has_the_value_of_the_example) {
     std::set<std::string> all = keys_in(read_file(out));
     for (const char* given :
          {"study.name", "study.units", "project.name", "project.units", "suite.file",
-          "building.period_s", "roof.slope_deg", "friction.mu", "friction.mean", "friction.std",
-          "site.edition", "site.ss_g", "site.s1_g", "site.site_class", "intensity.target"})
+          "building.period_s", "roof.slope_deg", "friction.mu", "site.edition", "site.ss_g",
+          "site.s1_g", "site.site_class", "intensity.target"})
       all.erase(given);
     EXPECT_EQ(keys_listed(child.out), all) << child.out;
   }

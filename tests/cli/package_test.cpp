@@ -192,7 +192,7 @@ std::string moved_project() {
   return replaced(replaced(read_file(project_file), "data/pull_tests.csv",
                            GLISSADE_SOURCE_DIR "/studies/data/pull_tests.csv"),
                   "[suite]\nfile = \"../suites/",
-                  "[suite]\nsamples = 16\nfile = \"" GLISSADE_SOURCE_DIR "/suites/");
+                  "[sampling]\nsamples = 16\n[suite]\nfile = \"" GLISSADE_SOURCE_DIR "/suites/");
 }
 
 TEST_F(Package, of_a_hazard_curve_has_annual_rates_and_the_displacement_that_adds_up) {
@@ -223,8 +223,8 @@ TEST_F(Package, a_page_holds_text_as_text_and_few_tests_and_a_peer_review_are_wa
   std::string text = replaced(moved_project(), "Office building, roof array (example)",
                               "<script>alert(1)</script>");
   text = replaced(text, "file = \"" + friction + "\"\ndirection = \"along\"",
-                  "mean = 0.55\nstd = 0.04\nsource = \"few tests\"\ntests = 3");
-  text = replaced(text, "name = \"asce7_16\"", "name = \"asce7_16\"\npeer_reviewed = true");
+                  "mu = { mean = 0.55, std = 0.04 }\nsource = \"few tests\"\ntests = 3");
+  text = replaced(text, "compare = \"asce7_16\"", "compare = \"asce7_16\"\npeer_reviewed = true");
   const fs::path other = folder_->path("other");
   const Finished child =
       run_program({"clearance", folder_->write("script.toml", text), "--out", other.string()});

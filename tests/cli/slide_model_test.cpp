@@ -142,19 +142,20 @@ TEST_F(SlideModel, text_names_the_model_and_both_axes) {
 }
 
 TEST_F(SlideModel, each_bad_input_gets_one_clear_message) {
-  expect_refused(run({"--mass-ratio", "-0.1"}), {"--mass-ratio: -0.1", "from 0 to 1"});
-  expect_refused(run({"--mass-ratio", "1.5"}), {"--mass-ratio: 1.5", "from 0 to 1"});
+  expect_refused(run({"--mass-ratio", "-0.1"}), {"--mass-ratio: -0.1", "must be 0 to 1"});
+  expect_refused(run({"--mass-ratio", "1.5"}), {"--mass-ratio: 1.5", "must be 0 to 1"});
   expect_refused(run({"--azimuth-deg", "20"}), {"--azimuth-deg: needs --second"});
   expect_refused(run({"--across-mu", "0.3"}), {"--across-mu: needs --second"});
   expect_refused(run({"--second", second_, "--across-mu", "0"}),
-                 {"--across-mu: 0 is not an axis of a friction ellipse"});
-  expect_refused(run({"--yield-coefficient", "0.2"}), {"needs a building"});
-  expect_refused(run({"--period-s", "0.5", "--yield-coefficient", "0"}), {"must be > 0"});
+                 {"--across-mu: 0 leaves the friction ellipse"});
+  expect_refused(run({"--yield-coefficient", "0.2"}), {"has no effect without a building"});
+  expect_refused(run({"--period-s", "0.5", "--yield-coefficient", "0"}),
+                 {"--yield-coefficient: must be > 0"});
   expect_refused(run({"--period-s", "0.5", "--hardening-ratio", "0.1"}),
                  {"needs --yield-coefficient"});
   expect_refused(run({"--static-over-sliding", "0.5"}), {"static friction is not below"});
-  expect_refused(run({"--fast-over-slow", "1.5"}), {"--fast-over-slow: is one half"});
-  expect_refused(run({"--rate-s-per-m", "10"}), {"--rate-s-per-m: is one half"});
+  expect_refused(run({"--fast-over-slow", "1.5"}), {"--fast-over-slow: needs --rate-s-per-m"});
+  expect_refused(run({"--rate-s-per-m", "10"}), {"--rate-s-per-m: needs --fast-over-slow"});
   expect_refused(run({"--mass-ratio", "0.1"}), {"--mass-ratio: has no effect without a building"});
   expect_refused(run({"--vertical-period-s", "0.2"}), {"needs --vertical"});
   expect_refused(run({"--vertical-damping", "0.3"}), {"--vertical-damping"});

@@ -56,6 +56,4 @@ struct Support {
 };
 Support support(const Distribution& distribution);
 
-inline bool is_fixed(const Distribution& d) { return std::holds_alternative<Fixed>(d); }
-
 }  // namespace glissade

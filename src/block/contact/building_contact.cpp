@@ -27,8 +27,7 @@ BuildingContact::BuildingContact(const TwoAxisBlock& block)
   [[maybe_unused]] const EllipticFriction& mu = block.friction;
   GLISSADE_EXPECTS(mu.along >= 0.0 && mu.across >= 0.0 && (mu.along > 0.0) == (mu.across > 0.0));
   GLISSADE_EXPECTS(block.slope_rad >= 0.0 && block.slope_rad < std::numbers::pi / 2);
-  GLISSADE_EXPECTS(law_.static_over_sliding >= 1.0 && law_.fast_over_slow > 0.0 &&
-                   law_.rate_s_per_m >= 0.0);
+  GLISSADE_EXPECTS(law_.is_valid());
 }
 
 Accelerance BuildingContact::accelerance(const Axes& by_axis) const {
@@ -49,14 +48,14 @@ Accelerance BuildingContact::accelerance(const Axes& by_axis) const {
 }
 
 bool BuildingContact::is_regular(const Accelerance& m) const {
-  const double tangent = loading_.tan_slope(), most = std::max(1.0, law_.fast_over_slow);
+  const double tangent = loading_.tan_slope(), most = law_.largest_factor();
   const double along = m.ss * friction_.along(), across = m.sy * friction_.across();
   return 1.0 + tangent * (tangent * m.ss - most * std::sqrt(along * along + across * across)) > 0.0;
 }
 
 double BuildingContact::friction_bound(const Accelerance& m) const {
   const double tangent = loading_.tan_slope();
-  const double mu = std::max(1.0, law_.fast_over_slow) * friction_.largest();
+  const double mu = law_.largest_factor() * friction_.largest();
   const double reach = std::abs(m.ss) + std::abs(m.sy);
   const double divisor = 1.0 + tangent * (tangent * m.ss - mu * reach);
   const double most = std::max(m.ss, m.yy) + std::abs(m.sy);
@@ -66,16 +65,14 @@ double BuildingContact::friction_bound(const Accelerance& m) const {
 /// Newton's method on the factor k, with |v| falling by lambda f.v/|v| per k, kept in a bracket:
 /// mu(|v|) / mu - k falls with k, with a corner where the block comes to rest.
 Vector BuildingContact::implicit_friction_by_speed(Vector p, double lambda) const {
-  auto [low, high] = std::minmax({1.0, law_.fast_over_slow});
+  double low = law_.least_factor(), high = law_.largest_factor();
   double k = factor(p);
   Vector f;
   for (int i = 0; i < 100; ++i) {
     f = friction_.implicit_friction(p, lambda * k);
     const Vector v = p - (lambda * k) * f;
     const double size = length(v), cosine = loading_.cos_slope();
-    const double decay = std::exp(-law_.rate_s_per_m * cosine * size);
-    const double target = law_.fast_over_slow - (law_.fast_over_slow - 1.0) * decay;
-    const double rate = (law_.fast_over_slow - 1.0) * law_.rate_s_per_m * decay;
+    const double target = law_.factor(cosine * size), rate = law_.factor_rate(cosine * size);
     const double shortens = size > 0.0 ? lambda * dot(f, v) / size : 0.0;
     (target > k ? low : high) = k;
     double next = k - (k - target) / (1.0 + rate * cosine * shortens);

@@ -54,15 +54,14 @@ class BuildingContact {
   double factor(Vector v) const { return factor(length(v)); }
 
   double factor(double speed_per_cos) const {
-    return law_.depends_on_speed() ? factor_at(loading_.cos_slope() * speed_per_cos) : 1.0;
+    return law_.depends_on_speed() ? law_.factor(loading_.cos_slope() * speed_per_cos) : 1.0;
   }
   /// The least of mu(|v|) / mu between this velocity and rest.
   double least_factor(Vector v) const { return std::min(1.0, factor(v)); }
   /// Friction that decreases with speed must do so slowly permitted_error for an implicit step to
   /// have one solution.
   double longest_step_s(const Load& load, const Accelerance& accelerance) const {
-    const double falls =
-        law_.depends_on_speed() ? (1.0 - law_.fast_over_slow) * law_.rate_s_per_m : 0.0;
+    const double falls = law_.depends_on_speed() ? law_.steepest_fall() : 0.0;
     if (!(falls > 0.0)) return never;
     const double rate = friction_bound(accelerance) * std::max(load.normal, 0.0) * falls;
     return rate > 0.0 ? 2.0 / (rate * loading_.cos_slope()) : never;
@@ -111,10 +110,6 @@ class BuildingContact {
   }
 
  private:
-  double factor_at(double speed_mps) const {
-    return law_.fast_over_slow -
-           (law_.fast_over_slow - 1.0) * std::exp(-law_.rate_s_per_m * speed_mps);
-  }
   /// Friction per normal force of v = p - lambda f(v); v = 0 if that is a solution.
   Vector implicit_friction(Vector p, double lambda) const {
     return law_.depends_on_speed() ? implicit_friction_by_speed(p, lambda)

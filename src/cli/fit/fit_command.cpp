@@ -139,7 +139,8 @@ void add_fit(CLI::App& program) {
                       "im_low,im_high: capacities between two levels (inf: not reached)");
   command->add_option("--cloud", o->cloud,
                       "CSV with the header im,edp: displacements at any intensities; 0: no slip");
-  command->add_option("--threshold", o->thresholds, "of --cloud: displacements to exceed, as edp");
+  command->add_option("--threshold", o->thresholds,
+                      "displacement thresholds for --cloud, in the unit of edp");
   command->add_option("--censor-at", o->censor_at,
                       "highest intensity analysed: capacities at or above it are censored");
   command->add_flag("--json", o->json, "print one JSON object");

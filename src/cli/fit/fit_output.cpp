@@ -6,12 +6,12 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "finding.hpp"
+
 namespace glissade::cli {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json to_json(const Interval& interval) { return {interval.low, interval.high}; }
 
 const char* key_of(ShapeModel model) {
   constexpr const char* keys[] = {"lognormal", "logit",    "complementary_log_log",
@@ -20,14 +20,6 @@ const char* key_of(ShapeModel model) {
 }
 
 bool is_fitted(const ModelScore& model) { return !std::isnan(model.score); }
-
-void show(const char* name, double value, const Interval& interval) {
-  if (std::isnan(value)) return;
-  fmt::print("{:<18} {:.6g}", name, value);
-  if (!std::isnan(interval.low))
-    fmt::print("   95 % interval {:.4g} to {:.4g}", interval.low, interval.high);
-  fmt::print("\n");
-}
 
 void show(const char* name, const std::string& text) {
   if (!text.empty()) fmt::print("{:<18} {}\n", name, text);
@@ -44,22 +36,29 @@ std::string size_text(FitStatus status) {
                                                    : to_string(status);
 }
 
+std::vector<Finding> findings_of(const FitSummary& f) {
+  const bool has_floor = f.curve.floor > 0.0;
+  return {{"median", "median", f.curve.median, f.median_interval},
+          {"log_std", "log_std", f.curve.log_std, f.log_std_interval},
+          {"floor", has_floor ? "floor" : "", f.curve.floor, f.floor_interval},
+          {"p50", has_floor ? "50 % of all at" : "", f.curve.intensity_at(0.5)},
+          {"log_likelihood", "log likelihood", f.log_likelihood}};
+}
+
+Finding effective_records(double number) {
+  return {"effective_records", "effective records", number};
+}
+
 Json json_of(const FitOutput& output) {
   const FitSummary& f = output.fit;
-  Json json{{"median", f.curve.median},
-            {"log_std", f.curve.log_std},
-            {"floor", f.curve.floor},
-            {"p50", f.curve.intensity_at(0.5)},
-            {"median_interval_95", to_json(f.median_interval)},
-            {"log_std_interval_95", to_json(f.log_std_interval)},
-            {"floor_interval_95", to_json(f.floor_interval)},
-            {"log_likelihood", f.log_likelihood},
-            {"method", f.method},
-            {"interval_method", f.interval_method},
-            {"status", to_string(f.status)},
-            {"converged", f.converged()},
-            {"note", f.note}};
-  if (!std::isnan(f.effective_records)) json["effective_records"] = f.effective_records;
+  Json json = to_json(findings_of(f));
+  json.update({{"method", f.method},
+               {"interval_method", f.interval_method},
+               {"status", to_string(f.status)},
+               {"converged", f.converged()},
+               {"note", f.note}});
+  if (!std::isnan(f.effective_records))
+    json.update(to_json({effective_records(f.effective_records)}));
   if (!std::isnan(output.lognormal.p_value))
     json["goodness_of_fit"] = {{"p_value", output.lognormal.p_value},
                                {"distance", output.lognormal.distance},
@@ -92,14 +91,9 @@ void show_models(const ShapeComparison& comparison) {
 void print(const FitOutput& output, bool json) {
   if (json) return fmt::print("{}\n", json_of(output).dump(2));
   const FitSummary& f = output.fit;
-  show("median", f.curve.median, f.median_interval);
-  show("log_std", f.curve.log_std, f.log_std_interval);
-  if (f.curve.floor > 0.0) {
-    show("floor", f.curve.floor, f.floor_interval);
-    show("50 % of all at", f.curve.intensity_at(0.5), {});
-  }
-  show("effective records", f.effective_records, {});
-  show("log likelihood", f.log_likelihood, {});
+  std::vector<Finding> findings = findings_of(f);
+  findings.push_back(effective_records(f.effective_records));
+  fmt::print("{}", to_text(to_table("Lognormal fragility", findings)));
   show("method", f.method);
   show("intervals", f.interval_method);
   const GoodnessOfFit& fit = output.lognormal;
@@ -114,41 +108,36 @@ void print(const FitOutput& output, bool json) {
 
 void print(const CloudSummary& cloud, bool json) {
   const TwoPartFit& f = cloud.fit;
+  const std::vector<Finding> any{{"median", "median", f.any.median, cloud.any_median_interval},
+                                 {"log_std", "log_std", f.any.log_std, cloud.any_log_std_interval}};
+  const std::vector<Finding> size{{"intercept", "intercept", f.intercept, cloud.intercept_interval},
+                                  {"slope", "slope", f.slope, cloud.slope_interval},
+                                  {"log_std", "log_std", f.log_std, cloud.log_std_interval}};
+  const Finding effective = effective_records(cloud.effective_records);
   if (json) {
-    Json of{{"any_slip",
-             {{"status", any_text(f.any_status)},
-              {"median", f.any.median},
-              {"median_interval_95", to_json(cloud.any_median_interval)},
-              {"log_std", f.any.log_std},
-              {"log_std_interval_95", to_json(cloud.any_log_std_interval)}}},
-            {"size",
-             {{"status", size_text(f.size_status)},
-              {"intercept", f.intercept},
-              {"intercept_interval_95", to_json(cloud.intercept_interval)},
-              {"slope", f.slope},
-              {"slope_interval_95", to_json(cloud.slope_interval)},
-              {"log_std", f.log_std},
-              {"log_std_interval_95", to_json(cloud.log_std_interval)}}},
-            {"effective_records", cloud.effective_records},
+    Json of{{"any_slip", {{"status", any_text(f.any_status)}}},
+            {"size", {{"status", size_text(f.size_status)}}},
+            {"effective_records", effective.value},
             {"converged", f.has_curve()},
             {"thresholds", Json::array()}};
-    for (const CloudMedian& row : cloud.medians)
-      of["thresholds"].push_back({{"threshold", row.threshold},
-                                  {"p50", row.p50},
-                                  {"p50_interval_95", to_json(row.p50_interval)}});
+    of["any_slip"].update(to_json(any));
+    of["size"].update(to_json(size));
+    for (const CloudMedian& row : cloud.medians) {
+      of["thresholds"].push_back({{"threshold", row.threshold}});
+      of["thresholds"].back().update(to_json({{"p50", "", row.p50, row.p50_interval}}));
+    }
     return fmt::print("{}\n", of.dump(2));
   }
-  fmt::print("any slip           {}\n", any_text(f.any_status));
-  show("  median", f.any.median, cloud.any_median_interval);
-  show("  log_std", f.any.log_std, cloud.any_log_std_interval);
-  fmt::print("size of slip       {}\n", size_text(f.size_status));
-  show("  intercept", f.intercept, cloud.intercept_interval);
-  show("  slope", f.slope, cloud.slope_interval);
-  show("  log_std", f.log_std, cloud.log_std_interval);
+  std::vector<Finding> medians;
   for (const CloudMedian& row : cloud.medians)
-    show(fmt::format("50 % above {:g} at", row.threshold).c_str(), row.p50, row.p50_interval);
-  show("effective records", cloud.effective_records, {});
-  fmt::print("status             {}\n", f.has_curve() ? "two-part fit" : "no curve");
+    medians.push_back(
+        {"p50", fmt::format("above {:g} at", row.threshold), row.p50, row.p50_interval});
+  medians.push_back(effective);
+  fmt::print("{}\n{}\n{}",
+             to_text(to_table(fmt::format("Any slip: {}", any_text(f.any_status)), any)),
+             to_text(to_table(fmt::format("Size of slip: {}", size_text(f.size_status)), size)),
+             to_text(to_table("Intensity at which 50 % exceed", medians)));
+  show("status", f.has_curve() ? "two-part fit" : "no curve");
 }
 
 }  // namespace glissade::cli

@@ -275,8 +275,8 @@ void add_run(CLI::App& program, const Communicator& world) {
       "--out", options->out, "results folder, new or empty [results/NAME OF THE STUDY FILE]");
   CLI::Option* resume = command->add_option(
       "--resume", options->resume,
-      "go on with the run in this results folder, which was stopped or killed; on any number of "
-      "ranks, the results are the same to the last bit");
+      "continue the stopped or killed run in this results folder, on any number of ranks; the "
+      "results are the same to the last bit");
   CLI::Option* part =
       command
           ->add_option_function<std::string>(
@@ -286,20 +286,20 @@ void add_run(CLI::App& program, const Communicator& world) {
           ->type_name("K/N");
   command
       ->add_option("--walltime-s", options->walltime_s,
-                   "stop by itself before so many seconds are over; the run can be resumed")
+                   "stop before this wall time, s; the run can be resumed")
       ->check(CLI::Range(0.0, 1e9));
   add_overwrite(*command, options->overwrite);
   CLI::Option* dry_run =
       command->add_flag("--dry-run", options->dry_run, "the same as `glissade check`");
   command->add_flag("--no-skip", options->no_skip,
-                    "compute also what the study does not need: much slower, the same results to "
+                    "also compute what the study does not need: much slower, the same results to "
                     "the last bit");
   for (CLI::Option* other : {out, dry_run, command->get_option("--overwrite"), part})
     resume->excludes(other);
   part->excludes(dry_run);
   command->footer(
       "SIGINT (Ctrl-C), SIGTERM, SIGUSR1 or a file named stop in the results folder\n"
-      "stop a run: exit status 75, and --resume goes on with it.");
+      "stop a run with exit status 75; --resume continues it.");
   command->callback([options, study, world] {
     if (options->study.empty() && options->resume.empty())
       throw CLI::RequiredError(study->get_name());
@@ -313,7 +313,7 @@ void add_run(CLI::App& program, const Communicator& world) {
       "What a study or project would run, its cost and warnings; nothing is run or written");
   check->add_option("study", options->study, "study or project file (TOML); see studies/")
       ->required();
-  check->add_option("--out", options->out, "folder that is to be free [as of run]");
+  check->add_option("--out", options->out, "results folder to check [as of run]");
   check->callback([options, world] {
     bool of_project = false;
     on_root(world, [&] {

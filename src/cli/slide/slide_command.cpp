@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "commands.hpp"
+#include "finding.hpp"
 #include "glissade/block/tipping.hpp"
 #include "glissade/core/error.hpp"
 #include "glissade/core/units.hpp"
@@ -66,12 +67,12 @@ std::vector<std::string> warnings_on(const SlideOptions& o, const Motion& motion
         fmt::format("a PGA of {:.3g} g, with its factor, is above {:g} g: no recorded "
                     "motion has it",
                     pga_g, most_probable_pga_g));
-  if (o.mu > most_probable_friction)
+  if (o.c.friction > most_probable_friction)
     warnings.push_back(fmt::format("a friction of {:.3g} is above {:g}: no roof is known for it",
-                                   o.mu, most_probable_friction));
-  if (o.period_s > longest_probable_period_s)
-    warnings.push_back(
-        fmt::format("a building period of {:g} s is longer than that of any building", o.period_s));
+                                   o.c.friction, most_probable_friction));
+  if (o.c.period_s > longest_probable_period_s)
+    warnings.push_back(fmt::format(
+        "a building period of {:g} s is longer than that of any building", o.c.period_s));
   return warnings;
 }
 
@@ -101,42 +102,58 @@ Json components_json(const SlideOptions& o, const Motion& motion) {
   return json;
 }
 
+/// What is printed as a table, and is in JSON.
+std::vector<Finding> findings_of(const SlideHistory& h) {
+  const auto length = [](const char* key, const char* label, double value) {
+    return Finding{key, label, value, {}, "m"};
+  };
+  const SlipResult& r = h.slip;
+  std::vector<Finding> all{length("peak_displacement_m", "peak", r.peak_displacement_m)};
+  if (h.plane) {
+    const TwoAxisResult& p = *h.plane;
+    for (const Finding& f :
+         {length("peak_x_m", "largest along the slope", p.peak_by_axis.along_m),
+          length("peak_y_m", "largest across the slope", p.peak_by_axis.across_m),
+          length("srss_m", "SRSS of these two", srss_of_maxima_m(p)),
+          length("peak_vector_m", "", p.peak_displacement_m),
+          length("residual_x_m", "residual along the slope", p.residual.along_m),
+          length("residual_y_m", "residual across the slope", p.residual.across_m),
+          length("path_length_m", "path", p.path_length_m)})
+      all.push_back(f);
+  }
+  const char* residual = h.plane ? "" : "residual";
+  for (const Finding& f : {length("residual_displacement_m", residual, r.residual_displacement_m),
+                           length("peak_downslope_m", "downslope", r.peak_downslope_m),
+                           length("peak_upslope_m", "upslope", r.peak_upslope_m)})
+    all.push_back(f);
+  all.push_back({"peak_velocity_mps", "velocity", r.peak_velocity_mps, {}, "m/s"});
+  all.push_back({"slip_duration_s", "slides", r.slip_duration_s, {}, "s"});
+  return all;
+}
+
 Json to_json(const SlideOptions& o, const SlideHistory& h, const Motion& motion, double factor,
              double pga_g) {
-  const SlipResult& r = h.slip;
-  Json json{{"peak_displacement_m", r.peak_displacement_m},
-            {"residual_displacement_m", r.residual_displacement_m},
-            {"peak_downslope_m", r.peak_downslope_m},
-            {"peak_upslope_m", r.peak_upslope_m},
-            {"peak_velocity_mps", r.peak_velocity_mps},
-            {"slip_phases", r.slip_phases},
-            {"slip_duration_s", r.slip_duration_s},
-            {"uplift", r.uplift},
-            {"free_sliding", r.free_sliding},
-            {"samples", motion.horizontal_mps2[0].size()},
-            {"dt_s", motion.dt_s},
-            {"pga_g", pga_g}};
-  if (h.ppa_g) json["ppa_g"] = *h.ppa_g;
-  json.update({{"scale", factor},
-               {"mu", o.mu},
-               {"slope_deg", o.slope_deg},
-               {"period_s", o.period_s},
-               {"damping", o.damping()},
+  Json json = cli::to_json(findings_of(h));
+  json.update({{"slip_phases", h.slip.slip_phases},
+               {"uplift", h.slip.uplift},
+               {"free_sliding", h.slip.free_sliding},
+               {"samples", motion.horizontal_mps2[0].size()},
+               {"dt_s", motion.dt_s},
+               {"pga_g", pga_g},
+               {"scale", factor},
+               {"mu", o.c.friction},
+               {"slope_deg", o.c.slope_deg},
+               {"period_s", o.c.period_s},
+               {"damping", o.c.damping},
                {"vertical", !motion.vertical_mps2.empty()},
                {"method", o.method}});
+  if (h.ppa_g) json["ppa_g"] = *h.ppa_g;
   if (h.plane) {
-    json["peak_vector_m"] = h.plane->peak_displacement_m;
-    json["peak_x_m"] = h.plane->peak_by_axis.along_m;
-    json["peak_y_m"] = h.plane->peak_by_axis.across_m;
-    json["srss_m"] = srss_of_maxima_m(*h.plane);
-    json["residual_x_m"] = h.plane->residual.along_m;
-    json["residual_y_m"] = h.plane->residual.across_m;
-    json["path_length_m"] = h.plane->path_length_m;
-    json["mu_across"] = o.mu_across.value_or(o.mu);
-    json["azimuth_deg"] = o.azimuth_deg;
+    json["mu_across"] = o.c.friction_across;
+    json["azimuth_deg"] = o.c.azimuth_deg;
   }
   if (!h.peak_base_shear.empty()) {
-    json["mass_ratio"] = o.mass_ratio;
+    json["mass_ratio"] = o.c.mass_ratio;
     json["peak_base_shear"] = h.peak_base_shear;
     json["peak_roof_displacement_m"] = h.peak_roof_displacement_m;
   }
@@ -157,7 +174,7 @@ Json to_json(const SlideOptions& o, const SlideHistory& h, const Motion& motion,
 
 std::string tipping_text(const SlideOptions& o, double tipping_scale, double scale, double pga_g) {
   const double most = rocking_block({}, {*o.cm_height_m, *o.base_width_m}).friction;
-  if (o.mu <= most) {
+  if (o.c.friction <= most) {
     return fmt::format(
         "  cannot tip: friction lets it slide first (mu <= width / (2 height) = {:.4g})", most);
   }
@@ -169,21 +186,11 @@ std::string tipping_text(const SlideOptions& o, double tipping_scale, double sca
          " on the body rocks on its base; the model is not valid for this history.";
 }
 
-void print_plane(const TwoAxisResult& plane) {
-  fmt::print("  by axis    {:10.4f} m along the slope, {:.4f} m across\n",
-             plane.peak_by_axis.along_m, plane.peak_by_axis.across_m);
-  fmt::print("  SRSS       {:10.4f} m of these two  ({:.2f} in)\n", srss_of_maxima_m(plane),
-             srss_of_maxima_m(plane) / inch_m);
-  fmt::print("  residual   {:10.4f} m along the slope, {:.4f} m across\n", plane.residual.along_m,
-             plane.residual.across_m);
-  fmt::print("  path       {:10.4f} m\n", plane.path_length_m);
-}
-
 void print_building(const SlideHistory& h) {
   const bool two = h.peak_base_shear.size() == 2;
   const char* axes[] = {two ? " along its first axis" : "", " along its second axis"};
   for (std::size_t i = 0; i < h.peak_base_shear.size(); ++i) {
-    fmt::print("  building   {:10.4f} of its weight in base shear, roof {:.4f} m{}\n",
+    fmt::print("  building {:.4f} of its weight in base shear, roof {:.4f} m{}\n",
                h.peak_base_shear[i], h.peak_roof_displacement_m[i], axes[i]);
   }
 }
@@ -213,22 +220,14 @@ void print_text(const SlideOptions& o, const SlideHistory& h, const Motion& moti
   fmt::print("Factor {:.4g}: PGA {:.4g} g{}\n", factor, pga_g,
              h.ppa_g ? fmt::format(", peak roof acceleration {:.4g} g", *h.ppa_g) : "");
   fmt::print("Model: {}\n", model_of(o));
-  fmt::print("Displacement relative to the roof, in plan (downslope positive; flat roof: +x)\n");
-  fmt::print("  peak       {:10.4f} m  ({:.2f} in)\n", r.peak_displacement_m,
-             r.peak_displacement_m / inch_m);
-  if (h.plane) {
-    print_plane(*h.plane);
-  } else {
-    fmt::print("  residual   {:10.4f} m\n", r.residual_displacement_m);
-  }
-  fmt::print("  downslope  {:10.4f} m\n  upslope    {:10.4f} m\n", r.peak_downslope_m,
-             r.peak_upslope_m);
-  fmt::print("  velocity   {:10.4f} m/s\n", r.peak_velocity_mps);
-  fmt::print("  slides     {:10.4f} s in {} phases\n", r.slip_duration_s, r.slip_phases);
+  fmt::print("{}", to_text(to_table("Displacement relative to the roof, in plan (downslope "
+                                    "positive; flat roof: +x)",
+                                    findings_of(h))));
+  fmt::print("  slides in {} phases\n", r.slip_phases);
   print_building(h);
   if (h.crossing) {
     if (h.crossing->happens()) {
-      fmt::print("  reaches    {:10.4f} m after {:.4f} s, with {:.4f} m/s\n", *o.clearance_m,
+      fmt::print("  reaches {:.4f} m after {:.4f} s, with {:.4f} m/s\n", *o.clearance_m,
                  h.crossing->time_s, h.crossing->speed_mps);
     } else {
       fmt::print("  does not reach {:g} m\n", *o.clearance_m);
@@ -244,7 +243,7 @@ void print_text(const SlideOptions& o, const SlideHistory& h, const Motion& moti
         "at the record's end.");
 }
 
-void run(const SlideOptions& o) {
+void run(SlideOptions& o) {
   check(o);
   const Motion motion = read_motion(o);
   const double pga = peak_ground_acceleration_mps2(motion.horizontal_mps2[0]);

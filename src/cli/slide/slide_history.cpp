@@ -2,7 +2,6 @@
 #include "slide/slide_history.hpp"
 
 #include <limits>
-#include <numbers>
 
 #include "glissade/block/coupled.hpp"
 #include "glissade/block/rodriguez_nikl.hpp"
@@ -10,21 +9,16 @@
 #include "glissade/core/error.hpp"
 #include "glissade/core/file.hpp"
 #include "glissade/report/table.hpp"
+#include "glissade/study/cases/case_scene.hpp"
 #include "glissade/study/run/scene.hpp"
 
 namespace glissade::cli {
 namespace {
 
 Block block_of(const SlideOptions& o) {
-  return {.friction = o.mu,
-          .slope_rad = o.slope_deg * rad_per_deg,
-          .directions = o.one_way ? SlipDirections::downslope_only : SlipDirections::both,
-          .law = o.law};
-}
-
-Yielding yielding_of(const SlideOptions& o) {
-  if (!o.yield_coefficient) return {};
-  return yielding_for(YieldCoefficient{*o.yield_coefficient}, o.hardening_ratio);
+  Block block = glissade::block_of(o.c);
+  if (o.one_way) block.directions = SlipDirections::downslope_only;
+  return block;
 }
 
 GroundMotion ground_of(const Motion& motion) {
@@ -89,7 +83,8 @@ double tipping_scale(const GroundMotion& ground, const Building& building, const
 SlideHistory on_known_roof(const SlideOptions& o, const Motion& motion, double factor) {
   const Block block = block_of(o);
   const GroundMotion ground = ground_of(motion);
-  const Building building{{o.period_s, o.damping()}, {o.vertical_period_s, o.vertical_damping()}};
+  const Building building{{o.c.period_s, o.c.damping},
+                          {o.c.vertical_period_s, o.c.vertical_damping}};
   RoofMotionOptions follow = follow_roof({&block, 1}, factor);
   // Straight lines between so many samples of a period leave 1e-7 of the slip; a history, which has
   // a row for each, is sampled as roof_motion() does by itself.
@@ -118,13 +113,14 @@ SlideHistory on_known_roof(const SlideOptions& o, const Motion& motion, double f
 /// One axis; building and array are coupled, or the building yields.
 SlideHistory on_coupled_building(const SlideOptions& o, const Motion& motion, double factor) {
   const Block block = block_of(o);
-  if (!coupling_is_regular(block, o.mass_ratio)) {
+  if (!coupling_is_regular(block, o.c.mass_ratio)) {
     throw InputError({"--mass-ratio",
                       "with this friction and slope the array locks against the roof it moves: the "
                       "coupled equations have no solution",
                       "give a smaller mass ratio, friction or slope", ""});
   }
-  const CoupledBuilding building{{o.period_s, o.damping()}, o.mass_ratio, yielding_of(o)};
+  const CoupledBuilding building{building_axes(o.c)[0], o.c.mass_ratio,
+                                 strength_of(o.c, o.c.period_s, nullptr)};
   const GroundMotion ground = ground_of(motion);
   const MotionFactors factors{factor, factor};
   std::vector<CoupledPoint> points;
@@ -151,19 +147,12 @@ SlideHistory on_coupled_building(const SlideOptions& o, const Motion& motion, do
 
 /// Two axes, or a law of friction that only the full model has.
 SlideHistory in_full_model(const SlideOptions& o, const Motion& motion, double factor) {
-  const double turn = o.slope_deg < 0.0 ? std::numbers::pi : 0.0;
-  const TwoAxisBlock block{.friction = {o.mu, o.mu_across.value_or(o.mu)},
-                           .slope_rad = std::abs(o.slope_deg) * rad_per_deg,
-                           .azimuth_rad = o.azimuth_deg * rad_per_deg + turn,
-                           .law = o.law};
-  BiaxialBuilding building{.horizontal = {Oscillator{o.period_s, o.damping()},
-                                          Oscillator{o.period_ratio * o.period_s, o.damping()}},
-                           .yielding = {yielding_of(o), yielding_of(o)},
-                           .mass_ratio = o.mass_ratio};
+  const TwoAxisBlock block = two_axis_block(o.c);
+  const BiaxialBuilding building = biaxial_building(o.c, nullptr);
   const Block weakest{.friction = std::min(block.friction.along, block.friction.across),
                       .slope_rad = block.slope_rad};
-  const BuildingGround ground = building_ground(motion, {o.vertical_period_s, o.vertical_damping()},
-                                                follow_roof({&weakest, 1}, factor));
+  const BuildingGround ground = building_ground(
+      motion, {o.c.vertical_period_s, o.c.vertical_damping}, follow_roof({&weakest, 1}, factor));
   SlideHistory h;
   const std::span<const double> thresholds =
       o.clearance_m ? std::span<const double>(&*o.clearance_m, 1) : std::span<const double>();
@@ -182,7 +171,7 @@ SlideHistory in_full_model(const SlideOptions& o, const Motion& motion, double f
   h.slip.uplift = t.uplift;
   h.slip.free_sliding = t.free_sliding;
   if (o.two_axes()) h.plane = t;
-  if (o.period_s > 0.0) {
+  if (o.c.period_s > 0.0) {
     const std::size_t axes = o.two_axes() ? 2 : 1;
     h.peak_base_shear.assign(r.peak_base_shear.begin(), r.peak_base_shear.begin() + axes);
     h.peak_roof_displacement_m.assign(r.peak_roof_displacement_m.begin(),
@@ -200,8 +189,9 @@ std::string model_of(const SlideOptions& o) {
                  ? "one axis, building not coupled with the array: exact events (slide)"
                  : "one axis, the published scheme (slide_rodriguez_nikl)";
     case Kernel::coupled:
-      return o.period_s > 0.0 ? "one axis, coupled with the building: exact events (slide_coupled)"
-                              : "one axis on a rigid roof: exact events (slide_coupled)";
+      return o.c.period_s > 0.0
+                 ? "one axis, coupled with the building: exact events (slide_coupled)"
+                 : "one axis on a rigid roof: exact events (slide_coupled)";
     case Kernel::full:
       break;
   }

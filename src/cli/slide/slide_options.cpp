@@ -3,8 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <string_view>
 
 #include "glissade/core/error.hpp"
 #include "output_rule.hpp"
@@ -12,67 +14,88 @@
 namespace glissade::cli {
 namespace {
 
-void require_number(ProblemList& problems, bool ok, const char* option, double value,
-                    const char* rule) {
-  if (!ok || !std::isfinite(value))
-    problems.add({option, fmt::format("{:g} {}", value, rule), "", ""});
+bool is(const Parameter& p, const char* table, const char* key) {
+  return p.table == std::string_view(table) && p.key == std::string_view(key);
+}
+
+/// "--period-s", "--vertical-damping"
+std::string option_of(const Parameter& p) {
+  std::string name = p.key;
+  std::ranges::replace(name, '_', '-');
+  return (p.table == std::string_view("vertical") ? "--vertical-" : "--") + name;
+}
+
+/// One array on one record: no neighbour, and no design spectrum that R would divide.
+bool is_option(const Parameter& p) {
+  return !is(p, "friction", "neighbour_mu") && !is(p, "building", "response_modification");
+}
+
+/// A coefficient of friction may be one that no roof has, for comparison with closed forms.
+ParameterRange range_of(const Parameter& p) {
+  return p.key == std::string_view("mu") || p.key == std::string_view("across_mu")
+             ? ParameterRange{0.0, 10.0, "0 to 10"}
+             : p.range;
+}
+
+std::string meaning_of(const Parameter& p) {
+  const bool is_required = is(p, "friction", "mu") || is(p, "roof", "slope_deg");
+  std::string text = (p.axes == Parameter::Axes::two ? "with --second: " : "") +
+                     std::string(p.meaning) +
+                     (p.unit == std::string_view("-") ? "" : fmt::format(", {}", p.unit));
+  if (is(p, "friction", "across_mu")) return text + " [as --mu]";
+  return is_required ? text : fmt::format("{} [{:g}]", text, value_of(p, Case()));
+}
+
+void take_case(SlideOptions& o, ProblemList& problems) {
+  for (std::size_t i = 0; i < parameters().size(); ++i) {
+    const Parameter& p = parameters()[i];
+    if (!o.given[i]) continue;
+    const ParameterRange range = range_of(p);
+    if (!(*o.given[i] >= range.min && *o.given[i] <= range.max && std::isfinite(*o.given[i])))
+      problems.add(
+          {option_of(p),
+           fmt::format("{:g} is outside its range: it must be {}", *o.given[i], range.text), "",
+           ""});
+    p.of(o.c) = *o.given[i];
+  }
+  if (!o.given[parameter_index("friction", "across_mu")]) o.c.friction_across = o.c.friction;
 }
 
 /// Conditions on the model's extensions, each and together.
 void check_model(const SlideOptions& o, ProblemList& problems) {
-  const auto require = [&](bool ok, const char* option, double value, const char* rule) {
-    require_number(problems, ok, option, value, rule);
+  const auto given = [&](const char* table, const char* key) {
+    return o.given[parameter_index(table, key)].has_value();
   };
-  require(o.mass_ratio >= 0.0 && o.mass_ratio <= 1.0, "--mass-ratio", o.mass_ratio,
-          "is not the array's mass over the building's: it must be from 0 to 1");
-  require(o.period_ratio > 0.0, "--period-ratio", o.period_ratio, "must be > 0");
-  require(std::abs(o.azimuth_deg) <= 360.0, "--azimuth-deg", o.azimuth_deg,
-          "must be from -360 to 360");
-  if (o.mu_across) {
-    require(*o.mu_across > 0.0 && *o.mu_across <= 10.0, "--across-mu", *o.mu_across,
-            "is not an axis of a friction ellipse: it must be above 0, at most 10");
-  }
-  if (o.two_axes() && o.mu == 0.0) {
-    problems.add({"--mu", "0 leaves the friction ellipse without an axis",
+  if (o.two_axes() && !(o.c.friction > 0.0 && o.c.friction_across > 0.0))
+    problems.add({o.c.friction > 0.0 ? "--across-mu" : "--mu",
+                  "0 leaves the friction ellipse without an axis",
                   "on two axes give friction above 0", ""});
-  }
-  if (o.yield_coefficient)
-    require(*o.yield_coefficient > 0.0, "--yield-coefficient", *o.yield_coefficient, "must be > 0");
-  require(o.hardening_ratio >= 0.0 && o.hardening_ratio < 1.0, "--hardening-ratio",
-          o.hardening_ratio, "must be a ratio in [0, 1)");
-  require(o.vertical_period_s >= 0.0, "--vertical-period-s", o.vertical_period_s, "must be >= 0");
-  require(o.vertical_damping() >= 0.0 && o.vertical_damping() < 1.0, "--vertical-damping",
-          o.vertical_damping(), "must be a ratio in [0, 1)");
-  require(o.law.static_over_sliding >= 1.0, "--static-over-sliding", o.law.static_over_sliding,
-          "must be >= 1: static friction is not below sliding friction");
-  require(o.law.fast_over_slow > 0.0, "--fast-over-slow", o.law.fast_over_slow, "must be > 0");
-  require(o.law.rate_s_per_m >= 0.0, "--rate-s-per-m", o.law.rate_s_per_m, "must be >= 0");
-
-  if ((o.law.fast_over_slow != 1.0) != (o.law.rate_s_per_m != 0.0)) {
-    problems.add({o.law.rate_s_per_m == 0.0 ? "--fast-over-slow" : "--rate-s-per-m",
-                  "is one half of how friction depends on speed",
-                  "give --fast-over-slow (mu_fast / mu_slow) and --rate-s-per-m (the rate a, s/m)",
-                  ""});
-  }
-  const auto needs = [&](bool given, const char* option, bool met, const char* what) {
-    if (given && !met) problems.add({option, what, "leave it out, or give the other", ""});
+  if (given("building", "yield_coefficient") && o.c.yield_coefficient == 0.0)
+    problems.add({"--yield-coefficient", "must be > 0", "", ""});
+  const auto needs = [&](bool is_given, const std::string& option, bool met,
+                         const std::string& what) {
+    if (is_given && !met) problems.add({option, what, "leave it out, or give the other", ""});
   };
-  needs(o.azimuth_deg != 0.0, "--azimuth-deg", o.two_axes(), "needs --second");
-  needs(o.period_ratio != 1.0, "--period-ratio", o.two_axes(), "needs --second");
-  needs(o.mu_across.has_value(), "--across-mu", o.two_axes(), "needs --second");
-  needs(o.hardening_ratio != 0.0, "--hardening-ratio", o.yield_coefficient.has_value(),
+  for (std::size_t i = 0; i < parameters().size(); ++i) {
+    const Parameter& p = parameters()[i];
+    if (p.axes == Parameter::Axes::two)
+      needs(o.given[i].has_value(), option_of(p), o.two_axes(), "needs --second");
+    if (p.needs == nullptr) continue;
+    const Parameter& other = parameters()[parameter_index(p.table, p.needs)];
+    needs(o.given[i].has_value(), option_of(p), value_of(other, o.c) != value_of(other, Case()),
+          fmt::format("needs {} other than {:g}", option_of(other), value_of(other, Case())));
+  }
+  for (const char* key : {"damping", "period_ratio", "mass_ratio", "yield_coefficient"})
+    needs(given("building", key), option_of(parameters()[parameter_index("building", key)]),
+          o.c.period_s > 0.0, "has no effect without a building: --period-s above 0");
+  needs(given("building", "hardening_ratio"), "--hardening-ratio", o.c.yields(),
         "needs --yield-coefficient");
-  needs(o.vertical_period_s != 0.0, "--vertical-period-s", !o.vertical.empty(), "needs --vertical");
-  needs(o.given_vertical_damping.has_value(), "--vertical-damping", o.vertical_period_s != 0.0,
+  needs(given("vertical", "period_s"), "--vertical-period-s", !o.vertical.empty(),
+        "needs --vertical");
+  needs(given("vertical", "damping"), "--vertical-damping", o.c.vertical_period_s != 0.0,
         "needs --vertical-period-s above 0");
-  needs(o.given_damping.has_value(), "--damping", o.period_s != 0.0,
-        "has no effect without a building: --period-s above 0");
   needs(o.given_substeps.has_value(), "--substeps", o.method != "event",
         "needs --method rodriguez-nikl");
-  needs(o.mass_ratio != 0.0, "--mass-ratio", o.period_s > 0.0,
-        "has no effect without a building: --period-s above 0");
-  needs(o.yield_coefficient.has_value(), "--yield-coefficient", o.period_s > 0.0,
-        "needs a building: --period-s above 0");
 
   const Kernel kernel = kernel_for(o).kernel;
   if (kernel == Kernel::tables) return;
@@ -98,32 +121,19 @@ void check_model(const SlideOptions& o, ProblemList& problems) {
 KernelChoice kernel_for(const SlideOptions& o) {
   StudyConfig config;
   config.model.axes = o.two_axes() ? SlidingAxes::two : SlidingAxes::one;
-  const auto set = [&](const char* table, const char* key, double value) {
-    config.quantities.at(table, key) = {{value}, {}};
-  };
-  set("friction", "static_over_sliding", o.law.static_over_sliding);
-  set("friction", "fast_over_slow", o.law.fast_over_slow);
-  set("friction", "rate_s_per_m", o.law.rate_s_per_m);
-  set("building", "period_s", o.period_s);
-  set("building", "mass_ratio", o.mass_ratio);
-  set("building", "yield_coefficient", o.yield_coefficient.value_or(0.0));
-  set("vertical", "period_s", o.vertical_period_s);
+  for (std::size_t i = 0; i < parameters().size(); ++i)
+    config.quantities[i] = {{value_of(parameters()[i], o.c)}, {}};
   config.vertical = {o.vertical.empty() ? VerticalChoice::none : VerticalChoice::required};
   return cheapest_exact_kernel(config);
 }
 
-void check(const SlideOptions& o) {
+void check(SlideOptions& o) {
   ProblemList problems;
   const auto require = [&](bool ok, const char* option, double value, const char* rule) {
-    require_number(problems, ok, option, value, rule);
+    if (!ok || !std::isfinite(value))
+      problems.add({option, fmt::format("{:g} {}", value, rule), "", ""});
   };
-  require(o.mu >= 0.0 && o.mu <= 10.0, "--mu", o.mu,
-          "is not a coefficient of friction: it must be from 0 to 10");
-  require(std::abs(o.slope_deg) < 90.0, "--slope-deg", o.slope_deg,
-          "is not a roof: it must be between -90 and 90");
-  require(o.period_s >= 0.0, "--period-s", o.period_s, "must be >= 0 (0: rigid building)");
-  require(o.damping() >= 0.0 && o.damping() < 1.0, "--damping", o.damping(),
-          "must be a ratio in [0, 1)");
+  take_case(o, problems);
   if (o.scale) require(*o.scale > 0.0, "--scale", *o.scale, "must be > 0");
   if (o.pga_g) require(*o.pga_g > 0.0, "--pga-g", *o.pga_g, "must be > 0");
   if (o.dt_s) require(*o.dt_s > 0.0, "--dt-s", *o.dt_s, "must be > 0");
@@ -165,39 +175,22 @@ void add_options(CLI::App& command, SlideOptions& o) {
       ->required();
   command.add_option("--vertical", o.vertical, "vertical acceleration, up positive");
   command.add_option("--second", o.second,
-                     "second horizontal component, a quarter turn on: the array slides along two "
-                     "axes");
-  command.add_option("--mu", o.mu, "coefficient of friction")->required();
-  command
-      .add_option("--slope-deg", o.slope_deg, "roof slope; positive: the surface falls toward +x")
-      ->required();
+                     "second horizontal component, perpendicular to the first: the array slides "
+                     "along two axes");
+  o.given.resize(parameters().size());
+  for (const auto& [table, key] : {std::pair{"friction", "mu"}, {"roof", "slope_deg"}}) {
+    const std::size_t i = parameter_index(table, key);
+    command.add_option(option_of(parameters()[i]), o.given[i], meaning_of(parameters()[i]))
+        ->required();
+  }
+  for (std::size_t i = 0; i < parameters().size(); ++i) {
+    const Parameter& p = parameters()[i];
+    if (is_option(p) && command.get_option_no_throw(option_of(p)) == nullptr)
+      command.add_option(option_of(p), o.given[i], meaning_of(p));
+  }
   CLI::Option* scale = command.add_option("--scale", o.scale, "factor on all components [1]");
   command.add_option("--pga-g", o.pga_g, "scale so that the horizontal peaks at this")
       ->excludes(scale);
-  command.add_option("--period-s", o.period_s, "building period; 0: rigid");
-  command.add_option("--damping", o.given_damping, "building damping ratio [0.05]");
-  command.add_option("--period-ratio", o.period_ratio,
-                     "with --second: building period along the second axis over the first [1]");
-  command.add_option("--mass-ratio", o.mass_ratio,
-                     "array mass over building mass: above 0 building and array are coupled [0]");
-  command.add_option("--yield-coefficient", o.yield_coefficient,
-                     "the building yields: yield force over its weight");
-  command.add_option("--hardening-ratio", o.hardening_ratio,
-                     "stiffness after yielding over before [0]");
-  command.add_option("--vertical-period-s", o.vertical_period_s,
-                     "period of the roof's vertical motion; 0: rigid [0]");
-  command.add_option("--vertical-damping", o.given_vertical_damping, "its damping ratio [0.05]");
-  command.add_option("--azimuth-deg", o.azimuth_deg,
-                     "with --second: from the first component to where the roof falls, toward the "
-                     "second [0]");
-  command.add_option("--across-mu", o.mu_across,
-                     "with --second: coefficient of friction across the slope [as --mu]");
-  command.add_option("--static-over-sliding", o.law.static_over_sliding,
-                     "friction at rest over sliding friction [1]");
-  command.add_option("--fast-over-slow", o.law.fast_over_slow,
-                     "friction of fast over slow sliding; --mu is the slow one [1]");
-  command.add_option("--rate-s-per-m", o.law.rate_s_per_m,
-                     "rate a of mu_fast - (mu_fast - mu_slow) exp(-a speed), s/m");
   command.add_option("--clearance-m", o.clearance_m,
                      "also report when and how fast the array first reaches this displacement");
   command.add_option("--centre-of-mass-height-m", o.cm_height_m,

@@ -325,7 +325,7 @@ void add_suite_select(CLI::App& suite) {
                       "largest factor on a record [the level's, or 4]");
   command->add_option("--per-event", o->criteria.per_event, "most records of one earthquake");
   command->add_flag("--keep-incomplete", o->keep_incomplete,
-                    "keep records without a value that is limited");
+                    "keep records that lack a limited parameter");
   command->add_option("--out", o->out, "new suite file [none is written]");
   add_overwrite(*command, o->overwrite);
   command->add_flag("--json", o->json, "print one JSON object");

@@ -214,38 +214,39 @@ void check_chart(const Chart& chart, const Results& results) {
 }  // namespace
 
 AnalysisInFiles ChartAnalysis::in_files() {
-  return {.table = "chart",
-          .read = read_chart,
-          .keys = {{"shown", "{ slope_deg or rise_in_12, mu, level }",
-                    "the middle; the highest level", "where the figures cut through the chart"},
-                   {"read",
-                    "[[chart.read]] with level, slope_deg or rise_in_12, and mu or displacement_m",
-                    "none", "a displacement, or the friction required for one, read off the chart"},
-                   {"without_target", "true or false", "false",
-                    "chart clearances also of a suite that does not meet its design spectrum: not "
-                    "for design"}},
-          .needs = {{"chart", "without_target",
+  return {
+      .table = "chart",
+      .read = read_chart,
+      .keys = {{"shown", "{ slope_deg or rise_in_12, mu, level }", "the middle; the highest level",
+                "slope, friction and level of the sections that the figures show"},
+               {"read",
+                "[[chart.read]] with level, slope_deg or rise_in_12, and mu or displacement_m",
+                "none", "a displacement, or the friction required for one, read off the chart"},
+               {"without_target", "true or false", "false",
+                "chart clearances also of a suite that does not meet its design spectrum: not "
+                "for design"}},
+      .key_needs = {{"chart", "without_target",
                      "measure = \"mce_fraction\", or a building period above 2 s",
                      [](const TomlTable&, const StudyConfig& s) {
                        return s.intensity.measure.is_of_design_spectrum() && may_miss_target(s);
                      }}},
-          .uses = {"model.displacement", "sampling.bootstrap_replicates", "standards.compare"},
-          .stands_alone = true,
-          .needs_every_history = true,
-          .sampled_friction = FrictionUse::required,
-          .exchange = Exchange::in_group<&Results::chart>(
-              [](const auto& archive, const auto& scale, auto& chart) {
-                list(archive, "slope_deg", {"deg", "axis: roof slope"}, chart.slope_deg);
-                list(archive, "friction", {"-", "axis: coefficient of friction"}, chart.mu);
-                list(archive, "period_s", {"s", "building periods; 0 is rigid"}, chart.period_s);
-                archive.attribute("shown_slope_deg", chart.shown_slope_deg);
-                archive.attribute("shown_friction", chart.shown_mu);
-                archive.attribute("shown_" + scale.level, chart.shown_level);
-                exchange_chart_points(archive.group("points"), scale, chart.points);
-                exchange_chart_readings(archive.group("readings"), scale, chart.readings);
-                exchange_prescriptions(archive.group("standards"), chart.standards);
-              }),
-          .check = if_found<&Results::chart, check_chart>};
+      .uses = {"model.displacement", "sampling.bootstrap_replicates", "standards.compare"},
+      .stands_alone = true,
+      .needs_every_history = true,
+      .sampled_friction = FrictionUse::required,
+      .exchange = Exchange::in_group<&Results::chart>(
+          [](const auto& archive, const auto& scale, auto& chart) {
+            list(archive, "slope_deg", {"deg", "axis: roof slope"}, chart.slope_deg);
+            list(archive, "friction", {"-", "axis: coefficient of friction"}, chart.mu);
+            list(archive, "period_s", {"s", "building periods; 0 is rigid"}, chart.period_s);
+            archive.attribute("shown_slope_deg", chart.shown_slope_deg);
+            archive.attribute("shown_friction", chart.shown_mu);
+            archive.attribute("shown_" + scale.level, chart.shown_level);
+            exchange_chart_points(archive.group("points"), scale, chart.points);
+            exchange_chart_readings(archive.group("readings"), scale, chart.readings);
+            exchange_prescriptions(archive.group("standards"), chart.standards);
+          }),
+      .check = if_found<&Results::chart, check_chart>};
 }
 
 }  // namespace glissade

@@ -43,20 +43,22 @@ AnalysisInFiles ClearanceAnalysis::in_files() {
             "periods (Walters et al. 2012); also of a [chart]"},
            {"orientation", one_of(orientation_rule_names()),
             quoted(orientation_rule_names(), ClearanceConfig{}.orientation),
-            "of the suite's means, each with all records in one orientation, the one that is the "
-            "recommended clearance; Walters et al. (2012) take the median"},
+            "which mean is the recommended clearance: the largest or the median of the suite's "
+            "means, each "
+            "with all records in one orientation; Walters et al. (2012) take the median"},
            {"without_target", "true or false", "false",
             "a clearance also of a suite that does not meet a design spectrum: not for design"}},
-      .needs = {{"clearance", "orientation", "several orientations",
-                 [](const TomlTable&, const StudyConfig& s) {
-                   return s.orientation.choice == OrientationChoice::all_permutations ||
-                          s.orientation.choice == OrientationChoice::azimuths ||
-                          s.orientation.slope_axis.size() > 1;
-                 }},
-                {"clearance", "without_target",
-                 "a measure other than \"sds_g\", which scales to the target, or a building period "
-                 "above 2 s",
-                 [](const TomlTable&, const StudyConfig& s) { return may_miss_target(s); }}},
+      .key_needs =
+          {{"clearance", "orientation", "several orientations",
+            [](const TomlTable&, const StudyConfig& s) {
+              return s.orientation.choice == OrientationChoice::all_permutations ||
+                     s.orientation.choice == OrientationChoice::azimuths ||
+                     s.orientation.slope_axis.size() > 1;
+            }},
+           {"clearance", "without_target",
+            "a measure other than \"sds_g\", which scales to the target, or a building period "
+            "above 2 s",
+            [](const TomlTable&, const StudyConfig& s) { return may_miss_target(s); }}},
       .uses = {"model.displacement"},
       .stands_alone = true,
       .needs_every_history = true,

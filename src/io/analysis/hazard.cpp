@@ -91,7 +91,9 @@ void exchange_prescribed_rates(const Archive& archive, Rows& rows) {
 
 void read_hazard_of_study(const TomlTable& root, StudyConfig& study) {
   const TomlTable table = root.table("hazard");
-  study.hazard = read_hazard(table, study.intensity.measure.key(), study.file.parent_path());
+  study.hazard =
+      read_hazard(table, study.intensity.measure.key(),
+                  table.number("sds_g", above_zero).value_or(0.0), study.file.parent_path());
   std::vector<double> targets = {rate_of(0.01, 50.0), 1.0 / 2475.0, 1.0 / 700.0};
   if (table.has("target_rates_per_year"))
     targets = read_increasing(table, "target_rates_per_year", above_zero);
@@ -112,23 +114,23 @@ AnalysisInFiles HazardAnalysis::in_files() {
       .read = read_hazard_of_study,
       .keys =
           {{"curve", "path", "none",
-            "how often the site has shaking, CSV: the study's intensity measure (its key is the "
-            "header), annual_rate of exceeding it; needs [fragility]"},
+            "hazard curve: annual rate of exceedance; CSV with the columns annual_rate and the key "
+            "of "
+            "the study's intensity measure"},
            {"k0", "number", "none", "in place of a curve: annual rate of exceeding x = k0 x^-k"},
            {"k", "number", "none", "the exponent of that"},
            {"sds_g", "number", "none",
             "S_DS of the site, g: rates of the prescribed displacements; with k and without k0 the "
             "curve is assumed from it, by the risk target of ASCE 7"},
            {"design_life_years", "number", "required",
-            "slip is accumulated, and probabilities are given, over so many years"},
-           {"target_rates_per_year", "list or { from, to, count }",
-            "1/700, 1/2475 and 1 % in 50 years",
-            "the displacement that is exceeded at each of these annual rates is found"}},
-      .needs = {{"hazard", "sds_g", "measure = \"sds_g\"",
-                 [](const TomlTable&, const StudyConfig& study) {
-                   return study.intensity.measure == IntensityMeasure::sds_g;
-                 }}},
-      .needs_fragility = true,
+            "years over which slip is accumulated and probabilities are given"},
+           {"target_rates_per_year", list_value, "1/700, 1/2475 and 1 % in 50 years",
+            "the displacement exceeded at each of these annual rates is found"}},
+      .needs = {needs_fragility},
+      .key_needs = {{"hazard", "sds_g", "measure = \"sds_g\"",
+                     [](const TomlTable&, const StudyConfig& study) {
+                       return study.intensity.measure == IntensityMeasure::sds_g;
+                     }}},
       .needs_every_history = true,
       .of_any_run = true,
       .exchange = Exchange::in_group<&Results::hazard>([](const auto& archive, const auto& scale,

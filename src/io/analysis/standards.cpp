@@ -13,10 +13,14 @@ bool compares(const TomlTable&, const StudyConfig& study) {
   return std::ranges::find(study.standards.compare, standard) != study.standards.compare.end();
 }
 
-template <class T>
-bool each_once(std::vector<T> values) {
-  std::ranges::sort(values);
-  return !values.empty() && std::ranges::adjacent_find(values) == values.end();
+template <class Archive, class Comparisons>
+void exchange_standards(const Archive& archive, Comparisons& rows) {
+  exchange_prescriptions(archive, rows);
+  const Columns column(archive, rows);
+  column("exceedance_probability", {"-", "share of histories with slip above it"},
+         &StandardComparison::exceedance_probability);
+  column("exceedance", {"-", "95 % interval of that share"},
+         &StandardComparison::exceedance_interval);
 }
 
 void read_standards(const TomlTable& root, StudyConfig& study) {
@@ -25,10 +29,8 @@ void read_standards(const TomlTable& root, StudyConfig& study) {
                                        [](double x) { return x >= 1.0 && x <= 1.5; }};
   StandardsConfig& standards = study.standards;
   standards.compare =
-      table.choices<Standard>("compare", standard_names()).value_or(standards.compare);
+      read_choices<Standard>(table, "compare", standard_names()).value_or(standards.compare);
   if (!table.has("compare")) table.report_missing("compare", "name the standards to compare with");
-  if (table.has("compare") && !each_once(standards.compare))
-    table.report("compare", "standards.compare names none, or one twice", "name each once");
   standards.importance = table.number("importance", importance_rule).value_or(standards.importance);
   using Sdc = SeismicDesignCategory;
   standards.category = table
@@ -39,12 +41,6 @@ void read_standards(const TomlTable& root, StudyConfig& study) {
                                                                     {"E", Sdc::e},
                                                                     {"F", Sdc::f}})
                            .value_or(standards.category);
-  if (!standards.compare.empty() && study.intensity.measure != IntensityMeasure::sds_g) {
-    table.report(
-        "compare",
-        "standards.compare needs intensity.measure = \"sds_g\": the standards prescribe by S_DS",
-        "measure by sds_g, or leave [standards] out");
-  }
 }
 
 }  // namespace
@@ -53,17 +49,25 @@ AnalysisInFiles StandardsAnalysis::in_files() {
   return {
       .table = "standards",
       .read = read_standards,
-      .keys = {{"compare", "list of \"seaoc_pv1_2012\", \"asce7_16\"", "required",
-                "prescriptive displacements to compare with; needs measure = \"sds_g\""},
+      .keys = {{"compare", one_of(standard_names()) + ", or a list", "required",
+                "prescriptive displacements to compare with"},
                {"importance", "number", fmt::format("{:g}", StandardsConfig{}.importance),
                 "importance factor, 1 to 1.5"},
                {"seismic_design_category", "\"A\" to \"F\"", "\"D\"", "seismic design category"}},
-      .needs = {{"standards", "importance", "\"asce7_16\" in compare",
-                 compares<Standard::asce7_16>},
-                {"standards", "seismic_design_category", "\"seaoc_pv1_2012\" in compare",
-                 compares<Standard::seaoc_pv1_2012>}},
+      .needs = {{"intensity.measure = \"sds_g\" (the standards prescribe by S_DS)",
+                 [](const TomlTable&, const StudyConfig& s) {
+                   return s.intensity.measure == IntensityMeasure::sds_g;
+                 }}},
+      .key_needs = {{"standards", "importance", "\"asce7_16\" in compare",
+                     compares<Standard::asce7_16>},
+                    {"standards", "seismic_design_category", "\"seaoc_pv1_2012\" in compare",
+                     compares<Standard::seaoc_pv1_2012>}},
       .needs_every_history = true,
-      .of_any_run = true};
+      .of_any_run = true,
+      .exchange =
+          Exchange::of_runs([](const auto& of_run, const char* table, const auto&, auto& run) {
+            exchange_standards(of_run.group(table), run.standards);
+          })};
 }
 
 }  // namespace glissade

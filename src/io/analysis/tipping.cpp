@@ -26,9 +26,10 @@ AnalysisInFiles TippingAnalysis::in_files() {
   return {
       .table = "tipping",
       .read = read_tipping,
-      .keys = {{"centre_of_mass_height_m", "number", "required",
-                "of the array above the roof, m: where the body begins to tip is checked"},
-               {"base_width_m", "number", "required", "of the array along the slope, m"}},
+      .keys =
+          {{"centre_of_mass_height_m", "number", "required",
+            "height of the array's centre of mass above the roof, m: onset of tipping is checked"},
+           {"base_width_m", "number", "required", "width of the array's base along the slope, m"}},
       .sampled_friction = FrictionUse::read,
       .design_friction = FrictionUse::read,
       .exchange = Exchange::in_group<&Results::tipping>([](const auto& archive, const auto& scale,

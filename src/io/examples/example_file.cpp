@@ -118,7 +118,7 @@ std::string ExampleFile::of_example() const {
 
 std::string ExampleFile::text() const {
   std::string text, table;
-  const std::vector<GrammarKey> keys = grammar();
+  const std::vector<GrammarKey>& keys = grammar();
   for (const std::string& line : lines_) {
     if (comments_ == Comments::of_the_grammar && line.starts_with("[")) {
       table = line.substr(1, line.find(']') - 1);

@@ -32,15 +32,16 @@ std::string example(const char* table, const char* key) {
 }
 
 /// Another key serves in its place.
-bool is_replaced(const TomlTable& table, std::string_view key) {
+bool is_replaced(const TomlTable& table, const std::string& key) {
   const auto has = [&](const char* other) { return table.has(other); };
-  if (key == "ss_g" || key == "s1_g") return has("sds_g") || has("sd1_g") || has("spectrum");
-  if (key == "site_class")
+  if (key == "site.ss_g" || key == "site.s1_g")
+    return has("sds_g") || has("sd1_g") || has("spectrum");
+  if (key == "site.site_class")
     return has("site_classes") || has("sds_g") || has("sd1_g") || has("spectrum");
-  if (key == "period_s") return has("system") || has("height_m");
-  if (key == "mass_ratio") return has("array_weight_kn") || has("weight_kn");
-  if (key == "rise_in_12") return has("slope_deg");
-  if (key == "file") return has("mean");
+  if (key == "building.period_s") return has("system") || has("height_m");
+  if (key == "building.mass_ratio") return has("array_weight_kn") || has("weight_kn");
+  if (key == "roof.rise_in_12") return has("slope_deg");
+  if (key == "friction.file") return has("mu");
   return false;
 }
 
@@ -52,10 +53,10 @@ void require_keys(const TomlTable& root) {
         .report("", fmt::format("{}.{} is missing", table, key),
                 fmt::format("in [{}], {}", table, example(table, key)));
   };
-  for (const ProjectKey& row : project_keys()) {
+  for (const GrammarKey& row : project_grammar()) {
     const TomlTable table = root.table(row.table);
-    if (row.use == ProjectKey::Use::required && !table.has(row.key) && !is_replaced(table, row.key))
-      require(row.table, row.key);
+    if (row.usual == required && !table.has(row.key) && !is_replaced(table, row.name()))
+      require(row.table.c_str(), row.key.c_str());
   }
   const auto together = [&](const char* name, const char* one, const char* other) {
     const TomlTable table = root.table(name);
@@ -64,8 +65,7 @@ void require_keys(const TomlTable& root) {
   together("building", "system", "height_m"), together("building", "height_m", "system");
   together("building", "weight_kn", "array_weight_kn");
   together("building", "array_weight_kn", "weight_kn");
-  if (!root.table("friction").has("file"))
-    together("friction", "mean", "std"), together("friction", "mean", "source");
+  if (!root.table("friction").has("file")) together("friction", "mu", "source");
   together("site", "sds_g", "sd1_g"), together("site", "sd1_g", "sds_g");
 }
 
@@ -241,10 +241,10 @@ const DirectionFriction* tested_friction(const TomlTable& table, const PullTestS
 
 void take_tests(const TomlTable& table, const fs::path& folder, ProjectFriction& friction) {
   const std::string name = table.text("file").value_or("");
-  for (const char* key : {"mean", "std", "source", "tests"}) {
+  for (const char* key : {"mu", "source", "tests"}) {
     if (table.has(key))
       table.report(key, fmt::format("friction.file and friction.{} are both given", key),
-                   "give the file of pull tests, or mean, std and source");
+                   "give the file of pull tests, or mu and source");
   }
   try {
     const PullTestResults results = read_pull_test_results(folder / name, SlidingRule{});
@@ -279,9 +279,10 @@ ProjectFriction read_project_friction(const TomlTable& table, const fs::path& fo
     take_tests(table, folder, friction);
     return friction;
   }
-  if (!table.has("mean")) return friction;
-  friction.mean = table.number("mean", friction_rule).value_or(friction.mean);
-  friction.std = table.number("std", not_negative).value_or(friction.std);
+  if (!table.has("mu")) return friction;
+  const TomlTable mu = table.table("mu");
+  friction.mean = mu.required_number("mean", friction_rule);
+  friction.std = mu.required_number("std", not_negative);
   friction.source = table.text("source").value_or("-");
   if (const auto tests = table.whole("tests", 2, 1000)) {
     friction.lower_bound = lower_bound_95(friction.mean, friction.std, *tests);
@@ -297,7 +298,7 @@ std::optional<ProjectHazard> read_project_hazard(const TomlTable& table, const f
   const bool is_given = std::ranges::any_of(std::array{"curve", "k0", "k", "design_life_years"},
                                             [&](const char* key) { return table.has(key); });
   if (!is_given) return std::nullopt;
-  const auto config = read_hazard(table, IntensityMeasure::sds_g.key(), folder);
+  const auto config = read_hazard(table, IntensityMeasure::sds_g.key(), 0.0, folder);
   if (!config) return std::nullopt;
   const std::string curve = table.text("curve").value_or("");
   return ProjectHazard{curve,
@@ -316,28 +317,29 @@ void read_rest(const TomlTable& root, Project& project) {
   if (suite.has("file") && !fs::is_regular_file(project.suite, error))
     suite.report("file", "there is no suite " + project.suite.string(),
                  "give the path of a suite file, relative to the project file (suites/README.md)");
-  project.samples = suite.whole("samples", 2, 1 << 20).value_or(project.samples);
-  project.without_target = suite.flag("without_target").value_or(false);
+  const TomlTable sampling = root.table("sampling"), clearance = root.table("clearance");
+  project.samples = sampling.whole("samples", 2, 1 << 20).value_or(project.samples);
+  if (!std::has_single_bit(project.samples))
+    sampling.report("samples", "sampling.samples is not a power of two",
+                    example("sampling", "samples"));
+  project.without_target = clearance.flag("without_target").value_or(false);
   if (project.without_target && !project.building.period_s.empty() &&
       project.building.period_s.back() <= longest_scaled_period_s)
-    suite.report_idle("without_target", "suite.without_target needs a building period above 2 s");
-  if (!std::has_single_bit(project.samples))
-    suite.report("samples", "suite.samples is not a power of two", example("suite", "samples"));
+    clearance.report_idle("without_target",
+                          "clearance.without_target needs a building period above 2 s");
 
   const TomlTable clearances = root.table("clearances");
   for (const char* key : {"similar_array_m", "obstruction_m", "parapet_edge_m", "open_edge_m"})
     project.available_m.push_back(clearances.number(key, not_negative));
 
-  const TomlTable standard = root.table("standard");
-  project.standard = standard
-                         .choice<Standard>("name", {{"asce7_16", Standard::asce7_16},
-                                                    {"seaoc_pv1_2012", Standard::seaoc_pv1_2012}})
-                         .value_or(project.standard);
+  const TomlTable standards = root.table("standards");
+  project.standard =
+      standards.choice<Standard>("compare", standard_names()).value_or(project.standard);
   project.importance =
-      standard
+      standards
           .number("importance", {"from 1 to 1.5", [](double x) { return x >= 1.0 && x <= 1.5; }})
           .value_or(importance_factor(project.site.risk));
-  project.peer_reviewed = standard.flag("peer_reviewed").value_or(false);
+  project.peer_reviewed = standards.flag("peer_reviewed").value_or(false);
   project.round_up_m = root.table("result")
                            .number("round_up_m", above_zero)
                            .value_or(project.units == UnitSystem::si ? 0.01 : 0.5 * inch_m);
@@ -414,6 +416,8 @@ Project read_project(const std::filesystem::path& file) {
   if (!root.has("project") && (root.has("record") || root.has("recipe")))
     throw InputError({file.string(), "is a suite file, not a project",
                       "name it in a project as [suite] file (glissade clearance --example)", ""});
+  document.explain_old_keys(renamed_project_keys(), {});
+  document.read_only([](const std::string& name) { return has_key(project_grammar(), name); });
   require_keys(root);
   Project project;
   project.file = file;

@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <span>
+#include "study/grammar.hpp"
 
 namespace glissade {
 
-/// A key of a project file. The example file, the page of keys and the hints for missing keys are
-/// made of these rows.
-struct ProjectKey {
-  const char* table;
-  const char* key;
-  const char* example;  ///< as written in a file
-  enum class Use { required, usual, alternative } use;
-  const char* meaning;
-};
-std::span<const ProjectKey> project_keys();
+/// The keys of a project file, all that can be read: the example file and the hints for missing
+/// keys are made of them. `value` is an example, `usual` is `required`, `in_example` or, of a key
+/// that another one replaces or that few need, `alternative`.
+const std::vector<GrammarKey>& project_grammar();
+inline constexpr const char *required = "required", *in_example = "in the example",
+                            *alternative = "alternative";
+
 /// "period_s = [0.7, 1.0]": the line of a key.
-const char* project_example_of(const char* table, const char* key);
+std::string project_example_of(const char* table, const char* key);
+
+/// Keys of earlier projects, and what to write now.
+std::vector<RenamedKey> renamed_project_keys();
 
 }  // namespace glissade

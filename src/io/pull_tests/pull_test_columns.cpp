@@ -103,12 +103,10 @@ bool is_plain_text(std::string_view text) {
   return true;
 }
 
-PullTestHeader read_pull_test_header(const std::filesystem::path& file, std::size_t line_number,
-                                     std::string_view line) {
-  const std::string where = place(file, line_number);
+PullTestHeader read_pull_test_header(const std::string& where, std::string_view line,
+                                     const std::vector<std::string_view>& cells) {
   refuse_semicolons(where, line);
-  const std::vector<std::string_view> cells = csv_cells(line);
-  PullTestHeader header{{}, cells.size()};
+  PullTestHeader header;
   ProblemList problems;
   for (std::size_t i = 0; i < cells.size(); ++i) {
     const std::string name = lower_case(cells[i]);

@@ -3,8 +3,8 @@
 
 #include <array>
 #include <cstddef>
-#include <filesystem>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -27,7 +27,6 @@ struct PullTestHeader {
     double si_per_unit;
   };
   std::array<std::optional<Column>, pull_test_columns> columns;
-  std::size_t width;  ///< columns in all
 
   const std::optional<Column>& operator[](PullTestColumn column) const {
     return columns[static_cast<std::size_t>(column)];
@@ -36,7 +35,7 @@ struct PullTestHeader {
 
 /// A header line: names in any order and any case. Throws InputError for every column that is
 /// missing, unknown or there twice.
-PullTestHeader read_pull_test_header(const std::filesystem::path& file, std::size_t line_number,
-                                     std::string_view line);
+PullTestHeader read_pull_test_header(const std::string& where, std::string_view line,
+                                     const std::vector<std::string_view>& cells);
 
 }  // namespace glissade

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "records/record_units.hpp"
 
+#include <algorithm>
 #include <array>
+#include <iterator>
 #include <string_view>
 #include <utility>
 
@@ -11,6 +13,19 @@
 
 namespace glissade {
 namespace {
+
+struct AccelerationUnit {
+  AccelerationUnits units;
+  std::string name;
+  double mps2;
+};
+const AccelerationUnit acceleration_units[] = {{AccelerationUnits::g, "g", standard_gravity_mps2},
+                                               {AccelerationUnits::mps2, "m/s2", 1.0},
+                                               {AccelerationUnits::cmps2, "cm/s2", 0.01}};
+
+const AccelerationUnit& unit_of(AccelerationUnits units) {
+  return *std::ranges::find(acceleration_units, units, &AccelerationUnit::units);
+}
 
 enum class HeaderUnits { none, g, mps2, cmps2, velocity, displacement, unknown };
 
@@ -45,17 +60,7 @@ HeaderUnits header_units(const std::string& text) {
 
 }  // namespace
 
-double mps2_per_unit(AccelerationUnits units) {
-  switch (units) {
-    case AccelerationUnits::g:
-      return standard_gravity_mps2;
-    case AccelerationUnits::mps2:
-      return 1.0;
-    case AccelerationUnits::cmps2:
-      return 0.01;
-  }
-  return 1.0;
-}
+double mps2_per_unit(AccelerationUnits units) { return unit_of(units).mps2; }
 
 AccelerationUnits units_of(const std::filesystem::path& file, const At2Header& header,
                            const RecordFileOptions& options) {
@@ -102,23 +107,13 @@ AccelerationUnits units_of(const std::filesystem::path& file, const At2Header& h
 }
 
 AccelerationUnits parse_acceleration_units(const std::string& text) {
-  if (text == "g") return AccelerationUnits::g;
-  if (text == "m/s2") return AccelerationUnits::mps2;
-  if (text == "cm/s2" || text == "gal") return AccelerationUnits::cmps2;
+  const auto known = std::ranges::find(acceleration_units, text == "gal" ? "cm/s2" : text,
+                                       &AccelerationUnit::name);
+  if (known != std::end(acceleration_units)) return known->units;
   throw InputError(
       {"", "units " + in_quotes(text) + " are not known", "use g, m/s2, cm/s2 or gal", ""});
 }
 
-std::string to_string(AccelerationUnits units) {
-  switch (units) {
-    case AccelerationUnits::g:
-      return "g";
-    case AccelerationUnits::mps2:
-      return "m/s2";
-    case AccelerationUnits::cmps2:
-      return "cm/s2";
-  }
-  return "";
-}
+std::string to_string(AccelerationUnits units) { return unit_of(units).name; }
 
 }  // namespace glissade

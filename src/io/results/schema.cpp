@@ -15,9 +15,12 @@ template <class Archive, class Cases>
 void exchange_case_columns(const Archive& archive, Cases& cases) {
   const Columns column(archive, cases, "friction.mu");
   for (const Parameter& p : parameters()) {
+    const std::string name = std::string(p.table) + "." + p.key;
+    if constexpr (Archive::reads) {
+      if (!archive.has(name)) continue;  // written before there was this parameter: it is as usual
+    }
     column(
-        std::string(p.table) + "." + p.key,
-        {p.unit, p.meaning}, [&](auto& c) -> auto& { return p.of(const_cast<Case&>(c)); });
+        name, {p.unit, p.meaning}, [&](auto& c) -> auto& { return p.of(const_cast<Case&>(c)); });
   }
   column("array.support", {"-", "how the array stands on the building"}, &Case::support,
          support_names());

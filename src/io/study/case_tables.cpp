@@ -11,27 +11,6 @@
 namespace glissade {
 namespace {
 
-/// One name or several, each once; nothing where the key is absent.
-template <class E>
-std::optional<std::vector<E>> read_choices(const TomlTable& table, const char* key,
-                                           EnumNames<E> names) {
-  if (!table.is_array(key)) {
-    const auto one = table.choice<E>(key, names);
-    return one ? std::optional(std::vector{*one}) : std::nullopt;
-  }
-  auto given = table.choices<E>(key, names);
-  if (!given) return std::nullopt;
-  if (given->empty()) {
-    table.report(key, table.name_of(key) + " is empty", "name at least one");
-    return std::nullopt;
-  }
-  auto sorted = *given;
-  std::ranges::sort(sorted);
-  if (std::ranges::adjacent_find(sorted) != sorted.end())
-    table.report(key, table.name_of(key) + " names one twice", "name each once");
-  return given;
-}
-
 /// An ellipse of friction has two axes.
 void refuse_zero(const TomlTable& table, const Quantity& mu, const char* key) {
   if (mu.largest() > 0.0) return;

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 
 #include "analysis/in_files.hpp"
 #include "enum_names.hpp"
@@ -12,13 +13,11 @@
 #include "glissade/io/study_grammar.hpp"
 #include "glissade/study/config.hpp"
 #include "project/project_keys.hpp"
+#include "study/quantity_table.hpp"
 #include "toml/written_units.hpp"
 
 namespace glissade {
 namespace {
-
-constexpr const char* quantity_value =
-    "number, list, { from, to, count }, { mean, std } or a distribution";
 
 std::string measures() {
   std::string text;
@@ -36,21 +35,21 @@ void add_head(std::vector<GrammarKey>& keys) {
       {{"study", "name", "text", "required", "name of the study"},
        {"study", "description", "text", "\"\"", "what it is, in a sentence"},
        {"study", "seed", "whole number", fmt::format("{}", usual.seed),
-        "of the samples and of the bootstrap"},
+        "seed of the samples and of the bootstrap"},
        {"study", "units", one_of(unit_names()), quoted(unit_names(), usual.units),
-        "of the report: metres or inches first; CSV and HDF5 files are in metres"},
+        "units of the report, metres or inches first; CSV and HDF5 files are in metres"},
        {"suite", "file", "path", "required (or files)", "suite file, relative to the study file"},
        {"suite", "files", "list of paths", "none", "several suites in one study"},
        {"suite", "records", "list of ids", "all", "the records to run"},
        {"intensity", "measure", "name", "required", measures()},
-       {"intensity", "levels", "list or { from, to, count, spacing }", "required",
-        "the levels, increasing, in the measure's unit; spacing \"linear\" or \"log\""},
+       {"intensity", "levels", list_value, "required",
+        "the levels, increasing, in the measure's unit"},
        {"intensity", "scaled_to_s", "number", fmt::format("{:g}", usual.intensity.scaled_to_s),
         "sds_g: the suite's average is 0.9 of the design spectrum or more from 2 s to here too, s"},
        {"intensity", "sa_period_s", "number", "required with sa_g",
         "period of the spectral "
         "acceleration, s"},
-       {"intensity", "avg_sa_periods_s", "list or { from, to, count }", "required with avg_sa_g",
+       {"intensity", "avg_sa_periods_s", list_value, "required with avg_sa_g",
         "periods of the average spectral acceleration, s"},
        {"intensity", "target",
         "{ edition, ss_g, s1_g, site_class or site_classes, tl_s }, { edition, sds_g, sd1_g, tl_s "
@@ -94,7 +93,8 @@ void add_cases(std::vector<GrammarKey>& keys) {
       keys.end(),
       {{"friction", "value", one_of(friction_value_names()) + ", or a list",
         "what the analyses need: [fragility] both, [chart] \"sampled\", [clearance] \"design\"",
-        "of friction that is drawn: the samples, or mean - 2 std (Walters et al. 2012)"},
+        "which values of drawn friction are run: the samples, or mean - 2 std (Walters et al. "
+        "2012)"},
        {"friction", "file", "path", "none", "pull tests that give mu (CSV; see Pull tests)"},
        {"friction", "direction", "name", "the only one", "direction of the pull tests for mu"},
        {"friction", "across_direction", "name", "none",
@@ -104,7 +104,7 @@ void add_cases(std::vector<GrammarKey>& keys) {
         "slip from which sliding friction is averaged, m"},
        {"array", "support", one_of(support_names()) + ", or a list",
         quoted(support_names(), usual.support.front()),
-        "how the array stands on its building: by friction, fixed, or not at all"},
+        "support of the array: by friction, fixed, or no array"},
        {"vertical", "use", one_of(vertical_names()) + ", or a list",
         quoted(vertical_names(), usual.vertical.front()),
         "whether the vertical ground motion acts"},
@@ -120,7 +120,7 @@ void add_cases(std::vector<GrammarKey>& keys) {
         "the array's axis along the slope; friction.mu is along E-W, across_mu along "
         "N-S"},
        {"orientation", "component", "\"first\", \"second\", \"random\"", "\"random\"",
-        "the component along the first axis"},
+        "which component acts along the first axis"},
        {"orientation", "sign", "\"positive\", \"negative\", \"random\"", "\"random\"", "its sign"},
        {"orientation", "second_sign", "\"positive\", \"negative\", \"random\"", "\"random\"",
         "sign of the other component"},
@@ -129,12 +129,10 @@ void add_cases(std::vector<GrammarKey>& keys) {
        {"sampling", "samples", "whole number", fmt::format("{}", usual.sampling.samples),
         "samples of what is drawn; for Sobol a power of two"},
        {"sampling", "scrambles", "whole number", "1",
-        "independent parts of the samples; two or more give the sampling error beside that of the "
-        "records"},
+        "independent parts of the samples; with two or more the sampling error is given too"},
        {"sampling", "target_error", "number", "none: all scrambles are run",
-        "ends the run after the scramble with which half of the 95 % interval of every median, of "
-        "the "
-        "samples alone, is this share of it or less: 0.01 is 1 %"},
+        "the run ends when half of the 95 % interval of every median, of the samples alone, is at "
+        "most this share of the median (0.01 is 1 %); checked after each scramble"},
        {"sampling", "bootstrap_replicates", "whole number",
         fmt::format("{}", usual.sampling.bootstrap_replicates),
         "resamples of whole records for the intervals"}});
@@ -145,6 +143,58 @@ void add_analyses(std::vector<GrammarKey>& keys) {
     for (const AnalysisKey& key : analysis.keys)
       keys.push_back({analysis.table, key.key, key.value, key.usual, key.meaning});
   }
+}
+
+/// "; needs A and B" behind what a key means.
+void add_need(GrammarKey& key, const std::string& what) {
+  const bool is_first = key.meaning.find("; needs ") == std::string::npos;
+  key.meaning += (is_first ? "; needs " : " and ") + what;
+}
+
+std::vector<GrammarKey> make_grammar() {
+  std::vector<GrammarKey> keys;
+  add_head(keys);
+  add_quantities(keys);
+  add_cases(keys);
+  add_analyses(keys);
+  for (const AnalysisInFiles& analysis : analyses_in_files()) {
+    for (const AnalysisNeeds& need : analysis.needs)
+      add_need(*std::ranges::find(keys, analysis.table, &GrammarKey::table), need.what);
+  }
+  for (const KeyNeeds& n : key_needs())
+    add_need(*std::ranges::find(keys, n.table + "." + n.key, &GrammarKey::name), n.needs);
+  // A table's keys together, the tables in the order in which they first come; those that are
+  // required first.
+  std::vector<std::string> tables;
+  for (const GrammarKey& key : keys) {
+    if (std::ranges::find(tables, key.table) == tables.end()) tables.push_back(key.table);
+  }
+  std::ranges::stable_sort(keys, {}, [&](const GrammarKey& key) {
+    const int rank = key.usual.starts_with("required") ? 0 : key.key == "across_mu" ? 1 : 2;
+    return std::pair(std::ranges::find(tables, key.table) - tables.begin(), rank);
+  });
+  return keys;
+}
+
+std::string text_of(const DistributionForm& form) {
+  return fmt::format("{{ distribution = \"{}\", {} }}", form.name, form.keys);
+}
+
+std::string distributions_text() {
+  std::string text;
+  for (const DistributionForm& form : distribution_forms())
+    text += (text.empty() ? "" : ", ") + text_of(form);
+  return text;
+}
+
+bool has_word(const std::string& text, const std::string& word) {
+  const auto is_of_word = [](char c) { return std::isalnum(c) || c == '_'; };
+  for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) {
+    const std::size_t end = at + word.size();
+    if ((at == 0 || !is_of_word(text[at - 1])) && (end == text.size() || !is_of_word(text[end])))
+      return true;
+  }
+  return false;
 }
 
 /// A table, a key with or without its table, or one of its values.
@@ -179,77 +229,79 @@ std::string measure_text(const std::string& wanted) {
   return "";
 }
 
-/// Keys of a project file.
-std::string project_text(const std::string& wanted) {
+/// The keys that are meant, by table.
+template <class Lines>
+std::string text_of(const std::vector<GrammarKey>& keys, const std::string& wanted,
+                    const char* of_table, Lines lines) {
   std::string text, table;
-  for (const ProjectKey& key : project_keys()) {
-    if (wanted != key.table && wanted != key.key &&
-        wanted != fmt::format("{}.{}", key.table, key.key))
-      continue;
-    if (table != key.table)
-      text += fmt::format("{}[{}] of a project (glissade clearance)\n", text.empty() ? "" : "\n",
-                          key.table);
+  for (const GrammarKey& key : keys) {
+    if (!is_meant(key, wanted)) continue;
+    if (key.table != table)
+      text += fmt::format("{}[{}]{}\n", text.empty() ? "" : "\n", key.table, of_table);
     table = key.table;
-    text += explained(key.key, fmt::format("for example {}", key.example), {key.meaning});
+    text += lines(key);
   }
   return text;
 }
 
+std::string study_text(const GrammarKey& key) {
+  std::vector<std::string> lines{"usual: " + key.usual, key.meaning};
+  if (const KeyUnits* units = units_of_key(key.key))
+    lines.push_back("units, in quotes: " + units->names());
+  return explained(key.key.empty() ? "(no keys)" : key.key, key.value, lines);
+}
+
+std::string project_text(const GrammarKey& key) {
+  return explained(key.key, "for example " + key.value, {key.meaning});
+}
+
 }  // namespace
 
-std::vector<GrammarKey> grammar() {
-  std::vector<GrammarKey> keys;
-  add_head(keys);
-  add_quantities(keys);
-  add_cases(keys);
-  add_analyses(keys);
-  for (const KeyNeeds& n : key_needs()) {
-    const auto key = std::ranges::find(keys, n.table + "." + n.key, &GrammarKey::name);
-    const bool is_first = key->meaning.find("; needs ") == std::string::npos;
-    key->meaning += (is_first ? "; needs " : " and ") + n.needs;
-  }
-  // A table's keys together, the tables in the order in which they first come; those that are
-  // required first.
-  std::vector<std::string> tables;
-  for (const GrammarKey& key : keys) {
-    if (std::ranges::find(tables, key.table) == tables.end()) tables.push_back(key.table);
-  }
-  std::ranges::stable_sort(keys, {}, [&](const GrammarKey& key) {
-    const int rank = key.usual.starts_with("required") ? 0 : key.key == "across_mu" ? 1 : 2;
-    return std::pair(std::ranges::find(tables, key.table) - tables.begin(), rank);
-  });
+const std::vector<GrammarKey>& grammar() {
+  static const std::vector<GrammarKey> keys = make_grammar();
   return keys;
+}
+
+bool has_key(const std::vector<GrammarKey>& keys, const std::string& name) {
+  const std::size_t dot = name.find('.'), next = name.find('.', dot + 1);
+  return std::ranges::any_of(keys, [&](const GrammarKey& key) {
+    if (dot == std::string::npos) return key.table == name;
+    if (next == std::string::npos) return key.name() == name;
+    const std::string values =
+        key.value == quantity_value ? key.value + distributions_text() : key.value;
+    return key.name() == name.substr(0, next) && has_word(values, name.substr(name.rfind('.') + 1));
+  });
 }
 
 std::string grammar_text(const std::string& wanted) {
   if (std::string measure = measure_text(wanted); !measure.empty()) return measure;
-  std::string text, table;
-  for (const GrammarKey& key : grammar()) {
-    if (!is_meant(key, wanted)) continue;
-    if (key.table != table) text += fmt::format("{}[{}]\n", text.empty() ? "" : "\n", key.table);
-    table = key.table;
-    std::vector<std::string> lines{"usual: " + key.usual, key.meaning};
-    if (const KeyUnits* units = units_of_key(key.key))
-      lines.push_back("units, in quotes: " + units->names());
-    text += explained(key.key.empty() ? "(no keys)" : key.key, key.value, lines);
+  std::string text = text_of(grammar(), wanted, "", study_text);
+  for (const DistributionForm& form : distribution_forms()) {
+    if (wanted == form.name || wanted == "distribution")
+      text += explained(form.name, text_of(form), {});
   }
-  const std::string of_project = project_text(wanted);
+  if (wanted.empty()) return text;
+  const std::string of_project =
+      text_of(project_grammar(), wanted, " of a project (glissade clearance)", project_text);
   return text + (text.empty() || of_project.empty() ? "" : "\n") + of_project;
 }
 
 std::string nearest_grammar_key(const std::string& wanted) {
   std::vector<std::string> names;
   for (const GrammarKey& key : grammar()) names.insert(names.end(), {key.table, key.key});
-  for (const ProjectKey& key : project_keys()) names.emplace_back(key.key);
+  for (const GrammarKey& key : project_grammar()) names.push_back(key.key);
   return nearest_word(wanted.substr(wanted.find('.') + 1), names);  // of table.key the key
 }
 
 std::string grammar_page() {
   std::string page =
       "# The keys of a study file\n\n"
-      "Made by `glissade explain --markdown`; do not edit. A quantity is a number, a list (every "
-      "value is run, in all combinations), or a distribution (a value is drawn for each "
-      "sample).\n\n"
+      "Made by `glissade explain --markdown`; do not edit. A *list* is [1, 2, 4] or { from, to, "
+      "count, spacing }, with spacing \"linear\" (where absent) or \"log\". A *quantity* is a "
+      "number; a list (every value is run, in all combinations); { mean, std }, a normal "
+      "distribution within the range; or a distribution (a value is drawn for each sample): " +
+      distributions_text() +
+      ".\n\n"
       "A number is in the unit at the end of its key (a level in the unit of its measure), or is "
       "written with one of these units, in quotes: `\"18 in\"`, `\"0.25:12\"`. A list may mix "
       "them.\n\n"
@@ -263,7 +315,10 @@ std::string grammar_page() {
           "\n## [{}]\n\n| key | value | where absent | meaning |\n|---|---|---|---|\n", key.table);
     table = key.table;
     page += fmt::format("| {} | {} | {} | {} |\n", key.key.empty() ? "" : "`" + key.key + "`",
-                        key.value, key.usual, key.meaning);
+                        key.value == list_value       ? "list"
+                        : key.value == quantity_value ? "quantity"
+                                                      : key.value,
+                        key.usual, key.meaning);
   }
   return page;
 }

@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "glissade/motion/design_spectrum.hpp"
-#include "text/number_rows.hpp"
+#include "text/csv_rows.hpp"
 #include "toml/number_list.hpp"
 
 namespace glissade {
@@ -18,14 +18,15 @@ std::optional<HazardCurve> read_curve(const TomlTable& table, const std::string&
   const std::string name = table.required_text("curve");
   if (name.empty()) return {};
   std::vector<HazardPoint> points;
-  const auto take = [&](const std::vector<double>& row, std::size_t) -> std::string {
-    if (!(row[0] > 0.0)) return "the intensity is not above 0";
-    if (!(row[1] > 0.0)) return "the annual rate is not above 0: leave the row out";
+  const auto take = [&](const NumberRow& of_file) -> RowTrouble {
+    const std::vector<double>& row = of_file.values;
+    if (!(row[0] > 0.0)) return {"the intensity is not above 0"};
+    if (!(row[1] > 0.0)) return {"the annual rate is not above 0: leave the row out"};
     if (!points.empty() &&
         !(row[0] > points.back().intensity && row[1] < points.back().annual_rate))
-      return "intensities must rise, and annual rates fall, from row to row";
+      return {"intensities must rise, and annual rates fall, from row to row"};
     points.push_back({row[0], row[1]});
-    return "";
+    return {};
   };
   try {
     read_number_rows(folder / name, {{{measure, "annual_rate"}, take}});
@@ -39,9 +40,8 @@ std::optional<HazardCurve> read_curve(const TomlTable& table, const std::string&
 }  // namespace
 
 std::optional<HazardConfig> read_hazard(const TomlTable& table, const std::string& measure,
-                                        const std::filesystem::path& folder) {
+                                        double sds_g, const std::filesystem::path& folder) {
   const bool by_file = table.has("curve"), by_law = table.has("k0") || table.has("k");
-  const double sds_g = table.number("sds_g", above_zero).value_or(0.0);
   // k beside S_DS alone: the law is that of the risk target.
   const bool by_target = by_law && sds_g > 0.0 && !table.has("k0");
   std::optional<HazardCurve> curve;

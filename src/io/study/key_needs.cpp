@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <set>
 
@@ -48,7 +50,7 @@ bool uses_target(const TomlTable&, const StudyConfig& study) {
 void add_needs_of_analyses(std::vector<KeyNeeds>& needs) {
   std::set<std::string> used;
   for (const AnalysisInFiles& analysis : analyses_in_files()) {
-    needs.insert(needs.end(), analysis.needs.begin(), analysis.needs.end());
+    needs.insert(needs.end(), analysis.key_needs.begin(), analysis.key_needs.end());
     used.insert(analysis.uses.begin(), analysis.uses.end());
   }
   for (const std::string& key : used) {
@@ -85,14 +87,6 @@ std::vector<KeyNeeds> key_needs() {
       {"friction", "across_direction", axes, two_axes},
       {"friction", "slip_m", file, has_pull_tests},
       {"friction", "sliding_from_m", file, has_pull_tests},
-      {"friction", "fast_over_slow", "rate_s_per_m above 0",
-       [](const TomlTable&, const StudyConfig& s) {
-         return !is_always(s, "friction", "rate_s_per_m", 0.0);
-       }},
-      {"friction", "rate_s_per_m", "fast_over_slow other than 1",
-       [](const TomlTable&, const StudyConfig& s) {
-         return !is_always(s, "friction", "fast_over_slow", 1.0);
-       }},
       {"vertical", "period_s", vertical, has_vertical},
       {"vertical", "damping", vertical, has_vertical},
       {"orientation", "slope_axis", axes, two_axes},
@@ -112,6 +106,13 @@ std::vector<KeyNeeds> key_needs() {
       {"sampling", "scrambles", drawn, draws}};
   for (const Parameter& p : parameters()) {
     if (p.axes == Parameter::Axes::two) needs.push_back({p.table, p.key, axes, two_axes});
+    if (p.needs == nullptr) continue;
+    const std::size_t other = parameter_index(p.table, p.needs);
+    const double usual = value_of(parameters()[other], Case());
+    needs.push_back({p.table, p.key, fmt::format("{} other than {:g}", p.needs, usual),
+                     [=](const TomlTable&, const StudyConfig& study) {
+                       return !study.quantities[other].is_always(usual);
+                     }});
   }
   add_needs_of_analyses(needs);
   return needs;

@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "glissade/motion/improbable.hpp"
-#include "text/number_rows.hpp"
+#include "text/csv_rows.hpp"
 
 namespace glissade {
 namespace {
@@ -47,17 +47,18 @@ void read_spectrum(const TomlTable& table, const std::filesystem::path& folder,
   const std::string name = table.required_text("spectrum");
   if (name.empty()) return;
   const auto take = [&](double mce_factor) {
-    return [&target, mce_factor](const std::vector<double>& row, std::size_t) -> std::string {
-      if (row[0] < 0.0) return "the period is below 0";
+    return [&target, mce_factor](const NumberRow& of_file) -> RowTrouble {
+      const std::vector<double>& row = of_file.values;
+      if (row[0] < 0.0) return {"the period is below 0"};
       if (!target.period_s.empty() && row[0] <= target.period_s.back())
-        return "periods must increase from row to row";
-      if (!(row[1] > 0.0)) return "the acceleration is not above 0";
+        return {"periods must increase from row to row"};
+      if (!(row[1] > 0.0)) return {"the acceleration is not above 0"};
       if (row[1] > most_possible_g)
-        return fmt::format("the acceleration is in g: no site has more than {:g} g",
-                           most_possible_g);
+        return {
+            fmt::format("the acceleration is in g: no site has more than {:g} g", most_possible_g)};
       target.period_s.push_back(row[0]);
       target.design_sa_g.push_back(row[1] / mce_factor);
-      return "";
+      return {};
     };
   };
   try {

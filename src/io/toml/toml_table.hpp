@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <initializer_list>
 #include <memory>
 #include <optional>
@@ -76,6 +78,9 @@ class TomlDocument {
   /// of its key: "18 in" of a length in metres is 0.4572.
   std::string text_in_key_units() const;
   void add(Problem problem);  ///< one that belongs to no key
+  /// From now on a key, "friction.mu" or "chart.shown.level", can be read only where `is_key`
+  /// holds: std::logic_error for any other, since it would be in no explanation of the keys.
+  void read_only(std::function<bool(const std::string& name)> is_key);
   /// What to suggest for keys that are not known any more, and what else to report with them.
   void explain_old_keys(std::vector<RenamedKey> keys, std::vector<ChangedKey> changed);
   void finish();
@@ -173,5 +178,26 @@ class TomlTable {
   const void* node_;  ///< a toml::table, or null
   std::string path_;
 };
+
+/// One name or several, each once; nothing where the key is absent.
+template <class E>
+std::optional<std::vector<E>> read_choices(const TomlTable& table, const char* key,
+                                           EnumNames<E> names) {
+  if (!table.is_array(key)) {
+    const auto one = table.choice<E>(key, names);
+    return one ? std::optional(std::vector{*one}) : std::nullopt;
+  }
+  auto given = table.choices<E>(key, names);
+  if (!given) return std::nullopt;
+  if (given->empty()) {
+    table.report(key, table.name_of(key) + " is empty", "name at least one");
+    return std::nullopt;
+  }
+  auto sorted = *given;
+  std::ranges::sort(sorted);
+  if (std::ranges::adjacent_find(sorted) != sorted.end())
+    table.report(key, table.name_of(key) + " names one twice", "name each once");
+  return given;
+}
 
 }  // namespace glissade

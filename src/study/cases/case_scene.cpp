@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cases/case_scene.hpp"
+#include "glissade/study/cases/case_scene.hpp"
 
 #include <cmath>
 #include <numbers>

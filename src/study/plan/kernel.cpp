@@ -1,61 +1,64 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glissade/study/plan/kernel.hpp"
 
+#include <algorithm>
+
 namespace glissade {
 namespace {
 
-/// The vertical's own oscillator takes part in the history.
-bool has_vertical_oscillator(const StudyConfig& config) {
-  return config.vertical != std::vector{VerticalChoice::none} &&
-         !config.quantities.at("vertical", "period_s").is_always(0.0);
+/// A value other than the usual one, where the quantity has any.
+double unusual_value(const Quantity& quantity, double usual) {
+  std::vector<double> values = quantity.values;
+  if (quantity.drawn) values = {support(*quantity.drawn).max, support(*quantity.drawn).min};
+  const auto other = std::ranges::find_if(values, [&](double value) { return value != usual; });
+  return other == values.end() ? usual : *other;
 }
 
-bool may_yield(const StudyConfig& config) {
-  return !config.quantities.at("building", "response_modification").is_always(0.0) ||
-         !config.quantities.at("building", "yield_coefficient").is_always(0.0);
+/// A case in which nothing is as usual that is not so in every case of the study.
+Case unusual_case(const StudyConfig& config) {
+  Case c;
+  for (std::size_t i = 0; i < parameters().size(); ++i) {
+    double& value = parameters()[i].of(c);
+    value = unusual_value(config.quantities[i], value);
+  }
+  return c;
 }
 
 }  // namespace
 
 KernelChoice cheapest_exact_kernel(const StudyConfig& config) {
-  const auto is_always = [&](const char* table, const char* key, double value) {
-    return config.quantities.at(table, key).is_always(value);
-  };
+  const Case c = unusual_case(config);
   if (config.two_axes()) return {Kernel::full, "both horizontal components act at once"};
-  if (!is_always("friction", "fast_over_slow", 1.0) && !is_always("friction", "rate_s_per_m", 0.0))
-    return {Kernel::full, "friction depends on speed"};
-  const bool oscillates = has_vertical_oscillator(config);
-  if (!is_always("friction", "static_over_sliding", 1.0)) {
+  if (c.law.depends_on_speed()) return {Kernel::full, "friction depends on speed"};
+  // The vertical's own oscillator takes part in the history.
+  const bool oscillates =
+      config.vertical != std::vector{VerticalChoice::none} && c.vertical_period_s != 0.0;
+  if (!c.law.is_coulomb()) {
     if (oscillates)
       return {Kernel::full,
               "friction is stronger at rest and the vertical has a period of its own"};
     return {Kernel::coupled, "friction is stronger at rest"};
   }
-  if (is_always("building", "period_s", 0.0))
-    return {Kernel::tables, "one axis on a rigid building"};
-  const bool coupled = !is_always("building", "mass_ratio", 0.0);
-  const bool yields = may_yield(config);
-  if (!coupled && !yields)
+  if (c.period_s == 0.0) return {Kernel::tables, "one axis on a rigid building"};
+  if (c.mass_ratio == 0.0 && !c.yields())
     return {Kernel::tables, "one axis on a linear building that the array does not move"};
   if (oscillates)
     return {Kernel::full,
             "the vertical has a period of its own beside a building that yields or is coupled with "
             "the array"};
-  if (yields) return {Kernel::coupled, "the building yields"};
+  if (c.yields()) return {Kernel::coupled, "the building yields"};
   return {Kernel::coupled, "building.mass_ratio is above 0"};
 }
 
 double history_us(Kernel kernel, const StudyConfig& config) {
-  const auto at = [&](const char* key) { return config.quantities.at("friction", key); };
+  const Case c = unusual_case(config);
   switch (kernel) {
     case Kernel::tables:
       return 7.0;
     case Kernel::coupled:
-      return may_yield(config) ? 300.0 : 100.0;
+      return c.yields() ? 300.0 : 100.0;
     case Kernel::full: {
-      const bool in_lanes = !config.base_shear && !may_yield(config) &&
-                            at("static_over_sliding").is_always(1.0) &&
-                            at("fast_over_slow").is_always(1.0);
+      const bool in_lanes = !config.base_shear && !c.yields() && c.law.is_coulomb();
       return in_lanes ? 200.0 : 2000.0;
     }
   }

@@ -5,13 +5,13 @@
 #include <bit>
 #include <cmath>
 
-#include "cases/case_scene.hpp"
 #include "glissade/block/coupled_slip.hpp"
 #include "glissade/block/tipping.hpp"
 #include "glissade/core/contract.hpp"
 #include "glissade/core/not_converged.hpp"
 #include "glissade/core/not_finite.hpp"
 #include "glissade/core/units.hpp"
+#include "glissade/study/cases/case_scene.hpp"
 
 namespace glissade {
 namespace {

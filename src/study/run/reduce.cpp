@@ -99,12 +99,6 @@ void analyse_again(StudyConfig study, Results& results) {
   append(notes_on(results, study), results.notes);
 }
 
-WorkCount total_count(const std::vector<UnitResult>& units) {
-  WorkCount total;
-  for (const UnitResult& unit : units) total += unit.count;
-  return total;
-}
-
 std::vector<Skip> skipped(const Plan& plan, const WorkCount& count) {
   std::vector<Skip> skips = plan.skips;
   const auto add = [&](const char* what, const char* why, std::uint64_t number) {

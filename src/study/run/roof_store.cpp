@@ -5,11 +5,11 @@
 #include <cmath>
 #include <numbers>
 
-#include "cases/case_scene.hpp"
 #include "glissade/block/tipping.hpp"
 #include "glissade/building/rigid.hpp"
 #include "glissade/core/contract.hpp"
 #include "glissade/motion/intensity.hpp"
+#include "glissade/study/cases/case_scene.hpp"
 #include "glissade/study/run/scene.hpp"
 
 namespace glissade {

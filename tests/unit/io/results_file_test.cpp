@@ -278,6 +278,18 @@ std::filesystem::path file_with(const TemporaryFolder& folder, const char* datas
   return path;
 }
 
+TEST(results_file, of_a_program_with_fewer_parameters_has_the_usual_value_of_the_others) {
+  const TemporaryFolder folder;
+  const auto path = folder.path() / "old.h5";
+  write_results(path, with_fragility());
+  const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
+  EXPECT_GE(H5Ldelete(file, "cases/friction.neighbour_mu", H5P_DEFAULT), 0);
+  EXPECT_GE(H5Fclose(file), 0);
+  test::renew_checksum(path);
+  for (const Case& c : read_results(path).cases.cases)
+    EXPECT_EQ(c.neighbour_friction, Case().neighbour_friction);
+}
+
 /// A good file whose levels are stored otherwise: by other properties, or behind a link.
 std::filesystem::path file_with_levels(const TemporaryFolder& folder, hid_t properties,
                                        const char* external_link) {

@@ -123,7 +123,7 @@ TEST(execute, scales_the_roof_to_the_peak_roof_acceleration) {
 
 TEST(execute, does_not_integrate_histories_that_cannot_slip) {
   const Plan plan = small_plan(small_config());
-  const WorkCount count = total_count(test::execute_all(plan));
+  const WorkCount count = test::total_count(test::execute_all(plan));
   EXPECT_GT(count.below_yield, 10u);
   EXPECT_EQ(count.below_yield + count.integrated, plan.histories());
 }
@@ -134,7 +134,7 @@ WorkCount expect_skips_change_nothing(const Plan& plan) {
   const std::vector<UnitResult> all = test::execute_all(plan, Skipping::none);
   for (std::size_t u = 0; u < all.size(); ++u)
     EXPECT_EQ(bits_of({.fields = skipped[u].fields}), bits_of({.fields = all[u].fields}));
-  const WorkCount less = total_count(skipped), done = total_count(all);
+  const WorkCount less = test::total_count(skipped), done = test::total_count(all);
   EXPECT_EQ(done.below_yield, 0u);
   EXPECT_EQ(done.from_curve, 0u);
   EXPECT_EQ(done.beyond, 0u);

@@ -283,8 +283,8 @@ TEST(execute_any_model, skipping_what_cannot_slip_changes_no_bit) {
     const auto a = test::execute_all(plan), b = test::execute_all(plan, Skipping::none);
     for (std::size_t u = 0; u < a.size(); ++u)
       EXPECT_EQ(test::bits_of({.fields = a[u].fields}), test::bits_of({.fields = b[u].fields}));
-    EXPECT_GT(total_count(a).below_yield, 10u) << plan.kernel.reason;
-    EXPECT_EQ(total_count(b).below_yield, 0u);
+    EXPECT_GT(test::total_count(a).below_yield, 10u) << plan.kernel.reason;
+    EXPECT_EQ(test::total_count(b).below_yield, 0u);
   }
   EXPECT_EQ(kernels.size(), 3u);
 }

@@ -69,6 +69,12 @@ inline Results run(const Plan& plan, Skipping skipping = Skipping::all) {
   return reduce(plan, execute_all(plan, skipping));
 }
 
+inline WorkCount total_count(const std::vector<UnitResult>& units) {
+  WorkCount total;
+  for (const UnitResult& unit : units) total += unit.count;
+  return total;
+}
+
 /// Factor on a record at a level.
 inline double factor_of(const Plan& plan, std::size_t record, double level) {
   return plan.config.intensity.measure.factor_of_level(level) * plan.factor_at_unit_level[record];

@@ -69,6 +69,7 @@ struct Parameter {
   const char* meaning;
   double& (*of)(Case&);
   enum class Axes { any, two } axes = Axes::any;  ///< two: allowed with [model] axes = 2 only
+  const char* needs = nullptr;  ///< the key of its table that must not be as usual, for it to count
 
   /// It decides how the roof moves: cases that differ in no such parameter share a roof.
   bool moves_roof() const;

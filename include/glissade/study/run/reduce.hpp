@@ -20,8 +20,6 @@ Results reduce(const Plan& plan, const std::vector<UnitResult>& units);
 /// stay, and new ones are added.
 void analyse_again(StudyConfig study, Results& results);
 
-WorkCount total_count(const std::vector<UnitResult>& units);
-
 /// What the plan left out, and what the units did not need to do.
 std::vector<Skip> skipped(const Plan& plan, const WorkCount& count);
 

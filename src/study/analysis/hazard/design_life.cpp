@@ -7,10 +7,10 @@
 #include <map>
 #include <numeric>
 
-#include "cases/case_scene.hpp"
 #include "glissade/core/not_finite.hpp"
 #include "glissade/core/quantile.hpp"
 #include "glissade/core/random.hpp"
+#include "glissade/study/cases/case_scene.hpp"
 
 namespace glissade {
 namespace {

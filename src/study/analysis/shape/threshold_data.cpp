@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "cases/case_scene.hpp"
+#include "glissade/study/cases/case_scene.hpp"
 
 namespace glissade {
 
