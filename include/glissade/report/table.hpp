@@ -56,6 +56,8 @@ struct Table {
   void add(std::vector<Cell> row);
   /// The same table without a column.
   Table without(const std::string& stem) const;
+  /// Its first rows; where it has more, a note says that all are in tables/`file`.csv.
+  Table first_rows(std::size_t most, const FileName& file) const;
 };
 
 /// The cell as people read it: "0.300 (11.8)", "12 %", "0.84 [0.76, 0.93]"; "-" for what is not

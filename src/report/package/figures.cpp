@@ -34,8 +34,7 @@ Figure demand_figure(const CalculationPackage& package) {
                            Line{&PeriodDemand::mean_m, Role::median, "mean"}}) {
     DataSeries series{DataSeries::Kind::line_and_points, look(line.role), line.label};
     for (const PeriodDemand& d : design.demand) {
-      series.x.push_back(d.period_s);
-      series.y.push_back(d.*line.value);
+      series.add(d.period_s, d.*line.value);
       top_m = std::max(top_m, d.*line.value);
     }
     labels.push_back({0.0, labelled.*line.value, line.label, look(line.role).colour});

@@ -130,6 +130,15 @@ Table Table::without(const std::string& stem) const {
   return rest;
 }
 
+Table Table::first_rows(std::size_t most, const FileName& file) const {
+  Table first = *this;
+  if (rows.size() <= most) return first;
+  first.rows.resize(most);
+  first.notes.push_back(
+      fmt::format("{} of {} rows; all are in tables/{}.csv", most, rows.size(), file.text()));
+  return first;
+}
+
 std::string cell_text(const Column& column, const Cell& cell) {
   if (const auto* text = std::get_if<std::string>(&cell)) return *text;
   if (const auto* number = std::get_if<double>(&cell))

@@ -210,10 +210,4 @@ double largest(const std::vector<double>& values) {
   return found;
 }
 
-void end_line(DataSeries& series) {
-  constexpr double gap = std::numeric_limits<double>::quiet_NaN();
-  series.x.push_back(gap);
-  series.y.push_back(gap);
-}
-
 }  // namespace glissade

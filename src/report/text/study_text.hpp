@@ -80,7 +80,5 @@ std::vector<double> histories_at(const HistoryTable& histories, CaseSlice cases,
                                  std::size_t last, std::size_t level);
 /// The largest finite number, at least 0.
 double largest(const std::vector<double>& values);
-/// The next point begins another line of the series.
-void end_line(DataSeries& series);
 
 }  // namespace glissade

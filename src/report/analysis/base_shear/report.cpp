@@ -74,10 +74,9 @@ std::string range_of_conditions(const Results& results) {
 
 std::string summary(const Results& results) {
   constexpr std::size_t most_rows = 24;
-  std::string text = "Base shear\n";
-  for (const std::string& sentence : base_shear_sentences(results)) text += wrapped(sentence);
   const Table table = base_shear_table(results);
-  return table.rows.size() <= most_rows ? text + "\n" + to_text(table) : text;
+  return "Base shear\n" + paragraphs(base_shear_sentences(results)) +
+         (table.rows.size() <= most_rows ? "\n" + to_text(table) : "");
 }
 
 std::vector<Table> tables(const Results& results) { return {base_shear_table(results)}; }

@@ -37,12 +37,8 @@ void add_run(Panel& panel, const HazardRun& run, const std::string& name, Look l
   for (const DisplacementRate& row : run.curve) {
     if (!std::isfinite(row.annual_rate) || row.displacement_m > panel.x.high / room_for_rates)
       continue;
-    line.x.push_back(row.displacement_m);
-    line.y.push_back(height(row.annual_rate));
-    if (!shaded || std::isnan(row.rate_interval.low)) continue;
-    band.x.push_back(row.displacement_m);
-    band.low.push_back(height(row.rate_interval.low));
-    band.high.push_back(height(row.rate_interval.high));
+    line.add(row.displacement_m, height(row.annual_rate));
+    band.add(row.displacement_m, {height(row.rate_interval.low), height(row.rate_interval.high)});
   }
   if (shaded) panel.series.insert(panel.series.begin(), std::move(band));
   panel.series.push_back(std::move(line));
@@ -56,7 +52,7 @@ double last_m(const Panel& panel) {
 }
 
 /// Decades that hold the curves and the target rates.
-void scale_rates(Panel& panel, const HazardResults& hazard) {
+Axis rate_axis(const Panel& panel, const HazardResults& hazard) {
   double low =
       height(hazard.runs.front().targets.empty() ? hazard.beyond_rate
                                                  : hazard.runs.front().targets.back().annual_rate);
@@ -70,10 +66,9 @@ void scale_rates(Panel& panel, const HazardResults& hazard) {
       }
     }
   }
-  panel.y.low = std::floor(low);
-  panel.y.high = std::max(std::ceil(high), panel.y.low + 1.0);
-  for (double decade = panel.y.low; decade <= panel.y.high; ++decade)
-    panel.y.ticks.push_back({decade, fmt::format("1e{:g}", decade)});
+  return log_axis("Annual rate of exceedance", std::floor(low),
+                  std::max(std::ceil(high), std::floor(low) + 1.0),
+                  [](double rate) { return fmt::format("1e{:g}", std::round(std::log10(rate))); });
 }
 
 }  // namespace
@@ -82,12 +77,11 @@ Figure hazard_figure(const Results& results) {
   const HazardResults& hazard = *results.hazard;
   const std::size_t lines = std::min(hazard.runs.size(), most_lines);
   Panel panel{"", length_axis("Displacement in plan", room_for_rates * right_end_m(results))};
-  panel.y.label = "Annual rate of exceedance";
   for (std::size_t i = 0; i < lines; ++i)
     add_run(panel, hazard.runs[i],
             run_name(results, results.runs[i]) + (i == 0 ? " (shaded: 95 % interval)" : ""),
             distinct_look(i), i == 0);
-  scale_rates(panel, hazard);
+  panel.y = rate_axis(panel, hazard);
   Figure figure{
       "hazard", "Annual rate of exceeding a displacement",
       counts_of(results) + "; hazard curve " + curve_name(hazard),
@@ -119,19 +113,13 @@ Figure life_figure(const Results& results) {
   for (const LifeQuantile& row : hazard.runs[shown].life_distribution)
     if (std::isfinite(row.displacement_m)) right_m = std::max(right_m, row.displacement_m);
   Panel panel{"", length_axis("Displacement in plan", room_for_rates * right_m)};
-  panel.y = {"Part of the design lives that exceed it",
-             height(least_part),
-             0.0,
-             {},
-             Axis::Values::logarithms};
-  for (const double part : {1e-3, 1e-2, 1e-1, 1.0})
-    panel.y.ticks.push_back({height(part), fmt::format("{:g} %", 100.0 * part)});
+  panel.y = log_axis("Part of the design lives that exceed it", height(least_part), 0.0,
+                     [](double part) { return fmt::format("{:g} %", 100.0 * part); });
   for (std::size_t i = 0; i < names.size(); ++i) {
     DataSeries line{DataSeries::Kind::line, distinct_look(i), names[i].second, names[i].second};
     for (const LifeQuantile& row : hazard.runs[shown].life_distribution) {
       if (row.quantity != names[i].first || !std::isfinite(row.displacement_m)) continue;
-      line.x.push_back(row.displacement_m);
-      line.y.push_back(height(1.0 - row.probability));
+      line.add(row.displacement_m, height(1.0 - row.probability));
     }
     panel.series.push_back(std::move(line));
   }

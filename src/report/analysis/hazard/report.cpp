@@ -129,38 +129,28 @@ std::vector<std::string> life_sentences(const Results& results, const HazardRun&
 }
 
 std::string summary(const Results& results) {
-  constexpr std::size_t most_rows = 12;
-  Table rates = without_run_key(results, hazard_table(results));
+  Table rates = without_run_key(results, hazard_table(results)).first_rows(12, "hazard");
   const auto rate = std::ranges::find(rates.columns, "annual_rate", &Column::stem);
   rate->heading = "Annual rate";  // the interval of the return period says as much
   rate->with_interval = false;
-  const std::size_t rows = rates.rows.size();
-  rates.rows.resize(std::min(rows, most_rows));
   for (std::vector<Cell>& row : rates.rows) {
     Cell& cell = row[static_cast<std::size_t>(rate - rates.columns.begin())];
     cell = Estimate{std::get<Estimate>(cell).value, {}, std::get<Estimate>(cell).sign};
   }
-  std::string text = to_text(rates);
-  if (rows > most_rows)
-    text += fmt::format("  {} rows more are in tables/hazard.csv\n", rows - most_rows);
-  text += "\n";
+  std::string text = to_text(rates) + "\n";
   const std::size_t shown = least_favourable_run(results);
   const HazardRun& run = results.hazard->runs[shown];
   for (std::size_t i = 0; i < run.targets.size(); ++i) text += wrapped(target_sentence(results, i));
   for (std::size_t i = 0; i < run.prescribed.size(); ++i)
     text += wrapped(prescribed_sentence(results, i));
   if (results.runs.size() > 1) text += wrapped("Of " + least_favourable(results) + ":");
-  for (const std::string& sentence : life_sentences(results, run)) text += wrapped(sentence);
-  return text;
+  return text + paragraphs(life_sentences(results, run));
 }
 
 std::vector<Table> tables(const Results& results) {
-  std::vector<Table> all{hazard_table(results), hazard_targets_table(results),
-                         design_life_table(results), life_distribution_table(results),
-                         hazard_curve_table(results)};
-  if (Table standards = hazard_standards_table(results); !standards.rows.empty())
-    all.push_back(std::move(standards));
-  return all;
+  return {hazard_table(results),       hazard_targets_table(results),
+          design_life_table(results),  life_distribution_table(results),
+          hazard_curve_table(results), hazard_standards_table(results)};
 }
 
 Html section(const Results& results) {

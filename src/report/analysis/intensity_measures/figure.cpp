@@ -35,11 +35,10 @@ Figure intensity_measures_figure(const Results& results) {
     const RankedMeasure& row = ranking[i];
     const double y = -static_cast<double>(i);
     DataSeries& at = is_insufficient(row) ? insufficient : sufficient;
-    at.x.push_back(row.dispersion);
-    at.y.push_back(y);
-    bars.x.insert(bars.x.end(), {row.interval.low, row.interval.high});
-    bars.y.insert(bars.y.end(), {y, y});
-    end_line(bars);
+    at.add(row.dispersion, y);
+    bars.add(row.interval.low, y);
+    bars.add(row.interval.high, y);
+    bars.end_line();
     panel.y.ticks.push_back({y, row.name});
     right = std::max({right, row.dispersion, row.interval.high});
   }

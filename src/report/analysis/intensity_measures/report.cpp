@@ -45,9 +45,7 @@ Table shown_table(const Results& results) {
 }
 
 std::string summary(const Results& results) {
-  std::string text;
-  for (const std::string& sentence : sentences(results)) text += wrapped(sentence);
-  return text + "\n" + to_text(shown_table(results));
+  return paragraphs(sentences(results)) + "\n" + to_text(shown_table(results));
 }
 
 Html section(const Results& results) {

@@ -81,9 +81,7 @@ std::vector<std::string> sentences(const Results& results) {
 }
 
 std::string summary(const Results& results) {
-  std::string text = to_text(rare_table(results)) + "\n";
-  for (const std::string& sentence : sentences(results)) text += wrapped(sentence);
-  return text;
+  return to_text(rare_table(results)) + "\n" + paragraphs(sentences(results));
 }
 
 /// Of the first combination: a line for each threshold.
@@ -96,10 +94,8 @@ Figure rare_figure(const Results& results) {
                 "wider distributions, with weights."};
   Panel panel{"",
               {results.intensity_label, 0.0, 1.05 * results.levels.back()},
-              {"Probability", std::log10(least), 0.0, {}, Axis::Values::logarithms}};
-  for (int decade = -7; decade <= 0; ++decade)
-    panel.y.ticks.push_back(
-        {static_cast<double>(decade), fmt::format("{:g}", std::pow(10.0, decade))});
+              log_axis("Probability", std::log10(least), 0.0,
+                       [](double probability) { return fmt::format("{:g}", probability); })};
   std::vector<double> thresholds;
   for (const RareRow& row : rare.rows) {
     if (row.first_case == rare.rows.front().first_case &&
@@ -107,6 +103,7 @@ Figure rare_figure(const Results& results) {
       thresholds.push_back(row.threshold_m);
   }
   const auto height = [](double p) { return std::log10(std::clamp(p, least, 1.0)); };
+  const auto heights = [&](const Interval& p) { return Interval{height(p.low), height(p.high)}; };
   for (std::size_t t = 0; t < thresholds.size(); ++t) {
     Look line_look = distinct_look(t);
     line_look.symbol = 7;
@@ -118,18 +115,9 @@ Figure rare_figure(const Results& results) {
       if (row.first_case != rare.rows.front().first_case || row.threshold_m != thresholds[t] ||
           row.probability < least)
         continue;
-      line.x.push_back(row.level);
-      line.y.push_back(height(row.probability));
-      if (!std::isnan(row.sampling_interval.low)) {
-        bars.x.push_back(row.level);
-        bars.low.push_back(height(row.sampling_interval.low));
-        bars.high.push_back(height(row.sampling_interval.high));
-      }
-      if (!std::isnan(row.record_interval.low)) {
-        band.x.push_back(row.level);
-        band.low.push_back(height(row.record_interval.low));
-        band.high.push_back(height(row.record_interval.high));
-      }
+      line.add(row.level, height(row.probability));
+      bars.add(row.level, heights(row.sampling_interval));
+      band.add(row.level, heights(row.record_interval));
     }
     panel.series.insert(panel.series.begin(), std::move(band));
     panel.series.push_back(std::move(bars));
@@ -204,9 +192,8 @@ AnalysisReport SamplingErrorAnalysis::in_report() {
       .is_in = [](const Results& results) { return !results.sampling_errors.empty(); },
       .summary =
           [](const Results& results) {
-            std::string text = to_text(sampling_error_table(results)) + "\n";
-            for (const std::string& sentence : error_sentences(results)) text += wrapped(sentence);
-            return text;
+            return to_text(sampling_error_table(results)) + "\n" +
+                   paragraphs(error_sentences(results));
           },
       .sentences = error_sentences,
       .tables = [](const Results& results) { return std::vector{sampling_error_table(results)}; },

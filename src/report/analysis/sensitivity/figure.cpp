@@ -133,10 +133,9 @@ Figure spread_over_intensity_figure(const Results& results) {
       if (row.is_capacity() || row.first_case != shown.first_case ||
           row.threshold_m != shown.threshold_m || row.mean < least || row.mean > most)
         continue;
-      line.x.push_back(row.level);
+      line.add(row.level, percent(shown_indices(found, row)[factors[i]]));
       panel.x.low = std::min(panel.x.low, 0.97 * row.level);
       panel.x.high = std::max(panel.x.high, 1.03 * row.level);
-      line.y.push_back(percent(shown_indices(found, row)[factors[i]]));
     }
     panel.series.push_back(std::move(line));
   }

@@ -86,11 +86,7 @@ std::vector<std::string> sentences(const Results& results) {
   return all;
 }
 
-std::string summary(const Results& results) {
-  std::string text;
-  for (const std::string& sentence : sentences(results)) text += wrapped(sentence);
-  return text;
-}
+std::string summary(const Results& results) { return paragraphs(sentences(results)); }
 
 std::vector<Table> tables(const Results& results) {
   return {spread_table(results), exceedance_spread_table(results), design_friction_table(results)};

@@ -76,10 +76,9 @@ std::vector<std::string> sentences(const Results& results) {
 
 std::string summary(const Results& results) {
   constexpr std::size_t most_rows = 24;
-  std::string text;
-  for (const std::string& sentence : sentences(results)) text += wrapped(sentence);
   const Table table = tipping_table(results).without("records");
-  return table.rows.size() <= most_rows ? text + "\n" + to_text(table) : text;
+  return paragraphs(sentences(results)) +
+         (table.rows.size() <= most_rows ? "\n" + to_text(table) : "");
 }
 
 std::vector<Table> tables(const Results& results) { return {tipping_table(results)}; }

@@ -70,8 +70,8 @@ struct RatioLine {
     const auto at = static_cast<std::size_t>(std::ranges::find(line.x, x) - line.x.begin());
     const double y = height(row.displacement_m.front(), row);
     if (at == line.x.size()) {
-      for (std::vector<double>* values : {&line.x, &bars.x}) values->push_back(x);
-      for (std::vector<double>* values : {&line.y, &bars.low, &bars.high}) values->push_back(-1e9);
+      line.add(x, -1e9);
+      bars.add(x, {-1e9, -1e9});
     }
     if (y <= line.y[at]) return;
     line.y[at] = y;
@@ -97,8 +97,7 @@ std::vector<DataSeries> other_standards(const VerdictResults& verdict, Standard 
         if (other.standard == standard && other.sds_g == row.sds_g) same = &other;
       }
       if (same == nullptr) continue;
-      line.x.push_back(abscissa.of(row));
-      line.y.push_back(height(row.prescribed.value_m, *same));
+      line.add(abscissa.of(row), height(row.prescribed.value_m, *same));
     }
     if (line.x.size() > 1) lines.push_back(std::move(line));
     break;  // of all arrays the same
@@ -111,21 +110,6 @@ bool has_upper_ends(const VerdictResults& verdict) {
   return std::ranges::all_of(verdict.rows, [](const VerdictRow& row) {
     return !std::isinf(row.displacement_interval.front().high);
   });
-}
-
-Axis ratio_axis(double highest) {
-  Axis axis{"Ratio to the prescribed value",
-            std::log10(least_ratio),
-            highest,
-            {},
-            Axis::Values::logarithms};
-  for (double decade = least_ratio; std::log10(decade) <= highest; decade *= 10.0) {
-    for (const double digit : {1.0, 2.0, 5.0}) {
-      const double at = std::log10(digit * decade);
-      if (at <= highest) axis.ticks.push_back({at, fmt::format("{:g}", digit * decade)});
-    }
-  }
-  return axis;
 }
 
 }  // namespace
@@ -181,7 +165,9 @@ Figure verdict_figure(const Results& results) {
     panel.rules.push_back({Rule::Kind::horizontal, 0.0, look(Role::prescribed), ""});
     figure.panels.push_back(std::move(panel));
   }
-  for (Panel& panel : figure.panels) panel.y = ratio_axis(highest);
+  for (Panel& panel : figure.panels)
+    panel.y = log_axis("Ratio to the prescribed value", std::log10(least_ratio), highest,
+                       [](double ratio) { return fmt::format("{:g}", ratio); }, {1.0, 2.0, 5.0});
   figure.labels_at_lines = true;
   return figure;
 }

@@ -173,9 +173,8 @@ std::vector<std::string> sentences(const Results& results) {
 }
 
 std::string summary(const Results& results) {
-  std::string text;
-  for (const std::string& sentence : sentences(results)) text += wrapped(sentence);
-  return text + "\n" + to_text(verdict_summary_table(results).without("mce_probability"));
+  return paragraphs(sentences(results)) + "\n" +
+         to_text(verdict_summary_table(results).without("mce_probability"));
 }
 
 std::vector<Table> tables(const Results& results) {
