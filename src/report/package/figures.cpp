@@ -62,7 +62,7 @@ Figure demand_figure(const CalculationPackage& package) {
                              length_in_both(design.governing_m)
                        : ""),
           "Largest: of any orientation. Mean and 95th percentile: all records have the orientation "
-          "that is least favourable at the period.",
+          "that governs at the period.",
           {panel}};
 }
 

@@ -45,9 +45,7 @@ std::string comparison(const Results& r) {
   const ConditionGrid& grid = r.conditions->grid;
   const std::string level =
       has_several(grid, ConditionAxis::level)
-          ? "At " +
-                label_of(grid, ConditionAxis::level, shown_condition(grid)[ConditionAxis::level]) +
-                ", with"
+          ? "At " + label_of(grid, ConditionAxis::level, shown_condition(grid)) + ", with"
           : "With";
   return fmt::format("{} the array isolated the base shear is {}.", level,
                      fmt::join(parts, "; and "));

@@ -221,10 +221,10 @@ std::string fragility_summary(const Results& results) {
 
 std::vector<std::string> sentences(const Results& results) {
   std::vector<std::string> sentences;
-  const std::size_t shown = least_favourable_run(results);
+  const std::size_t shown = governing_run(results);
   const RunResults& run = results.runs[shown];
   if (lists_more_than_friction_value(results))
-    sentences.push_back("Of " + least_favourable(results) + ":");
+    sentences.push_back("Of " + governing_text(results) + ":");
   for (const ThresholdFragility& fragility : run.fragilities)
     sentences.push_back(threshold_sentence(results, fragility));
   if (const SlipStatistics* slip = shown_slip(results, run)) {

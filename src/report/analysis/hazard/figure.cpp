@@ -26,7 +26,8 @@ double right_end_m(const Results& results) {
   double right = results.thresholds_m.back();
   for (const HazardRun& run : hazard.runs) {
     for (const TargetDisplacement& row : run.targets)
-      if (std::isfinite(row.displacement_m)) right = std::max(right, row.displacement_m);
+      if (std::isfinite(row.displacement_m.value))
+        right = std::max(right, row.displacement_m.value);
   }
   return 1.15 * right;
 }
@@ -35,10 +36,10 @@ void add_run(Panel& panel, const HazardRun& run, const std::string& name, Look l
   DataSeries band{DataSeries::Kind::band, look, run.label + ": 95 % interval"};
   DataSeries line{DataSeries::Kind::line, look, name, name};
   for (const DisplacementRate& row : run.curve) {
-    if (!std::isfinite(row.annual_rate) || row.displacement_m > panel.x.high / room_for_rates)
-      continue;
-    line.add(row.displacement_m, height(row.annual_rate));
-    band.add(row.displacement_m, {height(row.rate_interval.low), height(row.rate_interval.high)});
+    const auto& [rate, interval] = row.annual_rate;
+    if (!std::isfinite(rate) || row.displacement_m > panel.x.high / room_for_rates) continue;
+    line.add(row.displacement_m, height(rate));
+    band.add(row.displacement_m, {height(interval.low), height(interval.high)});
   }
   if (shaded) panel.series.insert(panel.series.begin(), std::move(band));
   panel.series.push_back(std::move(line));
@@ -88,7 +89,7 @@ Figure hazard_figure(const Results& results) {
       fmt::format("Shaded: 95 % interval over records, of the first curve. Drawn to {} (farther: "
                   "tables/hazard_curve.csv). Where a curve becomes level it is that of "
                   "shaking above the highest level of the study, {}, all of which counts as "
-                  "exceeding (rate {:.3g} a year). All runs: tables/hazard_curve.csv.",
+                  "exceeding (rate {:.3g} a year). All combinations: tables/hazard_curve.csv.",
                   format_length(last_m(panel)), at_intensity(results, results.levels.back()),
                   hazard.beyond_rate)};
   for (const TargetDisplacement& row : hazard.runs.front().targets) {
@@ -104,17 +105,17 @@ Figure hazard_figure(const Results& results) {
 
 Figure life_figure(const Results& results) {
   const HazardResults& hazard = *results.hazard;
-  const std::size_t shown = least_favourable_run(results);
-  constexpr double least_part = 2e-4;  // room for the names of the lines below 0.1 %
+  const std::size_t shown = governing_run(results);
+  constexpr double least_share = 2e-4;  // room for the names of the lines below 0.1 %
   const std::array names = {std::pair{LifeQuantity::single, "largest earthquake"},
                             std::pair{LifeQuantity::accumulated, "accumulated at the end"},
-                            std::pair{LifeQuantity::farthest, "farthest at any time"}};
+                            std::pair{LifeQuantity::farthest, "largest at any time"}};
   double right_m = 0.01;
   for (const LifeQuantile& row : hazard.runs[shown].life_distribution)
     if (std::isfinite(row.displacement_m)) right_m = std::max(right_m, row.displacement_m);
   Panel panel{"", length_axis("Displacement in plan", room_for_rates * right_m)};
-  panel.y = log_axis("Part of the design lives that exceed it", height(least_part), 0.0,
-                     [](double part) { return fmt::format("{:g} %", 100.0 * part); });
+  panel.y = log_axis("Share of the design lives that exceed it", height(least_share), 0.0,
+                     [](double share) { return fmt::format("{:g} %", 100.0 * share); });
   for (std::size_t i = 0; i < names.size(); ++i) {
     DataSeries line{DataSeries::Kind::line, distinct_look(i), names[i].second, names[i].second};
     for (const LifeQuantile& row : hazard.runs[shown].life_distribution) {
@@ -127,7 +128,8 @@ Figure life_figure(const Results& results) {
       "design_life", "Slip over " + life_text(hazard),
       counts_of(results) + "; " + run_name(results, results.runs[shown]) + "; hazard curve " +
           curve_name(hazard),
-      "The array is not moved back. Accumulated: residual displacements add up as vectors. "
+      "The array is not returned to its initial position. Accumulated: residual displacements add "
+      "up as vectors. "
       "Lines end where shaking above the highest level decides, or at one life in a thousand. "
       "Numbers: tables/design_life_distribution.csv."};
   figure.panels.push_back(std::move(panel));

@@ -13,7 +13,8 @@ namespace glissade {
 namespace {
 
 std::string with_dispersion(const RankedMeasure& row) {
-  return fmt::format("{} ({:.3g} [{}])", row.name, row.dispersion, format_interval(row.interval));
+  return fmt::format("{} ({:.3g} [{}])", row.name, row.dispersion.value,
+                     format_interval(row.dispersion.interval));
 }
 
 std::vector<std::string> sentences(const Results& results) {

@@ -22,14 +22,15 @@ Table rare_table(const Results& results) {
   Table table{
       "rare",
       "Probability, given the level, that slip reaches the threshold",
-      {text_column("condition", "Array"),
-       {"threshold", "m", "Clearance, m (in)", ColumnKind::length},
+      {condition_column,
+       threshold_column,
        intensity_column(results, "level", "Level"),
        text_column("estimate", "Probability"),
        text_column("samples", "95 %, samples"),
        text_column("records", "95 %, records"),
-       {"effective_samples", "", "Samples that carry it", ColumnKind::number, false, -1, true},
-       {"effective_records", "", "Records that carry it"},
+       {"effective_samples", "", "Effective number of samples", ColumnKind::number, false, -1,
+        true},
+       {"effective_records", "", "Effective number of records"},
        {"plain_samples", "", "Plain Monte Carlo samples", ColumnKind::number, false, -1, true},
        {"probability", "", "Probability", ColumnKind::number, true, -1, true}},
       {}};
@@ -44,10 +45,11 @@ Table rare_table(const Results& results) {
   table.notes = {
       "Samples: interval from independent scrambles, on these records. Records: bootstrap over "
       "records.",
-      fmt::format("Samples, records that carry it: (sum p)^2 / sum p^2 of the parts p that each "
-                  "contributes. With fewer than {:g} samples the error of the samples is not known "
-                  "(-); where few records do, the interval over records is too narrow.",
-                  least_effective_samples),
+      fmt::format(
+          "Effective number: (sum p)^2 / sum p^2 of the contributions p of the samples, of "
+          "the records. With fewer than {:g} of the samples the error of the samples is not "
+          "known (-); with few of the records the interval over records is too narrow.",
+          least_effective_samples),
       "Plain Monte Carlo samples: as many would be required for the same sampling error."};
   return table;
 }
@@ -71,7 +73,8 @@ std::vector<std::string> sentences(const Results& results) {
   if (row == nullptr) return {};
   return {fmt::format(
       "At {} slip reaches {} with a probability of {} (95 %: {} to {} of the samples, {} to {} of "
-      "the records; {:.1f} of {} records carry it). Plain Monte Carlo would need {:.2g} samples "
+      "the records; effective number of records {:.1f} of {}). Plain Monte Carlo would need {:.2g} "
+      "samples "
       "for "
       "that sampling error; {} were run.",
       at_intensity(results, row->level), format_length(row->threshold_m), small(row->probability),
@@ -166,7 +169,7 @@ Table sampling_error_table(const Results& results) {
   Table table{"sampling_error",
               "Standard errors of the median capacity",
               {text_column("run", "Friction"),
-               {"threshold", "m", "Clearance, m (in)", ColumnKind::length},
+               threshold_column,
                intensity_column(results, "median", "Median"),
                {"record_error", "", "Of the records", ColumnKind::share},
                {"sampling_error", "", "Of the samples", ColumnKind::share}},

@@ -27,7 +27,7 @@ Table tipping_table(const Results& results) {
   Table table{"tipping",
               "Share of the histories in which the body begins to tip. Intensity measure: " +
                   results.intensity_label + ".",
-              {text_column("condition", "Condition"),
+              {condition_column,
                intensity_column(results, "level", "Level"),
                {"tip_share", "", "Begins to tip", ColumnKind::share},
                {"record_count", "", "Records that tip", ColumnKind::count},

@@ -14,12 +14,10 @@ namespace {
 
 constexpr std::size_t most_lines = 4, most_panels = 4;
 
-/// Up to `count` of sorted values, evenly spread, both ends included.
 std::vector<double> some_of(const std::set<double>& values, std::size_t count) {
-  std::vector<double> all(values.begin(), values.end());
-  if (all.size() <= count) return all;
+  const std::vector<double> all(values.begin(), values.end());
   std::vector<double> some;
-  for (std::size_t i = 0; i < count; ++i) some.push_back(all[i * (all.size() - 1) / (count - 1)]);
+  for (const std::size_t i : evenly(all.size(), count)) some.push_back(all[i]);
   return some;
 }
 
@@ -129,7 +127,7 @@ Figure verdict_figure(const Results& results) {
       fmt::format("Displacement that {:g} % exceed at DBE, over that of {}", accepted,
                   standard_name(standard)),
       results.suites.front().name + ", " + counts_of(results) +
-          "; the least favourable building period; at the lines: friction; bars: 95 % over "
+          "; the governing building period; at the lines: friction; bars: 95 % over "
           "records" +
           (has_upper_ends(verdict) ? "" : ", lower ends (upper ends: none)"),
       fmt::format(
