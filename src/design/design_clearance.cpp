@@ -258,7 +258,7 @@ std::optional<ThresholdRate> largest_rate(const Results& probability, double dis
     const auto rate =
         std::ranges::find(run.thresholds, displacement_m, &ThresholdRate::threshold_m);
     GLISSADE_EXPECTS(rate != run.thresholds.end());
-    if (!largest || rate->annual_rate > largest->annual_rate) largest = *rate;
+    if (!largest || rate->annual_rate.value > largest->annual_rate.value) largest = *rate;
   }
   return largest;
 }

@@ -189,7 +189,7 @@ bool is_complete(const Table& table) {
   return !table.rows.empty() && std::ranges::all_of(table.rows, [](const std::vector<Cell>& row) {
     return std::ranges::all_of(row, [](const Cell& cell) {
       if (const auto* value = std::get_if<double>(&cell)) return std::isfinite(*value);
-      if (const auto* e = std::get_if<Estimate>(&cell))
+      if (const auto* e = std::get_if<SignedEstimate>(&cell))
         return std::isfinite(e->value) && std::isfinite(e->interval.low) &&
                std::isfinite(e->interval.high);
       return true;

@@ -14,6 +14,12 @@ struct Interval {
   double high = std::numeric_limits<double>::quiet_NaN();
 };
 
+/// A number with its 95 % interval.
+struct Estimate {
+  double value = 0.0;
+  Interval interval;
+};
+
 /// One intensity level: of `trials`, `exceedances` exceeded. Counts may be fractional (weights,
 /// resampling).
 struct Stripe {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "glissade/core/file_name.hpp"
+#include "glissade/fragility/fit.hpp"
 
 // A figure as a value: what is drawn, in the numbers of its axes. render_figure() makes the only
 // script of it.
@@ -62,6 +63,12 @@ struct DataSeries {
   std::string label;         ///< in the key; empty: it has none
   std::vector<double> x, y;  ///< a gap where one is not finite; without numbers: in the key alone
   std::vector<double> low, high;  ///< of bands and bars, in place of y
+
+  void add(double x_value, double y_value);
+  /// Of bands and bars; nothing where an end is NaN.
+  void add(double x_value, const Interval& range);
+  /// The next point begins another line.
+  void end_line();
 };
 
 /// A straight line across the plot, or part of it.
@@ -101,6 +108,10 @@ struct Axis {
 };
 /// A displacement from 0 m on, in the unit that stands first.
 Axis length_axis(const std::string& label, double high_m);
+/// Values at their logarithms, which `low` and `high` are too. Ticks are at these digits times
+/// powers of ten, each with its text.
+Axis log_axis(const std::string& label, double low, double high, std::string (*text)(double),
+              const std::vector<double>& digits = {1.0});
 /// 1, 2 or 5 times a power of ten: about `count` ticks over the range.
 double round_step(double range, double count);
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "glissade/core/units.hpp"
 #include "glissade/fragility/fit.hpp"
@@ -61,5 +62,6 @@ std::string format_skip(const Skip& skip);
 
 /// A paragraph for the terminal, indented, in lines of at most 80 characters.
 std::string wrapped(const std::string& text);
+std::string paragraphs(const std::vector<std::string>& texts);
 
 }  // namespace glissade

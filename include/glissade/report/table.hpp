@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -36,13 +37,14 @@ struct Column {
 /// A column of text.
 Column text_column(std::string stem, std::string heading);
 
-struct Estimate {
-  double value = 0.0;
-  Interval interval;
-  std::string sign;  ///< before the value for people: "> " of a lower bound, "< " of an upper one
+/// For people with a sign before the value: "> " of a lower bound, "< " of an upper one.
+struct SignedEstimate : Estimate {
+  SignedEstimate(const Estimate& estimate, std::string sign_text = "")
+      : Estimate(estimate), sign(std::move(sign_text)) {}
+  std::string sign;
 };
 
-using Cell = std::variant<double, std::string, Estimate>;
+using Cell = std::variant<double, std::string, SignedEstimate>;
 
 /// A small table: made once, shown as CSV, on a terminal and in HTML.
 struct Table {
@@ -56,6 +58,8 @@ struct Table {
   void add(std::vector<Cell> row);
   /// The same table without a column.
   Table without(const std::string& stem) const;
+  /// Its first rows; where it has more, a note says that all are in tables/`file`.csv.
+  Table first_rows(std::size_t most, const FileName& file) const;
 };
 
 /// The cell as people read it: "0.300 (11.8)", "12 %", "0.84 [0.76, 0.93]"; "-" for what is not

@@ -89,7 +89,7 @@ std::string numbers_json(const CalculationPackage& package) {
         {"displacement_m", row.displacement_m},
         {"dbe", json_of(row.dbe)},
         {"mce", json_of(row.mce)}};
-    if (row.rate) compared["annual_rate"] = row.rate->annual_rate;
+    if (row.rate) compared["annual_rate"] = row.rate->annual_rate.value;
     json["compared"].push_back(std::move(compared));
   }
   json["accepted"] = {{"probability", accepted_exceedance},
@@ -99,7 +99,8 @@ std::string numbers_json(const CalculationPackage& package) {
   if (package.probability.hazard) {
     for (const HazardRun& run : package.probability.hazard->runs)
       for (const ThresholdRate& rate : run.thresholds)
-        if (rate.threshold_m == design.governing_m) json["annual_rate"].push_back(rate.annual_rate);
+        if (rate.threshold_m == design.governing_m)
+          json["annual_rate"].push_back(rate.annual_rate.value);
   }
   for (const DesignCheck& check : design.checks)
     json["checks"].push_back(

@@ -22,7 +22,6 @@ void exchange_threshold_rates(const Archive& archive, Rows& rows) {
   column("threshold_m", {"m", "clearance threshold"}, &ThresholdRate::threshold_m);
   column("annual_rate", {"1/year", "annual rate of exceeding it; inf: slides freely"},
          &ThresholdRate::annual_rate);
-  column("annual_rate", {"1/year", "95 % interval of the rate"}, &ThresholdRate::rate_interval);
   column("beyond_share",
          {"-", "part of the rate from histories that the highest level does not bring to it"},
          &ThresholdRate::beyond_share);
@@ -30,8 +29,6 @@ void exchange_threshold_rates(const Archive& archive, Rows& rows) {
          &ThresholdRate::fit_rate);
   column("life_probability", {"-", "probability of one exceedance or more in the design life"},
          &ThresholdRate::life_probability);
-  column("life_probability", {"-", "95 % interval of that probability"},
-         &ThresholdRate::life_interval);
 }
 
 template <class Archive, class Rows>
@@ -39,7 +36,6 @@ void exchange_displacement_rates(const Archive& archive, Rows& rows) {
   const Columns column(archive, rows, "displacement_m");
   column("displacement_m", {"m", "displacement in plan"}, &DisplacementRate::displacement_m);
   column("annual_rate", {"1/year", "annual rate of exceeding it"}, &DisplacementRate::annual_rate);
-  column("annual_rate", {"1/year", "95 % interval of the rate"}, &DisplacementRate::rate_interval);
 }
 
 template <class Archive, class Rows>
@@ -51,8 +47,6 @@ void exchange_targets(const Archive& archive, const IntensityScale& scale, Rows&
           "displacement exceeded at that rate; inf: beyond the levels; the lowest of the "
           "curve: that or less"},
          &TargetDisplacement::displacement_m);
-  column("displacement_m", {"m", "95 % interval of the displacement"},
-         &TargetDisplacement::displacement_interval);
   column("intensity" + scale.suffix, {scale.unit, "intensity that shaking exceeds at that rate"},
          &TargetDisplacement::intensity);
 }
@@ -63,11 +57,8 @@ void exchange_life(const Archive& archive, Rows& rows) {
   column("quantity", {"-", "what of a design life"}, &LifeDisplacement::quantity,
          life_quantity_names());
   column("median_m", {"m", "median over design lives"}, &LifeDisplacement::median_m);
-  column("median_m", {"m", "95 % interval of the median"}, &LifeDisplacement::median_interval);
   column("p84_m", {"m", "84th percentile"}, &LifeDisplacement::p84_m);
-  column("p84_m", {"m", "95 % interval of the 84th percentile"}, &LifeDisplacement::p84_interval);
   column("p95_m", {"m", "95th percentile"}, &LifeDisplacement::p95_m);
-  column("p95_m", {"m", "95 % interval of the 95th percentile"}, &LifeDisplacement::p95_interval);
 }
 
 template <class Archive, class Rows>
@@ -86,7 +77,6 @@ void exchange_prescribed_rates(const Archive& archive, Rows& rows) {
   const Columns column(archive, rows, "standard");
   column("annual_rate", {"1/year", "annual rate of exceeding it; inf: slides freely"},
          &PrescribedRate::annual_rate);
-  column("annual_rate", {"1/year", "95 % interval of the rate"}, &PrescribedRate::rate_interval);
 }
 
 void read_hazard_of_study(const TomlTable& root, StudyConfig& study) {

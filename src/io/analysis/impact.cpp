@@ -11,8 +11,6 @@ void exchange_impact(const Archive& archive, const IntensityScale& scale, Statis
   column(scale.level, {scale.unit, "intensity level"}, &ImpactStatistics::level);
   column("reached_share", {"-", "share of histories that reach it"},
          &ImpactStatistics::reached_share);
-  column("reached_share", {"-", "95 % interval of that share"},
-         &ImpactStatistics::reached_interval);
   column("speed_median_mps",
          {"m/s", "median speed in plan at the first crossing, of the histories that reach it"},
          &ImpactStatistics::speed_median_mps);
@@ -20,10 +18,6 @@ void exchange_impact(const Archive& archive, const IntensityScale& scale, Statis
          &ImpactStatistics::speed_p84_mps);
   column("speed_p95_mps", {"m/s", "95th percentile"}, &ImpactStatistics::speed_p95_mps);
   column("speed_largest_mps", {"m/s", "largest"}, &ImpactStatistics::speed_largest_mps);
-  column("speed_median_mps", {"m/s", "95 % interval of the median"},
-         &ImpactStatistics::speed_median_interval);
-  column("speed_p84_mps", {"m/s", "95 % interval of the 84th percentile"},
-         &ImpactStatistics::speed_p84_interval);
   column("time_median_s",
          {"s", "median time of the first crossing from the record's begin, of those that reach it"},
          &ImpactStatistics::time_median_s);

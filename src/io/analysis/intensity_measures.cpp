@@ -45,7 +45,6 @@ AnalysisInFiles IntensityMeasuresAnalysis::in_files() {
         column("pair", {"-", "1: of two measures"}, &RankedMeasure::pair);
         column("dispersion", {"-", "standard deviation of the records' ln capacity in it"},
                &RankedMeasure::dispersion);
-        column("dispersion", {"-", "95 % interval of that"}, &RankedMeasure::interval);
         column("smallest_share",
                {"-", "share of the resamples of the records in which it ranks first"},
                &RankedMeasure::smallest_share);

@@ -44,7 +44,6 @@ void exchange_design_friction(const Archive& archive, const IntensityScale& scal
           "probability that displacement with drawn friction exceeds that with mean - 2 std, of "
           "the same record and sample"},
          &DesignFrictionRow::same_motion);
-  column("same_motion", {"-", "95 % interval of that"}, &DesignFrictionRow::same_motion_interval);
   column("same_motion_error", {"-", "standard error of that from the samples"},
          &DesignFrictionRow::same_motion_error);
   column("design_mean_m", {"m", "mean displacement with mean - 2 std"},
@@ -52,7 +51,6 @@ void exchange_design_friction(const Archive& archive, const IntensityScale& scal
   column("above_mean",
          {"-", "probability that a displacement with drawn friction exceeds that mean"},
          &DesignFrictionRow::above_mean);
-  column("above_mean", {"-", "95 % interval of that"}, &DesignFrictionRow::above_mean_interval);
   column("above_mean_error", {"-", "standard error of that from the samples"},
          &DesignFrictionRow::above_mean_error);
 }

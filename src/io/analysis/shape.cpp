@@ -53,14 +53,13 @@ void exchange_crossings(const Archive& archive, const IntensityScale& scale, Row
 
 template <class Archive, class Run>
 void exchange_surface(const Archive& archive, const IntensityScale& scale, Run& run) {
-  archive.attribute("log_std", run.surface_log_std);
-  archive.attribute("log_std_low", run.surface_log_std_interval.low);
-  archive.attribute("log_std_high", run.surface_log_std_interval.high);
+  archive.attribute("log_std", run.surface_log_std.value);
+  archive.attribute("log_std_low", run.surface_log_std.interval.low);
+  archive.attribute("log_std_high", run.surface_log_std.interval.high);
   const Columns column(archive, run.surface, "threshold_m");
   column("threshold_m", {"m", "clearance threshold"}, &SurfaceMedian::threshold_m);
   column("median", {scale.unit, "median with one log_std for all thresholds"},
          &SurfaceMedian::median);
-  column("median", {scale.unit, "95 % interval of the median"}, &SurfaceMedian::median_interval);
 }
 
 void check_shape(const ShapeResults& shape, const Results& results) {

@@ -170,7 +170,8 @@ auto member(Outer outer, Inner inner) {
 
 /// The columns of a group: each is named once with its unit, its description and the field of a row
 /// that it is, a member or what member() makes of two. A list in a row makes a matrix; an interval
-/// makes two datasets, NAME_low and NAME_high; an absent number is nan.
+/// makes two datasets, NAME_low and NAME_high; an estimate makes these and its value; an absent
+/// number is nan.
 template <class Archive, class Rows>
 class Columns {
  public:
@@ -184,7 +185,11 @@ class Columns {
   void operator()(const std::string& name, const Label& label, Field field) const {
     const auto of = [&](auto& row) -> auto& { return std::invoke(field, row); };
     using T = std::remove_cvref_t<decltype(of(rows_.front()))>;
-    if constexpr (std::is_same_v<T, Interval>) {
+    if constexpr (std::is_same_v<T, Estimate>) {
+      (*this)(name, label, member(field, &Estimate::value));
+      const std::string of_it = "95 % interval of " + name;
+      (*this)(name, {label.unit, of_it.c_str()}, member(field, &Estimate::interval));
+    } else if constexpr (std::is_same_v<T, Interval>) {
       (*this)(name + "_low", label, member(field, &Interval::low));
       (*this)(name + "_high", label, member(field, &Interval::high));
     } else if constexpr (std::is_same_v<T, std::vector<Interval>>) {

@@ -34,8 +34,7 @@ Figure demand_figure(const CalculationPackage& package) {
                            Line{&PeriodDemand::mean_m, Role::median, "mean"}}) {
     DataSeries series{DataSeries::Kind::line_and_points, look(line.role), line.label};
     for (const PeriodDemand& d : design.demand) {
-      series.x.push_back(d.period_s);
-      series.y.push_back(d.*line.value);
+      series.add(d.period_s, d.*line.value);
       top_m = std::max(top_m, d.*line.value);
     }
     labels.push_back({0.0, labelled.*line.value, line.label, look(line.role).colour});
@@ -63,7 +62,7 @@ Figure demand_figure(const CalculationPackage& package) {
                              length_in_both(design.governing_m)
                        : ""),
           "Largest: of any orientation. Mean and 95th percentile: all records have the orientation "
-          "that is least favourable at the period.",
+          "that governs at the period.",
           {panel}};
 }
 

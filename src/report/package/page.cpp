@@ -261,7 +261,8 @@ Html hazard_html(const CalculationPackage& package) {
              "Annual rates: the mean of the hazard curve over the capacities of the histories. "
              "Over "
              "the design life earthquakes are a Poisson process with the rates of the hazard "
-             "curve; residual displacements add up as vectors, and the array is not put back.") +
+             "curve; residual displacements add up as vectors, and the array is not returned to "
+             "its initial position.") +
          page_table(of_periods(
              hazard_table(package.probability, package.design.governing_m).without("fit_rate"))) +
          page_table(of_periods(shown_design_life_table(package.probability)));

@@ -38,7 +38,7 @@ std::string inputs_lines(const CalculationPackage& package) {
 
 std::string demand_lines(const CalculationPackage& package) {
   std::string text = fmt::format(
-      "\nDisplacement at DBE, least favourable orientation, slope and mass "
+      "\nDisplacement at DBE, governing orientation, slope and mass "
       "ratio\n{:>10}{:>12}{:>12}{:>12}{:>12}\n",
       "period, s", "mean", "84th", "95th", "largest");
   for (const PeriodDemand& d : package.design.demand) {

@@ -105,7 +105,7 @@ std::string hazard_sentence(const CalculationPackage& package) {
       return r.life.at(static_cast<std::size_t>(quantity));
     };
     return life(*std::ranges::max_element(hazard.runs, {},
-                                          [&](const HazardRun& r) { return life(r).p95_m; }));
+                                          [&](const HazardRun& r) { return life(r).p95_m.value; }));
   };
   const LifeDisplacement &sum = largest_of(LifeQuantity::accumulated),
                          &farthest = largest_of(LifeQuantity::farthest);
@@ -114,17 +114,18 @@ std::string hazard_sentence(const CalculationPackage& package) {
   };
   const std::string exceeded = fmt::format(
       "With the hazard curve {}, at the period with the largest rate: the governing displacement "
-      "is exceeded {} once in {} years, in 50 years with a probability of {}. Over {}, the array "
-      "not "
-      "put back, at the period at which it is largest: ",
+      "is exceeded {} once in {} years, in 50 years with a probability of {}. Over {}, {}, at the "
+      "period at which it is largest: ",
       curve_name(hazard), governing.beyond_share > mostly_assumed ? "at most" : "about",
-      format_number(rounded_to(1.0 / governing.annual_rate, 2)),
-      format_share(probability_in(50.0, governing.annual_rate)), life_text(hazard));
-  if (farthest.p95_m == 0.0) return exceeded + "it does not slide in 95 % of such spans.";
+      format_number(rounded_to(1.0 / governing.annual_rate.value, 2)),
+      format_share(probability_in(50.0, governing.annual_rate.value)), life_text(hazard),
+      not_returned);
+  if (farthest.p95_m.value == 0.0) return exceeded + "it does not slide in 95 % of such spans.";
   return exceeded + fmt::format(
-                        "displacement that adds up, median {}, 95th percentile {}; farthest "
-                        "from the first place at any time, 95th percentile {}.",
-                        length(sum.median_m), length(sum.p95_m), length(farthest.p95_m));
+                        "displacement that adds up, median {}, 95th percentile {}; largest "
+                        "distance from the initial position at any time, 95th percentile {}.",
+                        length(sum.median_m.value), length(sum.p95_m.value),
+                        length(farthest.p95_m.value));
 }
 
 std::string verdict_sentence(const CalculationPackage& package) {
@@ -278,17 +279,16 @@ Table demand_table(const CalculationPackage& package) {
        text_column("p84", "84th percentile"), text_column("p95", "95th percentile"),
        text_column("largest", "Largest record, any orientation"),
        text_column("median", "Mean, median orientation"),
-       text_column("orientation", "Least favourable orientation")},
+       text_column("orientation", "Governing orientation")},
       {}};
   for (const PeriodDemand& d : package.design.demand) {
     table.add({fmt::format("{:.3g} s", d.period_s), length_in(d.mean_m), length_in(d.p84_m),
                length_in(d.p95_m), length_in(d.largest_m), length_in(d.median_orientation_m),
                d.orientation});
   }
-  table.notes.push_back(
-      std::string("Mean and percentiles: over the records, all in the least favourable "
-                  "orientation; that of the mean is in the last column. ") +
-      percentile_note);
+  table.notes.push_back(std::string("Mean and percentiles: over the records, all in the governing "
+                                    "orientation; that of the mean is in the last column. ") +
+                        percentile_note);
   return table;
 }
 
@@ -326,8 +326,9 @@ Table separations_table(const CalculationPackage& package) {
   const Prescription& prescribed = of_standard(package.project, package.design).prescribed;
   Table table{
       "separations",
-      fmt::format("Required separations: parts of the governing displacement, {}, rounded up",
-                  length_in_both(package.design.governing_m)),
+      fmt::format(
+          "Required separations: each a factor on the governing displacement, {}, rounded up",
+          length_in_both(package.design.governing_m)),
       {text_column("separation", "Separation"), text_column("factor", "Factor"),
        text_column("required", "Required"), text_column("required_ft", "In feet"),
        text_column("prescribed", fmt::format("By the full prescribed value, {}, {}",
@@ -423,7 +424,7 @@ std::string accepted_sentence(const DesignClearance& design) {
 Table compared_table(const CalculationPackage& package) {
   const DesignClearance& design = package.design;
   Table table{"compared",
-              "Probability that each clearance at hand is not enough",
+              "Probability that each available clearance is not sufficient",
               {text_column("displacement", "Displacement"), text_column("dbe", "At DBE [95 %]"),
                text_column("mce", "At MCE [95 %]")},
               {}};
@@ -446,8 +447,8 @@ Table compared_table(const CalculationPackage& package) {
     std::vector<Cell> cells{what, share_text(row.dbe), share_text(row.mce)};
     if (has_rate) {
       const char* sign = sign_of(*row.rate);
-      cells.emplace_back(Estimate{row.rate->annual_rate, row.rate->rate_interval, sign});
-      cells.emplace_back(Estimate{row.rate->life_probability, row.rate->life_interval, sign});
+      cells.emplace_back(SignedEstimate{row.rate->annual_rate, sign});
+      cells.emplace_back(SignedEstimate{row.rate->life_probability, sign});
     }
     table.add(std::move(cells));
   }

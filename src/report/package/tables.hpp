@@ -25,7 +25,7 @@ Table prescribed_table(const CalculationPackage& package);
 Table separations_table(const CalculationPackage& package);
 Table sensitivity_table(const CalculationPackage& package);
 Table exceedance_table(const CalculationPackage& package);
-/// The governing displacement and what the clearances at hand allow.
+/// The governing displacement and what the available clearances allow.
 Table compared_table(const CalculationPackage& package);
 /// "10 % of the histories at the DBE exceed 8.2 in (95 % interval 3.1 in to 12.0 in)".
 std::string accepted_sentence(const DesignClearance& design);

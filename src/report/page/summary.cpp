@@ -35,8 +35,7 @@ std::string summary_text(const Results& results, const std::vector<Skip>& skips)
   if (!skips.empty()) text += "\nNot computed, because not needed\n";
   for (const Skip& skip : skips) text += wrapped(format_skip(skip));
   if (!results.notes.empty()) text += "\nNotes\n";
-  for (const std::string& note : results.notes) text += wrapped(note);
-  return text;
+  return text + paragraphs(results.notes);
 }
 
 }  // namespace glissade

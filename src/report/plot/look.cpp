@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
+#include <limits>
 
 #include "glissade/core/units.hpp"
 #include "glissade/report/figure.hpp"
@@ -72,6 +74,36 @@ Look distinct_look(std::size_t index) {
           .width = 3.0,
           .dash = static_cast<int>(one % 5) + 1,
           .symbol = symbols[one]};
+}
+
+void DataSeries::add(double x_value, double y_value) {
+  x.push_back(x_value);
+  y.push_back(y_value);
+}
+
+void DataSeries::add(double x_value, const Interval& range) {
+  if (std::isnan(range.low + range.high)) return;
+  x.push_back(x_value);
+  low.push_back(range.low);
+  high.push_back(range.high);
+}
+
+void DataSeries::end_line() {
+  constexpr double gap = std::numeric_limits<double>::quiet_NaN();
+  add(gap, gap);
+}
+
+Axis log_axis(const std::string& label, double low, double high, std::string (*text)(double),
+              const std::vector<double>& digits) {
+  Axis axis{label, low, high, {}, Axis::Values::logarithms};
+  for (int decade = static_cast<int>(std::floor(low)); decade <= high; ++decade) {
+    for (const double digit : digits) {
+      const double value = std::strtod(fmt::format("{:g}e{}", digit, decade).c_str(), nullptr),
+                   at = std::log10(value);
+      if (low <= at && at <= high) axis.ticks.push_back({at, text(value)});
+    }
+  }
+  return axis;
 }
 
 double round_step(double range, double count) {

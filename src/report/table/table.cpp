@@ -41,7 +41,7 @@ std::string number_text(ColumnKind kind, double value, int decimals = -1) {
   return decimals < 0 ? format_number(value) : fmt::format("{:.{}f}", value, decimals);
 }
 
-std::string estimate_text(ColumnKind kind, const Estimate& estimate) {
+std::string estimate_text(ColumnKind kind, const SignedEstimate& estimate) {
   if (!std::isfinite(estimate.value)) return "-";
   std::string value = estimate.sign + number_text(kind, estimate.value);
   if (std::isnan(estimate.interval.low) || std::isnan(estimate.interval.high)) return value;
@@ -99,7 +99,7 @@ std::string csv_header(const Column& column) {
 std::string csv_cell(const Cell& cell) {
   if (const auto* text = std::get_if<std::string>(&cell)) return csv_field(*text);
   if (const auto* number = std::get_if<double>(&cell)) return format_exact(*number);
-  const auto& estimate = std::get<Estimate>(cell);
+  const auto& estimate = std::get<SignedEstimate>(cell);
   return format_exact(estimate.value) + "," + format_exact(estimate.interval.low) + "," +
          format_exact(estimate.interval.high);
 }
@@ -130,11 +130,20 @@ Table Table::without(const std::string& stem) const {
   return rest;
 }
 
+Table Table::first_rows(std::size_t most, const FileName& file) const {
+  Table first = *this;
+  if (rows.size() <= most) return first;
+  first.rows.resize(most);
+  first.notes.push_back(
+      fmt::format("{} of {} rows; all are in tables/{}.csv", most, rows.size(), file.text()));
+  return first;
+}
+
 std::string cell_text(const Column& column, const Cell& cell) {
   if (const auto* text = std::get_if<std::string>(&cell)) return *text;
   if (const auto* number = std::get_if<double>(&cell))
     return number_text(column.kind, *number, column.decimals);
-  return estimate_text(column.kind, std::get<Estimate>(cell));
+  return estimate_text(column.kind, std::get<SignedEstimate>(cell));
 }
 
 std::string to_csv(const Table& table) {

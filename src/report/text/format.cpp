@@ -132,4 +132,10 @@ std::string wrapped(const std::string& text) {
   return "  " + wrapped(text, terminal_width, 4) + "\n";
 }
 
+std::string paragraphs(const std::vector<std::string>& texts) {
+  std::string all;
+  for (const std::string& text : texts) all += wrapped(text);
+  return all;
+}
+
 }  // namespace glissade

@@ -76,9 +76,8 @@ Column intensity_column(const Results& results, const std::string& stem, const s
 
 Column listed_column(const CaseAxis& axis) {
   const std::size_t dot = axis.key.find('.');
-  std::string stem = axis.key.substr(dot + 1), heading = axis.words();
+  std::string stem = axis.key.substr(dot + 1), heading = capitalised(axis.words());
   if (stem == "value" || stem == "use") stem = axis.key.substr(0, dot);
-  heading[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(heading[0])));
   if (!axis.names.empty()) return text_column(stem, heading);
   if (axis.unit == "-") return {stem, "", heading};
   const std::string suffix = "_" + axis.unit;
@@ -149,12 +148,12 @@ FrictionValue friction_value_of(const Results& results, const RunResults& run) {
              : FrictionValue::as_drawn;
 }
 
-std::size_t least_favourable_run(const Results& results) {
+std::size_t governing_run(const Results& results) {
   const auto exceeds = [&](std::size_t i) {
     double sum = 0.0;
     if (results.hazard) {
       for (const ThresholdRate& row : results.hazard->runs[i].thresholds)
-        sum += std::log(std::max(row.annual_rate, std::numeric_limits<double>::min()));
+        sum += std::log(std::max(row.annual_rate.value, std::numeric_limits<double>::min()));
       return sum;
     }
     for (const ThresholdFragility& fragility : results.runs[i].fragilities)
@@ -164,8 +163,8 @@ std::size_t least_favourable_run(const Results& results) {
   return run_of_largest(results, exceeds);
 }
 
-std::string least_favourable(const Results& results) {
-  const RunResults& run = results.runs[least_favourable_run(results)];
+std::string governing_text(const Results& results) {
+  const RunResults& run = results.runs[governing_run(results)];
   if (!lists_more_than_friction_value(results)) return "friction " + run.friction_description;
   return "the combination that exceeds the clearances most often overall (" +
          run_name(results, run) + ")";
@@ -177,18 +176,29 @@ std::string friction_of(const Results& results, const RunResults& run) {
                                                  : run_name(results, run);
 }
 
-std::string list_of_lengths(const std::vector<double>& lengths_m) {
-  std::string list;
-  for (const double length_m : lengths_m)
-    list += (list.empty() ? "" : ", ") + format_length(length_m);
-  return list;
-}
-
 std::vector<double> some_levels(const std::vector<double>& levels, std::size_t count) {
   const std::size_t steps = std::min(count, levels.size());
   std::vector<double> chosen;
   for (std::size_t i = 1; i <= steps; ++i) chosen.push_back(levels[i * levels.size() / steps - 1]);
   return chosen;
+}
+
+std::vector<std::size_t> evenly(std::size_t size, std::size_t count) {
+  std::vector<std::size_t> chosen;
+  const std::size_t most = std::min(size, count);
+  for (std::size_t i = 0; i < most; ++i)
+    chosen.push_back(most < 2 ? i : i * (size - 1) / (most - 1));
+  return chosen;
+}
+
+std::string capitalised(std::string text) {
+  text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+  return text;
+}
+
+std::string share_with_interval(const Estimate& share) {
+  return fmt::format("{} [{} to {}]", format_share(std::max(0.0, share.value)),
+                     format_share(share.interval.low), format_share(share.interval.high));
 }
 
 std::vector<double> histories_at(const HistoryTable& histories, CaseSlice cases, std::size_t first,
@@ -208,12 +218,6 @@ double largest(const std::vector<double>& values) {
   for (const double value : values)
     if (std::isfinite(value)) found = std::max(found, value);
   return found;
-}
-
-void end_line(DataSeries& series) {
-  constexpr double gap = std::numeric_limits<double>::quiet_NaN();
-  series.x.push_back(gap);
-  series.y.push_back(gap);
 }
 
 }  // namespace glissade

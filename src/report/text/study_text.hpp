@@ -24,6 +24,11 @@ std::string with_unit(const Results& results, const std::string& value);
 /// A column of intensities, its unit in name and heading.
 Column intensity_column(const Results& results, const std::string& stem, const std::string& heading,
                         bool with_interval = false);
+/// Which combination of what the study lists a row is of: by its label, which names its files too,
+/// or by what is listed.
+inline const Column run_column = text_column("run", "Combination"),
+                    condition_column = text_column("condition", "Combination");
+inline const Column threshold_column = {"threshold", "m", "Clearance, m (in)", ColumnKind::length};
 /// The column of a quantity: "Building period, s".
 Column listed_column(const CaseAxis& axis);
 Column listed_column(const char* table, const char* key);
@@ -62,25 +67,28 @@ std::size_t run_of_largest(const Results& results, const Order& order) {
       found = i;
   return found;
 }
-/// Which run sentences are of: with the friction of the first the one that exceeds its clearances
-/// most, by the annual rates where there are some, else by the shares over all levels.
-std::size_t least_favourable_run(const Results& results);
+/// Which combination sentences are of: with the friction of the first the one that exceeds its
+/// clearances most, by the annual rates where there are some, else by the shares over all levels.
+std::size_t governing_run(const Results& results);
 /// What that run is, in full.
-std::string least_favourable(const Results& results);
+std::string governing_text(const Results& results);
 /// "friction mu normal, mean 0.55, std 0.04" where a line has room for it, else the run's name:
 /// captions have it in full.
 std::string friction_of(const Results& results, const RunResults& run);
-/// "0.15 m (5.91 in), 0.30 m (11.8 in)"
-std::string list_of_lengths(const std::vector<double>& lengths_m);
 /// Up to `count` of the levels, spread evenly, the highest included.
 std::vector<double> some_levels(const std::vector<double>& levels, std::size_t count);
+
+/// Up to `count` (2 or more) positions below `size`, evenly spread, both ends included.
+std::vector<std::size_t> evenly(std::size_t size, std::size_t count);
+/// "Building period" of "building period".
+std::string capitalised(std::string text);
+/// "12 % [8.1 % to 17 %]"; an estimate below 0 counts as 0.
+std::string share_with_interval(const Estimate& share);
 
 /// The finite slips of records first <= i < last at a level, over all samples.
 std::vector<double> histories_at(const HistoryTable& histories, CaseSlice cases, std::size_t first,
                                  std::size_t last, std::size_t level);
 /// The largest finite number, at least 0.
 double largest(const std::vector<double>& values);
-/// The next point begins another line of the series.
-void end_line(DataSeries& series);
 
 }  // namespace glissade

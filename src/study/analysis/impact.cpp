@@ -61,19 +61,19 @@ ImpactStatistics statistics_of(const Happened& happened, std::size_t samples,
                             speeds = sorted_together(happened.speed_mps);
   const std::size_t histories = happened.time_s.size() * samples;
   ImpactStatistics s;
-  s.reached_share = static_cast<double>(times.size()) / static_cast<double>(histories);
-  s.speed_median_mps = quantile_of_sorted(speeds, 0.5);
-  s.speed_p84_mps = quantile_of_sorted(speeds, 0.84);
+  s.reached_share.value = static_cast<double>(times.size()) / static_cast<double>(histories);
+  s.speed_median_mps.value = quantile_of_sorted(speeds, 0.5);
+  s.speed_p84_mps.value = quantile_of_sorted(speeds, 0.84);
   s.speed_p95_mps = quantile_of_sorted(speeds, 0.95);
   s.speed_largest_mps = quantile_of_sorted(speeds, 1.0);
   s.time_median_s = quantile_of_sorted(times, 0.5);
   s.time_p16_s = quantile_of_sorted(times, 0.16);
   s.time_p84_s = quantile_of_sorted(times, 0.84);
   if (happened.records() < fewest_records) return s;
-  if (times.size() < histories) s.reached_interval = reached_interval(happened, samples);
+  if (times.size() < histories) s.reached_share.interval = reached_interval(happened, samples);
   const PooledLevel pooled(happened.speed_mps);
-  s.speed_median_interval = pooled.quantile_interval(0.5, options);
-  s.speed_p84_interval = pooled.quantile_interval(0.84, options);
+  s.speed_median_mps.interval = pooled.quantile_interval(0.5, options);
+  s.speed_p84_mps.interval = pooled.quantile_interval(0.84, options);
   return s;
 }
 

@@ -215,8 +215,7 @@ std::vector<RankedMeasure> rank(const Measures& measures, const Ranking& ranking
   }
   const std::vector<RecordDispersion> found = record_dispersions(data, options);
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    rows[i].dispersion = found[i].std;
-    rows[i].interval = found[i].interval;
+    rows[i].dispersion = {found[i].std, found[i].interval};
     rows[i].smallest_share = found[i].smallest_share;
     const SlopeTest on_magnitude = slope_on(data[i], magnitude),
                     on_distance = slope_on(data[i], log_distance);
@@ -225,7 +224,7 @@ std::vector<RankedMeasure> rank(const Measures& measures, const Ranking& ranking
     rows[i].distance_slope = on_distance.slope;
     rows[i].distance_p = on_distance.p_value;
   }
-  std::ranges::stable_sort(rows, {}, &RankedMeasure::dispersion);
+  std::ranges::stable_sort(rows, {}, [](const RankedMeasure& row) { return row.dispersion.value; });
   return rows;
 }
 

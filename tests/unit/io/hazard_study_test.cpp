@@ -108,16 +108,17 @@ TEST(hazard_results_file, comes_back) {
   EXPECT_EQ(same.from_intensity, run.from_intensity);
   EXPECT_EQ(same.moving_share, run.moving_share);
   ASSERT_EQ(same.thresholds.size(), run.thresholds.size());
-  EXPECT_EQ(same.thresholds[1].annual_rate, run.thresholds[1].annual_rate);
+  EXPECT_EQ(same.thresholds[1].annual_rate.value, run.thresholds[1].annual_rate.value);
   EXPECT_EQ(same.thresholds[1].beyond_share, run.thresholds[1].beyond_share);
-  EXPECT_EQ(same.thresholds[1].life_interval.high, run.thresholds[1].life_interval.high);
+  EXPECT_EQ(same.thresholds[1].life_probability.interval.high,
+            run.thresholds[1].life_probability.interval.high);
   ASSERT_EQ(same.curve.size(), run.curve.size());
-  EXPECT_EQ(same.curve[2].rate_interval.high, run.curve[2].rate_interval.high);
-  EXPECT_EQ(same.targets.at(1).displacement_m, run.targets[1].displacement_m);
+  EXPECT_EQ(same.curve[2].annual_rate.interval.high, run.curve[2].annual_rate.interval.high);
+  EXPECT_EQ(same.targets.at(1).displacement_m.value, run.targets[1].displacement_m.value);
   EXPECT_EQ(same.targets.at(0).intensity, run.targets[0].intensity);
   ASSERT_EQ(same.life.size(), run.life.size());
   EXPECT_EQ(same.life[2].quantity, LifeQuantity::farthest);
-  EXPECT_EQ(same.life[0].p95_m, run.life[0].p95_m);
+  EXPECT_EQ(same.life[0].p95_m.value, run.life[0].p95_m.value);
 }
 
 }  // namespace

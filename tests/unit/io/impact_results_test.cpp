@@ -15,15 +15,15 @@ TEST(impact_results, come_back) {
   const RunResults a = read_results(folder.path() / "a.h5").runs[0];
   ASSERT_EQ(a.impact.size(), 6u);
   const ImpactStatistics& s = a.impact[0];
-  EXPECT_THAT(
-      (std::vector<double>{s.level, s.threshold_m, s.reached_share, s.reached_interval.low,
-                           s.reached_interval.high, s.speed_median_mps, s.speed_p84_mps,
-                           s.speed_p95_mps, s.speed_largest_mps, s.speed_median_interval.low,
-                           s.speed_median_interval.high, s.speed_p84_interval.low,
-                           s.speed_p84_interval.high, s.time_median_s, s.time_p16_s, s.time_p84_s}),
-      testing::ElementsAre(0.5, 0.15, 0.25, 0.1, 0.4, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11));
-  EXPECT_TRUE(std::isnan(a.impact[1].speed_median_mps));
-  EXPECT_TRUE(std::isnan(a.impact[1].reached_interval.low));
+  EXPECT_THAT((std::vector<double>{
+                  s.level, s.threshold_m, s.reached_share.value, s.reached_share.interval.low,
+                  s.reached_share.interval.high, s.speed_median_mps.value, s.speed_p84_mps.value,
+                  s.speed_p95_mps, s.speed_largest_mps, s.speed_median_mps.interval.low,
+                  s.speed_median_mps.interval.high, s.speed_p84_mps.interval.low,
+                  s.speed_p84_mps.interval.high, s.time_median_s, s.time_p16_s, s.time_p84_s}),
+              testing::ElementsAre(0.5, 0.15, 0.25, 0.1, 0.4, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11));
+  EXPECT_TRUE(std::isnan(a.impact[1].speed_median_mps.value));
+  EXPECT_TRUE(std::isnan(a.impact[1].reached_share.interval.low));
 }
 
 TEST(impact_results, are_absent_from_the_file_where_they_are_not_required) {

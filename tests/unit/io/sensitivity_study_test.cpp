@@ -45,7 +45,7 @@ TEST(sensitivity_results_file, comes_back_to_the_last_bit) {
   EXPECT_EQ(found.rows[1].record_error, made.rows[1].record_error);
   ASSERT_EQ(found.design_friction.size(), made.design_friction.size());
   EXPECT_EQ(found.design_friction[1].design_mean_m, 1.5);
-  EXPECT_EQ(found.design_friction[1].above_mean_interval.low, 0.025);
+  EXPECT_EQ(found.design_friction[1].above_mean.interval.low, 0.025);
 }
 
 TEST(sensitivity_results_file, refuses_rows_that_do_not_fit) {

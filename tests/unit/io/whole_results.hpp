@@ -133,8 +133,8 @@ inline void add_fragility(Results& r) {
 inline void add_impact(Results& r) {
   for (RunResults& run : r.runs) {
     run.impact.resize(r.levels.size() * r.thresholds_m.size());
-    run.impact[0] = {0.5, 0.15, 0.25, {0.1, 0.4}, 1, 2, 3, 4, {5, 6}, {7, 8}, 9, 10, 11};
-    run.impact[1].speed_median_mps = std::nan("");
+    run.impact[0] = {0.5, 0.15, {0.25, {0.1, 0.4}}, {1, {5, 6}}, {2, {7, 8}}, 3, 4, 9, 10, 11};
+    run.impact[1].speed_median_mps.value = std::nan("");
   }
 }
 
@@ -226,21 +226,22 @@ inline void add_hazard(Results& r) {
     run.prescribed = {{Standard::seaoc_pv1_2012,
                        1.25,
                        {0.5, Provenance::recalled, "equation"},
-                       1e-3,
-                       {5e-4, 2e-3}}};
+                       {1e-3, {5e-4, 2e-3}}}};
     run.life_distribution = {{LifeQuantity::single, 0.5, 0.1},
                              {LifeQuantity::farthest, 0.99, infinity}};
     double x = of.first_case == 0 ? 1.0 : 2.0;
     for (const double threshold_m : r.thresholds_m) {
       run.thresholds.push_back(
-          {threshold_m, 1e-3 * x, {5e-4, 2e-3}, 0.1 / x, std::nan(""), 0.02 * x, {0.01, 0.05}});
+          {threshold_m, {1e-3 * x, {5e-4, 2e-3}}, 0.1 / x, std::nan(""), {0.02 * x, {0.01, 0.05}}});
       x += 1.0;
     }
-    run.curve = {{0.001, 1e-2, {5e-3, 2e-2}}, {0.1, 1e-3, {}}, {1.0, 1e-4 * x, {1e-5, infinity}}};
-    run.targets = {{1.0 / 700, 0.25 * x, {0.125, 0.5}, 0.9}, {4e-4, infinity, {}, 1.1}};
-    run.life = {{LifeQuantity::single, 0.1, 0.2, 0.3 * x, {0.05, 0.15}, {0.1, 0.3}, {0.2, 0.4}},
-                {LifeQuantity::accumulated, 0.2, 0.4, infinity, {0.1, 0.3}, {0.2, 0.6}, {}},
-                {LifeQuantity::farthest, 0.3, 0.6, infinity, {0.2, 0.4}, {0.3, 0.9}, {}}};
+    run.curve = {
+        {0.001, {1e-2, {5e-3, 2e-2}}}, {0.1, {1e-3, {}}}, {1.0, {1e-4 * x, {1e-5, infinity}}}};
+    run.targets = {{1.0 / 700, {0.25 * x, {0.125, 0.5}}, 0.9}, {4e-4, {infinity, {}}, 1.1}};
+    run.life = {
+        {LifeQuantity::single, {0.1, {0.05, 0.15}}, {0.2, {0.1, 0.3}}, {0.3 * x, {0.2, 0.4}}},
+        {LifeQuantity::accumulated, {0.2, {0.1, 0.3}}, {0.4, {0.2, 0.6}}, {infinity, {}}},
+        {LifeQuantity::farthest, {0.3, {0.2, 0.4}}, {0.6, {0.3, 0.9}}, {infinity, {}}}};
     hazard.runs.push_back(run);
   }
 }

@@ -51,9 +51,9 @@ TEST(hazard_report, compares_what_is_prescribed_with_the_displacement_of_1_perce
   };
   EXPECT_FALSE(has_table());
   for (HazardRun& run : r.hazard->runs) {
-    run.curve = {{0.1, 1e-3, {}}, {1.0, 1e-5, {}}};  // 2.01e-4 at 0.1 x (1e-3 / 2.01e-4)^(1/2)
+    run.curve = {{0.1, {1e-3, {}}}, {1.0, {1e-5, {}}}};  // 2.01e-4 at 0.1 x (1e-3 / 2.01e-4)^(1/2)
     run.prescribed = {
-        {Standard::seaoc_pv1_2012, 1.0, {0.5, Provenance::checked, ""}, 1e-3, {5e-4, 2e-3}}};
+        {Standard::seaoc_pv1_2012, 1.0, {0.5, Provenance::checked, ""}, {1e-3, {5e-4, 2e-3}}}};
   }
   ASSERT_TRUE(has_table());
   const Table table = table_of(r, "hazard_standards");
@@ -111,7 +111,7 @@ TEST(hazard_report, tells_of_the_least_favourable_combination_and_names_it) {
   r.cases.axes = {{"roof.slope_deg", "deg", {1.19349, 2.38594}, {}}};
   for (Case& c : r.cases.cases) c.friction_value = FrictionValue::as_drawn;
   const auto rate = [&](std::size_t run) {
-    return format_rate(r.hazard->runs[run].thresholds[0].annual_rate);
+    return format_rate(r.hazard->runs[run].thresholds[0].annual_rate.value);
   };
   ASSERT_NE(rate(0), rate(1));
   const std::string shown = "At slope 2.39 deg: " + format_length(r.thresholds_m[0]);

@@ -46,8 +46,8 @@ TEST(impact_report, writes_table_figure_and_section) {
 
 TEST(impact_report, has_a_row_for_each_run_threshold_and_level_with_energy_v2_over_2) {
   Results results = made_up_impact_results();
-  results.runs[0].impact[5].speed_median_mps = 3.0;
-  results.runs[0].impact[5].speed_p84_mps = 4.0;
+  results.runs[0].impact[5].speed_median_mps.value = 3.0;
+  results.runs[0].impact[5].speed_p84_mps.value = 4.0;
   const Table table = impact_table(results);
   ASSERT_EQ(table.rows.size(), 2u * 4u * 20u);
   EXPECT_EQ(std::get<double>(table.rows[5][8]), 4.5);  // J/kg
@@ -56,15 +56,15 @@ TEST(impact_report, has_a_row_for_each_run_threshold_and_level_with_energy_v2_ov
 
 TEST(impact_report, answers_at_the_level_nearest_1_g_with_the_share_that_gets_there) {
   Results results = made_up_impact_results();
-  for (ImpactStatistics& s : results.runs[0].impact) s.reached_share = 0.0;
+  for (ImpactStatistics& s : results.runs[0].impact) s.reached_share.value = 0.0;
   ImpactStatistics& s = results.runs[0].impact[20 + 9];  // 0.3 m, 1.0 g
-  s.reached_share = 0.25;
-  s.speed_median_mps = 0.5;
-  s.speed_p84_mps = 0.75;
+  s.reached_share.value = 0.25;
+  s.speed_median_mps.value = 0.5;
+  s.speed_p84_mps.value = 0.75;
   EXPECT_THAT(answer_sentences(results),
               testing::Contains(
                   states("S_DS = 1.00 g", "0.500 and 0.750 m/s", format_length(0.3), "25 %")));
-  s.reached_share = 0.0;
+  s.reached_share.value = 0.0;
   EXPECT_THAT(answer_sentences(results), Not(testing::Contains(states("m/s"))));
 }
 

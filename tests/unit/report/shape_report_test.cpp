@@ -39,8 +39,8 @@ Results made_up() {
     first.probability.assign(shape_model_count * r.levels.size(), 0.5);
     first.recrossed.back() = 0.25;
     run.crossings = {{first.threshold_m, run.thresholds[1].threshold_m, 0.75, 0.125, true}};
-    run.surface = {{first.threshold_m, 0.5, {0.4, 0.6}}};
-    run.surface_log_std = 0.4;
+    run.surface = {{first.threshold_m, {0.5, {0.4, 0.6}}}};
+    run.surface_log_std.value = 0.4;
   }
   return r;
 }

@@ -68,21 +68,20 @@ TEST(table, breaks_no_line_between_a_number_and_its_unit_nor_after_a_sign_on_a_p
 
 TEST(table, has_annual_rates_in_one_notation) {
   const Column column{"annual_rate", "per_year", "Annual rate", ColumnKind::rate, true};
-  EXPECT_EQ(cell_text(column, Estimate{0.000164, {9.98e-05, 0.000248}, ""}),
-            "1.6e-4 [1.0e-4, 2.5e-4]");
+  EXPECT_EQ(cell_text(column, Estimate{0.000164, {9.98e-05, 0.000248}}), "1.6e-4 [1.0e-4, 2.5e-4]");
   EXPECT_EQ(cell_text(column, 0.0), "0");
 }
 
 TEST(table, says_that_a_one_sided_median_is_a_lower_bound) {
   const Column column{"median", "g", "Median", ColumnKind::number, true};
-  EXPECT_EQ(cell_text(column, Estimate{2.0, {}, "> "}), "> 2.00");
+  EXPECT_EQ(cell_text(column, SignedEstimate({2.0, {}}, "> ")), "> 2.00");
 }
 
 TEST(table, loses_just_the_column_it_is_shown_without) {
   const Table rest = small_table().without("who");
   ASSERT_EQ(rest.columns.size(), 1u);
   EXPECT_EQ(rest.columns[0].stem, "slip");
-  EXPECT_EQ(std::get<Estimate>(rest.rows[0][0]).value, 0.254);
+  EXPECT_EQ(std::get<SignedEstimate>(rest.rows[0][0]).value, 0.254);
 }
 
 std::size_t fields(const std::string& line) {
@@ -214,10 +213,10 @@ TEST(fragility_table, leaves_failed_fits_empty_and_the_summary_uses_the_fit_that
   fit = FitSummary{};
   fit.note = "too few";
   const Table table = fragility_table(results);
-  EXPECT_TRUE(std::isnan(std::get<Estimate>(table.rows[1][3]).value));
+  EXPECT_TRUE(std::isnan(std::get<SignedEstimate>(table.rows[1][3]).value));
   EXPECT_EQ(cell_text(table.columns[3], table.rows[1][3]), "-");
   const Table summary = fragility_summary_table(results);
-  EXPECT_EQ(std::get<Estimate>(summary.rows[0][2]).value,
+  EXPECT_EQ(std::get<SignedEstimate>(summary.rows[0][2]).value,
             results.runs[0].fragilities[0].stripes.curve.median);
   EXPECT_EQ(std::get<std::string>(cell_of(summary, 0, "method")), "stripes");
   EXPECT_EQ(std::get<std::string>(cell_of(summary, 1, "method")), "capacities");
@@ -259,9 +258,11 @@ TEST(fragility_tables, show_the_share_that_slides_freely_and_where_half_of_all_e
   for (const Table& table : {fragility_summary_table(results), fragility_table(results)}) {
     const std::size_t row = table.name == "fragility" ? 1 : 0;
     const Cell share = cell_of(table, row, "free_sliding_share");
-    EXPECT_EQ(table.name == "fragility" ? std::get<Estimate>(share).value : std::get<double>(share),
-              0.125);
-    EXPECT_EQ(std::get<Estimate>(cell_of(table, row, "p50")).value, fit.curve.intensity_at(0.5));
+    EXPECT_EQ(
+        table.name == "fragility" ? std::get<SignedEstimate>(share).value : std::get<double>(share),
+        0.125);
+    EXPECT_EQ(std::get<SignedEstimate>(cell_of(table, row, "p50")).value,
+              fit.curve.intensity_at(0.5));
   }
 }
 

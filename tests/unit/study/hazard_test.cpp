@@ -80,11 +80,11 @@ TEST(hazard, rate_is_the_mean_of_the_hazard_curve_over_the_capacities) {
   study.capacity(1, 0, 0) = 2.0;  // the last is not reached: as if at 2
   const ThresholdRate row = study.run().thresholds.at(0);
   const double expected = 1e-3 * (4.0 + 1.0 + 0.25 + 0.25) / 4;
-  EXPECT_NEAR(row.annual_rate, expected, 1e-17);
+  EXPECT_NEAR(row.annual_rate.value, expected, 1e-17);
   EXPECT_NEAR(row.beyond_share, 0.25 / 5.5, 1e-15);
-  EXPECT_NEAR(row.life_probability, 1.0 - std::exp(-50.0 * expected), 1e-15);
-  EXPECT_LE(row.rate_interval.low, expected);
-  EXPECT_GE(row.rate_interval.high, expected);
+  EXPECT_NEAR(row.life_probability.value, 1.0 - std::exp(-50.0 * expected), 1e-15);
+  EXPECT_LE(row.annual_rate.interval.low, expected);
+  EXPECT_GE(row.annual_rate.interval.high, expected);
 }
 
 // Capacities at the middle of 400 equal parts of a lognormal; the closed form of the fit.
@@ -97,7 +97,7 @@ TEST(hazard, rate_of_lognormal_capacities_is_that_of_the_fit) {
   study.results.runs[0].fragilities[0].capacities.status = FitStatus::maximum_likelihood;
   const ThresholdRate row = study.run().thresholds.at(0);
   EXPECT_NEAR(row.fit_rate, 1e-3 * 4.0 * std::exp(0.5 * 0.64), 1e-14);
-  EXPECT_NEAR(row.annual_rate / row.fit_rate, 1.0, 0.01);
+  EXPECT_NEAR(row.annual_rate.value / row.fit_rate, 1.0, 0.01);
 }
 
 TEST(hazard, rates_double_with_the_hazard) {
@@ -108,11 +108,13 @@ TEST(hazard, rates_double_with_the_hazard) {
   const HazardRun once = study.run();
   study.hazard(2e-3, 2.0, 50.0);
   const HazardRun twice = study.run();
-  EXPECT_NEAR(twice.thresholds[0].annual_rate / once.thresholds[0].annual_rate, 2.0, 1e-12);
-  EXPECT_NEAR(twice.thresholds[0].rate_interval.high / once.thresholds[0].rate_interval.high, 2.0,
+  EXPECT_NEAR(twice.thresholds[0].annual_rate.value / once.thresholds[0].annual_rate.value, 2.0,
               1e-12);
+  EXPECT_NEAR(
+      twice.thresholds[0].annual_rate.interval.high / once.thresholds[0].annual_rate.interval.high,
+      2.0, 1e-12);
   for (std::size_t i = 0; i < once.curve.size(); ++i)
-    EXPECT_NEAR(twice.curve[i].annual_rate / once.curve[i].annual_rate, 2.0, 1e-12);
+    EXPECT_NEAR(twice.curve[i].annual_rate.value / once.curve[i].annual_rate.value, 2.0, 1e-12);
 }
 
 TEST(hazard, of_a_history_that_slides_freely_has_no_rate) {
@@ -120,10 +122,10 @@ TEST(hazard, of_a_history_that_slides_freely_has_no_rate) {
   study.results.cases.cases[0].slope_deg = 40.0;
   study.capacity(0, 0, 0) = study.capacity(1, 0, 0) = 0.0;
   const HazardRun run = study.run();
-  EXPECT_EQ(run.thresholds[0].annual_rate, infinity);
-  EXPECT_EQ(run.thresholds[0].life_probability, 1.0);
-  EXPECT_EQ(run.curve.back().annual_rate, infinity);
-  EXPECT_EQ(run.life.at(0).median_m, infinity);
+  EXPECT_EQ(run.thresholds[0].annual_rate.value, infinity);
+  EXPECT_EQ(run.thresholds[0].life_probability.value, 1.0);
+  EXPECT_EQ(run.curve.back().annual_rate.value, infinity);
+  EXPECT_EQ(run.life.at(0).median_m.value, infinity);
 }
 
 // The root of displacement is linear in intensity from 0: capacity of d is sqrt(d).
@@ -136,22 +138,24 @@ TEST(hazard, curve_falls_with_displacement_and_gives_the_displacement_of_a_rate)
   }
   const HazardRun run = study.run();
   for (std::size_t i = 0; i < run.curve.size(); ++i) {
-    EXPECT_NEAR(run.curve[i].annual_rate * run.curve[i].displacement_m, 1e-3, 1e-13);
+    EXPECT_NEAR(run.curve[i].annual_rate.value * run.curve[i].displacement_m, 1e-3, 1e-13);
   }
-  EXPECT_TRUE(std::ranges::is_sorted(run.curve, std::greater<>(), &DisplacementRate::annual_rate));
+  EXPECT_TRUE(std::ranges::is_sorted(run.curve, std::greater<>(), [](const DisplacementRate& row) {
+    return row.annual_rate.value;
+  }));
   ASSERT_EQ(run.targets.size(), 2u);
-  EXPECT_NEAR(run.targets[0].displacement_m, 0.7, 1e-12);
-  EXPECT_NEAR(run.targets[1].displacement_m, 2.475, 1e-12);
+  EXPECT_NEAR(run.targets[0].displacement_m.value, 0.7, 1e-12);
+  EXPECT_NEAR(run.targets[1].displacement_m.value, 2.475, 1e-12);
   EXPECT_NEAR(run.targets[1].intensity, std::sqrt(2.475), 1e-13);
-  EXPECT_NEAR(run.targets[1].displacement_interval.high, 2.475, 1e-12);
+  EXPECT_NEAR(run.targets[1].displacement_m.interval.high, 2.475, 1e-12);
 }
 
 TEST(hazard, displacement_of_a_rate_beyond_the_levels_is_infinite) {
   ByHand study(3, 1, {0.5, 1.0}, {0.3});  // shaking above 1 is more frequent than 1/2475
   const HazardRun run = study.run();
-  EXPECT_EQ(run.targets[1].displacement_m, infinity);
+  EXPECT_EQ(run.targets[1].displacement_m.value, infinity);
   EXPECT_EQ(run.thresholds[0].beyond_share, 1.0);
-  EXPECT_TRUE(std::isnan(run.thresholds[0].rate_interval.low));
+  EXPECT_TRUE(std::isnan(run.thresholds[0].annual_rate.interval.low));
 }
 
 // A Poisson number of earthquakes with mean 3: quantiles 3, 5 and 6 (cumulative 0.647, 0.916,
@@ -166,11 +170,11 @@ TEST(design_life, slip_down_the_slope_adds_up) {
   EXPECT_EQ(run.moving_share, 1.0);
   ASSERT_EQ(run.life.size(), 3u);
   for (const LifeDisplacement& row : {run.life[1], run.life[2]}) {
-    EXPECT_NEAR(row.median_m, 0.3, 1e-12);
-    EXPECT_NEAR(row.p84_m, 0.5, 1e-12);
-    EXPECT_NEAR(row.p95_m, 0.6, 1e-12);
+    EXPECT_NEAR(row.median_m.value, 0.3, 1e-12);
+    EXPECT_NEAR(row.p84_m.value, 0.5, 1e-12);
+    EXPECT_NEAR(row.p95_m.value, 0.6, 1e-12);
   }
-  EXPECT_NEAR(run.life[0].p95_m, 0.1, 1e-15);
+  EXPECT_NEAR(run.life[0].p95_m.value, 0.1, 1e-15);
 }
 
 // The mean of the square of a sum of N steps of either sign is N; of one sign it is N^2.
@@ -180,9 +184,9 @@ TEST(design_life, slip_to_either_side_partly_cancels) {
   study.slide(0, 0.0, 0.1);
   study.slide(1, 0.0, -0.1);
   const HazardRun run = study.run();
-  EXPECT_LT(run.life[1].p95_m, 1.1);  // 2.8 in one direction; 1.96 sqrt(20) 0.1 = 0.88
-  EXPECT_GT(run.life[1].p95_m, 0.7);
-  EXPECT_GT(run.life[2].median_m, run.life[1].median_m);
+  EXPECT_LT(run.life[1].p95_m.value, 1.1);  // 2.8 in one direction; 1.96 sqrt(20) 0.1 = 0.88
+  EXPECT_GT(run.life[1].p95_m.value, 0.7);
+  EXPECT_GT(run.life[2].median_m.value, run.life[1].median_m.value);
 }
 
 TEST(design_life, without_residuals_every_peak_counts_as_slip_down_the_slope) {
@@ -190,17 +194,17 @@ TEST(design_life, without_residuals_every_peak_counts_as_slip_down_the_slope) {
   study.hazard(3.0 / 50.0, 2.0, 50.0);
   for (double& peak : study.results.histories.fields.peak_displacement_m) peak = 0.2;
   EXPECT_FALSE(HazardAnalysis::find(study.config, study.results).residual_vectors);
-  EXPECT_NEAR(study.run().life[1].p84_m, 1.0, 1e-12);
+  EXPECT_NEAR(study.run().life[1].p84_m.value, 1.0, 1e-12);
 }
 
 TEST(design_life, is_zero_where_nothing_slides_and_without_bound_beyond_the_levels) {
   ByHand study(2, 1, {1.0, 2.0, 1000.0}, {0.3});
   const HazardRun still = study.run();
-  EXPECT_EQ(still.life[2].p95_m, 0.0);
+  EXPECT_EQ(still.life[2].p95_m.value, 0.0);
   EXPECT_EQ(still.moving_share, 0.0);
   EXPECT_EQ(still.from_intensity, 1000.0);
   study.hazard(1e6, 2.0, 50.0);  // 50 earthquakes above 1,000
-  EXPECT_EQ(study.run().life[0].median_m, infinity);
+  EXPECT_EQ(study.run().life[0].median_m.value, infinity);
 }
 
 TEST(design_life, is_the_same_each_time) {
@@ -211,10 +215,10 @@ TEST(design_life, is_the_same_each_time) {
   study.hazard(0.05, 1.5, 25.0);
   const HazardRun a = study.run(), b = study.run();
   for (std::size_t q = 0; q < a.life.size(); ++q) {
-    EXPECT_EQ(a.life[q].p95_m, b.life[q].p95_m);
-    EXPECT_EQ(a.life[q].p95_interval.high, b.life[q].p95_interval.high);
-    EXPECT_LE(a.life[q].p95_interval.low, a.life[q].p95_m);
-    EXPECT_GE(a.life[q].p95_interval.high, a.life[q].p95_m);
+    EXPECT_EQ(a.life[q].p95_m.value, b.life[q].p95_m.value);
+    EXPECT_EQ(a.life[q].p95_m.interval.high, b.life[q].p95_m.interval.high);
+    EXPECT_LE(a.life[q].p95_m.interval.low, a.life[q].p95_m.value);
+    EXPECT_GE(a.life[q].p95_m.interval.high, a.life[q].p95_m.value);
   }
 }
 
@@ -244,7 +248,7 @@ TEST(hazard, gives_the_rate_of_what_standards_prescribe_at_the_s_ds_of_the_site)
   const double share = std::sqrt(0.6096), k0 = 1e-3;
   const double first = k0 * std::pow(0.25 + 0.25 * share, -2.0),
                second = k0 * std::pow(0.5 + 1.5 * share, -2.0);
-  EXPECT_NEAR(row.annual_rate / (0.5 * (first + second)), 1.0, 1e-12);
+  EXPECT_NEAR(row.annual_rate.value / (0.5 * (first + second)), 1.0, 1e-12);
   study.config.hazard->sds_g = 0.0;
   study.results.model.dbe_level = 2.0;  // that of the design target
   EXPECT_EQ(study.run().prescribed.at(0).sds_g, 2.0);
@@ -263,8 +267,8 @@ TEST(hazard, gives_the_distribution_of_slip_over_the_design_life) {
     EXPECT_TRUE(std::ranges::is_sorted(rows, {}, &LifeQuantile::displacement_m));
     EXPECT_TRUE(std::ranges::is_sorted(rows, {}, &LifeQuantile::probability));
     const LifeDisplacement& life = run.life[static_cast<std::size_t>(quantity)];
-    EXPECT_EQ(rows[4].displacement_m, life.median_m);
-    EXPECT_EQ(rows[10].displacement_m, life.p95_m);
+    EXPECT_EQ(rows[4].displacement_m, life.median_m.value);
+    EXPECT_EQ(rows[10].displacement_m, life.p95_m.value);
   }
 }
 

@@ -56,8 +56,8 @@ TEST(impact, is_by_threshold_then_level_each_from_its_own_histories) {
       const double speed = 10.0 * static_cast<double>(threshold) + static_cast<double>(level) + 1.0;
       EXPECT_EQ(s.threshold_m, study.thresholds_m[threshold]);
       EXPECT_EQ(s.level, study.levels[level]);
-      EXPECT_EQ(s.reached_share, 0.25);  // 3 of 12
-      EXPECT_EQ(s.speed_median_mps, speed);
+      EXPECT_EQ(s.reached_share.value, 0.25);  // 3 of 12
+      EXPECT_EQ(s.speed_median_mps.value, speed);
       EXPECT_EQ(s.speed_largest_mps, speed);
       EXPECT_EQ(s.time_p84_s, 2.0 * speed);
     }
@@ -74,9 +74,9 @@ TEST(impact, is_of_the_slice_s_cases_alone) {
     return impact_statistics(study.histories, cases, study.levels, study.thresholds_m, options)
         .front();
   };
-  EXPECT_EQ(of({0, 2}).reached_share, 0.5);
+  EXPECT_EQ(of({0, 2}).reached_share.value, 0.5);
   EXPECT_EQ(of({0, 2}).speed_largest_mps, 0.1);
-  EXPECT_EQ(of({2, 2}).speed_median_mps, 0.7);
+  EXPECT_EQ(of({2, 2}).speed_median_mps.value, 0.7);
 }
 
 // Type 7 of 1, 2, ..., 11: 1 + 10 p.
@@ -87,9 +87,9 @@ TEST(impact, percentiles_are_over_the_histories_that_get_there) {
     study.set(k % 4, k / 4, 0, 0, 20.0 - speed, speed);
   }
   const ImpactStatistics s = study.statistics().front();
-  EXPECT_EQ(s.reached_share, 11.0 / 40.0);
-  EXPECT_DOUBLE_EQ(s.speed_median_mps, 6.0);
-  EXPECT_DOUBLE_EQ(s.speed_p84_mps, 9.4);
+  EXPECT_EQ(s.reached_share.value, 11.0 / 40.0);
+  EXPECT_DOUBLE_EQ(s.speed_median_mps.value, 6.0);
+  EXPECT_DOUBLE_EQ(s.speed_p84_mps.value, 9.4);
   EXPECT_DOUBLE_EQ(s.speed_p95_mps, 10.5);
   EXPECT_EQ(s.speed_largest_mps, 11.0);
   EXPECT_DOUBLE_EQ(s.time_median_s, 14.0);
@@ -99,11 +99,11 @@ TEST(impact, percentiles_are_over_the_histories_that_get_there) {
 
 TEST(impact, where_nothing_gets_there_there_are_no_numbers) {
   const ImpactStatistics s = Study(5, 4).statistics().front();
-  EXPECT_EQ(s.reached_share, 0.0);
+  EXPECT_EQ(s.reached_share.value, 0.0);
   for (const double value :
-       {s.speed_median_mps, s.speed_p84_mps, s.speed_p95_mps, s.speed_largest_mps, s.time_median_s,
-        s.time_p16_s, s.time_p84_s, s.reached_interval.low, s.speed_median_interval.low,
-        s.speed_p84_interval.high})
+       {s.speed_median_mps.value, s.speed_p84_mps.value, s.speed_p95_mps, s.speed_largest_mps,
+        s.time_median_s, s.time_p16_s, s.time_p84_s, s.reached_share.interval.low,
+        s.speed_median_mps.interval.low, s.speed_p84_mps.interval.high})
     EXPECT_TRUE(std::isnan(value));
 }
 
@@ -114,15 +114,15 @@ TEST(impact, two_records_that_get_there_make_no_interval_and_three_do) {
     study.set(1, sample, 0, 0, 6.0, 0.2);
   }
   const ImpactStatistics two = study.statistics().front();
-  EXPECT_DOUBLE_EQ(two.speed_median_mps, 0.15);
-  EXPECT_TRUE(std::isnan(two.speed_median_interval.low));
-  EXPECT_TRUE(std::isnan(two.reached_interval.high));
+  EXPECT_DOUBLE_EQ(two.speed_median_mps.value, 0.15);
+  EXPECT_TRUE(std::isnan(two.speed_median_mps.interval.low));
+  EXPECT_TRUE(std::isnan(two.reached_share.interval.high));
   study.set(2, 0, 0, 0, 7.0, 0.4);
   const ImpactStatistics three = study.statistics().front();
-  EXPECT_LE(three.speed_median_interval.low, three.speed_median_mps);
-  EXPECT_GE(three.speed_median_interval.high, three.speed_median_mps);
-  EXPECT_LT(three.reached_interval.low, three.reached_share);
-  EXPECT_GT(three.reached_interval.high, three.reached_share);
+  EXPECT_LE(three.speed_median_mps.interval.low, three.speed_median_mps.value);
+  EXPECT_GE(three.speed_median_mps.interval.high, three.speed_median_mps.value);
+  EXPECT_LT(three.reached_share.interval.low, three.reached_share.value);
+  EXPECT_GT(three.reached_share.interval.high, three.reached_share.value);
 }
 
 TEST(impact, all_getting_there_leaves_the_share_without_interval_but_not_the_speed) {
@@ -132,9 +132,9 @@ TEST(impact, all_getting_there_leaves_the_share_without_interval_but_not_the_spe
       study.set(record, sample, 0, 0, 1.0, 0.1 * static_cast<double>(record + 1));
   }
   const ImpactStatistics s = study.statistics().front();
-  EXPECT_EQ(s.reached_share, 1.0);
-  EXPECT_TRUE(std::isnan(s.reached_interval.low));
-  EXPECT_LT(s.speed_median_interval.low, s.speed_median_interval.high);
+  EXPECT_EQ(s.reached_share.value, 1.0);
+  EXPECT_TRUE(std::isnan(s.reached_share.interval.low));
+  EXPECT_LT(s.speed_median_mps.interval.low, s.speed_median_mps.interval.high);
 }
 
 // By records, with the weights the resampling itself draws: the median of what the drawn records
@@ -167,7 +167,7 @@ TEST(impact, intervals_resample_records_with_all_they_bring) {
         return drawn[(drawn.size() + 1) / 2 - 1];
       },
       options);
-  const Interval found = study.statistics().front().speed_median_interval;
+  const Interval found = study.statistics().front().speed_median_mps.interval;
   EXPECT_EQ(found.low, expected.low);
   EXPECT_EQ(found.high, expected.high);
 }
@@ -195,7 +195,7 @@ TEST(impact, intervals_of_the_median_hold_the_truth_about_as_often_as_they_say) 
     const Interval i =
         study.statistics({.seed = static_cast<std::uint64_t>(suite + 1), .replicates = 200})
             .front()
-            .speed_median_interval;
+            .speed_median_mps.interval;
     holds += i.low <= 1.0 && 1.0 <= i.high ? 1 : 0;
   }
   EXPECT_GT(holds, 0.90 * suites);

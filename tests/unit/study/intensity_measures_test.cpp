@@ -63,11 +63,11 @@ TEST(intensity_measures, rank_first_the_one_that_the_capacities_are_made_of) {
   const std::vector<RankedMeasure> rows = SlidesByPgv().rank();
   const RankedMeasure& pgv = named(rows, "PGV");
   EXPECT_NE(rows.front().name.find("PGV"), std::string::npos);
-  EXPECT_NEAR(pgv.dispersion, 0.01, 0.005);
-  EXPECT_GT(named(rows, "PGA").dispersion, 0.2);
-  EXPECT_LT(pgv.interval.low, pgv.dispersion);
-  EXPECT_GT(pgv.interval.high, pgv.dispersion);
-  EXPECT_NEAR(named(rows, "PGA and PGV").dispersion, 0.01, 0.005);
+  EXPECT_NEAR(pgv.dispersion.value, 0.01, 0.005);
+  EXPECT_GT(named(rows, "PGA").dispersion.value, 0.2);
+  EXPECT_LT(pgv.dispersion.interval.low, pgv.dispersion.value);
+  EXPECT_GT(pgv.dispersion.interval.high, pgv.dispersion.value);
+  EXPECT_NEAR(named(rows, "PGA and PGV").dispersion.value, 0.01, 0.005);
   EXPECT_TRUE(std::isnan(pgv.distance_p));
   EXPECT_GT(pgv.magnitude_p, 0.0);
 }
@@ -80,8 +80,8 @@ TEST(intensity_measures, of_a_suite_scaled_by_its_own_factors_are_the_same) {
     by_sds.results.histories.fields.capacity[i] /= 2.0 * r.pga_g;
     r.factor_at_unit_level = 2.0;
   }
-  EXPECT_NEAR(named(by_pga.rank(), "PGV").dispersion, named(by_sds.rank(), "PGV").dispersion,
-              1e-12);
+  EXPECT_NEAR(named(by_pga.rank(), "PGV").dispersion.value,
+              named(by_sds.rank(), "PGV").dispersion.value, 1e-12);
   const std::vector<RankedMeasure> rows = by_sds.rank();
   EXPECT_NE(std::ranges::find(rows, "S_DS", &RankedMeasure::name), rows.end());
 }

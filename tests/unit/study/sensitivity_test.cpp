@@ -228,9 +228,9 @@ TEST(sensitivity, compares_drawn_friction_with_its_design_value) {
     for (std::size_t c = 0; c < samples; ++c)
       above_mean += results.histories.displacement_m(record, c, level) > mean_m ? 1.0 : 0.0;
   }
-  EXPECT_DOUBLE_EQ(rows[level].same_motion, above / (3.0 * samples));
+  EXPECT_DOUBLE_EQ(rows[level].same_motion.value, above / (3.0 * samples));
   EXPECT_NEAR(rows[level].design_mean_m, mean_m, 1e-12);
-  EXPECT_DOUBLE_EQ(rows[level].above_mean, above_mean / (3.0 * samples));
+  EXPECT_DOUBLE_EQ(rows[level].above_mean.value, above_mean / (3.0 * samples));
   // Leaving out one of the 8 samples of every matrix.
   std::vector<double> without(8);
   for (std::size_t g = 0; g < 8; ++g) {
@@ -249,10 +249,10 @@ TEST(sensitivity, compares_drawn_friction_with_its_design_value) {
   for (const double w : without) squares += (w - mean) * (w - mean);
   EXPECT_NEAR(rows[level].same_motion_error, std::sqrt(squares * 7.0 / 8.0), 1e-12);
   EXPECT_GT(rows[level].same_motion_error, 0.0);
-  EXPECT_LE(rows[level].same_motion_interval.low,
-            std::max(0.0, rows[level].same_motion - 2.3 * rows[level].same_motion_error));
-  EXPECT_LE(rows[level].same_motion_interval.low, rows[level].same_motion);
-  EXPECT_GE(rows[level].above_mean_interval.high, rows[level].above_mean);
+  EXPECT_LE(rows[level].same_motion.interval.low,
+            std::max(0.0, rows[level].same_motion.value - 2.3 * rows[level].same_motion_error));
+  EXPECT_LE(rows[level].same_motion.interval.low, rows[level].same_motion.value);
+  EXPECT_GE(rows[level].above_mean.interval.high, rows[level].above_mean.value);
 }
 
 TEST(sensitivity, needs_three_records) {

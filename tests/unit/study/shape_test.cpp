@@ -98,8 +98,8 @@ TEST(shape, models_are_compared_and_one_surface_is_fitted) {
                            shape.probability_at(ShapeModel::monotone, 2)}),
               Pointwise(DoubleNear(1e-12), {0.25, 0.5, 1.0}));
   ASSERT_EQ(run.surface.size(), 2u);
-  EXPECT_LT(run.surface[0].median, run.surface[1].median);
-  EXPECT_GT(run.surface_log_std, 0.0);
+  EXPECT_LT(run.surface[0].median.value, run.surface[1].median.value);
+  EXPECT_GT(run.surface_log_std.value, 0.0);
 }
 
 // A displacement that is not known: above all thresholds, as where it was not computed.

@@ -32,26 +32,24 @@ struct HazardConfig {
 /// threshold counts as if any shaking above that level did.
 struct ThresholdRate {
   double threshold_m = 0.0;
-  double annual_rate = 0.0;  ///< infinite where a history slides freely
-  Interval rate_interval;
-  double beyond_share = 0.0;      ///< part of the rate that comes from histories so counted
-  double fit_rate = 0.0;          ///< of the lognormal fit; NaN without one
-  double life_probability = 0.0;  ///< of one exceedance or more in the design life
-  Interval life_interval;
+  Estimate annual_rate;       ///< infinite where a history slides freely
+  double beyond_share = 0.0;  ///< part of the rate that comes from histories so counted
+  double fit_rate = 0.0;      ///< of the lognormal fit; NaN without one
+  Estimate life_probability;  ///< of one exceedance or more in the design life
 };
 
 /// The annual rate of a displacement: as of a threshold, with the capacity of each history
 /// interpolated between levels and thresholds, linear in the root of its displacement.
 struct DisplacementRate {
-  double displacement_m = 0.0, annual_rate = 0.0;
-  Interval rate_interval;
+  double displacement_m = 0.0;
+  Estimate annual_rate;
 };
 
 /// The displacement that is exceeded at a given annual rate. Infinite where the levels do not reach
 /// so rare shaking; the lowest displacement of the curve where it is that or less.
 struct TargetDisplacement {
-  double annual_rate = 0.0, displacement_m = 0.0;
-  Interval displacement_interval;
+  double annual_rate = 0.0;
+  Estimate displacement_m;
   double intensity = 0.0;  ///< that shaking exceeds at this rate
 };
 
@@ -60,8 +58,7 @@ struct PrescribedRate {
   Standard standard = Standard::seaoc_pv1_2012;
   double sds_g = 0.0;
   Prescription prescribed;
-  double annual_rate = 0.0;
-  Interval rate_interval;
+  Estimate annual_rate;
 };
 
 enum class LifeQuantity {
@@ -72,8 +69,7 @@ enum class LifeQuantity {
 /// Over many design lives; infinite where shaking beyond the highest level decides it.
 struct LifeDisplacement {
   LifeQuantity quantity = LifeQuantity::single;
-  double median_m = 0.0, p84_m = 0.0, p95_m = 0.0;
-  Interval median_interval, p84_interval, p95_interval;
+  Estimate median_m, p84_m, p95_m;
 };
 
 /// The displacement that a quantity stays below in a part of the design lives.

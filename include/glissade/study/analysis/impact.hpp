@@ -17,10 +17,9 @@ namespace glissade {
 /// have any that does there is no interval.
 struct ImpactStatistics {
   double level = 0.0, threshold_m = 0.0;
-  double reached_share = 0.0;  ///< of all histories at the level
-  Interval reached_interval;   ///< 95 %, bootstrap over records, as all here
-  double speed_median_mps = 0.0, speed_p84_mps = 0.0, speed_p95_mps = 0.0, speed_largest_mps = 0.0;
-  Interval speed_median_interval, speed_p84_interval;
+  Estimate reached_share;  ///< of all histories at the level; bootstrap over records, as all here
+  Estimate speed_median_mps, speed_p84_mps;
+  double speed_p95_mps = 0.0, speed_largest_mps = 0.0;
   double time_median_s = 0.0, time_p16_s = 0.0, time_p84_s = 0.0;  ///< from the record's begin
 };
 

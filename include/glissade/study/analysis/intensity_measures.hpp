@@ -26,8 +26,7 @@ struct RankedMeasure {
   double threshold_m = 0.0;
   std::string name;           ///< "PGV", "Sa(0.5 s)", "PGA and PGV"
   std::uint64_t pair = 0;     ///< 1: of two measures
-  double dispersion = 0.0;    ///< of ln capacity between records
-  Interval interval;          ///< 95 %, bootstrap over records
+  Estimate dispersion;        ///< of ln capacity between records; bootstrap over records
   double smallest_share = 0;  ///< of the resamples of the records in which it ranks first
   /// Of ln capacity per unit of magnitude and of ln distance, NaN where records do not have them.
   double magnitude_slope = std::numeric_limits<double>::quiet_NaN(), magnitude_p = magnitude_slope;

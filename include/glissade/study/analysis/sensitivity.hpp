@@ -38,12 +38,10 @@ struct DesignFrictionRow {
   double level = 0.0;
   /// Probability that the displacement with drawn friction exceeds that with design friction of the
   /// same record and sample.
-  double same_motion = 0.0;
-  Interval same_motion_interval;   ///< 95 %, over records and samples, as all here
+  Estimate same_motion;            ///< interval over records and samples, as all here
   double same_motion_error = 0.0;  ///< standard error from the samples alone
   double design_mean_m = 0.0;      ///< mean displacement with design friction
-  double above_mean = 0.0;  ///< probability that a displacement with drawn friction exceeds that
-  Interval above_mean_interval;
+  Estimate above_mean;  ///< probability that a displacement with drawn friction exceeds that
   double above_mean_error = 0.0;
 };
 

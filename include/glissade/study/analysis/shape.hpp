@@ -39,8 +39,8 @@ struct ShapeCrossing {
 
 /// Of the one surface that never crosses.
 struct SurfaceMedian {
-  double threshold_m = 0.0, median = 0.0;
-  Interval median_interval;
+  double threshold_m = 0.0;
+  Estimate median;
 };
 
 struct ShapeRun {
@@ -48,8 +48,7 @@ struct ShapeRun {
   std::vector<ThresholdShape> thresholds;
   std::vector<ShapeCrossing> crossings;
   std::vector<SurfaceMedian> surface;  ///< thresholds that a history reached; empty: no surface
-  double surface_log_std = std::numeric_limits<double>::quiet_NaN();
-  Interval surface_log_std_interval;
+  Estimate surface_log_std = {std::numeric_limits<double>::quiet_NaN(), {}};
 };
 
 struct ShapeResults {

@@ -45,9 +45,7 @@ std::string comparison(const Results& r) {
   const ConditionGrid& grid = r.conditions->grid;
   const std::string level =
       has_several(grid, ConditionAxis::level)
-          ? "At " +
-                label_of(grid, ConditionAxis::level, shown_condition(grid)[ConditionAxis::level]) +
-                ", with"
+          ? "At " + label_of(grid, ConditionAxis::level, shown_condition(grid)) + ", with"
           : "With";
   return fmt::format("{} the array isolated the base shear is {}.", level,
                      fmt::join(parts, "; and "));
@@ -74,10 +72,9 @@ std::string range_of_conditions(const Results& results) {
 
 std::string summary(const Results& results) {
   constexpr std::size_t most_rows = 24;
-  std::string text = "Base shear\n";
-  for (const std::string& sentence : base_shear_sentences(results)) text += wrapped(sentence);
   const Table table = base_shear_table(results);
-  return table.rows.size() <= most_rows ? text + "\n" + to_text(table) : text;
+  return "Base shear\n" + paragraphs(base_shear_sentences(results)) +
+         (table.rows.size() <= most_rows ? "\n" + to_text(table) : "");
 }
 
 std::vector<Table> tables(const Results& results) { return {base_shear_table(results)}; }

@@ -69,10 +69,7 @@ bool inside(const TextBox& box) {
 }
 
 void append(DataSeries& series, const Polyline& line) {
-  for (const PlanePoint& point : line) {
-    series.x.push_back(point.x);
-    series.y.push_back(point.y);
-  }
+  for (const PlanePoint& point : line) series.add(point.x, point.y);
 }
 
 /// What is drawn: the panel grows by lines and labels that keep clear of each other.
@@ -91,7 +88,7 @@ class ContourPlot {
     DataSeries series{DataSeries::Kind::line, look, name, key};
     for (const Polyline& line : lines) {
       append(series, line);
-      end_line(series);
+      series.end_line();
     }
     panel_.series.push_back(std::move(series));
     labels_.push_back({text, look.colour, lines, panel_.series.size() - 1});

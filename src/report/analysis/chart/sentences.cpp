@@ -157,11 +157,9 @@ std::vector<std::string> chart_sentences(const Results& results) {
 
 std::string chart_summary(const Results& results) {
   constexpr std::size_t most = 9;
-  std::string text = wrapped("Design chart: " + chart_size(results), terminal_width, 2) + "\n" +
-                     wrapped(how_counted(results)) + "\n";
-  text += to_text(chart_matrix_table(results, most)) + "\n";
-  for (const std::string& sentence : chart_sentences(results)) text += wrapped(sentence);
-  return text;
+  return wrapped("Design chart: " + chart_size(results), terminal_width, 2) + "\n" +
+         wrapped(how_counted(results)) + "\n" + to_text(chart_matrix_table(results, most)) + "\n" +
+         paragraphs(chart_sentences(results));
 }
 
 }  // namespace glissade

@@ -102,15 +102,10 @@ Table chart_by_period_table(const Results& results) {
               {level_column(results), slope_column, mu_column, {"period", "s", "Period, s"}},
               {},
               {how_counted(results), gravity_note}};
-  if (is_one_record(results)) {
-    table.columns.push_back({"peak_slip", "m", "Peak slip, m (in)", ColumnKind::length});
-  } else {
-    table.columns.push_back({"mean_slip", "m", "Mean, m (in)", ColumnKind::length});
-    table.columns.push_back({"p84_slip", "m", "84th percentile, m (in)", ColumnKind::length});
-    table.columns.push_back({"p95_slip", "m", "95th percentile, m (in)", ColumnKind::length});
-    table.columns.push_back({"envelope", "m", chart_statistics(results).back().heading + ", m (in)",
-                             ColumnKind::length});
-  }
+  std::vector<ChartStatistic> statistics = chart_statistics(results);
+  if (!is_one_record(results)) statistics.erase(statistics.begin());  // of no period by itself
+  for (const ChartStatistic& s : statistics)
+    table.columns.push_back({s.stem, "m", s.heading + ", m (in)", ColumnKind::length});
   for (const ChartPoint& p : chart.points) {
     for (std::size_t t = 0; t < p.by_period.size(); ++t) {
       const ChartSlip& slip = p.by_period[t];

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 
 #include "glissade/report/format.hpp"
@@ -25,11 +24,7 @@ std::string design_name(const Results& results) {
              : fmt::format("{:g} x mean slip", clearance_factor(results));
 }
 
-std::string design_title(const Results& results) {
-  std::string name = design_name(results);
-  name[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(name[0])));
-  return name;
-}
+std::string design_title(const Results& results) { return capitalised(design_name(results)); }
 
 std::string clearance_rule(const Results& results) {
   const double factor = clearance_factor(results);

@@ -70,7 +70,7 @@ Figure period_figure(const Results& results) {
       rule);
   return {"period",
           "Displacement over the building's period at " +
-              label_of(grid, level, shown_condition(grid)[level]) + ", and the clearance",
+              label_of(grid, level, shown_condition(grid)) + ", and the clearance",
           below_text(results, {mass, vertical}),
           after_walters(results, 13,
                         ". All records have the same orientation: the median over the orientations "
@@ -82,9 +82,8 @@ Figure period_figure(const Results& results) {
 /// Of the building periods as many as a panel takes, from the shortest to the longest.
 Places drawn_buildings(const Results& results, std::size_t most) {
   Places all = shown_along(results.conditions->grid, period);
-  if (all.size() <= most) return all;
   Places drawn;
-  for (std::size_t i = 0; i < most; ++i) drawn.push_back(all[i * (all.size() - 1) / (most - 1)]);
+  for (const std::size_t i : evenly(all.size(), most)) drawn.push_back(all[i]);
   return drawn;
 }
 
@@ -99,7 +98,7 @@ std::string left_out_text(const Results& results, std::size_t most) {
 void add_buildings(const Results& results, ConditionAxis axis, std::size_t most, Family& family) {
   const Places buildings = drawn_buildings(results, most);
   for (std::size_t i = 0; i < buildings.size(); ++i) {
-    family.add("building of " + label_of(results.conditions->grid, period, buildings[i][period]),
+    family.add("building of " + label_of(results.conditions->grid, period, buildings[i]),
                family_look(i, buildings.size()),
                along(results.conditions->grid, axis, buildings[i]));
   }
@@ -198,7 +197,7 @@ Figure mce_figure(const Results& results) {
   rule.dash = 2;
   family.add_level(largest.highest,
                    fmt::format("largest over periods and orientations at {}: {}",
-                               label_of(grid, level, shown[level]), format_length(largest.highest)),
+                               label_of(grid, level, shown), format_length(largest.highest)),
                    rule);
   return {"mce", "Displacement at several levels of shaking", below_text(results, {level}),
           after_walters(results, 18), family.displacements()};

@@ -90,13 +90,10 @@ Figure permutations_figure(const Results& results) {
           over_orientations(results, {.slope_axis = permutations[i].second}, at, Periods::largest);
       // Side by side, so that bars do not hide one another.
       const double aside = 0.16 * (static_cast<double>(m) - 0.5 * static_cast<double>(masses - 1));
-      points.x.push_back(static_cast<double>(i) + aside);
-      points.y.push_back(factor * range.median);
-      bars.low.push_back(factor * range.lowest);
-      bars.high.push_back(factor * range.highest);
-      top_m = std::max(top_m, bars.high.back());
+      points.add(static_cast<double>(i) + aside, factor * range.median);
+      bars.add(points.x.back(), {factor * range.lowest, factor * range.highest});
+      top_m = std::max(top_m, factor * range.highest);
     }
-    bars.x = points.x;
     panel.series.push_back(std::move(bars));
     panel.series.push_back(std::move(points));
   }

@@ -59,7 +59,7 @@ std::string period_reading(const Results& r) {
   std::string text = fmt::format(
       "At {} the suite's mean is largest at T = {:g} s. The largest over the periods is {}; times "
       "{:g}: a required clearance of {}",
-      label_of(r.conditions->grid, ConditionAxis::level, shown(r)[ConditionAxis::level]),
+      label_of(r.conditions->grid, ConditionAxis::level, shown(r)),
       r.conditions->grid.period_s[period], range_text(r, largest), r.clearance->factor,
       clearance_text(r.clearance->factor * largest.of(rule)));
   if (r.conditions->orientations.size() > 1) {
@@ -153,10 +153,9 @@ std::string yielding_reading(const Results& r) {
           "{} at R {:g}", ratio_text(ratios_by_orientation(r, {}, at, elastic)),
           r.conditions->grid.response_modification[at[ConditionAxis::response_modification]]));
     }
-    buildings.push_back(fmt::format(
-        "{}: {}",
-        label_of(r.conditions->grid, ConditionAxis::period, elastic[ConditionAxis::period]),
-        fmt::join(parts, ", ")));
+    buildings.push_back(fmt::format("{}: {}",
+                                    label_of(r.conditions->grid, ConditionAxis::period, elastic),
+                                    fmt::join(parts, ", ")));
   }
   return fmt::format(
       "Displacement over that on an elastic building (median over the orientations and their "
@@ -205,69 +204,55 @@ std::string mce_reading(const Results& r) {
 }
 
 /// The largest mean over the periods for each place on an axis.
-std::string axis_reading(const Results& r, ConditionAxis axis) {
+template <ConditionAxis axis>
+std::string axis_reading(const Results& r) {
   std::vector<std::string> parts;
   for (const Condition& at : shown_along(r.conditions->grid, axis)) {
     const OrientationRange range = over_orientations(r, {}, at, Periods::largest);
     parts.push_back(fmt::format(
-        "{}: {} at T = {:g} s", label_of(r.conditions->grid, axis, at[axis]), range_text(r, range),
+        "{}: {} at T = {:g} s", label_of(r.conditions->grid, axis, at), range_text(r, range),
         r.conditions->grid.period_s[governing_period(r, {}, at, r.clearance->orientation)]));
   }
   return fmt::format("Largest mean over the periods. {}.", fmt::join(parts, "; "));
 }
 
+template <ConditionAxis axis>
+bool several(const Results& r) {
+  return has_several(r.conditions->grid, axis);
+}
+
+struct Topic {
+  bool (*is_covered)(const Results&);  ///< by a study of one suite
+  std::string (*reading)(const Results&);
+};
+
+/// In the order of ClearanceTopic.
+constexpr Topic topics[] = {
+    {[](const Results&) { return true; }, spectra_reading},
+    {several<ConditionAxis::period>, period_reading},
+    {[](const Results&) { return false; }, level_reading},
+    {[](const Results& r) {
+       return several<ConditionAxis::response_modification>(r) &&
+              r.conditions->grid.response_modification.front() == 0.0;
+     },
+     yielding_reading},
+    {several<ConditionAxis::slope>, slope_reading},
+    {several<ConditionAxis::level>, mce_reading},
+    {several<ConditionAxis::vertical>, axis_reading<ConditionAxis::vertical>},
+    {several<ConditionAxis::mass>, axis_reading<ConditionAxis::mass>},
+    {[](const Results& r) { return r.conditions->orientations.size() > 1; }, orientation_reading}};
+
+const Topic& topic_of(ClearanceTopic topic) { return topics[static_cast<std::size_t>(topic)]; }
+
 }  // namespace
 
 bool covers(const Results& results, ClearanceTopic topic) {
-  const ConditionGrid& grid = results.conditions->grid;
-  if (results.suites.size() > 1) return topic == ClearanceTopic::level;
-  switch (topic) {
-    case ClearanceTopic::spectra:
-      return true;
-    case ClearanceTopic::period:
-      return has_several(grid, ConditionAxis::period);
-    case ClearanceTopic::level:
-      return false;
-    case ClearanceTopic::yielding:
-      return has_several(grid, ConditionAxis::response_modification) &&
-             grid.response_modification.front() == 0.0;
-    case ClearanceTopic::slope:
-      return has_several(grid, ConditionAxis::slope);
-    case ClearanceTopic::mce:
-      return has_several(grid, ConditionAxis::level);
-    case ClearanceTopic::vertical:
-      return has_several(grid, ConditionAxis::vertical);
-    case ClearanceTopic::mass:
-      return has_several(grid, ConditionAxis::mass);
-    case ClearanceTopic::orientation:
-      return results.conditions->orientations.size() > 1;
-  }
-  return false;
+  return results.suites.size() > 1 ? topic == ClearanceTopic::level
+                                   : topic_of(topic).is_covered(results);
 }
 
 std::string clearance_reading(const Results& results, ClearanceTopic topic) {
-  if (!covers(results, topic)) return "";
-  switch (topic) {
-    case ClearanceTopic::spectra:
-      return spectra_reading(results);
-    case ClearanceTopic::period:
-      return period_reading(results);
-    case ClearanceTopic::level:
-      return level_reading(results);
-    case ClearanceTopic::yielding:
-      return yielding_reading(results);
-    case ClearanceTopic::slope:
-      return slope_reading(results);
-    case ClearanceTopic::mce:
-      return mce_reading(results);
-    case ClearanceTopic::vertical:
-      return axis_reading(results, ConditionAxis::vertical);
-    case ClearanceTopic::mass:
-      return axis_reading(results, ConditionAxis::mass);
-    case ClearanceTopic::orientation:
-      return orientation_reading(results);
-  }
-  return "";
+  return covers(results, topic) ? topic_of(topic).reading(results) : "";
 }
 
 }  // namespace glissade

@@ -96,7 +96,6 @@ namespace {
 
 /// The condition, the governing period and the clearance, for a terminal.
 Table brief_clearance_table(const Results& results) {
-  constexpr std::size_t most_rows = 24;
   Table table = clearance_table(results);
   const std::size_t conditions = ConditionColumns(results).columns().size();
   const std::string other = results.clearance->orientation == OrientationRule::largest
@@ -112,20 +111,13 @@ Table brief_clearance_table(const Results& results) {
   const std::string one_axis = one_axis_text(results);
   table.title = "Required clearance by condition" + rule_text(results) +
                 (one_axis.empty() ? "" : ", along " + one_axis);
-  if (table.rows.size() > most_rows) {
-    table.notes.push_back(
-        fmt::format("{} rows more are in tables/clearances.csv", table.rows.size() - most_rows));
-    table.rows.resize(most_rows);
-  }
-  return table;
+  return table.first_rows(24, "clearances");
 }
 
 }  // namespace
 
 std::string clearance_summary(const Results& results) {
-  std::string text = to_text(brief_clearance_table(results)) + "\n";
-  for (const std::string& sentence : clearance_sentences(results)) text += wrapped(sentence);
-  return text;
+  return to_text(brief_clearance_table(results)) + "\n" + paragraphs(clearance_sentences(results));
 }
 
 }  // namespace glissade

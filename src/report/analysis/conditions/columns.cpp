@@ -54,7 +54,7 @@ std::vector<Cell> ConditionColumns::cells(std::size_t suite, const Condition& at
 Column ConditionColumns::column(ConditionAxis axis) const {
   switch (axis) {
     case ConditionAxis::listed:
-      return {"condition", "", "Condition", ColumnKind::text};
+      return condition_column;
     case ConditionAxis::support:
       return text_column("support", "Array");
     case ConditionAxis::vertical:
@@ -104,7 +104,7 @@ std::vector<Column> range_columns(ColumnKind kind) {
 }
 
 std::vector<Cell> range_cells(const OrientationRange& range) {
-  return {range.lowest, Estimate{range.median, range.interval, {}}, range.highest};
+  return {range.lowest, Estimate{range.median, range.interval}, range.highest};
 }
 
 }  // namespace glissade

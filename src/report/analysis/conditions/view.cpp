@@ -89,6 +89,10 @@ std::string label_of(const ConditionGrid& grid, ConditionAxis axis, std::size_t 
   return {};
 }
 
+std::string label_of(const ConditionGrid& grid, ConditionAxis axis, const Condition& at) {
+  return label_of(grid, axis, at[axis]);
+}
+
 namespace {
 
 std::string joined(const ConditionGrid& grid, const Condition& at,
@@ -100,7 +104,7 @@ std::string joined(const ConditionGrid& grid, const Condition& at,
         ConditionAxis::period, ConditionAxis::listed}) {
     if (axis == ConditionAxis::listed && !has_several(grid, axis)) continue;
     if (grid.size(axis) < least || std::ranges::find(without, axis) != without.end()) continue;
-    text += (text.empty() ? "" : ", ") + label_of(grid, axis, at[axis]);
+    text += (text.empty() ? "" : ", ") + label_of(grid, axis, at);
   }
   return text;
 }
@@ -134,8 +138,7 @@ std::string conditions_text(const Results& results, const Condition& at,
 }
 
 std::string clearance_text(double clearance_m) {
-  return std::isfinite(clearance_m) ? format_length(clearance_m)
-                                    : "none that is enough, since the array slides freely";
+  return std::isfinite(clearance_m) ? format_length(clearance_m) : "none: the array slides freely";
 }
 
 Condition shown_condition(const ConditionGrid& grid) {

@@ -79,14 +79,11 @@ void add_threshold(Panel& panel, const Results& results, const RunResults& run, 
   if (has_curve(fragility)) {
     constexpr int points = 200;
     for (int i = 0; i <= points; ++i) {
-      curve.x.push_back(results.levels.back() * i / points);
-      curve.y.push_back(fragility.capacities.curve.probability(curve.x.back()));
+      const double intensity = results.levels.back() * i / points;
+      curve.add(intensity, fragility.capacities.curve.probability(intensity));
     }
-    for (std::size_t i = 0; i < fragility.band.size(); ++i) {
-      band.x.push_back(run.band_intensities.at(i));
-      band.low.push_back(fragility.band[i].low);
-      band.high.push_back(fragility.band[i].high);
-    }
+    for (std::size_t i = 0; i < fragility.band.size(); ++i)
+      band.add(run.band_intensities.at(i), fragility.band[i]);
   }
   DataSeries key{curve.x.empty() ? DataSeries::Kind::points : DataSeries::Kind::line_and_points,
                  colour};
@@ -139,11 +136,10 @@ Figure ida_figure(const Results& results, const RunResults& run) {
   DataSeries records{DataSeries::Kind::line, look(Role::record), "records",
                      "each record, median over its samples"};
   for (std::size_t i = 0; i < slip.records; ++i) {
-    for (std::size_t l = 0; l < slip.levels; ++l) {
-      records.x.push_back(quantile_of(histories_at(slip, slice_of(run), i, i + 1, l), 0.5));
-      records.y.push_back(results.levels.at(l));
-    }
-    end_line(records);
+    for (std::size_t l = 0; l < slip.levels; ++l)
+      records.add(quantile_of(histories_at(slip, slice_of(run), i, i + 1, l), 0.5),
+                  results.levels.at(l));
+    records.end_line();
   }
   Panel panel{"", {}, {results.intensity_label, 0.0, results.levels.back()}, {records}};
   double widest_m = results.thresholds_m.empty() ? 0.0 : results.thresholds_m.front();

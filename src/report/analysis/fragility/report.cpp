@@ -208,20 +208,11 @@ Table shown_earthquakes_table(const Results& results) {
 }
 
 std::string fragility_summary(const Results& results) {
-  constexpr std::size_t most_rows = 24;
-  Table fits = fragility_summary_table(results);
-  const std::size_t rows = fits.rows.size();
-  fits.rows.resize(std::min(rows, most_rows));
+  constexpr std::size_t most = 24;
+  const Table fits = fragility_summary_table(results).first_rows(most, "fragility"),
+              at = shown_earthquakes_table(results).first_rows(most, "earthquakes");
   std::string text = to_text(fits) + fit_remarks(fits);
-  if (rows > most_rows)
-    text += fmt::format("  {} rows more are in tables/fragility.csv\n", rows - most_rows);
-  if (Table at = shown_earthquakes_table(results); !at.rows.empty()) {
-    const std::size_t all = at.rows.size();
-    at.rows.resize(std::min(all, most_rows));
-    text += "\n" + to_text(at);
-    if (all > most_rows)
-      text += fmt::format("  {} rows more are in tables/earthquakes.csv\n", all - most_rows);
-  }
+  if (!at.rows.empty()) text += "\n" + to_text(at);
   if (!results.runs.empty() && !results.runs.front().standards.empty()) {
     text += "\n" + brief_standards(results);
   }
@@ -230,10 +221,10 @@ std::string fragility_summary(const Results& results) {
 
 std::vector<std::string> sentences(const Results& results) {
   std::vector<std::string> sentences;
-  const std::size_t shown = least_favourable_run(results);
+  const std::size_t shown = governing_run(results);
   const RunResults& run = results.runs[shown];
   if (lists_more_than_friction_value(results))
-    sentences.push_back("Of " + least_favourable(results) + ":");
+    sentences.push_back("Of " + governing_text(results) + ":");
   for (const ThresholdFragility& fragility : run.fragilities)
     sentences.push_back(threshold_sentence(results, fragility));
   if (const SlipStatistics* slip = shown_slip(results, run)) {
@@ -264,12 +255,8 @@ std::vector<Figure> figures(const Results& results) {
 }
 
 std::vector<Table> tables(const Results& results) {
-  std::vector<Table> all{fragility_table(results)};
-  if (Table at = earthquakes_table(results); !at.rows.empty()) all.push_back(std::move(at));
-  for (Table table : {slip_table(results), standards_table(results), stripes_table(results),
-                      samples_table(results)})
-    all.push_back(std::move(table));
-  return all;
+  return {fragility_table(results), earthquakes_table(results), slip_table(results),
+          standards_table(results), stripes_table(results),     samples_table(results)};
 }
 
 Html section(const Results& results) {

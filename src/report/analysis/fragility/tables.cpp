@@ -19,20 +19,20 @@ std::string measured_by(const Results& results) {
   return " Intensity measure: " + results.intensity_label + ". ";
 }
 
-Estimate median_of(const FitSummary& fit) {
+SignedEstimate median_of(const FitSummary& fit) {
   const char* sign = fit.status == FitStatus::lower_bound   ? "> "
                      : fit.status == FitStatus::upper_bound ? "< "
                                                             : "";
-  return {fit.curve.median, fit.median_interval, sign};
+  return {{fit.curve.median, fit.median_interval}, sign};
 }
 
-Estimate log_std_of(const FitSummary& fit) { return {fit.curve.log_std, fit.log_std_interval, ""}; }
+Estimate log_std_of(const FitSummary& fit) { return {fit.curve.log_std, fit.log_std_interval}; }
 
-Estimate p50_of(const FitSummary& fit) {
-  return {fit.curve.intensity_at(0.5), fit.p50_interval, median_of(fit).sign};
+SignedEstimate p50_of(const FitSummary& fit) {
+  return {{fit.curve.intensity_at(0.5), fit.p50_interval}, median_of(fit).sign};
 }
 
-Estimate floor_of(const FitSummary& fit) { return {fit.curve.floor, fit.floor_interval, ""}; }
+Estimate floor_of(const FitSummary& fit) { return {fit.curve.floor, fit.floor_interval}; }
 
 /// Share of records of which any sample falls below the threshold again at a higher level.
 double record_recross_share(const ThresholdFragility& fragility) {
@@ -78,8 +78,8 @@ Table fragility_table(const Results& results) {
       "Fragilities by clearance threshold: P = p0 + (1 - p0) Phi(ln(x / median) / log_std), "
       "p0 the share that slides freely, without shaking; half of all exceed at p50." +
           measured_by(results) + "log_std and shares are dimensionless. " + in_plan(results),
-      {text_column("run", "Run"),
-       {"threshold", "m", "Clearance, m (in)", ColumnKind::length},
+      {run_column,
+       threshold_column,
        text_column("method", "Fitted on"),
        intensity_column(results, "median", "Median", true),
        {"log_std", "", "Log std [95 %]", ColumnKind::number, true},
@@ -115,8 +115,8 @@ Table fragility_summary_table(const Results& results) {
   Table table{"fragility_summary",
               "Fragility by clearance: intensity with a 50 % chance of exceedance." +
                   measured_by(results) + in_plan(results),
-              {text_column("run", "Run"),
-               {"threshold", "m", "Clearance, m (in)", ColumnKind::length},
+              {run_column,
+               threshold_column,
                intensity_column(results, "median", "Median", true),
                {"log_std", "", "Log std [95 %]", ColumnKind::number, true},
                {"free_sliding_share", "", "Slides freely, p0", ColumnKind::share},
@@ -158,7 +158,7 @@ Table earthquakes_table(const Results& results) {
       "Probability that the clearance is exceeded in the design earthquake (DBE) and in the "
       "maximum considered one (MCE): share of the histories." +
           measured_by(results) + in_plan(results),
-      {text_column("run", "Run"), {"threshold", "m", "Clearance, m (in)", ColumnKind::length}},
+      {run_column, threshold_column},
       {}};
   std::vector<std::size_t> named;
   for (std::size_t level = 0; level < results.levels.size(); ++level) {
@@ -187,7 +187,7 @@ Table slip_table(const Results& results) {
   Table table{
       "slip",
       "Peak slip over records and samples, by level." + measured_by(results) + in_plan(results),
-      {text_column("run", "Run"),
+      {run_column,
        intensity_column(results, "level", "Level"),
        {"median_slip", "m", "Median, m (in) [95 %, m]", ColumnKind::length, true},
        {"p84_slip", "m", "84th percentile, m (in) [95 %, m]", ColumnKind::length, true},
@@ -214,8 +214,8 @@ Table stripes_table(const Results& results) {
       "stripes",
       "Histories whose slip exceeds the threshold, by level: what the fit on stripes rests on." +
           measured_by(results) + in_plan(results),
-      {text_column("run", "Run"),
-       {"threshold", "m", "Clearance, m (in)", ColumnKind::length},
+      {run_column,
+       threshold_column,
        intensity_column(results, "level", "Level"),
        {"histories", "", "Histories", ColumnKind::count},
        {"exceedances", "", "Exceedances", ColumnKind::count},

@@ -50,11 +50,9 @@ DataSeries traces(const std::vector<PullTest>& tests, const PullTestSummary& sum
     if (result.direction != direction) continue;
     const std::size_t begin = part == PanelPart::whole ? 0 : result.sliding_begin;
     const std::size_t end = part == PanelPart::whole ? tests[t].force_n.size() : result.sliding_end;
-    for (const std::size_t i : drawn_samples(tests[t], begin, end)) {
-      series.x.push_back(slip_at(tests[t], i));
-      series.y.push_back(friction_at(tests[t], i));
-    }
-    end_line(series);
+    for (const std::size_t i : drawn_samples(tests[t], begin, end))
+      series.add(slip_at(tests[t], i), friction_at(tests[t], i));
+    series.end_line();
   }
   return series;
 }

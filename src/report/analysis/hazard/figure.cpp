@@ -26,7 +26,8 @@ double right_end_m(const Results& results) {
   double right = results.thresholds_m.back();
   for (const HazardRun& run : hazard.runs) {
     for (const TargetDisplacement& row : run.targets)
-      if (std::isfinite(row.displacement_m)) right = std::max(right, row.displacement_m);
+      if (std::isfinite(row.displacement_m.value))
+        right = std::max(right, row.displacement_m.value);
   }
   return 1.15 * right;
 }
@@ -35,14 +36,10 @@ void add_run(Panel& panel, const HazardRun& run, const std::string& name, Look l
   DataSeries band{DataSeries::Kind::band, look, run.label + ": 95 % interval"};
   DataSeries line{DataSeries::Kind::line, look, name, name};
   for (const DisplacementRate& row : run.curve) {
-    if (!std::isfinite(row.annual_rate) || row.displacement_m > panel.x.high / room_for_rates)
-      continue;
-    line.x.push_back(row.displacement_m);
-    line.y.push_back(height(row.annual_rate));
-    if (!shaded || std::isnan(row.rate_interval.low)) continue;
-    band.x.push_back(row.displacement_m);
-    band.low.push_back(height(row.rate_interval.low));
-    band.high.push_back(height(row.rate_interval.high));
+    const auto& [rate, interval] = row.annual_rate;
+    if (!std::isfinite(rate) || row.displacement_m > panel.x.high / room_for_rates) continue;
+    line.add(row.displacement_m, height(rate));
+    band.add(row.displacement_m, {height(interval.low), height(interval.high)});
   }
   if (shaded) panel.series.insert(panel.series.begin(), std::move(band));
   panel.series.push_back(std::move(line));
@@ -56,7 +53,7 @@ double last_m(const Panel& panel) {
 }
 
 /// Decades that hold the curves and the rarest target rate.
-void scale_rates(Panel& panel, const HazardResults& hazard) {
+Axis rate_axis(const Panel& panel, const HazardResults& hazard) {
   const std::vector<TargetDisplacement>& targets = hazard.runs.front().targets;
   std::vector<double> heights{
       height(targets.empty() ? hazard.beyond_rate : targets.back().annual_rate)};
@@ -66,10 +63,9 @@ void scale_rates(Panel& panel, const HazardResults& hazard) {
   std::erase_if(heights, [](double y) { return !std::isfinite(y); });
   if (heights.empty()) heights = {0.0};  // no rate above zero
   const auto [low, high] = std::ranges::minmax(heights);
-  panel.y.low = std::floor(low);
-  panel.y.high = std::max(std::ceil(high), panel.y.low + 1.0);
-  for (double decade = panel.y.low; decade <= panel.y.high; ++decade)
-    panel.y.ticks.push_back({decade, fmt::format("1e{:g}", decade)});
+  return log_axis("Annual rate of exceedance", std::floor(low),
+                  std::max(std::ceil(high), std::floor(low) + 1.0),
+                  [](double rate) { return fmt::format("1e{:g}", std::round(std::log10(rate))); });
 }
 
 }  // namespace
@@ -78,19 +74,18 @@ Figure hazard_figure(const Results& results) {
   const HazardResults& hazard = *results.hazard;
   const std::size_t lines = std::min(hazard.runs.size(), most_lines);
   Panel panel{"", length_axis("Displacement in plan", room_for_rates * right_end_m(results))};
-  panel.y.label = "Annual rate of exceedance";
   for (std::size_t i = 0; i < lines; ++i)
     add_run(panel, hazard.runs[i],
             run_name(results, results.runs[i]) + (i == 0 ? " (shaded: 95 % interval)" : ""),
             distinct_look(i), i == 0);
-  scale_rates(panel, hazard);
+  panel.y = rate_axis(panel, hazard);
   Figure figure{
       "hazard", "Annual rate of exceeding a displacement",
       counts_of(results) + "; hazard curve " + curve_name(hazard),
       fmt::format("Shaded: 95 % interval over records, of the first curve. Drawn to {} (farther: "
                   "tables/hazard_curve.csv). Where a curve becomes level it is that of "
                   "shaking above the highest level of the study, {}, all of which counts as "
-                  "exceeding (rate {:.3g} a year). All runs: tables/hazard_curve.csv.",
+                  "exceeding (rate {:.3g} a year). All combinations: tables/hazard_curve.csv.",
                   format_length(last_m(panel)), at_intensity(results, results.levels.back()),
                   hazard.beyond_rate)};
   for (const TargetDisplacement& row : hazard.runs.front().targets) {
@@ -106,28 +101,22 @@ Figure hazard_figure(const Results& results) {
 
 Figure life_figure(const Results& results) {
   const HazardResults& hazard = *results.hazard;
-  const std::size_t shown = least_favourable_run(results);
-  constexpr double least_part = 2e-4;  // room for the names of the lines below 0.1 %
+  const std::size_t shown = governing_run(results);
+  constexpr double least_share = 2e-4;  // room for the names of the lines below 0.1 %
   const std::array names = {std::pair{LifeQuantity::single, "largest earthquake"},
                             std::pair{LifeQuantity::accumulated, "accumulated at the end"},
-                            std::pair{LifeQuantity::farthest, "farthest at any time"}};
+                            std::pair{LifeQuantity::farthest, "largest at any time"}};
   double right_m = 0.01;
   for (const LifeQuantile& row : hazard.runs[shown].life_distribution)
     if (std::isfinite(row.displacement_m)) right_m = std::max(right_m, row.displacement_m);
   Panel panel{"", length_axis("Displacement in plan", room_for_rates * right_m)};
-  panel.y = {"Part of the design lives that exceed it",
-             height(least_part),
-             0.0,
-             {},
-             Axis::Values::logarithms};
-  for (const double part : {1e-3, 1e-2, 1e-1, 1.0})
-    panel.y.ticks.push_back({height(part), fmt::format("{:g} %", 100.0 * part)});
+  panel.y = log_axis("Share of the design lives that exceed it", height(least_share), 0.0,
+                     [](double share) { return fmt::format("{:g} %", 100.0 * share); });
   for (std::size_t i = 0; i < names.size(); ++i) {
     DataSeries line{DataSeries::Kind::line, distinct_look(i), names[i].second, names[i].second};
     for (const LifeQuantile& row : hazard.runs[shown].life_distribution) {
       if (row.quantity != names[i].first || !std::isfinite(row.displacement_m)) continue;
-      line.x.push_back(row.displacement_m);
-      line.y.push_back(height(1.0 - row.probability));
+      line.add(row.displacement_m, height(1.0 - row.probability));
     }
     panel.series.push_back(std::move(line));
   }
@@ -135,7 +124,8 @@ Figure life_figure(const Results& results) {
       "design_life", "Slip over " + life_text(hazard),
       counts_of(results) + "; " + run_name(results, results.runs[shown]) + "; hazard curve " +
           curve_name(hazard),
-      "The array is not moved back. Accumulated: residual displacements add up as vectors. "
+      "The array is not returned to its initial position. Accumulated: residual displacements add "
+      "up as vectors. "
       "Lines end where shaking above the highest level decides, or at one life in a thousand. "
       "Numbers: tables/design_life_distribution.csv."};
   figure.panels.push_back(std::move(panel));

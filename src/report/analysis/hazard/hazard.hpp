@@ -16,6 +16,8 @@ namespace glissade {
 std::string rate_text(double annual_rate);
 /// "site.csv" of a curve from a file in any folder, "0.001 x^-2.2" of a law.
 std::string curve_name(const HazardResults& hazard);
+/// What slip over a design life assumes.
+inline constexpr auto not_returned = "the array not returned to its initial position";
 /// "25 years".
 std::string life_text(const HazardResults& hazard);
 
@@ -30,9 +32,9 @@ Table hazard_targets_table(const Results& results);
 /// Per run and standard: no rows where the study compares with none, or S_DS of the site is not
 /// known.
 Table hazard_standards_table(const Results& results);
-/// Per run, quantity and part of the lives.
+/// Per run, quantity and share of the lives.
 Table life_distribution_table(const Results& results);
-/// Per run: largest peak of one earthquake, accumulated slip, farthest distance.
+/// Per run: largest peak of one earthquake, accumulated slip, largest distance.
 Table design_life_table(const Results& results);
 /// The 95th percentiles alone, a row per run: on a page.
 Table shown_design_life_table(const Results& results);
@@ -40,8 +42,8 @@ std::vector<std::string> hazard_sentences(const Results& results);
 
 /// Annual rate over displacement, of four runs at most.
 Figure hazard_figure(const Results& results);
-/// Over displacement the part of the design lives that exceed it, of the run with the most slip:
-/// largest earthquake, accumulated, farthest.
+/// Over displacement the share of the design lives that exceed it, of the run with the most slip:
+/// largest earthquake, accumulated, largest distance.
 Figure life_figure(const Results& results);
 
 }  // namespace glissade

@@ -14,10 +14,11 @@
 namespace glissade {
 namespace {
 
-/// From this part of a rate on a reader must know of it.
+/// From this share of a rate on a reader must know of it.
 constexpr double notable_share = 0.1;
 
-std::string share_range(double share, const Interval& interval) {
+std::string share_range(const Estimate& estimate) {
+  const auto& [share, interval] = estimate;
   if (std::isnan(interval.low)) return format_share(share);
   return fmt::format("{} (95 % interval {} to {})", format_share(share), format_share(interval.low),
                      format_share(interval.high));
@@ -25,19 +26,20 @@ std::string share_range(double share, const Interval& interval) {
 
 std::string threshold_sentence(const HazardResults& hazard, const ThresholdRate& row) {
   const std::string clearance = format_length(row.threshold_m);
-  if (std::isinf(row.annual_rate))
+  if (std::isinf(row.annual_rate.value))
     return "Some histories slide freely: " + clearance +
            " is exceeded without any earthquake, and has no annual rate.";
   const bool bound = row.beyond_share == 1.0;
   std::string text = fmt::format(
       "{} is exceeded {} once in {} years (annual rate {}): in {} with a probability of {}{}.",
-      clearance, bound ? "less than" : "about", format_number(1.0 / row.annual_rate),
-      format_rate(row.annual_rate), life_text(hazard), bound ? "less than " : "",
-      share_range(row.life_probability, row.life_interval));
+      clearance, bound ? "less than" : "about", format_number(1.0 / row.annual_rate.value),
+      format_rate(row.annual_rate.value), life_text(hazard), bound ? "less than " : "",
+      share_range(row.life_probability));
   if (row.beyond_share > notable_share)
     text += fmt::format(
-        " {} of that rate is from histories that the highest level does not bring to it, counted "
-        "as if any stronger shaking did: higher levels would show less.",
+        " {} of that rate is from histories that do not reach it at the highest level: any "
+        "stronger "
+        "shaking counts as if they did, and higher levels would show less.",
         format_share(row.beyond_share));
   return text;
 }
@@ -45,31 +47,31 @@ std::string threshold_sentence(const HazardResults& hazard, const ThresholdRate&
 /// @param target of HazardRun::targets
 std::string target_sentence(const Results& results, std::size_t target) {
   const std::size_t at = run_of_largest(results, [&](std::size_t run) {
-    return results.hazard->runs[run].targets[target].displacement_m;
+    return results.hazard->runs[run].targets[target].displacement_m.value;
   });
   const HazardRun& run = results.hazard->runs[at];
   const TargetDisplacement& row = run.targets[target];
+  const auto& [displacement_m, interval] = row.displacement_m;
   const std::string of_run = lists_more_than_friction_value(results)
                                  ? " (largest: " + run_name(results, results.runs[at]) + ")"
                                  : "";
   const std::string rate = rate_text(row.annual_rate) + of_run;
-  if (std::isinf(row.displacement_m))
+  if (std::isinf(displacement_m))
     return fmt::format(
         "The displacement of {} is beyond the levels: {} has that rate; give levels well above it.",
         rate, at_intensity(results, row.intensity));
-  if (row.displacement_m == run.curve.front().displacement_m)
+  if (displacement_m == run.curve.front().displacement_m)
     return fmt::format("The displacement of {} is {} or less.", rate,
-                       format_length(row.displacement_m));
+                       format_length(displacement_m));
   return fmt::format("The displacement of {} is {} (95 % interval {}).", rate,
-                     format_length(row.displacement_m),
-                     format_length_interval(row.displacement_interval));
+                     format_length(displacement_m), format_length_interval(interval));
 }
 
 /// @param standard of HazardRun::prescribed; of the run that exceeds it most often
 std::string prescribed_sentence(const Results& results, std::size_t standard) {
   const std::vector<HazardRun>& runs = results.hazard->runs;
   const std::size_t most = run_of_largest(
-      results, [&](std::size_t run) { return runs[run].prescribed[standard].annual_rate; });
+      results, [&](std::size_t run) { return runs[run].prescribed[standard].annual_rate.value; });
   const PrescribedRate& row = runs[most].prescribed[standard];
   const double target_m = displacement_at(rate_of(0.01, 50.0), runs[most]);
   return fmt::format(
@@ -79,17 +81,17 @@ std::string prescribed_sentence(const Results& results, std::size_t standard) {
       row.prescribed.provenance == Provenance::recalled ? " (recalled: verify against the standard)"
                                                         : "",
       row.sds_g,
-      share_range(probability_in(50.0, row.annual_rate),
-                  {probability_in(50.0, row.rate_interval.low),
-                   probability_in(50.0, row.rate_interval.high)}),
+      share_range({probability_in(50.0, row.annual_rate.value),
+                   {probability_in(50.0, row.annual_rate.interval.low),
+                    probability_in(50.0, row.annual_rate.interval.high)}}),
       lists_more_than_friction_value(results)
           ? " (most often: " + run_name(results, results.runs[most]) + ")"
           : "",
       std::isinf(target_m) ? "more than the levels reach" : format_length(target_m));
 }
 
-std::string length_or_none(double length_m) {
-  return std::isinf(length_m) ? "without bound" : format_length(length_m);
+std::string length_or_none(const Estimate& length_m) {
+  return std::isinf(length_m.value) ? "without bound" : format_length(length_m.value);
 }
 
 std::vector<std::string> life_sentences(const Results& results, const HazardRun& run) {
@@ -99,16 +101,17 @@ std::vector<std::string> life_sentences(const Results& results, const HazardRun&
   std::vector<std::string> all = {fmt::format(
       "In {} the array slides more than {} in one earthquake or more with a probability of {}.",
       life_text(hazard), format_length(least.displacement_m),
-      format_share(probability_in(hazard.design_life_years, least.annual_rate)))};
+      format_share(probability_in(hazard.design_life_years, least.annual_rate.value)))};
   all.push_back(
-      far.p95_m == 0.0
+      far.p95_m.value == 0.0
           ? "The 95th percentile of the slip over " + life_text(hazard) + " is none."
-          : fmt::format("Slip over {}, the array not moved back: median {}, 95th percentile {} at "
-                        "the end; the largest peak of one earthquake: {} and {}; the farthest from "
-                        "its first place at any time: {} and {}.",
-                        life_text(hazard), length_or_none(sum.median_m), length_or_none(sum.p95_m),
-                        length_or_none(single.median_m), length_or_none(single.p95_m),
-                        length_or_none(far.median_m), length_or_none(far.p95_m)));
+          : fmt::format("Slip over {}, {}: median {}, 95th percentile {} at the end; the largest "
+                        "peak of one earthquake: {} and {}; the largest distance from the initial "
+                        "position at any time: {} and {}.",
+                        life_text(hazard), not_returned, length_or_none(sum.median_m),
+                        length_or_none(sum.p95_m), length_or_none(single.median_m),
+                        length_or_none(single.p95_m), length_or_none(far.median_m),
+                        length_or_none(far.p95_m)));
   if (!hazard.residual_vectors)
     all.push_back(
         "These results have no residual displacements (those of one axis, and those run without "
@@ -129,38 +132,28 @@ std::vector<std::string> life_sentences(const Results& results, const HazardRun&
 }
 
 std::string summary(const Results& results) {
-  constexpr std::size_t most_rows = 12;
-  Table rates = without_run_key(results, hazard_table(results));
+  Table rates = without_run_key(results, hazard_table(results)).first_rows(12, "hazard");
   const auto rate = std::ranges::find(rates.columns, "annual_rate", &Column::stem);
   rate->heading = "Annual rate";  // the interval of the return period says as much
   rate->with_interval = false;
-  const std::size_t rows = rates.rows.size();
-  rates.rows.resize(std::min(rows, most_rows));
   for (std::vector<Cell>& row : rates.rows) {
     Cell& cell = row[static_cast<std::size_t>(rate - rates.columns.begin())];
-    cell = Estimate{std::get<Estimate>(cell).value, {}, std::get<Estimate>(cell).sign};
+    std::get<SignedEstimate>(cell).interval = {};
   }
-  std::string text = to_text(rates);
-  if (rows > most_rows)
-    text += fmt::format("  {} rows more are in tables/hazard.csv\n", rows - most_rows);
-  text += "\n";
-  const std::size_t shown = least_favourable_run(results);
+  std::string text = to_text(rates) + "\n";
+  const std::size_t shown = governing_run(results);
   const HazardRun& run = results.hazard->runs[shown];
   for (std::size_t i = 0; i < run.targets.size(); ++i) text += wrapped(target_sentence(results, i));
   for (std::size_t i = 0; i < run.prescribed.size(); ++i)
     text += wrapped(prescribed_sentence(results, i));
-  if (results.runs.size() > 1) text += wrapped("Of " + least_favourable(results) + ":");
-  for (const std::string& sentence : life_sentences(results, run)) text += wrapped(sentence);
-  return text;
+  if (results.runs.size() > 1) text += wrapped("Of " + governing_text(results) + ":");
+  return text + paragraphs(life_sentences(results, run));
 }
 
 std::vector<Table> tables(const Results& results) {
-  std::vector<Table> all{hazard_table(results), hazard_targets_table(results),
-                         design_life_table(results), life_distribution_table(results),
-                         hazard_curve_table(results)};
-  if (Table standards = hazard_standards_table(results); !standards.rows.empty())
-    all.push_back(std::move(standards));
-  return all;
+  return {hazard_table(results),       hazard_targets_table(results),
+          design_life_table(results),  life_distribution_table(results),
+          hazard_curve_table(results), hazard_standards_table(results)};
 }
 
 Html section(const Results& results) {
@@ -181,7 +174,8 @@ Html section(const Results& results) {
              "Earthquakes are a Poisson process with the rates of the hazard curve. Each has a "
              "record drawn from all; friction, slope and building are those of one sample for the "
              "whole life. Residual displacements add up as vectors; what slides down the slope "
-             "adds up, the rest partly cancels. The array is not damaged and not put back.") +
+             "adds up, the rest partly cancels. The array is not damaged, and is not returned to "
+             "its initial position.") +
          wide_table(without_run_key(results, shown_design_life_table(results))) +
          paragraph("The rate of every displacement: tables/hazard_curve.csv.");
 }
@@ -189,7 +183,7 @@ Html section(const Results& results) {
 }  // namespace
 
 std::vector<std::string> hazard_sentences(const Results& results) {
-  const std::size_t shown = least_favourable_run(results);
+  const std::size_t shown = governing_run(results);
   const HazardRun& run = results.hazard->runs[shown];
   const std::string at = lists_more_than_friction_value(results)
                              ? "At " + run_name(results, results.runs[shown]) + ": "

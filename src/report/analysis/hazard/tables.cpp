@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <filesystem>
 
@@ -19,13 +18,13 @@ std::string by_curve(const Results& results) {
          results.intensity_label + ". ";
 }
 
-Estimate period_of(double rate, const Interval& interval) {
-  return {1.0 / rate, {1.0 / interval.high, 1.0 / interval.low}, ""};
+Estimate period_of(const Estimate& rate) {
+  return {1.0 / rate.value, {1.0 / rate.interval.high, 1.0 / rate.interval.low}};
 }
 
-Estimate target_of(const HazardRun& run, const TargetDisplacement& row) {
+SignedEstimate target_of(const HazardRun& run, const TargetDisplacement& row) {
   const double lowest = run.curve.front().displacement_m;
-  return {row.displacement_m, row.displacement_interval, row.displacement_m == lowest ? "< " : ""};
+  return {row.displacement_m, row.displacement_m.value == lowest ? "< " : ""};
 }
 
 std::string quantity_name(LifeQuantity quantity) {
@@ -35,7 +34,7 @@ std::string quantity_name(LifeQuantity quantity) {
     case LifeQuantity::accumulated:
       return "accumulated at the end";
     case LifeQuantity::farthest:
-      return "farthest from the first place";
+      return "largest distance from the initial position";
   }
   return "";
 }
@@ -62,8 +61,8 @@ Table hazard_table(const Results& results, std::optional<double> threshold_m) {
   Table table{
       "hazard",
       "How often each clearance is exceeded." + by_curve(results) + in_plan(results),
-      {text_column("run", "Run"),
-       {"threshold", "m", "Clearance, m (in)", ColumnKind::length},
+      {run_column,
+       threshold_column,
        {"annual_rate", "per_year", "Annual rate [95 %]", ColumnKind::rate, true},
        {"return_period", "years", "Return period, years [95 %]", ColumnKind::number, true},
        {"life_probability", "", "In " + life_text(hazard) + " [95 %]", ColumnKind::share, true},
@@ -75,31 +74,30 @@ Table hazard_table(const Results& results, std::optional<double> threshold_m) {
   for (const HazardRun& run : hazard.runs) {
     for (const ThresholdRate& row : run.thresholds) {
       if (row.threshold_m != threshold_m.value_or(row.threshold_m)) continue;
-      Estimate period = period_of(row.annual_rate, row.rate_interval);
-      if (row.beyond_share == 1.0) period.sign = "> ";
-      table.add({run.label, row.threshold_m,
-                 Estimate{row.annual_rate, row.rate_interval, sign_of(row)}, period,
-                 Estimate{row.life_probability, row.life_interval, sign_of(row)},
-                 Estimate{probability_in(50.0, row.annual_rate), {}, sign_of(row)},
+      const char* sign = sign_of(row);
+      const Estimate in_50_years{probability_in(50.0, row.annual_rate.value), {}};
+      table.add({run.label, row.threshold_m, SignedEstimate{row.annual_rate, sign},
+                 SignedEstimate{period_of(row.annual_rate), row.beyond_share == 1.0 ? "> " : ""},
+                 SignedEstimate{row.life_probability, sign}, SignedEstimate{in_50_years, sign},
                  row.beyond_share, row.fit_rate});
     }
   }
   table.notes = {
-      "Beyond levels: the part of the rate from histories that the highest level does not "
-      "bring to the clearance. Any shaking above that level counts as exceeding it."};
+      "Beyond levels: the share of the rate from histories that do not reach the clearance at the "
+      "highest level. Any shaking above that level counts as exceeding it."};
   return with_listed(results, table);
 }
 
 Table hazard_curve_table(const Results& results) {
   Table table{"hazard_curve",
               "Annual rate of exceeding a displacement." + by_curve(results) + in_plan(results),
-              {text_column("run", "Run"),
+              {run_column,
                {"displacement", "m", "Displacement, m (in)", ColumnKind::length},
                {"annual_rate", "per_year", "Annual rate [95 %]", ColumnKind::rate, true}},
               {}};
   for (const HazardRun& run : results.hazard->runs) {
     for (const DisplacementRate& row : run.curve)
-      table.add({run.label, row.displacement_m, Estimate{row.annual_rate, row.rate_interval}});
+      table.add({run.label, row.displacement_m, row.annual_rate});
   }
   return with_listed(results, table);
 }
@@ -108,7 +106,7 @@ Table hazard_targets_table(const Results& results) {
   Table table{"hazard_targets",
               "Displacement that is exceeded at a given annual rate." + by_curve(results) +
                   in_plan(results),
-              {text_column("run", "Run"),
+              {run_column,
                text_column("target", "Rate"),
                {"annual_rate", "per_year", "Annual rate", ColumnKind::rate},
                {"probability_50_years", "", "In 50 years", ColumnKind::share},
@@ -128,7 +126,7 @@ Table hazard_standards_table(const Results& results) {
               "How often the displacements that standards prescribe at the S_DS of the site are "
               "exceeded, beside the displacement that is exceeded with 1 % in 50 years." +
                   by_curve(results) + in_plan(results),
-              {text_column("run", "Run"),
+              {run_column,
                text_column("standard", "Standard"),
                text_column("provision", "Provision"),
                {"sds", "g", "S_DS, g"},
@@ -144,20 +142,20 @@ Table hazard_standards_table(const Results& results) {
       table.add(
           {run.label, standard_name(row.standard),
            std::string(row.prescribed.provenance == Provenance::checked ? "checked" : "recalled"),
-           row.sds_g, row.prescribed.value_m, Estimate{row.annual_rate, row.rate_interval},
-           probability_in(50.0, row.annual_rate), target, target / row.prescribed.value_m});
+           row.sds_g, row.prescribed.value_m, row.annual_rate,
+           probability_in(50.0, row.annual_rate.value), target, target / row.prescribed.value_m});
   }
   return with_listed(results, table);
 }
 
 Table life_distribution_table(const Results& results) {
   Table table{"design_life_distribution",
-              "Slip over " + life_text(*results.hazard) +
-                  ", the array not moved back: what it stays below in a part of the design lives." +
-                  by_curve(results) + in_plan(results),
-              {text_column("run", "Run"),
+              "Slip over " + life_text(*results.hazard) + ", " + not_returned +
+                  ": what it stays below in a share of the design lives." + by_curve(results) +
+                  in_plan(results),
+              {run_column,
                text_column("quantity", "Slip"),
-               {"probability", "", "Part of the lives", ColumnKind::share},
+               {"probability", "", "Share of the lives", ColumnKind::share},
                {"displacement", "m", "Displacement, m (in)", ColumnKind::length}},
               {}};
   for (const HazardRun& run : results.hazard->runs)
@@ -169,22 +167,21 @@ Table life_distribution_table(const Results& results) {
 Table shown_design_life_table(const Results& results) {
   const HazardResults& hazard = *results.hazard;
   Table table{"design_life",
-              "Slip over " + life_text(hazard) + ", the array not moved back: 95th percentiles." +
+              "Slip over " + life_text(hazard) + ", " + not_returned + ": 95th percentiles." +
                   by_curve(results) + in_plan(results),
-              {text_column("run", "Run")},
+              {run_column},
               {}};
   double median_m = 0.0;
   for (const LifeDisplacement& row : hazard.runs.front().life) {
-    std::string heading = quantity_name(row.quantity) + ", m (in) [95 %, m]";
-    heading[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(heading[0])));
-    table.columns.push_back(
-        {"p95_" + std::to_string(table.columns.size()), "m", heading, ColumnKind::length, true});
+    table.columns.push_back({"p95_" + std::to_string(table.columns.size()), "m",
+                             capitalised(quantity_name(row.quantity)) + ", m (in) [95 %, m]",
+                             ColumnKind::length, true});
   }
   for (const HazardRun& run : hazard.runs) {
     std::vector<Cell> row{run.label};
     for (const LifeDisplacement& life : run.life) {
-      row.emplace_back(Estimate{life.p95_m, life.p95_interval});
-      median_m = std::max(median_m, life.median_m);
+      row.emplace_back(life.p95_m);
+      median_m = std::max(median_m, life.median_m.value);
     }
     table.add(std::move(row));
   }
@@ -198,9 +195,9 @@ Table shown_design_life_table(const Results& results) {
 
 Table design_life_table(const Results& results) {
   Table table{"design_life",
-              "Slip over " + life_text(*results.hazard) + ", the array not moved back." +
+              "Slip over " + life_text(*results.hazard) + ", " + not_returned + "." +
                   by_curve(results) + in_plan(results),
-              {text_column("run", "Run"),
+              {run_column,
                text_column("quantity", "Slip"),
                {"median", "m", "Median, m (in) [95 %, m]", ColumnKind::length, true},
                {"p84", "m", "84th percentile, m (in) [95 %, m]", ColumnKind::length, true},
@@ -208,9 +205,7 @@ Table design_life_table(const Results& results) {
               {}};
   for (const HazardRun& run : results.hazard->runs) {
     for (const LifeDisplacement& row : run.life)
-      table.add({run.label, quantity_name(row.quantity),
-                 Estimate{row.median_m, row.median_interval}, Estimate{row.p84_m, row.p84_interval},
-                 Estimate{row.p95_m, row.p95_interval}});
+      table.add({run.label, quantity_name(row.quantity), row.median_m, row.p84_m, row.p95_m});
   }
   return with_listed(results, table);
 }

@@ -23,19 +23,18 @@ bool has_impact(const Results& results) {
 std::string impact_explained() {
   return "Each number is conditional on impact: histories that do not reach the "
          "clearance are left out, and the share that reaches it is given beside it. The speed is "
-         "that of the array relative to the roof, in plan, as it first reaches that distance from "
-         "where it lay. The kinetic energy (J) of each kilogram that moves together is half the "
+         "that of the array relative to the roof, in plan, when it is first displaced by the "
+         "clearance. The kinetic energy (J) of each kilogram that moves together is half the "
          "square of the speed; a parapet there must absorb it. The histories slide on as if "
          "nothing stood there: a parapet that stops the array changes what follows.";
 }
 
 Table impact_table(const Results& results) {
   Table table{"impact",
-              "Speed and time at which the array first gets a clearance's distance from where it "
-              "lay. " +
+              "Speed and time at which the array is first displaced by a clearance. " +
                   impact_explained() + " Intensity measure: " + results.intensity_label + ".",
-              {text_column("run", "Run"),
-               {"threshold", "m", "Clearance, m (in)", ColumnKind::length},
+              {run_column,
+               threshold_column,
                intensity_column(results, "level", "Level"),
                {"reached_share", "", "Reached [95 %]", ColumnKind::share, true},
                {"median_speed", "mps", "Median speed, m/s [95 %]", ColumnKind::number, true},
@@ -50,10 +49,9 @@ Table impact_table(const Results& results) {
               {}};
   for (const RunResults& run : results.runs) {
     for (const ImpactStatistics& s : run.impact) {
-      table.add({run.label, s.threshold_m, s.level, Estimate{s.reached_share, s.reached_interval},
-                 Estimate{s.speed_median_mps, s.speed_median_interval},
-                 Estimate{s.speed_p84_mps, s.speed_p84_interval}, s.speed_p95_mps,
-                 s.speed_largest_mps, energy_jpkg(s.speed_median_mps), energy_jpkg(s.speed_p84_mps),
+      table.add({run.label, s.threshold_m, s.level, s.reached_share, s.speed_median_mps,
+                 s.speed_p84_mps, s.speed_p95_mps, s.speed_largest_mps,
+                 energy_jpkg(s.speed_median_mps.value), energy_jpkg(s.speed_p84_mps.value),
                  s.time_p16_s, s.time_median_s, s.time_p84_s});
     }
   }
@@ -66,7 +64,7 @@ Table brief_impact_table(const Results& results) {
               "Speed on first reaching a clearance, given that it is reached (" +
                   friction_of(results, run) + "). Intensity measure: " + results.intensity_label +
                   ".",
-              {{"threshold", "m", "Clearance, m (in)", ColumnKind::length},
+              {threshold_column,
                intensity_column(results, "level", "Level"),
                {"reached_share", "", "Reached", ColumnKind::share},
                {"median_speed", "mps", "Median speed, m/s [95 %]", ColumnKind::number, true},
@@ -76,11 +74,9 @@ Table brief_impact_table(const Results& results) {
               {}};
   const std::vector<double> chosen = some_levels(results.levels, 5);
   for (const ImpactStatistics& s : run.impact) {
-    if (s.reached_share == 0.0 || !std::ranges::count(chosen, s.level)) continue;
-    table.add({s.threshold_m, s.level, s.reached_share,
-               Estimate{s.speed_median_mps, s.speed_median_interval},
-               Estimate{s.speed_p84_mps, s.speed_p84_interval}, energy_jpkg(s.speed_p84_mps),
-               s.time_median_s});
+    if (s.reached_share.value == 0.0 || !std::ranges::count(chosen, s.level)) continue;
+    table.add({s.threshold_m, s.level, s.reached_share.value, s.speed_median_mps, s.speed_p84_mps,
+               energy_jpkg(s.speed_p84_mps.value), s.time_median_s});
   }
   return table;
 }
@@ -88,10 +84,11 @@ Table brief_impact_table(const Results& results) {
 std::string impact_sentence(const Results& results, double level) {
   std::string speeds;
   for (const ImpactStatistics& s : results.runs.front().impact) {
-    if (s.level != level || s.reached_share == 0.0) continue;
-    speeds += fmt::format("{}{} and {} m/s at {} ({} of the histories)", speeds.empty() ? "" : "; ",
-                          format_number(s.speed_median_mps), format_number(s.speed_p84_mps),
-                          format_length(s.threshold_m), format_share(s.reached_share));
+    if (s.level != level || s.reached_share.value == 0.0) continue;
+    speeds +=
+        fmt::format("{}{} and {} m/s at {} ({} of the histories)", speeds.empty() ? "" : "; ",
+                    format_number(s.speed_median_mps.value), format_number(s.speed_p84_mps.value),
+                    format_length(s.threshold_m), format_share(s.reached_share.value));
   }
   if (speeds.empty()) return "";
   return fmt::format(
@@ -108,7 +105,7 @@ Html section(const Results& results) {
          paragraph(impact_explained()) +
          (table.rows.empty() ? paragraph("The array reached no clearance at these levels.")
                              : wide_table(table)) +
-         paragraph("Every run, clearance and level: tables/impact.csv.");
+         paragraph("Every combination, clearance and level: tables/impact.csv.");
 }
 
 /// At the level nearest to 1 g.

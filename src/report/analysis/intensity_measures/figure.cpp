@@ -35,15 +35,14 @@ Figure intensity_measures_figure(const Results& results) {
     const RankedMeasure& row = ranking[i];
     const double y = -static_cast<double>(i);
     DataSeries& at = is_insufficient(row) ? insufficient : sufficient;
-    at.x.push_back(row.dispersion);
-    at.y.push_back(y);
-    bars.x.insert(bars.x.end(), {row.interval.low, row.interval.high});
-    bars.y.insert(bars.y.end(), {y, y});
-    end_line(bars);
+    at.add(row.dispersion.value, y);
+    bars.add(row.dispersion.interval.low, y);
+    bars.add(row.dispersion.interval.high, y);
+    bars.end_line();
     panel.y.ticks.push_back({y, row.name});
-    right = std::max({right, row.dispersion, row.interval.high});
+    right = std::max({right, row.dispersion.value, row.dispersion.interval.high});
   }
-  panel.x.high = 1.05 * std::min(right, 3.0 * ranking.back().dispersion);
+  panel.x.high = 1.05 * std::min(right, 3.0 * ranking.back().dispersion.value);
   panel.y.low = -static_cast<double>(ranking.size());
   panel.y.high = 1.0;
   panel.y.values = Axis::Values::names;

@@ -13,7 +13,8 @@ namespace glissade {
 namespace {
 
 std::string with_dispersion(const RankedMeasure& row) {
-  return fmt::format("{} ({:.3g} [{}])", row.name, row.dispersion, format_interval(row.interval));
+  return fmt::format("{} ({:.3g} [{}])", row.name, row.dispersion.value,
+                     format_interval(row.dispersion.interval));
 }
 
 std::vector<std::string> sentences(const Results& results) {
@@ -45,9 +46,7 @@ Table shown_table(const Results& results) {
 }
 
 std::string summary(const Results& results) {
-  std::string text;
-  for (const std::string& sentence : sentences(results)) text += wrapped(sentence);
-  return text + "\n" + to_text(shown_table(results));
+  return paragraphs(sentences(results)) + "\n" + to_text(shown_table(results));
 }
 
 Html section(const Results& results) {

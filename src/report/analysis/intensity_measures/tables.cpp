@@ -37,8 +37,8 @@ Table intensity_measures_table(const Results& results) {
       "intensity_measures",
       "Intensity measures by the dispersion of ln capacity between records, the best first. " +
           in_plan(results),
-      {text_column("run", "Run"),
-       {"threshold", "m", "Clearance, m (in)", ColumnKind::length},
+      {run_column,
+       threshold_column,
        text_column("measure", "Intensity measure"),
        {"dispersion", "", "Dispersion [95 %]", ColumnKind::number, true},
        {"smallest_share", "", "Ranks first in", ColumnKind::share},
@@ -52,10 +52,9 @@ Table intensity_measures_table(const Results& results) {
     column.detail = column.stem == "magnitude_slope" || column.stem == "distance_slope" ||
                     column.stem == "censored_records";
   for (const RankedMeasure& row : *results.intensity_measures)
-    table.add({results.runs[row.run].label, row.threshold_m, row.name,
-               Estimate{row.dispersion, row.interval}, row.smallest_share, row.magnitude_slope,
-               row.magnitude_p, row.distance_slope, row.distance_p,
-               static_cast<double>(row.censored_records)});
+    table.add({results.runs[row.run].label, row.threshold_m, row.name, row.dispersion,
+               row.smallest_share, row.magnitude_slope, row.magnitude_p, row.distance_slope,
+               row.distance_p, static_cast<double>(row.censored_records)});
   table.notes = {
       "Ranks first in: that share of the resamples of the records. p: that the slope of ln "
       "capacity on "

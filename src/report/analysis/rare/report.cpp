@@ -22,14 +22,15 @@ Table rare_table(const Results& results) {
   Table table{
       "rare",
       "Probability, given the level, that slip reaches the threshold",
-      {text_column("condition", "Array"),
-       {"threshold", "m", "Clearance, m (in)", ColumnKind::length},
+      {condition_column,
+       threshold_column,
        intensity_column(results, "level", "Level"),
        text_column("estimate", "Probability"),
        text_column("samples", "95 %, samples"),
        text_column("records", "95 %, records"),
-       {"effective_samples", "", "Samples that carry it", ColumnKind::number, false, -1, true},
-       {"effective_records", "", "Records that carry it"},
+       {"effective_samples", "", "Effective number of samples", ColumnKind::number, false, -1,
+        true},
+       {"effective_records", "", "Effective number of records"},
        {"plain_samples", "", "Plain Monte Carlo samples", ColumnKind::number, false, -1, true},
        {"probability", "", "Probability", ColumnKind::number, true, -1, true}},
       {}};
@@ -44,10 +45,11 @@ Table rare_table(const Results& results) {
   table.notes = {
       "Samples: interval from independent scrambles, on these records. Records: bootstrap over "
       "records.",
-      fmt::format("Samples, records that carry it: (sum p)^2 / sum p^2 of the parts p that each "
-                  "contributes. With fewer than {:g} samples the error of the samples is not known "
-                  "(-); where few records do, the interval over records is too narrow.",
-                  least_effective_samples),
+      fmt::format(
+          "Effective number: (sum p)^2 / sum p^2 of the contributions p of the samples, of "
+          "the records. With fewer than {:g} of the samples the error of the samples is not "
+          "known (-); with few of the records the interval over records is too narrow.",
+          least_effective_samples),
       "Plain Monte Carlo samples: as many would be required for the same sampling error."};
   return table;
 }
@@ -71,7 +73,8 @@ std::vector<std::string> sentences(const Results& results) {
   if (row == nullptr) return {};
   return {fmt::format(
       "At {} slip reaches {} with a probability of {} (95 %: {} to {} of the samples, {} to {} of "
-      "the records; {:.1f} of {} records carry it). Plain Monte Carlo would need {:.2g} samples "
+      "the records; effective number of records {:.1f} of {}). Plain Monte Carlo would need {:.2g} "
+      "samples "
       "for "
       "that sampling error; {} were run.",
       at_intensity(results, row->level), format_length(row->threshold_m), small(row->probability),
@@ -81,9 +84,7 @@ std::vector<std::string> sentences(const Results& results) {
 }
 
 std::string summary(const Results& results) {
-  std::string text = to_text(rare_table(results)) + "\n";
-  for (const std::string& sentence : sentences(results)) text += wrapped(sentence);
-  return text;
+  return to_text(rare_table(results)) + "\n" + paragraphs(sentences(results));
 }
 
 /// Of the first combination: a line for each threshold.
@@ -96,10 +97,8 @@ Figure rare_figure(const Results& results) {
                 "wider distributions, with weights."};
   Panel panel{"",
               {results.intensity_label, 0.0, 1.05 * results.levels.back()},
-              {"Probability", std::log10(least), 0.0, {}, Axis::Values::logarithms}};
-  for (int decade = -7; decade <= 0; ++decade)
-    panel.y.ticks.push_back(
-        {static_cast<double>(decade), fmt::format("{:g}", std::pow(10.0, decade))});
+              log_axis("Probability", std::log10(least), 0.0,
+                       [](double probability) { return fmt::format("{:g}", probability); })};
   std::vector<double> thresholds;
   for (const RareRow& row : rare.rows) {
     if (row.first_case == rare.rows.front().first_case &&
@@ -107,6 +106,7 @@ Figure rare_figure(const Results& results) {
       thresholds.push_back(row.threshold_m);
   }
   const auto height = [](double p) { return std::log10(std::clamp(p, least, 1.0)); };
+  const auto heights = [&](const Interval& p) { return Interval{height(p.low), height(p.high)}; };
   for (std::size_t t = 0; t < thresholds.size(); ++t) {
     Look line_look = distinct_look(t);
     line_look.symbol = 7;
@@ -118,18 +118,9 @@ Figure rare_figure(const Results& results) {
       if (row.first_case != rare.rows.front().first_case || row.threshold_m != thresholds[t] ||
           row.probability < least)
         continue;
-      line.x.push_back(row.level);
-      line.y.push_back(height(row.probability));
-      if (!std::isnan(row.sampling_interval.low)) {
-        bars.x.push_back(row.level);
-        bars.low.push_back(height(row.sampling_interval.low));
-        bars.high.push_back(height(row.sampling_interval.high));
-      }
-      if (!std::isnan(row.record_interval.low)) {
-        band.x.push_back(row.level);
-        band.low.push_back(height(row.record_interval.low));
-        band.high.push_back(height(row.record_interval.high));
-      }
+      line.add(row.level, height(row.probability));
+      bars.add(row.level, heights(row.sampling_interval));
+      band.add(row.level, heights(row.record_interval));
     }
     panel.series.insert(panel.series.begin(), std::move(band));
     panel.series.push_back(std::move(bars));
@@ -178,7 +169,7 @@ Table sampling_error_table(const Results& results) {
   Table table{"sampling_error",
               "Standard errors of the median capacity",
               {text_column("run", "Friction"),
-               {"threshold", "m", "Clearance, m (in)", ColumnKind::length},
+               threshold_column,
                intensity_column(results, "median", "Median"),
                {"record_error", "", "Of the records", ColumnKind::share},
                {"sampling_error", "", "Of the samples", ColumnKind::share}},
@@ -204,9 +195,8 @@ AnalysisReport SamplingErrorAnalysis::in_report() {
       .is_in = [](const Results& results) { return !results.sampling_errors.empty(); },
       .summary =
           [](const Results& results) {
-            std::string text = to_text(sampling_error_table(results)) + "\n";
-            for (const std::string& sentence : error_sentences(results)) text += wrapped(sentence);
-            return text;
+            return to_text(sampling_error_table(results)) + "\n" +
+                   paragraphs(error_sentences(results));
           },
       .sentences = error_sentences,
       .tables = [](const Results& results) { return std::vector{sampling_error_table(results)}; },

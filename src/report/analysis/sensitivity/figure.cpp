@@ -89,9 +89,9 @@ Figure spread_figure(const Results& results) {
           counts_of(results),
       fmt::format("Capacity: the intensity ({}) at which slip reaches the clearance of "
                   "the panel; log std: its logarithmic standard deviation. Bars: Sobol "
-                  "indices of ln capacity in percent of its variance. Dark: the part that "
-                  "goes if the factor is known. With light: the part that stays if all "
-                  "other factors are known.",
+                  "indices of ln capacity in percent of its variance. Dark: the "
+                  "reduction of the variance if the factor is known (first-order index). Light: "
+                  "including interactions (total index).",
                   results.intensity_label)};
   const std::vector<std::size_t> factors = by_size(found, *rows.front());
   for (const SpreadRow* row : rows) figure.panels.push_back(bars_of(found, *row, factors));
@@ -113,11 +113,12 @@ Figure spread_over_intensity_figure(const Results& results) {
       fmt::format("{} of whether slip reaches the clearance (0 or 1). Levels at which "
                   "{:g} to {:g} % of the histories exceed. Other clearances, and "
                   "intervals: tables/sensitivity_levels.csv.",
-                  given ? "The part of the variance that goes if the quantity is known "
-                          "(first-order Sobol index)"
-                        : "The part of the variance that stays if all other quantities are known "
-                          "(total Sobol index, which has interactions: they add to more than "
-                          "100 %)",
+                  given
+                      ? "The reduction of the variance if the quantity is known "
+                        "(first-order Sobol index)"
+                      : "The share of the variance that remains if all other quantities are "
+                        "known, including interactions (total Sobol index; these add to more than "
+                        "100 %)",
                   100.0 * least, 100.0 * most)};
   Panel panel{
       "",
@@ -133,10 +134,9 @@ Figure spread_over_intensity_figure(const Results& results) {
       if (row.is_capacity() || row.first_case != shown.first_case ||
           row.threshold_m != shown.threshold_m || row.mean < least || row.mean > most)
         continue;
-      line.x.push_back(row.level);
+      line.add(row.level, percent(shown_indices(found, row)[factors[i]]));
       panel.x.low = std::min(panel.x.low, 0.97 * row.level);
       panel.x.high = std::max(panel.x.high, 1.03 * row.level);
-      line.y.push_back(percent(shown_indices(found, row)[factors[i]]));
     }
     panel.series.push_back(std::move(line));
   }

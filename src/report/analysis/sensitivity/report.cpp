@@ -17,11 +17,6 @@ constexpr std::size_t most_sentences = 3;
 /// From this share of limited capacities on a reader must know of it.
 constexpr double notable_share = 0.05;
 
-std::string share_with_interval(double share, const Interval& interval) {
-  return fmt::format("{} [{} to {}]", format_share(std::max(0.0, share)),
-                     format_share(interval.low), format_share(interval.high));
-}
-
 std::string spread_sentence(const SensitivityResults& found, const SpreadRow& row) {
   const std::string clearance = format_length(row.threshold_m);
   if (!(row.std > 0.0)) return "The capacity at " + clearance + " does not vary.";
@@ -34,11 +29,12 @@ std::string spread_sentence(const SensitivityResults& found, const SpreadRow& ro
   std::ranges::stable_sort(
       drawn, [&](std::size_t a, std::size_t b) { return row.first[a] > row.first[b]; });
   const auto part = [&](const std::string& name, std::size_t f) {
-    const std::string alone = name + " " + share_with_interval(row.first[f], row.first_interval[f]);
+    const std::string alone =
+        name + " " + share_with_interval({row.first[f], row.first_interval[f]});
     return std::isnan(row.total[f]) ? alone : alone + " and " + format_share(row.total[f]);
   };
   std::string text = fmt::format(
-      "Spread of the capacity at {} (log std {:.2f}), parts of its variance alone and with "
+      "Spread of the capacity at {} (log std {:.2f}), shares of its variance alone and with "
       "interactions: {}",
       clearance, row.std, part("the record", records_factor));
   for (const std::size_t f : drawn) text += ", " + part(found.factors[f], f);
@@ -70,11 +66,9 @@ std::string design_sentence(const Results& results) {
       "friction, of the same motion and building, with a probability of {} (standard error of the "
       "samples {}). The mean slip with design friction, {}, is exceeded with a probability of {} "
       "(samples {}).",
-      at_intensity(results, row->level),
-      share_with_interval(row->same_motion, row->same_motion_interval),
+      at_intensity(results, row->level), share_with_interval(row->same_motion),
       format_share(row->same_motion_error), format_length(row->design_mean_m),
-      share_with_interval(row->above_mean, row->above_mean_interval),
-      format_share(row->above_mean_error));
+      share_with_interval(row->above_mean), format_share(row->above_mean_error));
 }
 
 std::vector<std::string> sentences(const Results& results) {
@@ -86,11 +80,7 @@ std::vector<std::string> sentences(const Results& results) {
   return all;
 }
 
-std::string summary(const Results& results) {
-  std::string text;
-  for (const std::string& sentence : sentences(results)) text += wrapped(sentence);
-  return text;
-}
+std::string summary(const Results& results) { return paragraphs(sentences(results)); }
 
 std::vector<Table> tables(const Results& results) {
   return {spread_table(results), exceedance_spread_table(results), design_friction_table(results)};

@@ -17,8 +17,9 @@ const Column total_column{"total", "", "With interactions [95 %]", ColumnKind::s
 
 std::vector<std::string> notes_on(const SensitivityResults& found) {
   const std::string alone =
-      "Alone: part of the variance that goes, on average, if the factor is known (first-order "
-      "Sobol index). With interactions: part that stays if all others are known (total index)";
+      "Alone: the reduction of the variance, on average, if the factor is known (first-order "
+      "Sobol index). With interactions: the share that remains if all others are known (total "
+      "index)";
   if (found.matrices == 1)
     return {alone + ", which these samples show of the records and of all that is drawn only.",
             "Given data: " + std::to_string(found.samples) +
@@ -41,13 +42,11 @@ std::vector<const SpreadRow*> capacity_rows(const SensitivityResults& found) {
 
 std::vector<const SpreadRow*> first_capacity_rows(const SensitivityResults& found,
                                                   std::size_t count) {
-  std::vector<const SpreadRow*> first, some;
+  std::vector<const SpreadRow*> first, some;  // of one combination
   for (const SpreadRow* row : capacity_rows(found)) {
     if (row->first_case == found.rows.front().first_case) first.push_back(row);
   }
-  if (first.size() <= count) return first;
-  for (std::size_t i = 0; i < count; ++i)
-    some.push_back(first[i * (first.size() - 1) / (count - 1)]);
+  for (const std::size_t i : evenly(first.size(), count)) some.push_back(first[i]);
   return some;
 }
 
@@ -55,8 +54,8 @@ Table spread_table(const Results& results) {
   const SensitivityResults& found = *results.sensitivity;
   Table table{"sensitivity",
               "Where the spread of ln capacity comes from: shares of its variance",
-              {text_column("condition", "Array"),
-               {"threshold", "m", "Clearance, m (in)", ColumnKind::length},
+              {condition_column,
+               threshold_column,
                {"log_std", "", "Log std"},
                text_column("factor", "Factor"),
                first_column,
@@ -83,8 +82,8 @@ Table exceedance_spread_table(const Results& results) {
   const SensitivityResults& found = *results.sensitivity;
   Table table{"sensitivity_levels",
               "Where the spread of exceedance (0 or 1) comes from, at each level",
-              {text_column("condition", "Array"),
-               {"threshold", "m", "Clearance, m (in)", ColumnKind::length},
+              {condition_column,
+               threshold_column,
                intensity_column(results, "level", "Level"),
                {"probability", "", "Exceeded", ColumnKind::share},
                text_column("factor", "Factor"),
@@ -107,7 +106,7 @@ Table exceedance_spread_table(const Results& results) {
 Table design_friction_table(const Results& results) {
   Table table{"design_friction",
               "How often slip with drawn friction exceeds slip with the design value, mean - 2 std",
-              {text_column("condition", "Array"),
+              {condition_column,
                intensity_column(results, "level", "Level"),
                {"same_motion", "", "Same motion and building [95 %]", ColumnKind::share, true},
                {"same_motion_error", "", "Standard error of the samples", ColumnKind::share},
@@ -116,9 +115,8 @@ Table design_friction_table(const Results& results) {
                {"above_mean_error", "", "Standard error of the samples", ColumnKind::share}},
               {}};
   for (const DesignFrictionRow& row : results.sensitivity->design_friction)
-    table.add({row.condition, row.level, Estimate{row.same_motion, row.same_motion_interval},
-               row.same_motion_error, row.design_mean_m,
-               Estimate{row.above_mean, row.above_mean_interval}, row.above_mean_error});
+    table.add({row.condition, row.level, row.same_motion, row.same_motion_error, row.design_mean_m,
+               row.above_mean, row.above_mean_error});
   table.notes = {
       "Normal friction is below mean - 2 std with a probability of 2.3 %.",
       "Intervals are over records, with the error of the samples added, which all records share. "

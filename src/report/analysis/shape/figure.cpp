@@ -29,12 +29,8 @@ DataSeries observed(const Results& results, const ThresholdFragility& fragility)
 
 DataSeries interval_bars(const Results& results, const ThresholdFragility& fragility) {
   DataSeries series{DataSeries::Kind::bars, {{0x777777}, 1.0}, "observed, 95 % interval"};
-  for (std::size_t l = 0; l < results.levels.size(); ++l) {
-    if (std::isnan(fragility.probability_interval[l].low)) continue;
-    series.x.push_back(results.levels[l]);
-    series.low.push_back(fragility.probability_interval[l].low);
-    series.high.push_back(fragility.probability_interval[l].high);
-  }
+  for (std::size_t l = 0; l < results.levels.size(); ++l)
+    series.add(results.levels[l], fragility.probability_interval[l]);
   return series;
 }
 
@@ -43,8 +39,8 @@ DataSeries lognormal(const Panel& panel, const ThresholdFragility& fragility) {
   series.look.width = 3.0;
   const FitSummary& fit = fragility.capacities;
   for (int i = 1; i <= curve_points && fit.converged(); ++i) {
-    series.x.push_back(panel.x.high * i / curve_points);
-    series.y.push_back(fit.curve.probability(series.x.back()));
+    const double intensity = panel.x.high * i / curve_points;
+    series.add(intensity, fit.curve.probability(intensity));
   }
   return series;
 }
@@ -56,9 +52,8 @@ DataSeries of_model(const Results& results, const ThresholdFragility& fragility,
   const double floor = fragility.capacities.curve.floor;
   for (std::size_t l = 0; l < results.levels.size(); ++l) {
     const double probability = shape.probability_at(model, l);
-    if (std::isnan(probability)) continue;
-    series.x.push_back(results.levels[l]);
-    series.y.push_back(floor + (1.0 - floor) * probability);
+    if (!std::isnan(probability))
+      series.add(results.levels[l], floor + (1.0 - floor) * probability);
   }
   return series;
 }

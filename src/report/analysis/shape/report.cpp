@@ -62,15 +62,10 @@ std::vector<std::string> sentences(const Results& results) {
 }
 
 std::string summary(const Results& results) {
-  constexpr std::size_t most_rows = 12;
   Table table = shape_table(results);
   if (lists_more_than_friction_value(results)) table = table.without("run");
-  const std::size_t rows = table.rows.size();
-  table.rows.resize(std::min(rows, most_rows));
-  std::string text = to_text(table);
-  if (rows > most_rows)
-    text += fmt::format("  {} rows more are in tables/shape.csv\n", rows - most_rows);
-  return text + "\n" + wrapped(crossing_sentence(results, results.shape->runs.front()));
+  return to_text(table.first_rows(12, "shape")) + "\n" +
+         wrapped(crossing_sentence(results, results.shape->runs.front()));
 }
 
 Html section(const Results& results) {

@@ -63,8 +63,8 @@ bool differs_clearly(const ThresholdShape& shape, ShapeModel model) {
 Table shape_table(const Results& results) {
   Table table{"shape",
               "Is a lognormal the right fragility? " + in_plan(results),
-              {text_column("run", "Run"),
-               {"threshold", "m", "Clearance, m (in)", ColumnKind::length},
+              {run_column,
+               threshold_column,
                {"p_value", "", "Goodness of fit, p", ColumnKind::number, false, 3},
                {"largest_gap", "", "Observed - curve", ColumnKind::number, false, 3},
                intensity_column(results, "gap_at", "there"),
@@ -97,8 +97,8 @@ Table shape_models_table(const Results& results) {
   Table table{"shape_models",
               "Models compared by cross-validation: ln of the probability that a model fitted on "
               "the other records gives to a record, per history and level. Higher is better.",
-              {text_column("run", "Run"),
-               {"threshold", "m", "Clearance, m (in)", ColumnKind::length},
+              {run_column,
+               threshold_column,
                text_column("model", "Model"),
                {"score", "", "Score", ColumnKind::number, false, 4},
                {"difference", "", "To lognormal", ColumnKind::number, false, 4},
@@ -123,8 +123,8 @@ Table shape_levels_table(const Results& results) {
   Table table{"shape_levels",
               "Observed share, fitted probability of each model and recrossings, by level. "
               "Histories that slide freely are in the observed share only.",
-              {text_column("run", "Run"),
-               {"threshold", "m", "Clearance, m (in)", ColumnKind::length},
+              {run_column,
+               threshold_column,
                intensity_column(results, "level", "Level"),
                {"observed", "", "Observed", ColumnKind::share}},
               {}};
@@ -155,8 +155,8 @@ Table shape_crossings_table(const Results& results) {
   Table table{"shape_crossings",
               "Where the lognormals of neighbouring clearances cross: on one side of it the larger "
               "clearance would be exceeded with the higher probability.",
-              {text_column("run", "Run"),
-               {"threshold", "m", "Clearance, m (in)", ColumnKind::length},
+              {run_column,
+               threshold_column,
                {"next_threshold", "m", "Next, m (in)", ColumnKind::length},
                intensity_column(results, "intensity", "Cross at"),
                {"probability", "", "Probability there", ColumnKind::share},
@@ -174,8 +174,8 @@ Table shape_surface_table(const Results& results) {
   Table table{"shape_surface",
               "Fitted jointly: lognormals of all clearances with one log std, which never cross, "
               "beside the separate fits.",
-              {text_column("run", "Run"),
-               {"threshold", "m", "Clearance, m (in)", ColumnKind::length},
+              {run_column,
+               threshold_column,
                intensity_column(results, "median", "Joint median", true),
                {"log_std", "", "Joint log std [95 %]", ColumnKind::number, true},
                intensity_column(results, "separate_median", "Separate median"),
@@ -187,8 +187,7 @@ Table shape_surface_table(const Results& results) {
       const auto of = std::ranges::find(results.runs[r].fragilities, row.threshold_m,
                                         &ThresholdFragility::threshold_m);
       if (of == results.runs[r].fragilities.end()) continue;
-      table.add({run.label, row.threshold_m, Estimate{row.median, row.median_interval, ""},
-                 Estimate{run.surface_log_std, run.surface_log_std_interval, ""},
+      table.add({run.label, row.threshold_m, row.median, run.surface_log_std,
                  of->capacities.curve.median, of->capacities.curve.log_std});
     }
   }

@@ -16,8 +16,7 @@ void add_standard(Panel& panel, const RunResults& run, Standard standard, Look s
   DataSeries all{DataSeries::Kind::line, style, name};
   for (const StandardComparison& c : run.standards) {
     if (c.standard != standard) continue;
-    all.x.push_back(c.sds_g);
-    all.y.push_back(c.prescribed.value_m);
+    all.add(c.sds_g, c.prescribed.value_m);
   }
   if (all.x.empty()) return;
   panel.series.push_back(all);
@@ -29,8 +28,7 @@ void add_standard(Panel& panel, const RunResults& run, Standard standard, Look s
                       name + (recalled ? ", recalled" : ", checked")};
     for (const StandardComparison& c : run.standards) {
       if (c.standard != standard || c.prescribed.provenance != provenance) continue;
-      points.x.push_back(c.sds_g);
-      points.y.push_back(c.prescribed.value_m);
+      points.add(c.sds_g, c.prescribed.value_m);
     }
     if (points.x.empty()) continue;
     panel.series.push_back(points);
@@ -52,13 +50,10 @@ void add_statistic(Panel& panel, const RunResults& run, const Statistic& statist
   DataSeries band{DataSeries::Kind::band, line.look, std::string(statistic.label) + ": band"};
   const auto shown = [&](double limit_m) { return std::isinf(limit_m) ? 10.0 * top_m : limit_m; };
   for (const SlipStatistics& s : run.slip) {
-    line.x.push_back(s.level);
-    line.y.push_back(s.*statistic.value_m);
+    line.add(s.level, s.*statistic.value_m);
     if (!statistic.interval) continue;
     const Interval& interval = s.*statistic.interval;
-    band.x.push_back(s.level);
-    band.low.push_back(shown(interval.low));
-    band.high.push_back(shown(interval.high));
+    band.add(s.level, {shown(interval.low), shown(interval.high)});
   }
   panel.series.insert(panel.series.begin(), std::move(band));
   panel.series.push_back(std::move(line));

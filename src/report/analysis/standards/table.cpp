@@ -20,7 +20,7 @@ Table standards_table(const Results& results) {
   Table table{"standards",
               std::string("Displacements prescribed by standards beside the computed slip. ") +
                   in_plan(results),
-              {text_column("run", "Run"),
+              {run_column,
                text_column("standard", "Standard"),
                {"sds", "g", "S_DS, g"},
                {"prescribed", "m", "Prescribed, m (in)", ColumnKind::length},

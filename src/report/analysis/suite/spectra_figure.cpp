@@ -63,11 +63,8 @@ Figure spectra_figure(const SuiteSpectra& spectra, const SpectraTexts& texts) {
   DataSeries records{DataSeries::Kind::line, look(Role::record), "records",
                      "each record, SRSS of its horizontal components"};
   for (const std::vector<double>& record : spectra.srss_g) {
-    for (std::size_t p = 0; p < record.size(); ++p) {
-      records.x.push_back(spectra.periods_s.at(p));
-      records.y.push_back(record[p]);
-    }
-    end_line(records);
+    for (std::size_t p = 0; p < record.size(); ++p) records.add(spectra.periods_s.at(p), record[p]);
+    records.end_line();
   }
   double to_s = spectra.periods_s.empty() ? 1.0 : spectra.periods_s.back();
   if (texts.to_s > 0.0) to_s = std::min(to_s, texts.to_s);

@@ -27,7 +27,7 @@ Table tipping_table(const Results& results) {
   Table table{"tipping",
               "Share of the histories in which the body begins to tip. Intensity measure: " +
                   results.intensity_label + ".",
-              {text_column("condition", "Condition"),
+              {condition_column,
                intensity_column(results, "level", "Level"),
                {"tip_share", "", "Begins to tip", ColumnKind::share},
                {"record_count", "", "Records that tip", ColumnKind::count},
@@ -76,10 +76,9 @@ std::vector<std::string> sentences(const Results& results) {
 
 std::string summary(const Results& results) {
   constexpr std::size_t most_rows = 24;
-  std::string text;
-  for (const std::string& sentence : sentences(results)) text += wrapped(sentence);
   const Table table = tipping_table(results).without("records");
-  return table.rows.size() <= most_rows ? text + "\n" + to_text(table) : text;
+  return paragraphs(sentences(results)) +
+         (table.rows.size() <= most_rows ? "\n" + to_text(table) : "");
 }
 
 std::vector<Table> tables(const Results& results) { return {tipping_table(results)}; }

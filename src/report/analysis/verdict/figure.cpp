@@ -14,12 +14,10 @@ namespace {
 
 constexpr std::size_t most_lines = 4, most_panels = 4;
 
-/// Up to `count` of sorted values, evenly spread, both ends included.
 std::vector<double> some_of(const std::set<double>& values, std::size_t count) {
-  std::vector<double> all(values.begin(), values.end());
-  if (all.size() <= count) return all;
+  const std::vector<double> all(values.begin(), values.end());
   std::vector<double> some;
-  for (std::size_t i = 0; i < count; ++i) some.push_back(all[i * (all.size() - 1) / (count - 1)]);
+  for (const std::size_t i : evenly(all.size(), count)) some.push_back(all[i]);
   return some;
 }
 
@@ -70,8 +68,8 @@ struct RatioLine {
     const auto at = static_cast<std::size_t>(std::ranges::find(line.x, x) - line.x.begin());
     const double y = height(row.displacement_m.front(), row);
     if (at == line.x.size()) {
-      for (std::vector<double>* values : {&line.x, &bars.x}) values->push_back(x);
-      for (std::vector<double>* values : {&line.y, &bars.low, &bars.high}) values->push_back(-1e9);
+      line.add(x, -1e9);
+      bars.add(x, {-1e9, -1e9});
     }
     if (y <= line.y[at]) return;
     line.y[at] = y;
@@ -97,8 +95,7 @@ std::vector<DataSeries> other_standards(const VerdictResults& verdict, Standard 
         if (other.standard == standard && other.sds_g == row.sds_g) same = &other;
       }
       if (same == nullptr) continue;
-      line.x.push_back(abscissa.of(row));
-      line.y.push_back(height(row.prescribed.value_m, *same));
+      line.add(abscissa.of(row), height(row.prescribed.value_m, *same));
     }
     if (line.x.size() > 1) lines.push_back(std::move(line));
     break;  // of all arrays the same
@@ -111,21 +108,6 @@ bool has_upper_ends(const VerdictResults& verdict) {
   return std::ranges::all_of(verdict.rows, [](const VerdictRow& row) {
     return !std::isinf(row.displacement_interval.front().high);
   });
-}
-
-Axis ratio_axis(double highest) {
-  Axis axis{"Ratio to the prescribed value",
-            std::log10(least_ratio),
-            highest,
-            {},
-            Axis::Values::logarithms};
-  for (double decade = least_ratio; std::log10(decade) <= highest; decade *= 10.0) {
-    for (const double digit : {1.0, 2.0, 5.0}) {
-      const double at = std::log10(digit * decade);
-      if (at <= highest) axis.ticks.push_back({at, fmt::format("{:g}", digit * decade)});
-    }
-  }
-  return axis;
 }
 
 }  // namespace
@@ -145,7 +127,7 @@ Figure verdict_figure(const Results& results) {
       fmt::format("Displacement that {:g} % exceed at DBE, over that of {}", accepted,
                   standard_name(standard)),
       results.suites.front().name + ", " + counts_of(results) +
-          "; the least favourable building period; at the lines: friction; bars: 95 % over "
+          "; the governing building period; at the lines: friction; bars: 95 % over "
           "records" +
           (has_upper_ends(verdict) ? "" : ", lower ends (upper ends: none)"),
       fmt::format(
@@ -181,7 +163,9 @@ Figure verdict_figure(const Results& results) {
     panel.rules.push_back({Rule::Kind::horizontal, 0.0, look(Role::prescribed), ""});
     figure.panels.push_back(std::move(panel));
   }
-  for (Panel& panel : figure.panels) panel.y = ratio_axis(highest);
+  for (Panel& panel : figure.panels)
+    panel.y = log_axis("Ratio to the prescribed value", std::log10(least_ratio), highest,
+                       [](double ratio) { return fmt::format("{:g}", ratio); }, {1.0, 2.0, 5.0});
   figure.labels_at_lines = true;
   return figure;
 }

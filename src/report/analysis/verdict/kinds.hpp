@@ -19,7 +19,8 @@ std::vector<VerdictKind> verdict_kinds(const VerdictResults& verdict);
 std::span<const VerdictSeparation> separations_of(const VerdictResults& verdict, std::size_t row);
 /// Of some, the one that most probably is too small at DBE; null of none.
 /// @param factor on the prescribed displacement
-const VerdictSeparation* worst_of(std::span<const VerdictSeparation> separations, double factor);
+const VerdictSeparation* governing_of(std::span<const VerdictSeparation> separations,
+                                      double factor);
 
 /// "friction 0.4, slope 3 degrees"
 std::string kind_text(const VerdictRow& row);

@@ -12,9 +12,13 @@
 namespace glissade {
 namespace {
 
+std::string text_of(const VerdictProbability& of) {
+  return share_with_interval({of.probability, of.interval});
+}
+
 struct Tally {
   std::size_t rows = 0, exceeded = 0, certainly = 0, conservative = 0;
-  const VerdictRow* worst = nullptr;
+  const VerdictRow* governing = nullptr;
 };
 
 template <class Counts>
@@ -25,7 +29,8 @@ Tally tally(const VerdictResults& verdict, Counts counts) {
     ++t.rows;
     const Judgement found = judgement(verdict, row);
     t.conservative += found == Judgement::conservative ? 1 : 0;
-    if (t.worst == nullptr || row.dbe.probability > t.worst->dbe.probability) t.worst = &row;
+    if (t.governing == nullptr || row.dbe.probability > t.governing->dbe.probability)
+      t.governing = &row;
     if (found != Judgement::exceeded) continue;
     ++t.exceeded;
     t.certainly += is_certain(verdict, row) ? 1 : 0;
@@ -38,26 +43,23 @@ std::string sentence(const VerdictResults& verdict, Standard standard, const std
   return fmt::format(
       "{}, {}: of {} prescribed displacements {} are exceeded with more than {:g} % probability "
       "at DBE ({} with the whole 95 % interval above that), and {} are, by estimate, more than "
-      "twice the displacement that {:g} % of the histories exceed. The largest probability is {} "
-      "[{} to "
-      "{}], at S_DS = {:.3g} g with {}.",
+      "twice the displacement that {:g} % of the histories exceed. The largest probability is {}, "
+      "at S_DS = {:.3g} g with {}.",
       standard_name(standard), where, t.rows, t.exceeded, 100.0 * verdict.exceedance.front(),
-      t.certainly, t.conservative, 100.0 * verdict.exceedance.back(),
-      format_share(t.worst->dbe.probability), format_share(t.worst->dbe.interval.low),
-      format_share(t.worst->dbe.interval.high), t.worst->sds_g, kind_text(*t.worst));
+      t.certainly, t.conservative, 100.0 * verdict.exceedance.back(), text_of(t.governing->dbe),
+      t.governing->sds_g, kind_text(*t.governing));
 }
 
 /// Of a separation, the rows in which it is too small with more than the accepted probability.
 struct Shortfall {
   std::size_t rows = 0, exceeded = 0;
-  const VerdictSeparation* worst = nullptr;
+  const VerdictSeparation* governing = nullptr;
 
   std::string words(const VerdictResults& verdict) const {
-    const VerdictRow& row = verdict.rows[worst->row];
-    return fmt::format(
-        "{} of {} (largest probability {} [{} to {}], at S_DS = {:.3g} g with {}; {})", exceeded,
-        rows, format_share(worst->dbe.probability), format_share(worst->dbe.interval.low),
-        format_share(worst->dbe.interval.high), row.sds_g, kind_text(row), worst->what);
+    const VerdictRow& row = verdict.rows[governing->row];
+    return fmt::format("{} of {} (largest probability {}, at S_DS = {:.3g} g with {}; {})",
+                       exceeded, rows, text_of(governing->dbe), row.sds_g, kind_text(row),
+                       governing->what);
   }
 };
 
@@ -65,12 +67,12 @@ template <class Counts>
 Shortfall shortfall(const VerdictResults& verdict, double factor, Counts counts) {
   Shortfall found;
   for (std::size_t i = 0; i < verdict.rows.size(); ++i) {
-    const VerdictSeparation* worst = worst_of(separations_of(verdict, i), factor);
-    if (worst == nullptr || !counts(verdict.rows[i])) continue;
+    const VerdictSeparation* governing = governing_of(separations_of(verdict, i), factor);
+    if (governing == nullptr || !counts(verdict.rows[i])) continue;
     ++found.rows;
-    found.exceeded += worst->dbe.probability > verdict.exceedance.front() ? 1 : 0;
-    if (found.worst == nullptr || worst->dbe.probability > found.worst->dbe.probability)
-      found.worst = worst;
+    found.exceeded += governing->dbe.probability > verdict.exceedance.front() ? 1 : 0;
+    if (found.governing == nullptr || governing->dbe.probability > found.governing->dbe.probability)
+      found.governing = governing;
   }
   return found;
 }
@@ -85,7 +87,7 @@ std::string separations_sentence(const VerdictResults& verdict, Standard standar
   std::string text = fmt::format("{}, {}: ", standard_name(standard), where);
   if (arrays.rows > 0)
     text += fmt::format(
-        "two similar arrays, each with a friction of its own, meet across half of the prescribed "
+        "two similar arrays, each with a friction of its own, close a gap of half the prescribed "
         "displacement with more than {} probability at DBE in {}; ",
         accepted, arrays.words(verdict));
   return text + fmt::format(
@@ -108,8 +110,8 @@ std::string buildings_sentence(const Results& results) {
   const bool yields =
       std::ranges::any_of(results.cases.cases, [](const Case& c) { return c.yields(); });
   return fmt::format(
-      "Buildings: one mass on one spring along each axis, period {} s (the least favourable "
-      "counts), damping {} %, mass of the array {} % of theirs; {}",
+      "Buildings: one mass on one spring along each axis, period {} s (the governing "
+      "one counts), damping {} %, mass of the array {} % of theirs; {}",
       range_of(results, &Case::period_s), range_of(results, &Case::damping, 100.0),
       range_of(results, &Case::mass_ratio, 100.0),
       yields ? "those with R yield at the design spectrum over R, without overstrength."
@@ -128,11 +130,10 @@ std::string sentence_of(const Results& results, double r, bool within) {
     });
     if (t.rows == 0) continue;
     text += fmt::format(
-        "{} {}: {} of {} exceeded (largest probability {} [{} to {}]), {} by estimate "
+        "{} {}: {} of {} exceeded (largest probability {}), {} by estimate "
         "conservative",
         text.empty() ? "" : ";", standard_name(standard), t.exceeded, t.rows,
-        format_share(t.worst->dbe.probability), format_share(t.worst->dbe.interval.low),
-        format_share(t.worst->dbe.interval.high), t.conservative);
+        text_of(t.governing->dbe), t.conservative);
   }
   return text.empty() ? ""
                       : fmt::format("Buildings with R = {:g}, {} the conditions.{}.", r,
@@ -173,9 +174,8 @@ std::vector<std::string> sentences(const Results& results) {
 }
 
 std::string summary(const Results& results) {
-  std::string text;
-  for (const std::string& sentence : sentences(results)) text += wrapped(sentence);
-  return text + "\n" + to_text(verdict_summary_table(results).without("mce_probability"));
+  return paragraphs(sentences(results)) + "\n" +
+         to_text(verdict_summary_table(results).without("mce_probability"));
 }
 
 std::vector<Table> tables(const Results& results) {

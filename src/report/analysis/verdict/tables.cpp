@@ -6,6 +6,7 @@
 
 #include "analysis/verdict/kinds.hpp"
 #include "glissade/report/format.hpp"
+#include "text/study_text.hpp"
 
 namespace glissade {
 namespace {
@@ -69,13 +70,15 @@ std::span<const VerdictSeparation> separations_of(const VerdictResults& verdict,
   return std::ranges::equal_range(verdict.separations, row, {}, &VerdictSeparation::row);
 }
 
-const VerdictSeparation* worst_of(std::span<const VerdictSeparation> separations, double factor) {
-  const VerdictSeparation* worst = nullptr;
+const VerdictSeparation* governing_of(std::span<const VerdictSeparation> separations,
+                                      double factor) {
+  const VerdictSeparation* governing = nullptr;
   for (const VerdictSeparation& s : separations) {
-    if (s.factor == factor && (worst == nullptr || s.dbe.probability > worst->dbe.probability))
-      worst = &s;
+    if (s.factor == factor &&
+        (governing == nullptr || s.dbe.probability > governing->dbe.probability))
+      governing = &s;
   }
-  return worst;
+  return governing;
 }
 
 std::string kind_text(const VerdictRow& row) {
@@ -90,7 +93,7 @@ Table verdict_table(const Results& results) {
   const VerdictResults& verdict = *results.verdict;
   Table table{"verdict",
               "Prescribed displacements, in the building whose period makes each number largest",
-              {text_column("condition", "Array"),
+              {condition_column,
                {"mu", "", "Friction"},
                {"slope", "deg", "Slope, degrees"},
                text_column("standard", "Standard"),
@@ -146,7 +149,7 @@ Table verdict_summary_table(const Results& results) {
                text_column("conservative", "Conservative at S_DS, g"),
                {"dbe_probability", "", "Largest at DBE [95 %]", ColumnKind::share, true},
                {"mce_probability", "", "Largest at MCE [95 %]", ColumnKind::share, true},
-               text_column("condition", "Array")},
+               condition_column},
               {}};
   for (const VerdictKind kind : verdict_kinds(verdict)) {
     const VerdictProbability dbe = largest_of(kind, &VerdictRow::dbe),
@@ -191,7 +194,7 @@ Table verdict_separations_table(const Results& results) {
   const VerdictResults& verdict = *results.verdict;
   Table table{"verdict_separations",
               "Probability that more than a separation is needed",
-              {text_column("condition", "Array"),
+              {condition_column,
                {"mu", "", "Friction"},
                {"slope", "deg", "Slope, degrees"},
                text_column("standard", "Standard"),
@@ -236,8 +239,9 @@ Table verdict_separations_summary_table(const Results& results) {
                             standard_name(kind.front().standard),
                             std::string(conditions_text(kind.front()))};
     for (const double factor : factors) {
-      const VerdictSeparation* worst = worst_of(all_of(verdict, kind), factor);
-      cells.emplace_back(worst != nullptr ? estimate(worst->dbe) : Estimate{std::nan(""), {}});
+      const VerdictSeparation* governing = governing_of(all_of(verdict, kind), factor);
+      cells.emplace_back(governing != nullptr ? estimate(governing->dbe)
+                                              : Estimate{std::nan(""), {}});
     }
     table.add(std::move(cells));
   }

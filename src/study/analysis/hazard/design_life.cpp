@@ -187,18 +187,18 @@ void add_design_life(const HazardConfig& hazard, const Results& results, CaseSli
   BootstrapOptions few = options;
   few.replicates = std::min(options.replicates, 200);
   for (std::size_t q = 0; q < life_quantities.size(); ++q) {
-    std::array<Interval, 3> intervals;
+    std::array<Estimate, 3> life;
     for (std::size_t p = 0; p < probabilities.size(); ++p) {
+      life[p].value = found[q][p];
       if (std::isinf(found[q][p])) continue;  // no interval
-      intervals[p] = bootstrap_interval(
+      const Interval interval = bootstrap_interval(
           records, [&](const std::vector<double>& weights) { return resampled(weights)[q][p]; },
           few);
       // Fewer lives in a resample: the estimate may be a rank outside.
-      intervals[p] = {std::min(intervals[p].low, found[q][p]),
-                      std::max(intervals[p].high, found[q][p])};
+      life[p].interval = {std::min(interval.low, found[q][p]),
+                          std::max(interval.high, found[q][p])};
     }
-    run.life.push_back({life_quantities[q], found[q][0], found[q][1], found[q][2], intervals[0],
-                        intervals[1], intervals[2]});
+    run.life.push_back({life_quantities[q], life[0], life[1], life[2]});
   }
 }
 

@@ -83,6 +83,10 @@ struct Rates {
     return positive_mean_interval(by_record, options);
   }
 
+  Estimate estimate(const std::vector<double>& by_record) const {
+    return {mean_of(by_record, std::vector<double>(records(), 1.0)), interval(by_record)};
+  }
+
   ThresholdRate of_threshold(const ThresholdFragility& fragility, std::size_t threshold) const {
     std::vector<double> by_record(records());
     double beyond = 0.0;
@@ -94,21 +98,20 @@ struct Rates {
       }
     }
     ThresholdRate row{.threshold_m = fragility.threshold_m};
-    row.annual_rate = mean_of(by_record, std::vector<double>(records(), 1.0));
+    row.annual_rate = estimate(by_record);
     row.beyond_share =
         fragility.censored_share == 1.0
             ? 1.0
-            : beyond / (row.annual_rate * static_cast<double>(records() * cases.count));
-    row.rate_interval = interval(by_record);
+            : beyond / (row.annual_rate.value * static_cast<double>(records() * cases.count));
     const FitSummary& fit =
         fragility.capacities.converged() ? fragility.capacities : fragility.stripes;
     row.fit_rate = fit.converged()                           ? annual_rate(hazard.curve, fit.curve)
                    : fit.status == FitStatus::always_exceeds ? infinity
                                                              : nan;
     const double years = hazard.design_life_years;
-    row.life_probability = probability_in(years, row.annual_rate);
-    row.life_interval = {probability_in(years, row.rate_interval.low),
-                         probability_in(years, row.rate_interval.high)};
+    row.life_probability = {probability_in(years, row.annual_rate.value),
+                            {probability_in(years, row.annual_rate.interval.low),
+                             probability_in(years, row.annual_rate.interval.high)}};
     return row;
   }
 
@@ -152,9 +155,10 @@ struct RateBand {
 
   explicit RateBand(const std::vector<DisplacementRate>& curve) {
     for (const DisplacementRate& row : curve) {
-      const bool none = std::isnan(row.rate_interval.low);
-      low.push_back(none ? row.annual_rate : row.rate_interval.low);
-      high.push_back(none ? row.annual_rate : row.rate_interval.high);
+      const auto& [rate, interval] = row.annual_rate;
+      const bool none = std::isnan(interval.low);
+      low.push_back(none ? rate : interval.low);
+      high.push_back(none ? rate : interval.high);
     }
     for (std::size_t i = 1; i < low.size(); ++i) low[i] = std::min(low[i], low[i - 1]);
     for (std::size_t i = high.size() - 1; i > 0; --i) high[i - 1] = std::max(high[i - 1], high[i]);
@@ -164,22 +168,21 @@ struct RateBand {
 void add_curve(const Rates& rates, HazardRun& run) {
   const std::vector<double> displacements = rates.displacements_m();
   const std::vector<std::vector<double>> by_record = rates.rates_of(displacements);
-  const std::vector<double> once(rates.records(), 1.0);
   std::vector<double> all;
   for (std::size_t d = 0; d < displacements.size(); ++d) {
-    all.push_back(mean_of(by_record[d], once));
-    run.curve.push_back({displacements[d], all[d], rates.interval(by_record[d])});
+    run.curve.push_back({displacements[d], rates.estimate(by_record[d])});
+    all.push_back(run.curve.back().annual_rate.value);
   }
   const RateBand band(run.curve);
   for (const double target : rates.hazard.target_rates_per_year) {
     TargetDisplacement row{target,
-                           displacement_at(target, displacements, all),
-                           {},
+                           {displacement_at(target, displacements, all), {}},
                            rates.hazard.curve.intensity_at(target)};
-    if (std::isfinite(row.displacement_m) && row.displacement_m > displacements.front() &&
+    auto& [displacement_m, interval] = row.displacement_m;
+    if (std::isfinite(displacement_m) && displacement_m > displacements.front() &&
         rates.records() > 1)
-      row.displacement_interval = {displacement_at(target, displacements, band.low),
-                                   displacement_at(target, displacements, band.high)};
+      interval = {displacement_at(target, displacements, band.low),
+                  displacement_at(target, displacements, band.high)};
     run.targets.push_back(row);
   }
 }
@@ -190,15 +193,12 @@ void add_prescribed(const Rates& rates, const StandardsConfig& standards, double
   std::vector<double> displacements_m;
   for (const Standard standard : standards.compare) {
     run.prescribed.push_back(
-        {standard, sds_g, prescribed_displacement(standard, sds_g, standards), 0.0, {}});
+        {standard, sds_g, prescribed_displacement(standard, sds_g, standards), {}});
     displacements_m.push_back(run.prescribed.back().prescribed.value_m);
   }
   const std::vector<std::vector<double>> by_record = rates.rates_of(displacements_m);
-  for (std::size_t i = 0; i < by_record.size(); ++i) {
-    run.prescribed[i].annual_rate =
-        mean_of(by_record[i], std::vector<double>(rates.records(), 1.0));
-    run.prescribed[i].rate_interval = rates.interval(by_record[i]);
-  }
+  for (std::size_t i = 0; i < by_record.size(); ++i)
+    run.prescribed[i].annual_rate = rates.estimate(by_record[i]);
 }
 
 }  // namespace
@@ -217,7 +217,7 @@ double displacement_at(double rate, const HazardRun& run) {
   std::vector<double> displacements_m, rates;
   for (const DisplacementRate& row : run.curve) {
     displacements_m.push_back(row.displacement_m);
-    rates.push_back(row.annual_rate);
+    rates.push_back(row.annual_rate.value);
   }
   return displacement_at(rate, displacements_m, rates);
 }

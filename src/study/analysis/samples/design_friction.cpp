@@ -118,9 +118,9 @@ DesignFrictionRow row_of(const Results& results, const FrictionPair& pair, std::
       .first_case = pair.drawn,
       .condition = results.cases.describe(pair.drawn / pair.count, "friction.value"),
       .level = results.levels[level],
-      .same_motion = at.same_motion(once),
+      .same_motion = {at.same_motion(once), {}},
       .design_mean_m = at.design_mean_m(once),
-      .above_mean = at.above_mean(once)};
+      .above_mean = {at.above_mean(once), {}}};
   const std::vector<Interval> intervals = bootstrap_intervals(
       records, 2,
       [&](const std::vector<double>& weights) {
@@ -128,16 +128,17 @@ DesignFrictionRow row_of(const Results& results, const FrictionPair& pair, std::
       },
       options);
   // Every record has a part of it, so that their spread shows its error, but where none has.
-  const bool shows = row.same_motion > 0.0 && row.same_motion < 1.0;
+  const double same_motion = row.same_motion.value, above_mean = row.above_mean.value;
+  const bool shows = same_motion > 0.0 && same_motion < 1.0;
   const SampleErrors errors = sample_errors(results, pair, level);
   const std::size_t groups = std::min(most_groups, pair.samples);
   row.same_motion_error = errors.same_motion;
   row.above_mean_error = errors.above_mean;
-  row.same_motion_interval =
-      with_samples(shows ? intervals[0] : widened(intervals[0], row.same_motion, records),
-                   row.same_motion, errors.same_motion, groups);
-  row.above_mean_interval = with_samples(widened(intervals[1], row.above_mean, records),
-                                         row.above_mean, errors.above_mean, groups);
+  row.same_motion.interval =
+      with_samples(shows ? intervals[0] : widened(intervals[0], same_motion, records), same_motion,
+                   errors.same_motion, groups);
+  row.above_mean.interval = with_samples(widened(intervals[1], above_mean, records), above_mean,
+                                         errors.above_mean, groups);
   return row;
 }
 

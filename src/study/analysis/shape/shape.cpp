@@ -52,9 +52,8 @@ void add_crossings(const Results& results, const RunResults& of, ShapeRun& run) 
 void add_surface(const FragilitySurface& surface, ShapeRun& run) {
   for (std::size_t t = 0; t < surface.medians.size(); ++t)
     run.surface.push_back(
-        {surface.thresholds_m[t], surface.medians[t], surface.median_intervals[t]});
-  run.surface_log_std = surface.log_std;
-  run.surface_log_std_interval = surface.log_std_interval;
+        {surface.thresholds_m[t], {surface.medians[t], surface.median_intervals[t]}});
+  run.surface_log_std = {surface.log_std, surface.log_std_interval};
 }
 
 }  // namespace
