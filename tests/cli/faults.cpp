@@ -5,6 +5,7 @@
 //   FAULT_IN=out/journal           of those in paths with these words
 //   FAULT_COUNT=FILE               how many writing calls there were
 //   FAULT_CLOCK=1                  the time of day jumps by days between two calls
+//   FAULT_FREE_MB=10               so much room every disk has
 #include <dlfcn.h>
 #include <errno.h>
 #include <fcntl.h>
@@ -13,6 +14,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <sys/statvfs.h>
 #include <sys/time.h>
 #include <time.h>
 #include <unistd.h>
@@ -113,6 +115,14 @@ int remove(const char* path) noexcept {
 }
 int unlink(const char* path) noexcept {
   return is_meant(path) && removal_fails() ? -1 : next<int (*)(const char*)>("unlink")(path);
+}
+
+int statvfs(const char* __restrict path, struct statvfs* __restrict disk) noexcept {
+  using Next = int (*)(const char*, struct statvfs*);
+  const int status = next<Next>("statvfs")(path, disk);
+  if (const long free_mb = number("FAULT_FREE_MB"); free_mb > 0)
+    disk->f_bavail = static_cast<fsblkcnt_t>(free_mb) * 1000000 / disk->f_frsize;
+  return status;
 }
 
 int clock_gettime(clockid_t clock, timespec* now) noexcept {

@@ -84,6 +84,13 @@ TEST_F(Faults, a_disk_that_becomes_read_only_at_any_stage_leaves_what_is_whole_a
   expect_mended_at_every_stage(EROFS);
 }
 
+TEST_F(Faults, a_disk_with_less_room_than_the_results_need_is_refused_before_the_run) {
+  // 20 MB for report and figures, and twice the histories, which are small here.
+  expect_refused(run_with("FAULT_FREE_MB=20"), {"again", "20 MB free", "make room", "--out"});
+  EXPECT_FALSE(fs::exists(again_));
+  EXPECT_EQ(run_with("FAULT_FREE_MB=21").status, 0);
+}
+
 TEST_F(Faults, a_clock_that_is_set_during_the_run_neither_stops_it_nor_changes_its_results) {
   const Finished child = run_with("FAULT_CLOCK=1", "--walltime-s 3600");
   EXPECT_EQ(child.status, 0) << child.err;

@@ -19,7 +19,7 @@
 namespace glissade {
 
 /// All analyses, in the order in which they are read, made, stored and reported: one that reads
-/// another's results comes after it. An analysis is named here and in its own files only.
+/// another's results comes after it. Where else an analysis is named, and why: src/README.md.
 using Analyses = AnalysisList<ClearanceAnalysis, BaseShearAnalysis, FragilityAnalysis,
                               StandardsAnalysis, ImpactAnalysis, ShapeAnalysis, HazardAnalysis,
                               ChartAnalysis, TippingAnalysis, VerdictAnalysis, SensitivityAnalysis,

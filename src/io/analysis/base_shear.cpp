@@ -5,11 +5,6 @@
 namespace glissade {
 namespace {
 
-void read_base_shear(const TomlTable& root, StudyConfig& study) {
-  study.base_shear = true;
-  expect_met(root, "base_shear", study.two_axes(), "[model] axes = 2");
-}
-
 void check_base_shear(const BaseShearResults& base_shear, Results& results) {
   need_conditions(results);
   expect_fit(!results.histories.fields.shear_along.empty(), "base_shear", "histories");
@@ -21,12 +16,14 @@ void check_base_shear(const BaseShearResults& base_shear, Results& results) {
 
 AnalysisInFiles BaseShearAnalysis::in_files() {
   return {.table = "base_shear",
-          .read = read_base_shear,
-          .keys = {{"", "an empty table", "absent", "peak base shear; needs [model] axes = 2"}},
-          .needs = {{"array", "support", "[base_shear], where it is a list",
-                     [](const TomlTable& root, const StudyConfig& s) {
-                       return s.support.size() == 1 || root.has("base_shear");
-                     }}},
+          .read = [](const TomlTable&, StudyConfig& study) { study.base_shear = true; },
+          .keys = {{"", "an empty table", "absent", "peak base shear"}},
+          .needs = {{"[model] axes = 2",
+                     [](const TomlTable&, const StudyConfig& s) { return s.two_axes(); }}},
+          .key_needs = {{"array", "support", "[base_shear], where it is a list",
+                         [](const TomlTable& root, const StudyConfig& s) {
+                           return s.support.size() == 1 || root.has("base_shear");
+                         }}},
           .stands_alone = true,
           .needs_every_history = true,
           .design_friction = FrictionUse::read,

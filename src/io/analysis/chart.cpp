@@ -224,11 +224,11 @@ AnalysisInFiles ChartAnalysis::in_files() {
                    {"without_target", "true or false", "false",
                     "chart clearances also of a suite that does not meet its design spectrum: not "
                     "for design"}},
-          .needs = {{"chart", "without_target",
-                     "measure = \"mce_fraction\", or a building period above 2 s",
-                     [](const TomlTable&, const StudyConfig& s) {
-                       return s.intensity.measure.is_of_design_spectrum() && may_miss_target(s);
-                     }}},
+          .key_needs = {{"chart", "without_target",
+                         "measure = \"mce_fraction\", or a building period above 2 s",
+                         [](const TomlTable&, const StudyConfig& s) {
+                           return s.intensity.measure.is_of_design_spectrum() && may_miss_target(s);
+                         }}},
           .uses = {"model.displacement", "sampling.bootstrap_replicates", "standards.compare"},
           .stands_alone = true,
           .needs_every_history = true,

@@ -47,16 +47,17 @@ AnalysisInFiles ClearanceAnalysis::in_files() {
             "recommended clearance; Walters et al. (2012) take the median"},
            {"without_target", "true or false", "false",
             "a clearance also of a suite that does not meet a design spectrum: not for design"}},
-      .needs = {{"clearance", "orientation", "several orientations",
-                 [](const TomlTable&, const StudyConfig& s) {
-                   return s.orientation.choice == OrientationChoice::all_permutations ||
-                          s.orientation.choice == OrientationChoice::azimuths ||
-                          s.orientation.slope_axis.size() > 1;
-                 }},
-                {"clearance", "without_target",
-                 "a measure other than \"sds_g\", which scales to the target, or a building period "
-                 "above 2 s",
-                 [](const TomlTable&, const StudyConfig& s) { return may_miss_target(s); }}},
+      .key_needs =
+          {{"clearance", "orientation", "several orientations",
+            [](const TomlTable&, const StudyConfig& s) {
+              return s.orientation.choice == OrientationChoice::all_permutations ||
+                     s.orientation.choice == OrientationChoice::azimuths ||
+                     s.orientation.slope_axis.size() > 1;
+            }},
+           {"clearance", "without_target",
+            "a measure other than \"sds_g\", which scales to the target, or a building period "
+            "above 2 s",
+            [](const TomlTable&, const StudyConfig& s) { return may_miss_target(s); }}},
       .uses = {"model.displacement"},
       .stands_alone = true,
       .needs_every_history = true,

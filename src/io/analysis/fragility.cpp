@@ -89,44 +89,6 @@ void exchange_slip(const Archive& archive, const IntensityScale& scale, Slip& ro
          &SlipStatistics::mean_vector_m);
 }
 
-template <class Archive, class Comparisons>
-void exchange_standards(const Archive& archive, Comparisons& rows) {
-  exchange_prescriptions(archive, rows);
-  const Columns column(archive, rows);
-  column("exceedance_probability", {"-", "share of histories with slip above it"},
-         &StandardComparison::exceedance_probability);
-  column("exceedance", {"-", "95 % interval of that share"},
-         &StandardComparison::exceedance_interval);
-}
-
-template <class Archive, class Statistics>
-void exchange_impact_statistics(const Archive& archive, const IntensityScale& scale,
-                                Statistics& rows) {
-  const Columns column(archive, rows, "threshold_m");
-  column("threshold_m", {"m", "clearance threshold"}, &ImpactStatistics::threshold_m);
-  column(scale.level, {scale.unit, "intensity level"}, &ImpactStatistics::level);
-  column("reached_share", {"-", "share of histories that reach it"},
-         &ImpactStatistics::reached_share);
-  column("reached_share", {"-", "95 % interval of that share"},
-         &ImpactStatistics::reached_interval);
-  column("speed_median_mps",
-         {"m/s", "median speed in plan at the first crossing, of the histories that reach it"},
-         &ImpactStatistics::speed_median_mps);
-  column("speed_p84_mps", {"m/s", "84th percentile of that speed"},
-         &ImpactStatistics::speed_p84_mps);
-  column("speed_p95_mps", {"m/s", "95th percentile"}, &ImpactStatistics::speed_p95_mps);
-  column("speed_largest_mps", {"m/s", "largest"}, &ImpactStatistics::speed_largest_mps);
-  column("speed_median_mps", {"m/s", "95 % interval of the median"},
-         &ImpactStatistics::speed_median_interval);
-  column("speed_p84_mps", {"m/s", "95 % interval of the 84th percentile"},
-         &ImpactStatistics::speed_p84_interval);
-  column("time_median_s",
-         {"s", "median time of the first crossing from the record's begin, of those that reach it"},
-         &ImpactStatistics::time_median_s);
-  column("time_p16_s", {"s", "16th percentile of that time"}, &ImpactStatistics::time_p16_s);
-  column("time_p84_s", {"s", "84th percentile"}, &ImpactStatistics::time_p84_s);
-}
-
 template <class Archive, class Run>
 void exchange_run(const Archive& archive, const IntensityScale& scale, Run& run) {
   archive.attribute("friction", run.friction_description);
@@ -136,9 +98,6 @@ void exchange_run(const Archive& archive, const IntensityScale& scale, Run& run)
        run.band_intensities);
   exchange_fragilities(archive.group("fragility"), scale, run.fragilities);
   exchange_slip(archive.group("slip"), scale, run.slip);
-  exchange_standards(archive.group("standards"), run.standards);
-  if_there(archive, "impact", run.impact,
-           [&](const auto& group, auto& rows) { exchange_impact_statistics(group, scale, rows); });
 }
 
 void read_fragility(const TomlTable& root, StudyConfig& study) {
@@ -158,9 +117,6 @@ void check_fragility(Results& results) {
                "first_case", "cases");
     expect_fit(run.slip.size() == levels, "slip", "levels");
     expect_fit(run.fragilities.size() == thresholds && thresholds > 0, "fragility", "thresholds");
-    expect_fit(run.impact.empty() || (run.impact.size() == levels * thresholds &&
-                                      !results.histories.fields.crossing_time_s.empty()),
-               "impact", "levels and thresholds");
     for (const ThresholdFragility& f : run.fragilities) {
       expect_fit(f.probability.size() == levels, "probability", "levels");
       expect_fit(f.probability_interval.size() == levels, "probability_low", "levels");
@@ -177,7 +133,7 @@ AnalysisInFiles FragilityAnalysis::in_files() {
   return {
       .table = "fragility",
       .read = read_fragility,
-      .keys = {{"thresholds_m", "list or { from, to, count }", "required",
+      .keys = {{"thresholds_m", list_value, "required",
                 "clearances, m: probability that displacement exceeds each"},
                {"stop_at_largest", "true or false", "false",
                 "levels above the one that reaches the largest threshold are not run"}},
@@ -187,7 +143,7 @@ AnalysisInFiles FragilityAnalysis::in_files() {
       .sampled_friction = FrictionUse::usual,
       .design_friction = FrictionUse::usual,
       .exchange = Exchange::of([](const auto& root, const char*, const auto& scale, auto& results) {
-        const auto archive = root.group("runs");
+        const auto archive = root.group(runs_group);
         const Columns column(archive, results.runs, "label");
         column("label", {"-", "the combinations, in order; each is a group"}, &RunResults::label);
         for (auto& run : results.runs) {

@@ -113,7 +113,7 @@ AnalysisInFiles HazardAnalysis::in_files() {
       .keys =
           {{"curve", "path", "none",
             "how often the site has shaking, CSV: the study's intensity measure (its key is the "
-            "header), annual_rate of exceeding it; needs [fragility]"},
+            "header), annual_rate of exceeding it"},
            {"k0", "number", "none", "in place of a curve: annual rate of exceeding x = k0 x^-k"},
            {"k", "number", "none", "the exponent of that"},
            {"sds_g", "number", "none",
@@ -121,14 +121,13 @@ AnalysisInFiles HazardAnalysis::in_files() {
             "curve is assumed from it, by the risk target of ASCE 7"},
            {"design_life_years", "number", "required",
             "slip is accumulated, and probabilities are given, over so many years"},
-           {"target_rates_per_year", "list or { from, to, count }",
-            "1/700, 1/2475 and 1 % in 50 years",
+           {"target_rates_per_year", list_value, "1/700, 1/2475 and 1 % in 50 years",
             "the displacement that is exceeded at each of these annual rates is found"}},
-      .needs = {{"hazard", "sds_g", "measure = \"sds_g\"",
-                 [](const TomlTable&, const StudyConfig& study) {
-                   return study.intensity.measure == IntensityMeasure::sds_g;
-                 }}},
-      .needs_fragility = true,
+      .needs = {needs_fragility},
+      .key_needs = {{"hazard", "sds_g", "measure = \"sds_g\"",
+                     [](const TomlTable&, const StudyConfig& study) {
+                       return study.intensity.measure == IntensityMeasure::sds_g;
+                     }}},
       .needs_every_history = true,
       .of_any_run = true,
       .exchange = Exchange::in_group<&Results::hazard>([](const auto& archive, const auto& scale,

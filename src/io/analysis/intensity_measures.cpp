@@ -12,9 +12,6 @@ void read_intensity_measures(const TomlTable& root, StudyConfig& study) {
   IntensityMeasuresConfig& ranked = study.intensity_measures.emplace();
   if (table.has("sa_periods_s"))
     ranked.sa_periods_s = read_increasing(table, "sa_periods_s", period_rule);
-  expect_met(
-      root, "intensity_measures", study.intensity.measure != IntensityMeasure::ppa_g,
-      "another intensity.measure than \"ppa_g\", whose factor on a record depends on the roof");
 }
 
 void check_intensity_measures(const std::vector<RankedMeasure>& ranked, const Results& results) {
@@ -29,11 +26,15 @@ AnalysisInFiles IntensityMeasuresAnalysis::in_files() {
       .table = "intensity_measures",
       .read = read_intensity_measures,
       .keys =
-          {{"sa_periods_s", "list or { from, to, count }", "0.2, 0.5, 1, 2",
+          {{"sa_periods_s", list_value, "0.2, 0.5, 1, 2",
             "intensity measures are ranked, spectral accelerations at these periods (0.02 to 4 s) "
-            "among "
-            "them; needs [fragility], and another measure than ppa_g"}},
-      .needs_fragility = true,
+            "among them"}},
+      .needs = {needs_fragility,
+                {"another intensity.measure than \"ppa_g\", whose factor on a record depends on "
+                 "the roof",
+                 [](const TomlTable&, const StudyConfig& s) {
+                   return s.intensity.measure != IntensityMeasure::ppa_g;
+                 }}},
       .of_any_run = true,
       .exchange = Exchange::in_group<&Results::intensity_measures>([](const auto& archive,
                                                                       const auto&, auto& rows) {

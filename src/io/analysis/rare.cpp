@@ -15,10 +15,6 @@ void read_rare(const TomlTable& root, StudyConfig& study) {
   RareConfig& rare = study.rare.emplace();
   rare.thresholds_m = read_increasing(table, "thresholds_m", above_zero);
   rare.widening = table.number("widening", widening_rule).value_or(rare.widening);
-  expect_met(root, "rare", study.samples_friction() && !unbounded_dimensions(study).empty(),
-             "a drawn quantity without bounds (normal or lognormal)");
-  expect_met(root, "rare", study.sampling.scrambles >= least_scrambles,
-             "sampling.scrambles of 8 or more, which give its sampling error");
   for (const AnalysisInFiles& other : analyses_in_files()) {
     if (other.table != nullptr && other.table != std::string("rare") && root.has(other.table))
       root.report("rare",
@@ -40,13 +36,21 @@ AnalysisInFiles RareAnalysis::in_files() {
   return {
       .table = "rare",
       .read = read_rare,
-      .keys = {{"thresholds_m", "list or { from, to, count }", "required",
+      .keys = {{"thresholds_m", list_value, "required",
                 "clearances, m: small probabilities that displacement reaches each, at each level; "
                 "drawn "
                 "quantities without bounds are drawn from wider distributions, with weights; "
                 "stands alone"},
                {"widening", "number", fmt::format("{:g}", RareConfig{}.widening),
                 "factor on the standard normal numbers of these quantities, 1 to 10"}},
+      .needs = {{"a drawn quantity without bounds (normal or lognormal)",
+                 [](const TomlTable&, const StudyConfig& s) {
+                   return s.samples_friction() && !unbounded_dimensions(s).empty();
+                 }},
+                {"sampling.scrambles of 8 or more, which give its sampling error",
+                 [](const TomlTable&, const StudyConfig& s) {
+                   return s.sampling.scrambles >= least_scrambles;
+                 }}},
       .uses = {"model.displacement", "sampling.scrambles"},
       .stands_alone = true,
       .needs_every_history = true,

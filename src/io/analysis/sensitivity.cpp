@@ -57,16 +57,10 @@ void exchange_design_friction(const Archive& archive, const IntensityScale& scal
          &DesignFrictionRow::above_mean_error);
 }
 
-void read_sensitivity(const TomlTable& root, StudyConfig& study) {
-  study.sensitivity = true;
-  expect_met(root, "sensitivity", !drawn_factors(study).empty(), "a quantity that is drawn");
-  expect_met(root, "sensitivity", study.sampling.samples >= 2, "sampling.samples of 2 or more");
-  expect_met(root, "sensitivity",
-             (study.orientation.choice == OrientationChoice::random ||
-              study.orientation.choice == OrientationChoice::as_recorded) &&
-                 study.orientation.slope_axis.size() == 1,
-             "one orientation of a sample: orientation.choice = \"random\" or \"as_recorded\", one "
-             "slope_axis");
+bool has_one_orientation(const TomlTable&, const StudyConfig& study) {
+  const OrientationConfig& o = study.orientation;
+  return (o.choice == OrientationChoice::random || o.choice == OrientationChoice::as_recorded) &&
+         o.slope_axis.size() == 1;
 }
 
 void check_sensitivity(const SensitivityResults& found, const Results& results) {
@@ -88,14 +82,20 @@ void check_sensitivity(const SensitivityResults& found, const Results& results) 
 AnalysisInFiles SensitivityAnalysis::in_files() {
   return {
       .table = "sensitivity",
-      .read = read_sensitivity,
+      .read = [](const TomlTable&, StudyConfig& study) { study.sensitivity = true; },
       .keys =
           {{"", "an empty table", "absent",
             "where the spread comes from: Sobol indices of the records and of each drawn quantity; "
             "runs samples x (2 + drawn quantities) samples. Added to finished results: first order "
-            "alone, needs 32 samples or more in 8 scrambles or more, or by method monte_carlo; "
-            "needs [fragility]"}},
-      .needs_fragility = true,
+            "alone, needs 32 samples or more in 8 scrambles or more, or by method monte_carlo"}},
+      .needs = {needs_fragility,
+                {"a quantity that is drawn",
+                 [](const TomlTable&, const StudyConfig& s) { return !drawn_factors(s).empty(); }},
+                {"sampling.samples of 2 or more",
+                 [](const TomlTable&, const StudyConfig& s) { return s.sampling.samples >= 2; }},
+                {"one orientation of a sample (orientation.choice = \"random\" or \"as_recorded\", "
+                 "one slope_axis)",
+                 has_one_orientation}},
       .of_any_run = true,
       .exchange = Exchange::in_group<&Results::sensitivity>([](const auto& archive,
                                                                const auto& scale, auto& found) {

@@ -86,9 +86,8 @@ AnalysisInFiles ShapeAnalysis::in_files() {
       .table = "shape",
       .read = [](const TomlTable&, StudyConfig& study) { study.shape = true; },
       .keys = {{"", "an empty table", "absent",
-                "whether the fragilities are lognormal and what else they could be; needs "
-                "[fragility]"}},
-      .needs_fragility = true,
+                "whether the fragilities are lognormal and what else they could be"}},
+      .needs = {needs_fragility},
       .of_any_run = true,
       .exchange = Exchange::in_group<&Results::shape>([](const auto& archive, const auto& scale,
                                                          auto& shape) {

@@ -19,6 +19,16 @@ bool each_once(std::vector<T> values) {
   return !values.empty() && std::ranges::adjacent_find(values) == values.end();
 }
 
+template <class Archive, class Comparisons>
+void exchange_standards(const Archive& archive, Comparisons& rows) {
+  exchange_prescriptions(archive, rows);
+  const Columns column(archive, rows);
+  column("exceedance_probability", {"-", "share of histories with slip above it"},
+         &StandardComparison::exceedance_probability);
+  column("exceedance", {"-", "95 % interval of that share"},
+         &StandardComparison::exceedance_interval);
+}
+
 void read_standards(const TomlTable& root, StudyConfig& study) {
   const TomlTable table = root.table("standards");
   constexpr NumberRule importance_rule{"from 1 to 1.5",
@@ -39,12 +49,6 @@ void read_standards(const TomlTable& root, StudyConfig& study) {
                                                                     {"E", Sdc::e},
                                                                     {"F", Sdc::f}})
                            .value_or(standards.category);
-  if (!standards.compare.empty() && study.intensity.measure != IntensityMeasure::sds_g) {
-    table.report(
-        "compare",
-        "standards.compare needs intensity.measure = \"sds_g\": the standards prescribe by S_DS",
-        "measure by sds_g, or leave [standards] out");
-  }
 }
 
 }  // namespace
@@ -54,16 +58,24 @@ AnalysisInFiles StandardsAnalysis::in_files() {
       .table = "standards",
       .read = read_standards,
       .keys = {{"compare", "list of \"seaoc_pv1_2012\", \"asce7_16\"", "required",
-                "prescriptive displacements to compare with; needs measure = \"sds_g\""},
+                "prescriptive displacements to compare with"},
                {"importance", "number", fmt::format("{:g}", StandardsConfig{}.importance),
                 "importance factor, 1 to 1.5"},
                {"seismic_design_category", "\"A\" to \"F\"", "\"D\"", "seismic design category"}},
-      .needs = {{"standards", "importance", "\"asce7_16\" in compare",
-                 compares<Standard::asce7_16>},
-                {"standards", "seismic_design_category", "\"seaoc_pv1_2012\" in compare",
-                 compares<Standard::seaoc_pv1_2012>}},
+      .needs = {{"intensity.measure = \"sds_g\" (the standards prescribe by S_DS)",
+                 [](const TomlTable&, const StudyConfig& s) {
+                   return s.intensity.measure == IntensityMeasure::sds_g;
+                 }}},
+      .key_needs = {{"standards", "importance", "\"asce7_16\" in compare",
+                     compares<Standard::asce7_16>},
+                    {"standards", "seismic_design_category", "\"seaoc_pv1_2012\" in compare",
+                     compares<Standard::seaoc_pv1_2012>}},
       .needs_every_history = true,
-      .of_any_run = true};
+      .of_any_run = true,
+      .exchange =
+          Exchange::of_runs([](const auto& of_run, const char* table, const auto&, auto& run) {
+            exchange_standards(of_run.group(table), run.standards);
+          })};
 }
 
 }  // namespace glissade

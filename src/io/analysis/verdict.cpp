@@ -38,19 +38,17 @@ void read_verdict(const TomlTable& root, StudyConfig& study) {
   if (exceedance.empty() || !std::ranges::is_sorted(exceedance, std::greater_equal<>()))
     table.report("exceedance", "verdict.exceedance is not a falling list of probabilities",
                  "for example exceedance = [0.1, 0.05, 0.01]");
-  expect_met(root, "verdict", root.has("standards"), "[standards] compare");
-  expect_met(
-      root, "verdict",
-      !study.quantities.at("roof", "slope_deg").is_drawn() &&
-          !study.quantities.at("building", "period_s").is_drawn(),
-      "a slope and a building period that are numbers or lists, not drawn: the conditions of "
-      "the standards are on the slope, and the least favourable period counts");
+}
+
+bool draws_neither_slope_nor_period(const TomlTable&, const StudyConfig& study) {
+  return !study.quantities.at("roof", "slope_deg").is_drawn() &&
+         !study.quantities.at("building", "period_s").is_drawn();
+}
+
+bool has_level_of_mce(const TomlTable&, const StudyConfig& study) {
   const std::vector<double>& levels = study.intensity.levels;
-  expect_met(
-      root, "verdict",
-      std::ranges::any_of(
-          levels, [&](double l) { return level_at(levels, mce_over_dbe * l) < levels.size(); }),
-      "intensity.levels with 1.5 times one of them: the MCE of a design earthquake");
+  return std::ranges::any_of(
+      levels, [&](double l) { return level_at(levels, mce_over_dbe * l) < levels.size(); });
 }
 
 void check_verdict(const VerdictResults& verdict, const Results& results) {
@@ -73,10 +71,15 @@ AnalysisInFiles VerdictAnalysis::in_files() {
       .read = read_verdict,
       .keys = {{"exceedance", "list", "[0.1, 0.05, 0.01]",
                 "prescribed displacements are judged: the first probability of exceedance is "
-                "accepted at "
-                "S_DS; the displacement of each is found; needs [standards], and levels of which "
-                "1.5 times "
-                "are listed too (MCE)"}},
+                "accepted at S_DS; the displacement of each is found"}},
+      .needs = {{"[standards]",
+                 [](const TomlTable& root, const StudyConfig&) { return root.has("standards"); }},
+                {"a slope and a building period that are numbers or lists, not drawn (the "
+                 "conditions of the "
+                 "standards are on the slope, and the least favourable period counts)",
+                 draws_neither_slope_nor_period},
+                {"intensity.levels with 1.5 times one of them (the MCE of a design earthquake)",
+                 has_level_of_mce}},
       .uses = {"model.displacement", "friction.neighbour_mu", "standards.compare"},
       .stands_alone = true,
       .needs_every_history = true,

@@ -74,6 +74,10 @@ void Hdf5Writer::write_text_attribute(hid_t object, const std::string& name,
 }
 
 Hdf5Writer Hdf5Writer::group(const std::string& name) const {
+  if (H5Lexists(group_, name.c_str(), H5P_DEFAULT) > 0)
+    return {
+        Hdf5Handle(H5Gopen2(group_, name.c_str(), H5P_DEFAULT), H5Gclose, "open the group " + name),
+        file_};
   file_.reserve(0);
   const Hdf5Handle creation = timeless(H5P_GROUP_CREATE);
   return {Hdf5Handle(H5Gcreate2(group_, name.c_str(), H5P_DEFAULT, creation, H5P_DEFAULT), H5Gclose,

@@ -43,7 +43,7 @@ class Hdf5Writer {
   explicit Hdf5Writer(const Hdf5OutputFile& file)
       : group_(H5Gopen2(file.root(), "/", H5P_DEFAULT), H5Gclose, "open /"), file_(file) {}
 
-  Hdf5Writer group(const std::string& name) const;
+  Hdf5Writer group(const std::string& name) const;  ///< one that is there, or a new one
   void attribute(const std::string& name, const std::string& text) const;
   void attribute(const std::string& name, double value) const;
   void attribute(const std::string& name, std::uint64_t value) const;

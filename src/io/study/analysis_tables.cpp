@@ -69,12 +69,6 @@ std::string listed(const std::vector<std::string>& tables, const std::string& la
   return text;
 }
 
-void expect_met(const TomlTable& root, const char* table, bool met, const char* what) {
-  if (met) return;
-  root.report(table, std::string("[") + table + "] needs " + what,
-              std::string("give it, or leave out [") + table + "]");
-}
-
 bool may_miss_target(const StudyConfig& study) {
   return study.intensity.measure != IntensityMeasure::sds_g ||
          study.quantities.at("building", "period_s").largest() *
@@ -101,8 +95,12 @@ void read_analyses(const TomlTable& root, StudyConfig& study) {
     if (!is_given(analysis, root)) continue;
     root.table(analysis.table);
     analysis.read(root, study);
-    expect_met(root, analysis.table, !analysis.needs_fragility || root.has("fragility"),
-               "[fragility] thresholds_m");
+    const std::string table = listed({analysis.table});
+    for (const AnalysisNeeds& need : analysis.needs) {
+      if (!need.is_met(root, study))
+        root.report(analysis.table, table + " needs " + need.what,
+                    "give it, or leave out " + table);
+    }
   }
   check_friction_values(root, study);
   const std::vector<double>& levels = study.intensity.levels;

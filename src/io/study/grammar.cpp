@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 
 #include "analysis/in_files.hpp"
 #include "enum_names.hpp"
@@ -12,13 +13,11 @@
 #include "glissade/io/study_grammar.hpp"
 #include "glissade/study/config.hpp"
 #include "project/project_keys.hpp"
+#include "study/quantity_table.hpp"
 #include "toml/written_units.hpp"
 
 namespace glissade {
 namespace {
-
-constexpr const char* quantity_value =
-    "number, list, { from, to, count }, { mean, std } or a distribution";
 
 std::string measures() {
   std::string text;
@@ -43,14 +42,14 @@ void add_head(std::vector<GrammarKey>& keys) {
        {"suite", "files", "list of paths", "none", "several suites in one study"},
        {"suite", "records", "list of ids", "all", "the records to run"},
        {"intensity", "measure", "name", "required", measures()},
-       {"intensity", "levels", "list or { from, to, count, spacing }", "required",
-        "the levels, increasing, in the measure's unit; spacing \"linear\" or \"log\""},
+       {"intensity", "levels", list_value, "required",
+        "the levels, increasing, in the measure's unit"},
        {"intensity", "scaled_to_s", "number", fmt::format("{:g}", usual.intensity.scaled_to_s),
         "sds_g: the suite's average is 0.9 of the design spectrum or more from 2 s to here too, s"},
        {"intensity", "sa_period_s", "number", "required with sa_g",
         "period of the spectral "
         "acceleration, s"},
-       {"intensity", "avg_sa_periods_s", "list or { from, to, count }", "required with avg_sa_g",
+       {"intensity", "avg_sa_periods_s", list_value, "required with avg_sa_g",
         "periods of the average spectral acceleration, s"},
        {"intensity", "target",
         "{ edition, ss_g, s1_g, site_class or site_classes, tl_s }, { edition, sds_g, sd1_g, tl_s "
@@ -147,6 +146,58 @@ void add_analyses(std::vector<GrammarKey>& keys) {
   }
 }
 
+/// "; needs A and B" behind what a key means.
+void add_need(GrammarKey& key, const std::string& what) {
+  const bool is_first = key.meaning.find("; needs ") == std::string::npos;
+  key.meaning += (is_first ? "; needs " : " and ") + what;
+}
+
+std::vector<GrammarKey> make_grammar() {
+  std::vector<GrammarKey> keys;
+  add_head(keys);
+  add_quantities(keys);
+  add_cases(keys);
+  add_analyses(keys);
+  for (const AnalysisInFiles& analysis : analyses_in_files()) {
+    for (const AnalysisNeeds& need : analysis.needs)
+      add_need(*std::ranges::find(keys, analysis.table, &GrammarKey::table), need.what);
+  }
+  for (const KeyNeeds& n : key_needs())
+    add_need(*std::ranges::find(keys, n.table + "." + n.key, &GrammarKey::name), n.needs);
+  // A table's keys together, the tables in the order in which they first come; those that are
+  // required first.
+  std::vector<std::string> tables;
+  for (const GrammarKey& key : keys) {
+    if (std::ranges::find(tables, key.table) == tables.end()) tables.push_back(key.table);
+  }
+  std::ranges::stable_sort(keys, {}, [&](const GrammarKey& key) {
+    const int rank = key.usual.starts_with("required") ? 0 : key.key == "across_mu" ? 1 : 2;
+    return std::pair(std::ranges::find(tables, key.table) - tables.begin(), rank);
+  });
+  return keys;
+}
+
+std::string text_of(const DistributionForm& form) {
+  return fmt::format("{{ distribution = \"{}\", {} }}", form.name, form.keys);
+}
+
+std::string distributions_text() {
+  std::string text;
+  for (const DistributionForm& form : distribution_forms())
+    text += (text.empty() ? "" : ", ") + text_of(form);
+  return text;
+}
+
+bool has_word(const std::string& text, const std::string& word) {
+  const auto is_of_word = [](char c) { return std::isalnum(c) || c == '_'; };
+  for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) {
+    const std::size_t end = at + word.size();
+    if ((at == 0 || !is_of_word(text[at - 1])) && (end == text.size() || !is_of_word(text[end])))
+      return true;
+  }
+  return false;
+}
+
 /// A table, a key with or without its table, or one of its values.
 bool is_meant(const GrammarKey& key, const std::string& wanted) {
   return wanted.empty() || key.table == wanted || key.name() == wanted || key.key == wanted ||
@@ -197,28 +248,20 @@ std::string project_text(const std::string& wanted) {
 
 }  // namespace
 
-std::vector<GrammarKey> grammar() {
-  std::vector<GrammarKey> keys;
-  add_head(keys);
-  add_quantities(keys);
-  add_cases(keys);
-  add_analyses(keys);
-  for (const KeyNeeds& n : key_needs()) {
-    const auto key = std::ranges::find(keys, n.table + "." + n.key, &GrammarKey::name);
-    const bool is_first = key->meaning.find("; needs ") == std::string::npos;
-    key->meaning += (is_first ? "; needs " : " and ") + n.needs;
-  }
-  // A table's keys together, the tables in the order in which they first come; those that are
-  // required first.
-  std::vector<std::string> tables;
-  for (const GrammarKey& key : keys) {
-    if (std::ranges::find(tables, key.table) == tables.end()) tables.push_back(key.table);
-  }
-  std::ranges::stable_sort(keys, {}, [&](const GrammarKey& key) {
-    const int rank = key.usual.starts_with("required") ? 0 : key.key == "across_mu" ? 1 : 2;
-    return std::pair(std::ranges::find(tables, key.table) - tables.begin(), rank);
-  });
+const std::vector<GrammarKey>& grammar() {
+  static const std::vector<GrammarKey> keys = make_grammar();
   return keys;
+}
+
+bool is_of_grammar(const std::string& name) {
+  const std::size_t dot = name.find('.'), next = name.find('.', dot + 1);
+  return std::ranges::any_of(grammar(), [&](const GrammarKey& key) {
+    if (dot == std::string::npos) return key.table == name;
+    if (next == std::string::npos) return key.name() == name;
+    const std::string values =
+        key.value == quantity_value ? key.value + distributions_text() : key.value;
+    return key.name() == name.substr(0, next) && has_word(values, name.substr(name.rfind('.') + 1));
+  });
 }
 
 std::string grammar_text(const std::string& wanted) {
@@ -232,6 +275,10 @@ std::string grammar_text(const std::string& wanted) {
     if (const KeyUnits* units = units_of_key(key.key))
       lines.push_back("units, in quotes: " + units->names());
     text += explained(key.key.empty() ? "(no keys)" : key.key, key.value, lines);
+  }
+  for (const DistributionForm& form : distribution_forms()) {
+    if (wanted == form.name || wanted == "distribution")
+      text += explained(form.name, text_of(form), {});
   }
   const std::string of_project = project_text(wanted);
   return text + (text.empty() || of_project.empty() ? "" : "\n") + of_project;
@@ -247,9 +294,12 @@ std::string nearest_grammar_key(const std::string& wanted) {
 std::string grammar_page() {
   std::string page =
       "# The keys of a study file\n\n"
-      "Made by `glissade explain --markdown`; do not edit. A quantity is a number, a list (every "
-      "value is run, in all combinations), or a distribution (a value is drawn for each "
-      "sample).\n\n"
+      "Made by `glissade explain --markdown`; do not edit. A *list* is [1, 2, 4] or { from, to, "
+      "count, spacing }, with spacing \"linear\" (where absent) or \"log\". A *quantity* is a "
+      "number; a list (every value is run, in all combinations); { mean, std }, a normal "
+      "distribution within the range; or a distribution (a value is drawn for each sample): " +
+      distributions_text() +
+      ".\n\n"
       "A number is in the unit at the end of its key (a level in the unit of its measure), or is "
       "written with one of these units, in quotes: `\"18 in\"`, `\"0.25:12\"`. A list may mix "
       "them.\n\n"
@@ -263,7 +313,10 @@ std::string grammar_page() {
           "\n## [{}]\n\n| key | value | where absent | meaning |\n|---|---|---|---|\n", key.table);
     table = key.table;
     page += fmt::format("| {} | {} | {} | {} |\n", key.key.empty() ? "" : "`" + key.key + "`",
-                        key.value, key.usual, key.meaning);
+                        key.value == list_value       ? "list"
+                        : key.value == quantity_value ? "quantity"
+                                                      : key.value,
+                        key.usual, key.meaning);
   }
   return page;
 }

@@ -27,8 +27,8 @@ std::string quoted(EnumNames<E> names, E value) {
 }
 
 /// A key of a study file. The rows of grammar() are all keys there are: the error messages,
-/// `glissade explain` and studies/GRAMMAR.md are made from them, and a test holds the reader to
-/// them.
+/// `glissade explain` and studies/GRAMMAR.md are made from them, and no other key can be read
+/// (TomlDocument::read_only).
 struct GrammarKey {
   std::string table, key;
   std::string value;    ///< what may be given
@@ -36,7 +36,16 @@ struct GrammarKey {
   std::string meaning;  ///< with its unit
   std::string name() const { return table + "." + key; }
 };
-std::vector<GrammarKey> grammar();
+const std::vector<GrammarKey>& grammar();
+/// Whether "building", "building.period_s" or, within the value of a key, "chart.shown.level" is of
+/// the grammar.
+bool is_of_grammar(const std::string& name);
+
+/// What may be given for several numbers, and for a quantity of a case.
+inline constexpr const char *list_value = "list or { from, to, count, spacing }",
+                            *quantity_value =
+                                "number, list, { from, to, count, spacing }, { mean, std } or a "
+                                "distribution";
 
 /// A key that has no effect without something else, which `are_met` looks for.
 struct KeyNeeds {

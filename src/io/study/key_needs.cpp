@@ -48,7 +48,7 @@ bool uses_target(const TomlTable&, const StudyConfig& study) {
 void add_needs_of_analyses(std::vector<KeyNeeds>& needs) {
   std::set<std::string> used;
   for (const AnalysisInFiles& analysis : analyses_in_files()) {
-    needs.insert(needs.end(), analysis.needs.begin(), analysis.needs.end());
+    needs.insert(needs.end(), analysis.key_needs.begin(), analysis.key_needs.end());
     used.insert(analysis.uses.begin(), analysis.uses.end());
   }
   for (const std::string& key : used) {

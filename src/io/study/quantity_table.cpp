@@ -27,8 +27,6 @@ std::optional<Quantity> read_list(const TomlTable& table, const char* key,
   return Quantity{values, {}};
 }
 
-enum class Kind { normal, truncated_normal, lognormal, uniform, triangular, discrete, empirical };
-
 Discrete read_discrete(const TomlTable& table) {
   Discrete discrete{table.numbers("values").value_or(std::vector<double>{}), {}};
   if (!table.has("values")) table.report_missing("values");
@@ -42,38 +40,44 @@ Empirical read_empirical(const TomlTable& table) {
   return {table.numbers("values").value_or(std::vector<double>{})};
 }
 
-Distribution read_kind(const TomlTable& table, Kind kind) {
-  const auto number = [&](const char* key) { return table.required_number(key); };
-  switch (kind) {
-    case Kind::normal:
-      return Normal{number("mean"), number("std")};
-    case Kind::truncated_normal:
-      return TruncatedNormal{number("mean"), number("std"), table.number("min").value_or(-infinity),
-                             table.number("max").value_or(infinity)};
-    case Kind::lognormal:
-      return LogNormal{number("median"), number("log_std")};
-    case Kind::uniform:
-      return Uniform{number("min"), number("max")};
-    case Kind::triangular:
-      return Triangular{number("min"), number("mode"), number("max")};
-    case Kind::discrete:
-      return read_discrete(table);
-    case Kind::empirical:
-      return read_empirical(table);
-  }
-  return Fixed{0.0};
-}
+const DistributionForm forms[] = {
+    {"normal", "mean, std",
+     [](const TomlTable& t) -> Distribution {
+       return Normal{t.required_number("mean"), t.required_number("std")};
+     }},
+    {"truncated_normal", "mean, std, min, max",
+     [](const TomlTable& t) -> Distribution {
+       return TruncatedNormal{t.required_number("mean"), t.required_number("std"),
+                              t.number("min").value_or(-infinity),
+                              t.number("max").value_or(infinity)};
+     }},
+    {"lognormal", "median, log_std",
+     [](const TomlTable& t) -> Distribution {
+       return LogNormal{t.required_number("median"), t.required_number("log_std")};
+     }},
+    {"uniform", "min, max",
+     [](const TomlTable& t) -> Distribution {
+       return Uniform{t.required_number("min"), t.required_number("max")};
+     }},
+    {"triangular", "min, mode, max",
+     [](const TomlTable& t) -> Distribution {
+       return Triangular{t.required_number("min"), t.required_number("mode"),
+                         t.required_number("max")};
+     }},
+    {"discrete", "values, weights (equal where absent)",
+     [](const TomlTable& t) -> Distribution { return read_discrete(t); }},
+    {"empirical", "values", [](const TomlTable& t) -> Distribution { return read_empirical(t); }}};
 
 std::optional<Distribution> read_table(const TomlTable& table) {
-  const auto kind =
-      table.choice<Kind>("distribution", {{"normal", Kind::normal},
-                                          {"truncated_normal", Kind::truncated_normal},
-                                          {"lognormal", Kind::lognormal},
-                                          {"uniform", Kind::uniform},
-                                          {"triangular", Kind::triangular},
-                                          {"discrete", Kind::discrete},
-                                          {"empirical", Kind::empirical}});
-  if (kind) return read_kind(table, *kind);
+  const auto form =
+      table.choice<const DistributionForm*>("distribution", {{forms[0].name, &forms[0]},
+                                                             {forms[1].name, &forms[1]},
+                                                             {forms[2].name, &forms[2]},
+                                                             {forms[3].name, &forms[3]},
+                                                             {forms[4].name, &forms[4]},
+                                                             {forms[5].name, &forms[5]},
+                                                             {forms[6].name, &forms[6]}});
+  if (form) return (*form)->read(table);
   if (!table.has("distribution")) {
     table.report_missing("distribution",
                          "give distribution = \"uniform\" or another, or give a plain number");
@@ -136,6 +140,8 @@ std::optional<Quantity> read_moments(const TomlTable& table, const char* key,
 }
 
 }  // namespace
+
+std::span<const DistributionForm> distribution_forms() { return forms; }
 
 Quantity quantity_of(const Distribution& distribution) {
   if (const auto* fixed = std::get_if<Fixed>(&distribution)) return {{fixed->value}, {}};

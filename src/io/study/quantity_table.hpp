@@ -2,11 +2,20 @@
 #pragma once
 
 #include <optional>
+#include <span>
 
 #include "glissade/study/config.hpp"
 #include "toml/toml_table.hpp"
 
 namespace glissade {
+
+/// { distribution = NAME, KEYS } of a study file.
+struct DistributionForm {
+  const char* name;
+  const char* keys;
+  Distribution (*read)(const TomlTable& table);
+};
+std::span<const DistributionForm> distribution_forms();
 
 /// One value, or what is drawn.
 Quantity quantity_of(const Distribution& distribution);

@@ -131,6 +131,7 @@ StudyConfig read_study(const std::filesystem::path& file) {
   if (!root.has("study") && !root.has("suite"))
     throw InputError({file.string(), "is neither a study, [study], nor a project, [project]",
                       "`glissade init` writes either", ""});
+  document.read_only(is_of_grammar);
   const TomlTable head = root.required_table("study");
   StudyConfig study;
   study.file = file;

@@ -8,6 +8,7 @@
 #include <map>
 #include <set>
 #include <sstream>
+#include <stdexcept>
 
 #include "glissade/core/file.hpp"
 #include "text/scan.hpp"
@@ -31,6 +32,7 @@ struct TomlDocument::State {
   /// plays no part.
   std::map<const void*, std::set<std::string, std::less<>>> read;
   std::set<const void*> not_checked;
+  std::function<bool(const std::string& name)> is_key;
   std::vector<RenamedKey> renamed;
   std::vector<ChangedKey> changed;
   /// Quantities written with a unit: where their text begins, and the number.
@@ -245,6 +247,10 @@ std::string toml_without(const std::string& text, const std::vector<std::string>
 
 TomlDocument::~TomlDocument() = default;
 
+void TomlDocument::read_only(std::function<bool(const std::string& name)> is_key) {
+  state_->is_key = std::move(is_key);
+}
+
 void TomlDocument::explain_old_keys(std::vector<RenamedKey> keys, std::vector<ChangedKey> changed) {
   state_->renamed = std::move(keys);
   state_->changed = std::move(changed);
@@ -284,7 +290,11 @@ void TomlDocument::finish() {
 namespace {
 
 /// The node of a key, or null; the key counts as read.
-const toml::node* find(TomlDocument::State& document, const void* table, std::string_view key) {
+const toml::node* find(TomlDocument::State& document, const void* table, const std::string& path,
+                       std::string_view key) {
+  const std::string name = path + std::string(key);
+  if (document.is_key && !document.is_key(name))
+    throw std::logic_error(name + " is read and is not in the grammar");
   if (table == nullptr) return nullptr;
   document.read[table].emplace(key);
   return as_table(table).get(key);
@@ -296,20 +306,22 @@ std::string TomlTable::name_of(std::string_view key) const { return path_ + std:
 
 std::size_t TomlTable::problem_count() const { return document_->found.size(); }
 
-bool TomlTable::has(std::string_view key) const { return find(*document_, node_, key) != nullptr; }
+bool TomlTable::has(std::string_view key) const {
+  return find(*document_, node_, path_, key) != nullptr;
+}
 
 bool TomlTable::is_table(std::string_view key) const {
-  const toml::node* node = find(*document_, node_, key);
+  const toml::node* node = find(*document_, node_, path_, key);
   return node != nullptr && node->is_table();
 }
 
 bool TomlTable::is_array(std::string_view key) const {
-  const toml::node* node = find(*document_, node_, key);
+  const toml::node* node = find(*document_, node_, path_, key);
   return node != nullptr && node->is_array();
 }
 
 bool TomlTable::is_number(std::string_view key) const {
-  const toml::node* node = find(*document_, node_, key);
+  const toml::node* node = find(*document_, node_, path_, key);
   return node != nullptr && node->is_number();
 }
 
@@ -351,7 +363,7 @@ void TomlTable::report_unknown_word(std::string_view key, const std::string& wor
 void TomlTable::ignore_unknown() const { document_->not_checked.insert(node_); }
 
 TomlTable TomlTable::table(std::string_view key) const {
-  const toml::node* node = find(*document_, node_, key);
+  const toml::node* node = find(*document_, node_, path_, key);
   if (node != nullptr && !node->is_table()) {
     report(key, name_of(key) + " is " + kind_of(*node) + ", not a table");
     node = nullptr;
@@ -367,7 +379,7 @@ TomlTable TomlTable::required_table(std::string_view key) const {
 }
 
 std::vector<TomlTable> TomlTable::tables(std::string_view key) const {
-  const toml::node* node = find(*document_, node_, key);
+  const toml::node* node = find(*document_, node_, path_, key);
   std::vector<TomlTable> result;
   if (node == nullptr) return result;
   const toml::array* list = node->as_array();
@@ -385,7 +397,7 @@ std::vector<TomlTable> TomlTable::tables(std::string_view key) const {
 }
 
 std::optional<double> TomlTable::number(std::string_view key, const NumberRule& rule) const {
-  const toml::node* node = find(*document_, node_, key);
+  const toml::node* node = find(*document_, node_, path_, key);
   if (node == nullptr) return std::nullopt;
   return as_number(*document_, *node, rule, *this, key);
 }
@@ -397,7 +409,7 @@ double TomlTable::required_number(std::string_view key, const NumberRule& rule) 
 
 std::optional<std::vector<double>> TomlTable::numbers(std::string_view key,
                                                       const NumberRule& rule) const {
-  const toml::node* node = find(*document_, node_, key);
+  const toml::node* node = find(*document_, node_, path_, key);
   if (node == nullptr) return std::nullopt;
   const toml::array* list = node->as_array();
   if (list == nullptr) {
@@ -415,7 +427,7 @@ std::optional<std::vector<double>> TomlTable::numbers(std::string_view key,
 
 std::optional<std::uint64_t> TomlTable::whole(std::string_view key, std::uint64_t least,
                                               std::uint64_t most) const {
-  const toml::node* node = find(*document_, node_, key);
+  const toml::node* node = find(*document_, node_, path_, key);
   if (node == nullptr) return std::nullopt;
   const std::string range = std::to_string(least) + " to " + std::to_string(most);
   if (!node->is_integer()) {
@@ -433,7 +445,7 @@ std::optional<std::uint64_t> TomlTable::whole(std::string_view key, std::uint64_
 }
 
 std::optional<bool> TomlTable::flag(std::string_view key) const {
-  const toml::node* node = find(*document_, node_, key);
+  const toml::node* node = find(*document_, node_, path_, key);
   if (node == nullptr) return std::nullopt;
   if (!node->is_boolean())
     report(key, name_of(key) + " is " + kind_of(*node) + ", not true or false");
@@ -441,7 +453,7 @@ std::optional<bool> TomlTable::flag(std::string_view key) const {
 }
 
 std::optional<std::string> TomlTable::text(std::string_view key, const std::string& remedy) const {
-  const toml::node* node = find(*document_, node_, key);
+  const toml::node* node = find(*document_, node_, path_, key);
   if (node == nullptr) return std::nullopt;
   if (!node->is_string())
     report(key, name_of(key) + " is " + kind_of(*node) + ", not a text", remedy);
@@ -464,7 +476,7 @@ std::string TomlTable::required_text(std::string_view key) const {
 }
 
 std::optional<std::vector<std::string>> TomlTable::texts(std::string_view key) const {
-  const toml::node* node = find(*document_, node_, key);
+  const toml::node* node = find(*document_, node_, path_, key);
   if (node == nullptr) return std::nullopt;
   const toml::array* list = node->as_array();
   std::vector<std::string> values;

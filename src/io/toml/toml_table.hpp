@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <initializer_list>
 #include <memory>
 #include <optional>
@@ -76,6 +77,9 @@ class TomlDocument {
   /// of its key: "18 in" of a length in metres is 0.4572.
   std::string text_in_key_units() const;
   void add(Problem problem);  ///< one that belongs to no key
+  /// From now on a key, "friction.mu" or "chart.shown.level", can be read only where `is_key`
+  /// holds: std::logic_error for any other, since it would be in no explanation of the keys.
+  void read_only(std::function<bool(const std::string& name)> is_key);
   /// What to suggest for keys that are not known any more, and what else to report with them.
   void explain_old_keys(std::vector<RenamedKey> keys, std::vector<ChangedKey> changed);
   void finish();

@@ -10,7 +10,10 @@
 #include "analysis/pooled_level.hpp"
 #include "analysis/shape/threshold_data.hpp"
 #include "glissade/fragility/share.hpp"
+#include "glissade/motion/improbable.hpp"
 #include "glissade/study/analysis/impact.hpp"
+#include "plan/length_unit.hpp"
+#include "plan/plan_warnings.hpp"
 
 namespace glissade {
 namespace {
@@ -173,6 +176,66 @@ std::vector<RunResults> FragilityAnalysis::find(const StudyConfig& config, const
   tbb::parallel_for(std::size_t{0}, runs.size(),
                     [&](std::size_t i) { runs[i] = fragility_of(config, results, isolated[i]); });
   return runs;
+}
+
+std::vector<std::string> FragilityAnalysis::plan_warnings(const Plan& plan) {
+  if (!plan.config.fragility) return {};
+  std::vector<std::string> warnings = warnings_on_nearest_records(plan);
+  const double largest_m = plan.config.thresholds_m().back();
+  const UnitSystem units = plan.config.units;
+  if (largest_m > largest_probable_clearance_m)
+    warnings.push_back(fmt::format("a clearance of {:.3g} {} is more than a roof has",
+                                   length_value(largest_m, units), length_unit(units)));
+  return warnings;
+}
+
+std::vector<std::string> FragilityAnalysis::plan_notes(const Plan& plan) {
+  if (!plan.config.fragility || !plan.config.fragility->stop_at_largest) return {};
+  return {fmt::format(
+      "[fragility] stop_at_largest: a history is not run above the level that takes it past {:g} "
+      "m; its slip there is reported as infinite, and a recrossing there would not be seen",
+      plan.config.fragility->thresholds_m.back())};
+}
+
+/// Fragilities that are not lognormal.
+std::vector<std::string> FragilityAnalysis::warnings(const Results& results,
+                                                     const StudyConfig& study) {
+  std::size_t fitted = 0, refused = 0;
+  const ThresholdFragility* worst = nullptr;
+  const RunResults* worst_run = nullptr;
+  std::vector<double> refused_m;
+  for (const RunResults& run : results.runs) {
+    for (const ThresholdFragility& fragility : run.fragilities) {
+      const GoodnessOfFit& fit = fragility.lognormal;
+      if (std::isnan(fit.p_value)) continue;
+      ++fitted;
+      if (!departs_from_lognormal(fit)) continue;
+      ++refused;
+      refused_m.push_back(fragility.threshold_m);
+      if (worst == nullptr || std::abs(fit.largest_gap) > std::abs(worst->lognormal.largest_gap))
+        worst = &fragility, worst_run = &run;
+    }
+  }
+  if (worst == nullptr) return {};
+  std::ranges::sort(refused_m);
+  refused_m.erase(std::unique(refused_m.begin(), refused_m.end()), refused_m.end());
+  const std::string unit = results.measure.unit(),
+                    length = std::string(" ") + length_unit(study.units);
+  const std::string at_run =
+      results.runs.size() > 1
+          ? results.cases.describe(worst_run->first_case / results.cases.per_combination()) + ", "
+          : "";
+  return {fmt::format(
+      "{} of {} fragility curves {} not lognormal (p < {:g} and a gap of {:g} or more): of "
+      "clearance {}{}. The largest gap is at {}clearance {}{}: at {} = {:.3g}{} the share of the "
+      "histories that exceed it is {:.2f} {} the curve. Probabilities and annual rates are of the "
+      "histories, not of the curve; medians are of the curve; [shape] compares other curves",
+      refused, fitted, refused == 1 ? "is" : "are", goodness_of_fit_level, goodness_of_fit_gap,
+      lengths_text(refused_m, study.units), length, at_run,
+      lengths_text({worst->threshold_m}, study.units), length,
+      results.measure.symbol(study.intensity), worst->lognormal.gap_intensity,
+      unit == "-" ? "" : " " + unit, std::abs(worst->lognormal.largest_gap),
+      worst->lognormal.largest_gap > 0.0 ? "above" : "below")};
 }
 
 }  // namespace glissade

@@ -1,6 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glissade/study/analysis/standards.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "glissade/study/plan/plan.hpp"
+
 namespace glissade {
 
 Prescription prescribed_displacement(Standard standard, double sds_g,
@@ -8,6 +15,22 @@ Prescription prescribed_displacement(Standard standard, double sds_g,
   return standard == Standard::seaoc_pv1_2012
              ? seaoc_pv1_2012_displacement(sds_g, standards.category)
              : asce7_16_displacement(sds_g, standards.importance);
+}
+
+/// Cases that SEAOC PV1-2012 does not prescribe for.
+std::vector<std::string> StandardsAnalysis::plan_notes(const Plan& plan) {
+  const auto& compare = plan.config.standards.compare;
+  if (std::ranges::find(compare, Standard::seaoc_pv1_2012) == compare.end()) return {};
+  const auto outside = std::ranges::count_if(plan.cases.all(), [](const Case& c) {
+    return !seaoc_pv1_2012_applies(std::abs(c.slope_deg), c.friction);
+  });
+  if (outside == 0) return {};
+  return {fmt::format(
+      "{:.0f} % of the cases are outside the range of SEAOC PV1's prescriptive value (slope under "
+      "3 degrees and mu above 0.4); {}",
+      100.0 * static_cast<double>(outside) / static_cast<double>(plan.cases.size()),
+      plan.config.chart ? "the chart gives no value of it for them"
+                        : "they are compared with it all the same")};
 }
 
 }  // namespace glissade

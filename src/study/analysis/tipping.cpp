@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glissade/study/analysis/tipping.hpp"
 
+#include "glissade/core/error.hpp"
+#include "glissade/study/plan/kernel.hpp"
 #include "glissade/study/results.hpp"
 
 namespace glissade {
@@ -32,6 +34,19 @@ TippingResults TippingAnalysis::find(const StudyConfig& study, const Results& re
       tipping.shares.push_back(share_at(results, i, level));
   }
   return tipping;
+}
+
+void TippingAnalysis::check(const StudyConfig& study, std::size_t, ProblemList& problems) {
+  const KernelChoice choice = cheapest_exact_kernel(study);
+  if (choice.kernel != Kernel::tables && study.tipping) {
+    problems.add({study.file.string(),
+                  "the tipping check of [tipping] holds where the array does not move its "
+                  "building: " +
+                      choice.reason,
+                  "leave out [tipping], or set [model] axes = 1 with an elastic building that is "
+                  "not coupled",
+                  ""});
+  }
 }
 
 }  // namespace glissade

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glissade/study/analysis/verdict.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <span>
@@ -206,6 +208,20 @@ VerdictResults VerdictAnalysis::find(const StudyConfig& config, const Results& r
     }
   }
   return verdict;
+}
+
+std::vector<std::string> VerdictAnalysis::notes(const Results& results, const StudyConfig& study) {
+  if (!study.verdict || std::ranges::none_of(results.cases.cases, [](const Case& c) {
+        return c.response_modification > 0.0;
+      }))
+    return {};
+  return {
+      results.model.dbe_level > 0.0
+          ? fmt::format("Verdict: R gives a building the strength for the design target, {:.3g} "
+                        "g; buildings with R are judged at that S_DS alone",
+                        results.model.dbe_level)
+          : "Verdict: buildings with R are not judged, since there is no single design target "
+            "whose S_DS gives their strength"};
 }
 
 }  // namespace glissade

@@ -23,15 +23,6 @@ void check_model(const StudyConfig& config, const std::vector<Suite>& suites,
                  ProblemList& problems) {
   const std::string file = config.file.string();
   const KernelChoice choice = cheapest_exact_kernel(config);
-  if (choice.kernel != Kernel::tables && config.tipping) {
-    problems.add({file,
-                  "the tipping check of [tipping] holds where the array does not move its "
-                  "building: " +
-                      choice.reason,
-                  "leave out [tipping], or set [model] axes = 1 with an elastic building that is "
-                  "not coupled",
-                  ""});
-  }
   if (choice.kernel != Kernel::tables && config.intensity.measure == IntensityMeasure::ppa_g) {
     problems.add(
         {file,
@@ -246,12 +237,12 @@ void check_clearance(const Plan& plan) {
 void check_fit(const StudyConfig& config, const std::vector<Suite>& suites) {
   ProblemList problems;
   check_model(config, suites, problems);
-  constexpr std::size_t least_records = 3;
   std::size_t records = 0;
   for (const Suite& suite : suites) records += suite.motions.size();
-  if (config.sensitivity && records < least_records)
-    problems.add({config.file.string(), "[sensitivity] needs three records or more",
-                  "give more records, or leave out [sensitivity]", ""});
+  for_each_analysis(Analyses(), [&](auto analysis) {
+    if constexpr (requires { analysis.check(config, records, problems); })
+      analysis.check(config, records, problems);
+  });
   for (std::size_t i = 0; i < suites.size(); ++i) {
     const std::string where = config.suite_files[i].string();
     if (suites[i].motions.empty())

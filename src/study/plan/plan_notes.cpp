@@ -5,7 +5,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
+#include <iterator>
 
 namespace glissade {
 namespace {
@@ -40,22 +40,6 @@ std::vector<std::string> notes_on_records(const Plan& plan) {
   }
   if (records == 1) notes.push_back("one record: the scatter between records is not estimated");
   return notes;
-}
-
-/// Cases that SEAOC PV1-2012 does not prescribe for.
-std::vector<std::string> notes_on_standards(const Plan& plan) {
-  const auto& compare = plan.config.standards.compare;
-  if (std::ranges::find(compare, Standard::seaoc_pv1_2012) == compare.end()) return {};
-  const auto outside = std::ranges::count_if(plan.cases.all(), [](const Case& c) {
-    return !seaoc_pv1_2012_applies(std::abs(c.slope_deg), c.friction);
-  });
-  if (outside == 0) return {};
-  return {fmt::format(
-      "{:.0f} % of the cases are outside the range of SEAOC PV1's prescriptive value (slope under "
-      "3 degrees and mu above 0.4); {}",
-      100.0 * static_cast<double>(outside) / static_cast<double>(plan.cases.size()),
-      plan.config.chart ? "the chart gives no value of it for them"
-                        : "they are compared with it all the same")};
 }
 
 /// Quantities that are not as usual, and have no effect without another one.
@@ -98,15 +82,6 @@ std::vector<std::string> notes_on_directions(const StudyConfig& config) {
   return notes;
 }
 
-/// A curve that is no site's.
-std::vector<std::string> notes_on_hazard(const StudyConfig& config) {
-  if (!config.hazard || !config.hazard->is_assumed) return {};
-  return {"hazard curve " + config.hazard->source +
-          " (1 % collapse in 50 years, 10 % at MCE, log_std 0.6: ASCE 7-16, 21.2.1.2, recalled): "
-          "it is not that of the site; where MCE_R is limited by a deterministic earthquake the "
-          "rates of the site are higher"};
-}
-
 /// A seed of no random number.
 std::vector<std::string> notes_on_seed(const Plan& plan) {
   const StudyConfig& config = plan.config;
@@ -120,16 +95,13 @@ std::vector<std::string> notes_on(const Plan& plan) {
   const StudyConfig& config = plan.config;
   std::vector<std::string> notes = notes_on_records(plan);
   if (!config.friction.note.empty()) notes.push_back(config.friction.note);
-  if (config.fragility && config.fragility->stop_at_largest) {
-    notes.push_back(fmt::format(
-        "[fragility] stop_at_largest: a history is not run above the level that takes it past {:g} "
-        "m; its slip there is reported as infinite, and a recrossing there would not be seen",
-        config.fragility->thresholds_m.back()));
-  }
   for (std::vector<std::string>& more :
-       std::array{notes_on_quantities(config), notes_on_directions(config), notes_on_hazard(config),
-                  notes_on_seed(plan), notes_on_standards(plan)})
+       std::array{notes_on_quantities(config), notes_on_directions(config), notes_on_seed(plan)})
     notes.insert(notes.end(), more.begin(), more.end());
+  for_each_analysis(Analyses(), [&](auto analysis) {
+    if constexpr (requires { analysis.plan_notes(plan); })
+      std::ranges::move(analysis.plan_notes(plan), std::back_inserter(notes));
+  });
   return notes;
 }
 

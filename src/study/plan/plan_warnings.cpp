@@ -4,10 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 
 #include "glissade/motion/improbable.hpp"
 #include "glissade/sampling/pull_test.hpp"
-#include "plan/length_unit.hpp"
 #include "plan/plan_check.hpp"
 
 namespace glissade {
@@ -40,22 +40,6 @@ Warnings strong_levels(const Plan& plan) {
   if (highest <= most) return {};
   return {fmt::format("the highest level, {} of {:g}{}, is above {:g}: no site is known for it",
                       intensity.measure.key(), highest, unit == "-" ? "" : " " + unit, most)};
-}
-
-/// Probabilities need the scatter between records that such a suite has not.
-Warnings nearest_records(const Plan& plan) {
-  if (!plan.config.fragility && !plan.config.rare) return {};
-  Warnings warnings;
-  for (const Suite& suite : plan.suites) {
-    if (suite.nearest_to_target)
-      warnings.push_back(fmt::format(
-          "the records of the suite {} were selected as the nearest to a target spectrum: "
-          "they scatter less than recorded motions, so that small "
-          "probabilities are too small, and the log standard deviation and all intervals too "
-          "narrow",
-          suite.name));
-  }
-  return warnings;
 }
 
 /// Levels in parts of the MCE are of a suite that meets it.
@@ -107,14 +91,6 @@ Warnings improbable_buildings(const Plan& plan) {
   return warnings;
 }
 
-Warnings large_clearances(const Plan& plan) {
-  const std::vector<double>& thresholds_m = plan.config.thresholds_m();
-  if (thresholds_m.empty() || thresholds_m.back() <= largest_probable_clearance_m) return {};
-  const UnitSystem units = plan.config.units;
-  return {fmt::format("a clearance of {:.3g} {} is more than a roof has",
-                      length_value(thresholds_m.back(), units), length_unit(units))};
-}
-
 Warnings low_friction(const Plan& plan) {
   for (const char* key : {"mu", "across_mu"}) {
     const Quantity& mu = plan.config.quantities.at("friction", key);
@@ -142,32 +118,6 @@ Warnings free_sliding(const Plan& plan) {
   return {fmt::format(
       "{:.3g} % of the cases slide without an earthquake: tan(slope) is friction or more",
       100.0 * static_cast<double>(free) / static_cast<double>(plan.cases.size()))};
-}
-
-/// Levels beyond the ends of the curve, and a curve that does not fit the design spectra.
-Warnings hazard_curve(const Plan& plan) {
-  if (!plan.config.hazard) return {};
-  const IntensityConfig& intensity = plan.config.intensity;
-  const HazardCurve& curve = plan.config.hazard->curve;
-  Warnings warnings;
-  const double from = curve.points().front().intensity, to = curve.points().back().intensity;
-  if (!curve.is_power_law() && (intensity.levels.front() < from || intensity.levels.back() > to))
-    warnings.push_back(
-        fmt::format("the hazard curve goes from {:g} to {:g}, the levels from {:g} to {:g}: beyond "
-                    "its ends the rates are extrapolated",
-                    from, to, intensity.levels.front(), intensity.levels.back()));
-  if (!intensity.measure.is_of_design_spectrum()) return warnings;
-  for (std::size_t suite = 0; suite < plan.suites.size(); ++suite) {
-    const DesignTarget* target = plan.target_of(suite);
-    if (target == nullptr) continue;
-    const bool by_sds = intensity.measure == IntensityMeasure::sds_g;
-    const double mce = by_sds ? mce_over_dbe * TargetSpectrum(*target).sds_g() : 1.0;
-    const std::string text = improbable_mce_rate(
-        curve.annual_rate(mce), by_sds ? fmt::format("S_MS, {:.3g} g,", mce) : "the MCE");
-    if (!text.empty() && std::ranges::find(warnings, text) == warnings.end())
-      warnings.push_back(text);
-  }
-  return warnings;
 }
 
 /// Each counts as a record of its own in means and intervals.
@@ -206,14 +156,31 @@ Warnings motions(const Plan& plan) {
 
 }  // namespace
 
+std::vector<std::string> warnings_on_nearest_records(const Plan& plan) {
+  Warnings warnings;
+  for (const Suite& suite : plan.suites) {
+    if (suite.nearest_to_target)
+      warnings.push_back(fmt::format(
+          "the records of the suite {} were selected as the nearest to a target spectrum: "
+          "they scatter less than recorded motions, so that small "
+          "probabilities are too small, and the log standard deviation and all intervals too "
+          "narrow",
+          suite.name));
+  }
+  return warnings;
+}
+
 std::vector<std::string> warnings_on(const Plan& plan) {
   std::vector<std::string> warnings;
-  for (const auto warning :
-       {without_target, one_axis, nearest_records, strong_levels, missed_targets, target_values,
-        improbable_buildings, large_clearances, low_friction, high_friction, free_sliding,
-        other_targets, hazard_curve, same_motions, motions}) {
+  for (const auto warning : {without_target, one_axis, strong_levels, missed_targets, target_values,
+                             improbable_buildings, low_friction, high_friction, free_sliding,
+                             other_targets, same_motions, motions}) {
     for (std::string& text : warning(plan)) warnings.push_back(std::move(text));
   }
+  for_each_analysis(Analyses(), [&](auto analysis) {
+    if constexpr (requires { analysis.plan_warnings(plan); })
+      std::ranges::move(analysis.plan_warnings(plan), std::back_inserter(warnings));
+  });
   return warnings;
 }
 

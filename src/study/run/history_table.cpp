@@ -7,12 +7,15 @@
 namespace glissade {
 
 KeptFields::KeptFields(const StudyConfig& config)
-    : vector(config.two_axes()),
-      by_axis(config.two_axes() && (config.clearance || config.hazard)),
-      closing(config.has_neighbours()),
-      base_shear(config.base_shear),
-      tips(config.tipping.has_value()),
-      crossings(config.impact) {}
+    : vector(config.two_axes()), closing(config.has_neighbours()) {
+  for_each_analysis(Analyses(), [&]<class Analysis>(Analysis) {
+    if constexpr (requires { Analysis::keeps; }) {
+      const auto& [is_asked] = static_cast<const typename Analysis::InStudy&>(config);
+      if (is_asked) this->*Analysis::keeps = true;
+    }
+  });
+  by_axis = by_axis && config.two_axes();
+}
 
 std::size_t depth_of(const StudyConfig& config, Depth depth) {
   const std::size_t levels = config.intensity.levels.size(),
@@ -27,8 +30,7 @@ double bytes_of(const StudyConfig& config, std::size_t records, std::size_t case
   for_each_history_field([&]<class T>(const HistoryField<T>& field) {
     if (kept.has(field)) bytes += static_cast<double>(depth_of(config, field.depth) * sizeof(T));
   });
-  const double of_a_case = static_cast<double>(parameters().size() * sizeof(double));
-  return (bytes * static_cast<double>(records) + of_a_case) * static_cast<double>(cases);
+  return (bytes * static_cast<double>(records) + sizeof(Case)) * static_cast<double>(cases);
 }
 
 }  // namespace glissade

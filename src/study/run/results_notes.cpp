@@ -6,10 +6,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include "glissade/motion/suite_scaling.hpp"
-#include "plan/length_unit.hpp"
 
 namespace glissade {
 namespace {
@@ -124,103 +124,15 @@ void warn_of_dominance(const Results& results, std::vector<std::string>& warning
   }
 }
 
-/// Three significant digits, in the unit of the report.
-std::vector<std::string> in_unit(const std::vector<double>& lengths_m, const StudyConfig& config) {
-  std::vector<std::string> texts;
-  for (const double length_m : lengths_m)
-    texts.push_back(fmt::format("{:.3g}", length_value(length_m, config.units)));
-  return texts;
-}
-
-/// Annual rates that rest on shaking above the highest level.
-void warn_of_rates_beyond(const Results& results, const StudyConfig& config,
-                          std::vector<std::string>& warnings) {
-  constexpr double notable_share = 0.2;
-  if (!results.hazard) return;
-  double largest = 0.0;
-  std::vector<double> concerned_m;
-  for (const HazardRun& run : results.hazard->runs) {
-    for (const ThresholdRate& row : run.thresholds) {
-      if (!(row.beyond_share >= notable_share)) continue;
-      largest = std::max(largest, row.beyond_share);
-      concerned_m.push_back(row.threshold_m);
-    }
-  }
-  if (concerned_m.empty()) return;
-  std::ranges::sort(concerned_m);
-  concerned_m.erase(std::unique(concerned_m.begin(), concerned_m.end()), concerned_m.end());
-  warnings.push_back(fmt::format(
-      "annual rates: up to {:.0f} % of the rate of clearance {} {} is the assumption that any "
-      "shaking above the highest level exceeds it. The rate is an upper estimate; add higher "
-      "levels (intensity.levels)",
-      100.0 * largest, fmt::join(in_unit(concerned_m, config), ", "), length_unit(config.units)));
-}
-
-/// Fragilities that are not lognormal.
-void warn_of_shape(const Results& results, const StudyConfig& config,
-                   std::vector<std::string>& warnings) {
-  std::size_t fitted = 0, refused = 0;
-  const ThresholdFragility* worst = nullptr;
-  const RunResults* worst_run = nullptr;
-  std::vector<double> refused_m;
-  for (const RunResults& run : results.runs) {
-    for (const ThresholdFragility& fragility : run.fragilities) {
-      const GoodnessOfFit& fit = fragility.lognormal;
-      if (std::isnan(fit.p_value)) continue;
-      ++fitted;
-      if (!departs_from_lognormal(fit)) continue;
-      ++refused;
-      refused_m.push_back(fragility.threshold_m);
-      if (worst == nullptr || std::abs(fit.largest_gap) > std::abs(worst->lognormal.largest_gap))
-        worst = &fragility, worst_run = &run;
-    }
-  }
-  if (worst == nullptr) return;
-  std::ranges::sort(refused_m);
-  refused_m.erase(std::unique(refused_m.begin(), refused_m.end()), refused_m.end());
-  const std::string unit = results.measure.unit(),
-                    length = std::string(" ") + length_unit(config.units);
-  const std::string at_run =
-      results.runs.size() > 1
-          ? results.cases.describe(worst_run->first_case / results.cases.per_combination()) + ", "
-          : "";
-  warnings.push_back(fmt::format(
-      "{} of {} fragility curves {} not lognormal (p < {:g} and a gap of {:g} or more): of "
-      "clearance {}{}. The largest gap is at {}clearance {}{}: at {} = {:.3g}{} the share of the "
-      "histories that exceed it is {:.2f} {} the curve. Probabilities and annual rates are of the "
-      "histories, not of the curve; medians are of the curve; [shape] compares other curves",
-      refused, fitted, refused == 1 ? "is" : "are", goodness_of_fit_level, goodness_of_fit_gap,
-      fmt::join(in_unit(refused_m, config), ", "), length, at_run,
-      in_unit({worst->threshold_m}, config).front(), length,
-      results.measure.symbol(config.intensity), worst->lognormal.gap_intensity,
-      unit == "-" ? "" : " " + unit, std::abs(worst->lognormal.largest_gap),
-      worst->lognormal.largest_gap > 0.0 ? "above" : "below"));
-}
-
-/// The samples that the target would take: plain Monte Carlo, on the safe side.
-void warn_of_target(const Results& results, std::vector<std::string>& warnings) {
-  if (!results.reached_target || results.reached_target->is_reached()) return;
-  const ReachedTarget& target = *results.reached_target;
-  const std::string reached =
-      std::isinf(target.error)
-          ? "some scrambles have no fit: give higher levels, or more samples"
-          : fmt::format("the error of the samples is {:.2g}; some {:.0f} samples would be required",
-                        target.error,
-                        static_cast<double>(results.cases.samples) *
-                            std::pow(target.error / target.target_error, 2));
-  warnings.push_back(
-      fmt::format("sampling.target_error = {:g} is not reached after all {} scrambles: {}",
-                  target.target_error, target.scrambles, reached));
-}
-
 }  // namespace
 
 std::vector<std::string> warnings_on(const Results& results, const StudyConfig& config) {
   std::vector<std::string> warnings;
-  warn_of_target(results, warnings);
   warn_of_dominance(results, warnings);
-  warn_of_shape(results, config, warnings);
-  warn_of_rates_beyond(results, config, warnings);
+  for_each_analysis(Analyses(), [&](auto analysis) {
+    if constexpr (requires { analysis.warnings(results, config); })
+      std::ranges::move(analysis.warnings(results, config), std::back_inserter(warnings));
+  });
   return warnings;
 }
 
@@ -231,16 +143,10 @@ std::vector<std::string> notes_on(const Results& results, const StudyConfig& con
   if (results.measure == IntensityMeasure::sds_g) {
     for (const SuiteSummary& suite : results.suites) note_suite(suite, config.intensity, notes);
   }
-  if (config.verdict && std::ranges::any_of(results.cases.cases, [](const Case& c) {
-        return c.response_modification > 0.0;
-      }))
-    notes.push_back(
-        results.model.dbe_level > 0.0
-            ? fmt::format("Verdict: R gives a building the strength for the design target, {:.3g} "
-                          "g; buildings with R are judged at that S_DS alone",
-                          results.model.dbe_level)
-            : "Verdict: buildings with R are not judged, since there is no single design target "
-              "whose S_DS gives their strength");
+  for_each_analysis(Analyses(), [&](auto analysis) {
+    if constexpr (requires { analysis.notes(results, config); })
+      std::ranges::move(analysis.notes(results, config), std::back_inserter(notes));
+  });
   return notes;
 }
 

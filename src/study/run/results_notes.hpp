@@ -8,11 +8,11 @@
 
 namespace glissade {
 
-/// Fragilities that are not lognormal.
+/// A record that dominates its suite, and what the analyses warn of.
 std::vector<std::string> warnings_on(const Results& results, const StudyConfig& config);
 
-/// Remarks on the results: uplift, tipping, histories that did not converge, how
-/// the suites meet their target.
+/// Remarks on the results: uplift, histories that did not converge, how
+/// the suites meet their target, and those of the analyses.
 std::vector<std::string> notes_on(const Results& results, const StudyConfig& config);
 
 }  // namespace glissade

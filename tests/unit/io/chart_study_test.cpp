@@ -130,8 +130,8 @@ TEST_F(ChartStudy, what_makes_no_chart_has_one_clear_message_each) {
        {"intensity.levels", "0"}},
       {head + "[intensity]\nmeasure = \"pga_g\"\nlevels = [1]\n" + axes +
            "[chart]\n[standards]\ncompare = [\"asce7_16\"]\n",
-       "study.toml:14",
-       {"intensity.measure = \"sds_g\""}},
+       "study.toml:13",
+       {"[standards] needs intensity.measure = \"sds_g\""}},
   });
 }
 

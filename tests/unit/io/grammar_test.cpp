@@ -84,8 +84,9 @@ TEST_F(Grammar, has_an_example_of_every_key_that_is_accepted) {
 std::set<std::string> words_of_the_reader() {
   std::vector<fs::path> files = {source / "src/study/cases/parameters.cpp",
                                  source / "src/study/intensity_measure.cpp"};
-  for (const auto& entry : fs::directory_iterator(source / "src/io/study"))
-    files.push_back(entry.path());
+  for (const char* folder : {"src/io/study", "src/io/analysis"}) {
+    for (const auto& entry : fs::directory_iterator(source / folder)) files.push_back(entry.path());
+  }
   std::set<std::string> words;
   const std::regex word(R"re("([a-z][a-z0-9_]*)")re");
   for (const fs::path& file : files) {
@@ -146,6 +147,21 @@ TEST_F(Grammar, has_every_key_that_the_reader_knows) {
     }
   }
   EXPECT_GT(known, 40u);
+}
+
+TEST_F(Grammar, has_every_key_that_can_be_read_at_all) {
+  TomlDocument document(folder_.write(
+      "study.toml", "[friction]\nmu = { mean = 0.5, std = 0.1, colour = 1 }\ncolour = 1\n"));
+  document.read_only(is_of_grammar);
+  const TomlTable root = document.root(), friction = root.table("friction"),
+                  mu = friction.table("mu");
+  EXPECT_EQ(mu.required_number("mean"), 0.5);
+  EXPECT_FALSE(mu.has("log_std"));
+  EXPECT_THROW(static_cast<void>(root.has("paint")), std::logic_error);
+  EXPECT_THROW(static_cast<void>(friction.number("colour")), std::logic_error);
+  EXPECT_THROW(static_cast<void>(mu.number("colour")), std::logic_error);
+  EXPECT_THROW(static_cast<void>(root.table("chart").table("read").number("ss_g")),
+               std::logic_error);
 }
 
 TEST_F(Grammar, names_the_new_key_where_a_key_or_a_value_was_renamed) {
@@ -220,6 +236,7 @@ TEST(grammar_text, of_a_table_or_a_key_is_that_alone) {
   EXPECT_THAT(grammar_text("building"), Not(HasSubstr("[friction]")));
   EXPECT_THAT(grammar_text("building.damping"), Not(HasSubstr("period_ratio")));
   EXPECT_EQ(grammar_text("bulding"), "");
+  EXPECT_THAT(grammar_text("triangular"), HasSubstr("min, mode, max"));
   for (const GrammarKey& key : grammar()) {
     EXPECT_THAT(grammar_text(""), HasSubstr("[" + key.table + "]"));
     // In lines of a terminal.

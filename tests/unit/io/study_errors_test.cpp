@@ -64,7 +64,7 @@ TEST_F(StudyFile, contradictions_and_values_out_of_range_have_one_clear_message_
   const std::string rest = study_part + suite_part + friction_part + fragility_part;
   const std::string pga = rest + "[intensity]\nmeasure = \"pga_g\"\nlevels = [0.5]\n";
   const std::vector<Contradiction> cases = {
-      {pga + "[standards]\ncompare = [\"asce7_16\"]\n", "standards.compare"},
+      {pga + "[standards]\ncompare = [\"asce7_16\"]\n", "[standards] needs intensity.measure"},
       {pga + "sa_period_s = 1.0\n", "intensity.sa_period_s"},
       {pga + "avg_sa_periods_s = [1.0]\n", "intensity.avg_sa_periods_s"},
       {rest + "[intensity]\nmeasure = \"sa_g\"\nlevels = [0.5]\n", "intensity.sa_period_s"},

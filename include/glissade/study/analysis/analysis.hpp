@@ -2,6 +2,8 @@
 #pragma once
 
 #include <array>
+#include <string>
+#include <vector>
 
 // An analysis reads the histories of a study. It is a class of
 //   InStudy    its part of StudyConfig: what its table of the study file says
@@ -9,8 +11,15 @@
 //   find       makes that of the histories, where the study asks for it
 //   in_files   what it has in study files and results files, which module io defines
 //   in_report  its tables, figures and sentences, which module report defines
+// and, where it needs them, of
+//   keeps      a field of the histories (KeptFields) that is kept for it
+//   check      what it needs of the suites and of the model, as problems
+//   plan_warnings, plan_notes  on what would be run
+//   warnings, notes            on the results
 namespace glissade {
 
+class ProblemList;
+struct Plan;
 struct StudyConfig;
 struct Results;
 struct AnalysisInFiles;
@@ -23,5 +32,11 @@ struct AnalysisList {
   static constexpr std::array in_files{&Analysis::in_files...};
   static constexpr std::array in_report{&Analysis::in_report...};
 };
+
+/// visit(analysis) for each, in order.
+template <class... Analysis, class Visit>
+void for_each_analysis(AnalysisList<Analysis...>, Visit visit) {
+  (visit(Analysis()), ...);
+}
 
 }  // namespace glissade

@@ -6,6 +6,7 @@
 
 #include "glissade/study/analysis/analysis.hpp"
 #include "glissade/study/analysis/conditions/suite_mean.hpp"
+#include "glissade/study/run/history_table.hpp"
 
 namespace glissade {
 
@@ -23,6 +24,7 @@ struct BaseShearAnalysis {
     std::optional<BaseShearResults> base_shear;
   };
   static BaseShearResults find(const StudyConfig& study, Results& results);
+  static constexpr auto keeps = &KeptFields::base_shear;
   static AnalysisInFiles in_files();
   static AnalysisReport in_report();
 };

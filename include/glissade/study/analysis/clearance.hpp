@@ -6,6 +6,7 @@
 
 #include "glissade/study/analysis/analysis.hpp"
 #include "glissade/study/analysis/conditions/suite_mean.hpp"
+#include "glissade/study/run/history_table.hpp"
 
 // Required clearance after Walters et al. (2012): the mean of the suite for each building period,
 // the largest over the periods, and a factor on that.
@@ -43,6 +44,7 @@ struct ClearanceAnalysis {
     std::optional<ClearanceResults> clearance;
   };
   static ClearanceResults find(const StudyConfig& study, Results& results);
+  static constexpr auto keeps = &KeptFields::by_axis;
   static AnalysisInFiles in_files();
   static AnalysisReport in_report();
 };

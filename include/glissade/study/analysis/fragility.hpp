@@ -72,6 +72,9 @@ struct FragilityAnalysis {
   /// Fragilities, slip, comparison with standards and impact, for each combination of what the
   /// study lists.
   static std::vector<RunResults> find(const StudyConfig& study, const Results& results);
+  static std::vector<std::string> plan_warnings(const Plan& plan);
+  static std::vector<std::string> plan_notes(const Plan& plan);
+  static std::vector<std::string> warnings(const Results& results, const StudyConfig& study);
   static AnalysisInFiles in_files();
   static AnalysisReport in_report();
 };

@@ -10,6 +10,7 @@
 #include "glissade/fragility/hazard.hpp"
 #include "glissade/study/analysis/analysis.hpp"
 #include "glissade/study/analysis/standards.hpp"
+#include "glissade/study/run/history_table.hpp"
 
 // How often: annual rates of displacements, and what adds up over the design life. Displacements
 // are in plan. Records are the independent unit of all intervals (95 %).
@@ -121,6 +122,10 @@ struct HazardAnalysis {
   };
   /// From the fragility runs and the histories.
   static HazardResults find(const StudyConfig& study, const Results& results);
+  static constexpr auto keeps = &KeptFields::by_axis;
+  static std::vector<std::string> plan_warnings(const Plan& plan);
+  static std::vector<std::string> plan_notes(const Plan& plan);
+  static std::vector<std::string> warnings(const Results& results, const StudyConfig& study);
   static AnalysisInFiles in_files();
   static AnalysisReport in_report();
 };

@@ -37,6 +37,7 @@ struct ImpactAnalysis {
     bool impact = false;
   };
   struct InResults {};
+  static constexpr auto keeps = &KeptFields::crossings;
   static AnalysisInFiles in_files();
   static AnalysisReport in_report();
 };

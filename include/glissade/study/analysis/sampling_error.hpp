@@ -67,6 +67,7 @@ struct SamplingErrorAnalysis {
   };
   /// By (run, threshold). None with one scramble, or without [fragility].
   static std::vector<SamplingErrorRow> find(const StudyConfig& study, const Results& results);
+  static std::vector<std::string> warnings(const Results& results, const StudyConfig& study);
   static AnalysisInFiles in_files();
   static AnalysisReport in_report();
 };

@@ -35,6 +35,7 @@ struct StandardsAnalysis {
     StandardsConfig standards;
   };
   struct InResults {};
+  static std::vector<std::string> plan_notes(const Plan& plan);
   static AnalysisInFiles in_files();
   static AnalysisReport in_report();
 };

@@ -8,6 +8,7 @@
 
 #include "glissade/block/tipping.hpp"
 #include "glissade/study/analysis/analysis.hpp"
+#include "glissade/study/run/history_table.hpp"
 
 namespace glissade {
 
@@ -35,6 +36,8 @@ struct TippingAnalysis {
     std::optional<TippingResults> tipping;
   };
   static TippingResults find(const StudyConfig& study, const Results& results);
+  static constexpr auto keeps = &KeptFields::tips;
+  static void check(const StudyConfig& study, std::size_t records, ProblemList& problems);
   static AnalysisInFiles in_files();
   static AnalysisReport in_report();
 };

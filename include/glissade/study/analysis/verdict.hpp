@@ -83,6 +83,7 @@ struct VerdictAnalysis {
   };
   /// At every level of which 1.5 times is a level too, of the arrays that slide.
   static VerdictResults find(const StudyConfig& study, const Results& results);
+  static std::vector<std::string> notes(const Results& results, const StudyConfig& study);
   static AnalysisInFiles in_files();
   static AnalysisReport in_report();
 };

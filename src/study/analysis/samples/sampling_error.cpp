@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glissade/study/analysis/sampling_error.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
@@ -100,6 +102,22 @@ ReachedTarget reached_target(const StudyConfig& study, const std::vector<Samplin
   for (const SamplingErrorRow& row : rows)
     reached.error = std::max(reached.error, half_width(row.sampling_error, sampling.scrambles));
   return reached;
+}
+
+/// The samples that the target would take: plain Monte Carlo, on the safe side.
+std::vector<std::string> SamplingErrorAnalysis::warnings(const Results& results,
+                                                         const StudyConfig&) {
+  if (!results.reached_target || results.reached_target->is_reached()) return {};
+  const ReachedTarget& target = *results.reached_target;
+  const std::string reached =
+      std::isinf(target.error)
+          ? "some scrambles have no fit: give higher levels, or more samples"
+          : fmt::format("the error of the samples is {:.2g}; some {:.0f} samples would be required",
+                        target.error,
+                        static_cast<double>(results.cases.samples) *
+                            std::pow(target.error / target.target_error, 2));
+  return {fmt::format("sampling.target_error = {:g} is not reached after all {} scrambles: {}",
+                      target.target_error, target.scrambles, reached)};
 }
 
 }  // namespace glissade

@@ -170,4 +170,12 @@ SensitivityResults SensitivityAnalysis::find(const StudyConfig& config, const Re
   return found;
 }
 
+void SensitivityAnalysis::check(const StudyConfig& study, std::size_t records,
+                                ProblemList& problems) {
+  constexpr std::size_t least_records = 3;
+  if (study.sensitivity && records < least_records)
+    problems.add({study.file.string(), "[sensitivity] needs three records or more",
+                  "give more records, or leave out [sensitivity]", ""});
+}
+
 }  // namespace glissade

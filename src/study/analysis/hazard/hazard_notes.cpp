@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "glissade/motion/improbable.hpp"
+#include "glissade/study/plan/plan.hpp"
+#include "glissade/study/results.hpp"
+#include "plan/length_unit.hpp"
+
+namespace glissade {
+
+/// Levels beyond the ends of the curve, and a curve that does not fit the design spectra.
+std::vector<std::string> HazardAnalysis::plan_warnings(const Plan& plan) {
+  if (!plan.config.hazard) return {};
+  const IntensityConfig& intensity = plan.config.intensity;
+  const HazardCurve& curve = plan.config.hazard->curve;
+  std::vector<std::string> warnings;
+  const double from = curve.points().front().intensity, to = curve.points().back().intensity;
+  if (!curve.is_power_law() && (intensity.levels.front() < from || intensity.levels.back() > to))
+    warnings.push_back(
+        fmt::format("the hazard curve goes from {:g} to {:g}, the levels from {:g} to {:g}: beyond "
+                    "its ends the rates are extrapolated",
+                    from, to, intensity.levels.front(), intensity.levels.back()));
+  if (!intensity.measure.is_of_design_spectrum()) return warnings;
+  for (std::size_t suite = 0; suite < plan.suites.size(); ++suite) {
+    const DesignTarget* target = plan.target_of(suite);
+    if (target == nullptr) continue;
+    const bool by_sds = intensity.measure == IntensityMeasure::sds_g;
+    const double mce = by_sds ? mce_over_dbe * TargetSpectrum(*target).sds_g() : 1.0;
+    const std::string text = improbable_mce_rate(
+        curve.annual_rate(mce), by_sds ? fmt::format("S_MS, {:.3g} g,", mce) : "the MCE");
+    if (!text.empty() && std::ranges::find(warnings, text) == warnings.end())
+      warnings.push_back(text);
+  }
+  return warnings;
+}
+
+/// A curve that is no site's.
+std::vector<std::string> HazardAnalysis::plan_notes(const Plan& plan) {
+  const std::optional<HazardConfig>& hazard = plan.config.hazard;
+  if (!hazard || !hazard->is_assumed) return {};
+  return {"hazard curve " + hazard->source +
+          " (1 % collapse in 50 years, 10 % at MCE, log_std 0.6: ASCE 7-16, 21.2.1.2, recalled): "
+          "it is not that of the site; where MCE_R is limited by a deterministic earthquake the "
+          "rates of the site are higher"};
+}
+
+/// Annual rates that rest on shaking above the highest level.
+std::vector<std::string> HazardAnalysis::warnings(const Results& results,
+                                                  const StudyConfig& study) {
+  constexpr double notable_share = 0.2;
+  if (!results.hazard) return {};
+  double largest = 0.0;
+  std::vector<double> concerned_m;
+  for (const HazardRun& run : results.hazard->runs) {
+    for (const ThresholdRate& row : run.thresholds) {
+      if (!(row.beyond_share >= notable_share)) continue;
+      largest = std::max(largest, row.beyond_share);
+      concerned_m.push_back(row.threshold_m);
+    }
+  }
+  if (concerned_m.empty()) return {};
+  std::ranges::sort(concerned_m);
+  concerned_m.erase(std::unique(concerned_m.begin(), concerned_m.end()), concerned_m.end());
+  return {fmt::format(
+      "annual rates: up to {:.0f} % of the rate of clearance {} {} is the assumption that any "
+      "shaking above the highest level exceeds it. The rate is an upper estimate; add higher "
+      "levels (intensity.levels)",
+      100.0 * largest, lengths_text(concerned_m, study.units), length_unit(study.units))};
+}
+
+}  // namespace glissade
