@@ -89,7 +89,8 @@ inline EnumNames<FitStatus> fit_status_names() {
       {"no_trend", FitStatus::no_trend},
       {"always_exceeds", FitStatus::always_exceeds},
       {"one_level", FitStatus::one_level},
-      {"one_capacity", FitStatus::one_capacity}};
+      {"one_capacity", FitStatus::one_capacity},
+      {"no_information", FitStatus::no_information}};
   return names;
 }
 

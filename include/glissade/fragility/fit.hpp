@@ -50,6 +50,7 @@ enum class FitStatus {
   always_exceeds,      ///< every history exceeds without shaking: floor 1, no median, no log_std
   one_level,           ///< all data are at one intensity: no curve
   one_capacity,        ///< all histories have one capacity: it is the median; log_std is NaN
+  no_information,      ///< no row limits the capacity: no curve
 };
 std::string to_string(FitStatus status);
 

@@ -43,7 +43,8 @@ FitSummary fit_weighted_stripes(const std::vector<WeightedStripe>& rows);
 /// each row is a record of its own and without a weight, and intervals are those of the profile
 /// likelihood. All above: lower_bound. All not above: upper_bound. All exact and equal:
 /// one_capacity, the median. Else one_level, where one intensity is in every bracket, so that
-/// log_std would be 0.
+/// log_std would be 0. Rows from 0 to infinity say nothing: they are left out, and the note counts
+/// them; no_information if no others are left.
 FitSummary fit_brackets(const std::vector<CapacityBracket>& rows, bool independent);
 
 /// A displacement's fragility by a cloud: the intensity at which half exceed it.

@@ -93,11 +93,12 @@ std::vector<LogBracket> in_logs(const std::vector<CapacityBracket>& rows, double
   return brackets;
 }
 
-/// The rows that have weight, in logarithms.
+/// The rows that have weight and limit the capacity, in logarithms.
 struct WeighedBrackets {
   std::vector<CapacityBracket> rows;
   std::vector<LogBracket> brackets;
   double center = 0, highest_low = 0, lowest_high = std::numeric_limits<double>::infinity();
+  std::size_t without_limit = 0;
 
   WeighedBrackets(const std::vector<CapacityBracket>& all, bool independent) {
     std::vector<double> weights;
@@ -105,12 +106,21 @@ struct WeighedBrackets {
     check_weights(weights);
     for (const CapacityBracket& row : all) {
       if (row.weight == 0) continue;
+      if (row.low == 0 && std::isinf(row.high)) {
+        ++without_limit;
+        continue;
+      }
       rows.push_back(row);
       if (independent) rows.back().record = rows.size();
       highest_low = std::max(highest_low, row.low);
       lowest_high = std::min(lowest_high, row.high);
     }
     brackets = in_logs(rows, center);
+  }
+  std::string note() const {
+    return without_limit == 0 ? ""
+                              : std::to_string(without_limit) +
+                                    " row(s) from 0 to infinity say nothing and are left out";
   }
   Clusters clusters() const {
     std::vector<std::size_t> records;
@@ -200,6 +210,51 @@ ProbitLine guess(const std::vector<LogBracket>& brackets) {
   return ProbitLine(-mean, 1) / std::max(0.1, std::sqrt(std::max(0.0, squares / n - mean * mean)));
 }
 
+FitSummary fit_of(const WeighedBrackets& data, bool independent) {
+  FitSummary summary;
+  if (data.rows.empty()) {
+    if (data.without_limit > 0) summary.status = FitStatus::no_information;
+    summary.note =
+        data.without_limit > 0 ? "no row limits the capacity" : "there are no capacities";
+    return summary;
+  }
+  if (std::isinf(data.lowest_high)) return bound_of(data.rows, false);
+  if (data.highest_low == 0) return bound_of(data.rows, true);
+  if (data.highest_low <= data.lowest_high) {
+    const bool exact = std::ranges::all_of(
+        data.rows, [](const CapacityBracket& row) { return row.low == row.high; });
+    summary.status = exact ? FitStatus::one_capacity : FitStatus::one_level;
+    if (exact) summary.curve.median = data.rows.front().low;
+    summary.note = exact ? "one capacity: log_std cannot be determined"
+                         : "one intensity is in every bracket: log_std cannot be determined";
+    return summary;
+  }
+  const auto objective = [&](const ProbitLine& line) { return data.likelihood(line); };
+  const auto line = newton_maximum(objective, guess(data.brackets));
+  if (!line || !((*line)[1] > 0)) {
+    summary.status = line ? FitStatus::no_trend : FitStatus::failed;
+    summary.note =
+        line ? "the brackets do not rise with intensity" : "no greatest likelihood was found";
+    return summary;
+  }
+  summary.status = FitStatus::maximum_likelihood;
+  summary.method = "lognormal maximum likelihood on brackets of the capacity";
+  const Evaluation at = objective(*line);
+  summary.log_likelihood = at.value - data.log_of_exact();
+  if (!independent) {
+    const Clusters clusters = data.clusters();
+    add_line(*line, data.center, data.scores(*line, clusters), at.information, clusters, summary);
+    return summary;
+  }
+  summary.curve = to_curve(*line, data.center);
+  const ProfileIntervals intervals = profile_intervals(
+      [&](const ProbitLine& other) { return objective(other).value; }, *line, data.center);
+  summary.median_interval = summary.p50_interval = intervals.median;
+  summary.log_std_interval = intervals.log_std;
+  summary.interval_method = "profile likelihood";
+  return summary;
+}
+
 }  // namespace
 }  // namespace fragility
 
@@ -249,45 +304,8 @@ FitSummary fit_weighted_stripes(const std::vector<WeightedStripe>& rows) {
 FitSummary fit_brackets(const std::vector<CapacityBracket>& all, bool independent) {
   check(all);
   const WeighedBrackets data(all, independent);
-  FitSummary summary;
-  if (data.rows.empty()) {
-    summary.note = "there are no capacities";
-    return summary;
-  }
-  if (std::isinf(data.lowest_high)) return bound_of(data.rows, false);
-  if (data.highest_low == 0) return bound_of(data.rows, true);
-  if (data.highest_low <= data.lowest_high) {
-    const bool exact = std::ranges::all_of(
-        data.rows, [](const CapacityBracket& row) { return row.low == row.high; });
-    summary.status = exact ? FitStatus::one_capacity : FitStatus::one_level;
-    if (exact) summary.curve.median = data.rows.front().low;
-    summary.note = exact ? "one capacity: log_std cannot be determined"
-                         : "one intensity is in every bracket: log_std cannot be determined";
-    return summary;
-  }
-  const auto objective = [&](const ProbitLine& line) { return data.likelihood(line); };
-  const auto line = newton_maximum(objective, guess(data.brackets));
-  if (!line || !((*line)[1] > 0)) {
-    summary.status = line ? FitStatus::no_trend : FitStatus::failed;
-    summary.note =
-        line ? "the brackets do not rise with intensity" : "no greatest likelihood was found";
-    return summary;
-  }
-  summary.status = FitStatus::maximum_likelihood;
-  summary.method = "lognormal maximum likelihood on brackets of the capacity";
-  const Evaluation at = objective(*line);
-  summary.log_likelihood = at.value - data.log_of_exact();
-  if (!independent) {
-    const Clusters clusters = data.clusters();
-    add_line(*line, data.center, data.scores(*line, clusters), at.information, clusters, summary);
-    return summary;
-  }
-  summary.curve = to_curve(*line, data.center);
-  const ProfileIntervals intervals = profile_intervals(
-      [&](const ProbitLine& other) { return objective(other).value; }, *line, data.center);
-  summary.median_interval = summary.p50_interval = intervals.median;
-  summary.log_std_interval = intervals.log_std;
-  summary.interval_method = "profile likelihood";
+  FitSummary summary = fit_of(data, independent);
+  add_sentence(summary.note, data.note());
   return summary;
 }
 

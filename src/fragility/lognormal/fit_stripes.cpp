@@ -60,6 +60,8 @@ std::string to_string(FitStatus status) {
       return "one level";
     case FitStatus::one_capacity:
       return "one capacity";
+    case FitStatus::no_information:
+      return "no information";
   }
   return "failed";
 }

@@ -8,7 +8,7 @@
 namespace glissade::fragility {
 
 /// Newton's method with step halving, of an objective that gives value, gradient and a positive
-/// definite `information` at a point. Empty if it has no maximum at a finite point.
+/// definite `information` at a point. Empty if it has no finite maximum at a finite point.
 template <class Objective, class Point>
 std::optional<Point> newton_maximum(const Objective& objective, const Point& start) {
   Point line = start;
@@ -17,7 +17,8 @@ std::optional<Point> newton_maximum(const Objective& objective, const Point& sta
     Point step = here.information.ldlt().solve(here.gradient);
     const double decrement = step.dot(here.gradient);  // twice the gain to expect
     if (!step.allFinite() || !(decrement >= 0)) return std::nullopt;
-    if (decrement < 1e-20 || step.norm() < 1e-14 * line.norm()) return Point(line + step);
+    if (decrement < 1e-20 || step.norm() < 1e-14 * line.norm())
+      return std::isfinite(here.value) ? std::optional<Point>(line + step) : std::nullopt;
     auto there = objective(line + step);
     const double rounding = 1e-12 * (1 + std::abs(here.value));
     for (int halving = 0; decrement > rounding && !(there.value > here.value - rounding);
