@@ -5,10 +5,8 @@
 #include <cmath>
 #include <memory>
 
-#include "block/full_model/sdirk4.hpp"
 #include "block/full_model/stop.hpp"
 #include "block/slip_record/distance_crossings.hpp"
-#include "block/slip_record/two_axis_extremes.hpp"
 #include "block/two_axes/roof/roof_piece.hpp"
 #include "block/two_axes/roof/tables.hpp"
 #include "glissade/block/two_axis_lanes.hpp"
@@ -38,20 +36,20 @@ double rise_by_secant(const Function& f, double f_low, double f_high, double low
   return x1;
 }
 
-/// One history: all of it but its smooth sliding, which the lanes do.
+/// One history: all of it but its sliding, which the lanes do.
 class LaneHistory {
  public:
   LaneHistory(const Constants<double>& constants, RoofKind roof, const GroundNodes& ground,
               std::shared_ptr<const RestTable> table, const DistanceCrossings& crossings);
 
   enum class Next {
-    slides,  ///< in a lane, from the state on
+    slides,  ///< in a lane, from the state on: by an implicit step first
     finished,
     unsupported,  ///< something the lanes do not cover: it is for the scalar scheme
   };
   /// From rest at the first node.
   Next begin(HistoryState& state);
-  /// A lane could not go on: its next stop, or a step that is too stiff for it.
+  /// Of a lane at rest, or near its next stop.
   Next event(HistoryState& state);
   TwoAxisPeak result(const HistoryState& state) const;
   const Constants<double>& constants() const { return constants_; }
@@ -59,6 +57,8 @@ class LaneHistory {
   double next2() const { return crossings_.next2(); }
   /// A lane's step reached it.
   void crossed(const LaneStates& lanes, std::size_t lane);
+  /// A lane's normal force was below zero.
+  void lifted() { uplift_ = true; }
 
  private:
   // Rest (history_rest.cpp).
@@ -67,29 +67,21 @@ class LaneHistory {
   double release(const RoofPiece& piece);
   bool starts_after(std::size_t node, const RoofAtRest& roof, HistoryState& state);
   HistoryState resting_at(std::int64_t node, const std::array<AxisState, 2>& state) const;
-  void start(HistoryState& state, bool smoothly);
-  void start_smoothly(HistoryState& state);  // history_start.cpp
+  Next start(HistoryState& state);
+  Next go_on_from_rest(HistoryState& state) const;
 
-  // Slide (history_slide.cpp).
-  Next slide(HistoryState& state, bool from_lane);
+  // Stops (history_stop.cpp).
   bool stop(HistoryState& state, const RoofPiece& piece);
   bool reverse(HistoryState& state, const RoofPiece& piece);
   double deceleration(const Load& load, Vector v) const;
   void take_stop(HistoryState& state, const RoofPiece& piece, const Stop& stop);
-  void raise_peaks(const Path& path, LaneMotion<double>& motion) const;
   double time_s(const HistoryState& state) const {
     return (static_cast<double>(state.node + 1) - state.motion.left) * ground_.dt_s;
   }
-  void stiff_step(HistoryState& state);
   double frictionless_normal(const Load& load) const;
-  double until_contact_changes(const RoofPiece& piece);
-  double stiff_trial_s(const RoofPiece& rest_of_interval, Vector v, double fastest) const;
-  void take_step(HistoryState& state, const RoofPiece& piece, double fraction, double length_s,
-                 const Sliding& begin, const Sliding& end);
-  RoofPiece::BlockVelocity plan_velocity(Vector v, Vector rise = {}) const;
-  RoofPiece::BlockVelocity plan_velocity_between(const Sliding& begin, const Sliding& end,
-                                                 double length_s, double fraction) const;
-  RoofPiece piece(const HistoryState& state, const RoofPiece::BlockVelocity& block_velocity) const {
+  RoofPiece::BlockVelocity plan_velocity(Vector v) const;
+  RoofPiece piece(const HistoryState& state,
+                  const RoofPiece::BlockVelocity& block_velocity = {}) const {
     return RoofPiece(state, ground_, constants_, roof_, block_velocity);
   }
   template <class At>
@@ -101,7 +93,6 @@ class LaneHistory {
   RoofKind roof_;
   const GroundNodes& ground_;
   std::shared_ptr<const RestTable> table_;
-  double step_s_ = never;  // the longest worth trying
   std::size_t phases_ = 0;
   bool uplift_ = false;
   DistanceCrossings crossings_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "block/full_model/sdirk4.hpp"
 #include "block/two_axes/roof/roof_at_rest.hpp"
 #include "history.hpp"
 
@@ -19,11 +20,7 @@ LaneHistory::LaneHistory(const Constants<double>& constants, RoofKind roof,
 
 LaneHistory::Next LaneHistory::begin(HistoryState& state) {
   state = resting_at(0, {});
-  const RoofPiece first = piece(state, {});
-  if (release(first) == 0.0) {
-    start(state, false);
-    return slide(state, false);
-  }
+  if (release(piece(state)) == 0.0) return start(state);
   return rest_from_node(state);
 }
 
@@ -43,13 +40,24 @@ HistoryState LaneHistory::resting_at(std::int64_t node,
   return s;
 }
 
-void LaneHistory::start(HistoryState& state, bool smoothly) {
+LaneHistory::Next LaneHistory::start(HistoryState& state) {
+  LaneMotion<double>& m = state.motion;
+  m.fastest = std::max(m.fastest, rounding_speed * ground_.dt_s * constants_.gravity);
+  ++phases_;
+  return go_on_from_rest(state);
+}
+
+/// By a step at whose end the load would not let the block rest: else it might not see it slide.
+LaneHistory::Next LaneHistory::go_on_from_rest(HistoryState& state) const {
   LaneMotion<double>& m = state.motion;
   m.v_s = m.v_y = 0.0;
-  m.fastest = std::max(m.fastest, rounding_speed * ground_.dt_s * constants_.gravity);
-  step_s_ = never;
-  ++phases_;
-  if (smoothly) start_smoothly(state);
+  m.forced = 1.0;
+  const RoofPiece rest_of_interval = piece(state);
+  double fraction = 1.0;
+  while (fraction > shortest_start && ellipse_.may_rest(rest_of_interval.load(fraction)))
+    fraction *= 0.5;
+  m.trial = fraction * m.left;
+  return Next::slides;
 }
 
 namespace {
@@ -89,22 +97,17 @@ double LaneHistory::release(const RoofPiece& piece) {
 }
 
 LaneHistory::Next LaneHistory::rest(HistoryState& state) {
-  const RoofPiece rest_of_interval = piece(state, {});
+  const RoofPiece rest_of_interval = piece(state);
   const double fraction = release(rest_of_interval);
-  if (fraction < 1.0) {
-    rest_of_interval.move(state, fraction);
-    start(state, fraction > 0.0);
-    return slide(state, false);
-  }
-  rest_of_interval.move(state, 1.0);
-  return rest_from_node(state);
+  rest_of_interval.move(state, std::min(fraction, 1.0));
+  return fraction < 1.0 ? start(state) : rest_from_node(state);
 }
 
 /// Moves the state to where the block starts to slide in the interval after a
 /// node. Returns false where it does not.
 bool LaneHistory::starts_after(std::size_t node, const RoofAtRest& roof, HistoryState& state) {
   HistoryState at = resting_at(static_cast<std::int64_t>(node), roof.state(node));
-  const RoofPiece interval = piece(at, {});
+  const RoofPiece interval = piece(at);
   const double fraction = release(interval);
   if (!(fraction < 1.0)) return false;
   interval.move(at, fraction);
@@ -118,7 +121,6 @@ bool LaneHistory::starts_after(std::size_t node, const RoofAtRest& roof, History
   m.x_2 = at.motion.x_2;
   m.y_2 = at.motion.y_2;
   state.node = at.node;
-  start(state, true);
   return true;
 }
 
@@ -140,8 +142,7 @@ LaneHistory::Next LaneHistory::rest_from_node(HistoryState& state) {
     if (!roof.sticks_in_tile(i)) {
       for (i = roof.first_release(i, end); i <= end; i = roof.first_release(i + 1, end)) {
         const bool within = roof.after_record() || i < quiet;
-        if ((i > roof.base() && starts_in(i - 1)) || (within && starts_in(i)))
-          return slide(state, false);
+        if ((i > roof.base() && starts_in(i - 1)) || (within && starts_in(i))) return start(state);
       }
     }
     i = end;

@@ -34,6 +34,12 @@ constexpr int roof_order = 10;  // of the building
 
 inline V Number(double value) { return hn::Set(Doubles(), value); }
 
+/// Numbers of the lanes of a vector, read from memory where they are used.
+struct Row {
+  const double* numbers;
+  HWY_INLINE V operator()() const { return hn::Load(Doubles(), numbers); }
+};
+
 /// Loops over orders are unrolled: each order is a constant, and its series
 /// stay in registers.
 template <int k>
@@ -62,53 +68,58 @@ struct Ramped {
   V begin, rise;
 };
 
-/// Series in tau, the fraction of the rest of the interval that has passed; h is its length. With
-/// the load p, the friction n along the slope, M = diag(1, aspect), the direction e = M v / |M v|,
-/// the speed u = |M v| and the rate d of v, all times h:
-///   e_k = (M v_k - sum of u_j e_k-j, j > 0) / u_0,   d = p - n M e,
-///   v_k+1 = d_k / (k + 1),   u_k+1 = (M e . d)_k / (k + 1)
-/// On a roof that the block accelerates n and d depend on each other (kappa, rho_sin_cos in
-/// Constants). In every sum the newest term is added last: the lanes wait for it.
-template <RoofKind roof>
-class StepSeries {
+/// Series in tau, the fraction of the rest of the interval that has passed; h is its length. The
+/// roof under a block whose velocity is given by its first terms, and the load, times h.
+template <RoofKind roof, int velocity_terms, int load_terms>
+class RoofSeries {
  public:
-  V v_s[order + 1], v_y[order + 1];
+  V v_s[velocity_terms], v_y[velocity_terms];
   V x_1[roof_order + 1], y_1[roof_order + 1], x_2[roof_order + 1], y_2[roof_order + 1];
-  V speed[order];            // |M v|
-  V p_s[order], p_y[order];  // load
-  V weight[order];           // n on a roof that the block does not accelerate
+  V p_s[load_terms], p_y[load_terms];  // load
+  V weight[load_terms];                // n on a roof that the block does not accelerate
 
-  HWY_INLINE StepSeries(const Constants<V>& constants, const LaneMotion<V>& m, const Ramped& first,
-                        const Ramped& second, const Ramped& vertical, V length)
-      : c(constants), ground_1(first), ground_2(second), up(vertical), h(length) {
-    v_s[0] = m.v_s;
-    v_y[0] = m.v_y;
-    speed[0] = hn::Sqrt(m.v_s * m.v_s + (c.aspect * m.v_y) * (c.aspect * m.v_y));
-    per_speed = hn::Div(Number(1.0), speed[0]);
-    if constexpr (roof != RoofKind::rigid) {
-      phase_1 = c.omega_1 * h;
-      phase_2 = c.omega_2 * h;
-      x_1[0] = m.x_1;
-      y_1[0] = m.y_1;
-      x_2[0] = m.x_2;
-      y_2[0] = m.y_2;
+  HWY_INLINE RoofSeries(const Constants<Row>& constants, const LaneMotion<Row>& m,
+                        const Ramped& first, const Ramped& second, const Ramped& vertical, V length)
+      : c(constants), h(length), ground_1(first), ground_2(second), up(vertical) {
+    v_s[0] = m.v_s();
+    v_y[0] = m.v_y();
+    h_c = h * c.c();
+    h_s = h * c.s();
+    h_c_across = h * c.c_across();
+    h_s_across = h * c.s_across();
+    if constexpr (roof == RoofKind::coupled) {
+      b_1s = c.omega_rho_1() * (c.c() * c.cosine2());
+      b_1y = c.omega_rho_1() * (c.s() * c.cosine());
+      b_2s = c.omega_rho_2() * (c.s() * c.cosine2());
+      b_2y = c.omega_rho_2() * (c.c() * c.cosine());
     }
-    ForOrders<0, order>([&](auto k) GLISSADE_INLINE_LAMBDA {
-      if constexpr (roof != RoofKind::rigid) Respond<k>();
-      Load<k>();
-      Direction<k>();
-      Rate<k>();
-      Speed<k>();
-    });
-    if constexpr (roof != RoofKind::rigid)
-      ForOrders<order, roof_order>([&](auto k) GLISSADE_INLINE_LAMBDA { Respond<k>(); });
+    if constexpr (roof != RoofKind::rigid) {
+      phase_1 = c.omega_1() * h;
+      phase_2 = c.omega_2() * h;
+      x_1[0] = m.x_1();
+      y_1[0] = m.y_1();
+      x_2[0] = m.x_2();
+      y_2[0] = m.y_2();
+    }
   }
 
+  /// The term k of the load, by those of the velocity up to it.
+  template <int k>
+  HWY_INLINE void Term() {
+    HWY_FENCE;  // Rows are read again, not kept on the stack
+    if constexpr (roof != RoofKind::rigid) Respond<k>();
+    if constexpr (k < load_terms) Load<k>();
+  }
+
+ protected:
+  const Constants<Row>& c;
+  V h;
+
  private:
-  const Constants<V>& c;
   const Ramped &ground_1, &ground_2, &up;
-  V h, per_speed, phase_1, phase_2, per_kappa;
-  V e_s[order], e_y[order], f_y[order], d_s[order], d_y[order], n[order];
+  V phase_1, phase_2;
+  V h_c, h_s, h_c_across, h_s_across;
+  V b_1s, b_1y, b_2s, b_2y;  // from the block's velocity to its effect on the building's axes
   V a_1[roof_order], a_2[roof_order];
 
   /// One axis of the building, and its acceleration as far as the block's own
@@ -117,9 +128,9 @@ class StepSeries {
   HWY_INLINE void Respond(V* x, V* y, V* a, V phase, V twice_zeta, V block_velocity,
                           const Ramped& ground) {
     V rate = y[k];
-    if constexpr (roof == RoofKind::coupled && k <= order) rate = rate - block_velocity;
-    a[k] = hn::Zero(Doubles()) - (twice_zeta * rate + x[k]);
-    if constexpr (roof == RoofKind::coupled) a[k] = a[k] * c.per_mass;
+    if constexpr (roof == RoofKind::coupled && k < velocity_terms) rate = rate - block_velocity;
+    a[k] = hn::Neg(twice_zeta * rate + x[k]);
+    if constexpr (roof == RoofKind::coupled) a[k] = a[k] * c.per_mass();
     const V factor = phase * Number(inverse[k + 1]);
     x[k + 1] = factor * rate;
     V rise = a[k];
@@ -131,13 +142,12 @@ class StepSeries {
   template <int k>
   HWY_INLINE void Respond() {
     V block_rate_1 = hn::Zero(Doubles()), block_rate_2 = block_rate_1;
-    if constexpr (roof == RoofKind::coupled && k <= order) {
-      const V along = c.cosine2 * v_s[k], across = c.cosine * v_y[k];
-      block_rate_1 = c.omega_rho_1 * (c.c * along - c.s * across);
-      block_rate_2 = c.omega_rho_2 * (c.s * along + c.c * across);
+    if constexpr (roof == RoofKind::coupled && k < velocity_terms) {
+      block_rate_1 = b_1s * v_s[k] - b_1y * v_y[k];
+      block_rate_2 = b_2s * v_s[k] + b_2y * v_y[k];
     }
-    Respond<k>(x_1, y_1, a_1, phase_1, c.twice_zeta_1, block_rate_1, ground_1);
-    Respond<k>(x_2, y_2, a_2, phase_2, c.twice_zeta_2, block_rate_2, ground_2);
+    Respond<k>(x_1, y_1, a_1, phase_1, c.twice_zeta_1(), block_rate_1, ground_1);
+    Respond<k>(x_2, y_2, a_2, phase_2, c.twice_zeta_2(), block_rate_2, ground_2);
   }
 
   template <int k>
@@ -146,25 +156,62 @@ class StepSeries {
       a_1[k] = k == 0 ? ground_1.begin : ground_1.rise;
       a_2[k] = k == 0 ? ground_2.begin : ground_2.rise;
     }
-    p_s[k] = p_y[k] = weight[k] = hn::Zero(Doubles());
-    if constexpr (roof == RoofKind::rigid && k > 1) return;
-    const V along = c.c * a_1[k] + c.s * a_2[k];
-    V s = p_s[k] - along, normal = c.tangent * along;
-    if constexpr (k < 2) {
-      const V fall = k == 0 ? c.gravity + up.begin : up.rise;
-      s = s + fall * c.tangent;
-      normal = normal + fall;
+    if constexpr (roof == RoofKind::rigid && k > 1) {
+      p_s[k] = p_y[k] = weight[k] = hn::Zero(Doubles());
+      return;
     }
-    p_s[k] = h * s;
-    p_y[k] = h * (c.s_across * a_1[k] - c.c_across * a_2[k]);
-    weight[k] = (h * c.mu) * normal;
+    const V along = h_c * a_1[k] + h_s * a_2[k];
+    p_y[k] = h_s_across * a_1[k] - h_c_across * a_2[k];
+    if constexpr (k < 2) {
+      const V fall = h * (k == 0 ? c.gravity() + up.begin : up.rise);
+      p_s[k] = fall * c.tangent() - along;
+      weight[k] = c.mu() * (fall + c.tangent() * along);
+    } else {
+      p_s[k] = hn::Neg(along);
+      weight[k] = (c.mu() * c.tangent()) * along;
+    }
   }
+};
+
+/// The block's velocity too, as a series. With the load p, the friction n along the slope,
+/// M = diag(1, aspect), the direction e = M v / |M v|, the speed u = |M v| and the rate d of v, all
+/// times h:
+///   e_k = (M v_k - sum of u_j e_k-j, j > 0) / u_0,   d = p - n M e,
+///   v_k+1 = d_k / (k + 1),   u_k+1 = (M e . d)_k / (k + 1)
+/// On a roof that the block accelerates n and d depend on each other (kappa, rho_sin_cos in
+/// Constants). In every sum the newest term is added last: the lanes wait for it.
+template <RoofKind roof>
+class StepSeries : public RoofSeries<roof, order + 1, order> {
+  using Base = RoofSeries<roof, order + 1, order>;
+  using Base::c;
+
+ public:
+  using Base::p_s, Base::p_y, Base::v_s, Base::v_y, Base::weight;
+  V speed[order];  // |M v|
+
+  HWY_INLINE StepSeries(const Constants<Row>& constants, const LaneMotion<Row>& m,
+                        const Ramped& first, const Ramped& second, const Ramped& vertical, V length)
+      : Base(constants, m, first, second, vertical, length) {
+    speed[0] = hn::Sqrt(m.v_s() * m.v_s() + (c.aspect() * m.v_y()) * (c.aspect() * m.v_y()));
+    per_speed = hn::Div(Number(1.0), speed[0]);
+    ForOrders<0, order>([&](auto k) GLISSADE_INLINE_LAMBDA {
+      this->template Term<k>();
+      Direction<k>();
+      Rate<k>();
+      Speed<k>();
+    });
+    ForOrders<order, roof_order>([&](auto k) GLISSADE_INLINE_LAMBDA { this->template Term<k>(); });
+  }
+
+ private:
+  V per_speed, per_kappa;
+  V e_s[order], e_y[order], f_y[order], d_s[order], d_y[order], n[order];
 
   template <int k>
   HWY_INLINE void Direction() {
     if constexpr (k == 0) {
       e_s[0] = v_s[0] * per_speed;
-      e_y[0] = (c.aspect * v_y[0]) * per_speed;
+      e_y[0] = (c.aspect() * v_y[0]) * per_speed;
     } else {
       V s = hn::Zero(Doubles()), y = s;
       ForOrders<2, k>([&](auto j) GLISSADE_INLINE_LAMBDA {
@@ -176,24 +223,24 @@ class StepSeries {
         y = y + speed[1] * e_y[k - 1];
       }
       e_s[k] = ((v_s[k] - speed[k] * e_s[0]) - s) * per_speed;
-      e_y[k] = ((c.aspect * v_y[k] - speed[k] * e_y[0]) - y) * per_speed;
+      e_y[k] = ((c.aspect() * v_y[k] - speed[k] * e_y[0]) - y) * per_speed;
     }
-    f_y[k] = c.aspect * e_y[k];
+    f_y[k] = c.aspect() * e_y[k];
   }
 
   template <int k>
   HWY_INLINE void Rate() {
     V s = p_s[k], y = p_y[k];
     if constexpr (roof == RoofKind::coupled) {
-      const V coupling = c.mu * c.rho_sin_cos;
-      if constexpr (k == 0) per_kappa = hn::Div(Number(1.0), c.kappa - coupling * e_s[0]);
+      const V coupling = c.mu() * c.rho_sin_cos();
+      if constexpr (k == 0) per_kappa = hn::Div(Number(1.0), c.kappa() - coupling * e_s[0]);
       ForOrders<1, k + 1>([&](auto j) GLISSADE_INLINE_LAMBDA {
         s = s - n[k - j] * e_s[j];
         y = y - n[k - j] * f_y[j];
       });
       d_s[k] = (s - weight[k] * e_s[0]) * per_kappa;
       n[k] = weight[k] - coupling * d_s[k];
-      d_y[k] = (y - n[k] * f_y[0]) * c.per_kappa_y;
+      d_y[k] = (y - n[k] * f_y[0]) * c.per_kappa_y();
     } else {
       constexpr int first = roof == RoofKind::rigid && k > 1 ? k - 1 : 0;
       ForOrders<first, k + 1>([&](auto j) GLISSADE_INLINE_LAMBDA {

@@ -18,7 +18,9 @@ enum class RoofKind { rigid, building, coupled };
 /// equations.
 template <class Number>
 struct LaneMotion {
-  Number left;  ///< fraction of the sample interval that is still to come, (0, 1]
+  Number left;    ///< fraction of the sample interval that is still to come, (0, 1]
+  Number trial;   ///< the same, to try in an implicit step; infinite: not known, 0: it diverges
+  Number forced;  ///< 1: the next implicit step is made before any stop, else 0
   Number v_s, v_y;
   Number at_s, at_y;
   Number ground_1, ground_2, w;  ///< mps2, now
@@ -72,6 +74,14 @@ struct LaneStates {
       std::memcpy(reinterpret_cast<char*>(&rows) + (k * count + lane) * sizeof(double),
                   reinterpret_cast<const char*>(&column) + k * sizeof(double), sizeof(double));
   }
+  /// A field's Row{pointer to the numbers from the lane `first` on}.
+  template <template <class> class Fields, class Row>
+  static void point_to(const Fields<Lanes>& rows, std::size_t first, Fields<Row>& fields) {
+    static_assert(sizeof(Row) == sizeof(double*));
+    const double* row = reinterpret_cast<const double*>(&rows) + first;
+    Row* field = reinterpret_cast<Row*>(&fields);
+    for (std::size_t k = 0; k < sizeof(fields) / sizeof(Row); ++k) field[k] = Row{row + k * count};
+  }
   template <template <class> class Fields>
   static void load(const Fields<Lanes>& rows, std::size_t lane, Fields<double>& column) {
     for (std::size_t k = 0; k < sizeof(column) / sizeof(double); ++k)
@@ -91,24 +101,30 @@ struct GroundRows {
   bool vertical;  ///< whether there is one
 };
 
-/// The largest n h / |v| of a lane: beyond it, where |v| is small, its steps
-/// would be too short.
-constexpr double stiffest = 1000.0;
-/// The least normal force in a lane, as a fraction of the weight; the scalar
-/// scheme of the events allows a little more.
-constexpr double least_weight = 0.05;
+/// n dt / |v| above which steps are implicit, and below which they are explicit again.
+constexpr double stiff = 150.0, smooth = 100.0;
+/// The least normal force of an explicit step, as a fraction of the weight. Below it, and while the
+/// block is lifted off, steps are implicit, until it is a little larger.
+constexpr double least_weight = 0.05, enough_weight = 0.06;
 
-/// The least projection of the velocity after a lane's step on that before, over its square: the
+/// The least projection of the velocity after an explicit step on that before, over its square: the
 /// direction turns by less than a quarter circle, and no peak is passed unseen.
 constexpr double least_alignment = 0.2;
 
+enum class StepKind {
+  taylor,    ///< explicit
+  implicit,  ///< where a Taylor series would have to be short: at low speed, and around uplift
+};
+
 /// Lanes as bits.
 struct Stepped {
-  std::uint64_t left = 0;    ///< did not make the step: they are as before
+  std::uint64_t event = 0;   ///< for LaneHistory::event
+  std::uint64_t other = 0;   ///< to go on by the other kind of step
   std::uint64_t passed = 0;  ///< reached LaneStates::next2
+  std::uint64_t lifted = 0;  ///< without normal force
 };
 
 /// One step of every active lane.
-Stepped step(LaneStates& lanes, const GroundRows& ground, RoofKind roof);
+Stepped step(LaneStates& lanes, const GroundRows& ground, RoofKind roof, StepKind kind);
 
 }  // namespace glissade::block_detail::two_axes

@@ -9,15 +9,25 @@
 #include <hwy/foreach_target.h>  // before highway.h
 #include <hwy/highway.h>
 
+#include "implicit_series-inl.hpp"
 #include "lane_series-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace glissade::block_detail::two_axes::HWY_NAMESPACE {
 
-/// The root of a function that changes sign on [0, to], by the Illinois rule.
-template <class Function>
-HWY_NOINLINE V Root(const Function& function, V to, V at_begin, V at_end) {
+/// The root of a function that changes sign on [0, to], by the Illinois rule after bisections.
+template <int bisections = 0, class Function>
+HWY_INLINE V Root(const Function& function, V to, V at_begin, V at_end) {
   V low = hn::Zero(Doubles()), high = to, f_low = at_begin, f_high = at_end, x = to;
+  for (int i = 0; i < bisections; ++i) {
+    x = Number(0.5) * (low + high);
+    const V value = function(x);
+    const Mask as_high = hn::Ge(value * f_high, hn::Zero(Doubles()));
+    f_low = hn::IfThenElse(as_high, f_low, value);
+    low = hn::IfThenElse(as_high, low, x);
+    f_high = hn::IfThenElse(as_high, value, f_high);
+    high = hn::IfThenElse(as_high, x, high);
+  }
   for (int i = 0; i < 9; ++i) {
     const V change = f_high - f_low;
     const Mask flat = hn::Eq(change, hn::Zero(Doubles()));
@@ -33,63 +43,33 @@ HWY_NOINLINE V Root(const Function& function, V to, V at_begin, V at_end) {
   return x;
 }
 
-/// The lanes' numbers; aggregates, since a constructor made by the compiler is not one of the
-/// target's functions.
-HWY_INLINE LaneMotion<V> LoadMotion(const LaneStates& lanes, std::size_t first) {
-  const auto& m = lanes.motion;
-  const auto at = [first](const double* row)
-                      GLISSADE_INLINE_LAMBDA { return hn::Load(Doubles(), row + first); };
-  return {.left = at(m.left),
-          .v_s = at(m.v_s),
-          .v_y = at(m.v_y),
-          .at_s = at(m.at_s),
-          .at_y = at(m.at_y),
-          .ground_1 = at(m.ground_1),
-          .ground_2 = at(m.ground_2),
-          .w = at(m.w),
-          .x_1 = at(m.x_1),
-          .y_1 = at(m.y_1),
-          .x_2 = at(m.x_2),
-          .y_2 = at(m.y_2),
-          .fastest = at(m.fastest),
-          .path = at(m.path),
-          .farthest2 = at(m.farthest2),
-          .ahead_s = at(m.ahead_s),
-          .back_s = at(m.back_s),
-          .ahead_y = at(m.ahead_y),
-          .back_y = at(m.back_y)};
+/// Terms of a power series. What is seldom needed takes copies of them: the address of a series
+/// would keep all of it in memory.
+template <int n>
+struct Terms {
+  V of[n];
+
+  explicit HWY_INLINE Terms(const V (&terms)[n]) {
+    ForOrders<0, n>([&](auto k) GLISSADE_INLINE_LAMBDA { of[k] = terms[k]; });
+  }
+};
+
+template <int bisections = 0, int n>
+HWY_NOINLINE V RootOf(Terms<n> f, V to, V at_begin, V at_end) {
+  return Root<bisections>([&](V x) GLISSADE_INLINE_LAMBDA { return Polynomial(f.of, x); }, to,
+                          at_begin, at_end);
 }
 
-HWY_INLINE Constants<V> LoadConstants(const LaneStates& lanes, std::size_t first) {
-  const auto& c = lanes.constants;
-  const auto at = [first](const double* row)
-                      GLISSADE_INLINE_LAMBDA { return hn::Load(Doubles(), row + first); };
-  return {.factor_1 = at(c.factor_1),
-          .factor_2 = at(c.factor_2),
-          .factor_w = at(c.factor_w),
-          .gravity = at(c.gravity),
-          .mu = at(c.mu),
-          .tangent = at(c.tangent),
-          .cosine = at(c.cosine),
-          .cosine2 = at(c.cosine2),
-          .c = at(c.c),
-          .s = at(c.s),
-          .c_across = at(c.c_across),
-          .s_across = at(c.s_across),
-          .tolerance = at(c.tolerance),
-          .aspect = at(c.aspect),
-          .per_aspect = at(c.per_aspect),
-          .omega_1 = at(c.omega_1),
-          .omega_2 = at(c.omega_2),
-          .twice_zeta_1 = at(c.twice_zeta_1),
-          .twice_zeta_2 = at(c.twice_zeta_2),
-          .per_mass = at(c.per_mass),
-          .omega_rho_1 = at(c.omega_rho_1),
-          .omega_rho_2 = at(c.omega_rho_2),
-          .kappa = at(c.kappa),
-          .rho_sin_cos = at(c.rho_sin_cos),
-          .per_kappa_y = at(c.per_kappa_y),
-          .anisotropy = at(c.anisotropy)};
+/// The lanes' numbers, where they are used: they are too many for the registers.
+HWY_INLINE LaneMotion<Row> MotionOf(const LaneStates& lanes, std::size_t first) {
+  LaneMotion<Row> m;
+  LaneStates::point_to(lanes.motion, first, m);
+  return m;
+}
+HWY_INLINE Constants<Row> ConstantsOf(const LaneStates& lanes, std::size_t first) {
+  Constants<Row> c;
+  LaneStates::point_to(lanes.constants, first, c);
+  return c;
 }
 
 /// Of the permitted error of a stop. LaneHistory::stop() sees more of the load's change than a
@@ -97,73 +77,110 @@ HWY_INLINE Constants<V> LoadConstants(const LaneStates& lanes, std::size_t first
 constexpr double surely_permitted = 0.3;
 
 /// Of the tolerance: the errors of the steps add up over a history.
-constexpr double series_share = 0.8;
+constexpr double series_share = 0.8, implicit_share = 1.0;
 
-/// Lanes that can make the step: the block would not stop within what is left
-/// of the interval by a path known in closed form (LaneHistory::stop), is not too
-/// stiff, does not turn far, stays on the roof.
-template <RoofKind roof>
-HWY_INLINE Mask CanStep(const StepSeries<roof>& z, const Constants<V>& c, const LaneMotion<V>& m,
-                        V h, V v_s, V v_y) {
+/// The smooth part of a sample interval that is left, and what the ground does in it.
+struct Interval {
+  hn::Vec<Indices> node, next;
+  Mask before;  // the last that the lanes go through
+  V end_1, end_2, end_w;
+  Ramped ground_1, ground_2, up;
+  V h;
+};
+
+HWY_INLINE Interval LoadInterval(const LaneStates& lanes, const GroundRows& ground,
+                                 std::size_t first, const Constants<Row>& c,
+                                 const LaneMotion<Row>& m) {
+  const Doubles d;
+  const Indices di;
+  Interval i;
+  i.node = hn::Load(di, lanes.node + first);
+  i.next = hn::Add(i.node, hn::Set(di, std::int64_t{1}));
+  i.before = hn::RebindMask(d, hn::Lt(i.node, hn::Set(di, ground.limit)));
+  const auto at = hn::ShiftLeft<2>(hn::Min(i.next, hn::Set(di, ground.last)));
+  i.end_1 = c.factor_1() * hn::GatherIndex(d, ground.nodes, at);
+  i.end_2 = c.factor_2() * hn::GatherIndex(d, ground.nodes + 1, at);
+  i.end_w = m.w();
+  if (ground.vertical) i.end_w = c.factor_w() * hn::GatherIndex(d, ground.nodes + 2, at);
+  i.ground_1 = {m.ground_1(), i.end_1 - m.ground_1()};
+  i.ground_2 = {m.ground_2(), i.end_2 - m.ground_2()};
+  i.up = {m.w(), i.end_w - m.w()};
+  i.h = Number(ground.dt_s) * m.left();
+  return i;
+}
+
+/// Where the block stops within what is left of the interval by a path known in closed form
+/// (LaneHistory::stop).
+template <RoofKind roof, class Series>
+HWY_INLINE Mask Stops(const Series& z, const Constants<Row>& c, const LaneMotion<Row>& m, V h) {
   const V zero = hn::Zero(Doubles());
-  V p_s = z.p_s[0], p_y = c.per_aspect * z.p_y[0], n = z.weight[0];
+  V p_s = z.p_s[0], p_y = c.per_aspect() * z.p_y[0], n = z.weight[0];
   V change = hn::Abs(z.p_s[1]) + hn::Abs(z.p_y[1]) + hn::Abs(z.weight[1]);
   V anisotropy = zero;
   if constexpr (roof == RoofKind::coupled) {
-    p_s = p_s * c.per_kappa_y;
-    p_y = p_y * c.per_kappa_y;
-    n = n * c.per_kappa_y;
-    change = change * c.per_kappa_y;
-    anisotropy = n * c.anisotropy;
+    p_s = p_s * c.per_kappa_y();
+    p_y = p_y * c.per_kappa_y();
+    n = n * c.per_kappa_y();
+    change = change * c.per_kappa_y();
+    anisotropy = n * c.anisotropy();
   }
+  const V v_y = c.per_aspect() * m.v_y();
   const V margin = n * n - (p_s * p_s + p_y * p_y);
-  const V q = n * z.speed[0] + (p_s * m.v_s + p_y * (c.per_aspect * m.v_y));
-  const V allowed = (Number(surely_permitted * 12.0 * stop_tolerance) * c.tolerance) * m.path;
-  const Mask stops =
-      hn::And(hn::And(hn::Gt(margin, zero), hn::Lt(q, margin)),
-              hn::Le((h * (q * q)) * (change * q + (Number(6.0) * anisotropy) * margin),
-                     allowed * ((margin * margin) * margin)));
-  const Mask stiff = hn::Gt(z.weight[0], Number(stiffest) * z.speed[0]);
-  const V alignment = v_s * m.v_s + (c.aspect * v_y) * (c.aspect * m.v_y);
-  const Mask straight = hn::Ge(alignment, Number(least_alignment) * (z.speed[0] * z.speed[0]));
-  const V least = (Number(least_weight) * c.mu) * (c.gravity * h);
-  const Mask stays = hn::Gt(hn::Min(z.weight[0], z.weight[0] + z.weight[1]), least);
-  return hn::AndNot(hn::Or(stops, stiff), hn::And(straight, stays));
+  const V q = n * hn::Sqrt(m.v_s() * m.v_s() + v_y * v_y) + (p_s * m.v_s() + p_y * v_y);
+  const V allowed = (Number(surely_permitted * 12.0 * stop_tolerance) * c.tolerance()) * m.path();
+  return hn::And(hn::And(hn::And(hn::Gt(margin, zero), hn::Gt(n, zero)), hn::Lt(q, margin)),
+                 hn::Le((h * (q * q)) * (change * q + (Number(6.0) * anisotropy) * margin),
+                        allowed * ((margin * margin) * margin)));
 }
 
 /// Displacement over the step, as series in tau.
 static_assert(order + 2 == LaneStates::path_terms);
+template <int n>
 struct PathSeries {
-  V s[order + 2], y[order + 2];
+  V s[n + 1], y[n + 1];
 
-  template <RoofKind roof>
-  HWY_INLINE PathSeries(const StepSeries<roof>& z, const Constants<V>& c, const LaneMotion<V>& m,
-                        V h) {
-    s[0] = m.at_s;
-    y[0] = m.at_y;
-    const V h_s = h * c.cosine2, h_y = h * c.cosine;
-    ForOrders<0, order + 1>([&](auto k) GLISSADE_INLINE_LAMBDA {
-      s[k + 1] = (h_s * Number(inverse[k + 1])) * z.v_s[k];
-      y[k + 1] = (h_y * Number(inverse[k + 1])) * z.v_y[k];
+  HWY_INLINE PathSeries(const V (&v_s)[n], const V (&v_y)[n], const Constants<Row>& c,
+                        const LaneMotion<Row>& m, V h) {
+    s[0] = m.at_s();
+    y[0] = m.at_y();
+    const V h_s = h * c.cosine2(), h_y = h * c.cosine();
+    ForOrders<0, n>([&](auto k) GLISSADE_INLINE_LAMBDA {
+      const V by_k = Number(inverse[k + 1]);
+      s[k + 1] = (h_s * by_k) * v_s[k];
+      y[k + 1] = (h_y * by_k) * v_y[k];
     });
   }
 };
 
+/// The displacement squared where the block turns back within a step over the fraction f.
+template <int n>
+HWY_NOINLINE V FarthestAtTurn(Terms<n + 1> path_s, Terms<n + 1> path_y, Terms<n> v_s, Terms<n> v_y,
+                              V cosine2, V cosine, V f, V out_at_begin, V out_at_end) {
+  const auto out = [&](V t) GLISSADE_INLINE_LAMBDA {
+    return Polynomial(path_s.of, t) * (cosine2 * Polynomial(v_s.of, t)) +
+           Polynomial(path_y.of, t) * (cosine * Polynomial(v_y.of, t));
+  };
+  const V t = Root(out, f, out_at_begin, out_at_end);
+  const V s = Polynomial(path_s.of, t), y = Polynomial(path_y.of, t);
+  return s * s + y * y;
+}
+
 /// Raises what a history has seen so far to the step's end and to what is
 /// between.
-template <RoofKind roof>
-HWY_INLINE void RaisePeaks(const StepSeries<roof>& z, const Constants<V>& c, const PathSeries& path,
-                           Mask goes, V f, V along, LaneMotion<V>& to) {
+template <int n>
+HWY_INLINE void RaisePeaks(const V (&v_s)[n], const V (&v_y)[n], const Constants<Row>& c,
+                           const LaneMotion<Row>& m, const PathSeries<n>& path, Mask goes, V f,
+                           V along, LaneMotion<V>& to) {
   const V zero = hn::Zero(Doubles());
-  to.farthest2 = hn::Max(to.farthest2, to.at_s * to.at_s + to.at_y * to.at_y);
-  to.ahead_s = hn::Max(to.ahead_s, to.at_s);
-  to.back_s = hn::Max(to.back_s, zero - to.at_s);
-  to.ahead_y = hn::Max(to.ahead_y, to.at_y);
-  to.back_y = hn::Max(to.back_y, zero - to.at_y);
+  to.farthest2 = hn::Max(m.farthest2(), to.at_s * to.at_s + to.at_y * to.at_y);
+  to.ahead_s = hn::Max(m.ahead_s(), to.at_s);
+  to.back_s = hn::Max(m.back_s(), zero - to.at_s);
+  to.ahead_y = hn::Max(m.ahead_y(), to.at_y);
+  to.back_y = hn::Max(m.back_y(), zero - to.at_y);
 
   const V begin2 = path.s[0] * path.s[0] + path.y[0] * path.y[0];
-  const V out0 = path.s[0] * (c.cosine2 * z.v_s[0]) + path.y[0] * (c.cosine * z.v_y[0]);
-  const V out1 = to.at_s * (c.cosine2 * to.v_s) + to.at_y * (c.cosine * to.v_y);
+  const V out0 = path.s[0] * (c.cosine2() * v_s[0]) + path.y[0] * (c.cosine() * v_y[0]);
+  const V out1 = to.at_s * (c.cosine2() * to.v_s) + to.at_y * (c.cosine() * to.v_y);
   const auto along_path = [&]() GLISSADE_INLINE_LAMBDA {
     const Mask turns = hn::And(goes, hn::And(hn::Gt(out0, zero), hn::Lt(out1, zero)));
     if (HWY_LIKELY(hn::AllFalse(Doubles(), turns))) return;
@@ -171,32 +188,28 @@ HWY_INLINE void RaisePeaks(const StepSeries<roof>& z, const Constants<V>& c, con
     const V gain = (Number(2.0) * along) * hn::Div(out0 * out0, out0 - out1);
     const Mask returns = hn::And(turns, hn::Gt(begin2 + gain, to.farthest2));
     if (HWY_LIKELY(hn::AllFalse(Doubles(), returns))) return;
-    const auto out = [&](V t) {
-      return Polynomial(path.s, t) * (c.cosine2 * Polynomial(z.v_s, t)) +
-             Polynomial(path.y, t) * (c.cosine * Polynomial(z.v_y, t));
-    };
-    const V t = Root(out, f, out0, out1);
-    const V s = Polynomial(path.s, t), y = Polynomial(path.y, t);
-    to.farthest2 = hn::IfThenElse(returns, hn::Max(to.farthest2, s * s + y * y), to.farthest2);
+    const V farthest2 = FarthestAtTurn<n>(Terms(path.s), Terms(path.y), Terms(v_s), Terms(v_y),
+                                          c.cosine2(), c.cosine(), f, out0, out1);
+    to.farthest2 = hn::IfThenElse(returns, hn::Max(to.farthest2, farthest2), to.farthest2);
   };
-  const auto along_axis = [&](const V(&v)[order + 1], V v1, const V(&w)[order + 2], V& ahead,
+  const auto along_axis = [&](const V(&v)[n], V v1, const V(&w)[n + 1], V& ahead,
                               V& back) GLISSADE_INLINE_LAMBDA {
     const Mask turns = hn::And(goes, hn::Lt(v[0] * v1, zero));
     if (HWY_LIKELY(hn::AllFalse(Doubles(), turns))) return;
     const V reach = w[0] + hn::Div((f * w[1]) * v[0], v[0] - v1);
     const Mask reverses = hn::And(turns, hn::Or(hn::Gt(reach, ahead), hn::Gt(zero - reach, back)));
     if (HWY_LIKELY(hn::AllFalse(Doubles(), reverses))) return;
-    const V t = Root([&](V x) { return Polynomial(v, x); }, f, v[0], v1);
+    const V t = RootOf(Terms(v), f, v[0], v1);
     const V value = Polynomial(w, t);
     ahead = hn::IfThenElse(reverses, hn::Max(ahead, value), ahead);
     back = hn::IfThenElse(reverses, hn::Max(back, zero - value), back);
   };
   along_path();
-  along_axis(z.v_s, to.v_s, path.s, to.ahead_s, to.back_s);
-  along_axis(z.v_y, to.v_y, path.y, to.ahead_y, to.back_y);
+  along_axis(v_s, to.v_s, path.s, to.ahead_s, to.back_s);
+  along_axis(v_y, to.v_y, path.y, to.ahead_y, to.back_y);
 }
 
-/// Writes the motion of the lanes that make the step.
+/// Writes the motion of the lanes that make the step, all but trial.
 template <RoofKind roof>
 HWY_INLINE void Commit(LaneStates& lanes, std::size_t first, Mask goes, const LaneMotion<V>& m) {
   const auto commit = [&](double* row, V value) GLISSADE_INLINE_LAMBDA {
@@ -205,6 +218,7 @@ HWY_INLINE void Commit(LaneStates& lanes, std::size_t first, Mask goes, const La
   };
   auto& to = lanes.motion;
   commit(to.left, m.left);
+  commit(to.forced, m.forced);
   commit(to.v_s, m.v_s);
   commit(to.v_y, m.v_y);
   commit(to.at_s, m.at_s);
@@ -233,101 +247,294 @@ HWY_INLINE std::uint64_t Bits(Mask mask) {
   return bits[0];
 }
 
-HWY_INLINE void KeepPath(LaneStates::Passed& to, std::size_t first, const PathSeries& path,
+template <int n>
+HWY_INLINE void KeepPath(LaneStates::Passed& to, std::size_t first, const PathSeries<n>& path,
                          V begin_s, V length_s, V fraction) {
   const Doubles d;
   for (std::size_t k = 0; k < LaneStates::path_terms; ++k) {
-    hn::Store(path.s[k], d, to.path_s[k] + first);
-    hn::Store(path.y[k], d, to.path_y[k] + first);
+    hn::Store(k <= n ? path.s[k] : hn::Zero(d), d, to.path_s[k] + first);
+    hn::Store(k <= n ? path.y[k] : hn::Zero(d), d, to.path_y[k] + first);
   }
   hn::Store(begin_s, d, to.begin_s + first);
   hn::Store(length_s, d, to.length_s + first);
   hn::Store(fraction, d, to.fraction + first);
 }
 
-/// One step of neighbouring lanes; see Stepped.
-template <RoofKind roof>
-HWY_INLINE Stepped StepVector(LaneStates& lanes, const GroundRows& ground, std::size_t first) {
+/// Takes the lanes that make the step over the fraction f of the interval's rest, at whose end `to`
+/// has velocity, path and largest speed.
+template <RoofKind roof, class Series, int n>
+HWY_INLINE void Advance(LaneStates& lanes, const GroundRows& ground, std::size_t first,
+                        const Interval& interval, const Constants<Row>& c, const Series& z,
+                        const V (&v_s)[n], const V (&v_y)[n], V f, Mask goes,
+                        const LaneMotion<Row>& m, LaneMotion<V>& to, Stepped& stepped) {
   const Doubles d;
   const Indices di;
-  const V one = Number(1.0);
-  const LaneMotion<V> m = LoadMotion(lanes, first);
-  const Constants<V> c = LoadConstants(lanes, first);
-  const auto node = hn::Load(di, lanes.node + first);
-  const auto next = hn::Add(node, hn::Set(di, std::int64_t{1}));
-  const auto at = hn::ShiftLeft<2>(hn::Min(next, hn::Set(di, ground.last)));
-  const V end_1 = c.factor_1 * hn::GatherIndex(d, ground.nodes, at);
-  const V end_2 = c.factor_2 * hn::GatherIndex(d, ground.nodes + 1, at);
-  V end_w = m.w;
-  if (ground.vertical) end_w = c.factor_w * hn::GatherIndex(d, ground.nodes + 2, at);
-  const Ramped ground_1{m.ground_1, end_1 - m.ground_1}, ground_2{m.ground_2, end_2 - m.ground_2},
-      up{m.w, end_w - m.w};
-  const V h = Number(ground.dt_s) * m.left;
-  const StepSeries<roof> z(c, m, ground_1, ground_2, up, h);
-
-  LaneMotion<V> to = m;
-  to.fastest = hn::Max(m.fastest, z.speed[0]);
-  const V f = StepFraction(z, Number(series_share) * c.tolerance * to.fastest), along = h * f;
-  to.path = m.path + along * z.speed[0];
-  to.v_s = Polynomial(z.v_s, f);
-  to.v_y = Polynomial(z.v_y, f);
-  const Mask before = hn::RebindMask(d, hn::Lt(node, hn::Set(di, ground.limit)));
-  const Mask goes = hn::And(before, CanStep(z, c, m, h, to.v_s, to.v_y));
-
-  const PathSeries path(z, c, m, h);
+  const V one = Number(1.0), h = interval.h;
+  const PathSeries<n> path(v_s, v_y, c, m, h);
   to.at_s = Polynomial(path.s, f);
   to.at_y = Polynomial(path.y, f);
-  RaisePeaks(z, c, path, goes, f, along, to);
+  RaisePeaks(v_s, v_y, c, m, path, goes, f, h * f, to);
 
   const Mask whole = hn::Eq(f, one);
-  to.left = hn::IfThenElse(whole, one, m.left * (one - f));
-  to.ground_1 = hn::IfThenElse(whole, end_1, ground_1.begin + f * ground_1.rise);
-  to.ground_2 = hn::IfThenElse(whole, end_2, ground_2.begin + f * ground_2.rise);
-  to.w = hn::IfThenElse(whole, end_w, up.begin + f * up.rise);
+  to.left = hn::IfThenElse(whole, one, m.left() * (one - f));
+  const auto ramp = [&](V end, const Ramped& r) GLISSADE_INLINE_LAMBDA {
+    return hn::IfThenElse(whole, end, r.begin + f * r.rise);
+  };
+  to.ground_1 = ramp(interval.end_1, interval.ground_1);
+  to.ground_2 = ramp(interval.end_2, interval.ground_2);
+  to.w = ramp(interval.end_w, interval.up);
   if constexpr (roof != RoofKind::rigid) {
     to.x_1 = Polynomial(z.x_1, f);
     to.y_1 = Polynomial(z.y_1, f);
     to.x_2 = Polynomial(z.x_2, f);
     to.y_2 = Polynomial(z.y_2, f);
   }
+  to.forced = hn::Zero(d);
+  const V begin_s = (hn::ConvertTo(d, interval.next) - m.left()) * Number(ground.dt_s);
   Commit<roof>(lanes, first, goes, to);
   const auto moved = hn::RebindMask(di, hn::And(goes, whole));
-  hn::Store(hn::IfThenElse(moved, next, node), di, lanes.node + first);
+  hn::Store(hn::IfThenElse(moved, interval.next, interval.node), di, lanes.node + first);
 
   const Mask reached = hn::And(goes, hn::Ge(to.farthest2, hn::Load(d, lanes.next2 + first)));
-  Stepped stepped;
   if (HWY_UNLIKELY(!hn::AllFalse(d, reached))) {
-    const V whole_nodes = hn::ConvertTo(d, next);
-    KeepPath(lanes.passed, first, path, (whole_nodes - m.left) * Number(ground.dt_s), h, f);
+    KeepPath(lanes.passed, first, path, begin_s, h, f);
     stepped.passed = Bits(reached);
   }
-  stepped.left = ~Bits(goes) & ((std::uint64_t{1} << hn::Lanes(d)) - 1);
+}
+
+/// One step of neighbouring lanes by a Taylor series; see Stepped.
+template <RoofKind roof>
+HWY_INLINE Stepped TaylorStep(LaneStates& lanes, const GroundRows& ground, std::size_t first) {
+  const LaneMotion<Row> m = MotionOf(lanes, first);
+  const Constants<Row> c = ConstantsOf(lanes, first);
+  const Interval i = LoadInterval(lanes, ground, first, c, m);
+  const StepSeries<roof> z(c, m, i.ground_1, i.ground_2, i.up, i.h);
+
+  LaneMotion<V> to;
+  to.fastest = hn::Max(m.fastest(), z.speed[0]);
+  const V f = StepFraction(z, Number(series_share) * c.tolerance() * to.fastest);
+  to.path = m.path() + (i.h * f) * z.speed[0];
+  to.v_s = Polynomial(z.v_s, f);
+  to.v_y = Polynomial(z.v_y, f);
+
+  const Mask slow = hn::Gt(z.weight[0], (Number(stiff) * m.left()) * z.speed[0]);
+  const V alignment = to.v_s * m.v_s() + (c.aspect() * to.v_y) * (c.aspect() * m.v_y());
+  const Mask straight = hn::Ge(alignment, Number(least_alignment) * (z.speed[0] * z.speed[0]));
+  const V least = (Number(least_weight) * c.mu()) * (c.gravity() * i.h);
+  const Mask stays = hn::Gt(hn::Min(z.weight[0], z.weight[0] + z.weight[1]), least);
+  const Mask smooth = hn::AndNot(slow, hn::And(straight, stays));
+  const Mask event = hn::Or(hn::Not(i.before), Stops<roof>(z, c, m, i.h));
+  const Mask goes = hn::AndNot(event, smooth);
+  Stepped stepped;
+  Advance<roof>(lanes, ground, first, i, c, z, z.v_s, z.v_y, f, goes, m, to, stepped);
+  stepped.event = Bits(event);
+  stepped.other = Bits(hn::Not(smooth)) & ~stepped.event;
   return stepped;
 }
 
+/// The fraction of the interval's rest to try.
 template <RoofKind roof>
-Stepped StepAll(LaneStates& lanes, const GroundRows& ground) {
-  const std::size_t n = hn::Lanes(Doubles());
-  Stepped all;
-  for (std::size_t first = 0; first < LaneStates::count; first += n) {
-    if (((lanes.active >> first) & ((std::uint64_t{1} << n) - 1)) == 0) continue;
-    const Stepped some = StepVector<roof>(lanes, ground, first);
-    all.left |= some.left << first;
-    all.passed |= some.passed << first;
+HWY_INLINE V TrialFraction(const ImplicitSeries<roof>& z, const Constants<Row>& c,
+                           const LaneMotion<Row>& m, Mask& lifted) {
+  const V zero = hn::Zero(Doubles()), one = Number(1.0), half = Number(0.5);
+  const V speed2 = m.v_s() * m.v_s() + m.v_y() * m.v_y(), speed = hn::Sqrt(speed2);
+  const Mask moves = hn::Gt(speed, zero), holds = hn::Gt(z.weight[0], zero);
+  V f = hn::Min(one, hn::Div(m.trial(), m.left()));
+  const Mask unknown = hn::And(hn::And(moves, holds), hn::Eq(m.trial(), Number(never)));
+  f = hn::IfThenElse(unknown, hn::Min(one, hn::Div(z.speed, z.weight[0])), f);
+
+  // A stage of what comes after a reversal would not see what came before.
+  const V last_s = Polynomial(z.p_s, one), last_y = Polynomial(z.p_y, one),
+          last_n = Polynomial(z.weight, one);
+  const V per_speed = hn::Div(c.per_kappa_y(), hn::IfThenElse(moves, speed, one));
+  const V first_brakes = per_speed * (hn::Max(z.weight[0], zero) * z.speed -
+                                      (z.p_s[0] * m.v_s() + z.p_y[0] * m.v_y()));
+  const V last_brakes =
+      per_speed * (hn::Max(last_n, zero) * z.speed - (last_s * m.v_s() + last_y * m.v_y()));
+  const V growth = hn::Max(zero, last_brakes - first_brakes);
+  const V root = hn::Sqrt(first_brakes * first_brakes + Number(2.0) * growth * speed);
+  const Mask falls = hn::Gt(first_brakes, zero), will_fall = hn::Gt(growth, zero);
+  const V stops_at =
+      hn::Div(hn::IfThenElse(falls, Number(2.0) * speed, root - first_brakes),
+              hn::IfThenElse(falls, first_brakes + root, hn::IfThenElse(will_fall, growth, one)));
+  const Mask stops = hn::And(hn::Or(falls, will_fall), hn::Gt(speed, c.tolerance() * m.fastest()));
+  f = hn::IfThenElse(stops, hn::Min(f, Number(approach_to_stop) * stops_at), f);
+
+  // To where the block lifts off, or lands: where the normal force without friction is zero.
+  V terms[sizeof(z.weight) / sizeof(V)];
+  const V slope = c.mu() * hn::Div(c.rho_sin_cos(), c.kappa());
+  ForOrders<0, sizeof(z.weight) / sizeof(V)>([&](auto k) GLISSADE_INLINE_LAMBDA {
+    terms[k] = z.weight[k];
+    if constexpr (roof == RoofKind::coupled) terms[k] = terms[k] - slope * z.p_s[k];
+  });
+  const V begin = terms[0], end = Polynomial(terms, one);
+  lifted = hn::Lt(hn::Min(begin, end), zero);
+  V contact = one;
+  if (HWY_UNLIKELY(!hn::AllFalse(Doubles(), lifted))) {
+    const Mask changes = hn::Xor(hn::Lt(begin, zero), hn::Lt(end, zero));
+    // Where the begin is next to a root the line to the end tells little of it.
+    constexpr int bisections = 12;
+    const V at = RootOf<bisections>(Terms(terms), one, begin, end);
+    constexpr double at_once = 1e-9;  // it was at the end of the last step
+    contact = hn::IfThenElse(hn::And(changes, hn::Gt(at, Number(at_once))), at, one);
   }
-  return {all.left & lanes.active, all.passed & lanes.active};
+  // No remainder that is much shorter than the step.
+  f = hn::Min(f, contact);
+  return hn::IfThenElse(hn::And(hn::Lt(f, contact), hn::Gt(f, half * contact)), half * contact, f);
 }
 
-Stepped Step(LaneStates& lanes, const GroundRows& ground, RoofKind roof) {
+/// One step of neighbouring lanes by SDIRK4; see Stepped.
+template <RoofKind roof>
+class ImplicitStep {
+ public:
+  HWY_INLINE ImplicitStep(const LaneStates& lanes, const GroundRows& ground, std::size_t first_lane)
+      : first(first_lane),
+        m(MotionOf(lanes, first)),
+        c(ConstantsOf(lanes, first)),
+        i(LoadInterval(lanes, ground, first, c, m)),
+        z(c, m, i.ground_1, i.ground_2, i.up, i.h) {
+    const V zero = hn::Zero(Doubles());
+    // A speed within the tolerance, against the load (LaneHistory::reverse).
+    speed = z.Length(m.v_s(), m.v_y());
+    const Mask slowest = hn::And(
+        hn::Le(speed, c.tolerance() * m.fastest()),
+        hn::And(hn::Gt(z.weight[0], zero), hn::Le(z.p_s[0] * m.v_s() + z.p_y[0] * m.v_y(), zero)));
+    const Mask may_end = hn::Eq(m.forced(), zero);
+    event = hn::Or(hn::Not(i.before), hn::And(may_end, hn::Or(slowest, Stops<roof>(z, c, m, i.h))));
+    f = TrialFraction(z, c, m, lifted);
+    constexpr double epsilons = 16.0 * std::numeric_limits<double>::epsilon();
+    const V load = hn::Abs(z.p_s[0]) + hn::Abs(z.p_y[0]) + hn::Abs(z.weight[0]);
+    rounding = (Number(epsilons) * f) * load;
+    constexpr double negligible = 1e-3;  // of the permitted error
+    z.Begin(f, Number(negligible) * Allowed(m.fastest()));
+  }
+
+  HWY_INLINE Stepped Finish(LaneStates& lanes, const GroundRows& ground) {
+    const Doubles d;
+    const V zero = hn::Zero(d);
+    LaneMotion<V> to;
+    to.v_s = z.end_s;
+    to.v_y = z.end_y;
+    const V end_speed = z.Length(z.end_s, z.end_y);
+    to.fastest = hn::Max(m.fastest(), end_speed);
+    to.path = m.path() + (Number(0.5) * (i.h * f)) * (speed + end_speed);
+
+    const V error = z.Error(), allowed = Allowed(to.fastest);
+    const Mask accurate = hn::Or(hn::Le(error, allowed), hn::Le(f, Number(shortest_step)));
+    const Mask finite = hn::Lt(error, Number(never));
+    const Mask goes = hn::AndNot(event, hn::And(accurate, finite));
+    // step_factor() in sdirk4.hpp.
+    const V ratio = hn::Div(allowed, hn::Max(error, Number(1e-4) * allowed));
+    const V factor =
+        hn::Min(hn::Max(Number(0.9) * hn::Sqrt(hn::Sqrt(ratio)), Number(0.2)), Number(5.0));
+    const V trial = hn::IfThenElse(finite, (f * m.left()) * factor, zero);
+    const V next_trial = hn::IfThenElse(event, m.trial(), trial);
+
+    const V end_weight = Polynomial(z.weight, f);
+    const V end_m_speed = z.Length(z.end_s, c.aspect() * z.end_y);
+    const Mask fast = hn::Lt(end_weight, (Number(smooth) * m.left()) * end_m_speed);
+    const Mask pressed = hn::Gt(end_weight, (Number(enough_weight) * c.mu()) * (c.gravity() * i.h));
+    const Mask rests = hn::Eq(end_speed, zero);
+    Stepped stepped;
+    stepped.event = Bits(hn::Or(hn::Or(event, hn::Not(finite)), hn::And(goes, rests)));
+    stepped.other = Bits(hn::And(goes, hn::And(fast, pressed))) & ~stepped.event;
+    stepped.lifted = Bits(lifted);
+    Advance<roof>(lanes, ground, first, i, c, z, z.v_s, z.v_y, f, goes, m, to, stepped);
+    hn::Store(next_trial, d, lanes.motion.trial + first);
+    return stepped;
+  }
+
+ private:
+  HWY_INLINE V Allowed(V fastest) const {
+    return (Number(implicit_share) * c.tolerance()) * fastest + rounding;
+  }
+
+  std::size_t first;
+  LaneMotion<Row> m;
+  Constants<Row> c;
+  Interval i;
+  V f, speed, rounding;
+  Mask event, lifted;
+
+ public:
+  ImplicitSeries<roof> z;
+};
+
+/// The lanes' bits of neighbouring lanes, as those of all.
+HWY_INLINE void Add(const Stepped& some, std::size_t first, std::uint64_t active, Stepped& all) {
+  const std::uint64_t mask = (active >> first) & ((std::uint64_t{1} << hn::Lanes(Doubles())) - 1);
+  all.event |= (some.event & mask) << first;
+  all.other |= (some.other & mask) << first;
+  all.passed |= (some.passed & mask) << first;
+  all.lifted |= (some.lifted & mask) << first;
+}
+
+/// Calls what(first) for the vectors with active lanes.
+template <class What>
+HWY_INLINE void ForVectors(std::uint64_t active, const What& what) {
+  const std::size_t n = hn::Lanes(Doubles());
+  for (std::size_t first = 0; first < LaneStates::count; first += n)
+    if (((active >> first) & ((std::uint64_t{1} << n) - 1)) != 0) what(first);
+}
+
+template <RoofKind roof>
+Stepped TaylorSteps(LaneStates& lanes, const GroundRows& ground) {
+  Stepped all;
+  ForVectors(lanes.active, [&](std::size_t first) GLISSADE_INLINE_LAMBDA {
+    Add(TaylorStep<roof>(lanes, ground, first), first, lanes.active, all);
+  });
+  return all;
+}
+
+/// A stage of one vector waits for the one before: those of all vectors are made in turn.
+template <RoofKind roof>
+Stepped ImplicitSteps(LaneStates& lanes, const GroundRows& ground) {
+  using Step = ImplicitStep<roof>;
+  alignas(Step) unsigned char memory[LaneStates::count][sizeof(Step)];
+  Step* steps[LaneStates::count];
+  std::size_t firsts[LaneStates::count], count = 0;
+  ForVectors(lanes.active, [&](std::size_t first) GLISSADE_INLINE_LAMBDA {
+    firsts[count] = first;
+    steps[count] = new (memory[count]) Step(lanes, ground, first);
+    ++count;
+  });
+  std::size_t left = count;
+  Step* todo[LaneStates::count];
+  std::copy_n(steps, count, todo);
+  const auto pass = [&](auto anew) GLISSADE_INLINE_LAMBDA {
+    ForOrders<0, Sdirk4::stages>([&](auto i) GLISSADE_INLINE_LAMBDA {
+      for (std::size_t k = 0; k < left; ++k) todo[k]->z.template Stage<i, anew>();
+    });
+    std::size_t more = 0;
+    for (std::size_t k = 0; k < left; ++k)
+      if (todo[k]->z.template OnceMore<anew>()) todo[more++] = todo[k];
+    left = more;
+  };
+  pass(std::true_type());
+  constexpr int most_passes = 6;
+  for (int k = 1; k < most_passes && left > 0; ++k) pass(std::false_type());
+  Stepped all;
+  for (std::size_t k = 0; k < count; ++k)
+    Add(steps[k]->Finish(lanes, ground), firsts[k], lanes.active, all);
+  return all;
+}
+
+template <RoofKind roof>
+Stepped StepsOn(LaneStates& lanes, const GroundRows& ground, StepKind kind) {
+  return kind == StepKind::taylor ? TaylorSteps<roof>(lanes, ground)
+                                  : ImplicitSteps<roof>(lanes, ground);
+}
+
+Stepped Step(LaneStates& lanes, const GroundRows& ground, RoofKind roof, StepKind kind) {
   switch (roof) {
     case RoofKind::rigid:
-      return StepAll<RoofKind::rigid>(lanes, ground);
+      return StepsOn<RoofKind::rigid>(lanes, ground, kind);
     case RoofKind::building:
-      return StepAll<RoofKind::building>(lanes, ground);
+      return StepsOn<RoofKind::building>(lanes, ground, kind);
     case RoofKind::coupled:
       break;
   }
-  return StepAll<RoofKind::coupled>(lanes, ground);
+  return StepsOn<RoofKind::coupled>(lanes, ground, kind);
 }
 
 }  // namespace glissade::block_detail::two_axes::HWY_NAMESPACE
@@ -337,8 +544,8 @@ HWY_AFTER_NAMESPACE();
 namespace glissade::block_detail::two_axes {
 HWY_EXPORT(Step);
 
-Stepped step(LaneStates& lanes, const GroundRows& ground, RoofKind roof) {
-  return HWY_DYNAMIC_DISPATCH(Step)(lanes, ground, roof);
+Stepped step(LaneStates& lanes, const GroundRows& ground, RoofKind roof, StepKind kind) {
+  return HWY_DYNAMIC_DISPATCH(Step)(lanes, ground, roof, kind);
 }
 
 }  // namespace glissade::block_detail::two_axes

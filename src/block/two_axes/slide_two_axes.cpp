@@ -3,7 +3,6 @@
 #include <array>
 #include <bit>
 #include <memory>
-#include <optional>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -26,6 +25,7 @@ using block_detail::two_axes::LaneHistory;
 using block_detail::two_axes::LaneStates;
 using block_detail::two_axes::RestTable;
 using block_detail::two_axes::RoofKind;
+using block_detail::two_axes::StepKind;
 using block_detail::two_axes::Stepped;
 
 /// What histories on one table have in common.
@@ -111,7 +111,48 @@ struct TwoAxisLanes::State {
 
 namespace {
 
-/// The histories of one kind of roof, as many at a time as there are lanes.
+/// A history that has begun.
+struct Underway {
+  LaneHistory history;
+  HistoryState state;  ///< between lanes
+  std::size_t scene;
+};
+
+/// Lanes, and whose they are.
+struct OwnedLanes {
+  StepKind kind;
+  LaneStates lanes = {};
+  std::unique_ptr<Underway> owners[LaneStates::count] = {};
+  std::vector<std::unique_ptr<Underway>> waiting = {};  ///< for a lane
+
+  bool full() const { return lanes.active == (std::uint64_t{1} << LaneStates::count) - 1; }
+  std::size_t size() const { return static_cast<std::size_t>(std::popcount(lanes.active)); }
+
+  void put(std::unique_ptr<Underway> next) {
+    const auto lane = static_cast<std::size_t>(std::countr_one(lanes.active));
+    LaneStates::store(lanes.constants, lane, next->history.constants());
+    LaneStates::store(lanes.motion, lane, next->state.motion);
+    lanes.node[lane] = next->state.node;
+    lanes.next2[lane] = next->history.next2();
+    lanes.active |= std::uint64_t{1} << lane;
+    owners[lane] = std::move(next);
+  }
+  std::unique_ptr<Underway> take(std::size_t lane) {
+    LaneStates::load(lanes.motion, lane, owners[lane]->state.motion);
+    owners[lane]->state.node = lanes.node[lane];
+    lanes.active &= ~(std::uint64_t{1} << lane);
+    return std::move(owners[lane]);
+  }
+  /// Fills the lanes; where nobody waits, moves the last to the first, so that no SIMD vector is
+  /// run for one of them.
+  void fill() {
+    for (; !full() && !waiting.empty(); waiting.pop_back()) put(std::move(waiting.back()));
+    while (static_cast<std::size_t>(std::bit_width(lanes.active)) > size())
+      put(take(static_cast<std::size_t>(std::bit_width(lanes.active)) - 1));
+  }
+};
+
+/// The histories of one kind of roof.
 template <class State>
 class Pool {
  public:
@@ -121,107 +162,82 @@ class Pool {
   /// @param tasks those on one building are neighbours
   void run(std::span<const std::size_t> tasks) {
     tasks_ = tasks;
-    for (std::size_t lane = 0; lane < LaneStates::count; ++lane) fill(lane);
-    const GroundNodes& nodes = state_.nodes;
-    const GroundRows ground{nodes.nodes.data(), static_cast<std::int64_t>(nodes.quiet),
-                            static_cast<std::int64_t>(nodes.end), nodes.dt_s,
-                            state_.ground.vertical != nullptr};
-    while (lanes_.active != 0) {
-      const Stepped stepped = block_detail::two_axes::step(lanes_, ground, roof_);
-      for (std::uint64_t passed = stepped.passed; passed != 0; passed &= passed - 1) {
-        const auto lane = static_cast<std::size_t>(std::countr_zero(passed));
-        histories_[lane]->crossed(lanes_, lane);
-        lanes_.next2[lane] = histories_[lane]->next2();
-      }
-      for (std::uint64_t left = stepped.left; left != 0; left &= left - 1)
-        resolve(static_cast<std::size_t>(std::countr_zero(left)));
-      if (next_ == tasks_.size()) close_up();
+    for (;;) {
+      while (next_ < tasks_.size() && underway_ < most_underway) begin(tasks_[next_++]);
+      for (OwnedLanes* lanes : {&taylor_, &implicit_}) lanes->fill();
+      if (underway_ == 0) return;
+      const bool many = implicit_.size() >= std::min(enough, taylor_.size());
+      step(many ? implicit_ : taylor_);
     }
   }
 
  private:
-  /// Puts the next history that slides into a lane.
-  void fill(std::size_t lane) {
-    lanes_.active &= ~(std::uint64_t{1} << lane);
-    while (next_ < tasks_.size()) {
-      const std::size_t k = scene_[lane] = tasks_[next_++];
-      const TwoAxisScene& scene = batch_.scenes[k];
-      LaneHistory& history = histories_[lane].emplace(
-          block_detail::two_axes::constants_of(scene, state_.tolerance), roof_, state_.nodes,
-          state_.tables.of(scene, state_.nodes, roof_),
-          DistanceCrossings(batch_.thresholds_m, batch_.crossings_of(k)));
-      HistoryState state;
-      if (!settle(
-              lane, [&] { return history.begin(state); }, state))
-        continue;
-      LaneStates::store(lanes_.constants, lane, history.constants());
-      put(lane, state);
-      lanes_.active |= std::uint64_t{1} << lane;
-      return;
-    }
+  static constexpr std::size_t most_underway = 64;
+  /// Lanes with an implicit step to do that are worth doing it: those of the widest vectors.
+  static constexpr std::size_t enough = 24;
+
+  void begin(std::size_t scene) {
+    const TwoAxisScene& s = batch_.scenes[scene];
+    ++underway_;
+    auto next = std::make_unique<Underway>(
+        Underway{LaneHistory(block_detail::two_axes::constants_of(s, state_.tolerance), roof_,
+                             state_.nodes, state_.tables.of(s, state_.nodes, roof_),
+                             DistanceCrossings(batch_.thresholds_m, batch_.crossings_of(scene))),
+                 {},
+                 scene});
+    go_on(std::move(next), &LaneHistory::begin);
   }
 
-  void resolve(std::size_t lane) {
-    HistoryState state;
-    LaneStates::load(lanes_.motion, lane, state.motion);
-    state.node = lanes_.node[lane];
-    if (settle(
-            lane, [&] { return histories_[lane]->event(state); }, state))
-      put(lane, state);
+  void step(OwnedLanes& owned) {
+    const GroundNodes& nodes = state_.nodes;
+    const GroundRows ground{nodes.nodes.data(), static_cast<std::int64_t>(nodes.quiet),
+                            static_cast<std::int64_t>(nodes.end), nodes.dt_s,
+                            state_.ground.vertical != nullptr};
+    LaneStates& lanes = owned.lanes;
+    const Stepped stepped = block_detail::two_axes::step(lanes, ground, roof_, owned.kind);
+    for_each(stepped.lifted, [&](std::size_t lane) { owned.owners[lane]->history.lifted(); });
+    for_each(stepped.passed, [&](std::size_t lane) {
+      LaneHistory& history = owned.owners[lane]->history;
+      history.crossed(lanes, lane);
+      lanes.next2[lane] = history.next2();
+    });
+    for_each(stepped.event, [&](std::size_t lane) {
+      std::unique_ptr<Underway> next = owned.take(lane);
+      if (owned.kind == StepKind::taylor) next->state.motion.trial = block_detail::never;
+      go_on(std::move(next), &LaneHistory::event);
+    });
+    OwnedLanes& other = owned.kind == StepKind::taylor ? implicit_ : taylor_;
+    for_each(stepped.other, [&](std::size_t lane) {
+      std::unique_ptr<Underway> next = owned.take(lane);
+      next->state.motion.trial = block_detail::never;
+      next->state.motion.forced = 1.0;
+      other.waiting.push_back(std::move(next));
+    });
+  }
+
+  template <class What>
+  static void for_each(std::uint64_t lanes, const What& what) {
+    for (; lanes != 0; lanes &= lanes - 1) what(static_cast<std::size_t>(std::countr_zero(lanes)));
+  }
+
+  /// Takes a history to where a lane can go on, or to its end.
+  void go_on(std::unique_ptr<Underway> next,
+             LaneHistory::Next (LaneHistory::*to_next)(HistoryState&)) {
+    const LaneHistory::Next found = (next->history.*to_next)(next->state);
+    if (found == LaneHistory::Next::slides) return implicit_.waiting.push_back(std::move(next));
+    --underway_;
+    if (found == LaneHistory::Next::finished)
+      batch_.peaks[next->scene] = next->history.result(next->state);
     else
-      fill(lane);
-  }
-
-  void put(std::size_t lane, const HistoryState& state) {
-    LaneStates::store(lanes_.motion, lane, state.motion);
-    lanes_.node[lane] = state.node;
-    lanes_.next2[lane] = histories_[lane]->next2();
-  }
-
-  /// Where no history is left for the lanes that are done: those that go on are moved to the first
-  /// lanes, so that no SIMD vector is run for one of them.
-  void close_up() {
-    for (;;) {
-      const auto done = static_cast<std::size_t>(std::countr_one(lanes_.active));
-      const auto end = static_cast<std::size_t>(std::bit_width(lanes_.active));
-      if (done >= end) return;
-      move(end - 1, done);
-    }
-  }
-
-  void move(std::size_t from, std::size_t to) {
-    HistoryState state;
-    LaneStates::load(lanes_.motion, from, state.motion);
-    state.node = lanes_.node[from];
-    histories_[to].emplace(std::move(*histories_[from]));
-    scene_[to] = scene_[from];
-    LaneStates::store(lanes_.constants, to, histories_[to]->constants());
-    put(to, state);
-    lanes_.active ^= std::uint64_t{1} << from | std::uint64_t{1} << to;
-  }
-
-  /// Takes a history to where a lane can go on. True where it slides on.
-  template <class ToNext>
-  bool settle(std::size_t lane, const ToNext& to_next, const HistoryState& state) {
-    const std::size_t k = scene_[lane];
-    LaneHistory::Next next = LaneHistory::Next::unsupported;
-    try {
-      next = to_next();
-    } catch (const NotConverged&) {  // the scalar scheme may
-    }
-    if (next == LaneHistory::Next::finished) batch_.peaks[k] = histories_[lane]->result(state);
-    if (next == LaneHistory::Next::unsupported) state_.by_reference(batch_, k);
-    return next == LaneHistory::Next::slides;
+      state_.by_reference(batch_, next->scene);
   }
 
   State& state_;
   RoofKind roof_;
   Batch batch_;
   std::span<const std::size_t> tasks_;
-  std::size_t next_ = 0;
-  LaneStates lanes_;
-  std::size_t scene_[LaneStates::count] = {};
-  std::optional<LaneHistory> histories_[LaneStates::count];
+  std::size_t next_ = 0, underway_ = 0;
+  OwnedLanes taylor_{StepKind::taylor}, implicit_{StepKind::implicit};
 };
 
 }  // namespace

@@ -30,14 +30,12 @@ RoofPiece::RoofPiece(const HistoryState& state, const GroundNodes& ground,
   for (std::size_t n = 0; n < 2; ++n) {
     const double phase = omega[n] * length_s_;
     const double forcing[] = {ground_[n], ground_end_[n] - ground_[n]};
-    const double b[] = {
-        omega_rho[n] * block_velocity.begin[n], omega_rho[n] * block_velocity.rise[n],
-        omega_rho[n] * block_velocity.curve[n], omega_rho[n] * block_velocity.bend[n]};
+    const double b = omega_rho[n] * block_velocity[n];
     Terms &x = x_[n], &y = y_[n], &a = a_[n];
     x[0] = n == 0 ? m.x_1 : m.x_2;
     y[0] = n == 0 ? m.y_1 : m.y_2;
     for (std::size_t k = 0; k < static_cast<std::size_t>(terms_); ++k) {
-      const double rate = k < 4 ? y[k] - b[k] : y[k];
+      const double rate = k == 0 ? y[k] - b : y[k];
       a[k] = -(damping[n] * rate + x[k]) * c.per_mass;
       if (k + 1 == static_cast<std::size_t>(terms_)) break;
       const double factor = phase * Series::inverse[k + 1];
@@ -52,16 +50,6 @@ Load RoofPiece::load(double tau) const {
   const double a_1 = sum(a_[0], terms_, tau), a_2 = sum(a_[1], terms_, tau);
   const double fall = c.gravity + (w_ + tau * (w_end_ - w_)), along = c.c * a_1 + c.s * a_2;
   return {{fall * c.tangent - along, c.s_across * a_1 - c.c_across * a_2},
-          fall + c.tangent * along};
-}
-
-Load RoofPiece::term(int k) const {
-  if (k >= terms_) return {};
-  const Constants<double>& c = *constants_;
-  const auto i = static_cast<std::size_t>(k);
-  const double along = c.c * a_[0][i] + c.s * a_[1][i];
-  const double fall = k == 0 ? c.gravity + w_ : k == 1 ? w_end_ - w_ : 0.0;
-  return {{fall * c.tangent - along, c.s_across * a_[0][i] - c.c_across * a_[1][i]},
           fall + c.tangent * along};
 }
 

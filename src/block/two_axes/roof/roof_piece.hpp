@@ -22,18 +22,13 @@ struct HistoryState {
 /// has no part in it, and the vertical.
 class RoofPiece {
  public:
-  /// The block's velocity in plan by the building's axes: begin + rise tau +
-  /// curve tau^2 + bend tau^3.
-  struct BlockVelocity {
-    std::array<double, 2> begin{}, rise{}, curve{}, bend{};
-  };
+  /// The block's velocity in plan by the building's axes, as if it stayed.
+  using BlockVelocity = std::array<double, 2>;
   RoofPiece(const HistoryState& state, const GroundNodes& ground,
             const Constants<double>& constants, RoofKind roof, const BlockVelocity& block_velocity);
 
   double length_s() const { return length_s_; }
   Load load(double tau) const;
-  /// The load's coefficient of tau^k.
-  Load term(int k) const;
   /// By how much the friction reserve may be less than on the chord between the piece's ends.
   double deviation() const;
   /// The same on the chord over a part of the piece, over the square of that part's length.

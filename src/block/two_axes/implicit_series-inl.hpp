@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A step at low speed, where friction turns the block quickly: SDIRK4 in SIMD
+// lanes. Included once per SIMD target.
+#if defined(GLISSADE_TWO_AXES_IMPLICIT_SERIES_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef GLISSADE_TWO_AXES_IMPLICIT_SERIES_INL
+#undef GLISSADE_TWO_AXES_IMPLICIT_SERIES_INL
+#else
+#define GLISSADE_TWO_AXES_IMPLICIT_SERIES_INL
+#endif
+
+#include "block/full_model/sdirk4.hpp"
+#include "lane_series-inl.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace glissade::block_detail::two_axes::HWY_NAMESPACE {
+
+constexpr int cubic = 4;  // terms
+
+/// The velocity as the cubic through velocities and accelerations at both ends of the step, the
+/// roof under it, and the stages. Velocity per cos(slope), rates times the interval's rest.
+template <RoofKind roof>
+class ImplicitSeries : public RoofSeries<roof, cubic, roof == RoofKind::rigid ? 2 : roof_order> {
+  static constexpr int load_terms = roof == RoofKind::rigid ? 2 : roof_order;
+  static constexpr bool coupled = roof == RoofKind::coupled;
+  using Base = RoofSeries<roof, cubic, load_terms>;
+  using Base::c;
+
+ public:
+  using Base::p_s, Base::p_y, Base::v_s, Base::v_y, Base::weight;
+  V speed;         // |M v| at the begin
+  V end_s, end_y;  // velocity at the step's end
+
+  /// The roof as if the block's rate stayed what it is at the begin.
+  HWY_INLINE ImplicitSeries(const Constants<Row>& constants, const LaneMotion<Row>& m,
+                            const Ramped& first, const Ramped& second, const Ramped& vertical,
+                            V length)
+      : Base(constants, m, first, second, vertical, length) {
+    speed = hn::Sqrt(m.v_s() * m.v_s() + (c.aspect() * m.v_y()) * (c.aspect() * m.v_y()));
+    v_s[2] = v_s[3] = v_y[2] = v_y[3] = hn::Zero(Doubles());
+    this->template Term<0>();
+    BeginRate();
+    ForOrders<1, load_terms>([&](auto k) GLISSADE_INLINE_LAMBDA { this->template Term<k>(); });
+  }
+
+  /// The step over a fraction of the interval's rest. Its stages are to be made in order.
+  /// @param small difference of the velocity that does not matter
+  HWY_INLINE void Begin(V fraction, V small) {
+    f = fraction;
+    negligible = small;
+    t = Number(Sdirk4::gamma) * f;
+    per_t = hn::Div(Number(1.0), t);
+    changed = hn::Zero(Doubles());
+    again = hn::Ge(speed, changed);  // all
+  }
+
+  template <int i, bool anew>
+  HWY_INLINE void Stage() {
+    using S = Sdirk4;
+    V sum_s = hn::Zero(Doubles()), sum_y = sum_s;
+    ForOrders<0, i>([&](auto j) GLISSADE_INLINE_LAMBDA {
+      sum_s = sum_s + Number(S::a[i][j]) * rate_s[j];
+      sum_y = sum_y + Number(S::a[i][j]) * rate_y[j];
+    });
+    const Velocity known{v_s[0] + f * sum_s, v_y[0] + f * sum_y};
+    const V tau = Number(S::at[i]) * f, n = Polynomial(weight, tau);
+    Braking by = braking[i];
+    const Velocity v =
+        Braked<anew>(known, t, Polynomial(p_s, tau), Polynomial(p_y, tau), n, negligible, by);
+    const auto set = [&](V& value, V next) GLISSADE_INLINE_LAMBDA {
+      value = anew ? next : hn::IfThenElse(again, next, value);
+    };
+    set(braking[i].sigma, by.sigma);
+    set(braking[i].lambda, by.lambda);
+    set(rate_s[i], (v.s - known.s) * per_t);
+    set(rate_y[i], (v.y - known.y) * per_t);
+    if constexpr (i + 1 == S::stages) {
+      last_s = end_s;
+      last_y = end_y;
+      set(end_s, v.s);
+      set(end_y, v.y);
+      end_weight = n;
+    }
+  }
+
+  /// After the last stage. Where the roof follows the block the stages are to be made once more,
+  /// with the velocity that the block then has, until that changes nothing.
+  template <bool anew>
+  HWY_INLINE bool OnceMore() {
+    if constexpr (coupled && !anew) {
+      const V change = FeedBack() * Length(end_s - last_s, end_y - last_y);
+      changed = hn::IfThenElse(again, change, changed);
+      again = hn::And(again, hn::Gt(changed, negligible));
+      if (hn::AllFalse(Doubles(), again)) return false;
+    }
+    FitCubic();
+    if constexpr (coupled)
+      ForOrders<0, load_terms>([&](auto k) GLISSADE_INLINE_LAMBDA { this->template Term<k>(); });
+    return coupled;
+  }
+
+  /// Of the velocity at the end.
+  HWY_INLINE V Error() const {
+    using S = Sdirk4;
+    const V zero = hn::Zero(Doubles()), one = Number(1.0);
+    V error_s = zero, error_y = zero;
+    ForOrders<0, S::stages>([&](auto i) GLISSADE_INLINE_LAMBDA {
+      error_s = error_s + Number(S::difference[i]) * rate_s[i];
+      error_y = error_y + Number(S::difference[i]) * rate_y[i];
+    });
+    // What stiffness damps is no error (damped() in sdirk4.hpp).
+    const V speed2 = end_s * end_s + end_y * end_y;
+    const Mask rests = hn::Eq(speed2, zero);
+    const V along = hn::Div(error_s * end_s + error_y * end_y, hn::IfThenElse(rests, one, speed2));
+    const V along_s = along * end_s, along_y = along * end_y;
+    const V stiffness =
+        (t * c.per_kappa_y()) * (hn::Max(end_weight, zero) * hn::Min(c.aspect(), one));
+    const V end_speed = hn::Sqrt(speed2);
+    const V left = hn::IfThenElse(rests, one, hn::Div(end_speed, end_speed + stiffness));
+    return changed +
+           f * Length(along_s + left * (error_s - along_s), along_y + left * (error_y - along_y));
+  }
+
+  static HWY_INLINE V Length(V s, V y) { return hn::Sqrt(s * s + y * y); }
+
+ private:
+  V f, t, per_t, negligible;
+  V rate_s[Sdirk4::stages], rate_y[Sdirk4::stages];
+  V last_s, last_y, end_weight, changed;
+  Mask again;
+
+  struct Velocity {
+    V s, y;
+  };
+
+  /// By how much the velocity at the step's end changes with that in the step, through the roof.
+  HWY_INLINE V FeedBack() const {
+    const auto of = [&](V omega, V omega_rho, V twice_zeta) GLISSADE_INLINE_LAMBDA {
+      const V length = this->h * f;
+      return omega_rho * ((twice_zeta + omega * length) * length);
+    };
+    return of(c.omega_1(), c.omega_rho_1(), c.twice_zeta_1()) +
+           of(c.omega_2(), c.omega_rho_2(), c.twice_zeta_2());
+  }
+
+  /// Where the iteration of a stage has ended.
+  struct Braking {
+    V sigma, lambda;
+  };
+  Braking braking[Sdirk4::stages];
+
+  /// The velocity v with v = known + t (p - n M e), t = length, M v = |M v| e, by which the roof is
+  /// accelerated too; zero where friction holds the block. With A v = q - lambda M e and sigma = |M
+  /// v|
+  ///   v_s = q_s sigma / (A_s sigma + lambda),   v_y = q_y sigma / (A_y sigma + lambda aspect^2)
+  /// sigma is the root of |M v| / sigma = 1, by Newton's method on its inverse (ImplicitEllipse);
+  /// lambda = t n follows.
+  /// @param by if not `anew`, to begin with
+  template <bool anew>
+  HWY_INLINE Velocity Braked(Velocity known, V length, V load_s, V load_y, V n, V small,
+                             Braking& by) const {
+    const V zero = hn::Zero(Doubles()), one = Number(1.0);
+    const V a_s = coupled ? c.kappa() : one, a_y = coupled ? c.per_mass() : one;
+    const V first_lambda = hn::Max(length * n, zero);  // where v_s = known_s
+    V q_s = known.s, q_y = known.y, lambda_0 = length * n, at_rest = lambda_0;
+    const V coupling = c.mu() * c.rho_sin_cos();
+    if constexpr (coupled) {
+      q_s = a_s * q_s;
+      q_y = a_y * q_y;
+      lambda_0 = lambda_0 + coupling * known.s;  // where v_s = 0
+      at_rest = lambda_0;
+    }
+    q_s = q_s + length * load_s;
+    q_y = q_y + length * load_y;
+    at_rest = hn::Max(at_rest, zero);
+    const V on_circle = c.per_aspect() * q_y;
+    const Mask slides = hn::Gt(q_s * q_s + on_circle * on_circle, at_rest * at_rest);
+
+    const V square = c.aspect() * c.aspect(), forced = c.aspect() * q_y;
+    Mask inexact = slides;
+    if constexpr (anew) {
+      const V weight_s = q_s * q_s, weight_y = forced * forced, weights = weight_s + weight_y;
+      const V size = hn::Sqrt(weights);
+      by.lambda = first_lambda;
+      if constexpr (coupled) {
+        // To the first order in what is not the same in both directions.
+        by.sigma =
+            hn::Max(zero, hn::Div(size * weights - first_lambda * (weight_s + square * weight_y),
+                                  a_s * weight_s + a_y * weight_y));
+      } else {
+        by.sigma = hn::Max(zero, size - first_lambda);  // exact on a circle
+        inexact = hn::And(slides, hn::Ne(c.aspect(), one));
+      }
+    }
+    constexpr int iterations = 12;
+    for (int i = 0; i < iterations && !hn::AllFalse(Doubles(), inexact); ++i) {
+      const V d_s = a_s * by.sigma + by.lambda, d_y = a_y * by.sigma + by.lambda * square;
+      const V per = hn::Div(one, d_s * d_y), inverse_s = per * d_y, inverse_y = per * d_s;
+      const V x_s = q_s * inverse_s, x_y = forced * inverse_y;
+      const V square_s = x_s * x_s, square_y = x_y * x_y, size2 = square_s + square_y;
+      // (|x| - 1) |x|^2, with |x| to the third order in |x|^2 - 1: times size2 + 3.
+      V gain = (Number(2.0) * (size2 - one)) * size2;
+      V slope = a_s * (square_s * inverse_s) + a_y * (square_y * inverse_y);
+      // Change of lambda, and with sigma; what is left of it falls by `feedback` squared.
+      V follows = zero, lambda_slope = zero, feedback = zero;
+      if constexpr (coupled) {
+        const V per_lambda = square_s * inverse_s + square * (square_y * inverse_y);
+        const V coupled_x = coupling * x_s;
+        feedback = coupled_x * (by.sigma * inverse_s);
+        follows = (hn::Max(zero, lambda_0 - coupled_x * by.sigma) - by.lambda) * (one + feedback);
+        lambda_slope = (zero - coupled_x * (inverse_s * by.lambda)) * (one + feedback);
+        gain = gain - (size2 + Number(3.0)) * (per_lambda * follows);
+        slope = slope + per_lambda * lambda_slope;
+      }
+      const V moves = hn::Div(gain, (size2 + Number(3.0)) * slope);
+      const V next = hn::Max(zero, by.sigma + moves);
+      by.sigma = hn::IfThenElse(inexact, next, by.sigma);
+      if constexpr (coupled)
+        by.lambda = hn::IfThenElse(
+            inexact, hn::Max(zero, by.lambda + (follows + lambda_slope * moves)), by.lambda);
+      // What is left falls with the square of the change, and of what differs by direction.
+      const V differs = a_s * d_y - a_y * d_s, both = a_s * d_y + a_y * d_s;
+      const V left = (hn::Abs(moves) + hn::Abs(follows)) * differs;
+      Mask goes_on = hn::Gt(left * left, (small * next) * (both * both));
+      if constexpr (coupled)
+        goes_on = hn::Or(goes_on, hn::Gt((feedback * feedback) * hn::Abs(follows), small));
+      inexact = hn::And(inexact, goes_on);
+    }
+    const V d_s = a_s * by.sigma + by.lambda, d_y = a_y * by.sigma + by.lambda * square;
+    const V by_s = q_s * d_y, by_y = q_y * d_s, per = hn::Div(by.sigma, d_s * d_y);
+    return {hn::IfThenElseZero(slides, by_s * per), hn::IfThenElseZero(slides, by_y * per)};
+  }
+
+  /// The rate at the begin; of a block at rest, that with which it starts.
+  HWY_INLINE void BeginRate() {
+    const V zero = hn::Zero(Doubles()), one = Number(1.0);
+    const Mask rests = hn::Eq(speed, zero);
+    const V per_speed = hn::Div(one, hn::IfThenElse(rests, one, speed));
+    const V n = hn::Max(weight[0], zero);
+    const V e_s = v_s[0] * per_speed, e_y = (c.aspect() * v_y[0]) * per_speed;
+    V s = p_s[0] - n * e_s, brakes = n;
+    if constexpr (coupled) {
+      const V coupling = hn::IfThenElseZero(hn::Gt(weight[0], zero), c.mu() * c.rho_sin_cos());
+      s = hn::Div(s, c.kappa() - coupling * e_s);
+      brakes = hn::Max(n - coupling * s, zero);
+    }
+    V y = p_y[0] - brakes * (c.aspect() * e_y);
+    if constexpr (coupled) y = y * c.per_kappa_y();
+    if (HWY_UNLIKELY(!hn::AllFalse(Doubles(), rests))) {
+      const Velocity start =
+          Braked<true>({zero, zero}, one, p_s[0], p_y[0], weight[0], zero, braking[0]);
+      s = hn::IfThenElse(rests, start.s, s);
+      y = hn::IfThenElse(rests, start.y, y);
+    }
+    v_s[1] = s;
+    v_y[1] = y;
+  }
+
+  HWY_INLINE void FitCubic() {
+    const V per = hn::Div(Number(1.0), f), per2 = per * per;
+    const auto fit = [&](V(&v)[cubic], V end, V end_rate) GLISSADE_INLINE_LAMBDA {
+      const V gain = end - v[0], rise = f * v[1], last = f * end_rate;
+      v[2] = hn::IfThenElse(again, (Number(3.0) * gain - Number(2.0) * rise - last) * per2, v[2]);
+      v[3] = hn::IfThenElse(again, (rise + last - Number(2.0) * gain) * (per2 * per), v[3]);
+    };
+    fit(v_s, end_s, rate_s[Sdirk4::stages - 1]);
+    fit(v_y, end_y, rate_y[Sdirk4::stages - 1]);
+  }
+};
+
+}  // namespace glissade::block_detail::two_axes::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif  // GLISSADE_TWO_AXES_IMPLICIT_SERIES_INL
