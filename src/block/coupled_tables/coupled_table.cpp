@@ -56,6 +56,32 @@ void walk(std::span<const ResponseStep> given, const double* a, const double* w,
     for (ResponseStep& step : steps) step.to(i, a[i], w != nullptr ? w[i] : 0.0);
 }
 
+/// @param direction 0 at rest
+LaneRegime lane_regime(const RegimeOscillator& r, const CoupledContact& contact, int direction) {
+  const Contact& at_rest = contact.at_rest();
+  const DriveLine &slide = r.contact.drive, &first = direction == 0 ? at_rest.down() : slide,
+                  &second = at_rest.up();
+  const double sign = direction == 0 ? 1.0 : -1.0;
+  return {.mass = r.contact.mass,
+          .weight = r.contact.weight,
+          .lag = r.lag,
+          .angle = r.angle,
+          .per_angle = r.per_angle,
+          .decay = r.alpha_radps * r.dt_s,
+          .turn = r.beta_radps * r.dt_s,
+          .sigma_re = -r.alpha_radps * r.per_omega,
+          .sigma_im = r.beta_radps * r.per_omega,
+          .sigma = r.phase * r.per_angle,
+          .per_im = r.omega_radps * r.per_beta,
+          .phase = r.phase,
+          .per_omega = r.per_omega,
+          .per_omega2 = r.per_omega2,
+          .a_1 = sign * first.a,
+          .w_1 = sign * first.w,
+          .a_2 = direction == 0 ? second.a : 0.0,
+          .w_2 = direction == 0 ? second.w : -1.0};
+}
+
 }  // namespace
 
 CoupledNodes::CoupledNodes(const GroundMotion& motion)
@@ -95,6 +121,12 @@ CoupledTable::CoupledTable(const CoupledNodes& nodes, const CoupledContact& cont
           RegimeOscillator(contact.sliding_down(), contact.gravity(), building, nodes.a.step_s()),
           RegimeOscillator(contact.sliding_up(), contact.gravity(), building, nodes.a.step_s())} {
   respond(building);
+  for (const int direction : {-1, 0, 1}) {
+    LaneRegime& lane = lane_regimes_[index(direction)];
+    lane = lane_regime(regime(direction), contact, direction);
+    lane.x = response(direction).x.data();
+    lane.y = response(direction).y.data();
+  }
   set_rest(building.damping_ratio);
   speeds_[1] = speed_of(+1);
   speeds_[2] = vertical_ratio == 0.0 && responses_[1] == responses_[2] ? speeds_[1] : speed_of(-1);
@@ -161,6 +193,28 @@ void CoupledTable::set_bounds(Response& response, const RegimeOscillator& r,
     response.largest_x_mps2 =
         std::max(response.largest_x_mps2, static_cast<double>(response.x_mps2[b]));
   }
+}
+
+LaneTables CoupledTable::lanes(const CoupledTable* yielding, const Yielding& spring) const {
+  LaneTables t;
+  t.ground = nodes_.a.nodes().data();
+  t.vertical = nodes_.vertical ? nodes_.w.nodes().data() : nullptr;
+  t.quiet = static_cast<std::int64_t>(nodes_.quiet);
+  t.end = static_cast<std::int64_t>(std::min(nodes_.quiet, nodes_.a.last_sample()));
+  t.sign = sign_;
+  t.step_s = nodes_.a.step_s();
+  t.gravity_mps2 = gravity_mps2_;
+  t.cot_slope = cot_slope_;
+  t.yielding_to_elastic = std::sqrt(spring.hardening_ratio);
+  t.yields = spring.yields();
+  t.has_yielding = yielding != nullptr;
+  for (std::size_t k = 0; k < 6; ++k) {
+    const CoupledTable& of = k < 3 || yielding == nullptr ? *this : *yielding;
+    t.regimes[k] = &of.lane_regimes_[k % 3];
+    t.decay_terms = std::max(t.decay_terms, terms_for(t.regimes[k]->decay));
+    t.turn_terms = std::max(t.turn_terms, terms_for(t.regimes[k]->turn));
+  }
+  return t;
 }
 
 double CoupledTable::contact_margin_mps2(int direction, double intensity, double w_factor) const {

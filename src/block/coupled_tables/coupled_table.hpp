@@ -8,7 +8,9 @@
 
 #include "block/contact/coupled_regime.hpp"
 #include "block/coupled_tables/coupled_fill.hpp"
+#include "block/coupled_tables/coupled_lanes.hpp"
 #include "glissade/building/ground_table.hpp"
+#include "glissade/building/yielding.hpp"
 
 namespace glissade::block_detail {
 
@@ -76,6 +78,8 @@ class CoupledTable {
   const Speed& speed(int direction) const { return *speeds_[index(direction)]; }
   const CoupledNodes& nodes() const { return nodes_; }
   double sign() const { return sign_; }
+  /// For lanes on an elastic building and the same while it yields, if there is such a table.
+  LaneTables lanes(const CoupledTable* yielding, const Yielding& spring) const;
   /// Normal force of the block per mass that the table leaves at this intensity, over sin(slope),
   /// less what a free vibration |a| takes: it lifts where this is negative. Infinite: never.
   double contact_margin_mps2(int direction, double intensity, double w_factor) const;
@@ -94,6 +98,7 @@ class CoupledTable {
   double sign_, vertical_ratio_, gravity_mps2_, cot_slope_;
   double lowest_per_g_, highest_per_g_;
   std::array<RegimeOscillator, 3> regimes_;
+  std::array<LaneRegime, 3> lane_regimes_;
   std::array<std::shared_ptr<Response>, 3> responses_;  // equal regimes share one
   Rest rest_;
   std::array<std::shared_ptr<Speed>, 3> speeds_;  // none of a block at rest
