@@ -26,7 +26,6 @@ CoupledHistory::CoupledHistory(const CoupledTable& table, const CoupledTable* yi
       intensity_(intensity),
       w_factor_(scene.factors.vertical),
       step_s_(table.nodes().a.step_s()),
-      cot_slope_(contact.cot_slope()),
       body_(contact, subdivision.building, block_, CoupledBody::Keeps::peaks,
             scene.building.yielding),
       watched_(!thresholds_m.empty()),
@@ -34,13 +33,11 @@ CoupledHistory::CoupledHistory(const CoupledTable& table, const CoupledTable* yi
       end_(contact.slides_at_rest() ? table.nodes().a.last_sample()
                                     : quiet_from_ + longest_ring_down(step_s_)) {
   body_.crossings() = {thresholds_m, crossings, contact_.cos_slope()};
-  for (const int direction : {-1, 0, 1}) {
-    const auto margin = [&](const CoupledTable& of) {
-      return of.contact_margin_mps2(direction, intensity, w_factor_);
-    };
-    const std::size_t k = CoupledTable::index(direction);
-    contact_margin_mps2_[0][k] = margin(table);
-    if (yielding_table != nullptr) contact_margin_mps2_[1][k] = margin(*yielding_table);
+  for (std::size_t k = 0; k < 6; ++k) {
+    if (k < 3)
+      set_searches(k, table);
+    else if (yielding_table != nullptr)
+      set_searches(k, *yielding_table);
   }
 }
 

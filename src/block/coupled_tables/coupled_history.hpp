@@ -6,6 +6,7 @@
 #include <span>
 
 #include "block/coupled_tables/coupled_lanes.hpp"
+#include "block/coupled_tables/coupled_search.hpp"
 #include "block/coupled_tables/coupled_table.hpp"
 #include "block/events/coupled_body.hpp"
 #include "glissade/block/coupled_slip.hpp"
@@ -33,36 +34,30 @@ class CoupledHistory {
   SlipResult result() const;
 
  private:
-  /// What a lane holds at its reference node, from which the tables are searched.
-  struct Reference {
-    std::size_t node = 0;
-    int direction = 0, side = 0;
-    RoofState roof;
-    double speed = 0.0;
-    Amplitude free;     ///< the free vibration there
-    double size = 0.0;  ///< of it
-    bool ringing_down = false;
-    bool may_lift = false, spring_may_change = false;
-    Spring::Range elastic;
+  /// A history's searches in a regime of contact and spring, as far as they do not depend on where
+  /// it is.
+  struct Searches {
+    const RegimeOscillator* regime = nullptr;
+    const CoupledTable::Response* response = nullptr;
+    RestSearch rest;
+    SpeedSearch speed;
+    LimitSearch limit;
+    double table_a_mps2 = 0.0, table_speed_mps = 0.0, table_x_mps2 = 0.0;  ///< no more, in size
+    double contact_margin_mps2 = 0.0;  ///< it lifts only if a free vibration has more
   };
-  const CoupledTable& table(const Reference& at) const {
-    return at.side != 0 ? *yielding_table_ : elastic_table_;
-  }
-  const RegimeOscillator& regime(const Reference& at) const {
-    return table(at).regime(at.direction);
-  }
   const CoupledNodes& nodes() const { return elastic_table_.nodes(); }
-  Reference reference(const CoupledLanes& lanes, std::size_t lane) const;
-  bool finished(const Reference& at) const;
-
+  void set_searches(std::size_t index, const CoupledTable& table);
+  void begin_ring_down();
   Next search(CoupledLanes& lanes, std::size_t lane);
-  std::size_t next_interval(const Reference& at, std::size_t from, std::size_t to) const;
-  std::size_t next_start_in(const Reference& at, std::size_t from, std::size_t first,
-                            std::size_t last) const;
-  std::size_t next_stop_in(const Reference& at, std::size_t from, std::size_t first,
-                           std::size_t last) const;
-  std::size_t next_limit_in(const Reference& at, std::size_t from, std::size_t first,
-                            std::size_t last, std::size_t found) const;
+  std::size_t next_interval(const CoupledLanes& lanes, std::size_t lane, Amplitude free,
+                            std::size_t from, std::size_t to);
+  bool may_reach_limits(const CoupledLanes& lanes, std::size_t lane, const Searches& searches,
+                        double size) const;
+  std::size_t next_start(Searches& searches, Amplitude free, double size, std::size_t first,
+                         std::size_t last) const;
+  std::size_t next_stop(Searches& searches, const CoupledLanes& lanes, std::size_t lane,
+                        Amplitude free, double size, std::size_t from, std::size_t first,
+                        std::size_t last) const;
 
   double time_s(std::size_t node, double tau = 0.0) const {
     return (static_cast<double>(node) + tau) * step_s_;
@@ -82,14 +77,12 @@ class CoupledHistory {
   Subdivision subdivision_;
   Block block_;
   double intensity_, w_factor_, step_s_;
-  double cot_slope_;
-  // Elastic or yielding, by CoupledTable::index: a free vibration may have less.
-  std::array<std::array<double, 3>, 2> contact_margin_mps2_{};
+  std::array<Searches, 6> searches_;          // by index in LaneTables::regimes
   CoupledBody body_;                          // at rest; its crossings are those of the history
   std::optional<CoupledBody> body_at_phase_;  // where thresholds are watched
   double phase_tau_ = 0.0;                    // where in its interval the phase began
   std::size_t phase_node_ = 0;
-  bool watched_, finishes_ = false;
+  bool watched_, ringing_down_ = false, finishes_ = false;
   std::size_t quiet_from_, end_;
 };
 

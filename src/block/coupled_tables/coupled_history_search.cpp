@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "block/coupled_tables/coupled_history.hpp"
-#include "block/coupled_tables/coupled_search.hpp"
 
 namespace glissade::block_detail {
 namespace {
@@ -19,168 +18,167 @@ constexpr std::array<Number, CoupledTable::zeros + CoupledTable::tile> zeros{};
 
 }  // namespace
 
-CoupledHistory::Reference CoupledHistory::reference(const CoupledLanes& l, std::size_t lane) const {
-  Reference at;
-  at.node = static_cast<std::size_t>(l.node[lane]);
-  const int k = static_cast<int>(l.regime[lane]) % 3;
-  at.direction = k == 2 ? -1 : k;
-  at.side = static_cast<int>(l.side[lane]);
-  at.ringing_down = at.node > quiet_from_;
-  at.elastic = {l.lowest[lane], l.highest[lane]};
-  if (at.side != 0 && yielding_table_ == nullptr) return at;
-  const RegimeOscillator& r = regime(at);
-  at.roof = {l.x_from[lane], l.y_from[lane]};
-  at.speed = l.speed_from[lane];
-  at.free = r.per_omega2 * Amplitude{l.free_re[lane], l.free_im[lane]};
-  at.size = r.per_omega2 * l.free_size[lane];
-  const double weight = r.contact.weight * r.gravity_mps2,
-               margin = at.ringing_down
-                            ? contact_.gravity() * cot_slope_
-                            : contact_margin_mps2_[at.side != 0][CoupledTable::index(at.direction)],
-               table_x = at.ringing_down
-                             ? 0.0
-                             : intensity_ * table(at).response(at.direction).largest_x_mps2;
-  at.may_lift = !(r.s2_size * at.size < margin);
-  at.spring_may_change = body_.yield_mps2() < never &&
-                         (at.side != 0 || !(table_x + r.omega2 * at.size + std::abs(weight) <
-                                            std::min(-at.elastic.lowest, at.elastic.highest)));
-  return at;
+void CoupledHistory::set_searches(std::size_t index, const CoupledTable& table) {
+  const int direction = index % 3 == 2 ? -1 : static_cast<int>(index % 3);
+  Searches& s = searches_[index];
+  const RegimeOscillator& r = *(s.regime = &table.regime(direction));
+  const CoupledTable::Response& response = *(s.response = &table.response(direction));
+  const float intensity = static_cast<float>(intensity_);
+  const CoupledTable::Rest& rest = table.rest();
+  s.rest = {{&r, intensity, {}},
+            table.rest_below(),
+            rest.above.data(),
+            rest.tile_below.data(),
+            rest.tile_above.data(),
+            response.amplitude.data(),
+            table.lowest_per_g() * r.gravity_mps2,
+            table.highest_per_g() * r.gravity_mps2};
+  s.table_a_mps2 = intensity_ * rest.largest;
+  if (direction != 0) {
+    const CoupledTable::Speed& speed = table.speed(direction);
+    const DriveLine& line = r.contact.drive;
+    s.speed = {{&r, intensity, {}}, speed.gain.data(), speed.tile_deviation.data(),
+               static_cast<float>(line.a), 0.0f,
+               static_cast<float>(step_s_ * (line.constant - slack * std::abs(line.constant)))};
+    s.table_speed_mps = intensity_ * speed.largest;
+  }
+  s.limit = {&r,
+             intensity_,
+             w_factor_,
+             {},
+             response.x.data(),
+             response.y.data(),
+             nodes().vertical ? nodes().w.acceleration_mps2().data() : nullptr,
+             response.a_mps2.data(),
+             response.x_mps2.data(),
+             response.amplitude.data(),
+             nodes().tile_lowest_w_mps2.data(),
+             nodes().tile_highest_w_mps2.data(),
+             contact_.cot_slope(),
+             0.0,
+             0.0,
+             0};
+  s.table_x_mps2 = intensity_ * response.largest_x_mps2;
+  s.contact_margin_mps2 = table.contact_margin_mps2(direction, intensity_, w_factor_);
 }
 
-bool CoupledHistory::finished(const Reference& at) const {
-  return at.ringing_down && at.direction == 0 && !at.spring_may_change &&
-         cannot_slip(block_, regime(at).s2_size * at.size, 0.0);
+/// From here on the tables are zero, and the free vibration is all there is.
+void CoupledHistory::begin_ring_down() {
+  ringing_down_ = true;
+  for (Searches& s : searches_) {
+    s.rest.motion.intensity = s.speed.motion.intensity = 0.0f;
+    s.limit.intensity = s.limit.w_factor = 0.0;
+    s.table_a_mps2 = s.table_speed_mps = s.table_x_mps2 = 0.0;
+    s.rest.below = s.rest.above = s.rest.tile_below = s.rest.tile_above = s.rest.tile_amplitude =
+        s.speed.gain = s.speed.tile_deviation = s.limit.tile_a = s.limit.tile_x =
+            s.limit.tile_amplitude = zeros<float>.data();
+    s.limit.x = s.limit.y = s.limit.tile_lowest_w = s.limit.tile_highest_w = zeros<double>.data();
+    s.limit.w = nullptr;
+    s.contact_margin_mps2 = contact_.gravity() * contact_.cot_slope();
+  }
 }
 
 /// From a lane's reference node to the next interval that it must solve.
 CoupledHistory::Next CoupledHistory::search(CoupledLanes& lanes, std::size_t lane) {
-  const Reference at = reference(lanes, lane);
-  if (finishes_) return finish(lanes, lane);
-  std::size_t node = at.node;
-  if (at.side != 0 && yielding_table_ == nullptr) {
-    if (node >= end_) return finish(lanes, lane);
+  const auto k = static_cast<std::size_t>(lanes.regime[lane]);
+  const auto reference = static_cast<std::size_t>(lanes.node[lane]);
+  if (finishes_ || (k >= 3 && yielding_table_ == nullptr && reference >= end_))
+    return finish(lanes, lane);
+  if (k >= 3 && yielding_table_ == nullptr) {
     lanes.left[lane] = 1.0;
     return by_reference_scheme(lanes, lane);
   }
-  for (;;) {
-    if (finished(at)) return finish(lanes, lane);
-    if (node >= end_) break;
-    const std::size_t to = at.ringing_down
-                               ? std::min(end_, node + CoupledTable::zeros - CoupledTable::tile)
-                               : std::min(end_, quiet_from_);
-    const std::size_t found = next_interval(at, node, to);
-    const bool goes_on = found == to && (at.ringing_down || found == end_) && node < to;
+  if (!ringing_down_ && reference > quiet_from_) begin_ring_down();
+  const Searches& s = searches_[k];
+  const RegimeOscillator& r = *s.regime;
+  Amplitude free = r.per_omega2 * Amplitude{lanes.free_re[lane], lanes.free_im[lane]};
+  std::size_t node = reference, to = quiet_from_;
+  do {
+    if (ringing_down_) {
+      if (k == 0 && cannot_slip(block_, r.s2_size * free.size(), 0.0) &&
+          !may_reach_limits(lanes, lane, s, free.size()))
+        return finish(lanes, lane);
+      to = node + CoupledTable::zeros - CoupledTable::tile;
+    }
+    to = std::min(to, end_);
+    const std::size_t found = next_interval(lanes, lane, free, node, to);
+    free = free * r.power(found - node);
     node = found;
-    if (!goes_on) break;
-  }
+  } while (ringing_down_ && node == to && node < end_);
   finishes_ = node >= end_;
   lanes.begins[lane] = 1.0;
   lanes.left[lane] = lanes.length[lane] = finishes_ ? 0.0 : 1.0;
-  lanes.steps[lane] = static_cast<double>(node - at.node);
-  const Amplitude power = regime(at).power(node - at.node);
+  lanes.steps[lane] = static_cast<double>(node - reference);
+  const Amplitude power = r.power(node - reference);
   lanes.power_re[lane] = power.re;
   lanes.power_im[lane] = power.im;
-  const CoupledTable::Response& response = table(at).response(at.direction);
-  lanes.x_table[lane] = response.x[std::min(node, quiet_from_)];
-  lanes.y_table[lane] = response.y[std::min(node, quiet_from_)];
+  const std::size_t in_table = std::min(node, quiet_from_);
+  lanes.x_table[lane] = s.response->x[in_table];
+  lanes.y_table[lane] = s.response->y[in_table];
   lanes.node[lane] = static_cast<std::int64_t>(node);
   return Next::interval;
 }
 
+/// With a free vibration of this size it may lift, yield or unload.
+bool CoupledHistory::may_reach_limits(const CoupledLanes& lanes, std::size_t lane,
+                                      const Searches& s, double size) const {
+  const RegimeOscillator& r = *s.regime;
+  if (!(r.s2_size * size < s.contact_margin_mps2) || lanes.side[lane] != 0.0) return true;
+  return !(s.table_x_mps2 + r.omega2 * size + std::abs(r.contact.weight * r.gravity_mps2) <
+           std::min(-lanes.lowest[lane], lanes.highest[lane]));
+}
+
 /// The first interval before node `to` that must be solved, else `to`.
-std::size_t CoupledHistory::next_interval(const Reference& at, std::size_t from,
-                                          std::size_t to) const {
-  const std::size_t first = at.ringing_down ? 0 : from, last = first + (to - from) + 1;
-  std::size_t found = at.direction != 0 ? next_stop_in(at, from, first, last)
-                                        : next_start_in(at, from, first, last);
-  if (at.may_lift || at.spring_may_change)
-    found = next_limit_in(at, from, first, std::min(std::max(found, first + 1) + 1, last), found);
+std::size_t CoupledHistory::next_interval(const CoupledLanes& lanes, std::size_t lane,
+                                          Amplitude free, std::size_t from, std::size_t to) {
+  Searches& s = searches_[static_cast<std::size_t>(lanes.regime[lane])];
+  const std::size_t first = ringing_down_ ? 0 : from, last = first + (to - from) + 1;
+  const double size = free.size();
+  std::size_t found = s.regime->contact.drive.a == 0.0
+                          ? next_start(s, free, size, first, last)
+                          : next_stop(s, lanes, lane, free, size, from, first, last);
+  if (may_reach_limits(lanes, lane, s, size)) {
+    s.limit.free = free;
+    s.limit.side = static_cast<int>(lanes.side[lane]);
+    s.limit.lowest = s.limit.side != 0 ? -never : lanes.lowest[lane];
+    s.limit.highest = s.limit.side != 0 ? never : lanes.highest[lane];
+    const std::size_t searched = std::min(std::max(found, first + 1) + 1, last),
+                      limit = next_limit(s.limit, first, searched);
+    if (limit < searched) found = limit;
+  }
   if (found == last) return to;
   return from + (found == first ? 0 : found - first - 1);
 }
 
-std::size_t CoupledHistory::next_start_in(const Reference& at, std::size_t from, std::size_t first,
-                                          std::size_t last) const {
-  const RegimeOscillator& r = regime(at);
-  const CoupledTable::Rest& rest = table(at).rest();
-  const auto values = [&](const std::vector<float>& v) {
-    return at.ringing_down ? zeros<float>.data() : v.data();
-  };
-  RestSearch s;
-  s.motion = {&r, at.ringing_down ? 0.0f : static_cast<float>(intensity_),
-              r.s2 * (at.free * r.power(from - at.node))};
-  const double low = table(at).lowest_per_g() * r.gravity_mps2,
-               high = table(at).highest_per_g() * r.gravity_mps2,
-               room = slack * (intensity_ * rest.largest + s.motion.amplitude.size() +
-                               std::abs(low) + std::abs(high));
-  s.lowest = low + room;
-  s.highest = high - room;
-  s.below = values(rest.below);
-  s.above = values(rest.above);
-  s.tile_below = values(rest.tile_below);
-  s.tile_above = values(rest.tile_above);
-  s.tile_amplitude = values(table(at).response(0).amplitude);
-  return next_start(s, first, last);
+std::size_t CoupledHistory::next_start(Searches& of, Amplitude free, double size,
+                                       std::size_t first, std::size_t last) const {
+  const RegimeOscillator& r = *of.regime;
+  RestSearch& s = of.rest;
+  s.motion.amplitude = r.s2 * free;
+  s.room = slack * (of.table_a_mps2 + r.s2_size * size + (s.highest - s.lowest));
+  return block_detail::next_start(s, first, last);
 }
 
-std::size_t CoupledHistory::next_stop_in(const Reference& at, std::size_t from, std::size_t first,
-                                         std::size_t last) const {
-  const RegimeOscillator& r = regime(at);
-  const CoupledTable::Speed& speed = table(at).speed(at.direction);
+std::size_t CoupledHistory::next_stop(Searches& of, const CoupledLanes& l, std::size_t lane,
+                                      Amplitude free, double size, std::size_t from,
+                                      std::size_t first, std::size_t last) const {
+  const RegimeOscillator& r = *of.regime;
   const DriveLine& line = r.contact.drive;
-  const Amplitude amplitude = at.free * r.power(from - at.node);
-  SpeedSearch s;
-  s.motion = {&r, at.ringing_down ? 0.0f : static_cast<float>(intensity_), r.s * amplitude};
-  s.gain = at.ringing_down ? zeros<float>.data() : speed.gain.data();
-  s.tile_deviation = at.ringing_down ? zeros<float>.data() : speed.tile_deviation.data();
-  double constant =
-      at.speed - line.a * (at.roof.y * r.per_omega) + line.constant * time_s(from - at.node);
-  if (!at.ringing_down) {
-    constant -= line.a * intensity_ * (table(at).sign() * nodes().a.velocity_mps()[at.node]);
-    if (nodes().vertical) constant -= line.w * w_factor_ * nodes().w.velocity_mps()[at.node];
-  }
-  const double per_step = line.constant * step_s_,
-               size = std::abs(line.a) * (intensity_ * speed.largest + s.motion.amplitude.size()) +
-                      std::abs(constant);
-  s.drive_a = static_cast<float>(line.a);
-  s.constant = static_cast<float>(constant - slack * size);
-  s.per_step = static_cast<float>(per_step - slack * std::abs(per_step));
+  SpeedSearch& s = of.speed;
+  s.motion.amplitude = r.s * free;
+  double constant = l.speed_from[lane] - line.a * (l.y_from[lane] * r.per_omega);
+  if (ringing_down_)
+    constant += line.constant * time_s(from - static_cast<std::size_t>(l.node[lane]));
+  else
+    constant -= line.a * (intensity_ * elastic_table_.sign()) * l.velocity_from[lane] +
+                line.w * w_factor_ * l.w_velocity_from[lane];
+  const double rate_size = r.phase / step_s_ * size;
+  s.constant = static_cast<float>(
+      constant - slack * (std::abs(line.a) * (of.table_speed_mps + rate_size) +
+                          std::abs(constant)));
   s.deviation = static_cast<float>(0.125 * step_s_ * std::abs(line.a) * r.phase * r.s2_size *
-                                   amplitude.size() * (1.0 + slack));
-  return next_stop(s, first, last);
-}
-
-/// The first node in [first, last) at or beside which the block may lift, or the spring yield
-/// or unload; else what was found before.
-std::size_t CoupledHistory::next_limit_in(const Reference& at, std::size_t from, std::size_t first,
-                                          std::size_t last, std::size_t found) const {
-  const CoupledTable::Response& response = table(at).response(at.direction);
-  LimitSearch s;
-  s.regime = &regime(at);
-  s.free = at.free * s.regime->power(from - at.node);
-  const auto values = [&](const std::vector<float>& v) {
-    return at.ringing_down ? zeros<float>.data() : v.data();
-  };
-  const auto doubles = [&](const std::vector<double>& v) {
-    return at.ringing_down ? zeros<double>.data() : v.data();
-  };
-  s.intensity = intensity_;
-  s.w_factor = w_factor_;
-  s.x = doubles(response.x);
-  s.y = doubles(response.y);
-  if (nodes().vertical)
-    s.w = at.ringing_down ? zeros<double>.data() : nodes().w.acceleration_mps2().data();
-  s.tile_a = values(response.a_mps2);
-  s.tile_x = values(response.x_mps2);
-  s.tile_amplitude = values(response.amplitude);
-  s.tile_lowest_w = doubles(nodes().tile_lowest_w_mps2);
-  s.tile_highest_w = doubles(nodes().tile_highest_w_mps2);
-  s.cot_slope = cot_slope_;
-  s.lowest = at.side != 0 ? -never : at.elastic.lowest;
-  s.highest = at.side != 0 ? never : at.elastic.highest;
-  s.side = at.side;
-  const std::size_t limit = next_limit(s, first, last);
-  return limit < last ? limit : found;
+                                   size * (1.0 + slack));
+  return block_detail::next_stop(s, first, last);
 }
 
 }  // namespace glissade::block_detail

@@ -54,6 +54,8 @@ std::size_t NextStart(const RestSearch& s, std::size_t from, std::size_t to) {
   const Floats f;
   const RegimeOscillator& r = *s.motion.regime;
   const float deviation = static_cast<float>(0.125 * r.phase * r.phase * (1.0 + 1e-6));
+  const float low = static_cast<float>(s.lowest + s.room),
+              high = static_cast<float>(s.highest - s.room);
   const Vector intensity = hn::Set(f, s.motion.intensity);
   const std::size_t tiles = (to + tile - 1) / tile;
   for (std::size_t i = from; i < to;) {
@@ -63,8 +65,7 @@ std::size_t NextStart(const RestSearch& s, std::size_t from, std::size_t to) {
     const float chord =
         deviation * (s.motion.intensity * s.tile_amplitude[b] + static_cast<float>(size));
     const VibrationNodes vibration(r, now, i);
-    const Vector lowest = hn::Set(f, static_cast<float>(s.lowest) + chord),
-                 highest = hn::Set(f, static_cast<float>(s.highest) - chord);
+    const Vector lowest = hn::Set(f, low + chord), highest = hn::Set(f, high - chord);
     const std::size_t found = First(i, end, [&](std::size_t at) {
       const Vector free = vibration.at(at);
       const Vector below = hn::Add(hn::Mul(intensity, hn::LoadU(f, s.below + at)), free),
@@ -74,8 +75,7 @@ std::size_t NextStart(const RestSearch& s, std::size_t from, std::size_t to) {
     if (found < end) return found;
     // The free vibration only decays: by tile, it is no larger than now.
     const float room = static_cast<float>(size) * (1.0f + deviation);
-    const Vector least = hn::Set(f, static_cast<float>(s.lowest) + room),
-                 most = hn::Set(f, static_cast<float>(s.highest) - room);
+    const Vector least = hn::Set(f, low + room), most = hn::Set(f, high - room);
     i = tile * First(b + 1, tiles, [&](std::size_t at) {
           return hn::Or(hn::Lt(hn::Mul(intensity, hn::LoadU(f, s.tile_below + at)), least),
                         hn::Gt(hn::Mul(intensity, hn::LoadU(f, s.tile_above + at)), most));

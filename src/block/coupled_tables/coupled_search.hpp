@@ -25,6 +25,7 @@ struct RestSearch {
   const float *tile_below = nullptr, *tile_above = nullptr;  ///< by tile, and between nodes
   const float* tile_amplitude = nullptr;
   double lowest = 0.0, highest = 0.0;
+  double room = 0.0;  ///< for rounding
 };
 /// The first node in [from, to) at or beside which the block may start, else to.
 std::size_t next_start(const RestSearch& search, std::size_t from, std::size_t to);

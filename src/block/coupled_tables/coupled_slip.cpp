@@ -82,15 +82,14 @@ struct CoupledGround::Tables {
   /// The last table.
   struct Last {
     std::optional<Shared> shared;  ///< what it is of
-    std::optional<CoupledTable> table;
+    CoupledTable table;
 
     const CoupledTable& of(const CoupledNodes& motion, const Shared& wanted,
                            const CoupledContact& contact, const Subdivision& subdivision) {
-      if (!(shared == wanted)) {
-        table.emplace(motion, contact, subdivision.building, wanted.sign, wanted.vertical_ratio);
-        shared = wanted;
-      }
-      return *table;
+      if (!(shared == wanted))
+        table.tabulate(motion, contact, subdivision.building, wanted.sign, wanted.vertical_ratio);
+      shared = wanted;
+      return table;
     }
   };
   std::shared_ptr<const CoupledNodes> nodes;
