@@ -14,16 +14,10 @@ struct Amplitude {
   double re = 0.0, im = 0.0;
   double size() const { return std::sqrt(re * re + im * im); }
 };
-inline Amplitude operator+(Amplitude p, Amplitude q) { return {p.re + q.re, p.im + q.im}; }
-inline Amplitude operator-(Amplitude p, Amplitude q) { return {p.re - q.re, p.im - q.im}; }
 inline Amplitude operator*(double f, Amplitude p) { return {f * p.re, f * p.im}; }
 inline Amplitude operator*(Amplitude p, Amplitude q) {
   return {p.re * q.re - p.im * q.im, p.re * q.im + p.im * q.re};
 }
-inline RoofState operator+(RoofState p, RoofState q) { return {p.x + q.x, p.y + q.y}; }
-inline RoofState operator-(RoofState p, RoofState q) { return {p.x - q.x, p.y - q.y}; }
-/// Re(p q).
-inline double real(Amplitude p, Amplitude q) { return p.re * q.re - p.im * q.im; }
 
 /// Ground at an instant of an interval, at its factors, and its change over the interval.
 struct LinearGround {
@@ -58,17 +52,6 @@ struct RegimeOscillator {
   RegimeOscillator(const ContactRegime& contact, double gravity_mps2,
                    const BuildingOscillator& building, double dt_s);
 
-  /// Of the scaled state (x, y) of a free vibration, without particular part.
-  Amplitude free_amplitude(const RoofState& state) const {
-    const double u = state.x * per_omega2, rate = state.y * per_omega;
-    return {u, -(rate + alpha_radps * u) * per_beta};
-  }
-  RoofState free_state(Amplitude z) const { return {omega2 * z.re, omega_radps * real(s, z)}; }
-  /// Of the roof, in a state under this vertical.
-  double acceleration_mps2(const RoofState& roof, double w) const {
-    const double resisting = -(roof.x + lag * angle * roof.y);
-    return (resisting - contact.weight * (gravity_mps2 + w)) * per_mass;
-  }
   /// exp(s dt n), by products of powers of exp(s dt).
   Amplitude power(std::size_t n) const {
     Amplitude p = powers[n % window];

@@ -46,10 +46,6 @@ class Spring {
                                                 : force - state.hardened;
     return z_ + (alpha_ > 0.0 ? (force - z_) / alpha_ : 0.0);
   }
-  /// Forces.
-  struct Range {
-    double lowest, highest;
-  };
   /// Of the building's frequency with the stiffness of now to the elastic one.
   double frequency_ratio() const { return yielding() ? std::sqrt(alpha_) : 1.0; }
   /// Elastic energy, per mass.

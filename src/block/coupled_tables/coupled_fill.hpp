@@ -28,8 +28,10 @@ struct ResponseFill {
 /// Where values is null nothing is made.
 struct LineFill {
   double x_factor = 0.0, y_factor = 0.0, a_factor = 0.0, w_factor = 0.0;
-  float *values = nullptr, *tile_lowest = nullptr, *tile_highest = nullptr;  ///< by node, and extremes by tile
-  float* tile_change = nullptr;  ///< largest change of the line of a and w from the node before to the next
+  float *values = nullptr, *tile_lowest = nullptr,
+        *tile_highest = nullptr;  ///< by node, and extremes by tile
+  float* tile_change =
+      nullptr;  ///< largest change of the line of a and w from the node before to the next
 };
 
 struct TableFill {
@@ -37,8 +39,8 @@ struct TableFill {
   const double *w, *w_velocity;  ///< or null: no vertical
   double twice_zeta;
   std::array<ResponseFill, 3> responses{};
-  std::array<LineFill, 2> rest{};       ///< of the first, with w
-  std::array<LineFill, 2> speeds{};     ///< of the second and the third, with the velocities
+  std::array<LineFill, 2> rest{};    ///< of the first, with w
+  std::array<LineFill, 2> speeds{};  ///< of the second and the third, with the velocities
   std::size_t nodes;
 };
 void fill_tables(const TableFill& fill);

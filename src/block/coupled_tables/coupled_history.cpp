@@ -53,7 +53,7 @@ LinearGround CoupledHistory::ground_after(std::size_t node) const {
 
 /// A state at the end of the lane's interval, as a piece of no length.
 void CoupledHistory::put(CoupledLanes& l, std::size_t lane, const CoupledBody::State& s) {
-  l.left[lane] = l.length[lane] = l.begins[lane] = l.began[lane] = 0.0;
+  l.left[lane] = l.length[lane] = l.begins[lane] = 0.0;
   l.x[lane] = s.roof.x;
   l.y[lane] = s.roof.y;
   l.speed[lane] = s.speed;

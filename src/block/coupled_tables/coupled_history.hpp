@@ -43,20 +43,27 @@ class CoupledHistory {
     SpeedSearch speed;
     LimitSearch limit;
     double table_a_mps2 = 0.0, table_speed_mps = 0.0, table_x_mps2 = 0.0;  ///< no more, in size
+    /// The speed of a free vibration, and how far it leaves its chord, per size of it.
+    double speed_per_free = 0.0, deviation_per_free = 0.0;
     double contact_margin_mps2 = 0.0;  ///< it lifts only if a free vibration has more
   };
   const CoupledNodes& nodes() const { return elastic_table_.nodes(); }
   void set_searches(std::size_t index, const CoupledTable& table);
   void begin_ring_down();
   Next search(CoupledLanes& lanes, std::size_t lane);
-  std::size_t next_interval(const CoupledLanes& lanes, std::size_t lane, Amplitude free,
+  struct FreeVibration {
+    Amplitude amplitude;
+    double size;
+    bool reaches_limits;
+  };
+  std::size_t next_interval(const CoupledLanes& lanes, std::size_t lane, const FreeVibration& at,
                             std::size_t from, std::size_t to);
   bool may_reach_limits(const CoupledLanes& lanes, std::size_t lane, const Searches& searches,
                         double size) const;
-  std::size_t next_start(Searches& searches, Amplitude free, double size, std::size_t first,
+  std::size_t next_start(Searches& searches, const FreeVibration& at, std::size_t first,
                          std::size_t last) const;
   std::size_t next_stop(Searches& searches, const CoupledLanes& lanes, std::size_t lane,
-                        Amplitude free, double size, std::size_t from, std::size_t first,
+                        const FreeVibration& at, std::size_t from, std::size_t first,
                         std::size_t last) const;
 
   double time_s(std::size_t node, double tau = 0.0) const {

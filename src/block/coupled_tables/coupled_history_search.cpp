@@ -25,7 +25,7 @@ void CoupledHistory::set_searches(std::size_t index, const CoupledTable& table) 
   const CoupledTable::Response& response = *(s.response = &table.response(direction));
   const float intensity = static_cast<float>(intensity_);
   const CoupledTable::Rest& rest = table.rest();
-  s.rest = {{&r, intensity, {}},
+  s.rest = {{&r, intensity, {}, 0.0},
             table.rest_below(),
             rest.above.data(),
             rest.tile_below.data(),
@@ -37,10 +37,16 @@ void CoupledHistory::set_searches(std::size_t index, const CoupledTable& table) 
   if (direction != 0) {
     const CoupledTable::Speed& speed = table.speed(direction);
     const DriveLine& line = r.contact.drive;
-    s.speed = {{&r, intensity, {}}, speed.gain.data(), speed.tile_deviation.data(),
-               static_cast<float>(line.a), 0.0f,
+    s.speed = {{&r, intensity, {}, 0.0},
+               speed.gain.data(),
+               speed.tile_deviation.data(),
+               static_cast<float>(line.a),
+               0.0f,
                static_cast<float>(step_s_ * (line.constant - slack * std::abs(line.constant)))};
-    s.table_speed_mps = intensity_ * speed.largest;
+    const double size = std::abs(line.a), rate = r.phase / step_s_;
+    s.table_speed_mps = size * intensity_ * speed.largest;
+    s.speed_per_free = size * rate;
+    s.deviation_per_free = 0.125 * step_s_ * size * r.phase * r.s2_size * (1.0 + slack);
   }
   s.limit = {&r,
              intensity_,
@@ -91,20 +97,23 @@ CoupledHistory::Next CoupledHistory::search(CoupledLanes& lanes, std::size_t lan
   if (!ringing_down_ && reference > quiet_from_) begin_ring_down();
   const Searches& s = searches_[k];
   const RegimeOscillator& r = *s.regime;
-  Amplitude free = r.per_omega2 * Amplitude{lanes.free_re[lane], lanes.free_im[lane]};
-  std::size_t node = reference, to = quiet_from_;
-  do {
-    if (ringing_down_) {
-      if (k == 0 && cannot_slip(block_, r.s2_size * free.size(), 0.0) &&
-          !may_reach_limits(lanes, lane, s, free.size()))
-        return finish(lanes, lane);
-      to = node + CoupledTable::zeros - CoupledTable::tile;
-    }
-    to = std::min(to, end_);
-    const std::size_t found = next_interval(lanes, lane, free, node, to);
-    free = free * r.power(found - node);
-    node = found;
-  } while (ringing_down_ && node == to && node < end_);
+  FreeVibration at{r.per_omega2 * Amplitude{lanes.free_re[lane], lanes.free_im[lane]},
+                   r.per_omega2 * lanes.free_size[lane], false};
+  std::size_t node = reference;
+  for (;;) {
+    at.reaches_limits = may_reach_limits(lanes, lane, s, at.size);
+    if (ringing_down_ && k == 0 && !at.reaches_limits &&
+        cannot_slip(block_, r.s2_size * at.size, 0.0))
+      return finish(lanes, lane);
+    std::size_t to = std::min(
+        end_, ringing_down_ ? node + CoupledTable::zeros - CoupledTable::tile : quiet_from_);
+    if (at.reaches_limits) to = std::min(to, node + CoupledTable::tile);  // near as a rule
+    const std::size_t from = node;
+    node = next_interval(lanes, lane, at, from, to);
+    if (node < to || node >= end_ || (!ringing_down_ && node >= quiet_from_)) break;
+    at.amplitude = at.amplitude * r.power(node - from);
+    at.size = at.amplitude.size();
+  }
   finishes_ = node >= end_;
   lanes.begins[lane] = 1.0;
   lanes.left[lane] = lanes.length[lane] = finishes_ ? 0.0 : 1.0;
@@ -130,15 +139,15 @@ bool CoupledHistory::may_reach_limits(const CoupledLanes& lanes, std::size_t lan
 
 /// The first interval before node `to` that must be solved, else `to`.
 std::size_t CoupledHistory::next_interval(const CoupledLanes& lanes, std::size_t lane,
-                                          Amplitude free, std::size_t from, std::size_t to) {
+                                          const FreeVibration& at, std::size_t from,
+                                          std::size_t to) {
   Searches& s = searches_[static_cast<std::size_t>(lanes.regime[lane])];
   const std::size_t first = ringing_down_ ? 0 : from, last = first + (to - from) + 1;
-  const double size = free.size();
   std::size_t found = s.regime->contact.drive.a == 0.0
-                          ? next_start(s, free, size, first, last)
-                          : next_stop(s, lanes, lane, free, size, from, first, last);
-  if (may_reach_limits(lanes, lane, s, size)) {
-    s.limit.free = free;
+                          ? next_start(s, at, first, last)
+                          : next_stop(s, lanes, lane, at, from, first, last);
+  if (at.reaches_limits) {
+    s.limit.free = at.amplitude;
     s.limit.side = static_cast<int>(lanes.side[lane]);
     s.limit.lowest = s.limit.side != 0 ? -never : lanes.lowest[lane];
     s.limit.highest = s.limit.side != 0 ? never : lanes.highest[lane];
@@ -150,34 +159,32 @@ std::size_t CoupledHistory::next_interval(const CoupledLanes& lanes, std::size_t
   return from + (found == first ? 0 : found - first - 1);
 }
 
-std::size_t CoupledHistory::next_start(Searches& of, Amplitude free, double size,
-                                       std::size_t first, std::size_t last) const {
+std::size_t CoupledHistory::next_start(Searches& of, const FreeVibration& at, std::size_t first,
+                                       std::size_t last) const {
   const RegimeOscillator& r = *of.regime;
   RestSearch& s = of.rest;
-  s.motion.amplitude = r.s2 * free;
-  s.room = slack * (of.table_a_mps2 + r.s2_size * size + (s.highest - s.lowest));
+  s.motion.amplitude = r.s2 * at.amplitude;
+  s.motion.size = r.s2_size * at.size;
+  s.room = slack * (of.table_a_mps2 + s.motion.size + (s.highest - s.lowest));
   return block_detail::next_start(s, first, last);
 }
 
 std::size_t CoupledHistory::next_stop(Searches& of, const CoupledLanes& l, std::size_t lane,
-                                      Amplitude free, double size, std::size_t from,
-                                      std::size_t first, std::size_t last) const {
+                                      const FreeVibration& at, std::size_t from, std::size_t first,
+                                      std::size_t last) const {
   const RegimeOscillator& r = *of.regime;
   const DriveLine& line = r.contact.drive;
+  const auto reference = static_cast<std::size_t>(l.node[lane]);
   SpeedSearch& s = of.speed;
-  s.motion.amplitude = r.s * free;
-  double constant = l.speed_from[lane] - line.a * (l.y_from[lane] * r.per_omega);
-  if (ringing_down_)
-    constant += line.constant * time_s(from - static_cast<std::size_t>(l.node[lane]));
-  else
+  s.motion.amplitude = r.s * at.amplitude;
+  double constant = l.speed_from[lane] - line.a * (l.y_from[lane] * r.per_omega) +
+                    line.constant * time_s(from - reference);
+  if (!ringing_down_)
     constant -= line.a * (intensity_ * elastic_table_.sign()) * l.velocity_from[lane] +
                 line.w * w_factor_ * l.w_velocity_from[lane];
-  const double rate_size = r.phase / step_s_ * size;
   s.constant = static_cast<float>(
-      constant - slack * (std::abs(line.a) * (of.table_speed_mps + rate_size) +
-                          std::abs(constant)));
-  s.deviation = static_cast<float>(0.125 * step_s_ * std::abs(line.a) * r.phase * r.s2_size *
-                                   size * (1.0 + slack));
+      constant - slack * (of.table_speed_mps + of.speed_per_free * at.size + std::abs(constant)));
+  s.deviation = static_cast<float>(of.deviation_per_free * at.size);
   return block_detail::next_stop(s, first, last);
 }
 

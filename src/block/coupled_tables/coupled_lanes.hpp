@@ -37,7 +37,7 @@ struct LaneTables {
   bool static_friction = false;      ///< above that of sliding
   std::int64_t end = 0;              ///< no interval is begun without a search from here on
   /// Terms of the series of p that count.
-  static constexpr std::size_t most_terms = 9;
+  static constexpr std::size_t most_terms = 10;
   std::size_t decay_terms = 1, turn_terms = 1;
 };
 
@@ -58,7 +58,6 @@ struct CoupledLanes {
   Row regime;           ///< index in LaneTables::regimes
   Row side;             ///< on which the spring yields: 1, -1 or 0
   Row highest, lowest;  ///< spring forces between which it is elastic
-  Row began;            ///< 1 where a phase began in this interval
   // What has just happened where the piece begins.
   Row starts;   ///< sliding: 1, and the drive is zero there; 2: it has jumped above
   Row stopped;  ///< the direction in which it slid, or 0

@@ -58,10 +58,10 @@ std::size_t NextStart(const RestSearch& s, std::size_t from, std::size_t to) {
               high = static_cast<float>(s.highest - s.room);
   const Vector intensity = hn::Set(f, s.motion.intensity);
   const std::size_t tiles = (to + tile - 1) / tile;
+  Amplitude now = s.motion.amplitude;
+  double size = s.motion.size;
   for (std::size_t i = from; i < to;) {
     const std::size_t b = i / tile, end = (b + 1) * tile < to ? (b + 1) * tile : to;
-    const Amplitude now = s.motion.amplitude * r.power(i - from);
-    const double size = now.size();
     const float chord =
         deviation * (s.motion.intensity * s.tile_amplitude[b] + static_cast<float>(size));
     const VibrationNodes vibration(r, now, i);
@@ -80,6 +80,8 @@ std::size_t NextStart(const RestSearch& s, std::size_t from, std::size_t to) {
           return hn::Or(hn::Lt(hn::Mul(intensity, hn::LoadU(f, s.tile_below + at)), least),
                         hn::Gt(hn::Mul(intensity, hn::LoadU(f, s.tile_above + at)), most));
         });
+    now = s.motion.amplitude * r.power(i - from);
+    size = now.size();
   }
   return to;
 }

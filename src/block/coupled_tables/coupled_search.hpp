@@ -16,6 +16,7 @@ struct Vibration {
   const RegimeOscillator* regime = nullptr;
   float intensity = 0.0f;
   Amplitude amplitude;
+  double size = 0.0;  ///< of it
 };
 
 /// A block at rest begins to slide where this leaves [lowest, highest].

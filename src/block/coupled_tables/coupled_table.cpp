@@ -147,8 +147,16 @@ void CoupledTable::set_response(std::size_t k, const BuildingOscillator& buildin
   const double root = std::sqrt(r.contact.mass);
   const OscillatorStep s = oscillator_step(r.angle / root, building.damping_ratio / root);
   ResponseFill& f = fill.responses[k];
-  f.step = {s.xx,    s.xy * root,      s.xy / root,    s.yy,                   s.x_start,
-            s.x_end, s.y_start / root, s.y_end / root, r.contact.mass * sign_, per_w};
+  f.step = {s.xx,
+            s.xy * root,
+            s.xy / root,
+            s.yy,
+            s.x_start,
+            s.x_end,
+            s.y_start / root,
+            s.y_end / root,
+            r.contact.mass * sign_,
+            per_w};
   if (source_[k] != k) return;
   Response& response = responses_[k];
   const std::size_t tiles = tiles_of(fill.nodes);
@@ -168,7 +176,7 @@ void CoupledTable::set_response(std::size_t k, const BuildingOscillator& buildin
 void CoupledTable::set_bounds(Response& response, const RegimeOscillator& r) const {
   const double per_w = r.contact.weight * vertical_ratio_, step = r.angle,
                largest_a_g = nodes_->a.peak_acceleration_mps2();
-  response.largest_x_mps2 = 0.0;
+  response.largest_a_mps2 = response.largest_x_mps2 = 0.0;
   for (std::size_t b = 0; b < tiles_of(nodes_->quiet + 1); ++b) {
     const double w = std::abs(per_w) *
                      std::max(-nodes_->tile_lowest_w_mps2[b], nodes_->tile_highest_w_mps2[b]),
@@ -177,6 +185,8 @@ void CoupledTable::set_bounds(Response& response, const RegimeOscillator& r) con
     response.a_mps2[b] = static_cast<float>(a) * room;
     response.x_mps2[b] =
         (response.x_mps2[b] + static_cast<float>(0.125 * step * step * (a + largest_a_g))) * room;
+    response.largest_a_mps2 =
+        std::max(response.largest_a_mps2, static_cast<double>(response.a_mps2[b]));
     response.largest_x_mps2 =
         std::max(response.largest_x_mps2, static_cast<double>(response.x_mps2[b]));
   }
@@ -207,6 +217,9 @@ LaneTables CoupledTable::lanes(const CoupledTable* yielding, const Yielding& spr
 double CoupledTable::contact_margin_mps2(int direction, double intensity, double w_factor) const {
   if (cot_slope_ == never) return never;  // the condition on w alone is can_be_tabulated's
   const Response& of = response(direction);
+  const double coarse =
+      (gravity_mps2_ + nodes_->lowest_w(w_factor)) * cot_slope_ - intensity * of.largest_a_mps2;
+  if (coarse > 0.5 * gravity_mps2_ * cot_slope_) return coarse;  // far from it
   double least = never;
   for (std::size_t b = 0; b < nodes_->tile_lowest_w_mps2.size(); ++b)
     least = std::min(least, (gravity_mps2_ + nodes_->lowest_w(w_factor, b)) * cot_slope_ -
@@ -215,8 +228,7 @@ double CoupledTable::contact_margin_mps2(int direction, double intensity, double
 }
 
 void CoupledTable::set_rest() {
-  const float deviation =
-      static_cast<float>(0.125 * regimes_[0].phase * regimes_[0].phase) * room;
+  const float deviation = static_cast<float>(0.125 * regimes_[0].phase * regimes_[0].phase) * room;
   rest_.largest = 0.0;
   for (std::size_t b = 0; b < tiles_of(nodes_->quiet + 1); ++b) {
     rest_.tile_below[b] -= deviation * responses_[0].amplitude[b];
@@ -234,8 +246,7 @@ void CoupledTable::set_speed(std::size_t k, const LineFill& fill) {
               phase = static_cast<float>(r.phase) * room;
   for (std::size_t b = 0; b < tiles_of(nodes_->quiet + 1); ++b) {
     speed.tile_deviation[b] =
-        per_change *
-        (speed.tile_deviation[b] + phase * responses_[source_[k]].amplitude[b]);
+        per_change * (speed.tile_deviation[b] + phase * responses_[source_[k]].amplitude[b]);
     speed.largest = std::max({speed.largest, -static_cast<double>(fill.tile_lowest[b]),
                               static_cast<double>(fill.tile_highest[b])});
   }

@@ -75,7 +75,7 @@ class CoupledTable {
     // By tile: no more, from its nodes and the one before.
     Numbers<float> amplitude;       ///< |s^2 z|
     Numbers<float> a_mps2, x_mps2;  ///< |a|, |x|, between nodes too
-    double largest_x_mps2 = 0.0;
+    double largest_a_mps2 = 0.0, largest_x_mps2 = 0.0;
   };
   /// For the search while the block rests: a less what the vertical does to the limit below, and
   /// above. Without vertical the two are the same.
@@ -96,12 +96,8 @@ class CoupledTable {
   const RegimeOscillator& regime(int direction) const { return regimes_[index(direction)]; }
   const Response& response(int direction) const { return responses_[source_[index(direction)]]; }
   const Rest& rest() const { return rest_; }
-  const float* rest_below() const {
-    return vertical() ? rest_.below.data() : rest_.above.data();
-  }
-  const Speed& speed(int direction) const {
-    return speeds_[speed_source(index(direction)) - 1];
-  }
+  const float* rest_below() const { return vertical() ? rest_.below.data() : rest_.above.data(); }
+  const Speed& speed(int direction) const { return speeds_[speed_source(index(direction)) - 1]; }
   const CoupledNodes& nodes() const { return *nodes_; }
   double sign() const { return sign_; }
   /// For lanes on an elastic building and the same while it yields, if there is such a table.
