@@ -23,15 +23,7 @@ RegimeOscillator::RegimeOscillator(const ContactRegime& regime, double gravity,
       per_angle(1.0 / angle),
       s2_size(omega2 / contact.mass),
       s{-alpha_radps, beta_radps},
-      s2(s * s),
-      s_dt(dt_s * s) {
-  constexpr double last_term = 1e-17;  // of the first: below rounding
-  taylor[0] = {1.0, 0.0};
-  for (std::size_t k = 1; k < taylor.size(); ++k)
-    taylor[k] = (1.0 / static_cast<double>(k)) * (taylor[k - 1] * s_dt);
-  while (even_terms + 3 < taylor.size() &&
-         taylor[even_terms + 2].size() > last_term * taylor[2].size())
-    even_terms += 2;
+      s2(s * s) {
   const double size = std::exp(-alpha_radps * dt_s), turn = beta_radps * dt_s;
   const Amplitude interval{size * std::cos(turn), size * std::sin(turn)};
   powers[0] = {1.0, 0.0};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "block/coupled_tables/coupled_fill.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #undef HWY_TARGET_INCLUDE
@@ -18,81 +19,208 @@ using Vector = hn::Vec<Doubles>;
 constexpr std::size_t tile = 64;
 
 Vector Times(double factor, Vector v) { return hn::Mul(hn::Set(Doubles(), factor), v); }
-
-Vector At(const GroundLine& g, std::size_t i) {
-  const Doubles d;
-  const Vector a = Times(g.a_factor, hn::LoadU(d, g.a + i));
-  return g.w == nullptr ? a : hn::Add(a, Times(g.w_factor, hn::LoadU(d, g.w + i)));
-}
-
 double Largest(Vector v) { return hn::GetLane(hn::MaxOfLanes(Doubles(), v)); }
 
-/// By tile, the largest of what `at` gives for its nodes and the one before, through `size`.
-template <class At_, class Size>
-void ByTile(std::size_t nodes, float* most, const At_& at, const Size& size) {
-  const Doubles d;
-  const std::size_t n = hn::Lanes(d);
+/// The oscillators side by side, since each waits for its own last step.
+class Responses {
+ public:
+  using Side = HWY_CAPPED(double, 4);
+  static constexpr std::size_t width = hn::MaxLanes(Side()), vectors = 4 / width;
+  alignas(64) double x[tile][4], y[tile][4];  ///< of the last tile
+
+  explicit Responses(const TableFill& fill) : fill_(fill) {
+    alignas(64) double rows[10][4] = {};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const ResponseFill::Step& s = fill.responses[k].step;
+      const double of[10] = {s.xx,    s.xy,      s.yx,    s.yy,    s.x_start,
+                             s.x_end, s.y_start, s.y_end, s.per_a, s.per_w};
+      for (std::size_t row = 0; row < 10; ++row) rows[row][k] = of[row];
+    }
+    const Side d;
+    for (std::size_t v = 0; v < vectors; ++v) {
+      for (std::size_t row = 0; row < 10; ++row) c_[v][row] = hn::Load(d, rows[row] + v * width);
+      x_[v] = y_[v] = hn::Zero(d);
+      forcing_[v] = Forcing(v, 0);
+    }
+  }
+
+  void Fill(std::size_t first) {
+    for (std::size_t v = 0; v < vectors; ++v) Fill(v, first);
+  }
+
+ private:
+  using V = hn::Vec<Side>;
+  V Forcing(std::size_t v, std::size_t i) const {
+    const V a = hn::Mul(c_[v][8], hn::Set(Side(), fill_.a[i]));
+    if (fill_.w == nullptr) return a;
+    return hn::Add(a, hn::Mul(c_[v][9], hn::Set(Side(), fill_.w[i])));
+  }
+  void Fill(std::size_t v, std::size_t first) {
+    const Side d;
+    const V xx = c_[v][0], xy = c_[v][1], yx = c_[v][2], yy = c_[v][3], x_start = c_[v][4],
+            x_end = c_[v][5], y_start = c_[v][6], y_end = c_[v][7];
+    V x_now = x_[v], y_now = y_[v], p = forcing_[v];
+    for (std::size_t j = 0; j < tile; ++j) {
+      const V next = Forcing(v, first + j);
+      if (first + j > 0) {
+        const V before = x_now;
+        x_now = hn::Sub(hn::Add(hn::Mul(xx, x_now), hn::Mul(xy, y_now)),
+                        hn::Add(hn::Mul(x_start, p), hn::Mul(x_end, next)));
+        y_now = hn::Sub(hn::Sub(hn::Mul(yy, y_now), hn::Mul(yx, before)),
+                        hn::Add(hn::Mul(y_start, p), hn::Mul(y_end, next)));
+      }
+      p = next;
+      hn::Store(x_now, d, x[j] + v * width);
+      hn::Store(y_now, d, y[j] + v * width);
+    }
+    x_[v] = x_now;
+    y_[v] = y_now;
+    forcing_[v] = p;
+  }
+
+  const TableFill& fill_;
+  V c_[vectors][10], x_[vectors], y_[vectors], forcing_[vectors];
+};
+
+/// The ground at some nodes, and its change to the next ones.
+struct GroundNodes {
+  Vector a, a_rise, w, w_rise;
+  bool vertical;
+  GroundNodes(const TableFill& f, std::size_t i) : vertical(f.w != nullptr) {
+    const Doubles d;
+    a = hn::LoadU(d, f.a + i);
+    a_rise = hn::Sub(hn::LoadU(d, f.a + i + 1), a);
+    w = w_rise = hn::Zero(d);
+    if (!vertical) return;
+    w = hn::LoadU(d, f.w + i);
+    w_rise = hn::Sub(hn::LoadU(d, f.w + i + 1), w);
+  }
+  Vector Line(double a_factor, double w_factor) const {
+    return vertical ? hn::Add(Times(a_factor, a), Times(w_factor, w)) : Times(a_factor, a);
+  }
+  Vector Rise(double a_factor, double w_factor) const {
+    return vertical ? hn::Add(Times(a_factor, a_rise), Times(w_factor, w_rise))
+                    : Times(a_factor, a_rise);
+  }
+};
+
+/// The largest of a tile's values and of the one before.
+struct TileMaximum {
+  Vector largest, last;
   double before = 0.0;
-  for (std::size_t b = 0; b * tile < nodes; ++b) {
-    Vector largest = hn::Zero(d), v = largest;
-    for (std::size_t j = 0; j < tile; j += n) {
-      v = at(b * tile + j);
-      largest = hn::Max(largest, v);
-    }
-    const double here = Largest(largest);
-    most[b] = static_cast<float>(size(here > before ? here : before) * (1.0 + 0x1p-20));
-    before = hn::ExtractLane(v, n - 1);
+  void Begin() { largest = hn::Zero(Doubles()); }
+  void Add(Vector v) {
+    last = v;
+    largest = hn::Max(largest, v);
   }
-}
-
-void FillAmplitude(const AmplitudeFill& f, std::size_t nodes) {
-  const Doubles d;
-  ByTile(
-      nodes, f.amplitude,
-      [&](std::size_t i) {
-        const Vector x = hn::LoadU(d, f.x + i), y = hn::LoadU(d, f.y + i);
-        const Vector p = At(f.forcing, i), rise = hn::Sub(At(f.forcing, i + 1), p);
-        const Vector re = hn::Sub(hn::Add(x, p), Times(f.lag, rise)),
-                     rate = hn::Add(y, Times(f.per_step, rise)),
-                     im = hn::Add(Times(f.c_x, re), Times(f.c_y, rate));
-        return hn::Add(hn::Mul(re, re), hn::Mul(im, im));
-      },
-      [&](double square) { return f.per_mass * std::sqrt(square); });
-  const auto same = [](double size) { return size; };
-  const auto x = [&](std::size_t i) { return hn::LoadU(d, f.x + i); };
-  ByTile(
-      nodes, f.resisting,
-      [&](std::size_t i) {
-        return hn::Abs(hn::Add(x(i), Times(f.twice_zeta, hn::LoadU(d, f.y + i))));
-      },
-      same);
-  ByTile(
-      nodes, f.x_size, [&](std::size_t i) { return hn::Abs(x(i)); }, same);
-}
-
-void FillLine(const LineFill& f, std::size_t nodes) {
-  const Doubles d;
-  const Floats to_float;
-  const std::size_t n = hn::Lanes(d);
-  for (std::size_t b = 0; b * tile < nodes; ++b) {
-    auto lowest = hn::Set(to_float, HUGE_VALF), highest = hn::Neg(lowest);
-    for (std::size_t i = b * tile; i < (b + 1) * tile; i += n) {
-      const Vector of_roof = hn::Add(Times(f.x_factor, hn::LoadU(d, f.x + i)),
-                                     Times(f.y_factor, hn::LoadU(d, f.y + i)));
-      const auto value = hn::DemoteTo(to_float, hn::Add(of_roof, At(f.ground, i)));
-      hn::StoreU(value, to_float, f.values + i);
-      lowest = hn::Min(lowest, value);
-      highest = hn::Max(highest, value);
-    }
-    f.tile_lowest[b] = hn::GetLane(hn::MinOfLanes(to_float, lowest));
-    f.tile_highest[b] = hn::GetLane(hn::MaxOfLanes(to_float, highest));
+  double End() {
+    const double here = Largest(largest), most = here > before ? here : before;
+    before = hn::ExtractLane(last, hn::Lanes(Doubles()) - 1);
+    return most;
   }
+};
+float Rounded(double most) { return static_cast<float>(most * (1.0 + 0x1p-20)); }
+
+struct ResponseMaxima {
+  TileMaximum amplitude, resisting, x_size;
+  void Begin() {
+    amplitude.Begin();
+    resisting.Begin();
+    x_size.Begin();
+  }
+  void Add(const ResponseFill& f, double twice_zeta, const GroundNodes& ground, Vector x,
+           Vector y) {
+    const Vector p = ground.Line(f.step.per_a, f.step.per_w),
+                 rise = ground.Rise(f.step.per_a, f.step.per_w);
+    const Vector re = hn::Sub(hn::Add(x, p), Times(f.lag, rise)),
+                 rate = hn::Add(y, Times(f.per_step, rise)),
+                 im = hn::Add(Times(f.c_x, re), Times(f.c_y, rate));
+    amplitude.Add(hn::Add(hn::Mul(re, re), hn::Mul(im, im)));
+    resisting.Add(hn::Abs(hn::Add(x, Times(twice_zeta, y))));
+    x_size.Add(hn::Abs(x));
+  }
+  void End(const ResponseFill& f, std::size_t b) {
+    f.amplitude[b] = Rounded(f.per_mass * std::sqrt(amplitude.End()));
+    f.resisting[b] = Rounded(resisting.End());
+    f.x_size[b] = Rounded(x_size.End());
+  }
+};
+
+struct LineExtremes {
+  hn::Vec<Floats> lowest, highest;
+  TileMaximum change;
+  void Begin() {
+    lowest = hn::Set(Floats(), HUGE_VALF);
+    highest = hn::Neg(lowest);
+    change.Begin();
+  }
+  void Add(const LineFill& f, std::size_t i, Vector value) {
+    const auto v = hn::DemoteTo(Floats(), value);
+    hn::StoreU(v, Floats(), f.values + i);
+    lowest = hn::Min(lowest, v);
+    highest = hn::Max(highest, v);
+  }
+  void End(const LineFill& f, std::size_t b) const {
+    f.tile_lowest[b] = hn::GetLane(hn::MinOfLanes(Floats(), lowest));
+    f.tile_highest[b] = hn::GetLane(hn::MaxOfLanes(Floats(), highest));
+  }
+};
+
+Vector OfRoof(const LineFill& f, Vector x, Vector y) {
+  return hn::Add(Times(f.x_factor, x), Times(f.y_factor, y));
 }
 
-void FillChange(const GroundLine& g, float* largest, std::size_t nodes) {
-  ByTile(
-      nodes, largest, [&](std::size_t i) { return hn::Abs(hn::Sub(At(g, i + 1), At(g, i))); },
-      [](double change) { return change; });
+void FillTables(const TableFill& fill) {
+  const Doubles d;
+  Responses responses(fill);
+  ResponseMaxima maxima[3];
+  LineExtremes rest[2], speeds[2];
+  for (std::size_t b = 0; b * tile < fill.nodes; ++b) {
+    responses.Fill(b * tile);
+    for (ResponseMaxima& m : maxima) m.Begin();
+    for (LineExtremes& e : rest) e.Begin();
+    for (LineExtremes& e : speeds) e.Begin();
+    for (std::size_t j = 0; j < tile; j += hn::Lanes(d)) {
+      const std::size_t i = b * tile + j;
+      Vector x[4], y[4];
+      hn::LoadInterleaved4(d, responses.x[j], x[0], x[1], x[2], x[3]);
+      hn::LoadInterleaved4(d, responses.y[j], y[0], y[1], y[2], y[3]);
+      const GroundNodes ground(fill, i);
+      for (std::size_t k = 0; k < 3; ++k) {
+        const ResponseFill& f = fill.responses[k];
+        if (f.x == nullptr) continue;
+        hn::StoreU(x[k], d, f.x + i);
+        hn::StoreU(y[k], d, f.y + i);
+        maxima[k].Add(f, fill.twice_zeta, ground, x[k], y[k]);
+      }
+      for (std::size_t k = 0; k < 2; ++k) {
+        const LineFill& f = fill.rest[k];
+        if (f.values == nullptr) continue;
+        Vector value = OfRoof(f, x[0], y[0]);
+        if (ground.vertical) value = hn::Add(value, Times(f.w_factor, ground.w));
+        rest[k].Add(f, i, value);
+      }
+      for (std::size_t k = 0; k < 2; ++k) {
+        const LineFill& f = fill.speeds[k];
+        if (f.values == nullptr) continue;
+        const Vector velocity = Times(f.a_factor, hn::LoadU(d, fill.velocity + i));
+        Vector value = hn::Add(OfRoof(f, x[1 + k], y[1 + k]), velocity);
+        if (ground.vertical)
+          value = hn::Add(value, Times(f.w_factor, hn::LoadU(d, fill.w_velocity + i)));
+        speeds[k].Add(f, i, value);
+        speeds[k].change.Add(hn::Abs(ground.Rise(f.a_factor, f.w_factor)));
+      }
+    }
+    for (std::size_t k = 0; k < 3; ++k)
+      if (fill.responses[k].x != nullptr) maxima[k].End(fill.responses[k], b);
+    for (std::size_t k = 0; k < 2; ++k)
+      if (fill.rest[k].values != nullptr) rest[k].End(fill.rest[k], b);
+    for (std::size_t k = 0; k < 2; ++k) {
+      if (fill.speeds[k].values == nullptr) continue;
+      speeds[k].End(fill.speeds[k], b);
+      fill.speeds[k].tile_change[b] = Rounded(speeds[k].change.End());
+    }
+  }
 }
 
 }  // namespace glissade::block_detail::HWY_NAMESPACE
@@ -100,19 +228,9 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace glissade::block_detail {
-HWY_EXPORT(FillAmplitude);
-HWY_EXPORT(FillLine);
-HWY_EXPORT(FillChange);
+HWY_EXPORT(FillTables);
 
-void fill_amplitude(const AmplitudeFill& fill, std::size_t nodes) {
-  HWY_DYNAMIC_DISPATCH(FillAmplitude)(fill, nodes);
-}
-void fill_line(const LineFill& fill, std::size_t nodes) {
-  HWY_DYNAMIC_DISPATCH(FillLine)(fill, nodes);
-}
-void fill_change(const GroundLine& ground, float* largest, std::size_t nodes) {
-  HWY_DYNAMIC_DISPATCH(FillChange)(ground, largest, nodes);
-}
+void fill_tables(const TableFill& fill) { HWY_DYNAMIC_DISPATCH(FillTables)(fill); }
 
 }  // namespace glissade::block_detail
 #endif

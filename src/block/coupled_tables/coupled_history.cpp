@@ -7,13 +7,6 @@
 namespace glissade::block_detail {
 namespace {
 
-/// U(i) - U(from) - V(from) t: the displacement beyond that of the velocity at `from`.
-double displacement_beyond(const GroundTable& ground, std::size_t from, std::size_t i, double t) {
-  const GroundNode &a = ground.nodes()[from], &b = ground.nodes()[i];
-  return (b.displacement_m - a.displacement_m) + (b.displacement_low_m - a.displacement_low_m) -
-         a.velocity_mps * t;
-}
-
 Block downhill(Block block) {
   block.slope_rad = std::abs(block.slope_rad);
   return block;
@@ -27,15 +20,12 @@ CoupledHistory::CoupledHistory(const CoupledTable& table, const CoupledTable* yi
                                std::span<const double> thresholds_m, std::span<Crossing> crossings)
     : elastic_table_(table),
       yielding_table_(yielding_table),
-      table_(&table),
       contact_(contact),
       subdivision_(subdivision),
       block_(downhill(scene.block)),
       intensity_(intensity),
       w_factor_(scene.factors.vertical),
       step_s_(table.nodes().a.step_s()),
-      cot_slope_(contact.cot_slope()),
-      has_limits_(contact.sin_slope() > 0.0 || scene.building.yielding.yields()),
       body_(contact, subdivision.building, block_, CoupledBody::Keeps::peaks,
             scene.building.yielding),
       watched_(!thresholds_m.empty()),
@@ -43,174 +33,149 @@ CoupledHistory::CoupledHistory(const CoupledTable& table, const CoupledTable* yi
       end_(contact.slides_at_rest() ? table.nodes().a.last_sample()
                                     : quiet_from_ + longest_ring_down(step_s_)) {
   body_.crossings() = {thresholds_m, crossings, contact_.cos_slope()};
-  for (const int direction : {-1, 0, 1}) {
-    const auto margin = [&](const CoupledTable& of) {
-      return of.contact_margin_mps2(direction, intensity, w_factor_);
-    };
-    const std::size_t k = CoupledTable::index(direction);
-    contact_margin_mps2_[0][k] = margin(table);
-    if (yielding_table != nullptr) contact_margin_mps2_[1][k] = margin(*yielding_table);
+  for (std::size_t k = 0; k < 6; ++k) {
+    if (k < 3)
+      set_searches(k, table);
+    else if (yielding_table != nullptr)
+      set_searches(k, *yielding_table);
   }
-}
-
-Roof CoupledHistory::ground(std::size_t node) const {
-  if (ringing_down_) return {};
-  return {intensity_ * (table_->sign() * nodes().a.acceleration_mps2()[node]),
-          nodes().vertical ? w_factor_ * nodes().w.acceleration_mps2()[node] : 0.0};
 }
 
 LinearGround CoupledHistory::ground_after(std::size_t node) const {
-  const Roof begin = ground(node), end = ground(node + 1);
+  const auto at = [&](std::size_t i) {
+    if (i > quiet_from_) return Roof{};
+    return Roof{intensity_ * (elastic_table_.sign() * nodes().a.acceleration_mps2()[i]),
+                nodes().vertical ? w_factor_ * nodes().w.acceleration_mps2()[i] : 0.0};
+  };
+  const Roof begin = at(node), end = at(node + 1);
   return {begin, {end.a - begin.a, end.w - begin.w}};
 }
 
-RoofState CoupledHistory::roof(std::size_t node) const {
-  const RegimeOscillator& r = regime();
-  RoofState state = r.free_state(free_ * r.power(node - from_));
-  state.x -= r.contact.weight * r.gravity_mps2;
-  if (ringing_down_) return state;
-  const CoupledTable::Response& response = table_->response(body_.direction());
-  return state + RoofState{intensity_ * response.x[node], intensity_ * response.y[node]};
+/// A state at the end of the lane's interval, as a piece of no length.
+void CoupledHistory::put(CoupledLanes& l, std::size_t lane, const CoupledBody::State& s) {
+  l.left[lane] = l.length[lane] = l.begins[lane] = 0.0;
+  l.x[lane] = s.roof.x;
+  l.y[lane] = s.roof.y;
+  l.speed[lane] = s.speed;
+  l.regime[lane] =
+      static_cast<double>(CoupledTable::index(s.direction)) + (s.spring.side != 0 ? 3.0 : 0.0);
+  l.side[lane] = s.spring.side;
+  l.highest[lane] = s.spring.hardened + l.yield_mps2[lane];
+  l.lowest[lane] = s.spring.hardened - l.yield_mps2[lane];
+  l.starts[lane] = l.stopped[lane] = l.unloads[lane] = 0.0;
+  l.slip[lane] = s.slip;
+  l.farthest_down[lane] = s.farthest_down;
+  l.farthest_up[lane] = s.farthest_up;
+  l.duration_s[lane] = s.slip_duration_s;
+  l.phases[lane] = static_cast<double>(s.slip_phases);
 }
 
-/// Makes this node the reference of what follows.
-void CoupledHistory::set_reference(std::size_t node, const RoofState& roof, double speed_mps) {
-  yield_side_ = body_.yield_side();
-  table_ = yield_side_ != 0 && yielding_table_ != nullptr ? yielding_table_ : &elastic_table_;
-  by_scalar_scheme_ = yield_side_ != 0 && yielding_table_ == nullptr;
-  const RegimeOscillator& r = regime();
-  const CoupledTable::Response& response = table_->response(body_.direction());
-  const double weight = r.contact.weight * r.gravity_mps2, table = ringing_down_ ? 0.0 : intensity_;
-  node_ = from_ = node;
-  RoofState free{roof.x + weight, roof.y};
-  if (!ringing_down_)
-    free = free - RoofState{intensity_ * response.x[node], intensity_ * response.y[node]};
-  free_ = r.free_amplitude(free);
-  roof_from_ = roof;
-  speed_from_ = speed_mps;
-  elastic_ = body_.spring_forces();
-  const std::size_t k = CoupledTable::index(body_.direction());
-  const double size = free_.size(), margin = ringing_down_
-                                                 ? contact_.gravity() * cot_slope_
-                                                 : contact_margin_mps2_[yield_side_ != 0][k];
-  may_lift_ = !(r.s2_size * size < margin);
-  spring_may_change_ =
-      yield_side_ != 0 || !(table * response.largest_x_mps2 + r.omega2 * size + std::abs(weight) <
-                            std::min(-elastic_.lowest, elastic_.highest));
+/// The lane's history where it is, to go on with by the scalar scheme.
+CoupledBody CoupledHistory::body(const CoupledLanes& l, std::size_t lane, double now_s) const {
+  CoupledBody body = body_;
+  const double starts = l.starts[lane];
+  const int k = static_cast<int>(l.regime[lane]) % 3;
+  body.set_state({.roof = {l.x[lane], l.y[lane]},
+                  .spring = {.hardened = 0.5 * (l.highest[lane] + l.lowest[lane]),
+                             .side = static_cast<int>(l.side[lane]),
+                             .unloaded = static_cast<int>(l.unloads[lane])},
+                  .direction = k == 2 ? -1 : k,
+                  .speed = l.speed[lane],
+                  .slip = l.slip[lane],
+                  .farthest_down = l.farthest_down[lane],
+                  .farthest_up = l.farthest_up[lane],
+                  .slip_duration_s = l.duration_s[lane],
+                  .slip_phases = static_cast<std::size_t>(l.phases[lane]),
+                  .time_s = now_s,
+                  .drive_is_zero = starts == 1.0,
+                  .stopped_direction = static_cast<int>(l.stopped[lane])});
+  return body;
 }
 
-/// From the reference to a node.
-double CoupledHistory::speed(std::size_t node, const RoofState& now) const {
-  const DriveLine& line = regime().contact.drive;
-  double roof_gain = (now.y - roof_from_.y) * regime().per_omega, fall = 0.0;
-  if (!ringing_down_) {
-    const auto gain = [&](const GroundTable& of) {
-      return of.velocity_mps()[node] - of.velocity_mps()[from_];
-    };
-    roof_gain += intensity_ * (table_->sign() * gain(nodes().a));
-    if (nodes().vertical) fall = w_factor_ * gain(nodes().w);
+CoupledHistory::Next CoupledHistory::begin(CoupledLanes& l, std::size_t lane) {
+  for (CoupledLanes::Row* row :
+       {&l.x_from, &l.y_from, &l.speed_from, &l.free_re, &l.free_im, &l.free_size, &l.velocity_from,
+        &l.displacement_from, &l.displacement_low_from, &l.w_velocity_from, &l.w_displacement_from,
+        &l.w_displacement_low_from})
+    (*row)[lane] = 0.0;
+  l.intensity[lane] = intensity_;
+  l.w_factor[lane] = nodes().vertical ? w_factor_ : 0.0;
+  l.yield_mps2[lane] = body_.yield_mps2();
+  put(l, lane, {});
+  l.node[lane] = 0;
+  return search(l, lane);
+}
+
+/// Through what is left of an interval from a fraction of it.
+void CoupledHistory::advance(CoupledBody& body, std::size_t interval, double from) const {
+  const LinearGround ground = ground_after(interval);
+  const double part = (1.0 - from) / subdivision_.pieces;
+  for (int k = 0; k < subdivision_.pieces; ++k) {
+    const double y0 = from + k * part,
+                 y1 = k + 1 == subdivision_.pieces ? 1.0 : from + (k + 1) * part;
+    body.advance({part * step_s_, ground.after(y0).at, ground.after(y1).at}, time_s(interval, y1));
   }
-  return speed_from_ + line.a * roof_gain + line.w * fall + line.constant * time_s(node - from_);
 }
 
-double CoupledHistory::travel(std::size_t node, const RoofState& now) const {
-  const DriveLine& line = regime().contact.drive;
-  const double t = time_s(node - from_);
-  double roof_displacement =
-             (now.x - roof_from_.x) * regime().per_omega2 - roof_from_.y * regime().per_omega * t,
-         fall = 0.0;
-  if (!ringing_down_) {
-    roof_displacement +=
-        intensity_ * (table_->sign() * displacement_beyond(nodes().a, from_, node, t));
-    if (nodes().vertical) fall = w_factor_ * displacement_beyond(nodes().w, from_, node, t);
-  }
-  return speed_from_ * t + line.a * roof_displacement + line.w * fall + 0.5 * line.constant * t * t;
-}
-
-/// Makes its present node the reference.
-void CoupledHistory::set_reference_here() {
-  const RoofState now = roof(node_);
-  double speed_now = 0.0;
-  if (body_.sliding()) {
-    speed_now = speed(node_, now);
-    slid(travel(node_, now), time_s(node_ - from_), node_ - 1);
-  }
-  body_.resume(now, speed_now, time_s(node_));
+/// The rest of the interval by the scalar scheme.
+CoupledHistory::Next CoupledHistory::by_reference_scheme(CoupledLanes& lanes, std::size_t lane) {
+  const auto node = static_cast<std::size_t>(lanes.node[lane]);
+  const double tau = 1.0 - lanes.left[lane];
+  CoupledBody now = body(lanes, lane, time_s(node, tau));
+  advance(now, node, tau);
+  if (now.has_lifted()) return Next::lifts;
+  put(lanes, lane, now.state());
   if (watched_) {
-    body_at_phase_ = body_;
-    phase_node_ = node_;
+    body_.crossings() = now.crossings();
+    watch(now, node, 1.0);
   }
-  set_reference(node_, now, speed_now);
+  return Next::interval;
 }
 
-/// From here on the tables are zero, and the free vibration is all there is.
-void CoupledHistory::begin_ring_down() {
-  set_reference_here();
-  ringing_down_ = true;
-  set_reference(node_, roof_from_, speed_from_);
+/// Makes this where the phase began, or is known to have no threshold behind.
+void CoupledHistory::watch(const CoupledBody& now, std::size_t interval, double tau) {
+  body_at_phase_ = now;
+  phase_node_ = interval;
+  phase_tau_ = tau;
 }
 
-bool CoupledHistory::finished() const {
-  return ringing_down_ && !body_.sliding() && !spring_may_change_ &&
-         cannot_slip(block_, regime().s2_size * free_.size(), 0.0);
-}
-
-bool CoupledHistory::run() {
-  set_reference(0, {}, 0.0);
-  while (node_ < end_) {
-    if (!ringing_down_ && node_ == quiet_from_) begin_ring_down();
-    if (finished()) break;
-    const std::size_t to = std::min(
-        end_, ringing_down_ ? node_ + CoupledTable::zeros - CoupledTable::tile : quiet_from_);
-    node_ = next_interval(to);
-    if (node_ < to && !solve_interval(node_)) return false;
+CoupledHistory::Next CoupledHistory::go_on(CoupledLanes& lanes, std::size_t lane,
+                                           const LanesDone& done) {
+  const auto is = [lane](std::uint64_t bits) { return ((bits >> lane) & 1) != 0; };
+  if (watched_) {
+    const auto node = static_cast<std::size_t>(lanes.node[lane]);
+    const std::size_t interval = is(done.searching) ? node - 1 : node;
+    const double tau = 1.0 - lanes.left[lane];
+    if (body_.crossings().reached(lanes.slip[lane]))
+      cross(lanes.slip[lane], tau > 0.0 ? interval : interval - 1);
+    if (is(done.started)) watch(body(lanes, lane, time_s(interval, tau)), interval, tau);
   }
-  set_reference_here();
+  if (is(done.searching)) return search(lanes, lane);
+  if (is(done.undecided)) return by_reference_scheme(lanes, lane);
+  return Next::interval;
+}
+
+/// The slip has reached a threshold by the end of this interval, in its present phase.
+void CoupledHistory::cross(double slip_m, std::size_t end_interval) {
+  CoupledBody again = *body_at_phase_;
+  again.crossings() = body_.crossings();
+  for (std::size_t i = phase_node_; i <= end_interval && again.crossings().reached(slip_m); ++i)
+    advance(again, i, i == phase_node_ ? phase_tau_ : 0.0);
+  // To rounding, it may be reached only now.
+  again.crossings().arrive(slip_m, again.speed(), time_s(end_interval + 1));
+  body_.crossings() = again.crossings();
+}
+
+CoupledHistory::Next CoupledHistory::finish(const CoupledLanes& lanes, std::size_t lane) {
+  body_ = body(lanes, lane, time_s(end_));
   if (contact_.stops_at_rest()) body_.coast();
-  return true;
+  return Next::finished;
 }
 
 SlipResult CoupledHistory::result() const {
   SlipResult slip = body_.result().slip;
   slip.free_sliding = contact_.slides_at_rest();
   return slip;
-}
-
-/// The block slid so far since the reference; thresholds are looked for phase by phase.
-void CoupledHistory::slid(double distance_m, double duration_s, std::size_t end_interval) {
-  const double to = body_.slip() + body_.direction() * distance_m;
-  if (watched_ && body_.crossings().reached(to)) {
-    CoupledBody again = *body_at_phase_;
-    again.crossings() = body_.crossings();
-    for (std::size_t i = phase_node_; i <= end_interval && again.crossings().reached(to); ++i)
-      advance(again, i, ground_after(i));
-    // To rounding, it may be reached only now.
-    again.crossings().arrive(to, again.speed(), time_s(end_interval + 1));
-    body_.crossings() = again.crossings();
-  }
-  body_.slid(distance_m, duration_s);
-}
-
-void CoupledHistory::advance(CoupledBody& body, std::size_t interval,
-                             const LinearGround& ground) const {
-  for (int part = 0; part < subdivision_.pieces; ++part) {
-    const double y0 = static_cast<double>(part) / subdivision_.pieces,
-                 y1 = static_cast<double>(part + 1) / subdivision_.pieces;
-    body.advance({step_s_ / subdivision_.pieces, ground.after(y0).at, ground.after(y1).at},
-                 time_s(interval, y1));
-  }
-}
-
-/// The interval by the scalar scheme.
-void CoupledHistory::by_reference_scheme(const IntervalState& now) {
-  node_ = now.interval;
-  if (!by_scalar_scheme_) set_reference_here();
-  advance(body_, now.interval, now.ground);
-  if (watched_) {
-    body_at_phase_ = body_;
-    phase_node_ = now.interval + 1;
-  }
-  set_reference(now.interval + 1, body_.spring_roof(), body_.speed());
 }
 
 }  // namespace glissade::block_detail

@@ -8,7 +8,9 @@
 
 #include "block/contact/coupled_regime.hpp"
 #include "block/coupled_tables/coupled_fill.hpp"
+#include "block/coupled_tables/coupled_lanes.hpp"
 #include "glissade/building/ground_table.hpp"
+#include "glissade/building/yielding.hpp"
 
 namespace glissade::block_detail {
 
@@ -31,6 +33,27 @@ struct CoupledNodes {
   }
 };
 
+/// Values whose memory is used again.
+template <class Number>
+class Numbers {
+ public:
+  /// Room for this many, of any value, and zeros behind them.
+  Number* room(std::size_t count) {
+    constexpr std::size_t behind = 16;  // SIMD loads reach no farther
+    if (count > count_) values_ = std::make_unique_for_overwrite<Number[]>(count + behind);
+    count_ = std::max(count_, count);
+    std::fill_n(values_.get() + count, behind, Number{});
+    return values_.get();
+  }
+  const Number* data() const { return values_.get(); }
+  Number& operator[](std::size_t i) { return values_[i]; }
+  Number operator[](std::size_t i) const { return values_[i]; }
+
+ private:
+  std::unique_ptr<Number[]> values_;
+  std::size_t count_ = 0;
+};
+
 /// What the histories of a motion, building, slope and friction share, whatever the intensity: the
 /// response of each regime's oscillator to the motion at unit intensity, from rest, without the
 /// block's weight. A history's own state is intensity times this, what the weight does, and the
@@ -43,39 +66,42 @@ class CoupledTable {
 
   /// @param sign of the motion; @param vertical_ratio of the vertical's factor to that of the
   /// horizontal without its sign
-  CoupledTable(const CoupledNodes& nodes, const CoupledContact& contact,
-               const BuildingOscillator& building, double sign, double vertical_ratio);
+  void tabulate(const CoupledNodes& nodes, const CoupledContact& contact,
+                const BuildingOscillator& building, double sign, double vertical_ratio);
 
   /// Of one oscillator.
   struct Response {
-    std::vector<double> x, y;  ///< scaled state by node
+    Numbers<double> x, y;  ///< scaled state by node
     // By tile: no more, from its nodes and the one before.
-    std::vector<float> amplitude;       ///< |s^2 z|
-    std::vector<float> a_mps2, x_mps2;  ///< |a|, |x|, between nodes too
-    double largest_x_mps2 = 0.0;
+    Numbers<float> amplitude;       ///< |s^2 z|
+    Numbers<float> a_mps2, x_mps2;  ///< |a|, |x|, between nodes too
+    double largest_a_mps2 = 0.0, largest_x_mps2 = 0.0;
   };
   /// For the search while the block rests: a less what the vertical does to the limit below, and
   /// above. Without vertical the two are the same.
   struct Rest {
-    std::vector<float> below, above;            ///< by node
-    std::vector<float> tile_below, tile_above;  ///< extremes, between nodes too
+    Numbers<float> below, above;            ///< by node; without vertical only above
+    Numbers<float> tile_below, tile_above;  ///< extremes, between nodes too
     double largest = 0.0;
   };
   /// For the search while it slides: the speed gained since time zero over drive.a.
   struct Speed {
-    std::vector<float> gain;            ///< by node
-    std::vector<float> tile_deviation;  ///< by tile: how far it may leave its chord between nodes
+    Numbers<float> gain;            ///< by node
+    Numbers<float> tile_deviation;  ///< by tile: how far it may leave its chord between nodes
     double largest = 0.0;
   };
 
   /// Direction 0 stuck, +1 sliding down, -1 up.
   static std::size_t index(int direction) { return direction == 0 ? 0 : direction > 0 ? 1 : 2; }
   const RegimeOscillator& regime(int direction) const { return regimes_[index(direction)]; }
-  const Response& response(int direction) const { return *responses_[index(direction)]; }
+  const Response& response(int direction) const { return responses_[source_[index(direction)]]; }
   const Rest& rest() const { return rest_; }
-  const Speed& speed(int direction) const { return *speeds_[index(direction)]; }
-  const CoupledNodes& nodes() const { return nodes_; }
+  const float* rest_below() const { return vertical() ? rest_.below.data() : rest_.above.data(); }
+  const Speed& speed(int direction) const { return speeds_[speed_source(index(direction)) - 1]; }
+  const CoupledNodes& nodes() const { return *nodes_; }
   double sign() const { return sign_; }
+  /// For lanes on an elastic building and the same while it yields, if there is such a table.
+  LaneTables lanes(const CoupledTable* yielding, const Yielding& spring) const;
   /// Normal force of the block per mass that the table leaves at this intensity, over sin(slope),
   /// less what a free vibration |a| takes: it lifts where this is negative. Infinite: never.
   double contact_margin_mps2(int direction, double intensity, double w_factor) const;
@@ -84,19 +110,26 @@ class CoupledTable {
   double highest_per_g() const { return highest_per_g_; }
 
  private:
-  GroundLine accelerations(double a_factor, double w_factor) const;
-  void respond(const BuildingOscillator& building);
-  void set_bounds(Response& response, const RegimeOscillator& regime, double damping_ratio) const;
-  void set_rest(double damping_ratio);
-  std::shared_ptr<Speed> speed_of(int direction) const;
+  bool vertical() const { return vertical_ratio_ != 0.0; }
+  /// Of the two directions of sliding, the one whose speeds are tabulated.
+  std::size_t speed_source(std::size_t k) const {
+    return !vertical() && source_[1] == source_[2] ? 1 : k;
+  }
+  void set_response(std::size_t k, const BuildingOscillator& building, TableFill& fill);
+  void set_bounds(Response& response, const RegimeOscillator& regime) const;
+  void set_rest();
+  void set_speed(std::size_t k, const LineFill& fill);
 
-  const CoupledNodes& nodes_;
-  double sign_, vertical_ratio_, gravity_mps2_, cot_slope_;
-  double lowest_per_g_, highest_per_g_;
+  const CoupledNodes* nodes_ = nullptr;
+  double sign_ = 1.0, vertical_ratio_ = 0.0, gravity_mps2_ = 0.0, cot_slope_ = 0.0;
+  double lowest_per_g_ = 0.0, highest_per_g_ = 0.0;
   std::array<RegimeOscillator, 3> regimes_;
-  std::array<std::shared_ptr<Response>, 3> responses_;  // equal regimes share one
+  std::array<LaneRegime, 3> lane_regimes_;
+  std::array<std::size_t, 3> source_{};  // equal regimes have one response
+  std::array<Response, 3> responses_;
   Rest rest_;
-  std::array<std::shared_ptr<Speed>, 3> speeds_;  // none of a block at rest
+  std::array<Speed, 2> speeds_;
+  std::array<Numbers<float>, 6> extremes_;  // of lines, that are not kept
 };
 
 }  // namespace glissade::block_detail

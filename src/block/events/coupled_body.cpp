@@ -92,7 +92,6 @@ CoupledBody::NextEvent CoupledBody::first_event(const RoofMotionSeries& roof,
 
 void CoupledBody::advance(GroundPiece ground, double end_time_s) {
   piece_end_ = end_time_s;
-  after_ = {};
   for (int events = 0; events < most_events; ++events) {
     const ContactRegime now = regime();
     const RoofMotionSeries roof = roof_motion_series(building_, now, contact_.gravity(), roof_,
@@ -103,13 +102,13 @@ void CoupledBody::advance(GroundPiece ground, double end_time_s) {
     const NextEvent next = first_event(roof, slip);
     pass(ground, roof, slip, next);
     ground.keep_after(next.fraction);
-    if (next.event == Event::none) {
-      time_ = piece_end_;
-      return record(ground);
-    }
+    if (next.event == Event::none) time_ = piece_end_;
     apply(next);
     record(ground);
-    if (!(ground.length_s > 0.0)) return;
+    if (next.event == Event::none || !(ground.length_s > 0.0)) {
+      after_ = {};
+      return;
+    }
   }
   throw NotConverged("slide_coupled: too many events inside one piece of time");
 }
@@ -185,11 +184,48 @@ void CoupledBody::apply(const NextEvent& next) {
   after_ = after;
 }
 
+void CoupledBody::start(int direction) {
+  direction_ = direction;
+  ++result_.slip.slip_phases;
+}
+
+/// Slip is monotone inside a phase, so its peaks are at phase ends.
 void CoupledBody::stop() {
   direction_ = 0;
   speed_ = 0.0;
   farthest_down_ = std::max(farthest_down_, slip_);
   farthest_up_ = std::min(farthest_up_, slip_);
+}
+
+CoupledBody::State CoupledBody::state() const {
+  const double ratio = spring_.frequency_ratio();
+  return {.roof = {spring_.force(roof_.x), ratio > 0.0 ? ratio * roof_.y : roof_.y},
+          .spring = spring_.state(roof_.x),
+          .direction = direction_,
+          .speed = speed_,
+          .slip = slip_,
+          .farthest_down = farthest_down_,
+          .farthest_up = farthest_up_,
+          .slip_duration_s = result_.slip.slip_duration_s,
+          .slip_phases = result_.slip.slip_phases,
+          .time_s = time_,
+          .drive_is_zero = after_.drive_is_zero,
+          .stopped_direction = after_.stopped_direction};
+}
+
+void CoupledBody::set_state(const State& state) {
+  roof_.x = spring_.set_state(state.spring, state.roof.x);
+  const double ratio = spring_.frequency_ratio();
+  roof_.y = ratio > 0.0 ? state.roof.y / ratio : state.roof.y;
+  direction_ = state.direction;
+  speed_ = state.speed;
+  slip_ = state.slip;
+  farthest_down_ = state.farthest_down;
+  farthest_up_ = state.farthest_up;
+  result_.slip.slip_duration_s = state.slip_duration_s;
+  result_.slip.slip_phases = state.slip_phases;
+  time_ = state.time_s;
+  after_ = {.drive_is_zero = state.drive_is_zero, .stopped_direction = state.stopped_direction};
 }
 
 void CoupledBody::record(const GroundPiece& ground) const {

@@ -31,40 +31,29 @@ class CoupledBody {
   /// The roof is at rest from now on.
   void coast();
 
-  // A motion without events that was computed elsewhere; the roof as spring_roof() is.
-  void resume(const RoofState& roof, double speed_mps, double time_s) {
-    if (const double ratio = spring_.frequency_ratio(); ratio > 0.0)
-      roof_ = {spring_.resume(roof_.x, roof.x), roof.y / ratio};
-    speed_ = speed_mps;
-    time_ = time_s;
-  }
-  /// @param distance_m below zero, by rounding, is none: as in pass()
-  void slid(double distance_m, double duration_s) {
-    slip_ += direction_ * std::max(distance_m, 0.0);
-    result_.slip.slip_duration_s += duration_s;
-  }
-  void start(int direction) {
-    direction_ = direction;
-    ++result_.slip.slip_phases;
-  }
-  /// Slip is monotone inside a phase, so its peaks are at phase ends.
-  void stop();
+  /// Between two pieces: what a motion computed elsewhere needs to go on here, and back.
+  struct State {
+    /// Of an elastic building with the spring's stiffness of now, displaced from where the force
+    /// is zero: x is the force.
+    RoofState roof;
+    Spring::State spring;
+    int direction = 0;
+    double speed = 0.0, slip = 0.0, farthest_down = 0.0, farthest_up = 0.0, slip_duration_s = 0.0;
+    std::size_t slip_phases = 0;
+    double time_s = 0.0;
+    // As AfterEvent.
+    bool drive_is_zero = false;
+    int stopped_direction = 0;
+  };
+  State state() const;
+  void set_state(const State& state);
   /// Largest |E| and |x| so far.
   struct Peaks {
     double resisting_mps2 = 0.0, x_mps2 = 0.0;
   };
 
-  /// Scaled state of an elastic building with the spring's stiffness of now, displaced from where
-  /// the force is zero: x is the force.
-  RoofState spring_roof() const {
-    return {spring_.force(roof_.x), spring_.frequency_ratio() * roof_.y};
-  }
-  /// +1 or -1 while the spring yields on this side, else 0.
-  int yield_side() const { return spring_.side(); }
-  Spring::Range spring_forces() const { return spring_.forces(roof_.x); }
+  double yield_mps2() const { return spring_.limit(); }
   double speed() const { return speed_; }
-  int direction() const { return direction_; }
-  double slip() const { return slip_; }
   bool has_lifted() const { return lifted_ || result_.slip.uplift; }
   bool slides_at_rest() const { return contact_.at_rest().slides_at_rest(); }
   bool sliding() const { return direction_ != 0; }
@@ -120,6 +109,8 @@ class CoupledBody {
   void pass(const GroundPiece& ground, const RoofMotionSeries& roof, const SlipSeries& slip,
             const NextEvent& next);
   void apply(const NextEvent& next);
+  void start(int direction);
+  void stop();
   Envelope free_vibration() const;
   void record(const GroundPiece& ground) const;
 

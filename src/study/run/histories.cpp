@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <map>
+#include <optional>
 
 #include "glissade/block/coupled_slip.hpp"
 #include "glissade/block/tipping.hpp"
@@ -12,6 +14,7 @@
 #include "glissade/core/not_finite.hpp"
 #include "glissade/core/units.hpp"
 #include "glissade/study/cases/case_scene.hpp"
+#include "glissade/study/run/history_table.hpp"
 
 namespace glissade {
 namespace {
@@ -146,20 +149,63 @@ class CoupledHistories : public NoTipping<OneAxis> {
     return is_below_yield(scene_, scene_.block.friction, level);
   }
 
+  void prepare(double level) override {
+    if (!is_ready(level)) known_.emplace(level, Known());
+  }
+  bool is_ready(double level) const override { return known_.contains(level); }
+
   History at(double level, std::span<Crossing> crossings, WorkCount& count) override {
     ++count.integrated;
-    const CoupledScene scene{
-        building_, scene_.block, {scene_.axis_factor(0, level), scene_.factor(level)}};
-    CoupledPeak peak;
-    coupled_slip(ground_, {&scene, 1}, {&peak, 1},
-                 crossings.empty() ? std::span<const double>() : scene_.thresholds_m(), crossings);
-    return {.peak_displacement_m = peak.slip.peak_displacement_m, .uplift = peak.slip.uplift};
+    prepare(level);
+    const Known& known = known_.at(level);
+    if (!known.found) run();
+    if (!known.found) throw NotConverged("coupled_slip: a history did not converge");
+    std::copy_n(known.crossings.begin(), crossings.size(), crossings.begin());
+    return {.peak_displacement_m = known.found->peak_displacement_m, .uplift = known.found->uplift};
   }
 
  private:
+  struct Known {
+    std::optional<PeakSlip> found;  ///< not yet, or it does not converge
+    std::vector<Crossing> crossings;
+  };
+
+  /// All that is prepared, side by side; where one does not converge, one by one.
+  void run() {
+    std::vector<double> levels;
+    for (const auto& [level, known] : known_)
+      if (!known.found) levels.push_back(level);
+    try {
+      run(levels);
+    } catch (const NotConverged&) {
+      for (const double& level : levels) try {
+          run({&level, 1});
+        } catch (const NotConverged&) {  // at() says so
+        }
+    }
+  }
+  void run(std::span<const double> levels) {
+    const std::span<const double> thresholds = KeptFields(scene_.plan.config).crossings
+                                                   ? scene_.thresholds_m()
+                                                   : std::span<const double>();
+    std::vector<CoupledScene> scenes;
+    for (const double level : levels)
+      scenes.push_back(
+          {building_, scene_.block, {scene_.axis_factor(0, level), scene_.factor(level)}});
+    std::vector<CoupledPeak> peaks(scenes.size());
+    std::vector<Crossing> crossings(scenes.size() * thresholds.size());
+    coupled_slip(ground_, scenes, peaks, thresholds, crossings);
+    for (std::size_t k = 0; k < scenes.size(); ++k) {
+      const auto first = crossings.begin() + static_cast<std::ptrdiff_t>(k * thresholds.size());
+      known_.at(levels[k]) = {peaks[k].slip,
+                              {first, first + static_cast<std::ptrdiff_t>(thresholds.size())}};
+    }
+  }
+
   Scene scene_;
   CoupledGround& ground_;
   CoupledBuilding building_;
+  std::map<double, Known> known_;  ///< by level
 };
 
 /// The full model.
