@@ -29,6 +29,7 @@ class OutputFile {
   /// later cannot meet a full disk. Without effect on file systems that cannot.
   void reserve(std::uint64_t bytes);
   void release();  ///< gives back what is reserved behind the file's end
+  int descriptor() const { return fd_; }
 
  private:
   std::filesystem::path path_;
