@@ -259,12 +259,12 @@ std::size_t solve(const CoupledBatch& batch, std::size_t first) {
   const CoupledContact contact(scene.block, scene.building.mass_ratio);
   const bool has_tables = can_be_tabulated(
       subdivide(scene.building.horizontal, contact, motion.dt_s), contact, motion.dt_s);
-  for (; k < batch.scenes.size() && is_like_first(batch.scenes[k]); ++k) {
+  do {  // the first one without comparison: what it has of a motion scaled to zero is no number
     if (has_tables && can_be_tabulated(batch.scenes[k], contact, *batch.ground.tables().nodes))
       tasks.push_back(k);
     else
       batch.by_reference(k);
-  }
+  } while (++k < batch.scenes.size() && is_like_first(batch.scenes[k]));
   if (!tasks.empty()) CoupledPool(batch, std::move(tasks), contact).run();
   return k;
 }
