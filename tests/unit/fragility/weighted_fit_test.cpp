@@ -188,7 +188,7 @@ TEST(fit_brackets, finds_no_information_in_rows_from_zero_to_infinity) {
     EXPECT_TRUE(std::isnan(fit.curve.median));
     EXPECT_TRUE(std::isnan(fit.curve.log_std));
     EXPECT_EQ(fit.note,
-              "no row limits the capacity. 2 row(s) from 0 to infinity say nothing and are left "
+              "no row limits the capacity; 2 row(s) from 0 to infinity say nothing and are left "
               "out");
   }
 }
