@@ -2,6 +2,7 @@
 // Other analyses of finished results: glissade report --study.
 #include "cli/one_run.hpp"
 #include "cli/small_study.hpp"
+#include "facts.hpp"
 
 namespace glissade::test {
 namespace {
@@ -28,8 +29,12 @@ TEST_F(ReportOfStudy, gives_what_a_run_of_that_study_gives) {
   ASSERT_EQ(child.status, 0) << child.err;
   EXPECT_FALSE(std::filesystem::exists(out() / "tables/standards.csv"));
   for (const char* table : {"tables/standards.csv", "tables/fragility.csv", "tables/slip.csv",
-                            "tables/shape.csv", "tables/shape_models.csv", "tables/hazard.csv"})
-    EXPECT_EQ(read_file(folder_->path("again") / table), read_file(folder_->path("run") / table));
+                            "tables/shape.csv", "tables/shape_models.csv", "tables/hazard.csv",
+                            "tables/design_life.csv", "tables/design_life_distribution.csv"}) {
+    const std::string again = read_file(folder_->path("again") / table);
+    EXPECT_EQ(again, read_file(folder_->path("run") / table));
+    EXPECT_THAT(again, has_rows_as_wide_as_its_header()) << table;
+  }
   const Finished third =
       run_program({"report", (folder_->path("again") / "results.h5").string(), "--overwrite"});
   EXPECT_EQ(third.status, 0) << third.err;

@@ -404,6 +404,12 @@ TEST(results_file, parts_that_do_not_fit_each_other_are_refused) {
   EXPECT_EQ(refusal([](Results& r) { r.histories.fields.peak_vector_m.clear(); }), "peak_vector_m");
   EXPECT_EQ(refusal([](Results& r) { r.axes = SlidingAxes::one; }), "peak_vector_m");
   EXPECT_EQ(refusal([](Results& r) { r.histories.fields.residual_across_m.clear(); }),
+            "residual_along_m");
+  EXPECT_EQ(refusal([](Results& r) { r.histories.fields.peak_across_m.clear(); }), "peak_along_m");
+  EXPECT_EQ(refusal([](Results& r) {
+              r.histories.fields.residual_along_m.clear();
+              r.histories.fields.residual_across_m.clear();
+            }),
             "peak_along_m");
   EXPECT_EQ(refusal([](Results& r) { r.histories.fields.closing_across_m.clear(); }),
             "closing_along_m");
