@@ -119,8 +119,8 @@ struct HazardAnalysis {
   };
   /// From the fragility runs and the histories.
   static HazardResults find(const StudyConfig& study, const Results& results);
-  static std::vector<std::string> plan_warnings(const Plan& plan);
-  static std::vector<std::string> plan_notes(const Plan& plan);
+  static std::vector<std::string> plan_warnings(const StudyOutline& study);
+  static std::vector<std::string> plan_notes(const StudyOutline& study);
   static std::vector<std::string> warnings(const Results& results, const StudyConfig& study);
   static AnalysisInFiles in_files();
   static AnalysisReport in_report();
