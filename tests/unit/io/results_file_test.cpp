@@ -113,6 +113,8 @@ TEST(results_file, head_suites_and_records_come_back) {
   EXPECT_EQ(read.levels, written.levels);
   EXPECT_EQ(read.thresholds_m, written.thresholds_m);
   EXPECT_EQ(read.notes, written.notes);
+  EXPECT_EQ(read.warnings_of_run, written.warnings_of_run);
+  EXPECT_EQ(read.notes_of_run, written.notes_of_run);
   EXPECT_EQ(read.suites[1].target, "ASCE 7-10, S_S 1 g");
   ASSERT_EQ(read.records.size(), 2u);
   const RecordSummary& record = read.records[0];
@@ -404,6 +406,13 @@ TEST(results_file, parts_that_do_not_fit_each_other_are_refused) {
   EXPECT_EQ(refusal([](Results& r) { r.histories.fields.peak_vector_m.clear(); }), "peak_vector_m");
   EXPECT_EQ(refusal([](Results& r) { r.axes = SlidingAxes::one; }), "peak_vector_m");
   EXPECT_EQ(refusal([](Results& r) { r.histories.fields.residual_across_m.clear(); }),
+            "residual_along_m");
+  EXPECT_EQ(refusal([](Results& r) { r.histories.fields.peak_across_m.clear(); }), "peak_along_m");
+  EXPECT_EQ(refusal([](Results& r) { r.notes_of_run = 3; }), "remarks_of_run");
+  EXPECT_EQ(refusal([](Results& r) {
+              r.histories.fields.residual_along_m.clear();
+              r.histories.fields.residual_across_m.clear();
+            }),
             "peak_along_m");
   EXPECT_EQ(refusal([](Results& r) { r.histories.fields.closing_across_m.clear(); }),
             "closing_along_m");

@@ -104,6 +104,7 @@ inline Results whole_results(bool two_axes = false) {
   fill_histories(r.histories, two_axes);
   r.warnings = {"one axis"};
   r.notes = {"5 of 22 records have no vertical", ""};
+  r.warnings_of_run = r.notes_of_run = 1;
   return r;
 }
 
