@@ -1,7 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "output_rule.hpp"
 
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
 #include <algorithm>
+#include <cerrno>
+#include <system_error>
 #include <vector>
 
 #include "glissade/core/error.hpp"
@@ -48,7 +54,29 @@ void check_folder(const fs::path& folder) {
     throw InputError({"--out", folder.string() + " is not a folder", "give another --out", ""});
 }
 
+/// As the system answers; on some network file systems the first write decides.
+void check_may_write(const fs::path& folder) {
+  const fs::path existing = existing_part(folder);
+  std::error_code ignored;
+  const bool is_folder = fs::is_directory(existing, ignored);
+  if (is_folder && ::faccessat(AT_FDCWD, existing.c_str(), W_OK | X_OK, AT_EACCESS) == 0) return;
+  const int error_number = is_folder ? errno : ENOTDIR;
+  const bool is_there = fs::exists(folder, ignored);
+  throw InputError({folder.string(),
+                    fmt::format("cannot be {} ({}): {}", is_there ? "written to" : "made",
+                                existing.string(), std::generic_category().message(error_number)),
+                    "give a folder you may write to with --out", ""});
+}
+
 }  // namespace
+
+fs::path existing_part(const fs::path& path) {
+  std::error_code ignored;
+  fs::path existing = fs::absolute(path);
+  while (!fs::exists(existing, ignored) && existing.has_relative_path())
+    existing = existing.parent_path();
+  return existing;
+}
 
 void add_overwrite(CLI::App& command, bool& overwrite) {
   command.add_flag("--overwrite", overwrite, "overwrite existing files");
@@ -63,6 +91,7 @@ void check_output_file(const fs::path& file, const std::string& option, bool ove
 
 void check_output_folder(const fs::path& folder, bool overwrite) {
   check_folder(folder);
+  check_may_write(folder);
   std::error_code error;
   if (overwrite || !fs::exists(folder, error)) return;
   if (!fs::is_empty(folder, error) || error) refuse("--out", folder, "holds a run or other files");

@@ -17,7 +17,11 @@ void add_overwrite(CLI::App& command, bool& overwrite);
 void check_output_file(const std::filesystem::path& file, const std::string& option,
                        bool overwrite);
 
-/// Throws InputError where the folder holds anything, or is no folder. It need not exist.
+/// The path up to its last folder (or file) that exists.
+std::filesystem::path existing_part(const std::filesystem::path& path);
+
+/// Throws InputError where the folder holds anything, is no folder, or could not be written to. It
+/// need not exist.
 void check_output_folder(const std::filesystem::path& folder, bool overwrite);
 
 /// Throws InputError where the folder, which may hold other files, holds a report.

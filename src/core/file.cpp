@@ -2,11 +2,10 @@
 #include "glissade/core/file.hpp"
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
-#include <fstream>
-#include <iterator>
 #include <system_error>
 
 #include "glissade/core/error.hpp"
@@ -80,37 +79,63 @@ void write_and_rename(const fs::path& path, const WriteFile& write) {
   sync_folder(path.parent_path());
 }
 
+/// A regular file to read, or a pipe that is open already (/dev/stdin, <(command) of a shell).
+class InputFile {
+ public:
+  /// Does not wait: a named pipe that nobody writes to would else never be open.
+  explicit InputFile(const fs::path& path)
+      : path_(path), file_{::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC)} {
+    struct stat status {};
+    if (file_.fd < 0 || ::fstat(file_.fd, &status) != 0) fail(errno);
+    if (S_ISDIR(status.st_mode)) fail(EISDIR);
+    if (S_ISREG(status.st_mode)) return;
+    if (!S_ISFIFO(status.st_mode) || !leads_to_an_open_file(path)) {
+      throw InputError({path.string(), "is no regular file but a pipe, a device or a socket",
+                        "give the path of a regular file", ""});
+    }
+    if (::fcntl(file_.fd, F_SETFL, 0) != 0) fail(errno);  // its reads wait for what is written
+  }
+  /// 0: the end.
+  std::size_t read(char* into, std::size_t most_bytes) const {
+    for (;;) {
+      const ssize_t bytes = ::read(file_.fd, into, most_bytes);
+      if (bytes >= 0) return static_cast<std::size_t>(bytes);
+      if (errno != EINTR) fail(errno);
+    }
+  }
+
+ private:
+  [[noreturn]] void fail(int error_number) const {
+    throw InputError({path_.string(),
+                      "cannot be read: " + std::generic_category().message(error_number),
+                      "check that the file exists and that you may read it", ""});
+  }
+
+  struct Descriptor {
+    ~Descriptor() {
+      if (fd >= 0) ::close(fd);
+    }
+    const int fd;
+  };
+  const fs::path& path_;
+  const Descriptor file_;
+};
+
 }  // namespace
 
 std::string read_text_file(const fs::path& path) {
   constexpr std::size_t most_bytes = std::size_t{1} << 28, block_bytes = std::size_t{1} << 20;
   std::size_t part = 4096;  // most files are small: a large block would be cleared for nothing
-  errno = 0;
-  std::ifstream file(path, std::ios::binary);
-  const int open_error = errno;
-  std::error_code unknown;  // a name may be too long to have a status
-  const bool is_folder = fs::is_directory(path, unknown);
+  const InputFile file(path);
   std::string text;
-  if (file && !is_folder) {
-    try {  // the stream buffer throws where the system refuses a read
-      while (file && text.size() <= most_bytes) {
-        const std::size_t size = text.size();
-        text.resize(size + part);
-        file.read(text.data() + size, static_cast<std::streamsize>(part));
-        text.resize(size + static_cast<std::size_t>(file.gcount()));
-        part = block_bytes;
-      }
-      if (text.size() > most_bytes)  // or without an end, as /dev/zero
-        throw InputError(
-            {path.string(), "has more than 256 MiB of text", "take a smaller file", ""});
-      if (!file.bad()) return text;
-    } catch (const std::ios_base::failure&) {
-    }
+  while (text.size() <= most_bytes) {
+    const std::size_t size = text.size();
+    text.resize(size + part);
+    text.resize(size + file.read(text.data() + size, part));
+    if (text.size() == size) return text;
+    part = block_bytes;
   }
-  const int error_number = is_folder ? EISDIR : open_error != 0 ? open_error : EIO;
-  throw InputError({path.string(),
-                    "cannot be read: " + std::generic_category().message(error_number),
-                    "check that the file exists and that you may read it", ""});
+  throw InputError({path.string(), "has more than 256 MiB of text", "take a smaller file", ""});
 }
 
 void sync_folder(const fs::path& folder) {

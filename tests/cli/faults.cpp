@@ -116,6 +116,12 @@ int remove(const char* path) noexcept {
 int unlink(const char* path) noexcept {
   return is_meant(path) && removal_fails() ? -1 : next<int (*)(const char*)>("unlink")(path);
 }
+/// A disk that is read-only answers so before anything is written.
+int faccessat(int folder, const char* path, int mode, int flags) noexcept {
+  if ((mode & W_OK) != 0 && is_meant(path) && removal_fails()) return -1;
+  using Next = int (*)(int, const char*, int, int);
+  return next<Next>("faccessat")(folder, path, mode, flags);
+}
 
 int statvfs(const char* __restrict path, struct statvfs* __restrict disk) noexcept {
   using Next = int (*)(const char*, struct statvfs*);

@@ -91,6 +91,15 @@ TEST_F(Faults, a_disk_with_less_room_than_the_results_need_is_refused_before_the
   EXPECT_EQ(run_with("FAULT_FREE_MB=21").status, 0);
 }
 
+TEST_F(Faults, a_dry_run_sees_that_the_disk_is_read_only) {
+  const Finished child =
+      run_with("FAULT_ERRNO=" + std::to_string(EROFS) + " FAULT_FROM=1", "--dry-run");
+  EXPECT_EQ(child.status, 2);
+  EXPECT_THAT(child.out, HasSubstr("units"));  // the plan all the same
+  EXPECT_THAT(child.err, testing::AllOf(HasSubstr("again"), HasSubstr("Read-only file system"),
+                                        HasSubstr("--out")));
+}
+
 TEST_F(Faults, a_clock_that_is_set_during_the_run_neither_stops_it_nor_changes_its_results) {
   const Finished child = run_with("FAULT_CLOCK=1", "--walltime-s 3600");
   EXPECT_EQ(child.status, 0) << child.err;

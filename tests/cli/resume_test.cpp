@@ -141,6 +141,23 @@ TEST_F(Resume, a_finished_run_is_left_as_it_is) {
   EXPECT_THAT(child.out, states("finished"));
 }
 
+TEST_F(Resume, a_finished_run_is_of_its_study_only) {
+  const std::vector<std::string> before = names_in(out());
+  const auto resumed_with = [&](const std::string& text) {
+    return run_program({"run", "--resume", out().string(), folder_->write("given.toml", text)});
+  };
+  const Finished same = resumed_with(longer_study());
+  EXPECT_EQ(same.status, 0) << same.err;
+  EXPECT_THAT(same.out, states("finished"));
+  expect_refused(resumed_with(replaced(longer_study(), "seed = 7", "seed = 8")),
+                 {"given.toml:3", out().string(), "seed = 8", "seed = 7"});
+  // Its text is in the results.
+  expect_refused(resumed_with(longer_study() + "# a comment\n"),
+                 {"given.toml:" + std::to_string(std::ranges::count(longer_study(), '\n') + 1),
+                  "# a comment"});
+  EXPECT_EQ(names_in(out()), before);
+}
+
 TEST_F(Resume, a_folder_without_a_run_is_refused_and_not_made) {
   expect_refused(resume(), {again_.string(), "no run"});
   EXPECT_FALSE(fs::exists(again_));
@@ -153,6 +170,8 @@ TEST_F(Resume, another_study_is_refused_with_the_line_that_differs) {
       folder_->write("other.toml", replaced(longer_study(), "seed = 7", "seed = 8"));
   const Finished child = resume({other});
   expect_refused(child, {"other.toml:3", "seed = 8", "seed = 7"});
+  const std::string commented = folder_->write("commented.toml", "# a comment\n" + longer_study());
+  expect_refused(resume({commented}), {"commented.toml:1", "# a comment"});
   EXPECT_EQ(names_in(again_ / "journal"), before);
   expect_resumed();
 }

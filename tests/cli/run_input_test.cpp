@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gmock/gmock.h>
+#include <unistd.h>
 
 #include "cli/child.hpp"
 #include "cli/small_study.hpp"
@@ -140,6 +141,32 @@ TEST_F(RunInput, a_folder_that_cannot_be_made_is_reported_before_any_work) {
   const std::string study = folder_.write("study.toml", small_study());
   expect_refused(run_program({"run", study, "--out", study + "/out"}),
                  {"study.toml/out", "cannot be made", "Not a directory", "--out"});
+}
+
+TEST_F(RunInput, a_dry_run_says_that_the_folder_could_not_be_written_to) {
+  const std::string study = folder_.write("study.toml", small_study());
+  const fs::path locked = folder_.path("locked");
+  fs::create_directory(locked);
+  fs::permissions(locked, fs::perms::owner_read | fs::perms::owner_exec);
+  // root without its right to write everywhere, which its programs do not have either
+  const std::string unprivileged =
+      ::geteuid() == 0 ? "setpriv --bounding-set=-all \"$0\"" : "\"$0\"";
+  const auto check = [&](const std::string& command, const fs::path& out) {
+    return run_shell(unprivileged + " " + command + " '" + study + "' --out '" + out.string() +
+                     "'");
+  };
+  if (check("check", folder_.path("free")).status != 0) GTEST_SKIP() << "no setpriv of root";
+  for (const fs::path& out : {locked, locked / "new", locked / "two" / "folders"}) {
+    const Finished child = check("check", out);
+    EXPECT_EQ(child.status, 2);
+    EXPECT_THAT(child.out, testing::HasSubstr("units"));  // the plan all the same
+    EXPECT_EQ(child.out.find("folder "), std::string::npos) << child.out;
+    for (const std::string& part :
+         {out.string(), locked.string(), std::string("Permission denied"), std::string("--out")})
+      EXPECT_THAT(child.err, testing::HasSubstr(part));
+    expect_refused(check("run", out), {out.string(), "Permission denied", "--out"});
+  }
+  fs::permissions(locked, fs::perms::owner_all);
 }
 
 }  // namespace

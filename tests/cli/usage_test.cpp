@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gmock/gmock.h>
+#include <sys/stat.h>
 
 #include "cli/child.hpp"
+#include "cli/small_study.hpp"
 #include "facts.hpp"
 
 namespace glissade::test {
@@ -116,6 +118,37 @@ TEST(Usage, a_report_of_what_is_no_results_file_is_refused) {
   expect_refused(run_program({"report", folder.write("text.h5", "not HDF5")}),
                  {"text.h5", "not a complete glissade results file"});
   EXPECT_EQ(folder.contents(), std::vector<std::string>{"text.h5"});
+}
+
+// To open a named pipe waits for a process that writes to it.
+TEST(Usage, a_named_pipe_in_place_of_a_file_is_refused_by_every_command) {
+  const ScratchFolder folder;
+  folder.write("suite.toml", suite_of_one_record());
+  const auto pipe = [&](const std::string& name) {
+    std::filesystem::create_directories(folder.path(name).parent_path());
+    EXPECT_EQ(::mkfifo(folder.path(name).c_str(), 0600), 0) << name;
+    return "'" + folder.path(name).string() + "'";
+  };
+  const auto refuses = [](const std::string& command, const std::string& name) {
+    SCOPED_TRACE(command);
+    expect_refused(run_shell("timeout -s KILL 60 \"$0\" " + command), {name, "no regular file"});
+  };
+  const std::string file = pipe("pipe");
+  for (const char* command : {"run", "check", "report", "friction", "suite show", "clearance"})
+    refuses(command + (" " + file), "pipe");
+  refuses("slide " + file + " --mu 0.5 --slope-deg 1", "pipe");
+  refuses("fit --counts " + file, "pipe");
+  pipe("record.txt");
+  refuses("suite show '" + folder.path("suite.toml").string() + "'", "record.txt");
+  pipe("run/run.json");
+  const std::string run = "'" + folder.path("run").string() + "'";
+  refuses("run --resume " + run, "run.json");
+  expect_refused(run_shell("timeout -s KILL 60 \"$0\" clearance --resume " + run),
+                 {"no calculation"});
+  pipe("part/journal/run");
+  refuses(
+      "merge '" + folder.path("part").string() + "' --out '" + folder.path("merged").string() + "'",
+      "journal/run");
 }
 
 }  // namespace

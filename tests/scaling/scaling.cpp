@@ -113,10 +113,10 @@ struct Scaling {
 
 std::vector<Scaling> scalings(const StudyCosts& costs) {
   std::vector<Scaling> all{{"strong", "samples of the study", {}},
-                           {"strong_1000", "1,000 times the samples", {}},
-                           {"weak", "samples in proportion to the ranks", {}},
-                           {"tcp", "1,000 times the samples, TCP", {}},
-                           {"tcp_when_free", "the same, not fetched ahead", {}}};
+                           {"strong_1000", "1,000 × the samples", {}},
+                           {"weak", "samples × ranks", {}},
+                           {"tcp", "1,000 × the samples, TCP", {}},
+                           {"tcp_when_free", "same, not fetched ahead", {}}};
   const StudyCosts large = grown(costs, 1000.0);
   for (int log2 = least_log2; log2 <= most_log2; ++log2) {
     const int ranks = 1 << log2;

@@ -59,7 +59,7 @@ StudyCosts measure_study(const std::filesystem::path& study, const std::filesyst
     });
   });
   costs.plan_s -= sum(costs.plan_parts_s);
-  costs.name = config.name;
+  costs.name = study.stem().string();
   costs.histories = static_cast<double>(plan.histories());
   costs.units_wanted = units_wanted(plan.kernel.kernel);
 

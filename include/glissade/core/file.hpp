@@ -10,8 +10,9 @@ namespace glissade {
 
 class OutputFile;
 
-/// The whole file, byte for byte. Throws InputError when it cannot be read, or has more than 256
-/// MiB.
+/// The whole file, byte for byte: a regular file, or a pipe that this process has open (/dev/stdin,
+/// <(command) of a shell). Throws InputError when it cannot be read, is a named pipe, a device or a
+/// socket, which might never end or never begin, or has more than 256 MiB.
 std::string read_text_file(const std::filesystem::path& path);
 
 /// Writes a file whole or not at all: to a new file, `path` + ".partial.<process id>", flushed to

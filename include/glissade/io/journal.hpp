@@ -40,6 +40,10 @@ bool has_identity(const std::filesystem::path& run_folder);
 void check_same_run(const RunIdentity& begun, const RunIdentity& now,
                     const std::filesystem::path& run_folder);
 
+/// The same of the text of its study alone, where that is all that is left of a run.
+void check_same_study(const std::string& begun, const std::filesystem::path& file,
+                      const std::string& now, const std::filesystem::path& run_folder);
+
 /// Copies the journals of one run folder beside those of another.
 void copy_journals(const std::filesystem::path& from, const std::filesystem::path& to);
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 #include "glissade/study/results.hpp"
 
@@ -20,5 +21,8 @@ void write_results(const std::filesystem::path& file, const Results& results);
 /// Reads what write_results wrote: equal to the last bit. Throws InputError for files that are no
 /// glissade results, of another format version, cut short or damaged.
 Results read_results(const std::filesystem::path& file);
+
+/// The study file whose results these are; throws as read_results.
+std::string read_study_text(const std::filesystem::path& file);
 
 }  // namespace glissade

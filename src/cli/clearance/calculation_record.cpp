@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "clearance/calculation_record.hpp"
 
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "glissade/core/error.hpp"
@@ -16,9 +15,8 @@ using CalculationJson = nlohmann::ordered_json;
 
 /// Null where run.json is not there or is not of a calculation.
 CalculationJson record_in(const fs::path& folder) {
-  std::ifstream in(folder / "run.json");
-  const CalculationJson json = CalculationJson::parse(in, nullptr, /*allow_exceptions=*/false);
-  const bool is_ours = json.is_object() && json.value("command", "") == "clearance";
+  const CalculationJson json = read_run_json(folder / "run.json");
+  const bool is_ours = json.is_object() && json.value("command", CalculationJson()) == "clearance";
   return is_ours ? json : CalculationJson();
 }
 

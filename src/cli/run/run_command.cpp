@@ -114,7 +114,7 @@ std::vector<Suite> prepare_motions(RunOptions& options, StoppedRun& stopped,
   std::vector<Suite> suites;
   on_root_threads(world, [&] {
     if (!options.resume.empty()) {
-      stopped = take_stopped_run(options.resume);
+      stopped = take_stopped_run(options.resume, options.study);
       if (options.study.empty()) options.study = stopped.begun.study_file.string();
       options.part = stopped.begun.part;
     } else if (!options.dry_run) {

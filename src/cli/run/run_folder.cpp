@@ -9,6 +9,8 @@
 #include "glissade/core/bytes.hpp"
 #include "glissade/core/file.hpp"
 #include "glissade/core/wrap.hpp"
+#include "glissade/io/results_file.hpp"
+#include "glissade/io/study_file.hpp"
 #include "glissade/study/run/exchange.hpp"
 #include "output_rule.hpp"
 
@@ -67,10 +69,7 @@ void check_room(const fs::path& folder, const Plan& plan) {
   // report.
   const double needed = 3.0 * bytes_of(plan.config, plan.records.size(), plan.cases.size()) + 20e6;
   std::error_code error;
-  fs::path existing = fs::absolute(folder);
-  while (!fs::exists(existing, error) && existing.has_relative_path())
-    existing = existing.parent_path();
-  const fs::space_info space = fs::space(existing, error);
+  const fs::space_info space = fs::space(existing_part(folder), error);
   if (!error && static_cast<double>(space.available) < needed) {
     throw InputError(
         {folder.string(),
@@ -170,9 +169,13 @@ std::unique_ptr<RunLock> take_run_folder(const fs::path& folder, const Plan& pla
   return lock;
 }
 
-StoppedRun take_stopped_run(const fs::path& folder) {
+StoppedRun take_stopped_run(const fs::path& folder, const fs::path& study) {
   check_own_files(folder);
   if (is_finished(folder / "run.json")) {
+    if (!study.empty()) {
+      check_same_study(read_study_text(folder / "results.h5"), study, read_study(study).source_text,
+                       folder);
+    }
     if (!is_running(folder)) remove_journals(folder);  // of a run killed when it removed them
     fmt::print("{} is finished\n", folder.string());
     throw ExitStatus{0};
@@ -250,6 +253,7 @@ std::vector<FinishedPart> read_parts(const std::vector<std::string>& folders) {
   std::map<std::uint64_t, std::string> folder_of;  // by number of the part
   for (const std::string& folder : folders) {
     try {
+      check_own_files(folder);
       parts.push_back({folder, read_identity(folder)});
     } catch (const InputError& error) {
       problems.add(error);

@@ -83,8 +83,11 @@ struct StoppedRun {
   std::unique_ptr<RunLock> lock;
   RunIdentity begun;
 };
-/// Throws InputError where there is none, and ExitStatus 0 where the run is finished.
-StoppedRun take_stopped_run(const std::filesystem::path& folder);
+/// Throws InputError where there is none, and where the run is finished ExitStatus 0, or InputError
+/// if it was of another study.
+/// @param study the study file to resume with; empty: as the run began
+StoppedRun take_stopped_run(const std::filesystem::path& folder,
+                            const std::filesystem::path& study);
 
 /// Made on every rank once the results folder is taken. Where an exception of any kind ends the
 /// run, on any rank, it leaves the folder as it can be used: with results.h5, run.json states that

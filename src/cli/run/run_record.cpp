@@ -56,8 +56,9 @@ void add_phases(Json& json, const PhaseClock& clock) {
   for (const auto& [phase, seconds] : clock.phases()) json["seconds"][phase] = seconds;
 }
 
-/// Null where the file is not there or is not JSON.
-Json parsed(const std::filesystem::path& run_json_file) {
+}  // namespace
+
+Json read_run_json(const std::filesystem::path& run_json_file) {
   constexpr std::uintmax_t most_bytes = 1u << 20;
   constexpr int most_depth = 16;  // JSON is copied and freed by recursion
   std::error_code error;
@@ -68,8 +69,6 @@ Json parsed(const std::filesystem::path& run_json_file) {
       /*allow_exceptions=*/false);
   return json.is_discarded() ? Json() : json;
 }
-
-}  // namespace
 
 double peak_memory_mb() {
   rusage usage{};
@@ -128,7 +127,7 @@ std::string run_json(const Results& results, const std::vector<Skip>& skips,
 namespace {
 
 Json status_in(const std::filesystem::path& run_json_file) {
-  const Json json = parsed(run_json_file);
+  const Json json = read_run_json(run_json_file);
   return json.is_object() ? json.value("status", Json()) : Json();
 }
 
@@ -146,7 +145,7 @@ bool is_finished(const std::filesystem::path& run_json_file) {
 std::string stopped_json(const std::filesystem::path& run_json_file, const std::string& reason,
                          std::uint64_t done_units, std::uint64_t units,
                          const std::string& what_to_do) {
-  Json json = parsed(run_json_file);
+  Json json = read_run_json(run_json_file);
   json["status"] = "stopped";
   json["stopped_by"] = reason;
   json["stopped_utc"] = now_utc();
@@ -157,7 +156,7 @@ std::string stopped_json(const std::filesystem::path& run_json_file, const std::
 }
 
 std::string part_json(const std::filesystem::path& run_json_file, std::uint64_t units) {
-  Json json = parsed(run_json_file);
+  Json json = read_run_json(run_json_file);
   json["status"] = part_finished;
   json["units_done"] = units;
   json["finished_utc"] = now_utc();
@@ -170,7 +169,7 @@ bool is_finished_part(const std::filesystem::path& run_json_file) {
 
 std::string unreported_json(const std::filesystem::path& run_json_file,
                             const std::filesystem::path& results_file) {
-  Json json = parsed(run_json_file);
+  Json json = read_run_json(run_json_file);
   json["status"] = unreported;
   json["what_to_do"] = "glissade report --overwrite " + quoted_for_shell(results_file.string());
   return json.dump(2) + "\n";

@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <filesystem>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <utility>
 #include <vector>
@@ -27,6 +28,10 @@ class PhaseClock {
 
 /// "2026-01-31T12:00:00Z".
 std::string now_utc();
+
+/// A run.json; null where it is not there, is no regular file, or not JSON as a run writes it
+/// (larger, or nested deeper).
+nlohmann::ordered_json read_run_json(const std::filesystem::path& run_json_file);
 
 /// run.json while a run is under way, or was killed: its folder is taken.
 std::string started_json(const std::string& study_name, const std::string& plan_hash);

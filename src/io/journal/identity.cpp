@@ -121,25 +121,42 @@ RunIdentity read_identity(const fs::path& run_folder) {
   return run;
 }
 
+namespace {
+
+std::string or_anew(const std::string& what) {
+  return what + ", or run the study in another folder";
+}
+
+Problem changed_study(const std::string& begun, const fs::path& file, const std::string& now,
+                      const fs::path& run_folder) {
+  const Difference d = first_difference(begun, now);
+  return {fmt::format("{}:{}", file.string(), d.line),
+          fmt::format("the study has changed since the run in {} began: \"{}\" was \"{}\"",
+                      run_folder.string(), d.is.substr(0, 100), d.was.substr(0, 100)),
+          or_anew("restore the study file"), ""};
+}
+
+}  // namespace
+
+void check_same_study(const std::string& begun, const fs::path& file, const std::string& now,
+                      const fs::path& run_folder) {
+  if (begun != now) throw InputError(changed_study(begun, file, now, run_folder));
+}
+
 void check_same_run(const RunIdentity& begun, const RunIdentity& now, const fs::path& run_folder) {
   ProblemList problems;
   const auto report = [&](const std::string& where, const std::string& what,
                           const std::string& suggestion) {
     problems.add({where, what, suggestion, ""});
   };
-  const std::string anew = ", or run the study in another folder";
   if (begun.program_version != now.program_version) {
     report(run_folder.string(),
            fmt::format("the run was begun by glissade {}, this is {}", begun.program_version,
                        now.program_version),
-           "resume it with the program that began it" + anew);
+           or_anew("resume it with the program that began it"));
   }
   if (begun.study_text != now.study_text) {
-    const Difference d = first_difference(begun.study_text, now.study_text);
-    report(fmt::format("{}:{}", now.study_file.string(), d.line),
-           fmt::format("the study has changed since the run in {} began: \"{}\" was \"{}\"",
-                       run_folder.string(), d.is.substr(0, 100), d.was.substr(0, 100)),
-           "restore the study file" + anew);
+    problems.add(changed_study(begun.study_text, now.study_file, now.study_text, run_folder));
   } else if (begun.motions_text != now.motions_text) {
     const Difference d = first_difference(begun.motions_text, now.motions_text);
     const auto name = [](const std::string& line) {
@@ -149,16 +166,16 @@ void check_same_run(const RunIdentity& begun, const RunIdentity& now, const fs::
            name(d.is) == name(d.was)
                ? "this is not as it was when the run began: " + name(d.is)
                : "where the run began with " + name(d.was) + " there is " + name(d.is),
-           "restore the suite and its records" + anew);
+           or_anew("restore the suite and its records"));
   } else if (begun.plan_hash != now.plan_hash) {
     report(run_folder.string(),
            fmt::format("the run was begun with plan {}, this is {}: a file that the study names "
                        "beside its suites has changed, or this is another kind of machine",
                        begun.plan_hash, now.plan_hash),
-           "restore it" + anew);
+           or_anew("restore it"));
   } else if (problems.empty() && begun.layout != now.layout) {
     report(run_folder.string(), "the run was begun by another build of glissade",
-           "resume it with the program that began it" + anew);
+           or_anew("resume it with the program that began it"));
   }
   problems.throw_if_any();
 }

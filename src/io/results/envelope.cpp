@@ -104,7 +104,7 @@ void read_results_of(const ResultsKind& kind, const std::filesystem::path& file,
   std::error_code ignored;
   if (!std::filesystem::exists(file, ignored))
     throw InputError({file.string(), "no such file", "check the path", ""});
-  if (!std::filesystem::is_regular_file(file, ignored)) throw fail("it is no ordinary file");
+  if (!std::filesystem::is_regular_file(file, ignored)) throw fail("it is no regular file");
   const std::string fault = checksum_fault(file);
   if (!fault.empty()) throw fail(fault);
   try {

@@ -150,4 +150,10 @@ Results read_results(const std::filesystem::path& file) {
   return results;
 }
 
+std::string read_study_text(const std::filesystem::path& file) {
+  std::string text;
+  read_results_of(kind, file, [&](const Hdf5Reader& root) { root.attribute("study", text); });
+  return text;
+}
+
 }  // namespace glissade

@@ -4,9 +4,13 @@
 #include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
+#include <array>
+#include <chrono>
 #include <fstream>
+#include <thread>
 
 #include "glissade/core/error.hpp"
 
@@ -95,8 +99,55 @@ TEST(read_text_file, tells_of_a_file_that_is_not_there) {
   EXPECT_THROW(read_text_file(fs::path(testing::TempDir()) / std::string(5000, 'x')), InputError);
 }
 
+std::string refusal_of(const fs::path& path) {
+  try {
+    read_text_file(path);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
 TEST(read_text_file, ends_where_a_file_does_not) {
   EXPECT_THROW(read_text_file("/dev/zero"), InputError);
+  const fs::path file = fs::path(testing::TempDir()) / "glissade_large_file";
+  std::ofstream(file).close();
+  fs::resize_file(file, (std::uintmax_t{1} << 28) + 1);  // a hole, which takes no room
+  EXPECT_THAT(refusal_of(file), testing::HasSubstr("more than 256 MiB"));
+  fs::remove(file);
+}
+
+// To open a named pipe waits for a process that writes to it.
+TEST(read_text_file, refuses_without_waiting_what_is_no_regular_file) {
+  const fs::path pipe = fs::path(testing::TempDir()) / "glissade_pipe";
+  fs::remove(pipe);
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  for (const fs::path& path : {pipe, fs::path("/dev/null")}) {
+    EXPECT_THAT(
+        refusal_of(path),
+        testing::AllOf(testing::HasSubstr(path.string()), testing::HasSubstr("no regular file"),
+                       testing::HasSubstr("give the path of a regular file")));
+  }
+  fs::remove(pipe);
+  EXPECT_THAT(refusal_of(testing::TempDir()), testing::HasSubstr("directory"));
+}
+
+TEST(read_text_file, reads_a_pipe_that_is_open_to_its_end) {
+  std::array<int, 2> ends{};
+  ASSERT_EQ(::pipe2(ends.data(), O_CLOEXEC), 0);
+  const std::string text(50000, 'x');  // in blocks, of which the second is waited for
+  std::thread writer([&] {
+    for (const std::size_t begin : {std::size_t{0}, text.size() / 2}) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));
+      const std::size_t bytes = text.size() / 2;
+      EXPECT_EQ(::write(ends[1], text.data() + begin, bytes), static_cast<ssize_t>(bytes));
+    }
+    ::close(ends[1]);
+  });
+  const std::string read = read_text_file("/dev/fd/" + std::to_string(ends[0]));
+  writer.join();
+  ::close(ends[0]);
+  EXPECT_EQ(read, text);
 }
 
 }  // namespace

@@ -243,7 +243,7 @@ TEST(results_file, cut_damaged_and_foreign_files_are_refused) {
   other[at] = 'G';
   EXPECT_THAT(refusal(other), states(damaged));
   expect_refusals([&](const std::string& name) { read_results(folder.path() / name); },
-                  {{"none.h5", "none.h5", {"no such file"}}, {".", ".", {"no ordinary file"}}});
+                  {{"none.h5", "none.h5", {"no such file"}}, {".", ".", {"no regular file"}}});
 }
 
 TEST(results_file, a_flipped_bit_anywhere_is_found_by_the_checksum) {
