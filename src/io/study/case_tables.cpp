@@ -61,6 +61,8 @@ void read_quantities(const TomlTable& root, StudyConfig& study) {
                   "give the slope one way");
     study.quantities.at("roof", "slope_deg") = *slope;
   }
+  study.neighbour_slope = roof.choice<NeighbourSlope>("neighbour_slope", neighbour_slope_names())
+                              .value_or(study.neighbour_slope);
   check_strength(root.table("building"), study);
 }
 

@@ -258,6 +258,7 @@ PlannedCases::PlannedCases(const StudyConfig& config) {
     put_.push_back(std::move(axis.put));
     axes.push_back(std::move(axis.axis));
   }
+  usual_.neighbour_slope = config.neighbour_slope;
   draw_ = std::make_shared<SampleDraw>(config);
   samples = draw_->samples();
   orientations_ = orientations_of(config);
@@ -344,6 +345,7 @@ std::vector<CaseNumber> same_as(const CaseGrid& cases,
     }
     key.push_back(static_cast<double>(c.support));
     key.push_back(static_cast<double>(c.vertical));
+    key.push_back(static_cast<double>(c.neighbour_slope));
     // A neighbour's place is not mirrored.
     const bool mirrors_across = c.azimuth_deg == 0.0 && c.neighbour_friction == 0.0;
     if (two_axes) {

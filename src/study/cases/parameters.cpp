@@ -131,7 +131,7 @@ const std::array parameter_rows = {
               [](Case& c) -> double& { return c.friction_across; }, Parameter::Axes::two},
     Parameter{"friction", "neighbour_mu", "friction of the neighbour", "-", coefficient, 19,
               "coefficient of friction along the slope of a second, similar array on the roof, "
-              "below or beside the first; 0: there is none",
+              "below or beside the first (or as roof.neighbour_slope states); 0: there is none",
               [](Case& c) -> double& { return c.neighbour_friction; }, Parameter::Axes::two},
 };
 

@@ -106,6 +106,15 @@ TEST(verdict_report, says_how_probably_two_arrays_close_their_gap_beside_the_fig
                               "between arrays, across", "0 of 3")));
 }
 
+TEST(verdict_report, says_on_which_slopes_two_arrays_stand) {
+  Results r = made_up();
+  EXPECT_THAT(answer_sentences(r), Contains(states("close a gap", "on one slope")));
+  for (Case& c : r.cases.cases) c.neighbour_slope = NeighbourSlope::facing;
+  EXPECT_THAT(answer_sentences(r),
+              Contains(states("close a gap", "on two slopes that fall towards each other")));
+  EXPECT_THAT(answer_sentences(r), Not(Contains(states("on one slope"))));
+}
+
 TEST(verdict_report, of_arrays_that_differ_in_more_names_them_and_draws_the_largest) {
   Results r = made_up();
   r.cases.axes = {{"building.mass_ratio", "-", {0.01, 0.1}, {}}};

@@ -25,6 +25,9 @@ const VerdictSeparation* governing_of(std::span<const VerdictSeparation> separat
 /// "friction 0.4, slope 3 degrees"
 std::string kind_text(const VerdictRow& row);
 
+/// Where two arrays stand: "on one slope".
+std::string neighbours_text(const Results& results);
+
 /// R of the building; 0: it stays elastic.
 double response_modification(const Results& results, const VerdictRow& row);
 
