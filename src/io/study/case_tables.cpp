@@ -78,6 +78,10 @@ void read_friction(const TomlTable& table, const std::vector<FrictionValue>& usu
                          "give mu = 0.5, mu = { mean = 0.55, std = 0.04 }, a list or a "
                          "distribution, or a file of pull tests");
   }
+  if (table.has("neighbour_mu") && table.has("neighbour_over_mu"))
+    table.report("neighbour_over_mu",
+                 "friction.neighbour_mu and friction.neighbour_over_mu are both given",
+                 "give the neighbour's friction one way");
   if (!study.two_axes()) return;
   refuse_zero(table, study.quantities.at("friction", "mu"), "mu");
   if (study.friction.across_is_given)

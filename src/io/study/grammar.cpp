@@ -87,7 +87,7 @@ void add_quantities(std::vector<GrammarKey>& keys) {
   keys.push_back({"roof", "rise_in_12", quantity_value, "slope_deg", "the slope as a rise in 12"});
   keys.push_back({"roof", "neighbour_slope", one_of(neighbour_slope_names()),
                   quoted(neighbour_slope_names(), StudyConfig().neighbour_slope),
-                  "where the array of friction.neighbour_mu stands: on the same slope, or on one "
+                  "where the second array stands: on the same slope, or on one "
                   "that falls toward the first array, across a valley"});
 }
 

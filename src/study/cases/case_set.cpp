@@ -292,6 +292,7 @@ Case PlannedCases::operator[](std::size_t i) const {
   if (design && design_along_) c.friction = *design_along_;
   if (design && design_across_) c.friction_across = *design_across_;
   if (design && design_neighbour_) c.neighbour_friction = *design_neighbour_;
+  if (c.neighbour_over_mu > 0.0) c.neighbour_friction = c.neighbour_over_mu * c.friction;
   if (!across_is_given_) c.friction_across = c.friction;
   if (c.orientation.slope_axis == SlopeAxis::n_s) std::swap(c.friction, c.friction_across);
   return c;

@@ -5,6 +5,7 @@
 
 #include "analysis/verdict/kinds.hpp"
 #include "facts.hpp"
+#include "glissade/report/figures.hpp"
 #include "glissade/report/html.hpp"
 #include "glissade/report/summary.hpp"
 #include "glissade/report/tables.hpp"
@@ -157,6 +158,23 @@ TEST(verdict_report, draws_intervals_and_what_the_other_standard_prescribes) {
   EXPECT_EQ(bars.kind, DataSeries::Kind::bars);
   EXPECT_NEAR(bars.low.at(0), 0.0, 1e-12);
   EXPECT_NEAR(bars.high.at(0), 1.0, 1e-12);
+}
+
+TEST(verdict_report, draws_how_probably_two_arrays_meet_where_they_have_neighbours) {
+  Results r = made_up();
+  const auto figures = [&] {
+    std::vector<std::string> names;
+    for (const Figure& figure : make_figures(r)) names.push_back(figure.name.text());
+    return names;
+  };
+  EXPECT_THAT(figures(), Contains("verdict_separations"));
+  const Figure figure = verdict_separations_figure(r);
+  const DataSeries& line = figure.panels.at(0).series.at(1);  // friction 0.3, behind the bars
+  EXPECT_EQ(line.y, (std::vector{0.0, 12.5, 37.5}));
+  EXPECT_EQ(figure.panels[0].series[0].high.at(2), 50.0);
+  EXPECT_EQ(figure.panels[0].rules.at(0).at, 10.0);
+  std::erase_if(r.verdict->separations, [](const auto& s) { return s.factor < 1.0; });
+  EXPECT_THAT(figures(), Not(Contains("verdict_separations")));
 }
 
 TEST(verdict_report, over_R_where_there_is_one_S_DS) {

@@ -318,8 +318,7 @@ TEST(execute_any_model, a_threshold_is_crossed_where_the_peak_is_beyond_it) {
     const Plan plan = small_plan(config);
     const HistoryTable table = test::run(plan).histories;
     const HistoryFields& fields = table.fields;
-    const std::vector<double>& peaks =
-        config.two_axes() ? fields.peak_vector_m : fields.peak_displacement_m;
+    const auto& peaks = config.two_axes() ? fields.peak_vector_m : fields.peak_displacement_m;
     int crossed = 0;
     for_each_history(table, [&](std::size_t record, std::size_t i, std::size_t level) {
       const std::size_t place = table.at(record, i, level);

@@ -34,6 +34,7 @@ struct Case {
   double friction_across = 0.5;     ///< across it; counts on two axes only
   double neighbour_friction = 0.0;  ///< two axes: of a second array on the same roof, with the same
                                     ///< ratio of both axes; 0: there is none
+  double neighbour_over_mu = 0.0;   ///< its friction over that of the first, where that is stated
   NeighbourSlope neighbour_slope = NeighbourSlope::same;
   FrictionLaw law;
   double slope_deg = 0.0;     ///< falls toward the building's first axis; < 0: the other way

@@ -43,5 +43,7 @@ Table verdict_separations_summary_table(const Results& results);
 
 /// The displacement with the accepted probability over the prescribed one, by S_DS.
 Figure verdict_figure(const Results& results);
+/// The probability that two arrays need more than their separation, by S_DS.
+Figure verdict_separations_figure(const Results& results);
 
 }  // namespace glissade

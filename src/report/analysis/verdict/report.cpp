@@ -184,7 +184,12 @@ std::vector<Table> tables(const Results& results) {
           verdict_separations_summary_table(results), verdict_separations_table(results)};
 }
 
-std::vector<Figure> figures(const Results& results) { return {verdict_figure(results)}; }
+std::vector<Figure> figures(const Results& results) {
+  std::vector<Figure> all = {verdict_figure(results)};
+  if (governing_of(results.verdict->separations, 0.5) != nullptr)
+    all.push_back(verdict_separations_figure(results));
+  return all;
+}
 
 Html section(const Results& results) {
   return heading("Prescribed displacements: exceeded, sufficient or conservative") +
