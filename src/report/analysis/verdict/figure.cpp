@@ -214,11 +214,9 @@ Figure verdict_separations_figure(const Results& results) {
       fmt::format(
           "At the lines: coefficient of friction of the array; that of its neighbour is drawn "
           "(study). The larger of the gaps along and across the slope. Horizontal line: {:g} %. "
-          "Points and bars of one S_DS are drawn side by side. All frictions, slopes and "
-          "separations: tables/verdict_separations.csv.",
+          "All frictions, slopes and separations: tables/verdict_separations.csv.",
           accepted)};
   const Abscissa abscissa(results);
-  const double beside = 0.008 * abscissa.axis().high;
   for (const double slope : shown.slopes) {
     Panel panel{fmt::format("slope {:.3g} degrees", slope),
                 abscissa.axis(),
@@ -230,8 +228,7 @@ Figure verdict_separations_figure(const Results& results) {
                     const VerdictSeparation* gap = governing_of(separations_of(verdict, at), 0.5);
                     if (gap == nullptr) return;
                     const Interval& interval = gap->dbe.interval;
-                    probability.add(abscissa.of(row) + beside * static_cast<double>(i),
-                                    100.0 * gap->dbe.probability,
+                    probability.add(abscissa.of(row), 100.0 * gap->dbe.probability,
                                     {100.0 * interval.low, 100.0 * interval.high});
                   });
       probability.draw_in(panel);
