@@ -14,14 +14,22 @@ namespace {
 template <class Archive, class Cases>
 void exchange_case_columns(const Archive& archive, Cases& cases) {
   const Columns column(archive, cases, "friction.mu");
+  // Written before there was this key: it is as usual.
+  const auto is_there = [&](const std::string& name) {
+    if constexpr (Archive::reads)
+      return archive.has(name);
+    else
+      return true;
+  };
   for (const Parameter& p : parameters()) {
     const std::string name = std::string(p.table) + "." + p.key;
-    if constexpr (Archive::reads) {
-      if (!archive.has(name)) continue;  // written before there was this parameter: it is as usual
-    }
+    if (!is_there(name)) continue;
     column(
         name, {p.unit, p.meaning}, [&](auto& c) -> auto& { return p.of(const_cast<Case&>(c)); });
   }
+  if (is_there("roof.neighbour_slope"))
+    column("roof.neighbour_slope", {"-", "where the neighbour stands, where there is one"},
+           &Case::neighbour_slope, neighbour_slope_names());
   column("array.support", {"-", "how the array stands on the building"}, &Case::support,
          support_names());
   column("vertical.use", {"-", "whether the vertical ground motion acts"}, &Case::vertical,

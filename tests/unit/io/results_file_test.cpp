@@ -42,6 +42,7 @@ void expect_same_cases(const CaseSet& a, const CaseSet& b) {
     EXPECT_EQ(x.vertical, y.vertical);
     EXPECT_EQ(x.friction_value, y.friction_value);
     EXPECT_EQ(x.orientation, y.orientation);
+    EXPECT_EQ(x.neighbour_slope, y.neighbour_slope);
   }
 }
 
@@ -285,11 +286,14 @@ TEST(results_file, of_a_program_with_fewer_parameters_has_the_usual_value_of_the
   const auto path = folder.path() / "old.h5";
   write_results(path, with_fragility());
   const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
-  EXPECT_GE(H5Ldelete(file, "cases/friction.neighbour_mu", H5P_DEFAULT), 0);
+  for (const char* key : {"cases/friction.neighbour_mu", "cases/roof.neighbour_slope"})
+    EXPECT_GE(H5Ldelete(file, key, H5P_DEFAULT), 0) << key;
   EXPECT_GE(H5Fclose(file), 0);
   test::renew_checksum(path);
-  for (const Case& c : read_results(path).cases.cases)
+  for (const Case& c : read_results(path).cases.cases) {
     EXPECT_EQ(c.neighbour_friction, Case().neighbour_friction);
+    EXPECT_EQ(c.neighbour_slope, NeighbourSlope::same);
+  }
 }
 
 /// A good file whose levels are stored otherwise: by other properties, or behind a link.

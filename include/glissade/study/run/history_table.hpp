@@ -72,10 +72,10 @@ void for_each_history_field(Visit visit) {
                Depth::levels, &HistoryFields::residual_along_m, &KeptFields::two_axes});
   visit(Number{"residual_across_m", "m", "two axes: the same across the slope", Depth::levels,
                &HistoryFields::residual_across_m, &KeptFields::two_axes});
-  visit(
-      Number{"closing_along_m", "m",
-             "by how much the gap to a neighbour below closes at most, in plan; inf: not converged",
-             Depth::levels, &HistoryFields::closing_along_m, &KeptFields::closing});
+  visit(Number{"closing_along_m", "m",
+               "by how much the gap to a neighbour below, or across a valley, closes at most, in "
+               "plan; inf: not converged",
+               Depth::levels, &HistoryFields::closing_along_m, &KeptFields::closing});
   visit(Number{"closing_across_m", "m", "the same of a neighbour across the slope", Depth::levels,
                &HistoryFields::closing_across_m, &KeptFields::closing});
   visit(Number{"shear_along", "-",
