@@ -91,10 +91,10 @@ Interval interval_of_ratio(const VerdictRow& row) {
 }
 
 /// The slopes and frictions that are drawn.
-struct Shown {
+struct PanelsAndLines {
   std::vector<double> slopes, frictions;
 
-  explicit Shown(const VerdictResults& verdict) {
+  explicit PanelsAndLines(const VerdictResults& verdict) {
     std::set<double> all_slopes, all_frictions;
     for (const VerdictRow& row : verdict.rows) {
       all_slopes.insert(row.slope_deg);
@@ -150,7 +150,7 @@ bool has_upper_ends(const VerdictResults& verdict) {
 Figure verdict_figure(const Results& results) {
   const VerdictResults& verdict = *results.verdict;
   const Standard standard = verdict.rows.back().standard;
-  const Shown shown(verdict);
+  const PanelsAndLines shown(verdict);
   const double accepted = 100.0 * verdict.exceedance.front();
   Figure figure{
       "verdict",
@@ -202,7 +202,7 @@ Figure verdict_figure(const Results& results) {
 Figure verdict_separations_figure(const Results& results) {
   const VerdictResults& verdict = *results.verdict;
   const Standard standard = verdict.rows.back().standard;
-  const Shown shown(verdict);
+  const PanelsAndLines shown(verdict);
   const double accepted = 100.0 * verdict.exceedance.front();
   Figure figure{
       "verdict_separations",
