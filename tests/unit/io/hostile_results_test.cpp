@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "fuzz/results_edit.hpp"
+#include "misfits.hpp"
 #include "problems.hpp"
 #include "renew_checksum.hpp"
 #include "whole_report.hpp"
@@ -160,6 +161,12 @@ TEST_F(HostileResults, with_other_numbers_in_any_dataset_are_refused_or_reported
     }
   }
   expect_both();
+}
+
+TEST_F(HostileResults, whose_sensitivity_has_no_capacity_are_refused) {
+  Results results = with_all();
+  for (SpreadRow& row : results.sensitivity->rows) row.level = 1.0;
+  EXPECT_EQ(misfit_in(results), "capacity");
 }
 
 /// A side of a dataset is one longer, and all its values are zero.
