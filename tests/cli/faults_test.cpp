@@ -84,6 +84,23 @@ TEST_F(Faults, a_disk_that_becomes_read_only_at_any_stage_leaves_what_is_whole_a
   expect_mended_at_every_stage(EROFS);
 }
 
+// The last call would write run.json.
+TEST_F(Faults,
+       a_disk_that_is_full_after_the_results_leaves_a_run_that_is_started_and_can_be_resumed) {
+  const Finished failed = run_with("FAULT_ERRNO=" + std::to_string(ENOSPC) +
+                                   " FAULT_FROM=" + std::to_string(writing_calls() - 2));
+  EXPECT_EQ(failed.status, 2) << failed.err;
+  EXPECT_THAT(failed.err, HasSubstr("is complete"));
+  EXPECT_THAT(read_file(again_ / "run.json"), HasSubstr("\"started\""));
+  EXPECT_EQ(run_program({"report", "--overwrite", (again_ / "results.h5").string()}).status, 0);
+  EXPECT_THAT(read_file(again_ / "run.json"), HasSubstr("\"started\""));
+  const Finished resumed = run_program({"run", "--resume", again_.string()});
+  EXPECT_EQ(resumed.status, 0) << resumed.err;
+  EXPECT_THAT(read_file(again_ / "run.json"), HasSubstr("\"finished\""));
+  EXPECT_TRUE(read_file(again_ / "results.h5") == read_file(out() / "results.h5"));
+  EXPECT_FALSE(fs::exists(again_ / "journal"));
+}
+
 TEST_F(Faults, a_disk_with_less_room_than_the_results_need_is_refused_before_the_run) {
   // 20 MB for report and figures, and twice the histories, which are small here.
   expect_refused(run_with("FAULT_FREE_MB=20"), {"again", "20 MB free", "make room", "--out"});

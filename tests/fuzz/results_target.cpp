@@ -7,12 +7,9 @@
 #include <optional>
 
 #include "check.hpp"
-#include "glissade/report/figures.hpp"
-#include "glissade/report/html.hpp"
-#include "glissade/report/summary.hpp"
-#include "glissade/report/tables.hpp"
 #include "results_edit.hpp"
 #include "unit/io/renew_checksum.hpp"
+#include "unit/io/whole_report.hpp"
 #include "unit/io/whole_results.hpp"
 
 namespace {
@@ -45,16 +42,6 @@ void check_whole(const Results& results) {
   }
 }
 
-/// All of a report but the drawing of its figures.
-void report(const Results& results) {
-  for (const Table& table : csv_tables(results))
-    check(!to_csv(table).empty(), "tables are written");
-  std::vector<DrawnFigure> figures;
-  for (Figure& figure : make_figures(results)) figures.push_back({std::move(figure), "<svg/>"});
-  check(!html_report(results, figures).empty(), "a page is made");
-  check(!summary_text(results).empty(), "a summary is made");
-}
-
 struct GoodFile {
   std::string bytes;
   std::vector<std::string> names;  ///< of its objects
@@ -80,7 +67,10 @@ void edit_and_read(const GoodFile& good, const std::uint8_t* data, std::size_t s
   const std::string copy = bytes_of(*results, fuzz::folder(), "copy.h5");
   const Results read = read_results(fuzz::folder().path() / "copy.h5");
   check(copy == bytes_of(read, fuzz::folder(), "second.h5"), "results survive their file");
-  report(*results);
+  const WholeReport report = report_of(*results);
+  for (const std::string& table : report.tables) check(!table.empty(), "tables are written");
+  check(!report.page.empty(), "a page is made");
+  check(!report.summary.empty(), "a summary is made");
 }
 
 }  // namespace

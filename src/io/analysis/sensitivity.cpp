@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+
 #include "analysis/in_files.hpp"
 #include "glissade/study/cases/sample_points.hpp"
 
@@ -71,6 +73,12 @@ void check_sensitivity(const SensitivityResults& found, const Results& results) 
                    row.total.size() == factors && row.total_interval.size() == factors,
                "first and total", "factor");
   }
+  expect_fit(std::ranges::any_of(found.rows,
+                                 [&](const SpreadRow& row) {
+                                   return row.is_capacity() &&
+                                          row.first_case == found.rows.front().first_case;
+                                 }),
+             "capacity", "first combination");
   for (const DesignFrictionRow& row : found.design_friction)
     expect_fit(row.first_case < results.cases.size(), "first_case", "cases");
 }

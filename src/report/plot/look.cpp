@@ -162,9 +162,11 @@ void add_side_labels(Panel& panel, std::vector<Note> labels, const LabelMargin& 
   const bool left = margin.side == Side::left;
   if (panel.x.ticks.empty()) {  // none in the margin
     const double step = round_step(width, 6.0);
-    for (double i = std::ceil(panel.x.low / step - 1e-6); i * step <= panel.x.high + 1e-6 * step;
-         ++i)
-      panel.x.ticks.push_back({i * step, fmt::format("{:.6g}", i * step + 0.0)});
+    const double first = std::ceil(panel.x.low / step - 1e-6);
+    constexpr int most_ticks = 20;  // of 10; numbers that a double cannot tell apart have no end
+    for (int i = 0; i < most_ticks && (first + i) * step <= panel.x.high + 1e-6 * step; ++i)
+      panel.x.ticks.push_back(
+          {(first + i) * step, fmt::format("{:.6g}", (first + i) * step + 0.0)});
   }
   double& edge = left ? panel.x.low : panel.x.high;
   const double outward = left ? -width : width;
