@@ -206,7 +206,7 @@ Figure verdict_separations_figure(const Results& results) {
   const double accepted = 100.0 * verdict.exceedance.front();
   Figure figure{
       "verdict_separations",
-      fmt::format("Probability at DBE that two arrays need more than half of what {} prescribes",
+      fmt::format("Probability at DBE that a gap of half the displacement of {} closes",
                   standard_name(standard)),
       results.suites.front().name + ", " + counts_of(results) + "; arrays " +
           neighbours_text(results) +
