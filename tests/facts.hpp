@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -37,6 +38,35 @@ MATCHER_P(states_all, facts, "states " + testing::PrintToString(facts)) {
 template <class... Facts>
 auto states(const Facts&... facts) {
   return states_all(std::vector<std::string>{facts...});
+}
+
+/// The fields of a line of CSV; a quoted comma separates none.
+inline std::size_t csv_fields(const std::string& line) {
+  bool quoted = false;
+  std::size_t count = 1;
+  for (const char c : line) {
+    if (c == '"') quoted = !quoted;
+    if (c == ',' && !quoted) ++count;
+  }
+  return count;
+}
+
+/// A CSV file with rows, all as wide as its header, below lines of `# notes`.
+MATCHER(has_rows_as_wide_as_its_header, "") {
+  std::istringstream lines(arg);
+  std::size_t header = 0, rows = 0;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with("#")) continue;
+    if (header == 0) {
+      header = csv_fields(line);
+      continue;
+    }
+    ++rows;
+    if (csv_fields(line) == header) continue;
+    *result_listener << csv_fields(line) << " fields, not " << header << ": " << line;
+    return false;
+  }
+  return rows > 0;
 }
 
 }  // namespace glissade::test

@@ -33,8 +33,12 @@ struct ReportOptions {
 std::string report_again(const ReportOptions& o) {
   const fs::path file(o.results), out = o.folder();
   Results results = read_results(file);
-  const std::vector<Skip> skips = skips_in(file.parent_path() / "run.json");
-  if (!o.study.empty()) analyse_again(read_study_again(o.study, results.study_text), results);
+  std::vector<Skip> skips = skips_in(file.parent_path() / "run.json");
+  if (!o.study.empty()) {
+    const StudyConfig study = read_study_again(o.study, results.study_text);
+    skips = skipped_again(study, skips);
+    analyse_again(study, results);
+  }
   remove_report(out);
   if (!o.study.empty()) {
     fs::create_directories(out);

@@ -26,6 +26,12 @@ inline EnumNames<SlopeAxis> slope_axis_names() {
   return names;
 }
 
+inline EnumNames<NeighbourSlope> neighbour_slope_names() {
+  static constexpr EnumNames<NeighbourSlope> names = {{"same", NeighbourSlope::same},
+                                                      {"facing", NeighbourSlope::facing}};
+  return names;
+}
+
 inline EnumNames<VerticalChoice> vertical_names() {
   static constexpr EnumNames<VerticalChoice> names = {
       {"none", VerticalChoice::none},

@@ -36,7 +36,8 @@ bool StudyConfig::draws() const {
 }
 
 bool StudyConfig::has_neighbours() const {
-  return !quantities.at("friction", "neighbour_mu").is_always(0.0);
+  return !quantities.at("friction", "neighbour_mu").is_always(0.0) ||
+         !quantities.at("friction", "neighbour_over_mu").is_always(0.0);
 }
 
 std::string intensity_label(const IntensityConfig& intensity) {

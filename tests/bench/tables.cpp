@@ -134,7 +134,7 @@ Table fragility_table(const FragilityError& m) {
                {"median_rms_error", "", "Error of median", ColumnKind::number, true},
                {"log_std_rms_error", "", "Error of log_std", ColumnKind::number, true}},
               {}};
-  const auto cell = [](const RmsError& e) { return Estimate{e.rms, {e.low, e.high}, ""}; };
+  const auto cell = [](const RmsError& e) { return SignedEstimate({e.rms, {e.low, e.high}}); };
   for (const FragilityErrorRow& row : m.rows) {
     table.add({row.estimator.name(), std::ldexp(1.0, row.log2_samples), row.histories,
                row.histories_s, row.fit_s, static_cast<double>(row.fitted), cell(row.median),

@@ -176,6 +176,25 @@ TEST_F(Fit, brackets_of_the_capacity_are_fitted) {
   EXPECT_EQ(none["status"], "lower bound");
 }
 
+TEST_F(Fit, brackets_from_zero_to_infinity_give_no_median) {
+  const std::string file = folder_.write("e.csv", "im_low,im_high\n0,inf\n0,inf\n0,inf\n");
+  const Json fit = fit_json({"--capacities", file});
+  EXPECT_EQ(fit["status"], "no information");
+  EXPECT_EQ(fit["converged"], false);
+  EXPECT_TRUE(fit["median"].is_null());
+  EXPECT_TRUE(fit["log_std"].is_null());
+  EXPECT_THAT(fit["note"].get<std::string>(), testing::HasSubstr("3 row(s) from 0 to infinity"));
+  const Finished child = run_program({"fit", "--capacities", file});
+  EXPECT_EQ(child.status, 0);
+  EXPECT_THAT(child.out, testing::HasSubstr("no information"));
+  EXPECT_THAT(child.out, testing::Not(testing::HasSubstr("nan")));
+  EXPECT_THAT(child.out, testing::Not(testing::HasSubstr("median")));
+  const Json one = fit_json(
+      {"--capacities", folder_.write("o.csv", "im_low,im_high\n0.5,1\n0.8,0.8\n1.5,2\n0,inf\n")});
+  EXPECT_EQ(one["status"], "maximum likelihood");
+  EXPECT_THAT(one["note"].get<std::string>(), testing::HasSubstr("1 row(s) from 0 to infinity"));
+}
+
 TEST_F(Fit, a_cloud_gives_the_regression_and_the_half_of_each_threshold) {
   // ln edp = 1 + 2 ln im -+ 0.3; all slip: half exceed e^1 at 1.
   std::string text = "im,edp\n";

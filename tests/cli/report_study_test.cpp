@@ -2,6 +2,8 @@
 // Other analyses of finished results: glissade report --study.
 #include "cli/one_run.hpp"
 #include "cli/small_study.hpp"
+#include "facts.hpp"
+#include "one_line.hpp"
 
 namespace glissade::test {
 namespace {
@@ -28,11 +30,37 @@ TEST_F(ReportOfStudy, gives_what_a_run_of_that_study_gives) {
   ASSERT_EQ(child.status, 0) << child.err;
   EXPECT_FALSE(std::filesystem::exists(out() / "tables/standards.csv"));
   for (const char* table : {"tables/standards.csv", "tables/fragility.csv", "tables/slip.csv",
-                            "tables/shape.csv", "tables/shape_models.csv", "tables/hazard.csv"})
-    EXPECT_EQ(read_file(folder_->path("again") / table), read_file(folder_->path("run") / table));
+                            "tables/shape.csv", "tables/shape_models.csv", "tables/hazard.csv",
+                            "tables/design_life.csv", "tables/design_life_distribution.csv"}) {
+    const std::string again = read_file(folder_->path("again") / table);
+    EXPECT_EQ(again, read_file(folder_->path("run") / table));
+    EXPECT_THAT(again, has_rows_as_wide_as_its_header()) << table;
+  }
   const Finished third =
       run_program({"report", (folder_->path("again") / "results.h5").string(), "--overwrite"});
   EXPECT_EQ(third.status, 0) << third.err;
+}
+
+// Notes of the plan (an assumed curve; cases outside of SEAOC PV1's range), warnings, and what was
+// skipped ("the study has no [standards]"): there, and gone again, as in a run of each study.
+TEST_F(ReportOfStudy, says_what_a_run_of_that_study_says) {
+  const std::string text = small_study() +
+                           "[hazard]\nsds_g = 1.0\nk = 2.0\ndesign_life_years = 25.0\n",
+                    study = folder_->write("assumed.toml", text);
+  const Finished run = run_program({"run", study, "--out", folder_->path("assumed").string()});
+  ASSERT_EQ(run.status, 0);
+  const auto summary = [](const Finished& child) {
+    EXPECT_EQ(child.status, 0) << child.err;
+    return child.out.substr(0, child.out.rfind("\nReport "));
+  };
+  const std::string with = summary(report(text, "with"));
+  EXPECT_THAT(one_line(with), states("it is not that of the site", "outside the range of SEAOC"));
+  EXPECT_THAT(with, testing::Not(states("no [standards]")));
+  EXPECT_THAT(run.out, testing::HasSubstr(with));
+  const std::string without =
+      summary(run_program({"report", folder_->path("assumed/results.h5").string(), "--study",
+                           study_, "--out", folder_->path("without").string()}));
+  EXPECT_THAT(finished_.out, testing::HasSubstr(without));
 }
 
 TEST_F(ReportOfStudy, refuses_a_study_of_other_histories) {

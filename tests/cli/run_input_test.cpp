@@ -76,8 +76,7 @@ TEST_F(RunInput, a_roof_steeper_than_a_wall_is_reported) {
 TEST_F(RunInput, contradictory_settings_are_reported) {
   expect_study_refused("[friction]", "[roof]\nslope_deg = 1\nrise_in_12 = 0.25\n[friction]",
                        {"study.toml:16", "roof.slope_deg", "roof.rise_in_12", "both"});
-  expect_study_refused("measure = \"sds_g\"", "measure = \"pga_g\"",
-                       {"standards.compare", "sds_g"});
+  expect_study_refused("measure = \"sds_g\"", "measure = \"pga_g\"", {"[standards]", "sds_g"});
   expect_study_refused("measure = \"sds_g\"", "measure = \"sds_g\"\nsa_period_s = 1.0",
                        {"study.toml:10", "sa_period_s", "sa_g"});
 }

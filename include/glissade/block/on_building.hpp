@@ -112,14 +112,15 @@ BuildingSlip slide_on_building(const BuildingGround& ground, const BuildingFacto
                                double tolerance = 1e-6);
 
 /// By how much the gap between two arrays on one roof, under one motion, closes at most (theory.md,
-/// 4.3): the largest displacement of `block` ahead of `neighbour` at any time, in plan, at least 0.
-/// Along the slope the neighbour lies below the block; across it, at its positive side. Each slides
+/// 4.3): the largest displacement of `block` ahead of `neighbour` at any time, in plan, in the axes
+/// of the block's slope, at least 0. Along that slope the neighbour lies below the block, on the
+/// same slope or on one of any other azimuth (half a turn: it faces the block across a valley);
+/// across it, at its positive side. Each slides
 /// as by slide_on_building(), alone on the building, with the mass ratio of the building. The
 /// displacements are the polynomials of the scheme, and their difference is searched on the union
 /// of both blocks' steps, to 1e-12 of them. So the error is that of two displacements
 /// (largest of the 60 scenes of closing_test 3.2e-7 of the peak, at the default tolerance); of
-/// equal blocks the gap closes by exactly 0.
-/// @pre both on one slope and azimuth
+/// equal blocks on one slope the gap closes by exactly 0.
 PlanVector closing_on_building(const BuildingGround& ground, const BuildingFactors& factors,
                                const BiaxialBuilding& building, const TwoAxisBlock& block,
                                const TwoAxisBlock& neighbour, double tolerance = 1e-6);

@@ -54,7 +54,8 @@ struct Table {
   std::vector<std::vector<Cell>> rows;
   std::vector<std::string> notes;  ///< how to read it: a line each, below the title
 
-  /// Adds a row. Expects one cell per column.
+  /// Adds a row. Expects one cell per column: no number in a column of text, no interval in a
+  /// column without.
   void add(std::vector<Cell> row);
   /// The same table without a column.
   Table without(const std::string& stem) const;

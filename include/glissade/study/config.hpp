@@ -137,6 +137,7 @@ struct StudyConfig : Analyses::InStudy {
   std::vector<ArraySupport> support = {ArraySupport::isolated};
   std::vector<VerticalChoice> vertical = {VerticalChoice::if_available};
   FrictionConfig friction;
+  NeighbourSlope neighbour_slope = NeighbourSlope::same;
   OrientationConfig orientation;
   SamplingConfig sampling;
 

@@ -84,6 +84,8 @@ struct Results : AnalysisResults {
   std::optional<ReachedTarget> reached_target;  ///< with sampling.target_error
   std::vector<std::string> warnings;            ///< shown before the results
   std::vector<std::string> notes;               ///< remarks on the results
+  /// So many of them, the first, are of the run; the others of the analyses.
+  std::size_t warnings_of_run = 0, notes_of_run = 0;
 };
 
 inline bool slides_on_two_axes(const Results& results) { return results.axes == SlidingAxes::two; }

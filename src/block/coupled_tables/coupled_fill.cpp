@@ -83,10 +83,10 @@ class Responses {
 };
 
 /// The ground at some nodes, and its change to the next ones.
-struct GroundNodes {
+struct GroundLanes {
   Vector a, a_rise, w, w_rise;
   bool vertical;
-  GroundNodes(const TableFill& f, std::size_t i) : vertical(f.w != nullptr) {
+  GroundLanes(const TableFill& f, std::size_t i) : vertical(f.w != nullptr) {
     const Doubles d;
     a = hn::LoadU(d, f.a + i);
     a_rise = hn::Sub(hn::LoadU(d, f.a + i + 1), a);
@@ -128,7 +128,7 @@ struct ResponseMaxima {
     resisting.Begin();
     x_size.Begin();
   }
-  void Add(const ResponseFill& f, double twice_zeta, const GroundNodes& ground, Vector x,
+  void Add(const ResponseFill& f, double twice_zeta, const GroundLanes& ground, Vector x,
            Vector y) {
     const Vector p = ground.Line(f.step.per_a, f.step.per_w),
                  rise = ground.Rise(f.step.per_a, f.step.per_w);
@@ -185,7 +185,7 @@ void FillTables(const TableFill& fill) {
       Vector x[4], y[4];
       hn::LoadInterleaved4(d, responses.x[j], x[0], x[1], x[2], x[3]);
       hn::LoadInterleaved4(d, responses.y[j], y[0], y[1], y[2], y[3]);
-      const GroundNodes ground(fill, i);
+      const GroundLanes ground(fill, i);
       for (std::size_t k = 0; k < 3; ++k) {
         const ResponseFill& f = fill.responses[k];
         if (f.x == nullptr) continue;

@@ -155,7 +155,7 @@ const CoupledTable* yielding_table(CoupledGround& ground, const CoupledScene& sc
 }
 
 /// Scenes under one ground, and where their results go.
-struct Batch {
+struct CoupledBatch {
   CoupledGround& ground;
   std::span<const CoupledScene> scenes;
   std::span<CoupledPeak> peaks;
@@ -171,9 +171,10 @@ struct Batch {
 };
 
 /// The histories of scenes on the same tables, as many at a time as there are lanes.
-class Pool {
+class CoupledPool {
  public:
-  Pool(const Batch& batch, std::vector<std::size_t> tasks, const CoupledContact& contact)
+  CoupledPool(const CoupledBatch& batch, std::vector<std::size_t> tasks,
+              const CoupledContact& contact)
       : batch_(batch),
         tasks_(std::move(tasks)),
         contact_(contact),
@@ -226,7 +227,7 @@ class Pool {
     return next == Next::interval;
   }
 
-  const Batch& batch_;
+  const CoupledBatch& batch_;
   std::vector<std::size_t> tasks_;  ///< scenes
   const CoupledContact& contact_;
   Subdivision subdivision_;
@@ -242,7 +243,7 @@ class Pool {
 
 /// Those of neighbouring scenes that share tables, from one on.
 /// @return the first scene that does not
-std::size_t solve(const Batch& batch, std::size_t first) {
+std::size_t solve(const CoupledBatch& batch, std::size_t first) {
   const CoupledScene& scene = batch.scenes[first];
   const GroundMotion& motion = batch.ground.motion();
   const auto is_like_first = [&, shared = shared_of(scene, motion)](const CoupledScene& other) {
@@ -258,13 +259,13 @@ std::size_t solve(const Batch& batch, std::size_t first) {
   const CoupledContact contact(scene.block, scene.building.mass_ratio);
   const bool has_tables = can_be_tabulated(
       subdivide(scene.building.horizontal, contact, motion.dt_s), contact, motion.dt_s);
-  for (; k < batch.scenes.size() && is_like_first(batch.scenes[k]); ++k) {
+  do {  // the first one without comparison: what it has of a motion scaled to zero is no number
     if (has_tables && can_be_tabulated(batch.scenes[k], contact, *batch.ground.tables().nodes))
       tasks.push_back(k);
     else
       batch.by_reference(k);
-  }
-  if (!tasks.empty()) Pool(batch, std::move(tasks), contact).run();
+  } while (++k < batch.scenes.size() && is_like_first(batch.scenes[k]));
+  if (!tasks.empty()) CoupledPool(batch, std::move(tasks), contact).run();
   return k;
 }
 
@@ -279,7 +280,7 @@ void coupled_slip(CoupledGround& ground, std::span<const CoupledScene> scenes,
     block_detail::require_finite_scene(scene.building, scene.block, scene.factors);
     GLISSADE_EXPECTS(coupling_is_regular(scene.block, scene.building.mass_ratio));
   }
-  const Batch batch{ground, scenes, peaks, thresholds_m, crossings};
+  const CoupledBatch batch{ground, scenes, peaks, thresholds_m, crossings};
   for (std::size_t k = 0; k < scenes.size();) k = solve(batch, k);
 }
 

@@ -212,7 +212,7 @@ HWY_INLINE void Root(const LaneTables& tables, const Regime& r, const Curve& f, 
 }
 
 /// The roof at an instant of a piece.
-struct State {
+struct RoofInstant {
   V x, y;
   V a, a_rate;  // of the roof, and its rate per interval
 };
@@ -223,7 +223,7 @@ struct Ground {
 };
 
 /// The motion from a piece's begin on, in the regime that it has there.
-struct Motion {
+struct PieceMotion {
   const LaneTables& tables;
   const Regime& r;
   const Ground& ground;
@@ -233,8 +233,8 @@ struct Motion {
   Complex z, sigma_z, sigma2_z, jerk;
   V size;  // |Z|
 
-  HWY_INLINE Motion(const LaneTables& of, const Regime& regime, const Ground& linear, V x_begin,
-                    V y_begin, V speed_begin)
+  HWY_INLINE PieceMotion(const LaneTables& of, const Regime& regime, const Ground& linear,
+                         V x_begin, V y_begin, V speed_begin)
       : tables(of), r(regime), ground(linear), x(x_begin), y(y_begin), speed(speed_begin) {
     rise = r.mass * ground.a_rise + r.weight * ground.gravity_rise;
     x_forced = r.lag * rise - (r.mass * ground.a + r.weight * ground.gravity);
@@ -248,12 +248,14 @@ struct Motion {
     size = hn::Sqrt(Square(z.re) + Square(z.im));
   }
 
-  HWY_INLINE State At(V t, Complex power) const {
+  HWY_INLINE RoofInstant At(V t, Complex power) const {
     return {x_forced - t * rise + RealOfProduct(z, power), y_forced + RealOfProduct(sigma_z, power),
             ground.a + t * ground.a_rise + RealOfProduct(sigma2_z, power),
             ground.a_rise + RealOfProduct(jerk, power)};
   }
-  HWY_INLINE State Begin() const { return {x, y, ground.a + sigma2_z.re, ground.a_rise + jerk.re}; }
+  HWY_INLINE RoofInstant Begin() const {
+    return {x, y, ground.a + sigma2_z.re, ground.a_rise + jerk.re};
+  }
   HWY_INLINE V Deviation(V amplitude, V length) const {
     return Number(0.125) * (amplitude * Square(r.phase * length));
   }
@@ -264,7 +266,8 @@ struct Motion {
     return f;
   }
   /// A line of the roof's acceleration and g + w.
-  HWY_INLINE Curve Drive(V per_a, V per_w, const State& begin, const State& end, V length) const {
+  HWY_INLINE Curve Drive(V per_a, V per_w, const RoofInstant& begin, const RoofInstant& end,
+                         V length) const {
     Curve f;
     f.begin = per_a * begin.a + per_w * ground.gravity;
     f.end = per_a * end.a + per_w * (ground.gravity + length * ground.gravity_rise);
@@ -289,7 +292,7 @@ struct Motion {
     return Bounded(f, hn::Abs(r.a_1 * r.per_omega) * (r.sigma * size), length);
   }
   /// x_3 x + y_3 y + c_3.
-  HWY_INLINE Curve Spring(V per_x, V per_y, V c, const State& begin, const State& end,
+  HWY_INLINE Curve Spring(V per_x, V per_y, V c, const RoofInstant& begin, const RoofInstant& end,
                           V length) const {
     const V forced = ground.a_rise * length, rate = r.angle * length;
     Curve f;
@@ -303,7 +306,7 @@ struct Motion {
     return Bounded(f, (hn::Abs(per_x) + hn::Abs(per_y) * r.sigma) * size, length);
   }
   /// In contact: the normal force is positive.
-  HWY_INLINE Mask Stays(const State& begin, const State& end, V length) const {
+  HWY_INLINE Mask Stays(const RoofInstant& begin, const RoofInstant& end, V length) const {
     const V phase = r.phase * length,
             bend = Number(0.125) * (phase * phase) * (r.sigma * r.sigma * size);
     const V cot_slope = Number(tables.cot_slope);

@@ -295,10 +295,10 @@ struct LaneVector {
     ground = GroundAt(of, ends, intensity, w_factor, Number(1.0) - left);
   }
 
-  HWY_INLINE Rising Bound(const Motion& m, const State& begin, const State& end, const Curve& drive,
-                          const Curve& minus_speed, Mask second) const;
-  HWY_INLINE void BoundSpring(const Motion& m, const State& begin, const State& end,
-                              Rising& rising) const;
+  HWY_INLINE Rising Bound(const PieceMotion& m, const RoofInstant& begin, const RoofInstant& end,
+                          const Curve& drive, const Curve& minus_speed, Mask second) const;
+  HWY_INLINE void BoundSpring(const PieceMotion& m, const RoofInstant& begin,
+                              const RoofInstant& end, Rising& rising) const;
   HWY_INLINE LanesDone Step();
 };
 
@@ -306,16 +306,16 @@ struct LaneVector {
 struct Passed {
   Mask decided, found;  // an event
   V event, t;
-  State at;
+  RoofInstant at;
   V speed, distance;
 };
 
 /// The curves that end a piece where they rise.
 /// @param second lanes at rest whose second drive is the higher one at the piece's end
 template <bool yields>
-HWY_INLINE Rising LaneVector<yields>::Bound(const Motion& m, const State& begin, const State& end,
-                                            const Curve& drive, const Curve& minus_speed,
-                                            Mask second) const {
+HWY_INLINE Rising LaneVector<yields>::Bound(const PieceMotion& m, const RoofInstant& begin,
+                                            const RoofInstant& end, const Curve& drive,
+                                            const Curve& minus_speed, Mask second) const {
   Rising rising(Select(hn::AndNot(starts, slides), minus_speed, drive), starts,
                 hn::IfThenElse(second, Number(2.0), Number(1.0)), length);
   const V other_a = hn::IfThenElse(second, r.a_1, r.a_2),
@@ -331,8 +331,8 @@ HWY_INLINE Rising LaneVector<yields>::Bound(const Motion& m, const State& begin,
 /// Elastic: the force that is nearer to its limit at the end. Yielding, or just unloaded: the rate,
 /// and then the other limit.
 template <bool yields>
-HWY_INLINE void LaneVector<yields>::BoundSpring(const Motion& m, const State& begin,
-                                                const State& end, Rising& rising) const {
+HWY_INLINE void LaneVector<yields>::BoundSpring(const PieceMotion& m, const RoofInstant& begin,
+                                                const RoofInstant& end, Rising& rising) const {
   const V zero = hn::Zero(Doubles()), one = Number(1.0), minus_one = Number(-1.0);
   const Mask unloaded = hn::Ne(unloads, zero), rate = hn::Or(yielding, unloaded),
              lower = hn::Gt(lowest - end.x, end.x - highest);
@@ -349,7 +349,7 @@ HWY_INLINE void LaneVector<yields>::BoundSpring(const Motion& m, const State& be
 
 /// To the first event, or the piece's end.
 template <bool yields>
-HWY_INLINE Passed PassPiece(const LaneVector<yields>& l, const Motion& m, const Growth& to_end,
+HWY_INLINE Passed PassPiece(const LaneVector<yields>& l, const PieceMotion& m, const Growth& to_end,
                             const Curve& minus_speed, const Rising& rising) {
   const V zero = hn::Zero(Doubles()), dt = Number(l.tables.step_s);
   const Mask closes = hn::Eq(l.left, zero);  // of no length: only what is at its end
@@ -472,9 +472,9 @@ HWY_INLINE Mask EndInterval(const LaneVector<yields>& l, Mask ended, Mask soon) 
 template <bool yields>
 HWY_INLINE LanesDone LaneVector<yields>::Step() {
   const V half = Number(0.5) * length;
-  const Motion m(tables, r, ground, now.x, now.y, now.speed);
+  const PieceMotion m(tables, r, ground, now.x, now.y, now.speed);
   const Growth to_end = GrowthAfter(tables, r, length);
-  const State begin = m.Begin(), end = m.At(length, to_end.power);
+  const RoofInstant begin = m.Begin(), end = m.At(length, to_end.power);
   const V gravity_end = ground.gravity + length * ground.gravity_rise;
   const Mask second = hn::AndNot(
       slides, hn::Gt(r.a_2 * end.a + r.w_2 * gravity_end, r.a_1 * end.a + r.w_1 * gravity_end));

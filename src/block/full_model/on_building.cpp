@@ -96,6 +96,14 @@ BuildingSlip slide_along(const TwoAxisTrack& track, const BuildingGround& ground
   return result;
 }
 
+/// A path in the axes of another slope.
+/// @param angle_rad from the azimuth of that slope to the azimuth of the path's
+void turn(std::span<PathPiece> path, double angle_rad) {
+  const double c = std::cos(angle_rad), s = std::sin(angle_rad);
+  for (PathPiece& piece : path)
+    for (block_detail::Vector& d : piece.points) d = {c * d.s - s * d.y, s * d.s + c * d.y};
+}
+
 }  // namespace
 
 void require_finite_scene(const BiaxialBuilding& building, const TwoAxisBlock& block,
@@ -138,8 +146,6 @@ PlanVector closing_on_building(const BuildingGround& ground, const BuildingFacto
                                const BiaxialBuilding& building, const TwoAxisBlock& block,
                                const TwoAxisBlock& neighbour, double tolerance) {
   require_finite_scene(building, block, factors);
-  GLISSADE_EXPECTS(block.slope_rad == neighbour.slope_rad &&
-                   block.azimuth_rad == neighbour.azimuth_rad);
   std::array<std::vector<PathPiece>, 2> paths;
   for (std::size_t i = 0; i < 2; ++i) {
     const TwoAxisBlock& one = i == 0 ? block : neighbour;
@@ -147,6 +153,7 @@ PlanVector closing_on_building(const BuildingGround& ground, const BuildingFacto
     track.keep(&paths[i]);
     slide_along(track, ground, factors, building, one, tolerance);
   }
+  turn(paths[1], neighbour.azimuth_rad - block.azimuth_rad);
   const block_detail::Vector lead = largest_lead(paths[0], paths[1]);
   return {lead.s, lead.y};
 }

@@ -80,7 +80,7 @@ constexpr double surely_permitted = 0.3;
 constexpr double series_share = 0.8, implicit_share = 1.0;
 
 /// The smooth part of a sample interval that is left, and what the ground does in it.
-struct Interval {
+struct LaneInterval {
   hn::Vec<Indices> node, next;
   Mask before;  // the last that the lanes go through
   V end_1, end_2, end_w;
@@ -88,12 +88,12 @@ struct Interval {
   V h;
 };
 
-HWY_INLINE Interval LoadInterval(const LaneStates& lanes, const GroundRows& ground,
-                                 std::size_t first, const Constants<Row>& c,
-                                 const LaneMotion<Row>& m) {
+HWY_INLINE LaneInterval LoadInterval(const LaneStates& lanes, const GroundRows& ground,
+                                     std::size_t first, const Constants<Row>& c,
+                                     const LaneMotion<Row>& m) {
   const Doubles d;
   const Indices di;
-  Interval i;
+  LaneInterval i;
   i.node = hn::Load(di, lanes.node + first);
   i.next = hn::Add(i.node, hn::Set(di, std::int64_t{1}));
   i.before = hn::RebindMask(d, hn::Lt(i.node, hn::Set(di, ground.limit)));
@@ -264,7 +264,7 @@ HWY_INLINE void KeepPath(LaneStates::Passed& to, std::size_t first, const PathSe
 /// has velocity, path and largest speed.
 template <RoofKind roof, class Series, int n>
 HWY_INLINE void Advance(LaneStates& lanes, const GroundRows& ground, std::size_t first,
-                        const Interval& interval, const Constants<Row>& c, const Series& z,
+                        const LaneInterval& interval, const Constants<Row>& c, const Series& z,
                         const V (&v_s)[n], const V (&v_y)[n], V f, Mask goes,
                         const LaneMotion<Row>& m, LaneMotion<V>& to, Stepped& stepped) {
   const Doubles d;
@@ -307,7 +307,7 @@ template <RoofKind roof>
 HWY_INLINE Stepped TaylorStep(LaneStates& lanes, const GroundRows& ground, std::size_t first) {
   const LaneMotion<Row> m = MotionOf(lanes, first);
   const Constants<Row> c = ConstantsOf(lanes, first);
-  const Interval i = LoadInterval(lanes, ground, first, c, m);
+  const LaneInterval i = LoadInterval(lanes, ground, first, c, m);
   const StepSeries<roof> z(c, m, i.ground_1, i.ground_2, i.up, i.h);
 
   LaneMotion<V> to;
@@ -452,7 +452,7 @@ class ImplicitStep {
   std::size_t first;
   LaneMotion<Row> m;
   Constants<Row> c;
-  Interval i;
+  LaneInterval i;
   V f, speed, rounding;
   Mask event, lifted;
 

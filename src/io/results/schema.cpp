@@ -14,14 +14,22 @@ namespace {
 template <class Archive, class Cases>
 void exchange_case_columns(const Archive& archive, Cases& cases) {
   const Columns column(archive, cases, "friction.mu");
+  // Written before there was this key: it is as usual.
+  const auto is_there = [&](const std::string& name) {
+    if constexpr (Archive::reads)
+      return archive.has(name);
+    else
+      return true;
+  };
   for (const Parameter& p : parameters()) {
     const std::string name = std::string(p.table) + "." + p.key;
-    if constexpr (Archive::reads) {
-      if (!archive.has(name)) continue;  // written before there was this parameter: it is as usual
-    }
+    if (!is_there(name)) continue;
     column(
         name, {p.unit, p.meaning}, [&](auto& c) -> auto& { return p.of(const_cast<Case&>(c)); });
   }
+  if (is_there("roof.neighbour_slope"))
+    column("roof.neighbour_slope", {"-", "where the neighbour stands, where there is one"},
+           &Case::neighbour_slope, neighbour_slope_names());
   column("array.support", {"-", "how the array stands on the building"}, &Case::support,
          support_names());
   column("vertical.use", {"-", "whether the vertical ground motion acts"}, &Case::vertical,
@@ -208,6 +216,27 @@ void exchange_head(const Archive& archive, R& results) {
 }
 
 template <class Archive, class R>
+void exchange_remarks_of_run(const Archive& archive, R& results) {
+  std::vector<std::uint64_t> counts{results.warnings_of_run, results.notes_of_run};
+  if constexpr (Archive::reads) {
+    results.warnings_of_run = results.warnings.size();
+    results.notes_of_run = results.notes.size();
+    if (!archive.has("remarks_of_run")) return;  // written before they were told apart
+  }
+  list(
+      archive, "remarks_of_run",
+      {"-", "how many warnings, and how many notes, are of the run: the first; others of analyses"},
+      counts);
+  if constexpr (Archive::reads) {
+    if (counts.size() != 2 || counts[0] > results.warnings.size() ||
+        counts[1] > results.notes.size())
+      throw Hdf5Error("fit remarks_of_run to the warnings and notes");
+    results.warnings_of_run = counts[0];
+    results.notes_of_run = counts[1];
+  }
+}
+
+template <class Archive, class R>
 void exchange_all(const Archive& archive, R& results) {
   exchange_head(archive, results);
   const std::string unit = results.measure.unit();
@@ -217,6 +246,7 @@ void exchange_all(const Archive& archive, R& results) {
   list(archive, "warning", {"-", "what is possible and not probable, or not for design"},
        results.warnings);
   list(archive, "note", {"-", "remarks on the results"}, results.notes);
+  exchange_remarks_of_run(archive, results);
   exchange_cases(archive.group("cases"), results.cases);
   exchange_records(archive.group("records"), results.records, results.record_periods_s);
   exchange_suites(archive.group("suites"), scale, results.suites);

@@ -61,6 +61,8 @@ void read_quantities(const TomlTable& root, StudyConfig& study) {
                   "give the slope one way");
     study.quantities.at("roof", "slope_deg") = *slope;
   }
+  study.neighbour_slope = roof.choice<NeighbourSlope>("neighbour_slope", neighbour_slope_names())
+                              .value_or(study.neighbour_slope);
   check_strength(root.table("building"), study);
 }
 
@@ -76,6 +78,10 @@ void read_friction(const TomlTable& table, const std::vector<FrictionValue>& usu
                          "give mu = 0.5, mu = { mean = 0.55, std = 0.04 }, a list or a "
                          "distribution, or a file of pull tests");
   }
+  if (table.has("neighbour_mu") && table.has("neighbour_over_mu"))
+    table.report("neighbour_over_mu",
+                 "friction.neighbour_mu and friction.neighbour_over_mu are both given",
+                 "give the neighbour's friction one way");
   if (!study.two_axes()) return;
   refuse_zero(table, study.quantities.at("friction", "mu"), "mu");
   if (study.friction.across_is_given)

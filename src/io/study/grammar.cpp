@@ -85,6 +85,10 @@ void add_quantities(std::vector<GrammarKey>& keys) {
                                 p.range.text)});
   }
   keys.push_back({"roof", "rise_in_12", quantity_value, "slope_deg", "the slope as a rise in 12"});
+  keys.push_back({"roof", "neighbour_slope", one_of(neighbour_slope_names()),
+                  quoted(neighbour_slope_names(), StudyConfig().neighbour_slope),
+                  "where the second array stands: on the same slope, or on one "
+                  "that falls toward the first array, across a valley"});
 }
 
 void add_cases(std::vector<GrammarKey>& keys) {

@@ -81,6 +81,12 @@ std::vector<KeyNeeds> key_needs() {
        "measure = \"sds_g\" or \"mce_fraction\", or building.response_modification", uses_target},
       {"model", "displacement", axes, two_axes},
       {"building", "hardening_ratio", "response_modification or yield_coefficient", yields},
+      {"roof", "neighbour_slope", "friction.neighbour_mu or friction.neighbour_over_mu above 0",
+       [](const TomlTable&, const StudyConfig& s) { return s.has_neighbours(); }},
+      {"roof", "neighbour_slope", "a slope other than 0",
+       [](const TomlTable&, const StudyConfig& s) {
+         return !is_always(s, "roof", "slope_deg", 0.0);
+       }},
       {"friction", "value", "friction that is drawn", draws_friction},
       {"friction", "direction", file, has_pull_tests},
       {"friction", "across_direction", file, has_pull_tests},

@@ -96,12 +96,24 @@ std::string csv_header(const Column& column) {
   return header;
 }
 
-std::string csv_cell(const Cell& cell) {
-  if (const auto* text = std::get_if<std::string>(&cell)) return csv_field(*text);
-  if (const auto* number = std::get_if<double>(&cell)) return format_exact(*number);
-  const auto& estimate = std::get<SignedEstimate>(cell);
-  return format_exact(estimate.value) + "," + format_exact(estimate.interval.low) + "," +
-         format_exact(estimate.interval.high);
+/// As wide as the column's header, whatever the cell.
+std::string csv_cell(const Column& column, const Cell& cell) {
+  const std::string no_interval = column.with_interval ? ",," : "";
+  if (const auto* text = std::get_if<std::string>(&cell)) return csv_field(*text) + no_interval;
+  if (const auto* number = std::get_if<double>(&cell)) return format_exact(*number) + no_interval;
+  const auto& [value, interval] = static_cast<const Estimate&>(std::get<SignedEstimate>(cell));
+  if (!column.with_interval) return format_exact(value);
+  return format_exact(value) + "," + format_exact(interval.low) + "," + format_exact(interval.high);
+}
+
+/// A text may stand anywhere ("-"); a number only in a column of numbers, and an interval only in
+/// one that has them.
+bool belongs_in(const Column& column, const Cell& cell) {
+  if (std::holds_alternative<std::string>(cell)) return true;
+  const auto* estimate = std::get_if<SignedEstimate>(&cell);
+  const bool no_interval = estimate == nullptr || (std::isnan(estimate->interval.low) &&
+                                                   std::isnan(estimate->interval.high));
+  return column.kind != ColumnKind::text && (no_interval || column.with_interval);
 }
 
 std::string padded(const std::string& text, std::size_t width, ColumnKind kind) {
@@ -116,7 +128,7 @@ Column text_column(std::string stem, std::string heading) {
 }
 
 void Table::add(std::vector<Cell> row) {
-  GLISSADE_EXPECTS(row.size() == columns.size());
+  GLISSADE_EXPECTS(std::ranges::equal(columns, row, belongs_in));
   rows.push_back(std::move(row));
 }
 
@@ -154,7 +166,8 @@ std::string to_csv(const Table& table) {
   }
   csv += "\n";
   for (const std::vector<Cell>& row : table.rows) {
-    for (std::size_t c = 0; c < row.size(); ++c) csv += (c == 0 ? "" : ",") + csv_cell(row[c]);
+    for (std::size_t c = 0; c < row.size(); ++c)
+      csv += (c == 0 ? "" : ",") + csv_cell(table.columns[c], row[c]);
     csv += "\n";
   }
   return csv;

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "glissade/study/plan/plan.hpp"
+#include "plan/plan_notes.hpp"
 
 namespace glissade {
 
@@ -18,19 +18,21 @@ Prescription prescribed_displacement(Standard standard, double sds_g,
 }
 
 /// Cases that SEAOC PV1-2012 does not prescribe for.
-std::vector<std::string> StandardsAnalysis::plan_notes(const Plan& plan) {
-  const auto& compare = plan.config.standards.compare;
+std::vector<std::string> StandardsAnalysis::plan_notes(const StudyOutline& study) {
+  const auto& compare = study.config.standards.compare;
   if (std::ranges::find(compare, Standard::seaoc_pv1_2012) == compare.end()) return {};
-  const auto outside = std::ranges::count_if(plan.cases.all(), [](const Case& c) {
-    return !seaoc_pv1_2012_applies(std::abs(c.slope_deg), c.friction);
-  });
+  std::size_t outside = 0;
+  for (std::size_t i = 0; i < study.cases; ++i) {
+    const Case c = study.case_of(i);
+    if (!seaoc_pv1_2012_applies(std::abs(c.slope_deg), c.friction)) ++outside;
+  }
   if (outside == 0) return {};
   return {fmt::format(
       "{:.0f} % of the cases are outside the range of SEAOC PV1's prescriptive value (slope under "
       "3 degrees and mu above 0.4); {}",
-      100.0 * static_cast<double>(outside) / static_cast<double>(plan.cases.size()),
-      plan.config.chart ? "the chart gives no value of it for them"
-                        : "they are compared with it all the same")};
+      100.0 * static_cast<double>(outside) / static_cast<double>(study.cases),
+      study.config.chart ? "the chart gives no value of it for them"
+                         : "they are compared with it all the same")};
 }
 
 }  // namespace glissade

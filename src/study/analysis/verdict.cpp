@@ -131,11 +131,13 @@ class Separations {
       gaps_.emplace_back(where, Buildings(results, combination, field));
     };
     const CaseSet& set = results.cases;
-    if (set.cases[set.index(combination, 0, 0)].neighbour_friction == 0.0 ||
-        results.histories.fields.closing_along_m.empty())
-      return;
-    add(", along the slope", &HistoryFields::closing_along_m);
-    add(", across the slope", &HistoryFields::closing_across_m);
+    const Case& c = set.cases[set.index(combination, 0, 0)];
+    if (c.neighbour_friction == 0.0 || results.histories.fields.closing_along_m.empty()) return;
+    const bool faces = c.neighbour_slope == NeighbourSlope::facing;
+    add(faces ? " on facing slopes, along the slope" : ", along the slope",
+        &HistoryFields::closing_along_m);
+    add(faces ? " on facing slopes, across the slope" : ", across the slope",
+        &HistoryFields::closing_across_m);
   }
 
   void add_to(VerdictResults& verdict, const Buildings& displacements) const {

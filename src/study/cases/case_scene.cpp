@@ -40,7 +40,9 @@ TwoAxisBlock two_axis_block(const Case& c) {
 TwoAxisBlock neighbour_block(const Case& c) {
   const bool turned = c.orientation.slope_axis == SlopeAxis::n_s;
   const double ratio = c.neighbour_friction / (turned ? c.friction_across : c.friction);
-  TwoAxisBlock block = two_axis_block(c);
+  Case on_its_slope = c;
+  if (c.neighbour_slope == NeighbourSlope::facing) on_its_slope.slope_deg = -c.slope_deg;
+  TwoAxisBlock block = two_axis_block(on_its_slope);
   block.friction = {ratio * block.friction.along, ratio * block.friction.across};
   return block;
 }

@@ -258,6 +258,7 @@ PlannedCases::PlannedCases(const StudyConfig& config) {
     put_.push_back(std::move(axis.put));
     axes.push_back(std::move(axis.axis));
   }
+  usual_.neighbour_slope = config.neighbour_slope;
   draw_ = std::make_shared<SampleDraw>(config);
   samples = draw_->samples();
   orientations_ = orientations_of(config);
@@ -291,6 +292,7 @@ Case PlannedCases::operator[](std::size_t i) const {
   if (design && design_along_) c.friction = *design_along_;
   if (design && design_across_) c.friction_across = *design_across_;
   if (design && design_neighbour_) c.neighbour_friction = *design_neighbour_;
+  if (c.neighbour_over_mu > 0.0) c.neighbour_friction = c.neighbour_over_mu * c.friction;
   if (!across_is_given_) c.friction_across = c.friction;
   if (c.orientation.slope_axis == SlopeAxis::n_s) std::swap(c.friction, c.friction_across);
   return c;
@@ -344,6 +346,7 @@ std::vector<CaseNumber> same_as(const CaseGrid& cases,
     }
     key.push_back(static_cast<double>(c.support));
     key.push_back(static_cast<double>(c.vertical));
+    key.push_back(static_cast<double>(c.neighbour_slope));
     // A neighbour's place is not mirrored.
     const bool mirrors_across = c.azimuth_deg == 0.0 && c.neighbour_friction == 0.0;
     if (two_axes) {

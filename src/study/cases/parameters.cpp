@@ -131,8 +131,18 @@ const std::array parameter_rows = {
               [](Case& c) -> double& { return c.friction_across; }, Parameter::Axes::two},
     Parameter{"friction", "neighbour_mu", "friction of the neighbour", "-", coefficient, 19,
               "coefficient of friction along the slope of a second, similar array on the roof, "
-              "below or beside the first; 0: there is none",
+              "below or beside the first (or as roof.neighbour_slope states); 0: there is none",
               [](Case& c) -> double& { return c.neighbour_friction; }, Parameter::Axes::two},
+    Parameter{"friction",
+              "neighbour_over_mu",
+              "friction of the neighbour over mu",
+              "-",
+              {0.0, 10.0, "0 to 10"},
+              20,
+              "the same over mu, for friction that is listed, in place of neighbour_mu; 0: not so "
+              "stated",
+              [](Case& c) -> double& { return c.neighbour_over_mu; },
+              Parameter::Axes::two},
 };
 
 }  // namespace

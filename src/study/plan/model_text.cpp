@@ -52,6 +52,8 @@ std::string displacement_text(const ModelConfig& model) {
          "is not less than the longest displacement vector. ";
 }
 
+}  // namespace
+
 /// Suites that differ in S_DS have no common one.
 double dbe_level(const Plan& plan) {
   if (plan.config.intensity.measure != IntensityMeasure::sds_g) return 0.0;
@@ -64,8 +66,6 @@ double dbe_level(const Plan& plan) {
   }
   return level;
 }
-
-}  // namespace
 
 ModelText model_text(const Plan& plan) {
   const Quantities& q = plan.config.quantities;

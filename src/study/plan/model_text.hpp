@@ -7,5 +7,7 @@
 namespace glissade {
 
 ModelText model_text(const Plan& plan);
+/// As in ModelText.
+double dbe_level(const Plan& plan);
 
 }  // namespace glissade

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <limits>
 #include <numeric>
 
@@ -143,6 +144,11 @@ void list_cases(Plan& plan) {
   check_clearance(plan);
   plan.warnings = warnings_on(plan);
   plan.notes = notes_on(plan);
+  plan.warnings_of_run = plan.warnings.size();
+  plan.notes_of_run = plan.notes.size();
+  const Remarks of_analyses = remarks_on_analyses(plan);
+  std::ranges::copy(of_analyses.warnings, std::back_inserter(plan.warnings));
+  std::ranges::copy(of_analyses.notes, std::back_inserter(plan.notes));
   plan.skips = skips_of(plan);
 }
 

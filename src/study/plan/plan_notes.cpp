@@ -7,6 +7,8 @@
 #include <array>
 #include <iterator>
 
+#include "plan/model_text.hpp"
+
 namespace glissade {
 namespace {
 
@@ -105,9 +107,38 @@ std::vector<std::string> notes_on(const Plan& plan) {
   return notes;
 }
 
+double mce_level(IntensityMeasure measure, double dbe_level, bool has_target) {
+  if (measure == IntensityMeasure::mce_fraction) return has_target ? 1.0 : 0.0;
+  return mce_over_dbe * dbe_level;
+}
+
+Remarks remarks_on(const StudyOutline& study) {
+  Remarks remarks;
+  for_each_analysis(Analyses(), [&](auto analysis) {
+    if constexpr (requires { analysis.plan_warnings(study); })
+      std::ranges::move(analysis.plan_warnings(study), std::back_inserter(remarks.warnings));
+    if constexpr (requires { analysis.plan_notes(study); })
+      std::ranges::move(analysis.plan_notes(study), std::back_inserter(remarks.notes));
+  });
+  return remarks;
+}
+
+Remarks remarks_on_analyses(const Plan& plan) {
+  bool has_target = false;
+  for (std::size_t suite = 0; suite < plan.suites.size(); ++suite)
+    has_target = has_target || plan.target_of(suite) != nullptr;
+  return remarks_on({plan.config, plan.cases.size(), std::cref(plan.cases),
+                     mce_level(plan.config.intensity.measure, dbe_level(plan), has_target)});
+}
+
+std::vector<Skip> skipped_analyses(const StudyConfig& config) {
+  if (!config.standards.compare.empty()) return {};
+  return {{"comparison with standards", "the study has no [standards]", 0}};
+}
+
 std::vector<Skip> skips_of(const Plan& plan) {
   const StudyConfig& config = plan.config;
-  std::vector<Skip> skips;
+  std::vector<Skip> skips = skipped_analyses(config);
   const std::uint64_t pairs = plan.records.size() * plan.cases.size();
   if (config.vertical == std::vector{VerticalChoice::none})
     skips.push_back({"vertical ground motion", "[vertical] use = \"none\"", pairs});
@@ -118,8 +149,6 @@ std::vector<Skip> skips_of(const Plan& plan) {
                      "they are those of that case",
                      plan.records.size() * (plan.cases.size() - plan.order.size())});
   }
-  if (config.standards.compare.empty())
-    skips.push_back({"comparison with standards", "the study has no [standards]", 0});
   return skips;
 }
 

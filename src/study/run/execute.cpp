@@ -44,12 +44,14 @@ void keep(const History& history, const KeptFields& kept, HistoryFields& fields)
   fields.peak_displacement_m.push_back(history.peak_displacement_m);
   fields.uplift.push_back(history.uplift ? 1 : 0);
   fields.failed.push_back(history.failed ? 1 : 0);
-  if (kept.vector) fields.peak_vector_m.push_back(history.peak_vector_m);
+  if (kept.two_axes) {
+    fields.peak_vector_m.push_back(history.peak_vector_m);
+    fields.residual_along_m.push_back(history.residual_m[0]);
+    fields.residual_across_m.push_back(history.residual_m[1]);
+  }
   if (kept.by_axis) {
     fields.peak_along_m.push_back(history.peak_by_axis_m[0]);
     fields.peak_across_m.push_back(history.peak_by_axis_m[1]);
-    fields.residual_along_m.push_back(history.residual_m[0]);
-    fields.residual_across_m.push_back(history.residual_m[1]);
   }
   if (kept.closing) {
     fields.closing_along_m.push_back(history.closing_m[0]);

@@ -7,14 +7,14 @@
 namespace glissade {
 
 KeptFields::KeptFields(const StudyConfig& config)
-    : vector(config.two_axes()), closing(config.has_neighbours()) {
+    : two_axes(config.two_axes()), closing(config.has_neighbours()) {
   for_each_analysis(Analyses(), [&]<class Analysis>(Analysis) {
     if constexpr (requires { Analysis::keeps; }) {
       const auto& [is_asked] = static_cast<const typename Analysis::InStudy&>(config);
       if (is_asked) this->*Analysis::keeps = true;
     }
   });
-  by_axis = by_axis && config.two_axes();
+  by_axis = by_axis && two_axes;
 }
 
 std::size_t depth_of(const StudyConfig& config, Depth depth) {

@@ -2,6 +2,7 @@
 #include "glissade/study/run/reduce.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "glissade/study/run/history_assembly.hpp"
@@ -59,11 +60,32 @@ void analyse(AnalysisList<Analysis...>, const StudyConfig& study, Results& resul
     results.reached_target = reached_target(study, results.sampling_errors);
 }
 
+/// Each once: results of earlier versions do not tell which of theirs are of analyses.
 void append(const std::vector<std::string>& some, std::vector<std::string>& all) {
-  all.insert(all.end(), some.begin(), some.end());
+  for (const std::string& text : some)
+    if (std::ranges::find(all, text) == all.end()) all.push_back(text);
 }
-void erase_all_of(const std::vector<std::string>& some, std::vector<std::string>& all) {
-  std::erase_if(all, [&](const std::string& s) { return std::ranges::count(some, s) > 0; });
+
+/// What the analyses say, in place of what they said.
+void add_remarks_on_analyses(const StudyConfig& study, Results& results) {
+  const Remarks remarks = remarks_on_analyses(results, study);
+  results.warnings.resize(results.warnings_of_run);
+  results.notes.resize(results.notes_of_run);
+  append(remarks.warnings, results.warnings);
+  append(remarks.notes, results.notes);
+}
+
+void add_remarks(const Plan& plan, Results& results) {
+  results.warnings = plan.warnings;
+  results.notes = plan.notes;
+  results.warnings.resize(plan.warnings_of_run);
+  results.notes.resize(plan.notes_of_run);
+  const Remarks of_run = remarks_on_run(results, plan.config);
+  append(of_run.warnings, results.warnings);
+  append(of_run.notes, results.notes);
+  results.warnings_of_run = results.warnings.size();
+  results.notes_of_run = results.notes.size();
+  add_remarks_on_analyses(plan.config, results);
 }
 
 }  // namespace
@@ -80,10 +102,7 @@ Results reduce(const Plan& plan, HistoryTable histories,
   Results results = header_of(plan, motion_parts);
   results.histories = std::move(histories);
   analyse(Analyses(), plan.config, results);
-  results.warnings = plan.warnings;
-  results.notes = plan.notes;
-  append(warnings_on(results, plan.config), results.warnings);
-  append(notes_on(results, plan.config), results.notes);
+  add_remarks(plan, results);
   return results;
 }
 
@@ -91,12 +110,17 @@ void analyse_again(StudyConfig study, Results& results) {
   if (results.reached_target)
     study.sampling = study.sampling.first_blocks(results.reached_target->scrambles);
   results.study_text = study.source_text;
-  erase_all_of(warnings_on(results, study), results.warnings);
-  erase_all_of(notes_on(results, study), results.notes);
   static_cast<AnalysisResults&>(results) = {};
   analyse(Analyses(), study, results);
-  append(warnings_on(results, study), results.warnings);
-  append(notes_on(results, study), results.notes);
+  add_remarks_on_analyses(study, results);
+}
+
+std::vector<Skip> skipped_again(const StudyConfig& study, const std::vector<Skip>& skips) {
+  std::vector<Skip> again = skipped_analyses(study);
+  std::ranges::copy_if(skips, std::back_inserter(again), [](const Skip& skip) {
+    return skip.what != skipped_analyses({}).front().what;
+  });
+  return again;
 }
 
 std::vector<Skip> skipped(const Plan& plan, const WorkCount& count) {

@@ -126,28 +126,31 @@ void warn_of_dominance(const Results& results, std::vector<std::string>& warning
 
 }  // namespace
 
-std::vector<std::string> warnings_on(const Results& results, const StudyConfig& config) {
-  std::vector<std::string> warnings;
-  warn_of_dominance(results, warnings);
-  for_each_analysis(Analyses(), [&](auto analysis) {
-    if constexpr (requires { analysis.warnings(results, config); })
-      std::ranges::move(analysis.warnings(results, config), std::back_inserter(warnings));
-  });
-  return warnings;
+Remarks remarks_on_run(const Results& results, const StudyConfig& config) {
+  Remarks remarks;
+  warn_of_dominance(results, remarks.warnings);
+  note_uplift(results, config, remarks.notes);
+  note_failed(results, remarks.notes);
+  if (results.measure == IntensityMeasure::sds_g) {
+    for (const SuiteSummary& suite : results.suites)
+      note_suite(suite, config.intensity, remarks.notes);
+  }
+  return remarks;
 }
 
-std::vector<std::string> notes_on(const Results& results, const StudyConfig& config) {
-  std::vector<std::string> notes;
-  note_uplift(results, config, notes);
-  note_failed(results, notes);
-  if (results.measure == IntensityMeasure::sds_g) {
-    for (const SuiteSummary& suite : results.suites) note_suite(suite, config.intensity, notes);
-  }
+Remarks remarks_on_analyses(const Results& results, const StudyConfig& config) {
+  const bool has_target = std::ranges::any_of(
+      results.suites, [](const SuiteSummary& suite) { return !suite.target.empty(); });
+  Remarks remarks = remarks_on(StudyOutline{
+      config, results.cases.size(), [&](std::size_t i) { return results.cases.cases[i]; },
+      mce_level(results.measure, results.model.dbe_level, has_target)});
   for_each_analysis(Analyses(), [&](auto analysis) {
+    if constexpr (requires { analysis.warnings(results, config); })
+      std::ranges::move(analysis.warnings(results, config), std::back_inserter(remarks.warnings));
     if constexpr (requires { analysis.notes(results, config); })
-      std::ranges::move(analysis.notes(results, config), std::back_inserter(notes));
+      std::ranges::move(analysis.notes(results, config), std::back_inserter(remarks.notes));
   });
-  return notes;
+  return remarks;
 }
 
 }  // namespace glissade

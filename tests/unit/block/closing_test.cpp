@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "glissade/block/on_building.hpp"
 #include "glissade/block/slide.hpp"
@@ -20,10 +21,26 @@ TwoAxisBlock with_friction(TwoAxisBlock block, double factor) {
   return block;
 }
 
-PlanVector closing(const OnBuilding& scene, double factor, double other_factor) {
+/// On the slope that falls toward the block's.
+TwoAxisBlock facing(TwoAxisBlock block) {
+  block.azimuth_rad += std::numbers::pi;
+  return block;
+}
+
+PlanVector closing(const OnBuilding& scene, const TwoAxisBlock& block,
+                   const TwoAxisBlock& neighbour) {
   return closing_on_building(scene.ground(), {{scene.factor, scene.factor}, scene.factor},
-                             scene.building, with_friction(scene.block, factor),
-                             with_friction(scene.block, other_factor), scene.tolerance);
+                             scene.building, block, neighbour, scene.tolerance);
+}
+
+PlanVector closing(const OnBuilding& scene, double factor, double other_factor) {
+  return closing(scene, with_friction(scene.block, factor),
+                 with_friction(scene.block, other_factor));
+}
+
+PlanVector closing_across_a_valley(const OnBuilding& scene, double factor, double other_factor) {
+  return closing(scene, with_friction(scene.block, factor),
+                 facing(with_friction(scene.block, other_factor)));
 }
 
 /// Displacement of a block of friction mu on a flat roof that is pushed by a toward +x for T
@@ -103,36 +120,125 @@ TEST(closing_on_building, is_that_of_two_exact_histories_on_one_axis) {
   }
 }
 
+// On facing slopes each slides down its own: under the same motion one of them has it reversed.
+TEST(closing_on_building, across_a_valley_is_the_sum_of_two_exact_histories_on_one_axis) {
+  for (unsigned seed = 1; seed <= 10; ++seed) {
+    OnBuilding scene(seed, 600, 12.0);
+    scene.second.clear();
+    scene.building = {};
+    scene.block.azimuth_rad = 0.0;
+    std::array<std::vector<SlipPoint>, 2> histories;
+    double peak_m = 0.0, end_s = 0.0;
+    for (const std::size_t i : {0u, 1u}) {
+      const Block block{.friction = (i == 0 ? 1.0 : 1.2) * scene.block.friction.along,
+                        .slope_rad = scene.block.slope_rad};
+      const RoofAcceleration roof{scene.dt_s, scene.first, scene.up, i == 0 ? 1.0 : -1.0, 1.0};
+      peak_m = std::max(peak_m, slide(roof, block, histories[i]).peak_displacement_m);
+      end_s = std::max(end_s, histories[i].back().time_s);
+    }
+    double closing_m = 0.0;
+    for (double t = 0.0; t < end_s; t += scene.dt_s / 64.0)
+      closing_m =
+          std::max(closing_m, displacement_at(histories[0], t) + displacement_at(histories[1], t));
+    ASSERT_GT(closing_m, 0.01 * peak_m);
+    EXPECT_NEAR(closing_across_a_valley(scene, 1.0, 1.2).along_m, closing_m, 1e-5 * peak_m) << seed;
+  }
+}
+
+// Across a valley equal arrays meet where on one slope they do not; on a flat roof there is no
+// valley.
+TEST(closing_on_building, across_a_valley_is_that_on_one_slope_where_the_roof_is_flat) {
+  for (const double slope_rad : {0.0, 0.05}) {
+    OnBuilding scene;
+    scene.block.slope_rad = slope_rad;
+    const double peak_m = scene.result().slip.peak_displacement_m;
+    const PlanVector one = closing(scene, 1.3, 1.0),
+                     valley = closing_across_a_valley(scene, 1.3, 1.0),
+                     equal = closing_across_a_valley(scene, 1.0, 1.0);
+    if (slope_rad == 0.0) {
+      EXPECT_NEAR(valley.along_m, one.along_m, 1e-5 * peak_m);
+      EXPECT_NEAR(valley.across_m, one.across_m, 1e-5 * peak_m);
+      EXPECT_NEAR(equal.along_m, 0.0, 1e-5 * peak_m);
+    } else {
+      EXPECT_GT(valley.along_m, one.along_m + 0.1 * peak_m);
+      EXPECT_GT(equal.along_m, 0.1 * peak_m);
+    }
+  }
+}
+
+// From either array the gap is the same one.
+TEST(closing_on_building, across_a_valley_is_that_seen_from_the_other_side) {
+  OnBuilding scene;
+  const TwoAxisBlock other = facing(with_friction(scene.block, 1.3));
+  const PlanVector found = closing(scene, scene.block, other),
+                   back = closing(scene, other, scene.block);
+  ASSERT_GT(found.along_m, 0.0);
+  EXPECT_NEAR(back.along_m, found.along_m, 1e-9 * found.along_m);
+  EXPECT_NEAR(back.across_m, found.across_m, 1e-9 * found.along_m);
+}
+
+// On a roof that does not move horizontally two arrays that friction does not hold slide down by
+// the same distance, which each has alone.
+TEST(closing_on_building, of_symmetric_arrays_across_a_valley_is_twice_the_slip_of_one) {
+  OnBuilding scene(1, 600, 12.0);
+  std::ranges::fill(scene.first, 0.0);
+  std::ranges::fill(scene.second, 0.0);
+  scene.building = {};
+  scene.block.friction = {0.09, 0.09};
+  scene.block.slope_rad = 0.1;
+  const TwoAxisResult one = scene.result().slip;
+  ASSERT_GT(one.peak_by_axis.along_m, 1e-3);
+  EXPECT_NEAR(closing_across_a_valley(scene, 1.0, 1.0).along_m, 2.0 * one.peak_by_axis.along_m,
+              1e-9 * one.peak_by_axis.along_m);
+}
+
+PlanVector displacement_at(const std::vector<TwoAxisPoint>& history, double time_s) {
+  const auto after = std::ranges::upper_bound(history, time_s, {}, &TwoAxisPoint::time_s);
+  if (after == history.end()) return history.back().displacement;
+  if (after == history.begin()) return {};
+  const TwoAxisPoint &a = *(after - 1), &b = *after;
+  const double share = (time_s - a.time_s) / (b.time_s - a.time_s);
+  return {std::lerp(a.displacement.along_m, b.displacement.along_m, share),
+          std::lerp(a.displacement.across_m, b.displacement.across_m, share)};
+}
+
 // Between the points of a fine history on two axes the displacement is close to linear.
-TEST(closing_on_building, is_that_of_two_fine_histories_on_two_axes) {
+void expect_that_of_two_fine_histories(bool across_a_valley) {
   for (unsigned seed = 1; seed <= 6; ++seed) {
     OnBuilding scene(seed, 400, 12.0);
     scene.building = {};
     std::array<std::vector<TwoAxisPoint>, 2> fine;
     double peak_m = 0.0;
-    for (const std::size_t i : {0u, 1u})
-      peak_m = std::max(
-          peak_m, slide_two_axis({scene.dt_s, {scene.first, scene.second}, scene.up},
-                                 with_friction(scene.block, i == 0 ? 1.3 : 1.0), fine[i], 1e-11)
-                      .peak_displacement_m);
-    PlanVector ahead;
-    std::size_t k = 0;
-    for (const TwoAxisPoint& at : fine[0]) {
-      while (k + 2 < fine[1].size() && fine[1][k + 1].time_s < at.time_s) ++k;
-      const TwoAxisPoint &a = fine[1][k], &b = fine[1][k + 1];
-      const double share = std::min(1.0, (at.time_s - a.time_s) / (b.time_s - a.time_s));
-      const auto raise = [&](double PlanVector::*axis) {
-        const double other =
-            a.displacement.*axis + share * (b.displacement.*axis - a.displacement.*axis);
-        ahead.*axis = std::max(ahead.*axis, at.displacement.*axis - other);
-      };
-      raise(&PlanVector::along_m);
-      raise(&PlanVector::across_m);
+    for (const std::size_t i : {0u, 1u}) {
+      TwoAxisBlock block = with_friction(scene.block, i == 0 ? 1.3 : 1.0);
+      if (i == 1 && across_a_valley) block = facing(block);
+      const TwoAxisResult alone = slide_two_axis(
+          {scene.dt_s, {scene.first, scene.second}, scene.up}, block, fine[i], 1e-11);
+      peak_m = std::max(peak_m, alone.peak_displacement_m);
     }
-    const PlanVector found = closing(scene, 1.3, 1.0);
+    // The axes of a facing slope are those of this one, turned by half a turn.
+    const double sign = across_a_valley ? -1.0 : 1.0;
+    PlanVector ahead;
+    const double end_s = std::max(fine[0].back().time_s, fine[1].back().time_s);
+    for (double t = 0.0; t < end_s + scene.dt_s; t += scene.dt_s / 16.0) {
+      const PlanVector one = displacement_at(fine[0], t), other = displacement_at(fine[1], t);
+      ahead.along_m = std::max(ahead.along_m, one.along_m - sign * other.along_m);
+      ahead.across_m = std::max(ahead.across_m, one.across_m - sign * other.across_m);
+    }
+    const PlanVector found =
+        across_a_valley ? closing_across_a_valley(scene, 1.3, 1.0) : closing(scene, 1.3, 1.0);
+    ASSERT_GT(found.along_m, 0.0);
     EXPECT_NEAR(found.along_m, ahead.along_m, 1e-3 * peak_m) << seed;
     EXPECT_NEAR(found.across_m, ahead.across_m, 1e-3 * peak_m) << seed;
   }
+}
+
+TEST(closing_on_building, is_that_of_two_fine_histories_on_two_axes) {
+  expect_that_of_two_fine_histories(false);
+}
+
+TEST(closing_on_building, across_a_valley_is_that_of_two_fine_histories_on_two_axes) {
+  expect_that_of_two_fine_histories(true);
 }
 
 TEST(closing_on_building, is_within_its_tolerance_on_any_building) {

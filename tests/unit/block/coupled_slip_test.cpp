@@ -153,6 +153,15 @@ TEST(coupled_slip, zero_motion_moves_nothing) {
   }
 }
 
+// A study searches for capacities from a level of zero on: the ratio of the components is then no
+// number. It did not return.
+TEST(coupled_slip, components_scaled_to_zero_move_nothing) {
+  const auto a = made_up_record(100, 12, 9.0), w = made_up_record(100, 13, 4.0);
+  std::vector<CoupledScene> scenes = made_up_scenes(20, 12, 0.0);
+  for (std::size_t k = 0; k < scenes.size(); k += 2) scenes[k].factors = {0.0, 0.0};
+  expect_reference({0.01, a, w}, scenes);
+}
+
 TEST(coupled_slip, short_records_and_extreme_buildings_agree_too) {
   for (const std::size_t samples : {1u, 2u, 3u, 40u}) {
     const auto a = made_up_record(std::max<std::size_t>(samples, 2), 11, 9.0);

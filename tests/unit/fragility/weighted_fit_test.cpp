@@ -178,6 +178,37 @@ TEST(fit_brackets, names_what_it_cannot_fit) {
   EXPECT_TRUE(std::isnan(record.median_interval.low));
 }
 
+// Was a median of 1 with status "maximum likelihood": every line has likelihood 1.
+TEST(fit_brackets, finds_no_information_in_rows_from_zero_to_infinity) {
+  for (const bool independent : {true, false}) {
+    const FitSummary fit =
+        fit_brackets({{0.0, infinity, 1.0, 0}, {0.0, infinity, 1.0, 1}}, independent);
+    EXPECT_EQ(fit.status, FitStatus::no_information);
+    EXPECT_FALSE(fit.converged());
+    EXPECT_TRUE(std::isnan(fit.curve.median));
+    EXPECT_TRUE(std::isnan(fit.curve.log_std));
+    EXPECT_EQ(fit.note,
+              "no row limits the capacity; 2 row(s) from 0 to infinity say nothing and are left "
+              "out");
+  }
+}
+
+TEST(fit_brackets, leaves_out_rows_from_zero_to_infinity_and_counts_them) {
+  for (const bool independent : {true, false}) {
+    std::vector<CapacityBracket> rows = {{0.5, 1, 1, 0}, {0.8, 0.8, 2, 1}, {1.5, 2, 1, 2}};
+    const FitSummary without = fit_brackets(rows, independent);
+    rows.push_back({0.0, infinity, 5.0, 3});
+    const FitSummary with = fit_brackets(rows, independent);
+    EXPECT_EQ(with.status, FitStatus::maximum_likelihood);
+    EXPECT_EQ(with.curve.median, without.curve.median);
+    EXPECT_EQ(with.median_interval.low, without.median_interval.low);
+    EXPECT_EQ(without.note.find("left out"), std::string::npos);
+    EXPECT_NE(with.note.find("1 row(s) from 0 to infinity say nothing"), std::string::npos);
+  }
+  // A bound rests on the one row that says something.
+  EXPECT_EQ(fit_brackets({{1.0, infinity}, {0.0, infinity}}, true).status, FitStatus::lower_bound);
+}
+
 /// Points at intensities from 0.2 to 3: slip begins where ln x > 0.2 e, of size 0.1 x^1.5 with
 /// dispersions 0.3 by record and 0.4 within.
 std::vector<CloudPoint> cloud(int records, std::uint64_t item) {

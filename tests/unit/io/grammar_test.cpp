@@ -68,7 +68,7 @@ TEST_F(Grammar, has_an_example_of_every_key_that_is_accepted) {
   std::set<std::string> used;
   for (const char* name :
        {"all_keys", "avg_sa", "chart", "clearance", "hazard", "intensity_measures", "pga_normal",
-        "ppa", "pull_tests", "rare", "sa", "sensitivity", "verdict"}) {
+        "ppa", "pull_tests", "rare", "sa", "sensitivity", "verdict", "verdict_valley"}) {
     const std::string text =
         read_text_file(source / "tests/fuzz/corpus/study" / (std::string(name) + ".toml"));
     EXPECT_EQ(error(text), "") << name;

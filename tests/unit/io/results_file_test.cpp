@@ -42,6 +42,7 @@ void expect_same_cases(const CaseSet& a, const CaseSet& b) {
     EXPECT_EQ(x.vertical, y.vertical);
     EXPECT_EQ(x.friction_value, y.friction_value);
     EXPECT_EQ(x.orientation, y.orientation);
+    EXPECT_EQ(x.neighbour_slope, y.neighbour_slope);
   }
 }
 
@@ -113,6 +114,8 @@ TEST(results_file, head_suites_and_records_come_back) {
   EXPECT_EQ(read.levels, written.levels);
   EXPECT_EQ(read.thresholds_m, written.thresholds_m);
   EXPECT_EQ(read.notes, written.notes);
+  EXPECT_EQ(read.warnings_of_run, written.warnings_of_run);
+  EXPECT_EQ(read.notes_of_run, written.notes_of_run);
   EXPECT_EQ(read.suites[1].target, "ASCE 7-10, S_S 1 g");
   ASSERT_EQ(read.records.size(), 2u);
   const RecordSummary& record = read.records[0];
@@ -283,11 +286,14 @@ TEST(results_file, of_a_program_with_fewer_parameters_has_the_usual_value_of_the
   const auto path = folder.path() / "old.h5";
   write_results(path, with_fragility());
   const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
-  EXPECT_GE(H5Ldelete(file, "cases/friction.neighbour_mu", H5P_DEFAULT), 0);
+  for (const char* key : {"cases/friction.neighbour_mu", "cases/roof.neighbour_slope"})
+    EXPECT_GE(H5Ldelete(file, key, H5P_DEFAULT), 0) << key;
   EXPECT_GE(H5Fclose(file), 0);
   test::renew_checksum(path);
-  for (const Case& c : read_results(path).cases.cases)
+  for (const Case& c : read_results(path).cases.cases) {
     EXPECT_EQ(c.neighbour_friction, Case().neighbour_friction);
+    EXPECT_EQ(c.neighbour_slope, NeighbourSlope::same);
+  }
 }
 
 /// A good file whose levels are stored otherwise: by other properties, or behind a link.
@@ -404,6 +410,13 @@ TEST(results_file, parts_that_do_not_fit_each_other_are_refused) {
   EXPECT_EQ(refusal([](Results& r) { r.histories.fields.peak_vector_m.clear(); }), "peak_vector_m");
   EXPECT_EQ(refusal([](Results& r) { r.axes = SlidingAxes::one; }), "peak_vector_m");
   EXPECT_EQ(refusal([](Results& r) { r.histories.fields.residual_across_m.clear(); }),
+            "residual_along_m");
+  EXPECT_EQ(refusal([](Results& r) { r.histories.fields.peak_across_m.clear(); }), "peak_along_m");
+  EXPECT_EQ(refusal([](Results& r) { r.notes_of_run = 3; }), "remarks_of_run");
+  EXPECT_EQ(refusal([](Results& r) {
+              r.histories.fields.residual_along_m.clear();
+              r.histories.fields.residual_across_m.clear();
+            }),
             "peak_along_m");
   EXPECT_EQ(refusal([](Results& r) { r.histories.fields.closing_across_m.clear(); }),
             "closing_along_m");

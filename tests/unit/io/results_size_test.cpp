@@ -25,7 +25,8 @@ double stored_bytes(const std::filesystem::path& file, const char* group) {
   return bytes;
 }
 
-/// Two samples; peak_vector_m, tips and crossings are kept where the study is so and has them.
+/// Two samples; peak_vector_m and residuals, tips and crossings are kept where the study is so and
+/// has them.
 StudyConfig study_that_keeps(SlidingAxes axes, bool tips, bool crossings) {
   StudyConfig config = test::small_config();
   config.model.axes = axes;

@@ -149,7 +149,8 @@ TEST_F(StudyFile, every_parameter_takes_a_number_a_list_a_range_and_distribution
       if (key == "fast_over_slow") table += "rate_s_per_m = 10\n";
       if (key == "rate_s_per_m") table += "fast_over_slow = 1.2\n";
       if (key == "hardening_ratio") table += "yield_coefficient = 0.2\n";
-      if (key == "neighbour_mu") table += "[standards]\ncompare = [\"asce7_16\"]\n[verdict]\n";
+      if (key.starts_with("neighbour"))
+        table += "[standards]\ncompare = [\"asce7_16\"]\n[verdict]\n";
       return read(study_part + suite_part + intensity_part + fragility_part +
                   "[model]\naxes = 2\n" + table)
           .quantities[i];

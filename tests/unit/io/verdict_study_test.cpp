@@ -44,6 +44,21 @@ TEST_F(VerdictStudy, is_of_slopes_and_periods_that_are_not_drawn) {
     refuses({{text + drawn, "study.toml:13", {"[verdict]"}}});
 }
 
+TEST_F(VerdictStudy, has_a_neighbour_on_a_facing_slope_where_there_are_both) {
+  const std::string analyses = std::string(standards) + "[verdict]\n";
+  const auto text = [&](const char* neighbour, const char* slope) {
+    std::string all = with("neighbour_mu = " + std::string(neighbour) + "\n" + analyses);
+    return all + "[roof]\nneighbour_slope = \"facing\"\nslope_deg = " + slope + "\n";
+  };
+  EXPECT_EQ(read(text("0.4", "[0, 2]")).neighbour_slope, NeighbourSlope::facing);
+  EXPECT_EQ(read(with(analyses)).neighbour_slope, NeighbourSlope::same);
+  refuses({{text("0", "[0, 2]"), "study.toml:16", {"roof.neighbour_slope", "neighbour_mu"}},
+           {text("0.4", "0"), "study.toml:16", {"roof.neighbour_slope", "slope other than 0"}},
+           {text("0.4\nneighbour_over_mu = 1", "[0, 2]"),
+            "study.toml:12",
+            {"friction.neighbour_mu", "friction.neighbour_over_mu"}}});
+}
+
 TEST(verdict_results_file, refuses_rows_that_do_not_fit) {
   Results results = with_all();
   ASSERT_TRUE(results.verdict);

@@ -94,6 +94,7 @@ inline Results whole_results(bool two_axes = false) {
     for (const Parameter& p : parameters()) p.of(c) = std::cbrt(x += 1.0);
     c.support = x < 50 ? ArraySupport::isolated : ArraySupport::no_array;
     c.vertical = VerticalChoice::required;
+    c.neighbour_slope = x < 50 ? NeighbourSlope::same : NeighbourSlope::facing;
     c.friction_value = x < 70 ? FrictionValue::as_drawn : FrictionValue::design;
     c.orientation = {SlopeAxis::n_s, 22.5, -1};
   }
@@ -104,6 +105,7 @@ inline Results whole_results(bool two_axes = false) {
   fill_histories(r.histories, two_axes);
   r.warnings = {"one axis"};
   r.notes = {"5 of 22 records have no vertical", ""};
+  r.warnings_of_run = r.notes_of_run = 1;
   return r;
 }
 

@@ -44,6 +44,15 @@ TEST(hazard_report, has_a_row_for_each_run_and_threshold_target_and_quantity) {
   EXPECT_THAT(html_report(r, {}), states("25 years"));
 }
 
+TEST(hazard_report, has_rows_as_wide_as_the_header_in_every_file) {
+  Results r = made_up_hazard();
+  for (HazardRun& run : r.hazard->runs)
+    run.prescribed = {
+        {Standard::seaoc_pv1_2012, 1.0, {0.5, Provenance::checked, ""}, {1e-3, {5e-4, 2e-3}}}};
+  for (const Table& table : csv_tables(r))
+    EXPECT_THAT(to_csv(table), test::has_rows_as_wide_as_its_header()) << table.name.text();
+}
+
 TEST(hazard_report, compares_what_is_prescribed_with_the_displacement_of_1_percent_in_50_years) {
   Results r = made_up_hazard();
   const auto has_table = [&] {
@@ -80,6 +89,14 @@ TEST(hazard_report, draws_the_distribution_over_the_design_life) {
   ASSERT_EQ(figure.panels[0].series.size(), 3u);
   for (const DataSeries& line : figure.panels[0].series)
     EXPECT_TRUE(std::ranges::is_sorted(line.y, std::greater<>()));
+}
+
+TEST(hazard_report, states_what_is_kept_over_a_design_life) {
+  const Results r = made_up_hazard();
+  for (const char* name : {"design_life", "design_life_distribution"})
+    EXPECT_THAT(table_of(r, name).notes, Contains(states("record", "orientation", "whole life")));
+  EXPECT_THAT(figure_named(make_figures(r), "design_life").caption,
+              states("orientation", "whole life"));
 }
 
 TEST(hazard_report, states_what_the_levels_do_not_show) {

@@ -72,7 +72,7 @@ TEST(impact_report, answers_at_the_level_nearest_1_g_with_the_share_that_gets_th
 TEST(impact_report, draws_only_what_enough_records_reach) {
   Results results = made_up_impact_results();
   const RunResults& run = results.runs[0];
-  std::vector<double>& speed_mps = results.histories.fields.crossing_speed_mps;
+  auto& speed_mps = results.histories.fields.crossing_speed_mps;
   const std::size_t of_record = speed_mps.size() / results.records.size();
   const auto forget_all_but = [&](std::size_t records) {
     for (std::size_t i = records * of_record; i < speed_mps.size(); ++i)

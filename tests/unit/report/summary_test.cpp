@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "facts.hpp"
 #include "glissade/report/format.hpp"
 #include "glissade/report/tables.hpp"
@@ -103,6 +105,24 @@ TEST(answer, takes_for_each_prescribed_displacement_the_combination_that_exceeds
   };
   EXPECT_THAT(answer_sentences(results), wanted("SEAOC PV1-2012", "slope 1 deg"));
   EXPECT_THAT(answer_sentences(results), wanted("ASCE 7-16", "slope 2 deg"));
+}
+
+TEST(answer, names_equal_intensity_measures_together_and_says_what_a_tie_is) {
+  Results r = made_up_results();
+  const auto row = [&](const char* name, double dispersion) {
+    return RankedMeasure{.threshold_m = r.thresholds_m[0],
+                         .name = name,
+                         .dispersion = {dispersion, {0.8 * dispersion, 1.4 * dispersion}},
+                         .smallest_share = dispersion < 0.2 ? 0.75 : 0.0};
+  };
+  r.intensity_measures = {row("Sa(0.5 s)", 0.09), row("roof acceleration", 0.09), row("PGA", 0.5)};
+  EXPECT_THAT(answer_sentences(r),
+              testing::Contains(states("Sa(0.5 s) = roof acceleration (0.09", "PGA (0.5")));
+  const std::vector<Table> tables = csv_tables(r);
+  const auto table = std::ranges::find(tables, FileName("intensity_measures"), &Table::name);
+  ASSERT_NE(table, tables.end());
+  EXPECT_THAT(table->notes, testing::Contains(states("Ties", "intervals overlap")));
+  EXPECT_THAT(table->notes, testing::Contains(states("A and B")));
 }
 
 TEST(summary, of_nothing_is_still_text) {

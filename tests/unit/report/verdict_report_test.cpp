@@ -5,6 +5,7 @@
 
 #include "analysis/verdict/kinds.hpp"
 #include "facts.hpp"
+#include "glissade/report/figures.hpp"
 #include "glissade/report/html.hpp"
 #include "glissade/report/summary.hpp"
 #include "glissade/report/tables.hpp"
@@ -106,6 +107,15 @@ TEST(verdict_report, says_how_probably_two_arrays_close_their_gap_beside_the_fig
                               "between arrays, across", "0 of 3")));
 }
 
+TEST(verdict_report, says_on_which_slopes_two_arrays_stand) {
+  Results r = made_up();
+  EXPECT_THAT(answer_sentences(r), Contains(states("close a gap", "on one slope")));
+  for (Case& c : r.cases.cases) c.neighbour_slope = NeighbourSlope::facing;
+  EXPECT_THAT(answer_sentences(r),
+              Contains(states("close a gap", "on two slopes that fall towards each other")));
+  EXPECT_THAT(answer_sentences(r), Not(Contains(states("on one slope"))));
+}
+
 TEST(verdict_report, of_arrays_that_differ_in_more_names_them_and_draws_the_largest) {
   Results r = made_up();
   r.cases.axes = {{"building.mass_ratio", "-", {0.01, 0.1}, {}}};
@@ -148,6 +158,23 @@ TEST(verdict_report, draws_intervals_and_what_the_other_standard_prescribes) {
   EXPECT_EQ(bars.kind, DataSeries::Kind::bars);
   EXPECT_NEAR(bars.low.at(0), 0.0, 1e-12);
   EXPECT_NEAR(bars.high.at(0), 1.0, 1e-12);
+}
+
+TEST(verdict_report, draws_how_probably_two_arrays_meet_where_they_have_neighbours) {
+  Results r = made_up();
+  const auto figures = [&] {
+    std::vector<std::string> names;
+    for (const Figure& figure : make_figures(r)) names.push_back(figure.name.text());
+    return names;
+  };
+  EXPECT_THAT(figures(), Contains("verdict_separations"));
+  const Figure figure = verdict_separations_figure(r);
+  const DataSeries& line = figure.panels.at(0).series.at(1);  // friction 0.3, behind the bars
+  EXPECT_EQ(line.y, (std::vector{0.0, 12.5, 37.5}));
+  EXPECT_EQ(figure.panels[0].series[0].high.at(2), 50.0);
+  EXPECT_EQ(figure.panels[0].rules.at(0).at, 10.0);
+  std::erase_if(r.verdict->separations, [](const auto& s) { return s.factor < 1.0; });
+  EXPECT_THAT(figures(), Not(Contains("verdict_separations")));
 }
 
 TEST(verdict_report, over_R_where_there_is_one_S_DS) {

@@ -10,6 +10,7 @@
 namespace glissade {
 namespace {
 
+using test::drawn;
 using test::fixed;
 using test::listed;
 using test::small_config;
@@ -190,6 +191,21 @@ TEST(same_as, a_neighbour_across_the_slope_is_not_mirrored) {
   EXPECT_EQ(different(config), 4u);
   config.quantities.at("friction", "neighbour_mu") = fixed(0.4);
   EXPECT_EQ(different(config), 8u);
+}
+
+TEST(cases, have_the_friction_of_a_neighbour_over_their_own) {
+  StudyConfig config = small_config();
+  config.model.axes = SlidingAxes::two;
+  config.quantities.at("friction", "mu") = listed({0.3, 0.5});
+  config.quantities.at("friction", "neighbour_over_mu") = drawn(Uniform{0.8, 1.2});
+  EXPECT_TRUE(config.has_neighbours());
+  std::set<double> ratios;
+  for (const Case& c : PlannedCases(config).stored().cases) {
+    EXPECT_EQ(c.neighbour_friction, c.neighbour_over_mu * c.friction);
+    EXPECT_NEAR(c.neighbour_over_mu, 1.0, 0.2);
+    ratios.insert(c.neighbour_over_mu);
+  }
+  EXPECT_EQ(ratios.size(), config.sampling.samples);  // the same for every listed friction
 }
 
 // -- orientations

@@ -189,6 +189,20 @@ TEST(design_life, slip_to_either_side_partly_cancels) {
   EXPECT_GT(run.life[2].median_m.value, run.life[1].median_m.value);
 }
 
+// Two samples whose orientations are mirrored: each life keeps one, so that all its slip is to one
+// side. A Poisson number of mean 20: median 20, 95th percentile 28 (cumulative 0.559, 0.966).
+TEST(design_life, keeps_the_orientation_of_a_sample) {
+  ByHand study(1, 2, {1.0, 1000.0}, {0.3});
+  study.hazard(20.0 / 50.0, 2.0, 50.0);
+  study.slide(0, 0.0, 0.1);
+  HistoryFields& f = study.results.histories.fields;
+  for (std::size_t level = 0; level < 2; ++level)
+    f.residual_across_m[study.results.histories.at(0, 1, level)] = -0.1;
+  const HazardRun run = study.run();
+  EXPECT_NEAR(run.life[1].median_m.value, 2.0, 1e-12);
+  EXPECT_NEAR(run.life[1].p95_m.value, 2.8, 1e-12);
+}
+
 TEST(design_life, without_residuals_every_peak_counts_as_slip_down_the_slope) {
   ByHand study(2, 1, {1.0, 1000.0}, {0.3});
   study.hazard(3.0 / 50.0, 2.0, 50.0);

@@ -208,12 +208,13 @@ TEST(execute_two_axes, gives_the_slip_of_the_full_model_by_the_study_s_measure) 
   EXPECT_EQ(vector.peak_vector_m, srss.fields.peak_vector_m);
 }
 
-TEST(execute_two_axes, gives_the_closing_of_the_gaps_to_a_neighbour_and_changes_nothing_else) {
+void expect_closing_by_hand(NeighbourSlope slope) {
   StudyConfig config = two_axis_config();
   const HistoryTable alone = test::run(small_plan(config)).histories;
   EXPECT_TRUE(alone.fields.closing_along_m.empty());
   config.quantities.at("friction", "neighbour_mu") =
       drawn(TruncatedNormal{0.4, 0.05, 0.0, INFINITY});
+  config.neighbour_slope = slope;
   const Plan plan = small_plan(config);
   HistoryTable table = test::run(plan).histories;
   int close = 0;
@@ -224,6 +225,7 @@ TEST(execute_two_axes, gives_the_closing_of_the_gaps_to_a_neighbour_and_changes_
     TwoAxisBlock neighbour = by_hand.block;
     neighbour.friction = {c.neighbour_friction,
                           c.neighbour_friction / c.friction * c.friction_across};
+    if (slope == NeighbourSlope::facing) neighbour.azimuth_rad += std::numbers::pi;
     const PlanVector expected = closing_on_building(by_hand.ground, by_hand.factors,
                                                     by_hand.building, by_hand.block, neighbour);
     const std::size_t at = table.at(record, i, level);
@@ -235,6 +237,23 @@ TEST(execute_two_axes, gives_the_closing_of_the_gaps_to_a_neighbour_and_changes_
   table.fields.closing_along_m.clear();
   table.fields.closing_across_m.clear();
   EXPECT_EQ(test::bits_of(table), test::bits_of(alone));
+}
+
+TEST(execute_two_axes, gives_the_closing_of_the_gaps_to_a_neighbour_and_changes_nothing_else) {
+  expect_closing_by_hand(NeighbourSlope::same);
+}
+
+TEST(execute_two_axes, gives_the_closing_of_the_gaps_across_a_valley_and_changes_nothing_else) {
+  expect_closing_by_hand(NeighbourSlope::facing);
+}
+
+TEST(execute_two_axes, on_a_flat_roof_a_facing_neighbour_is_one_on_the_same_slope) {
+  StudyConfig config = two_axis_config();
+  config.quantities.at("roof", "slope_deg") = fixed(0.0);
+  config.quantities.at("friction", "neighbour_mu") = fixed(0.2);
+  const HistoryTable same = test::run(small_plan(config)).histories;
+  config.neighbour_slope = NeighbourSlope::facing;
+  EXPECT_EQ(test::bits_of(test::run(small_plan(config)).histories), test::bits_of(same));
 }
 
 TEST(execute_two_axes, a_neighbour_of_equal_friction_never_comes_closer) {
@@ -267,7 +286,9 @@ std::vector<StudyConfig> study_of_each_kernel() {
   full.quantities.at("building", "mass_ratio") = fixed(0.1);
   full.quantities.at("friction", "neighbour_mu") = drawn(Uniform{0.1, 0.4});
   events.quantities.at("friction", "static_over_sliding") = fixed(1.2);
-  std::vector<StudyConfig> all{tables, coupled, events, full};
+  StudyConfig valley = full;
+  valley.neighbour_slope = NeighbourSlope::facing;
+  std::vector<StudyConfig> all{tables, coupled, events, full, valley};
   for (StudyConfig& config : all) {
     config.sampling.samples = 6;
     config.intensity.levels = {0.02, 0.2, 1.0};
@@ -297,8 +318,7 @@ TEST(execute_any_model, a_threshold_is_crossed_where_the_peak_is_beyond_it) {
     const Plan plan = small_plan(config);
     const HistoryTable table = test::run(plan).histories;
     const HistoryFields& fields = table.fields;
-    const std::vector<double>& peaks =
-        config.two_axes() ? fields.peak_vector_m : fields.peak_displacement_m;
+    const auto& peaks = config.two_axes() ? fields.peak_vector_m : fields.peak_displacement_m;
     int crossed = 0;
     for_each_history(table, [&](std::size_t record, std::size_t i, std::size_t level) {
       const std::size_t place = table.at(record, i, level);

@@ -10,6 +10,13 @@ namespace {
 
 using test::states;
 
+std::vector<std::string> warnings_on(const Results& r, const StudyConfig& config) {
+  std::vector<std::string> warnings = remarks_on_run(r, config).warnings;
+  for (std::string& text : remarks_on_analyses(r, config).warnings)
+    warnings.push_back(std::move(text));
+  return warnings;
+}
+
 /// One run of two thresholds with these tests of the lognormal.
 Results tested(const GoodnessOfFit& first, const GoodnessOfFit& second) {
   Results r;
@@ -45,9 +52,9 @@ TEST(results_notes, say_how_far_the_suite_is_scaled) {
   spectra.to_target = {{1.0, 1.9}, {1.5, 0.2}};
   r.suites = {{"suite", "of four", "", spectra}};
   StudyConfig config;
-  EXPECT_THAT(notes_on(r, config).at(0), testing::Not(states("scaled_to_s")));
+  EXPECT_THAT(remarks_on_run(r, config).notes.at(0), testing::Not(states("scaled_to_s")));
   config.intensity.scaled_to_s = 3.0;
-  EXPECT_THAT(notes_on(r, config).at(0), states("3 s", "scaled_to_s"));
+  EXPECT_THAT(remarks_on_run(r, config).notes.at(0), states("3 s", "scaled_to_s"));
 }
 
 TEST(results_warnings, of_annual_rates_that_rest_on_shaking_above_the_levels) {

@@ -184,6 +184,11 @@ TEST(verdict, has_the_four_separations_and_between_arrays_those_of_neighbours) {
   EXPECT_EQ(both.separations[1].dbe.probability, 0.0);
   EXPECT_DOUBLE_EQ(both.separations[1].mce.probability, 0.1);
   EXPECT_EQ(both.separations[1].mce.period_s, 1.0);
+
+  for (Case& c : made.results.cases.cases) c.neighbour_slope = NeighbourSlope::facing;
+  const VerdictResults valley = VerdictAnalysis::find(made.config, made.results);
+  EXPECT_THAT(valley.separations[0].what, testing::HasSubstr("facing slopes"));
+  EXPECT_DOUBLE_EQ(valley.separations[1].mce.probability, 0.1);
 }
 
 TEST(verdict, finds_levels_to_rounding) {

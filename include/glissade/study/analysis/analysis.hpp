@@ -14,12 +14,14 @@
 // and, where it needs them, of
 //   keeps      a field of the histories (KeptFields) that is kept for it
 //   check      what it needs of the suites and of the model, as problems
-//   plan_warnings, plan_notes  on what would be run
+//   plan_warnings, plan_notes  on what would be run: of its Plan, or, where the analysis can be
+//              added to finished results, of its StudyOutline
 //   warnings, notes            on the results
 namespace glissade {
 
 class ProblemList;
 struct Plan;
+struct StudyOutline;
 struct StudyConfig;
 struct Results;
 struct AnalysisInFiles;

@@ -98,7 +98,8 @@ struct HazardResults {
   std::vector<double> intensity, intensity_rate;  ///< its points
   double design_life_years = 0.0;
   double beyond_rate = 0.0;       ///< annual rate of shaking above the highest level
-  bool residual_vectors = false;  ///< kept; else every peak counts as slip down the slope
+  bool residual_vectors = false;  ///< kept (two axes); else every peak counts as slip down the
+                                  ///< slope
   std::vector<HazardRun> runs;    ///< as Results::runs
 };
 
@@ -118,9 +119,8 @@ struct HazardAnalysis {
   };
   /// From the fragility runs and the histories.
   static HazardResults find(const StudyConfig& study, const Results& results);
-  static constexpr auto keeps = &KeptFields::by_axis;
-  static std::vector<std::string> plan_warnings(const Plan& plan);
-  static std::vector<std::string> plan_notes(const Plan& plan);
+  static std::vector<std::string> plan_warnings(const StudyOutline& study);
+  static std::vector<std::string> plan_notes(const StudyOutline& study);
   static std::vector<std::string> warnings(const Results& results, const StudyConfig& study);
   static AnalysisInFiles in_files();
   static AnalysisReport in_report();

@@ -35,7 +35,7 @@ struct StandardsAnalysis {
     StandardsConfig standards;
   };
   struct InResults {};
-  static std::vector<std::string> plan_notes(const Plan& plan);
+  static std::vector<std::string> plan_notes(const StudyOutline& study);
   static AnalysisInFiles in_files();
   static AnalysisReport in_report();
 };

@@ -17,6 +17,12 @@ enum class ArraySupport {
   no_array,
 };
 
+/// Where a second array stands.
+enum class NeighbourSlope {
+  same,    ///< on the slope of the first, below it or beside it
+  facing,  ///< on one that falls toward it, across a valley
+};
+
 enum class VerticalChoice { none, if_available, required };
 
 /// Which friction of a drawn one: that of the sample, or mean - 2 std (Walters et al. 2012).
@@ -28,6 +34,8 @@ struct Case {
   double friction_across = 0.5;     ///< across it; counts on two axes only
   double neighbour_friction = 0.0;  ///< two axes: of a second array on the same roof, with the same
                                     ///< ratio of both axes; 0: there is none
+  double neighbour_over_mu = 0.0;   ///< its friction over that of the first, where that is stated
+  NeighbourSlope neighbour_slope = NeighbourSlope::same;
   FrictionLaw law;
   double slope_deg = 0.0;     ///< falls toward the building's first axis; < 0: the other way
   double azimuth_deg = 0.0;   ///< two axes: from the building's first axis to where the roof falls

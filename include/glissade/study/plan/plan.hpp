@@ -66,7 +66,9 @@ struct Plan : PlanLists {
   // Of rank 0 only:
   std::vector<std::string> warnings;  ///< what is possible and not probable: first in every output
   std::vector<std::string> notes;     ///< remarks that belong to the results
-  std::vector<Skip> skips;            ///< what the study does not need and is not run
+  /// So many of them, the first, are of what is run; the others of what analyses would make of it.
+  std::size_t warnings_of_run = 0, notes_of_run = 0;
+  std::vector<Skip> skips;  ///< what the study does not need and is not run
   /// A line for each motion and each target of the suites: name, then a hash of the numbers.
   std::string motions_text;
   std::string hash;  ///< of everything that decides the results; on every rank

@@ -35,7 +35,7 @@ enum class Depth { levels, thresholds, levels_and_thresholds };
 
 /// Which fields a study keeps, beside those that every study has.
 struct KeptFields {
-  bool vector = false, by_axis = false, closing = false, base_shear = false, tips = false,
+  bool two_axes = false, by_axis = false, closing = false, base_shear = false, tips = false,
        crossings = false;
   explicit KeptFields(const StudyConfig& config);
   bool has(const auto& field) const { return field.kept_with == nullptr || this->*field.kept_with; }
@@ -63,19 +63,19 @@ void for_each_history_field(Visit visit) {
                "(stop_at_largest), or not converged",
                Depth::levels, &HistoryFields::peak_displacement_m});
   visit(Number{"peak_vector_m", "m", "two axes: longest displacement vector in plan", Depth::levels,
-               &HistoryFields::peak_vector_m, &KeptFields::vector});
+               &HistoryFields::peak_vector_m, &KeptFields::two_axes});
   visit(Number{"peak_along_m", "m", "two axes: largest |displacement| along the slope",
                Depth::levels, &HistoryFields::peak_along_m, &KeptFields::by_axis});
   visit(Number{"peak_across_m", "m", "two axes: largest |displacement| across the slope",
                Depth::levels, &HistoryFields::peak_across_m, &KeptFields::by_axis});
   visit(Number{"residual_along_m", "m", "two axes: where it comes to rest, positive down the slope",
-               Depth::levels, &HistoryFields::residual_along_m, &KeptFields::by_axis});
+               Depth::levels, &HistoryFields::residual_along_m, &KeptFields::two_axes});
   visit(Number{"residual_across_m", "m", "two axes: the same across the slope", Depth::levels,
-               &HistoryFields::residual_across_m, &KeptFields::by_axis});
-  visit(
-      Number{"closing_along_m", "m",
-             "by how much the gap to a neighbour below closes at most, in plan; inf: not converged",
-             Depth::levels, &HistoryFields::closing_along_m, &KeptFields::closing});
+               &HistoryFields::residual_across_m, &KeptFields::two_axes});
+  visit(Number{"closing_along_m", "m",
+               "by how much the gap to a neighbour below, or across a valley, closes at most, in "
+               "plan; inf: not converged",
+               Depth::levels, &HistoryFields::closing_along_m, &KeptFields::closing});
   visit(Number{"closing_across_m", "m", "the same of a neighbour across the slope", Depth::levels,
                &HistoryFields::closing_across_m, &KeptFields::closing});
   visit(Number{"shear_along", "-",

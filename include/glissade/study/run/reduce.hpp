@@ -16,9 +16,10 @@ Results reduce(const Plan& plan, HistoryTable histories,
 Results reduce(const Plan& plan, const std::vector<UnitResult>& units);
 
 /// Finished results with the analyses of `study`, which names the same histories (or, with a
-/// sampling.target_error, those and more). Warnings and notes
-/// stay, and new ones are added.
+/// sampling.target_error, those and more): those of a run of it, with its warnings and notes.
 void analyse_again(StudyConfig study, Results& results);
+/// What that run would have skipped, of what the run of the results did.
+std::vector<Skip> skipped_again(const StudyConfig& study, const std::vector<Skip>& skips);
 
 /// What the plan left out, and what the units did not need to do.
 std::vector<Skip> skipped(const Plan& plan, const WorkCount& count);

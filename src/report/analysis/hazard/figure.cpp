@@ -125,9 +125,11 @@ Figure life_figure(const Results& results) {
       counts_of(results) + "; " + run_name(results, results.runs[shown]) + "; hazard curve " +
           curve_name(hazard),
       "The array is not returned to its initial position. Accumulated: residual displacements add "
-      "up as vectors. "
-      "Lines end where shaking above the highest level decides, or at one life in a thousand. "
-      "Numbers: tables/design_life_distribution.csv."};
+      "up as vectors. " +
+          std::string(kept_over_life) +
+          " "
+          "Lines end where shaking above the highest level decides, or at one life in a thousand. "
+          "Numbers: tables/design_life_distribution.csv."};
   figure.panels.push_back(std::move(panel));
   figure.labels_at_lines = true;
   return figure;

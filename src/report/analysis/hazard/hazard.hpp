@@ -18,6 +18,9 @@ std::string rate_text(double annual_rate);
 std::string curve_name(const HazardResults& hazard);
 /// What slip over a design life assumes.
 inline constexpr auto not_returned = "the array not returned to its initial position";
+inline constexpr auto kept_over_life =
+    "The record of each earthquake is drawn; friction, slope, building and orientation (which "
+    "component acts along the slope, with which signs) are those of one sample for the whole life.";
 /// "25 years".
 std::string life_text(const HazardResults& hazard);
 

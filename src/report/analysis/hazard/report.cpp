@@ -114,9 +114,8 @@ std::vector<std::string> life_sentences(const Results& results, const HazardRun&
                         length_or_none(far.p95_m)));
   if (!hazard.residual_vectors)
     all.push_back(
-        "These results have no residual displacements (those of one axis, and those run without "
-        "[hazard], have none): every peak counts as slip down the slope, which is more than adds "
-        "up.");
+        "These results have no residual displacements (those of one axis, and of earlier versions, "
+        "have none): every peak counts as slip down the slope, which is more than adds up.");
   const double beyond = probability_in(hazard.design_life_years, hazard.beyond_rate);
   if (beyond > 0.01)
     all.push_back(fmt::format(
@@ -171,11 +170,11 @@ Html section(const Results& results) {
          (standards.rows.empty() ? Html() : wide_table(without_run_key(results, standards))) +
          heading("Slip over " + life_text(hazard)) +
          paragraph(
-             "Earthquakes are a Poisson process with the rates of the hazard curve. Each has a "
-             "record drawn from all; friction, slope and building are those of one sample for the "
-             "whole life. Residual displacements add up as vectors; what slides down the slope "
-             "adds up, the rest partly cancels. The array is not damaged, and is not returned to "
-             "its initial position.") +
+             "Earthquakes are a Poisson process with the rates of the hazard curve. Residual "
+             "displacements add up as vectors: what slides down the slope adds up, while slip of "
+             "different records across it partly cancels. A record that comes twice in a life "
+             "moves the array the same way both times. The array is not damaged, and is not "
+             "returned to its initial position.") +
          wide_table(without_run_key(results, shown_design_life_table(results))) +
          paragraph("The rate of every displacement: tables/hazard_curve.csv.");
 }

@@ -157,7 +157,8 @@ Table life_distribution_table(const Results& results) {
                text_column("quantity", "Slip"),
                {"probability", "", "Share of the lives", ColumnKind::share},
                {"displacement", "m", "Displacement, m (in)", ColumnKind::length}},
-              {}};
+              {},
+              {kept_over_life}};
   for (const HazardRun& run : results.hazard->runs)
     for (const LifeQuantile& row : run.life_distribution)
       table.add({run.label, quantity_name(row.quantity), row.probability, row.displacement_m});
@@ -186,10 +187,11 @@ Table shown_design_life_table(const Results& results) {
     table.add(std::move(row));
   }
   table.notes = {"The medians are " +
-                 (median_m == 0.0        ? "all 0"
-                  : std::isinf(median_m) ? "in part beyond the levels"
-                                         : "at most " + format_length(median_m)) +
-                 "; they and the 84th percentiles: tables/design_life.csv."};
+                     (median_m == 0.0        ? "all 0"
+                      : std::isinf(median_m) ? "in part beyond the levels"
+                                             : "at most " + format_length(median_m)) +
+                     "; they and the 84th percentiles: tables/design_life.csv.",
+                 kept_over_life};
   return with_listed(results, table);
 }
 
@@ -202,7 +204,8 @@ Table design_life_table(const Results& results) {
                {"median", "m", "Median, m (in) [95 %, m]", ColumnKind::length, true},
                {"p84", "m", "84th percentile, m (in) [95 %, m]", ColumnKind::length, true},
                {"p95", "m", "95th percentile, m (in) [95 %, m]", ColumnKind::length, true}},
-              {}};
+              {},
+              {kept_over_life}};
   for (const HazardRun& run : results.hazard->runs) {
     for (const LifeDisplacement& row : run.life)
       table.add({run.label, quantity_name(row.quantity), row.median_m, row.p84_m, row.p95_m});

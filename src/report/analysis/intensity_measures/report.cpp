@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -12,8 +13,12 @@
 namespace glissade {
 namespace {
 
-std::string with_dispersion(const RankedMeasure& row) {
-  return fmt::format("{} ({:.3g} [{}])", row.name, row.dispersion.value,
+/// With the names of all that are equal to it.
+std::string with_dispersion(const Ranking& ranking, const RankedMeasure& row) {
+  std::vector<std::string> names;
+  for (const RankedMeasure& other : ranking)
+    if (other.dispersion.value == row.dispersion.value) names.push_back(other.name);
+  return fmt::format("{} ({:.3g} [{}])", fmt::join(names, " = "), row.dispersion.value,
                      format_interval(row.dispersion.interval));
 }
 
@@ -26,8 +31,8 @@ std::vector<std::string> sentences(const Results& results) {
         "Intensity measures, slip of {}: the dispersion of ln capacity between records is smallest "
         "in {}, which ranks first in {} of the resamples of the records, and largest in {}. {} "
         "of {} measures depend on magnitude or distance (p < {:g}).",
-        format_length(first.threshold_m), with_dispersion(first),
-        format_share(first.smallest_share), with_dispersion(ranking.back()),
+        format_length(first.threshold_m), with_dispersion(ranking, first),
+        format_share(first.smallest_share), with_dispersion(ranking, ranking.back()),
         std::count_if(ranking.begin(), ranking.end(), is_insufficient), ranking.size(),
         significant_p));
   }

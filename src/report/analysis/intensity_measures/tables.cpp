@@ -56,9 +56,13 @@ Table intensity_measures_table(const Results& results) {
                row.smallest_share, row.magnitude_slope, row.magnitude_p, row.distance_slope,
                row.distance_p, static_cast<double>(row.censored_records)});
   table.notes = {
-      "Ranks first in: that share of the resamples of the records. p: that the slope of ln "
-      "capacity on "
-      "magnitude or ln distance is 0; below 0.05 the measure is not sufficient."};
+      "Ranks first in: that share of the resamples of the records; equal measures do so together. "
+      "Ties: where intervals overlap and none ranks first in nearly all resamples, these records "
+      "do not tell which measure is better.",
+      "A and B: the dispersion in A that is left when the ratio of B to A (or the duration) is "
+      "known too.",
+      "p: that the slope of ln capacity on magnitude or ln distance is 0; below 0.05 the measure "
+      "is not sufficient."};
   return with_listed(results, table);
 }
 

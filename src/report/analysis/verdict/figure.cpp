@@ -54,31 +54,66 @@ class Abscissa {
   Axis axis_;
 };
 
-/// A displacement with its interval, over the prescribed one.
-struct RatioLine {
+/// Of one friction, with intervals.
+struct FrictionLine {
   DataSeries line, bars;
 
-  RatioLine(const Look& look, const std::string& name, const std::string& label)
-      : line{DataSeries::Kind::line_and_points, look, name, label},
-        bars{DataSeries::Kind::bars, look, name + ", 95 % interval"} {
+  FrictionLine(double mu, std::size_t i, std::size_t count)
+      : line{DataSeries::Kind::line_and_points, family_look(i, count),
+             fmt::format("friction {:.3g}", mu), fmt::format("{:.3g}", mu)},
+        bars{DataSeries::Kind::bars, line.look, line.name + ", 95 % interval"} {
     bars.look.width = 1.2;
   }
   /// Of arrays that differ in something else the largest is drawn.
-  void add(double x, const VerdictRow& row) {
+  void add(double x, double y, const Interval& interval) {
     const auto at = static_cast<std::size_t>(std::ranges::find(line.x, x) - line.x.begin());
-    const double y = height(row.displacement_m.front(), row);
     if (at == line.x.size()) {
       line.add(x, -1e9);
       bars.add(x, {-1e9, -1e9});
     }
     if (y <= line.y[at]) return;
     line.y[at] = y;
-    bars.low[at] = height(row.displacement_interval.front().low, row);
-    // Without an upper end: down from the point.
-    const double high_m = row.displacement_interval.front().high;
-    bars.high[at] = std::isinf(high_m) ? y : height(high_m, row);
+    bars.low[at] = interval.low;
+    bars.high[at] = interval.high;
+  }
+  void draw_in(Panel& panel) {
+    panel.series.push_back(std::move(bars));
+    panel.series.push_back(std::move(line));
   }
 };
+
+/// A displacement over the prescribed one. Without an upper end its interval is down from the
+/// point.
+Interval interval_of_ratio(const VerdictRow& row) {
+  const auto [low_m, high_m] = row.displacement_interval.front();
+  return {height(low_m, row),
+          height(std::isinf(high_m) ? row.displacement_m.front() : high_m, row)};
+}
+
+/// The slopes and frictions that are drawn.
+struct PanelsAndLines {
+  std::vector<double> slopes, frictions;
+
+  explicit PanelsAndLines(const VerdictResults& verdict) {
+    std::set<double> all_slopes, all_frictions;
+    for (const VerdictRow& row : verdict.rows) {
+      all_slopes.insert(row.slope_deg);
+      all_frictions.insert(row.mu);
+    }
+    slopes = some_of(all_slopes, most_panels);
+    frictions = some_of(all_frictions, most_lines);
+  }
+};
+
+/// The rows of one standard, friction and slope.
+template <class Add>
+void for_rows_of(const VerdictResults& verdict, Standard standard, double mu, double slope_deg,
+                 Add add) {
+  for (std::size_t i = 0; i < verdict.rows.size(); ++i) {
+    const VerdictRow& row = verdict.rows[i];
+    if (row.standard == standard && row.mu == mu && row.slope_deg == slope_deg) add(i, row);
+  }
+}
 
 /// What the other standards prescribe over what this one does.
 std::vector<DataSeries> other_standards(const VerdictResults& verdict, Standard standard,
@@ -115,12 +150,7 @@ bool has_upper_ends(const VerdictResults& verdict) {
 Figure verdict_figure(const Results& results) {
   const VerdictResults& verdict = *results.verdict;
   const Standard standard = verdict.rows.back().standard;
-  std::set<double> slopes, frictions;
-  for (const VerdictRow& row : verdict.rows) {
-    slopes.insert(row.slope_deg);
-    frictions.insert(row.mu);
-  }
-  const std::vector<double> shown = some_of(frictions, most_lines);
+  const PanelsAndLines shown(verdict);
   const double accepted = 100.0 * verdict.exceedance.front();
   Figure figure{
       "verdict",
@@ -145,20 +175,19 @@ Figure verdict_figure(const Results& results) {
   const std::vector<DataSeries> others = other_standards(verdict, standard, abscissa);
   for (const DataSeries& other : others) figure.below += "; dotted: " + other.name;
   double highest = std::log10(2.0);
-  for (const double slope : some_of(slopes, most_panels)) {
+  for (const double slope : shown.slopes) {
     Panel panel{fmt::format("slope {:.3g} degrees", slope), abscissa.axis(), {}};
     panel.series = others;
-    for (std::size_t i = 0; i < shown.size(); ++i) {
-      RatioLine ratio(family_look(i, shown.size()), fmt::format("friction {:.3g}", shown[i]),
-                      fmt::format("{:.3g}", shown[i]));
-      for (const VerdictRow& row : verdict.rows) {
-        if (row.standard == standard && row.mu == shown[i] && row.slope_deg == slope)
-          ratio.add(abscissa.of(row), row);
-      }
+    for (std::size_t i = 0; i < shown.frictions.size(); ++i) {
+      FrictionLine ratio(shown.frictions[i], i, shown.frictions.size());
+      for_rows_of(verdict, standard, shown.frictions[i], slope,
+                  [&](std::size_t, const VerdictRow& row) {
+                    ratio.add(abscissa.of(row), height(row.displacement_m.front(), row),
+                              interval_of_ratio(row));
+                  });
       for (const double top : ratio.bars.high)
         if (std::isfinite(top)) highest = std::max(highest, top + 0.05);
-      panel.series.push_back(std::move(ratio.bars));
-      panel.series.push_back(std::move(ratio.line));
+      ratio.draw_in(panel);
     }
     panel.rules.push_back({Rule::Kind::horizontal, 0.0, look(Role::prescribed), ""});
     figure.panels.push_back(std::move(panel));
@@ -166,6 +195,47 @@ Figure verdict_figure(const Results& results) {
   for (Panel& panel : figure.panels)
     panel.y = log_axis("Ratio to the prescribed value", std::log10(least_ratio), highest,
                        [](double ratio) { return fmt::format("{:g}", ratio); }, {1.0, 2.0, 5.0});
+  figure.labels_at_lines = true;
+  return figure;
+}
+
+Figure verdict_separations_figure(const Results& results) {
+  const VerdictResults& verdict = *results.verdict;
+  const Standard standard = verdict.rows.back().standard;
+  const PanelsAndLines shown(verdict);
+  const double accepted = 100.0 * verdict.exceedance.front();
+  Figure figure{
+      "verdict_separations",
+      fmt::format("Probability at DBE that a gap of half the displacement of {} closes",
+                  standard_name(standard)),
+      results.suites.front().name + ", " + counts_of(results) + "; arrays " +
+          neighbours_text(results) +
+          "; the governing building period; at the lines: friction; bars: 95 % over records",
+      fmt::format(
+          "At the lines: coefficient of friction of the array; that of its neighbour is drawn "
+          "(study). The larger of the gaps along and across the slope. Horizontal line: {:g} %. "
+          "All frictions, slopes and separations: tables/verdict_separations.csv.",
+          accepted)};
+  const Abscissa abscissa(results);
+  for (const double slope : shown.slopes) {
+    Panel panel{fmt::format("slope {:.3g} degrees", slope),
+                abscissa.axis(),
+                {"Probability (%)", 0.0, 100.0}};
+    for (std::size_t i = 0; i < shown.frictions.size(); ++i) {
+      FrictionLine probability(shown.frictions[i], i, shown.frictions.size());
+      for_rows_of(verdict, standard, shown.frictions[i], slope,
+                  [&](std::size_t at, const VerdictRow& row) {
+                    const VerdictSeparation* gap = governing_of(separations_of(verdict, at), 0.5);
+                    if (gap == nullptr) return;
+                    const Interval& interval = gap->dbe.interval;
+                    probability.add(abscissa.of(row), 100.0 * gap->dbe.probability,
+                                    {100.0 * interval.low, 100.0 * interval.high});
+                  });
+      probability.draw_in(panel);
+    }
+    panel.rules.push_back({Rule::Kind::horizontal, accepted, look(Role::prescribed), ""});
+    figure.panels.push_back(std::move(panel));
+  }
   figure.labels_at_lines = true;
   return figure;
 }

@@ -25,6 +25,9 @@ const VerdictSeparation* governing_of(std::span<const VerdictSeparation> separat
 /// "friction 0.4, slope 3 degrees"
 std::string kind_text(const VerdictRow& row);
 
+/// Where two arrays stand: "on one slope".
+std::string neighbours_text(const Results& results);
+
 /// R of the building; 0: it stays elastic.
 double response_modification(const Results& results, const VerdictRow& row);
 
@@ -40,5 +43,7 @@ Table verdict_separations_summary_table(const Results& results);
 
 /// The displacement with the accepted probability over the prescribed one, by S_DS.
 Figure verdict_figure(const Results& results);
+/// The probability that two arrays need more than their separation, by S_DS.
+Figure verdict_separations_figure(const Results& results);
 
 }  // namespace glissade

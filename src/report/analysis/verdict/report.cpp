@@ -79,17 +79,18 @@ Shortfall shortfall(const VerdictResults& verdict, double factor, Counts counts)
 
 /// Of the separations that are not the prescribed displacement itself.
 template <class Counts>
-std::string separations_sentence(const VerdictResults& verdict, Standard standard,
+std::string separations_sentence(const Results& results, Standard standard,
                                  const std::string& where, Counts counts) {
+  const VerdictResults& verdict = *results.verdict;
   const Shortfall edge = shortfall(verdict, 2.0, counts), arrays = shortfall(verdict, 0.5, counts);
   if (edge.rows == 0) return "";
   const std::string accepted = fmt::format("{:g} %", 100.0 * verdict.exceedance.front());
   std::string text = fmt::format("{}, {}: ", standard_name(standard), where);
   if (arrays.rows > 0)
     text += fmt::format(
-        "two similar arrays, each with a friction of its own, close a gap of half the prescribed "
-        "displacement with more than {} probability at DBE in {}; ",
-        accepted, arrays.words(verdict));
+        "two similar arrays {}, each with a friction of its own, close a gap of half the "
+        "prescribed displacement with more than {} probability at DBE in {}; ",
+        neighbours_text(results), accepted, arrays.words(verdict));
   return text + fmt::format(
                     "twice the prescribed displacement is exceeded with more than {} probability "
                     "at DBE in {}.",
@@ -162,7 +163,7 @@ std::vector<std::string> sentences(const Results& results) {
         where += strengths.front() == 0.0 ? ", elastic buildings"
                                           : fmt::format(", R = {:g}", strengths.front());
       texts.push_back(sentence(verdict, standard, where, t));
-      texts.push_back(separations_sentence(verdict, standard, where, counts));
+      texts.push_back(separations_sentence(results, standard, where, counts));
     }
   }
   for (std::size_t i = 1; i < strengths.size(); ++i) {
@@ -183,7 +184,12 @@ std::vector<Table> tables(const Results& results) {
           verdict_separations_summary_table(results), verdict_separations_table(results)};
 }
 
-std::vector<Figure> figures(const Results& results) { return {verdict_figure(results)}; }
+std::vector<Figure> figures(const Results& results) {
+  std::vector<Figure> all = {verdict_figure(results)};
+  if (governing_of(results.verdict->separations, 0.5) != nullptr)
+    all.push_back(verdict_separations_figure(results));
+  return all;
+}
 
 Html section(const Results& results) {
   return heading("Prescribed displacements: exceeded, sufficient or conservative") +

@@ -85,6 +85,12 @@ std::string kind_text(const VerdictRow& row) {
   return fmt::format("friction {:.3g}, slope {:.3g} degrees", row.mu, row.slope_deg);
 }
 
+std::string neighbours_text(const Results& results) {
+  return results.cases.cases.front().neighbour_slope == NeighbourSlope::same
+             ? "on one slope"
+             : "on two slopes that fall towards each other";
+}
+
 double response_modification(const Results& results, const VerdictRow& row) {
   return results.cases.cases[row.first_case].response_modification;
 }
@@ -245,10 +251,11 @@ Table verdict_separations_summary_table(const Results& results) {
     }
     table.add(std::move(cells));
   }
-  table.notes = {
-      "0.5: between similar arrays, each with a friction of its own, the larger of the gaps along "
-      "and across the slope. 1: to a fixed object or an edge with a parapet. 2: to an edge "
-      "without. Two arrays move under the same motion, each as if it were alone on the building."};
+  table.notes = {fmt::format(
+      "0.5: between similar arrays {}, each with a friction of its own, the larger of the gaps "
+      "along and across the slope. 1: to a fixed object or an edge with a parapet. 2: to an edge "
+      "without. Two arrays move under the same motion, each as if it were alone on the building.",
+      neighbours_text(results))};
   return table;
 }
 

@@ -4,17 +4,17 @@
 #include <algorithm>
 
 #include "glissade/motion/improbable.hpp"
-#include "glissade/study/plan/plan.hpp"
 #include "glissade/study/results.hpp"
 #include "plan/length_unit.hpp"
+#include "plan/plan_notes.hpp"
 
 namespace glissade {
 
 /// Levels beyond the ends of the curve, and a curve that does not fit the design spectra.
-std::vector<std::string> HazardAnalysis::plan_warnings(const Plan& plan) {
-  if (!plan.config.hazard) return {};
-  const IntensityConfig& intensity = plan.config.intensity;
-  const HazardCurve& curve = plan.config.hazard->curve;
+std::vector<std::string> HazardAnalysis::plan_warnings(const StudyOutline& study) {
+  if (!study.config.hazard) return {};
+  const IntensityConfig& intensity = study.config.intensity;
+  const HazardCurve& curve = study.config.hazard->curve;
   std::vector<std::string> warnings;
   const double from = curve.points().front().intensity, to = curve.points().back().intensity;
   if (!curve.is_power_law() && (intensity.levels.front() < from || intensity.levels.back() > to))
@@ -22,23 +22,18 @@ std::vector<std::string> HazardAnalysis::plan_warnings(const Plan& plan) {
         fmt::format("the hazard curve goes from {:g} to {:g}, the levels from {:g} to {:g}: beyond "
                     "its ends the rates are extrapolated",
                     from, to, intensity.levels.front(), intensity.levels.back()));
-  if (!intensity.measure.is_of_design_spectrum()) return warnings;
-  for (std::size_t suite = 0; suite < plan.suites.size(); ++suite) {
-    const DesignTarget* target = plan.target_of(suite);
-    if (target == nullptr) continue;
-    const bool by_sds = intensity.measure == IntensityMeasure::sds_g;
-    const double mce = by_sds ? mce_over_dbe * TargetSpectrum(*target).sds_g() : 1.0;
-    const std::string text = improbable_mce_rate(
-        curve.annual_rate(mce), by_sds ? fmt::format("S_MS, {:.3g} g,", mce) : "the MCE");
-    if (!text.empty() && std::ranges::find(warnings, text) == warnings.end())
-      warnings.push_back(text);
-  }
+  if (study.mce_level == 0.0) return warnings;
+  const bool by_sds = intensity.measure == IntensityMeasure::sds_g;
+  const std::string text =
+      improbable_mce_rate(curve.annual_rate(study.mce_level),
+                          by_sds ? fmt::format("S_MS, {:.3g} g,", study.mce_level) : "the MCE");
+  if (!text.empty()) warnings.push_back(text);
   return warnings;
 }
 
 /// A curve that is no site's.
-std::vector<std::string> HazardAnalysis::plan_notes(const Plan& plan) {
-  const std::optional<HazardConfig>& hazard = plan.config.hazard;
+std::vector<std::string> HazardAnalysis::plan_notes(const StudyOutline& study) {
+  const std::optional<HazardConfig>& hazard = study.config.hazard;
   if (!hazard || !hazard->is_assumed) return {};
   return {"hazard curve " + hazard->source +
           " (1 % collapse in 50 years, 10 % at MCE, log_std 0.6: ASCE 7-16, 21.2.1.2, recalled): "
