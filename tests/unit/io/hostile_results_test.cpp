@@ -169,6 +169,17 @@ TEST_F(HostileResults, whose_sensitivity_has_no_capacity_are_refused) {
   EXPECT_EQ(misfit_in(results), "capacity");
 }
 
+TEST_F(HostileResults, one_of_whose_runs_lacks_a_standard_are_reported) {
+  Results results = with_all();
+  results.runs[1].first_case = results.runs[0].first_case;  // of one friction value
+  results.runs[1].cases = results.runs[0].cases;
+  results.runs[1].standards.clear();
+  ASSERT_FALSE(results.runs[0].standards.empty());
+  write_results(file_, results);
+  take_outcome();
+  EXPECT_EQ(outcomes_.reported, 1);
+}
+
 /// A side of a dataset is one longer, and all its values are zero.
 bool put_longer(hid_t file, const std::string& name, int side) {
   const hid_t set = H5Dopen2(file, name.c_str(), H5P_DEFAULT);

@@ -103,6 +103,7 @@ std::string slip_sentence(const Results& results, const SlipStatistics& slip) {
 const RunResults& most_exceeding(const Results& results, std::size_t row) {
   return results.runs[run_of_largest(results, [&](std::size_t i) {
     const RunResults& run = results.runs[i];
+    if (row >= run.standards.size()) return std::pair(-1.0, 0.0);  // a file may lack them
     const StandardComparison& comparison = run.standards[row];
     const auto slip = std::ranges::find(run.slip, comparison.sds_g, &SlipStatistics::level);
     return std::pair(comparison.exceedance_probability, slip != run.slip.end() ? slip->p95_m : 0.0);
