@@ -108,6 +108,7 @@ struct GroundLanes {
 struct TileMaximum {
   Vector largest, last;
   double before = 0.0;
+  TileMaximum() : largest(hn::Zero(Doubles())), last(largest) {}
   void Begin() { largest = hn::Zero(Doubles()); }
   void Add(Vector v) {
     last = v;
@@ -123,6 +124,7 @@ float Rounded(double most) { return static_cast<float>(most * (1.0 + 0x1p-20)); 
 
 struct ResponseMaxima {
   TileMaximum amplitude, resisting, x_size;
+  ResponseMaxima() { Begin(); }
   void Begin() {
     amplitude.Begin();
     resisting.Begin();
@@ -149,6 +151,7 @@ struct ResponseMaxima {
 struct LineExtremes {
   hn::Vec<Floats> lowest, highest;
   TileMaximum change;
+  LineExtremes() { Begin(); }
   void Begin() {
     lowest = hn::Set(Floats(), HUGE_VALF);
     highest = hn::Neg(lowest);

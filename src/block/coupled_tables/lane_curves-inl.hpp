@@ -84,7 +84,7 @@ HWY_INLINE Growth GrowthAfter(const LaneTables& tables, const Regime& r, V t) {
                 turn = Series(hn::Neg(b * b), tables.turn_terms);
   const V decayed = decay.even - a * decay.odd;  // exp(-a) - 1 + a
   const V shrunk = decayed - a, sine = b + b * turn.odd;
-  Growth g;
+  Growth g{};
   g.minus_line.re = decayed + (Number(1.0) + shrunk) * turn.even;
   g.minus_line.im = b * turn.odd + shrunk * sine;
   g.minus_one = {g.minus_line.re - a, g.minus_line.im + b};
@@ -164,7 +164,7 @@ HWY_INLINE Growth After(const Growth& g, Complex q) {
       Number(1.0 / 3.0) * (q.im + Number(0.5) * (q.re * q.im))};
   const Complex more = (q * half) * third;
   const Complex turned = g.minus_one * q, grown = g.power * more;
-  Growth after;
+  Growth after{};
   after.minus_line = {g.minus_line.re + (turned.re + grown.re),
                       g.minus_line.im + (turned.im + grown.im)};
   after.minus_one = {g.minus_one.re + (q.re + (turned.re + grown.re)),
@@ -235,7 +235,16 @@ struct PieceMotion {
 
   HWY_INLINE PieceMotion(const LaneTables& of, const Regime& regime, const Ground& linear,
                          V x_begin, V y_begin, V speed_begin)
-      : tables(of), r(regime), ground(linear), x(x_begin), y(y_begin), speed(speed_begin) {
+      : tables(of),
+        r(regime),
+        ground(linear),
+        x(x_begin),
+        y(y_begin),
+        speed(speed_begin),
+        z{},
+        sigma_z{},
+        sigma2_z{},
+        jerk{} {
     rise = r.mass * ground.a_rise + r.weight * ground.gravity_rise;
     x_forced = r.lag * rise - (r.mass * ground.a + r.weight * ground.gravity);
     y_forced = hn::Neg(rise * r.per_angle);
@@ -268,7 +277,7 @@ struct PieceMotion {
   /// A line of the roof's acceleration and g + w.
   HWY_INLINE Curve Drive(V per_a, V per_w, const RoofInstant& begin, const RoofInstant& end,
                          V length) const {
-    Curve f;
+    Curve f{};
     f.begin = per_a * begin.a + per_w * ground.gravity;
     f.end = per_a * end.a + per_w * (ground.gravity + length * ground.gravity_rise);
     f.begin_slope = length * (per_a * begin.a_rate + per_w * ground.gravity_rise);
@@ -281,7 +290,7 @@ struct PieceMotion {
   /// Minus the speed: its rate is line 1.
   HWY_INLINE Curve MinusSpeed(const Curve& drive, const Growth& growth, V length) const {
     const V dt = Number(tables.step_s);
-    Curve f;
+    Curve f{};
     f.begin = hn::Neg(speed);
     f.c_1 = dt * (r.a_1 * ground.a + r.w_1 * ground.gravity);
     f.c_2 = (Number(0.5) * dt) * drive.c_1;
@@ -295,7 +304,7 @@ struct PieceMotion {
   HWY_INLINE Curve Spring(V per_x, V per_y, V c, const RoofInstant& begin, const RoofInstant& end,
                           V length) const {
     const V forced = ground.a_rise * length, rate = r.angle * length;
-    Curve f;
+    Curve f{};
     f.begin = per_x * x + per_y * y + c;
     f.end = per_x * end.x + per_y * end.y + c;
     f.begin_slope = rate * (per_x * y + per_y * (begin.a - ground.a));

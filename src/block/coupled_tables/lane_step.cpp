@@ -114,7 +114,7 @@ HWY_INLINE NodeValues ValuesAt(const GroundNode* nodes, const std::int64_t* node
     const std::int64_t i = node[k] + ahead;
     here[k] = nodes[i < last ? i : last];
   }
-  NodeValues v;
+  NodeValues v{};
   hn::LoadInterleaved4(d, &here[0].acceleration_mps2, v.acceleration, v.velocity, v.displacement,
                        v.displacement_low);
   return v;
@@ -124,7 +124,7 @@ struct Ends {
   NodeValues a, a_next, w, w_next;
 };
 HWY_INLINE Ends EndsOf(const LaneTables& tables, const std::int64_t* node) {
-  Ends e;
+  Ends e{};
   e.a = e.w = ValuesAt(tables.ground, node, 0, tables.quiet);
   e.a_next = e.w_next = ValuesAt(tables.ground, node, 1, tables.quiet);
   if (tables.vertical != nullptr) {
@@ -222,7 +222,7 @@ HWY_INLINE Ground GroundAt(const LaneTables& tables, const Ends& ends, V intensi
                            V tau) {
   const V factor = intensity * Number(tables.sign), gravity = Number(tables.gravity_mps2);
   const V a = factor * ends.a.acceleration;
-  Ground g;
+  Ground g{};
   g.a_rise = factor * ends.a_next.acceleration - a;
   g.a = a + tau * g.a_rise;
   g.gravity = gravity;
@@ -273,7 +273,9 @@ struct LaneVector {
         length(rows(lanes.length)),
         slides(hn::Or(regimes.Down(), regimes.Up())),
         starts(hn::Gt(rows(lanes.starts), hn::Zero(Doubles()))),
-        yielding(regimes.Yielding()) {
+        yielding(regimes.Yielding()),
+        now{},
+        ground{} {
     side = unloads = highest = lowest = hn::Zero(Doubles());
     if constexpr (yields) {
       side = rows(lanes.side);

@@ -64,14 +64,14 @@ class ImplicitSeries : public RoofSeries<roof, cubic, roof == RoofKind::rigid ? 
     });
     const Velocity known{v_s[0] + f * sum_s, v_y[0] + f * sum_y};
     const V tau = Number(S::at[i]) * f, n = Polynomial(weight, tau);
-    Braking by = braking[i];
-    const Velocity v =
-        Braked<anew>(known, t, Polynomial(p_s, tau), Polynomial(p_y, tau), n, negligible, by);
+    V sigma = stage_sigma[i], lambda = stage_lambda[i];
+    const Velocity v = Braked<anew>(known, t, Polynomial(p_s, tau), Polynomial(p_y, tau), n,
+                                    negligible, sigma, lambda);
     const auto set = [&](V& value, V next) GLISSADE_INLINE_LAMBDA {
       value = anew ? next : hn::IfThenElse(again, next, value);
     };
-    set(braking[i].sigma, by.sigma);
-    set(braking[i].lambda, by.lambda);
+    set(stage_sigma[i], sigma);
+    set(stage_lambda[i], lambda);
     set(rate_s[i], (v.s - known.s) * per_t);
     set(rate_y[i], (v.y - known.y) * per_t);
     if constexpr (i + 1 == S::stages) {
@@ -144,10 +144,7 @@ class ImplicitSeries : public RoofSeries<roof, cubic, roof == RoofKind::rigid ? 
   }
 
   /// Where the iteration of a stage has ended.
-  struct Braking {
-    V sigma, lambda;
-  };
-  Braking braking[Sdirk4::stages];
+  V stage_sigma[Sdirk4::stages], stage_lambda[Sdirk4::stages];
 
   /// The velocity v with v = known + t (p - n M e), t = length, M v = |M v| e, by which the roof is
   /// accelerated too; zero where friction holds the block. With A v = q - lambda M e and sigma = |M
@@ -155,10 +152,10 @@ class ImplicitSeries : public RoofSeries<roof, cubic, roof == RoofKind::rigid ? 
   ///   v_s = q_s sigma / (A_s sigma + lambda),   v_y = q_y sigma / (A_y sigma + lambda aspect^2)
   /// sigma is the root of |M v| / sigma = 1, by Newton's method on its inverse (ImplicitEllipse);
   /// lambda = t n follows.
-  /// @param by if not `anew`, to begin with
+  /// @param end_sigma,end_lambda if not `anew`, to begin with
   template <bool anew>
   HWY_INLINE Velocity Braked(Velocity known, V length, V load_s, V load_y, V n, V small,
-                             Braking& by) const {
+                             V& end_sigma, V& end_lambda) const {
     const V zero = hn::Zero(Doubles()), one = Number(1.0);
     const V a_s = coupled ? c.kappa() : one, a_y = coupled ? c.per_mass() : one;
     const V first_lambda = hn::Max(length * n, zero);  // where v_s = known_s
@@ -181,20 +178,20 @@ class ImplicitSeries : public RoofSeries<roof, cubic, roof == RoofKind::rigid ? 
     if constexpr (anew) {
       const V weight_s = q_s * q_s, weight_y = forced * forced, weights = weight_s + weight_y;
       const V size = hn::Sqrt(weights);
-      by.lambda = first_lambda;
+      end_lambda = first_lambda;
       if constexpr (coupled) {
         // To the first order in what is not the same in both directions.
-        by.sigma =
+        end_sigma =
             hn::Max(zero, hn::Div(size * weights - first_lambda * (weight_s + square * weight_y),
                                   a_s * weight_s + a_y * weight_y));
       } else {
-        by.sigma = hn::Max(zero, size - first_lambda);  // exact on a circle
+        end_sigma = hn::Max(zero, size - first_lambda);  // exact on a circle
         inexact = hn::And(slides, hn::Ne(c.aspect(), one));
       }
     }
     constexpr int iterations = 12;
     for (int i = 0; i < iterations && !hn::AllFalse(Doubles(), inexact); ++i) {
-      const V d_s = a_s * by.sigma + by.lambda, d_y = a_y * by.sigma + by.lambda * square;
+      const V d_s = a_s * end_sigma + end_lambda, d_y = a_y * end_sigma + end_lambda * square;
       const V per = hn::Div(one, d_s * d_y), inverse_s = per * d_y, inverse_y = per * d_s;
       const V x_s = q_s * inverse_s, x_y = forced * inverse_y;
       const V square_s = x_s * x_s, square_y = x_y * x_y, size2 = square_s + square_y;
@@ -206,18 +203,18 @@ class ImplicitSeries : public RoofSeries<roof, cubic, roof == RoofKind::rigid ? 
       if constexpr (coupled) {
         const V per_lambda = square_s * inverse_s + square * (square_y * inverse_y);
         const V coupled_x = coupling * x_s;
-        feedback = coupled_x * (by.sigma * inverse_s);
-        follows = (hn::Max(zero, lambda_0 - coupled_x * by.sigma) - by.lambda) * (one + feedback);
-        lambda_slope = (zero - coupled_x * (inverse_s * by.lambda)) * (one + feedback);
+        feedback = coupled_x * (end_sigma * inverse_s);
+        follows = (hn::Max(zero, lambda_0 - coupled_x * end_sigma) - end_lambda) * (one + feedback);
+        lambda_slope = (zero - coupled_x * (inverse_s * end_lambda)) * (one + feedback);
         gain = gain - (size2 + Number(3.0)) * (per_lambda * follows);
         slope = slope + per_lambda * lambda_slope;
       }
       const V moves = hn::Div(gain, (size2 + Number(3.0)) * slope);
-      const V next = hn::Max(zero, by.sigma + moves);
-      by.sigma = hn::IfThenElse(inexact, next, by.sigma);
+      const V next = hn::Max(zero, end_sigma + moves);
+      end_sigma = hn::IfThenElse(inexact, next, end_sigma);
       if constexpr (coupled)
-        by.lambda = hn::IfThenElse(
-            inexact, hn::Max(zero, by.lambda + (follows + lambda_slope * moves)), by.lambda);
+        end_lambda = hn::IfThenElse(
+            inexact, hn::Max(zero, end_lambda + (follows + lambda_slope * moves)), end_lambda);
       // What is left falls with the square of the change, and of what differs by direction.
       const V differs = a_s * d_y - a_y * d_s, both = a_s * d_y + a_y * d_s;
       const V left = (hn::Abs(moves) + hn::Abs(follows)) * differs;
@@ -226,8 +223,8 @@ class ImplicitSeries : public RoofSeries<roof, cubic, roof == RoofKind::rigid ? 
         goes_on = hn::Or(goes_on, hn::Gt((feedback * feedback) * hn::Abs(follows), small));
       inexact = hn::And(inexact, goes_on);
     }
-    const V d_s = a_s * by.sigma + by.lambda, d_y = a_y * by.sigma + by.lambda * square;
-    const V by_s = q_s * d_y, by_y = q_y * d_s, per = hn::Div(by.sigma, d_s * d_y);
+    const V d_s = a_s * end_sigma + end_lambda, d_y = a_y * end_sigma + end_lambda * square;
+    const V by_s = q_s * d_y, by_y = q_y * d_s, per = hn::Div(end_sigma, d_s * d_y);
     return {hn::IfThenElseZero(slides, by_s * per), hn::IfThenElseZero(slides, by_y * per)};
   }
 
@@ -247,8 +244,8 @@ class ImplicitSeries : public RoofSeries<roof, cubic, roof == RoofKind::rigid ? 
     V y = p_y[0] - brakes * (c.aspect() * e_y);
     if constexpr (coupled) y = y * c.per_kappa_y();
     if (HWY_UNLIKELY(!hn::AllFalse(Doubles(), rests))) {
-      const Velocity start =
-          Braked<true>({zero, zero}, one, p_s[0], p_y[0], weight[0], zero, braking[0]);
+      const Velocity start = Braked<true>({zero, zero}, one, p_s[0], p_y[0], weight[0], zero,
+                                          stage_sigma[0], stage_lambda[0]);
       s = hn::IfThenElse(rests, start.s, s);
       y = hn::IfThenElse(rests, start.y, y);
     }

@@ -93,20 +93,23 @@ HWY_INLINE LaneInterval LoadInterval(const LaneStates& lanes, const GroundRows& 
                                      const LaneMotion<Row>& m) {
   const Doubles d;
   const Indices di;
-  LaneInterval i;
-  i.node = hn::Load(di, lanes.node + first);
-  i.next = hn::Add(i.node, hn::Set(di, std::int64_t{1}));
-  i.before = hn::RebindMask(d, hn::Lt(i.node, hn::Set(di, ground.limit)));
-  const auto at = hn::ShiftLeft<2>(hn::Min(i.next, hn::Set(di, ground.last)));
-  i.end_1 = c.factor_1() * hn::GatherIndex(d, ground.nodes, at);
-  i.end_2 = c.factor_2() * hn::GatherIndex(d, ground.nodes + 1, at);
-  i.end_w = m.w();
-  if (ground.vertical) i.end_w = c.factor_w() * hn::GatherIndex(d, ground.nodes + 2, at);
-  i.ground_1 = {m.ground_1(), i.end_1 - m.ground_1()};
-  i.ground_2 = {m.ground_2(), i.end_2 - m.ground_2()};
-  i.up = {m.w(), i.end_w - m.w()};
-  i.h = Number(ground.dt_s) * m.left();
-  return i;
+  const auto node = hn::Load(di, lanes.node + first);
+  const auto next = hn::Add(node, hn::Set(di, std::int64_t{1}));
+  const auto at = hn::ShiftLeft<2>(hn::Min(next, hn::Set(di, ground.last)));
+  const V end_1 = c.factor_1() * hn::GatherIndex(d, ground.nodes, at);
+  const V end_2 = c.factor_2() * hn::GatherIndex(d, ground.nodes + 1, at);
+  V end_w = m.w();
+  if (ground.vertical) end_w = c.factor_w() * hn::GatherIndex(d, ground.nodes + 2, at);
+  return {node,
+          next,
+          hn::RebindMask(d, hn::Lt(node, hn::Set(di, ground.limit))),
+          end_1,
+          end_2,
+          end_w,
+          {m.ground_1(), end_1 - m.ground_1()},
+          {m.ground_2(), end_2 - m.ground_2()},
+          {m.w(), end_w - m.w()},
+          Number(ground.dt_s) * m.left()};
 }
 
 /// Where the block stops within what is left of the interval by a path known in closed form
@@ -310,7 +313,7 @@ HWY_INLINE Stepped TaylorStep(LaneStates& lanes, const GroundRows& ground, std::
   const LaneInterval i = LoadInterval(lanes, ground, first, c, m);
   const StepSeries<roof> z(c, m, i.ground_1, i.ground_2, i.up, i.h);
 
-  LaneMotion<V> to;
+  LaneMotion<V> to{};
   to.fastest = hn::Max(m.fastest(), z.speed[0]);
   const V f = StepFraction(z, Number(series_share) * c.tolerance() * to.fastest);
   to.path = m.path() + (i.h * f) * z.speed[0];
@@ -412,7 +415,7 @@ class ImplicitStep {
   HWY_INLINE Stepped Finish(LaneStates& lanes, const GroundRows& ground) {
     const Doubles d;
     const V zero = hn::Zero(d);
-    LaneMotion<V> to;
+    LaneMotion<V> to{};
     to.v_s = z.end_s;
     to.v_y = z.end_y;
     const V end_speed = z.Length(z.end_s, z.end_y);
