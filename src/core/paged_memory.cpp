@@ -30,7 +30,9 @@ void* map_pages(const std::filesystem::path& folder, std::size_t bytes) {
   OutputFile file(open_unnamed(folder), folder);
   // Else a full disk would end the process when a page is written.
   file.reserve(bytes);
-  const int full = ::posix_fallocate(file.descriptor(), 0, static_cast<off_t>(bytes));
+  int full = EINTR;
+  while (full == EINTR)  // a signal to stop the run
+    full = ::posix_fallocate(file.descriptor(), 0, static_cast<off_t>(bytes));
   if (full != 0) throw_io_error(folder, "cannot take the pages of the histories", full);
   void* pages = ::mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_SHARED, file.descriptor(), 0);
   if (pages == MAP_FAILED) throw std::bad_alloc();

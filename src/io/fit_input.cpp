@@ -32,7 +32,8 @@ CountsInput read_counts(const std::filesystem::path& file) {
     if (std::string trouble = trouble_with(stripe); !trouble.empty()) return {trouble};
     const auto [first, is_new] = line_of.emplace(std::pair(stripe.intensity, row.record), row.line);
     if (!is_new && !row.has_weight)
-      return {fmt::format("this im is already on line {}: add the counts up", first->second)};
+      return {fmt::format("this im is already on line {}: add the counts up", first->second), "",
+              "again"};
     counts.has = {row.has_record, row.has_weight};
     counts.rows.push_back({stripe, row.weight, row.record});
     return {};

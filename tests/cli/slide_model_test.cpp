@@ -144,6 +144,7 @@ TEST_F(SlideModel, text_names_the_model_and_both_axes) {
 TEST_F(SlideModel, each_bad_input_gets_one_clear_message) {
   expect_refused(run({"--mass-ratio", "-0.1"}), {"--mass-ratio: -0.1", "must be 0 to 1"});
   expect_refused(run({"--mass-ratio", "1.5"}), {"--mass-ratio: 1.5", "must be 0 to 1"});
+  expect_refused(run({"--neighbour-over-mu", "0.8"}), {"--neighbour-over-mu"});
   expect_refused(run({"--azimuth-deg", "20"}), {"--azimuth-deg: needs --second"});
   expect_refused(run({"--across-mu", "0.3"}), {"--across-mu: needs --second"});
   expect_refused(run({"--second", second_, "--across-mu", "0"}),

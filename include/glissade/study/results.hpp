@@ -29,7 +29,7 @@ struct RecordSummary {
   std::uint64_t samples = 0;
   bool has_second = false, has_vertical = false;
   std::uint64_t stronger = 0;  ///< the component with the larger integral of a^2: 0 or 1
-  /// As recorded, geometric means of the horizontals; NaN or empty in files of earlier versions.
+  /// As recorded, geometric means of the horizontals; NaN or empty where not known.
   double arias_mps = std::numeric_limits<double>::quiet_NaN();
   std::vector<double> sa_g, roof_velocity_mps;  ///< 5 % damped, at Results::record_periods_s
 };

@@ -174,8 +174,9 @@ void check_study(const Plan& plan, const fs::path& out, bool overwrite) {
   fmt::print("{}", to_string(plan));
   fmt::print("time        roughly {:.0f} s on one core\n", std::ceil(plan.predicted_seconds()));
   fmt::print(
-      "results     at most {:.1f} MB in results.h5; as much in the journals until then, and\n"
-      "            in the first rank's memory, or on the disk where memory is short\n",
+      "results     about {:.1f} MB of histories before compression in results.h5; as much in\n"
+      "            the journals until then, and in the first rank's memory, or on the disk\n"
+      "            where memory is short\n",
       bytes_of(plan.config, plan.records.size(), plan.cases.size()) / 1e6);
   std::fflush(stdout);
   check_run_folder(out, overwrite);
@@ -246,11 +247,14 @@ void run_study(RunOptions options, const Communicator& world) {
       check_parts(parts, identity);
       stopped.lock = take_run_folder(out, plan, identity, options.overwrite, parts);
     }
+  });
+  const RunFolderGuard guard(options.dry_run ? fs::path() : out, world);
+  on_root(world, [&] {
+    if (options.dry_run) return;
     done.emplace(plan, out);
     if (!options.resume.empty() || !parts.empty())
       read_earlier_units(parts.empty() ? "Resumed" : "Merged", out, identity, plan, *done);
   });
-  const RunFolderGuard guard(options.dry_run ? fs::path() : out, world);
   clock.end_phase("plan");
   if (options.dry_run) return;
 

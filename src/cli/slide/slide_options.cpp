@@ -27,7 +27,8 @@ std::string option_of(const Parameter& p) {
 
 /// One array on one record: no neighbour, and no design spectrum that R would divide.
 bool is_option(const Parameter& p) {
-  return !is(p, "friction", "neighbour_mu") && !is(p, "building", "response_modification");
+  return !is(p, "friction", "neighbour_mu") && !is(p, "friction", "neighbour_over_mu") &&
+         !is(p, "building", "response_modification");
 }
 
 /// A coefficient of friction may be one that no roof has, for comparison with closed forms.

@@ -32,7 +32,8 @@ using Stored = std::conditional_t<std::is_same_v<T, bool>, std::uint8_t, T>;
 /// Reading makes as many rows as the dataset has, which is one of theirs; all must then fit.
 template <class Archive, class Rows>
 void make_rows(const Archive& archive, const std::string& name, Rows& rows, std::size_t rank = 1) {
-  if constexpr (Archive::reads) rows.resize(archive.row_count(name, rank));
+  if constexpr (Archive::reads)
+    rows.resize(archive.row_count(name, rank, sizeof(typename Rows::value_type)));
 }
 
 /// Whether `values` are as many as the rows.

@@ -149,19 +149,20 @@ void write_chunks(hid_t dataset, const DatasetShape& shape, std::span<const std:
 
 void expect_chunks(hid_t dataset, const DatasetShape& shape, std::uintmax_t file_size,
                    const std::string& name) {
+  const std::string cut_otherwise = "read the dataset " + name + ", which is cut in another way";
+  if (!is_chunked(shape)) throw Hdf5Error(cut_otherwise);
   const Hdf5Handle creation(H5Dget_create_plist(dataset), H5Pclose, "read the dataset " + name);
   const int rank = static_cast<int>(shape.dims.size());
   const Cut cut(shape);
   Dims chunk(shape.dims.size());
-  bool is_ours = is_chunked(shape) && H5Pget_chunk(creation, rank, chunk.data()) == rank &&
-                 chunk == cut.chunk() &&
+  bool is_ours = H5Pget_chunk(creation, rank, chunk.data()) == rank && chunk == cut.chunk() &&
                  H5Pget_nfilters(creation) == static_cast<int>(filters.size());
   for (unsigned k = 0; is_ours && k < filters.size(); ++k) {
     std::size_t values = 0;
     is_ours =
         H5Pget_filter2(creation, k, nullptr, &values, nullptr, 0, nullptr, nullptr) == filters[k];
   }
-  if (!is_ours) throw Hdf5Error("read the dataset " + name + ", which is cut in another way");
+  if (!is_ours) throw Hdf5Error(cut_otherwise);
   const std::uintmax_t stored = std::min<std::uintmax_t>(H5Dget_storage_size(dataset), file_size);
   if (cut.count() > stored * most_inflated / cut.bytes() + 1)
     throw Hdf5Error("read the dataset " + name + ", which is larger than the file");

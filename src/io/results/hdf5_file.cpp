@@ -258,9 +258,14 @@ void Hdf5Reader::read(const Array& array, const std::string& name, const Dims& d
   read_chunks(array.dataset, {dims, array.value_bytes}, values, name);
 }
 
-std::size_t Hdf5Reader::row_count(const std::string& name, std::size_t rank) const {
+std::size_t Hdf5Reader::row_count(const std::string& name, std::size_t rank,
+                                  std::size_t row_bytes) const {
+  // A row's values differ from row to row, so that a few bytes of the file are of each.
+  constexpr std::size_t most_per_byte = 256, always = std::size_t{64} << 20;
   Dims dims(rank);
   open_array(name, dims);
+  if (dims.front() > (always + file_size_ * most_per_byte) / row_bytes)
+    throw Hdf5Error("read " + name + ", which has more rows than the file can have values for");
   return dims.front();
 }
 

@@ -73,7 +73,8 @@ class Hdf5Reader {
 
   Hdf5Reader group(const std::string& name) const;
   bool has(const std::string& name) const;
-  std::size_t row_count(const std::string& name, std::size_t rank) const;  ///< the first side
+  /// The first side; refused where so many rows need far more memory than the file has bytes.
+  std::size_t row_count(const std::string& name, std::size_t rank, std::size_t row_bytes) const;
   void attribute(const std::string& name, std::string& text) const;
   void attribute(const std::string& name, double& value) const;
   void attribute(const std::string& name, std::uint64_t& value) const;

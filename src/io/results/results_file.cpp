@@ -106,10 +106,9 @@ void check_histories(const Results& results) {
              "thresholds");
   expect_fit(f.peak_vector_m.size() == (slides_on_two_axes(results) ? size : 0), "peak_vector_m",
              "axes");
-  // Earlier versions kept residuals only with some analyses.
-  expect_fit(
-      whole_or_none(f.residual_along_m) && f.residual_along_m.size() == f.residual_across_m.size(),
-      "residual_along_m", "other displacements");
+  expect_fit(f.residual_along_m.size() == f.peak_vector_m.size() &&
+                 f.residual_across_m.size() == f.peak_vector_m.size(),
+             "residual_along_m", "axes");
   expect_fit(whole_or_none(f.peak_along_m) && f.peak_along_m.size() == f.peak_across_m.size() &&
                  f.peak_along_m.size() <= f.residual_along_m.size(),
              "peak_along_m", "other displacements");

@@ -218,11 +218,6 @@ void exchange_head(const Archive& archive, R& results) {
 template <class Archive, class R>
 void exchange_remarks_of_run(const Archive& archive, R& results) {
   std::vector<std::uint64_t> counts{results.warnings_of_run, results.notes_of_run};
-  if constexpr (Archive::reads) {
-    results.warnings_of_run = results.warnings.size();
-    results.notes_of_run = results.notes.size();
-    if (!archive.has("remarks_of_run")) return;  // written before they were told apart
-  }
   list(
       archive, "remarks_of_run",
       {"-", "how many warnings, and how many notes, are of the run: the first; others of analyses"},

@@ -58,7 +58,10 @@ class NumberFile {
   bool take_header(const std::string& where, std::string_view line, const Cells& names) {
     Cells wanted = names;
     const auto take = [&](std::string_view name) {
-      return beside_ == BesideNumbers::record_and_weight && std::erase(wanted, name) == 1;
+      if (beside_ != BesideNumbers::record_and_weight || std::ranges::count(names, name) != 1)
+        return false;
+      std::erase(wanted, name);
+      return true;
     };
     row_.has_record = take("record");
     row_.has_weight = take("weight");

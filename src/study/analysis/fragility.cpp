@@ -13,7 +13,6 @@
 #include "glissade/motion/improbable.hpp"
 #include "glissade/study/analysis/impact.hpp"
 #include "plan/length_unit.hpp"
-#include "plan/plan_warnings.hpp"
 
 namespace glissade {
 namespace {
@@ -180,7 +179,7 @@ std::vector<RunResults> FragilityAnalysis::find(const StudyConfig& config, const
 
 std::vector<std::string> FragilityAnalysis::plan_warnings(const Plan& plan) {
   if (!plan.config.fragility) return {};
-  std::vector<std::string> warnings = warnings_on_nearest_records(plan);
+  std::vector<std::string> warnings;
   const double largest_m = plan.config.thresholds_m().back();
   const UnitSystem units = plan.config.units;
   if (largest_m > largest_probable_clearance_m)

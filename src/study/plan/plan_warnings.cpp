@@ -154,10 +154,11 @@ Warnings motions(const Plan& plan) {
   return warnings;
 }
 
-}  // namespace
-
-std::vector<std::string> warnings_on_nearest_records(const Plan& plan) {
+/// Of analyses that give probabilities: they need the scatter between records, which is less in a
+/// suite of those nearest to a target.
+Warnings nearest_records(const Plan& plan) {
   Warnings warnings;
+  if (!plan.config.fragility && !plan.config.rare && !plan.config.verdict) return warnings;
   for (const Suite& suite : plan.suites) {
     if (suite.nearest_to_target)
       warnings.push_back(fmt::format(
@@ -170,11 +171,13 @@ std::vector<std::string> warnings_on_nearest_records(const Plan& plan) {
   return warnings;
 }
 
+}  // namespace
+
 std::vector<std::string> warnings_on(const Plan& plan) {
   std::vector<std::string> warnings;
   for (const auto warning : {without_target, one_axis, strong_levels, missed_targets, target_values,
                              improbable_buildings, low_friction, high_friction, free_sliding,
-                             other_targets, same_motions, motions}) {
+                             other_targets, same_motions, motions, nearest_records}) {
     for (std::string& text : warning(plan)) warnings.push_back(std::move(text));
   }
   for_each_analysis(Analyses(), [&](auto analysis) {

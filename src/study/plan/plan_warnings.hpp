@@ -12,8 +12,4 @@ namespace glissade {
 /// results wherever they are shown.
 std::vector<std::string> warnings_on(const Plan& plan);
 
-/// Of an analysis that gives probabilities: they need the scatter between records, which is less
-/// in a suite of those nearest to a target.
-std::vector<std::string> warnings_on_nearest_records(const Plan& plan);
-
 }  // namespace glissade

@@ -60,7 +60,7 @@ void analyse(AnalysisList<Analysis...>, const StudyConfig& study, Results& resul
     results.reached_target = reached_target(study, results.sampling_errors);
 }
 
-/// Each once: results of earlier versions do not tell which of theirs are of analyses.
+/// Each once.
 void append(const std::vector<std::string>& some, std::vector<std::string>& all) {
   for (const std::string& text : some)
     if (std::ranges::find(all, text) == all.end()) all.push_back(text);

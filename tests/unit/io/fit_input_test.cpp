@@ -44,6 +44,9 @@ TEST(counts_file, reports_every_wrong_row_with_its_line) {
 
 TEST(counts_file, needs_its_header_and_rows) {
   expect_refusals(counts, {{"0.2,40,1\n", "counts.csv:1", {"im,num_gms,num_exceed"}},
+                           {"record,record,im,num_gms,num_exceed\n1,2,0.2,40,1\n",
+                            "counts.csv:1",
+                            {"is not the header"}},
                            {"", "counts.csv", {}},
                            {"im,num_gms,num_exceed\n", "counts.csv", {}}});
 }

@@ -163,10 +163,34 @@ TEST(hdf5_chunks, of_another_cut_or_of_more_than_the_file_can_hold_are_refused) 
   };
   EXPECT_THAT(cut(1), test::states("x", "cut in another way"));
   EXPECT_THAT(cut(side), test::states("x", "cut in another way"));
+  const auto without_rows = [](hid_t file) {
+    const hsize_t none = 0, unlimited = H5S_UNLIMITED, chunk = 1;
+    const hid_t creation = H5Pcreate(H5P_DATASET_CREATE);
+    H5Pset_chunk(creation, 1, &chunk);
+    const hid_t space = H5Screate_simple(1, &none, &unlimited);
+    H5Dclose(H5Dcreate2(file, "x", H5T_IEEE_F64LE, space, H5P_DEFAULT, creation, H5P_DEFAULT));
+    H5Sclose(space);
+  };
+  EXPECT_THAT(refusal(without_rows), test::states("x", "cut in another way"));
   for (const hsize_t count : {hsize_t{1} << 24, hsize_t{1} << 40}) {
     const auto huge = [&](hid_t file) { H5Dclose(create_x(file, count, cut_as_ours(count))); };
     EXPECT_THAT(refusal(huge), test::states("x", "larger"));
   }
+}
+
+// All values the same, so that the file is small.
+TEST(hdf5_chunks, of_far_more_rows_than_the_file_has_bytes_are_refused) {
+  const TemporaryFolder folder;
+  const auto file = folder.path() / "a.h5";
+  write<double>(file, {side}, std::vector<double>(side));
+  const auto rows = [&](std::size_t row_bytes) {
+    std::size_t count = 0;
+    read_results_of(kind, file,
+                    [&](const Hdf5Reader& root) { count = root.row_count("x", 1, row_bytes); });
+    return count;
+  };
+  EXPECT_EQ(rows(sizeof(double)), side);
+  EXPECT_THAT(message_of([&] { rows(1 << 12); }), test::states("x", "more rows"));
 }
 
 }  // namespace

@@ -417,7 +417,7 @@ TEST(results_file, parts_that_do_not_fit_each_other_are_refused) {
               r.histories.fields.residual_along_m.clear();
               r.histories.fields.residual_across_m.clear();
             }),
-            "peak_along_m");
+            "residual_along_m");
   EXPECT_EQ(refusal([](Results& r) { r.histories.fields.closing_across_m.clear(); }),
             "closing_along_m");
   EXPECT_EQ(refusal([](Results& r) { r.histories.fields.shear_across.clear(); }), "shear_along");

@@ -48,7 +48,6 @@ struct RareAnalysis {
   };
   /// Precondition: config.rare.
   static RareResults find(const StudyConfig& study, const Results& results);
-  static std::vector<std::string> plan_warnings(const Plan& plan);
   static AnalysisInFiles in_files();
   static AnalysisReport in_report();
 };

@@ -103,9 +103,9 @@ Figure life_figure(const Results& results) {
   const HazardResults& hazard = *results.hazard;
   const std::size_t shown = governing_run(results);
   constexpr double least_share = 2e-4;  // room for the names of the lines below 0.1 %
-  const std::array names = {std::pair{LifeQuantity::single, "largest earthquake"},
-                            std::pair{LifeQuantity::accumulated, "accumulated at the end"},
-                            std::pair{LifeQuantity::farthest, "largest at any time"}};
+  const std::array names = {std::pair{LifeQuantity::single, "largest peak"},
+                            std::pair{LifeQuantity::accumulated, "accumulated"},
+                            std::pair{LifeQuantity::farthest, "largest distance"}};
   double right_m = 0.01;
   for (const LifeQuantile& row : hazard.runs[shown].life_distribution)
     if (std::isfinite(row.displacement_m)) right_m = std::max(right_m, row.displacement_m);
@@ -124,8 +124,9 @@ Figure life_figure(const Results& results) {
       "design_life", "Slip over " + life_text(hazard),
       counts_of(results) + "; " + run_name(results, results.runs[shown]) + "; hazard curve " +
           curve_name(hazard),
-      "The array is not returned to its initial position. Accumulated: residual displacements add "
-      "up as vectors. " +
+      "Largest peak: of one earthquake. Accumulated: at the end; residual displacements add up as "
+      "vectors, since the array is not returned to its initial position. Largest distance: from "
+      "there, at any time. " +
           std::string(kept_over_life) +
           " "
           "Lines end where shaking above the highest level decides, or at one life in a thousand. "

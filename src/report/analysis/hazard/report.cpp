@@ -114,7 +114,7 @@ std::vector<std::string> life_sentences(const Results& results, const HazardRun&
                         length_or_none(far.p95_m)));
   if (!hazard.residual_vectors)
     all.push_back(
-        "These results have no residual displacements (those of one axis, and of earlier versions, "
+        "These results have no residual displacements (those of one axis "
         "have none): every peak counts as slip down the slope, which is more than adds up.");
   const double beyond = probability_in(hazard.design_life_years, hazard.beyond_rate);
   if (beyond > 0.01)

@@ -10,7 +10,6 @@
 #include "glissade/sampling/importance.hpp"
 #include "glissade/study/cases/sample_points.hpp"
 #include "glissade/study/results.hpp"
-#include "plan/plan_warnings.hpp"
 
 namespace glissade {
 namespace {
@@ -94,10 +93,6 @@ RareResults RareAnalysis::find(const StudyConfig& config, const Results& results
     }
   }
   return found;
-}
-
-std::vector<std::string> RareAnalysis::plan_warnings(const Plan& plan) {
-  return plan.config.rare ? warnings_on_nearest_records(plan) : std::vector<std::string>{};
 }
 
 }  // namespace glissade
