@@ -12,6 +12,7 @@
 #include "glissade/fragility/share.hpp"
 #include "glissade/motion/improbable.hpp"
 #include "glissade/study/analysis/impact.hpp"
+#include "glissade/study/plan/plan.hpp"
 #include "plan/length_unit.hpp"
 
 namespace glissade {
