@@ -201,18 +201,6 @@ std::string share_with_interval(const Estimate& share) {
                      format_share(share.interval.low), format_share(share.interval.high));
 }
 
-std::vector<double> histories_at(const HistoryTable& histories, CaseSlice cases, std::size_t first,
-                                 std::size_t last, std::size_t level) {
-  std::vector<double> values;
-  for (std::size_t record = first; record < last; ++record) {
-    for (std::size_t i = 0; i < cases.count; ++i) {
-      const double slip_m = histories.displacement_m(record, cases.first + i, level);
-      if (!std::isnan(slip_m)) values.push_back(slip_m);
-    }
-  }
-  return values;
-}
-
 double largest(const std::vector<double>& values) {
   double found = 0.0;
   for (const double value : values)

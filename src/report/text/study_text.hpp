@@ -85,9 +85,6 @@ std::string capitalised(std::string text);
 /// "12 % [8.1 % to 17 %]"; an estimate below 0 counts as 0.
 std::string share_with_interval(const Estimate& share);
 
-/// The finite slips of records first <= i < last at a level, over all samples.
-std::vector<double> histories_at(const HistoryTable& histories, CaseSlice cases, std::size_t first,
-                                 std::size_t last, std::size_t level);
 /// The largest finite number, at least 0.
 double largest(const std::vector<double>& values);
 

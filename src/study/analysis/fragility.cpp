@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_invoke.h>
 
 #include <algorithm>
 #include <cmath>
@@ -144,21 +145,22 @@ RunResults fragility_of(const StudyConfig& config, const Results& results,
   for (std::size_t i = 0; i < band_points; ++i)
     run.band_intensities.push_back(levels.back() * static_cast<double>(i + 1) / band_points);
   run.fragilities.resize(results.thresholds_m.size());
-  tbb::parallel_for(std::size_t{0}, run.fragilities.size(), [&](std::size_t t) {
+  const auto fit = [&](std::size_t t) {
     run.fragilities[t] = fit_threshold(results, run, t, options);
-  });
-
+  };
   const std::vector<Standard>& standards = config.standards.compare;
   run.standards.resize(standards.size() * levels.size());
   run.slip.resize(levels.size());
-  tbb::parallel_for(std::size_t{0}, levels.size(), [&](std::size_t level) {
+  const auto describe_level = [&](std::size_t level) {
     const PooledLevel pooled = pooled_at(results.histories, slice_of(run), level);
     run.slip[level] = statistics_of(pooled, results, run, level, options);
     for (std::size_t s = 0; s < standards.size(); ++s) {
       run.standards[s * levels.size() + level] =
           compare(standards[s], levels[level], config.standards, pooled);
     }
-  });
+  };
+  tbb::parallel_invoke([&] { tbb::parallel_for(std::size_t{0}, run.fragilities.size(), fit); },
+                       [&] { tbb::parallel_for(std::size_t{0}, levels.size(), describe_level); });
   if (config.impact)
     run.impact =
         impact_statistics(results.histories, slice_of(run), levels, results.thresholds_m, options);

@@ -2,8 +2,10 @@
 #include "glissade/report/figures.hpp"
 
 #include <fmt/format.h>
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "glissade/core/quantile.hpp"
@@ -124,6 +126,29 @@ Figure fragility_figure(const Results& results, const RunResults& run) {
   return figure;
 }
 
+/// Slips in plan at a level.
+struct LevelSlips {
+  std::vector<double> record_medians_m;   // over the samples
+  std::array<double, 3> percentiles_m{};  // 16th, 50th and 84th, of all histories
+};
+
+LevelSlips slips_at(const HistoryTable& histories, CaseSlice cases, std::size_t level) {
+  LevelSlips found;
+  std::vector<double> all;
+  for (std::size_t record = 0; record < histories.records; ++record) {
+    std::vector<double> slips;
+    for (std::size_t i = 0; i < cases.count; ++i) {
+      const double slip_m = histories.displacement_m(record, cases.first + i, level);
+      if (!std::isnan(slip_m)) slips.push_back(slip_m);
+    }
+    all.insert(all.end(), slips.begin(), slips.end());
+    found.record_medians_m.push_back(quantile_of(std::move(slips), 0.5));
+  }
+  for (std::size_t k = 0; k < found.percentiles_m.size(); ++k)
+    found.percentiles_m[k] = quantile_of(all, std::array{0.16, 0.50, 0.84}[k]);
+  return found;
+}
+
 Figure ida_figure(const Results& results, const RunResults& run) {
   const HistoryTable& slip = results.histories;
   Figure figure{"ida", "Incremental dynamic analysis: slip at increasing intensity",
@@ -135,29 +160,26 @@ Figure ida_figure(const Results& results, const RunResults& run) {
                     run.friction_description + "."};
   DataSeries records{DataSeries::Kind::line, look(Role::record), "records",
                      "each record, median over its samples"};
+  std::vector<LevelSlips> slips(slip.levels);
+  tbb::parallel_for(std::size_t{0}, slip.levels, [&](std::size_t level) {
+    slips[level] = slips_at(slip, slice_of(run), level);
+  });
   for (std::size_t i = 0; i < slip.records; ++i) {
     for (std::size_t l = 0; l < slip.levels; ++l)
-      records.add(quantile_of(histories_at(slip, slice_of(run), i, i + 1, l), 0.5),
-                  results.levels.at(l));
+      records.add(slips[l].record_medians_m[i], results.levels.at(l));
     records.end_line();
   }
   Panel panel{"", {}, {results.intensity_label, 0.0, results.levels.back()}, {records}};
   double widest_m = results.thresholds_m.empty() ? 0.0 : results.thresholds_m.front();
-  struct Part {
-    double share;
-    Role role;
-    const char* label;
-  };
-  for (const Part& part :
-       {Part{0.16, Role::p16, "16th percentile"}, Part{0.50, Role::median, "median"},
-        Part{0.84, Role::p84, "84th percentile"}}) {
-    DataSeries series{DataSeries::Kind::line_and_points, look(part.role), part.label, part.label};
+  const std::array<Role, 3> roles = {Role::p16, Role::median, Role::p84};
+  const std::array<const char*, 3> labels = {"16th percentile", "median", "84th percentile"};
+  for (std::size_t k = 0; k < roles.size(); ++k) {
+    DataSeries series{DataSeries::Kind::line_and_points, look(roles[k]), labels[k], labels[k]};
     series.y = results.levels;
-    for (std::size_t l = 0; l < slip.levels; ++l) {
-      series.x.push_back(
-          quantile_of(histories_at(slip, slice_of(run), 0, slip.records, l), part.share));
+    for (const LevelSlips& level : slips) {
+      series.x.push_back(level.percentiles_m[k]);
       // Infinite: not run.
-      if (std::isfinite(series.x.back()) && part.share >= 0.5)
+      if (std::isfinite(series.x.back()) && roles[k] != Role::p16)
         widest_m = std::max(widest_m, series.x.back());
     }
     panel.series.push_back(std::move(series));
