@@ -32,7 +32,7 @@ void show(const Table& table, const std::filesystem::path& out) {
 
 /// Least, over the tries, of what run.json says.
 PredictedRun real_run(const std::filesystem::path& study, int ranks, int tries) {
-  PredictedRun least{INFINITY, INFINITY};
+  PredictedRun least{{}, INFINITY, INFINITY};
   for (int i = 0; i < tries; ++i) {
     const ScratchFolder folder;
     const std::string out = folder.path("run").string();
@@ -58,7 +58,9 @@ Table cost_table() {
            {"shared_time", "s", "Shared by the ranks, s"},
            {"longest_time", "s", "longest part, s"},
            text_column("longest", "its record"),
-           {"analyses_time", "s", "Analyses, shared on rank 0's machine, s"},
+           {"machine_time", "s", "Shared on rank 0's machine, s"},
+           {"analyses_time", "s", "of these the analyses, s"},
+           {"results_time", "s", "results.h5, s"},
            {"root_time", "s", "On rank 0 alone, s"},
            {"plan_time", "s", "of these the plan, s"},
            {"report_time", "s", "the report, s"},
@@ -70,8 +72,9 @@ void add_costs(const StudyCosts& c, Table& table) {
   double plan_parts_s = 0.0;
   for (const double s : c.plan_parts_s) plan_parts_s += s;
   table.add({c.name, c.histories, static_cast<double>(c.work_s.size() - c.motion_parts),
-             c.histories_s() + plan_parts_s, std::ranges::max(c.work_s), c.longest, c.analyses_s,
-             c.motions_s + c.plan_s + c.tail_s + c.report_s, c.plan_s, c.report_s,
+             c.histories_s() + plan_parts_s, std::ranges::max(c.work_s), c.longest,
+             c.motions_s + c.analyses_s + c.results_s, c.analyses_s, c.results_s,
+             c.plan_s + c.assembly_s + c.report_s, c.plan_s, c.report_s,
              c.result_bytes / c.histories});
 }
 
@@ -109,22 +112,28 @@ constexpr int least_log2 = 0, first_shown_log2 = 6, most_log2 = 14;
 struct Scaling {
   std::string name, label;
   std::vector<double> efficiency;  ///< by log2 of the ranks, from 0 on
+  std::vector<PredictedRun> runs;  ///< likewise
 };
 
 std::vector<Scaling> scalings(const StudyCosts& costs) {
-  std::vector<Scaling> all{{"strong", "samples of the study", {}},
-                           {"strong_1000", "1,000 × the samples", {}},
-                           {"weak", "samples × ranks", {}},
-                           {"tcp", "1,000 × the samples, TCP", {}},
-                           {"tcp_when_free", "same, not fetched ahead", {}}};
+  std::vector<Scaling> all{{"strong", "samples of the study", {}, {}},
+                           {"strong_1000", "1,000 × the samples", {}, {}},
+                           {"weak", "samples × ranks", {}, {}},
+                           {"tcp", "1,000 × the samples, TCP", {}, {}},
+                           {"tcp_when_free", "same, not fetched ahead", {}, {}}};
   const StudyCosts large = grown(costs, 1000.0);
   for (int log2 = least_log2; log2 <= most_log2; ++log2) {
     const int ranks = 1 << log2;
-    all[0].efficiency.push_back(efficiency(costs, ranks, fabric));
-    all[1].efficiency.push_back(efficiency(large, ranks, fabric));
-    all[2].efficiency.push_back(efficiency(grown(costs, ranks), ranks, fabric));
-    all[3].efficiency.push_back(efficiency(large, ranks, tcp));
-    all[4].efficiency.push_back(efficiency(large, ranks, tcp, Fetch::when_free));
+    const auto add = [&](Scaling& scaling, const StudyCosts& size, const Network& network,
+                         Fetch fetch = Fetch::ahead) {
+      scaling.efficiency.push_back(efficiency(size, ranks, network, fetch));
+      scaling.runs.push_back(predict(size, ranks, ranks, network, fetch));
+    };
+    add(all[0], costs, fabric);
+    add(all[1], large, fabric);
+    add(all[2], grown(costs, ranks), fabric);
+    add(all[3], large, tcp);
+    add(all[4], large, tcp, Fetch::when_free);
   }
   return all;
 }
@@ -138,7 +147,6 @@ Table scaling_table() {
     table.columns.push_back(
         {fmt::format("ranks_{}", 1 << log2), "", fmt::format("{}", 1 << log2), ColumnKind::share});
   }
-  table.columns.push_back({"last_above", "", "80 % up to, ranks", ColumnKind::count});
   return table;
 }
 
@@ -146,10 +154,31 @@ void add_scaling(const StudyCosts& costs, const Scaling& scaling, Table& table) 
   std::vector<Cell> row{costs.name, scaling.label};
   for (int log2 = first_shown_log2; log2 <= most_log2; log2 += 2)
     row.emplace_back(scaling.efficiency[static_cast<std::size_t>(log2)]);
-  int log2 = 0;
-  while (log2 < most_log2 && scaling.efficiency[static_cast<std::size_t>(log2 + 1)] >= 0.8) ++log2;
-  row.emplace_back(static_cast<double>(1 << log2));
   table.add(std::move(row));
+}
+
+Table loss_table() {
+  return {"losses",
+          "Where the simulated efficiency falls below 80 %",
+          {text_column("study", "Study"),
+           text_column("scaling", "Size of the study"),
+           {"ranks", "", "Ranks", ColumnKind::count},
+           {"efficiency", "", "Efficiency", ColumnKind::share},
+           {"total_time", "s", "All, s"},
+           text_column("largest_loss", "Largest loss"),
+           {"loss_time", "s", "its time beyond an equal share, s"}},
+          {}};
+}
+
+void add_loss(const StudyCosts& costs, const Scaling& scaling, Table& table) {
+  const auto below = std::ranges::find_if(scaling.efficiency, [](double e) { return e < 0.8; });
+  if (below == scaling.efficiency.end()) return;
+  const auto log2 = below - scaling.efficiency.begin();
+  const int ranks = 1 << log2;
+  const PredictedRun& run = scaling.runs[static_cast<std::size_t>(log2)];
+  const PredictedPhase loss = largest_loss(run, ranks);
+  table.add({costs.name, scaling.label, static_cast<double>(ranks), *below, run.total_s, loss.name,
+             loss.s - loss.one_core_s / ranks});
 }
 
 Panel panel(const StudyCosts& costs, const std::vector<Scaling>& all) {
@@ -194,7 +223,8 @@ int main(int argc, char** argv) try {
   CLI11_PARSE(program, argc, argv);
   std::filesystem::create_directories(out);
 
-  Table costs_of_all = cost_table(), checks = check_table(), scaling = scaling_table();
+  Table costs_of_all = cost_table(), checks = check_table(), scaling = scaling_table(),
+        losses = loss_table();
   Figure figure{.name = "scaling",
                 .title = "Efficiency over the number of ranks, simulated with measured costs",
                 .below = "one core's time over the time of all ranks",
@@ -206,12 +236,16 @@ int main(int argc, char** argv) try {
     add_costs(costs, costs_of_all);
     if (tries > 0 && mpirun_is_there()) check(study, costs, cores, tries, checks);
     const std::vector<Scaling> all = scalings(costs);
-    for (const Scaling& one : all) add_scaling(costs, one, scaling);
+    for (const Scaling& one : all) {
+      add_scaling(costs, one, scaling);
+      add_loss(costs, one, losses);
+    }
     figure.panels.push_back(panel(costs, all));
   }
   show(costs_of_all, out);
   if (!checks.rows.empty()) show(checks, out);
   show(scaling, out);
+  show(losses, out);
   render_figure(figure, out);
   return 0;
 } catch (const std::exception& error) {

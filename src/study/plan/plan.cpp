@@ -76,10 +76,10 @@ double record_us(const Plan& plan, std::size_t record) {
 
 /// Units of even predicted cost: some hundreds where the study (or a block of its samples) has that
 /// many cases, so that many ranks share even a small one, none so small that its message and its
-/// roofs cost more, and none so large that a run which is stopped or killed loses more than
-/// seconds.
+/// roofs cost more, and none so large that a run which is killed loses, or one that is stopped
+/// takes, more than half a second.
 void cut_units(Plan& plan) {
-  constexpr double least_us = 1000.0, most_us = 5e6;
+  constexpr double least_us = 1e3, most_us = 5e5;
   constexpr std::size_t roofs_at_once = 16;
   const std::size_t blocks = plan.config.sampling.blocks_in_turn().count;
   const bool makes_roofs = plan.kernel.kernel == Kernel::tables && !plan.roofs_are_kept;
