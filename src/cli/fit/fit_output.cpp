@@ -38,9 +38,11 @@ std::string size_text(FitStatus status) {
 
 std::vector<Finding> findings_of(const FitSummary& f) {
   const bool has_floor = f.curve.floor > 0.0;
+  const bool is_known = has_floor || !std::isnan(f.curve.median);
   return {{"median", "median", f.curve.median, f.median_interval},
           {"log_std", "log_std", f.curve.log_std, f.log_std_interval},
-          {"floor", has_floor ? "floor" : "", f.curve.floor, f.floor_interval},
+          {"floor", has_floor ? "floor" : "", is_known ? f.curve.floor : std::nan(""),
+           f.floor_interval},
           {"p50", has_floor ? "50 % of all at" : "", f.curve.intensity_at(0.5)},
           {"log_likelihood", "log likelihood", f.log_likelihood}};
 }
@@ -78,11 +80,13 @@ Json json_of(const FitOutput& output) {
 }
 
 void show_models(const ShapeComparison& comparison) {
-  fmt::print("models             {}\n", to_string(comparison.status));
+  fmt::print("models             {}; score: log likelihood of a record that the fit has not seen\n",
+             to_string(comparison.status));
   for (const ModelScore& model : comparison.models) {
     if (is_fitted(model))
-      fmt::print("  {:<22} score {:.5f}, to lognormal {:+.5f} (standard error {:.5f})\n",
-                 key_of(model.model), model.score, model.difference, model.standard_error);
+      fmt::print(
+          "  {:<22} score {:.5f}, less that of the lognormal {:+.5f} (standard error {:.5f})\n",
+          key_of(model.model), model.score, model.difference, model.standard_error);
   }
 }
 
@@ -93,7 +97,8 @@ void print(const FitOutput& output, bool json) {
   const FitSummary& f = output.fit;
   std::vector<Finding> findings = findings_of(f);
   findings.push_back(effective_records(f.effective_records));
-  fmt::print("{}", to_text(to_table("Lognormal fragility", findings)));
+  const Table table = to_table("Lognormal fragility", findings);
+  fmt::print("{}", table.rows.empty() ? "Lognormal fragility: not fitted\n" : to_text(table));
   show("method", f.method);
   show("intervals", f.interval_method);
   const GoodnessOfFit& fit = output.lognormal;

@@ -133,7 +133,7 @@ class Separations {
     const CaseSet& set = results.cases;
     const Case& c = set.cases[set.index(combination, 0, 0)];
     if (c.neighbour_friction == 0.0 || results.histories.fields.closing_along_m.empty()) return;
-    const bool faces = c.neighbour_slope == NeighbourSlope::facing;
+    const bool faces = c.neighbour_slope == NeighbourSlope::facing && c.slope_deg != 0.0;
     add(faces ? " on facing slopes, along the slope" : ", along the slope",
         &HistoryFields::closing_along_m);
     add(faces ? " on facing slopes, across the slope" : ", across the slope",

@@ -178,11 +178,11 @@ std::string rule_text(const Results& results) {
 
 std::string range_text(const Results& results, const OrientationRange& range) {
   std::string text = format_length(range.median);
-  if (results.conditions->orientations.size() > 1) {
-    text += fmt::format(", from {} to {} over the {}", format_length(range.lowest),
-                        format_length(range.highest), orientations_text(results));
-  }
-  return text;
+  if (results.conditions->orientations.size() < 2) return text;
+  const std::string lowest = format_length(range.lowest), highest = format_length(range.highest);
+  return lowest == highest ? text + ", in all " + orientations_text(results)
+                           : text + fmt::format(", from {} to {} over the {}", lowest, highest,
+                                                orientations_text(results));
 }
 
 std::vector<double> ratios_by_orientation(const Results& results, const MeanQuestion& question,

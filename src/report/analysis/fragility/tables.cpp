@@ -153,24 +153,24 @@ Table fragility_summary_table(const Results& results) {
 }
 
 Table earthquakes_table(const Results& results) {
-  Table table{
-      "earthquakes",
-      "Probability that the clearance is exceeded in the design earthquake (DBE) and in the "
-      "maximum considered one (MCE): share of the histories." +
-          measured_by(results) + in_plan(results),
-      {run_column, threshold_column},
-      {}};
+  Table table{"earthquakes", "", {run_column, threshold_column}, {}};
+  std::vector<std::string> earthquakes;
   std::vector<std::size_t> named;
   for (std::size_t level = 0; level < results.levels.size(); ++level) {
     const std::string name = earthquake_name(results.levels[level], results.model.dbe_level);
     if (name.empty()) continue;
     named.push_back(level);
+    earthquakes.push_back(name == "DBE" ? "the design earthquake (DBE)"
+                                        : "the maximum considered earthquake (MCE)");
     table.columns.push_back({name == "DBE" ? "dbe_probability" : "mce_probability", "",
                              fmt::format("At the {}, {} [95 %]", name,
                                          with_unit(results, level_number(results.levels[level]))),
                              ColumnKind::share, true});
   }
   if (named.empty()) return table;
+  table.title =
+      fmt::format("Probability that the clearance is exceeded in {}: share of the histories.{}{}",
+                  fmt::join(earthquakes, " and in "), measured_by(results), in_plan(results));
   for (const RunResults& run : results.runs) {
     for (const ThresholdFragility& fragility : run.fragilities) {
       std::vector<Cell> cells{run.label, fragility.threshold_m};

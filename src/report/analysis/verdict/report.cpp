@@ -38,16 +38,22 @@ Tally tally(const VerdictResults& verdict, Counts counts) {
   return t;
 }
 
+/// ", at S_DS = 1 g with ..."; empty for a probability of zero, which is largest everywhere.
+std::string place_of(const VerdictRow& row, const VerdictProbability& dbe) {
+  if (dbe.probability == 0.0) return "";
+  return fmt::format(", at S_DS = {:.3g} g with {}", row.sds_g, kind_text(row));
+}
+
 std::string sentence(const VerdictResults& verdict, Standard standard, const std::string& where,
                      const Tally& t) {
   return fmt::format(
       "{}, {}: of {} prescribed displacements {} are exceeded with more than {:g} % probability "
       "at DBE ({} with the whole 95 % interval above that), and {} are, by estimate, more than "
-      "twice the displacement that {:g} % of the histories exceed. The largest probability is {}, "
-      "at S_DS = {:.3g} g with {}.",
+      "twice the displacement that {:g} % of the histories exceed. The largest probability is "
+      "{}{}.",
       standard_name(standard), where, t.rows, t.exceeded, 100.0 * verdict.exceedance.front(),
       t.certainly, t.conservative, 100.0 * verdict.exceedance.back(), text_of(t.governing->dbe),
-      t.governing->sds_g, kind_text(*t.governing));
+      place_of(*t.governing, t.governing->dbe));
 }
 
 /// Of a separation, the rows in which it is too small with more than the accepted probability.
@@ -57,9 +63,8 @@ struct Shortfall {
 
   std::string words(const VerdictResults& verdict) const {
     const VerdictRow& row = verdict.rows[governing->row];
-    return fmt::format("{} of {} (largest probability {}, at S_DS = {:.3g} g with {}; {})",
-                       exceeded, rows, text_of(governing->dbe), row.sds_g, kind_text(row),
-                       governing->what);
+    return fmt::format("{} of {} (largest probability {}{}; {})", exceeded, rows,
+                       text_of(governing->dbe), place_of(row, governing->dbe), governing->what);
   }
 };
 
