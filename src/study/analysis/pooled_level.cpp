@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 #include "glissade/core/not_finite.hpp"
 #include "glissade/core/quantile.hpp"
@@ -28,6 +29,9 @@ double mean_of(const std::vector<double>& values) {
 /// The values of sorted lists, sorted.
 std::vector<double> merged(const std::vector<std::vector<double>>& lists) {
   std::vector<double> all;
+  std::size_t count = 0;
+  for (const std::vector<double>& list : lists) count += list.size();
+  all.reserve(count);
   std::vector<std::ptrdiff_t> ends{0};
   for (const std::vector<double>& list : lists) {
     all.insert(all.end(), list.begin(), list.end());
@@ -43,7 +47,8 @@ std::vector<double> merged(const std::vector<std::vector<double>>& lists) {
 
 }  // namespace
 
-PooledLevel::PooledLevel(const std::vector<std::vector<double>>& slips_m) : by_record_(slips_m) {
+PooledLevel::PooledLevel(std::vector<std::vector<double>> slips_m)
+    : by_record_(std::move(slips_m)) {
   for (std::vector<double>& slips : by_record_) {
     record_means_.push_back(mean_of(slips));
     std::sort(slips.begin(), slips.end());
@@ -143,11 +148,12 @@ PooledLevel pooled_at(const HistoryTable& histories, CaseSlice cases, std::size_
                       HistoryValues<double> HistoryFields::*field) {
   std::vector<std::vector<double>> slips(histories.records);
   for (std::size_t record = 0; record < slips.size(); ++record) {
+    slips[record].reserve(cases.count);
     for (std::size_t i = 0; i < cases.count; ++i)
       slips[record].push_back(
           (histories.fields.*field)[histories.at(record, cases.first + i, level)]);
   }
-  return PooledLevel(slips);
+  return PooledLevel(std::move(slips));
 }
 
 }  // namespace glissade

@@ -15,7 +15,7 @@ class PooledLevel {
  public:
   /// @param slips_m by record, then by sample; every record has as many samples, but for quantiles,
   /// to which a record may bring any number or none
-  explicit PooledLevel(const std::vector<std::vector<double>>& slips_m);
+  explicit PooledLevel(std::vector<std::vector<double>> slips_m);
 
   double quantile_m(double probability) const;  ///< of all slips; Hyndman & Fan (1996) type 7
   double mean_m() const;
