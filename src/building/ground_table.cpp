@@ -29,13 +29,12 @@ std::size_t without_trailing_zeros(std::span<const double> samples) {
 
 GroundTable::GroundTable(double dt_s, std::span<const double> acceleration_mps2, int parts)
     : step_s_(dt_s / parts) {
-  require_finite(acceleration_mps2, "the ground acceleration");
+  require_acceleration(acceleration_mps2, "the ground acceleration");
   require_finite({dt_s}, "the step");
   GLISSADE_EXPECTS(dt_s > 0.0 && parts >= 1 && !acceleration_mps2.empty());
   const std::size_t samples = without_trailing_zeros(acceleration_mps2);
   const auto pieces = static_cast<std::size_t>(parts);
-  building_detail::require_steps(static_cast<double>(acceleration_mps2.size()) * parts, step_s_,
-                                 building_detail::most_nodes);
+  building_detail::require_steps(static_cast<double>(acceleration_mps2.size()) * parts, step_s_);
   last_sample_ = (acceleration_mps2.size() - 1) * pieces;
   quiet_from_ = samples * pieces;
   nodes_.reserve(quiet_from_ + 1);
@@ -51,7 +50,7 @@ GroundTable::GroundTable(double dt_s, std::span<const double> acceleration_mps2,
 }
 
 void GroundTable::extend(std::size_t count) {
-  building_detail::require_steps(static_cast<double>(count), step_s_, building_detail::most_nodes);
+  building_detail::require_steps(static_cast<double>(count), step_s_);
   while (nodes_.size() < count) append(0.0);
 }
 

@@ -11,15 +11,16 @@
 
 namespace glissade::building_detail {
 
-void require_steps(double steps, double step_s, std::size_t most) {
-  if (steps <= static_cast<double>(most)) return;
+void require_steps(double steps, double step_s) {
+  if (steps <= static_cast<double>(most_steps)) return;
   std::ostringstream what;
   what << "a motion of " << steps << " steps of " << step_s << " s, ring-down included; at most "
-       << most << " are followed";
-  throw InputError({"", what.str(),
-                    "give the record a longer time step, or the building a longer period or more "
-                    "damping",
-                    ""});
+       << most_steps << " are followed";
+  throw InputError(
+      {"", what.str(),
+       "give a shorter record, a longer time step or a building of longer period; more "
+       "damping shortens the ring-down",
+       ""});
 }
 
 std::size_t ring_down_steps(const Oscillator& oscillator, double step_s, double x, double y,
@@ -43,7 +44,7 @@ std::size_t ring_down_steps(const Oscillator& oscillator, double step_s, double 
         velocity_range_mps / options.settle_deceleration_mps2 + oscillator.period_s;
     steps = std::min(steps + settle_s / step_s, steps_to(1e-4 * quiet_mps2));
   }
-  require_steps(steps, step_s, most_steps);
+  require_steps(steps, step_s);
   return static_cast<std::size_t>(std::ceil(steps));
 }
 

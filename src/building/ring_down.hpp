@@ -7,13 +7,12 @@
 
 namespace glissade::building_detail {
 
-/// Of a sampled roof motion: 1 GB a component.
-constexpr std::size_t most_steps = std::size_t{1} << 27;
-/// Of a tabulated motion: 3 GB with its ground; readers allow records of 2e7 samples.
-constexpr std::size_t most_nodes = std::size_t{1} << 25;
+/// Of a roof motion: 270 MB a component that is sampled, 3 GB tabulated with its ground. Readers
+/// allow records of 2e7 samples.
+constexpr std::size_t most_steps = std::size_t{1} << 25;
 
-/// @throw InputError if a motion has more than `most` steps
-void require_steps(double steps, double step_s, std::size_t most);
+/// @throw InputError if a motion has more than most_steps
+void require_steps(double steps, double step_s);
 
 /// Length of the ring-down after the ground has come to rest, in time steps.
 /// @param x, y its scaled state then (core/oscillator.hpp)

@@ -96,8 +96,8 @@ double peak(const std::vector<double>& values) {
 
 RoofMotion roof_motion(const GroundMotion& ground, const Building& building,
                        const RoofMotionOptions& options) {
-  require_finite(ground.horizontal_mps2, "the ground acceleration");
-  require_finite(ground.vertical_mps2, "the vertical ground acceleration");
+  require_acceleration(ground.horizontal_mps2, "the ground acceleration");
+  require_acceleration(ground.vertical_mps2, "the vertical ground acceleration");
   require_finite({ground.dt_s}, "the step");
   GLISSADE_EXPECTS(ground.dt_s > 0.0 && !ground.horizontal_mps2.empty());
   GLISSADE_EXPECTS(ground.vertical_mps2.empty() ||
@@ -107,7 +107,7 @@ RoofMotion roof_motion(const GroundMotion& ground, const Building& building,
       std::max(substeps(building.horizontal, ground.dt_s, options.steps_per_period),
                vertical ? substeps(building.vertical, ground.dt_s, options.steps_per_period) : 1);
   building_detail::require_steps(static_cast<double>(ground.horizontal_mps2.size()) * parts,
-                                 ground.dt_s / parts, building_detail::most_steps);
+                                 ground.dt_s / parts);
 
   const auto response = [&](const Oscillator& oscillator, std::span<const double> input,
                             double quiet_mps2) {

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "glissade/core/error.hpp"
+#include "glissade/motion/improbable.hpp"
 
 namespace glissade {
 namespace {
@@ -34,10 +35,11 @@ void check_record(const Record& record, ProblemList& problems) {
   const std::vector<double>& samples = record.acceleration_mps2;
   if (samples.empty())
     problems.add({record.name, "the record has no samples", "check the file", ""});
-  const auto bad = std::ranges::find_if_not(samples, [](double a) { return std::isfinite(a); });
+  const auto bad = std::ranges::find_if_not(
+      samples, [](double a) { return std::abs(a) <= most_acceleration_mps2; });
   if (bad != samples.end()) {
-    problems.add({record.name, fmt::format("sample {} is {}", bad - samples.begin() + 1, *bad),
-                  "replace it by a finite number", ""});
+    problems.add({record.name, fmt::format("sample {} is {} m/s2", bad - samples.begin() + 1, *bad),
+                  "replace it by a finite number, or correct the units", ""});
   }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <initializer_list>
 #include <span>
@@ -19,6 +20,30 @@ inline void require_finite(std::span<const double> values, const char* what) {
 }
 inline void require_finite(std::initializer_list<double> values, const char* what) {
   require_finite(std::span(values.begin(), values.size()), what);
+}
+
+/// Largest acceleration (m/s2), and factor on one, that a kernel takes: with it no square or
+/// product of what the kernel computes overflows.
+inline constexpr double largest_acceleration = 1e9;
+
+/// Refuses NaN and what is larger than largest_acceleration, in every build.
+/// @throw std::invalid_argument
+inline void require_acceleration(std::span<const double> values, const char* what) {
+  require_finite(values, what);
+  double largest = 0.0;
+  for (const double value : values) largest = std::max(largest, std::abs(value));
+  if (largest > largest_acceleration)
+    throw std::invalid_argument(std::string(what) + " must be 1e9 at most");
+}
+inline void require_acceleration(std::initializer_list<double> values, const char* what) {
+  require_acceleration(std::span(values.begin(), values.size()), what);
+}
+
+/// @throw std::invalid_argument unless least <= tolerance <= 0.01, in every build: with 0 a kernel
+/// would not return
+inline void require_tolerance(double tolerance, double least) {
+  if (!(tolerance >= least && tolerance <= 1e-2))
+    throw std::invalid_argument("the tolerance is smaller than the kernel allows, or above 0.01");
 }
 
 /// The same where infinity has a meaning.

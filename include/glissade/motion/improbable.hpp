@@ -9,6 +9,9 @@
 // What is possible and not probable: warnings that stand beside results.
 namespace glissade {
 
+/// Largest |acceleration| of a record: beyond it the units are wrong (100,000 g), and it is refused.
+inline constexpr double most_acceleration_mps2 = 1e6;
+
 /// No site is known for more: the largest mapped S_S of the United States is near 3 g, the largest
 /// recorded peak ground acceleration near 4 g.
 inline constexpr double most_probable_g = 4.0;

@@ -64,7 +64,7 @@ void block_detail::require_finite_scene(const CoupledBuilding& building, const B
                  "period, damping, mass ratio, hardening");
   require_no_nan(building.yielding.yield_acceleration_mps2, "yield acceleration");
   require_block(block);
-  require_finite({factors.horizontal, factors.vertical}, "factors");
+  require_acceleration({factors.horizontal, factors.vertical}, "the factors");
 }
 
 CoupledResult block_detail::walk_coupled(const GroundMotion& motion, const MotionFactors& factors,

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "block/contact/contact.hpp"
 #include "block/events/sampled_motion.hpp"
 
 namespace glissade {
@@ -30,7 +31,8 @@ class SteppedBlock {
     if (sticking_ || relative == 0.0) return true;
     const double along = g_ * (relative > 0.0 ? mu_ * cos_ - sin_
                                               : mu_ * cos_ + sin_);  // deceleration along the slope
-    if (!(along > 0.0)) return false;
+    if (!(along > 0.0) || (relative > 0.0 && block_detail::beyond_friction(tan_, mu_) >= 0.0))
+      return false;
     const double deceleration = along * cos_;  // of plan velocity
     position_x_ += 0.5 * relative * std::abs(relative) / deceleration;
     duration_ += std::abs(relative) / deceleration;

@@ -18,9 +18,10 @@ class SampledMotion {
       : samples_(roof),
         a_factor_(mirror(block) * roof.horizontal_factor),
         w_factor_(roof.vertical_factor) {
-    require_finite(roof.horizontal_mps2, "the horizontal acceleration");
-    require_finite(roof.vertical_mps2, "the vertical acceleration");
-    require_finite({roof.dt_s, a_factor_, w_factor_}, "step and factors");
+    require_acceleration(roof.horizontal_mps2, "the horizontal acceleration");
+    require_acceleration(roof.vertical_mps2, "the vertical acceleration");
+    require_finite({roof.dt_s}, "the step");
+    require_acceleration({a_factor_, w_factor_}, "the factors");
     GLISSADE_EXPECTS(roof.dt_s > 0.0 && size() > 0);
     GLISSADE_EXPECTS(roof.vertical_mps2.empty() || roof.vertical_mps2.size() == size());
   }

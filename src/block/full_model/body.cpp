@@ -39,15 +39,14 @@ void FullModelBody::follow(const Excitation& excitation, double longest_period_s
 }
 
 void FullModelBody::ring_down(double dt_s, double longest_period_s) {
-  const double last = std::ceil(RoofMotionOptions{}.longest_ring_down_s / dt_s);
+  const std::size_t last = longest_period_s == 0.0 ? 0 : longest_ring_down(dt_s);
   const double from_s = time_s_;
   double at_rest_s = 0.0;
   ExcitationPiece quiet;
   quiet.length_s = dt_s;
   for (std::size_t i = 1;; ++i) {
     if (at_rest() && at_rest_s >= longest_period_s && is_settled()) return;
-    if (longest_period_s == 0.0 || static_cast<double>(i) > last) break;
-    if (i == 1u << 20) longest_ring_down(dt_s);  // refuses a step that is too short
+    if (i > last) break;
     interval(quiet, from_s + static_cast<double>(i) * dt_s);
     at_rest_s = at_rest() ? at_rest_s + dt_s : 0.0;
   }
@@ -71,11 +70,11 @@ void FullModelBody::advance(ExcitationPiece piece, double end_s) {
     return;
   }
   const double whole_s = piece.length_s;
-  // Steps shrink geometrically toward a stop, so some dozens suffice; the bound only guards against
-  // rounding.
-  constexpr int most_steps = 1000000;
+  // Steps shrink geometrically toward a stop, so some dozens suffice in a piece. The bound ends a
+  // history whose friction no step can follow: a law that is nearly a jump in speed.
+  constexpr std::int64_t steps_of_piece = 50;
   constexpr double nothing_left = 1e-14;  // of the piece: rounding of its length
-  for (int steps = 0; steps < most_steps; ++steps) {
+  for (steps_left_ += steps_of_piece; steps_left_ > 0; --steps_left_) {
     const double fraction = sliding_ ? slide(piece) : rest(piece);
     if (!((1.0 - fraction) * piece.length_s > nothing_left * whole_s)) {
       time_s_ = end_s;
@@ -84,7 +83,7 @@ void FullModelBody::advance(ExcitationPiece piece, double end_s) {
     time_s_ = std::min(time_s_ + fraction * piece.length_s, end_s);
     piece.keep_after(fraction);
   }
-  throw NotConverged("slide_on_building: too many steps inside one sample interval");
+  throw NotConverged("slide_on_building: too many steps");
 }
 
 void FullModelBody::raise_peaks(std::size_t axis, const AxisSeries& motion, double fraction) {

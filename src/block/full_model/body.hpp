@@ -104,7 +104,8 @@ class FullModelBody {
   Sliding now_;
   Vector friction_now_;  // initial value of the iteration
   double time_s_ = 0.0;
-  double step_s_ = never;  // the longest to be tried
+  double step_s_ = never;             // the longest to be tried
+  std::int64_t steps_left_ = 100000;  // of the history: a second
 
   TwoAxisTrack track_;
   Peaks peaks_;

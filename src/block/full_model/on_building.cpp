@@ -61,7 +61,7 @@ BuildingSlip slide_along(const TwoAxisTrack& track, const BuildingGround& ground
                          const BuildingFactors& factors, const BiaxialBuilding& building,
                          const TwoAxisBlock& block, double tolerance) {
   check(ground, factors, building, block);
-  GLISSADE_EXPECTS(tolerance >= 1e-11 && tolerance <= 1e-2);
+  require_tolerance(tolerance, 1e-11);
 
   const Excitation excitation(ground, factors);
   const double dt = excitation.dt_s();
@@ -108,7 +108,8 @@ void turn(std::span<PathPiece> path, double angle_rad) {
 
 void require_finite_scene(const BiaxialBuilding& building, const TwoAxisBlock& block,
                           const BuildingFactors& factors) {
-  require_finite({factors.horizontal[0], factors.horizontal[1], factors.vertical}, "factors");
+  require_acceleration({factors.horizontal[0], factors.horizontal[1], factors.vertical},
+                       "the factors");
   require_finite({building.mass_ratio}, "mass ratio");
   for (const std::size_t n : {0u, 1u}) {
     require_finite({building.horizontal[n].period_s, building.horizontal[n].damping_ratio,

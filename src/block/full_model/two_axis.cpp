@@ -24,8 +24,8 @@ using block_detail::TwoAxisTrack;
 
 void check(const TwoAxisAcceleration& roof, [[maybe_unused]] const TwoAxisBlock& block) {
   for (const auto& horizontal : roof.horizontal_mps2)
-    require_finite(horizontal, "the horizontal roof acceleration");
-  require_finite(roof.vertical_mps2, "the vertical roof acceleration");
+    require_acceleration(horizontal, "the horizontal roof acceleration");
+  require_acceleration(roof.vertical_mps2, "the vertical roof acceleration");
   require_finite({roof.dt_s}, "step");
   GLISSADE_EXPECTS(roof.dt_s > 0.0 && !roof.horizontal_mps2[0].empty());
   GLISSADE_EXPECTS(is_whole(roof.horizontal_mps2[1], roof.horizontal_mps2[0].size()) &&
@@ -36,7 +36,7 @@ void check(const TwoAxisAcceleration& roof, [[maybe_unused]] const TwoAxisBlock&
 TwoAxisResult slide_with(const TwoAxisAcceleration& roof, const TwoAxisBlock& block,
                          double tolerance, std::vector<PathPiece>* path) {
   check(roof, block);
-  GLISSADE_EXPECTS(tolerance >= 1e-11 && tolerance <= 1e-2);
+  require_tolerance(tolerance, 1e-11);
   const BuildingContact contact(block);
   const BuildingAxis rigid({}, {}, 0.0, roof.dt_s);
   TwoAxisTrack track(contact.loading().to_plan(), {}, {});

@@ -9,6 +9,7 @@
 #include "block/slip_record/first_reach.hpp"
 #include "glissade/block/crossing.hpp"
 #include "glissade/core/contract.hpp"
+#include "glissade/core/finite.hpp"
 
 namespace glissade::block_detail {
 
@@ -19,6 +20,7 @@ class DistanceCrossings {
   /// @param thresholds_m > 0, increasing, in plan; @param crossings as many
   DistanceCrossings(std::span<const double> thresholds_m, std::span<Crossing> crossings)
       : thresholds_m_(thresholds_m), crossings_(crossings) {
+    require_finite(thresholds_m, "the thresholds");
     GLISSADE_EXPECTS(thresholds_m.size() == crossings.size());
     GLISSADE_EXPECTS(std::ranges::is_sorted(thresholds_m));
     GLISSADE_EXPECTS(thresholds_m.empty() || thresholds_m.front() > 0.0);
@@ -26,7 +28,9 @@ class DistanceCrossings {
   }
 
   /// A displacement of this length may reach the next threshold.
-  bool may_reach(double distance_m) const { return distance_m >= next_m(); }
+  bool may_reach(double distance_m) const {
+    return next_ < thresholds_m_.size() && distance_m >= thresholds_m_[next_];
+  }
   /// Below it, squared, no threshold is reached.
   double next2() const { return next_m() * next_m() * (1.0 - 1e-12); }
 

@@ -9,6 +9,7 @@
 
 #include "glissade/block/two_axis_lanes.hpp"
 #include "glissade/core/contract.hpp"
+#include "glissade/core/finite.hpp"
 #include "glissade/core/not_converged.hpp"
 #include "history.hpp"
 #include "scene.hpp"
@@ -250,7 +251,7 @@ double srss_of_maxima_m(const TwoAxisPeak& peak) {
 
 TwoAxisLanes::TwoAxisLanes(const BuildingGround& ground, double tolerance)
     : state_(std::make_unique<State>(State{ground, GroundNodes(ground), tolerance, {}})) {
-  GLISSADE_EXPECTS(tolerance >= 1e-9 && tolerance <= 1e-2);
+  require_tolerance(tolerance, 1e-9);
 }
 
 TwoAxisLanes::~TwoAxisLanes() = default;

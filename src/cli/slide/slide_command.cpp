@@ -9,6 +9,7 @@
 #include "finding.hpp"
 #include "glissade/block/tipping.hpp"
 #include "glissade/core/error.hpp"
+#include "glissade/core/finite.hpp"
 #include "glissade/core/units.hpp"
 #include "glissade/core/wrap.hpp"
 #include "glissade/io/record_file.hpp"
@@ -251,12 +252,10 @@ void run(SlideOptions& o) {
     throw InputError(
         {o.record, "is zero throughout and cannot be scaled to --pga-g", "give --scale", ""});
   const double factor = o.pga_g ? *o.pga_g * standard_gravity_mps2 / pga : o.scale.value_or(1.0);
-  const SlideHistory history = run_history(o, motion, factor);
-  if (!std::isfinite(history.slip.residual_displacement_m) ||
-      !std::isfinite(history.slip.peak_velocity_mps)) {
-    throw InputError({o.record, fmt::format("the factor {:g} on the motion overflows", factor),
+  if (!(factor <= largest_acceleration))
+    throw InputError({o.record, fmt::format("the factor {:g} on the motion is too large", factor),
                       "give a smaller --scale or --pga-g", ""});
-  }
+  const SlideHistory history = run_history(o, motion, factor);
   const double pga_g = factor * pga / standard_gravity_mps2;
   if (o.json) {
     fmt::print("{}\n", to_json(o, history, motion, factor, pga_g).dump(2));

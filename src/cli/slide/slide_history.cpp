@@ -86,9 +86,15 @@ SlideHistory on_known_roof(const SlideOptions& o, const Motion& motion, double f
   const Building building{{o.c.period_s, o.c.damping},
                           {o.c.vertical_period_s, o.c.vertical_damping}};
   RoofMotionOptions follow = follow_roof({&block, 1}, factor);
-  // Straight lines between so many samples of a period leave 1e-7 of the slip; a history, which has
-  // a row for each, is sampled as roof_motion() does by itself.
-  if (o.history.empty()) follow.steps_per_period = 8000;
+  // Straight lines between so many samples of a period leave 1e-7 of the slip. A history, which has
+  // a row for each, and a very long record are sampled as roof_motion() does by itself.
+  constexpr double fine = 8000.0, most_samples = 1e7;
+  const double periods =
+      o.c.period_s > 0.0
+          ? ground.dt_s * static_cast<double>(ground.horizontal_mps2.size()) / o.c.period_s
+          : 0.0;
+  if (o.history.empty() && fine * periods < most_samples)
+    follow.steps_per_period = static_cast<int>(fine);
   const RoofMotion roof_table = roof_motion(ground, building, follow);
   const RoofAcceleration roof = excitation_of(block, roof_table, {factor, factor});
 

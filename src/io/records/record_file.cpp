@@ -39,12 +39,13 @@ double parse_finite(const std::filesystem::path& file, std::size_t line, std::st
   return *value;
 }
 
-/// A sample in m/s2, finite in these too.
+/// A sample in m/s2.
 double parse_sample(const std::filesystem::path& file, std::size_t line, std::string_view token,
                     double unit_mps2) {
   const double sample_mps2 = unit_mps2 * parse_finite(file, line, token, "the value");
-  if (!std::isfinite(sample_mps2)) {
-    throw InputError({place(file, line), "the value " + in_quotes(token) + " is not finite in m/s2",
+  if (!(std::abs(sample_mps2) <= most_acceleration_mps2)) {
+    throw InputError({place(file, line),
+                      "the value " + in_quotes(token) + " is more than 100,000 g",
                       "repair the record, or correct its units", ""});
   }
   return sample_mps2;

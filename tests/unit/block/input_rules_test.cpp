@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <vector>
@@ -14,6 +15,7 @@
 #include "glissade/block/slide.hpp"
 #include "glissade/block/two_axis.hpp"
 #include "glissade/block/two_axis_lanes.hpp"
+#include "glissade/core/not_converged.hpp"
 #include "unit/block/reference.hpp"
 
 namespace glissade {
@@ -155,6 +157,67 @@ TEST(a_scene_that_is_not_finite, is_refused_by_every_model_of_two_axes) {
         std::invalid_argument)
         << i;
   }
+}
+
+TwoAxisScene scene_on_a_building(double factor, const FrictionLaw& law = {}) {
+  return {{{{{0.5, 0.05}, {0.4, 0.05}}}, {}, 0.05},
+          {.friction = {0.2, 0.2}, .law = law},
+          {{factor, 0.0}, 0.0}};
+}
+
+// With 1e80 the scheme of two axes read beyond its thresholds, with 1e160 it did not return.
+TEST(a_factor_beyond_any_motion, is_refused_by_every_model) {
+  const Block block = block_with(0.2);
+  const CoupledBuilding building{{0.5, 0.05}, 0.05, {}};
+  const BuildingGround ground{{std::make_shared<GroundTable>(0.01, record), nullptr}, nullptr};
+  const auto slips = [&](double factor) {
+    const MotionFactors factors{factor, factor};
+    const CoupledScene coupled_scene{building, block, factors};
+    const TwoAxisScene scene = scene_on_a_building(factor);
+    TwoAxisPeak peak;
+    return std::vector<std::function<double()>>{
+        [=] {
+          return slide({0.01, record, {}, factor}, block).peak_displacement_m;
+        },
+        [=] {
+          CoupledPeak coupled;
+          coupled_slip(GroundMotion{0.01, record}, {&coupled_scene, 1}, {&coupled, 1});
+          return coupled.slip.peak_displacement_m;
+        },
+        [=] { return peak_slip(RoofTable(0.01, record), block, factors).peak_displacement_m; },
+        [=] {
+          return slide_coupled({0.01, record}, factors, building, block).slip.peak_displacement_m;
+        },
+        [=] {
+          return slide_on_building(ground, scene.factors, scene.building, scene.block)
+              .slip.peak_displacement_m;
+        },
+        [=]() mutable {
+          slide_two_axes(ground, {&scene, 1}, {&peak, 1});
+          return peak.peak_displacement_m;
+        }};
+  };
+  for (const double factor : {1e10, 1e80, 1e160, 1e300})
+    for (const auto& slip : slips(factor)) EXPECT_THROW(slip(), std::invalid_argument) << factor;
+  for (const auto& slip : slips(1e6)) EXPECT_TRUE(std::isfinite(slip()));
+}
+
+TEST(a_tolerance, that_no_step_can_meet_is_refused_in_every_build) {
+  const BuildingGround ground{{std::make_shared<GroundTable>(0.01, record), nullptr}, nullptr};
+  const TwoAxisScene scene = scene_on_a_building(1.0);
+  TwoAxisPeak peak;
+  for (const double bad : {0.0, -1.0, 0.1, std::nan("")}) {
+    EXPECT_THROW(slide_two_axes(ground, {&scene, 1}, {&peak, 1}, bad), std::invalid_argument);
+    EXPECT_THROW(slide_on_building(ground, scene.factors, scene.building, scene.block, bad),
+                 std::invalid_argument);
+  }
+}
+
+// Such a history took minutes in each of its sample intervals.
+TEST(friction_that_is_nearly_a_jump_in_speed, ends_a_history_soon) {
+  const BuildingGround ground{{std::make_shared<GroundTable>(0.01, record), nullptr}, nullptr};
+  const TwoAxisScene scene = scene_on_a_building(1.0, {.fast_over_slow = 1.5, .rate_s_per_m = 1e9});
+  EXPECT_THROW(slide_on_building(ground, scene.factors, scene.building, scene.block), NotConverged);
 }
 
 }  // namespace input_rules_test

@@ -21,6 +21,11 @@ double median(std::vector<double> x) {
 
 double largest(const std::vector<double>& x) { return *std::max_element(x.begin(), x.end()); }
 
+std::vector<double> without_largest(std::vector<double> x) {
+  x.erase(std::max_element(x.begin(), x.end()));
+  return x;
+}
+
 /// Of 25 scenes on each of four roofs, those that slide more than 10 um.
 Errors errors_of(Law law) {
   Errors errors;
@@ -46,7 +51,11 @@ TEST(default_tolerance, keeps_the_error_that_the_headers_state) {
     EXPECT_GT(errors.scalar.size(), 60u);
     EXPECT_LE(median(errors.scalar), 3e-7);
     EXPECT_LE(median(errors.lanes), 3e-7);
-    if (law == Law::static_friction) continue;  // slip is discontinuous: one in a hundred differs
+    if (law == Law::static_friction) {  // slip is discontinuous: one in a hundred may differ
+      EXPECT_LE(largest(without_largest(errors.scalar)), 2e-5);
+      EXPECT_LE(largest(without_largest(errors.lanes)), 2e-5);
+      continue;
+    }
     EXPECT_LE(largest(errors.scalar), 1.1e-5);
     EXPECT_LE(largest(errors.lanes), 1e-5);
   }
