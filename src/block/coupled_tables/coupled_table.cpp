@@ -14,7 +14,9 @@ constexpr std::size_t widest = 16;
 /// Room for rounding in single precision.
 constexpr float room = 1.0f + 0x1p-20f;
 
-std::size_t tiles_of(std::size_t nodes) { return nodes / CoupledTable::tile + 1; }
+std::size_t tiles_of(std::size_t nodes) {
+  return (nodes + CoupledTable::tile - 1) / CoupledTable::tile;
+}
 std::size_t padded(std::size_t nodes) { return tiles_of(nodes) * CoupledTable::tile + widest; }
 
 std::vector<double> vertical_or_zero(const GroundMotion& motion) {
