@@ -27,8 +27,8 @@ class Responses {
  public:
   using Side = HWY_CAPPED(double, 4);
   static constexpr std::size_t width = hn::MaxLanes(Side()), vectors = 4 / width;
-  static constexpr std::size_t count = hn::MaxLanes(Doubles());
-  alignas(64) double x[count][4], y[count][4];  ///< of the last nodes
+  static constexpr std::size_t count = hn::MaxLanes(Doubles()), kept = 2 * count;
+  alignas(64) double x[kept][4], y[kept][4];  ///< of node i in row i % kept, the last nodes
 
   explicit Responses(const TableFill& fill) : fill_(fill) {
     alignas(64) double rows[10][4] = {};
@@ -72,8 +72,8 @@ class Responses {
                         hn::Add(hn::Mul(y_start, p), hn::Mul(y_end, next)));
       }
       p = next;
-      hn::Store(x_now, d, x[j] + v * width);
-      hn::Store(y_now, d, y[j] + v * width);
+      hn::Store(x_now, d, x[first % kept + j] + v * width);
+      hn::Store(y_now, d, y[first % kept + j] + v * width);
     }
     x_[v] = x_now;
     y_[v] = y_now;
@@ -187,6 +187,7 @@ Vector OfRoof(const LineFill& f, Vector x, Vector y) {
 void FillTables(const TableFill& fill) {
   const Doubles d;
   Responses responses(fill);
+  responses.Fill(0);
   ResponseMaxima maxima[3];
   LineExtremes rest[2], speeds[2];
   for (std::size_t b = 0; b * tile < fill.nodes; ++b) {
@@ -195,10 +196,10 @@ void FillTables(const TableFill& fill) {
     for (LineExtremes& e : speeds) e.Begin();
     for (std::size_t j = 0; j < tile; j += hn::Lanes(d)) {
       const std::size_t i = b * tile + j;
-      responses.Fill(i);
+      responses.Fill(i + Responses::count);
       Vector x[4], y[4];
-      hn::LoadInterleaved4(d, responses.x[0], x[0], x[1], x[2], x[3]);
-      hn::LoadInterleaved4(d, responses.y[0], y[0], y[1], y[2], y[3]);
+      hn::LoadInterleaved4(d, responses.x[i % Responses::kept], x[0], x[1], x[2], x[3]);
+      hn::LoadInterleaved4(d, responses.y[i % Responses::kept], y[0], y[1], y[2], y[3]);
       const GroundLanes ground(fill, i);
       for (std::size_t k = 0; k < 3; ++k) {
         const ResponseFill& f = fill.responses[k];
