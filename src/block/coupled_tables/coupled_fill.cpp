@@ -21,12 +21,14 @@ constexpr std::size_t tile = 64;
 Vector Times(double factor, Vector v) { return hn::Mul(hn::Set(Doubles(), factor), v); }
 double Largest(Vector v) { return hn::GetLane(hn::MaxOfLanes(Doubles(), v)); }
 
-/// The oscillators side by side, since each waits for its own last step.
+/// The oscillators side by side, since each waits for its own last step. They run ahead of what is
+/// made of their states by a few nodes only, so that it is done while they wait.
 class Responses {
  public:
   using Side = HWY_CAPPED(double, 4);
   static constexpr std::size_t width = hn::MaxLanes(Side()), vectors = 4 / width;
-  alignas(64) double x[tile][4], y[tile][4];  ///< of the last tile
+  static constexpr std::size_t count = hn::MaxLanes(Doubles()), kept = 2 * count;
+  alignas(64) double x[kept][4], y[kept][4];  ///< of node i in row i % kept, the last nodes
 
   explicit Responses(const TableFill& fill) : fill_(fill) {
     alignas(64) double rows[10][4] = {};
@@ -51,16 +53,16 @@ class Responses {
  private:
   using V = hn::Vec<Side>;
   V Forcing(std::size_t v, std::size_t i) const {
-    const V a = hn::Mul(c_[v][8], hn::Set(Side(), fill_.a[i]));
-    if (fill_.w == nullptr) return a;
-    return hn::Add(a, hn::Mul(c_[v][9], hn::Set(Side(), fill_.w[i])));
+    const V a = hn::Mul(c_[v][8], hn::Set(Side(), fill_.ground[i].acceleration_mps2));
+    if (fill_.vertical == nullptr) return a;
+    return hn::Add(a, hn::Mul(c_[v][9], hn::Set(Side(), fill_.vertical[i].acceleration_mps2)));
   }
   void Fill(std::size_t v, std::size_t first) {
     const Side d;
     const V xx = c_[v][0], xy = c_[v][1], yx = c_[v][2], yy = c_[v][3], x_start = c_[v][4],
             x_end = c_[v][5], y_start = c_[v][6], y_end = c_[v][7];
     V x_now = x_[v], y_now = y_[v], p = forcing_[v];
-    for (std::size_t j = 0; j < tile; ++j) {
+    for (std::size_t j = 0; j < count; ++j) {
       const V next = Forcing(v, first + j);
       if (first + j > 0) {
         const V before = x_now;
@@ -70,8 +72,8 @@ class Responses {
                         hn::Add(hn::Mul(y_start, p), hn::Mul(y_end, next)));
       }
       p = next;
-      hn::Store(x_now, d, x[j] + v * width);
-      hn::Store(y_now, d, y[j] + v * width);
+      hn::Store(x_now, d, x[first % kept + j] + v * width);
+      hn::Store(y_now, d, y[first % kept + j] + v * width);
     }
     x_[v] = x_now;
     y_[v] = y_now;
@@ -82,25 +84,34 @@ class Responses {
   V c_[vectors][10], x_[vectors], y_[vectors], forcing_[vectors];
 };
 
-/// The ground at some nodes, and its change to the next ones.
-struct GroundLanes {
-  Vector a, a_rise, w, w_rise;
-  bool vertical;
-  GroundLanes(const TableFill& f, std::size_t i) : vertical(f.w != nullptr) {
+/// One component of the ground at some nodes, and the change of its acceleration to the next ones.
+struct ComponentLanes {
+  Vector acceleration, velocity, rise;
+  explicit ComponentLanes(const GroundNode* nodes) {
     const Doubles d;
-    a = hn::LoadU(d, f.a + i);
-    a_rise = hn::Sub(hn::LoadU(d, f.a + i + 1), a);
-    w = w_rise = hn::Zero(d);
-    if (!vertical) return;
-    w = hn::LoadU(d, f.w + i);
-    w_rise = hn::Sub(hn::LoadU(d, f.w + i + 1), w);
+    Vector next, unused;
+    hn::LoadInterleaved4(d, &nodes[1].acceleration_mps2, next, unused, unused, unused);
+    hn::LoadInterleaved4(d, &nodes[0].acceleration_mps2, acceleration, velocity, unused, unused);
+    rise = hn::Sub(next, acceleration);
+  }
+};
+/// The ground at some nodes.
+struct GroundLanes {
+  ComponentLanes a, w;
+  bool vertical;
+  GroundLanes(const TableFill& f, std::size_t i)
+      : a(f.ground + i),
+        w(f.vertical != nullptr ? ComponentLanes(f.vertical + i) : a),
+        vertical(f.vertical != nullptr) {}
+  Vector Sum(double a_factor, double w_factor, Vector ComponentLanes::*of) const {
+    return vertical ? hn::Add(Times(a_factor, a.*of), Times(w_factor, w.*of))
+                    : Times(a_factor, a.*of);
   }
   Vector Line(double a_factor, double w_factor) const {
-    return vertical ? hn::Add(Times(a_factor, a), Times(w_factor, w)) : Times(a_factor, a);
+    return Sum(a_factor, w_factor, &ComponentLanes::acceleration);
   }
   Vector Rise(double a_factor, double w_factor) const {
-    return vertical ? hn::Add(Times(a_factor, a_rise), Times(w_factor, w_rise))
-                    : Times(a_factor, a_rise);
+    return Sum(a_factor, w_factor, &ComponentLanes::rise);
   }
 };
 
@@ -176,18 +187,19 @@ Vector OfRoof(const LineFill& f, Vector x, Vector y) {
 void FillTables(const TableFill& fill) {
   const Doubles d;
   Responses responses(fill);
+  responses.Fill(0);
   ResponseMaxima maxima[3];
   LineExtremes rest[2], speeds[2];
   for (std::size_t b = 0; b * tile < fill.nodes; ++b) {
-    responses.Fill(b * tile);
     for (ResponseMaxima& m : maxima) m.Begin();
     for (LineExtremes& e : rest) e.Begin();
     for (LineExtremes& e : speeds) e.Begin();
     for (std::size_t j = 0; j < tile; j += hn::Lanes(d)) {
       const std::size_t i = b * tile + j;
+      responses.Fill(i + Responses::count);
       Vector x[4], y[4];
-      hn::LoadInterleaved4(d, responses.x[j], x[0], x[1], x[2], x[3]);
-      hn::LoadInterleaved4(d, responses.y[j], y[0], y[1], y[2], y[3]);
+      hn::LoadInterleaved4(d, responses.x[i % Responses::kept], x[0], x[1], x[2], x[3]);
+      hn::LoadInterleaved4(d, responses.y[i % Responses::kept], y[0], y[1], y[2], y[3]);
       const GroundLanes ground(fill, i);
       for (std::size_t k = 0; k < 3; ++k) {
         const ResponseFill& f = fill.responses[k];
@@ -200,16 +212,14 @@ void FillTables(const TableFill& fill) {
         const LineFill& f = fill.rest[k];
         if (f.values == nullptr) continue;
         Vector value = OfRoof(f, x[0], y[0]);
-        if (ground.vertical) value = hn::Add(value, Times(f.w_factor, ground.w));
+        if (ground.vertical) value = hn::Add(value, Times(f.w_factor, ground.w.acceleration));
         rest[k].Add(f, i, value);
       }
       for (std::size_t k = 0; k < 2; ++k) {
         const LineFill& f = fill.speeds[k];
         if (f.values == nullptr) continue;
-        const Vector velocity = Times(f.a_factor, hn::LoadU(d, fill.velocity + i));
-        Vector value = hn::Add(OfRoof(f, x[1 + k], y[1 + k]), velocity);
-        if (ground.vertical)
-          value = hn::Add(value, Times(f.w_factor, hn::LoadU(d, fill.w_velocity + i)));
+        Vector value = hn::Add(OfRoof(f, x[1 + k], y[1 + k]), Times(f.a_factor, ground.a.velocity));
+        if (ground.vertical) value = hn::Add(value, Times(f.w_factor, ground.w.velocity));
         speeds[k].Add(f, i, value);
         speeds[k].change.Add(hn::Abs(ground.Rise(f.a_factor, f.w_factor)));
       }

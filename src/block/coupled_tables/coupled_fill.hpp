@@ -4,6 +4,8 @@
 #include <array>
 #include <cstddef>
 
+#include "glissade/building/ground_table.hpp"
+
 namespace glissade::block_detail {
 
 // What of a CoupledTable runs over all nodes: one pass, in tiles of 64 nodes. Compiled once per
@@ -35,8 +37,8 @@ struct LineFill {
 };
 
 struct TableFill {
-  const double *a, *velocity;    ///< of the ground, by node
-  const double *w, *w_velocity;  ///< or null: no vertical
+  // By node. The lanes read the same nodes, which this loop brings into the cache.
+  const GroundNode *ground, *vertical;  ///< vertical: or none
   double twice_zeta;
   std::array<ResponseFill, 3> responses{};
   std::array<LineFill, 2> rest{};    ///< of the first, with w

@@ -14,7 +14,9 @@ constexpr std::size_t widest = 16;
 /// Room for rounding in single precision.
 constexpr float room = 1.0f + 0x1p-20f;
 
-std::size_t tiles_of(std::size_t nodes) { return nodes / CoupledTable::tile + 1; }
+std::size_t tiles_of(std::size_t nodes) {
+  return (nodes + CoupledTable::tile - 1) / CoupledTable::tile;
+}
 std::size_t padded(std::size_t nodes) { return tiles_of(nodes) * CoupledTable::tile + widest; }
 
 std::vector<double> vertical_or_zero(const GroundMotion& motion) {
@@ -86,10 +88,8 @@ void CoupledTable::tabulate(const CoupledNodes& nodes, const CoupledContact& con
   const std::array<ContactRegime, 3> regimes{contact.stuck(), contact.sliding_down(),
                                              contact.sliding_up()};
   const std::size_t count = nodes.quiet + 1, all = tiles_of(count) * tile;
-  TableFill fill{.a = nodes.a.acceleration_mps2().data(),
-                 .velocity = nodes.a.velocity_mps().data(),
-                 .w = vertical() ? nodes.w.acceleration_mps2().data() : nullptr,
-                 .w_velocity = vertical() ? nodes.w.velocity_mps().data() : nullptr,
+  TableFill fill{.ground = nodes.a.nodes().data(),
+                 .vertical = vertical() ? nodes.w.nodes().data() : nullptr,
                  .twice_zeta = 2.0 * building.damping_ratio,
                  .nodes = count};
   for (std::size_t k = 0; k < 3; ++k) {

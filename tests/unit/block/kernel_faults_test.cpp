@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "block/contact/coupled_spring.hpp"
+#include "block/coupled_tables/coupled_table.hpp"
 #include "block/slip_record/two_axis_extremes.hpp"
 #include "glissade/block/coupled_slip.hpp"
 #include "glissade/block/on_building.hpp"
@@ -40,6 +41,30 @@ TEST(lifted_without_horizontal_motion, is_uplift_but_no_phase_of_sliding) {
   const BuildingSlip on_building = slide_on_building({{ground, nullptr}, vertical}, {}, {}, two);
   EXPECT_EQ(on_building.slip.slip_phases, 0u);
   EXPECT_TRUE(on_building.slip.uplift);
+}
+
+// Where the nodes of a motion filled their last tile, the largest values were also those of one
+// more tile, of unset memory: searches and with them the last bits changed from run to run.
+TEST(table_in_used_memory, is_that_in_fresh_memory) {
+  using namespace block_detail;
+  constexpr double dt_s = 0.01;
+  const CoupledContact contact(Block{.friction = 0.3}, 0.1);
+  const BuildingOscillator building = subdivide({0.5, 0.05}, contact, dt_s).building;
+  const CoupledNodes strong({dt_s, std::vector<double>(400, 1e3), {}});
+  for (std::size_t samples = 100; samples <= 100 + CoupledTable::tile; ++samples) {
+    const CoupledNodes weak({dt_s, std::vector<double>(samples, 1.0), {}});
+    CoupledTable fresh, used;
+    fresh.tabulate(weak, contact, building, 1.0, 0.0);
+    used.tabulate(strong, contact, building, 1.0, 0.0);
+    used.tabulate(weak, contact, building, 1.0, 0.0);
+    for (const int direction : {-1, 0, 1}) {
+      const CoupledTable::Response &a = fresh.response(direction), &b = used.response(direction);
+      EXPECT_EQ(a.largest_a_mps2, b.largest_a_mps2) << samples;
+      EXPECT_EQ(a.largest_x_mps2, b.largest_x_mps2) << samples;
+    }
+    EXPECT_EQ(fresh.rest().largest, used.rest().largest) << samples;
+    EXPECT_EQ(fresh.speed(1).largest, used.speed(1).largest) << samples;
+  }
 }
 
 // v = k (0.05 - t)(0.2 - t)(0.3 - t) turns three times, twice of them before a quarter of the
