@@ -6,12 +6,14 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <exception>
+#include <fstream>
 #include <iostream>
 
 #include "coupled_precision.hpp"
 #include "figures.hpp"
 #include "glissade/core/file.hpp"
 #include "max_pass.hpp"
+#include "mpi/timed_run.hpp"
 #include "tables.hpp"
 #include "two_axes_precision.hpp"
 
@@ -26,6 +28,22 @@ const std::filesystem::path source = GLISSADE_SOURCE_DIR;
 /// interpolation between samples.
 double tolerance(const SchemeResult& scheme) {
   return scheme.problem == Problem::oscillator ? 1e-6 : 1e-10;
+}
+
+/// "L1 32K, L2 1024K, L3 32768K" of the first core, as Linux states them.
+std::string caches_text() {
+  std::string text;
+  for (int i = 0; i < 8; ++i) {
+    const std::filesystem::path cache =
+        fmt::format("/sys/devices/system/cpu/cpu0/cache/index{}", i);
+    std::string type, level, size;
+    std::ifstream(cache / "type") >> type;
+    std::ifstream(cache / "level") >> level;
+    std::ifstream(cache / "size") >> size;
+    if (!size.empty() && type != "Instruction")
+      text += fmt::format("{}L{} {}", text.empty() ? "" : ", ", level, size);
+  }
+  return text.empty() ? "not stated" : text;
 }
 
 struct Options {
@@ -128,6 +146,30 @@ bool bench_fragility(const Options& options) {
   return good;
 }
 
+/// Whole studies, as a user runs them.
+bool bench_studies(const Options& options) {
+  if (!test::mpirun_is_there()) throw std::runtime_error("mpirun is not there");
+  Table table{"studies",
+              "Seconds of whole studies by phase, the quickest of three runs",
+              {text_column("study", "Study"), {"ranks", "", "Ranks", ColumnKind::count}},
+              {}};
+  for (const char* study : {"03_throughput", "22_full_model"}) {
+    for (const int ranks : {1, 2}) {
+      const test::TimedRun run =
+          test::quickest_run(source / "studies" / (std::string(study) + ".toml"), ranks, 3);
+      std::vector<Cell> row{study, static_cast<double>(ranks)};
+      for (const auto& [phase, seconds] : run.phases) {
+        if (table.rows.empty()) table.columns.push_back({phase + "_time", "s", phase + ", s"});
+        row.emplace_back(seconds);
+      }
+      row.emplace_back(run.total_s());
+      if (table.rows.empty()) table.columns.push_back({"total_time", "s", "all, s"});
+      table.add(std::move(row));
+    }
+  }
+  return show(table, options.out);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) try {
@@ -139,7 +181,7 @@ int main(int argc, char** argv) try {
   program.add_flag("--quick", options.quick,
                    "a smoke test of some seconds: few scenes and samples");
   program.add_option("--only", options.only, "one of them")
-      ->check(CLI::IsMember({"schemes", "coupled", "two_axes", "fragility"}));
+      ->check(CLI::IsMember({"schemes", "coupled", "two_axes", "fragility", "studies"}));
   program.add_option("--scenes", options.scenes, "scenes on which all schemes are compared")
       ->check(CLI::PositiveNumber);
   program.add_option("--log2-samples", options.fragility.most_log2, "largest number of samples")
@@ -154,7 +196,7 @@ int main(int argc, char** argv) try {
     options.fragility = {.least_log2 = 4, .most_log2 = 6, .replicates = 4};
   }
   std::filesystem::create_directories(options.out);
-  std::cout << "Vectors: " << max_pass_target() << '\n';
+  std::cout << "Vectors: " << max_pass_target() << "; caches: " << caches_text() << '\n';
   bool good = true;
   const auto wanted = [&](const char* part) {
     return options.only.empty() || options.only == part;
@@ -163,6 +205,7 @@ int main(int argc, char** argv) try {
   if (wanted("coupled")) good &= bench_coupled(options);
   if (wanted("two_axes")) good &= bench_two_axes(options);
   if (wanted("fragility")) good &= bench_fragility(options);
+  if (wanted("studies") && !options.quick) good &= bench_studies(options);
   return good ? 0 : 1;
 } catch (const std::exception& error) {
   std::cerr << "bench: " << error.what() << '\n';

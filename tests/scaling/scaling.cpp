@@ -7,14 +7,11 @@
 #include <cmath>
 #include <exception>
 #include <iostream>
-#include <nlohmann/json.hpp>
-#include <stdexcept>
 
-#include "cli/child.hpp"
 #include "glissade/core/file.hpp"
 #include "glissade/report/figure.hpp"
 #include "glissade/report/table.hpp"
-#include "mpi/mpirun.hpp"
+#include "mpi/timed_run.hpp"
 #include "study_costs.hpp"
 
 namespace glissade::test {
@@ -28,25 +25,6 @@ constexpr Network tcp{30e-6, 2e-6, false, 1e9};
 void show(const Table& table, const std::filesystem::path& out) {
   write_text_file(out / (table.name + ".csv"), to_csv(table));
   std::cout << to_text(table) << '\n';
-}
-
-/// Least, over the tries, of what run.json says.
-PredictedRun real_run(const std::filesystem::path& study, int ranks, int tries) {
-  PredictedRun least{{}, INFINITY, INFINITY};
-  for (int i = 0; i < tries; ++i) {
-    const ScratchFolder folder;
-    const std::string out = folder.path("run").string();
-    const Finished run = run_on(ranks, {"run", study.string(), "--out", out});
-    if (run.status != 0) throw std::runtime_error(run.err);
-    const nlohmann::json stated = nlohmann::json::parse(read_text_file(out + "/run.json"));
-    PredictedRun seconds;
-    for (const auto& [phase, s] : stated.at("seconds").items()) {
-      seconds.total_s += s.get<double>();
-      if (phase == "histories") seconds.histories_s = s;
-    }
-    if (seconds.total_s < least.total_s) least = seconds;
-  }
-  return least;
 }
 
 Table cost_table() {
@@ -95,14 +73,16 @@ Table check_table() {
 /// @param cores of this machine; more ranks share them
 void check(const std::filesystem::path& study, const StudyCosts& costs, int cores, int tries,
            Table& table) {
-  const PredictedRun one = real_run(study, 1, tries), simulated_one = predict(costs, 1, cores, {});
+  const TimedRun one = quickest_run(study, 1, tries);
+  const PredictedRun simulated_one = predict(costs, 1, cores, {});
   for (const int ranks : {1, 2, 4, 8}) {
-    const PredictedRun real = ranks == 1 ? one : real_run(study, ranks, tries);
+    const TimedRun real = ranks == 1 ? one : quickest_run(study, ranks, tries);
     const PredictedRun simulated = predict(costs, ranks, cores, {});
     const double used = std::min(ranks, cores);
-    table.add({costs.name, static_cast<double>(ranks), simulated.histories_s, real.histories_s,
-               simulated.total_s, real.total_s, simulated_one.total_s / (used * simulated.total_s),
-               one.total_s / (used * real.total_s)});
+    table.add({costs.name, static_cast<double>(ranks), simulated.histories_s, real.of("histories"),
+               simulated.total_s, real.total_s(),
+               simulated_one.total_s / (used * simulated.total_s),
+               one.total_s() / (used * real.total_s())});
   }
 }
 
