@@ -34,9 +34,9 @@ constexpr int roof_order = 10;  // of the building
 
 inline V Number(double value) { return hn::Set(Doubles(), value); }
 
-/// Numbers of the lanes of a vector, read from memory where they are used.
+/// Numbers of the lanes of a vector, read from memory where they are used (LaneStates::from).
 struct Row {
-  const double* numbers;
+  double numbers[LaneStates::count];
   HWY_INLINE V operator()() const { return hn::Load(Doubles(), numbers); }
 };
 
@@ -52,16 +52,27 @@ HWY_INLINE void ForOrders(const What& what) {
   }
 }
 
+/// In pairs of terms: half as many operations wait for each other.
 template <int k = 0, int n>
 HWY_INLINE V Polynomial(const V (&c)[n], V t) {
   if constexpr (k + 1 == n)
     return c[k];
+  else if constexpr (k + 2 == n)
+    return c[k + 1] * t + c[k];
   else
-    return Polynomial<k + 1>(c, t) * t + c[k];
+    return Polynomial<k + 2>(c, t) * (t * t) + (c[k + 1] * t + c[k]);
 }
 
 constexpr double inverse[] = {0.0,     1.0,     1.0 / 2, 1.0 / 3, 1.0 / 4, 1.0 / 5,
                               1.0 / 6, 1.0 / 7, 1.0 / 8, 1.0 / 9, 1.0 / 10};
+
+/// The integral of a power series from zero to t.
+template <int n>
+HWY_INLINE V Integral(const V (&c)[n], V t) {
+  V terms[n];
+  ForOrders<0, n>([&](auto k) GLISSADE_INLINE_LAMBDA { terms[k] = c[k] * Number(inverse[k + 1]); });
+  return Polynomial(terms, t) * t;
+}
 
 /// A quantity linear over the rest of the interval.
 struct Ramped {
@@ -106,7 +117,6 @@ class RoofSeries {
   /// The term k of the load, by those of the velocity up to it.
   template <int k>
   HWY_INLINE void Term() {
-    HWY_FENCE;  // Rows are read again, not kept on the stack
     if constexpr (roof != RoofKind::rigid) Respond<k>();
     if constexpr (k < load_terms) Load<k>();
   }
@@ -174,12 +184,12 @@ class RoofSeries {
 };
 
 /// The block's velocity too, as a series. With the load p, the friction n along the slope,
-/// M = diag(1, aspect), the direction e = M v / |M v|, the speed u = |M v| and the rate d of v, all
-/// times h:
-///   e_k = (M v_k - sum of u_j e_k-j, j > 0) / u_0,   d = p - n M e,
-///   v_k+1 = d_k / (k + 1),   u_k+1 = (M e . d)_k / (k + 1)
+/// M = diag(1, aspect), the speed u = |M v|, g = n / u and the rate d of v, all times h:
+///   u_k = (sum of M v_j . M v_k-j / 2, all j, - sum of u_j u_k-j / 2, 0 < j < k) / u_0,
+///   g_k = (n_k - sum of u_j g_k-j, j > 0) / u_0,   d = p - g M M v,   v_k+1 = d_k / (k + 1)
 /// On a roof that the block accelerates n and d depend on each other (kappa, rho_sin_cos in
-/// Constants). In every sum the newest term is added last: the lanes wait for it.
+/// Constants). In every sum the newest term is added last: the lanes wait for it. There are few
+/// series, so that most of their terms stay in registers.
 template <RoofKind roof>
 class StepSeries : public RoofSeries<roof, order + 1, order> {
   using Base = RoofSeries<roof, order + 1, order>;
@@ -187,84 +197,82 @@ class StepSeries : public RoofSeries<roof, order + 1, order> {
 
  public:
   using Base::p_s, Base::p_y, Base::v_s, Base::v_y, Base::weight;
-  V speed[order];  // |M v|
+  V speed[order];  // u
 
   HWY_INLINE StepSeries(const Constants<Row>& constants, const LaneMotion<Row>& m,
                         const Ramped& first, const Ramped& second, const Ramped& vertical, V length)
       : Base(constants, m, first, second, vertical, length) {
-    speed[0] = hn::Sqrt(m.v_s() * m.v_s() + (c.aspect() * m.v_y()) * (c.aspect() * m.v_y()));
+    aspect2 = c.aspect() * c.aspect();
+    speed[0] = hn::Sqrt(v_s[0] * v_s[0] + aspect2 * (v_y[0] * v_y[0]));
     per_speed = hn::Div(Number(1.0), speed[0]);
+    e_s = v_s[0] * per_speed;
+    w_y = aspect2 * v_y[0];
+    e_y = w_y * per_speed;
     ForOrders<0, order>([&](auto k) GLISSADE_INLINE_LAMBDA {
       this->template Term<k>();
-      Direction<k>();
+      if constexpr (k > 0) Speed<k>();
       Rate<k>();
-      Speed<k>();
     });
     ForOrders<order, roof_order>([&](auto k) GLISSADE_INLINE_LAMBDA { this->template Term<k>(); });
   }
 
  private:
-  V per_speed, per_kappa;
-  V e_s[order], e_y[order], f_y[order], d_s[order], d_y[order], n[order];
+  V aspect2, per_speed, per_kappa;
+  V w_y, e_s, e_y;        // the first term of M M v across, and of M M v / u
+  V g[order], g2[order];  // n / u, and times aspect^2
 
+  /// Half the term k of M v . M v - u u, without what is of the order k itself.
   template <int k>
-  HWY_INLINE void Direction() {
-    if constexpr (k == 0) {
-      e_s[0] = v_s[0] * per_speed;
-      e_y[0] = (c.aspect() * v_y[0]) * per_speed;
-    } else {
-      V s = hn::Zero(Doubles()), y = s;
-      ForOrders<2, k>([&](auto j) GLISSADE_INLINE_LAMBDA {
-        s = s + speed[j] * e_s[k - j];
-        y = y + speed[j] * e_y[k - j];
-      });
-      if constexpr (k > 1) {
-        s = s + speed[1] * e_s[k - 1];
-        y = y + speed[1] * e_y[k - 1];
-      }
-      e_s[k] = ((v_s[k] - speed[k] * e_s[0]) - s) * per_speed;
-      e_y[k] = ((c.aspect() * v_y[k] - speed[k] * e_y[0]) - y) * per_speed;
+  HWY_INLINE V HalfOfSquares() const {
+    const auto product = [&](auto i) GLISSADE_INLINE_LAMBDA {
+      constexpr int j = k - i;
+      return (v_s[i] * v_s[j] - speed[i] * speed[j]) + aspect2 * (v_y[i] * v_y[j]);
+    };
+    if constexpr (k == 2)
+      return Number(0.5) * product(Order<1>());
+    else {
+      V sum = product(Order<1>());
+      ForOrders<2, (k + 1) / 2>([&](auto i) GLISSADE_INLINE_LAMBDA { sum = sum + product(i); });
+      if constexpr (k % 2 == 0) sum = sum + Number(0.5) * product(Order<k / 2>());
+      return sum;
     }
-    f_y[k] = c.aspect() * e_y[k];
-  }
-
-  template <int k>
-  HWY_INLINE void Rate() {
-    V s = p_s[k], y = p_y[k];
-    if constexpr (roof == RoofKind::coupled) {
-      const V coupling = c.mu() * c.rho_sin_cos();
-      if constexpr (k == 0) per_kappa = hn::Div(Number(1.0), c.kappa() - coupling * e_s[0]);
-      ForOrders<1, k + 1>([&](auto j) GLISSADE_INLINE_LAMBDA {
-        s = s - n[k - j] * e_s[j];
-        y = y - n[k - j] * f_y[j];
-      });
-      d_s[k] = (s - weight[k] * e_s[0]) * per_kappa;
-      n[k] = weight[k] - coupling * d_s[k];
-      d_y[k] = (y - n[k] * f_y[0]) * c.per_kappa_y();
-    } else {
-      constexpr int first = roof == RoofKind::rigid && k > 1 ? k - 1 : 0;
-      ForOrders<first, k + 1>([&](auto j) GLISSADE_INLINE_LAMBDA {
-        s = s - weight[k - j] * e_s[j];
-        y = y - weight[k - j] * f_y[j];
-      });
-      d_s[k] = s;
-      d_y[k] = y;
-    }
-    v_s[k + 1] = d_s[k] * Number(inverse[k + 1]);
-    v_y[k + 1] = d_y[k] * Number(inverse[k + 1]);
   }
 
   template <int k>
   HWY_INLINE void Speed() {
-    if constexpr (k + 1 < order) {
-      V sum = hn::Zero(Doubles());
-      ForOrders<1, k>([&](auto j) GLISSADE_INLINE_LAMBDA {
-        sum = sum + (e_s[j] * d_s[k - j] + f_y[j] * d_y[k - j]);
-      });
-      if constexpr (k > 0) sum = sum + (e_s[k] * d_s[0] + f_y[k] * d_y[0]);
-      sum = sum + (e_s[0] * d_s[k] + f_y[0] * d_y[k]);
-      speed[k + 1] = sum * Number(inverse[k + 1]);
+    const V by_s = e_s * v_s[k], by_y = e_y * v_y[k];
+    if constexpr (k == 1)
+      speed[1] = by_s + by_y;
+    else
+      speed[k] = (HalfOfSquares<k>() * per_speed + by_s) + by_y;
+  }
+
+  template <int k>
+  HWY_INLINE void Rate() {
+    // Sums of g times v and u.
+    V s = p_s[k], y = p_y[k], n = weight[k];
+    const auto subtract = [&](auto j) GLISSADE_INLINE_LAMBDA {
+      s = s - g[k - j] * v_s[j];
+      y = y - g2[k - j] * v_y[j];
+      n = n - g[k - j] * speed[j];
+    };
+    ForOrders<1, k + 1>(subtract);
+    V d_s, d_y;
+    if constexpr (roof == RoofKind::coupled) {
+      const V coupling = c.mu() * c.rho_sin_cos();
+      if constexpr (k == 0) per_kappa = hn::Div(Number(1.0), c.kappa() - coupling * e_s);
+      d_s = (s - n * e_s) * per_kappa;
+      g[k] = (n - coupling * d_s) * per_speed;
+      g2[k] = aspect2 * g[k];
+      d_y = (y - g[k] * w_y) * c.per_kappa_y();
+    } else {
+      g[k] = n * per_speed;
+      g2[k] = aspect2 * g[k];
+      d_s = s - g[k] * v_s[0];
+      d_y = y - g[k] * w_y;
     }
+    v_s[k + 1] = d_s * Number(inverse[k + 1]);
+    v_y[k + 1] = d_y * Number(inverse[k + 1]);
   }
 };
 
@@ -278,19 +286,16 @@ HWY_INLINE V StepFraction(const StepSeries<roof>& z, V allowed) {
   const V to_stop =
       hn::Div(Number(-approach_to_stop) * z.speed[0], hn::IfThenElse(slows, z.speed[1], one));
   f = hn::IfThenElse(slows, hn::Min(f, to_stop), f);
+  // (allowed / error)^(1/6) to 3 %, by a sixth of the difference of their exponents.
   const Mask rough = hn::Gt(error, allowed);
-  if (!hn::AllFalse(Doubles(), rough)) {
-    // x^(1/5) to 1 %, by a fifth of its exponent: errors add up to the tolerance over an interval.
-    const hn::Rebind<float, Doubles> df;
-    const hn::RebindToSigned<decltype(df)> di;
-    constexpr float one_bits = 1065353216.0F;
-    const auto ratio = hn::DemoteTo(df, hn::Max(hn::Div(allowed, error), Number(1e-30)));
-    const auto bits = hn::ConvertTo(df, hn::BitCast(di, ratio));
-    const auto fifth = hn::Add(hn::Mul(hn::Sub(bits, hn::Set(df, one_bits)), hn::Set(df, 1.0F / 5)),
-                               hn::Set(df, one_bits));
-    const V x = Number(0.9) * hn::PromoteTo(Doubles(), hn::BitCast(df, hn::ConvertTo(di, fifth)));
-    f = hn::IfThenElse(rough, hn::Min(f, x), f);
-  }
+  const Indices di;
+  const auto excess = hn::Sub(hn::BitCast(di, error), hn::BitCast(di, allowed));
+  auto sixth =
+      hn::Add(hn::ShiftRight<3>(excess), hn::ShiftRight<5>(excess));  // times 15/16, a series
+  sixth = hn::Add(sixth, hn::ShiftRight<4>(sixth));
+  sixth = hn::Add(sixth, hn::ShiftRight<8>(sixth));
+  const V x = Number(0.9) * hn::BitCast(Doubles(), hn::Sub(hn::BitCast(di, one), sixth));
+  f = hn::IfThenElse(rough, hn::Min(f, x), f);
   return hn::IfThenElse(hn::And(hn::Lt(f, one), hn::Gt(f, half)), half, f);
 }
 

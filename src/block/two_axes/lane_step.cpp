@@ -60,24 +60,12 @@ HWY_NOINLINE V RootOf(Terms<n> f, V to, V at_begin, V at_end) {
                           at_begin, at_end);
 }
 
-/// The lanes' numbers, where they are used: they are too many for the registers.
-HWY_INLINE LaneMotion<Row> MotionOf(const LaneStates& lanes, std::size_t first) {
-  LaneMotion<Row> m;
-  LaneStates::point_to(lanes.motion, first, m);
-  return m;
-}
-HWY_INLINE Constants<Row> ConstantsOf(const LaneStates& lanes, std::size_t first) {
-  Constants<Row> c;
-  LaneStates::point_to(lanes.constants, first, c);
-  return c;
-}
-
 /// Of the permitted error of a stop. LaneHistory::stop() sees more of the load's change than a
 /// lane: below this it takes most stops at once, which else need a stiff step before.
 constexpr double surely_permitted = 0.3;
 
-/// Of the tolerance: the errors of the steps add up over a history.
-constexpr double series_share = 0.8, implicit_share = 1.0;
+/// Of the tolerance, for the estimate of a step's error: those of the steps add up over a history.
+constexpr double series_share = 0.6, implicit_share = 1.0;
 
 /// The smooth part of a sample interval that is left, and what the ground does in it.
 struct LaneInterval {
@@ -136,44 +124,35 @@ HWY_INLINE Mask Stops(const Series& z, const Constants<Row>& c, const LaneMotion
                         allowed * ((margin * margin) * margin)));
 }
 
-/// Displacement over the step, as series in tau.
-static_assert(order + 2 == LaneStates::path_terms);
-template <int n>
-struct PathSeries {
-  V s[n + 1], y[n + 1];
+/// Displacement along an axis: its rate by tau is that of the velocity times `scale`.
+struct Displacement {
+  V begin, scale;
 
-  HWY_INLINE PathSeries(const V (&v_s)[n], const V (&v_y)[n], const Constants<Row>& c,
-                        const LaneMotion<Row>& m, V h) {
-    s[0] = m.at_s();
-    y[0] = m.at_y();
-    const V h_s = h * c.cosine2(), h_y = h * c.cosine();
-    ForOrders<0, n>([&](auto k) GLISSADE_INLINE_LAMBDA {
-      const V by_k = Number(inverse[k + 1]);
-      s[k + 1] = (h_s * by_k) * v_s[k];
-      y[k + 1] = (h_y * by_k) * v_y[k];
-    });
+  template <int n>
+  HWY_INLINE V At(const V (&velocity)[n], V t) const {
+    return begin + scale * Integral(velocity, t);
   }
 };
 
 /// The displacement squared where the block turns back within a step over the fraction f.
 template <int n>
-HWY_NOINLINE V FarthestAtTurn(Terms<n + 1> path_s, Terms<n + 1> path_y, Terms<n> v_s, Terms<n> v_y,
-                              V cosine2, V cosine, V f, V out_at_begin, V out_at_end) {
+HWY_NOINLINE V FarthestAtTurn(Displacement along, Displacement across, Terms<n> v_s, Terms<n> v_y,
+                              V f, V out_at_begin, V out_at_end) {
   const auto out = [&](V t) GLISSADE_INLINE_LAMBDA {
-    return Polynomial(path_s.of, t) * (cosine2 * Polynomial(v_s.of, t)) +
-           Polynomial(path_y.of, t) * (cosine * Polynomial(v_y.of, t));
+    return along.At(v_s.of, t) * (along.scale * Polynomial(v_s.of, t)) +
+           across.At(v_y.of, t) * (across.scale * Polynomial(v_y.of, t));
   };
   const V t = Root(out, f, out_at_begin, out_at_end);
-  const V s = Polynomial(path_s.of, t), y = Polynomial(path_y.of, t);
+  const V s = along.At(v_s.of, t), y = across.At(v_y.of, t);
   return s * s + y * y;
 }
 
 /// Raises what a history has seen so far to the step's end and to what is
 /// between.
 template <int n>
-HWY_INLINE void RaisePeaks(const V (&v_s)[n], const V (&v_y)[n], const Constants<Row>& c,
-                           const LaneMotion<Row>& m, const PathSeries<n>& path, Mask goes, V f,
-                           V along, LaneMotion<V>& to) {
+HWY_INLINE void RaisePeaks(const V (&v_s)[n], const V (&v_y)[n], const LaneMotion<Row>& m,
+                           const Displacement& along, const Displacement& across, Mask goes, V f,
+                           LaneMotion<V>& to) {
   const V zero = hn::Zero(Doubles());
   to.farthest2 = hn::Max(m.farthest2(), to.at_s * to.at_s + to.at_y * to.at_y);
   to.ahead_s = hn::Max(m.ahead_s(), to.at_s);
@@ -181,35 +160,35 @@ HWY_INLINE void RaisePeaks(const V (&v_s)[n], const V (&v_y)[n], const Constants
   to.ahead_y = hn::Max(m.ahead_y(), to.at_y);
   to.back_y = hn::Max(m.back_y(), zero - to.at_y);
 
-  const V begin2 = path.s[0] * path.s[0] + path.y[0] * path.y[0];
-  const V out0 = path.s[0] * (c.cosine2() * v_s[0]) + path.y[0] * (c.cosine() * v_y[0]);
-  const V out1 = to.at_s * (c.cosine2() * to.v_s) + to.at_y * (c.cosine() * to.v_y);
+  // Half the rate of the displacement squared.
+  const V out0 = along.begin * (along.scale * v_s[0]) + across.begin * (across.scale * v_y[0]);
+  const V out1 = to.at_s * (along.scale * to.v_s) + to.at_y * (across.scale * to.v_y);
   const auto along_path = [&]() GLISSADE_INLINE_LAMBDA {
     const Mask turns = hn::And(goes, hn::And(hn::Gt(out0, zero), hn::Lt(out1, zero)));
     if (HWY_LIKELY(hn::AllFalse(Doubles(), turns))) return;
     // Twice what is gained where the rate falls as a line.
-    const V gain = (Number(2.0) * along) * hn::Div(out0 * out0, out0 - out1);
+    const V gain = (Number(2.0) * f) * hn::Div(out0 * out0, out0 - out1);
+    const V begin2 = along.begin * along.begin + across.begin * across.begin;
     const Mask returns = hn::And(turns, hn::Gt(begin2 + gain, to.farthest2));
     if (HWY_LIKELY(hn::AllFalse(Doubles(), returns))) return;
-    const V farthest2 = FarthestAtTurn<n>(Terms(path.s), Terms(path.y), Terms(v_s), Terms(v_y),
-                                          c.cosine2(), c.cosine(), f, out0, out1);
+    const V farthest2 = FarthestAtTurn<n>(along, across, Terms(v_s), Terms(v_y), f, out0, out1);
     to.farthest2 = hn::IfThenElse(returns, hn::Max(to.farthest2, farthest2), to.farthest2);
   };
-  const auto along_axis = [&](const V(&v)[n], V v1, const V(&w)[n + 1], V& ahead,
+  const auto along_axis = [&](const V(&v)[n], V v1, const Displacement& at, V& ahead,
                               V& back) GLISSADE_INLINE_LAMBDA {
     const Mask turns = hn::And(goes, hn::Lt(v[0] * v1, zero));
     if (HWY_LIKELY(hn::AllFalse(Doubles(), turns))) return;
-    const V reach = w[0] + hn::Div((f * w[1]) * v[0], v[0] - v1);
+    const V reach = at.begin + hn::Div((f * at.scale) * (v[0] * v[0]), v[0] - v1);
     const Mask reverses = hn::And(turns, hn::Or(hn::Gt(reach, ahead), hn::Gt(zero - reach, back)));
     if (HWY_LIKELY(hn::AllFalse(Doubles(), reverses))) return;
     const V t = RootOf(Terms(v), f, v[0], v1);
-    const V value = Polynomial(w, t);
+    const V value = at.At(v, t);
     ahead = hn::IfThenElse(reverses, hn::Max(ahead, value), ahead);
     back = hn::IfThenElse(reverses, hn::Max(back, zero - value), back);
   };
   along_path();
-  along_axis(v_s, to.v_s, path.s, to.ahead_s, to.back_s);
-  along_axis(v_y, to.v_y, path.y, to.ahead_y, to.back_y);
+  along_axis(v_s, to.v_s, along, to.ahead_s, to.back_s);
+  along_axis(v_y, to.v_y, across, to.ahead_y, to.back_y);
 }
 
 /// Writes the motion of the lanes that make the step, all but trial.
@@ -250,17 +229,15 @@ HWY_INLINE std::uint64_t Bits(Mask mask) {
   return bits[0];
 }
 
+/// The displacement of a step as a series, for LaneHistory::crossed.
 template <int n>
-HWY_INLINE void KeepPath(LaneStates::Passed& to, std::size_t first, const PathSeries<n>& path,
-                         V begin_s, V length_s, V fraction) {
-  const Doubles d;
-  for (std::size_t k = 0; k < LaneStates::path_terms; ++k) {
-    hn::Store(k <= n ? path.s[k] : hn::Zero(d), d, to.path_s[k] + first);
-    hn::Store(k <= n ? path.y[k] : hn::Zero(d), d, to.path_y[k] + first);
-  }
-  hn::Store(begin_s, d, to.begin_s + first);
-  hn::Store(length_s, d, to.length_s + first);
-  hn::Store(fraction, d, to.fraction + first);
+HWY_INLINE void KeepPath(double (&to)[LaneStates::path_terms][LaneStates::count], std::size_t first,
+                         const Displacement& at, const V (&v)[n]) {
+  static_assert(n < LaneStates::path_terms);
+  hn::Store(at.begin, Doubles(), to[0] + first);
+  for (std::size_t k = 1; k < LaneStates::path_terms; ++k)
+    hn::Store(k <= n ? (at.scale * Number(inverse[k])) * v[k - 1] : hn::Zero(Doubles()), Doubles(),
+              to[k] + first);
 }
 
 /// Takes the lanes that make the step over the fraction f of the interval's rest, at whose end `to`
@@ -273,10 +250,10 @@ HWY_INLINE void Advance(LaneStates& lanes, const GroundRows& ground, std::size_t
   const Doubles d;
   const Indices di;
   const V one = Number(1.0), h = interval.h;
-  const PathSeries<n> path(v_s, v_y, c, m, h);
-  to.at_s = Polynomial(path.s, f);
-  to.at_y = Polynomial(path.y, f);
-  RaisePeaks(v_s, v_y, c, m, path, goes, f, h * f, to);
+  const Displacement along{m.at_s(), h * c.cosine2()}, across{m.at_y(), h * c.cosine()};
+  to.at_s = along.At(v_s, f);
+  to.at_y = across.At(v_y, f);
+  RaisePeaks(v_s, v_y, m, along, across, goes, f, to);
 
   const Mask whole = hn::Eq(f, one);
   to.left = hn::IfThenElse(whole, one, m.left() * (one - f));
@@ -300,7 +277,12 @@ HWY_INLINE void Advance(LaneStates& lanes, const GroundRows& ground, std::size_t
 
   const Mask reached = hn::And(goes, hn::Ge(to.farthest2, hn::Load(d, lanes.next2 + first)));
   if (HWY_UNLIKELY(!hn::AllFalse(d, reached))) {
-    KeepPath(lanes.passed, first, path, begin_s, h, f);
+    LaneStates::Passed& passed = lanes.passed;
+    KeepPath(passed.path_s, first, along, v_s);
+    KeepPath(passed.path_y, first, across, v_y);
+    hn::Store(begin_s, d, passed.begin_s + first);
+    hn::Store(h, d, passed.length_s + first);
+    hn::Store(f, d, passed.fraction + first);
     stepped.passed = Bits(reached);
   }
 }
@@ -308,10 +290,10 @@ HWY_INLINE void Advance(LaneStates& lanes, const GroundRows& ground, std::size_t
 /// One step of neighbouring lanes by a Taylor series; see Stepped.
 template <RoofKind roof>
 HWY_INLINE Stepped TaylorStep(LaneStates& lanes, const GroundRows& ground, std::size_t first) {
-  const LaneMotion<Row> m = MotionOf(lanes, first);
-  const Constants<Row> c = ConstantsOf(lanes, first);
-  const LaneInterval i = LoadInterval(lanes, ground, first, c, m);
-  const StepSeries<roof> z(c, m, i.ground_1, i.ground_2, i.up, i.h);
+  const auto& m = LaneStates::from<Row>(lanes.motion, first);
+  const auto& c = LaneStates::from<Row>(lanes.constants, first);
+  LaneInterval i = LoadInterval(lanes, ground, first, c, m);
+  StepSeries<roof> z(c, m, i.ground_1, i.ground_2, i.up, i.h);
 
   LaneMotion<V> to{};
   to.fastest = hn::Max(m.fastest(), z.speed[0]);
@@ -392,8 +374,8 @@ class ImplicitStep {
  public:
   HWY_INLINE ImplicitStep(const LaneStates& lanes, const GroundRows& ground, std::size_t first_lane)
       : first(first_lane),
-        m(MotionOf(lanes, first)),
-        c(ConstantsOf(lanes, first)),
+        m(LaneStates::from<Row>(lanes.motion, first)),
+        c(LaneStates::from<Row>(lanes.constants, first)),
         i(LoadInterval(lanes, ground, first, c, m)),
         z(c, m, i.ground_1, i.ground_2, i.up, i.h) {
     const V zero = hn::Zero(Doubles());
@@ -453,8 +435,8 @@ class ImplicitStep {
   }
 
   std::size_t first;
-  LaneMotion<Row> m;
-  Constants<Row> c;
+  const LaneMotion<Row>& m;
+  const Constants<Row>& c;
   LaneInterval i;
   V f, speed, rounding;
   Mask event, lifted;
