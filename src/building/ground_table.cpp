@@ -33,10 +33,10 @@ GroundTable::GroundTable(double dt_s, std::span<const double> acceleration_mps2,
   require_finite({dt_s}, "the step");
   GLISSADE_EXPECTS(dt_s > 0.0 && parts >= 1 && !acceleration_mps2.empty());
   const std::size_t samples = without_trailing_zeros(acceleration_mps2);
-  const auto pieces = static_cast<std::size_t>(parts);
+  const auto steps_of_sample = static_cast<std::size_t>(parts);
   building_detail::require_steps(static_cast<double>(acceleration_mps2.size()) * parts, step_s_);
-  last_sample_ = (acceleration_mps2.size() - 1) * pieces;
-  quiet_from_ = samples * pieces;
+  last_sample_ = (acceleration_mps2.size() - 1) * steps_of_sample;
+  quiet_from_ = samples * steps_of_sample;
   nodes_.reserve(quiet_from_ + 1);
   append(GroundNode{.acceleration_mps2 = acceleration_mps2.front()});
   for (std::size_t i = 0; i < samples; ++i) {

@@ -101,10 +101,10 @@ ResponsePeaks Bound(const Response& r, float* lowest, float* highest, float* bel
   };
   const auto node = [&](std::size_t i) {
     const Vector x = hn::LoadU(d, r.x + i), y = hn::LoadU(d, r.y + i);
-    const Vector elastic = hn::Add(x, hn::Mul(twice, y));
+    const Vector resisting = hn::Add(x, hn::Mul(twice, y));
     const Vector ground = hn::LoadU(d, r.ground_mps2 + i);
-    const Vector jerk = hn::Mul(omega, hn::Sub(hn::Mul(twice, hn::Add(elastic, ground)), y));
-    return Node{hn::Neg(elastic), jerk,
+    const Vector jerk = hn::Mul(omega, hn::Sub(hn::Mul(twice, hn::Add(resisting, ground)), y));
+    return Node{hn::Neg(resisting), jerk,
                 hn::Add(hn::LoadU(d, r.ground_mps + i), hn::Mul(y, per_omega))};
   };
   // The last vector starts early enough to end with the last interval.
@@ -131,9 +131,9 @@ ResponsePeaks Bound(const Response& r, float* lowest, float* highest, float* bel
     if (i + n > r.nodes) i = r.nodes > n ? r.nodes - n : 0;
     const Vector v =
         hn::Add(hn::LoadU(d, r.ground_mps + i), hn::Mul(hn::LoadU(d, r.y + i), per_omega));
-    const Vector sag = hn::Max(hn::LoadU(d, excess + i), hn::LoadU(d, excess + 1 + i));
-    const auto below_f = hn::DemoteTo(f, hn::Mul(hn::Sub(v, sag), v_scale));
-    const auto above_f = hn::DemoteTo(f, hn::Mul(hn::Add(v, sag), v_scale));
+    const Vector departure = hn::Max(hn::LoadU(d, excess + i), hn::LoadU(d, excess + 1 + i));
+    const auto below_f = hn::DemoteTo(f, hn::Mul(hn::Sub(v, departure), v_scale));
+    const auto above_f = hn::DemoteTo(f, hn::Mul(hn::Add(v, departure), v_scale));
     hn::StoreU(hn::Sub(below_f, widen(below_f)), f, below + i);
     hn::StoreU(hn::Add(above_f, widen(above_f)), f, above + i);
   }
@@ -275,7 +275,7 @@ void bound_ground(MotionTable& table) {
   const std::size_t intervals = table.nodes - 1;
   table.acceleration_bound_mps2 = b.largest_velocity_mps = 0.0;
   // Where a falls by r over an interval, V rises above its chord by r h / 8 at most; where it
-  // rises, V sags.
+  // rises, V is below it.
   const auto excess = [&](std::size_t i) { return (a[i + 1] - a[i]) * table.step_s() / 8.0; };
   for (std::size_t i = 0; i < table.nodes; ++i) {
     table.acceleration_bound_mps2 = std::max(table.acceleration_bound_mps2, std::abs(a[i]));

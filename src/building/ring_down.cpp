@@ -42,7 +42,8 @@ std::size_t ring_down_steps(const Oscillator& oscillator, double step_s, double 
   if (options.settle_deceleration_mps2 > 0.0) {
     const double settle_s =
         velocity_range_mps / options.settle_deceleration_mps2 + oscillator.period_s;
-    steps = std::min(steps + settle_s / step_s, steps_to(1e-4 * quiet_mps2));
+    constexpr double negligible = 1e-4;  // of the acceleration that can start the block
+    steps = std::min(steps + settle_s / step_s, steps_to(negligible * quiet_mps2));
   }
   require_steps(steps, step_s);
   return static_cast<std::size_t>(std::ceil(steps));

@@ -69,8 +69,8 @@ class MotionNodes {
  private:
   friend struct MotionTable;
   double jerk_mps3(std::size_t i) const {
-    const double elastic = x_[i] + twice_zeta_ * y_[i];
-    return omega_radps_ * (twice_zeta_ * (elastic + ground_[i].acceleration_mps2) - y_[i]);
+    const double resisting = x_[i] + twice_zeta_ * y_[i];
+    return omega_radps_ * (twice_zeta_ * (resisting + ground_[i].acceleration_mps2) - y_[i]);
   }
 
   const GroundNode* ground_ = nullptr;

@@ -59,7 +59,8 @@ double BuildingContact::friction_bound(const Accelerance& m) const {
   const double reach = std::abs(m.ss) + std::abs(m.sy);
   const double divisor = 1.0 + tangent * (tangent * m.ss - mu * reach);
   const double most = std::max(m.ss, m.yy) + std::abs(m.sy);
-  return (most * (tangent + mu) + mu) / std::max(divisor, 1e-3);
+  constexpr double least_divisor = 1e-3;  // near singular coupling the bound is as large as useful
+  return (most * (tangent + mu) + mu) / std::max(divisor, least_divisor);
 }
 
 /// Newton's method on the factor k, with |v| falling by lambda f.v/|v| per k, kept in a bracket:

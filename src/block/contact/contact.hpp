@@ -34,8 +34,9 @@ struct DriveLine {
 /// friction, where both agree to 1e-12. Friction that exceeds the slope by rounding alone stops
 /// nothing within the length of any record. All models take this rule.
 inline double beyond_friction(double tan_slope, double friction) {
+  constexpr double agree = 1e-12;
   const double surplus = tan_slope - friction;
-  return std::abs(surplus) <= 1e-12 * friction ? 0.0 : surplus;
+  return std::abs(surplus) <= agree * friction ? 0.0 : surplus;
 }
 
 /// A surface that falls toward -x is the mirror image of one that falls toward +x: all equations

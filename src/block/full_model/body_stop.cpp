@@ -84,7 +84,8 @@ Stop FullModelBody::find_stop(const UncoupledRoof& uncoupled, double left_s,
   // keeps the error in velocity.
   const auto load = [&](double at_s) { return load_at_rest(uncoupled, at_s); };
   const double residual_speed = straight.residual_speed;
-  if (residual_speed <= 0.1 * tolerance_ * peak_speed_ ||
+  constexpr double of_tolerance = 0.1;  // a speed that counts as none (on_building.hpp)
+  if (residual_speed <= of_tolerance * tolerance_ * peak_speed_ ||
       0.5 * residual_speed * certain_rest_s(residual_speed, t, left_s, contact_.friction(), load) <=
           allowed) {
     const double rate0 = straight.begin_rate, rate1 = straight.end_rate;

@@ -98,7 +98,7 @@ BuildingSlip slide_along(const TwoAxisTrack& track, const BuildingGround& ground
 
 /// A path in the axes of another slope.
 /// @param angle_rad from the azimuth of that slope to the azimuth of the path's
-void turn(std::span<PathPiece> path, double angle_rad) {
+void rotate(std::span<PathPiece> path, double angle_rad) {
   const double c = std::cos(angle_rad), s = std::sin(angle_rad);
   for (PathPiece& piece : path)
     for (block_detail::Vector& d : piece.points) d = {c * d.s - s * d.y, s * d.s + c * d.y};
@@ -154,7 +154,7 @@ PlanVector closing_on_building(const BuildingGround& ground, const BuildingFacto
     track.keep(&paths[i]);
     slide_along(track, ground, factors, building, one, tolerance);
   }
-  turn(paths[1], neighbour.azimuth_rad - block.azimuth_rad);
+  rotate(paths[1], neighbour.azimuth_rad - block.azimuth_rad);
   const block_detail::Vector lead = largest_lead(paths[0], paths[1]);
   return {lead.s, lead.y};
 }

@@ -42,10 +42,13 @@ inline Vector damped(Vector error, Vector v, double gamma_h, double normal,
   return along + 1.0 / (1.0 + gamma_h * stiffness) * (error - along);
 }
 
-/// By which to multiply the length of a step for its error to become `ratio` times as large, with
-/// Hairer & Wanner's safety factor and limits; the error of a step is of order 4.
+/// Safety factor and limits of the change of a step (Hairer & Wanner 1996, IV.8).
+constexpr double step_safety = 0.9, least_step_factor = 0.2, most_step_factor = 5.0;
+
+/// By which to multiply the length of a step for its error to become `ratio` times as large; the
+/// error of a step is of order 4.
 inline double step_factor(double ratio) {
-  return std::clamp(0.9 * std::sqrt(std::sqrt(ratio)), 0.2, 5.0);
+  return std::clamp(step_safety * std::sqrt(std::sqrt(ratio)), least_step_factor, most_step_factor);
 }
 /// Allowed over estimated error; a step without an error becomes as long as it may.
 /// @throw NotConverged if the error is no number

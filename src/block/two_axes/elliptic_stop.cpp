@@ -6,6 +6,9 @@
 namespace glissade::block_detail::two_axes {
 namespace {
 
+constexpr double nothing_left =
+    2e-4;  // of the speed: its square, which the path goes with, is 4e-8
+
 struct Braking {
   Vector load, friction;  // M d, and n M M as a vector
 
@@ -39,7 +42,7 @@ EllipticStop by_steps(Vector v, Vector d, double n, double aspect, double enough
   for (;;) {
     brake = braking.at(e);
     if (!(brake > 0.0)) return {};
-    if (u < 2e-4 * first || length(braking.rotation(e)) * u * u < enough_m * brake) break;
+    if (u < nothing_left * first || length(braking.rotation(e)) * u * u < enough_m * brake) break;
     const Vector middle = braking.rotated(e, to_middle), end = braking.rotated(middle, to_end);
     const double at_middle = braking.at(middle), at_end = braking.at(end);
     if (!(at_middle > 0.0 && at_end > 0.0)) return {};

@@ -20,6 +20,7 @@ class RoofAtRest;
 template <class Function>
 double rise_by_secant(const Function& f, double f_low, double f_high, double low = 0.0,
                       double high = 1.0) {
+  constexpr double converged = 1e-9, rounding = 1e-13;  // of an interval of length one
   double x0 = low, f0 = f_low, x1 = high, f1 = f_high;
   for (int i = 0; i < 60; ++i) {
     double x = x1 - f1 * (x1 - x0) / (f1 - f0);
@@ -31,7 +32,7 @@ double rise_by_secant(const Function& f, double f_low, double f_high, double low
     f0 = f1;
     x1 = x;
     f1 = value;
-    if (moved < 1e-9 || value == 0.0 || high - low < 1e-13) break;
+    if (moved < converged || value == 0.0 || high - low < rounding) break;
   }
   return x1;
 }

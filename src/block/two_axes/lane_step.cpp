@@ -411,7 +411,8 @@ class ImplicitStep {
     // step_factor() in sdirk4.hpp.
     const V ratio = hn::Div(allowed, hn::Max(error, Number(1e-4) * allowed));
     const V factor =
-        hn::Min(hn::Max(Number(0.9) * hn::Sqrt(hn::Sqrt(ratio)), Number(0.2)), Number(5.0));
+        hn::Min(hn::Max(Number(step_safety) * hn::Sqrt(hn::Sqrt(ratio)), Number(least_step_factor)),
+                Number(most_step_factor));
     const V trial = hn::IfThenElse(finite, (f * m.left()) * factor, zero);
     const V next_trial = hn::IfThenElse(event, m.trial(), trial);
 

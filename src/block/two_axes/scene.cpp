@@ -8,7 +8,7 @@
 namespace glissade::block_detail::two_axes {
 namespace {
 
-constexpr double longest_phase = 0.85;  // over a sample interval: an eighth of a period
+constexpr double longest_phase_in_lanes = 0.85;  // over a sample interval: an eighth of a period
 constexpr double least_aspect = 0.5, most_aspect = 2.0;  // of the friction ellipse
 constexpr double least_friction = 1.02;  // over tan(slope): less stops the block too late
 constexpr double most_friction = 2.0;
@@ -19,7 +19,7 @@ double omega_of(const Oscillator& oscillator) {
 }
 
 bool fits_lanes(const Oscillator& oscillator, double dt_s) {
-  return omega_of(oscillator) * dt_s <= longest_phase &&
+  return omega_of(oscillator) * dt_s <= longest_phase_in_lanes &&
          oscillator.damping_ratio >= least_damping && oscillator.damping_ratio <= most_damping;
 }
 

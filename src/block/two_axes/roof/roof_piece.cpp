@@ -6,6 +6,17 @@
 #include "block/polynomial/power_series.hpp"
 
 namespace glissade::block_detail::two_axes {
+namespace {
+
+/// Terms of a power series of free vibration of which the rest is below 1e-12, by omega times the
+/// length of the piece.
+int terms_for(double phase) {
+  if (phase < 0.02) return 6;
+  if (phase < 0.1) return 8;
+  return phase < 0.3 ? 10 : RoofPiece::most_terms;
+}
+
+}  // namespace
 
 RoofPiece::RoofPiece(const HistoryState& state, const GroundNodes& ground,
                      const Constants<double>& c, RoofKind roof, const BlockVelocity& block_velocity)
@@ -23,8 +34,7 @@ RoofPiece::RoofPiece(const HistoryState& state, const GroundNodes& ground,
     }
     return;
   }
-  const double longest = std::max(c.omega_1, c.omega_2) * length_s_;
-  terms_ = longest < 0.02 ? 6 : longest < 0.1 ? 8 : longest < 0.3 ? 10 : most_terms;  // 1e-12
+  terms_ = terms_for(std::max(c.omega_1, c.omega_2) * length_s_);
   const double omega[] = {c.omega_1, c.omega_2}, damping[] = {c.twice_zeta_1, c.twice_zeta_2};
   const double omega_rho[] = {c.omega_rho_1, c.omega_rho_2};
   for (std::size_t n = 0; n < 2; ++n) {
