@@ -10,10 +10,10 @@ namespace {
 
 /// Terms of a power series of free vibration of which the rest is below 1e-12, by omega times the
 /// length of the piece.
-int terms_for(double phase) {
+int terms_for(double phase, int most) {
   if (phase < 0.02) return 6;
   if (phase < 0.1) return 8;
-  return phase < 0.3 ? 10 : RoofPiece::most_terms;
+  return phase < 0.3 ? 10 : most;
 }
 
 }  // namespace
@@ -34,7 +34,7 @@ RoofPiece::RoofPiece(const HistoryState& state, const GroundNodes& ground,
     }
     return;
   }
-  terms_ = terms_for(std::max(c.omega_1, c.omega_2) * length_s_);
+  terms_ = terms_for(std::max(c.omega_1, c.omega_2) * length_s_, most_terms);
   const double omega[] = {c.omega_1, c.omega_2}, damping[] = {c.twice_zeta_1, c.twice_zeta_2};
   const double omega_rho[] = {c.omega_rho_1, c.omega_rho_2};
   for (std::size_t n = 0; n < 2; ++n) {
