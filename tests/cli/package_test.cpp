@@ -53,7 +53,7 @@ TEST_F(Package, numbers_the_records_as_figure_1_does) {
   EXPECT_THAT(read_file(out() / "package.html"), states(">No.<", ">PGD, in<"));
 }
 
-// Its words alone tell the engineer that a clearance which is large enough may not be accepted.
+// Only its words inform the engineer that a clearance which is large enough may not be accepted.
 TEST_F(Package, screen_and_page_say_that_the_answer_is_with_reservation) {
   for (const std::string& text : {finished_.out, read_file(out() / "package.html")})
     EXPECT_THAT(text, states("Reservation"));
