@@ -326,6 +326,25 @@ TEST(ClearanceCommand, of_a_project_that_cannot_run_leaves_nothing) {
   EXPECT_FALSE(fs::exists(out));
 }
 
+TEST(ClearanceCommand, refuses_a_run_json_of_another_form) {
+  const ScratchFolder folder;
+  const std::string out = folder.path("").string();
+  const auto resumed_with = [&](const std::string& json) {
+    folder.write("run.json", json);
+    return run_program({"clearance", "--resume", out});
+  };
+  for (const char* json : {R"({"command": "clearance", "status": 3, "project": 3})",
+                           R"({"command": "clearance", "status": ["started"], "project": [1]})",
+                           R"({"command": "clearance", "status": "started"})"})
+    expect_refused(resumed_with(json), {"run.json", "\"project\"", "--overwrite"});
+  expect_refused(
+      resumed_with(R"({"command": "clearance", "project": "p.toml", "project_sha256": 3})"),
+      {"run.json", "\"project_sha256\"", "--overwrite"});
+  for (const char* json : {"[1]", R"({"command": 3})", R"({"status": "finished", "skips": [3]})"})
+    expect_refused(resumed_with(json), {"holds no calculation"});
+  EXPECT_EQ(folder.contents(), std::vector<std::string>{"run.json"});
+}
+
 TEST(ClearanceCommand, prints_an_example_and_needs_a_project) {
   const Finished child = run_program({"clearance", "--example"});
   EXPECT_EQ(child.status, 0);
