@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "by_record/sandwich.hpp"
+#include "glissade/core/finite.hpp"
 #include "glissade/core/jackknife.hpp"
 #include "glissade/core/normal.hpp"
-#include "glissade/core/not_finite.hpp"
 #include "lognormal/likelihood.hpp"
 
 namespace glissade::fragility {

@@ -6,7 +6,7 @@
 #include <limits>
 #include <numeric>
 
-#include "glissade/core/not_finite.hpp"
+#include "glissade/core/finite.hpp"
 #include "glissade/core/quantile.hpp"
 #include "glissade/fragility/share.hpp"
 

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "glissade/core/not_finite.hpp"
+#include "glissade/core/finite.hpp"
 #include "glissade/report/format.hpp"
 #include "text/study_text.hpp"
 
@@ -147,19 +147,17 @@ Table fragility_summary_table(const Results& results) {
       least_floor == 1.0
           ? "Every history slides freely: it exceeds at any intensity, without shaking."
           : "Some histories slide freely: they exceed at any intensity. Median and log std are "
-            "those of "
-            "the others: P = p0 + (1 - p0) Phi(ln(x / median) / log std).");
+            "those of the others: P = p0 + (1 - p0) Phi(ln(x / median) / log std).");
   return table;
 }
 
 Table earthquakes_table(const Results& results) {
-  Table table{
-      "earthquakes",
-      "Probability that the clearance is exceeded in the design earthquake (DBE) and in the "
-      "maximum considered one (MCE): share of the histories." +
-          measured_by(results) + in_plan(results),
-      {run_column, threshold_column},
-      {}};
+  Table table{"earthquakes",
+              "Probability that the clearance is exceeded in the design earthquake (DBE) and in "
+              "the maximum considered one (MCE): share of the histories." +
+                  measured_by(results) + in_plan(results),
+              {run_column, threshold_column},
+              {}};
   std::vector<std::size_t> named;
   for (std::size_t level = 0; level < results.levels.size(); ++level) {
     const std::string name = earthquake_name(results.levels[level], results.model.dbe_level);
