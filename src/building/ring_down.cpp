@@ -16,10 +16,9 @@ void require_steps(double steps, double step_s, std::size_t most) {
   std::ostringstream what;
   what << "a motion of " << steps << " steps of " << step_s << " s, ring-down included; at most "
        << most << " are followed";
-  throw InputError({"", what.str(),
-                    "give the record a longer time step, or the building a longer period or more "
-                    "damping",
-                    ""});
+  throw InputError(
+      {"", what.str(),
+       "give the record a longer time step, or the building a longer period or more damping", ""});
 }
 
 std::size_t ring_down_steps(const Oscillator& oscillator, double step_s, double x, double y,
